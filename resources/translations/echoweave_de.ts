@@ -6043,6 +6043,38 @@
         <source>zero</source>
         <translation>null</translation>
     </message>
+    <message>
+        <source>of the patient's own motion</source>
+        <translation>der eigenen Bewegung des Patienten</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 1 (of the patient's own motion)</source>
+        <translation>eine Zahl von 0 bis 1 (der eigenen Bewegung des Patienten)</translation>
+    </message>
+    <message>
+        <source>breath, pulse and bowel, three numbers from 0 to 1</source>
+        <translation>Atem, Puls und Darm, drei Zahlen von 0 bis 1</translation>
+    </message>
+    <message>
+        <source>Finding how the patient moves</source>
+        <translation>Die Bewegung des Patienten wird bestimmt</translation>
+    </message>
+    <message>
+        <source>less sway, a longer fade_mm or a longer wave, so that no tissue is folded</source>
+        <translation>weniger Bewegung, ein längeres fade_mm oder eine längere Welle, damit sich kein Gewebe faltet</translation>
+    </message>
+    <message>
+        <source>There are %1 times and %2 poses; give one time, one pose, or as many of one as of the other.</source>
+        <translation>Es sind %1 Zeiten und %2 Posen; geben Sie eine Zeit, eine Pose oder von beiden gleich viele an.</translation>
+    </message>
+    <message>
+        <source>The body stands still, because the scene has no live echoes or no motion; give one with --scene.</source>
+        <translation>Der Körper steht still, weil die Szene keine lebendigen Echos oder keine Bewegung hat; geben Sie eine mit --scene an.</translation>
+    </message>
+    <message>
+        <source>This case does not move; --time, --breath and --pulse change nothing.</source>
+        <translation>Dieser Fall bewegt sich nicht; --time, --breath und --pulse ändern nichts.</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
@@ -6201,6 +6233,22 @@
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Motion of the body</source>
+        <translation>Bewegung des Körpers</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>The patient breathes, the pulse beats and the bowel moves</source>
+        <translation>Der Patient atmet, der Puls schlägt und der Darm bewegt sich</translation>
+    </message>
+    <message>
+        <source>How far tissue moves, of what the patient's own motion is</source>
+        <translation>Wie weit sich Gewebe bewegt, gemessen an der eigenen Bewegung des Patienten</translation>
     </message>
 </context>
 <context>
@@ -10262,6 +10310,30 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
             <numerusform>%1 ist geöffnet; %n Anmerkungen sagen, wie gelesen wurde.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>&amp;Breathing</source>
+        <translation>A&amp;tmung</translation>
+    </message>
+    <message>
+        <source>Breathe freely</source>
+        <translation>Frei atmen</translation>
+    </message>
+    <message>
+        <source>Breathe in and hold</source>
+        <translation>Einatmen und Luft anhalten</translation>
+    </message>
+    <message>
+        <source>Breathe out and hold</source>
+        <translation>Ausatmen und Luft anhalten</translation>
+    </message>
+    <message>
+        <source>breathe freely</source>
+        <translation>frei atmen</translation>
+    </message>
+    <message>
+        <source>breathe in and hold, breathe out and hold</source>
+        <translation>einatmen und anhalten, ausatmen und anhalten</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::MessageBar</name>
@@ -10460,6 +10532,17 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>drag: slide the probe</source>
         <translation>ziehen: Sonde schieben</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::Session</name>
+    <message>
+        <source>This case does not move: its patient was recorded holding the breath.</source>
+        <translation>Dieser Fall bewegt sich nicht: sein Patient wurde mit angehaltenem Atem aufgenommen.</translation>
+    </message>
+    <message>
+        <source>The patient breathes, but the image does not show it: switch live echoes and motion on (Effects).</source>
+        <translation>Der Patient atmet, aber das Bild zeigt es nicht: schalten Sie lebendige Echos und Bewegung ein (Effekte).</translation>
     </message>
 </context>
 <context>

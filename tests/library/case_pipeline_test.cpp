@@ -523,6 +523,35 @@ TEST_F(CasePipeline, KeepsMapsOfTissueOfARecipeWithoutSweeps) {
   EXPECT_EQ(*again->tissue, *made->tissue);
 }
 
+TEST_F(CasePipeline, KeepsHowTissueMovesAndMakesItAloneWhenItAloneIsMissing) {
+  json patient = json::parse(textOf(folder / "case" / "patient.json"));
+  patient["shapes"] = {{{"name", "vessel"}, {"tube", {{"points", {{0, 10, -40, 5}, {0, 12, 40, 6}}}}}}};
+  patient["motion"] = {{"breathing", {{"displacement_mm", {0, 0, -5}}, {"held_depth_mm", 5}, {"free_depth_mm", 30}, {"tidal", 0.3}}},
+                       {"pulse", {{"vessels", {{{"of", "vessel"}, {"diameter_growth_mm", 1}}}}}}};
+  writeText(folder / "case" / "patient.json", patient.dump());
+  Case drawn = unswept(folder / "case");
+  drawn.volume.fileToWorld = {glm::dmat4({0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {10, 20, 30, 1})};
+  const auto made = loadCaseVolume(drawn, noProgress());
+  ASSERT_TRUE(made) << made.error();
+  ASSERT_TRUE(made->motion);
+  ASSERT_EQ(made->motion->modes.size(), 2U);
+  EXPECT_EQ(made->motion->rhythms.breathing->tidal, 0.3);
+  EXPECT_EQ(made->motion->modes.front().grid.directions, made->volume.grid.directions) << "placed with the volume";
+  const auto volumes = fs::last_write_time(folder / "cache/steps/volumes");
+  for (const bool isRemoved : {false, true}) {
+    if (isRemoved) fs::remove_all(folder / "cache/steps/motions");
+    EXPECT_EQ(caseNeedsPreparation(drawn), isRemoved);
+    const auto again = loadCaseVolume(drawn, noProgress());
+    ASSERT_TRUE(again) << again.error();
+    EXPECT_TRUE(again->notes.empty());
+    ASSERT_TRUE(again->motion);
+    EXPECT_EQ(*again->motion, *made->motion);
+    EXPECT_EQ(*again->tissue, *made->tissue);
+  }
+  EXPECT_EQ(fs::last_write_time(folder / "cache/steps/volumes"), volumes) << "the volume was not made again";
+  EXPECT_EQ(loadCaseVolume(unswept(folder / "case"), noProgress())->motion->modes.front().grid.directions, glm::dmat3(1.0));
+}
+
 TEST_F(CasePipeline, EstimatesTheTimeOfARecipeWithoutSweepsFromTheLast) {
   const Case drawn = unswept(folder / "case");
   EXPECT_FALSE(estimatePreparation(drawn)->measured);

@@ -255,7 +255,7 @@ TEST(LoadCaseVolume, MakesABrokenCacheFileAgain) {
   const auto first = loadCaseVolume(made, noProgress());
   ASSERT_TRUE(first);
   const auto files = filesIn(folder / "cache");
-  ASSERT_EQ(files.size(), 8u) << "echo, coverage, labels and what they are; three maps of tissue and their surfaces";
+  ASSERT_EQ(files.size(), 9u) << "echo, coverage, labels and what they are; three maps of tissue and their surfaces; that it does not move";
   for (const auto& file : files) {
     for (const int damage : {0, 1, 2}) {
       const std::string whole = textOf(file);

@@ -54,6 +54,76 @@ double jacobian(const Deformation& motion, const glm::dvec3& p) {
   return glm::determinant(columns);
 }
 
+TEST(TissueMotion, IsTheBodysMotionOnGrids) {
+  const auto made = tissueMotionOf(beating(), 2, noProgress());
+  ASSERT_TRUE(made && *made);
+  const TissueMotion& motion = **made;
+  ASSERT_EQ(motion.modes.size(), 2U);
+  EXPECT_EQ(motion.rhythms, rhythmsOf(beating()));
+  for (double time_s = 0.0; time_s < 6.0; time_s += 0.37) EXPECT_EQ(bodyAt(motion.rhythms, time_s), stateAt(beating(), time_s));
+  for (const TissueMotion::Mode& mode : motion.modes) {
+    const bool isBreath = mode.kind == TissueMotion::Kind::breath;
+    const auto body = bodyMotion(beating(), isBreath ? BodyState{.breath = 1.0} : BodyState{.pulse = 1.0});
+    const auto half = bodyMotion(beating(), isBreath ? BodyState{.breath = 0.5} : BodyState{.pulse = 0.5});
+    double largest_mm = 0.0, furthest_mm = 0.0, bent_mm = 0.0;
+    // Halfway between nodes, where a field knows least.
+    for (int k = 0; k + 1 < mode.grid.dims.z; ++k)
+      for (int j = 0; j + 1 < mode.grid.dims.y; ++j)
+        for (int i = 0; i + 1 < mode.grid.dims.x; ++i) {
+          glm::dvec3 between(0.0);
+          for (int corner = 0; corner < 8; ++corner)
+            between += 0.125 * glm::dvec3(mode.shift_mm[mode.grid.indexOf(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2))]);
+          const glm::dvec3 p = carried(mode.grid.voxelToWorld(), glm::dvec3(i, j, k) + 0.5), shift = body->moved(p) - p;
+          largest_mm = std::max(largest_mm, glm::distance(between, shift));
+          furthest_mm = std::max(furthest_mm, glm::length(shift));
+          bent_mm = std::max(bent_mm, glm::distance(0.5 * shift, half->moved(p) - p));
+        }
+    EXPECT_GT(furthest_mm, isBreath ? 10.0 : 0.9);
+    EXPECT_LT(largest_mm, isBreath ? 0.01 : 0.05) << isBreath;  // the share is kept on the same nodes
+    EXPECT_LT(bent_mm, 1e-9) << "half the amplitude, half the way";
+  }
+}
+
+TEST(TissueMotion, OfABodyThatDoesNotMoveIsNone) {
+  const auto still = testing::patientOf(testing::patientRecipe(R"({"name": "ball", "tissue": "dark", "shape": {"ellipsoid": {"centre_mm": [0, 0, 0], "radii_mm": [9, 9, 9]}}})", ""));
+  ASSERT_TRUE(still) << still.error();
+  const auto made = tissueMotionOf(**still, 1, noProgress());
+  ASSERT_TRUE(made);
+  EXPECT_EQ(*made, nullptr);
+}
+
+TEST(TissueMotion, OfTheGutSwaysWithinItsOrgansAlone) {
+  const auto patient = testing::patientOf(testing::patientRecipe(
+      R"({"name": "gut", "tissue": "dark", "shape": {"tube": {"points": [[-40, 0, 0, 14], [40, 0, 0, 14]]}}})",
+      R"("motion": {"bowel": {"organs": ["gut"], "sway_mm": 2, "wavelength_mm": 60, "fade_mm": 6, "period_s": 8}},)"));
+  ASSERT_TRUE(patient) << patient.error();
+  EXPECT_TRUE(moves(**patient));
+  const auto made = tissueMotionOf(**patient, 1, noProgress());
+  ASSERT_TRUE(made && *made);
+  ASSERT_EQ((*made)->modes.size(), 2U);
+  double most_mm = 0.0;
+  for (const TissueMotion::Mode& mode : (*made)->modes)
+    for (int k = 0; k < mode.grid.dims.z; ++k)
+      for (int j = 0; j < mode.grid.dims.y; ++j)
+        for (int i = 0; i < mode.grid.dims.x; ++i) {
+          const glm::dvec3 p = carried(mode.grid.voxelToWorld(), glm::dvec3(i, j, k));
+          const glm::vec3& shift = mode.shift_mm[mode.grid.indexOf(i, j, k)];
+          most_mm = std::max(most_mm, static_cast<double>(std::abs(shift.y)));
+          if (signedDistance_mm(**patient, "gut", p).value() >= 0.0) EXPECT_EQ(shift, glm::vec3(0.0F));
+        }
+  EXPECT_NEAR(most_mm, 1.0, 0.1);
+  EXPECT_NEAR(stateAt(**patient, 2.0).bowel, 0.25, 1e-12);
+}
+
+TEST(TissueMotion, OfTheGutThatWouldFoldIsRefused) {
+  const auto patient = testing::patientOf(testing::patientRecipe(
+      R"({"name": "gut", "tissue": "dark", "shape": {"tube": {"points": [[-40, 0, 0, 14], [40, 0, 0, 14]]}}})",
+      R"("motion": {"bowel": {"organs": ["gut"], "sway_mm": 8, "fade_mm": 6}},)"));
+  ASSERT_FALSE(patient);
+  EXPECT_EQ(patient.error().code, ErrorCode::badField);
+  EXPECT_NE(patient.error().message.english().find("sway_mm"), std::string::npos) << patient.error();
+}
+
 RC_GTEST_PROP(BodyMotion, HasAnInverseWithinAHundredthOfAMillimetre, ()) {
   expectInverse(*bodyMotion(beating(), anyState()), placeIn({glm::dvec3(-70), glm::dvec3(70)}));
 }

@@ -76,6 +76,19 @@ TEST_F(Recording, IsReadBackAsItWasWritten) {
   EXPECT_TRUE(isRecording(folder / "r.seq.mha").value());
 }
 
+TEST_F(Recording, OfABodyAtRestHasNoWordOfItAndOneWithoutThatWordIsAtRest) {
+  ScanRecording written = recordingOf(1);
+  ASSERT_TRUE(writeRecording(written, folder / "r.seq.mha"));
+  EXPECT_EQ(readTextFile(folder / "r.seq.mha")->find("BodyState"), std::string::npos);
+  EXPECT_EQ(readRecording(folder / "r.seq.mha")->log.frame(0).body, BodyState{});
+  written = recordingOf(2);
+  ASSERT_TRUE(writeRecording(written, folder / "r.seq.mha"));
+  EXPECT_NE(readTextFile(folder / "r.seq.mha")->find("BodyState"), std::string::npos);
+  const BodyState body = readRecording(folder / "r.seq.mha")->log.frame(1).body;
+  EXPECT_EQ(body, written.log.frame(1).body);
+  EXPECT_NE(body, BodyState{});
+}
+
 TEST_F(Recording, OtherProgramsReadItAsASequenceOfTransforms) {
   const ScanRecording written = recordingOf(120);
   ASSERT_TRUE(writeRecording(written, folder / "r.seq.mha"));
@@ -158,6 +171,8 @@ TEST_F(Recording, WhatCannotBeUsedIsRefusedInASentence) {
       {"ImageNumber = 8", "ImageNumber = -8", ErrorCode::badField},
       {"ImageNumber = 8", "ImageNumber = eight", ErrorCode::badField},
       {"EchoWeaveImageSize = 320 240", "EchoWeaveImageSize = 0 240", ErrorCode::badField},
+      {"BodyState = ", "BodyState = 0 ", ErrorCode::badField},
+      {"BodyState = ", "BodyState = 1.", ErrorCode::badField},
       {"\"gain\":", "\"gian\":", ErrorCode::badField},
       {"\"settings\":", "\"settings\":3,\"x\":", ErrorCode::badHeader},
       {"\"time_s\":", "\"time\":", ErrorCode::badField}};

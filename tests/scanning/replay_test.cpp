@@ -57,6 +57,32 @@ TEST(Replay, GivesThePixelsThatWereSeenEveryTimeAndWithEveryNumberOfThreads) {
   for (const int threads : {1, 2, 1}) EXPECT_EQ(hashesOf(read->log, threads), seen) << threads << " threads";
 }
 
+TEST(Replay, ShowsABodyAsItStoodWhenItWasRecorded) {
+  constexpr int kFrames = 40;
+  const ScanSubject subject = test::livingSubject();
+  ScanRecording recording;
+  Scanner live(2);
+  live.show(subject);
+  std::vector<std::uint64_t> seen;
+  for (int n = 0; n < kFrames; ++n) {
+    ScanState state = test::movingState(3);  // the probe stands still
+    state.scene.noise.reset();
+    state.scene.liveEchoes.emplace();
+    state.scene.motion.emplace();
+    state.time_s = n / 30.0;
+    state.body = bodyAt(subject.motion->rhythms, state.time_s);
+    seen.push_back(hashOf(live.make(state, kSize_px.x, kSize_px.y)));
+    recording.log.addFrame(state);
+  }
+  EXPECT_GT(std::set(seen.begin(), seen.end()).size(), 30U) << "the images differ";
+  test::TempFolder folder;
+  ASSERT_TRUE(writeRecording(recording, folder / "r.seq.mha"));
+  const auto read = readRecording(folder / "r.seq.mha");
+  ASSERT_TRUE(read) << read.error();
+  Replay replay(read->log, subject, 1);
+  for (std::size_t n = 0; n < kFrames; ++n) ASSERT_EQ(hashOf(replay.make(n, kSize_px.x, kSize_px.y)), seen[n]) << n;
+}
+
 TEST(Replay, AfterAJumpDiffersByAGreyLevelAtMost) {
   ScanLog log;
   for (int n = 0; n < 260; ++n) log.addFrame(test::movingState(n));

@@ -23,6 +23,32 @@ inline std::shared_ptr<const Volume> waves(int side = 40) {
   return volume;
 }
 
+/// The waves as tissue, which breathes and pulses.
+inline ScanSubject livingSubject() {
+  ScanSubject subject = subjectOf(ScanVoxels::asStored(waves()), "living waves");
+  auto tissue = std::make_shared<TissueMaps>();
+  tissue->grid = subject.voxels.grid();
+  tissue->level = subject.voxels.volume()->echo;
+  auto motion = std::make_shared<TissueMotion>();
+  motion->rhythms.breathing = BodyRhythms::Breathing{};
+  motion->rhythms.pulse = Rhythm{0.9, 0.1};
+  for (const auto kind : {TissueMotion::Kind::breath, TissueMotion::Kind::pulse}) {
+    TissueMotion::Mode& mode = motion->modes.emplace_back();
+    mode.kind = kind;
+    mode.grid.dims = glm::ivec3(13);
+    mode.grid.spacing_mm = glm::dvec3(5.0);
+    mode.grid.origin_mm = glm::dvec3(-30.0);
+    for (int k = 0; k < 13; ++k)
+      for (int j = 0; j < 13; ++j)
+        for (int i = 0; i < 13; ++i)
+          mode.shift_mm.push_back(kind == TissueMotion::Kind::breath ? glm::vec3(0.2F * i, 2.0F, -0.3F * k) : glm::vec3(0.0F, 0.05F * j, 0.0F));
+  }
+  subject.tissue = std::move(tissue);
+  subject.motion = std::move(motion);
+  subject.place({});
+  return subject;
+}
+
 inline Probe smallProbe() {
   Probe probe;
   probe.id = "small";
@@ -60,6 +86,7 @@ inline ScanState movingState(int n) {
     state.gaps_mm.assign(17, -1.0F);
     for (std::size_t i = 12; i < 17; ++i) state.gaps_mm[i] = 1.1F * static_cast<float>(i - 10);
   }
+  if (n % 7 != 0) state.body = {0.5 + 0.5 * std::sin(0.6 * t), 0.5 - 0.5 * std::cos(6.1 * t), 0.01 * (n % 100)};
   state.time_s = 100.0 + t;
   state.number = static_cast<std::uint64_t>(n) + 7;
   return state;

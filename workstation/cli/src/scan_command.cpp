@@ -29,6 +29,9 @@ struct ScanArguments {
   int repeat = 0;
   int threads = 1;
   double rate_hz = 30.0;
+  std::vector<double> times_s;
+  std::optional<double> breath;
+  std::optional<double> pulse;
   bool plan = false;
   bool map = false;
 };
@@ -136,7 +139,15 @@ Result<std::vector<float>> gapsOf(const std::vector<std::string>& parts) {
 class TimedScanner {
  public:
   TimedScanner(const ScanArguments& arguments, ScanSubject subject, ScanState state, Run& run)
-      : scanner(arguments.threads), state_(std::move(state)), size_px_(arguments.size_px), rate_hz_(arguments.rate_hz), run_(run) {
+      : scanner(arguments.threads),
+        state_(std::move(state)),
+        size_px_(arguments.size_px),
+        rate_hz_(arguments.rate_hz),
+        times_s_(arguments.times_s),
+        breath_(arguments.breath),
+        pulse_(arguments.pulse),
+        motion_(subject.motion),
+        run_(run) {
     scanner.show(std::move(subject));
     const StepClock clock(run_.report, "configure");
     scanner.prepare(state_, size_px_.x, size_px_.y);
@@ -145,6 +156,7 @@ class TimedScanner {
   Picture make(const Pose& pose, bool isTimed = true) {
     state_.pose = pose;
     state_.time_s = static_cast<double>(state_.number) / rate_hz_;
+    moveBody();
     const auto start = std::chrono::steady_clock::now();
     const auto picture = scanner.make(state_, size_px_.x, size_px_.y);
     const double took_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
@@ -161,9 +173,22 @@ class TimedScanner {
   LatencyHistogram latency;
 
  private:
+  /// At rest unless times or phases are asked for. Of several times each picture has its own, again from the first when there are no more.
+  void moveBody() {
+    if (!motion_) return;
+    state_.body = {};
+    if (times_s_.size() == 1) state_.body = bodyAt(motion_->rhythms, times_s_.front() + state_.time_s);
+    if (times_s_.size() > 1) state_.body = bodyAt(motion_->rhythms, times_s_[state_.number % times_s_.size()]);
+    if (breath_) state_.body.breath = *breath_;
+    if (pulse_) state_.body.pulse = *pulse_;
+  }
+
   ScanState state_;
   glm::ivec2 size_px_;
   double rate_hz_;
+  std::vector<double> times_s_;
+  std::optional<double> breath_, pulse_;
+  std::shared_ptr<const TissueMotion> motion_;
   Run& run_;
 };
 
@@ -269,6 +294,11 @@ Result<ScanPlan> readScanPlan(const ScanArguments& arguments, Run& run) {
   if (auto fits = checkDepth(plan.knobs, *probe); !fits) return passOn(fits.error());
   auto poses = posesFor(arguments, *wanted, run);
   if (!poses) return passOn(poses.error());
+  if (arguments.times_s.size() > 1 && poses->size() == 1) poses->resize(arguments.times_s.size(), poses->front());
+  if (arguments.times_s.size() > 1 && poses->size() != arguments.times_s.size())
+    return failure(ErrorCode::badUsage,
+                   say<"There are %1 times and %2 poses; give one time, one pose, or as many of one as of the other.">(
+                       arguments.times_s.size(), poses->size()));
   auto gaps_mm = gapsOf(arguments.offSkin);
   if (!gaps_mm) return passOn(gaps_mm.error());
   const bool hasContact = wanted->opened ? wanted->opened->scene.contact.has_value() : wanted->scene && wanted->scene->contact;
@@ -293,6 +323,9 @@ nlohmann::json scanOptions(const ScanArguments& arguments, const ScanPlan& plan,
           {"threads", arguments.threads},
           {"rate_hz", arguments.rate_hz},
           {"off_skin", arguments.offSkin},
+          {"times_s", arguments.times_s},
+          {"breath", arguments.breath ? nlohmann::json(*arguments.breath) : nlohmann::json()},
+          {"pulse", arguments.pulse ? nlohmann::json(*arguments.pulse) : nlohmann::json()},
           {"mapped", subject.voxels.volume() == nullptr}};
 }
 
@@ -355,6 +388,9 @@ Result<int> scan(const ScanArguments& arguments, Run& run) {
   if (!subject) return passOn(subject.error());
   if (!arguments.contactSheet.empty()) return makeContactSheet(arguments, *subject, plan->probe, plan->poses, run);
 
+  if ((!arguments.times_s.empty() || arguments.breath || arguments.pulse) && !subject->movesIn(subject->scene))
+    run.remark(subject->motion ? say<"The body stands still, because the scene has no live echoes or no motion; give one with --scene.">()
+                               : say<"This case does not move; --time, --breath and --pulse change nothing.">());
   run.report.options = scanOptions(arguments, *plan, *subject);
   const ScanVoxels voxels = subject->voxels;
   const Scene scene = subject->scene;
@@ -419,6 +455,18 @@ void addScan(CLI::App& root, Selection& selection) {
   app.add_flag("--plan", arguments->plan, "Print what a frame runs, with estimated and measured microseconds");
   app.add_flag("--map", arguments->map,
                "Leave an uncompressed volume in its file and read it by the page, as files from 1 GiB on always are");
+  app.add_option("--time", arguments->times_s,
+                 "Where breath, pulse and bowel stand: seconds on the patient's clock. One time: the clock runs on at --rate from there; "
+                 "several with one pose: a series (the body at rest)")
+      ->expected(1, 10000)
+      ->check(CLI::Range(0.0, 1e6))
+      ->type_name("S...");
+  app.add_option("--breath", arguments->breath, "The breath held: 0 end of expiration, 1 full inspiration")
+      ->check(CLI::Range(0.0, 1.0))
+      ->type_name("SHARE");
+  app.add_option("--pulse", arguments->pulse, "The pulse held: 0 end of diastole, 1 vessels at their widest")
+      ->check(CLI::Range(0.0, 1.0))
+      ->type_name("SHARE");
   app.add_option("--off-skin", arguments->offSkin,
                  "A part of the face off the skin, from -1 (its -x end) to 1; may be given several times. Acts when the scene has contact")
       ->allow_extra_args(false)

@@ -19,10 +19,12 @@
 #include "ew/io/volume_file.h"
 #include "ew/library/case_truth.h"
 #include "ew/phantom/label_grid.h"
+#include "ew/phantom/motion.h"
 #include "ew/phantom/patient.h"
 #include "ew/stitching/chain.h"
 #include "guarded_case.h"
 #include "kept_maps.h"
+#include "kept_motion.h"
 #include "machine_speed.h"
 #include "old_results.h"
 #include "preparation_clock.h"
@@ -40,6 +42,8 @@ constexpr int kPreparationFormat = 4;
 constexpr int kMapsFormat = 1;
 /// And for the level of recorded tissue.
 constexpr int kLevelFormat = 1;
+/// The same for their motion.
+constexpr int kMotionFormat = 1;
 constexpr std::size_t kLargestSweepFile_bytes = 1u << 20;
 
 tl::unexpected<Error> stopped() { return failure(ErrorCode::cancelled, say<"Preparing the case was stopped.">()); }
@@ -183,6 +187,22 @@ Result<void> keepPrepared(const StepStore& store, const char* step, const std::s
 constexpr const char* kJoins = "joins";  ///< of the cache: a folder for each chain that is at work
 Message waiting() { return say<"Waiting for another EchoWeave that prepares the same case">(); }
 
+/// What a store holds in full.
+Result<Prepared> readDone(const CasePlan& plan, const StepStore& store, Progress& progress) {
+  PartOfProgress first(progress, 0.0, 0.7), second(progress, 0.7, 1.0);
+  auto volume = readKeptVolume(store, kVolumes, plan.volume, first);
+  if (!volume) return passOn(volume.error());
+  auto labels =
+      plan.sweeps.empty() ? readKeptLabels(store, kVolumes, plan.volume, second) : readKeptLabels(store, kLabels, plan.labels, second);
+  if (!labels) return passOn(labels.error());
+  Prepared done{std::move(*volume), std::move(*labels)};
+  done.maps = readKeptMaps(store, kMaps, plan.maps, done.volume.grid);
+  if (!done.maps) return damagedInCache(store, kMaps, plan.maps);
+  if (!plan.motion.empty() && !readKeptMotion(store, kMotions, plan.motion, done.motion))
+    return damagedInCache(store, kMotions, plan.motion);
+  return done;
+}
+
 /// One case's way from recipe to volume.
 class Preparation {
  public:
@@ -256,6 +276,9 @@ class Preparation {
   Result<Prepared> voxelised() {
     auto patient = patientOf();
     if (!patient) return passOn(patient.error());
+    if (auto kept = keepMotion(); !kept) return passOn(kept.error());
+    // What was there before motion was kept beside it is not made anew.
+    if (auto there = readDone(plan_, store_, silent_)) return there;
     begin(PreparationStep::voxelise, say<"Building the virtual patient">());
     PartOfProgress most(clock_, 0.0, 0.9);
     auto voxels = voxelise(
@@ -269,6 +292,7 @@ class Preparation {
       made.maps = std::make_shared<TissueMaps>(std::move(*voxels->maps));
       if (auto kept = keepMaps(store_, kMaps, plan_.maps, *made.maps); !kept) return passOn(kept.error());
     }
+    if (!plan_.motion.empty()) made.motion = std::move(motion_);
     PartOfProgress rest(clock_, 0.9, 1.0);
     if (auto kept = keepPrepared(store_, kVolumes, plan_.volume, made, rest); !kept) return passOn(kept.error());
     keepTruth();
@@ -284,6 +308,14 @@ class Preparation {
     keepMachineSpeed(cacheFolder(), PreparationStep::patient, 1.0, clock_.sinceBegin_s());
     if (clock_.cancelRequested()) return stopped();
     return patient_;
+  }
+
+  Result<void> keepMotion() {
+    if (plan_.motion.empty()) return {};
+    auto motion = tissueMotionOf(*patient_, options_.threads, silent_);
+    if (!motion) return passOn(motion.error());
+    motion_ = std::move(*motion);
+    return ew::keepMotion(store_, kMotions, plan_.motion, motion_.get());
   }
 
   void keepTruth() {
@@ -474,22 +506,9 @@ class Preparation {
   PreparationClock clock_;
   QuietProgress silent_;
   PatientPtr patient_;
+  std::shared_ptr<TissueMotion> motion_;
   bool isNamedFolderInTheWay_ = false;
 };
-
-/// What a store holds in full.
-Result<Prepared> readDone(const CasePlan& plan, const StepStore& store, Progress& progress) {
-  PartOfProgress first(progress, 0.0, 0.7), second(progress, 0.7, 1.0);
-  auto volume = readKeptVolume(store, kVolumes, plan.volume, first);
-  if (!volume) return passOn(volume.error());
-  auto labels =
-      plan.sweeps.empty() ? readKeptLabels(store, kVolumes, plan.volume, second) : readKeptLabels(store, kLabels, plan.labels, second);
-  if (!labels) return passOn(labels.error());
-  Prepared done{std::move(*volume), std::move(*labels)};
-  done.maps = readKeptMaps(store, kMaps, plan.maps, done.volume.grid);
-  if (!done.maps) return damagedInCache(store, kMaps, plan.maps);
-  return done;
-}
 
 /// Folders of chains that were stopped and never gone on with.
 void removeOldJoins(const fs::path& folder) {
@@ -540,6 +559,7 @@ Result<CasePlan> unguardedPlanOf(const Case& opened) {
   plan.labels = ContentKey().add("labels").add(plan.volume).add(opened.volume.reconstruct.labelsSpacing_mm).text();
   plan.maps = opened.volume.sweeps.empty() ? ContentKey().add("maps").add(kMapsFormat).add(plan.volume).text()
                                            : ContentKey().add("level").add(kLevelFormat).add(plan.volume).text();
+  if (opened.volume.sweeps.empty()) plan.motion = ContentKey().add("motion").add(kMotionFormat).add(plan.volume).text();
   plan.truth = ContentKey().add("truth").add(kPreparationFormat).add(*patient).text();
   return plan;
 }
@@ -551,17 +571,19 @@ Result<CasePlan> planOf(const Case& opened) {
 }
 
 const std::vector<std::string>& preparationSteps() {
-  static const std::vector<std::string> names = {kRecordings, kSweeps, kVolumes, kLabels, kMaps, kTruths};
+  static const std::vector<std::string> names = {kRecordings, kSweeps, kVolumes, kLabels, kMaps, kMotions, kTruths};
   return names;
 }
 
 bool CasePlan::isDoneIn(const StepStore& store) const {
-  return store.find(kVolumes, volume) && (sweeps.empty() || store.find(kLabels, labels)) && store.find(kMaps, maps);
+  return store.find(kVolumes, volume) && (sweeps.empty() || store.find(kLabels, labels)) && store.find(kMaps, maps) &&
+         (motion.empty() || store.find(kMotions, motion));
 }
 
 bool CasePlan::isDamagedIn(const StepStore& store) const {
   const auto isDamaged = [&](const char* step, const std::string& key) { return store.claims(step, key) && !store.find(step, key); };
-  return isDamaged(kVolumes, volume) || (!sweeps.empty() && isDamaged(kLabels, labels)) || isDamaged(kMaps, maps);
+  return isDamaged(kVolumes, volume) || (!sweeps.empty() && isDamaged(kLabels, labels)) || isDamaged(kMaps, maps) ||
+         (!motion.empty() && isDamaged(kMotions, motion));
 }
 
 bool CasePlan::isDone() const { return isDoneIn(StepStore::peek(cacheFolder(), preparationSteps())); }

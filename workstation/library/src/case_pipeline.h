@@ -15,9 +15,10 @@ namespace ew {
 
 /// What a preparation made. A part without voxels is one that it does not make.
 struct Prepared {
-  Volume volume;                               ///< with coverage
-  Volume labels;                               ///< a label per voxel in its `echo`
-  std::shared_ptr<TissueMaps> maps = nullptr;  ///< on the volume's grid: as drawn, or the level of what sweeps recorded
+  Volume volume;                                   ///< with coverage
+  Volume labels;                                   ///< a label per voxel in its `echo`
+  std::shared_ptr<TissueMaps> maps = nullptr;      ///< on the volume's grid: as drawn, or the level of what sweeps recorded
+  std::shared_ptr<TissueMotion> motion = nullptr;  ///< of the maps' tissue; null where it does not move
 };
 
 /// The folders of the cache, below steps, in which results of preparations lie: each with what was made in a step, under its key.
@@ -26,6 +27,7 @@ inline constexpr const char* kSweeps = "sweeps";          ///< reconstructed
 inline constexpr const char* kVolumes = "volumes";        ///< joined, or voxelised with their labels
 inline constexpr const char* kLabels = "labels";          ///< of joined volumes
 inline constexpr const char* kMaps = "maps";              ///< of tissue, beside volumes
+inline constexpr const char* kMotions = "motions";        ///< of that tissue
 inline constexpr const char* kTruths = "truths";
 [[nodiscard]] const std::vector<std::string>& preparationSteps();
 
@@ -47,6 +49,7 @@ struct CasePlan {
   std::string volume;                ///< key in kVolumes
   std::string labels;                ///< key in kLabels
   std::string maps;                  ///< key in kMaps
+  std::string motion;                ///< key in kMotions; empty: none is asked for
   std::string truth;                 ///< key in kTruths
   [[nodiscard]] bool isDoneIn(const StepStore& store) const;
   [[nodiscard]] bool isDone() const;  ///< in the cache

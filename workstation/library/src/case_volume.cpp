@@ -35,6 +35,7 @@ Result<CaseEcho> fromRecipe(const Case& opened, const PreparationOptions& option
   found.volume = std::move(made->volume);
   found.labels = std::move(made->labels);
   found.tissue = std::move(made->maps);
+  found.motion = std::move(made->motion);
   found.tissues = std::move(*tissues);
   return found;
 }
@@ -55,7 +56,8 @@ Result<CaseEcho> fromFiles(const Case& opened, const fs::path& file, Progress& p
   PartOfProgress first(progress, 0.0, isAlone ? 1.0 : 0.5), second(progress, 0.5, 0.75), third(progress, 0.75, 1.0);
   auto loaded = readVolume(file, first);
   if (!loaded) return passOn(loaded.error());
-  CaseEcho read{.volume = std::move(loaded->volume), .labels = {}, .tissue = {}, .tissues = {}, .notes = std::move(loaded->notes)};
+  CaseEcho read{
+      .volume = std::move(loaded->volume), .labels = {}, .tissue = {}, .motion = {}, .tissues = {}, .notes = std::move(loaded->notes)};
   if (!opened.volume.labels.empty()) {
     auto labels = readBeside(opened, opened.volume.labels, "volume.labels", second, read.notes);
     if (!labels) return passOn(labels.error());
@@ -83,6 +85,8 @@ Result<CaseEcho> loadCaseVolume(const Case& opened, Progress& progress, const Pr
   found->volume.grid = placed(found->volume.grid, opened.volume.fileToWorld);
   if (found->labels) found->labels->grid = placed(found->labels->grid, opened.volume.fileToWorld);
   if (found->tissue) found->tissue->grid = placed(found->tissue->grid, opened.volume.fileToWorld);
+  if (found->motion)
+    for (TissueMotion::Mode& mode : found->motion->modes) mode.grid = placed(mode.grid, opened.volume.fileToWorld);
   return found;
 }
 

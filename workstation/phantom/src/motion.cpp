@@ -5,66 +5,16 @@
 #include <numbers>
 
 #include "anatomy.h"
+#include "ew/core/parallel.h"
 
 namespace ew {
 namespace {
 
 using phantom::PulsingVessel;
-using phantom::Rhythm;
 
 constexpr double kExact_mm = 1e-4;  // of the inverses, well within what a Deformation promises
 
-/// A number -0.5..0.5 that looks random but is the same for the same cycle.
-double unevenness(long long cycle) {
-  auto z = static_cast<std::uint64_t>(cycle) + 0x9e3779b97f4a7c15ull;  // the finaliser of splitmix64
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-  z ^= z >> 31;
-  return static_cast<double>(z >> 11) * 0x1p-53 - 0.5;
-}
-
-double beginningOf_s(const Rhythm& rhythm, long long cycle) {
-  return rhythm.period_s * (static_cast<double>(cycle) + rhythm.variation * unevenness(cycle));
-}
-
-struct Cycle {
-  double since_s = 0.0;     ///< its beginning
-  double duration_s = 1.0;  ///< to the beginning of the next
-};
-
-Cycle cycleAt(const Rhythm& rhythm, double time_s) {
-  if (!(std::abs(time_s) < 1e9)) return {};
-  auto cycle = static_cast<long long>(std::floor(time_s / rhythm.period_s));
-  if (beginningOf_s(rhythm, cycle) > time_s) --cycle;
-  if (beginningOf_s(rhythm, cycle + 1) <= time_s) ++cycle;
-  const double begin = beginningOf_s(rhythm, cycle);
-  return {time_s - begin, beginningOf_s(rhythm, cycle + 1) - begin};
-}
-
 double risen(double t) { return 0.5 - 0.5 * std::cos(std::numbers::pi * std::clamp(t, 0.0, 1.0)); }
-
-/// In and out like sin^2 (Lujan et al., Med. Phys. 26(5), 1999, n = 1, turned upside down), then the pause.
-double breathAt(const phantom::Breathing& breathing, double time_s) {
-  const Cycle cycle = cycleAt(breathing.rhythm, time_s);
-  const double moving_s = (1.0 - breathing.pause) * cycle.duration_s;
-  if (cycle.since_s >= moving_s) return 0.0;
-  const double s = std::sin(std::numbers::pi * cycle.since_s / moving_s);
-  return s * s;
-}
-
-// After the R peak the pressure wave takes a tenth of a second to the abdominal aorta, which is widest a sixth of a second later and then
-// narrows until the next beat (Nichols and O'Rourke, McDonald's Blood Flow in Arteries, pulses of diameter; times rounded).
-constexpr double kWaveArrives_s = 0.10;
-constexpr double kWaveRises_s = 0.16;
-
-double pulseAt(const phantom::Pulse& pulse, double time_s) {
-  const Cycle cycle = cycleAt(pulse.rhythm, time_s);
-  const double stretch = std::min(1.0, cycle.duration_s / 0.6);  // everything comes sooner in a fast heart
-  const double arrives = kWaveArrives_s * stretch, widest = arrives + kWaveRises_s * stretch;
-  if (cycle.since_s <= widest) return risen((cycle.since_s - arrives) / (widest - arrives));
-  const double fall = (cycle.since_s - widest) / (cycle.duration_s - widest);
-  return 1.0 - risen(std::sqrt(std::max(fall, 0.0)));  // the root lets it fall faster at first
-}
 
 /// One vessel's push: across its line, within the plane of constant z, so that a place keeps its plane and its direction from the line.
 class VesselPush {
@@ -180,14 +130,17 @@ class BodyMotion final : public Deformation {
 
 }  // namespace
 
-bool moves(const Patient& patient) { return patient.motion.breathing || patient.motion.pulse; }
+bool moves(const Patient& patient) { return patient.motion.breathing || patient.motion.pulse || patient.motion.bowel; }
 
-BodyState stateAt(const Patient& patient, double time_s) {
-  BodyState state;
-  if (patient.motion.breathing) state.breath = breathAt(*patient.motion.breathing, time_s);
-  if (patient.motion.pulse) state.pulse = pulseAt(*patient.motion.pulse, time_s);
-  return state;
+BodyRhythms rhythmsOf(const Patient& patient) {
+  BodyRhythms rhythms;
+  if (const auto& breathing = patient.motion.breathing) rhythms.breathing = {breathing->rhythm, breathing->pause, breathing->tidal};
+  if (patient.motion.pulse) rhythms.pulse = patient.motion.pulse->rhythm;
+  if (patient.motion.bowel) rhythms.bowel = patient.motion.bowel->rhythm;
+  return rhythms;
 }
+
+BodyState stateAt(const Patient& patient, double time_s) { return bodyAt(rhythmsOf(patient), time_s); }
 
 double ecgAt_mv(const Patient& patient, double time_s) {
   if (!patient.motion.pulse) return 0.0;
@@ -207,6 +160,98 @@ double ecgAt_mv(const Patient& patient, double time_s) {
     }
   }
   return sum_mv;
+}
+
+namespace {
+
+constexpr double kBowelNodes_mm = 4.0;
+
+Grid nodesOver(const Bounds& box, double spacing_mm) {
+  Grid grid;
+  grid.origin_mm = box.lowest_mm;
+  grid.spacing_mm = glm::dvec3(spacing_mm);
+  grid.dims = glm::max(glm::ivec3(glm::ceil((box.highest_mm - box.lowest_mm) / spacing_mm)), glm::ivec3(1)) + 1;
+  return grid;
+}
+
+/// A field of what `shiftAt` says at each node.
+template <class ShiftAt>
+bool addMode(TissueMotion::Kind kind, const Grid& grid, int threads, Progress& progress, TissueMotion& motion, const ShiftAt& shiftAt) {
+  TissueMotion::Mode& mode = motion.modes.emplace_back(TissueMotion::Mode{kind, grid, std::vector<glm::vec3>(grid.voxelCount())});
+  return forEachTask(grid.dims.z, threads, progress, say<"Finding how the patient moves">(),
+                     [&](int k, int /*worker*/, const auto& stopped) {
+                       for (int j = 0; j < grid.dims.y && !stopped(); ++j)
+                         for (int i = 0; i < grid.dims.x; ++i)
+                           mode.shift_mm[grid.indexOf(i, j, k)] =
+                               glm::vec3(shiftAt(grid.origin_mm + grid.spacing_mm * glm::dvec3(i, j, k)));
+                     });
+}
+
+bool addVessel(const PulsingVessel& vessel, int threads, Progress& progress, TissueMotion& motion) {
+  Bounds box{glm::dvec3(1e9), glm::dvec3(-1e9)};
+  double thinnest_mm = 1e9;
+  for (const glm::dvec4& point : vessel.line_mm) {
+    const glm::dvec3 around(point.w + vessel.reach_mm, point.w + vessel.reach_mm, 0.0);
+    box.lowest_mm = glm::min(box.lowest_mm, glm::dvec3(point) - around);
+    box.highest_mm = glm::max(box.highest_mm, glm::dvec3(point) + around);
+    thinnest_mm = std::min(thinnest_mm, point.w);
+  }
+  const VesselPush push(vessel, 1.0);
+  const Grid grid = nodesOver(box, std::clamp(0.25 * thinnest_mm, 1.0, 2.5));
+  return addMode(TissueMotion::Kind::pulse, grid, threads, progress, motion, [&](const glm::dvec3& p) { return push.moved(p) - p; });
+}
+
+/// How far a place lies within the gut, 0 outside and 1 where it sways fully.
+double shareOfGut(const phantom::Bowel& bowel, const glm::dvec3& p_mm) {
+  double deepest_mm = 0.0;
+  for (const phantom::ShapePtr& organ : bowel.organs)
+    if (organ->atLeast_mm(p_mm) <= 0.0) deepest_mm = std::max(deepest_mm, -organ->distance_mm(p_mm));
+  const double t = std::min(1.0, deepest_mm / bowel.fade_mm);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+bool addBowel(const phantom::Bowel& bowel, const Bounds& within, int threads, Progress& progress, TissueMotion& motion) {
+  Bounds box{glm::dvec3(1e9), glm::dvec3(-1e9)};
+  for (const phantom::ShapePtr& organ : bowel.organs) {
+    box.lowest_mm = glm::min(box.lowest_mm, organ->bounds().lowest_mm);
+    box.highest_mm = glm::max(box.highest_mm, organ->bounds().highest_mm);
+  }
+  // A node beyond each side, where nothing sways.
+  box.lowest_mm = glm::max(box.lowest_mm, within.lowest_mm) - kBowelNodes_mm;
+  box.highest_mm = glm::min(box.highest_mm, within.highest_mm) + kBowelNodes_mm;
+  if (!glm::all(glm::lessThan(box.lowest_mm, box.highest_mm))) return true;
+  // Waves run from the patient's right to the left and downwards; tissue sways front to back.
+  const glm::dvec3 wave = 2.0 * std::numbers::pi / bowel.wavelength_mm * glm::normalize(glm::dvec3(1.0, 0.0, -1.0));
+  const glm::dvec3 sway_mm(0.0, 0.5 * bowel.sway_mm, 0.0);
+  const Grid grid = nodesOver(box, kBowelNodes_mm);
+  if (!addMode(TissueMotion::Kind::bowelCosine, grid, threads, progress, motion,
+               [&](const glm::dvec3& p) { return shareOfGut(bowel, p) * std::cos(glm::dot(wave, p)) * sway_mm; }))
+    return false;
+  return addMode(TissueMotion::Kind::bowelSine, grid, threads, progress, motion,
+                 [&](const glm::dvec3& p) { return shareOfGut(bowel, p) * std::sin(glm::dot(wave, p)) * sway_mm; });
+}
+
+}  // namespace
+
+Result<std::shared_ptr<TissueMotion>> tissueMotionOf(const Patient& patient, int threads, Progress& progress) {
+  if (!moves(patient)) return std::shared_ptr<TissueMotion>();
+  const phantom::Motion& from = patient.motion;
+  auto motion = std::make_shared<TissueMotion>();
+  motion->rhythms = rhythmsOf(patient);
+  bool finished = true;
+  PartOfProgress breath(progress, 0.0, 0.1), pulse(progress, 0.1, 0.5), bowel(progress, 0.5, 1.0);
+  if (from.breathing) {
+    const phantom::ShareField& share = *from.breathing->share;
+    const Grid grid = nodesOver({share.placeOf(glm::ivec3(0)), share.placeOf(share.nodes() - 1)},
+                                share.placeOf(glm::ivec3(1)).x - share.placeOf(glm::ivec3(0)).x);
+    finished = addMode(TissueMotion::Kind::breath, grid, threads, breath, *motion,
+                       [&](const glm::dvec3& p) { return from.breathing->displacement_mm * share(p); });
+  }
+  if (from.pulse)
+    for (const PulsingVessel& vessel : from.pulse->vessels) finished = finished && addVessel(vessel, threads, pulse, *motion);
+  if (from.bowel) finished = finished && addBowel(*from.bowel, patient.box, threads, bowel, *motion);
+  if (!finished) return failure(ErrorCode::cancelled, say<"Building the virtual patient was stopped.">());
+  return motion;
 }
 
 std::unique_ptr<Deformation> bodyMotion(const Patient& patient, const BodyState& state) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "ew/core/numbers.h"
 #include "ew/core/parallel.h"
@@ -28,10 +29,11 @@ Rhythm readRhythm(const JsonFields& object, double period_s) {
 Breathing readBreathing(const JsonFields& object, const Bounds& box, const ShapePtr& skin, const NamedShapes& shapes, Progress& progress) {
   Breathing breathing;
   object.only({"period_s", "variation", "pause", "displacement_mm", "held_depth_mm", "free_depth_mm", "held_by", "free_distance_mm",
-               "grows_along_z_mm"});
+               "grows_along_z_mm", "tidal"});
   if (!object.good()) return breathing;
   breathing.rhythm = readRhythm(object, object.number("period_s", 1.0, 30.0, 4.0));
   breathing.pause = object.number("pause", 0.0, 0.9, 0.3);
+  breathing.tidal = object.number("tidal", 0.05, 1.0, 1.0);
   breathing.displacement_mm = object.point("displacement_mm", kFarthest_mm);
   if (!(glm::length(breathing.displacement_mm) <= 60.0)) object.refuse("displacement_mm", say<"too long">(), say<"at most 60 mm">());
   const double held = object.number("held_depth_mm", 0.0, 500.0, 20.0);
@@ -108,6 +110,27 @@ PulsingVessel readVessel(const JsonFields& object, const NamedShapes& shapes) {
   return vessel;
 }
 
+Bowel readBowel(const JsonFields& object, const NamedShapes& shapes) {
+  Bowel bowel;
+  object.only({"period_s", "variation", "organs", "sway_mm", "wavelength_mm", "fade_mm"});
+  if (!object.good()) return bowel;
+  bowel.rhythm = readRhythm(object, object.number("period_s", 2.0, 60.0, 12.0));
+  bowel.sway_mm = object.number("sway_mm", 0.0, 20.0, 2.0);
+  bowel.wavelength_mm = object.number("wavelength_mm", 10.0, 500.0, 60.0);
+  bowel.fade_mm = object.number("fade_mm", 1.0, 100.0, 6.0);
+  for (const std::string& name : object.texts("organs", 1, 50)) {
+    const auto found = shapes.find(name);
+    if (found == shapes.end())
+      object.refuse("organs[" + std::to_string(bowel.organs.size()) + "]", verbatim('"' + name + '"'), say<"the name of a shape or organ">());
+    else
+      bowel.organs.push_back(found->second);
+  }
+  // The slopes of the fading and of the wave.
+  if (!(bowel.sway_mm * (1.5 / bowel.fade_mm + std::numbers::pi / bowel.wavelength_mm) <= 1.0 - kLeastStretch))
+    object.refuse("sway_mm", verbatim(textOf(bowel.sway_mm)), say<"less sway, a longer fade_mm or a longer wave, so that no tissue is folded">());
+  return bowel;
+}
+
 }  // namespace
 
 ShareField::ShareField(const Bounds& box, double spacing_mm) : origin_(box.lowest_mm), spacing_(spacing_mm) {
@@ -156,7 +179,7 @@ double ShareField::steepestFall(const glm::dvec3& direction) const {
 
 Motion readMotion(const JsonFields& motion, const Bounds& box, const ShapePtr& skin, const NamedShapes& shapes, Progress& progress) {
   Motion read;
-  motion.only({"breathing", "pulse"});
+  motion.only({"breathing", "pulse", "bowel"});
   if (!motion.good()) return read;
   if (motion.has("breathing")) read.breathing = readBreathing(motion.object("breathing"), box, skin, shapes, progress);
   if (motion.has("pulse")) {
@@ -167,6 +190,7 @@ Motion readMotion(const JsonFields& motion, const Bounds& box, const ShapePtr& s
     for (const JsonFields& vessel : object.objects("vessels", 1, 50)) pulse.vessels.push_back(readVessel(vessel, shapes));
     read.pulse = std::move(pulse);
   }
+  if (motion.has("bowel")) read.bowel = readBowel(motion.object("bowel"), shapes);
   return read;
 }
 

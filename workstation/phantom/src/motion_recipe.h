@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ew/core/progress.h"
+#include "ew/imaging/tissue_motion.h"
 #include "recipe.h"
 
 namespace ew::phantom {
@@ -33,15 +34,10 @@ class ShareField {
   std::vector<float> values_;
 };
 
-/// A rhythm whose cycles begin at n * period_s, each moved by up to half of `variation` periods to either side.
-struct Rhythm {
-  double period_s = 4.0;
-  double variation = 0.0;
-};
-
 struct Breathing {
   Rhythm rhythm;
   double pause = 0.3;               ///< share of a cycle without motion, at the end of expiration
+  double tidal = 1.0;               ///< of a quiet breath, as a share of full inspiration
   glm::dvec3 displacement_mm{0.0};  ///< of tissue that is free to move, at full inspiration
   std::shared_ptr<const ShareField> share;
 };
@@ -59,9 +55,19 @@ struct Pulse {
   std::vector<PulsingVessel> vessels;
 };
 
+/// Slow waves along the gut: within its organs tissue sways front to back, as far as `sway_mm` from one end to the other.
+struct Bowel {
+  Rhythm rhythm;
+  std::vector<ShapePtr> organs;
+  double sway_mm = 2.0;
+  double wavelength_mm = 60.0;
+  double fade_mm = 6.0;  ///< from an organ's surface inwards, to where it sways fully
+};
+
 struct Motion {
   std::optional<Breathing> breathing;
   std::optional<Pulse> pulse;
+  std::optional<Bowel> bowel;
 };
 
 /// Reads "motion" of a recipe: null after a problem, unfinished after the wish to cancel. Motion that would fold tissue is refused.

@@ -12,7 +12,7 @@ void ScanLog::addFrame(const ScanState& made) {
   const SettingsChanged settings{made.knobs, made.pan};
   if (settings_ == kNone || std::get<SettingsChanged>(events_[settings_].what) != settings) add({made.time_s, settings});
   if (scene_ == kNone || std::get<SceneChanged>(events_[scene_].what).scene != made.scene) add({made.time_s, SceneChanged{made.scene}});
-  add({made.time_s, FrameMade{made.pose, made.gaps_mm, made.number}});
+  add({made.time_s, FrameMade{made.pose, made.gaps_mm, made.number, made.body}});
 }
 
 void ScanLog::setFrozen(double time_s, bool isFrozen) {
@@ -53,6 +53,7 @@ ScanState ScanLog::frame(std::size_t n) const {
   state.gaps_mm = made.gaps_mm;
   state.time_s = events_[at.event].time_s;
   state.number = made.number;
+  state.body = made.body;
   return state;
 }
 

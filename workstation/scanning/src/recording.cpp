@@ -23,6 +23,7 @@ constexpr const char* kSubjectField = "EchoWeaveSubject";
 constexpr const char* kSizeField = "EchoWeaveImageSize";
 constexpr const char* kNumberField = "ImageNumber";
 constexpr const char* kGapsField = "SkinGaps";
+constexpr const char* kBodyField = "BodyState";
 constexpr const char* kEventsField = "Events";
 constexpr std::size_t kLongestValue = 900;  // with its key a line that readers with buffers of 1000 characters take whole
 constexpr std::size_t kMostGaps = 4096;
@@ -157,6 +158,13 @@ Result<void> takeFrame(const SequenceFrame& frame, std::size_t n, const fs::path
     if (!numbers || numbers->size() > kMostGaps) return bad(kGapsField, say<"distances in mm">());
     for (const double gap_mm : *numbers) made.gaps_mm.push_back(static_cast<float>(gap_mm));
   }
+  if (const std::string body = valueOf(frame.otherFields, kBodyField); !body.empty()) {
+    const auto numbers = parseNumbers(body);
+    const auto isShare = [](double value) { return value >= 0.0 && value <= 1.0; };
+    if (!numbers || numbers->size() != 3 || !std::all_of(numbers->begin(), numbers->end(), isShare))
+      return bad(kBodyField, say<"breath, pulse and bowel, three numbers from 0 to 1">());
+    made.body = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+  }
   log.add({*frame.time_s, std::move(made)});
   return {};
 }
@@ -172,6 +180,8 @@ SequenceFrame frameOf(const ScanEvent& event, const FrameMade& made, json& event
     for (const float gap_mm : made.gaps_mm) gaps += (gaps.empty() ? "" : " ") + textOf(static_cast<double>(gap_mm));
     addText(frame.otherFields, kGapsField, gaps);
   }
+  if (!(made.body == BodyState{}))
+    frame.otherFields.emplace_back(kBodyField, textOf(made.body.breath) + " " + textOf(made.body.pulse) + " " + textOf(made.body.bowel));
   if (!events.empty()) addText(frame.otherFields, kEventsField, events.dump(-1, ' ', true));
   events = json::array();
   return frame;

@@ -54,6 +54,8 @@ Picture Scanner::make(const ScanState& state, int width_px, int height_px) {
   if (subject_->tissue) {
     input.tissue = subject_->tissue.get();
     input.tissueGrid = subject_->placedTissue;
+    input.motion = subject_->motion.get();
+    input.body = state.body;
   }
   input.pose = state.pose;
   input.gaps_mm = state.gaps_mm;

@@ -146,6 +146,7 @@ Result<CaseContents> readContents(const Case& opened, Progress& progress, const 
   CaseContents contents{.voxels = std::move(*voxels),
                         .labels = {},
                         .tissue = std::move(echo->tissue),
+                        .motion = std::move(echo->motion),
                         .tissues = std::move(echo->tissues),
                         .fileToWorld = opened.volume.fileToWorld,
                         .notes = std::move(echo->notes)};
@@ -161,6 +162,7 @@ ScanSubject subjectOf(const Case& edited, const CaseContents& contents) {
   ScanSubject subject = subjectOf(contents.voxels, titleForTrainees(edited));
   subject.labels = contents.labels;
   subject.tissue = contents.tissue;
+  subject.motion = contents.motion;
   subject.scene = subject.known(sceneWithTissues(edited.scene, contents.tissues));
   subject.probes = edited.probes;
   subject.startPose = edited.startPose;

@@ -47,7 +47,7 @@ void HostScan::tellPicture() {
   if (!before || before->probe != made->probe) tell({made->time_s, ProbeChosen{made->probe}});
   if (!before || before->knobs != made->knobs || !(before->pan == made->pan)) tell({made->time_s, SettingsChanged{made->knobs, made->pan}});
   if (!before || before->scene != made->scene) tell({made->time_s, SceneChanged{made->scene}});
-  tell({made->time_s, FrameMade{made->pose, made->gaps_mm, made->number}});
+  tell({made->time_s, FrameMade{made->pose, made->gaps_mm, made->number, made->body}});
 }
 
 sdk::Ticket HostScan::drive(std::shared_ptr<const PoseSource> source, std::function<void()> takenBack) {

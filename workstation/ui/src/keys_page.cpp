@@ -35,6 +35,8 @@ std::vector<Group> keysOfTheScan() {
             {keysOf("Ctrl+0"), MainWindow::tr("reset TGC")},
             {keysOf("Z | Shift+Z"), MainWindow::tr("zoom")},
             {MainWindow::tr("Drag in a zoomed image"), MainWindow::tr("move the detail")},
+            {keysOf("C"), MainWindow::tr("breathe freely")},
+            {keysOf("Shift+C | Ctrl+Shift+C"), MainWindow::tr("breathe in and hold, breathe out and hold")},
             {keysOf("X | U"), MainWindow::tr("invert left/right, up/down")},
             {keysOf("M"), MainWindow::tr("B, B + M, M")},
             {keysOf("Ctrl+Left | Ctrl+Right"), MainWindow::tr("M line")},

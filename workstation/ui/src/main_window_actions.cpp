@@ -186,6 +186,7 @@ void MainWindow::addScanMenu(QMenu& scan) {
   addConsoleAction(scan, tr("Zoom in"), "Z", "zoom", 1);
   addConsoleAction(scan, tr("Zoom out"), "Shift+Z", "zoom", -1);
   addMenuAction(scan, tr("Reset TGC"), {keys("Ctrl+0")}, [this] { parts_->session.resetTgc(); });
+  addBreathingMenu(*scan.addMenu(tr("&Breathing")));
   scan.addSeparator();
 
   addImageMenu(*scan.addMenu(tr("&Image")));
@@ -196,6 +197,30 @@ void MainWindow::addScanMenu(QMenu& scan) {
   addMenuAction(scan, tr("Next page of the console"), {QKeySequence(Qt::Key_F10)}, [this] { parts_->console->showNextPage(); });
   scan.addSeparator();
   addMenuAction(scan, tr("&Performance…"), {keys("Ctrl+K")}, [this] { showCost(); });
+}
+
+void MainWindow::addBreathingMenu(QMenu& breathing) {
+  auto* requests = new QActionGroup(this);
+  const auto add = [&](const QString& text, const char* key, BreathingRequest request) {
+    QAction* action = addMenuAction(breathing, text, {keys(key)}, [this, request] { askBreathing(request); });
+    action->setCheckable(true);
+    requests->addAction(action);
+    connect(&parts_->session, &Session::breathingChanged, action,
+            [this, action, request] { action->setChecked(parts_->session.breathing() == request); });
+    action->setChecked(request == BreathingRequest::free);
+  };
+  add(tr("Breathe freely"), "C", BreathingRequest::free);
+  add(tr("Breathe in and hold"), "Shift+C", BreathingRequest::breatheInAndHold);
+  add(tr("Breathe out and hold"), "Ctrl+Shift+C", BreathingRequest::breatheOutAndHold);
+}
+
+void MainWindow::askBreathing(BreathingRequest request) {
+  Session& session = parts_->session;
+  session.askBreathing(request);
+  // An action of a group checks itself, whatever came of it.
+  Q_EMIT session.breathingChanged();
+  if (session.subject() && !session.isPlaying())
+    if (const char* why = session.whyBreathingIsNotSeen()) parts_->messages->showNote(Session::tr(why), QStringLiteral("breathing"));
 }
 
 void MainWindow::addImageMenu(QMenu& image) {

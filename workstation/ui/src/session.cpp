@@ -88,6 +88,8 @@ void Session::show(ScanSubject shown) {
   latency_.clear();
   sceneBeforeReset_.reset();
   wantedEchoes_.reset();
+  breathing_ = {};
+  Q_EMIT breathingChanged();
   takeScene(subject()->scene);
   if (!subject()->probes.empty()) {
     const auto first = std::find_if(all_.begin(), all_.end(), [this](const Probe& p) { return p.id == subject()->probes.front(); });
@@ -191,7 +193,8 @@ void Session::setWatched(bool watched) {
 
 bool Session::changesByItself() const {
   if (!subject() || frozen_ || played_ || picture_.isEmpty()) return false;
-  return live_.scene.noise || live_.knobs.mode != DisplayMode::bMode || unsettledFrames_ > 0 || isLowered() ||
+  return (subject()->movesIn(live_.scene) && breathing_.movesAfter(subject()->motion->rhythms, shown_.time_s)) || live_.scene.noise ||
+         live_.knobs.mode != DisplayMode::bMode || unsettledFrames_ > 0 || isLowered() ||
          (source_ && source_->movesAfter(shown_.time_s));
 }
 
@@ -287,6 +290,20 @@ void Session::forgetPictures() {
   due();
 }
 
+void Session::askBreathing(BreathingRequest request) {
+  if (played_ || !canBreathe() || request == breathing_.asked()) return;
+  breathing_.ask(request, subject()->motion->rhythms, now_s());
+  due();
+  Q_EMIT breathingChanged();
+}
+
+const char* Session::whyBreathingIsNotSeen() const {
+  if (!canBreathe()) return QT_TR_NOOP("This case does not move: its patient was recorded holding the breath.");
+  if (!subject()->movesIn(live_.scene))
+    return QT_TR_NOOP("The patient breathes, but the image does not show it: switch live echoes and motion on (Effects).");
+  return nullptr;
+}
+
 void Session::setFrozen(bool frozen) {
   if (frozen == isFrozen() || (frozen && played_)) return;
   if (frozen) {
@@ -301,6 +318,7 @@ void Session::setFrozen(bool frozen) {
     kept.gaps_mm = shown_.gaps_mm;
     kept.time_s = shown_.time_s;
     kept.number = shown_.number;
+    kept.body = shown_.body;
     frozen_ = std::move(kept);
   } else {
     frozen_.reset();
@@ -330,6 +348,7 @@ ScanState Session::nextState() {
   ScanState next = live_;
   next.time_s = now_s();
   next.number = shown_.number + 1;
+  if (subject() && subject()->movesIn(next.scene)) next.body = breathing_.at(subject()->motion->rhythms, next.time_s);
   next.pose = source_ ? source_->poseAt(next.time_s) : hand_.poseAt(next.time_s);
   const bool mayLower = isAdaptive_ && !isFreezing_;
   if (mayLower) next.knobs = adaptive_.step(live_.knobs, next.pose, next.time_s, lastFrame_ms_, !formsEchoes(next.scene));

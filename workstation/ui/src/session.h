@@ -12,6 +12,7 @@
 #include "ew/imaging/adaptive_quality.h"
 #include "ew/imaging/latency.h"
 #include "ew/imaging/resolved.h"
+#include "ew/scanning/breathing.h"
 #include "ew/scanning/recorded.h"
 #include "ew/scanning/scanner.h"
 #include "ew/tracking/pose_source.h"
@@ -106,6 +107,14 @@ class Session final : public QObject {
   /// Earlier pictures no longer show in later ones.
   void forgetPictures();
 
+  /// What the patient is asked to do with the breath, from now on.
+  void askBreathing(BreathingRequest request);
+  [[nodiscard]] BreathingRequest breathing() const { return breathing_.asked(); }
+  /// Whether there is a patient who can be asked: one whose tissue moves with the breath.
+  [[nodiscard]] bool canBreathe() const { return subject() && subject()->motion && subject()->motion->rhythms.breathing; }
+  /// Why a breath that is asked for does not show; null when it does. Translatable in the context "ew::ui::Session".
+  [[nodiscard]] const char* whyBreathingIsNotSeen() const;
+
   /// Freezing keeps the picture and all that it was made with; the hand may move on.
   void setFrozen(bool frozen);
   [[nodiscard]] bool isFrozen() const { return frozen_.has_value(); }
@@ -152,6 +161,7 @@ class Session final : public QObject {
   void adaptiveChanged(bool adaptive);
   void holdChanged();
   void frozenChanged(bool frozen);
+  void breathingChanged();
   void pictureChanged();
 
  private:
@@ -178,6 +188,7 @@ class Session final : public QObject {
   ScanState shown_;
   std::optional<Scene> sceneBeforeReset_;
   std::optional<LiveEchoesEffect> wantedEchoes_;  ///< that begin once tissue is known
+  AskedBreathing breathing_;
   bool due_ = false;
   bool isFreezing_ = false;
   bool isOwnFrame_ = false;  ///< nothing was changed: the frame comes by itself

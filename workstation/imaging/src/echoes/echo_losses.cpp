@@ -54,7 +54,8 @@ void EchoLosses::configure(const EchoLayout& layout, const Probe& probe, const S
   scratch_.resize(static_cast<std::size_t>(lines_) + 2);
 }
 
-void EchoLosses::walk(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands) {
+void EchoLosses::walk(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, const EchoMotion& motion,
+                      Bands& bands) {
   const LabelBlend blend{labels, perStep_db_, reflection_db_};
   const glm::dmat4& m = probeToLabel.matrix;
   for (std::size_t line = 0; line < ways_.size(); ++line) {
@@ -63,6 +64,8 @@ void EchoLosses::walk(const SliceSource& labels, const Transform<frame::Voxel, f
   }
   const glm::vec3 aside(m[2]);
   const auto ahead_mm = static_cast<float>(2.0 * step_mm_);
+  if (motion.moves())
+    for (std::size_t p = 0; p < kPlanes; ++p) motion.rowsOf(static_cast<double>(kAside[p]), glm::mat3(m), bands, back_[p]);
   bands.run(steps_, [&](int firstStep, int count, int) {
     for (int p = 0; p < kPlanes; ++p)
       for (int s = firstStep; s < firstStep + count; ++s) {
@@ -71,12 +74,24 @@ void EchoLosses::walk(const SliceSource& labels, const Transform<frame::Voxel, f
         const glm::vec3 offset = kAside[static_cast<std::size_t>(p)] * elevation_mm_[static_cast<std::size_t>(s)] * aside;
         float* own = own_db_.data() + indexOf(p, s);
         float* reflection = reflection_.data() + indexOf(p, s);
-        for (int line = 0; line < lines_; ++line) {
-          const Way& way = ways_[static_cast<std::size_t>(line)];
-          const glm::vec3 place = way.start + offset + depth_mm * way.perMm;
-          blend.announce(place + ahead_mm * way.perMm);
-          blend.at(place, own[line], reflection[line]);
+        const auto ask = [&](auto backOf) {
+          for (int line = 0; line < lines_; ++line) {
+            const Way& way = ways_[static_cast<std::size_t>(line)];
+            glm::vec3 place = way.start + offset + depth_mm * way.perMm;
+            backOf(line, place);
+            blend.announce(place + ahead_mm * way.perMm);
+            blend.at(place, own[line], reflection[line]);
+          }
+        };
+        if (!motion.moves()) {
+          ask([](int, glm::vec3&) {});
+          continue;
         }
+        const float at = depth_mm * motion.perKnot();
+        const int knot = std::min(static_cast<int>(at), motion.knots() - 2);
+        const float t = at - static_cast<float>(knot);
+        const glm::vec3* near = back_[static_cast<std::size_t>(p)].data() + static_cast<std::ptrdiff_t>(knot) * lines_;
+        ask([&](int line, glm::vec3& place) { place += near[line] + t * (near[lines_ + line] - near[line]); });
       }
   });
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "echo_layout.h"
+#include "echo_motion.h"
 #include "ew/imaging/bands.h"
 #include "ew/imaging/slice_source.h"
 
@@ -23,7 +24,8 @@ class EchoLosses {
  public:
   void configure(const EchoLayout& layout, const Probe& probe, const Scene& scene, double carrier_hz);
   /// @param labels on a grid of their own
-  void walk(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands);
+  /// @param motion of what they name
+  void walk(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, const EchoMotion& motion, Bands& bands);
   /// Of the amplitudes of a line, at each column.
   /// @param ofSteps scratch memory
   void gainsOf(int line, std::vector<float>& ofSteps, std::span<float> gains) const;
@@ -58,6 +60,7 @@ class EchoLosses {
   std::vector<float> reflection_;    ///< likewise
   std::vector<float> gains_;         ///< by step, line
   std::vector<Way> ways_;
+  std::array<std::vector<glm::vec3>, kPlanes> back_;  ///< by plane: EchoMotion::rowsOf, in voxels
   std::vector<float> amplitude_, waiting_, scratch_, loss_;
 };
 

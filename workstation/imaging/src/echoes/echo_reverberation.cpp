@@ -75,10 +75,21 @@ void EchoReverberation::configure(const EchoLayout& layout, const Scene& scene) 
   fronts_.resize(layout.grid.lines.size());
 }
 
-void EchoReverberation::find(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands) {
+void EchoReverberation::find(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, const EchoMotion& motion,
+                             Bands& bands) {
   const LabelBlend blend{labels, isGas_, isLung_};
   const glm::dmat4& m = probeToLabel.matrix;
-  bands.run(static_cast<int>(fronts_.size()), [&](int first, int count, int) {
+  if (motion.moves()) motion.rowsOf(0.0, glm::mat3(m), bands, back_);
+  const auto lines = static_cast<int>(fronts_.size());
+  // What lies on a line now, where it rests.
+  const auto backAt = [&](int line, float range_mm) {
+    if (!motion.moves()) return glm::vec3(0.0F);
+    const float at = range_mm * motion.perKnot();
+    const int knot = std::min(static_cast<int>(at), motion.knots() - 2);
+    const glm::vec3& near = back_[static_cast<std::size_t>(knot * lines + line)];
+    return near + (at - static_cast<float>(knot)) * (back_[static_cast<std::size_t>((knot + 1) * lines + line)] - near);
+  };
+  bands.run(lines, [&](int first, int count, int) {
     for (int line = first; line < first + count; ++line) {
       const BeamGrid::Line& way = layout_->grid.lines[static_cast<std::size_t>(line)];
       const glm::vec3 start(m * glm::dvec4(way.origin_mm, 0.0, 1.0)), perMm(m * glm::dvec4(way.direction, 0.0, 0.0));
@@ -86,9 +97,10 @@ void EchoReverberation::find(const SliceSource& labels, const Transform<frame::V
       float before = 0.0F;
       for (int step = 0; step * kStep_mm < layout_->depth_mm; ++step) {
         const auto range_mm = static_cast<float>(step * kStep_mm);
-        blend.announce(start + (range_mm + 4.0F) * perMm);
+        const glm::vec3 place = start + range_mm * perMm + backAt(line, range_mm);
+        blend.announce(place + 4.0F * perMm);
         float gas = 0.0F, lung = 0.0F;
-        blend.at(start + range_mm * perMm, gas, lung);
+        blend.at(place, gas, lung);
         const float here = gas + lung;
         if (here < 0.5F) {
           before = here;
@@ -97,8 +109,8 @@ void EchoReverberation::find(const SliceSource& labels, const Transform<frame::V
         const double share = step == 0 ? 0.0 : static_cast<double>((here - 0.5F) / (here - before));
         front.range_mm = (step - share) * kStep_mm;
         front.isLung = lung > gas;
-        const glm::dvec3 at_mm = glm::dvec3(start + static_cast<float>(front.range_mm) * perMm) * labels.grid.spacing_mm;
-        front.patch = hashOf(glm::ivec3(glm::floor(at_mm / kPatch_mm)));
+        const glm::vec3 back = static_cast<float>(share * kStep_mm) * perMm;
+        front.patch = hashOf(glm::ivec3(glm::floor(glm::dvec3(place - back) * labels.grid.spacing_mm / kPatch_mm)));
         break;
       }
     }

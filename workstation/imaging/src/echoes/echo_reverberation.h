@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "echo_layout.h"
+#include "echo_motion.h"
 #include "ew/imaging/bands.h"
 #include "ew/imaging/slice_source.h"
 
@@ -32,7 +33,8 @@ class EchoReverberation {
   void configure(const EchoLayout& layout, const Scene& scene);
   /// Where each line first enters gas or lung.
   /// @param labels on a grid of their own
-  void find(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands);
+  /// @param motion of the body, in which the labels' tissue has gone elsewhere
+  void find(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, const EchoMotion& motion, Bands& bands);
   /// Adds what comes back to a line of the field, after its losses.
   /// @param field   2 x columns, complex numbers
   /// @param before  scratch memory: the line as it was
@@ -62,6 +64,7 @@ class EchoReverberation {
   std::array<float, 256> isGas_{};
   std::array<float, 256> isLung_{};
   std::vector<Front> fronts_;
+  std::vector<glm::vec3> back_;  ///< scratch: as EchoMotion::rowsOf gives it
 };
 
 }  // namespace ew::detail

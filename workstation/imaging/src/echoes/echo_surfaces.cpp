@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 #include "scatterers.h"
@@ -164,8 +165,8 @@ void EchoSurfaces::configure(const EchoLayout& layout) {
   }
 }
 
-void EchoSurfaces::add(const TissueMaps& maps, const Transform<frame::Voxel, frame::Probe>& probeToVoxel, Bands& bands, std::int32_t* fine,
-                       std::ptrdiff_t stride) const {
+void EchoSurfaces::add(const TissueMaps& maps, const Transform<frame::Voxel, frame::Probe>& probeToVoxel, const EchoMotion& motion,
+                       Bands& bands, std::int32_t* fine, std::ptrdiff_t stride) {
   std::vector<Strength> strengths;
   for (const ReflectingSurface& surface : maps.surfaces) {
     const double amplitude = std::pow(10.0, 0.05 * ((surface.echoLevel - 255.0) * kDecibelPerLevel + layout_->effect.gain_db));
@@ -175,20 +176,33 @@ void EchoSurfaces::add(const TissueMaps& maps, const Transform<frame::Voxel, fra
   }
   const SurfaceMap map{maps, std::move(strengths), glm::mat4(probeToVoxel.matrix),
                        glm::mat3(glm::transpose(glm::dmat3(probeToVoxel.matrix)))};
+  static_assert(kRays.size() == std::tuple_size_v<decltype(back_)>);
+  if (motion.moves())
+    for (std::size_t ray = 0; ray < kRays.size(); ++ray)
+      motion.rowsOf(static_cast<double>(kRays[ray].sigmas), glm::mat3(map.probeToVoxel), bands, back_[ray]);
   bands.run(static_cast<int>(layout_->grid.lines.size()), [&](int first, int count, int) {
-    for (int line = first; line < first + count; ++line) addLine(line, map, fine, stride);
+    for (int line = first; line < first + count; ++line)
+      motion.moves() ? addLine<true>(line, map, motion, fine, stride) : addLine<false>(line, map, motion, fine, stride);
   });
 }
 
-void EchoSurfaces::addLine(int line, const SurfaceMap& map, std::int32_t* fine, std::ptrdiff_t stride) const {
+template <bool kMoves>
+void EchoSurfaces::addLine(int line, const SurfaceMap& map, const EchoMotion& motion, std::int32_t* fine, std::ptrdiff_t stride) const {
   const BeamGrid::Line& way = layout_->grid.lines[static_cast<std::size_t>(line)];
   const glm::vec3 start(map.probeToVoxel * glm::vec4(way.origin_mm, 0.0F, 1.0F)),
       perMm(glm::mat3(map.probeToVoxel) * glm::vec3(way.direction, 0.0F));
   const glm::vec3 aside(map.probeToVoxel[2]);
   const auto depth_mm = static_cast<float>(layout_->depth_mm);
-  for (const ElevationRay& ray : kRays) {
+  const std::size_t lines = layout_->grid.lines.size();
+  for (std::size_t n = 0; n < kRays.size(); ++n) {
+    const ElevationRay& ray = kRays[n];
     const auto voxelAt = [&](float range_mm) {
-      return start + range_mm * perMm + ray.sigmas * elevation_mm_[static_cast<std::size_t>(range_mm)] * aside;
+      const glm::vec3 straight = start + range_mm * perMm + ray.sigmas * elevation_mm_[static_cast<std::size_t>(range_mm)] * aside;
+      if constexpr (!kMoves) return straight;
+      const float at = range_mm * motion.perKnot();
+      const int knot = std::min(static_cast<int>(at), motion.knots() - 2);
+      const glm::vec3* row = back_[n].data() + static_cast<std::size_t>(knot) * lines + static_cast<std::size_t>(line);
+      return straight + row[0] + (at - static_cast<float>(knot)) * (row[lines] - row[0]);
     };
     float before = SurfaceMap::kUnknown;
     for (float range_mm = 0.0F, step_mm = 0.0F; range_mm < depth_mm; range_mm += step_mm) {
@@ -250,6 +264,12 @@ void EchoSurfaces::add(int row, double range_mm, double amplitude, double rough,
   first[3] += static_cast<std::int32_t>(std::lround(part * im));
 }
 
+namespace {
+
+glm::mat3 stretchOf(const ScatterBlock& block) { return {block.stretch_mm[0], block.stretch_mm[1], block.stretch_mm[2]}; }
+
+}  // namespace
+
 void EchoSurfaces::addFragments(const SliceSource& level, const EchoPlace& fragments, const std::vector<ScatterBlock>& blocks,
                                 std::int32_t* fine, std::ptrdiff_t stride) const {
   const double share = layout_->effect.fragmentsPerCm3 * 1e-3 * kFragmentCell_mm * kFragmentCell_mm * kFragmentCell_mm;
@@ -262,8 +282,10 @@ void EchoSurfaces::addFragments(const SliceSource& level, const EchoPlace& fragm
     const double height = 2.0 * hashed.even() - 1.0, turn = 2.0 * std::numbers::pi * hashed.even();
     const double flat = std::sqrt(1.0 - height * height);
     glm::dvec3 cell(hashed.even(), hashed.even(), hashed.even());
-    cell = cell * double{kBlockCells} + glm::dvec3(block.cell[0], block.cell[1], block.cell[2]);
-    const glm::dvec3 at_mm(fragments.cellToProbe * glm::dvec4(cell, 1.0));
+    const glm::dvec3 firstCell(block.cell[0], block.cell[1], block.cell[2]);
+    cell = cell * double{kBlockCells} + firstCell;
+    const glm::dvec3 moved_mm = glm::dvec3(block.shift_mm) + glm::dmat3(stretchOf(block)) * (cell - firstCell);
+    const glm::dvec3 at_mm = glm::dvec3(fragments.cellToProbe * glm::dvec4(cell, 1.0)) + moved_mm;
     const FanShape::Place place = fan.placeOf(glm::dvec2(at_mm));
     const glm::dvec2 way = fan.lineAt(place.across).direction;
     const glm::dvec3 normal =

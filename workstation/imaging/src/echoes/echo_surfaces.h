@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <vector>
 
 #include "echo_layout.h"
@@ -25,8 +27,9 @@ class EchoSurfaces {
   void configure(const EchoLayout& layout);
   /// Adds to the fine grid, in units of kDepositUnit. Every line has rows of its own.
   /// @param maps with surfaces
-  void add(const TissueMaps& maps, const Transform<frame::Voxel, frame::Probe>& probeToVoxel, Bands& bands, std::int32_t* fine,
-           std::ptrdiff_t stride) const;
+  /// @param motion of what they show. A surface that tissue shears is met where it has gone, at the incidence it has at rest.
+  void add(const TissueMaps& maps, const Transform<frame::Voxel, frame::Probe>& probeToVoxel, const EchoMotion& motion, Bands& bands,
+           std::int32_t* fine, std::ptrdiff_t stride);
 
   /// Little walls and fissures, at most one in each block: discs of hashed place, direction and size, seen where they lie square to the
   /// beam, as much above the level around them as LiveEchoesEffect says, give or take 4 dB.
@@ -36,7 +39,8 @@ class EchoSurfaces {
                     std::ptrdiff_t stride) const;
 
  private:
-  void addLine(int line, const SurfaceMap& map, std::int32_t* fine, std::ptrdiff_t stride) const;
+  template <bool kMoves>
+  void addLine(int line, const SurfaceMap& map, const EchoMotion& motion, std::int32_t* fine, std::ptrdiff_t stride) const;
   template <class VoxelAt>
   void meet(int line, float range_mm, bool entering, float weight, const SurfaceMap& map, const VoxelAt& voxelAt, std::int32_t* fine,
             std::ptrdiff_t stride) const;
@@ -46,9 +50,10 @@ class EchoSurfaces {
                std::ptrdiff_t stride) const;
 
   const EchoLayout* layout_ = nullptr;
-  std::vector<float> elevation_mm_;  ///< one standard deviation, by whole mm of depth
-  std::vector<float> mirrorScale_;   ///< by column: of a mirror's amplitude, to what is added to each row
-  std::vector<float> roughScale_;    ///< the same of what is rough
+  std::vector<float> elevation_mm_;             ///< one standard deviation, by whole mm of depth
+  std::vector<float> mirrorScale_;              ///< by column: of a mirror's amplitude, to what is added to each row
+  std::vector<float> roughScale_;               ///< the same of what is rough
+  std::array<std::vector<glm::vec3>, 3> back_;  ///< by ray: EchoMotion::rowsOf, in voxels
 };
 
 }  // namespace ew::detail

@@ -53,6 +53,12 @@ void LiveEchoes::layHaze(double haze_db) {
     }
 }
 
+void LiveEchoes::move(const TissueMotion* motion, const BodyState& body, double strength,
+                      const Transform<frame::Probe, frame::World>& motionToProbe, Bands& bands) {
+  if (motion == nullptr || body == BodyState{} || !(strength > 0.0)) return motion_.rest();
+  motion_.find(layout_, *motion, body, strength, motionToProbe, bands);
+}
+
 void LiveEchoes::scatter(const TissueMaps& maps, const Grid& placed, const Transform<frame::World, frame::Probe>& probeToWorld,
                          Bands& bands) {
   const Transform<frame::Voxel, frame::Probe> probeToVoxel = placed.worldToVoxel() * probeToWorld;
@@ -71,14 +77,14 @@ void LiveEchoes::scatter(const TissueMaps& maps, const Grid& placed, const Trans
     bands.run((pieces + 1 - odd) / 2, [&](int first, int count, int slot) {
       Scratch& mine = scratch_[static_cast<std::size_t>(slot)];
       for (int n = first; n < first + count; ++n) {
-        findBlocks(layout_, place, level.grid.dims, 2 * n + odd, mine.blocks);
+        findBlocks(layout_, place, motion_, level.grid.dims, 2 * n + odd, mine.blocks);
         addScatterers(task, mine.blocks.data(), mine.blocks.size());
         if (!(layout_.effect.fragmentsPerCm3 > 0.0)) continue;
-        findBlocks(layout_, fragments, level.grid.dims, 2 * n + odd, mine.blocks);
+        findBlocks(layout_, fragments, motion_, level.grid.dims, 2 * n + odd, mine.blocks);
         surfaces_.addFragments(level, fragments, mine.blocks, fine_.data(), fineStride_);
       }
     });
-  if (!maps.surfaces.empty() && !maps.surfaceDistance.empty()) surfaces_.add(maps, probeToVoxel, bands, fine_.data(), fineStride_);
+  if (!maps.surfaces.empty() && !maps.surfaceDistance.empty()) surfaces_.add(maps, probeToVoxel, motion_, bands, fine_.data(), fineStride_);
   bands.run(layout_.tiles, [&](int first, int count, int) {
     for (int tile = first; tile < first + count; ++tile) filterTile(tile);
   });
@@ -103,7 +109,7 @@ void LiveEchoes::filterTile(int tile) {
 }
 
 void LiveEchoes::lose(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands) {
-  losses_.walk(labels, probeToLabel, bands);
+  losses_.walk(labels, probeToLabel, motion_, bands);
   bands.run(static_cast<int>(layout_.grid.lines.size()), [&](int first, int count, int slot) {
     Scratch& mine = scratch_[static_cast<std::size_t>(slot)];
     mine.gains.resize(static_cast<std::size_t>(std::max(layout_.columns, static_cast<int>(layout_.grid.lines.size()) + 2)));
@@ -115,7 +121,7 @@ void LiveEchoes::lose(const SliceSource& labels, const Transform<frame::Voxel, f
 }
 
 void LiveEchoes::reverberate(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands) {
-  reverberation_.find(labels, probeToLabel, bands);
+  reverberation_.find(labels, probeToLabel, motion_, bands);
   bands.run(static_cast<int>(layout_.grid.lines.size()), [&](int first, int count, int slot) {
     std::vector<float>& before = scratch_[static_cast<std::size_t>(slot)].line;
     for (int line = first; line < first + count; ++line)

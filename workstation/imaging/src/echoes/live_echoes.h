@@ -7,6 +7,7 @@
 
 #include "echo_layout.h"
 #include "echo_losses.h"
+#include "echo_motion.h"
 #include "echo_reverberation.h"
 #include "echo_surfaces.h"
 #include "ew/imaging/bands.h"
@@ -25,6 +26,12 @@ class LiveEchoes {
   /// @param grid made with echoSpacing_mm
   void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const EchoBeams& beams, const BeamGrid& grid);
 
+  /// What the steps after it show of the tissue's motion.
+  /// @param motion null: nothing moves
+  /// @param strength of it, 0..1
+  /// @param motionToProbe from the frame of its grids, rigid
+  void move(const TissueMotion* motion, const BodyState& body, double strength, const Transform<frame::Probe, frame::World>& motionToProbe,
+            Bands& bands);
   /// @param placed where the maps lie now
   void scatter(const TissueMaps& maps, const Grid& placed, const Transform<frame::World, frame::Probe>& probeToWorld, Bands& bands);
   void lose(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands);
@@ -49,6 +56,7 @@ class LiveEchoes {
   EchoLosses losses_;
   EchoReverberation reverberation_;
   SpeckleReduction reduction_;
+  EchoMotion motion_;
   double carrier_hz_ = 3.5e6;
   std::vector<Scratch> scratch_;
   std::vector<float> field_;  ///< lines x columns complex numbers, padded to whole tiles

@@ -150,15 +150,62 @@ ScatterTask scatterTaskOf(const EchoLayout& layout, const EchoPlace& place, cons
 
 int piecesOf(const EchoLayout& layout) { return std::max(1, static_cast<int>(layout.depth_mm / kPiece_mm)); }
 
-void findBlocks(const EchoLayout& layout, const EchoPlace& place, const glm::ivec3& dims, int number, std::vector<ScatterBlock>& blocks) {
+namespace {
+
+constexpr double kApart_mm = 0.01;   // left between what pieces that are not neighbours may touch
+constexpr double kStretched = 1.25;  // of a block at the border of a piece
+
+/// Stretches and moves a block as its tissue is at four corners, no two of which share an edge.
+/// @param mostStretch_mm of a corner, so that the block stays within its piece
+void moveBlock(const EchoPlace& place, const EchoMotion& motion, const glm::dvec3& cell, double mostStretch_mm, ScatterBlock& block) {
+  const auto shiftAt = [&](double i, double j, double k) {
+    return motion.shiftAt(glm::dvec3(place.cellToProbe * glm::dvec4(cell + double{kBlockCells} * glm::dvec3(i, j, k), 1.0)));
+  };
+  const glm::dvec3 a = shiftAt(0, 0, 0), b = shiftAt(0, 1, 1), c = shiftAt(1, 0, 1), d = shiftAt(1, 1, 0);
+  std::array<glm::dvec3, 3> steps{c + d - a - b, b + d - a - c, b + c - a - d};
+  double corner_mm = 0.0;
+  for (glm::dvec3& step : steps) {
+    step *= 0.5 / kBlockCells;
+    corner_mm += 0.5 * kBlockCells * glm::length(step);
+  }
+  const double scale = corner_mm > mostStretch_mm ? mostStretch_mm / corner_mm : 1.0;
+  glm::dvec3 shift = 0.25 * (a + b + c + d);
+  for (std::size_t n = 0; n < steps.size(); ++n) {
+    shift -= 0.5 * kBlockCells * scale * steps[n];
+    block.stretch_mm[n] = glm::vec3(scale * steps[n]);
+  }
+  block.shift_mm = glm::vec3(shift);
+  block.probe_mm = glm::vec3(glm::dvec3(place.cellToProbe * glm::dvec4(cell, 1.0)) + shift);
+}
+
+bool liesIn(const Piece& piece, const glm::dvec3& p_mm, const glm::dvec3& margin_mm) {
+  return glm::all(glm::greaterThanEqual(p_mm, piece.lowest_mm - margin_mm)) &&
+         glm::all(glm::lessThanEqual(p_mm, piece.highest_mm + margin_mm));
+}
+
+}  // namespace
+
+void findBlocks(const EchoLayout& layout, const EchoPlace& place, const EchoMotion& motion, const glm::ivec3& dims, int number,
+                std::vector<ScatterBlock>& blocks) {
   blocks.clear();
   const BlockSize size = sizeOf(place);
-  EW_EXPECTS(2.0 * (size.radius_mm + kBent_mm) < kPiece_mm);
+  const double mostStretch_mm = 0.5 * kPiece_mm - kBent_mm - kApart_mm - size.radius_mm;
+  EW_EXPECTS(mostStretch_mm > 0.0);
   const Piece piece = pieceOf(layout, size, number);
+  // Where what is seen rests.
+  glm::dvec3 from_mm = piece.lowest_mm, to_mm = piece.highest_mm;
+  glm::dvec3 stretched_mm(0.0);
+  double radius_mm = size.radius_mm;
+  if (motion.moves()) {
+    stretched_mm = (kStretched - 1.0) * size.half_mm;
+    radius_mm *= kStretched;
+    const EchoMotion::Reach back = motion.reachBetween(piece.nearest_mm, piece.farthest_mm);
+    from_mm += back.least_mm - stretched_mm;
+    to_mm += back.most_mm + stretched_mm;
+  }
   glm::dvec3 lowest(std::numeric_limits<double>::infinity()), highest(-lowest);
   for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 p(corner & 1 ? piece.lowest_mm.x : piece.highest_mm.x, corner & 2 ? piece.lowest_mm.y : piece.highest_mm.y,
-                       corner & 4 ? piece.lowest_mm.z : piece.highest_mm.z);
+    const glm::dvec3 p(corner & 1 ? from_mm.x : to_mm.x, corner & 2 ? from_mm.y : to_mm.y, corner & 4 ? from_mm.z : to_mm.z);
     const glm::dvec3 cell(place.probeToCell * glm::dvec4(p, 1.0));
     lowest = glm::min(lowest, cell);
     highest = glm::max(highest, cell);
@@ -173,9 +220,14 @@ void findBlocks(const EchoLayout& layout, const EchoPlace& place, const glm::ive
     for (int j = begin.y; j <= end.y; ++j) {
       const glm::dvec3 start(place.cellToProbe * glm::dvec4(double{kBlockCells} * (glm::dvec3(0, j, k) + 0.5), 1.0));
       int first = begin.x, last = end.x;
-      for (const int axis : {2, 1, 0}) narrow(start[axis], blockStep[axis], piece.lowest_mm[axis], piece.highest_mm[axis], first, last);
+      for (const int axis : {2, 1, 0}) narrow(start[axis], blockStep[axis], from_mm[axis], to_mm[axis], first, last);
       for (int i = first; i <= last; ++i) {
-        if (!belongs(layout.fan, piece, start + static_cast<double>(i) * blockStep, size.radius_mm)) continue;
+        glm::dvec3 middle_mm = start + static_cast<double>(i) * blockStep;
+        if (motion.moves()) {
+          middle_mm += motion.shiftAt(middle_mm);
+          if (!liesIn(piece, middle_mm, stretched_mm)) continue;
+        }
+        if (!belongs(layout.fan, piece, middle_mm, radius_mm)) continue;
         const glm::dvec3 cell = double{kBlockCells} * glm::dvec3(i, j, k);
         const glm::dvec3 voxel = cell * place.voxelsPerCell, whole = glm::floor(voxel);
         ScatterBlock& block = blocks.emplace_back();
@@ -185,6 +237,7 @@ void findBlocks(const EchoLayout& layout, const EchoPlace& place, const glm::ive
         block.voxel = glm::ivec3(whole);
         block.voxelFraction = glm::vec3(voxel - whole);
         block.reach_mm = static_cast<float>(piece.reach_mm);
+        if (motion.moves()) moveBlock(place, motion, cell, mostStretch_mm, block);
       }
     }
 }

@@ -216,6 +216,8 @@ HWY_NOINLINE void addBlock(const ScatterTask& task, const ScatterBlock& block, P
   const glm::ivec3 base = glm::clamp(block.voxel, glm::ivec3(0), glm::max(task.dims - 1, 0));
   const std::uint8_t* from = task.level + (static_cast<std::ptrdiff_t>(base.z) * task.dims.y + base.y) * task.dims.x + base.x;
   const auto last = static_cast<std::int32_t>(std::min<std::ptrdiff_t>(task.levelEnd - from - 4, 1 << 30));
+  std::array<glm::vec3, 3> step_mm = task.cellToProbe_mm;
+  for (std::size_t n = 0; n < step_mm.size(); ++n) step_mm[n] += block.stretch_mm[n];
   for (int first = 0; first < kCells; first += static_cast<int>(hn::Lanes(d))) {
     // In the order of a curve that fills little cubes one after another: a vector that the beams miss is missed as a whole.
     const auto number = hn::Iota(di, first);
@@ -231,8 +233,8 @@ HWY_NOINLINE void addBlock(const ScatterTask& task, const ScatterBlock& block, P
     const auto u = plus(hn::ConvertTo(d, i), placeOf<0>(hash)), v = plus(hn::ConvertTo(d, j), placeOf<10>(hash)),
                w = plus(hn::ConvertTo(d, k), placeOf<20>(hash));
     const auto along = [&](int axis) {
-      return plus(plus(set(block.probe_mm[axis]), times(u, set(task.cellToProbe_mm[0][axis]))),
-                  plus(times(v, set(task.cellToProbe_mm[1][axis])), times(w, set(task.cellToProbe_mm[2][axis]))));
+      return plus(plus(set(block.probe_mm[axis]), times(u, set(step_mm[0][axis]))),
+                  plus(times(v, set(step_mm[1][axis])), times(w, set(step_mm[2][axis]))));
     };
     const auto z = along(2);
     if (hn::AllTrue(d, hn::Gt(hn::Abs(z), set(block.reach_mm)))) continue;

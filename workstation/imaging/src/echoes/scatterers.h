@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "echo_layout.h"
+#include "echo_motion.h"
 #include "ew/imaging/slice_source.h"
 
 namespace ew::detail {
@@ -61,6 +62,9 @@ struct ScatterBlock {
   glm::ivec3 voxel{0};            ///< whole part
   glm::vec3 voxelFraction{0.0F};  ///< 0..1
   float reach_mm = 0.0F;          ///< of the beams there, beside the slice's middle
+  /// Where tissue moves: how much farther than at rest its cells have gone, one cell on along i, j, k.
+  std::array<glm::vec3, 3> stretch_mm{glm::vec3(0.0F), glm::vec3(0.0F), glm::vec3(0.0F)};
+  glm::vec3 shift_mm{0.0F};  ///< of the lowest corner, in probe_mm already
 };
 
 /// Adds the scatterers of these blocks to the field. The same bits on every instruction set.
@@ -79,6 +83,8 @@ struct EchoPlace {
 /// The slab that the beams see is cut across them into pieces. A block belongs to the piece in which its middle lies, so that each is met
 /// once; what two pieces that are not neighbours add to the field does not overlap.
 [[nodiscard]] int piecesOf(const EchoLayout& layout);
-void findBlocks(const EchoLayout& layout, const EchoPlace& place, const glm::ivec3& dims, int piece, std::vector<ScatterBlock>& blocks);
+/// @param motion of the tissue: a block is sheared and stretched as it is at four of its corners
+void findBlocks(const EchoLayout& layout, const EchoPlace& place, const EchoMotion& motion, const glm::ivec3& dims, int piece,
+                std::vector<ScatterBlock>& blocks);
 
 }  // namespace ew::detail

@@ -98,6 +98,12 @@ inline constexpr std::tuple kSceneEffects{
          EW_TRANSLATE_NOOP("ew::EffectInfo", "Where the face is off the skin the image goes dark and rings down"), "F8"},
         {&ContactEffect::gel_mm, EW_TRANSLATE_NOOP("ew::EffectInfo", "Gaps up to here are filled by gel"),
          EW_TRANSLATE_NOOP("ew::EffectInfo", "%1 mm"), 1.0, 1, 0.0, 10.0, 0.5, 1.0}},
+    EffectOf<MotionEffect>{
+        &Scene::motion,
+        {"motion", EW_TRANSLATE_NOOP("ew::EffectInfo", "Motion of the body"), EW_TRANSLATE_NOOP("ew::EffectInfo", "motion"),
+         EW_TRANSLATE_NOOP("ew::EffectInfo", "The patient breathes, the pulse beats and the bowel moves"), "Shift+F4"},
+        {&MotionEffect::strength, EW_TRANSLATE_NOOP("ew::EffectInfo", "How far tissue moves, of what the patient's own motion is"),
+         EW_TRANSLATE_NOOP("ew::EffectInfo", "%1 %"), 100.0, 0, 0.0, 1.0, 0.05, 0.25}},
 };
 
 }  // namespace ew::detail

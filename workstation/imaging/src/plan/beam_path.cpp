@@ -161,9 +161,11 @@ void BeamPath::loseContact(Bands& bands, std::span<ThreadScratch> scratch) {
   });
 }
 
-void BeamPath::scatter(const TissueMaps& maps, const Grid& placed, const Transform<frame::World, frame::Probe>& probeToWorld,
-                       Bands& bands) {
-  live_.scatter(maps, placed, probeToWorld, bands);
+void BeamPath::scatter(const FrameInput& input, Bands& bands) {
+  const Transform<frame::World, frame::World> ownToWorld = input.tissueGrid.voxelToWorld() * input.tissue->grid.worldToVoxel();
+  live_.move(scene_.motion ? input.motion : nullptr, input.body, scene_.motion ? scene_.motion->strength : 0.0,
+             inverse(input.pose.probeToWorld) * ownToWorld, bands);
+  live_.scatter(*input.tissue, input.tissueGrid, input.pose.probeToWorld, bands);
   hasField_ = true;
 }
 

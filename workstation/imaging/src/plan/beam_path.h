@@ -38,7 +38,7 @@ class BeamPath {
   /// From here on the frame is seen from this place.
   void place(const Transform<frame::Voxel, frame::Probe>& probeToVoxel) { probeToVoxel_ = probeToVoxel; }
   /// Live echoes: their field, and their envelope as the levels that all other steps take.
-  void scatter(const TissueMaps& maps, const Grid& placed, const Transform<frame::World, frame::Probe>& probeToWorld, Bands& bands);
+  void scatter(const FrameInput& input, Bands& bands);
   void takeEnvelope(Bands& bands);
   /// Blends the grain of the recorded volume that the maps are of into live echoes.
   void keepOwnGrain(const SliceSource& echo, const TissueMaps& maps, const Grid& placed,

@@ -220,7 +220,7 @@ void FrameMaker::Parts::run(StepKind kind, const FrameInput& input) {
   switch (kind) {
     case StepKind::scatterers:
       EW_EXPECTS(input.tissue != nullptr);
-      return beams_.scatter(*input.tissue, input.tissueGrid, input.pose.probeToWorld, bands_);
+      return beams_.scatter(input, bands_);
     case StepKind::envelope:
       return beams_.takeEnvelope(bands_);
     case StepKind::ownGrain:

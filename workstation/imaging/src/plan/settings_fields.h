@@ -128,6 +128,11 @@ void visitFields(Visitor& field, const ContactEffect*) {
 }
 
 template <class Visitor>
+void visitFields(Visitor& field, const MotionEffect*) {
+  field.number("strength", &MotionEffect::strength, 0.0, 1.0, say<"of the patient's own motion">);
+}
+
+template <class Visitor>
 void visitFields(Visitor& field, const TissueAcoustics*) {
   field.count("label", &TissueAcoustics::label, 0, 255);
   field.text("name", &TissueAcoustics::name, 200);

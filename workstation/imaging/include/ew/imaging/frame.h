@@ -17,6 +17,7 @@
 #include "ew/imaging/scene.h"
 #include "ew/imaging/slicing.h"
 #include "ew/imaging/tissue_maps.h"
+#include "ew/imaging/tissue_motion.h"
 
 namespace ew {
 
@@ -86,6 +87,8 @@ struct FrameInput {
   SliceSource labels;  ///< of the tissues of the scene, on any grid; empty: grey levels decide
   const TissueMaps* tissue = nullptr;  ///< from which live echoes are formed
   Grid tissueGrid;                     ///< its place in the world
+  const TissueMotion* motion = nullptr;  ///< of `tissue`, in the frame of its own grid; a scene with motion moves it
+  BodyState body;                        ///< where it stands
   Pose pose;
   std::span<const float> gaps_mm;  ///< skin to face, from the face's -x end to its +x end (effects/contact.h); empty: everything touches
   double time_s = 0.0;             ///< of the M-mode strip

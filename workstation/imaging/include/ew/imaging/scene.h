@@ -90,6 +90,12 @@ struct LiveEchoesEffect {
   bool operator==(const LiveEchoesEffect&) const = default;
 };
 
+/// imaging/tissue_motion.h: the patient breathes, the pulse beats, the gut moves; acts on live echoes of subjects whose motion is known.
+struct MotionEffect {
+  double strength = 1.0;  ///< of the patient's own motion, 0..1
+  bool operator==(const MotionEffect&) const = default;
+};
+
 /// What a case says its scene calls for; the plan runs nothing else. An effect that is absent costs nothing.
 struct Scene {
   bool gainAndDgc = true;
@@ -101,6 +107,7 @@ struct Scene {
   std::optional<ReverberationEffect> reverberation = std::nullopt;
   std::optional<NoiseEffect> noise = std::nullopt;
   std::optional<ContactEffect> contact = std::nullopt;
+  std::optional<MotionEffect> motion = std::nullopt;
   std::vector<TissueAcoustics> tissues = {};  ///< of the label volume, when the case has one
   bool operator==(const Scene&) const = default;
 };

@@ -15,6 +15,7 @@
 #include "ew/core/result.h"
 #include "ew/imaging/frame.h"
 #include "ew/imaging/tissue_maps.h"
+#include "ew/imaging/tissue_motion.h"
 #include "ew/stitching/join.h"
 
 namespace ew {
@@ -175,6 +176,7 @@ struct CaseEcho {
   Volume volume;                         ///< echo levels
   std::optional<Volume> labels;          ///< its `echo` holds a label per voxel; none when the case names no labels
   std::shared_ptr<TissueMaps> tissue;    ///< what live echoes are formed from; null for a file without a level
+  std::shared_ptr<TissueMotion> motion;  ///< of that tissue; null where the patient does not move
   std::vector<TissueAcoustics> tissues;  ///< of the labels, by rising label, as the recipe has them; none for a label file
   std::vector<Message> notes;
 };

@@ -30,6 +30,7 @@ struct FrameMade {
   Pose pose;
   std::vector<float> gaps_mm;
   std::uint64_t number = 0;
+  BodyState body = {};
   bool operator==(const FrameMade&) const = default;
 };
 struct FreezeChanged {

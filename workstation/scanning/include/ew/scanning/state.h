@@ -8,6 +8,7 @@
 #include "ew/imaging/knobs.h"
 #include "ew/imaging/probe.h"
 #include "ew/imaging/scene.h"
+#include "ew/imaging/tissue_motion.h"
 
 namespace ew {
 
@@ -22,6 +23,7 @@ struct ScanState {
   std::vector<float> gaps_mm = {};  ///< skin to face, from the face's -x end to its +x end; empty: everything touches
   double time_s = 0.0;              ///< on the scan's clock
   std::uint64_t number = 0;         ///< of the picture: decides its noise
+  BodyState body = {};              ///< where breath, pulse and bowel stand; at rest where nobody says
   bool operator==(const ScanState&) const = default;
 };
 

@@ -13,6 +13,7 @@
 #include "ew/imaging/scene.h"
 #include "ew/imaging/slice_source.h"
 #include "ew/imaging/tissue_maps.h"
+#include "ew/imaging/tissue_motion.h"
 #include "ew/io/mapped_volume.h"
 #include "ew/library/case.h"
 #include "ew/scanning/state.h"
@@ -73,16 +74,20 @@ struct ScanSubject {
   Grid placedLabels = {};                                  ///< where the labels lie
   std::shared_ptr<const TissueMaps> tissue = nullptr;      ///< what live echoes are formed from; null: nothing is known but the voxels
   Grid placedTissue = {};                                  ///< where the maps of tissue lie
+  std::shared_ptr<const TissueMotion> motion = nullptr;    ///< how that tissue moves, in the frame of its own grid; null: it does not
   Scene scene = {};                                        ///< what the case calls for, with the tissues of the labels
   std::vector<std::string> probes = {};                    ///< ids that may be used, the first is the default; empty: all
   std::optional<Pose> startPose = {};                      ///< where whoever scans begins
   std::shared_ptr<const Provenance> provenance = nullptr;  ///< which frame each voxel came from; null: nobody knows
 
-  /// A scene without what cannot be shown of this subject: live echoes where no tissue is known.
+  /// A scene without what cannot be shown of this subject: live echoes where no tissue is known, motion where it does not move.
   [[nodiscard]] Scene known(Scene asked) const {
     if (!tissue) asked.liveEchoes.reset();
+    if (!tissue || !motion) asked.motion.reset();
     return asked;
   }
+  /// Whether pictures in such a scene change with the body. Motion is seen in live echoes alone.
+  [[nodiscard]] bool movesIn(const Scene& scene) const { return tissue && motion && scene.liveEchoes && scene.motion; }
 
   /// The same without what could not be shown of it whatever were found out (recordedTissueOf).
   [[nodiscard]] Scene possible(Scene asked) const {
@@ -120,7 +125,8 @@ struct CaseContents {
   ScanVoxels voxels;
   std::shared_ptr<const Volume> labels;                   ///< null when the case has none
   std::shared_ptr<const TissueMaps> tissue;               ///< what live echoes are formed from; null when the case has none
-  std::vector<TissueAcoustics> tissues;                   ///< of the labels, as the recipe has them
+  std::shared_ptr<const TissueMotion> motion = nullptr;   ///< of the tissue; null when it does not move
+  std::vector<TissueAcoustics> tissues = {};              ///< of the labels, as the recipe has them
   Transform<frame::World, frame::File> fileToWorld = {};  ///< the grids are placed with it
   std::vector<Message> notes;
 };

@@ -13,6 +13,7 @@
 #include "ew/ui/run.h"
 
 namespace ew {
+enum class BreathingRequest;
 struct ScanRecording;
 struct Thrown;
 }  // namespace ew
@@ -109,6 +110,8 @@ class MainWindow final : public QMainWindow {
   void addThemeMenu(QMenu& theme);
   void addLanguageMenu(QMenu& language);
   void addScanMenu(QMenu& scan);
+  void addBreathingMenu(QMenu& breathing);
+  void askBreathing(BreathingRequest request);
   void addImageMenu(QMenu& image);
   void addEffectsMenu(QMenu& effects);
   void addProbeMenu(QMenu& transducer);

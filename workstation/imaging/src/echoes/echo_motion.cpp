@@ -1,0 +1,131 @@
+#include "echo_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ew/core/contract.h"
+
+namespace ew::detail {
+namespace {
+
+constexpr double kFinestKnot_mm = 1.0;
+constexpr double kCoarsestKnot_mm = 4.0;
+constexpr int kKnotsOfDepth = 45;
+constexpr int kMostStepsBack = 16;  // of the inverse
+constexpr float kExactBack_mm2 = 1e-4F;
+// What is seen beside a node's neighbourhood may have gone a little farther than they.
+constexpr double kBeyondNodes = 0.25;  // of the differences
+constexpr double kBeyondNodes_mm = 0.3;
+
+/// Between nodes of a grid, three linear steps; beyond as at its edge.
+glm::vec3 between(const glm::vec3* nodes, std::ptrdiff_t row, std::ptrdiff_t plane, const glm::vec3& last, const glm::vec3& p) {
+  const glm::vec3 at = glm::clamp(p, glm::vec3(0.0F), last);
+  const glm::ivec3 low = glm::ivec3(glm::min(at, last - 1.0F));
+  const glm::vec3 t = at - glm::vec3(low);
+  const glm::vec3* first = nodes + low.x + row * low.y + plane * low.z;
+  const auto along = [&](const glm::vec3* v) { return v[0] + t.x * (v[1] - v[0]); };
+  const glm::vec3 near0 = along(first), near1 = along(first + row), far0 = along(first + plane), far1 = along(first + plane + row);
+  const glm::vec3 nearer = near0 + t.y * (near1 - near0), farther = far0 + t.y * (far1 - far0);
+  return nearer + t.z * (farther - nearer);
+}
+
+}  // namespace
+
+glm::dvec3 EchoMotion::shiftAt(const glm::dvec3& rest_mm) const {
+  glm::vec3 shift(0.0F);
+  for (const Field& field : fields_)
+    shift += field.toProbe *
+             between(field.shift, field.row, field.plane, field.last, glm::vec3(field.probeToNode * glm::vec4(glm::vec3(rest_mm), 1.0F)));
+  return glm::dvec3(shift);
+}
+
+glm::vec3 EchoMotion::backAt(const glm::vec3& now_mm, const glm::vec3& guess) const {
+  // A fixed point: fields do not fold, so that steps shrink. They shrink slowly where a field falls off steeply.
+  glm::vec3 back = guess;
+  for (int step = 0; step < kMostStepsBack; ++step) {
+    const glm::vec3 next = -glm::vec3(shiftAt(glm::dvec3(now_mm + back))), change = next - back;
+    back = next;
+    if (glm::dot(change, change) < kExactBack_mm2) break;
+  }
+  return back;
+}
+
+void EchoMotion::find(const EchoLayout& layout, const TissueMotion& motion, const BodyState& body, double strength,
+                      const Transform<frame::Probe, frame::World>& motionToProbe, Bands& bands) {
+  fields_.clear();
+  for (const TissueMotion::Mode& mode : motion.modes) {
+    const double amplitude = strength * amplitudeOf(mode.kind, body);
+    if (amplitude == 0.0) continue;
+    EW_EXPECTS(glm::all(glm::greaterThan(mode.grid.dims, glm::ivec3(1))) && mode.shift_mm.size() == mode.grid.voxelCount());
+    const Transform<frame::Probe, frame::Voxel> nodeToProbe = motionToProbe * mode.grid.voxelToWorld();
+    fields_.push_back({.probeToNode = glm::mat4(inverse(nodeToProbe).matrix),
+                       .toProbe = glm::mat3(amplitude * glm::dmat3(motionToProbe.matrix) * mode.grid.directions),
+                       .last = glm::vec3(mode.grid.dims - 1),
+                       .row = mode.grid.dims.x,
+                       .plane = std::ptrdiff_t{mode.grid.dims.x} * mode.grid.dims.y,
+                       .shift = mode.shift_mm.data()});
+  }
+  if (!moves()) return;
+
+  lines_ = static_cast<int>(layout.grid.lines.size());
+  reach_ = layout.effect.reach;
+  const double asked_mm = std::clamp(layout.depth_mm / kKnotsOfDepth, kFinestKnot_mm, kCoarsestKnot_mm);
+  knots_ = static_cast<int>(std::ceil(layout.depth_mm / asked_mm)) + 1;
+  knot_mm_ = layout.depth_mm / (knots_ - 1);
+  const double width_mm = layout.grid.lineSpacing_mm(0.75 * layout.depth_mm) * (lines_ - 1);
+  columns_ = std::clamp(static_cast<int>(std::ceil(width_mm / asked_mm)) + 1, 2, std::max(2, lines_));
+  nodes_.resize(static_cast<std::size_t>(2 * knots_ * columns_));
+  bands.run(columns_, [&](int first, int count, int) {
+    for (int column = first; column < first + count; ++column) {
+      const FanShape::Line line = layout.fan.lineAt(2.0 * column / (columns_ - 1) - 1.0);
+      for (const int side : {0, 1}) {
+        glm::vec3 back(0.0F);
+        for (int knot = 0; knot < knots_; ++knot) {
+          const double range_mm = knot * knot_mm_, aside_mm = (side == 0 ? -1.0 : 1.0) * layout.beams.elevationalSigma_mm(range_mm);
+          const glm::dvec3 now_mm(line.origin_mm + range_mm * line.direction, aside_mm);
+          back = backAt(glm::vec3(now_mm), back);
+          nodes_[static_cast<std::size_t>((side * knots_ + knot) * columns_ + column)] = back;
+        }
+      }
+    }
+  });
+}
+
+EchoMotion::Reach EchoMotion::reachBetween(double near_mm, double far_mm) const {
+  const int first = std::clamp(static_cast<int>(std::floor(near_mm / knot_mm_)) - 1, 0, knots_ - 1);
+  const int last = std::clamp(static_cast<int>(std::ceil(far_mm / knot_mm_)) + 1, 0, knots_ - 1);
+  glm::vec3 least(std::numeric_limits<float>::infinity()), most(-least);
+  const auto outward = static_cast<float>(0.5 * reach_);
+  for (int knot = first; knot <= last; ++knot)
+    for (int column = 0; column < columns_; ++column) {
+      const glm::vec3 &a = nodeAt(0, knot, column), &b = nodeAt(1, knot, column);
+      const glm::vec3 middle = 0.5F * (a + b), off = outward * glm::abs(b - a);
+      least = glm::min(least, middle - off);
+      most = glm::max(most, middle + off);
+    }
+  const glm::dvec3 beyond_mm = kBeyondNodes * glm::dvec3(most - least) + kBeyondNodes_mm;
+  return {glm::dvec3(least) - beyond_mm, glm::dvec3(most) + beyond_mm};
+}
+
+void EchoMotion::rowsOf(double sigmas, const glm::mat3& toVoxel, Bands& bands, std::vector<glm::vec3>& rows) const {
+  rows.resize(static_cast<std::size_t>(knots_) * static_cast<std::size_t>(lines_));
+  const auto side = static_cast<float>(0.5 * (1.0 + sigmas));
+  const float perLine = static_cast<float>(columns_ - 1) / static_cast<float>(std::max(1, lines_ - 1));
+  bands.run(knots_, [&](int first, int count, int) {
+    for (int knot = first; knot < first + count; ++knot) {
+      const glm::vec3 *below = &nodeAt(0, knot, 0), *above = &nodeAt(1, knot, 0);
+      glm::vec3* row = rows.data() + static_cast<std::ptrdiff_t>(knot) * lines_;
+      for (int line = 0; line < lines_; ++line) {
+        const float at = static_cast<float>(line) * perLine;
+        const int column = std::min(static_cast<int>(at), columns_ - 2);
+        const float t = at - static_cast<float>(column);
+        const glm::vec3 low = below[column] + t * (below[column + 1] - below[column]);
+        const glm::vec3 high = above[column] + t * (above[column + 1] - above[column]);
+        row[line] = toVoxel * (low + side * (high - low));
+      }
+    }
+  });
+}
+
+}  // namespace ew::detail

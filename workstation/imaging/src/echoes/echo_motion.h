@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "echo_layout.h"
+#include "ew/imaging/bands.h"
+#include "ew/imaging/tissue_motion.h"
+
+namespace ew::detail {
+
+/// Where the tissue of a frame has gone: forward for scatterers, which take their place with them, and backward for lines, which ask at
+/// each of their samples what rests there. Everything in the probe frame; "at rest" is where tissue would lie in a body at rest.
+class EchoMotion {
+ public:
+  /// From here on nothing moves.
+  void rest() { fields_.clear(); }
+  /// @param motionToProbe from the frame of the motion's grids, rigid
+  /// @param strength of every field, 0..1
+  void find(const EchoLayout& layout, const TissueMotion& motion, const BodyState& body, double strength,
+            const Transform<frame::Probe, frame::World>& motionToProbe, Bands& bands);
+  [[nodiscard]] bool moves() const { return !fields_.empty(); }
+
+  /// How far what rests at a place has gone, mm.
+  [[nodiscard]] glm::dvec3 shiftAt(const glm::dvec3& rest_mm) const;
+
+  /// Bounds of (place at rest - place now) of what is seen between two ranges, mm.
+  struct Reach {
+    glm::dvec3 least_mm{0.0};
+    glm::dvec3 most_mm{0.0};
+  };
+  [[nodiscard]] Reach reachBetween(double near_mm, double far_mm) const;
+
+  /// (place at rest - place now) along all lines, `sigmas` standard deviations of the elevational beam beside the slice, -1..1.
+  /// @param toVoxel takes mm of the probe frame to steps of a volume
+  /// @param rows    knot after knot, by line; knots lie knot_mm() apart from range 0 on
+  void rowsOf(double sigmas, const glm::mat3& toVoxel, Bands& bands, std::vector<glm::vec3>& rows) const;
+  [[nodiscard]] float perKnot() const { return static_cast<float>(1.0 / knot_mm_); }
+  [[nodiscard]] int knots() const { return knots_; }
+
+ private:
+  /// A field of the motion as it stands.
+  struct Field {
+    glm::mat4 probeToNode;
+    glm::mat3 toProbe;  ///< amplitude included
+    glm::vec3 last;     ///< node
+    std::ptrdiff_t row, plane;
+    const glm::vec3* shift;
+  };
+  /// (place at rest - place now) at a place of now.
+  [[nodiscard]] glm::vec3 backAt(const glm::vec3& now_mm, const glm::vec3& guess) const;
+  [[nodiscard]] const glm::vec3& nodeAt(int side, int knot, int column) const {
+    return nodes_[static_cast<std::size_t>((side * knots_ + knot) * columns_ + column)];
+  }
+
+  std::vector<Field> fields_;
+  double knot_mm_ = 4.0;
+  int knots_ = 0;
+  int columns_ = 0;  ///< of nodes, evenly across the lines
+  int lines_ = 0;
+  double reach_ = 2.0;            ///< of the elevational beam, in standard deviations
+  std::vector<glm::vec3> nodes_;  ///< two sides of the slice, one standard deviation off; by knot, by column
+};
+
+}  // namespace ew::detail
