@@ -255,8 +255,8 @@ TEST(TissueMotion, KnowsWhereABodyStandsAtATime) {
   BodyRhythms rhythms;
   EXPECT_EQ(bodyAt(rhythms, 3.7), BodyState{});
   rhythms.breathing = BodyRhythms::Breathing{{4.0, 0.0}, 0.5, 0.4};
-  rhythms.pulse = Rhythm{1.0, 0.0};
-  rhythms.bowel = Rhythm{10.0, 0.0};
+  rhythms.pulse = BodyRhythm{1.0, 0.0};
+  rhythms.bowel = BodyRhythm{10.0, 0.0};
   EXPECT_EQ(bodyAt(rhythms, 8.0), BodyState{});
   EXPECT_NEAR(bodyAt(rhythms, 9.0).breath, 0.4, 1e-12);   // a quiet breath, halfway of what moves
   EXPECT_EQ(bodyAt(rhythms, 11.0).breath, 0.0);           // the pause

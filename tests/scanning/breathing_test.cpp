@@ -10,7 +10,7 @@ namespace {
 BodyRhythms rhythmsOf(bool hasPulse) {
   BodyRhythms rhythms;
   rhythms.breathing = BodyRhythms::Breathing{{4.0, 0.0}, 0.3, 0.4};
-  if (hasPulse) rhythms.pulse = Rhythm{0.9, 0.0};
+  if (hasPulse) rhythms.pulse = BodyRhythm{0.9, 0.0};
   return rhythms;
 }
 

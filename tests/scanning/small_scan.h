@@ -31,7 +31,7 @@ inline ScanSubject livingSubject() {
   tissue->level = subject.voxels.volume()->echo;
   auto motion = std::make_shared<TissueMotion>();
   motion->rhythms.breathing = BodyRhythms::Breathing{};
-  motion->rhythms.pulse = Rhythm{0.9, 0.1};
+  motion->rhythms.pulse = BodyRhythm{0.9, 0.1};
   for (const auto kind : {TissueMotion::Kind::breath, TissueMotion::Kind::pulse}) {
     TissueMotion::Mode& mode = motion->modes.emplace_back();
     mode.kind = kind;

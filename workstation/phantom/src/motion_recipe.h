@@ -35,7 +35,7 @@ class ShareField {
 };
 
 struct Breathing {
-  Rhythm rhythm;
+  BodyRhythm rhythm;
   double pause = 0.3;               ///< share of a cycle without motion, at the end of expiration
   double tidal = 1.0;               ///< of a quiet breath, as a share of full inspiration
   glm::dvec3 displacement_mm{0.0};  ///< of tissue that is free to move, at full inspiration
@@ -51,13 +51,13 @@ struct PulsingVessel {
 };
 
 struct Pulse {
-  Rhythm rhythm;
+  BodyRhythm rhythm;
   std::vector<PulsingVessel> vessels;
 };
 
 /// Slow waves along the gut: within its organs tissue sways front to back, as far as `sway_mm` from one end to the other.
 struct Bowel {
-  Rhythm rhythm;
+  BodyRhythm rhythm;
   std::vector<ShapePtr> organs;
   double sway_mm = 2.0;
   double wavelength_mm = 60.0;

@@ -17,7 +17,7 @@ double unevenness(long long cycle) {
   return static_cast<double>(z >> 11) * 0x1p-53 - 0.5;
 }
 
-double beginningOf_s(const Rhythm& rhythm, long long cycle) {
+double beginningOf_s(const BodyRhythm& rhythm, long long cycle) {
   return rhythm.period_s * (static_cast<double>(cycle) + rhythm.variation * unevenness(cycle));
 }
 
@@ -36,7 +36,7 @@ double breathAt(const BodyRhythms::Breathing& breathing, double time_s) {
 constexpr double kWaveArrives_s = 0.10;
 constexpr double kWaveRises_s = 0.16;
 
-double pulseAt(const Rhythm& rhythm, double time_s) {
+double pulseAt(const BodyRhythm& rhythm, double time_s) {
   const Cycle cycle = cycleAt(rhythm, time_s);
   const double stretch = std::min(1.0, cycle.duration_s / 0.6);  // everything comes sooner in a fast heart
   const double arrives = kWaveArrives_s * stretch, widest = arrives + kWaveRises_s * stretch;
@@ -47,7 +47,7 @@ double pulseAt(const Rhythm& rhythm, double time_s) {
 
 }  // namespace
 
-Cycle cycleAt(const Rhythm& rhythm, double time_s) {
+Cycle cycleAt(const BodyRhythm& rhythm, double time_s) {
   if (!(std::abs(time_s) < 1e9)) return {};
   auto cycle = static_cast<long long>(std::floor(time_s / rhythm.period_s));
   if (beginningOf_s(rhythm, cycle) > time_s) --cycle;
