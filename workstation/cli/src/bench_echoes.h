@@ -27,7 +27,7 @@ struct EchoBenchOptions {
 /// of the case's effect; of both, scatterers alone (no mirrors). Switched off in live echoes is what they have on purpose beside the model:
 /// scatter of the scatterers' strength, little walls, line filter and line average, haze, gain; aperture and F-number are the model's, and
 /// focus and slice thickness act. Decorrelation is measured without losses, on every fifth pose.
-/// Patches of about 9 mm count where the maps say that nothing but tissue lies in the slice (see echo_measures.h).
+/// Patches of about 8 mm count where at least half of them is tissue throughout the slice, and of them what is (see echo_measures.h).
 /// The result: {"machine", "poses", "frames", "width", "height", "seed", "results": [{"name", "case", "quality", "probe", "looks",
 /// "patches", "level_db" (median of live less forward), "level_p95_db" (of its absolute value), "level_floor_p95_db" (the same between two
 /// forward models of other scatterers: what patches of this size leave to chance), "level_bands_db" (medians by depth), "snr_live",

@@ -18,7 +18,7 @@ BenchSection accuracySection(const json& report) {
       std::to_string(report["poses"].get<int>()) +
       " poses of each case; the model (VirtualScanner) sees the same patient from the same poses with the same probe, depth, focus, "
       "looks and pulse. Scatterers alone, without mirrors and noise; texture, little walls, line filter, haze and gain of live "
-      "echoes are off. Level is the median difference of patches of 9 mm, beside it the 95th percentile of its absolute value and "
+      "echoes are off. Level is the median difference of patches of 8 mm, beside it the 95th percentile of its absolute value and "
       "the same between two models of other scatterers, which is what chance leaves. Lengths are the worst of four bands of depth, "
       "decorrelation the worst of rotations by 1 to 8 degrees, elevation by 0.5 to 1.5 mm and slides by 0.5 to 2 mm. In the chart "
       "upwards: decibels that the level is closer to the model than 10 dB.";

@@ -7,14 +7,15 @@
 namespace ew {
 namespace {
 
-constexpr double kStep_mm = 0.5;         // of the truth along a line
-constexpr double kPatch_mm = 9.0;        // both ways
-constexpr double kMostGap_mm = 2.0;      // between face and skin; further off, the forward model loses the line
+constexpr double kPatch_mm = 8.0;        // both ways
+constexpr double kMostGap_mm = 0.5;      // of gel between face and skin: it takes nothing, which labels do not tell from tissue
 constexpr double kLeaves_mm = 1.5;       // out of the body for so long
-constexpr double kNearSurface_mm = 2.0;  // no patch so close to a reflecting surface
+constexpr double kNearSurface_mm = 1.5;  // of a reflecting surface nothing counts
 constexpr int kFaintest = 60;            // grey level of tissue that counts
-constexpr int kEvenWithin = 8;           // grey levels
+constexpr int kEvenWithin = 60;          // grey levels; a texture is divided out
+constexpr double kLeastShare = 0.5;      // of a patch that has to count
 constexpr float kOpen_db = 0.5F, kShade_db = 8.0F;
+constexpr double kDecibelPerLevel = 60.0 / 255.0;  // of maps
 constexpr std::size_t kPlanes = 3;
 constexpr std::array<double, kPlanes> kSigmas{0.0, -1.2, 1.2};
 
@@ -43,7 +44,7 @@ struct Walk {
 Walk walkPlane(const EchoTruth& truth, const BeamGrid& grid, const std::vector<double>& elevationalSigma_mm, double sigmas,
                const Transform<frame::World, frame::Probe>& probeToWorld) {
   Walk walk;
-  walk.steps = static_cast<std::size_t>(grid.depth_mm(grid.samples - 1) / kStep_mm);
+  walk.steps = static_cast<std::size_t>(grid.depth_mm(grid.samples - 1) / kEchoStep_mm);
   walk.met.resize(walk.steps * grid.lines.size());
   const glm::dmat4 toMaps = truth.mapsGrid.worldToVoxel().matrix * probeToWorld.matrix,
                    toVolume = truth.volumeGrid.worldToVoxel().matrix * probeToWorld.matrix,
@@ -54,13 +55,13 @@ Walk walkPlane(const EchoTruth& truth, const BeamGrid& grid, const std::vector<d
     double outside_mm = 0.0;
     bool entered = false, lost = false;
     for (std::size_t s = 0; s < walk.steps; ++s) {
-      const double depth_mm = (static_cast<double>(s) + 0.5) * kStep_mm;
+      const double depth_mm = (static_cast<double>(s) + 0.5) * kEchoStep_mm;
       const double aside_mm = sigmas * elevationalSigma_mm[static_cast<std::size_t>(depth_mm)];
       const glm::dvec3 p(grid.lines[l].origin_mm + depth_mm * grid.lines[l].direction, aside_mm);
       Met& met = walk.met[l * walk.steps + s];
       const auto voxel = voxelAt(truth.volumeGrid, toVolume, p);
       const bool inside = voxel && truth.volume.coverageAt(*voxel) != Coverage::absent;
-      outside_mm = inside ? 0.0 : outside_mm + kStep_mm;
+      outside_mm = inside ? 0.0 : outside_mm + kEchoStep_mm;
       lost = lost || outside_mm > (entered ? kLeaves_mm : kMostGap_mm);
       entered = entered || inside;
       if (const auto at = voxelAt(truth.labelsGrid, toLabels, p); at && truth.labels != nullptr) {
@@ -82,23 +83,32 @@ Walk walkPlane(const EchoTruth& truth, const BeamGrid& grid, const std::vector<d
 }
 
 void judge(const std::array<Walk, kPlanes>& planes, const BeamGrid& grid, double aperture_mm, double lateralWidth_mm, EchoPatch& patch) {
-  const auto first = static_cast<std::size_t>(patch.from_mm / kStep_mm), last = static_cast<std::size_t>(patch.to_mm / kStep_mm);
+  const auto first = static_cast<std::size_t>(patch.from_mm / kEchoStep_mm), last = static_cast<std::size_t>(patch.to_mm / kEchoStep_mm);
   int lowest = 255, highest = 0;
-  bool isTissue = true, isClear = true, isDense = true;
-  for (const Walk& plane : planes)
-    for (int l = patch.firstLine; l < patch.firstLine + patch.lines; ++l)
-      for (std::size_t s = first; s < last; ++s) {
+  bool isClear = true, isDense = true;
+  double counted = 0.0;
+  for (int l = patch.firstLine; l < patch.firstLine + patch.lines; ++l)
+    for (std::size_t s = first; s < last; ++s) {
+      bool counts = true;
+      for (const Walk& plane : planes) {
+        const Met& met = plane.at(l, s);
+        counts = counts && met.isSeen && !met.isSurface && met.level >= kFaintest;
+        isClear = isClear && met.reflected_db < kOpen_db;
+      }
+      patch.counts.push_back(counts ? planes.front().at(l, s).level : std::uint8_t{0});
+      if (!counts) continue;
+      counted += 1.0;
+      for (const Walk& plane : planes) {
         const Met& met = plane.at(l, s);
         lowest = std::min<int>(lowest, met.level);
         highest = std::max<int>(highest, met.level);
-        isTissue = isTissue && met.isSeen && !met.isSurface;
-        isClear = isClear && met.reflected_db < kOpen_db;
         isDense = isDense && !met.isSparse;
       }
-  isTissue = isTissue && lowest >= kFaintest;
-  patch.isOpen = isTissue && isClear;
+    }
+  if (counted < kLeastShare * static_cast<double>(patch.counts.size())) return;
+  patch.isOpen = isClear;
   patch.isEven = patch.isOpen && isDense && highest - lowest <= kEvenWithin;
-  if (!isTissue || isClear) return;
+  if (isClear) return;
   // A bundle of rays from the aperture has the standard deviation 0.29 A (1 - z0 / z) where the shadow's edge was thrown.
   const double open_mm = std::min(aperture_mm, 0.5 * patch.to_mm);
   const auto beside = static_cast<int>(std::ceil((0.58 * open_mm + lateralWidth_mm) / grid.lineSpacing_mm(patch.middle_mm())));
@@ -108,7 +118,7 @@ void judge(const std::array<Walk, kPlanes>& planes, const BeamGrid& grid, double
     for (const Walk& plane : planes) patch.isShaded = patch.isShaded && plane.at(l, first).reflected_db >= kShade_db;
 }
 
-/// The patch's samples of a frame, divided by their mean less 1; empty where there are too few.
+/// The patch's samples of a frame, divided by their mean less 1, NaN where they do not count; empty where none does.
 struct Divided {
   std::vector<double> values;  ///< (lines x samples), a row for each sample
   int lines = 0, samples = 0;
@@ -122,19 +132,31 @@ Divided dividedOf(const EchoFrame& frame, const EchoPatch& patch) {
   const int first = firstSampleOf(frame, patch.from_mm), last = std::min(firstSampleOf(frame, patch.to_mm), frame.grid.samples);
   made.lines = patch.lines;
   made.samples = last - first;
-  double sum = 0.0;
+  double sum = 0.0, count = 0.0;
   for (int s = first; s < last; ++s)
     for (int l = 0; l < patch.lines; ++l) {
-      made.values.push_back(static_cast<double>(frame.at(patch.firstLine + l, s)));
+      const bool counts = patch.countsAt(patch.firstLine + l, frame.grid.depth_mm(s));
+      // Of the power that the tissue has there by the maps.
+      const double known =
+          counts ? std::pow(10.0, 0.1 * kDecibelPerLevel * (patch.levelAt(patch.firstLine + l, frame.grid.depth_mm(s)) - 255.0)) : 1.0;
+      made.values.push_back(counts ? static_cast<double>(frame.at(patch.firstLine + l, s)) / known : std::nan(""));
+      if (!counts) continue;
       sum += made.values.back();
+      count += 1.0;
     }
-  const double mean = sum / static_cast<double>(std::max<std::size_t>(made.values.size(), 1));
+  const double mean = sum / std::max(count, 1.0);
   if (!(mean > 0.0)) return {};
   for (double& value : made.values) value = value / mean - 1.0;
   return made;
 }
 
 }  // namespace
+
+std::uint8_t EchoPatch::levelAt(int line, double depth_mm) const {
+  const auto first = static_cast<int>(from_mm / kEchoStep_mm), steps = static_cast<int>(to_mm / kEchoStep_mm) - first;
+  const int step = std::clamp(static_cast<int>(depth_mm / kEchoStep_mm) - first, 0, steps - 1);
+  return counts[static_cast<std::size_t>((line - firstLine) * steps + step)];
+}
 
 EchoFrame frameOfAmplitudes(const BeamGrid& grid, const Image<float>& amplitudes) {
   EchoFrame frame{grid, amplitudes.pixels};
@@ -178,6 +200,7 @@ double levelOf_db(const EchoFrame& frame, const EchoPatch& patch) {
   double sum = 0.0, count = 0.0;
   for (int s = first; s < last; ++s)
     for (int l = patch.firstLine; l < patch.firstLine + patch.lines; ++l) {
+      if (!patch.countsAt(l, frame.grid.depth_mm(s))) continue;
       sum += static_cast<double>(frame.at(l, s));
       count += 1.0;
     }
@@ -194,17 +217,18 @@ void SpeckleSums::add(const EchoFrame& frame, const EchoPatch& patch, double axi
   for (int s = 0; s < x.samples; ++s)
     for (int l = 0; l < x.lines; ++l) {
       const double here = x.at(l, s);
+      if (std::isnan(here)) continue;
       amplitude_ += std::sqrt(here + 1.0);
       square_ += here + 1.0;
       count_ += 1.0;
       band.variance += here * here;
       band.count += 1.0;
-      if (s + axialLag < x.samples) {
+      if (s + axialLag < x.samples && !std::isnan(x.at(l, s + axialLag))) {
         band.axial += here * x.at(l, s + axialLag);
         band.axialCount += 1.0;
         band.axialLag2_mm2 += std::pow(axialLag * frame.grid.sampleSpacing_mm, 2);
       }
-      if (l + lateralLag < x.lines) {
+      if (l + lateralLag < x.lines && !std::isnan(x.at(l + lateralLag, s))) {
         band.lateral += here * x.at(l + lateralLag, s);
         band.lateralCount += 1.0;
         band.lateralLag2_mm2 += std::pow(lateralLag * lineSpacing_mm, 2);
@@ -241,6 +265,7 @@ void ViewCorrelation::add(const EchoFrame& still, const EchoFrame& moved, const 
   std::vector<double> a, b;
   for (int s = first; s < last; ++s)
     for (int l = patch.firstLine; l < patch.firstLine + patch.lines; ++l) {
+      if (!patch.countsAt(l, still.grid.depth_mm(s))) continue;
       const BeamGrid::Line& line = still.grid.lines[static_cast<std::size_t>(l)];
       const glm::dvec3 p(line.origin_mm + still.grid.depth_mm(s) * line.direction, 0.0);
       const glm::dvec3 q = (stillToMoved * Point<frame::Probe>{p}).at;

@@ -37,13 +37,19 @@ struct EchoTruth {
   std::array<bool, 256> isSparse{};        ///< by label: tissue whose speckle is not fully developed
 };
 
+inline constexpr double kEchoStep_mm = 0.5;  ///< of the truth along a line
+
 /// A piece of the picture a few resolution cells wide, of which it is known what lies there.
 struct EchoPatch {
   int firstLine = 0, lines = 0;
   double from_mm = 0.0, to_mm = 0.0;
-  bool isOpen = false;    ///< tissue, nothing reflecting in front of it, no surface in it
-  bool isEven = false;    ///< open, and of one level, dense with scatterers: fully developed speckle
+  bool isOpen = false;    ///< at least half of it tissue, nothing reflecting in front of it
+  bool isEven = false;    ///< open, without great steps of level, dense with scatterers: fully developed speckle
   bool isShaded = false;  ///< tissue so far inside a shadow that its sides do not reach in
+  /// By line and step of kEchoStep_mm the tissue's level by the maps; 0: no tissue or a surface near, left out.
+  std::vector<std::uint8_t> counts;
+  [[nodiscard]] std::uint8_t levelAt(int line, double depth_mm) const;
+  [[nodiscard]] bool countsAt(int line, double depth_mm) const { return levelAt(line, depth_mm) != 0; }
   [[nodiscard]] double middle_mm() const { return 0.5 * (from_mm + to_mm); }
 };
 
