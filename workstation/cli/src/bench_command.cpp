@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "arguments.h"
+#include "bench_echoes.h"
 #include "bench_frame.h"
 #include "bench_page.h"
 #include "bench_paper.h"
@@ -15,6 +16,7 @@
 #include "ew/core/numbers.h"
 #include "ew/core/simd.h"
 #include "ew/io/safe_file.h"
+#include "volume_input.h"
 
 namespace ew::cli {
 namespace {
@@ -37,6 +39,8 @@ struct BenchArguments {
   int pairSide = 96;
   int viewSide = 128;
   std::uint64_t seed = 1;
+  std::vector<std::string> cases;
+  int timedFrames = 40;
   bool noPeers = false;
   bool large = false;
 };
@@ -54,11 +58,28 @@ std::string textIn(const json& row, const char* key) {
   return row.contains(key) && row[key].is_string() ? row[key].get<std::string>() : std::string("-");
 }
 
+/// Live echoes against the forward model: a line for each case and quality, and one of totals for each quality.
+void printEchoes(std::ostream& out, const json& measured) {
+  constexpr std::size_t kName = 44;
+  const auto line = [&](std::string name, const json& row) {
+    name.resize(std::max(kName, name.size() + 1), ' ');
+    out << name << right(numberIn(row, "level_db", 2), 6) << " dB (95 %" << right(numberIn(row, "level_p95_db", 2), 6) << ", by chance"
+        << right(numberIn(row, "level_floor_p95_db", 2), 6) << ")  SNR" << right(numberIn(row, "snr_off_percent", 1), 6) << " %  axial"
+        << right(numberIn(row, "axial_off_percent", 1), 6) << " %  lateral" << right(numberIn(row, "lateral_off_percent", 1), 6)
+        << " %  views" << right(numberIn(row, "decorrelation_off", 3), 7) << "  shadow" << right(numberIn(row, "shadow_db", 2), 6)
+        << " dB  " << right(numberIn(row, "one_thread_ms", 1), 6) << " ms, two threads" << right(numberIn(row, "two_threads_ms", 1), 6)
+        << " ms (99 %" << right(numberIn(row, "two_p99_ms", 1), 6) << "), model" << right(numberIn(row, "forward_ms", 0), 5) << " ms\n";
+  };
+  for (const auto& row : measured["results"]) line(textIn(row, "name"), row);
+  for (const auto& total : measured["totals"]) line("the worst, " + textIn(total, "quality"), total);
+}
+
 void printResults(std::ostream& out, const json& measured) {
+  if (measured.contains("totals")) printEchoes(out, measured);
   std::size_t nameWidth = 4;
   for (const auto& row : measured.value("results", json::array())) nameWidth = std::max(nameWidth, textIn(row, "name").size());
   for (const auto& row : measured.value("results", json::array())) {
-    if (row.contains("removed_percent") || row.contains("derivative_ratio")) continue;
+    if (row.contains("removed_percent") || row.contains("derivative_ratio") || row.contains("decorrelation")) continue;
     std::string name = textIn(row, "name");
     name.resize(nameWidth + 2, ' ');
     out << name << right(numberIn(row, "median_us", 0), 8) << " us  ";
@@ -156,6 +177,43 @@ Result<json> frame(const BenchArguments& arguments, Run& run, Progress& progress
   return benchFrame(options, progress);
 }
 
+/// The drawn ones among the shipped cases, or those that were named.
+Result<std::vector<Case>> echoCases(const BenchArguments& arguments) {
+  std::vector<Case> cases;
+  for (const std::string& name : arguments.cases) {
+    auto found = findCase(name);
+    if (!found) return passOn(found.error());
+    cases.push_back(std::move(*found));
+  }
+  if (!arguments.cases.empty()) return cases;
+  const auto shipped = shippedCasesFolder();
+  if (!shipped) return passOn(shipped.error());
+  for (Case& each : listCases(*shipped).cases)
+    if (!each.volume.recipe.empty() && each.volume.sweeps.empty()) cases.push_back(std::move(each));
+  return cases;
+}
+
+Result<json> echoes(const BenchArguments& arguments, Run& run, Progress& progress) {
+  auto cases = echoCases(arguments);
+  if (!cases) return passOn(cases.error());
+  EchoBenchOptions options;
+  options.cases = std::move(*cases);
+  options.poses = arguments.poses > 0 ? arguments.poses : options.poses;
+  options.frames = arguments.timedFrames;
+  options.width_px = arguments.frame_px.x;
+  options.height_px = arguments.frame_px.y;
+  options.seed = arguments.seed;
+  json ids = json::array();
+  for (const Case& each : options.cases) ids.push_back(each.id);
+  run.report.options["echoes"] = {{"cases", std::move(ids)},
+                                  {"poses", options.poses},
+                                  {"frames", options.frames},
+                                  {"size", {options.width_px, options.height_px}},
+                                  {"seed", options.seed}};
+  run.report.seed = options.seed;
+  return benchEchoes(options, progress);
+}
+
 Result<json> reconstruction(const BenchArguments& arguments, Run& run, Progress& progress) {
   ReconstructBenchOptions options;
   options.frames = arguments.sweepFrames;
@@ -225,7 +283,7 @@ Result<void> writePage(const BenchArguments& arguments, Run& run, const std::str
   return {};
 }
 
-enum class Bench { slicing, frame, reconstruct, registration, stitch, all };
+enum class Bench { slicing, frame, echoes, reconstruct, registration, stitch, all };
 
 Result<int> bench(Bench what, const BenchArguments& arguments, Run& run) {
   if (!arguments.html.empty()) {
@@ -285,8 +343,12 @@ Result<int> bench(Bench what, const BenchArguments& arguments, Run& run) {
     for (auto& section : paperSections(*figures)) sections.push_back(std::move(section));
     run.report.quality["paper"] = *std::move(figures);
   }
+  if (wants(Bench::echoes)) {
+    PartOfProgress part = share(0.9, 0.95);
+    if (auto taken = take("echoes", echoes(arguments, run, part), echoSections); !taken) return passOn(taken.error());
+  }
   if (wants(Bench::stitch)) {
-    PartOfProgress part = share(0.9, 1.0);
+    PartOfProgress part = share(0.95, 1.0);
     if (auto taken = take("stitch", stitching(arguments, run, part), stitchSections); !taken) return passOn(taken.error());
   }
   if (!arguments.html.empty())
@@ -307,7 +369,8 @@ void addBench(CLI::App& root, Selection& selection) {
                    std::string("Also write ") + kPage + ", the curves of accuracy against time; what it held of other benchmarks stays")
         ->type_name("DIR");
     app.add_option("--note", arguments->note, "A sentence about the machine, for the page: what else it was doing")->type_name("TEXT");
-    const bool slices = what != Bench::reconstruct && what != Bench::registration && what != Bench::stitch;
+    const bool slices = what != Bench::reconstruct && what != Bench::registration && what != Bench::stitch && what != Bench::echoes;
+    const bool formsEchoes = what == Bench::echoes || what == Bench::all;
     if (slices)
       app.add_option("--side", arguments->sides, "Voxels a side of the volume; may be given several times (256 and 512)")
           ->type_name("COUNT");
@@ -315,8 +378,15 @@ void addBench(CLI::App& root, Selection& selection) {
       addCount(app, "--size", arguments->sliceSide, 16, 4096, "Pixels a side of a slice (400)");
       app.add_flag("--large", arguments->large, "Also slices of a volume of 1024 cubed: 2.4 GiB of memory and some minutes");
     }
-    if (what == Bench::frame || what == Bench::all) addSize(app, "--frame", arguments->frame_px, "Pixels of a frame (1024x768)");
-    if (slices) addCount(app, "--poses", arguments->poses, 2, 1000, "Poses of each kind (slices 40, frames 12)");
+    if (what == Bench::frame || formsEchoes) addSize(app, "--frame", arguments->frame_px, "Pixels of a frame (1024x768)");
+    if (slices) addCount(app, "--poses", arguments->poses, 2, 1000, "Poses of each kind (slices 40, frames 12, live echoes 3)");
+    if (what == Bench::echoes) addCount(app, "--poses", arguments->poses, 1, 1000, "Poses of each case (3)");
+    if (formsEchoes) {
+      app.add_option("--case", arguments->cases,
+                     "A drawn case whose live echoes are compared; may be given several times (every shipped one)")
+          ->type_name("CASE");
+      addCount(app, "--timed", arguments->timedFrames, 5, 10000, "Frames of live echoes timed for each quality and number of threads (40)");
+    }
     if (what == Bench::reconstruct || what == Bench::all) {
       app.add_option("--spacing", arguments->spacings_mm, "Voxel size of reconstructions; may be given several times (0.5 and 1)")
           ->type_name("MM");
@@ -332,17 +402,20 @@ void addBench(CLI::App& root, Selection& selection) {
     }
     if (what == Bench::stitch || what == Bench::all)
       addCount(app, what == Bench::all ? "--view-side" : "--side", arguments->viewSide, 64, 320, "Voxels a side of a view to join (128)");
-    if (what == Bench::registration || what == Bench::stitch || what == Bench::all)
-      addSeed(app, "--seed", arguments->seed, "Which pairs are registered, which speckle is joined (1)");
-    addCount(app, "--repetitions", arguments->repetitions, 1, 1000,
-             "Interleaved repetitions (slices and frames 7, reconstructions 5, registrations 1, joining 3)");
-    if (what != Bench::reconstruct && what != Bench::stitch)
+    if (what == Bench::registration || what == Bench::stitch || formsEchoes)
+      addSeed(app, "--seed", arguments->seed, "Which pairs are registered, which speckle is joined, which poses are compared (1)");
+    if (what != Bench::echoes)
+      addCount(app, "--repetitions", arguments->repetitions, 1, 1000,
+               "Interleaved repetitions (slices and frames 7, reconstructions 5, registrations 1, joining 3)");
+    if (what != Bench::reconstruct && what != Bench::stitch && what != Bench::echoes)
       app.add_flag("--no-peers", arguments->noPeers, "Leave VTK's reslice, elastix and plastimatch out");
   };
   add(Bench::slicing, "slicing", "Every slicer against an exact answer and against VTK's, one thread, medians of one run",
       {"bench slicing", "bench slicing --html bench --report bench.json", "bench slicing --side 256 --repetitions 3"});
   add(Bench::frame, "frame", "Whole frames with every effect alone and together, against exact answers and VTK's bare slice",
       {"bench frame", "bench frame --html bench --report bench.json", "bench frame --side 256 --frame 640x480 --repetitions 3"});
+  add(Bench::echoes, "echoes", "Live echoes of every quality against the forward model of the same patients, and what their frames take",
+      {"bench echoes", "bench echoes --poses 50 --timed 300 --html bench --report bench.json", "bench echoes --case neck-carotid-thyroid"});
   add(Bench::reconstruct, "reconstruct",
       "Every way from a sweep to a volume against an exact field, and confidence maps against known shadows",
       {"bench reconstruct", "bench reconstruct --html bench --report bench.json", "bench reconstruct --spacing 0.5 --repetitions 3"});
