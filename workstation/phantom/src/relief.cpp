@@ -143,7 +143,7 @@ ShapePtr makeRelief(ShapePtr of, const std::vector<ReliefLine>& lines) {
   EW_EXPECTS(of);
   for (const ReliefLine& each : lines) {
     EW_EXPECTS(each.halfWidth_mm > 0.0);
-    for (const auto& points : each.lines) EW_EXPECTS(!points.empty());
+    for ([[maybe_unused]] const auto& points : each.lines) EW_EXPECTS(!points.empty());
   }
   return std::make_shared<Relief>(std::move(of), lines);
 }

@@ -83,16 +83,17 @@ struct StepTime {
 
 /// Everything that changes from frame to frame. Someone else owns voxels and gaps until the frame is made.
 struct FrameInput {
-  SliceSource echo;    ///< its grid's place in the world may differ from the one configured (a moved volume needs no new tables)
-  SliceSource labels;  ///< of the tissues of the scene, on any grid; empty: grey levels decide
-  const TissueMaps* tissue = nullptr;  ///< from which live echoes are formed
-  Grid tissueGrid;                     ///< its place in the world
+  SliceSource echo;         ///< its grid's place in the world may differ from the one configured (a moved volume needs no new tables)
+  SliceSource labels = {};  ///< of the tissues of the scene, on any grid; empty: grey levels decide
+  const TissueMaps* tissue = nullptr;    ///< from which live echoes are formed
+  Grid tissueGrid = {};                  ///< its place in the world
   const TissueMotion* motion = nullptr;  ///< of `tissue`, in the frame of its own grid; a scene with motion moves it
-  BodyState body;                        ///< where it stands
-  Pose pose;
-  std::span<const float> gaps_mm;  ///< skin to face, from the face's -x end to its +x end (effects/contact.h); empty: everything touches
-  double time_s = 0.0;             ///< of the M-mode strip
-  std::uint64_t number = 0;        ///< of the noise: the same number, the same noise
+  BodyState body = {};                   ///< where it stands
+  Pose pose = {};
+  std::span<const float> gaps_mm =
+      {};                    ///< skin to face, from the face's -x end to its +x end (effects/contact.h); empty: everything touches
+  double time_s = 0.0;       ///< of the M-mode strip
+  std::uint64_t number = 0;  ///< of the noise: the same number, the same noise
 };
 
 /// Makes frames of one probe and one setting after another; owns the tables and scratch memory, so that a frame allocates nothing.

@@ -87,7 +87,7 @@ struct ScanSubject {
     return asked;
   }
   /// Whether pictures in such a scene change with the body. Motion is seen in live echoes alone.
-  [[nodiscard]] bool movesIn(const Scene& scene) const { return tissue && motion && scene.liveEchoes && scene.motion; }
+  [[nodiscard]] bool movesIn(const Scene& asked) const { return tissue && motion && asked.liveEchoes && asked.motion; }
 
   /// The same without what could not be shown of it whatever were found out (recordedTissueOf).
   [[nodiscard]] Scene possible(Scene asked) const {
