@@ -95,7 +95,8 @@ class ChainWorld {
   /// The bytes of the four files of a result.
   [[nodiscard]] static std::map<std::string, std::string> resultIn(const std::filesystem::path& folder) {
     std::map<std::string, std::string> bytes;
-    for (const char* name : {"volume.mha", "coverage.mha", "source.mha", "level.mha", "provenance.json"}) bytes[name] = textOf(folder / name);
+    for (const char* name : {"volume.mha", "coverage.mha", "source.mha", "level.mha", "provenance.json"})
+      bytes[name] = textOf(folder / name);
     return bytes;
   }
 
