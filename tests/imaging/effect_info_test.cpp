@@ -26,7 +26,8 @@ struct IsEffect<std::optional<T>> : std::true_type {};
 /// Members of a Scene that can be there or not. A new member does not compile here until it is named, and counts when it is an effect.
 int effectsOfScene() {
   const Scene scene;
-  const auto& [gainAndDgc, liveEchoes, recordedRange, focus, sliceThickness, attenuation, reverberation, noise, contact, motion, tissues] = scene;
+  const auto& [gainAndDgc, liveEchoes, recordedRange, focus, sliceThickness, attenuation, reverberation, noise, contact, motion, tissues] =
+      scene;
   return []<class... Members>(const Members&...) { return (0 + ... + (IsEffect<Members>::value ? 1 : 0)); }(
              gainAndDgc, liveEchoes, recordedRange, focus, sliceThickness, attenuation, reverberation, noise, contact, motion, tissues);
 }

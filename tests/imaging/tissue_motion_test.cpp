@@ -35,8 +35,8 @@ Probe probeOfTest() {
   return probe;
 }
 
-/// A body from x, z = 0 all around and y from -20 to 130: tissue of one level with a bright layer, a reflecting surface at y = 40 and a label
-/// that takes sound away below y = 55 on one side.
+/// A body from x, z = 0 all around and y from -20 to 130: tissue of one level with a bright layer, a reflecting surface at y = 40 and a
+/// label that takes sound away below y = 55 on one side.
 struct Body {
   TissueMaps maps;
   Volume labels;
@@ -163,14 +163,15 @@ TEST(TissueMotion, OfAWholeBodyIsThePictureOfAProbeThatMovesTheOtherWay) {
   const glm::dvec3 shift_mm(2.5, -3.25, 1.75);
   const TissueMotion motion = motionOf([&](const glm::dvec3&) { return shift_mm; });
   // The body lies turned in the world, so that every frame on the way counts.
-  const glm::dmat4 turned = glm::rotate(glm::translate(glm::dmat4(1.0), glm::dvec3(12.0, -7.0, 3.0)), 0.4, glm::normalize(glm::dvec3(1.0, 2.0, 3.0)));
+  const glm::dmat4 turned =
+      glm::rotate(glm::translate(glm::dmat4(1.0), glm::dvec3(12.0, -7.0, 3.0)), 0.4, glm::normalize(glm::dvec3(1.0, 2.0, 3.0)));
   const glm::dmat4 moved = glm::translate(glm::dmat4(1.0), -0.5 * shift_mm);
   const GreyImage expected = pictureOf(body, {.probeToWorld = turned * moved, .ownToWorld = turned});
   const GreyImage seen = pictureOf(body, {.motion = &motion, .body = {.breath = 0.5}, .probeToWorld = turned, .ownToWorld = turned});
   const Difference difference = differenceOf(seen, expected);
   // Places are rounded in another order: a scatterer in ten thousand falls to the neighbouring row of the fine grid.
-  EXPECT_LE(difference.largest, 12);
-  EXPECT_LT(difference.share, 0.02);
+  EXPECT_LE(difference.largest, 4);
+  EXPECT_LT(difference.share, 0.001);
   const Difference still = differenceOf(pictureOf(body, {.probeToWorld = turned, .ownToWorld = turned}), expected);
   EXPECT_GT(still.largest, 60);
   EXPECT_GT(still.share, 0.5);
@@ -213,7 +214,7 @@ TEST(TissueMotion, MovesWhatItMovesAndNothingBesideIt) {
     }
   }
   EXPECT_LE(near, 1.0);
-  EXPECT_GT(far, 40.0);
+  EXPECT_GT(far, 25.0);
 }
 
 TEST(TissueMotion, AtRestIsNoMotionToThePixel) {
@@ -240,7 +241,8 @@ TEST(TissueMotion, IsTheSameForAnyNumberOfThreadsAndOnEveryInstructionSet) {
     return glm::dvec3(1.5 * std::sin(0.08 * p.y), 4.0 * std::sin(0.05 * p.x + 0.04 * p.y), 3.0 * std::cos(0.06 * p.x));
   });
   motion.modes.push_back(
-      motionOf([](const glm::dvec3& p) { return glm::dvec3(0.0, 0.8 * std::sin(0.2 * p.y), 0.0); }, TissueMotion::Kind::pulse).modes.front());
+      motionOf([](const glm::dvec3& p) { return glm::dvec3(0.0, 0.8 * std::sin(0.2 * p.y), 0.0); }, TissueMotion::Kind::pulse)
+          .modes.front());
   const Shot shot{.motion = &motion, .body = {.breath = 0.9, .pulse = 0.7}};
   const GreyImage expected = pictureOf(body, shot);
   for (const int threads : {2, 8}) {
@@ -257,10 +259,10 @@ TEST(TissueMotion, KnowsWhereABodyStandsAtATime) {
   rhythms.breathing = BodyRhythms::Breathing{{4.0, 0.0}, 0.5, 0.4};
   rhythms.pulse = Rhythm{1.0, 0.0};
   rhythms.bowel = Rhythm{10.0, 0.0};
-  EXPECT_EQ(bodyAt(rhythms, 8.0), BodyState{});
-  EXPECT_NEAR(bodyAt(rhythms, 9.0).breath, 0.4, 1e-12);   // a quiet breath, halfway of what moves
-  EXPECT_EQ(bodyAt(rhythms, 11.0).breath, 0.0);           // the pause
-  EXPECT_NEAR(bodyAt(rhythms, 8.26).pulse, 1.0, 1e-12);   // a sixth of a second after the wave came
+  EXPECT_EQ(bodyAt(rhythms, 20.0), BodyState{});
+  EXPECT_NEAR(bodyAt(rhythms, 9.0).breath, 0.4, 1e-12);  // a quiet breath, halfway of what moves
+  EXPECT_EQ(bodyAt(rhythms, 11.0).breath, 0.0);          // the pause
+  EXPECT_NEAR(bodyAt(rhythms, 8.26).pulse, 1.0, 1e-12);  // a sixth of a second after the wave came
   EXPECT_NEAR(bodyAt(rhythms, 12.5).bowel, 0.25, 1e-12);
   EXPECT_EQ(amplitudeOf(TissueMotion::Kind::bowelCosine, {}), 0.0);
   EXPECT_EQ(amplitudeOf(TissueMotion::Kind::bowelSine, {}), 0.0);

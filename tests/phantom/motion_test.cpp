@@ -85,7 +85,8 @@ TEST(TissueMotion, IsTheBodysMotionOnGrids) {
 }
 
 TEST(TissueMotion, OfABodyThatDoesNotMoveIsNone) {
-  const auto still = testing::patientOf(testing::patientRecipe(R"({"name": "ball", "tissue": "dark", "shape": {"ellipsoid": {"centre_mm": [0, 0, 0], "radii_mm": [9, 9, 9]}}})", ""));
+  const auto still = testing::patientOf(testing::patientRecipe(
+      R"({"name": "ball", "tissue": "dark", "shape": {"ellipsoid": {"centre_mm": [0, 0, 0], "radii_mm": [9, 9, 9]}}})", ""));
   ASSERT_TRUE(still) << still.error();
   const auto made = tissueMotionOf(**still, 1, noProgress());
   ASSERT_TRUE(made);
@@ -116,9 +117,9 @@ TEST(TissueMotion, OfTheGutSwaysWithinItsOrgansAlone) {
 }
 
 TEST(TissueMotion, OfTheGutThatWouldFoldIsRefused) {
-  const auto patient = testing::patientOf(testing::patientRecipe(
-      R"({"name": "gut", "tissue": "dark", "shape": {"tube": {"points": [[-40, 0, 0, 14], [40, 0, 0, 14]]}}})",
-      R"("motion": {"bowel": {"organs": ["gut"], "sway_mm": 8, "fade_mm": 6}},)"));
+  const auto patient = testing::patientOf(
+      testing::patientRecipe(R"({"name": "gut", "tissue": "dark", "shape": {"tube": {"points": [[-40, 0, 0, 14], [40, 0, 0, 14]]}}})",
+                             R"("motion": {"bowel": {"organs": ["gut"], "sway_mm": 8, "fade_mm": 6}},)"));
   ASSERT_FALSE(patient);
   EXPECT_EQ(patient.error().code, ErrorCode::badField);
   EXPECT_NE(patient.error().message.english().find("sway_mm"), std::string::npos) << patient.error();

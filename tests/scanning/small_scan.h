@@ -41,7 +41,8 @@ inline ScanSubject livingSubject() {
     for (int k = 0; k < 13; ++k)
       for (int j = 0; j < 13; ++j)
         for (int i = 0; i < 13; ++i)
-          mode.shift_mm.push_back(kind == TissueMotion::Kind::breath ? glm::vec3(0.2F * i, 2.0F, -0.3F * k) : glm::vec3(0.0F, 0.05F * j, 0.0F));
+          mode.shift_mm.push_back(kind == TissueMotion::Kind::breath ? glm::vec3(0.2F * i, 2.0F, -0.3F * k)
+                                                                     : glm::vec3(0.0F, 0.05F * j, 0.0F));
   }
   subject.tissue = std::move(tissue);
   subject.motion = std::move(motion);

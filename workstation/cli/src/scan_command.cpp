@@ -292,9 +292,8 @@ Result<ScanPlan> readScanPlan(const ScanArguments& arguments, Run& run) {
   if (!poses) return passOn(poses.error());
   if (arguments.times_s.size() > 1 && poses->size() == 1) poses->resize(arguments.times_s.size(), poses->front());
   if (arguments.times_s.size() > 1 && poses->size() != arguments.times_s.size())
-    return failure(ErrorCode::badUsage,
-                   say<"There are %1 times and %2 poses; give one time, one pose, or as many of one as of the other.">(
-                       arguments.times_s.size(), poses->size()));
+    return failure(ErrorCode::badUsage, say<"There are %1 times and %2 poses; give one time, one pose, or as many of one as of the other.">(
+                                            arguments.times_s.size(), poses->size()));
   auto gaps_mm = gapsOf(arguments.offSkin);
   if (!gaps_mm) return passOn(gaps_mm.error());
   const bool hasContact = wanted->opened ? wanted->opened->scene.contact.has_value() : wanted->scene && wanted->scene->contact;

@@ -15,9 +15,9 @@ namespace ew {
 
 /// What a preparation made. A part without voxels is one that it does not make.
 struct Prepared {
-  Volume volume;                               ///< with coverage
-  Volume labels;                               ///< a label per voxel in its `echo`
-  std::shared_ptr<TissueMaps> maps = nullptr;  ///< on the volume's grid; null where the case asks for none
+  Volume volume;                                   ///< with coverage
+  Volume labels;                                   ///< a label per voxel in its `echo`
+  std::shared_ptr<TissueMaps> maps = nullptr;      ///< on the volume's grid; null where the case asks for none
   std::shared_ptr<TissueMotion> motion = nullptr;  ///< of the maps' tissue; null where it does not move
 };
 

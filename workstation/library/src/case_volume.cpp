@@ -49,7 +49,8 @@ Result<CaseEcho> loadCaseVolume(const Case& opened, Progress& progress, const Pr
     PartOfProgress first(progress, 0.0, opened.volume.labels.empty() ? 1.0 : 0.5);
     auto loaded = readVolume(*file, first);
     if (!loaded) return passOn(loaded.error());
-    CaseEcho read{.volume = std::move(loaded->volume), .labels = {}, .tissue = {}, .motion = {}, .tissues = {}, .notes = std::move(loaded->notes)};
+    CaseEcho read{
+        .volume = std::move(loaded->volume), .labels = {}, .tissue = {}, .motion = {}, .tissues = {}, .notes = std::move(loaded->notes)};
     if (opened.volume.labels.empty()) return read;
     auto labelFile = volumeOfCase(opened.folder, opened.volume.labels, "volume.labels");
     if (!labelFile) return passOn(labelFile.error());

@@ -178,13 +178,12 @@ Grid nodesOver(const Bounds& box, double spacing_mm) {
 template <class ShiftAt>
 bool addMode(TissueMotion::Kind kind, const Grid& grid, int threads, Progress& progress, TissueMotion& motion, const ShiftAt& shiftAt) {
   TissueMotion::Mode& mode = motion.modes.emplace_back(TissueMotion::Mode{kind, grid, std::vector<glm::vec3>(grid.voxelCount())});
-  return forEachTask(grid.dims.z, threads, progress, say<"Finding how the patient moves">(),
-                     [&](int k, int /*worker*/, const auto& stopped) {
-                       for (int j = 0; j < grid.dims.y && !stopped(); ++j)
-                         for (int i = 0; i < grid.dims.x; ++i)
-                           mode.shift_mm[grid.indexOf(i, j, k)] =
-                               glm::vec3(shiftAt(grid.origin_mm + grid.spacing_mm * glm::dvec3(i, j, k)));
-                     });
+  return forEachTask(
+      grid.dims.z, threads, progress, say<"Finding how the patient moves">(), [&](int k, int /*worker*/, const auto& stopped) {
+        for (int j = 0; j < grid.dims.y && !stopped(); ++j)
+          for (int i = 0; i < grid.dims.x; ++i)
+            mode.shift_mm[grid.indexOf(i, j, k)] = glm::vec3(shiftAt(grid.origin_mm + grid.spacing_mm * glm::dvec3(i, j, k)));
+      });
 }
 
 bool addVessel(const PulsingVessel& vessel, int threads, Progress& progress, TissueMotion& motion) {

@@ -121,13 +121,15 @@ Bowel readBowel(const JsonFields& object, const NamedShapes& shapes) {
   for (const std::string& name : object.texts("organs", 1, 50)) {
     const auto found = shapes.find(name);
     if (found == shapes.end())
-      object.refuse("organs[" + std::to_string(bowel.organs.size()) + "]", verbatim('"' + name + '"'), say<"the name of a shape or organ">());
+      object.refuse("organs[" + std::to_string(bowel.organs.size()) + "]", verbatim('"' + name + '"'),
+                    say<"the name of a shape or organ">());
     else
       bowel.organs.push_back(found->second);
   }
   // The slopes of the fading and of the wave.
   if (!(bowel.sway_mm * (1.5 / bowel.fade_mm + std::numbers::pi / bowel.wavelength_mm) <= 1.0 - kLeastStretch))
-    object.refuse("sway_mm", verbatim(textOf(bowel.sway_mm)), say<"less sway, a longer fade_mm or a longer wave, so that no tissue is folded">());
+    object.refuse("sway_mm", verbatim(textOf(bowel.sway_mm)),
+                  say<"less sway, a longer fade_mm or a longer wave, so that no tissue is folded">());
   return bowel;
 }
 

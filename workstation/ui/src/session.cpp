@@ -177,8 +177,7 @@ void Session::setWatched(bool watched) {
 bool Session::changesByItself() const {
   if (!subject() || frozen_ || played_ || picture_.isEmpty()) return false;
   return (subject()->movesIn(live_.scene) && breathing_.movesAfter(subject()->motion->rhythms, shown_.time_s)) || live_.scene.noise ||
-         live_.knobs.mode != DisplayMode::bMode || unsettledFrames_ > 0 || isLowered() ||
-         (source_ && source_->movesAfter(shown_.time_s));
+         live_.knobs.mode != DisplayMode::bMode || unsettledFrames_ > 0 || isLowered() || (source_ && source_->movesAfter(shown_.time_s));
 }
 
 void Session::setSkin(std::shared_ptr<const Skin> skin) {

@@ -50,9 +50,9 @@ class EchoSurfaces {
                std::ptrdiff_t stride) const;
 
   const EchoLayout* layout_ = nullptr;
-  std::vector<float> elevation_mm_;  ///< one standard deviation, by whole mm of depth
-  std::vector<float> mirrorScale_;   ///< by column: of a mirror's amplitude, to what is added to each row
-  std::vector<float> roughScale_;    ///< the same of what is rough
+  std::vector<float> elevation_mm_;             ///< one standard deviation, by whole mm of depth
+  std::vector<float> mirrorScale_;              ///< by column: of a mirror's amplitude, to what is added to each row
+  std::vector<float> roughScale_;               ///< the same of what is rough
   std::array<std::vector<glm::vec3>, 3> back_;  ///< by ray: EchoMotion::rowsOf, in voxels
 };
 

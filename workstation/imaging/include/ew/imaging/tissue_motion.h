@@ -44,22 +44,23 @@ struct BodyRhythms {
   bool operator==(const BodyRhythms&) const = default;
 };
 /// The body at a time; the same time gives the same state. What has no rhythm is at rest.
-/// Breath rises and falls like sin^2 (Lujan et al., Med. Phys. 26(5), 1999, n = 1, turned upside down), then pauses. The pulse is that of an
-/// artery's diameter: it rises within 0.16 s and falls until the next beat (Nichols and O'Rourke, McDonald's Blood Flow in Arteries).
+/// Breath rises and falls like sin^2 (Lujan et al., Med. Phys. 26(5), 1999, n = 1, turned upside down), then pauses. The pulse is that of
+/// an artery's diameter: it rises within 0.16 s and falls until the next beat (Nichols and O'Rourke, McDonald's Blood Flow in Arteries).
 [[nodiscard]] BodyState bodyAt(const BodyRhythms& rhythms, double time_s);
 
 /// How tissue moves with the body: what rests at x lies at x + sum of a_k D_k(x), with the fields D_k of this value and the amplitudes a_k
 /// of a BodyState. Breath and pulse are one field each; waves along the gut are two, a quarter of a wave apart:
 ///   D(x, phase) = (cos phase - 1) C(x) + sin phase S(x), so that phase 0 is the gut as it is drawn.
-/// A sum is what a body does where only one of them moves; where a breath b and a pulse p act on one place, the sum leaves out what the pulse
-/// adds to the breath's share: at most |p| times the slope of the breath (0.55 mm times 0.5 in the shipped cases), and nothing where tissue
-/// moves freely.
+/// A sum is what a body does where only one of them moves; where a breath b and a pulse p act on one place, the sum leaves out what the
+/// pulse adds to the breath's share: at most |p| times the slope of the breath (0.55 mm times 0.5 in the shipped cases), and nothing where
+/// tissue moves freely.
 struct TissueMotion {
   enum class Kind { breath, pulse, bowelCosine, bowelSine };
   struct Mode {
     Kind kind = Kind::breath;
-    Grid grid;                        ///< in the frame of TissueMaps::grid; at least two nodes along each axis
-    std::vector<glm::vec3> shift_mm;  ///< per node, along the grid's own axes; three linear steps between, beyond as at the edge
+    Grid grid;  ///< in the frame of TissueMaps::grid; at least two nodes along each axis
+    /// Per node, along the grid's own axes; three linear steps between. Beyond the grid a breath is as at its edge, all else at rest.
+    std::vector<glm::vec3> shift_mm;
     bool operator==(const Mode&) const = default;
   };
   BodyRhythms rhythms;

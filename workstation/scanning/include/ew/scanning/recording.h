@@ -25,7 +25,8 @@ struct ScanRecording {
 /// Writes a sequence metafile without images (.seq.mha, .igs.mha, .mha), which PLUS and 3D Slicer read as a sequence of transforms: of each
 /// frame the ProbeToWorldTransform in mm (LPS), its status and its Timestamp in seconds. What only this program knows stands in fields of
 /// their own, which other programs keep: the format in EchoWeaveRecording, the image's number, the gaps to the skin and, of a body that
-/// is not at rest, breath, pulse and bowel (BodyState); and in Events what happened since the frame before. Lines stay below the 1000 characters that those readers take. Complete or not at all.
+/// is not at rest, breath, pulse and bowel (BodyState); and in Events what happened since the frame before. Lines stay below the 1000
+/// characters that those readers take. Complete or not at all.
 /// @error notWritable, unsupported (ending), badField (no frame)
 [[nodiscard]] Result<void> writeRecording(const ScanRecording& recording, const std::filesystem::path& file,
                                           Progress& progress = noProgress());

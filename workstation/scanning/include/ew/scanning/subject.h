@@ -87,7 +87,7 @@ struct ScanSubject {
     return asked;
   }
   /// Whether pictures in such a scene change with the body. Motion is seen in live echoes alone.
-  [[nodiscard]] bool movesIn(const Scene& scene) const { return tissue && motion && scene.liveEchoes && scene.motion; }
+  [[nodiscard]] bool movesIn(const Scene& shown) const { return tissue && motion && shown.liveEchoes && shown.motion; }
 
   /// Moves voxels, labels and maps of tissue to where `ownToWorld` (rigid, mm) takes the grids of their own.
   void place(const Transform<frame::World, frame::World>& ownToWorld);
