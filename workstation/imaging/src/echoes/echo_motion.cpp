@@ -15,7 +15,7 @@ constexpr int kKnotsOfDepth = 36;
 constexpr int kMostStepsBack = 16;  // of the inverse
 constexpr float kExactBack_mm2 = 4e-4F;
 // What is seen beside a node's neighbourhood may have gone a little farther than they.
-constexpr double kBeyondNodes = 0.25;  // of the differences
+constexpr double kBeyondNodes = 0.12;  // of the differences
 constexpr double kBeyondNodes_mm = 0.3;
 
 /// Between nodes of a grid, three linear steps; beyond as at its edge.
@@ -32,22 +32,24 @@ glm::vec3 between(const glm::vec3* nodes, std::ptrdiff_t row, std::ptrdiff_t pla
 
 }  // namespace
 
-glm::dvec3 EchoMotion::shiftAt(const glm::dvec3& rest_mm) const {
-  const glm::vec4 rest(glm::vec3(rest_mm), 1.0F);
+glm::vec3 EchoMotion::shiftAt(const glm::vec3& rest_mm) const {
   glm::vec3 shift(0.0F);
   for (const Field& field : fields_) {
-    const glm::vec3 node(field.probeToNode * rest);
-    if (!field.isEverywhere && !(glm::all(glm::greaterThan(node, glm::vec3(0.0F))) && glm::all(glm::lessThan(node, field.last)))) continue;
+    const glm::vec3 node = field.probeToNode * rest_mm + field.nodeOfProbe;
+    // Beside a small field nothing is asked.
+    if (!field.isEverywhere &&
+        !(node.x > 0.0F && node.y > 0.0F && node.z > 0.0F && node.x < field.last.x && node.y < field.last.y && node.z < field.last.z))
+      continue;
     shift += field.toProbe * between(field.shift, field.row, field.plane, field.last, node);
   }
-  return glm::dvec3(shift);
+  return shift;
 }
 
 glm::vec3 EchoMotion::backAt(const glm::vec3& now_mm, const glm::vec3& guess) const {
   // A fixed point: fields do not fold, so that steps shrink. They shrink slowly where a field falls off steeply.
   glm::vec3 back = guess;
   for (int step = 0; step < kMostStepsBack; ++step) {
-    const glm::vec3 next = -glm::vec3(shiftAt(glm::dvec3(now_mm + back))), change = next - back;
+    const glm::vec3 next = -shiftAt(now_mm + back), change = next - back;
     back = next;
     if (glm::dot(change, change) < kExactBack_mm2) break;
   }
@@ -62,8 +64,10 @@ void EchoMotion::find(const EchoLayout& layout, const TissueMotion& motion, cons
     if (amplitude == 0.0) continue;
     EW_EXPECTS(glm::all(glm::greaterThan(mode.grid.dims, glm::ivec3(1))) && mode.shift_mm.size() == mode.grid.voxelCount());
     const Transform<frame::Probe, frame::Voxel> nodeToProbe = motionToProbe * mode.grid.voxelToWorld();
+    const glm::dmat4 probeToNode = inverse(nodeToProbe).matrix;
     fields_.push_back({.isEverywhere = mode.kind == TissueMotion::Kind::breath,
-                       .probeToNode = glm::mat4(inverse(nodeToProbe).matrix),
+                       .probeToNode = glm::mat3(probeToNode),
+                       .nodeOfProbe = glm::vec3(probeToNode[3]),
                        .toProbe = glm::mat3(amplitude * glm::dmat3(motionToProbe.matrix) * mode.grid.directions),
                        .last = glm::vec3(mode.grid.dims - 1),
                        .row = mode.grid.dims.x,
@@ -148,9 +152,8 @@ void BlockShifts::begin(const EchoMotion& motion, const glm::dmat4& cellToProbe,
   dims_ = (last - first_) / blocksOfNode_ + 2;
   const auto cells = static_cast<double>(cellsOfBlock * blocksOfNode_);
   perCell_ = static_cast<float>(1.0 / cells);
-  nodeToProbe_ = cellToProbe;
+  for (int axis = 0; axis < 3; ++axis) nodeToProbe_[axis] = cells * cellToProbe[axis];
   nodeToProbe_[3] = cellToProbe * glm::dvec4(static_cast<double>(cellsOfBlock) * glm::dvec3(first_), 1.0);
-  for (int axis = 0; axis < 3; ++axis) nodeToProbe_[axis] *= cells;
   nodes_.assign(static_cast<std::size_t>(dims_.x) * static_cast<std::size_t>(dims_.y) * static_cast<std::size_t>(dims_.z),
                 glm::vec3(std::numeric_limits<float>::quiet_NaN()));
   row_.resize(static_cast<std::size_t>(3 * dims_.x));
@@ -158,7 +161,7 @@ void BlockShifts::begin(const EchoMotion& motion, const glm::dmat4& cellToProbe,
 
 const glm::vec3& BlockShifts::askedAt(int i, int j, int k) {
   glm::vec3& node = nodes_[static_cast<std::size_t>((k * dims_.y + j) * dims_.x + i)];
-  if (std::isnan(node.x)) node = glm::vec3(motion_->shiftAt(glm::dvec3(nodeToProbe_ * glm::dvec4(i, j, k, 1.0))));
+  if (std::isnan(node.x)) node = motion_->shiftAt(glm::vec3(nodeToProbe_ * glm::dvec4(i, j, k, 1.0)));
   return node;
 }
 

@@ -24,7 +24,7 @@ class EchoMotion {
   [[nodiscard]] bool moves() const { return !fields_.empty(); }
 
   /// How far what rests at a place has gone, mm.
-  [[nodiscard]] glm::dvec3 shiftAt(const glm::dvec3& rest_mm) const;
+  [[nodiscard]] glm::vec3 shiftAt(const glm::vec3& rest_mm) const;
 
   /// Bounds of (place at rest - place now) of what is seen between two ranges, mm.
   struct Reach {
@@ -45,9 +45,10 @@ class EchoMotion {
   /// A field of the motion as it stands.
   struct Field {
     bool isEverywhere;  ///< else at rest beyond its grid
-    glm::mat4 probeToNode;
-    glm::mat3 toProbe;  ///< amplitude included
-    glm::vec3 last;     ///< node
+    glm::mat3 probeToNode;
+    glm::vec3 nodeOfProbe;  ///< where its origin lies
+    glm::mat3 toProbe;      ///< amplitude included
+    glm::vec3 last;         ///< node
     std::ptrdiff_t row, plane;
     const glm::vec3* shift;
   };
