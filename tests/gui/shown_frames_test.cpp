@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "console_fixture.h"
+#include "scanning/small_scan.h"
 #include "status_line.h"
 
 namespace ew::ui::testing {
@@ -174,6 +175,50 @@ class ShownFramesTest : public ConsoleFixture {
     QVERIFY(session().changesByItself());
     window_->showStartPage();
     QVERIFY2(comesToRest(), "nobody watches");
+  }
+
+  void aPatientBreathesUntilAskedToHoldTheBreath() {
+    ScanSubject subject = test::livingSubject();
+    auto motion = std::make_shared<TissueMotion>(*subject.motion);
+    motion->rhythms.pulse.reset();
+    motion->rhythms.breathing->rhythm.period_s = 1.0;
+    subject.motion = motion;
+    subject.scene.liveEchoes.emplace();
+    subject.scene.motion.emplace();
+    session().show(subject);
+    Hold hold;
+    hold.contact.point_mm = {0.0, -29.0, 0.0};
+    hold.contact.outward = {0.0, -1.0, 0.0};
+    session().setHold(hold);
+    session().makePictureNow();
+    const auto changes = [this] {
+      const std::vector<std::uint8_t> before = pixelsOf(session());
+      return waitUntil([&] { return pixelsOf(session()) != before; });
+    };
+    QVERIFY2(changes() && changes(), "nobody touches anything, and the patient breathes");
+    QTest::keyClick(&window_->scanView(), Qt::Key_C, Qt::ShiftModifier);
+    QVERIFY(session().breathing() == BreathingRequest::breatheInAndHold);
+    QVERIFY2(comesToRest(), "who holds the breath stands still");
+    QCOMPARE(session().shownState().body.breath, 1.0);
+    const std::vector<std::uint8_t> breathedIn = pixelsOf(session());
+    QTest::keyClick(&window_->scanView(), Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(session().breathing() == BreathingRequest::breatheOutAndHold && comesToRest());
+    QCOMPARE(session().shownState().body, BodyState{});
+    QVERIFY(pixelsOf(session()) != breathedIn);
+    QTest::keyClick(&window_->scanView(), Qt::Key_C);
+    QVERIFY(session().breathing() == BreathingRequest::free && changes());
+    // Frozen, the body stands in the image and goes on breathing behind it.
+    session().setFrozen(true);
+    const std::vector<std::uint8_t> frozen = pixelsOf(session());
+    const std::uint64_t frames = session().framesMade();
+    QTest::qWait(300);
+    QVERIFY(session().framesMade() == frames && pixelsOf(session()) == frozen);
+    session().setFrozen(false);
+    QVERIFY(changes());
+    pressEffect("motion");
+    QVERIFY(comesToRest());
+    QCOMPARE(session().shownState().body, BodyState{});
+    QVERIFY(session().whyBreathingIsNotSeen() != nullptr);
   }
 
   void theMModeStripFillsAndItsLineFollowsTheKnob() {

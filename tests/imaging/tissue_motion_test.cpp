@@ -170,8 +170,8 @@ TEST(TissueMotion, OfAWholeBodyIsThePictureOfAProbeThatMovesTheOtherWay) {
   const GreyImage seen = pictureOf(body, {.motion = &motion, .body = {.breath = 0.5}, .probeToWorld = turned, .ownToWorld = turned});
   const Difference difference = differenceOf(seen, expected);
   // Places are rounded in another order: a scatterer in ten thousand falls to the neighbouring row of the fine grid.
-  EXPECT_LE(difference.largest, 12);
-  EXPECT_LT(difference.share, 0.02);
+  EXPECT_LE(difference.largest, 4);
+  EXPECT_LT(difference.share, 0.001);
   const Difference still = differenceOf(pictureOf(body, {.probeToWorld = turned, .ownToWorld = turned}), expected);
   EXPECT_GT(still.largest, 60);
   EXPECT_GT(still.share, 0.5);
@@ -214,7 +214,7 @@ TEST(TissueMotion, MovesWhatItMovesAndNothingBesideIt) {
     }
   }
   EXPECT_LE(near, 1.0);
-  EXPECT_GT(far, 40.0);
+  EXPECT_GT(far, 25.0);
 }
 
 TEST(TissueMotion, AtRestIsNoMotionToThePixel) {
@@ -259,7 +259,7 @@ TEST(TissueMotion, KnowsWhereABodyStandsAtATime) {
   rhythms.breathing = BodyRhythms::Breathing{{4.0, 0.0}, 0.5, 0.4};
   rhythms.pulse = BodyRhythm{1.0, 0.0};
   rhythms.bowel = BodyRhythm{10.0, 0.0};
-  EXPECT_EQ(bodyAt(rhythms, 8.0), BodyState{});
+  EXPECT_EQ(bodyAt(rhythms, 20.0), BodyState{});
   EXPECT_NEAR(bodyAt(rhythms, 9.0).breath, 0.4, 1e-12);  // a quiet breath, halfway of what moves
   EXPECT_EQ(bodyAt(rhythms, 11.0).breath, 0.0);          // the pause
   EXPECT_NEAR(bodyAt(rhythms, 8.26).pulse, 1.0, 1e-12);  // a sixth of a second after the wave came

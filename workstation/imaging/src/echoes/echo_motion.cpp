@@ -10,12 +10,12 @@ namespace ew::detail {
 namespace {
 
 constexpr double kFinestKnot_mm = 1.0;
-constexpr double kCoarsestKnot_mm = 4.0;
-constexpr int kKnotsOfDepth = 45;
+constexpr double kCoarsestKnot_mm = 5.0;
+constexpr int kKnotsOfDepth = 36;
 constexpr int kMostStepsBack = 16;  // of the inverse
-constexpr float kExactBack_mm2 = 1e-4F;
+constexpr float kExactBack_mm2 = 4e-4F;
 // What is seen beside a node's neighbourhood may have gone a little farther than they.
-constexpr double kBeyondNodes = 0.25;  // of the differences
+constexpr double kBeyondNodes = 0.12;  // of the differences
 constexpr double kBeyondNodes_mm = 0.3;
 
 /// Between nodes of a grid, three linear steps; beyond as at its edge.
@@ -32,19 +32,24 @@ glm::vec3 between(const glm::vec3* nodes, std::ptrdiff_t row, std::ptrdiff_t pla
 
 }  // namespace
 
-glm::dvec3 EchoMotion::shiftAt(const glm::dvec3& rest_mm) const {
+glm::vec3 EchoMotion::shiftAt(const glm::vec3& rest_mm) const {
   glm::vec3 shift(0.0F);
-  for (const Field& field : fields_)
-    shift += field.toProbe *
-             between(field.shift, field.row, field.plane, field.last, glm::vec3(field.probeToNode * glm::vec4(glm::vec3(rest_mm), 1.0F)));
-  return glm::dvec3(shift);
+  for (const Field& field : fields_) {
+    const glm::vec3 node = field.probeToNode * rest_mm + field.nodeOfProbe;
+    // Beside a small field nothing is asked.
+    if (!field.isEverywhere &&
+        !(node.x > 0.0F && node.y > 0.0F && node.z > 0.0F && node.x < field.last.x && node.y < field.last.y && node.z < field.last.z))
+      continue;
+    shift += field.toProbe * between(field.shift, field.row, field.plane, field.last, node);
+  }
+  return shift;
 }
 
 glm::vec3 EchoMotion::backAt(const glm::vec3& now_mm, const glm::vec3& guess) const {
   // A fixed point: fields do not fold, so that steps shrink. They shrink slowly where a field falls off steeply.
   glm::vec3 back = guess;
   for (int step = 0; step < kMostStepsBack; ++step) {
-    const glm::vec3 next = -glm::vec3(shiftAt(glm::dvec3(now_mm + back))), change = next - back;
+    const glm::vec3 next = -shiftAt(now_mm + back), change = next - back;
     back = next;
     if (glm::dot(change, change) < kExactBack_mm2) break;
   }
@@ -59,7 +64,10 @@ void EchoMotion::find(const EchoLayout& layout, const TissueMotion& motion, cons
     if (amplitude == 0.0) continue;
     EW_EXPECTS(glm::all(glm::greaterThan(mode.grid.dims, glm::ivec3(1))) && mode.shift_mm.size() == mode.grid.voxelCount());
     const Transform<frame::Probe, frame::Voxel> nodeToProbe = motionToProbe * mode.grid.voxelToWorld();
-    fields_.push_back({.probeToNode = glm::mat4(inverse(nodeToProbe).matrix),
+    const glm::dmat4 probeToNode = inverse(nodeToProbe).matrix;
+    fields_.push_back({.isEverywhere = mode.kind == TissueMotion::Kind::breath,
+                       .probeToNode = glm::mat3(probeToNode),
+                       .nodeOfProbe = glm::vec3(probeToNode[3]),
                        .toProbe = glm::mat3(amplitude * glm::dmat3(motionToProbe.matrix) * mode.grid.directions),
                        .last = glm::vec3(mode.grid.dims - 1),
                        .row = mode.grid.dims.x,
@@ -80,11 +88,13 @@ void EchoMotion::find(const EchoLayout& layout, const TissueMotion& motion, cons
     for (int column = first; column < first + count; ++column) {
       const FanShape::Line line = layout.fan.lineAt(2.0 * column / (columns_ - 1) - 1.0);
       for (const int side : {0, 1}) {
-        glm::vec3 back(0.0F);
+        glm::vec3 back(0.0F), before(0.0F);
         for (int knot = 0; knot < knots_; ++knot) {
           const double range_mm = knot * knot_mm_, aside_mm = (side == 0 ? -1.0 : 1.0) * layout.beams.elevationalSigma_mm(range_mm);
           const glm::dvec3 now_mm(line.origin_mm + range_mm * line.direction, aside_mm);
-          back = backAt(glm::vec3(now_mm), back);
+          const glm::vec3 guess = knot < 2 ? back : 2.0F * back - before;
+          before = back;
+          back = backAt(glm::vec3(now_mm), guess);
           nodes_[static_cast<std::size_t>((side * knots_ + knot) * columns_ + column)] = back;
         }
       }
@@ -114,18 +124,59 @@ void EchoMotion::rowsOf(double sigmas, const glm::mat3& toVoxel, Bands& bands, s
   const float perLine = static_cast<float>(columns_ - 1) / static_cast<float>(std::max(1, lines_ - 1));
   bands.run(knots_, [&](int first, int count, int) {
     for (int knot = first; knot < first + count; ++knot) {
-      const glm::vec3 *below = &nodeAt(0, knot, 0), *above = &nodeAt(1, knot, 0);
+      const auto nodeOf = [&](int column) {
+        const glm::vec3& low = nodeAt(0, knot, column);
+        return toVoxel * (low + side * (nodeAt(1, knot, column) - low));
+      };
       glm::vec3* row = rows.data() + static_cast<std::ptrdiff_t>(knot) * lines_;
-      for (int line = 0; line < lines_; ++line) {
+      glm::vec3 low = nodeOf(0), step = nodeOf(1) - low;
+      for (int line = 0, column = 0; line < lines_; ++line) {
         const float at = static_cast<float>(line) * perLine;
-        const int column = std::min(static_cast<int>(at), columns_ - 2);
-        const float t = at - static_cast<float>(column);
-        const glm::vec3 low = below[column] + t * (below[column + 1] - below[column]);
-        const glm::vec3 high = above[column] + t * (above[column + 1] - above[column]);
-        row[line] = toVoxel * (low + side * (high - low));
+        for (const int wanted = std::min(static_cast<int>(at), columns_ - 2); column < wanted; ++column) {
+          low += step;
+          step = nodeOf(column + 2) - low;
+        }
+        row[line] = low + (at - static_cast<float>(column)) * step;
       }
     }
   });
+}
+
+void BlockShifts::begin(const EchoMotion& motion, const glm::dmat4& cellToProbe, int cellsOfBlock, const glm::ivec3& first,
+                        const glm::ivec3& last) {
+  motion_ = &motion;
+  const double block_mm = cellsOfBlock * glm::length(glm::dvec3(cellToProbe[0]));
+  blocksOfNode_ = std::max(1, static_cast<int>(std::ceil(motion.knot_mm() / block_mm - 0.25)));
+  // Nodes are the same whichever piece asks: counted from the lattice's beginning.
+  first_ = glm::ivec3(glm::floor(glm::dvec3(first) / static_cast<double>(blocksOfNode_))) * blocksOfNode_;
+  dims_ = (last - first_) / blocksOfNode_ + 2;
+  const auto cells = static_cast<double>(cellsOfBlock * blocksOfNode_);
+  perCell_ = static_cast<float>(1.0 / cells);
+  for (int axis = 0; axis < 3; ++axis) nodeToProbe_[axis] = cells * cellToProbe[axis];
+  nodeToProbe_[3] = cellToProbe * glm::dvec4(static_cast<double>(cellsOfBlock) * glm::dvec3(first_), 1.0);
+  nodes_.assign(static_cast<std::size_t>(dims_.x) * static_cast<std::size_t>(dims_.y) * static_cast<std::size_t>(dims_.z),
+                glm::vec3(std::numeric_limits<float>::quiet_NaN()));
+  row_.resize(static_cast<std::size_t>(3 * dims_.x));
+}
+
+const glm::vec3& BlockShifts::askedAt(int i, int j, int k) {
+  glm::vec3& node = nodes_[static_cast<std::size_t>((k * dims_.y + j) * dims_.x + i)];
+  if (std::isnan(node.x)) node = motion_->shiftAt(glm::vec3(nodeToProbe_ * glm::dvec4(i, j, k, 1.0)));
+  return node;
+}
+
+void BlockShifts::row(int firstBlock, int lastBlock, int j, int k) {
+  rowFirst_ = nodeOf(firstBlock);
+  const int y = (j - first_.y) / blocksOfNode_, z = (k - first_.z) / blocksOfNode_;
+  const float ty = partOf(j - first_.y - y * blocksOfNode_), tz = partOf(k - first_.z - z * blocksOfNode_);
+  for (int node = rowFirst_; node <= nodeOf(lastBlock) + 1; ++node) {
+    const glm::vec3 a = askedAt(node, y, z), b = askedAt(node, y + 1, z), c = askedAt(node, y, z + 1), d = askedAt(node, y + 1, z + 1);
+    const glm::vec3 near = a + ty * (b - a), far = c + ty * (d - c), ahead = b - a;
+    glm::vec3* out = row_.data() + static_cast<std::ptrdiff_t>(3) * (node - rowFirst_);
+    out[0] = near + tz * (far - near);
+    out[1] = perCell_ * (ahead + tz * (d - c - ahead));
+    out[2] = perCell_ * (far - near);
+  }
 }
 
 }  // namespace ew::detail

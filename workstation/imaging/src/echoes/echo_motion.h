@@ -24,7 +24,7 @@ class EchoMotion {
   [[nodiscard]] bool moves() const { return !fields_.empty(); }
 
   /// How far what rests at a place has gone, mm.
-  [[nodiscard]] glm::dvec3 shiftAt(const glm::dvec3& rest_mm) const;
+  [[nodiscard]] glm::vec3 shiftAt(const glm::vec3& rest_mm) const;
 
   /// Bounds of (place at rest - place now) of what is seen between two ranges, mm.
   struct Reach {
@@ -37,15 +37,18 @@ class EchoMotion {
   /// @param toVoxel takes mm of the probe frame to steps of a volume
   /// @param rows    knot after knot, by line; knots lie knot_mm() apart from range 0 on
   void rowsOf(double sigmas, const glm::mat3& toVoxel, Bands& bands, std::vector<glm::vec3>& rows) const;
+  [[nodiscard]] double knot_mm() const { return knot_mm_; }
   [[nodiscard]] float perKnot() const { return static_cast<float>(1.0 / knot_mm_); }
   [[nodiscard]] int knots() const { return knots_; }
 
  private:
   /// A field of the motion as it stands.
   struct Field {
-    glm::mat4 probeToNode;
-    glm::mat3 toProbe;  ///< amplitude included
-    glm::vec3 last;     ///< node
+    bool isEverywhere;  ///< else at rest beyond its grid
+    glm::mat3 probeToNode;
+    glm::vec3 nodeOfProbe;  ///< where its origin lies
+    glm::mat3 toProbe;      ///< amplitude included
+    glm::vec3 last;         ///< node
     std::ptrdiff_t row, plane;
     const glm::vec3* shift;
   };
@@ -62,6 +65,43 @@ class EchoMotion {
   int lines_ = 0;
   double reach_ = 2.0;            ///< of the elevational beam, in standard deviations
   std::vector<glm::vec3> nodes_;  ///< two sides of the slice, one standard deviation off; by knot, by column
+};
+
+/// How far the blocks of a lattice have gone, between nodes a few blocks apart of which each is asked once.
+class BlockShifts {
+ public:
+  /// @param place of the lattice; @param first, last blocks along i, j, k
+  void begin(const EchoMotion& motion, const glm::dmat4& cellToProbe, int cellsOfBlock, const glm::ivec3& first, const glm::ivec3& last);
+  /// Of the blocks of one row from here on.
+  void row(int firstBlock, int lastBlock, int j, int k);
+  /// Of the middle of a block of the row, mm.
+  [[nodiscard]] glm::vec3 shiftAt(int i) const { return valueAt(i, 0); }
+  /// From one cell to the next along an axis.
+  [[nodiscard]] glm::vec3 stretchAlong(int i, int axis) const {
+    return axis > 0 ? valueAt(i, axis) : (at(nodeOf(i) + 1, 0) - at(nodeOf(i), 0)) * perCell_;
+  }
+
+ private:
+  [[nodiscard]] int nodeOf(int i) const { return (i - first_.x) / blocksOfNode_; }
+  [[nodiscard]] const glm::vec3& at(int node, int what) const { return row_[static_cast<std::size_t>(3 * (node - rowFirst_) + what)]; }
+  [[nodiscard]] glm::vec3 valueAt(int i, int what) const {
+    const int node = nodeOf(i);
+    const float t = partOf(i - first_.x - node * blocksOfNode_);
+    return at(node, what) + t * (at(node + 1, what) - at(node, what));
+  }
+  /// Where the middle of the n-th block of a node's cell lies in it, 0..1.
+  [[nodiscard]] float partOf(int n) const { return (static_cast<float>(n) + 0.5F) / static_cast<float>(blocksOfNode_); }
+  [[nodiscard]] const glm::vec3& askedAt(int i, int j, int k);
+
+  const EchoMotion* motion_ = nullptr;
+  glm::dmat4 nodeToProbe_{1.0};
+  glm::ivec3 first_{0};
+  glm::ivec3 dims_{0};
+  int blocksOfNode_ = 1;
+  float perCell_ = 1.0F;
+  int rowFirst_ = 0;
+  std::vector<glm::vec3> nodes_;  ///< not a number until asked
+  std::vector<glm::vec3> row_;    ///< by node: shift, and its change from cell to cell along j and k
 };
 
 }  // namespace ew::detail

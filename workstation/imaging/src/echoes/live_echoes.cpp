@@ -77,10 +77,10 @@ void LiveEchoes::scatter(const TissueMaps& maps, const Grid& placed, const Trans
     bands.run((pieces + 1 - odd) / 2, [&](int first, int count, int slot) {
       Scratch& mine = scratch_[static_cast<std::size_t>(slot)];
       for (int n = first; n < first + count; ++n) {
-        findBlocks(layout_, place, motion_, level.grid.dims, 2 * n + odd, mine.blocks);
+        findBlocks(layout_, place, motion_, level.grid.dims, 2 * n + odd, mine.shifts, mine.blocks);
         addScatterers(task, mine.blocks.data(), mine.blocks.size());
         if (!(layout_.effect.fragmentsPerCm3 > 0.0)) continue;
-        findBlocks(layout_, fragments, motion_, level.grid.dims, 2 * n + odd, mine.blocks);
+        findBlocks(layout_, fragments, motion_, level.grid.dims, 2 * n + odd, mine.shifts, mine.blocks);
         surfaces_.addFragments(level, fragments, mine.blocks, fine_.data(), fineStride_);
       }
     });

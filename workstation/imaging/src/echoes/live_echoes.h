@@ -44,6 +44,7 @@ class LiveEchoes {
  private:
   struct Scratch {
     std::vector<ScatterBlock> blocks;
+    BlockShifts shifts;
     std::vector<float> line, turned, levels, gains;
   };
   [[nodiscard]] float* lineAt(int line) { return field_.data() + static_cast<std::ptrdiff_t>(line) * stride_; }

@@ -155,27 +155,23 @@ namespace {
 constexpr double kApart_mm = 0.01;   // left between what pieces that are not neighbours may touch
 constexpr double kStretched = 1.25;  // of a block at the border of a piece
 
-/// Stretches and moves a block as its tissue is at four corners, no two of which share an edge.
+/// Moves a block and stretches it about its middle.
 /// @param mostStretch_mm of a corner, so that the block stays within its piece
-void moveBlock(const EchoPlace& place, const EchoMotion& motion, const glm::dvec3& cell, double mostStretch_mm, ScatterBlock& block) {
-  const auto shiftAt = [&](double i, double j, double k) {
-    return motion.shiftAt(glm::dvec3(place.cellToProbe * glm::dvec4(cell + double{kBlockCells} * glm::dvec3(i, j, k), 1.0)));
-  };
-  const glm::dvec3 a = shiftAt(0, 0, 0), b = shiftAt(0, 1, 1), c = shiftAt(1, 0, 1), d = shiftAt(1, 1, 0);
-  std::array<glm::dvec3, 3> steps{c + d - a - b, b + d - a - c, b + c - a - d};
-  double corner_mm = 0.0;
-  for (glm::dvec3& step : steps) {
-    step *= 0.5 / kBlockCells;
-    corner_mm += 0.5 * kBlockCells * glm::length(step);
+void moveBlock(const BlockShifts& shifts, int i, double mostStretch_mm, ScatterBlock& block) {
+  std::array<glm::vec3, 3> steps;
+  float corner_mm = 0.0F;
+  constexpr float kHalf = 0.5F * kBlockCells;
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::vec3& step = steps[static_cast<std::size_t>(axis)] = shifts.stretchAlong(i, axis);
+    corner_mm += kHalf * glm::length(step);
   }
-  const double scale = corner_mm > mostStretch_mm ? mostStretch_mm / corner_mm : 1.0;
-  glm::dvec3 shift = 0.25 * (a + b + c + d);
+  const auto most_mm = static_cast<float>(mostStretch_mm);
+  const float scale = corner_mm > most_mm ? most_mm / corner_mm : 1.0F;
+  block.shift_mm = shifts.shiftAt(i);
   for (std::size_t n = 0; n < steps.size(); ++n) {
-    shift -= 0.5 * kBlockCells * scale * steps[n];
-    block.stretch_mm[n] = glm::vec3(scale * steps[n]);
+    block.stretch_mm[n] = scale * steps[n];
+    block.shift_mm -= kHalf * block.stretch_mm[n];
   }
-  block.shift_mm = glm::vec3(shift);
-  block.probe_mm = glm::vec3(glm::dvec3(place.cellToProbe * glm::dvec4(cell, 1.0)) + shift);
 }
 
 bool liesIn(const Piece& piece, const glm::dvec3& p_mm, const glm::dvec3& margin_mm) {
@@ -186,7 +182,7 @@ bool liesIn(const Piece& piece, const glm::dvec3& p_mm, const glm::dvec3& margin
 }  // namespace
 
 void findBlocks(const EchoLayout& layout, const EchoPlace& place, const EchoMotion& motion, const glm::ivec3& dims, int number,
-                std::vector<ScatterBlock>& blocks) {
+                BlockShifts& shifts, std::vector<ScatterBlock>& blocks) {
   blocks.clear();
   const BlockSize size = sizeOf(place);
   const double mostStretch_mm = 0.5 * kPiece_mm - kBent_mm - kApart_mm - size.radius_mm;
@@ -215,16 +211,18 @@ void findBlocks(const EchoLayout& layout, const EchoPlace& place, const EchoMoti
   highest = glm::min(highest, glm::dvec3(dims - 1) / place.voxelsPerCell);
   if (!glm::all(glm::lessThan(lowest, highest))) return;
   const glm::ivec3 begin(glm::floor(lowest / double{kBlockCells})), end(glm::floor(highest / double{kBlockCells}));
+  if (motion.moves()) shifts.begin(motion, place.cellToProbe, kBlockCells, begin, end);
   const glm::dvec3 blockStep(place.cellToProbe[0] * double{kBlockCells});
   for (int k = begin.z; k <= end.z; ++k)
     for (int j = begin.y; j <= end.y; ++j) {
       const glm::dvec3 start(place.cellToProbe * glm::dvec4(double{kBlockCells} * (glm::dvec3(0, j, k) + 0.5), 1.0));
       int first = begin.x, last = end.x;
       for (const int axis : {2, 1, 0}) narrow(start[axis], blockStep[axis], from_mm[axis], to_mm[axis], first, last);
+      if (motion.moves() && first <= last) shifts.row(first, last, j, k);
       for (int i = first; i <= last; ++i) {
         glm::dvec3 middle_mm = start + static_cast<double>(i) * blockStep;
         if (motion.moves()) {
-          middle_mm += motion.shiftAt(middle_mm);
+          middle_mm += glm::dvec3(shifts.shiftAt(i));
           if (!liesIn(piece, middle_mm, stretched_mm)) continue;
         }
         if (!belongs(layout.fan, piece, middle_mm, radius_mm)) continue;
@@ -233,11 +231,11 @@ void findBlocks(const EchoLayout& layout, const EchoPlace& place, const EchoMoti
         ScatterBlock& block = blocks.emplace_back();
         for (int axis = 0; axis < 3; ++axis)
           block.cell[static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>(kBlockCells * glm::ivec3(i, j, k)[axis]);
-        block.probe_mm = glm::vec3(place.cellToProbe * glm::dvec4(cell, 1.0));
+        if (motion.moves()) moveBlock(shifts, i, mostStretch_mm, block);
+        block.probe_mm = glm::vec3(glm::dvec3(place.cellToProbe * glm::dvec4(cell, 1.0)) + glm::dvec3(block.shift_mm));
         block.voxel = glm::ivec3(whole);
         block.voxelFraction = glm::vec3(voxel - whole);
         block.reach_mm = static_cast<float>(piece.reach_mm);
-        if (motion.moves()) moveBlock(place, motion, cell, mostStretch_mm, block);
       }
     }
 }

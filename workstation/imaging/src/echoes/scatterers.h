@@ -83,8 +83,9 @@ struct EchoPlace {
 /// The slab that the beams see is cut across them into pieces. A block belongs to the piece in which its middle lies, so that each is met
 /// once; what two pieces that are not neighbours add to the field does not overlap.
 [[nodiscard]] int piecesOf(const EchoLayout& layout);
-/// @param motion of the tissue: a block is sheared and stretched as it is at four of its corners
+/// @param motion of the tissue: a block is moved, sheared and stretched with it
+/// @param shifts scratch memory
 void findBlocks(const EchoLayout& layout, const EchoPlace& place, const EchoMotion& motion, const glm::ivec3& dims, int piece,
-                std::vector<ScatterBlock>& blocks);
+                BlockShifts& shifts, std::vector<ScatterBlock>& blocks);
 
 }  // namespace ew::detail

@@ -58,8 +58,9 @@ struct TissueMotion {
   enum class Kind { breath, pulse, bowelCosine, bowelSine };
   struct Mode {
     Kind kind = Kind::breath;
-    Grid grid;                        ///< in the frame of TissueMaps::grid; at least two nodes along each axis
-    std::vector<glm::vec3> shift_mm;  ///< per node, along the grid's own axes; three linear steps between, beyond as at the edge
+    Grid grid;  ///< in the frame of TissueMaps::grid; at least two nodes along each axis
+    /// Per node, along the grid's own axes; three linear steps between. Beyond the grid a breath is as at its edge, all else at rest.
+    std::vector<glm::vec3> shift_mm;
     bool operator==(const Mode&) const = default;
   };
   BodyRhythms rhythms;
