@@ -17,10 +17,10 @@ using nlohmann::ordered_json;
 std::string fieldFile(std::size_t number) { return "field-" + std::to_string(number) + ".bin"; }
 
 ordered_json jsonOf(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
-glm::dvec3 pointOf(const json& kept) { return {kept.at(0).get<double>(), kept.at(1).get<double>(), kept.at(2).get<double>()}; }
+glm::dvec3 keptPoint(const json& kept) { return {kept.at(0).get<double>(), kept.at(1).get<double>(), kept.at(2).get<double>()}; }
 
 ordered_json jsonOf(const Rhythm& rhythm) { return {{"period_s", rhythm.period_s}, {"variation", rhythm.variation}}; }
-Rhythm rhythmOf(const json& kept) { return {kept.at("period_s").get<double>(), kept.at("variation").get<double>()}; }
+Rhythm keptRhythm(const json& kept) { return {kept.at("period_s").get<double>(), kept.at("variation").get<double>()}; }
 
 ordered_json jsonOf(const BodyRhythms& rhythms) {
   ordered_json kept = ordered_json::object();
@@ -31,26 +31,26 @@ ordered_json jsonOf(const BodyRhythms& rhythms) {
   return kept;
 }
 
-BodyRhythms rhythmsOf(const json& kept) {
+BodyRhythms keptRhythms(const json& kept) {
   BodyRhythms rhythms;
   if (kept.contains("breathing")) {
     const json& breathing = kept.at("breathing");
-    rhythms.breathing = {rhythmOf(breathing.at("rhythm")), breathing.at("pause").get<double>(), breathing.at("tidal").get<double>()};
+    rhythms.breathing = {keptRhythm(breathing.at("rhythm")), breathing.at("pause").get<double>(), breathing.at("tidal").get<double>()};
   }
-  if (kept.contains("pulse")) rhythms.pulse = rhythmOf(kept.at("pulse"));
-  if (kept.contains("bowel")) rhythms.bowel = rhythmOf(kept.at("bowel"));
+  if (kept.contains("pulse")) rhythms.pulse = keptRhythm(kept.at("pulse"));
+  if (kept.contains("bowel")) rhythms.bowel = keptRhythm(kept.at("bowel"));
   return rhythms;
 }
 
-std::optional<TissueMotion::Mode> modeOf(const json& kept) {
+std::optional<TissueMotion::Mode> keptMode(const json& kept) {
   constexpr std::size_t kMostNodes = std::size_t{1} << 26;
   TissueMotion::Mode mode;
   const int kind = kept.at("kind").get<int>();
   if (kind < 0 || kind > static_cast<int>(TissueMotion::Kind::bowelSine)) return std::nullopt;
   mode.kind = static_cast<TissueMotion::Kind>(kind);
-  mode.grid.dims = glm::ivec3(pointOf(kept.at("dims")));
-  mode.grid.spacing_mm = pointOf(kept.at("spacing_mm"));
-  mode.grid.origin_mm = pointOf(kept.at("origin_mm"));
+  mode.grid.dims = glm::ivec3(keptPoint(kept.at("dims")));
+  mode.grid.spacing_mm = keptPoint(kept.at("spacing_mm"));
+  mode.grid.origin_mm = keptPoint(kept.at("origin_mm"));
   if (!checkGrid(mode.grid) || !glm::all(glm::greaterThan(mode.grid.dims, glm::ivec3(1))) || mode.grid.voxelCount() > kMostNodes)
     return std::nullopt;
   return mode;
@@ -86,9 +86,9 @@ bool readKeptMotion(const StepStore& store, const char* step, const std::string&
   if (!data->contains("rhythms")) return true;
   auto read = std::make_shared<TissueMotion>();
   try {
-    read->rhythms = rhythmsOf(data->at("rhythms"));
+    read->rhythms = keptRhythms(data->at("rhythms"));
     for (const json& each : data->at("fields")) {
-      auto mode = modeOf(each);
+      auto mode = keptMode(each);
       if (!mode || !store.readValues(step, key, fieldFile(read->modes.size()), mode->grid.voxelCount(), mode->shift_mm)) return false;
       read->modes.push_back(std::move(*mode));
     }
