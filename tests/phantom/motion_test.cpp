@@ -79,7 +79,7 @@ TEST(TissueMotion, IsTheBodysMotionOnGrids) {
           bent_mm = std::max(bent_mm, glm::distance(0.5 * shift, half->moved(p) - p));
         }
     EXPECT_GT(furthest_mm, isBreath ? 10.0 : 0.9);
-    EXPECT_LT(largest_mm, isBreath ? 0.01 : 0.05) << isBreath;  // the share is kept on the same nodes
+    EXPECT_LT(largest_mm, isBreath ? 0.01 : 0.14) << isBreath;  // the share is kept on the same nodes; the wall is a kink
     EXPECT_LT(bent_mm, 1e-9) << "half the amplitude, half the way";
   }
 }
@@ -110,7 +110,9 @@ TEST(TissueMotion, OfTheGutSwaysWithinItsOrgansAlone) {
           const glm::dvec3 p = carried(mode.grid.voxelToWorld(), glm::dvec3(i, j, k));
           const glm::vec3& shift = mode.shift_mm[mode.grid.indexOf(i, j, k)];
           most_mm = std::max(most_mm, static_cast<double>(std::abs(shift.y)));
-          if (signedDistance_mm(**patient, "gut", p).value() >= 0.0) EXPECT_EQ(shift, glm::vec3(0.0F));
+          if (signedDistance_mm(**patient, "gut", p).value() >= 0.0) {
+            EXPECT_EQ(shift, glm::vec3(0.0F));
+          }
         }
   EXPECT_NEAR(most_mm, 1.0, 0.1);
   EXPECT_NEAR(stateAt(**patient, 2.0).bowel, 0.25, 1e-12);
@@ -196,12 +198,13 @@ TEST(Rhythms, RestAtTheBeginningAndGiveTheSameStateAtTheSameTime) {
 }
 
 TEST(Rhythms, BreatheEveryFourSecondsWithAPauseOfThreeTenths) {
+  constexpr double kQuiet = 0.4;  // of a full breath
   int resting = 0, full = 0;
   for (int n = 0; n < 4000; ++n) {
-    const double breath = stateAt(testing::shipped(), 0.004 * n).breath;
+    const double breath = stateAt(testing::shipped(), 0.004 * n).breath / kQuiet;
     resting += breath < 1e-3;
     full += breath > 0.999;
-    EXPECT_NEAR(breath, stateAt(testing::shipped(), 0.004 * n + 4.0).breath, 1e-9);
+    EXPECT_NEAR(breath, stateAt(testing::shipped(), 0.004 * n + 4.0).breath / kQuiet, 1e-9);
   }
   EXPECT_NEAR(resting / 4000.0, 0.3 + 0.7 * 0.02, 0.01);
   EXPECT_GT(full, 0);
