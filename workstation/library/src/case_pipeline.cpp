@@ -39,7 +39,7 @@ using PatientPtr = std::shared_ptr<const Patient>;
 /// Part of every name in the cache: raise it when the same case starts to give another volume, by whatever step.
 constexpr int kPreparationFormat = 4;
 /// The same for the maps of tissue alone.
-constexpr int kMapsFormat = 1;
+constexpr int kMapsFormat = 2;
 /// And for the level of recorded tissue.
 constexpr int kLevelFormat = 1;
 /// The same for their motion.

@@ -20,6 +20,9 @@ constexpr double kThickestWall_mm = 0.9;
 constexpr double kThickestFront_mm = 0.8;
 constexpr double kBoundary_mm = 0.8;
 constexpr double kWallFall_deg = 12.0;  // of vessels: 12 dB at 20 degrees; the others: 20 dB
+// Of bone, stone and gas, whose faces are rough at the scale of a wavelength: a rib that crosses the slice obliquely has its bright cap.
+constexpr double kRoughFall_deg = 12.0;
+constexpr double kRoughFront_db = -13.0;
 constexpr std::uint16_t kBorderKey = 255;
 
 // A voxel lies above a surface, and not beside its rim, when what leads to its foot leans from the normal by no more than the feet are
@@ -107,6 +110,10 @@ ReflectingSurface SurfaceFinder::surfaceOf(std::uint16_t key) const {
   surface.name = organ.name;
   surface.frontOnly = organ.border && organ.border->shine == Shine::front;
   if (organ.shape->centreLine() && !surface.frontOnly) surface.fall_deg = kWallFall_deg;
+  if (surface.frontOnly) {
+    surface.fall_deg = kRoughFall_deg;
+    surface.rough_db = kRoughFront_db;
+  }
   if (organ.border) {
     surface.echoLevel = organ.border->echoLevel;
     surface.thickness_mm = std::min(organ.border->width_mm, surface.frontOnly ? kThickestFront_mm : kThickestWall_mm);
