@@ -188,6 +188,7 @@ TEST(TissueMotion, MovesWhatItMovesAndNothingBesideIt) {
   Shot shot;
   shot.scene.attenuation.reset();
   shot.scene.liveEchoes->fragmentsPerCm3 = 0.0;
+  shot.scene.liveEchoes->speckleReduction = 0.0;
   const double rest_mm = brightest_mm(pictureOf(wall, shot), 20.0, 70.0);
   EXPECT_NEAR(rest_mm, kSurface_mm, 0.5);
   shot.motion = &motion;
