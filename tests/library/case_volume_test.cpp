@@ -255,7 +255,8 @@ TEST(LoadCaseVolume, MakesABrokenCacheFileAgain) {
   const auto first = loadCaseVolume(made, noProgress());
   ASSERT_TRUE(first);
   const auto files = filesIn(folder / "cache");
-  ASSERT_EQ(files.size(), 9u) << "echo, coverage, labels and what they are; three maps of tissue and their surfaces; that it does not move";
+  ASSERT_EQ(files.size(), 15u)
+      << "echo, coverage, labels and what they are; three maps of tissue and their surfaces; six fields of motion and what they are";
   for (const auto& file : files) {
     for (const int damage : {0, 1, 2}) {
       const std::string whole = textOf(file);
@@ -300,7 +301,7 @@ TEST(LoadCaseVolume, TwoProcessesMayMakeTheSameVolumeAtOnce) {
   const auto echo = loadCaseVolume(made, noProgress());
   ASSERT_TRUE(echo);
   EXPECT_TRUE(echo->notes.empty());
-  EXPECT_EQ(filesIn(folder / "cache").size(), 8u) << "nothing aside is left behind";
+  EXPECT_EQ(filesIn(folder / "cache").size(), 15u) << "nothing aside is left behind";
 }
 
 TEST(LoadCaseVolume, OpensTheCaseAlsoWhenTheCacheCannotBeWritten) {
