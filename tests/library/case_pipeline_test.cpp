@@ -501,12 +501,15 @@ Case unswept(const fs::path& folder) {
 }
 
 TEST_F(CasePipeline, KeepsMapsOfTissueOfARecipeWithoutSweeps) {
-  EXPECT_EQ(loadCaseVolume(opened(folder / "case"), noProgress())->tissue, nullptr) << "of sweeps nothing is known but what they show";
+  const auto swept = loadCaseVolume(opened(folder / "case"), noProgress());
+  ASSERT_TRUE(swept && swept->tissue);
+  EXPECT_TRUE(swept->tissue->isRecorded && swept->tissue->surfaces.empty()) << "of sweeps nothing is known but the level they show";
   const Case drawn = unswept(folder / "case");
   EXPECT_TRUE(caseNeedsPreparation(drawn));
   const auto made = loadCaseVolume(drawn, noProgress());
   ASSERT_TRUE(made) << made.error();
   ASSERT_TRUE(made->tissue);
+  EXPECT_FALSE(made->tissue->isRecorded);
   EXPECT_EQ(made->tissue->grid, made->volume.grid);
   const auto levelAt = [&](const glm::dvec3& p_mm) {
     const auto p = glm::ivec3(glm::round((made->tissue->grid.worldToVoxel() * Point<frame::World>{p_mm}).at));
@@ -569,6 +572,7 @@ TEST_F(CasePipeline, PlacesMapsOfTissueWithTheVolume) {
   const auto made = loadCaseVolume(drawn, noProgress());
   ASSERT_TRUE(made) << made.error();
   ASSERT_TRUE(made->tissue);
+  EXPECT_FALSE(made->tissue->isRecorded);
   EXPECT_EQ(made->tissue->grid, made->volume.grid);
 }
 

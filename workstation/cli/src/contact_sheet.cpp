@@ -32,6 +32,7 @@ struct Setting {
   Scene scene;
   bool withLabels = true;
   std::vector<float> gaps_mm = {};
+  BodyState body = {};
   int frames = 1;         ///< the last one is shown
   double slide_mm = 0.0;  ///< along the face, from the first frame to the last
   double secondsPerFrame = 0.0;
@@ -57,8 +58,13 @@ RgbImage pictureOf(const SheetSource& source, const Setting& setting, const glm:
   ScanSubject subject = source.subject;
   if (!setting.withLabels) subject.labels = nullptr;
   scanner.show(std::move(subject));
-  ScanState state{
-      .probe = setting.probe, .knobs = setting.knobs, .pan = {}, .scene = setting.scene, .pose = {}, .gaps_mm = setting.gaps_mm};
+  ScanState state{.probe = setting.probe,
+                  .knobs = setting.knobs,
+                  .pan = {},
+                  .scene = setting.scene,
+                  .pose = {},
+                  .gaps_mm = setting.gaps_mm,
+                  .body = setting.body};
   Picture shown;
   for (int n = 0; n < setting.frames; ++n) {
     state.pose = slid(setting.pose, setting.frames > 1 ? setting.slide_mm * (static_cast<double>(n) / (setting.frames - 1) - 1.0) : 0.0);
@@ -147,6 +153,11 @@ Pair pairOf(const EffectInfo& effect, const SheetSource& source) {
     pair.both = [&source](Setting& s) { s.pose = source.interfacePose; };
   } else if (key == "noise") {
     pair.both = [](Setting& s) { s.scene.attenuation.emplace(); };
+  } else if (key == "motion") {  // breathed in, of what is formed live
+    pair.both = [](Setting& s) {
+      s.scene.liveEchoes.emplace();
+      s.body.breath = 1.0;
+    };
   } else if (key == "contact") {
     pair = {"full contact", "a third in air", pair.change, [](Setting& s) {
               s.gaps_mm.assign(96, 0.0F);
