@@ -246,7 +246,7 @@ class StitchingCareTest : public StitchingFixture {
     QCOMPARE(QDir(folder).entryList(QDir::Files | QDir::Hidden).size(), 1);
     QVERIFY(answered("replaceQuestion", "replaceFiles", save));
     QVERIFY2(problem().isEmpty(), qPrintable(problem()));
-    QCOMPARE(QDir(folder).entryList(QDir::Files | QDir::Hidden).size(), 4);
+    QCOMPARE(QDir(folder).entryList(QDir::Files | QDir::Hidden).size(), 5);
     QVERIFY2(!answered("replaceQuestion", "nobody", save), "what was saved there by the program is no question");
     // A project begun anew has none of the errors of the one before.
     drop({files_.path(QStringLiteral("nothing there.mha"))});
