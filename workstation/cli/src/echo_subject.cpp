@@ -30,6 +30,7 @@ Scene comparedScene(const ScanSubject& subject) {
   effect.receiveFNumber = kForwardFNumber;
   effect.lineFilterWidth = 1.0;
   effect.lineAverage = effect.gain_db = effect.texture_db = effect.fragmentsPerCm3 = 0.0;
+  effect.speckleReduction = 0.0;
   effect.haze_db = -80.0;
   scene.liveEchoes = effect;
   return scene;
