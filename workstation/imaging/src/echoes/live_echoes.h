@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -53,6 +54,7 @@ class LiveEchoes {
   void layHaze(double haze_db);
 
   EchoLayout layout_;
+  std::array<std::vector<int>, 2> orderOfPieces_;  ///< of the even and of the odd ones: deep pieces hold most, and two threads get as much
   EchoSurfaces surfaces_;
   EchoLosses losses_;
   EchoReverberation reverberation_;
