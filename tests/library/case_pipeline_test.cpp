@@ -125,7 +125,6 @@ TEST_F(CasePipeline, KeepsTheLevelOfWhatWasRecordedAndFindsItForAVolumeThatWasJo
 
   fs::remove_all(cacheFolder() / "steps" / "maps");
   EXPECT_TRUE(caseNeedsPreparation(small));
-  EXPECT_LT(estimatePreparation(small)->seconds, 60.0) << "nothing is recorded again";
   CancelAt watched;
   const auto found = loadCaseVolume(small, watched);
   ASSERT_TRUE(found && found->tissue);
