@@ -193,16 +193,12 @@ void EchoSurfaces::addLine(int line, const SurfaceMap& map, const EchoMotion& mo
       perMm(glm::mat3(map.probeToVoxel) * glm::vec3(way.direction, 0.0F));
   const glm::vec3 aside(map.probeToVoxel[2]);
   const auto depth_mm = static_cast<float>(layout_->depth_mm);
-  const std::size_t lines = layout_->grid.lines.size();
   for (std::size_t n = 0; n < kRays.size(); ++n) {
     const ElevationRay& ray = kRays[n];
     const auto voxelAt = [&](float range_mm) {
       const glm::vec3 straight = start + range_mm * perMm + ray.sigmas * elevation_mm_[static_cast<std::size_t>(range_mm)] * aside;
       if constexpr (!kMoves) return straight;
-      const float at = range_mm * motion.perKnot();
-      const int knot = std::min(static_cast<int>(at), motion.knots() - 2);
-      const glm::vec3* row = back_[n].data() + static_cast<std::size_t>(knot) * lines + static_cast<std::size_t>(line);
-      return straight + row[0] + (at - static_cast<float>(knot)) * (row[lines] - row[0]);
+      return straight + motion.backOn(back_[n], line, range_mm);
     };
     float before = SurfaceMap::kUnknown;
     for (float range_mm = 0.0F, step_mm = 0.0F; range_mm < depth_mm; range_mm += step_mm) {
