@@ -58,7 +58,7 @@ EchoTruth EchoSubject::truth() const {
   for (const TissueAcoustics& tissue : scene.tissues)
     if (tissue.label >= 0 && tissue.label < 256)
       truth.reflection_db[static_cast<std::size_t>(tissue.label)] = static_cast<float>(tissue.reflection_db);
-  truth.isSparse = isSparse;
+  truth.isUneven = isUneven;
   return truth;
 }
 
@@ -91,7 +91,8 @@ Result<EchoSubject> readEchoSubject(const Case& opened, Progress& progress) {
   if (!tissues) return passOn(tissues.error());
   for (const LabelTissue& each : *tissues)
     if (each.label >= 0 && each.label < 256)
-      made.isSparse[static_cast<std::size_t>(each.label)] = each.tissue.scatterers_perMm3.has_value();
+      made.isUneven[static_cast<std::size_t>(each.label)] =
+          each.tissue.scatterers_perMm3.has_value() || finestGrain_mm(each.tissue.texture) < 2.0 * opened.volume.recipeSpacing_mm;
 
   const auto probes = readProbes(*resources / "probes");
   if (!probes) return passOn(probes.error());
