@@ -31,6 +31,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using test::CasePipeline;
 using test::EnvironmentValue;
+using test::makeSmallCase;
 using test::opened;
 using test::TemporaryFolder;
 using test::textOf;
