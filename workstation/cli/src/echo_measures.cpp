@@ -12,7 +12,7 @@ constexpr double kMostGap_mm = 0.5;      // of gel between face and skin: it tak
 constexpr double kLeaves_mm = 1.5;       // out of the body for so long
 constexpr double kNearSurface_mm = 1.5;  // of a reflecting surface nothing counts
 constexpr int kFaintest = 60;            // grey level of tissue that counts
-constexpr int kEvenWithin = 60;          // grey levels; a texture is divided out
+constexpr int kEvenWithin = 30;          // grey levels; a texture is divided out, as far as voxels hold it
 constexpr double kLeastShare = 0.5;      // of a patch that has to count
 constexpr float kOpen_db = 0.5F, kShade_db = 8.0F;
 constexpr double kDecibelPerLevel = 60.0 / 255.0;  // of maps
