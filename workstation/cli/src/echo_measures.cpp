@@ -12,13 +12,13 @@ constexpr double kMostGap_mm = 0.5;      // of gel between face and skin: it tak
 constexpr double kLeaves_mm = 1.5;       // out of the body for so long
 constexpr double kNearSurface_mm = 1.5;  // of a reflecting surface nothing counts
 constexpr int kFaintest = 60;            // grey level of tissue that counts
-constexpr int kEvenWithin = 30;          // grey levels; a texture is divided out, as far as voxels hold it
+constexpr int kEvenWithin = 60;          // grey levels; a texture is divided out
 constexpr double kLeastShare = 0.5;      // of a patch that has to count
 constexpr float kOpen_db = 0.5F, kShade_db = 8.0F;
 constexpr double kDecibelPerLevel = 60.0 / 255.0;  // of maps
 constexpr std::size_t kPlanes = 5;
 constexpr std::array<double, kPlanes> kSigmas{0.0, -0.8, 0.8, -1.6, 1.6};
-constexpr int kMixedReach = 2;  // voxels of labels: a thinner vessel is known to the model alone
+constexpr int kMixedReach = 1;  // voxels of labels: a thinner vessel is known to the model alone
 
 std::optional<glm::ivec3> placeAt(const Grid& grid, const glm::dmat4& toVoxel, const glm::dvec3& p) {
   const glm::ivec3 at(glm::floor(glm::dvec3(toVoxel * glm::dvec4(p, 1.0)) + 0.5));

@@ -36,6 +36,13 @@ Scene comparedScene(const ScanSubject& subject) {
   return scene;
 }
 
+/// Whether voxels of the maps hold a texture: liver and kidney, but not the thin sheets of mesentery and muscle, nor stomach content.
+bool holds(double spacing_mm, const TissueTexture& texture) {
+  constexpr double kVoxelsOfAGrain = 2.0, kSteepest_perVoxel = 10.0;  // grey levels
+  const double grain_mm = finestGrain_mm(texture);
+  return grain_mm >= kVoxelsOfAGrain * spacing_mm && texture.level * spacing_mm <= kSteepest_perVoxel * grain_mm;
+}
+
 /// Moves the face along the beam until it lies `pressed_mm` below the skin.
 void putOnSkin(const Patient& patient, const glm::dmat4& worldToPatient, Transform<frame::World, frame::Probe>& probeToWorld) {
   constexpr double kPressed_mm = 1.0;
@@ -92,7 +99,7 @@ Result<EchoSubject> readEchoSubject(const Case& opened, Progress& progress) {
   for (const LabelTissue& each : *tissues)
     if (each.label >= 0 && each.label < 256)
       made.isUneven[static_cast<std::size_t>(each.label)] =
-          each.tissue.scatterers_perMm3.has_value() || finestGrain_mm(each.tissue.texture) < 2.0 * opened.volume.recipeSpacing_mm;
+          each.tissue.scatterers_perMm3.has_value() || !holds(opened.volume.recipeSpacing_mm, each.tissue.texture);
 
   const auto probes = readProbes(*resources / "probes");
   if (!probes) return passOn(probes.error());
