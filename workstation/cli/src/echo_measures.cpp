@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace ew {
@@ -15,6 +16,7 @@ constexpr int kFaintest = 60;            // grey level of tissue that counts
 constexpr int kEvenWithin = 60;          // grey levels; a texture is divided out
 constexpr double kLeastShare = 0.5;      // of a patch that has to count
 constexpr float kOpen_db = 0.5F, kShade_db = 8.0F;
+constexpr float kEvenLoss_db = 4.0F;               // what differs between the lines of an even patch
 constexpr double kDecibelPerLevel = 60.0 / 255.0;  // of maps
 constexpr std::size_t kPlanes = 5;
 constexpr std::array<double, kPlanes> kSigmas{0.0, -0.8, 0.8, -1.6, 1.6};
@@ -38,6 +40,7 @@ struct Met {
   bool isUneven = false;
   bool isMixed = false;  ///< other tissue within kMixedReach voxels
   float reflected_db = 0.0F;
+  float lost_db = 0.0F;  ///< with the excess of attenuation
 };
 
 /// Whether another label lies within kMixedReach voxels along an axis; beyond the labels there is none.
@@ -68,7 +71,7 @@ Walk walkPlane(const EchoTruth& truth, const BeamGrid& grid, const std::vector<d
                    toVolume = truth.volumeGrid.worldToVoxel().matrix * probeToWorld.matrix,
                    toLabels = truth.labelsGrid.worldToVoxel().matrix * probeToWorld.matrix;
   for (std::size_t l = 0; l < grid.lines.size(); ++l) {
-    float reflected_db = 0.0F;
+    float reflected_db = 0.0F, absorbed_db = 0.0F;
     int before = -1;
     double outside_mm = 0.0;
     bool entered = false, lost = false;
@@ -86,10 +89,12 @@ Walk walkPlane(const EchoTruth& truth, const BeamGrid& grid, const std::vector<d
         const int label = truth.labels->echo[truth.labels->grid.indexOf(at->x, at->y, at->z)];
         if (label != before) reflected_db += truth.reflection_db[static_cast<std::size_t>(label)];
         before = label;
+        absorbed_db += truth.excess_dbPerMm[static_cast<std::size_t>(label)] * static_cast<float>(kEchoStep_mm);
         met.isUneven = truth.isUneven[static_cast<std::size_t>(label)];
         met.isMixed = isMixedAt(*truth.labels, *at);
       }
       met.reflected_db = reflected_db;
+      met.lost_db = reflected_db + absorbed_db;
       met.isSeen = inside && !lost;
       if (const auto at = voxelAt(truth.mapsGrid, toMaps, p)) {
         met.level = truth.maps.level[*at];
@@ -139,10 +144,16 @@ void judge(const std::array<Walk, kPlanes>& planes, const BeamGrid& grid, double
         isFull = isFull && !met.isUneven;
       }
     }
+  float leastLost_db = std::numeric_limits<float>::infinity(), mostLost_db = -leastLost_db;
+  for (const Walk& plane : planes)
+    for (int l = patch.firstLine; l < patch.firstLine + patch.lines; ++l) {
+      leastLost_db = std::min(leastLost_db, plane.at(l, first).lost_db);
+      mostLost_db = std::max(mostLost_db, plane.at(l, first).lost_db);
+    }
   const double least = kLeastShare * static_cast<double>(patch.levels.size());
   if (counted < least) return;
   patch.isOpen = isClear;
-  patch.isEven = patch.isOpen && even >= least && isFull && highest - lowest <= kEvenWithin;
+  patch.isEven = patch.isOpen && even >= least && isFull && highest - lowest <= kEvenWithin && mostLost_db - leastLost_db <= kEvenLoss_db;
   if (isClear) return;
   double beside_mm = 0.0;
   for (const Walk& plane : planes) beside_mm = std::max(beside_mm, penumbra_mm(plane, aperture_mm, lateralWidth_mm, patch));

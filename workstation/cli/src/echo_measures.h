@@ -33,8 +33,9 @@ struct EchoTruth {
   const Grid& volumeGrid;
   const Volume* labels = nullptr;
   const Grid& labelsGrid;
-  std::array<float, 256> reflection_db{};  ///< by label
-  std::array<bool, 256> isUneven{};        ///< by label: speckle that is not fully developed, or a texture too fine for the maps
+  std::array<float, 256> reflection_db{};   ///< by label
+  std::array<float, 256> excess_dbPerMm{};  ///< by label, both ways: attenuation that depth gain does not make up for
+  std::array<bool, 256> isUneven{};         ///< by label: speckle that is not fully developed, or a texture too fine for the maps
 };
 
 inline constexpr double kEchoStep_mm = 0.5;  ///< of the truth along a line

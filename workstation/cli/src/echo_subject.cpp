@@ -63,8 +63,12 @@ EchoTruth EchoSubject::truth() const {
                   .labels = subject.labels.get(),
                   .labelsGrid = subject.placedLabels};
   for (const TissueAcoustics& tissue : scene.tissues)
-    if (tissue.label >= 0 && tissue.label < 256)
-      truth.reflection_db[static_cast<std::size_t>(tissue.label)] = static_cast<float>(tissue.reflection_db);
+    if (tissue.label >= 0 && tissue.label < 256) {
+      const auto label = static_cast<std::size_t>(tissue.label);
+      truth.reflection_db[label] = static_cast<float>(tissue.reflection_db);
+      const double excess_dbPerCmMhz = tissue.attenuation_dbPerCmMhz - scene.attenuation->expected_dbPerCmMhz;
+      truth.excess_dbPerMm[label] = static_cast<float>(2.0 * excess_dbPerCmMhz * 0.1 * 1e-6 * probe.carrier_hz);
+    }
   truth.isUneven = isUneven;
   return truth;
 }
