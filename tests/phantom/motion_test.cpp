@@ -108,6 +108,16 @@ double jacobian(const Deformation& motion, const glm::dvec3& p) {
   return glm::determinant(columns);
 }
 
+/// Of the middle of a grid's cell, where a field knows least: the mean of its eight nodes.
+glm::dvec3 betweenNodes(const TissueMotion::Mode& mode, const glm::ivec3& lowest) {
+  glm::dvec3 sum(0.0);
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::ivec3 node = lowest + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
+    sum += glm::dvec3(mode.shift_mm[mode.grid.indexOf(node.x, node.y, node.z)]);
+  }
+  return 0.125 * sum;
+}
+
 TEST(TissueMotion, IsTheBodysMotionOnGrids) {
   const auto made = tissueMotionOf(beating(), 2, noProgress());
   ASSERT_TRUE(made && *made);
@@ -124,9 +134,7 @@ TEST(TissueMotion, IsTheBodysMotionOnGrids) {
     for (int k = 0; k + 1 < mode.grid.dims.z; ++k)
       for (int j = 0; j + 1 < mode.grid.dims.y; ++j)
         for (int i = 0; i + 1 < mode.grid.dims.x; ++i) {
-          glm::dvec3 between(0.0);
-          for (int corner = 0; corner < 8; ++corner)
-            between += 0.125 * glm::dvec3(mode.shift_mm[mode.grid.indexOf(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2))]);
+          const glm::dvec3 between = betweenNodes(mode, {i, j, k});
           const glm::dvec3 p = carried(mode.grid.voxelToWorld(), glm::dvec3(i, j, k) + 0.5), shift = body->moved(p) - p;
           largest_mm = std::max(largest_mm, glm::distance(between, shift));
           furthest_mm = std::max(furthest_mm, glm::length(shift));
@@ -282,9 +290,7 @@ TEST(BeatingHeart, IsAFieldOnAGridForEachChamber) {
   for (int k = 0; k + 1 < mode.grid.dims.z; ++k)
     for (int j = 0; j + 1 < mode.grid.dims.y; ++j)
       for (int i = 0; i + 1 < mode.grid.dims.x; ++i) {
-        glm::dvec3 between(0.0);
-        for (int corner = 0; corner < 8; ++corner)
-          between += 0.125 * glm::dvec3(mode.shift_mm[mode.grid.indexOf(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2))]);
+        const glm::dvec3 between = betweenNodes(mode, {i, j, k});
         const glm::dvec3 p = carried(mode.grid.voxelToWorld(), glm::dvec3(i, j, k) + 0.5), shift = body->moved(p) - p;
         largest_mm = std::max(largest_mm, glm::distance(between, shift));
         furthest_mm = std::max(furthest_mm, glm::length(shift));
