@@ -10,6 +10,7 @@
 
 #include "ew/imaging/frame.h"
 #include "ew/imaging/tissue_motion.h"
+#include "imaging/small_convex.h"
 
 namespace ew::m_mode_test {
 namespace {
@@ -166,24 +167,6 @@ constexpr double kMiddle_mm = 45.0, kRadius_mm = 10.0, kGrowth_mm = 2.0, kReach_
 constexpr double kBeat_s = 1.0, kDepth_mm = 80.0;
 constexpr int kBeams = 40, kColumns = 48, kRows = 320;  ///< a beam a column; the columns beyond hold the seam
 
-Probe probeOverVessel() {
-  Probe probe;
-  probe.id = "convex";
-  probe.kind = ProbeKind::convex;
-  probe.radius_mm = 60.0;
-  probe.halfAngle_rad = 0.3;
-  probe.lines = 48;
-  probe.carrier_hz = 3.5e6;
-  probe.carriers_hz = {3.5e6};
-  probe.aperture_mm = 25.0;
-  probe.elevationalThickness_mm = 3.0;
-  probe.elevationalFocus_mm = 50.0;
-  probe.elevationalAperture_mm = 10.0;
-  probe.maxDepth_mm = 200.0;
-  probe.defaultDepth_mm = kDepth_mm;
-  return probe;
-}
-
 TissueMaps vesselInTissue() {
   TissueMaps maps;
   maps.grid.dims = {80, 110, 30};
@@ -240,7 +223,7 @@ GreyImage stripOfABeat(bool hasPulse) {
   knobs.mode = DisplayMode::mMode;
   knobs.mSweep_s = kBeat_s * kColumns / kBeams;
   FrameMaker maker;
-  maker.configure(probeOverVessel(), knobs, scene, maps.grid, kColumns, kRows, false, {}, true);
+  maker.configure(testing::smallConvex(0.3, 48, kDepth_mm), knobs, scene, maps.grid, kColumns, kRows, false, {}, true);
   FrameInput input;
   input.tissue = &maps;
   input.tissueGrid = maps.grid;

@@ -21,15 +21,6 @@ constexpr double kLeastReflection = 1e-4;
 
 }  // namespace
 
-}  // namespace ew::phantom
-
-double ew::finestGrain_mm(const TissueTexture& texture) {
-  if (!(texture.level > 0.0)) return std::numeric_limits<double>::infinity();
-  return phantom::kFineGrain * std::min({texture.scale_mm.x, texture.scale_mm.y, texture.scale_mm.z});
-}
-
-namespace ew::phantom {
-
 double specklePowerAt(double level) { return std::pow(10.0, 0.1 * ((level - 255.0) * kDecibelPerLevel + kMeanOfLog_db)); }
 double amplitudeAt(double level) { return std::pow(10.0, 0.05 * (level - 255.0) * kDecibelPerLevel); }
 double levelOf(double amplitude) { return 255.0 + 20.0 * std::log10(amplitude) / kDecibelPerLevel; }
@@ -68,3 +59,8 @@ int PowerOfLevel::level(double power) const {
 }
 
 }  // namespace ew::phantom
+
+double ew::finestGrain_mm(const TissueTexture& texture) {
+  if (!(texture.level > 0.0)) return std::numeric_limits<double>::infinity();
+  return phantom::kFineGrain * std::min({texture.scale_mm.x, texture.scale_mm.y, texture.scale_mm.z});
+}
