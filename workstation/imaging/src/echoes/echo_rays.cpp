@@ -46,7 +46,7 @@ void EchoRays::configure(const EchoLayout& layout, const Probe& probe, int steps
     const double z_mm = s * step_mm;
     outermost[static_cast<std::size_t>(s)] = spacing.rayOf(0.5 * std::min(probe.aperture_mm / z_mm, 1.0 / kWidestFNumber), z_mm);
   }
-  const double halfCell = std::ranges::max(outermost) / kRays;
+  const double halfCell = *std::max_element(outermost.begin(), outermost.end()) / kRays;
   rays_.assign(kRays, {});
   padding_ = 0;
   for (int n = 0; n < kRays; ++n) {
