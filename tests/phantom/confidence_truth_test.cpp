@@ -41,6 +41,7 @@ TEST(ConfidenceOfVirtualFrames, IsLowInTrueShadowsAndHighBesideThemAtTheSameDept
     const Probe probe = shippedProbe(name);
     FormationOptions options;
     options.depth_mm = depth_mm;
+    options.penumbra = false;  // between shadow and sight there is nothing to judge by
     const auto scanner = scannerOf(patient, probe, options);
     GreyImage levels;
     compressEnvelope(envelopeOf(*scanner), options.dynamicRange_db, levels);

@@ -160,10 +160,15 @@ TEST(Losses, TheSideOfAShadowIsAsSoftAsTheApertureIsWide) {
   constexpr double kRadius = 1.0;
   for (const double depth : {28.0, 36.0, 50.0})
     for (const double x : {-9.0, -5.0, -2.5, 0.0, 2.5, 5.0, 9.0}) {
-      const double halfAperture = 0.5 * std::min(probe.aperture_mm, 0.5 * depth), reach = 1.0 - 18.0 / depth;
+      const double halfAperture = 0.5 * std::min(probe.aperture_mm, 0.5 * depth);
+      // Rays come in from the front or through the side.
+      const auto hiddenAt = [&](double place) {
+        const double front = 1.0 - 18.0 / depth, back = 1.0 - 22.0 / depth, edge = -place / (place < 0.0 ? back : front);
+        return std::clamp((edge + halfAperture) / (2.0 * halfAperture), 0.0, 1.0);
+      };
       double power = 0.0, weight = 0.0;
       for (double aside = -kRadius; aside <= kRadius; aside += 0.1) {
-        const double hidden = std::clamp((-(x + aside) / reach + halfAperture) / (2.0 * halfAperture), 0.0, 1.0);
+        const double hidden = hiddenAt(x + aside);
         const double chord = std::sqrt(std::max(kRadius * kRadius - aside * aside, 0.0));
         power += chord * std::pow(1.0 - hidden * (1.0 - std::pow(10.0, -30.0 / 40.0)), 4.0);
         weight += chord;

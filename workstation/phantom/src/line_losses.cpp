@@ -38,16 +38,17 @@ class LineWalk {
     } else if (entered_) {
       lost_db_ += kAir_db;
     } else {
-      gap_mm_ = depth_mm;
+      lost_db_ = std::clamp((depth_mm - kGelGap_mm) * kAirPerGap_dbPerMm, 0.0, kAir_db);
     }
     last_ = tissue;
   }
   [[nodiscard]] double lost_db() const { return lost_db_; }  ///< both ways
+  /// Of the tissue the line is in.
+  [[nodiscard]] double reflection_db() const { return last_ != ScattererBlock::kOutside ? setup_.lostAtSurface_db[last_] : 0.0; }
   [[nodiscard]] double delay_mm() const { return delay_mm_; }
 
  private:
   void passTissue(std::uint8_t tissue, double depth_mm) {
-    if (!entered_ && gap_mm_ > kGelGap_mm) lost_db_ += std::min((gap_mm_ - kGelGap_mm) * kAirPerGap_dbPerMm, kAir_db);
     entered_ = true;
     lost_db_ += setup_.lostPerStep_db[tissue];
     delay_mm_ += setup_.delayPerStep_mm[tissue];
@@ -59,7 +60,7 @@ class LineWalk {
   }
 
   const ScannerSetup& setup_;
-  double lost_db_ = 0.0, delay_mm_ = 0.0, gap_mm_ = 0.0;
+  double lost_db_ = 0.0, delay_mm_ = 0.0;
   std::uint8_t last_ = ScattererBlock::kOutside, reflected_ = ScattererBlock::kOutside;
   double reflected_mm_ = -1e9;  ///< where the line last was in the tissue that reflected it
   bool entered_ = false;
@@ -91,6 +92,7 @@ void walkLines(const ScannerSetup& setup, const ScattererField& field, const Vie
   const glm::dvec3 aside = (view.probeToWorld * Direction<frame::Probe>{{0.0, 0.0, 1.0}}).along;
   constexpr std::array<double, 3> kPlanes{0.0, -0.75, 0.75}, kWeights{0.5, 0.25, 0.25};
   work.lost_db.resize(lines * steps);
+  work.reflection_db.assign(lines * steps, 0.0F);
   for (std::size_t plane = 0; plane < kPlanes.size(); ++plane) {
     for (std::size_t l = 0; l < lines; ++l) {
       LineWalk walk(setup);
@@ -111,12 +113,13 @@ void walkLines(const ScannerSetup& setup, const ScattererField& field, const Vie
         }
         const std::size_t at = l * steps + s;
         work.lost_db[at] = static_cast<float>(walk.lost_db());
+        work.reflection_db[at] = static_cast<float>(walk.reflection_db());
         if (setup.options.speedOfSound) work.delay_mm[at] += static_cast<float>(kWeights[plane] * walk.delay_mm());
       }
     }
     if (!setup.options.attenuation) continue;
     if (setup.options.penumbra) {
-      seenFromAperture(setup, work.lost_db, work.left);
+      seenFromAperture(setup, work.lost_db, work.reflection_db, work.left);
     } else {
       work.left.resize(lines * steps);
       std::transform(work.lost_db.begin(), work.lost_db.end(), work.left.begin(),

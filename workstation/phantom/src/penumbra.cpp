@@ -19,9 +19,10 @@ struct LineSpacing {
 
 class Rays {
  public:
-  Rays(const ScannerSetup& setup, const std::vector<float>& lost_db)
+  Rays(const ScannerSetup& setup, const std::vector<float>& lost_db, const std::vector<float>& reflection_db)
       : setup_(setup),
         lost_db_(lost_db),
+        reflection_db_(reflection_db),
         lines_(static_cast<int>(setup.grid.lines.size())),
         last_(setup.steps - 1),
         spacing_{setup.grid.lineSpacing_mm(0.0), 0.0} {
@@ -40,10 +41,11 @@ class Rays {
   }
 
  private:
-  [[nodiscard]] double lostAt(int line, int step) const {
-    return static_cast<double>(
-        lost_db_[static_cast<std::size_t>(line) * static_cast<std::size_t>(setup_.steps) + static_cast<std::size_t>(step)]);
+  [[nodiscard]] std::size_t indexOf(int line, int step) const {
+    return static_cast<std::size_t>(line) * static_cast<std::size_t>(setup_.steps) + static_cast<std::size_t>(step);
   }
+  [[nodiscard]] double lostAt(int line, int step) const { return static_cast<double>(lost_db_[indexOf(line, step)]); }
+  [[nodiscard]] double reflectionAt(int line, int step) const { return static_cast<double>(reflection_db_[indexOf(line, step)]); }
 
   /// Line by line, from the aperture to the place: on each the ray stays until it is nearer to the next.
   [[nodiscard]] double alongRay_db(int line, int step, double aside_mm) const {
@@ -59,7 +61,8 @@ class Rays {
     for (int away = std::min(most, static_cast<int>(std::ceil(offset_mm / std::max(spacing_.atFace_mm, 1e-3)))); away > 0; --away) {
       const int to = std::min(crossing(away), step);
       if (to <= from) continue;
-      sum_db += lostAt(line + side * away, to) - lostAt(line + side * away, from);
+      const int own = line + side * away;
+      sum_db += lostAt(own, to) - lostAt(own, from) + std::max(0.0, reflectionAt(own - side, to) - reflectionAt(own, to));
       from = to;
     }
     return sum_db + lostAt(line, step) - lostAt(line, from);
@@ -67,14 +70,16 @@ class Rays {
 
   const ScannerSetup& setup_;
   const std::vector<float>& lost_db_;
+  const std::vector<float>& reflection_db_;
   int lines_, last_;
   LineSpacing spacing_;
 };
 
 }  // namespace
 
-void seenFromAperture(const ScannerSetup& setup, const std::vector<float>& lost_db, std::vector<float>& gain) {
-  const Rays rays(setup, lost_db);
+void seenFromAperture(const ScannerSetup& setup, const std::vector<float>& lost_db, const std::vector<float>& reflection_db,
+                      std::vector<float>& gain) {
+  const Rays rays(setup, lost_db, reflection_db);
   const int lines = static_cast<int>(setup.grid.lines.size()), every = std::max(1, static_cast<int>(kEvery_mm / setup.step_mm));
   gain.resize(lost_db.size());
   for (int line = 0; line < lines; ++line) {

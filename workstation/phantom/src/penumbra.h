@@ -11,8 +11,10 @@ namespace ew::phantom {
 ///   gain(l, z) = (mean over u of 10^(-L(u, l, z) / 40))^2
 /// L is summed along the ray from u on the aperture to the place, u evenly over min(aperture, z / 2), from the losses of the lines that the
 /// ray passes, dB both ways (Szabo, Diagnostic Ultrasound Imaging, ch. 6: rays of an array's aperture). Refraction is left out.
-/// @param lost_db along each line from the face on, both ways (lines x steps)
-/// @param gain    resized likewise, of amplitudes
-void seenFromAperture(const ScannerSetup& setup, const std::vector<float>& lost_db, std::vector<float>& gain);
+/// @param lost_db       along each line from the face on, both ways (lines x steps)
+/// @param reflection_db of what each step lies in: a ray that comes in through the side of a thing pays it
+/// @param gain            resized likewise, of amplitudes
+void seenFromAperture(const ScannerSetup& setup, const std::vector<float>& lost_db, const std::vector<float>& reflection_db,
+                      std::vector<float>& gain);
 
 }  // namespace ew::phantom

@@ -47,7 +47,7 @@ void EchoLosses::configure(const EchoLayout& layout, const Probe& probe, const S
   ways_.resize(static_cast<std::size_t>(lines_));
   skin_mm_.resize(static_cast<std::size_t>(lines_));
   for (March& march : marches_)
-    for (std::vector<float>* ofLines : {&march.waiting_db, &march.loss_log2, &march.met_db, &march.since_mm})
+    for (std::vector<float>* ofLines : {&march.waiting_db, &march.loss_log2, &march.reflection_log2, &march.met_db, &march.since_mm})
       ofLines->resize(static_cast<std::size_t>(lines_));
 }
 
@@ -140,12 +140,14 @@ void EchoLosses::march(int plane) {
   for (int s = 0; s < steps_; ++s) {
     const float* own = own_db_.data() + indexOf(plane, s);
     const float* reflection = reflection_.data() + indexOf(plane, s);
+    const float* before = reflection_.data() + indexOf(plane, std::max(s - 1, 0));
     for (int n = 0; n < lines_; ++n) {
       const auto line = static_cast<std::size_t>(n);
       const float waiting = at.waiting_db[line] + std::max(0.0F, reflection[n] - at.met_db[line]);
       const float released = waiting * release_;
       at.waiting_db[line] = waiting - released;
       at.loss_log2[line] = (own[n] + released) * kLog2PerDb_oneWay;
+      at.reflection_log2[line] = before[n] * kLog2PerDb_oneWay;
       const float met_db = std::max(at.met_db[line], reflection[n]);
       const float since_mm = reflection[n] < kOut * met_db ? at.since_mm[line] + step_mm : 0.0F;
       at.met_db[line] = since_mm < kSameThing_mm ? met_db : reflection[n];
@@ -153,7 +155,7 @@ void EchoLosses::march(int plane) {
     }
     float* gain = gains_.data() + indexOf(plane, s);
     std::fill_n(gain, lines_, 0.0F);
-    rays_.pass(s, at.loss_log2.data(), most_, kWeights[static_cast<std::size_t>(plane)], at.rays, gain);
+    rays_.pass(s, {at.loss_log2.data(), at.reflection_log2.data()}, most_, kWeights[static_cast<std::size_t>(plane)], at.rays, gain);
   }
 }
 

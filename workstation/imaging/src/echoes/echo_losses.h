@@ -69,7 +69,7 @@ class EchoLosses {
   EchoRays rays_;
   /// Of the march through a plane, by line.
   struct March {
-    std::vector<float> waiting_db, loss_log2;
+    std::vector<float> waiting_db, loss_log2, reflection_log2;
     std::vector<float> met_db;    ///< the reflection of what the line is in or was in last
     std::vector<float> since_mm;  ///< for how long it has been out of that
     EchoRays::Scratch rays;

@@ -75,25 +75,41 @@ void EchoRays::configure(const EchoLayout& layout, const Probe& probe, int steps
 void EchoRays::begin(Scratch& scratch) const {
   const auto width = static_cast<std::size_t>(lines_ + 2 * padding_);
   scratch.left.assign(width * rays_.size(), 1.0F);
-  scratch.kept.resize(width);
+  for (std::vector<float>& kept : scratch.kept) kept.resize(width);
+  scratch.loss.resize(static_cast<std::size_t>(lines_));
   scratch.sum.resize(static_cast<std::size_t>(lines_) + 2);
 }
 
-void EchoRays::pass(int step, const float* loss_log2, float most, float weight, Scratch& scratch, float* gain) const {
-  float* kept = scratch.kept.data() + padding_;
-  keptOf(loss_log2, lines_, kept);
+const float* EchoRays::keep(const float* loss_log2, std::vector<float>& kept) const {
+  float* first = kept.data() + padding_;
+  keptOf(loss_log2, lines_, first);
   // Beyond the outermost lines it goes on as there.
-  std::fill_n(kept - padding_, padding_, kept[0]);
-  std::fill_n(kept + lines_, padding_, kept[lines_ - 1]);
+  std::fill_n(kept.data(), padding_, first[0]);
+  std::fill_n(first + lines_, padding_, first[lines_ - 1]);
+  return first;
+}
+
+void EchoRays::pass(int step, const Step& met, float most, float weight, Scratch& scratch, float* gain) const {
+  const float* onLine = keep(met.loss, scratch.kept[0]);
+  std::array<const float*, 3> kept{onLine, onLine, onLine};
+  const float* reflection = met.reflectionBefore;
+  if (std::any_of(reflection, reflection + lines_, [&](float r) { return r != reflection[0]; }))
+    for (const int side : {1, 2}) {
+      for (int line = 0; line < lines_; ++line) {
+        const int from = std::clamp(line + (side == 1 ? -1 : 1), 0, lines_ - 1);
+        scratch.loss[static_cast<std::size_t>(line)] = met.loss[line] + std::max(0.0F, reflection[line] - reflection[from]);
+      }
+      kept[static_cast<std::size_t>(side)] = keep(scratch.loss.data(), scratch.kept[static_cast<std::size_t>(side)]);
+    }
   float* sum = scratch.sum.data() + 1;
   std::fill_n(sum, lines_, 0.0F);
   float* left = scratch.left.data() + padding_;
   for (const Ray& ray : rays_) {
     if (step <= ray.lastStep) {
-      const int aside = ray.line[static_cast<std::size_t>(step)];
+      const int aside = ray.line[static_cast<std::size_t>(step)], before = ray.line[static_cast<std::size_t>(std::max(step - 1, 0))];
       // Those that have left the fan do not come back.
       const int first = aside > 0 ? -ray.before : -aside, last = aside > 0 ? lines_ - aside : lines_ + ray.after;
-      passRay(kept + first + aside, most, last - first, left + first);
+      passRay(kept[aside > before ? 1 : aside < before ? 2 : 0] + first + aside, most, last - first, left + first);
       addWeighted(left - aside, ray.weight[static_cast<std::size_t>(step)], lines_, sum);
     }
     left += lines_ + 2 * padding_;

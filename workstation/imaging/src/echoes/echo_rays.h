@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "echo_layout.h"
@@ -17,14 +18,22 @@ class EchoRays {
   void configure(const EchoLayout& layout, const Probe& probe, int steps, double step_mm);
 
   struct Scratch {
-    std::vector<float> left;  ///< by ray and line of the face
-    std::vector<float> kept, sum;
+    std::vector<float> left;                 ///< by ray and line of the face
+    std::array<std::vector<float>, 3> kept;  ///< of rays that stay on their line, come from the line before, from the line after
+    std::vector<float> loss, sum;
   };
   void begin(Scratch& scratch) const;
+  /// What the lines meet in a step, one way, as powers of 2.
+  struct Step {
+    const float* loss;  ///< of each line; negative: enhancement
+    /// What a surface took at most that lies between the place of each line a step before and no reflecting tissue: a ray that comes in
+    /// through the side of a thing pays it.
+    const float* reflectionBefore;
+  };
   /// The next step of all rays.
-  /// @param loss_log2 of each line in this step, one way; negative: enhancement, until 2^-sum is `most`
-  /// @param gain      += weight left^2, a little blurred across the lines
-  void pass(int step, const float* loss_log2, float most, float weight, Scratch& scratch, float* gain) const;
+  /// @param most to which enhancement rises
+  /// @param gain += weight left^2, a little blurred across the lines
+  void pass(int step, const Step& met, float most, float weight, Scratch& scratch, float* gain) const;
 
  private:
   struct Ray {
@@ -33,6 +42,9 @@ class EchoRays {
     int lastStep = -1;          ///< that counts
     int before = 0, after = 0;  ///< lines beside the fan from which it comes in
   };
+  /// What the lines keep in a step, into one of scratch.kept.
+  const float* keep(const float* loss_log2, std::vector<float>& kept) const;
+
   std::vector<Ray> rays_;
   int lines_ = 0, padding_ = 0;
 };
