@@ -185,8 +185,8 @@ TEST(LiveEchoes, ShadeWithSidesAsSoftAsTheApertureIsWide) {
   const double open = levelOf(pictureBehind(1000.0));
   for (const double edge_mm : {-5.0, -2.0, 0.0, 2.0, 5.0, 7.0}) {
     // The edge lies halfway between two voxels; rays come in from the front or through the side.
-    const double seen =
-        std::clamp(0.5 + (edge_mm - 0.5) / (1.0 - (edge_mm < 0.0 ? 42.5 : 39.5) / kDepth_mm) / shot.probe.aperture_mm, 0.0, 1.0);
+    const double u = std::clamp((edge_mm - 0.5) / (1.0 - (edge_mm < 0.0 ? 42.5 : 39.5) / kDepth_mm) / shot.probe.aperture_mm, -0.5, 0.5);
+    const double seen = 0.5 + (0.35 * u + 0.65 / std::numbers::pi * std::sin(std::numbers::pi * u)) / (0.35 + 1.3 / std::numbers::pi);
     EXPECT_NEAR((levelOf(pictureBehind(edge_mm)) - open) / kGreyPerDb, 40.0 * std::log10(seen), 1.5) << edge_mm << " mm to the edge";
   }
 }

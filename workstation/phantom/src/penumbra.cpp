@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "beams.h"
 
@@ -9,7 +10,8 @@ namespace ew::phantom {
 namespace {
 
 constexpr int kRays = 21;
-constexpr double kEvery_mm = 0.7;  // along the lines; in between the difference to the line's own loss changes evenly
+constexpr double kPedestal = 0.35;  // of a cosine: the width of a focus is kApodisedWidth then
+constexpr double kEvery_mm = 0.7;   // along the lines; in between the difference to the line's own loss changes evenly
 
 /// Distance between lines, which grows evenly with depth.
 struct LineSpacing {
@@ -32,12 +34,15 @@ class Rays {
   /// Mean over the aperture of what one step of a line has left, dB.
   [[nodiscard]] double lostBy_db(int line, int step) const {
     const double depth_mm = step * setup_.step_mm, aperture_mm = std::min(setup_.probe.aperture_mm, depth_mm / kTransmitFNumber);
-    double oneWay = 0.0;
+    double oneWay = 0.0, all = 0.0;
     for (int n = 0; n < kRays; ++n) {
-      const double aside_mm = ((n + 0.5) / kRays - 0.5) * aperture_mm;
-      oneWay += std::pow(10.0, -0.025 * (alongRay_db(line, step, aside_mm) - lostAt(line, step))) / kRays;
+      const double place = (n + 0.5) / kRays - 0.5, aside_mm = place * aperture_mm;
+      if (!comesFromFace(line, aside_mm)) continue;
+      const double weight = kPedestal + (1.0 - kPedestal) * std::cos(std::numbers::pi * place);
+      oneWay += weight * std::pow(10.0, -0.025 * (alongRay_db(line, step, aside_mm) - lostAt(line, step)));
+      all += weight;
     }
-    return lostAt(line, step) - 40.0 * std::log10(std::max(oneWay, 1e-30));
+    return lostAt(line, step) - 40.0 * std::log10(std::max(oneWay / all, 1e-30));
   }
 
  private:
@@ -46,6 +51,13 @@ class Rays {
   }
   [[nodiscard]] double lostAt(int line, int step) const { return static_cast<double>(lost_db_[indexOf(line, step)]); }
   [[nodiscard]] double reflectionAt(int line, int step) const { return static_cast<double>(reflection_db_[indexOf(line, step)]); }
+
+  /// Where lines start closer together than the aperture is wide, it reaches beyond them.
+  [[nodiscard]] bool comesFromFace(int line, double aside_mm) const {
+    if ((lines_ - 1) * spacing_.atFace_mm < setup_.probe.aperture_mm) return true;
+    const double at = line + aside_mm / spacing_.atFace_mm;
+    return at > -0.5 && at < lines_ - 0.5;
+  }
 
   /// Line by line, from the aperture to the place: on each the ray stays until it is nearer to the next.
   [[nodiscard]] double alongRay_db(int line, int step, double aside_mm) const {

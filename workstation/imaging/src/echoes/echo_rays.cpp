@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "line_kernels.h"
 
@@ -30,6 +31,8 @@ struct LineSpacing {
   }
 };
 
+double apodisation(double place) { return 0.35 + 0.65 * std::cos(std::numbers::pi * std::clamp(place, -0.5, 0.5)); }
+
 /// How much of the cell around a ray is not farther than `most` from 0.
 double shareWithin(double most, double ray, double halfCell) {
   return std::clamp((std::min(most, std::abs(ray) + halfCell) - (std::abs(ray) - halfCell)) / (2.0 * halfCell), 0.0, 1.0);
@@ -47,6 +50,7 @@ void EchoRays::configure(const EchoLayout& layout, const Probe& probe, int steps
     outermost[static_cast<std::size_t>(s)] = spacing.rayOf(0.5 * std::min(probe.aperture_mm / z_mm, 1.0 / kWidestFNumber), z_mm);
   }
   const double halfCell = *std::max_element(outermost.begin(), outermost.end()) / kRays;
+  endsWithFace_ = (lines_ - 1) * atFace_mm > 0.9 * probe.aperture_mm;
   rays_.assign(kRays, {});
   padding_ = 0;
   for (int n = 0; n < kRays; ++n) {
@@ -54,15 +58,13 @@ void EchoRays::configure(const EchoLayout& layout, const Probe& probe, int steps
     const double q = (2 * n + 1 - kRays) * halfCell;
     double aside = 0.0;
     for (int s = 0; s < steps; ++s) {
-      const double middle_mm = (s - 0.5) * step_mm;
+      const double z_mm = s * step_mm, middle_mm = z_mm - 0.5 * step_mm;
       if (s > 0) aside += step_mm * spacing.slopeOf(q, middle_mm) / std::max(spacing.at(middle_mm), 1e-3);
       ray.line.push_back(static_cast<int>(std::lround(std::clamp<double>(aside, -lines_, lines_))));
-      double all = 0.0;
-      for (int other = 0; other < kRays; ++other)
-        all += shareWithin(outermost[static_cast<std::size_t>(s)], (2 * other + 1 - kRays) * halfCell, halfCell);
-      const double own = shareWithin(outermost[static_cast<std::size_t>(s)], q, halfCell);
-      ray.weight.push_back(static_cast<float>(s > 0 ? own / all : 1.0 / kRays));
-      if (own > 0.0 || s == 0) ray.lastStep = s;
+      const double own = s > 0 ? shareWithin(outermost[static_cast<std::size_t>(s)], q, halfCell) : 1.0;
+      const double place = spacing.slopeOf(q, z_mm) * z_mm / std::max(std::min(probe.aperture_mm, z_mm / kWidestFNumber), 1e-3);
+      ray.weight.push_back(static_cast<float>(own * apodisation(place)));
+      if (own > 0.0) ray.lastStep = s;
     }
     for (int s = 0; s <= ray.lastStep; ++s) {
       ray.before = std::max(ray.before, ray.line[static_cast<std::size_t>(s)]);
@@ -70,11 +72,23 @@ void EchoRays::configure(const EchoLayout& layout, const Probe& probe, int steps
     }
     padding_ = std::max({padding_, ray.before, ray.after});
   }
+  share_.assign(static_cast<std::size_t>(steps) * static_cast<std::size_t>(lines_), 0.0F);
+  for (const Ray& ray : rays_)
+    for (int s = 0; s <= ray.lastStep; ++s)
+      for (int line = 0; line < lines_; ++line)
+        if (comesFromFace(line - ray.line[static_cast<std::size_t>(s)]))
+          share_[indexOf(s, line)] += ray.weight[static_cast<std::size_t>(s)];
+  for (float& share : share_) share = 1.0F / share;
 }
 
 void EchoRays::begin(Scratch& scratch) const {
   const auto width = static_cast<std::size_t>(lines_ + 2 * padding_);
   scratch.left.assign(width * rays_.size(), 1.0F);
+  if (endsWithFace_)
+    for (std::size_t ray = 0; ray < rays_.size(); ++ray) {
+      std::fill_n(scratch.left.data() + ray * width, padding_, 0.0F);
+      std::fill_n(scratch.left.data() + (ray + 1) * width - padding_, padding_, 0.0F);
+    }
   for (std::vector<float>& kept : scratch.kept) kept.resize(width);
   scratch.loss.resize(static_cast<std::size_t>(lines_));
   scratch.sum.resize(static_cast<std::size_t>(lines_) + 2);
@@ -114,6 +128,8 @@ void EchoRays::pass(int step, const Step& met, float most, float weight, Scratch
     }
     left += lines_ + 2 * padding_;
   }
+  const float* share = share_.data() + indexOf(step, 0);
+  for (int line = 0; line < lines_; ++line) sum[line] *= share[line];
   sum[-1] = sum[0];
   sum[lines_] = sum[lines_ - 1];
   addSquares(sum, weight, lines_, gain);

@@ -11,7 +11,8 @@ namespace ew::detail {
 /// narrower than the aperture hardly any shadow far behind it. One way, in amplitude,
 ///   left(l, z) = mean over rays q of the product of 10^(-loss / 40) along the ray
 /// A ray is straight; q is its slope against the lines of a linear probe, or its distance from the point where the lines of a fan meet.
-/// It takes part at depth z as long as it comes from the aperture min(aperture, z / 2) (Szabo, Diagnostic Ultrasound Imaging, ch. 6).
+/// It takes part at depth z as long as it comes from the aperture A = min(aperture, z / 2) and from the face, weighing 0.35 + 0.65 cos(pi u
+/// / A) at u from the middle, which widens a focus as beams are widened here (Szabo, Diagnostic Ultrasound Imaging, ch. 6).
 class EchoRays {
  public:
   /// @param steps >= 2
@@ -42,10 +43,16 @@ class EchoRays {
     int lastStep = -1;          ///< that counts
     int before = 0, after = 0;  ///< lines beside the fan from which it comes in
   };
+  [[nodiscard]] bool comesFromFace(int line) const { return !endsWithFace_ || (line >= 0 && line < lines_); }
+  [[nodiscard]] std::size_t indexOf(int step, int line) const {
+    return static_cast<std::size_t>(step) * static_cast<std::size_t>(lines_) + static_cast<std::size_t>(line);
+  }
   /// What the lines keep in a step, into one of scratch.kept.
   const float* keep(const float* loss_log2, std::vector<float>& kept) const;
 
   std::vector<Ray> rays_;
+  std::vector<float> share_;  ///< by step, line: 1 / what rays from the face weigh
+  bool endsWithFace_ = true;  ///< no rays come from beside the outermost lines
   int lines_ = 0, padding_ = 0;
 };
 
