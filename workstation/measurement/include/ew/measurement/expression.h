@@ -21,8 +21,8 @@ class Expression {
   [[nodiscard]] static Result<Expression> of(const std::string& text, std::vector<std::string> inputs);
 
   /// In double precision, whatever the locale. @param values one for each input, in their order
-  /// Not a number when the text cannot be computed for them (a logarithm of a negative number). Cost: about 20 us, the text is read anew,
-  /// so that several threads may ask.
+  /// Not a number when the text cannot be computed for them (a logarithm of a negative number). Cost: the text is read anew each
+  /// time, so that several threads may ask; for worksheets, not for frames.
   [[nodiscard]] double evaluate(std::span<const double> values) const;
 
   /// Derivative by each input, by central differences with a step of 1e-5 of the input (of 1e-5 at 0): about 1e-9 relative for the smooth

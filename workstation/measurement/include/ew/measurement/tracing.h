@@ -64,14 +64,14 @@ class EdgeTracer {
   EdgeTracer(EdgeTracer&&) noexcept;
   EdgeTracer& operator=(EdgeTracer&&) noexcept;
 
-  /// Copies the picture and finds its edges: a frozen image. About 30 ms for a megapixel.
+  /// Copies the picture and finds its edges: a frozen image. Cost: a few passes over it.
   /// @error tooLarge (beyond 64 megapixels), badField (narrower than 8 pixels), internal (OpenCV's words)
   [[nodiscard]] Result<void> setPicture(ImageView<const std::uint8_t> picture, const PictureGeometry& geometry,
                                         const TracingOptions& options = {});
   [[nodiscard]] bool hasPicture() const;
 
-  /// Where paths begin; outside of the picture, at its nearest pixel. Finds the cheapest way from here to everywhere: some 100 ms for a
-  /// megapixel. @error badField (no picture yet)
+  /// Where paths begin; outside of the picture, at its nearest pixel. Finds the cheapest way from here to
+  /// everywhere, which visits every pixel once: for a click, not for every move of the pointer. @error badField (no picture yet)
   [[nodiscard]] Result<void> anchor(glm::dvec2 p_mm);
   /// The way from the anchor to a point, pixel by pixel, both ends included. @error badField (no anchor yet)
   [[nodiscard]] Result<std::vector<glm::dvec2>> pathTo(glm::dvec2 p_mm);
