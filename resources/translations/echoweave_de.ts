@@ -5700,6 +5700,10 @@
         <translation>der Name einer Form oder eines Organs</translation>
     </message>
     <message>
+        <source>the name of a shape or organ that is an ellipsoid</source>
+        <translation>der Name einer Form oder eines Organs, das ein Ellipsoid ist</translation>
+    </message>
+    <message>
         <source>the name of a shape or organ that is a tube</source>
         <translation>der Name einer Form oder eines Organs, das ein Rohr ist</translation>
     </message>
@@ -6058,6 +6062,10 @@
     <message>
         <source>Finding how the patient moves</source>
         <translation>Die Bewegung des Patienten wird bestimmt</translation>
+    </message>
+    <message>
+        <source>less, so that the chamber is not folded</source>
+        <translation>weniger, damit sich die Kammer nicht faltet</translation>
     </message>
     <message>
         <source>less sway, a longer fade_mm or a longer wave, so that no tissue is folded</source>

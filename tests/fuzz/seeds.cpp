@@ -227,7 +227,7 @@ const std::string kPatient =
     R"({"name": "lump", "tissue": "dark", "shape": {"difference": [{"of": "all"},)"
     R"({"half_space": {"point_mm": [0, 0, 0], "outward": [0, 0, 1]}}]}}],)"
     R"("motion": {"breathing": {"displacement_mm": [0, 0, -3], "held_depth_mm": 5, "free_depth_mm": 30, "held_by": ["egg"]},)"
-    R"("pulse": {"vessels": [{"of": "pipe", "diameter_growth_mm": 0.3}]}},)"
+    R"("pulse": {"vessels": [{"of": "pipe", "diameter_growth_mm": 0.3}], "chambers": [{"of": "egg", "inward_mm": 0.3}]}},)"
     R"("measurements": [{"name": "size", "kind": "extent", "of": "egg", "direction": [1, 0, 0]},)"
     R"({"name": "wide", "kind": "diameter", "of": "pipe", "place": "largest"}],)"
     R"("planes": [{"name": "across", "near_mm": [0, -60, 0], "towards_mm": [0, 0, 0], "shows": ["egg"]}]})";

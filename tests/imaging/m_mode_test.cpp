@@ -8,6 +8,10 @@
 #include <numbers>
 #include <random>
 
+#include "ew/imaging/frame.h"
+#include "ew/imaging/tissue_motion.h"
+#include "imaging/small_convex.h"
+
 namespace ew::m_mode_test {
 namespace {
 
@@ -155,6 +159,130 @@ TEST(MMode, StretchesTheBeamFromTheFirstRowToTheLast) {
   for (std::size_t s = 0; s < ramp.size(); ++s) ramp[s] = static_cast<std::uint8_t>(4 * s);
   strip.add(0.0, ramp);
   for (int y = 0; y < 101; ++y) EXPECT_EQ(strip.picture().at(0, y), 2 * y);
+}
+
+// A vessel along z in even tissue, as live echoes see it: its two walls on the line through its middle, over one beat of the heart.
+
+constexpr double kMiddle_mm = 45.0, kRadius_mm = 10.0, kGrowth_mm = 2.0, kReach_mm = 20.0;  ///< of the vessel; growth of its diameter
+constexpr double kBeat_s = 1.0, kDepth_mm = 80.0;
+constexpr int kBeams = 40, kColumns = 48, kRows = 320;  ///< a beam a column; the columns beyond hold the seam
+
+TissueMaps vesselInTissue() {
+  TissueMaps maps;
+  maps.grid.dims = {80, 110, 30};
+  maps.grid.origin_mm = {-40.0, -15.0, -15.0};
+  maps.level.resize(maps.grid.voxelCount());
+  maps.surfaceDistance.assign(maps.grid.voxelCount(), 0);
+  maps.surfaceKind.assign(maps.grid.voxelCount(), 0);
+  maps.surfaces.push_back({.name = "wall", .echoLevel = 235.0});
+  for (int k = 0; k < maps.grid.dims.z; ++k)
+    for (int j = 0; j < maps.grid.dims.y; ++j)
+      for (int i = 0; i < maps.grid.dims.x; ++i) {
+        const glm::dvec3 mm = maps.grid.origin_mm + glm::dvec3(i, j, k);
+        const double outside_mm = std::hypot(mm.x, mm.y - kMiddle_mm) - kRadius_mm;
+        const std::size_t at = maps.grid.indexOf(i, j, k);
+        maps.level[at] = outside_mm > 0.0 ? 90 : 6;
+        if (std::abs(outside_mm) > TissueMaps::kSurfaceReach_mm) continue;
+        maps.surfaceDistance[at] = static_cast<std::uint8_t>(std::lround(128.0 + 32.0 * outside_mm));
+        maps.surfaceKind[at] = 1;
+      }
+  return maps;
+}
+
+/// The wall goes outwards by half of the diameter's growth, the lumen alike, and what lies around it less with distance.
+TissueMotion pulseOfVessel() {
+  TissueMotion motion;
+  motion.rhythms.pulse = BodyRhythm{kBeat_s, 0.0};
+  TissueMotion::Mode& mode = motion.modes.emplace_back();
+  mode.kind = TissueMotion::Kind::pulse;
+  mode.grid.dims = {80, 110, 3};
+  mode.grid.spacing_mm = {1.0, 1.0, 15.0};
+  mode.grid.origin_mm = {-40.0, -15.0, -15.0};
+  for (int k = 0; k < mode.grid.dims.z; ++k)
+    for (int j = 0; j < mode.grid.dims.y; ++j)
+      for (int i = 0; i < mode.grid.dims.x; ++i) {
+        const glm::dvec2 offset(mode.grid.origin_mm.x + i, mode.grid.origin_mm.y + j - kMiddle_mm);
+        const double rho_mm = std::max(glm::length(offset), 1e-9), fading = std::max(0.0, 1.0 - (rho_mm - kRadius_mm) / kReach_mm);
+        const double push_mm = 0.5 * kGrowth_mm * (rho_mm < kRadius_mm ? rho_mm / kRadius_mm : fading);
+        mode.shift_mm.emplace_back(push_mm / rho_mm * offset.x, push_mm / rho_mm * offset.y, 0.0);
+      }
+  return motion;
+}
+
+/// The strip of one beat.
+GreyImage stripOfABeat(bool hasPulse) {
+  const TissueMaps maps = vesselInTissue();
+  const TissueMotion motion = pulseOfVessel();
+  Scene scene;
+  scene.liveEchoes = LiveEchoesEffect{.fragmentsPerCm3 = 0.0, .speckleReduction = 0.0};
+  scene.sliceThickness = SliceThicknessEffect{};
+  scene.focus = FocusEffect{};
+  scene.motion = MotionEffect{};
+  Knobs knobs;
+  knobs.greyMap = GreyMap::linear;
+  knobs.mode = DisplayMode::mMode;
+  knobs.mSweep_s = kBeat_s * kColumns / kBeams;
+  FrameMaker maker;
+  maker.configure(testing::smallConvex(0.3, 48, kDepth_mm), knobs, scene, maps.grid, kColumns, kRows, false, {}, true);
+  FrameInput input;
+  input.tissue = &maps;
+  input.tissueGrid = maps.grid;
+  input.echo = VolumeView<const std::uint8_t>{maps.level.data(), maps.grid};
+  input.motion = &motion;
+  BodyRhythms rhythms = motion.rhythms;
+  if (!hasPulse) rhythms.pulse.reset();
+  for (int n = 0; n < kBeams; ++n) {
+    input.time_s = n * kBeat_s / kBeams;
+    input.body = bodyAt(rhythms, input.time_s);
+    maker.make(input);
+  }
+  const ImageView<const std::uint8_t> strip = maker.strip();
+  GreyImage copy(strip.width, strip.height);
+  for (int y = 0; y < strip.height; ++y) std::copy_n(strip.row(y), strip.width, viewOf(copy).row(y));
+  return copy;
+}
+
+/// Depth of the brightest echo of a column between two depths, mm: the middle of what lies within 1 mm of its brightest row.
+double wallOfColumn_mm(const GreyImage& strip, int x, double from_mm, double to_mm) {
+  const double row_mm = kDepth_mm / kRows;
+  const auto grey = [&](int y) { return static_cast<double>(viewOf(strip).row(y)[x]); };
+  int brightest = static_cast<int>(from_mm / row_mm);
+  for (int y = brightest; y < static_cast<int>(to_mm / row_mm); ++y)
+    if (grey(y) > grey(brightest)) brightest = y;
+  double weights = 0.0, sum = 0.0;
+  const int around = static_cast<int>(1.0 / row_mm);
+  for (int y = brightest - around; y <= brightest + around; ++y) {
+    weights += grey(y) * grey(y);
+    sum += grey(y) * grey(y) * y;
+  }
+  return sum / weights * row_mm;
+}
+
+TEST(MMode, ShowsTheWallsOfAVesselPartWithThePulse) {
+  const GreyImage strip = stripOfABeat(true);
+  ASSERT_EQ(strip.width, kColumns);
+  ASSERT_EQ(strip.height, kRows);
+  const double wavelength_mm = 1540.0 / 3.5e6 * 1e3, allowed_mm = 0.5 * kDepth_mm / kRows + 0.5 * wavelength_mm;
+  const BodyRhythms rhythms = pulseOfVessel().rhythms;
+  const auto nearWall_mm = [&](int x) { return wallOfColumn_mm(strip, x, kMiddle_mm - kRadius_mm - 4.0, kMiddle_mm - kRadius_mm + 4.0); };
+  const auto farWall_mm = [&](int x) { return wallOfColumn_mm(strip, x, kMiddle_mm + kRadius_mm - 4.0, kMiddle_mm + kRadius_mm + 4.0); };
+  ASSERT_EQ(bodyAt(rhythms, 0.0).pulse, 0.0);
+  EXPECT_NEAR(farWall_mm(0) - nearWall_mm(0), 2.0 * kRadius_mm, allowed_mm);
+  double widest = 0.0;
+  for (int x = 0; x < kBeams; ++x) {
+    const double pulse = bodyAt(rhythms, x * kBeat_s / kBeams).pulse;
+    EXPECT_NEAR(nearWall_mm(x), nearWall_mm(0) - 0.5 * kGrowth_mm * pulse, allowed_mm) << x;
+    EXPECT_NEAR(farWall_mm(x), farWall_mm(0) + 0.5 * kGrowth_mm * pulse, allowed_mm) << x;
+    EXPECT_NEAR(farWall_mm(x) - nearWall_mm(x), farWall_mm(0) - nearWall_mm(0) + kGrowth_mm * pulse, allowed_mm) << x;
+    widest = std::max(widest, pulse);
+  }
+  EXPECT_GT(widest, 0.95) << "a whole beat";
+}
+
+TEST(MMode, StandsStillWithoutAPulse) {
+  const GreyImage strip = stripOfABeat(false);
+  for (int y = 0; y < strip.height; ++y)
+    for (int x = 1; x < kBeams; ++x) ASSERT_EQ(viewOf(strip).row(y)[x], viewOf(strip).row(y)[0]) << x << ' ' << y;
 }
 
 }  // namespace

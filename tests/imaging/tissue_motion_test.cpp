@@ -13,27 +13,12 @@
 
 #include "ew/imaging/frame.h"
 #include "imaging/every_target.h"
+#include "imaging/small_convex.h"
 
 namespace ew::tissue_motion_test {
 namespace {
 
-Probe probeOfTest() {
-  Probe probe;
-  probe.id = "convex";
-  probe.kind = ProbeKind::convex;
-  probe.radius_mm = 60.0;
-  probe.halfAngle_rad = 0.4;
-  probe.lines = 96;
-  probe.carrier_hz = 3.5e6;
-  probe.carriers_hz = {3.5e6};
-  probe.aperture_mm = 25.0;
-  probe.elevationalThickness_mm = 3.0;
-  probe.elevationalFocus_mm = 50.0;
-  probe.elevationalAperture_mm = 10.0;
-  probe.maxDepth_mm = 200.0;
-  probe.defaultDepth_mm = 90.0;
-  return probe;
-}
+Probe probeOfTest() { return testing::smallConvex(0.4, 96, 90.0); }
 
 /// A body from x, z = 0 all around and y from -20 to 130: tissue of one level with a bright layer, a reflecting surface at y = 40 and a
 /// label that takes sound away below y = 55 on one side.

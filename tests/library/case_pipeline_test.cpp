@@ -20,6 +20,7 @@
 #include "ew/library/preparation.h"
 #include "ew/phantom/truth.h"
 #include "ew/phantom/virtual_sweep.h"
+#include "library/pipeline_fixture.h"
 #include "library/small_case.h"
 #include "library/temporary_folder.h"
 
@@ -28,17 +29,13 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using test::CasePipeline;
 using test::EnvironmentValue;
 using test::makeSmallCase;
+using test::opened;
 using test::TemporaryFolder;
 using test::textOf;
 using test::writeText;
-
-Case opened(const fs::path& folder) {
-  auto found = loadCase(folder);
-  EXPECT_TRUE(found) << found.error();
-  return found ? *found : Case{};
-}
 
 /// Counts reports and cancels at one of them.
 class CancelAt final : public Progress {
@@ -61,13 +58,6 @@ class CancelAt final : public Progress {
 
  private:
   int at_;
-};
-
-class CasePipeline : public testing::Test {
- protected:
-  void SetUp() override { makeSmallCase(folder / "case"); }
-  TemporaryFolder folder;
-  EnvironmentValue cache{"ECHOWEAVE_CACHE", folder / "cache"};
 };
 
 TEST_F(CasePipeline, MakesAVolumeThatShowsThePatientWhereHeIs) {
@@ -489,191 +479,6 @@ TEST_F(CasePipeline, KnowsTheTruthOfItsTargetsAndMeasurements) {
   ASSERT_FALSE(unknown);
   EXPECT_EQ(unknown.error().code, ErrorCode::badField);
   EXPECT_NE(unknown.error().sentence().find("cyst, across"), std::string::npos) << "says which there are: " << unknown.error();
-}
-
-/// The small case as a recipe without sweeps.
-Case unswept(const fs::path& folder) {
-  json manifest = json::parse(textOf(folder / "case.json"));
-  manifest["volume"] = {{"recipe", "patient.json"}, {"recipe_spacing_mm", 2.0}};
-  writeText(folder / "case.json", manifest.dump());
-  return opened(folder);
-}
-
-TEST_F(CasePipeline, KeepsMapsOfTissueOfARecipeWithoutSweeps) {
-  const auto swept = loadCaseVolume(opened(folder / "case"), noProgress());
-  ASSERT_TRUE(swept && swept->tissue);
-  EXPECT_TRUE(swept->tissue->isRecorded && swept->tissue->surfaces.empty()) << "of sweeps nothing is known but the level they show";
-  const Case drawn = unswept(folder / "case");
-  EXPECT_TRUE(caseNeedsPreparation(drawn));
-  const auto made = loadCaseVolume(drawn, noProgress());
-  ASSERT_TRUE(made) << made.error();
-  ASSERT_TRUE(made->tissue);
-  EXPECT_FALSE(made->tissue->isRecorded);
-  EXPECT_EQ(made->tissue->grid, made->volume.grid);
-  const auto levelAt = [&](const glm::dvec3& p_mm) {
-    const auto p = glm::ivec3(glm::round((made->tissue->grid.worldToVoxel() * Point<frame::World>{p_mm}).at));
-    return static_cast<int>(made->tissue->level[made->tissue->grid.indexOf(p.x, p.y, p.z)]);
-  };
-  EXPECT_EQ(levelAt({0, -20, 0}), 20);
-  EXPECT_EQ(levelAt({20, -20, 0}), 110);
-  EXPECT_EQ(levelAt({66, 0, 0}), 0);
-  EXPECT_FALSE(caseNeedsPreparation(drawn));
-  const auto again = loadCaseVolume(drawn, noProgress());
-  ASSERT_TRUE(again) << again.error();
-  EXPECT_TRUE(again->notes.empty());
-  ASSERT_TRUE(again->tissue);
-  EXPECT_EQ(*again->tissue, *made->tissue);
-}
-
-TEST_F(CasePipeline, KeepsHowTissueMovesAndMakesItAloneWhenItAloneIsMissing) {
-  json patient = json::parse(textOf(folder / "case" / "patient.json"));
-  patient["shapes"] = {{{"name", "vessel"}, {"tube", {{"points", {{0, 10, -40, 5}, {0, 12, 40, 6}}}}}}};
-  patient["motion"] = {{"breathing", {{"displacement_mm", {0, 0, -5}}, {"held_depth_mm", 5}, {"free_depth_mm", 30}, {"tidal", 0.3}}},
-                       {"pulse", {{"vessels", {{{"of", "vessel"}, {"diameter_growth_mm", 1}}}}}}};
-  writeText(folder / "case" / "patient.json", patient.dump());
-  Case drawn = unswept(folder / "case");
-  drawn.volume.fileToWorld = {glm::dmat4({0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {10, 20, 30, 1})};
-  const auto made = loadCaseVolume(drawn, noProgress());
-  ASSERT_TRUE(made) << made.error();
-  ASSERT_TRUE(made->motion);
-  ASSERT_EQ(made->motion->modes.size(), 2U);
-  EXPECT_EQ(made->motion->rhythms.breathing->tidal, 0.3);
-  EXPECT_EQ(made->motion->modes.front().grid.directions, made->volume.grid.directions) << "placed with the volume";
-  const auto volumes = fs::last_write_time(folder / "cache/steps/volumes");
-  for (const bool isRemoved : {false, true}) {
-    if (isRemoved) fs::remove_all(folder / "cache/steps/motions");
-    EXPECT_EQ(caseNeedsPreparation(drawn), isRemoved);
-    const auto again = loadCaseVolume(drawn, noProgress());
-    ASSERT_TRUE(again) << again.error();
-    EXPECT_TRUE(again->notes.empty());
-    ASSERT_TRUE(again->motion);
-    EXPECT_EQ(*again->motion, *made->motion);
-    EXPECT_EQ(*again->tissue, *made->tissue);
-  }
-  EXPECT_EQ(fs::last_write_time(folder / "cache/steps/volumes"), volumes) << "the volume was not made again";
-  EXPECT_EQ(loadCaseVolume(unswept(folder / "case"), noProgress())->motion->modes.front().grid.directions, glm::dmat3(1.0));
-}
-
-TEST_F(CasePipeline, EstimatesTheTimeOfARecipeWithoutSweepsFromTheLast) {
-  const Case drawn = unswept(folder / "case");
-  EXPECT_FALSE(estimatePreparation(drawn)->measured);
-  EXPECT_GT(estimatePreparation(drawn)->seconds, 0.0);
-  ASSERT_TRUE(prepareCase(drawn, {}, noProgress()));
-  EXPECT_EQ(estimatePreparation(drawn)->seconds, 0.0);
-  Case finer = drawn;
-  finer.volume.recipeSpacing_mm = 1.5;
-  EXPECT_TRUE(estimatePreparation(finer)->measured);
-}
-
-TEST_F(CasePipeline, PlacesMapsOfTissueWithTheVolume) {
-  Case drawn = unswept(folder / "case");
-  drawn.volume.fileToWorld = {glm::dmat4({0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {10, 20, 30, 1})};
-  const auto made = loadCaseVolume(drawn, noProgress());
-  ASSERT_TRUE(made) << made.error();
-  ASSERT_TRUE(made->tissue);
-  EXPECT_FALSE(made->tissue->isRecorded);
-  EXPECT_EQ(made->tissue->grid, made->volume.grid);
-}
-
-TEST_F(CasePipeline, MakesDamagedMapsOfTissueAgain) {
-  const Case drawn = unswept(folder / "case");
-  const auto first = loadCaseVolume(drawn, noProgress());
-  ASSERT_TRUE(first) << first.error();
-  int damaged = 0;
-  for (const auto& entry : fs::directory_iterator(folder / "cache/steps/maps")) {
-    if (!entry.is_regular_file() || fs::file_size(entry) == 0 || entry.path().extension() == ".lock") continue;
-    const std::string kept = textOf(entry.path());
-    std::string flipped = kept;
-    flipped[flipped.size() / 2] = static_cast<char>(flipped[flipped.size() / 2] ^ 1);
-    writeText(entry.path(), flipped);
-    const auto again = loadCaseVolume(drawn, noProgress());
-    ASSERT_TRUE(again) << entry.path() << again.error();
-    EXPECT_EQ(*again->tissue, *first->tissue) << entry.path();
-    EXPECT_FALSE(again->notes.empty()) << entry.path();
-    writeText(entry.path(), kept);
-    ++damaged;
-  }
-  EXPECT_GE(damaged, 4) << "level, distance, kind and the surfaces";
-  fs::remove_all(folder / "cache/steps/maps");
-  EXPECT_TRUE(caseNeedsPreparation(drawn)) << "the volume alone is not enough: a cache of an earlier version";
-  const auto again = loadCaseVolume(drawn, noProgress());
-  ASSERT_TRUE(again) << again.error();
-  EXPECT_EQ(*again->tissue, *first->tissue);
-  EXPECT_TRUE(again->notes.empty()) << "nothing was damaged";
-}
-
-TEST(ShippedCases, KnowEveryTargetAndMeasurementTheyName) {
-  const TemporaryFolder folder;
-  const EnvironmentValue cache("ECHOWEAVE_CACHE", folder / "cache");
-  for (const Case& each : listCases(*shippedCasesFolder()).cases) {
-    const auto truth = loadCaseTruth(each, noProgress());
-    EXPECT_TRUE(truth) << each.id << ": " << truth.error();
-    EXPECT_TRUE(estimatePreparation(each)) << each.id << ": " << estimatePreparation(each).error();
-  }
-}
-
-TEST(ShippedCases, HoldTheirProbesToTheSkinOfTheirPatients) {
-  const auto resources = resourceFolder();
-  ASSERT_TRUE(resources);
-  std::size_t swept = 0;
-  for (const Case& each : listCases(*shippedCasesFolder()).cases) {
-    const auto probes = readProbes(*resources / "probes");
-    for (const std::string& id : each.probes)
-      EXPECT_TRUE(std::any_of(probes->begin(), probes->end(), [&](const Probe& p) { return p.id == id; })) << each.id << ": " << id;
-    if (each.volume.sweeps.empty()) continue;
-    ++swept;
-    const auto patient = readPatient(each.folder / each.volume.recipe, *resources / "mannequin");
-    ASSERT_TRUE(patient) << each.id << ": " << patient.error();
-    for (const std::string& file : each.volume.sweeps) {
-      const auto recipe = readSweepRecipe(each.folder / file);
-      ASSERT_TRUE(recipe) << each.id << ": " << recipe.error();
-      const auto probe = readProbe(*resources / "probes" / (recipe->probe + ".json"));
-      ASSERT_TRUE(probe) << probe.error();
-      const auto forecast = forecastSweep(**patient, *probe, *recipe);
-      EXPECT_TRUE(forecast) << each.id << ", " << file << ": " << forecast.error();
-    }
-  }
-  EXPECT_EQ(swept, 1u);
-}
-
-/// Share of a fan's body that lies beyond the patient's box, where nothing is known: the picture would end there.
-double shareUnknown(const Patient& patient, const Probe& probe, const glm::dmat4& probeToWorld) {
-  const Bounds box = boxOf(patient);
-  int body = 0, unknown = 0;
-  for (double aside = -1.0; aside <= 1.0; aside += 0.05)
-    for (double depth_mm = 0.0; depth_mm <= probe.defaultDepth_mm; depth_mm += 3.0) {
-      const double angle = probe.halfAngle_rad * aside, radius = probe.radius_mm + depth_mm;
-      const glm::dvec3 p = isSector(probe.kind) ? glm::dvec3(radius * std::sin(angle), radius * std::cos(angle) - probe.radius_mm, 0.0)
-                                                : glm::dvec3(0.5 * probe.width_mm * aside, depth_mm, 0.0);
-      const glm::dvec3 p_world(probeToWorld * glm::dvec4(p, 1.0));
-      if (*signedDistance_mm(patient, "skin surface", p_world) >= 0.0) continue;
-      ++body;
-      if (glm::any(glm::lessThan(p_world, box.lowest_mm)) || glm::any(glm::greaterThan(p_world, box.highest_mm))) ++unknown;
-    }
-  EXPECT_GT(body, 0);
-  return static_cast<double>(unknown) / body;
-}
-
-TEST(ShippedCases, WithoutSweepsKnowEverythingThatTheirPlanesAndPosesSee) {
-  const auto resources = resourceFolder();
-  ASSERT_TRUE(resources);
-  int looked = 0;
-  for (const Case& each : listCases(*shippedCasesFolder()).cases) {
-    if (!each.volume.sweeps.empty()) continue;
-    ++looked;
-    const auto patient = readPatient(each.folder / each.volume.recipe, *resources / "mannequin");
-    ASSERT_TRUE(patient) << each.id << ": " << patient.error();
-    std::vector<std::pair<std::string, glm::dmat4>> views{{"start", each.startPose->probeToWorld.matrix},
-                                                          {"expert", each.expertPose->probeToWorld.matrix}};
-    for (const StandardPlane& plane : planesOf(**patient)) views.emplace_back(plane.name, plane.probeToWorld.matrix);
-    for (const std::string& id : each.probes) {
-      const auto probe = readProbe(*resources / "probes" / (id + ".json"));
-      ASSERT_TRUE(probe) << probe.error();
-      for (const auto& [name, pose] : views)
-        EXPECT_LT(shareUnknown(**patient, *probe, pose), 0.001) << each.id << ", " << id << ", " << name;
-    }
-  }
-  EXPECT_EQ(looked, 6);
 }
 
 }  // namespace

@@ -5,6 +5,9 @@
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "recipes.h"
 
@@ -22,6 +25,57 @@ const Patient& beating() {
     std::abort();
   }
   return **patient;
+}
+
+constexpr double kInward_mm = 5.0;
+constexpr glm::dvec3 kChamber_mm(4.0, -6.0, 3.0);  ///< its middle
+
+/// Two chambers side by side, the first in a frame of its own, and a vessel; "narrowed" is the first chamber as it should be at the height
+/// of the beat.
+std::shared_ptr<const Patient> heartWith(const std::string& chambers, const std::string& more = "") {
+  auto patient = testing::patientOf(testing::patientRecipe(
+      R"({"name": "chamber", "tissue": "dark", "shape": {"frame": "askew", "ellipsoid": {"centre_mm": [0, 0, 0], "radii_mm": [20, 14, 12]}}},
+         {"name": "narrowed", "tissue": "dark", "shape": {"ellipsoid": {"centre_mm": [4, -6, 3], "radii_mm": [15, 9, 7], "turned_deg": [20, 10, -30]}}},
+         {"name": "other", "tissue": "dark", "shape": {"ellipsoid": {"centre_mm": [-12, -20, -6], "radii_mm": [18, 9, 8]}}},
+         {"name": "vessel", "tissue": "dark", "shape": {"tube": {"points": [[4, 26, -50, 9], [0, 24, 0, 10], [3, 24, 50, 9]]}}})",
+      R"("frames": [{"name": "askew", "origin_mm": [4, -6, 3], "turned_deg": [20, 10, -30]}], "motion": {"pulse": {"chambers": [)" +
+          chambers + "]" + more + "}},"));
+  if (!patient) {
+    ADD_FAILURE() << patient.error();
+    std::abort();
+  }
+  return *patient;
+}
+
+const Patient& oneChamber() {
+  static const auto patient = heartWith(R"({"of": "chamber", "inward_mm": 5, "reach_mm": 20})");
+  return *patient;
+}
+
+const Patient& wholeHeart() {
+  static const auto patient = heartWith(R"({"of": "chamber", "inward_mm": 5, "reach_mm": 25}, {"of": "other", "inward_mm": 3})",
+                                        R"(, "vessels": [{"of": "vessel", "diameter_growth_mm": 2, "reach_mm": 15}])");
+  return *patient;
+}
+
+/// Directions all around.
+std::vector<glm::dvec3> allAround() {
+  std::vector<glm::dvec3> directions;
+  for (int x = -2; x <= 2; ++x)
+    for (int y = -2; y <= 2; ++y)
+      for (int z = -2; z <= 2; ++z)
+        if (x != 0 || y != 0 || z != 0) directions.push_back(glm::normalize(glm::dvec3(x, y, z)));
+  return directions;
+}
+
+/// How far the chamber's wall lies from its middle.
+double wallAlong_mm(const glm::dvec3& direction) {
+  double low = 0.0, high = 40.0;
+  while (high - low > 1e-10) {
+    const double middle = 0.5 * (low + high);
+    (signedDistance_mm(oneChamber(), "chamber", kChamber_mm + middle * direction).value() < 0.0 ? low : high) = middle;
+  }
+  return high;
 }
 
 glm::dvec3 placeIn(const Bounds& box) {
@@ -54,6 +108,16 @@ double jacobian(const Deformation& motion, const glm::dvec3& p) {
   return glm::determinant(columns);
 }
 
+/// Of the middle of a grid's cell, where a field knows least: the mean of its eight nodes.
+glm::dvec3 betweenNodes(const TissueMotion::Mode& mode, const glm::ivec3& lowest) {
+  glm::dvec3 sum(0.0);
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::ivec3 node = lowest + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
+    sum += glm::dvec3(mode.shift_mm[mode.grid.indexOf(node.x, node.y, node.z)]);
+  }
+  return 0.125 * sum;
+}
+
 TEST(TissueMotion, IsTheBodysMotionOnGrids) {
   const auto made = tissueMotionOf(beating(), 2, noProgress());
   ASSERT_TRUE(made && *made);
@@ -70,9 +134,7 @@ TEST(TissueMotion, IsTheBodysMotionOnGrids) {
     for (int k = 0; k + 1 < mode.grid.dims.z; ++k)
       for (int j = 0; j + 1 < mode.grid.dims.y; ++j)
         for (int i = 0; i + 1 < mode.grid.dims.x; ++i) {
-          glm::dvec3 between(0.0);
-          for (int corner = 0; corner < 8; ++corner)
-            between += 0.125 * glm::dvec3(mode.shift_mm[mode.grid.indexOf(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2))]);
+          const glm::dvec3 between = betweenNodes(mode, {i, j, k});
           const glm::dvec3 p = carried(mode.grid.voxelToWorld(), glm::dvec3(i, j, k) + 0.5), shift = body->moved(p) - p;
           largest_mm = std::max(largest_mm, glm::distance(between, shift));
           furthest_mm = std::max(furthest_mm, glm::length(shift));
@@ -168,6 +230,95 @@ TEST(BodyMotion, WidensAVesselByExactlyWhatTheRecipeSays) {
     EXPECT_EQ(motion->moved(far), far) << "beyond its reach nothing is pushed";
     EXPECT_GT(motion->moved({15, 0, 0}).x, 15.0);
     EXPECT_LT(motion->moved({15, 0, 0}).x - 15.0, left - 10.0) << "less with distance";
+  }
+}
+
+TEST(BodyMotion, BringsEveryPlaceOfAChambersWallInwardsByExactlyWhatTheRecipeSays) {
+  for (const double pulse : {0.25, 1.0}) {
+    const auto motion = bodyMotion(oneChamber(), {0.0, pulse});
+    EXPECT_EQ(motion->reach_mm(), kInward_mm * pulse);
+    EXPECT_LT(glm::distance(motion->moved(kChamber_mm), kChamber_mm), 1e-12);
+    for (const glm::dvec3& direction : allAround()) {
+      const glm::dvec3 wall = kChamber_mm + wallAlong_mm(direction) * direction, moved = motion->moved(wall);
+      EXPECT_NEAR(glm::distance(moved, wall), kInward_mm * pulse, 1e-6);
+      EXPECT_GT(glm::dot(wall - moved, direction), 0.7 * kInward_mm * pulse) << "towards the middle";
+      if (pulse == 1.0) {
+        EXPECT_NEAR(signedDistance_mm(oneChamber(), "narrowed", moved).value(), 0.0, 1e-6);
+      }
+    }
+  }
+}
+
+TEST(BodyMotion, DrawsWhatLiesAroundAChamberAlongLessWithDistance) {
+  const auto motion = bodyMotion(oneChamber(), {0.0, 1.0});
+  for (const glm::dvec3& direction : allAround()) {
+    const double wall_mm = wallAlong_mm(direction);
+    double before_mm = 0.0;
+    for (double range_mm = 0.0; range_mm < wall_mm + 40.0; range_mm += 0.25) {
+      const glm::dvec3 p = kChamber_mm + range_mm * direction;
+      const double drawn_mm = glm::distance(motion->moved(p), p);
+      EXPECT_LT(std::abs(drawn_mm - before_mm), 0.25) << "smoothly, at " << range_mm;
+      if (range_mm < wall_mm) {
+        EXPECT_GE(drawn_mm, before_mm - 1e-9) << "within, more towards the wall, at " << range_mm;
+      } else if (before_mm < kInward_mm - 0.25) {
+        EXPECT_LE(drawn_mm, before_mm + 1e-9) << "around, less with distance, at " << range_mm;
+      }
+      before_mm = drawn_mm;
+    }
+    EXPECT_EQ(before_mm, 0.0) << "far away nothing moves";
+    // A wall of 8 mm thickens as the chamber empties.
+    const glm::dvec3 outside = kChamber_mm + (wall_mm + 8.0) * direction;
+    EXPECT_LT(glm::distance(motion->moved(outside), outside), 0.6 * kInward_mm);
+  }
+}
+
+RC_GTEST_PROP(BeatingHeart, HasAnInverseAndNeverFolds, ()) {
+  const auto motion = bodyMotion(wholeHeart(), anyState());
+  const glm::dvec3 p = placeIn({glm::dvec3(-60), glm::dvec3(60)});
+  expectInverse(*motion, p);
+  RC_ASSERT(jacobian(*motion, p) > 0.1);
+}
+
+TEST(BeatingHeart, IsAFieldOnAGridForEachChamber) {
+  const auto made = tissueMotionOf(oneChamber(), 1, noProgress());
+  ASSERT_TRUE(made && *made);
+  ASSERT_EQ((*made)->modes.size(), 1U);
+  const TissueMotion::Mode& mode = (*made)->modes.front();
+  EXPECT_EQ(mode.kind, TissueMotion::Kind::pulse);
+  const auto body = bodyMotion(oneChamber(), {.pulse = 1.0}), half = bodyMotion(oneChamber(), {.pulse = 0.5});
+  double largest_mm = 0.0, furthest_mm = 0.0, bent_mm = 0.0, edge_mm = 0.0;
+  for (int k = 0; k + 1 < mode.grid.dims.z; ++k)
+    for (int j = 0; j + 1 < mode.grid.dims.y; ++j)
+      for (int i = 0; i + 1 < mode.grid.dims.x; ++i) {
+        const glm::dvec3 between = betweenNodes(mode, {i, j, k});
+        const glm::dvec3 p = carried(mode.grid.voxelToWorld(), glm::dvec3(i, j, k) + 0.5), shift = body->moved(p) - p;
+        largest_mm = std::max(largest_mm, glm::distance(between, shift));
+        furthest_mm = std::max(furthest_mm, glm::length(shift));
+        bent_mm = std::max(bent_mm, glm::distance(0.5 * shift, half->moved(p) - p));
+        if (i == 0 || j == 0 || k == 0)
+          edge_mm = std::max(edge_mm, static_cast<double>(glm::length(mode.shift_mm[mode.grid.indexOf(i, j, k)])));
+      }
+  EXPECT_GT(furthest_mm, 0.9 * kInward_mm);
+  EXPECT_LT(largest_mm, 0.07 * kInward_mm);
+  EXPECT_LT(bent_mm, 1e-6) << "half the amplitude, half the way";
+  EXPECT_LT(edge_mm, 1e-6) << "the grid holds all that moves";
+}
+
+TEST(BeatingHeart, ThatCannotBeIsRefusedWithASentence) {
+  struct Wrong {
+    const char *chamber, *says;
+  };
+  for (const auto& [chamber, says] :
+       {Wrong{R"({"of": "nothing", "inward_mm": 1})", "an ellipsoid"}, Wrong{R"({"of": "pipe", "inward_mm": 1})", "an ellipsoid"},
+        Wrong{R"({"of": "egg", "inward_mm": 7})", "folded"}, Wrong{R"({"of": "egg"})", "inward_mm"},
+        Wrong{R"({"of": "egg", "inward_mm": 1, "diameter_growth_mm": 1})", "diameter_growth_mm"}, Wrong{"", "chambers"}}) {
+    const auto patient = testing::patientOf(testing::patientRecipe(
+        R"({"name": "egg", "tissue": "dark", "shape": {"ellipsoid": {"centre_mm": [0, 0, 0], "radii_mm": [20, 9, 8]}}},
+           {"name": "pipe", "tissue": "dark", "shape": {"tube": {"points": [[0, 20, -40, 5], [0, 20, 40, 5]]}}})",
+        R"("motion": {"pulse": {"chambers": [)" + std::string(chamber) + "]}},"));
+    ASSERT_FALSE(patient) << chamber;
+    EXPECT_EQ(patient.error().code, ErrorCode::badField) << chamber;
+    EXPECT_NE(patient.error().message.english().find(says), std::string::npos) << patient.error();
   }
 }
 

@@ -170,19 +170,6 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Zeros, in pieces: touching fresh memory takes up to a second per GiB, and whoever wants to stop must not wait for it.
-template <class T>
-bool grow(std::vector<T>& values, std::size_t count, const Progress& progress) {
-  constexpr std::size_t kPiece = (16u << 20) / sizeof(T);
-  values.reserve(count);
-  adviseLargePages(values.data(), count * sizeof(T));
-  while (values.size() < count) {
-    if (progress.cancelRequested()) return false;
-    values.resize(std::min(count, values.size() + kPiece));
-  }
-  return true;
-}
-
 }  // namespace
 
 std::uint64_t forecastBytes(const Grid& grid, const ReconstructOptions& options) {
@@ -228,8 +215,9 @@ Result<ReconstructResult> reconstructOnto(const Grid& asked, std::span<const Pos
   try {
     result.volume.grid = *grid;
     const std::size_t voxels = grid->voxelCount();
-    if (!grow(result.volume.echo, voxels, progress) || !grow(result.volume.coverage, voxels, progress) ||
-        (options.keepWeights && !grow(result.weights, voxels, progress)) || (options.keepSource && !grow(result.source, voxels, progress)))
+    if (!growInLargePages(result.volume.echo, voxels, progress) || !growInLargePages(result.volume.coverage, voxels, progress) ||
+        (options.keepWeights && !growInLargePages(result.weights, voxels, progress)) ||
+        (options.keepSource && !growInLargePages(result.source, voxels, progress)))
       return failure(ErrorCode::cancelled, say<"The reconstruction was stopped before it was complete.">());
   } catch (const std::bad_alloc&) {
     return failure(ErrorCode::tooLarge,

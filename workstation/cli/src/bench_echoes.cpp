@@ -24,9 +24,9 @@ using ProbeToWorld = Transform<frame::World, frame::Probe>;
 
 constexpr std::array<std::pair<Quality, const char*>, 3> kQualities{
     {{Quality::weave, "fast"}, {Quality::linear, "default"}, {Quality::cubic, "fine"}}};
-constexpr std::size_t kEveryView = 5;  // poses of which views are correlated, and the model is formed with other scatterers
+constexpr std::size_t kEveryView = 3;  // poses of which views are correlated, and the model is formed with other scatterers
 constexpr int kEnoughPatches = 12;     // for a figure of a band
-constexpr int kEnoughViews = 6;        // patches, for a correlation of views
+constexpr int kEnoughViews = 12;       // patches, for a correlation of views
 constexpr double kPivotShare = 0.45;   // of the depth: rotations are about the middle of the picture
 constexpr int kWarmFrames = 10;
 

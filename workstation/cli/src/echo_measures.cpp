@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace ew {
@@ -15,14 +16,20 @@ constexpr int kFaintest = 60;            // grey level of tissue that counts
 constexpr int kEvenWithin = 60;          // grey levels; a texture is divided out
 constexpr double kLeastShare = 0.5;      // of a patch that has to count
 constexpr float kOpen_db = 0.5F, kShade_db = 8.0F;
+constexpr float kEvenLoss_db = 4.0F;               // what differs between the lines of an even patch
 constexpr double kDecibelPerLevel = 60.0 / 255.0;  // of maps
-constexpr std::size_t kPlanes = 3;
-constexpr std::array<double, kPlanes> kSigmas{0.0, -1.2, 1.2};
+constexpr std::size_t kPlanes = 5;
+constexpr std::array<double, kPlanes> kSigmas{0.0, -0.8, 0.8, -1.6, 1.6};
+constexpr int kMixedReach = 1;  // voxels of labels: a thinner vessel is known to the model alone
+
+std::optional<glm::ivec3> placeAt(const Grid& grid, const glm::dmat4& toVoxel, const glm::dvec3& p) {
+  const glm::ivec3 at(glm::floor(glm::dvec3(toVoxel * glm::dvec4(p, 1.0)) + 0.5));
+  return grid.contains(at) ? std::optional(at) : std::nullopt;
+}
 
 std::optional<std::size_t> voxelAt(const Grid& grid, const glm::dmat4& toVoxel, const glm::dvec3& p) {
-  const glm::ivec3 at(glm::floor(glm::dvec3(toVoxel * glm::dvec4(p, 1.0)) + 0.5));
-  if (!grid.contains(at)) return std::nullopt;
-  return grid.indexOf(at.x, at.y, at.z);
+  const auto at = placeAt(grid, toVoxel, p);
+  return at ? std::optional(grid.indexOf(at->x, at->y, at->z)) : std::nullopt;
 }
 
 /// What a step of a line meets in one plane.
@@ -30,9 +37,23 @@ struct Met {
   std::uint8_t level = 0;
   bool isSeen = false;     ///< in the body, reached without air
   bool isSurface = false;  ///< close to a reflecting surface
-  bool isSparse = false;
+  bool isUneven = false;
+  bool isMixed = false;  ///< other tissue within kMixedReach voxels
   float reflected_db = 0.0F;
+  float lost_db = 0.0F;  ///< with the excess of attenuation
 };
+
+/// Whether another label lies within kMixedReach voxels along an axis; beyond the labels there is none.
+bool isMixedAt(const Volume& labels, const glm::ivec3& at) {
+  const std::uint8_t own = labels.echo[labels.grid.indexOf(at.x, at.y, at.z)];
+  for (int axis = 0; axis < 3; ++axis)
+    for (int step = -kMixedReach; step <= kMixedReach; ++step) {
+      glm::ivec3 other = at;
+      other[axis] += step;
+      if (labels.grid.contains(other) && labels.echo[labels.grid.indexOf(other.x, other.y, other.z)] != own) return true;
+    }
+  return false;
+}
 
 /// All lines of one plane, step by step.
 struct Walk {
@@ -50,7 +71,7 @@ Walk walkPlane(const EchoTruth& truth, const BeamGrid& grid, const std::vector<d
                    toVolume = truth.volumeGrid.worldToVoxel().matrix * probeToWorld.matrix,
                    toLabels = truth.labelsGrid.worldToVoxel().matrix * probeToWorld.matrix;
   for (std::size_t l = 0; l < grid.lines.size(); ++l) {
-    float reflected_db = 0.0F;
+    float reflected_db = 0.0F, absorbed_db = 0.0F;
     int before = -1;
     double outside_mm = 0.0;
     bool entered = false, lost = false;
@@ -64,13 +85,16 @@ Walk walkPlane(const EchoTruth& truth, const BeamGrid& grid, const std::vector<d
       outside_mm = inside ? 0.0 : outside_mm + kEchoStep_mm;
       lost = lost || outside_mm > (entered ? kLeaves_mm : kMostGap_mm);
       entered = entered || inside;
-      if (const auto at = voxelAt(truth.labelsGrid, toLabels, p); at && truth.labels != nullptr) {
-        const int label = truth.labels->echo[*at];
+      if (const auto at = placeAt(truth.labelsGrid, toLabels, p); at && truth.labels != nullptr) {
+        const int label = truth.labels->echo[truth.labels->grid.indexOf(at->x, at->y, at->z)];
         if (label != before) reflected_db += truth.reflection_db[static_cast<std::size_t>(label)];
         before = label;
-        met.isSparse = truth.isSparse[static_cast<std::size_t>(label)];
+        absorbed_db += truth.excess_dbPerMm[static_cast<std::size_t>(label)] * static_cast<float>(kEchoStep_mm);
+        met.isUneven = truth.isUneven[static_cast<std::size_t>(label)];
+        met.isMixed = isMixedAt(*truth.labels, *at);
       }
       met.reflected_db = reflected_db;
+      met.lost_db = reflected_db + absorbed_db;
       met.isSeen = inside && !lost;
       if (const auto at = voxelAt(truth.mapsGrid, toMaps, p)) {
         met.level = truth.maps.level[*at];
@@ -82,36 +106,58 @@ Walk walkPlane(const EchoTruth& truth, const BeamGrid& grid, const std::vector<d
   return walk;
 }
 
+/// How far beside its lines a patch must be shaded: twice the standard deviation 0.29 A (1 - z0 / z) of a bundle of rays from the aperture
+/// where the shadow was thrown at z0, and the beam.
+double penumbra_mm(const Walk& plane, double aperture_mm, double lateralWidth_mm, const EchoPatch& patch) {
+  std::size_t thrown = plane.steps;
+  for (int l = patch.firstLine; l < patch.firstLine + patch.lines; ++l)
+    for (std::size_t s = 0; s < thrown; ++s)
+      if (plane.at(l, s).reflected_db >= kShade_db) thrown = s;
+  const double share = 1.0 - static_cast<double>(thrown) * kEchoStep_mm / patch.to_mm;
+  return 0.58 * std::min(aperture_mm, 0.5 * patch.to_mm) * std::max(share, 0.0) + lateralWidth_mm;
+}
+
 void judge(const std::array<Walk, kPlanes>& planes, const BeamGrid& grid, double aperture_mm, double lateralWidth_mm, EchoPatch& patch) {
   const auto first = static_cast<std::size_t>(patch.from_mm / kEchoStep_mm), last = static_cast<std::size_t>(patch.to_mm / kEchoStep_mm);
   int lowest = 255, highest = 0;
-  bool isClear = true, isDense = true;
-  double counted = 0.0;
+  bool isClear = true, isFull = true;
+  double counted = 0.0, even = 0.0;
   for (int l = patch.firstLine; l < patch.firstLine + patch.lines; ++l)
     for (std::size_t s = first; s < last; ++s) {
-      bool counts = true;
+      bool counts = true, isMixed = false;
       for (const Walk& plane : planes) {
         const Met& met = plane.at(l, s);
         counts = counts && met.isSeen && !met.isSurface && met.level >= kFaintest;
+        isMixed = isMixed || met.isMixed;
         isClear = isClear && met.reflected_db < kOpen_db;
       }
-      patch.counts.push_back(counts ? planes.front().at(l, s).level : std::uint8_t{0});
+      patch.levels.push_back(counts ? planes.front().at(l, s).level : std::uint8_t{0});
+      patch.evenLevels.push_back(isMixed ? std::uint8_t{0} : patch.levels.back());
       if (!counts) continue;
       counted += 1.0;
+      if (isMixed) continue;
+      even += 1.0;
       for (const Walk& plane : planes) {
         const Met& met = plane.at(l, s);
         lowest = std::min<int>(lowest, met.level);
         highest = std::max<int>(highest, met.level);
-        isDense = isDense && !met.isSparse;
+        isFull = isFull && !met.isUneven;
       }
     }
-  if (counted < kLeastShare * static_cast<double>(patch.counts.size())) return;
+  float leastLost_db = std::numeric_limits<float>::infinity(), mostLost_db = -leastLost_db;
+  for (const Walk& plane : planes)
+    for (int l = patch.firstLine; l < patch.firstLine + patch.lines; ++l) {
+      leastLost_db = std::min(leastLost_db, plane.at(l, first).lost_db);
+      mostLost_db = std::max(mostLost_db, plane.at(l, first).lost_db);
+    }
+  const double least = kLeastShare * static_cast<double>(patch.levels.size());
+  if (counted < least) return;
   patch.isOpen = isClear;
-  patch.isEven = patch.isOpen && isDense && highest - lowest <= kEvenWithin;
+  patch.isEven = patch.isOpen && even >= least && isFull && highest - lowest <= kEvenWithin && mostLost_db - leastLost_db <= kEvenLoss_db;
   if (isClear) return;
-  // A bundle of rays from the aperture has the standard deviation 0.29 A (1 - z0 / z) where the shadow's edge was thrown.
-  const double open_mm = std::min(aperture_mm, 0.5 * patch.to_mm);
-  const auto beside = static_cast<int>(std::ceil((0.58 * open_mm + lateralWidth_mm) / grid.lineSpacing_mm(patch.middle_mm())));
+  double beside_mm = 0.0;
+  for (const Walk& plane : planes) beside_mm = std::max(beside_mm, penumbra_mm(plane, aperture_mm, lateralWidth_mm, patch));
+  const auto beside = static_cast<int>(std::ceil(beside_mm / grid.lineSpacing_mm(patch.middle_mm())));
   const int low = patch.firstLine - beside, high = patch.firstLine + patch.lines + beside;
   patch.isShaded = low >= 0 && high < static_cast<int>(grid.lines.size());
   for (int l = low; l < high && patch.isShaded; ++l)
@@ -135,10 +181,10 @@ Divided dividedOf(const EchoFrame& frame, const EchoPatch& patch) {
   double sum = 0.0, count = 0.0;
   for (int s = first; s < last; ++s)
     for (int l = 0; l < patch.lines; ++l) {
-      const bool counts = patch.countsAt(patch.firstLine + l, frame.grid.depth_mm(s));
+      const std::uint8_t level = patch.valueAt(patch.evenLevels, patch.firstLine + l, frame.grid.depth_mm(s));
+      const bool counts = level != 0;
       // Of the power that the tissue has there by the maps.
-      const double known =
-          counts ? std::pow(10.0, 0.1 * kDecibelPerLevel * (patch.levelAt(patch.firstLine + l, frame.grid.depth_mm(s)) - 255.0)) : 1.0;
+      const double known = counts ? std::pow(10.0, 0.1 * kDecibelPerLevel * (level - 255.0)) : 1.0;
       made.values.push_back(counts ? static_cast<double>(frame.at(patch.firstLine + l, s)) / known : std::nan(""));
       if (!counts) continue;
       sum += made.values.back();
@@ -152,10 +198,10 @@ Divided dividedOf(const EchoFrame& frame, const EchoPatch& patch) {
 
 }  // namespace
 
-std::uint8_t EchoPatch::levelAt(int line, double depth_mm) const {
+std::uint8_t EchoPatch::valueAt(const std::vector<std::uint8_t>& values, int line, double depth_mm) const {
   const auto first = static_cast<int>(from_mm / kEchoStep_mm), steps = static_cast<int>(to_mm / kEchoStep_mm) - first;
   const int step = std::clamp(static_cast<int>(depth_mm / kEchoStep_mm) - first, 0, steps - 1);
-  return counts[static_cast<std::size_t>((line - firstLine) * steps + step)];
+  return values[static_cast<std::size_t>((line - firstLine) * steps + step)];
 }
 
 EchoFrame frameOfAmplitudes(const BeamGrid& grid, const Image<float>& amplitudes) {
@@ -200,7 +246,7 @@ double levelOf_db(const EchoFrame& frame, const EchoPatch& patch) {
   double sum = 0.0, count = 0.0;
   for (int s = first; s < last; ++s)
     for (int l = patch.firstLine; l < patch.firstLine + patch.lines; ++l) {
-      if (!patch.countsAt(l, frame.grid.depth_mm(s))) continue;
+      if (patch.valueAt(patch.levels, l, frame.grid.depth_mm(s)) == 0) continue;
       sum += static_cast<double>(frame.at(l, s));
       count += 1.0;
     }
@@ -265,7 +311,7 @@ void ViewCorrelation::add(const EchoFrame& still, const EchoFrame& moved, const 
   std::vector<double> a, b;
   for (int s = first; s < last; ++s)
     for (int l = patch.firstLine; l < patch.firstLine + patch.lines; ++l) {
-      if (!patch.countsAt(l, still.grid.depth_mm(s))) continue;
+      if (patch.valueAt(patch.evenLevels, l, still.grid.depth_mm(s)) == 0) continue;
       const BeamGrid::Line& line = still.grid.lines[static_cast<std::size_t>(l)];
       const glm::dvec3 p(line.origin_mm + still.grid.depth_mm(s) * line.direction, 0.0);
       const glm::dvec3 q = (stillToMoved * Point<frame::Probe>{p}).at;

@@ -33,8 +33,9 @@ struct EchoTruth {
   const Grid& volumeGrid;
   const Volume* labels = nullptr;
   const Grid& labelsGrid;
-  std::array<float, 256> reflection_db{};  ///< by label
-  std::array<bool, 256> isSparse{};        ///< by label: tissue whose speckle is not fully developed
+  std::array<float, 256> reflection_db{};   ///< by label
+  std::array<float, 256> excess_dbPerMm{};  ///< by label, both ways: attenuation that depth gain does not make up for
+  std::array<bool, 256> isUneven{};         ///< by label: speckle that is not fully developed, or a texture too fine for the maps
 };
 
 inline constexpr double kEchoStep_mm = 0.5;  ///< of the truth along a line
@@ -47,13 +48,13 @@ struct EchoPatch {
   bool isEven = false;    ///< open, without great steps of level, dense with scatterers: fully developed speckle
   bool isShaded = false;  ///< tissue so far inside a shadow that its sides do not reach in
   /// By line and step of kEchoStep_mm the tissue's level by the maps; 0: no tissue or a surface near, left out.
-  std::vector<std::uint8_t> counts;
-  [[nodiscard]] std::uint8_t levelAt(int line, double depth_mm) const;
-  [[nodiscard]] bool countsAt(int line, double depth_mm) const { return levelAt(line, depth_mm) != 0; }
+  std::vector<std::uint8_t> levels;
+  std::vector<std::uint8_t> evenLevels;  ///< of these, 0 also where other tissue is near: what is thinner than a voxel of the maps
+  [[nodiscard]] std::uint8_t valueAt(const std::vector<std::uint8_t>& values, int line, double depth_mm) const;
   [[nodiscard]] double middle_mm() const { return 0.5 * (from_mm + to_mm); }
 };
 
-/// Divides the fan into patches and asks the truth about each, in three planes of the slice.
+/// Divides the fan into patches and asks the truth about each, in five planes of the slice.
 /// @param elevationalSigma_mm of the beam, by whole mm of depth
 /// @param lateralWidth_mm     its width at half maximum, likewise
 [[nodiscard]] std::vector<EchoPatch> patchesOf(const EchoTruth& truth, const BeamGrid& grid, double aperture_mm,

@@ -36,6 +36,13 @@ Scene comparedScene(const ScanSubject& subject) {
   return scene;
 }
 
+/// Whether voxels of the maps hold a texture: liver and kidney, but not the thin sheets of mesentery and muscle, nor stomach content.
+bool holds(double spacing_mm, const TissueTexture& texture) {
+  constexpr double kVoxelsOfAGrain = 2.0, kSteepest_perVoxel = 10.0;  // grey levels
+  const double grain_mm = finestGrain_mm(texture);
+  return grain_mm >= kVoxelsOfAGrain * spacing_mm && texture.level * spacing_mm <= kSteepest_perVoxel * grain_mm;
+}
+
 /// Moves the face along the beam until it lies `pressed_mm` below the skin.
 void putOnSkin(const Patient& patient, const glm::dmat4& worldToPatient, Transform<frame::World, frame::Probe>& probeToWorld) {
   constexpr double kPressed_mm = 1.0;
@@ -56,9 +63,13 @@ EchoTruth EchoSubject::truth() const {
                   .labels = subject.labels.get(),
                   .labelsGrid = subject.placedLabels};
   for (const TissueAcoustics& tissue : scene.tissues)
-    if (tissue.label >= 0 && tissue.label < 256)
-      truth.reflection_db[static_cast<std::size_t>(tissue.label)] = static_cast<float>(tissue.reflection_db);
-  truth.isSparse = isSparse;
+    if (tissue.label >= 0 && tissue.label < 256) {
+      const auto label = static_cast<std::size_t>(tissue.label);
+      truth.reflection_db[label] = static_cast<float>(tissue.reflection_db);
+      const double excess_dbPerCmMhz = tissue.attenuation_dbPerCmMhz - scene.attenuation->expected_dbPerCmMhz;
+      truth.excess_dbPerMm[label] = static_cast<float>(2.0 * excess_dbPerCmMhz * 0.1 * 1e-6 * probe.carrier_hz);
+    }
+  truth.isUneven = isUneven;
   return truth;
 }
 
@@ -91,7 +102,8 @@ Result<EchoSubject> readEchoSubject(const Case& opened, Progress& progress) {
   if (!tissues) return passOn(tissues.error());
   for (const LabelTissue& each : *tissues)
     if (each.label >= 0 && each.label < 256)
-      made.isSparse[static_cast<std::size_t>(each.label)] = each.tissue.scatterers_perMm3.has_value();
+      made.isUneven[static_cast<std::size_t>(each.label)] =
+          each.tissue.scatterers_perMm3.has_value() || !holds(opened.volume.recipeSpacing_mm, each.tissue.texture);
 
   const auto probes = readProbes(*resources / "probes");
   if (!probes) return passOn(probes.error());

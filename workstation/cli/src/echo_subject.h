@@ -22,7 +22,7 @@ struct EchoSubject {
   std::shared_ptr<const TissueMaps> bare;  ///< its maps without reflecting surfaces' strengths: scatterers alone
   std::shared_ptr<const Patient> patient;
   glm::dmat4 worldToPatient{1.0};
-  std::array<bool, 256> isSparse{};  ///< by label
+  std::array<bool, 256> isUneven{};  ///< by label
   Probe probe;
   Scene scene;  ///< what is compared: see benchEchoes
   std::vector<Transform<frame::World, frame::Probe>> anchors;

@@ -1,28 +1,22 @@
 #include "case_pipeline.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <optional>
-#include <set>
 
 #include "case_truth_file.h"
 #include "ew/acquisition/import.h"
 #include "ew/acquisition/sweep_volume.h"
-#include "ew/core/numbers.h"
 #include "ew/core/quiet_progress.h"
 #include "ew/imaging/tissue_level.h"
 #include "ew/io/content_key.h"
-#include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/case_truth.h"
 #include "ew/phantom/label_grid.h"
 #include "ew/phantom/motion.h"
 #include "ew/phantom/patient.h"
 #include "ew/stitching/chain.h"
-#include "guarded_case.h"
 #include "kept_maps.h"
 #include "kept_motion.h"
 #include "machine_speed.h"
@@ -36,84 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 using PatientPtr = std::shared_ptr<const Patient>;
 
-/// Part of every name in the cache: raise it when the same case starts to give another volume, by whatever step.
-constexpr int kPreparationFormat = 4;
-/// The same for the maps of tissue alone.
-constexpr int kMapsFormat = 2;
-/// And for the level of recorded tissue.
-constexpr int kLevelFormat = 1;
-/// The same for their motion.
-constexpr int kMotionFormat = 1;
-constexpr std::size_t kLargestSweepFile_bytes = 1u << 20;
-
 tl::unexpected<Error> stopped() { return failure(ErrorCode::cancelled, say<"Preparing the case was stopped.">()); }
-
-/// What the time of a recording goes by: resolution cells of its frames, in millions. Lines times wavelengths of depth; a small frame of
-/// a high frequency takes as long as a large one of a low, so its area would say nothing.
-double recordingWork(const Probe& probe, const SweepRecipe& recipe) {
-  const double depth_mm = recipe.formation.depth_mm > 0.0 ? recipe.formation.depth_mm : probe.defaultDepth_mm;
-  const double carrier_hz = recipe.formation.carrier_hz > 0.0 ? recipe.formation.carrier_hz : probe.carrier_hz;
-  return 1e-6 * recipe.frames * probe.lines * depth_mm * carrier_hz / 1.54e6;
-}
-
-/// Area of a frame, mm2.
-double frameArea_mm2(const Probe& probe, double depth_mm) {
-  const double depth = depth_mm > 0.0 ? depth_mm : probe.defaultDepth_mm;
-  const double face = faceLength_mm(probe);
-  if (!isSector(probe.kind)) return face * depth;
-  const double near = probe.radius_mm, far = probe.radius_mm + depth;
-  return probe.halfAngle_rad * (far * far - near * near);
-}
-
-void addOptions(ContentKey& key, const CaseReconstruction& reconstruct) {
-  // 0 and -1: as the recording has it.
-  key.add(reconstruct.spacing_mm.value_or(0.0))
-      .add(reconstruct.interpolation ? static_cast<int>(*reconstruct.interpolation) : -1)
-      .add(reconstruct.compounding ? static_cast<int>(*reconstruct.compounding) : -1)
-      .add(reconstruct.fillReach_mm.value_or(-1.0));
-}
-
-Result<PlannedSweep> sweepOf(const Case& opened, const std::string& relative, const fs::path& resources, std::uint64_t patient) {
-  auto file = fileOfCase(opened.folder, relative, "volume.sweeps");
-  if (!file) return passOn(file.error());
-  auto text = readTextFile(*file, kLargestSweepFile_bytes);
-  if (!text) return passOn(text.error());
-  auto recipe = readSweepRecipe(*file);
-  if (!recipe) return passOn(recipe.error());
-  const fs::path probeFile = resources / "probes" / (recipe->probe + ".json");
-  auto probeText = readTextFile(probeFile, kLargestSweepFile_bytes);
-  if (!probeText)
-    return failure(ErrorCode::badField,
-                   say<"The sweep '%1' asks for the probe '%2', which the program does not have; name one of resources/probes.">(
-                       relative, recipe->probe),
-                   {{"field", "probe"}, {"found", recipe->probe}, {"file", relative}});
-  auto probe = readProbe(probeFile);
-  if (!probe) return passOn(probe.error());
-
-  PlannedSweep planned;
-  planned.name = fs::path(relative).stem().string();
-  planned.recipe = std::move(*recipe);
-  planned.probe = std::move(*probe);
-  planned.recording = ContentKey().add(kPreparationFormat).add(patient).add(*text).add(*probeText).text();
-  ContentKey volume;
-  volume.add("sweep").add(planned.recording);
-  addOptions(volume, opened.volume.reconstruct);
-  planned.volume = volume.text();
-  planned.work = recordingWork(planned.probe, planned.recipe);
-  return planned;
-}
-
-/// The stages after the sweeps count voxels; before there is a volume, what the sweeps see says how many there will be.
-double stitchWork(const CasePlan& plan, const CaseReconstruction& reconstruct) {
-  constexpr double kUsual_mm = 0.6;  // of frames about 1 mm apart
-  double volume_mm3 = 0.0;
-  for (const PlannedSweep& sweep : plan.sweeps)
-    volume_mm3 += frameArea_mm2(sweep.probe, sweep.recipe.formation.depth_mm) * sweep.recipe.frames;  // frames about 1 mm apart
-  return 1e-6 * volume_mm3 / std::pow(reconstruct.spacing_mm.value_or(kUsual_mm), 3);
-}
-
-/// A trunk of about six litres, in million voxels; maps take as long again.
-double voxeliseWork(const Case& opened) { return 12.0 / std::pow(opened.volume.recipeSpacing_mm, 3); }
 
 /// Keeps the promise that fractions never move backwards where work turns out to have to be done again.
 class MonotonicProgress final : public Progress {
@@ -130,78 +47,8 @@ class MonotonicProgress final : public Progress {
   double furthest_ = 0.0;
 };
 
-// Files of a result.
-constexpr const char* kVolumeFile = "volume.mha";
-constexpr const char* kCoverageFile = "coverage.mha";
-constexpr const char* kConfidenceFile = "confidence.mha";
-constexpr const char* kLabelsFile = "labels.mha";
-constexpr const char* kImagesFile = "images.igs.mha";
-constexpr const char* kDeviceSetFile = "device-set.xml";
-
-/// Speckle hardly compresses, and an uncompressed file opens several times faster.
-constexpr WriteOptions kPlain{.compress = false};
-
-bool hasVoxels(const Volume& volume) { return !volume.echo.empty(); }
-
-/// Whether a result is there and its files hold what they held.
-bool isWhole(const StepStore& store, const char* step, const std::string& key, std::initializer_list<const char*> names) {
-  return store.find(step, key) && std::all_of(names.begin(), names.end(), [&](const char* name) { return store.isSound(step, key, name); });
-}
-
-tl::unexpected<Error> damagedInCache(const StepStore& store, const char* step, const std::string& key) {
-  return failure(ErrorCode::badHeader, say<"A prepared volume in the cache was damaged; it is made again.">(),
-                 {{"file", store.fileOf(step, key, {}).string()}});
-}
-
-/// @error as readVolume; badHeader (damaged)
-Result<Volume> readKeptVolume(const StepStore& store, const char* step, const std::string& key, Progress& progress) {
-  if (!isWhole(store, step, key, {kVolumeFile, kCoverageFile})) return damagedInCache(store, step, key);
-  auto loaded = readVolume(store.fileOf(step, key, kVolumeFile), progress);
-  if (!loaded) return passOn(loaded.error());
-  if (auto read = readCoverageInto(loaded->volume, store.fileOf(step, key, kCoverageFile), progress); !read) return passOn(read.error());
-  return std::move(loaded->volume);
-}
-
-Result<Volume> readKeptLabels(const StepStore& store, const char* step, const std::string& key, Progress& progress) {
-  if (!isWhole(store, step, key, {kLabelsFile})) return damagedInCache(store, step, key);
-  auto labels = readLabelVolume(store.fileOf(step, key, kLabelsFile), progress);
-  if (!labels) return passOn(labels.error());
-  return std::move(labels->volume);
-}
-
-/// @error notWritable, cancelled
-Result<void> keepPrepared(const StepStore& store, const char* step, const std::string& key, const Prepared& made, Progress& progress) {
-  if (auto room = store.prepare(step); !room) return room;
-  PartOfProgress first(progress, 0.0, 0.33), second(progress, 0.33, 0.67), third(progress, 0.67, 1.0);
-  std::vector<std::string> names;
-  const auto fileFor = [&](const char* name) { return store.fileOf(step, key, names.emplace_back(name)); };
-  if (hasVoxels(made.volume)) {
-    if (auto written = writeVolume(made.volume, fileFor(kVolumeFile), first, kPlain); !written) return written;
-    if (auto written = writeCoverage(made.volume, fileFor(kCoverageFile), second, kPlain); !written) return written;
-  }
-  if (hasVoxels(made.labels))
-    if (auto written = writeVolume(made.labels, fileFor(kLabelsFile), third, kPlain); !written) return written;
-  return store.keep(step, key, {}, names);
-}
-
 constexpr const char* kJoins = "joins";  ///< of the cache: a folder for each chain that is at work
 Message waiting() { return say<"Waiting for another EchoWeave that prepares the same case">(); }
-
-/// What a store holds in full.
-Result<Prepared> readDone(const CasePlan& plan, const StepStore& store, Progress& progress) {
-  PartOfProgress first(progress, 0.0, 0.7), second(progress, 0.7, 1.0);
-  auto volume = readKeptVolume(store, kVolumes, plan.volume, first);
-  if (!volume) return passOn(volume.error());
-  auto labels =
-      plan.sweeps.empty() ? readKeptLabels(store, kVolumes, plan.volume, second) : readKeptLabels(store, kLabels, plan.labels, second);
-  if (!labels) return passOn(labels.error());
-  Prepared done{std::move(*volume), std::move(*labels)};
-  done.maps = readKeptMaps(store, kMaps, plan.maps, done.volume.grid);
-  if (!done.maps) return damagedInCache(store, kMaps, plan.maps);
-  if (!plan.motion.empty() && !readKeptMotion(store, kMotions, plan.motion, done.motion))
-    return damagedInCache(store, kMotions, plan.motion);
-  return done;
-}
 
 /// One case's way from recipe to volume.
 class Preparation {
@@ -278,7 +125,7 @@ class Preparation {
     if (!patient) return passOn(patient.error());
     if (auto kept = keepMotion(); !kept) return passOn(kept.error());
     // What was there before motion was kept beside it is not made anew.
-    if (auto there = readDone(plan_, store_, silent_)) return there;
+    if (auto there = readPrepared(plan_, store_, silent_)) return there;
     begin(PreparationStep::voxelise, say<"Building the virtual patient">());
     PartOfProgress most(clock_, 0.0, 0.9);
     auto voxels = voxelise(
@@ -527,66 +374,7 @@ void removeOld(const StepStore& cache) {
   for (const char* each : {"recipes", "steps"}) removeOldResults(cacheFolder() / each);
 }
 
-Result<CasePlan> unguardedPlanOf(const Case& opened) {
-  const auto resources = resourceFolder();
-  if (!resources) return passOn(resources.error());
-  CasePlan plan;
-  plan.mannequins = *resources / "mannequin";
-  auto recipe = fileOfCase(opened.folder, opened.volume.recipe, "volume.recipe");
-  if (!recipe) return passOn(recipe.error());
-  plan.patientFile = std::move(*recipe);
-  // The phantom library answers for everything that shapes the patient: recipe, what it extends, mannequin and its own way of drawing.
-  const auto patient = fingerprintOfPatient(plan.patientFile, plan.mannequins);
-  if (!patient) return passOn(patient.error());
-  ContentKey whole;
-  whole.add(kPreparationFormat).add(*patient);
-  if (opened.volume.sweeps.empty()) {
-    whole.add("voxelised").add(opened.volume.recipeSpacing_mm);
-  } else {
-    std::set<std::string> names;
-    for (const std::string& relative : opened.volume.sweeps) {
-      auto sweep = sweepOf(opened, relative, *resources, *patient);
-      if (!sweep) return passOn(sweep.error());
-      if (!names.insert(sweep->name).second)
-        return failure(ErrorCode::badField, say<"Two sweeps of the case are called '%1'; give each a name of its own.">(sweep->name),
-                       {{"field", "volume.sweeps"}, {"found", sweep->name}});
-      whole.add(sweep->name).add(sweep->volume);
-      plan.sweeps.push_back(std::move(*sweep));
-    }
-    whole.add(static_cast<int>(opened.volume.reconstruct.seam)).add(opened.volume.reconstruct.feather_mm);
-  }
-  plan.volume = whole.text();
-  plan.labels = ContentKey().add("labels").add(plan.volume).add(opened.volume.reconstruct.labelsSpacing_mm).text();
-  plan.maps = opened.volume.sweeps.empty() ? ContentKey().add("maps").add(kMapsFormat).add(plan.volume).text()
-                                           : ContentKey().add("level").add(kLevelFormat).add(plan.volume).text();
-  if (opened.volume.sweeps.empty()) plan.motion = ContentKey().add("motion").add(kMotionFormat).add(plan.volume).text();
-  plan.truth = ContentKey().add("truth").add(kPreparationFormat).add(*patient).text();
-  return plan;
-}
-
 }  // namespace
-
-Result<CasePlan> planOf(const Case& opened) {
-  return guardedCase(opened.folder, [&] { return unguardedPlanOf(opened); });
-}
-
-const std::vector<std::string>& preparationSteps() {
-  static const std::vector<std::string> names = {kRecordings, kSweeps, kVolumes, kLabels, kMaps, kMotions, kTruths};
-  return names;
-}
-
-bool CasePlan::isDoneIn(const StepStore& store) const {
-  return store.find(kVolumes, volume) && (sweeps.empty() || store.find(kLabels, labels)) && store.find(kMaps, maps) &&
-         (motion.empty() || store.find(kMotions, motion));
-}
-
-bool CasePlan::isDamagedIn(const StepStore& store) const {
-  const auto isDamaged = [&](const char* step, const std::string& key) { return store.claims(step, key) && !store.find(step, key); };
-  return isDamaged(kVolumes, volume) || (!sweeps.empty() && isDamaged(kLabels, labels)) || isDamaged(kMaps, maps) ||
-         (!motion.empty() && isDamaged(kMotions, motion));
-}
-
-bool CasePlan::isDone() const { return isDoneIn(StepStore::peek(cacheFolder(), preparationSteps())); }
 
 PreparationEstimate estimateOf(const Case& opened, const CasePlan& plan) {
   const StepStore store = StepStore::peek(cacheFolder(), preparationSteps());
@@ -603,7 +391,7 @@ Result<Prepared> makePrepared(const Case& opened, const CasePlan& plan, const Pr
   MonotonicProgress progress(whole);
   const auto cache = StepStore::share(cacheFolder(), preparationSteps());
   const auto readOrNote = [&](const StepStore& store) -> Result<Prepared> {
-    auto cached = readDone(plan, store, progress);
+    auto cached = readPrepared(plan, store, progress);
     if (!cached && cached.error().code != ErrorCode::cancelled)
       notes.push_back(say<"The prepared volume in the cache could not be used and was made again. %1">(cached.error().message));
     return cached;

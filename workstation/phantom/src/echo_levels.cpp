@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "anatomy.h"
 #include "ew/phantom/speckle.h"
@@ -58,3 +59,8 @@ int PowerOfLevel::level(double power) const {
 }
 
 }  // namespace ew::phantom
+
+double ew::finestGrain_mm(const TissueTexture& texture) {
+  if (!(texture.level > 0.0)) return std::numeric_limits<double>::infinity();
+  return phantom::kFineGrain * std::min({texture.scale_mm.x, texture.scale_mm.y, texture.scale_mm.z});
+}

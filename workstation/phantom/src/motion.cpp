@@ -10,11 +10,25 @@
 namespace ew {
 namespace {
 
+using phantom::BeatingChamber;
 using phantom::PulsingVessel;
 
 constexpr double kExact_mm = 1e-4;  // of the inverses, well within what a Deformation promises
 
 double risen(double t) { return 0.5 - 0.5 * std::cos(std::numbers::pi * std::clamp(t, 0.0, 1.0)); }
+
+/// Where `excess`, which rises from below 0 at `low` to above at `high`, is 0.
+template <class Excess>
+double zeroOf(const Excess& excess, double low, double high) {
+  while (high - low > kExact_mm) {
+    // Regula falsi kept honest by a bisection whenever it would shrink the bracket too little.
+    const double atLow = excess(low), atHigh = excess(high);
+    double guess = atHigh > atLow ? low - atLow * (high - low) / (atHigh - atLow) : 0.5 * (low + high);
+    guess = std::clamp(guess, low + 0.05 * (high - low), high - 0.05 * (high - low));
+    (excess(guess) < 0.0 ? low : high) = guess;
+  }
+  return 0.5 * (low + high);
+}
 
 /// One vessel's push: across its line, within the plane of constant z, so that a place keeps its plane and its direction from the line.
 class VesselPush {
@@ -37,15 +51,8 @@ class VesselPush {
     const double wanted = glm::length(offset);
     if (wanted < 1e-9 || wanted >= ring.radius + vessel_.reach_mm) return q;
     // widened is monotone and never moves a ring inwards, so the answer lies below.
-    double low = std::max(0.0, wanted - ring.growth), high = wanted;
-    while (high - low > kExact_mm) {
-      // Regula falsi kept honest by a bisection whenever it would shrink the bracket too little.
-      const double atLow = widened(ring, low) - wanted, atHigh = widened(ring, high) - wanted;
-      double guess = atHigh > atLow ? low - atLow * (high - low) / (atHigh - atLow) : 0.5 * (low + high);
-      guess = std::clamp(guess, low + 0.05 * (high - low), high - 0.05 * (high - low));
-      (widened(ring, guess) < wanted ? low : high) = guess;
-    }
-    return {ring.centre + offset * (0.5 * (low + high) / wanted), q.z};
+    const double rho = zeroOf([&](double at) { return widened(ring, at) - wanted; }, std::max(0.0, wanted - ring.growth), wanted);
+    return {ring.centre + offset * (rho / wanted), q.z};
   }
 
   [[nodiscard]] double reach_mm() const { return growth_; }
@@ -76,6 +83,70 @@ class VesselPush {
   double growth_;
 };
 
+/// One chamber's contraction. The ellipsoid whose radii are longer than the wall's by d becomes the one whose radii are longer by
+/// drawnIn(d), d < 0 being shorter ones, and a place keeps its share of each radius: on the wall every place moves by `inward`. Within the
+/// wall all shrinks alike. No two ellipsoids of the family meet, so tissue does not fold while drawnIn rises.
+class ChamberPull {
+ public:
+  ChamberPull(const BeatingChamber& chamber, double pulse)
+      : wall_(chamber.wall),
+        toAxes_(glm::transpose(chamber.wall.axes)),
+        longest_(std::max({wall_.radii_mm.x, wall_.radii_mm.y, wall_.radii_mm.z})),
+        reach_(chamber.reach_mm),
+        inward_(chamber.inward_mm * pulse) {}
+
+  [[nodiscard]] glm::dvec3 moved(const glm::dvec3& p) const {
+    const glm::dvec3 q = toAxes_ * (p - wall_.centre_mm);
+    if (isWithin(q, wall_.radii_mm)) return placed(q * (wall_.radii_mm - inward_) / wall_.radii_mm);
+    if (glm::length(q) >= longest_ + reach_) return p;
+    const double beyond = beyondWall(q, 0.0);
+    return beyond < reach_ ? placed(q * (wall_.radii_mm + drawnIn(beyond)) / (wall_.radii_mm + beyond)) : p;
+  }
+
+  [[nodiscard]] glm::dvec3 rest(const glm::dvec3& p) const {
+    const glm::dvec3 q = toAxes_ * (p - wall_.centre_mm);
+    if (isWithin(q, wall_.radii_mm - inward_)) return placed(q * wall_.radii_mm / (wall_.radii_mm - inward_));
+    if (glm::length(q) >= longest_ + reach_) return p;
+    const double wanted = beyondWall(q, -inward_);
+    if (wanted >= reach_) return p;
+    const double beyond = zeroOf([&](double at) { return drawnIn(at) - wanted; }, std::max(0.0, wanted), wanted + inward_);
+    return placed(q * (wall_.radii_mm + beyond) / (wall_.radii_mm + wanted));
+  }
+
+  [[nodiscard]] double reach_mm() const { return inward_; }
+
+ private:
+  [[nodiscard]] static bool isWithin(const glm::dvec3& q, const glm::dvec3& radii) {
+    const glm::dvec3 share = q / radii;
+    return glm::dot(share, share) <= 1.0;
+  }
+  [[nodiscard]] glm::dvec3 placed(const glm::dvec3& q) const { return wall_.centre_mm + wall_.axes * q; }
+  /// The d of the ellipsoid through q, which lies outside the one of `from`: the sum of (q_i / (r_i + d))^2 falls to 1 with d and is
+  /// convex, so that Newton's steps come from below.
+  [[nodiscard]] double beyondWall(const glm::dvec3& q, double from) const {
+    double d = std::max(from, glm::length(q) - longest_);
+    for (double step = 1.0; step > 1e-9;) {
+      const glm::dvec3 radii = wall_.radii_mm + d, share = q / radii, square = share * share;
+      step = (square.x + square.y + square.z - 1.0) / (2.0 * glm::dot(square, 1.0 / radii));
+      d += step;
+    }
+    return d;
+  }
+  /// By how much the volume of the ellipsoid of d grows with d, over 4 pi / 3, mm^2.
+  [[nodiscard]] double area(double d) const {
+    const glm::dvec3 r = wall_.radii_mm + d;
+    return r.x * r.y + r.y * r.z + r.z * r.x;
+  }
+  /// Around the wall shells keep their volume (1 / area) and the pull fades.
+  [[nodiscard]] double drawnIn(double d) const { return d - inward_ * (area(0.0) / area(d)) * (1.0 - risen(d / reach_)); }
+
+  phantom::Ellipsoid wall_;
+  glm::dmat3 toAxes_;
+  double longest_;
+  double reach_;
+  double inward_;
+};
+
 class BodyMotion final : public Deformation {
  public:
   BodyMotion(const phantom::Motion& motion, const BodyState& state) {
@@ -83,19 +154,23 @@ class BodyMotion final : public Deformation {
       share_ = motion.breathing->share.get();
       breath_ = motion.breathing->displacement_mm * state.breath;
     }
-    if (motion.pulse && state.pulse > 0.0)
+    if (motion.pulse && state.pulse > 0.0) {
       for (const PulsingVessel& vessel : motion.pulse->vessels) pushes_.emplace_back(vessel, state.pulse);
+      for (const BeatingChamber& chamber : motion.pulse->chambers) pulls_.emplace_back(chamber, state.pulse);
+    }
   }
 
   glm::dvec3 moved(const glm::dvec3& rest_mm) const override {
     glm::dvec3 p = rest_mm;
     for (const VesselPush& push : pushes_) p = push.moved(p);
+    for (const ChamberPull& pull : pulls_) p = pull.moved(p);
     return share_ ? p + breath_ * (*share_)(p) : p;
   }
 
   glm::dvec3 rest(const glm::dvec3& moved_mm) const override {
     glm::dvec3 p = moved_mm;
     if (share_) p -= breath_ * shareAtRest(moved_mm);
+    for (auto pull = pulls_.rbegin(); pull != pulls_.rend(); ++pull) p = pull->rest(p);
     for (auto push = pushes_.rbegin(); push != pushes_.rend(); ++push) p = push->rest(p);
     return p;
   }
@@ -103,6 +178,7 @@ class BodyMotion final : public Deformation {
   double reach_mm() const override {
     double reach = glm::length(breath_);
     for (const VesselPush& push : pushes_) reach += push.reach_mm();
+    for (const ChamberPull& pull : pulls_) reach += pull.reach_mm();
     return reach;
   }
 
@@ -126,6 +202,7 @@ class BodyMotion final : public Deformation {
   const phantom::ShareField* share_ = nullptr;
   glm::dvec3 breath_{0.0};
   std::vector<VesselPush> pushes_;
+  std::vector<ChamberPull> pulls_;
 };
 
 }  // namespace
@@ -200,6 +277,16 @@ bool addVessel(const PulsingVessel& vessel, int threads, Progress& progress, Tis
   return addMode(TissueMotion::Kind::pulse, grid, threads, progress, motion, [&](const glm::dvec3& p) { return push.moved(p) - p; });
 }
 
+bool addChamber(const BeatingChamber& chamber, int threads, Progress& progress, TissueMotion& motion) {
+  const phantom::Ellipsoid& wall = chamber.wall;
+  const glm::dvec3 radii = wall.radii_mm + chamber.reach_mm;
+  const glm::dvec3 half = glm::sqrt(glm::matrixCompMult(wall.axes, wall.axes) * (radii * radii));
+  const ChamberPull pull(chamber, 1.0);
+  const double shortest_mm = std::min({wall.radii_mm.x, wall.radii_mm.y, wall.radii_mm.z});
+  const Grid grid = nodesOver({wall.centre_mm - half, wall.centre_mm + half}, std::clamp(0.1 * shortest_mm, 1.0, 2.5));
+  return addMode(TissueMotion::Kind::pulse, grid, threads, progress, motion, [&](const glm::dvec3& p) { return pull.moved(p) - p; });
+}
+
 /// How far a place lies within the gut, 0 outside and 1 where it sways fully.
 double shareOfGut(const phantom::Bowel& bowel, const glm::dvec3& p_mm) {
   double deepest_mm = 0.0;
@@ -246,8 +333,10 @@ Result<std::shared_ptr<TissueMotion>> tissueMotionOf(const Patient& patient, int
     finished = addMode(TissueMotion::Kind::breath, grid, threads, breath, *motion,
                        [&](const glm::dvec3& p) { return from.breathing->displacement_mm * share(p); });
   }
-  if (from.pulse)
+  if (from.pulse) {
     for (const PulsingVessel& vessel : from.pulse->vessels) finished = finished && addVessel(vessel, threads, pulse, *motion);
+    for (const BeatingChamber& chamber : from.pulse->chambers) finished = finished && addChamber(chamber, threads, pulse, *motion);
+  }
   if (from.bowel) finished = finished && addBowel(*from.bowel, patient.box, threads, bowel, *motion);
   if (!finished) return failure(ErrorCode::cancelled, say<"Building the virtual patient was stopped.">());
   return motion;

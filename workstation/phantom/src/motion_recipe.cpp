@@ -110,6 +110,27 @@ PulsingVessel readVessel(const JsonFields& object, const NamedShapes& shapes) {
   return vessel;
 }
 
+BeatingChamber readChamber(const JsonFields& object, const NamedShapes& shapes) {
+  BeatingChamber chamber;
+  object.only({"of", "inward_mm", "reach_mm"});
+  const std::string name = object.text("of");
+  chamber.inward_mm = object.number("inward_mm", 0.0, 20.0);
+  chamber.reach_mm = object.number("reach_mm", 1.0, 200.0, 25.0);
+  if (!object.good()) return chamber;
+  const auto found = shapes.find(name);
+  const Ellipsoid* wall = found == shapes.end() ? nullptr : found->second->ellipsoid();
+  if (!wall) {
+    object.refuse("of", verbatim('"' + name + '"'), say<"the name of a shape or organ that is an ellipsoid">());
+    return chamber;
+  }
+  chamber.wall = *wall;
+  // Tissue is squeezed most across the shortest radius; around the wall it is drawn out towards it.
+  const double shortest = std::min({wall->radii_mm.x, wall->radii_mm.y, wall->radii_mm.z});
+  if (!(chamber.inward_mm <= (1.0 - kLeastStretch) * shortest))
+    object.refuse("inward_mm", verbatim(textOf(chamber.inward_mm)), say<"less, so that the chamber is not folded">());
+  return chamber;
+}
+
 Bowel readBowel(const JsonFields& object, const NamedShapes& shapes) {
   Bowel bowel;
   object.only({"period_s", "variation", "organs", "sway_mm", "wavelength_mm", "fade_mm"});
@@ -186,10 +207,14 @@ Motion readMotion(const JsonFields& motion, const Bounds& box, const ShapePtr& s
   if (motion.has("breathing")) read.breathing = readBreathing(motion.object("breathing"), box, skin, shapes, progress);
   if (motion.has("pulse")) {
     const JsonFields object = motion.object("pulse");
-    object.only({"beats_per_minute", "variation", "vessels"});
+    object.only({"beats_per_minute", "variation", "vessels", "chambers"});
     Pulse pulse;
     pulse.rhythm = readRhythm(object, 60.0 / object.number("beats_per_minute", 20.0, 240.0, 66.0));
-    for (const JsonFields& vessel : object.objects("vessels", 1, 50)) pulse.vessels.push_back(readVessel(vessel, shapes));
+    const bool hasChambers = object.has("chambers");
+    if (hasChambers)
+      for (const JsonFields& chamber : object.objects("chambers", 1, 50)) pulse.chambers.push_back(readChamber(chamber, shapes));
+    if (!hasChambers || object.has("vessels"))
+      for (const JsonFields& vessel : object.objects("vessels", 1, 50)) pulse.vessels.push_back(readVessel(vessel, shapes));
     read.pulse = std::move(pulse);
   }
   if (motion.has("bowel")) read.bowel = readBowel(motion.object("bowel"), shapes);

@@ -50,9 +50,17 @@ struct PulsingVessel {
   double fade_mm = 15.0;            ///< over which the pulse comes up from both ends of the line
 };
 
+/// A chamber of a heart, an ellipsoid that narrows with each beat.
+struct BeatingChamber {
+  Ellipsoid wall;          ///< at rest: the end of diastole
+  double inward_mm = 0.0;  ///< by which all three radii shorten, so that every place of the wall moves as far
+  double reach_mm = 25.0;  ///< from the wall to where nothing is drawn along any more
+};
+
 struct Pulse {
   BodyRhythm rhythm;
   std::vector<PulsingVessel> vessels;
+  std::vector<BeatingChamber> chambers;
 };
 
 /// Slow waves along the gut: within its organs tissue sways front to back, as far as `sway_mm` from one end to the other.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "ew/core/contract.h"
 
@@ -15,24 +16,25 @@ constexpr double kFar_mm = 1e5;
 class EllipsoidShape final : public Shape {
  public:
   explicit EllipsoidShape(const Ellipsoid& e)
-      : centre_(e.centre_mm), toAxes_(glm::transpose(e.axes)), smallest_(glm::min(e.radii_mm.x, glm::min(e.radii_mm.y, e.radii_mm.z))) {
+      : drawn_(e), toAxes_(glm::transpose(e.axes)), smallest_(glm::min(e.radii_mm.x, glm::min(e.radii_mm.y, e.radii_mm.z))) {
     inverse_ = 1.0 / e.radii_mm;
     glm::dvec3 half;
     for (int axis = 0; axis < 3; ++axis) {
       const glm::dvec3 row(e.axes[0][axis] * e.radii_mm.x, e.axes[1][axis] * e.radii_mm.y, e.axes[2][axis] * e.radii_mm.z);
       half[axis] = glm::length(row);
     }
-    bounds_ = {centre_ - half, centre_ + half};
+    bounds_ = {e.centre_mm - half, e.centre_mm + half};
   }
   double distance_mm(const glm::dvec3& p_mm) const override {
-    const glm::dvec3 scaled = (toAxes_ * (p_mm - centre_)) * inverse_;
+    const glm::dvec3 scaled = (toAxes_ * (p_mm - drawn_.centre_mm)) * inverse_;
     const double level = glm::length(scaled);
     if (level < 1e-9) return -smallest_;
     return level * (level - 1.0) / glm::length(scaled * inverse_);
   }
+  const Ellipsoid* ellipsoid() const override { return &drawn_; }
 
  private:
-  glm::dvec3 centre_;
+  Ellipsoid drawn_;
   glm::dmat3 toAxes_;
   glm::dvec3 inverse_;
   double smallest_;
@@ -103,15 +105,19 @@ class Placed final : public Shape {
     }
     if (const CentreLine* drawnLine = of_->centreLine())
       for (const glm::dvec4& point : drawnLine->points_mm) line_.points_mm.emplace_back(frame_.toWorld(glm::dvec3(point)), point.w);
+    if (const Ellipsoid* ellipsoid = of_->ellipsoid())
+      placed_ = Ellipsoid{frame_.toWorld(ellipsoid->centre_mm), ellipsoid->radii_mm, frame_.axes * ellipsoid->axes};
   }
   double distance_mm(const glm::dvec3& p_mm) const override { return of_->distance_mm(frame_.fromWorld(p_mm)); }
   double atLeast_mm(const glm::dvec3& p_mm) const override { return of_->atLeast_mm(frame_.fromWorld(p_mm)); }
   const CentreLine* centreLine() const override { return line_.points_mm.empty() ? nullptr : &line_; }
+  const Ellipsoid* ellipsoid() const override { return placed_ ? &*placed_ : nullptr; }
 
  private:
   ShapePtr of_;
   DrawingFrame frame_;
   CentreLine line_;
+  std::optional<Ellipsoid> placed_;
 };
 
 class Mirrored final : public Shape {

@@ -17,6 +17,7 @@ struct CentreLine {
   std::vector<glm::dvec4> points_mm;
 };
 
+struct Ellipsoid;
 struct VesselTree;
 
 /// An implicit solid: signed distance in mm (negative inside) and a box that holds all of it.
@@ -31,6 +32,8 @@ class Shape {
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
   /// Of a tube, of a tube that is grown, and of blends whose first part is one; null for everything else.
   [[nodiscard]] virtual const CentreLine* centreLine() const { return nullptr; }
+  /// Of an ellipsoid, in the world; null for everything else.
+  [[nodiscard]] virtual const Ellipsoid* ellipsoid() const { return nullptr; }
   /// Of a tree of vessels; null for everything else.
   [[nodiscard]] virtual const VesselTree* vessels() const { return nullptr; }
   /// Solids that one call of distance_mm may ask, a shared one counted at every use: what a point costs.

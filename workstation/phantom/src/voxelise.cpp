@@ -5,6 +5,7 @@
 
 #include "anatomy.h"
 #include "echo_levels.h"
+#include "ew/core/large_pages.h"
 #include "ew/core/numbers.h"
 #include "ew/core/parallel.h"
 #include "ew/phantom/speckle.h"
@@ -180,17 +181,6 @@ class MapPainter {
 
 tl::unexpected<Error> stoppedByUser() { return failure(ErrorCode::cancelled, say<"Building the virtual patient was stopped.">()); }
 
-/// Takes memory piece by piece, because a page is only found when it is first touched: a gigabyte takes longer than a user waits.
-bool zeros(std::vector<std::uint8_t>& values, std::size_t count, const Progress& progress) {
-  constexpr std::size_t kPiece = 16u << 20;
-  values.reserve(count);
-  while (values.size() < count) {
-    if (progress.cancelRequested()) return false;
-    values.resize(std::min(count, values.size() + kPiece), 0);
-  }
-  return true;
-}
-
 Grid gridOf(const Patient& patient, double spacing_mm) {
   Grid grid;
   grid.spacing_mm = glm::dvec3(spacing_mm);
@@ -359,7 +349,7 @@ Result<VoxelisedPatient> voxelise(const Patient& patient, const VoxeliseOptions&
     std::vector<std::vector<std::uint8_t>*> taken{&volume.echo, &volume.coverage, &made.labels};
     if (made.maps) taken.insert(taken.end(), {&made.maps->level, &made.maps->surfaceDistance, &made.maps->surfaceKind});
     for (std::vector<std::uint8_t>* values : taken)
-      if (!zeros(*values, volume.grid.voxelCount(), progress)) return stoppedByUser();
+      if (!growInLargePages(*values, volume.grid.voxelCount(), progress)) return stoppedByUser();
 
     VolumePainter painter(patient, options, progress, made);
     PartOfProgress painting(progress, 0.0, made.maps ? 0.9 : 1.0), spreading(progress, 0.9, 1.0);

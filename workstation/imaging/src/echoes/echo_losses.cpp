@@ -87,11 +87,8 @@ void EchoLosses::walk(const SliceSource& labels, const Transform<frame::Voxel, f
           ask([](int, glm::vec3&) {});
           continue;
         }
-        const float at = depth_mm * motion.perKnot();
-        const int knot = std::min(static_cast<int>(at), motion.knots() - 2);
-        const float t = at - static_cast<float>(knot);
-        const glm::vec3* near = back_[static_cast<std::size_t>(p)].data() + static_cast<std::ptrdiff_t>(knot) * lines_;
-        ask([&](int line, glm::vec3& place) { place += near[line] + t * (near[lines_ + line] - near[line]); });
+        const std::vector<glm::vec3>& back = back_[static_cast<std::size_t>(p)];
+        ask([&](int line, glm::vec3& place) { place += motion.backOn(back, line, depth_mm); });
       }
   });
 

@@ -81,6 +81,7 @@ void EchoMotion::find(const EchoLayout& layout, const TissueMotion& motion, cons
   const double asked_mm = std::clamp(layout.depth_mm / kKnotsOfDepth, kFinestKnot_mm, kCoarsestKnot_mm);
   knots_ = static_cast<int>(std::ceil(layout.depth_mm / asked_mm)) + 1;
   knot_mm_ = layout.depth_mm / (knots_ - 1);
+  perKnot_ = static_cast<float>(1.0 / knot_mm_);
   const double width_mm = layout.grid.lineSpacing_mm(0.75 * layout.depth_mm) * (lines_ - 1);
   columns_ = std::clamp(static_cast<int>(std::ceil(width_mm / asked_mm)) + 1, 2, std::max(2, lines_));
   nodes_.resize(static_cast<std::size_t>(2 * knots_ * columns_));

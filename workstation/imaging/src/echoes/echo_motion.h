@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <glm/glm.hpp>
 #include <span>
 #include <vector>
@@ -38,8 +40,13 @@ class EchoMotion {
   /// @param rows    knot after knot, by line; knots lie knot_mm() apart from range 0 on
   void rowsOf(double sigmas, const glm::mat3& toVoxel, Bands& bands, std::vector<glm::vec3>& rows) const;
   [[nodiscard]] double knot_mm() const { return knot_mm_; }
-  [[nodiscard]] float perKnot() const { return static_cast<float>(1.0 / knot_mm_); }
-  [[nodiscard]] int knots() const { return knots_; }
+  /// Of rowsOf, between the knots around a range on a line.
+  [[nodiscard]] glm::vec3 backOn(const std::vector<glm::vec3>& rows, int line, float range_mm) const {
+    const float at = range_mm * perKnot_;
+    const int knot = std::min(static_cast<int>(at), knots_ - 2);
+    const glm::vec3* near = rows.data() + static_cast<std::ptrdiff_t>(knot) * lines_ + line;
+    return near[0] + (at - static_cast<float>(knot)) * (near[lines_] - near[0]);
+  }
 
  private:
   /// A field of the motion as it stands.
@@ -60,6 +67,7 @@ class EchoMotion {
 
   std::vector<Field> fields_;
   double knot_mm_ = 4.0;
+  float perKnot_ = 0.25F;
   int knots_ = 0;
   int columns_ = 0;  ///< of nodes, evenly across the lines
   int lines_ = 0;

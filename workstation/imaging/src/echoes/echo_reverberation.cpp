@@ -81,14 +81,6 @@ void EchoReverberation::find(const SliceSource& labels, const Transform<frame::V
   const glm::dmat4& m = probeToLabel.matrix;
   if (motion.moves()) motion.rowsOf(0.0, glm::mat3(m), bands, back_);
   const auto lines = static_cast<int>(fronts_.size());
-  // What lies on a line now, where it rests.
-  const auto backAt = [&](int line, float range_mm) {
-    if (!motion.moves()) return glm::vec3(0.0F);
-    const float at = range_mm * motion.perKnot();
-    const int knot = std::min(static_cast<int>(at), motion.knots() - 2);
-    const glm::vec3& near = back_[static_cast<std::size_t>(knot * lines + line)];
-    return near + (at - static_cast<float>(knot)) * (back_[static_cast<std::size_t>((knot + 1) * lines + line)] - near);
-  };
   bands.run(lines, [&](int first, int count, int) {
     for (int line = first; line < first + count; ++line) {
       const BeamGrid::Line& way = layout_->grid.lines[static_cast<std::size_t>(line)];
@@ -97,7 +89,8 @@ void EchoReverberation::find(const SliceSource& labels, const Transform<frame::V
       float before = 0.0F;
       for (int step = 0; step * kStep_mm < layout_->depth_mm; ++step) {
         const auto range_mm = static_cast<float>(step * kStep_mm);
-        const glm::vec3 place = start + range_mm * perMm + backAt(line, range_mm);
+        glm::vec3 place = start + range_mm * perMm;
+        if (motion.moves()) place += motion.backOn(back_, line, range_mm);
         blend.announce(place + 4.0F * perMm);
         float gas = 0.0F, lung = 0.0F;
         blend.at(place, gas, lung);

@@ -11,6 +11,11 @@
 #include "scatterers.h"
 
 namespace ew::detail {
+namespace {
+
+constexpr float kBlind_mm = 0.8F;  // at least, where no surface is known
+
+}  // namespace
 
 /// A reflecting surface in amplitudes.
 struct Strength {
@@ -29,6 +34,8 @@ struct SurfaceMap {
   glm::vec3 last = glm::vec3(maps.grid.dims - 1);
   std::ptrdiff_t row = maps.grid.dims.x;
   std::ptrdiff_t plane = row * maps.grid.dims.y;
+  /// From a place that knows no surface at one of its voxels, this far nothing is missed.
+  float blind_mm = std::max(kBlind_mm, static_cast<float>(TissueMaps::kSurfaceReach_mm - glm::length(maps.grid.spacing_mm) - 0.1));
 
   /// Between voxels, mm; not a number where one of them knows no surface, and outside.
   [[nodiscard]] float distanceAt(const glm::vec3& voxel) const {
@@ -87,7 +94,6 @@ struct ElevationRay {
 constexpr std::array<ElevationRay, 3> kRays{{{0.0F, 0.4284F}, {-0.9F, 0.2858F}, {0.9F, 0.2858F}}};
 
 constexpr float kFine_mm = 0.3F;    // steps across a surface
-constexpr float kBlind_mm = 0.8F;   // where no surface is known
 constexpr float kClose_mm = 0.35F;  // from here on steps are fine
 constexpr float kTrust = 0.85F;     // of a distance, which is first order, and between voxels
 constexpr double kGrain_mm = 4.5;   // of unevenness
@@ -193,22 +199,18 @@ void EchoSurfaces::addLine(int line, const SurfaceMap& map, const EchoMotion& mo
       perMm(glm::mat3(map.probeToVoxel) * glm::vec3(way.direction, 0.0F));
   const glm::vec3 aside(map.probeToVoxel[2]);
   const auto depth_mm = static_cast<float>(layout_->depth_mm);
-  const std::size_t lines = layout_->grid.lines.size();
   for (std::size_t n = 0; n < kRays.size(); ++n) {
     const ElevationRay& ray = kRays[n];
     const auto voxelAt = [&](float range_mm) {
       const glm::vec3 straight = start + range_mm * perMm + ray.sigmas * elevation_mm_[static_cast<std::size_t>(range_mm)] * aside;
       if constexpr (!kMoves) return straight;
-      const float at = range_mm * motion.perKnot();
-      const int knot = std::min(static_cast<int>(at), motion.knots() - 2);
-      const glm::vec3* row = back_[n].data() + static_cast<std::size_t>(knot) * lines + static_cast<std::size_t>(line);
-      return straight + row[0] + (at - static_cast<float>(knot)) * (row[lines] - row[0]);
+      return straight + motion.backOn(back_[n], line, range_mm);
     };
     float before = SurfaceMap::kUnknown;
     for (float range_mm = 0.0F, step_mm = 0.0F; range_mm < depth_mm; range_mm += step_mm) {
       const float last_mm = step_mm, last = before, here = map.distanceAt(voxelAt(range_mm));
       before = here;
-      step_mm = std::isnan(here) ? kBlind_mm : std::abs(here) > kClose_mm ? std::max(kTrust * std::abs(here), kFine_mm) : kFine_mm;
+      step_mm = std::isnan(here) ? map.blind_mm : std::abs(here) > kClose_mm ? std::max(kTrust * std::abs(here), kFine_mm) : kFine_mm;
       // Not a number compares false. A jump between two surfaces is no crossing.
       if (!(here * last <= 0.0F && std::abs(here - last) < 1.4F * last_mm && here != last)) continue;
       meet(line, range_mm - last_mm * here / (here - last), here < last, ray.weight, map, voxelAt, fine, stride);
@@ -258,10 +260,11 @@ void EchoSurfaces::add(int row, double range_mm, double amplitude, double rough,
   const auto c = static_cast<std::size_t>(whole);
   const double re = amplitude * static_cast<double>(mirrorScale_[c]), im = rough * static_cast<double>(roughScale_[c]);
   std::int32_t* first = fine + at * stride + 2 * whole;
-  first[0] += static_cast<std::int32_t>(std::lround((1.0 - part) * re));
-  first[1] += static_cast<std::int32_t>(std::lround((1.0 - part) * im));
-  first[2] += static_cast<std::int32_t>(std::lround(part * re));
-  first[3] += static_cast<std::int32_t>(std::lround(part * im));
+  const auto rounded = [](double x) { return static_cast<std::int32_t>(std::floor(x + 0.5)); };
+  first[0] += rounded((1.0 - part) * re);
+  first[1] += rounded((1.0 - part) * im);
+  first[2] += rounded(part * re);
+  first[3] += rounded(part * im);
 }
 
 namespace {
@@ -286,12 +289,12 @@ void EchoSurfaces::addFragments(const SliceSource& level, const EchoPlace& fragm
     cell = cell * double{kBlockCells} + firstCell;
     const glm::dvec3 moved_mm = glm::dvec3(block.shift_mm) + glm::dmat3(stretchOf(block)) * (cell - firstCell);
     const glm::dvec3 at_mm = glm::dvec3(fragments.cellToProbe * glm::dvec4(cell, 1.0)) + moved_mm;
-    const FanShape::Place place = fan.placeOf(glm::dvec2(at_mm));
-    const glm::dvec2 way = fan.lineAt(place.across).direction;
+    const glm::dvec2 way = fan.directionThrough(glm::dvec2(at_mm));
     const glm::dvec3 normal =
         glm::normalize(glm::dmat3(fragments.cellToProbe) * glm::dvec3(flat * std::cos(turn), flat * std::sin(turn), height));
     const double cosine = glm::dot(glm::dvec2(normal), way), sine2 = std::max(0.0, 1.0 - cosine * cosine);
     if (sine2 > kSteepestFragment) continue;
+    const FanShape::Place place = fan.placeOf(glm::dvec2(at_mm));
     const glm::ivec3 voxel(glm::floor(cell * fragments.voxelsPerCell + 0.5));
     if (!level.grid.contains(voxel) || !(place.depth_mm > 0.0 && place.depth_mm < layout_->depth_mm)) continue;
     const std::uint8_t around = level.voxels[level.grid.indexOf(voxel.x, voxel.y, voxel.z)];

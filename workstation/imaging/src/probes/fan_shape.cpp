@@ -40,6 +40,11 @@ FanShape::Line FanShape::lineAt(double across) const {
   return {{apexToFace_mm * direction.x, apexToFace_mm * (direction.y - 1.0)}, direction};
 }
 
+glm::dvec2 FanShape::directionThrough(const glm::dvec2& p_mm) const {
+  if (kind == Kind::parallel) return {std::sin(steering_rad), std::cos(steering_rad)};
+  return glm::normalize(glm::dvec2(p_mm.x, std::max(p_mm.y + apexToFace_mm, 1e-9)));
+}
+
 FanShape::Place FanShape::placeOf(const glm::dvec2& p_mm) const {
   switch (kind) {
     case Kind::parallel:

@@ -33,6 +33,8 @@ struct FanShape {
     double across;
     double depth_mm;
   };
+  /// Of the line through a point, not behind the apex: lineAt(placeOf(p_mm).across).direction without an angle.
+  [[nodiscard]] glm::dvec2 directionThrough(const glm::dvec2& p_mm) const;
   /// The inverse of lineAt(across).origin_mm + depth_mm * direction.
   [[nodiscard]] Place placeOf(const glm::dvec2& p_mm) const;
 

@@ -5,9 +5,11 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <thread>
 
 #include "ew/core/contract.h"
+#include "ew/core/parallel.h"
 
 namespace ew {
 namespace {
@@ -37,16 +39,21 @@ void Bands::runErased(int rows, void* work, Erased call) {
   if (rows <= 0) return;
   const int bands = std::min(kBandsPerThread * threads_, (rows + kFewestRows - 1) / kFewestRows);
   if (!arena_ || bands < 2) return call(work, 0, rows, 0);
+  const auto runBand = [&](int band, int slot) {
+    const auto rowOf = [&](int n) { return static_cast<int>(static_cast<long long>(rows) * n / bands); };
+    const int first = rowOf(band);
+    call(work, first, rowOf(band + 1) - first, slot);
+  };
+#ifdef __SANITIZE_THREAD__
+  // oneTBB is built without the sanitizer, which would not see how a thread is handed its band.
+  std::atomic<int> next{0};
+  callOnThreads(bands, threads_, [&](int worker) { runBand(next++, worker); });
+#else
   arena_->arena.execute([&] {
     tbb::parallel_for(
-        0, bands,
-        [&](int band) {
-          const auto rowOf = [&](int n) { return static_cast<int>(static_cast<long long>(rows) * n / bands); };
-          const int first = rowOf(band);
-          call(work, first, rowOf(band + 1) - first, tbb::this_task_arena::current_thread_index());
-        },
-        tbb::simple_partitioner());
+        0, bands, [&](int band) { runBand(band, tbb::this_task_arena::current_thread_index()); }, tbb::simple_partitioner());
   });
+#endif
 }
 
 }  // namespace ew

@@ -75,7 +75,7 @@ double logMean_us(const std::vector<double>& times_us) {
 
 LayoutChoice LayoutTimes::choice() const {
   LayoutChoice choice;
-  for (std::size_t n = 0; n < ofClass.size(); ++n) choice.set(n, ofClass[n].bricksAreFaster());
+  for (std::size_t n = 0; n < ofClass.size(); ++n) choice.set(n, ofClass[n].choosesBricks());
   return choice;
 }
 
@@ -90,7 +90,7 @@ LayoutPair LayoutTimes::mean() const {
 
 double LayoutTimes::chosen_us() const {
   double sum = 0.0;
-  for (const LayoutPair& pair : ofClass) sum += std::log(pair.faster_us()) / static_cast<double>(ofClass.size());
+  for (const LayoutPair& pair : ofClass) sum += std::log(pair.chosen_us()) / static_cast<double>(ofClass.size());
   return std::exp(sum);
 }
 

@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "ew/core/large_pages.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 
@@ -90,7 +91,7 @@ class StepStore {
                                 std::vector<Value>& into) const {
     static_assert(std::is_trivially_copyable_v<Value>);
     if (bytesOf(step, key, name) != count * sizeof(Value)) return false;
-    std::vector<Value> values(count);
+    auto values = zerosInLargePages<Value>(count);
     if (!readBytes(step, key, name, std::as_writable_bytes(std::span(values)))) return false;
     into = std::move(values);
     return true;

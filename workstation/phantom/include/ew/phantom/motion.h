@@ -23,14 +23,13 @@ namespace ew {
 [[nodiscard]] double ecgAt_mv(const Patient& patient, double time_s);
 
 /// The body's own motion as displacement of its tissue: breathing moves organs along and against the spine, the pulse widens vessels about
-/// their centre lines and pushes what surrounds them, less with distance. The gut's own waves are left out: no sweep asks for them. The
-/// patient must outlive the result.
+/// their centre lines and pushes what surrounds them, less with distance; chambers of the heart narrow and draw what surrounds them along.
+/// The gut's own waves are left out: no sweep asks for them. The patient must outlive the result.
 [[nodiscard]] std::unique_ptr<Deformation> bodyMotion(const Patient& patient, const BodyState& state);
 
-/// The same and the gut's waves as fields on grids, for echoes that are formed live: breath every 6 mm, each vessel every 1 to 2.5 mm as it
-/// is thin, the gut every 4 mm. Breath alone is bodyMotion's to
-/// 0.01 mm; a pulse alone is right within 7 % of the growth of the diameter, at the wall, where it has a kink. Null when the patient does
-/// not move.
+/// The same and the gut's waves as fields on grids, for echoes that are formed live: breath every 6 mm, each vessel and chamber every 1
+/// to 2.5 mm as it is thin, the gut every 4 mm. Breath alone is bodyMotion's to 0.01 mm; a pulse alone is right within 7 % of the growth of
+/// the diameter, or of the way of a chamber's wall, at the wall, where it has a kink. Null when the patient does not move.
 /// @error cancelled
 [[nodiscard]] Result<std::shared_ptr<TissueMotion>> tissueMotionOf(const Patient& patient, int threads, Progress& progress);
 

@@ -25,6 +25,10 @@ struct TissueTexture {
   bool operator==(const TissueTexture&) const = default;
 };
 
+/// Size of the smallest grains of a texture along its finest axis, mm; infinity without a texture. Voxels of less than half of it hold
+/// the texture.
+[[nodiscard]] double finestGrain_mm(const TissueTexture& texture);
+
 /// What a tissue looks like to an ultrasound machine.
 struct Tissue {
   std::string name;

@@ -1,0 +1,96 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "ew/library/case.h"
+#include "ew/library/case_truth.h"
+#include "ew/library/preparation.h"
+#include "ew/phantom/truth.h"
+#include "ew/phantom/virtual_sweep.h"
+#include "library/temporary_folder.h"
+
+namespace ew::shipped_patients_test {
+namespace {
+
+using test::EnvironmentValue;
+using test::TemporaryFolder;
+
+TEST(ShippedCases, KnowEveryTargetAndMeasurementTheyName) {
+  const TemporaryFolder folder;
+  const EnvironmentValue cache("ECHOWEAVE_CACHE", folder / "cache");
+  for (const Case& each : listCases(*shippedCasesFolder()).cases) {
+    const auto truth = loadCaseTruth(each, noProgress());
+    EXPECT_TRUE(truth) << each.id << ": " << truth.error();
+    EXPECT_TRUE(estimatePreparation(each)) << each.id << ": " << estimatePreparation(each).error();
+  }
+}
+
+TEST(ShippedCases, HoldTheirProbesToTheSkinOfTheirPatients) {
+  const auto resources = resourceFolder();
+  ASSERT_TRUE(resources);
+  std::size_t swept = 0;
+  for (const Case& each : listCases(*shippedCasesFolder()).cases) {
+    const auto probes = readProbes(*resources / "probes");
+    for (const std::string& id : each.probes)
+      EXPECT_TRUE(std::any_of(probes->begin(), probes->end(), [&](const Probe& p) { return p.id == id; })) << each.id << ": " << id;
+    if (each.volume.sweeps.empty()) continue;
+    ++swept;
+    const auto patient = readPatient(each.folder / each.volume.recipe, *resources / "mannequin");
+    ASSERT_TRUE(patient) << each.id << ": " << patient.error();
+    for (const std::string& file : each.volume.sweeps) {
+      const auto recipe = readSweepRecipe(each.folder / file);
+      ASSERT_TRUE(recipe) << each.id << ": " << recipe.error();
+      const auto probe = readProbe(*resources / "probes" / (recipe->probe + ".json"));
+      ASSERT_TRUE(probe) << probe.error();
+      const auto forecast = forecastSweep(**patient, *probe, *recipe);
+      EXPECT_TRUE(forecast) << each.id << ", " << file << ": " << forecast.error();
+    }
+  }
+  EXPECT_EQ(swept, 1u);
+}
+
+/// Share of a fan's body that lies beyond the patient's box, where nothing is known: the picture would end there.
+double shareUnknown(const Patient& patient, const Probe& probe, const glm::dmat4& probeToWorld) {
+  const Bounds box = boxOf(patient);
+  int body = 0, unknown = 0;
+  for (double aside = -1.0; aside <= 1.0; aside += 0.05)
+    for (double depth_mm = 0.0; depth_mm <= probe.defaultDepth_mm; depth_mm += 3.0) {
+      const double angle = probe.halfAngle_rad * aside, radius = probe.radius_mm + depth_mm;
+      const glm::dvec3 p = isSector(probe.kind) ? glm::dvec3(radius * std::sin(angle), radius * std::cos(angle) - probe.radius_mm, 0.0)
+                                                : glm::dvec3(0.5 * probe.width_mm * aside, depth_mm, 0.0);
+      const glm::dvec3 p_world(probeToWorld * glm::dvec4(p, 1.0));
+      if (*signedDistance_mm(patient, "skin surface", p_world) >= 0.0) continue;
+      ++body;
+      if (glm::any(glm::lessThan(p_world, box.lowest_mm)) || glm::any(glm::greaterThan(p_world, box.highest_mm))) ++unknown;
+    }
+  EXPECT_GT(body, 0);
+  return static_cast<double>(unknown) / body;
+}
+
+TEST(ShippedCases, WithoutSweepsKnowEverythingThatTheirPlanesAndPosesSee) {
+  const auto resources = resourceFolder();
+  ASSERT_TRUE(resources);
+  int looked = 0;
+  for (const Case& each : listCases(*shippedCasesFolder()).cases) {
+    if (!each.volume.sweeps.empty()) continue;
+    ++looked;
+    const auto patient = readPatient(each.folder / each.volume.recipe, *resources / "mannequin");
+    ASSERT_TRUE(patient) << each.id << ": " << patient.error();
+    std::vector<std::pair<std::string, glm::dmat4>> views{{"start", each.startPose->probeToWorld.matrix},
+                                                          {"expert", each.expertPose->probeToWorld.matrix}};
+    for (const StandardPlane& plane : planesOf(**patient)) views.emplace_back(plane.name, plane.probeToWorld.matrix);
+    for (const std::string& id : each.probes) {
+      const auto probe = readProbe(*resources / "probes" / (id + ".json"));
+      ASSERT_TRUE(probe) << probe.error();
+      for (const auto& [name, pose] : views)
+        EXPECT_LT(shareUnknown(**patient, *probe, pose), 0.001) << each.id << ", " << id << ", " << name;
+    }
+  }
+  EXPECT_EQ(looked, 6);
+}
+
+}  // namespace
+}  // namespace ew::shipped_patients_test
