@@ -6204,22 +6204,6 @@
         <translation>eine Nummer, die keine andere Messung hat</translation>
     </message>
     <message>
-        <source>There is no measurement package %1; check the name.</source>
-        <translation>Es gibt kein Messpaket %1; den Namen prüfen.</translation>
-    </message>
-    <message>
-        <source>The measurement package %1 cannot be read: %2.</source>
-        <translation>Das Messpaket %1 kann nicht gelesen werden: %2.</translation>
-    </message>
-    <message>
-        <source>The file %1 is too large to be a measurement package, which is a JSON text.</source>
-        <translation>Die Datei %1 ist zu groß für ein Messpaket, das ein JSON-Text ist.</translation>
-    </message>
-    <message>
-        <source>The measurement package %1 cannot be read; check its permissions.</source>
-        <translation>Das Messpaket %1 kann nicht gelesen werden; die Zugriffsrechte prüfen.</translation>
-    </message>
-    <message>
         <source>the measurement package %1</source>
         <translation>Messpaket %1</translation>
     </message>

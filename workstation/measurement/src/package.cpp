@@ -3,38 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "ew/core/contract.h"
 #include "ew/core/json_fields.h"
+#include "ew/io/safe_file.h"
 
 namespace ew::measurement {
 namespace {
 
-constexpr std::uintmax_t kLargestPackage_bytes = 4 << 20;
-
-Result<nlohmann::json> readPackageText(const std::filesystem::path& file) {
-  const std::string name = file.string();
-  std::error_code problem;
-  if (!std::filesystem::exists(file, problem))
-    return failure(ErrorCode::notFound, say<"There is no measurement package %1; check the name.">(name), {{"file", name}});
-  const std::uintmax_t size = std::filesystem::file_size(file, problem);
-  if (problem)
-    return failure(ErrorCode::notReadable, say<"The measurement package %1 cannot be read: %2.">(name, problem.message()),
-                   {{"file", name}});
-  if (size > kLargestPackage_bytes)
-    return failure(ErrorCode::badHeader, say<"The file %1 is too large to be a measurement package, which is a JSON text.">(name),
-                   {{"file", name}});
-  std::ifstream stream(file, std::ios::binary);
-  std::string text(static_cast<std::size_t>(size), '\0');
-  if (!stream.read(text.data(), static_cast<std::streamsize>(size)))
-    return failure(ErrorCode::notReadable, say<"The measurement package %1 cannot be read; check its permissions.">(name),
-                   {{"file", name}});
-  return parseJsonObject(text, say<"the measurement package %1">(name));
-}
+constexpr std::size_t kLargestPackage_bytes = 4u << 20;
 
 template <class Labelled>
 const Labelled* labelled(const std::vector<Labelled>& all, std::string_view label) {
@@ -80,9 +59,12 @@ double valueAt(const PackageChart& chart, double weeks, double z) {
 }
 
 Result<Package> readPackage(const std::filesystem::path& file) {
-  const auto document = readPackageText(file);
+  const auto text = readTextFile(file, kLargestPackage_bytes);
+  if (!text) return passOn(text.error());
+  const Message where = say<"the measurement package %1">(file.string());
+  const auto document = parseJsonObject(*text, where);
   if (!document) return passOn(document.error());
-  return packageFromJson(*document, file.stem().string(), say<"the measurement package %1">(file.string()));
+  return packageFromJson(*document, file.stem().string(), where);
 }
 
 Result<std::vector<Package>> readPackages(const std::filesystem::path& folder) {

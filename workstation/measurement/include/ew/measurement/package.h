@@ -195,7 +195,7 @@ struct Package {
 /// @error badField, newerFormat
 [[nodiscard]] Result<Package> packageFromJson(const nlohmann::json& document, const std::string& id, const Message& where);
 
-/// @error notFound, notReadable, badHeader (not JSON), otherwise as packageFromJson
+/// @error notFound, notReadable, tooLarge (above 4 MiB), badHeader (not JSON), otherwise as packageFromJson
 [[nodiscard]] Result<Package> readPackage(const std::filesystem::path& file);
 /// Every package of a folder, by id; a file that cannot be read is an error, not a gap.
 [[nodiscard]] Result<std::vector<Package>> readPackages(const std::filesystem::path& folder);
