@@ -177,6 +177,12 @@ TEST(Worksheet, ComparesWithUsualRanges) {
   EXPECT_EQ(sheet->row("KIDNEY_L", "right")->ranges[0].verdict, RangeVerdict::within);
 }
 
+TEST(UsualRanges, AreWrittenWithBothEndsOrTheOneThatIsStated) {
+  EXPECT_EQ(rangeText({"A", Unit::cm, 9.0, 13.0, {}, {}}), "9 to 13 cm");
+  EXPECT_EQ(rangeText({"A", Unit::mm, {}, 6.5, {}, {}}), "up to 6.5 mm");
+  EXPECT_EQ(rangeText({"A", Unit::one, 3.0, {}, {}, {}}), "from 3");
+}
+
 TEST(Worksheet, GradesAStenosisPerSide) {
   const auto sheet = fillWorksheet(shipped("vessel"), {{mm("D_MIN", 1.5, 0.2, "left"), mm("D_DISTAL", 5.0, 0.2, "left"),
                                                         mm("D_ORIGINAL", 7.5, 0.2, "left"), mm("D_MIN", 4.0, 0.2, "right")},

@@ -168,13 +168,8 @@ void print(const Worksheet& sheet, const MeasureArguments& arguments, std::ostre
         line += "; predicts within " + rounded(row.predictionError, 0) + " " + std::string(symbolOf(row.value->unit)) + " (1 SD)";
       for (const RangeReading& reading : row.ranges) {
         const std::string& whom = reading.range.applies.in(arguments.language);
-        const std::string unit = reading.range.unit == Unit::one ? "" : " " + std::string(symbolOf(reading.range.unit));
-        line += std::string("; ") +
-                (reading.verdict == RangeVerdict::within  ? "within"
-                 : reading.verdict == RangeVerdict::below ? "below"
-                                                          : "above") +
-                " the usual " + (reading.range.low ? textOf(*reading.range.low) + " to " : "up to ") +
-                (reading.range.high ? textOf(*reading.range.high) : "any") + unit + (whom.empty() ? "" : " (" + whom + ")");
+        line += "; " + std::string(wordOf(reading.verdict)) + " the usual " + rangeText(reading.range) +
+                (whom.empty() ? "" : " (" + whom + ")");
       }
       for (const ChartReading& chart : row.charts) line += "; percentile " + rounded(chart.percentile, 1) + " by " + chart.label;
       out << "  " << line << "\n";

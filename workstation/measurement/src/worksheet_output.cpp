@@ -13,18 +13,6 @@ constexpr int kWorksheetFormat = 1;
 
 const char* wordOf(Several several) { return several == Several::mean ? "mean" : several == Several::last ? "last" : "selected"; }
 
-const char* wordOf(RangeVerdict verdict) {
-  return verdict == RangeVerdict::within ? "within" : verdict == RangeVerdict::below ? "below" : "above";
-}
-
-std::string rangeText(const ReferenceRange& range) {
-  const std::string unit = range.unit == Unit::one ? "" : " " + std::string(symbolOf(range.unit));
-  std::string text = range.low && range.high ? textOf(*range.low) + " to " + textOf(*range.high)
-                     : range.high            ? "up to " + textOf(*range.high)
-                                             : "from " + textOf(*range.low);
-  return text + unit;
-}
-
 ordered_json jsonOf(const Quantity& quantity) {
   ordered_json made = {{"value", quantity.value}};
   if (quantity.uncertainty > 0.0) made["uncertainty"] = quantity.uncertainty;
@@ -81,6 +69,18 @@ std::string listed(const Parts& parts, Text text) {
 }
 
 }  // namespace
+
+std::string_view wordOf(RangeVerdict verdict) {
+  return verdict == RangeVerdict::within ? "within" : verdict == RangeVerdict::below ? "below" : "above";
+}
+
+std::string rangeText(const ReferenceRange& range) {
+  const std::string unit = range.unit == Unit::one ? "" : " " + std::string(symbolOf(range.unit));
+  std::string text = range.low && range.high ? textOf(*range.low) + " to " + textOf(*range.high)
+                     : range.high            ? "up to " + textOf(*range.high)
+                                             : "from " + textOf(*range.low);
+  return text + unit;
+}
 
 std::string howItCameAbout(const WorksheetRow& row) {
   std::string text;
