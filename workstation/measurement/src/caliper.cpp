@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "cross.h"
 #include "discs.h"
 #include "ew/core/contract.h"
 
@@ -17,8 +18,6 @@ using Points = std::span<const glm::dvec2>;
 using Gradient = std::vector<glm::dvec2>;
 
 constexpr std::size_t kMostPoints = 100000;
-constexpr int kMostCycles = 20;
-constexpr double kFarthest = 1e6;
 
 struct KindInfo {
   CaliperKind kind;
@@ -55,8 +54,6 @@ const KindInfo& infoOf(CaliperKind kind) {
   EW_EXPECTS(found != kKinds.end());
   return *found;
 }
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 Error cannot(Message why) { return {ErrorCode::badField, std::move(why), {}}; }
 
@@ -295,7 +292,7 @@ Result<void> checkShape(const Caliper& caliper) {
       return failure(ErrorCode::badField, say<"A caliper of the kind '%1' has %2 to %3 points in a part, this one has %4.">(
                                               word, shape.fewest, shape.most, part.points.size()));
     for (const glm::dvec2& point : part.points)
-      if (!(std::abs(point.x) <= kFarthest && std::abs(point.y) <= kFarthest))
+      if (!(std::abs(point.x) <= kFarthestPoint && std::abs(point.y) <= kFarthestPoint))
         return failure(ErrorCode::badField, say<"A point of a caliper lies nowhere; set it again.">());
   }
   if (caliper.cycles < 1 || caliper.cycles > kMostCycles)
@@ -326,7 +323,7 @@ Spreads spreadsOf(const Caliper& caliper, const UncertaintyAt& at) {
       const glm::dvec2 along(std::sin(beam_rad), std::cos(beam_rad)), across(std::cos(beam_rad), -std::sin(beam_rad));
       spreads.points.push_back(
           {point, u.pixel * u.pixel / 12.0, edgeDeviation_mm(u.axial_mm) * along, edgeDeviation_mm(lateral_mm) * across});
-      spreads.meanWidth_mm += glm::dvec2(lateral_mm, u.axial_mm) / 2.3548200450309493;
+      spreads.meanWidth_mm += glm::dvec2(lateral_mm, u.axial_mm) / kFwhmOfSigma;
     }
     spreads.ends.push_back(spreads.points.size());
   }

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "cross.h"
 #include "ew/core/contract.h"
 
 namespace ew::measurement {
 namespace {
 
-double crossOf(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
-/// d crossOf(a, b) / da and / db.
+/// d cross(a, b) / da and / db.
 glm::dvec2 crossByFirst(const glm::dvec2& b) { return {b.y, -b.x}; }
 glm::dvec2 crossBySecond(const glm::dvec2& a) { return {-a.y, a.x}; }
 
@@ -22,17 +22,17 @@ struct Crossing {
 };
 
 /// Axis from A to B, of length L along u. A disc's middle line lies at A + f (B - A) and is crossed by the edge P + t (Q - P):
-/// t = (f L^2 - (P - A).(B - A)) / ((Q - P).(B - A)), and the crossing lies crossOf(B - A, P + t (Q - P) - A) / L from the axis.
+/// t = (f L^2 - (P - A).(B - A)) / ((Q - P).(B - A)), and the crossing lies cross(B - A, P + t (Q - P) - A) / L from the axis.
 Crossing crossingOf(std::span<const glm::dvec2> points, std::size_t from, std::size_t to, double fraction) {
   const glm::dvec2 A = points[0], d = points[1] - A, P = points[from], e = points[to] - P;
   const double L = glm::length(d), run = glm::dot(e, d), t = (fraction * L * L - glm::dot(P - A, d)) / run;
   const glm::dvec2 X = P + t * e - A;
-  const double area = crossOf(d, X);
+  const double area = cross(d, X);
   Crossing made{area / L, from, to, {}, {}, {}, {}};
   // t by each point, from t run = f d.d - (P - A).d
   const glm::dvec2 tByP = (-d + t * d) / run, tByQ = -t * d / run;
   const glm::dvec2 tByD = (2.0 * fraction * d - (P - A) - t * e) / run, tByA = d / run;  // tByA: through P - A alone
-  const double slide = crossOf(d, e);                                                      // of the area by t
+  const double slide = cross(d, e);                                                      // of the area by t
   const glm::dvec2 byX = crossBySecond(d), byD = crossByFirst(X);
   made.byFrom = (byX * (1.0 - t) + slide * tByP) / L;
   made.byTo = (byX * t + slide * tByQ) / L;

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <string_view>
 
 #include "ew/core/contract.h"
 
@@ -20,13 +19,6 @@ constexpr std::string_view kDigits = "0123456789";
 // What muParser offers beyond these (log by two meanings, random numbers, assignment) is no part of a formula.
 constexpr std::array<std::string_view, 14> kFunctions{"ln",  "log10", "exp", "sqrt", "abs",  "min",  "max",
                                                       "sin", "cos",   "tan", "asin", "acos", "atan", "pi"};
-
-bool isName(std::string_view name) {
-  if (name.empty() || kLetters.find(name.front()) == std::string_view::npos) return false;
-  return std::all_of(name.begin(), name.end(), [](char c) {
-    return c == '_' || kLetters.find(c) != std::string_view::npos || kDigits.find(c) != std::string_view::npos;
-  });
-}
 
 /// The names in a text, in the order they stand; the e of 1.5e-3 is none.
 std::vector<std::string> namesIn(std::string_view text) {
@@ -76,6 +68,13 @@ double evaluated(const std::string& text, const std::vector<std::string>& names,
 }
 
 }  // namespace
+
+bool isName(std::string_view text) {
+  if (text.empty() || kLetters.find(text.front()) == std::string_view::npos) return false;
+  return std::all_of(text.begin(), text.end(), [](char c) {
+    return c == '_' || kLetters.find(c) != std::string_view::npos || kDigits.find(c) != std::string_view::npos;
+  });
+}
 
 Result<Expression> Expression::of(const std::string& text, std::vector<std::string> inputs) {
   if (text.empty() || text.size() > kLongest)

@@ -11,15 +11,13 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kMostMeasurements = 1000;
-constexpr std::size_t kMostPointsRead = 100000;
-constexpr double kFarthestPoint = 1e6;
 constexpr int kLargestNumber = 1000000;
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kSideWords{{{"", ""}, {"right", "right"}, {"left", "left"}}};
 
-std::vector<glm::dvec2> pointsIn(const JsonFields& fields) {
+std::vector<glm::dvec2> pointsIn(const JsonFields& fields, const CaliperShape& shape) {
   std::vector<glm::dvec2> points;
-  const json& listed = fields.list("points", 1, kMostPointsRead);
+  const json& listed = fields.list("points", shape.fewest, shape.most, say<"a list of %1 to %2 points">(shape.fewest, shape.most));
   for (std::size_t n = 0; n < listed.size(); ++n) {
     const json& each = listed[n];
     const bool isPair = each.is_array() && each.size() == 2;
@@ -45,14 +43,11 @@ CaliperKind kindIn(const JsonFields& fields) {
 Caliper caliperIn(const JsonFields& fields) {
   Caliper caliper;
   caliper.kind = kindIn(fields);
-  caliper.cycles = static_cast<int>(fields.whole("cycles", 1, 20, 1));
+  caliper.cycles = static_cast<int>(fields.whole("cycles", 1, kMostCycles, 1));
   const CaliperShape shape = shapeOf(caliper.kind);
   for (const JsonFields& part : fields.objects("parts", shape.parts, shape.parts)) {
     part.only({"picture", "points"});
-    CaliperPart made{static_cast<int>(part.whole("picture", 0, 1000, 0)), pointsIn(part)};
-    if (part.good() && (made.points.size() < shape.fewest || made.points.size() > shape.most))
-      part.refuse("points", say<"a list of %1">(made.points.size()), say<"a list of %1 to %2 points">(shape.fewest, shape.most));
-    caliper.parts.push_back(std::move(made));
+    caliper.parts.push_back({static_cast<int>(part.whole("picture", 0, 1000, 0)), pointsIn(part, shape)});
   }
   return caliper;
 }

@@ -32,9 +32,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kSides{{{
 
 std::string labelIn(const JsonFields& fields, std::string_view key) {
   std::string label = fields.text(key);
-  const bool fits = !label.empty() && std::isalpha(static_cast<unsigned char>(label.front())) != 0 &&
-                    std::all_of(label.begin(), label.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
-  if (!fits) fields.refuse(key, say<"a letter, then letters, digits and _">());
+  if (!isName(label)) fields.refuse(key, say<"a letter, then letters, digits and _">());
   return label;
 }
 

@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/imgproc/segmentation.hpp>
 
+#include "cross.h"
 #include "ew/core/contract.h"
 #include "ew/core/guarded.h"
 
@@ -59,19 +60,16 @@ std::vector<glm::dvec2> smoothed(const std::vector<glm::dvec2>& line, double dev
 }
 
 /// Which way round a closed line goes: 1 or -1.
-double turnOf(std::span<const glm::dvec2> line) {
+double windingOf(std::span<const glm::dvec2> line) {
   double twice = 0.0;
-  for (std::size_t n = 1; n + 1 < line.size(); ++n) {
-    const glm::dvec2 a = line[n] - line[0], b = line[n + 1] - line[0];
-    twice += a.x * b.y - a.y * b.x;
-  }
+  for (std::size_t n = 1; n + 1 < line.size(); ++n) twice += cross(line[n] - line[0], line[n + 1] - line[0]);
   return twice < 0.0 ? -1.0 : 1.0;
 }
 
-/// Outwards, square to the line of the neighbours of a point of a closed line, `step` points away. @param turn of the line
-glm::dvec2 normalAt(std::span<const glm::dvec2> line, std::size_t n, std::size_t step, double turn) {
+/// Outwards, square to the line of the neighbours of a point of a closed line, `step` points away. @param winding of the line
+glm::dvec2 normalAt(std::span<const glm::dvec2> line, std::size_t n, std::size_t step, double winding) {
   const glm::dvec2 chord = line[(n + step) % line.size()] - line[(n + line.size() - step) % line.size()];
-  return turn * glm::dvec2(chord.y, -chord.x);
+  return winding * glm::dvec2(chord.y, -chord.x);
 }
 
 }  // namespace
@@ -152,8 +150,8 @@ Snapped EdgeTracer::snap(glm::dvec2 p_mm, glm::dvec2 direction) const {
 
 std::vector<Snapped> EdgeTracer::snapAround(std::span<const glm::dvec2> clicks_mm) const {
   std::vector<Snapped> snapped;
-  const double turn = turnOf(clicks_mm);
-  for (std::size_t n = 0; n < clicks_mm.size(); ++n) snapped.push_back(snap(clicks_mm[n], normalAt(clicks_mm, n, 1, turn)));
+  const double winding = windingOf(clicks_mm);
+  for (std::size_t n = 0; n < clicks_mm.size(); ++n) snapped.push_back(snap(clicks_mm[n], normalAt(clicks_mm, n, 1, winding)));
   return snapped;
 }
 
@@ -184,10 +182,10 @@ Result<std::vector<glm::dvec2>> EdgeTracer::traceAround(std::span<const glm::dve
         SnapOptions nearby = options.snap;
         nearby.reach_mm = std::min(nearby.reach_mm, kReachOfTrace_mm);
         const auto step = static_cast<std::size_t>(std::max(1.0, std::round(deviation)));
-        const double turn = turnOf(outline);
+        const double winding = windingOf(outline);
         std::vector<glm::dvec2> onEdge;
         for (std::size_t n = 0; n < outline.size(); ++n)
-          onEdge.push_back(snapToEdge(impl_->view(), impl_->geometry, outline[n], normalAt(outline, n, step, turn), nearby).at_mm);
+          onEdge.push_back(snapToEdge(impl_->view(), impl_->geometry, outline[n], normalAt(outline, n, step, winding), nearby).at_mm);
         return resampled(even(onEdge), options.spacing_mm);
       },
       openCvFailed);

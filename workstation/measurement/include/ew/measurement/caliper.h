@@ -33,6 +33,9 @@ enum class CaliperKind {
 [[nodiscard]] std::string_view wordOf(CaliperKind kind);  ///< in files: "distance", "poly_line", "fitted_ellipse"
 [[nodiscard]] std::optional<CaliperKind> caliperKindOf(std::string_view word);
 
+inline constexpr double kFarthestPoint = 1e6;  ///< of a point's coordinates, either way
+inline constexpr int kMostCycles = 20;
+
 /// How many parts a caliper has, and how many points each.
 struct CaliperShape {
   std::size_t parts = 1;
@@ -53,7 +56,7 @@ struct CaliperPart {
 struct Caliper {
   CaliperKind kind = CaliperKind::distance;
   std::vector<CaliperPart> parts;
-  int cycles = 1;  ///< of heartRate, 1 to 20
+  int cycles = 1;  ///< of heartRate, 1 to kMostCycles
   bool operator==(const Caliper&) const = default;
 };
 
@@ -66,11 +69,13 @@ struct PointUncertainty {
   bool operator==(const PointUncertainty&) const = default;
 };
 
+inline constexpr double kFwhmOfSigma = 2.3548200450309493;  ///< full width at half maximum over standard deviation, of a Gaussian
+
 /// From full width at half maximum to the standard deviation of an edge's place. A pulse of that width is about a Gaussian of width / 2.355
 /// (sigma); the image of a sharp edge rises from 20 to 80 % within +-0.84 sigma of the edge, and a reader puts the caliper somewhere within
 /// that rise: evenly over it, 0.84 / sqrt 3 = 0.49 sigma, rounded to a half.
 inline constexpr double kEdgeShare = 0.5;
-[[nodiscard]] inline double edgeDeviation_mm(double fullWidth_mm) { return kEdgeShare * fullWidth_mm / 2.3548200450309493; }
+[[nodiscard]] inline double edgeDeviation_mm(double fullWidth_mm) { return kEdgeShare * fullWidth_mm / kFwhmOfSigma; }
 
 /// @param picture as of CaliperPart @param p point of the caliper
 using UncertaintyAt = std::function<PointUncertainty(int picture, const glm::dvec2& p)>;

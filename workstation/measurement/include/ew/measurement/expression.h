@@ -2,11 +2,15 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ew/core/result.h"
 
 namespace ew::measurement {
+
+/// Whether a text can name an input of an expression or an entry of a package: an ASCII letter, then letters, digits and _.
+[[nodiscard]] bool isName(std::string_view text);
 
 /// A formula's right side as text, evaluated by muParser (libmuparser, BSD-2): + - * / ^, parentheses, numbers, names of inputs, the
 /// constant `pi`, and ln, log10, exp, sqrt, abs, min, max, sin, cos, tan, asin, acos, atan. Checked when it is made; a value that can be
