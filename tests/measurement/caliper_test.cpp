@@ -71,7 +71,7 @@ TEST(Calipers, RefuseWhatCannotBeMeasuredInASentence) {
   EXPECT_EQ(sentence(caliper(CaliperKind::discs, {{0, 0}, {10, 0}, {50, 1}, {60, 1}, {55, 5}})),
             "The outline does not lie along its long axis; draw the axis through it.");
   EXPECT_EQ(sentence(caliper(CaliperKind::trace, {{0, 0}, {1, 1}})),
-            "A caliper of the kind 'trace' has 3 to 100000 points in a part, this one has 2.");
+            "A caliper of the kind 'trace' has 3 to 10000 points in a part, this one has 2.");
   EXPECT_EQ(sentence({CaliperKind::ratio, {{0, {{0, 0}, {1, 1}}}}}), "A caliper of the kind 'ratio' has 2 parts, this one has 1.");
   EXPECT_EQ(sentence(caliper(CaliperKind::distance, {{0, 0}, {std::nan(""), 1}})), "A point of a caliper lies nowhere; set it again.");
   EXPECT_EQ(sentence({CaliperKind::heartRate, {{0, {{0, 0}, {1, 1}}}}, 0}), "A heart rate is measured over 1 to 20 cycles, not over 0.");

@@ -17,7 +17,7 @@ namespace {
 using Points = std::span<const glm::dvec2>;
 using Gradient = std::vector<glm::dvec2>;
 
-constexpr std::size_t kMostPoints = 100000;
+constexpr std::size_t kMostPoints = 10000;  // every pair of an outline is looked at for its uncertainty
 
 struct KindInfo {
   CaliperKind kind;
