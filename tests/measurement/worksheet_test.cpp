@@ -118,8 +118,8 @@ TEST(Worksheet, SaysWhenAFormulaIsOutsideOfItsRangeAndGivesNoNumber) {
   EXPECT_TRUE(sheet->row("GA_CRL_ROBINSON")->value);
   const WorksheetRow* bpd = sheet->row("GA_BPD");
   EXPECT_FALSE(bpd->value);
-  EXPECT_TRUE(bpd->remarks.front().english().starts_with("GA_BPD is valid for results from 14 weeks to 42 weeks; these values give 12.75"))
-      << bpd->remarks.front();
+  EXPECT_EQ(bpd->remarks.front().english(),
+            "GA_BPD is valid for results from 14 weeks to 42 weeks; these values give 12.75 weeks, so it says nothing.");
 }
 
 TEST(Worksheet, OffersAChartOnlyWithTheFormulaItWasBuiltOn) {

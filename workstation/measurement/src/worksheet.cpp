@@ -40,10 +40,8 @@ std::string choiceList(const PackageItem& item) {
 /// Label and side, as commands and sentences write it: "KIDNEY/right".
 std::string named(const std::string& label, const std::string& side) { return side.empty() ? label : label + "/" + side; }
 
-Message inUnit(double value, Unit unit) {
-  const Message number = numeral(textOf(value));
-  return unit == Unit::one ? number : say<"%1 %2">(number, std::string(symbolOf(unit)));
-}
+Message inUnit(const Message& number, Unit unit) { return unit == Unit::one ? number : say<"%1 %2">(number, std::string(symbolOf(unit))); }
+Message inUnit(double value, Unit unit) { return inUnit(numeral(textOf(value)), unit); }
 
 std::vector<RangeReading> rangesOf(const Package& package, const std::string& label, const Quantity& value) {
   std::vector<RangeReading> readings;
@@ -222,7 +220,8 @@ class Filling {
     }
     if (!formula.valid.hold(result)) {
       row.remarks.push_back(say<"%1 is valid for results from %2 to %3; these values give %4, so it says nothing.">(
-          formula.label, inUnit(formula.valid.low, formula.unit), inUnit(formula.valid.high, formula.unit), inUnit(result, formula.unit)));
+          formula.label, inUnit(formula.valid.low, formula.unit), inUnit(formula.valid.high, formula.unit),
+          inUnit(numeral(shownValue({result, 0.0, formula.unit})), formula.unit)));
       return;
     }
     Known made{{result, 0.0, formula.unit}, {}, formula.label};
