@@ -75,6 +75,8 @@ TEST_F(MeasureCommand, SaysWhatIsWrongWithTheLine) {
   };
   EXPECT_EQ(error({"measure", "--value", "BPD=82mm"}),
             "echoweave: Name a package with --package; 'echoweave measure --packages' lists those there are.\n");
+  EXPECT_EQ(error({"measure", "--packages", "--package", "obstetric"}),
+            "echoweave: --packages excludes --package; 'echoweave measure --help' shows how.\n");
   EXPECT_EQ(error({"measure", "--package", "obstetric"}), "echoweave: Give at least one measurement, as in --value BPD=82mm.\n");
   EXPECT_EQ(error({"measure", "--package", "obstetrics", "--value", "BPD=82mm"}),
             "echoweave: There is no measurement package 'obstetrics'; 'echoweave measure --packages' lists those there are.\n");
@@ -95,6 +97,7 @@ TEST_F(MeasureCommand, TakesSidesSelectionsAndPackagesOfOnesOwn) {
   EXPECT_EQ(stenosis.status, 0) << stenosis.err;
   EXPECT_NE(stenosis.out.find("NASCET/left"), std::string::npos);
   EXPECT_NE(stenosis.out.find("70.0 ± 4.0 %"), std::string::npos) << stenosis.out;
+  EXPECT_NE(stenosis.out.find("; above the usual range, up to 50 % (less than moderate"), std::string::npos) << stenosis.out;
   const auto selected = run({"measure", "--package", std::string(EW_SOURCE_DIR) + "/resources/measurements/obstetric.json", "--several",
                              "selected", "--value", "*BPD=82mm", "--value", "BPD=90mm", "--csv", folder_ / "w.csv"});
   EXPECT_EQ(selected.status, 0) << selected.err;

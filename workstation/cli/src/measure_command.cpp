@@ -168,7 +168,7 @@ void print(const Worksheet& sheet, const MeasureArguments& arguments, std::ostre
         line += "; predicts within " + rounded(row.predictionError, 0) + " " + std::string(symbolOf(row.value->unit)) + " (1 SD)";
       for (const RangeReading& reading : row.ranges) {
         const std::string& whom = reading.range.applies.in(arguments.language);
-        line += "; " + std::string(wordOf(reading.verdict)) + " the usual " + rangeText(reading.range) +
+        line += "; " + std::string(wordOf(reading.verdict)) + " the usual range, " + rangeText(reading.range) +
                 (whom.empty() ? "" : " (" + whom + ")");
       }
       for (const ChartReading& chart : row.charts) line += "; percentile " + rounded(chart.percentile, 1) + " by " + chart.label;
@@ -247,8 +247,10 @@ void addMeasure(CLI::App& root, Selection& selection) {
                   "measure --package vessel --value D_MIN/left=1.5+-0.2mm --value D_DISTAL/left=5mm --json left.json",
                   "measure --package trauma --value RUQ=seen --value LUQ=not_seen --csv fast.csv"},
                  [arguments](Run& run) { return arguments->wantsPackages ? listPackages(*arguments, run) : fillSheet(*arguments, run); });
-  app.add_flag("--packages", arguments->wantsPackages, "List the packages that there are, with the labels of their items");
-  app.add_option("--package", arguments->package, "A shipped package by its name, or the .json file of one")->type_name("NAME|FILE.json");
+  auto* packages = app.add_flag("--packages", arguments->wantsPackages, "List the packages that there are, with the labels of their items");
+  app.add_option("--package", arguments->package, "A shipped package by its name, or the .json file of one")
+      ->type_name("NAME|FILE.json")
+      ->excludes(packages);
   app.add_option(
          "--value", arguments->values,
          "A measurement or an answer, as often as there are: BPD=82mm, BPD=82+-0.8mm with its standard uncertainty, KIDNEY_L/right=10.4cm "
