@@ -161,6 +161,73 @@ TEST(LiveEchoes, ThrowAShadowThatSoftensWithDepth) {
   EXPECT_NEAR(meanOf(levelsBetween(picture, shot, 38.0, 40.5, 3.0)), before, 8.0);  // nothing is lost in front of it
 }
 
+TEST(LiveEchoes, ShadeWithSidesAsSoftAsTheApertureIsWide) {
+  const TissueMaps maps = tissueOf([](const glm::dvec3&) { return 220.0; });
+  Shot shot;
+  const auto pictureBehind = [&](double edge_mm) {
+    Volume labels = layersOf(maps, 1000.0);
+    for (int k = 0; k < labels.grid.dims.z; ++k)
+      for (int j = 0; j < labels.grid.dims.y; ++j)
+        for (int i = 0; i < labels.grid.dims.x; ++i) {
+          const glm::dvec3 p = labels.grid.origin_mm + glm::dvec3(i, j, k);
+          if (p.y >= 40.0 && p.y < 43.0 && p.x >= edge_mm) labels.echo[labels.grid.indexOf(i, j, k)] = 2;
+        }
+    shot.labels = &labels;
+    shot.scene.attenuation = AttenuationEffect{};
+    shot.scene.tissues = {{.label = 1, .name = "liver", .attenuation_dbPerCmMhz = 0.5},
+                          {.label = 2, .name = "bone", .attenuation_dbPerCmMhz = 0.5, .reflection_db = 60.0}};
+    return pictureOf(maps, shot);
+  };
+  constexpr double kDepth_mm = 90.0;
+  const auto levelOf = [&](const GreyImage& picture) {
+    return meanOf(levelsBetween(picture, shot, kDepth_mm - 8.0, kDepth_mm + 8.0, 1.5));
+  };
+  const double open = levelOf(pictureBehind(1000.0));
+  for (const double edge_mm : {-5.0, -2.0, 0.0, 2.0, 5.0, 7.0}) {
+    // The edge lies halfway between two voxels.
+    const double seen = std::clamp(0.5 + (edge_mm - 0.5) / (1.0 - 39.5 / kDepth_mm) / shot.probe.aperture_mm, 0.0, 1.0);
+    EXPECT_NEAR((levelOf(pictureBehind(edge_mm)) - open) / kGreyPerDb, 40.0 * std::log10(seen), 1.5) << edge_mm << " mm to the edge";
+  }
+}
+
+TEST(LiveEchoes, TakeGelBeforeTheSkinForWhatItIs) {
+  // 3 mm of gel lose nothing, although they bear the label of what is behind them.
+  constexpr double kGel_mm = 3.0;
+  Shot shot;
+  shot.scene.attenuation = AttenuationEffect{};
+  shot.scene.tissues = {{.label = 1, .name = "tissue", .attenuation_dbPerCmMhz = 1.5}};
+  const auto levelBehind = [&](double gel_mm) {
+    const TissueMaps maps = tissueOf([&](const glm::dvec3& p) { return p.y > gel_mm ? 220.0 : 0.0; }, 0.5);
+    const Volume labels = layersOf(maps, 1000.0);
+    shot.labels = &labels;
+    return meanOf(levelsBetween(pictureOf(maps, shot), shot, 20.0, 30.0));
+  };
+  // 2 x 1.5 dB/(cm MHz) x 3.5 MHz
+  EXPECT_NEAR((levelBehind(kGel_mm) - levelBehind(0.0)) / kGreyPerDb, 10.5 * 0.1 * kGel_mm, 0.4);
+}
+
+TEST(LiveEchoes, PayOnceForASurfaceTheyGraze) {
+  const TissueMaps maps = tissueOf([](const glm::dvec3&) { return 220.0; });
+  Shot shot;
+  shot.scene.attenuation = AttenuationEffect{};
+  shot.scene.tissues = {{.label = 1, .name = "tissue", .attenuation_dbPerCmMhz = 0.5},
+                        {.label = 2, .name = "cartilage", .attenuation_dbPerCmMhz = 0.5, .reflection_db = 12.0}};
+  const auto levelBehind = [&](const std::vector<glm::dvec2>& layers) {
+    Volume labels = layersOf(maps, 1000.0);
+    for (int k = 0; k < labels.grid.dims.z; ++k)
+      for (int j = 0; j < labels.grid.dims.y; ++j)
+        for (int i = 0; i < labels.grid.dims.x; ++i)
+          for (const glm::dvec2& layer : layers)
+            if (const double y = labels.grid.origin_mm.y + j; y >= layer.x && y < layer.y) labels.echo[labels.grid.indexOf(i, j, k)] = 2;
+    shot.labels = &labels;
+    return meanOf(levelsBetween(pictureOf(maps, shot), shot, 60.0, 80.0)) / kGreyPerDb;
+  };
+  const double open = levelBehind({}), once = levelBehind({{30.0, 34.0}});
+  EXPECT_NEAR(once - open, -12.0, 0.5);
+  EXPECT_NEAR(levelBehind({{30.0, 32.0}, {34.0, 36.0}}), once, 0.5);         // 2 mm between them
+  EXPECT_NEAR(levelBehind({{30.0, 34.0}, {42.0, 46.0}}), once - 12.0, 0.5);  // 8 mm
+}
+
 TEST(LiveEchoes, CostASceneNothingThatDoesNotAskForThem) {
   const Probe probe = convex();
   const Knobs knobs;

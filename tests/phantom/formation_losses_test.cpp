@@ -111,6 +111,7 @@ TEST(Losses, AStoneCastsItsShadowWhereRaysSay) {
   const auto patient = blockOfTissue(across("stone", "stone", x, y, radius)), even = blockOfTissue();
   FormationOptions options = plain(90.0);
   options.tgc = {{0.0, 0.0}, {90.0, 63.0}};
+  options.penumbra = false;
   for (const char* name : {"convex-3.5", "linear-7.5"}) {
     Probe probe = shippedProbe(name);
     const auto scanner = scannerOf(patient, probe, options), without = scannerOf(even, probe, options);
@@ -144,6 +145,34 @@ TEST(Losses, AStoneCastsItsShadowWhereRaysSay) {
     }
     EXPECT_GT(inShadow, 10);
   }
+}
+
+TEST(Losses, TheSideOfAShadowIsAsSoftAsTheApertureIsWide) {
+  // A thing without end to the left, 18 mm deep: of the aperture a place behind its edge sees what rays reach it.
+  const std::string half = R"({"name": "half", "tissue": "bone", "shape": {"intersection": [
+    {"half_space": {"point_mm": [0, 0, 0], "outward": [1, 0, 0]}}, {"half_space": {"point_mm": [0, 20, 0], "outward": [0, -1, 0]}},
+    {"half_space": {"point_mm": [0, 24, 0], "outward": [0, 1, 0]}}]}})";
+  const std::string bone = R"({"name": "bone", "echo_level": 150, "speckle": 1, "reflection_db": 30})";
+  const FormationOptions options = plain(60.0);
+  const Probe probe = shippedProbe("linear-7.5");
+  const auto scanner = scannerOf(blockOfTissue(half, bone), probe, options), without = scannerOf(blockOfTissue(), probe, options);
+  const auto frames = framesOf(*scanner, 6, 6.0), reference = framesOf(*without, 6, 6.0);
+  constexpr double kRadius = 1.0;
+  for (const double depth : {28.0, 36.0, 50.0})
+    for (const double x : {-9.0, -5.0, -2.5, 0.0, 2.5, 5.0, 9.0}) {
+      const double halfAperture = 0.5 * std::min(probe.aperture_mm, 0.5 * depth), reach = 1.0 - 18.0 / depth;
+      double power = 0.0, weight = 0.0;
+      for (double aside = -kRadius; aside <= kRadius; aside += 0.1) {
+        const double hidden = std::clamp((-(x + aside) / reach + halfAperture) / (2.0 * halfAperture), 0.0, 1.0);
+        const double chord = std::sqrt(std::max(kRadius * kRadius - aside * aside, 0.0));
+        power += chord * std::pow(1.0 - hidden * (1.0 - std::pow(10.0, -30.0 / 40.0)), 4.0);
+        weight += chord;
+      }
+      const glm::dvec2 at(x, depth);
+      EXPECT_NEAR(powerNear_db(*scanner, frames, at, kRadius) - powerNear_db(*without, reference, at, kRadius),
+                  10.0 * std::log10(power / weight), 1.5)
+          << x << " mm beside the edge, " << depth << " mm deep";
+    }
 }
 
 TEST(Losses, NoiseHasItsLevelBeforeDepthGainAndChangesWithTheFrameAlone) {

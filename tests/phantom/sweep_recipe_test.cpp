@@ -27,7 +27,7 @@ json everything() {
   sweep["frames"] = 7;
   sweep["frames_per_second"] = 12.5;
   sweep["machine"] = json::parse(R"({"depth_mm": 100, "focus_mm": 40, "carrier_hz": 5e6, "pulse_cycles": 3, "assumed_speed_m_per_s": 1500,
-    "attenuation": false, "specular": false, "speed_of_sound": true, "noise_db": -50, "dynamic_range_db": 70, "gain_db": 3,
+    "attenuation": false, "penumbra": false, "specular": false, "speed_of_sound": true, "noise_db": -50, "dynamic_range_db": 70, "gain_db": 3,
     "tgc": [{"depth_mm": 0, "gain_db": 1}, {"depth_mm": 50, "gain_db": 10}], "expected_db_per_cm_mhz": 0.7, "largest_tgc_db": 40,
     "noise_seed": 9})");
   sweep["unevenness"] = 0.5;
@@ -70,6 +70,7 @@ TEST(SweepRecipe, HoldsEveryFieldOfItsFile) {
                         .pulseCycles = 3,
                         .assumedSpeed_mPerS = 1500,
                         .attenuation = false,
+                        .penumbra = false,
                         .specular = false,
                         .speedOfSound = true,
                         .noise_db = -50,

@@ -17,7 +17,7 @@
 namespace ew::subject_test {
 
 nlohmann::json tableOf(const LayoutTimes& times) {
-  nlohmann::json table = {{"format", 2}};
+  nlohmann::json table = {{"format", 3}};
   for (const LayoutPair& pair : times.ofClass) {
     table["rows_us"].push_back(pair.rows_us);
     table["bricks_us"].push_back(pair.bricks_us);

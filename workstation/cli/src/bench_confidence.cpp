@@ -81,6 +81,7 @@ double powerOf(const Image<float>& envelope, int line, int sample) {
 Result<View> viewAt(double elevation_mm, const std::shared_ptr<const Patient>& patient, const Probe& probe) {
   FormationOptions formation;
   formation.depth_mm = kConfidenceDepth_mm;
+  formation.penumbra = false;  // between shadow and sight there is nothing to judge by
   const auto recorded = makeVirtualScanner(patient, probe, formation, 1);
   formation.noise_db = -300.0;
   formation.tgc = {{0.0, 0.0}};

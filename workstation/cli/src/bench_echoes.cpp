@@ -29,6 +29,7 @@ constexpr int kEnoughPatches = 12;     // for a figure of a band
 constexpr int kEnoughViews = 12;       // patches, for a correlation of views
 constexpr double kPivotShare = 0.45;   // of the depth: rotations are about the middle of the picture
 constexpr int kWarmFrames = 10;
+constexpr double kDarkest_db = -70.0;  // of a shadow: the picture's black and 10 dB below it; how black it is beyond that is all the same
 
 /// The bars of issue "Quality has settings with a price"; time on two threads.
 constexpr double kLevelBar_db = 1.0, kSnrBar_percent = 3.0, kLengthBar_percent = 10.0, kViewBar = 0.05, kShadowBar_db = 2.0,
@@ -160,8 +161,7 @@ int CaseBench::bandOf(const EchoPatch& patch) const {
 }
 
 void CaseBench::comparePose(const ProbeToWorld& pose, bool hasOther) {
-  const auto patches =
-      patchesOf(*truth_, forward_->scanner().grid(), subject_.probe.aperture_mm, elevationalSigma_mm_, lateralWidth_mm_, pose);
+  const auto patches = patchesOf(*truth_, forward_->scanner().grid(), elevationalSigma_mm_, pose);
   const EchoFrame model = forward_->frameAt(pose);
   forward_ms_.push_back(forward_->last_ms());
   const auto width = [&](const EchoPatch& patch) { return lateralWidth_mm_[static_cast<std::size_t>(patch.middle_mm())]; };
@@ -181,8 +181,9 @@ void CaseBench::comparePose(const ProbeToWorld& pose, bool hasOther) {
     Compared& compared = compared_[q];
     for (const EchoPatch& patch : patches) {
       if (!patch.isOpen && !patch.isShaded) continue;
-      const double off_db = levelOf_db(live, patch) - levelOf_db(model, patch);
-      if (patch.isShaded) compared.shadow_db.push_back(off_db);
+      const double live_db = levelOf_db(live, patch), model_db = levelOf_db(model, patch), off_db = live_db - model_db;
+      if (patch.isShaded && std::max(live_db, model_db) > kDarkest_db)
+        compared.shadow_db.push_back(std::max(live_db, kDarkest_db) - std::max(model_db, kDarkest_db));
       if (!patch.isOpen) continue;
       compared.level_db.push_back(off_db);
       compared.band_db[static_cast<std::size_t>(bandOf(patch))].push_back(off_db);
@@ -193,7 +194,7 @@ void CaseBench::comparePose(const ProbeToWorld& pose, bool hasOther) {
 
 void CaseBench::compareViews(const ProbeToWorld& pose) {
   const BeamGrid& grid = still_->scanner().grid();
-  auto patches = patchesOf(*truth_, grid, subject_.probe.aperture_mm, elevationalSigma_mm_, lateralWidth_mm_, pose);
+  auto patches = patchesOf(*truth_, grid, elevationalSigma_mm_, pose);
   // Around the pivot: the same place in every view, seen at nearly the same depth.
   const double pivot_mm = kPivotShare * depth_mm_;
   std::erase_if(patches, [&](const EchoPatch& patch) {
@@ -310,8 +311,7 @@ json CaseBench::rowOf(std::size_t quality) const {
   }
   row["decorrelation_off"] = known(worst);
   row["shadow_patches"] = compared.shadow_db.size();
-  std::vector<double> shadow_db = compared.shadow_db;
-  for (double& off : shadow_db) off -= level_db;
+  const std::vector<double>& shadow_db = compared.shadow_db;
   const bool hasShadow = shadow_db.size() >= kEnoughPatches;
   row["shadow_db"] = hasShadow ? json(quantileOf(shadow_db, 0.5)) : json();
   row["shadow_p95_db"] = hasShadow ? json(quantileOf(absolute(shadow_db), 0.95)) : json();

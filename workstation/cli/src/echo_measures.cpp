@@ -9,7 +9,7 @@ namespace ew {
 namespace {
 
 constexpr double kPatch_mm = 8.0;        // both ways
-constexpr double kMostGap_mm = 0.5;      // of gel between face and skin: it takes nothing, which labels do not tell from tissue
+constexpr double kMostGap_mm = 2.5;      // of gel between face and skin; behind more there is air
 constexpr double kLeaves_mm = 1.5;       // out of the body for so long
 constexpr double kNearSurface_mm = 1.5;  // of a reflecting surface nothing counts
 constexpr int kFaintest = 60;            // grey level of tissue that counts
@@ -106,18 +106,7 @@ Walk walkPlane(const EchoTruth& truth, const BeamGrid& grid, const std::vector<d
   return walk;
 }
 
-/// How far beside its lines a patch must be shaded: twice the standard deviation 0.29 A (1 - z0 / z) of a bundle of rays from the aperture
-/// where the shadow was thrown at z0, and the beam.
-double penumbra_mm(const Walk& plane, double aperture_mm, double lateralWidth_mm, const EchoPatch& patch) {
-  std::size_t thrown = plane.steps;
-  for (int l = patch.firstLine; l < patch.firstLine + patch.lines; ++l)
-    for (std::size_t s = 0; s < thrown; ++s)
-      if (plane.at(l, s).reflected_db >= kShade_db) thrown = s;
-  const double share = 1.0 - static_cast<double>(thrown) * kEchoStep_mm / patch.to_mm;
-  return 0.58 * std::min(aperture_mm, 0.5 * patch.to_mm) * std::max(share, 0.0) + lateralWidth_mm;
-}
-
-void judge(const std::array<Walk, kPlanes>& planes, const BeamGrid& grid, double aperture_mm, double lateralWidth_mm, EchoPatch& patch) {
+void judge(const std::array<Walk, kPlanes>& planes, EchoPatch& patch) {
   const auto first = static_cast<std::size_t>(patch.from_mm / kEchoStep_mm), last = static_cast<std::size_t>(patch.to_mm / kEchoStep_mm);
   int lowest = 255, highest = 0;
   bool isClear = true, isFull = true;
@@ -154,14 +143,10 @@ void judge(const std::array<Walk, kPlanes>& planes, const BeamGrid& grid, double
   if (counted < least) return;
   patch.isOpen = isClear;
   patch.isEven = patch.isOpen && even >= least && isFull && highest - lowest <= kEvenWithin && mostLost_db - leastLost_db <= kEvenLoss_db;
-  if (isClear) return;
-  double beside_mm = 0.0;
-  for (const Walk& plane : planes) beside_mm = std::max(beside_mm, penumbra_mm(plane, aperture_mm, lateralWidth_mm, patch));
-  const auto beside = static_cast<int>(std::ceil(beside_mm / grid.lineSpacing_mm(patch.middle_mm())));
-  const int low = patch.firstLine - beside, high = patch.firstLine + patch.lines + beside;
-  patch.isShaded = low >= 0 && high < static_cast<int>(grid.lines.size());
-  for (int l = low; l < high && patch.isShaded; ++l)
-    for (const Walk& plane : planes) patch.isShaded = patch.isShaded && plane.at(l, first).reflected_db >= kShade_db;
+  int shaded = 0;
+  for (int l = patch.firstLine; l < patch.firstLine + patch.lines; ++l)
+    shaded += planes.front().at(l, first).reflected_db >= kShade_db ? 1 : 0;
+  patch.isShaded = 2 * shaded >= patch.lines;
 }
 
 /// The patch's samples of a frame, divided by their mean less 1, NaN where they do not count; empty where none does.
@@ -217,8 +202,7 @@ EchoFrame frameOfLevels(const BeamGrid& grid, const BeamImage& levels, double dy
   return frame;
 }
 
-std::vector<EchoPatch> patchesOf(const EchoTruth& truth, const BeamGrid& grid, double aperture_mm,
-                                 const std::vector<double>& elevationalSigma_mm, const std::vector<double>& lateralWidth_mm,
+std::vector<EchoPatch> patchesOf(const EchoTruth& truth, const BeamGrid& grid, const std::vector<double>& elevationalSigma_mm,
                                  const Transform<frame::World, frame::Probe>& probeToWorld) {
   std::array<Walk, kPlanes> planes;
   for (std::size_t n = 0; n < kPlanes; ++n) planes[n] = walkPlane(truth, grid, elevationalSigma_mm, kSigmas[n], probeToWorld);
@@ -235,7 +219,7 @@ std::vector<EchoPatch> patchesOf(const EchoTruth& truth, const BeamGrid& grid, d
       patch.lines = lines;
       patch.from_mm = from_mm;
       patch.to_mm = from_mm + side_mm;
-      judge(planes, grid, aperture_mm, lateralWidth_mm[static_cast<std::size_t>(patch.middle_mm())], patch);
+      judge(planes, patch);
     }
   }
   return patches;

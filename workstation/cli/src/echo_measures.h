@@ -46,7 +46,7 @@ struct EchoPatch {
   double from_mm = 0.0, to_mm = 0.0;
   bool isOpen = false;    ///< at least half of it tissue, nothing reflecting in front of it
   bool isEven = false;    ///< open, without great steps of level, dense with scatterers: fully developed speckle
-  bool isShaded = false;  ///< tissue so far inside a shadow that its sides do not reach in
+  bool isShaded = false;  ///< at least half of it tissue, half of its lines in a shadow; its sides may reach in
   /// By line and step of kEchoStep_mm the tissue's level by the maps; 0: no tissue or a surface near, left out.
   std::vector<std::uint8_t> levels;
   std::vector<std::uint8_t> evenLevels;  ///< of these, 0 also where other tissue is near: what is thinner than a voxel of the maps
@@ -56,9 +56,7 @@ struct EchoPatch {
 
 /// Divides the fan into patches and asks the truth about each, in five planes of the slice.
 /// @param elevationalSigma_mm of the beam, by whole mm of depth
-/// @param lateralWidth_mm     its width at half maximum, likewise
-[[nodiscard]] std::vector<EchoPatch> patchesOf(const EchoTruth& truth, const BeamGrid& grid, double aperture_mm,
-                                               const std::vector<double>& elevationalSigma_mm, const std::vector<double>& lateralWidth_mm,
+[[nodiscard]] std::vector<EchoPatch> patchesOf(const EchoTruth& truth, const BeamGrid& grid, const std::vector<double>& elevationalSigma_mm,
                                                const Transform<frame::World, frame::Probe>& probeToWorld);
 
 /// Mean power of a patch, dB below full white.

@@ -9,7 +9,6 @@ namespace {
 
 // One-way width of the focus of an apodised aperture, in wavelengths times F-number; 1.21 without apodisation (Cobbold 2007, ch. 3).
 constexpr double kApodisedWidth = 1.4;
-constexpr double kTransmitFNumber = 2.0;  // the apertures open with depth at least this far before they are as wide as the probe allows
 constexpr double kReceiveFNumber = 1.5;
 constexpr double kNoRange_mm = 1e6;  // of a beam that does not widen
 

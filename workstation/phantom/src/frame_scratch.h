@@ -27,7 +27,8 @@ struct FrameScratch final : VirtualScanner::Scratch {
   std::vector<float> line;  ///< columns complex numbers
   std::vector<float> turned;
   std::vector<float> pulsed;
-  std::vector<float> gain;  ///< lines x steps
+  std::vector<float> gain;           ///< lines x steps
+  std::vector<float> lost_db, left;  ///< of one plane, lines x steps
   std::vector<float> smooth;
   std::vector<float> delay_mm;
   std::vector<glm::dvec3> restOnLines;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "penumbra.h"
 #include "slice_blocks.h"
 
 namespace ew::phantom {
@@ -25,6 +26,44 @@ void acrossLines(std::size_t steps, std::vector<float>& values, std::vector<floa
   }
   values.swap(smooth);
 }
+
+/// What one line loses from the face on, and how late its echoes come.
+class LineWalk {
+ public:
+  explicit LineWalk(const ScannerSetup& setup) : setup_(setup) {}
+  /// The next step.
+  void pass(std::uint8_t tissue, double depth_mm) {
+    if (tissue != ScattererBlock::kOutside) {
+      passTissue(tissue, depth_mm);
+    } else if (entered_) {
+      lost_db_ += kAir_db;
+    } else {
+      gap_mm_ = depth_mm;
+    }
+    last_ = tissue;
+  }
+  [[nodiscard]] double lost_db() const { return lost_db_; }  ///< both ways
+  [[nodiscard]] double delay_mm() const { return delay_mm_; }
+
+ private:
+  void passTissue(std::uint8_t tissue, double depth_mm) {
+    if (!entered_ && gap_mm_ > kGelGap_mm) lost_db_ += std::min((gap_mm_ - kGelGap_mm) * kAirPerGap_dbPerMm, kAir_db);
+    entered_ = true;
+    lost_db_ += setup_.lostPerStep_db[tissue];
+    delay_mm_ += setup_.delayPerStep_mm[tissue];
+    const double reflection_db = setup_.lostAtSurface_db[tissue];
+    if (!(reflection_db > 0.0)) return;
+    if (tissue != last_ && !(tissue == reflected_ && depth_mm - reflected_mm_ < kSameThing_mm)) lost_db_ += reflection_db;
+    reflected_ = tissue;
+    reflected_mm_ = depth_mm;
+  }
+
+  const ScannerSetup& setup_;
+  double lost_db_ = 0.0, delay_mm_ = 0.0, gap_mm_ = 0.0;
+  std::uint8_t last_ = ScattererBlock::kOutside, reflected_ = ScattererBlock::kOutside;
+  double reflected_mm_ = -1e9;  ///< where the line last was in the tissue that reflected it
+  bool entered_ = false;
+};
 
 }  // namespace
 
@@ -49,15 +88,12 @@ void walkLines(const ScannerSetup& setup, const ScattererField& field, const Vie
         work.restOnLines[l * coarseSteps + s] = view.deformation.rest(world) - world;
       }
   }
-  const double air = factorOf(kAir_db);
   const glm::dvec3 aside = (view.probeToWorld * Direction<frame::Probe>{{0.0, 0.0, 1.0}}).along;
   constexpr std::array<double, 3> kPlanes{0.0, -0.75, 0.75}, kWeights{0.5, 0.25, 0.25};
+  work.lost_db.resize(lines * steps);
   for (std::size_t plane = 0; plane < kPlanes.size(); ++plane) {
     for (std::size_t l = 0; l < lines; ++l) {
-      double left = 1.0, delay_mm = 0.0, gap_mm = 0.0;  // share of the amplitude that is left
-      std::uint8_t last = ScattererBlock::kOutside, reflected = ScattererBlock::kOutside;
-      double reflected_mm = -1e9;  // where the line last was in the tissue that reflected it
-      bool entered = false;
+      LineWalk walk(setup);
       for (std::size_t s = 0; s < steps; ++s) {
         if (s > 0) {
           const double depth = (static_cast<double>(s) - 0.5) * setup.step_mm;
@@ -71,31 +107,22 @@ void walkLines(const ScannerSetup& setup, const ScattererField& field, const Vie
             at += (1.0 - tl) * ((1.0 - ts) * near[0] + ts * near[1]) + tl * ((1.0 - ts) * far[0] + ts * far[1]);
           }
           at += aside * (kPlanes[plane] * setup.beams.elevationalSigma_mm(depth));
-          const std::uint8_t tissue = tissueAt(field, at, work);
-          if (tissue == ScattererBlock::kOutside) {
-            if (entered) {
-              left *= air;
-            } else {
-              gap_mm = depth;
-            }
-          } else {
-            if (!entered && gap_mm > kGelGap_mm) left *= factorOf(std::min((gap_mm - kGelGap_mm) * kAirPerGap_dbPerMm, kAir_db));
-            entered = true;
-            left *= setup.keptPerStep[tissue];
-            delay_mm += setup.delayPerStep_mm[tissue];
-            if (setup.keptAtSurface[tissue] < 1.0) {
-              if (tissue != last && !(tissue == reflected && depth - reflected_mm < kSameThing_mm)) left *= setup.keptAtSurface[tissue];
-              reflected = tissue;
-              reflected_mm = depth;
-            }
-          }
-          last = tissue;
+          walk.pass(tissueAt(field, at, work), depth);
         }
         const std::size_t at = l * steps + s;
-        if (setup.options.attenuation) work.gain[at] += static_cast<float>(kWeights[plane] * left);
-        if (setup.options.speedOfSound) work.delay_mm[at] += static_cast<float>(kWeights[plane] * delay_mm);
+        work.lost_db[at] = static_cast<float>(walk.lost_db());
+        if (setup.options.speedOfSound) work.delay_mm[at] += static_cast<float>(kWeights[plane] * walk.delay_mm());
       }
     }
+    if (!setup.options.attenuation) continue;
+    if (setup.options.penumbra) {
+      seenFromAperture(setup, work.lost_db, work.left);
+    } else {
+      work.left.resize(lines * steps);
+      std::transform(work.lost_db.begin(), work.lost_db.end(), work.left.begin(),
+                     [](float lost_db) { return static_cast<float>(factorOf(static_cast<double>(lost_db))); });
+    }
+    for (std::size_t n = 0; n < work.gain.size(); ++n) work.gain[n] += static_cast<float>(kWeights[plane]) * work.left[n];
   }
   acrossLines(steps, work.gain, work.smooth);
   if (setup.options.speedOfSound) acrossLines(steps, work.delay_mm, work.smooth);

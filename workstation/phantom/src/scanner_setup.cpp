@@ -136,8 +136,8 @@ void layOutGains(const Patient& patient, double pitch_mm, ScannerSetup& setup) {
   setup.steps = static_cast<int>(std::ceil(setup.fan.depth_mm / setup.step_mm)) + 1;
   setup.step_mm = setup.fan.depth_mm / (setup.steps - 1);
   for (const Tissue& tissue : patient.tissues) {
-    setup.keptPerStep.push_back(factorOf(2.0 * tissue.attenuation_dbPerCmMhz * setup.options.carrier_hz * 1e-6 * setup.step_mm * 0.1));
-    setup.keptAtSurface.push_back(factorOf(tissue.reflection_db));
+    setup.lostPerStep_db.push_back(2.0 * tissue.attenuation_dbPerCmMhz * setup.options.carrier_hz * 1e-6 * setup.step_mm * 0.1);
+    setup.lostAtSurface_db.push_back(tissue.reflection_db);
     setup.delayPerStep_mm.push_back((setup.options.assumedSpeed_mPerS / tissue.speed_mPerS - 1.0) * setup.step_mm);
   }
 }

@@ -49,8 +49,8 @@ struct ScannerSetup {
   std::vector<float> ring = {};         ///< per sample: the transmit pulse's own, near the face
   double step_mm = 0.5;                 ///< of the walk along a line that sums up losses
   int steps = 0;
-  std::vector<double> keptPerStep = {};    ///< by tissue, both ways
-  std::vector<double> keptAtSurface = {};  ///< by tissue that is entered
+  std::vector<double> lostPerStep_db = {};    ///< by tissue, both ways
+  std::vector<double> lostAtSurface_db = {};  ///< by tissue that is entered
   std::vector<double> delayPerStep_mm = {};
 
   [[nodiscard]] double rowSpacing_mm(double depth_mm) const { return grid.lineSpacing_mm(depth_mm) / rowsPerLine; }

@@ -22,8 +22,8 @@ std::uint64_t seedOf(const JsonFields& object, const char* name) {
 }
 
 void readMachine(const JsonFields& machine, FormationOptions& options) {
-  machine.only({"depth_mm", "focus_mm", "carrier_hz", "pulse_cycles", "looks", "assumed_speed_m_per_s", "attenuation", "specular",
-                "speed_of_sound", "noise_db", "dynamic_range_db", "gain_db", "tgc", "expected_db_per_cm_mhz", "largest_tgc_db",
+  machine.only({"depth_mm", "focus_mm", "carrier_hz", "pulse_cycles", "looks", "assumed_speed_m_per_s", "attenuation", "penumbra",
+                "specular", "speed_of_sound", "noise_db", "dynamic_range_db", "gain_db", "tgc", "expected_db_per_cm_mhz", "largest_tgc_db",
                 "noise_seed"});
   const auto number = [&](const char* name, double lowest, double highest, double& target) {
     target = machine.number(name, lowest, highest, target);
@@ -35,6 +35,7 @@ void readMachine(const JsonFields& machine, FormationOptions& options) {
   options.looks = static_cast<int>(machine.whole("looks", 1, 5, options.looks));
   number("assumed_speed_m_per_s", 1000.0, 2000.0, options.assumedSpeed_mPerS);
   options.attenuation = machine.flag("attenuation", options.attenuation);
+  options.penumbra = machine.flag("penumbra", options.penumbra);
   options.specular = machine.flag("specular", options.specular);
   options.speedOfSound = machine.flag("speed_of_sound", options.speedOfSound);
   number("noise_db", -400.0, 0.0, options.noise_db);

@@ -13,8 +13,9 @@ namespace ew {
 namespace {
 
 constexpr const char* kFile = "layouts.json";
-// 1: one pair of times for all slices. Another number whenever the classes of slices or what is timed for them change.
-constexpr int kFormat = 2;
+// 1: one pair of times for all slices, 2: all slices about the middle of the volume. Another number whenever the classes of slices or what
+// is timed for them change.
+constexpr int kFormat = 3;
 
 nlohmann::json readKept(const std::filesystem::path& folder) {
   const auto text = readTextFile(folder / kFile, 1u << 16);

@@ -2,17 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "label_blend.h"
-#include "line_kernels.h"
 
 namespace ew::detail {
 namespace {
 
 constexpr double kStep_mm = 0.7;
-constexpr double kBlurPerAperture = 0.27 * 0.29 * 0.29;
-constexpr double kFNumber = 2.0;
 constexpr double kLongestRelease_mm = 0.8;
+constexpr float kSameThing_mm = 3.0F;
+constexpr float kMostGel_mm = 4.0F;  // beyond it there is air, which takes away the contact
+constexpr float kSkinStep_mm = 0.2F;
 
 }  // namespace
 
@@ -24,38 +25,54 @@ void EchoLosses::configure(const EchoLayout& layout, const Probe& probe, const S
   const AttenuationEffect effect = scene.attenuation.value_or(AttenuationEffect{});
   most_ = static_cast<float>(std::pow(10.0, effect.largestEnhancement_db / 40.0));
   release_ = static_cast<float>(1.0 - std::exp(-step_mm_ / std::min(2.0 * layout.beams.wavelength_mm, kLongestRelease_mm)));
+  const auto perStep_db = [&](double attenuation_dbPerCmMhz) {
+    return static_cast<float>(2.0 * (attenuation_dbPerCmMhz - effect.expected_dbPerCmMhz) * 1e-6 * carrier_hz * 0.1 * step_mm_);
+  };
+  gelPerStep_db_ = perStep_db(0.0);
   perStep_db_.fill(0.0F);
   reflection_db_.fill(0.0F);
   for (const TissueAcoustics& tissue : scene.tissues) {
     if (tissue.label < 0 || tissue.label > 255) continue;
     const auto n = static_cast<std::size_t>(tissue.label);
-    perStep_db_[n] =
-        static_cast<float>(2.0 * (tissue.attenuation_dbPerCmMhz - effect.expected_dbPerCmMhz) * 1e-6 * carrier_hz * 0.1 * step_mm_);
+    perStep_db_[n] = perStep_db(tissue.attenuation_dbPerCmMhz);
     reflection_db_[n] = static_cast<float>(tissue.reflection_db);
   }
-  aside_.resize(static_cast<std::size_t>(steps_));
-  elevation_mm_.resize(static_cast<std::size_t>(steps_));
-  for (int s = 0; s < steps_; ++s) {
-    const double depth_mm = s * step_mm_, aperture_mm = std::min(probe.aperture_mm, depth_mm / kFNumber);
-    const double spacing_mm = std::max(layout.grid.lineSpacing_mm(depth_mm), 1e-3);
-    const double variance =
-        kBlurPerAperture * aperture_mm * aperture_mm * step_mm_ / std::max(depth_mm, step_mm_) / (spacing_mm * spacing_mm);
-    aside_[static_cast<std::size_t>(s)] = static_cast<float>(std::min(0.5 * variance, 1.0 / 3.0));
-    elevation_mm_[static_cast<std::size_t>(s)] = static_cast<float>(layout.beams.elevationalSigma_mm(depth_mm));
-  }
+  elevation_mm_.clear();
+  for (int s = 0; s < steps_; ++s) elevation_mm_.push_back(static_cast<float>(layout.beams.elevationalSigma_mm(s * step_mm_)));
+  rays_.configure(layout, probe, steps_, step_mm_);
   const auto samples = static_cast<std::size_t>(lines_) * static_cast<std::size_t>(steps_);
   own_db_.resize(kPlanes * samples);
   reflection_.resize(kPlanes * samples);
-  gains_.resize(samples);
+  gains_.resize(kPlanes * samples);
   ways_.resize(static_cast<std::size_t>(lines_));
-  amplitude_.resize(static_cast<std::size_t>(lines_));
-  waiting_.resize(static_cast<std::size_t>(lines_));
-  loss_.resize(static_cast<std::size_t>(lines_));
-  scratch_.resize(static_cast<std::size_t>(lines_) + 2);
+  skin_mm_.resize(static_cast<std::size_t>(lines_));
+  for (March& march : marches_)
+    for (std::vector<float>* ofLines : {&march.waiting_db, &march.loss_log2, &march.met_db, &march.since_mm})
+      ofLines->resize(static_cast<std::size_t>(lines_));
 }
 
-void EchoLosses::walk(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, const EchoMotion& motion,
-                      Bands& bands) {
+void EchoLosses::findSkin(const SliceSource& level, const glm::mat4& labelToLevel, const EchoMotion& motion) {
+  const auto isTissue = [&](const glm::vec3& place) {
+    const glm::ivec3 voxel = glm::ivec3(glm::floor(glm::vec3(labelToLevel * glm::vec4(place, 1.0F)) + 0.5F));
+    if (glm::any(glm::lessThan(voxel, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(voxel, level.grid.dims))) return false;
+    return level.voxels[level.grid.indexOf(voxel.x, voxel.y, voxel.z)] > 0;
+  };
+  // Voxels have a level from half a voxel before the skin on.
+  const auto early_mm = static_cast<float>(0.5 * level.grid.spacing_mm.x);
+  for (int line = 0; line < lines_; ++line) {
+    const Way& way = ways_[static_cast<std::size_t>(line)];
+    float depth_mm = 0.0F;
+    for (; depth_mm < kMostGel_mm; depth_mm += kSkinStep_mm) {
+      glm::vec3 place = way.start + (depth_mm - early_mm) * way.perMm;
+      if (motion.moves()) place += motion.backOn(back_[0], line, depth_mm);
+      if (isTissue(place)) break;
+    }
+    skin_mm_[static_cast<std::size_t>(line)] = std::min(depth_mm, kMostGel_mm);
+  }
+}
+
+void EchoLosses::walk(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, const SliceSource& level,
+                      const Transform<frame::Voxel, frame::Probe>& probeToLevel, const EchoMotion& motion, Bands& bands) {
   const LabelBlend blend{labels, perStep_db_, reflection_db_};
   const glm::dmat4& m = probeToLabel.matrix;
   for (std::size_t line = 0; line < ways_.size(); ++line) {
@@ -66,6 +83,7 @@ void EchoLosses::walk(const SliceSource& labels, const Transform<frame::Voxel, f
   const auto ahead_mm = static_cast<float>(2.0 * step_mm_);
   if (motion.moves())
     for (std::size_t p = 0; p < kPlanes; ++p) motion.rowsOf(static_cast<double>(kAside[p]), glm::mat3(m), bands, back_[p]);
+  findSkin(level, glm::mat4(probeToLevel.matrix * glm::inverse(m)), motion);
   bands.run(steps_, [&](int firstStep, int count, int) {
     for (int p = 0; p < kPlanes; ++p)
       for (int s = firstStep; s < firstStep + count; ++s) {
@@ -85,31 +103,57 @@ void EchoLosses::walk(const SliceSource& labels, const Transform<frame::Voxel, f
         };
         if (!motion.moves()) {
           ask([](int, glm::vec3&) {});
-          continue;
+        } else {
+          const std::vector<glm::vec3>& back = back_[static_cast<std::size_t>(p)];
+          ask([&](int line, glm::vec3& place) { place += motion.backOn(back, line, depth_mm); });
         }
-        const std::vector<glm::vec3>& back = back_[static_cast<std::size_t>(p)];
-        ask([&](int line, glm::vec3& place) { place += motion.backOn(back, line, depth_mm); });
+        if (s == 0) {
+          std::fill_n(own, lines_, 0.0F);
+        } else if (const auto stepStart_mm = static_cast<float>((s - 1) * step_mm_); stepStart_mm < kMostGel_mm) {
+          for (int line = 0; line < lines_; ++line) {
+            const float beforeSkin_mm = skin_mm_[static_cast<std::size_t>(line)] - stepStart_mm;
+            own[line] += std::clamp(beforeSkin_mm / static_cast<float>(step_mm_), 0.0F, 1.0F) * (gelPerStep_db_ - own[line]);
+          }
+        }
       }
   });
-
-  std::fill(gains_.begin(), gains_.end(), 0.0F);
-  constexpr float kLog2PerDb_oneWay = 3.32192809F / 40.0F;
-  for (int p = 0; p < kPlanes; ++p) {
-    std::fill(amplitude_.begin(), amplitude_.end(), 1.0F);
-    std::fill(waiting_.begin(), waiting_.end(), 0.0F);
-    for (int s = 0; s < steps_; ++s) {
-      const float* own = own_db_.data() + indexOf(p, s);
-      const float* reflection = reflection_.data() + indexOf(p, s);
-      const float* before = reflection_.data() + indexOf(p, std::max(s - 1, 0));
-      for (int line = 0; line < lines_; ++line) {
-        const float waiting = waiting_[static_cast<std::size_t>(line)] + std::max(0.0F, reflection[line] - before[line]);
-        const float released = waiting * release_;
-        waiting_[static_cast<std::size_t>(line)] = waiting - released;
-        loss_[static_cast<std::size_t>(line)] = (own[line] + released) * kLog2PerDb_oneWay;
-      }
-      marchLosses(loss_.data(), aside_[static_cast<std::size_t>(s)], most_, kWeights[static_cast<std::size_t>(p)], lines_,
-                  amplitude_.data(), scratch_.data(), gains_.data() + indexOf(0, s));
+  bands.run(kPlanes, [&](int first, int count, int) {
+    for (int p = first; p < first + count; ++p) march(p);
+  });
+  bands.run(steps_, [&](int firstStep, int count, int) {
+    for (int p = 1; p < kPlanes; ++p) {
+      float* sum = gains_.data() + indexOf(0, firstStep);
+      std::transform(sum, sum + count * lines_, gains_.data() + indexOf(p, firstStep), sum, std::plus());
     }
+  });
+}
+
+void EchoLosses::march(int plane) {
+  constexpr float kLog2PerDb_oneWay = 3.32192809F / 40.0F;
+  constexpr float kOut = 0.5F;  // of the reflection that was met
+  const auto step_mm = static_cast<float>(step_mm_);
+  March& at = marches_[static_cast<std::size_t>(plane)];
+  std::fill(at.waiting_db.begin(), at.waiting_db.end(), 0.0F);
+  std::fill(at.since_mm.begin(), at.since_mm.end(), 0.0F);
+  std::copy_n(reflection_.data() + indexOf(plane, 0), lines_, at.met_db.data());
+  rays_.begin(at.rays);
+  for (int s = 0; s < steps_; ++s) {
+    const float* own = own_db_.data() + indexOf(plane, s);
+    const float* reflection = reflection_.data() + indexOf(plane, s);
+    for (int n = 0; n < lines_; ++n) {
+      const auto line = static_cast<std::size_t>(n);
+      const float waiting = at.waiting_db[line] + std::max(0.0F, reflection[n] - at.met_db[line]);
+      const float released = waiting * release_;
+      at.waiting_db[line] = waiting - released;
+      at.loss_log2[line] = (own[n] + released) * kLog2PerDb_oneWay;
+      const float met_db = std::max(at.met_db[line], reflection[n]);
+      const float since_mm = reflection[n] < kOut * met_db ? at.since_mm[line] + step_mm : 0.0F;
+      at.met_db[line] = since_mm < kSameThing_mm ? met_db : reflection[n];
+      at.since_mm[line] = since_mm;
+    }
+    float* gain = gains_.data() + indexOf(plane, s);
+    std::fill_n(gain, lines_, 0.0F);
+    rays_.pass(s, at.loss_log2.data(), most_, kWeights[static_cast<std::size_t>(plane)], at.rays, gain);
   }
 }
 

@@ -6,26 +6,27 @@
 
 #include "echo_layout.h"
 #include "echo_motion.h"
+#include "echo_rays.h"
 #include "ew/imaging/bands.h"
 #include "ew/imaging/slice_source.h"
 
 namespace ew::detail {
 
-/// What lines lose on their way, from the labels of the tissue: attenuation beyond what the machine expects, reflections, the shadows they
-/// throw and the enhancement behind fluid. Labels are blended between voxels; three planes of the slice are walked. With t the share of the
-/// amplitude that is left one way,
-///   t(z + dz) = G(t(z)) 10^(-L / 40),  L = 2 (a - expected) f dz + reflections that were entered, both ways, dB
-///   gain = mean over the planes of t^2
-/// G spreads a shadow over its lines as the aperture sees around what throws it: a ray bundle from an aperture A that is focused at z has
-/// at z0 the standard deviation 0.29 A (1 - z0 / z) (Szabo, Diagnostic Ultrasound Imaging, the chapter on arrays); the running blur of
-/// variance 0.27 (0.29 A)^2 dz / z agrees with it within a quarter from z = 1.3 z0 to 3 z0.
-/// A reflection comes in behind its surface, over a wavelength (1/e), so that the surface's own echo stays bright.
+/// What echoes lose on their way, from the labels of the tissue: attenuation beyond what the machine expects, reflections, the shadows they
+/// throw and the enhancement behind fluid. Labels are blended between voxels; three planes of the slice are walked, and each place is seen
+/// from all of the aperture (EchoRays). In a step of a line, both ways, dB,
+///   loss = 2 (a - expected) f dz + reflections that were entered
+///   gain = mean over the planes of left^2
+/// A reflection comes in behind its surface, over a wavelength (1/e), so that the surface's own echo stays bright. A line that leaves what
+/// reflected it and is back within 3 mm meets no second surface: it grazes the same one. Before the skin lies gel, which takes nothing.
 class EchoLosses {
  public:
   void configure(const EchoLayout& layout, const Probe& probe, const Scene& scene, double carrier_hz);
   /// @param labels on a grid of their own
-  /// @param motion of what they name
-  void walk(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, const EchoMotion& motion, Bands& bands);
+  /// @param level of the tissue (TissueMaps), which says where lines enter it, on a grid of its own
+  /// @param motion of both
+  void walk(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, const SliceSource& level,
+            const Transform<frame::Voxel, frame::Probe>& probeToLevel, const EchoMotion& motion, Bands& bands);
   /// Of the amplitudes of a line, at each column.
   /// @param ofSteps scratch memory
   void gainsOf(int line, std::vector<float>& ofSteps, std::span<float> gains) const;
@@ -46,22 +47,34 @@ class EchoLosses {
     glm::vec3 perMm;
   };
 
+  void findSkin(const SliceSource& level, const glm::mat4& labelToLevel, const EchoMotion& motion);
+  void march(int plane);
+
   const EchoLayout* layout_ = nullptr;
   int lines_ = 0;
   int steps_ = 0;
   double step_mm_ = 0.5;
   float release_ = 1.0F;
   float most_ = 1.0F;
+  float gelPerStep_db_ = 0.0F;
   std::array<float, 256> perStep_db_{};
   std::array<float, 256> reflection_db_{};
-  std::vector<float> aside_;         ///< by step: what the blur gives each neighbour
   std::vector<float> elevation_mm_;  ///< by step: one standard deviation
   std::vector<float> own_db_;        ///< by plane, step, line
   std::vector<float> reflection_;    ///< likewise
-  std::vector<float> gains_;         ///< by step, line
+  std::vector<float> gains_;         ///< likewise; in the end the first plane has the sum
   std::vector<Way> ways_;
   std::array<std::vector<glm::vec3>, kPlanes> back_;  ///< by plane: EchoMotion::rowsOf, in voxels
-  std::vector<float> amplitude_, waiting_, scratch_, loss_;
+  std::vector<float> skin_mm_;                        ///< by line: how much gel is before it
+  EchoRays rays_;
+  /// Of the march through a plane, by line.
+  struct March {
+    std::vector<float> waiting_db, loss_log2;
+    std::vector<float> met_db;    ///< the reflection of what the line is in or was in last
+    std::vector<float> since_mm;  ///< for how long it has been out of that
+    EchoRays::Scratch rays;
+  };
+  std::array<March, kPlanes> marches_;
 };
 
 }  // namespace ew::detail

@@ -149,20 +149,31 @@ void toLevelsOf(const float* in, float aside, float perDoubling, int count, floa
   });
 }
 
-void marchLossesOf(const float* loss_log2, float aside, float most, float weight, int lines, float* amplitude, float* scratch,
-                   float* gain) {
-  scratch[0] = amplitude[0];
-  std::copy(amplitude, amplitude + lines, scratch + 1);
-  scratch[lines + 1] = amplitude[lines - 1];
-  forColumns(lines, [&](auto d, int x) HWY_ATTR {
-    const auto here = hn::LoadU(d, scratch + x + 1);
-    const auto around = hn::Add(hn::LoadU(d, scratch + x), hn::LoadU(d, scratch + x + 2));
-    const auto blurred = hn::Add(hn::Mul(here, hn::Set(d, 1.0F - 2.0F * aside)), hn::Mul(around, hn::Set(d, aside)));
+void keptOfLoss(const float* loss_log2, int count, float* kept) {
+  forColumns(count, [&](auto d, int x) HWY_ATTR {
     const auto loss = hn::Min(hn::Max(hn::LoadU(d, loss_log2 + x), hn::Set(d, -100.0F)), hn::Set(d, 100.0F));
-    const auto kept = hn::Mul(blurred, exp2Of(d, hn::Neg(loss)));
-    const auto left = hn::Max(hn::Min(kept, hn::Set(d, most)), hn::Set(d, 1e-12F));
-    hn::StoreU(left, d, amplitude + x);
-    hn::StoreU(hn::Add(hn::LoadU(d, gain + x), hn::Mul(hn::Mul(left, left), hn::Set(d, weight))), d, gain + x);
+    hn::StoreU(exp2Of(d, hn::Neg(loss)), d, kept + x);
+  });
+}
+
+void passRayOf(const float* kept, float most, int count, float* left) {
+  forColumns(count, [&](auto d, int x) HWY_ATTR {
+    const auto now = hn::Mul(hn::LoadU(d, left + x), hn::LoadU(d, kept + x));
+    hn::StoreU(hn::Max(hn::Min(now, hn::Set(d, most)), hn::Set(d, 1e-12F)), d, left + x);
+  });
+}
+
+void addWeightedOf(const float* in, float weight, int count, float* out) {
+  forColumns(count, [&](auto d, int x) HWY_ATTR {
+    hn::StoreU(hn::Add(hn::LoadU(d, out + x), hn::Mul(hn::LoadU(d, in + x), hn::Set(d, weight))), d, out + x);
+  });
+}
+
+void addSquaresOf(const float* in, float weight, int count, float* out) {
+  forColumns(count, [&](auto d, int x) HWY_ATTR {
+    const auto around = hn::Mul(hn::Add(hn::LoadU(d, in + x - 1), hn::LoadU(d, in + x + 1)), hn::Set(d, 0.25F));
+    const auto blurred = hn::Add(hn::Mul(hn::LoadU(d, in + x), hn::Set(d, 0.5F)), around);
+    hn::StoreU(hn::Add(hn::LoadU(d, out + x), hn::Mul(hn::Mul(blurred, blurred), hn::Set(d, weight))), d, out + x);
   });
 }
 
@@ -181,7 +192,10 @@ HWY_EXPORT(addComplexNoiseOf);
 HWY_EXPORT(turnComplexOf);
 HWY_EXPORT(addEnvelopeOf);
 HWY_EXPORT(toLevelsOf);
-HWY_EXPORT(marchLossesOf);
+HWY_EXPORT(keptOfLoss);
+HWY_EXPORT(passRayOf);
+HWY_EXPORT(addWeightedOf);
+HWY_EXPORT(addSquaresOf);
 
 void filterLaterally(const LateralTask& task) { HWY_DYNAMIC_DISPATCH(filterLaterallyOf)(task); }
 void scaleComplex(const float* factor, int count, float* inOut) { HWY_DYNAMIC_DISPATCH(scaleComplexOf)(factor, count, inOut); }
@@ -198,9 +212,10 @@ void addEnvelope(const float* in, const float* pulse, int reach, float share, in
 void toLevels(const float* in, float aside, float perDoubling, int count, float* out) {
   HWY_DYNAMIC_DISPATCH(toLevelsOf)(in, aside, perDoubling, count, out);
 }
-void marchLosses(const float* loss_log2, float aside, float most, float weight, int lines, float* amplitude, float* scratch, float* gain) {
-  HWY_DYNAMIC_DISPATCH(marchLossesOf)(loss_log2, aside, most, weight, lines, amplitude, scratch, gain);
-}
+void keptOf(const float* loss_log2, int count, float* kept) { HWY_DYNAMIC_DISPATCH(keptOfLoss)(loss_log2, count, kept); }
+void passRay(const float* kept, float most, int count, float* left) { HWY_DYNAMIC_DISPATCH(passRayOf)(kept, most, count, left); }
+void addWeighted(const float* in, float weight, int count, float* out) { HWY_DYNAMIC_DISPATCH(addWeightedOf)(in, weight, count, out); }
+void addSquares(const float* in, float weight, int count, float* out) { HWY_DYNAMIC_DISPATCH(addSquaresOf)(in, weight, count, out); }
 
 }  // namespace ew::detail
 #endif

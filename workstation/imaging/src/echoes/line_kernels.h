@@ -41,9 +41,17 @@ void addEnvelope(const float* in, const float* pulse, int reach, float share, in
 /// @param in count values, and one more on each side
 void toLevels(const float* in, float aside, float perDoubling, int count, float* out);
 
-/// One step of a march along all lines at once: amplitude = blur(amplitude) 2^(-loss), not above `most`; gain += weight amplitude^2.
-/// @param amplitude, loss, gain `lines` values; blur weighs each neighbour with `aside` (the outermost lines go on)
-/// @param scratch lines values
-void marchLosses(const float* loss_log2, float aside, float most, float weight, int lines, float* amplitude, float* scratch, float* gain);
+/// kept = 2^-loss.
+void keptOf(const float* loss_log2, int count, float* kept);
+
+/// left = left kept, not above `most` nor below 1e-12.
+void passRay(const float* kept, float most, int count, float* left);
+
+/// out += weight in.
+void addWeighted(const float* in, float weight, int count, float* out);
+
+/// out += weight ((in before + 2 in + in after) / 4)^2.
+/// @param in count values, and one more on each side
+void addSquares(const float* in, float weight, int count, float* out);
 
 }  // namespace ew::detail

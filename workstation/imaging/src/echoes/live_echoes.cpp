@@ -120,8 +120,9 @@ void LiveEchoes::filterTile(int tile) {
   filterLaterally(lateral);
 }
 
-void LiveEchoes::lose(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands) {
-  losses_.walk(labels, probeToLabel, motion_, bands);
+void LiveEchoes::lose(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, const SliceSource& level,
+                      const Transform<frame::Voxel, frame::Probe>& probeToLevel, Bands& bands) {
+  losses_.walk(labels, probeToLabel, level, probeToLevel, motion_, bands);
   bands.run(static_cast<int>(layout_.grid.lines.size()), [&](int first, int count, int slot) {
     Scratch& mine = scratch_[static_cast<std::size_t>(slot)];
     mine.gains.resize(static_cast<std::size_t>(std::max(layout_.columns, static_cast<int>(layout_.grid.lines.size()) + 2)));

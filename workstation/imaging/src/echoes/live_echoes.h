@@ -35,7 +35,8 @@ class LiveEchoes {
             Bands& bands);
   /// @param placed where the maps lie now
   void scatter(const TissueMaps& maps, const Grid& placed, const Transform<frame::World, frame::Probe>& probeToWorld, Bands& bands);
-  void lose(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands);
+  void lose(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, const SliceSource& level,
+            const Transform<frame::Voxel, frame::Probe>& probeToLevel, Bands& bands);
   void reverberate(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands);
   void addNoise(const NoiseEffect& noise, std::uint64_t frameNumber, Bands& bands);
   /// @param greyPerDb of the levels

@@ -188,9 +188,13 @@ void BeamPath::keepOwnGrain(const SliceSource& echo, const TissueMaps& maps, con
   });
 }
 
-void BeamPath::attenuate(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands,
-                         std::span<ThreadScratch> scratch) {
-  if (hasField_) return live_.lose(labels, probeToLabel, bands);
+void BeamPath::attenuate(const FrameInput& input, Bands& bands, std::span<ThreadScratch> scratch) {
+  if (hasField_) {
+    const auto& probeToWorld = input.pose.probeToWorld;
+    const SliceSource level(VolumeView<const std::uint8_t>{input.tissue->level.data(), input.tissueGrid});
+    return live_.lose(input.labels, input.labels.grid.worldToVoxel() * probeToWorld, level, input.tissueGrid.worldToVoxel() * probeToWorld,
+                      bands);
+  }
   bands.run(echoes_.width, [&](int firstLine, int count, int slot) {
     ImageView<const std::uint8_t> tissue;
     if (hasLabels_) tissue = {labels_.pixels.data() + firstLine, count, labels_.height, labels_.width};

@@ -52,8 +52,7 @@ class BeamPath {
   bool findContact(std::span<const float> gaps_mm);
   void loseContact(Bands& bands, std::span<ThreadScratch> scratch);
   /// Of live echoes by labels while their field is there, otherwise of levels.
-  void attenuate(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands,
-                 std::span<ThreadScratch> scratch);
+  void attenuate(const FrameInput& input, Bands& bands, std::span<ThreadScratch> scratch);
   /// @param labels of live echoes, whose tissues are known
   void reverberate(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands);
   void focusByRows(Bands& bands, std::span<ThreadScratch> scratch);

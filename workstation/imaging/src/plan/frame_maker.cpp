@@ -238,7 +238,7 @@ void FrameMaker::Parts::run(StepKind kind, const FrameInput& input) {
     case StepKind::contact:
       return beams_.loseContact(bands_, scratch_);
     case StepKind::attenuation:
-      return beams_.attenuate(input.labels, input.labels.grid.worldToVoxel() * input.pose.probeToWorld, bands_, scratch_);
+      return beams_.attenuate(input, bands_, scratch_);
     case StepKind::reverberation:
       return beams_.reverberate(input.labels, input.labels.grid.worldToVoxel() * input.pose.probeToWorld, bands_);
     case StepKind::focusStretch:

@@ -10,9 +10,7 @@ namespace ew {
 struct LayoutPair {
   double rows_us = 0.0;
   double bricks_us = 0.0;
-  /// Rows only where they are clearly faster: chosen by mistake they cost up to nine tenths more (512 cubed, slices across the rows),
-  /// bricks a fifth.
-  [[nodiscard]] bool choosesBricks() const { return bricks_us < 1.08 * rows_us; }
+  [[nodiscard]] bool choosesBricks() const { return bricks_us < rows_us; }
   [[nodiscard]] double chosen_us() const { return choosesBricks() ? bricks_us : rows_us; }
   bool operator==(const LayoutPair&) const = default;
 };

@@ -31,6 +31,7 @@ struct FormationOptions {
   int looks = 1;  ///< sub-bands of the pulse whose envelopes are averaged, 1..5: less grain, a pulse (looks + 1) / 2 times as long
   double assumedSpeed_mPerS = 1540;  ///< turns time into depth
   bool attenuation = true;           ///< tissue attenuation, losses at interfaces, and so shadows
+  bool penumbra = true;              ///< shadows have soft sides, as the aperture sees around what throws them
   bool specular = true;              ///< bright interfaces by angle and impedance
   bool speedOfSound = false;         ///< tissue speeds displace echoes along the line
   double noise_db = -92.0;           ///< electronic noise below full white, before depth gain; -200 and below: none
