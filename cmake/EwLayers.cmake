@@ -1,9 +1,9 @@
 # ew_check_layers(): stops the configuration when a link line breaks the layers of resources/docs/architecture.md.
 
 # The libraries from the bottom to the top: each links only those that stand before it.
-set(EW_LAYERS core io imaging acquisition registration stitching phantom library tracking scan_values scanning bridge sdk door ui cli)
+set(EW_LAYERS core io imaging acquisition registration stitching phantom library tracking worksheets measurement scan_values scanning bridge sdk door ui cli)
 # These compute. Neither they nor their tests link Qt or VTK; a test named *_peer compares with VTK and is what that name says.
-set(EW_LAYERS_WITHOUT_QT_AND_VTK core imaging acquisition registration stitching phantom tracking scan_values scanning)
+set(EW_LAYERS_WITHOUT_QT_AND_VTK core imaging acquisition registration stitching phantom tracking worksheets measurement scan_values scanning)
 
 # Everything `target` links, directly or through others, by the names in the link lines.
 function(ew_links_of target result)
@@ -43,7 +43,7 @@ function(ew_check_layers)
     if(TARGET ew_${layer})
       ew_check_without_qt_and_vtk(ew_${layer})
     endif()
-    if(IS_DIRECTORY ${CMAKE_SOURCE_DIR}/tests/${layer} AND EW_BUILD_TESTS AND layer IN_LIST EW_PARTS)
+    if(IS_DIRECTORY ${CMAKE_SOURCE_DIR}/tests/${layer} AND EW_BUILD_TESTS AND layer IN_LIST configured_parts)
       get_property(tests DIRECTORY ${CMAKE_SOURCE_DIR}/tests/${layer} PROPERTY BUILDSYSTEM_TARGETS)
       list(FILTER tests INCLUDE REGEX "^test_")
       list(FILTER tests EXCLUDE REGEX "_peer$")

@@ -6083,6 +6083,302 @@
         <source>This case does not move; --time, --breath and --pulse change nothing.</source>
         <translation>Dieser Fall bewegt sich nicht; --time, --breath und --pulse ändern nichts.</translation>
     </message>
+    <message>
+        <source>Both points lie on each other; move one of them.</source>
+        <translation>Beide Punkte liegen aufeinander; einen davon verschieben.</translation>
+    </message>
+    <message>
+        <source>One axis of the ellipse has no length; move one of its ends.</source>
+        <translation>Eine Achse der Ellipse hat keine Länge; eines ihrer Enden verschieben.</translation>
+    </message>
+    <message>
+        <source>The ellipse did not settle; more points around the outline would hold it.</source>
+        <translation>Die Ellipse kam nicht zur Ruhe; mehr Punkte um den Umriss würden sie halten.</translation>
+    </message>
+    <message>
+        <source>The outline crosses itself, so its area is too small; trace it again.</source>
+        <translation>Der Umriss kreuzt sich selbst, seine Fläche ist daher zu klein; neu umfahren.</translation>
+    </message>
+    <message>
+        <source>One leg of the angle has no length; move one of its ends.</source>
+        <translation>Ein Schenkel des Winkels hat keine Länge; eines seiner Enden verschieben.</translation>
+    </message>
+    <message>
+        <source>Distance %1 has no length; move one of its ends.</source>
+        <translation>Strecke %1 hat keine Länge; eines ihrer Enden verschieben.</translation>
+    </message>
+    <message>
+        <source>The long axis has no length; move one of its ends.</source>
+        <translation>Die Längsachse hat keine Länge; eines ihrer Enden verschieben.</translation>
+    </message>
+    <message>
+        <source>The outline does not lie along its long axis; draw the axis through it.</source>
+        <translation>Der Umriss liegt nicht an seiner Längsachse; die Achse durch ihn hindurch zeichnen.</translation>
+    </message>
+    <message>
+        <source>The long axes of both planes differ by more than a fifth; one of them may be cut short.</source>
+        <translation>Die Längsachsen beider Ebenen unterscheiden sich um mehr als ein Fünftel; eine davon ist vielleicht verkürzt getroffen.</translation>
+    </message>
+    <message>
+        <source>Both points lie at the same moment; move one of them.</source>
+        <translation>Beide Punkte liegen im selben Augenblick; einen davon verschieben.</translation>
+    </message>
+    <message>
+        <source>This kind of caliper is not known.</source>
+        <translation>Diese Art von Messung ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>A caliper of the kind &apos;%1&apos; has %2 parts, this one has %3.</source>
+        <translation>Eine Messung der Art „%1“ hat %2 Teile, diese hat %3.</translation>
+    </message>
+    <message>
+        <source>A caliper of the kind &apos;%1&apos; has %2 to %3 points in a part, this one has %4.</source>
+        <translation>Eine Messung der Art „%1“ hat %2 bis %3 Punkte in einem Teil, diese hat %4.</translation>
+    </message>
+    <message>
+        <source>A point of a caliper lies nowhere; set it again.</source>
+        <translation>Ein Punkt einer Messung liegt nirgends; neu setzen.</translation>
+    </message>
+    <message>
+        <source>A heart rate is measured over 1 to %1 cycles, not over %2.</source>
+        <translation>Eine Herzfrequenz wird über 1 bis %1 Zyklen gemessen, nicht über %2.</translation>
+    </message>
+    <message>
+        <source>No ellipse goes through these points; put them around the outline, not along a line.</source>
+        <translation>Durch diese Punkte geht keine Ellipse; sie rund um den Umriss setzen, nicht auf eine Linie.</translation>
+    </message>
+    <message>
+        <source>An ellipse needs at least %1 points; there are %2.</source>
+        <translation>Eine Ellipse braucht mindestens %1 Punkte; es sind %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be the name of an input: it needs a letter, then letters, digits and _.</source>
+        <translation>„%1“ kann keine Eingangsgröße benennen: nötig sind ein Buchstabe, dann Buchstaben, Ziffern und _.</translation>
+    </message>
+    <message>
+        <source>The expression uses &apos;%1&apos;, which is neither an input nor a function known here.</source>
+        <translation>Der Ausdruck verwendet „%1“, weder eine Eingangsgröße noch eine hier bekannte Funktion.</translation>
+    </message>
+    <message>
+        <source>The expression does not use its input &apos;%1&apos;.</source>
+        <translation>Der Ausdruck verwendet seine Eingangsgröße „%1“ nicht.</translation>
+    </message>
+    <message>
+        <source>An expression has 1 to %1 bytes, this one has %2.</source>
+        <translation>Ein Ausdruck hat 1 bis %1 Bytes, dieser hat %2.</translation>
+    </message>
+    <message>
+        <source>The expression has a character at %1 that has no place in a formula.</source>
+        <translation>Der Ausdruck hat an Stelle %1 ein Zeichen, das nicht in eine Formel gehört.</translation>
+    </message>
+    <message>
+        <source>The expression cannot be read: %1</source>
+        <translation>Der Ausdruck kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>Measurement %1 was made for %2, but gives no %3; measure it with another caliper.</source>
+        <translation>Messung %1 wurde für %2 gemacht, ergibt aber keinen Wert der Art %3; mit einer anderen Messart messen.</translation>
+    </message>
+    <message>
+        <source>two numbers, a point</source>
+        <translation>zwei Zahlen, ein Punkt</translation>
+    </message>
+    <message>
+        <source>a kind of caliper: distance, poly_line, ellipse, fitted_ellipse, trace, angle, ratio, ellipsoid, discs, biplane, slope or heart_rate</source>
+        <translation>eine Art von Messung: distance, poly_line, ellipse, fitted_ellipse, trace, angle, ratio, ellipsoid, discs, biplane, slope oder heart_rate</translation>
+    </message>
+    <message>
+        <source>a list of %1 to %2 points</source>
+        <translation>eine Liste von %1 bis %2 Punkten</translation>
+    </message>
+    <message>
+        <source>%1 has format %2, this program reads up to %3; update EchoWeave.</source>
+        <translation>%1 hat das Format %2, dieses Programm liest Formate bis %3; EchoWeave aktualisieren.</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 to below next_number</source>
+        <translation>eine ganze Zahl ab 1, kleiner als next_number</translation>
+    </message>
+    <message>
+        <source>a number that no other measurement has</source>
+        <translation>eine Nummer, die keine andere Messung hat</translation>
+    </message>
+    <message>
+        <source>the measurement package %1</source>
+        <translation>Messpaket %1</translation>
+    </message>
+    <message>
+        <source>The folder of measurement packages %1 cannot be opened: %2.</source>
+        <translation>Der Ordner mit Messpaketen %1 kann nicht geöffnet werden: %2.</translation>
+    </message>
+    <message>
+        <source>The folder of measurement packages %1 cannot be read: %2.</source>
+        <translation>Der Ordner mit Messpaketen %1 kann nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>a letter, then letters, digits and _</source>
+        <translation>ein Buchstabe, dann Buchstaben, Ziffern und _</translation>
+    </message>
+    <message>
+        <source>a unit: 1, %, mm, cm, mm2, cm2, ml, g, kg, deg, s, ms, /min, mm/s, cm/s, weeks or days</source>
+        <translation>eine Einheit: 1, %, mm, cm, mm2, cm2, ml, g, kg, deg, s, ms, /min, mm/s, cm/s, weeks oder days</translation>
+    </message>
+    <message>
+        <source>two rising numbers, the smallest and the largest value</source>
+        <translation>zwei steigende Zahlen, der kleinste und der größte Wert</translation>
+    </message>
+    <message>
+        <source>left out of a choice</source>
+        <translation>bei einer Auswahl weggelassen</translation>
+    </message>
+    <message>
+        <source>left out, unless the measure is &quot;choice&quot;</source>
+        <translation>weggelassen, außer bei der Messgröße &quot;choice&quot;</translation>
+    </message>
+    <message>
+        <source>a label that no other entry has</source>
+        <translation>ein Kürzel, das kein anderer Eintrag hat</translation>
+    </message>
+    <message>
+        <source>the label of an item with a unit or of an earlier formula</source>
+        <translation>das Kürzel eines Eintrags mit Einheit oder einer früheren Formel</translation>
+    </message>
+    <message>
+        <source>a unit that %1 can be converted to</source>
+        <translation>eine Einheit, in die sich %1 umrechnen lässt</translation>
+    </message>
+    <message>
+        <source>an object with either &quot;percent&quot; or &quot;absolute&quot;</source>
+        <translation>ein Objekt mit entweder &quot;percent&quot; oder &quot;absolute&quot;</translation>
+    </message>
+    <message>
+        <source>%1, which the expression gives; correct the one that is wrong</source>
+        <translation>%1, wie es der Ausdruck ergibt; den falschen von beiden berichtigen</translation>
+    </message>
+    <message>
+        <source>the label of an item whose unit the result can be converted to</source>
+        <translation>das Kürzel eines Eintrags, in dessen Einheit sich das Ergebnis umrechnen lässt</translation>
+    </message>
+    <message>
+        <source>labels of formulas whose results can be converted to the chart&apos;s unit</source>
+        <translation>Kürzel von Formeln, deren Ergebnisse sich in die Einheit der Kurve umrechnen lassen</translation>
+    </message>
+    <message>
+        <source>left out of a chart with &quot;lms&quot;</source>
+        <translation>bei einer Kurve mit &quot;lms&quot; weggelassen</translation>
+    </message>
+    <message>
+        <source>left out, unless the chart has &quot;lms&quot;</source>
+        <translation>weggelassen, außer bei einer Kurve mit &quot;lms&quot;</translation>
+    </message>
+    <message>
+        <source>%1, which the chart gives; correct the one that is wrong</source>
+        <translation>%1, wie es die Kurve ergibt; den falschen von beiden berichtigen</translation>
+    </message>
+    <message>
+        <source>the label of an item with a unit or of a formula</source>
+        <translation>das Kürzel eines Eintrags mit Einheit oder einer Formel</translation>
+    </message>
+    <message>
+        <source>a number, when there is no &quot;low&quot;</source>
+        <translation>eine Zahl, wenn &quot;low&quot; fehlt</translation>
+    </message>
+    <message>
+        <source>labels of formulas that give a gestational age</source>
+        <translation>Kürzel von Formeln, die ein Gestationsalter ergeben</translation>
+    </message>
+    <message>
+        <source>labels of choices</source>
+        <translation>Kürzel von Auswahlen</translation>
+    </message>
+    <message>
+        <source>a word of the choices</source>
+        <translation>ein Wort der Auswahl</translation>
+    </message>
+    <message>
+        <source>the label of an item or a formula</source>
+        <translation>das Kürzel eines Eintrags oder einer Formel</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to trace in this picture.</source>
+        <translation>Der Speicher reicht nicht, um in diesem Bild Umrisse zu verfolgen.</translation>
+    </message>
+    <message>
+        <source>The edges of the picture could not be traced (%1).</source>
+        <translation>Die Kanten des Bildes konnten nicht verfolgt werden (%1).</translation>
+    </message>
+    <message>
+        <source>The picture is too small to trace in: %1 x %2 pixels.</source>
+        <translation>Das Bild ist zu klein, um darin Umrisse zu verfolgen: %1 x %2 Pixel.</translation>
+    </message>
+    <message>
+        <source>The picture is too large to trace in: %1 x %2 pixels.</source>
+        <translation>Das Bild ist zu groß, um darin Umrisse zu verfolgen: %1 x %2 Pixel.</translation>
+    </message>
+    <message>
+        <source>There is no picture to trace in; freeze one first.</source>
+        <translation>Es gibt kein Bild, in dem Umrisse verfolgt werden können; zuerst eines einfrieren.</translation>
+    </message>
+    <message>
+        <source>A trace has no beginning yet; click where it begins.</source>
+        <translation>Der Umriss hat noch keinen Anfang; dort klicken, wo er beginnt.</translation>
+    </message>
+    <message>
+        <source>An outline needs at least three clicks; there are %1.</source>
+        <translation>Ein Umriss braucht mindestens drei Klicks; es sind %1.</translation>
+    </message>
+    <message>
+        <source>The package %1 has no item &apos;%2&apos;; it has %3.</source>
+        <translation>Das Messpaket %1 hat keinen Eintrag „%2“; es hat %3.</translation>
+    </message>
+    <message>
+        <source>%1 is measured on the right and on the left; say which, as in %1/right.</source>
+        <translation>%1 wird rechts und links gemessen; die Seite angeben, wie in %1/right.</translation>
+    </message>
+    <message>
+        <source>%1 has no sides; leave &apos;%2&apos; out.</source>
+        <translation>%1 hat keine Seiten; „%2“ weglassen.</translation>
+    </message>
+    <message>
+        <source>%1 is answered by one of %2.</source>
+        <translation>%1 wird mit einem von %2 beantwortet.</translation>
+    </message>
+    <message>
+        <source>%1 is measured in %2, not in &apos;%3&apos;.</source>
+        <translation>%1 wird in %2 gemessen, nicht in „%3“.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 cannot be right: it lies from %3 to %4; check the value and its unit.</source>
+        <translation>%1 von %2 kann nicht stimmen: möglich ist %3 bis %4; Wert und Einheit prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 is valid for %2 from %3 to %4; %5 lies outside, so nothing is computed.</source>
+        <translation>%1 gilt für %2 von %3 bis %4; %5 liegt außerhalb, daher wird nichts berechnet.</translation>
+    </message>
+    <message>
+        <source>%1 has no result for these values.</source>
+        <translation>%1 hat für diese Werte kein Ergebnis.</translation>
+    </message>
+    <message>
+        <source>%1 is valid for results from %2 to %3; these values give %4, so it says nothing.</source>
+        <translation>%1 gilt für Ergebnisse von %2 bis %3; diese Werte ergeben %4, daher keine Aussage.</translation>
+    </message>
+    <message>
+        <source>The chart %1 needs the gestational age by dates.</source>
+        <translation>Die Kurve %1 braucht das Gestationsalter nach Terminen.</translation>
+    </message>
+    <message>
+        <source>The chart %1 is valid from %2 to %3 weeks; %4 lies outside.</source>
+        <translation>Die Kurve %1 gilt von %2 bis %3 Wochen; %4 liegt außerhalb.</translation>
+    </message>
+    <message>
+        <source>The scan says %1, dates say %2: %3 days apart, more than %4, so the dates are to be replaced by the scan.</source>
+        <translation>Die Messung ergibt %1, der Termin %2: %3 Tage auseinander, mehr als %4, daher den Termin nach der Messung korrigieren.</translation>
+    </message>
+    <message>
+        <source>The scan says %1, dates say %2: %3 days apart, not more than %4, so the dates stay.</source>
+        <translation>Die Messung ergibt %1, der Termin %2: %3 Tage auseinander, nicht mehr als %4, daher bleibt der Termin.</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>

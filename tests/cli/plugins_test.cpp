@@ -50,10 +50,10 @@ TEST(PluginsCommand, ABrokenAForeignAndAnOlderPluginAreMessagesAndTheStatusIsZer
 TEST(PluginsCommand, ACommandOfAPluginThatCannotBeLoadedSaysWhy) {
   const TemporaryFolder folder;
   const EnvironmentValue searched("ECHOWEAVE_PLUGINS", folder.path().string());
-  writeManifest(folder, "measure", {{"abi", sdk::kAbi - 0x10000}});
-  const auto outcome = run({"measure", "a.mha", "--report", folder / "r.json"});
+  writeManifest(folder, "gauge", {{"abi", sdk::kAbi - 0x10000}});
+  const auto outcome = run({"gauge", "a.mha", "--report", folder / "r.json"});
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_NE(outcome.err.find("measure"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("gauge"), std::string::npos) << outcome.err;
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   EXPECT_FALSE(std::filesystem::exists(folder / "r.json"));
 }
@@ -81,10 +81,10 @@ TEST(PluginsCommand, ACommandThatThrowsIsOneSentenceThatNamesThePlugin) {
 TEST(PluginsCommand, TheHelpNamesTheCommandsOfPluginsWithoutLoadingThem) {
   const TemporaryFolder folder;
   const EnvironmentValue searched("ECHOWEAVE_PLUGINS", folder.path().string());
-  writeManifest(folder, "measure", nlohmann::json::object());
+  writeManifest(folder, "gauge", nlohmann::json::object());
   const auto help = run({"--help"});
   EXPECT_EQ(help.status, 0);
-  EXPECT_NE(help.out.find("measure"), std::string::npos) << help.out;
+  EXPECT_NE(help.out.find("gauge"), std::string::npos) << help.out;
 }
 
 TEST(PluginsCommand, StitchJoinsTwoVolumesAndReportsLikeACommandOfOurOwn) {

@@ -87,6 +87,7 @@ void addImport(CLI::App& root, Selection& selection);
 void addReconstruct(CLI::App& root, Selection& selection);
 void addRegister(CLI::App& root, Selection& selection);
 void addLevel(CLI::App& root, Selection& selection);
+void addMeasure(CLI::App& root, Selection& selection);
 void addSlice(CLI::App& root, Selection& selection);
 void addScan(CLI::App& root, Selection& selection);
 void addReplay(CLI::App& root, Selection& selection);

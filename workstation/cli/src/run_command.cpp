@@ -31,7 +31,7 @@ constexpr const char* kFooter =
     "Exit status: 0 done, 1 it could not be done, 2 wrong usage, 3 done with the answer 'no' or 'cannot tell'.";
 
 std::vector<std::string> builtInNames() {
-  return {"import", "reconstruct", "register", "slice", "level", "scan", "replay", "phantom", "case", "plugins", "bench"};
+  return {"import", "reconstruct", "register", "slice", "level", "scan", "replay", "phantom", "case", "measure", "plugins", "bench"};
 }
 
 /// CLI11's messages, as one sentence with a full stop.
@@ -208,6 +208,7 @@ int runCommand(std::span<const std::string> args, const Surroundings& surroundin
   addReplay(root, selection);
   addPhantom(root, selection);
   addCase(root, selection);
+  addMeasure(root, selection);
   addPlugins(root, selection);
   addBench(root, selection);
   root.footer(kFooter);  // last, because groups of commands inherit what the root has when they are made

@@ -1,0 +1,46 @@
+#include "ew/measurement/quantity.h"
+
+#include <gtest/gtest.h>
+
+namespace ew::measurement::quantity_test {
+namespace {
+
+TEST(Quantity, IsConvertedExactlyWhereDecimalsAllow) {
+  EXPECT_EQ(converted(82.0, Unit::mm, Unit::cm), 8.2);
+  EXPECT_EQ(converted(8.2, Unit::cm, Unit::mm), 82.0);
+  EXPECT_EQ(converted(1.0, Unit::weeks, Unit::days), 7.0);
+  EXPECT_EQ(converted(0.25, Unit::one, Unit::percent), 25.0);
+  EXPECT_EQ(converted(250.0, Unit::ms, Unit::s), 0.25);
+  EXPECT_FALSE(areComparable(Unit::mm, Unit::mm2));
+  EXPECT_FALSE(areComparable(Unit::ml, Unit::g));
+}
+
+TEST(Quantity, ShowsAsManyDecimalsAsItsUncertaintyDeserves) {
+  EXPECT_EQ(shown({82.04, 0.93, Unit::mm}), "82.04 ± 0.93 mm");
+  EXPECT_EQ(shown({1938.92, 143.0, Unit::g}), "1939 ± 143 g");
+  EXPECT_EQ(shown({82.04, 0.0, Unit::mm}), "82.0 mm");
+  EXPECT_EQ(shown({0.5, 0.0, Unit::one}), "0.500");
+  EXPECT_EQ(shown({-0.0001, 0.0, Unit::mm}), "0.0 mm");
+}
+
+TEST(Units, HaveTheirSymbolsAndOtherSpellings) {
+  for (const Unit unit :
+       {Unit::one, Unit::percent, Unit::mm, Unit::cm2, Unit::ml, Unit::degree, Unit::perMinute, Unit::mmPerS, Unit::weeks})
+    EXPECT_EQ(unitOf(symbolOf(unit)), unit) << symbolOf(unit);
+  EXPECT_EQ(unitOf("cm3"), Unit::ml);
+  EXPECT_EQ(unitOf("bpm"), Unit::perMinute);
+  EXPECT_FALSE(unitOf("inch"));
+}
+
+TEST(GestationalAge, IsReadAndWrittenAsClinicsDo) {
+  EXPECT_DOUBLE_EQ(*gestationOf("32w1d"), 32.0 + 1.0 / 7.0);
+  EXPECT_DOUBLE_EQ(*gestationOf("32w"), 32.0);
+  EXPECT_DOUBLE_EQ(*gestationOf("32.5w"), 32.5);
+  for (const char* wrong : {"", "32", "w", "32w7d", "32w-1d", "-2w", "32w1", "46w", "32.5w1d", "32 w", "nanw"})
+    EXPECT_FALSE(gestationOf(wrong)) << wrong;
+  for (int days = 0; days < 300; ++days) EXPECT_EQ(gestationText(*gestationOf(gestationText(days / 7.0))), gestationText(days / 7.0));
+  EXPECT_EQ(gestationText(32.0 + 1.0 / 7.0), "32w1d");
+}
+
+}  // namespace
+}  // namespace ew::measurement::quantity_test

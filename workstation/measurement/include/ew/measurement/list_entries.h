@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "ew/core/result.h"
+#include "ew/measurement/caliper.h"
+#include "ew/measurement/measurement_list.h"
+#include "ew/measurement/package.h"
+#include "ew/measurement/worksheet.h"
+
+namespace ew::measurement {
+
+/// What a caliper gives to an item of a kind, in the order of preference; null when it gives nothing of that kind.
+[[nodiscard]] const Figure* figureFor(ItemMeasure measure, const Measured& measured);
+
+/// The entries of a worksheet from the measurements that were made for items of its package, in their order. Measurements for other
+/// packages and those whose caliper cannot be measured yet are left out.
+/// @error badField (a caliper that gives nothing its item needs: a distance for a circumference)
+[[nodiscard]] Result<std::vector<WorksheetEntry>> entriesOf(const Measurements& measurements, const Package& package,
+                                                            const UncertaintyAt& at = {});
+
+}  // namespace ew::measurement

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ew/core/result.h"
+#include "ew/measurement/caliper.h"
+
+namespace ew::measurement {
+
+/// One line of the list beside the picture.
+struct Measurement {
+  int number = 0;    ///< 1, 2, ... as it stands at its calipers; never given again in one list
+  std::string name;  ///< what the user called it; empty: its kind
+  std::string item;  ///< label of the package's item it was made for; empty: for none
+  std::string side;  ///< "right", "left" or empty
+  Caliper caliper;
+  bool operator==(const Measurement&) const = default;
+};
+
+/// All measurements of a picture at one moment: a value that never changes.
+struct Measurements {
+  std::vector<Measurement> all;  ///< in the order they were made
+  int nextNumber = 1;
+  [[nodiscard]] const Measurement* find(int number) const;  ///< null when there is none
+  bool operator==(const Measurements&) const = default;
+};
+
+inline constexpr int kMeasurementsFormat = 1;  ///< `format` of the JSON below; a larger one is refused with newerFormat
+
+/// {"format": 1, "next_number": 3, "measurements": [{"number", "name", "item", "side", "kind", "cycles", "parts": [{"picture", "points":
+/// [[x, y]]}]}]}
+[[nodiscard]] nlohmann::json toJson(const Measurements& measurements);
+/// @param where how sentences name the document @error badField (one sentence for each bad field), newerFormat
+[[nodiscard]] Result<Measurements> measurementsFromJson(const nlohmann::json& document, const Message& where);
+
+/// A point of a caliper that can be moved.
+struct Handle {
+  std::size_t part = 0;
+  std::size_t point = 0;
+  bool operator==(const Handle&) const = default;
+};
+
+/// Whether a change is a step of its own, or goes on with the last one: a drag is many moves and one step back.
+enum class Change { begins, goesOn };
+
+/// The measurements of a picture with undo and redo. Every state is a whole, unchanging value, so that whoever shows one keeps it and
+/// nothing has to be taken back piece by piece. Not for several threads at once; the states are.
+class MeasurementList {
+ public:
+  MeasurementList();
+  explicit MeasurementList(Measurements measurements);
+
+  [[nodiscard]] const Measurements& now() const { return *states_[at_]; }
+  /// The same, to be kept: it stays as it is whatever happens to the list.
+  [[nodiscard]] std::shared_ptr<const Measurements> kept() const { return states_[at_]; }
+
+  /// Returns its number. @param caliper as measure() takes it, or with points still to come
+  int add(Caliper caliper, std::string name = {}, std::string item = {}, std::string side = {});
+  /// False, and no step, when there is no such measurement or handle, or `to` is not finite.
+  bool moveHandle(int number, Handle handle, glm::dvec2 to, Change change = Change::begins);
+  /// The caliper as a whole: points that are added or taken away.
+  bool setCaliper(int number, Caliper caliper, Change change = Change::begins);
+  bool rename(int number, std::string name);
+  bool assign(int number, std::string item, std::string side = {});
+  bool remove(int number);
+  bool clear();  ///< false when there is nothing
+
+  [[nodiscard]] bool canUndo() const { return at_ > 0; }
+  [[nodiscard]] bool canRedo() const { return at_ + 1 < states_.size(); }
+  bool undo();
+  bool redo();
+
+ private:
+  void step(Measurements next, Change change);
+  template <class Edit>
+  bool edit(int number, Change change, Edit edit);
+
+  std::vector<std::shared_ptr<const Measurements>> states_;
+  std::size_t at_ = 0;
+};
+
+/// The handle nearest to a point of a picture within reach, and whose it is.
+struct HandleFound {
+  int number = 0;
+  Handle handle;
+  double distance_mm = 0.0;
+};
+[[nodiscard]] std::optional<HandleFound> handleNear(const Measurements& measurements, int picture, glm::dvec2 p, double reach_mm);
+
+}  // namespace ew::measurement

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "ew/core/image.h"
+#include "ew/core/result.h"
+
+namespace ew::measurement {
+
+/// How pixels of a picture lie in the plane: pixel (i, j) at origin_mm + (i, j) * pixel_mm.
+struct PictureGeometry {
+  glm::dvec2 pixel_mm{1.0};   ///< both > 0
+  glm::dvec2 origin_mm{0.0};  ///< centre of the first pixel
+  [[nodiscard]] glm::dvec2 toPixel(const glm::dvec2& p_mm) const { return (p_mm - origin_mm) / pixel_mm; }
+  [[nodiscard]] glm::dvec2 toMm(const glm::dvec2& p_pixel) const { return origin_mm + p_pixel * pixel_mm; }
+  bool operator==(const PictureGeometry&) const = default;
+};
+
+/// Which side of an edge is bright, along the direction of the search.
+enum class EdgeSide { any, darkToBright, brightToDark };
+
+struct SnapOptions {
+  double reach_mm = 5.0;   ///< to either side of the point
+  double blur_mm = 0.8;    ///< standard deviation of the Gaussian whose derivative finds the edge: about that of speckle
+  double across_mm = 2.5;  ///< profiles are averaged over this far to either side, along the edge: speckle is not an edge
+  EdgeSide side = EdgeSide::any;
+  double weakest = 3.0;  ///< grey levels a mm: below this nothing is an edge
+};
+
+/// What a point snapped to.
+struct Snapped {
+  bool isFound = false;
+  glm::dvec2 at_mm{0.0};          ///< the edge; the point itself when none was found
+  double moved_mm = 0.0;          ///< along the direction, signed
+  double strength = 0.0;          ///< steepness, grey levels a mm
+  EdgeSide side = EdgeSide::any;  ///< which side was bright
+  bool operator==(const Snapped&) const = default;
+};
+
+/// The steepest place of the grey profile through a point along a direction, to a fraction of a pixel (the top of a parabola through the
+/// derivative). Outside of the picture there is no edge. Cost: some thousand samples.
+/// @param direction any length above 0
+[[nodiscard]] Snapped snapToEdge(ImageView<const std::uint8_t> picture, const PictureGeometry& geometry, glm::dvec2 p_mm,
+                                 glm::dvec2 direction, const SnapOptions& options = {});
+
+struct TracingOptions {
+  double blur_mm = 1.0;       ///< the picture is smoothed by a Gaussian of this standard deviation before edges are looked for
+  double smoothing_mm = 2.0;  ///< an outline is smoothed along itself by this standard deviation: a path of pixels is a staircase
+  double spacing_mm = 0.5;    ///< of the points of an outline
+  SnapOptions snap = {};      ///< of clicks onto the edge, and of the outline to a fraction of a pixel
+};
+
+/// Assisted tracing: a path that follows edges from an anchor to wherever the pointer is (intelligent scissors: Mortensen & Barrett,
+/// Graphical Models and Image Processing 60, 1998, as in OpenCV's IntelligentScissorsMB), on a grey picture in mm of its plane. Not for
+/// several threads.
+class EdgeTracer {
+ public:
+  EdgeTracer();
+  ~EdgeTracer();
+  EdgeTracer(EdgeTracer&&) noexcept;
+  EdgeTracer& operator=(EdgeTracer&&) noexcept;
+
+  /// Copies the picture and finds its edges: a frozen image. Cost: a few passes over it.
+  /// @error tooLarge (beyond 64 megapixels), badField (narrower than 8 pixels), internal (OpenCV's words)
+  [[nodiscard]] Result<void> setPicture(ImageView<const std::uint8_t> picture, const PictureGeometry& geometry,
+                                        const TracingOptions& options = {});
+  [[nodiscard]] bool hasPicture() const;
+
+  /// Where paths begin; outside of the picture, at its nearest pixel. Finds the cheapest way from here to
+  /// everywhere, which visits every pixel once: for a click, not for every move of the pointer. @error badField (no picture yet)
+  [[nodiscard]] Result<void> anchor(glm::dvec2 p_mm);
+  /// The way from the anchor to a point, pixel by pixel, both ends included. @error badField (no anchor yet)
+  [[nodiscard]] Result<std::vector<glm::dvec2>> pathTo(glm::dvec2 p_mm);
+
+  /// The edge near a point, as snapToEdge on the picture as it is.
+  [[nodiscard]] Snapped snap(glm::dvec2 p_mm, glm::dvec2 direction) const;
+  /// Clicks around an outline, each moved onto the edge square to the line of its neighbours; where there is none it stays. Directions lead
+  /// outwards, so that EdgeSide::brightToDark finds the outer border of a bright wall (a skull), darkToBright that of a dark inside.
+  [[nodiscard]] std::vector<Snapped> snapAround(std::span<const glm::dvec2> clicks_mm) const;
+
+  /// A closed outline through clicks around it: clicks snap to the edge, paths join them, and the whole is brought to the edge at a
+  /// fraction of a pixel and smoothed. Points at even distances, the first one not repeated. The anchor is forgotten.
+  /// @param clicks_mm at least 3 @error badField (too few, no picture yet)
+  [[nodiscard]] Result<std::vector<glm::dvec2>> traceAround(std::span<const glm::dvec2> clicks_mm);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace ew::measurement

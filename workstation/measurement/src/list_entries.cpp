@@ -1,0 +1,54 @@
+#include "ew/measurement/list_entries.h"
+
+namespace ew::measurement {
+namespace {
+
+FigureKind figureKindOf(ItemMeasure measure) {
+  switch (measure) {
+    case ItemMeasure::circumference:
+      return FigureKind::circumference;
+    case ItemMeasure::area:
+      return FigureKind::area;
+    case ItemMeasure::volume:
+      return FigureKind::volume;
+    case ItemMeasure::angle:
+      return FigureKind::angle;
+    case ItemMeasure::ratio:
+      return FigureKind::ratio;
+    case ItemMeasure::slope:
+      return FigureKind::slope;
+    case ItemMeasure::heartRate:
+      return FigureKind::heartRate;
+    case ItemMeasure::distance:
+    case ItemMeasure::number:
+    case ItemMeasure::choice:
+      break;
+  }
+  return FigureKind::length;
+}
+
+}  // namespace
+
+const Figure* figureFor(ItemMeasure measure, const Measured& measured) {
+  if (measure == ItemMeasure::choice || measured.figures.empty()) return nullptr;
+  if (measure == ItemMeasure::number) return &measured.figures.front();
+  return measured.figure(figureKindOf(measure));
+}
+
+Result<std::vector<WorksheetEntry>> entriesOf(const Measurements& measurements, const Package& package, const UncertaintyAt& at) {
+  std::vector<WorksheetEntry> entries;
+  for (const Measurement& each : measurements.all) {
+    const PackageItem* item = package.item(each.item);
+    if (item == nullptr) continue;
+    const auto measured = measure(each.caliper, at);
+    if (!measured) continue;
+    const Figure* figure = figureFor(item->measure, *measured);
+    if (figure == nullptr)
+      return failure(ErrorCode::badField, say<"Measurement %1 was made for %2, but gives no %3; measure it with another caliper.">(
+                                              each.number, item->label, std::string(wordOf(item->measure))));
+    entries.push_back({item->label, each.side, figure->quantity, {}, false});
+  }
+  return entries;
+}
+
+}  // namespace ew::measurement

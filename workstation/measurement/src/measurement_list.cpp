@@ -1,0 +1,117 @@
+#include "ew/measurement/measurement_list.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ew::measurement {
+namespace {
+
+constexpr std::size_t kMostStates = 1000;
+
+}  // namespace
+
+const Measurement* Measurements::find(int number) const {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Measurement& each) { return each.number == number; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+MeasurementList::MeasurementList() : MeasurementList(Measurements{}) {}
+MeasurementList::MeasurementList(Measurements measurements) : states_{std::make_shared<const Measurements>(std::move(measurements))} {}
+
+void MeasurementList::step(Measurements next, Change change) {
+  states_.resize(at_ + 1);
+  auto state = std::make_shared<const Measurements>(std::move(next));
+  if (change == Change::goesOn && at_ > 0) {
+    states_[at_] = std::move(state);
+    return;
+  }
+  states_.push_back(std::move(state));
+  if (states_.size() > kMostStates) states_.erase(states_.begin());
+  at_ = states_.size() - 1;
+}
+
+template <class Edit>
+bool MeasurementList::edit(int number, Change change, Edit edit) {
+  Measurements next = now();
+  const auto found = std::find_if(next.all.begin(), next.all.end(), [&](const Measurement& each) { return each.number == number; });
+  if (found == next.all.end() || !edit(*found)) return false;
+  step(std::move(next), change);
+  return true;
+}
+
+int MeasurementList::add(Caliper caliper, std::string name, std::string item, std::string side) {
+  Measurements next = now();
+  const int number = next.nextNumber++;
+  next.all.push_back({number, std::move(name), std::move(item), std::move(side), std::move(caliper)});
+  step(std::move(next), Change::begins);
+  return number;
+}
+
+bool MeasurementList::moveHandle(int number, Handle handle, glm::dvec2 to, Change change) {
+  if (!std::isfinite(to.x) || !std::isfinite(to.y)) return false;
+  return edit(number, change, [&](Measurement& measurement) {
+    auto& parts = measurement.caliper.parts;
+    if (handle.part >= parts.size() || handle.point >= parts[handle.part].points.size()) return false;
+    parts[handle.part].points[handle.point] = to;
+    return true;
+  });
+}
+
+bool MeasurementList::setCaliper(int number, Caliper caliper, Change change) {
+  return edit(number, change, [&](Measurement& measurement) { return measurement.caliper = std::move(caliper), true; });
+}
+
+bool MeasurementList::rename(int number, std::string name) {
+  return edit(number, Change::begins, [&](Measurement& measurement) { return measurement.name = std::move(name), true; });
+}
+
+bool MeasurementList::assign(int number, std::string item, std::string side) {
+  return edit(number, Change::begins, [&](Measurement& measurement) {
+    measurement.item = std::move(item);
+    measurement.side = std::move(side);
+    return true;
+  });
+}
+
+bool MeasurementList::remove(int number) {
+  Measurements next = now();
+  if (std::erase_if(next.all, [&](const Measurement& each) { return each.number == number; }) == 0) return false;
+  step(std::move(next), Change::begins);
+  return true;
+}
+
+bool MeasurementList::clear() {
+  if (now().all.empty()) return false;
+  step({{}, now().nextNumber}, Change::begins);
+  return true;
+}
+
+bool MeasurementList::undo() {
+  if (!canUndo()) return false;
+  --at_;
+  return true;
+}
+
+bool MeasurementList::redo() {
+  if (!canRedo()) return false;
+  ++at_;
+  return true;
+}
+
+std::optional<HandleFound> handleNear(const Measurements& measurements, int picture, glm::dvec2 p, double reach_mm) {
+  std::optional<HandleFound> nearest;
+  for (const Measurement& measurement : measurements.all)
+    for (std::size_t part = 0; part < measurement.caliper.parts.size(); ++part) {
+      const CaliperPart& points = measurement.caliper.parts[part];
+      if (points.picture != picture) continue;
+      for (std::size_t point = 0; point < points.points.size(); ++point) {
+        const double distance_mm = glm::length(points.points[point] - p);
+        // Of two on each other the newer one, which is drawn on top.
+        if (distance_mm <= reach_mm && (!nearest || distance_mm <= nearest->distance_mm))
+          nearest = HandleFound{measurement.number, {part, point}, distance_mm};
+      }
+    }
+  return nearest;
+}
+
+}  // namespace ew::measurement

@@ -1,0 +1,92 @@
+#include "ew/measurement/package.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "ew/core/contract.h"
+#include "ew/core/json_fields.h"
+#include "ew/io/safe_file.h"
+
+namespace ew::measurement {
+namespace {
+
+constexpr std::size_t kLargestPackage_bytes = 4u << 20;
+
+template <class Labelled>
+const Labelled* labelled(const std::vector<Labelled>& all, std::string_view label) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Labelled& one) { return one.label == label; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+double at(const Expression& expression, double weeks) { return expression.evaluate(std::array{weeks}); }
+
+}  // namespace
+
+double FormulaError::of(double result) const { return percent > 0.0 ? 0.01 * percent * std::abs(result) : absolute; }
+
+const PackageItem* Package::item(std::string_view label) const { return labelled(items, label); }
+const PackageFormula* Package::formula(std::string_view label) const { return labelled(formulas, label); }
+
+double percentileOf(double z) { return 50.0 * std::erfc(-z / std::numbers::sqrt2); }
+
+double zOfPercentile(double percentile) {
+  EW_EXPECTS(percentile > 0.0 && percentile < 100.0);
+  // Bisection: a percentile is asked for by a person, and the inverse then agrees with percentileOf to the last digit.
+  double low = -40.0, high = 40.0;
+  for (int n = 0; n < 200; ++n) {
+    const double middle = 0.5 * (low + high);
+    (percentileOf(middle) < percentile ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+double zScore(const PackageChart& chart, double weeks, double value) {
+  EW_EXPECTS(value > 0.0);
+  if (!chart.isLms) return (value / at(chart.median, weeks) - 1.0) / (0.01 * chart.spread_percent);
+  const double L = at(chart.L, weeks), M = at(chart.M, weeks), S = at(chart.S, weeks);
+  const double y = chart.ofLogarithm ? std::log(value) : value;
+  return L == 0.0 ? std::log(y / M) / S : (std::pow(y / M, L) - 1.0) / (L * S);
+}
+
+double valueAt(const PackageChart& chart, double weeks, double z) {
+  if (!chart.isLms) return at(chart.median, weeks) * (1.0 + 0.01 * chart.spread_percent * z);
+  const double L = at(chart.L, weeks), M = at(chart.M, weeks), S = at(chart.S, weeks);
+  const double y = L == 0.0 ? M * std::exp(S * z) : M * std::pow(1.0 + L * S * z, 1.0 / L);
+  return chart.ofLogarithm ? std::exp(y) : y;
+}
+
+Result<Package> readPackage(const std::filesystem::path& file) {
+  const auto text = readTextFile(file, kLargestPackage_bytes);
+  if (!text) return passOn(text.error());
+  const Message where = say<"the measurement package %1">(file.string());
+  const auto document = parseJsonObject(*text, where);
+  if (!document) return passOn(document.error());
+  return packageFromJson(*document, file.stem().string(), where);
+}
+
+Result<std::vector<Package>> readPackages(const std::filesystem::path& folder) {
+  std::error_code problem;
+  std::filesystem::directory_iterator entries(folder, problem);
+  if (problem)
+    return failure(ErrorCode::notFound,
+                   say<"The folder of measurement packages %1 cannot be opened: %2.">(folder.string(), problem.message()),
+                   {{"folder", folder.string()}});
+  std::vector<Package> packages;
+  for (; entries != std::filesystem::directory_iterator(); entries.increment(problem)) {
+    if (problem)
+      return failure(ErrorCode::notReadable,
+                     say<"The folder of measurement packages %1 cannot be read: %2.">(folder.string(), problem.message()),
+                     {{"folder", folder.string()}});
+    if (entries->path().extension() != ".json") continue;
+    auto package = readPackage(entries->path());
+    if (!package) return passOn(package.error());
+    packages.push_back(std::move(*package));
+  }
+  std::sort(packages.begin(), packages.end(), [](const Package& a, const Package& b) { return a.id < b.id; });
+  return packages;
+}
+
+}  // namespace ew::measurement

@@ -1,0 +1,194 @@
+#include "ew/measurement/tracing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/imgproc/segmentation.hpp>
+
+#include "cross.h"
+#include "ew/core/contract.h"
+#include "ew/core/guarded.h"
+
+namespace ew::measurement {
+namespace {
+
+constexpr int kSmallest = 8;
+constexpr double kMostPixels = 64e6;
+
+Error openCvFailed(const Thrown& thrown) {
+  if (thrown.noMemory) return {ErrorCode::tooLarge, say<"There is not enough memory to trace in this picture.">(), {}};
+  return {ErrorCode::internal, say<"The edges of the picture could not be traced (%1).">(thrown.reason), {}};
+}
+
+/// Points at even distances of about `spacing` along a closed line.
+std::vector<glm::dvec2> resampled(const std::vector<glm::dvec2>& line, double spacing) {
+  std::vector<double> way{0.0};
+  for (std::size_t n = 0; n < line.size(); ++n) way.push_back(way.back() + glm::length(line[(n + 1) % line.size()] - line[n]));
+  const double total = way.back();
+  const auto count = static_cast<std::size_t>(std::max(8.0, std::round(total / spacing)));
+  std::vector<glm::dvec2> points;
+  std::size_t at = 0;
+  for (std::size_t n = 0; n < count; ++n) {
+    const double wanted = total * static_cast<double>(n) / static_cast<double>(count);
+    while (at + 1 < line.size() && way[at + 1] <= wanted) ++at;
+    const double piece = way[at + 1] - way[at];
+    points.push_back(glm::mix(line[at], line[(at + 1) % line.size()], piece > 0.0 ? (wanted - way[at]) / piece : 0.0));
+  }
+  return points;
+}
+
+/// A closed line under a Gaussian along itself. Half of the move is taken back once by a second pass of the other sign (Taubin's idea, one
+/// step of it), without which a circle would shrink.
+std::vector<glm::dvec2> smoothed(const std::vector<glm::dvec2>& line, double deviation) {
+  const auto pass = [&](const std::vector<glm::dvec2>& from) {
+    const int count = static_cast<int>(from.size()), reach = std::min(static_cast<int>(std::ceil(3.0 * deviation)), count / 2);
+    std::vector<glm::dvec2> to(from.size(), glm::dvec2(0.0));
+    double total = 0.0;
+    for (int m = -reach; m <= reach; ++m) {
+      const double weight = std::exp(-0.5 * m * m / (deviation * deviation));
+      total += weight;
+      for (int n = 0; n < count; ++n)
+        to[static_cast<std::size_t>(n)] += weight * from[static_cast<std::size_t>(((n + m) % count + count) % count)];
+    }
+    for (glm::dvec2& each : to) each /= total;
+    return to;
+  };
+  const auto once = pass(line), twice = pass(once);
+  std::vector<glm::dvec2> made(line.size());
+  for (std::size_t n = 0; n < line.size(); ++n) made[n] = 2.0 * once[n] - twice[n];
+  return made;
+}
+
+/// Which way round a closed line goes: 1 or -1.
+double windingOf(std::span<const glm::dvec2> line) {
+  double twice = 0.0;
+  for (std::size_t n = 1; n + 1 < line.size(); ++n) twice += cross(line[n] - line[0], line[n + 1] - line[0]);
+  return twice < 0.0 ? -1.0 : 1.0;
+}
+
+/// Outwards, square to the line of the neighbours of a point of a closed line, `step` points away. @param winding of the line
+glm::dvec2 normalAt(std::span<const glm::dvec2> line, std::size_t n, std::size_t step, double winding) {
+  const glm::dvec2 chord = line[(n + step) % line.size()] - line[(n + line.size() - step) % line.size()];
+  return winding * glm::dvec2(chord.y, -chord.x);
+}
+
+}  // namespace
+
+struct EdgeTracer::Impl {
+  cv::Mat grey;  // as it came
+  PictureGeometry geometry;
+  TracingOptions options;
+  cv::segmentation::IntelligentScissorsMB scissors;
+  bool isAnchored = false;
+
+  [[nodiscard]] ImageView<const std::uint8_t> view() const {
+    return {grey.ptr<std::uint8_t>(), grey.cols, grey.rows, static_cast<std::ptrdiff_t>(grey.step[0])};
+  }
+  [[nodiscard]] cv::Point pixelOf(const glm::dvec2& p_mm) const {
+    const glm::dvec2 p = glm::round(geometry.toPixel(p_mm));
+    return {static_cast<int>(std::clamp(p.x, 0.0, grey.cols - 1.0)), static_cast<int>(std::clamp(p.y, 0.0, grey.rows - 1.0))};
+  }
+  void anchorAt(const glm::dvec2& p_mm) {
+    isAnchored = false;
+    scissors.buildMap(pixelOf(p_mm));
+    isAnchored = true;
+  }
+  [[nodiscard]] std::vector<glm::dvec2> path(const glm::dvec2& p_mm) const {
+    std::vector<cv::Point> pixels;
+    scissors.getContour(pixelOf(p_mm), pixels);
+    std::vector<glm::dvec2> points;
+    for (const cv::Point& pixel : pixels) points.push_back(geometry.toMm({pixel.x, pixel.y}));
+    return points;
+  }
+};
+
+EdgeTracer::EdgeTracer() : impl_(std::make_unique<Impl>()) {}
+EdgeTracer::~EdgeTracer() = default;
+EdgeTracer::EdgeTracer(EdgeTracer&&) noexcept = default;
+EdgeTracer& EdgeTracer::operator=(EdgeTracer&&) noexcept = default;
+
+bool EdgeTracer::hasPicture() const { return !impl_->grey.empty(); }
+
+Result<void> EdgeTracer::setPicture(ImageView<const std::uint8_t> picture, const PictureGeometry& geometry, const TracingOptions& options) {
+  EW_EXPECTS(geometry.pixel_mm.x > 0.0 && geometry.pixel_mm.y > 0.0 && options.spacing_mm > 0.0);
+  if (picture.width < kSmallest || picture.height < kSmallest)
+    return failure(ErrorCode::badField, say<"The picture is too small to trace in: %1 x %2 pixels.">(picture.width, picture.height));
+  if (static_cast<double>(picture.width) * picture.height > kMostPixels)
+    return failure(ErrorCode::tooLarge, say<"The picture is too large to trace in: %1 x %2 pixels.">(picture.width, picture.height));
+  return guarded(
+      [&] {
+        auto made = std::make_unique<Impl>();
+        made->geometry = geometry;
+        made->options = options;
+        made->grey.create(picture.height, picture.width, CV_8UC1);
+        for (int y = 0; y < picture.height; ++y) std::copy_n(picture.row(y), picture.width, made->grey.ptr<std::uint8_t>(y));
+        cv::Mat even = made->grey;
+        if (options.blur_mm > 0.0)
+          cv::GaussianBlur(made->grey, even, {}, options.blur_mm / geometry.pixel_mm.x, options.blur_mm / geometry.pixel_mm.y);
+        made->scissors.setEdgeFeatureCannyParameters(10.0, 30.0, 3, true);
+        made->scissors.setGradientMagnitudeMaxLimit(200.0F);
+        made->scissors.applyImage(even);
+        impl_ = std::move(made);
+      },
+      openCvFailed);
+}
+
+Result<void> EdgeTracer::anchor(glm::dvec2 p_mm) {
+  if (!hasPicture()) return failure(ErrorCode::badField, say<"There is no picture to trace in; freeze one first.">());
+  return guarded([&] { impl_->anchorAt(p_mm); }, openCvFailed);
+}
+
+Result<std::vector<glm::dvec2>> EdgeTracer::pathTo(glm::dvec2 p_mm) {
+  if (!impl_->isAnchored) return failure(ErrorCode::badField, say<"A trace has no beginning yet; click where it begins.">());
+  return guarded([&] { return impl_->path(p_mm); }, openCvFailed);
+}
+
+Snapped EdgeTracer::snap(glm::dvec2 p_mm, glm::dvec2 direction) const {
+  if (!hasPicture()) return {false, p_mm, 0.0, 0.0, EdgeSide::any};
+  return snapToEdge(impl_->view(), impl_->geometry, p_mm, direction, impl_->options.snap);
+}
+
+std::vector<Snapped> EdgeTracer::snapAround(std::span<const glm::dvec2> clicks_mm) const {
+  std::vector<Snapped> snapped;
+  const double winding = windingOf(clicks_mm);
+  for (std::size_t n = 0; n < clicks_mm.size(); ++n) snapped.push_back(snap(clicks_mm[n], normalAt(clicks_mm, n, 1, winding)));
+  return snapped;
+}
+
+Result<std::vector<glm::dvec2>> EdgeTracer::traceAround(std::span<const glm::dvec2> clicks_mm) {
+  constexpr double kReachOfTrace_mm = 1.5;  // the path lies on the edge's pixels already
+  if (!hasPicture()) return failure(ErrorCode::badField, say<"There is no picture to trace in; freeze one first.">());
+  if (clicks_mm.size() < 3)
+    return failure(ErrorCode::badField, say<"An outline needs at least three clicks; there are %1.">(clicks_mm.size()));
+  return guarded(
+      [&] {
+        const TracingOptions& options = impl_->options;
+        const auto clicks = snapAround(clicks_mm);
+        std::vector<glm::dvec2> outline;
+        for (std::size_t n = 0; n < clicks.size(); ++n) {
+          impl_->anchorAt(clicks[n].at_mm);
+          auto piece = impl_->path(clicks[(n + 1) % clicks.size()].at_mm);
+          if (!piece.empty()) piece.pop_back();  // it begins the next one
+          outline.insert(outline.end(), piece.begin(), piece.end());
+        }
+        impl_->isAnchored = false;
+        if (outline.size() < 3) return std::vector<glm::dvec2>(clicks_mm.begin(), clicks_mm.end());
+        const double deviation = options.smoothing_mm / options.spacing_mm;
+        const auto even = [&](const std::vector<glm::dvec2>& line) {
+          auto points = resampled(line, options.spacing_mm);
+          return deviation > 0.0 ? smoothed(points, deviation) : points;
+        };
+        outline = even(outline);
+        SnapOptions nearby = options.snap;
+        nearby.reach_mm = std::min(nearby.reach_mm, kReachOfTrace_mm);
+        const auto step = static_cast<std::size_t>(std::max(1.0, std::round(deviation)));
+        const double winding = windingOf(outline);
+        std::vector<glm::dvec2> onEdge;
+        for (std::size_t n = 0; n < outline.size(); ++n)
+          onEdge.push_back(snapToEdge(impl_->view(), impl_->geometry, outline[n], normalAt(outline, n, step, winding), nearby).at_mm);
+        return resampled(even(onEdge), options.spacing_mm);
+      },
+      openCvFailed);
+}
+
+}  // namespace ew::measurement

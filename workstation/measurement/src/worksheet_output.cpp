@@ -1,0 +1,155 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "ew/core/numbers.h"
+#include "ew/measurement/worksheet.h"
+
+namespace ew::measurement {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int kWorksheetFormat = 1;
+
+const char* wordOf(Several several) { return several == Several::mean ? "mean" : several == Several::last ? "last" : "selected"; }
+
+ordered_json jsonOf(const Quantity& quantity) {
+  ordered_json made = {{"value", quantity.value}};
+  if (quantity.uncertainty > 0.0) made["uncertainty"] = quantity.uncertainty;
+  made["unit"] = symbolOf(quantity.unit);
+  return made;
+}
+
+ordered_json jsonOf(const WorksheetRow& row, std::string_view language) {
+  ordered_json made = {{"label", row.label}};
+  if (!row.side.empty()) made["side"] = row.side;
+  made["title"] = row.title.in(language);
+  made["kind"] = row.isFormula ? "formula" : "item";
+  if (row.value) made.update(jsonOf(*row.value));
+  if (!row.choice.empty()) made.update(ordered_json{{"choice", row.choice}, {"choice_title", row.choiceTitle.in(language)}});
+  if (row.predictionError > 0.0) made["prediction_error"] = row.predictionError;
+  if (row.measured.size() > 1)
+    for (const Quantity& one : row.measured) made["measured"].push_back(jsonOf(one));
+  if (!row.convention.in(language).empty()) made["convention"] = row.convention.in(language);
+  made["how"] = howItCameAbout(row);
+  if (!row.expression.empty()) made["expression"] = row.expression;
+  if (!row.source.empty()) made["source"] = row.source;
+  for (const RangeReading& reading : row.ranges) {
+    ordered_json range = {{"range", rangeText(reading.range)}, {"verdict", wordOf(reading.verdict)}, {"source", reading.range.source}};
+    if (!reading.range.applies.in(language).empty()) range["applies"] = reading.range.applies.in(language);
+    made["usual"].push_back(std::move(range));
+  }
+  for (const ChartReading& chart : row.charts)
+    made["charts"].push_back({{"label", chart.label},
+                              {"title", chart.title.in(language)},
+                              {"percentile", chart.percentile},
+                              {"percentile_of_less_uncertainty", chart.lowPercentile},
+                              {"percentile_of_more_uncertainty", chart.highPercentile},
+                              {"z", chart.z},
+                              {"source", chart.source}});
+  for (const Message& remark : row.remarks) made["remarks"].push_back(remark.english());
+  return made;
+}
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string made = "\"";
+  for (const char c : text) {
+    made += c;
+    if (c == '"') made += c;
+  }
+  return made + '"';
+}
+
+template <class Parts, class Text>
+std::string listed(const Parts& parts, Text text) {
+  std::string all;
+  for (const auto& part : parts) all += (all.empty() ? "" : "; ") + text(part);
+  return all;
+}
+
+}  // namespace
+
+std::string_view wordOf(RangeVerdict verdict) {
+  return verdict == RangeVerdict::within ? "within" : verdict == RangeVerdict::below ? "below" : "above";
+}
+
+std::string rangeText(const ReferenceRange& range) {
+  const std::string unit = range.unit == Unit::one ? "" : " " + std::string(symbolOf(range.unit));
+  std::string text = range.low && range.high ? textOf(*range.low) + " to " + textOf(*range.high)
+                     : range.high            ? "up to " + textOf(*range.high)
+                                             : "from " + textOf(*range.low);
+  return text + unit;
+}
+
+std::string howItCameAbout(const WorksheetRow& row) {
+  std::string text;
+  for (const UsedValue& used : row.inputs) {
+    text += (text.empty() ? "from " : ", ") + used.of + (used.side.empty() ? "" : "/" + used.side) + " " + shown(used.value);
+    if (!used.from.empty() && used.from != used.of) text += " (by " + used.from + ")";
+  }
+  if (!text.empty()) return text;
+  if (!row.from.empty()) return "by " + row.from;
+  if (!row.choice.empty()) return "answered";
+  return row.measured.size() > 1 ? "measured " + std::to_string(row.measured.size()) + " times" : "measured";
+}
+
+ordered_json toJson(const Worksheet& worksheet, std::string_view language) {
+  ordered_json made = {{"format", kWorksheetFormat},
+                       {"package", worksheet.package},
+                       {"package_version", worksheet.packageVersion},
+                       {"title", worksheet.title.in(language)},
+                       {"source", worksheet.source},
+                       {"notice", kTrainingOnly},
+                       {"several", wordOf(worksheet.several)}};
+  if (worksheet.gestation_weeks) made["gestation_by_dates"] = gestationText(*worksheet.gestation_weeks);
+  made["sections"] = ordered_json::array();
+  for (const FilledSection& section : worksheet.sections) {
+    ordered_json rows = ordered_json::array();
+    for (const WorksheetRow& row : section.rows) rows.push_back(jsonOf(row, language));
+    made["sections"].push_back({{"title", section.title.in(language)}, {"rows", std::move(rows)}});
+  }
+  if (worksheet.redating) {
+    const RedatingReading& reading = *worksheet.redating;
+    made["redating"] = {{"by", reading.formula},
+                        {"scan", gestationText(reading.scan_weeks)},
+                        {"difference_days", reading.difference_days},
+                        {"more_than_days", reading.moreThan_days},
+                        {"redate", reading.redate},
+                        {"says", sentenceOf(reading).english()},
+                        {"source", reading.source}};
+  }
+  for (const SummaryReading& summary : worksheet.summaries)
+    made["summaries"].push_back({{"title", summary.title.in(language)}, {"says", summary.says.in(language)}});
+  return made;
+}
+
+std::string toCsv(const Worksheet& worksheet, std::string_view language) {
+  std::string csv = "section,label,side,title,value,uncertainty,unit,prediction_error,usual,verdict,percentile,how,source,remarks,notice\n";
+  const auto number = [](double value) { return textOf(value); };
+  const auto add = [&](const std::vector<std::string>& cells) {
+    for (const std::string& cell : cells) csv += quoted(cell) + ",";
+    csv += quoted(kTrainingOnly) + "\n";
+  };
+  for (const FilledSection& section : worksheet.sections)
+    for (const WorksheetRow& row : section.rows)
+      add({section.title.in(language), row.label, row.side, row.title.in(language), row.value ? number(row.value->value) : row.choice,
+           row.value && row.value->uncertainty > 0.0 ? number(row.value->uncertainty) : "",
+           row.value ? std::string(symbolOf(row.value->unit)) : "", row.predictionError > 0.0 ? number(row.predictionError) : "",
+           listed(row.ranges,
+                  [&](const RangeReading& reading) {
+                    const std::string& whom = reading.range.applies.in(language);
+                    return rangeText(reading.range) + (whom.empty() ? "" : " (" + whom + ")");
+                  }),
+           listed(row.ranges, [](const RangeReading& reading) { return std::string(wordOf(reading.verdict)); }),
+           listed(row.charts, [&](const ChartReading& chart) { return chart.label + " " + number(chart.percentile); }), howItCameAbout(row),
+           row.source, listed(row.remarks, [](const Message& remark) { return remark.english(); })});
+  if (worksheet.redating)
+    add({"", "redating", "", "", worksheet.redating->redate ? "yes" : "no", "", "", "", "", "", "",
+         sentenceOf(*worksheet.redating).english(), worksheet.redating->source, ""});
+  for (const SummaryReading& summary : worksheet.summaries)
+    add({"", "summary", "", summary.title.in(language), summary.says.in(language), "", "", "", "", "", "", "", "", ""});
+  return csv;
+}
+
+}  // namespace ew::measurement
