@@ -27,8 +27,8 @@ class EchoRays {
   /// What the lines meet in a step, one way, as powers of 2.
   struct Step {
     const float* loss;  ///< of each line; negative: enhancement
-    /// What a surface took at most that lies between the place of each line a step before and no reflecting tissue: a ray that comes in
-    /// through the side of a thing pays it.
+    /// Of the tissue each line was in a step before: a ray that changes to it from a neighbour pays what it reflects more than the
+    /// neighbour's.
     const float* reflectionBefore;
   };
   /// The next step of all rays.
