@@ -1448,6 +1448,10 @@
         <translation>Eine Aufzeichnung wird gezeigt; sie schließen, bevor die Einstellungen geändert werden.</translation>
     </message>
     <message>
+        <source>The image is frozen; let it run before the settings are changed.</source>
+        <translation>Das Bild ist eingefroren; es laufen lassen, bevor die Einstellungen geändert werden.</translation>
+    </message>
+    <message>
         <source>A stroke of the seam editor names a volume that is not there, or has no place or radius.</source>
         <translation>Ein Strich des Nahteditors nennt ein Volumen, das es nicht gibt, oder hat keinen Ort oder Radius.</translation>
     </message>
@@ -8629,6 +8633,77 @@
     </message>
 </context>
 <context>
+    <name>ew::ui::CineBar</name>
+    <message>
+        <source>An image back (comma, left arrow, wheel; with Shift ten images)</source>
+        <translation>Ein Bild zurück (Komma, Pfeil links, Rad; mit Umschalt zehn Bilder)</translation>
+    </message>
+    <message>
+        <source>An image on (full stop, right arrow, wheel; with Shift ten images)</source>
+        <translation>Ein Bild weiter (Punkt, Pfeil rechts, Rad; mit Umschalt zehn Bilder)</translation>
+    </message>
+    <message>
+        <source>Time line of what was scanned</source>
+        <translation>Zeitleiste des Geschallten</translation>
+    </message>
+    <message>
+        <source>Click or drag to another image (arrows: an image, with Shift ten; Home and End)</source>
+        <translation>Zu einem anderen Bild klicken oder ziehen (Pfeile: ein Bild, mit Umschalt zehn; Pos1 und Ende)</translation>
+    </message>
+    <message>
+        <source>%1 of %2   %3 s</source>
+        <translation>%1 von %2   %3 s</translation>
+    </message>
+    <message>
+        <source>Which image is shown, and how long before the freeze it was made</source>
+        <translation>Welches Bild gezeigt wird und wie lange vor dem Einfrieren es entstand</translation>
+    </message>
+    <message>
+        <source>The loop begins with this image; once more: with the first (Shift+I)</source>
+        <translation>Die Schleife beginnt mit diesem Bild; noch einmal: mit dem ersten (Umschalt+I)</translation>
+    </message>
+    <message>
+        <source>The loop ends with this image; once more: with the last (Shift+O)</source>
+        <translation>Die Schleife endet mit diesem Bild; noch einmal: mit dem letzten (Umschalt+O)</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>1/4 ×</source>
+        <translation>1/4 ×</translation>
+    </message>
+    <message>
+        <source>1/2 ×</source>
+        <translation>1/2 ×</translation>
+    </message>
+    <message>
+        <source>1 ×</source>
+        <translation>1 ×</translation>
+    </message>
+    <message>
+        <source>2 ×</source>
+        <translation>2 ×</translation>
+    </message>
+    <message>
+        <source>Save what runs in the loop as a recording</source>
+        <translation>Was in der Schleife läuft als Aufzeichnung speichern</translation>
+    </message>
+    <message>
+        <source>Save clip…</source>
+        <translation>Clip speichern…</translation>
+    </message>
+    <message>
+        <source>Stop (C)</source>
+        <translation>Anhalten (C)</translation>
+    </message>
+    <message>
+        <source>Play in a loop (C)</source>
+        <translation>In einer Schleife abspielen (C)</translation>
+    </message>
+</context>
+<context>
     <name>ew::ui::ConsolePanel</name>
     <message>
         <source>Gain</source>
@@ -8683,8 +8758,8 @@
         <translation>Einfrieren</translation>
     </message>
     <message>
-        <source>Keep the image (Space or F)</source>
-        <translation>Das Bild festhalten (Leertaste oder F)</translation>
+        <source>Keep the image, and look through the last 30 s (Space or F)</source>
+        <translation>Das Bild festhalten und die letzten 30 s ansehen (Leertaste oder F)</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -10638,6 +10713,70 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>breathe in and hold, breathe out and hold</source>
         <translation>einatmen und anhalten, ausatmen und anhalten</translation>
     </message>
+    <message>
+        <source>&amp;Cine loop</source>
+        <translation>&amp;Cine-Schleife</translation>
+    </message>
+    <message>
+        <source>Play or stop</source>
+        <translation>Abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>An image back</source>
+        <translation>Ein Bild zurück</translation>
+    </message>
+    <message>
+        <source>An image on</source>
+        <translation>Ein Bild weiter</translation>
+    </message>
+    <message>
+        <source>Loop from this image</source>
+        <translation>Schleife ab diesem Bild</translation>
+    </message>
+    <message>
+        <source>Loop to this image</source>
+        <translation>Schleife bis zu diesem Bild</translation>
+    </message>
+    <message>
+        <source>Save clip as…</source>
+        <translation>Clip speichern unter…</translation>
+    </message>
+    <message>
+        <source>Save the clip</source>
+        <translation>Clip speichern</translation>
+    </message>
+    <message>
+        <source>clip</source>
+        <translation>clip</translation>
+    </message>
+    <message>
+        <source>The image is frozen: its echoes were made with these settings. Space or F lets it run; then change them.</source>
+        <translation>Das Bild ist eingefroren: Seine Echos entstanden mit diesen Einstellungen. Leertaste oder F lässt es laufen, dann lassen sie sich ändern.</translation>
+    </message>
+    <message>
+        <source>Frozen image</source>
+        <translation>Eingefrorenes Bild</translation>
+    </message>
+    <message>
+        <source>Wheel on the scan, arrows, %1</source>
+        <translation>Rad über dem Schallbild, Pfeile, %1</translation>
+    </message>
+    <message>
+        <source>an image back, on; with Shift ten</source>
+        <translation>ein Bild zurück, weiter; mit Umschalt zehn</translation>
+    </message>
+    <message>
+        <source>first, last image</source>
+        <translation>erstes, letztes Bild</translation>
+    </message>
+    <message>
+        <source>play in a loop, stop</source>
+        <translation>in einer Schleife abspielen, anhalten</translation>
+    </message>
+    <message>
+        <source>the loop begins, ends with this image</source>
+        <translation>Schleife beginnt, endet mit diesem Bild</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::MessageBar</name>
@@ -10836,6 +10975,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>drag: slide the probe</source>
         <translation>ziehen: Sonde schieben</translation>
+    </message>
+    <message>
+        <source>wheel: step through what was scanned</source>
+        <translation>Rad: durch das Geschallte blättern</translation>
     </message>
 </context>
 <context>

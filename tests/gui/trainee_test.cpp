@@ -264,7 +264,7 @@ class TraineeTest : public WindowFixture {
     QTest::keyClick(&window_->scanView(), Qt::Key_F);
     const Hold before = session().hold();
     QVERIFY(window_->scanView().said().isEmpty());
-    QTest::keyClick(&window_->scanView(), Qt::Key_Right);
+    QTest::keyClick(&window_->scanView(), Qt::Key_Up);
     QVERIFY(session().hold() == before);
     QVERIFY2(window_->scanView().said().contains(QLatin1String("frozen")), qPrintable(window_->scanView().said()));
   }

@@ -205,13 +205,15 @@ class WindowTest : public WindowFixture {
     document.history().undo();
   }
 
-  void freezeHoldsThePictureWhileTheHandAndTheKnobsMove() {
+  void freezeHoldsThePictureWhileTheHandMovesAndRefusesTheKnobs() {
     QTest::keyClick(&window_->scanView(), Qt::Key_F);
     QVERIFY(session().isFrozen());
     const std::vector<std::uint8_t> held = pixelsOf(session());
     const auto fan_mm = window_->view3d().scene().fanCorners_mm();
     session().setHold(turned(session().hold(), 0.3, 0.1, 0.2));
+    const Knobs knobs = session().knobs();
     find<QSlider>("gain")->setValue(180);
+    QVERIFY(session().knobs() == knobs);
     QTest::qWait(50);
     QCOMPARE(pixelsOf(session()), held);
     QVERIFY(window_->view3d().scene().fanCorners_mm() == fan_mm);

@@ -330,7 +330,7 @@ void ConsolePanel::addAlways(QVBoxLayout* rows) {
   turn_->setObjectName(QStringLiteral("upsideDown"));
   freeze_ = new QPushButton(tr("Freeze"));
   freeze_->setObjectName(QStringLiteral("freeze"));
-  freeze_->setToolTip(tr("Keep the image (Space or F)"));
+  freeze_->setToolTip(tr("Keep the image, and look through the last 30 s (Space or F)"));
   for (QPushButton* button : {flip_, turn_, freeze_}) {
     button->setCheckable(true);
     button->setProperty("compact", true);  // two long words side by side in some languages

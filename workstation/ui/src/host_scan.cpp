@@ -75,14 +75,20 @@ Result<void> HostScan::mayChange() const {
   return {};
 }
 
-Result<void> HostScan::apply(const Knobs& knobs) {
+Result<void> HostScan::maySet() const {
   if (auto may = mayChange(); !may) return may;
+  if (session_.isFrozen()) return failure(ErrorCode::badUsage, say<"The image is frozen; let it run before the settings are changed.">());
+  return {};
+}
+
+Result<void> HostScan::apply(const Knobs& knobs) {
+  if (auto may = maySet(); !may) return may;
   session_.setKnobs(limited(knobs));
   return {};
 }
 
 Result<void> HostScan::chooseProbe(const std::string& id) {
-  if (auto may = mayChange(); !may) return may;
+  if (auto may = maySet(); !may) return may;
   const auto& probes = session_.probes();
   if (std::none_of(probes.begin(), probes.end(), [&](const Probe& probe) { return probe.id == id; }))
     return failure(ErrorCode::badUsage, say<"The probe '%1' is none of this case; choose one that it names.">(id));
@@ -105,13 +111,21 @@ sdk::Ticket HostScan::keepSettings() {
     Scene scene;
   };
   auto kept = std::make_shared<Kept>(Kept{session_.probe().id, session_.knobs(), session_.pan(), session_.scene()});
-  return {kept.get(), [host = QPointer<HostScan>(this), kept, subject = subjects_](void*) {
-            // Another case has settings of its own.
-            if (!host || host->subjects_ != subject || !host->mayChange()) return;
-            host->session_.chooseProbe(kept->probe);
-            host->session_.setKnobs(kept->knobs);
-            host->session_.setPan(kept->pan);
-            host->session_.setScene(kept->scene);
+  const auto giveBack = [host = QPointer<HostScan>(this), kept, subject = subjects_] {
+    // Another case has settings of its own.
+    if (!host || host->subjects_ != subject || !host->maySet()) return;
+    host->session_.chooseProbe(kept->probe);
+    host->session_.setKnobs(kept->knobs);
+    host->session_.setPan(kept->pan);
+    host->session_.setScene(kept->scene);
+  };
+  return {kept.get(), [host = QPointer<HostScan>(this), giveBack](void*) {
+            if (!host || !host->session_.isFrozen()) return giveBack();
+            auto* once = new QObject(host.data());
+            QObject::connect(&host->session_, &Session::frozenChanged, once, [once, giveBack] {
+              once->deleteLater();
+              giveBack();
+            });
           }};
 }
 

@@ -43,6 +43,7 @@ class HostScan final : public QObject, public sdk::Scan {
   void tellPicture();
   void tell(const ScanEvent& event);
   [[nodiscard]] Result<void> mayChange() const;
+  [[nodiscard]] Result<void> maySet() const;  ///< of the scan, which must run for it
 
   Session& session_;
   std::vector<std::shared_ptr<Driver>> drivers_;

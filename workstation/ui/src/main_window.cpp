@@ -114,6 +114,8 @@ void MainWindow::makeViews() {
   p.console->setFixedWidth(kConsoleWidth_px);
   p.replayBar = new ReplayBar(p.session);
   p.status = new StatusLine(p.session);
+  p.cineBar = new CineBar(p.session);
+  p.status->takeCine(p.cineBar);
   makePanelColumn();
   makeColumns();
   p.workspacePage = new QWidget;
@@ -171,7 +173,8 @@ void MainWindow::watchViews() {
     const double mm = parts_->scanView->mmPerWidgetPixel();
     return parts_->session.geometry().markerLeft ? -mm : mm;
   });
-  new ScanPan(p.session, *p.scanView);  // after the hand: in a zoomed image it takes the drag; the view owns it
+  p.cineBar->watch(p.scanView, p.view3d->canvas());  // after the hand: a frozen scan is stepped through, and the probe rests
+  new ScanPan(p.session, *p.scanView);               // after the hand: in a zoomed image it takes the drag; the view owns it
   p.viewColumns = new ViewColumns(*p.columns, *p.panels, *p.body, *p.scanView, *p.view3d->canvas(), this);
   p.viewColumns->onPress = [this] { parts_->beforePress = parts_->session.hold(); };
   p.viewColumns->takeBackPress = [this] { parts_->session.setHold(parts_->beforePress); };
@@ -413,6 +416,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
     setScanOnly(false);
     return;
   }
+  if (!parts_->staged && parts_->pages->currentWidget() == parts_->workspacePage && parts_->cineBar->handleKey(*event)) return;
   // The keys that move the probe work wherever the focus is, unless a field wants them.
   if (parts_->session.subject() && !parts_->staged && parts_->pages->currentWidget() == parts_->workspacePage &&
       parts_->hand.handleKey(*event))
@@ -437,5 +441,6 @@ HandInput& MainWindow::hand() { return parts_->hand; }
 ConsolePanel& MainWindow::console() { return *parts_->console; }
 Recorder& MainWindow::recorder() { return parts_->recorder; }
 ReplayBar& MainWindow::replayBar() { return *parts_->replayBar; }
+CineBar& MainWindow::cineBar() { return *parts_->cineBar; }
 
 }  // namespace ew::ui

@@ -40,6 +40,7 @@ void MainWindow::makeActions() {
   parts_->toolsMenu = bar.addMenu(tr("&Tools"));
   parts_->toolsMenu->menuAction()->setVisible(false);
   addHelpMenu(*bar.addMenu(tr("&Help")));
+  showCineState();
 }
 
 QAction* MainWindow::addMenuAction(QMenu& menu, const QString& text, const QList<QKeySequence>& keys, std::function<void()> run) {
@@ -166,6 +167,7 @@ void MainWindow::addScanMenu(QMenu& scan) {
     parts_->freezeAction->setChecked(false);
   });
   p.freezeAction->setCheckable(true);
+  addCineMenu(*scan.addMenu(tr("&Cine loop")));
   p.recordAction = addMenuAction(scan, tr("&Record"), {keys("Ctrl+R")}, [this] { toggleRecording(); });
   p.recordAction->setCheckable(true);
   p.markAction = addMenuAction(scan, tr("Mark this moment"), {keys("K")}, [this] { parts_->recorder.addNote("mark", nullptr); });
@@ -199,12 +201,25 @@ void MainWindow::addScanMenu(QMenu& scan) {
   addMenuAction(scan, tr("&Performance…"), {keys("Ctrl+K")}, [this] { showCost(); });
 }
 
+void MainWindow::addCineMenu(QMenu& cine) {
+  CineBar& bar = *parts_->cineBar;
+  parts_->cineActions = {
+      addMenuAction(cine, tr("Play or stop"), {keys("C")}, [&bar] { bar.setPlaying(!bar.isPlaying()); }),
+      addMenuAction(cine, tr("An image back"), {keys(",")}, [&bar] { bar.step(-1); }),
+      addMenuAction(cine, tr("An image on"), {keys(".")}, [&bar] { bar.step(1); }),
+      addMenuAction(cine, tr("Loop from this image"), {keys("Shift+I")}, [&bar] { bar.markIn(); }),
+      addMenuAction(cine, tr("Loop to this image"), {keys("Shift+O")}, [&bar] { bar.markOut(); }),
+      addMenuAction(cine, tr("Save clip as…"), {}, [this] { saveClip(); }),
+  };
+}
+
 void MainWindow::addBreathingMenu(QMenu& breathing) {
   auto* requests = new QActionGroup(this);
   const auto add = [&](const QString& text, const char* key, BreathingRequest request) {
     QAction* action = addMenuAction(breathing, text, {keys(key)}, [this, request] { askBreathing(request); });
     action->setCheckable(true);
     requests->addAction(action);
+    if (request == BreathingRequest::free) parts_->ofRunningScan.push_back(action);
     connect(&parts_->session, &Session::breathingChanged, action,
             [this, action, request] { action->setChecked(parts_->session.breathing() == request); });
     action->setChecked(request == BreathingRequest::free);
@@ -224,8 +239,8 @@ void MainWindow::askBreathing(BreathingRequest request) {
 }
 
 void MainWindow::addImageMenu(QMenu& image) {
-  addConsoleAction(image, tr("Focus shallower"), ",", "focus", -1);
-  addConsoleAction(image, tr("Focus deeper"), ".", "focus", 1);
+  parts_->ofRunningScan.push_back(addConsoleAction(image, tr("Focus shallower"), ",", "focus", -1));
+  parts_->ofRunningScan.push_back(addConsoleAction(image, tr("Focus deeper"), ".", "focus", 1));
   addConsoleAction(image, tr("Number of focal zones"), "N", "foci", 1);
   addConsoleAction(image, tr("Next focus model"), "Shift+N", "focusMethod", 1);
   image.addSeparator();
@@ -406,6 +421,7 @@ void MainWindow::refreshTheme() {
   parts_->console->refreshIcons();
   parts_->scanView->refreshIcons();
   parts_->replayBar->refreshIcons();
+  parts_->cineBar->refreshIcons();
   parts_->messages->refreshIcons();
 }
 

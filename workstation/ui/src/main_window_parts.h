@@ -14,6 +14,7 @@
 #include "case_document.h"
 #include "case_info.h"
 #include "case_preparation.h"
+#include "cine_bar.h"
 #include "console_panel.h"
 #include "cost_panel.h"
 #include "ew/door/door.h"
@@ -95,6 +96,7 @@ struct MainWindow::Parts {
   SourcePicker* sourcePicker = nullptr;
   ConsolePanel* console = nullptr;
   ReplayBar* replayBar = nullptr;
+  CineBar* cineBar = nullptr;
   StatusLine* status = nullptr;
   MessageBar* messages = nullptr;
   JobCards* cards = nullptr;
@@ -125,6 +127,8 @@ struct MainWindow::Parts {
   QAction* lightAction = nullptr;
   QMenu* scanMenu = nullptr;
   QAction* freezeAction = nullptr;
+  std::vector<QAction*> cineActions;    ///< while there is a loop to look through
+  std::vector<QAction*> ofRunningScan;  ///< whose keys those of the loop are
   QAction* recordAction = nullptr;
   QAction* markAction = nullptr;
   QAction* saveRecordingAction = nullptr;

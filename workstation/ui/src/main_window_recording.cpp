@@ -23,8 +23,19 @@ void MainWindow::toggleRecording() {
   if (!p.session.subject() || !mayLeaveRecording({})) return;
   closeRecording();
   p.session.setFrozen(false);
-  const auto& opened = p.document.current();
-  p.recorder.start(opened && p.opener->showsCase() ? opened->id : std::string());
+  p.recorder.start(recordedCase());
+}
+
+std::string MainWindow::recordedCase() const {
+  const auto& opened = parts_->document.current();
+  return opened && parts_->opener->showsCase() ? opened->id : std::string();
+}
+
+void MainWindow::showCineState() {
+  const bool isOpen = parts_->cineBar->isOpen();
+  parts_->status->setCineShown(isOpen);
+  for (QAction* action : parts_->cineActions) action->setEnabled(isOpen);
+  for (QAction* action : parts_->ofRunningScan) action->setEnabled(!isOpen);
 }
 
 void MainWindow::endRecording() {
@@ -75,26 +86,35 @@ void MainWindow::closeRecording() {
 }
 
 bool MainWindow::saveRecording() {
-  Parts& p = *parts_;
-  const auto recording = p.replayBar->recording();
+  const auto recording = parts_->replayBar->recording();
   if (!recording) return false;
-  const QString file = askSaveFile(this, {tr("Save the recording"),
-                                          tr("scan") + QStringLiteral(".seq.mha"),
+  return saveRecordingAs(recording, tr("Save the recording"), tr("scan"), [this, recording] {
+    if (parts_->replayBar->recording() != recording) return;
+    parts_->isRecordingSaved = true;
+    parts_->replayBar->setSaved(true);
+  });
+}
+
+void MainWindow::saveClip() {
+  if (const auto clip = parts_->cineBar->clip(recordedCase())) saveRecordingAs(clip, tr("Save the clip"), tr("clip"), [] {});
+}
+
+bool MainWindow::saveRecordingAs(const std::shared_ptr<const ScanRecording>& recording, const QString& title, const QString& proposal,
+                                 std::function<void()> saved) {
+  const QString file = askSaveFile(this, {title,
+                                          proposal + QStringLiteral(".seq.mha"),
                                           tr("Sequences of poses (*.seq.mha *.mha)"),
                                           {QStringLiteral(".seq.mha"), QStringLiteral(".mha")}});
   if (file.isEmpty()) return false;
-  p.jobs.start(
+  parts_->jobs.start(
       tr("Saving %1").arg(QFileInfo(file).fileName()),
       [recording, file](Progress& progress) {
         return saveTogether({pathOf(file)},
                             [&](const OutputSet& outputs) { return writeRecording(*recording, outputs.staged(pathOf(file)), progress); });
       },
-      [this, recording, file](const Result<void>& outcome) {
+      [this, file, saved = std::move(saved)](const Result<void>& outcome) {
         if (outcome) {
-          if (parts_->replayBar->recording() == recording) {
-            parts_->isRecordingSaved = true;
-            parts_->replayBar->setSaved(true);
-          }
+          saved();
           parts_->messages->showNote(tr("Saved to %1.").arg(file), kRecording);
         } else if (outcome.error().code != ErrorCode::cancelled) {
           parts_->messages->showError(outcome.error(), kRecording);
@@ -106,9 +126,7 @@ bool MainWindow::saveRecording() {
 
 void MainWindow::takeRecording(const QString& path, std::shared_ptr<const ScanRecording> recording) {
   Parts& p = *parts_;
-  const auto& opened = p.document.current();
-  const std::string shown = opened && p.opener->showsCase() ? opened->id : std::string();
-  if (p.session.subject() && shown == recording->caseId) {
+  if (p.session.subject() && recordedCase() == recording->caseId) {
     if (!mayLeaveRecording(QFileInfo(path).fileName())) return;
     p.messages->forgetWhatIsPast();
     p.isRecordingSaved = true;

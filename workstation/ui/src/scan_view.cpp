@@ -487,9 +487,12 @@ void ScanView::paintWords(QPainter& painter) {
   drawFigures(painter, QRect(20, height() - 32, width() - 100, 24), Qt::AlignLeft, line);
   // What a drag would do, as long as the pointer is here and there is room beside the figures.
   const int hint_px = width() - 100 - figuresWidth_px(metrics, line) - 48;
-  if (underMouse() && !session_.isFrozen() && !session_.isPlaying() && hint_px >= kHint_px) {
+  const bool looksBack = session_.isFrozen() && session_.cineFrame() && session_.cine().frameCount() > 1;
+  if (underMouse() && (!session_.isFrozen() || looksBack) && !session_.isPlaying() && hint_px >= kHint_px) {
     painter.drawText(QRect(width() - 80 - hint_px, height() - 32, hint_px, 24), Qt::AlignRight | Qt::AlignVCenter,
-                     knobs.zoom > 1.0 ? tr("drag: move the detail") : tr("drag: slide the probe"));
+                     looksBack          ? tr("wheel: step through what was scanned")
+                     : knobs.zoom > 1.0 ? tr("drag: move the detail")
+                                        : tr("drag: slide the probe"));
   }
 }
 

@@ -11,7 +11,10 @@ namespace ew::ui {
 namespace {
 
 constexpr std::size_t kRememberedFrames = 25;
-constexpr double kFramePeriod_ms = 36.0;  // about 28 frames a second, as a machine shows of a deep abdomen
+constexpr double kFramePeriod_ms = 36.0;   // about 28 frames a second, as a machine shows of a deep abdomen
+constexpr double kFormedAtOnce_ms = 40.0;  // of images of the ring; what takes longer goes on between other events
+constexpr std::size_t kFormedAtOnce = 4;   // images, whatever they take: playing at any speed needs no more
+constexpr double kFormedInATurn_ms = 12.0;
 
 }  // namespace
 
@@ -26,6 +29,7 @@ Session::Session(QObject* parent) : QObject(parent) {
     makePictureNow();
     isOwnFrame_ = false;
   });
+  connect(&formOn_, &QTimer::timeout, this, &Session::formOn);
 }
 
 void Session::setProbes(std::vector<Probe> all) {
@@ -69,7 +73,8 @@ void Session::takeProbe(const Probe& probe) {
 
 void Session::chooseProbe(const std::string& id) {
   const auto found = std::find_if(usable_.begin(), usable_.end(), [&](const Probe& p) { return p.id == id; });
-  if (played_ || found == usable_.end() || *found == live_.probe) return;
+  if (played_ || found == usable_.end() || *found == live_.probe || refuses()) return;
+  cine_.beginAnew();
   takeProbe(*found);
   due();
   Q_EMIT probeChanged();
@@ -80,8 +85,10 @@ void Session::chooseProbe(const std::string& id) {
 void Session::show(ScanSubject shown) {
   play({});
   setFrozen(false);
+  forgetCine();
   Q_EMIT subjectReplaced();
   scanner_.show(std::move(shown));
+  cine_.forget();
   recorded_ = Recorded(*subject());
   recent_.clear();
   adaptive_.reset();
@@ -103,10 +110,13 @@ void Session::show(ScanSubject shown) {
 void Session::clear() {
   play({});
   setFrozen(false);
+  forgetCine();
   Q_EMIT subjectReplaced();
   scanner_.clear();
+  cine_.forget();
   recorded_ = {};
   picture_ = {};
+  forming_.reset();
   Q_EMIT subjectChanged();
   Q_EMIT pictureChanged();
 }
@@ -116,6 +126,7 @@ void Session::place(const Transform<frame::World, frame::World>& ownToWorld) {
   const Grid before = subject()->placedGrid;
   scanner_.place(ownToWorld);
   if (subject()->placedGrid == before) return;
+  forgetCine();  // what was seen cannot be formed again from voxels that lie elsewhere
   recorded_ = Recorded(*subject());
   due();
   Q_EMIT subjectChanged();
@@ -135,7 +146,7 @@ void Session::takeScene(const Scene& scene) {
 }
 
 void Session::setScene(const Scene& scene) {
-  if (played_ || scene == live_.scene) return;
+  if (played_ || scene == live_.scene || refuses()) return;
   sceneBeforeReset_.reset();
   wantedEchoes_ = scene.liveEchoes;
   takeScene(scene);
@@ -157,13 +168,13 @@ void Session::know(std::shared_ptr<const TissueMaps> ofVoxels) {
 }
 
 void Session::resetScene() {
-  if (!subject() || played_ || hasCaseScene()) return;
+  if (!subject() || played_ || hasCaseScene() || refuses()) return;
   sceneBeforeReset_ = live_.scene;
   takeScene(subject()->scene);
 }
 
 void Session::undoSceneReset() {
-  if (!sceneBeforeReset_ || played_) return;
+  if (!sceneBeforeReset_ || played_ || refuses()) return;
   const Scene before = *sceneBeforeReset_;
   sceneBeforeReset_.reset();
   takeScene(before);
@@ -204,7 +215,7 @@ void Session::setSkin(std::shared_ptr<const Skin> skin) {
 }
 
 void Session::setKnobs(const Knobs& knobs) {
-  if (played_ || knobs == live_.knobs) return;
+  if (played_ || knobs == live_.knobs || refuses()) return;
   live_.knobs = knobs;
   if (!(knobs.zoom > 1.0)) live_.pan = {};  // the next zoom begins in the middle
   due();
@@ -212,7 +223,7 @@ void Session::setKnobs(const Knobs& knobs) {
 }
 
 void Session::setPan(const Pan& pan) {
-  if (played_ || pan == live_.pan) return;
+  if (played_ || pan == live_.pan || refuses()) return;
   live_.pan = pan;
   due();
   Q_EMIT knobsChanged();
@@ -258,7 +269,7 @@ UnrecordedPart Session::unrecorded() const {
   return unrecordedPart(recorded_, geometry(), spans(), shown_.pose, geometry().depth_mm, kEvery_px);
 }
 
-bool Session::seesVolume() const { return !picture_.isEmpty() && scanner_.seesVolume(picturePose()); }
+bool Session::seesVolume() const { return !picture_.isEmpty() && seen().seesVolume(picturePose()); }
 
 Pose Session::pose() const {
   if (played_) return played_->pose;
@@ -268,6 +279,7 @@ Pose Session::pose() const {
 void Session::play(std::optional<ScanState> state) {
   if ((!state && !played_) || (state && !subject())) return;
   if (state) setFrozen(false);
+  if (state && !played_) cine_.beginAnew();  // what was scanned before a recording is another scan
   if (!state || !played_) forgetPictures();
   const ScanState before = console();
   played_ = std::move(state);
@@ -285,6 +297,7 @@ void Session::play(std::optional<ScanState> state) {
 
 void Session::forgetPictures() {
   scanner_.forget();
+  cine_.forget();
   unsettledFrames_ = 0;
   due();
 }
@@ -319,11 +332,73 @@ void Session::setFrozen(bool frozen) {
     kept.number = shown_.number;
     kept.body = shown_.body;
     frozen_ = std::move(kept);
+    if (!cine_.empty()) cineFrame_ = cine_.frameCount() - 1;
   } else {
     frozen_.reset();
+    formOn_.stop();
+    cineFrame_.reset();
+    cine_.beginAnew();  // as a machine does: the next loop is of the next scan
     due();
   }
   Q_EMIT frozenChanged(frozen);
+}
+
+bool Session::refuses() {
+  if (!frozen_) return false;
+  Q_EMIT knobsChanged();
+  Q_EMIT changeRefused();
+  return true;
+}
+
+void Session::forgetCine() {
+  cine_.clear();
+  formOn_.stop();
+  if (!std::exchange(cineFrame_, std::nullopt)) return;
+  Q_EMIT cineChanged();
+}
+
+void Session::showCine(std::size_t frame) {
+  if (!frozen_ || !cineFrame_ || frame >= cine_.frameCount() || frame == *cineFrame_) return;
+  cineFrame_ = frame;
+  formCine();
+  Q_EMIT cineChanged();
+}
+
+void Session::formCine() {
+  if (!subject() || width_ <= 0 || height_ <= 0) return;
+  if (!forming_) forming_ = std::make_unique<Forming>(Forming{{CineForming(*subject(), 0), CineForming(*subject(), 0)}});
+  const glm::ivec2 size_px(width_, height_);
+  const auto isQuick = [this](std::size_t left) {
+    return left <= kFormedAtOnce || static_cast<double>(left) * lastFrame_ms_ <= kFormedAtOnce_ms;
+  };
+  const std::size_t shown = forming_->shown, other = 1 - shown;
+  if (isQuick(forming_->two[shown].aim(cine_, *cineFrame_, size_px))) return showFormed(shown);
+  if (isQuick(forming_->two[other].aim(cine_, *cineFrame_, size_px))) return showFormed(other);
+  formOn_.start(0);
+}
+
+void Session::formOn() {
+  CineForming& there = forming_->two[1 - forming_->shown];
+  const double until_s = now_s() + 0.001 * kFormedInATurn_ms;
+  do there.makeNext(cine_);
+  while (there.left() > 0 && now_s() < until_s);
+  if (there.left() == 0) showFormed(1 - forming_->shown);
+}
+
+void Session::showFormed(std::size_t which) {
+  formOn_.stop();
+  CineForming& here = forming_->two[which];
+  const double begin_s = now_s();
+  const std::size_t left = here.left();
+  while (here.left() > 0) here.makeNext(cine_);
+  if (left > 0) lastFrame_ms_ = 1000.0 * (now_s() - begin_s) / static_cast<double>(left);
+  forming_->shown = which;
+  forming_->isSeen = true;
+  frozen_ = cine_.frame(*cineFrame_);
+  shown_ = *frozen_;
+  picture_ = here.picture();
+  ++framesMade_;
+  Q_EMIT pictureChanged();
 }
 
 void Session::setPictureSize(int width, int height) {
@@ -346,7 +421,7 @@ ScanState Session::nextState() {
   if (frozen_) return *frozen_;
   ScanState next = live_;
   next.time_s = now_s();
-  next.number = shown_.number + 1;
+  next.number = live_.number + 1;
   if (subject() && subject()->movesIn(next.scene)) next.body = breathing_.at(subject()->motion->rhythms, next.time_s);
   next.pose = source_ ? source_->poseAt(next.time_s) : hand_.poseAt(next.time_s);
   const bool mayLower = isAdaptive_ && !isFreezing_;
@@ -361,6 +436,7 @@ void Session::makePictureNow() {
   if (!subject() || width_ <= 0 || height_ <= 0) return;
   // A frozen picture is still drawn anew for a window of another size, from the frozen pose and knobs.
   if (frozen_ && picture_.width() == width_ && picture_.height() == height_) return;
+  if (frozen_ && cineFrame_) return formCine();
   nextFrame_.stop();
   const double begin_s = now_s();
   shown_ = nextState();
@@ -369,6 +445,11 @@ void Session::makePictureNow() {
     unsettledFrames_ = isOwnFrame_ ? std::max<std::size_t>(1, unsettledFrames_) - 1 : framesToSettle(live_.knobs.persistence);
   }
   picture_ = scanner_.make(shown_, width_, height_);
+  forming_.reset();
+  if (!frozen_ && !played_) {
+    live_.number = shown_.number;
+    cine_.add(shown_, {width_, height_}, [this] { return scanner_.memory(); });
+  }
   ++framesMade_;
   const double end_s = now_s();
   lastFrame_ms_ = 1000.0 * (end_s - begin_s);

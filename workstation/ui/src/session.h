@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QString>
 #include <QTimer>
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "ew/imaging/latency.h"
 #include "ew/imaging/resolved.h"
 #include "ew/scanning/breathing.h"
+#include "ew/scanning/cine.h"
 #include "ew/scanning/recorded.h"
 #include "ew/scanning/scanner.h"
 #include "ew/tracking/pose_source.h"
@@ -115,9 +117,19 @@ class Session final : public QObject {
   /// Why a breath that is asked for does not show; null when it does. Translatable in the context "ew::ui::Session".
   [[nodiscard]] const char* whyBreathingIsNotSeen() const;
 
-  /// Freezing keeps the picture and all that it was made with; the hand may move on.
+  /// Freezing keeps the picture and all that it was made with; the hand may move on. Settings are refused as long as it lasts: the echoes
+  /// were made with those they have.
   void setFrozen(bool frozen);
   [[nodiscard]] bool isFrozen() const { return frozen_.has_value(); }
+
+  /// The last seconds of this scan, since it was let run last, another probe was taken or a recording was shown. It rests while frozen.
+  [[nodiscard]] const CineRing& cine() const { return cine_; }
+  /// Frozen, shows another image of the ring: the same pixels, formed again. Where many before it have to be formed as well (persistence,
+  /// M-mode), that goes on between other events, and the present image stays meanwhile; who asks for another one by then gets that.
+  void showCine(std::size_t frame);
+  /// Which image of the ring is frozen, or wanted; empty while it runs, and when the ring is empty.
+  [[nodiscard]] std::optional<std::size_t> cineFrame() const { return cineFrame_; }
+  [[nodiscard]] bool isFormingCine() const { return formOn_.isActive(); }
   /// What the picture is made with: the console's and the hand's of this moment, or the frozen ones.
   [[nodiscard]] Pose picturePose() const { return frozen_ ? frozen_->pose : pose(); }
   [[nodiscard]] const Knobs& pictureKnobs() const { return settings().knobs; }
@@ -130,12 +142,12 @@ class Session final : public QObject {
   void setPictureSize(int width, int height);
   /// The latest picture; its views are valid until the next one. Empty before the first.
   [[nodiscard]] const Picture& picture() const { return picture_; }
-  [[nodiscard]] const DisplayGeometry& geometry() const { return scanner_.geometry(); }
+  [[nodiscard]] const DisplayGeometry& geometry() const { return seen().geometry(); }
   /// The M-mode strip; width 0 in B-mode.
-  [[nodiscard]] ImageView<const std::uint8_t> strip() const { return scanner_.strip(); }
-  [[nodiscard]] int stripCursor() const { return scanner_.stripCursor(); }
-  [[nodiscard]] const Spans& spans() const { return scanner_.spans(); }
-  [[nodiscard]] const Plan& plan() const { return scanner_.plan(); }
+  [[nodiscard]] ImageView<const std::uint8_t> strip() const { return seen().strip(); }
+  [[nodiscard]] int stripCursor() const { return seen().stripCursor(); }
+  [[nodiscard]] const Spans& spans() const { return seen().spans(); }
+  [[nodiscard]] const Plan& plan() const { return seen().plan(); }
   /// From a change of the hold to the picture that shows it.
   [[nodiscard]] const LatencyHistogram& latency() const { return latency_; }
   /// Frames made since the start; they come by themselves only while something changes by itself.
@@ -162,6 +174,8 @@ class Session final : public QObject {
   void holdChanged();
   void frozenChanged(bool frozen);
   void breathingChanged();
+  void cineChanged();    ///< which image of the ring is wanted, or the ring itself while frozen
+  void changeRefused();  ///< of settings, because the image is frozen
   void pictureChanged();
 
  private:
@@ -171,6 +185,15 @@ class Session final : public QObject {
   void takeProbe(const Probe& probe);
   void takeScene(const Scene& scene);
   void keepComing();
+  /// A change of settings while frozen: refused, and who asked is told the settings there are.
+  [[nodiscard]] bool refuses();
+  void forgetCine();
+  /// Forms the wanted image of the ring: now where that is quick, else between other events.
+  void formCine();
+  void formOn();
+  void showFormed(std::size_t which);
+  /// Who made the present picture.
+  [[nodiscard]] const Scanner& seen() const { return forming_ && forming_->isSeen ? forming_->two[forming_->shown].scanner() : scanner_; }
   [[nodiscard]] const ScanState& console() const { return played_ ? *played_ : live_; }
   [[nodiscard]] const ScanState& settings() const { return frozen_ ? *frozen_ : console(); }
   /// Everything the next picture is made with.
@@ -182,10 +205,20 @@ class Session final : public QObject {
   std::shared_ptr<const Skin> skin_;
   HandOnSkin hand_;
   std::shared_ptr<const PoseSource> source_;  ///< null: the hand
-  ScanState live_;                            ///< as the console has it; pose, gaps, time and number are a picture's
+  ScanState live_;                            ///< as the console has it, and the number of the last live picture
   std::optional<ScanState> frozen_;
   std::optional<ScanState> played_;
   ScanState shown_;
+  CineRing cine_;
+  std::optional<std::size_t> cineFrame_;
+  /// Two, so that what one forms on its way to an image is not seen: the other one holds the present picture.
+  struct Forming {
+    std::array<CineForming, 2> two;
+    std::size_t shown = 0;
+    bool isSeen = false;  ///< the present picture was formed here
+  };
+  std::unique_ptr<Forming> forming_;  ///< once another image than the last one was asked for
+  QTimer formOn_;
   std::optional<Scene> sceneBeforeReset_;
   std::optional<LiveEchoesEffect> wantedEchoes_;  ///< that begin once tissue is known
   AskedBreathing breathing_;

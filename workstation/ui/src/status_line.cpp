@@ -105,12 +105,26 @@ void StatusLine::setForAuthors(bool forAuthors) {
   showLabels();
 }
 
+void StatusLine::takeCine(QWidget* bar) {
+  constexpr int kAllThereIs = 1000;
+  cine_ = bar;
+  static_cast<QHBoxLayout*>(layout())->insertWidget(0, bar, kAllThereIs);
+  showLabels();
+}
+
+void StatusLine::setCineShown(bool shown) {
+  isCineShown_ = shown;
+  showLabels();
+}
+
 void StatusLine::showLabels() {
-  const bool ofScan = !staged_ && !idle_;
+  const bool isCine = isCineShown_ && !staged_ && !idle_;
+  const bool ofScan = !staged_ && !idle_ && !isCine;
+  if (cine_ != nullptr) cine_->setVisible(isCine);
   for (QLabel* label : {static_cast<QLabel*>(position_), lowered_, static_cast<QLabel*>(contact_)}) label->setVisible(ofScan);
   plan_->setVisible(ofScan && forAuthors_);
-  edit_->setVisible(!idle_);
-  note_->setVisible(!idle_);
+  edit_->setVisible(!idle_ && !isCine);
+  note_->setVisible(!idle_ && !isCine);
 }
 
 void StatusLine::showPose() {

@@ -24,6 +24,9 @@ class StatusLine final : public QWidget {
   void setNote(const QString& text);
   /// Without the figures of the probe: they are not the panel's matter.
   void setStaged(bool staged);
+  /// A bar that takes the place of what is said of the probe while it is shown, so that the views keep their sizes. Becomes a child.
+  void takeCine(QWidget* bar);
+  void setCineShown(bool shown);
   /// Empty, while something else than the scan is shown.
   void setIdle(bool idle);
   /// What a frame runs and costs is for authors.
@@ -37,7 +40,8 @@ class StatusLine final : public QWidget {
 
   Session& session_;
   QTimer soon_;
-  bool staged_ = false, idle_ = false, forAuthors_ = false;
+  bool staged_ = false, idle_ = false, forAuthors_ = false, isCineShown_ = false;
+  QWidget* cine_ = nullptr;
   FigureLabel* position_ = nullptr;
   FigureLabel* plan_ = nullptr;
   FigureLabel* contact_ = nullptr;

@@ -27,11 +27,19 @@ void TimeLine::setLength(double length_s, std::vector<Span> frozen, std::vector<
   length_s_ = length_s;
   frozen_ = std::move(frozen);
   marks_s_ = std::move(marks_s);
+  setRange({}, {});
   setPosition(0.0);
 }
 
 void TimeLine::setPosition(double position_s) {
   position_s_ = std::clamp(position_s, 0.0, length_s_);
+  update();
+}
+
+void TimeLine::setRange(std::optional<double> in_s, std::optional<double> out_s) {
+  if (in_s == in_s_ && out_s == out_s_) return;
+  in_s_ = in_s;
+  out_s_ = out_s;
   update();
 }
 
@@ -84,7 +92,17 @@ void TimeLine::paintEvent(QPaintEvent*) {
   };
   stroke(0.0, length_s_, theme.line, 2.0);
   for (const Span& span : frozen_) stroke(span.begin_s, span.end_s, theme.quiet, 6.0);
-  stroke(0.0, position_s_, theme.accent, 2.0);
+  if (in_s_ || out_s_) stroke(in_s_.value_or(0.0), out_s_.value_or(length_s_), theme.quiet, 6.0);
+  stroke(in_s_.value_or(0.0), std::max(position_s_, in_s_.value_or(0.0)), theme.accent, 2.0);
+  // Brackets that open towards the part between them.
+  painter.setPen(QPen(theme.text, 1.5));
+  const auto bracket = [&](double at_s, double towards) {
+    const double x = xOf(at_s);
+    const QPointF points[] = {{x + 4.0 * towards, y - 11.0}, {x, y - 11.0}, {x, y + 11.0}, {x + 4.0 * towards, y + 11.0}};
+    painter.drawPolyline(points, 4);
+  };
+  if (in_s_) bracket(*in_s_, 1.0);
+  if (out_s_) bracket(*out_s_, -1.0);
   painter.setPen(QPen(theme.text, 1.5));
   for (const double mark_s : marks_s_) painter.drawLine(QPointF(xOf(mark_s), y - 9.0), QPointF(xOf(mark_s), y - 4.0));
   painter.setPen(hasFocus() ? QPen(theme.text, 1.5) : QPen(Qt::NoPen));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 #include <vector>
 
 namespace ew::ui {
@@ -18,6 +19,8 @@ class TimeLine final : public QWidget {
 
   void setLength(double length_s, std::vector<Span> frozen, std::vector<double> marks_s);
   void setPosition(double position_s);
+  /// The part that runs, where its ends are marked.
+  void setRange(std::optional<double> in_s, std::optional<double> out_s);
   [[nodiscard]] double position_s() const { return position_s_; }
   [[nodiscard]] QSize sizeHint() const override { return {320, 32}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {96, 32}; }
@@ -39,6 +42,7 @@ class TimeLine final : public QWidget {
   double length_s_ = 0.0, position_s_ = 0.0;
   std::vector<Span> frozen_;
   std::vector<double> marks_s_;
+  std::optional<double> in_s_, out_s_;
 };
 
 }  // namespace ew::ui

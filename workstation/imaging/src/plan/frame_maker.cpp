@@ -107,6 +107,20 @@ void FrameMaker::forget() {
   parts_->persistence_.empty = true;
   parts_->strip_.clear();
 }
+FrameMemory FrameMaker::memory() const {
+  FrameMemory memory;
+  if (!parts_->persistence_.empty) memory.persistence = parts_->persistence_;
+  memory.strip = parts_->strip_;
+  return memory;
+}
+void FrameMaker::recall(const FrameMemory& memory) {
+  const ImageView<const std::uint8_t> mine = parts_->strip_.picture(), theirs = memory.strip.picture();
+  if (mine.width == theirs.width && mine.height == theirs.height) parts_->strip_ = memory.strip;
+  if (memory.persistence.empty)
+    parts_->persistence_.empty = true;
+  else
+    parts_->persistence_ = memory.persistence;  // one of another size starts afresh with the next frame (beginPersistence)
+}
 const Plan& FrameMaker::plan() const { return parts_->plan_; }
 const DisplayGeometry& FrameMaker::geometry() const { return parts_->geometry_; }
 const std::vector<StepTime>& FrameMaker::lastTimes() const { return parts_->times_; }

@@ -11,7 +11,9 @@
 #include "ew/core/volume.h"
 #include "ew/imaging/beam_grid.h"
 #include "ew/imaging/display.h"
+#include "ew/imaging/effects/persistence.h"
 #include "ew/imaging/knobs.h"
+#include "ew/imaging/m_mode.h"
 #include "ew/imaging/picture.h"
 #include "ew/imaging/probe.h"
 #include "ew/imaging/scene.h"
@@ -96,6 +98,12 @@ struct FrameInput {
   std::uint64_t number = 0;  ///< of the noise: the same number, the same noise
 };
 
+/// What shows of earlier frames in later ones: persistence's levels and the strip of the M-mode. Empty where neither runs.
+struct FrameMemory {
+  PersistenceMemory persistence;
+  MModeStrip strip;
+};
+
 /// Makes frames of one probe and one setting after another; owns the tables and scratch memory, so that a frame allocates nothing.
 class FrameMaker {
  public:
@@ -121,6 +129,11 @@ class FrameMaker {
   [[nodiscard]] int stripCursor() const;
   /// Forgets earlier frames: persistence and M-mode start afresh.
   void forget();
+  /// What it remembers after the last frame, to be recalled by any maker.
+  [[nodiscard]] FrameMemory memory() const;
+  /// As if the frame after which `memory` was taken had been made last. Expects that maker's configuration; a memory of another size is
+  /// as good as none.
+  void recall(const FrameMemory& memory);
 
   /// What the last frame ran; before the first one, what a frame runs that touches everywhere.
   [[nodiscard]] const Plan& plan() const;

@@ -23,6 +23,9 @@ class Scanner {
   void clear();
   /// Earlier pictures no longer show in later ones: persistence and M-mode start afresh.
   void forget() { maker_.forget(); }
+  /// What shows of pictures so far in those that follow. @see FrameMaker::memory, recall; `prepare` the state of the last of them before.
+  [[nodiscard]] FrameMemory memory() const { return maker_.memory(); }
+  void recall(const FrameMemory& memory) { maker_.recall(memory); }
   [[nodiscard]] const std::optional<ScanSubject>& subject() const { return subject_; }
   /// The subject as it is edited: title, scene, place. Voxels and labels stay those of show().
   void setTitle(std::string title);

@@ -44,13 +44,14 @@ class Scan {
   [[nodiscard]] virtual Ticket drive(std::shared_ptr<const PoseSource> source, std::function<void()> takenBack) = 0;
 
   /// Sets what the console sets; brought within its limits.
-  /// @error badUsage (no scan, or a recording is played)
+  /// @error badUsage (no scan, it is frozen, or a recording is played)
   [[nodiscard]] virtual Result<void> apply(const Knobs& knobs) = 0;
-  /// @param id of one of the probes that the case allows. @error badUsage (no scan, a recording is played, no such probe)
+  /// @param id of one of the probes that the case allows. @error badUsage (no scan, it is frozen, a recording is played, no such probe)
   [[nodiscard]] virtual Result<void> chooseProbe(const std::string& id) = 0;
   /// Freezes the image, or lets it go on. @error badUsage (no scan, or a recording is played)
   [[nodiscard]] virtual Result<void> setFrozen(bool frozen) = 0;
-  /// Remembers probe and settings; when the ticket is destroyed they are again what they were, unless something else is scanned by then.
+  /// Remembers probe and settings; when the ticket is destroyed they are again what they were, unless something else is scanned by
+  /// then; while the scan is frozen, as soon as it goes on.
   [[nodiscard]] virtual Ticket keepSettings() = 0;
 };
 

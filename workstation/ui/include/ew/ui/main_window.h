@@ -34,6 +34,7 @@ class QMenu;
 namespace ew::ui {
 
 class CaseDocument;
+class CineBar;
 class ConsolePanel;
 class HandInput;
 class Jobs;
@@ -83,6 +84,7 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] ConsolePanel& console();
   [[nodiscard]] Recorder& recorder();
   [[nodiscard]] ReplayBar& replayBar();
+  [[nodiscard]] CineBar& cineBar();
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -110,6 +112,7 @@ class MainWindow final : public QMainWindow {
   void addThemeMenu(QMenu& theme);
   void addLanguageMenu(QMenu& language);
   void addScanMenu(QMenu& scan);
+  void addCineMenu(QMenu& cine);
   void addBreathingMenu(QMenu& breathing);
   void askBreathing(BreathingRequest request);
   void addImageMenu(QMenu& image);
@@ -187,6 +190,12 @@ class MainWindow final : public QMainWindow {
   void closeRecording();
   /// Asks for a name and begins to save. @return false: nothing is saved
   bool saveRecording();
+  void showCineState();
+  void saveClip();  ///< what runs in the loop of a frozen scan
+  /// Asks for a name and begins to save. @param saved called when it is @return false: nothing is saved
+  bool saveRecordingAs(const std::shared_ptr<const ScanRecording>& recording, const QString& title, const QString& proposal,
+                       std::function<void()> saved);
+  [[nodiscard]] std::string recordedCase() const;  ///< id of the case that is scanned; empty: none
   /// Plays what was opened, once what was scanned is shown.
   void takeRecording(const QString& path, std::shared_ptr<const ScanRecording> recording);
   [[nodiscard]] bool mayLeaveRecording(const QString& next);
