@@ -58,33 +58,39 @@ TEST(OnPicture, BeamsOfACurvedProbeLeanOutwards) {
   EXPECT_TRUE(std::isfinite(map.at({500.0, -80.0}).lateral_mm));
 }
 
-TEST(OnPicture, TracesTheSameOutlineHoweverThePictureIsTurned) {
-  constexpr double kRadius_mm = 30.0;
-  const glm::dvec2 middle(12.0, 75.0);
+/// @param size of everything: of the picture's depth as well
+void tracesADisc(double size, bool markerLeft, bool upsideDown) {
+  const double radius_mm = 30.0 * size;
+  const glm::dvec2 middle = size * glm::dvec2(12.0, 75.0);
+  Probe probe = convex();
+  probe.minDepth_mm = 10.0;
+  probe.radius_mm *= size;
   Knobs knobs;
-  knobs.depth_mm = 160.0;
-  for (const bool markerLeft : {true, false}) {
-    for (const bool upsideDown : {true, false}) {
-      knobs.markerLeft = markerLeft;
-      knobs.upsideDown = upsideDown;
-      const DisplayGeometry geometry = fitDisplay(convex(), knobs, 600, 500);
-      Image<std::uint8_t> picture(600, 500);
-      for (int y = 0; y < 500; ++y)
-        for (int x = 0; x < 600; ++x)
-          viewOf(picture).at(x, y) = glm::distance(geometry.probePoint_mm(x, y), middle) < kRadius_mm ? 30 : 140;
-      std::vector<glm::dvec2> clicks;
-      for (int n = 0; n < 8; ++n) {
-        const double turn = 2.0 * std::numbers::pi * n / 8.0;
-        clicks.push_back(middle + (kRadius_mm + (n % 2 == 0 ? 2.0 : -2.0)) * glm::dvec2(std::cos(turn), std::sin(turn)));
-      }
-      const auto outline = traceOnPicture(viewOf(std::as_const(picture)), geometry, clicks);
-      ASSERT_TRUE(outline.has_value());
-      const auto measured = measure({CaliperKind::trace, {{0, *outline}}});
-      EXPECT_NEAR(measured->figure(FigureKind::circumference)->quantity.value, 2.0 * std::numbers::pi * kRadius_mm, 4.0);
-      for (const glm::dvec2& point : *outline) EXPECT_NEAR(glm::distance(point, middle), kRadius_mm, 1.0);
-    }
+  knobs.depth_mm = 160.0 * size;
+  knobs.markerLeft = markerLeft;
+  knobs.upsideDown = upsideDown;
+  const DisplayGeometry geometry = fitDisplay(probe, knobs, 600, 500);
+  Image<std::uint8_t> picture(600, 500);
+  for (int y = 0; y < 500; ++y)
+    for (int x = 0; x < 600; ++x) viewOf(picture).at(x, y) = glm::distance(geometry.probePoint_mm(x, y), middle) < radius_mm ? 30 : 140;
+  std::vector<glm::dvec2> clicks;
+  for (int n = 0; n < 8; ++n) {
+    const double turn = 2.0 * std::numbers::pi * n / 8.0;
+    clicks.push_back(middle + (radius_mm + (n % 2 == 0 ? 2.0 : -2.0) * size) * glm::dvec2(std::cos(turn), std::sin(turn)));
   }
+  const auto outline = traceOnPicture(viewOf(std::as_const(picture)), geometry, clicks);
+  ASSERT_TRUE(outline.has_value());
+  const auto measured = measure({CaliperKind::trace, {{0, *outline}}});
+  EXPECT_NEAR(measured->figure(FigureKind::circumference)->quantity.value, 2.0 * std::numbers::pi * radius_mm, 4.0 * size);
+  for (const glm::dvec2& point : *outline) EXPECT_NEAR(glm::distance(point, middle), radius_mm, size);
 }
+
+TEST(OnPicture, TracesTheSameOutlineHoweverThePictureIsTurned) {
+  for (const bool markerLeft : {true, false})
+    for (const bool upsideDown : {true, false}) tracesADisc(1.0, markerLeft, upsideDown);
+}
+
+TEST(OnPicture, TracesSmallThingsAsWellAsLargeOnes) { tracesADisc(0.25, true, false); }
 
 }  // namespace
 }  // namespace ew::measurement

@@ -9,8 +9,29 @@
 namespace ew::measurement {
 namespace {
 
-/// Paths wander no farther from where they lead; what lies beyond would only be searched.
+constexpr double kUsual_mm = 60.0;  // what the usual options are for
+constexpr double kClosest = 0.2;
+
+/// Paths wander no farther from where they lead, for the usual size; what lies beyond would only be searched.
 constexpr double kAround_mm = 15.0;
+
+struct Bounds {
+  glm::dvec2 low{0.0}, high{0.0};
+};
+Bounds boundsOf(std::span<const glm::dvec2> points) {
+  if (points.empty()) return {};
+  Bounds bounds{points[0], points[0]};
+  for (const glm::dvec2& point : points) {
+    bounds.low = glm::min(bounds.low, point);
+    bounds.high = glm::max(bounds.high, point);
+  }
+  return bounds;
+}
+
+double closenessFor(std::span<const glm::dvec2> clicks_mm) {
+  const Bounds bounds = boundsOf(clicks_mm);
+  return std::clamp(std::max(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y) / kUsual_mm, kClosest, 1.0);
+}
 
 struct Cut {
   ImageView<const std::uint8_t> picture;
@@ -20,11 +41,7 @@ struct Cut {
 /// The part of a picture around points, in pixels. Of one that lies nowhere near them the whole.
 Cut cutAround(ImageView<const std::uint8_t> picture, std::span<const glm::dvec2> points_px, double around_px) {
   if (points_px.empty()) return {picture, {}};
-  glm::dvec2 low = points_px[0], high = low;
-  for (const glm::dvec2& point : points_px) {
-    low = glm::min(low, point);
-    high = glm::max(high, point);
-  }
+  const auto [low, high] = boundsOf(points_px);
   const auto within = [](double value, int size) { return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(size))); };
   const glm::ivec2 from(within(std::floor(low.x - around_px), picture.width), within(std::floor(low.y - around_px), picture.height));
   const glm::ivec2 to(within(std::ceil(high.x + around_px), picture.width), within(std::ceil(high.y + around_px), picture.height));
@@ -42,8 +59,17 @@ UncertaintyAt uncertaintyOn(const Probe& probe, const Knobs& knobs, const Scene&
   };
 }
 
+TracingOptions tracingOptionsFor(std::span<const glm::dvec2> clicks_mm) {
+  const double closeness = closenessFor(clicks_mm);
+  TracingOptions options;
+  for (double* length_mm : {&options.blur_mm, &options.smoothing_mm, &options.spacing_mm, &options.snap.reach_mm, &options.snap.blur_mm,
+                            &options.snap.across_mm})
+    *length_mm *= closeness;
+  return options;
+}
+
 Result<std::vector<glm::dvec2>> traceOnPicture(ImageView<const std::uint8_t> picture, const DisplayGeometry& geometry,
-                                               std::span<const glm::dvec2> clicks_mm, const TracingOptions& options) {
+                                               std::span<const glm::dvec2> clicks_mm) {
   // The tracer's picture is not mirrored: its mm count to the right and downwards from the middle of the face.
   const glm::dvec2 side(geometry.markerLeft ? -1.0 : 1.0, geometry.upsideDown ? -1.0 : 1.0);
   std::vector<glm::dvec2> shown, pixels;
@@ -51,10 +77,11 @@ Result<std::vector<glm::dvec2>> traceOnPicture(ImageView<const std::uint8_t> pic
     shown.push_back(side * click);
     pixels.push_back(geometry.face_px + shown.back() / geometry.pixel_mm);
   }
-  const Cut cut = cutAround(picture, pixels, kAround_mm / geometry.pixel_mm);
+  const Cut cut = cutAround(picture, pixels, closenessFor(clicks_mm) * kAround_mm / geometry.pixel_mm);
   const glm::dvec2 origin_mm = (glm::dvec2(cut.at_px) - geometry.face_px) * geometry.pixel_mm;
   EdgeTracer tracer;
-  if (auto set = tracer.setPicture(cut.picture, {glm::dvec2(geometry.pixel_mm), origin_mm}, options); !set) return passOn(set.error());
+  if (auto set = tracer.setPicture(cut.picture, {glm::dvec2(geometry.pixel_mm), origin_mm}, tracingOptionsFor(clicks_mm)); !set)
+    return passOn(set.error());
   auto outline = tracer.traceAround(shown);
   if (!outline) return passOn(outline.error());
   for (glm::dvec2& point : *outline) point *= side;

@@ -19,9 +19,13 @@ namespace ew::measurement {
 /// How far the place of a point can be known in the picture of a scan: its pixel, and the point spread of probe and settings there.
 [[nodiscard]] UncertaintyAt uncertaintyOn(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry);
 
+/// Options for an outline through clicks: the usual ones are for heads and abdomens of 60 mm and more; what is smaller is looked at closer,
+/// down to a fifth, as the finer probes resolve it.
+[[nodiscard]] TracingOptions tracingOptionsFor(std::span<const glm::dvec2> clicks_mm);
+
 /// EdgeTracer::traceAround on the picture of a scan, however it is turned. @param clicks_mm and the outline lie in mm of the probe frame
 /// @error as EdgeTracer
 [[nodiscard]] Result<std::vector<glm::dvec2>> traceOnPicture(ImageView<const std::uint8_t> picture, const DisplayGeometry& geometry,
-                                                             std::span<const glm::dvec2> clicks_mm, const TracingOptions& options = {});
+                                                             std::span<const glm::dvec2> clicks_mm);
 
 }  // namespace ew::measurement
