@@ -8501,6 +8501,109 @@
     </message>
 </context>
 <context>
+    <name>ew::ui::CaliperLayer</name>
+    <message>
+        <source>Calipers on the image</source>
+        <translation>Messpunkte auf dem Bild</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::CaliperWords</name>
+    <message>
+        <source>Distance</source>
+        <translation>Distanz</translation>
+    </message>
+    <message>
+        <source>Poly-line</source>
+        <translation>Linienzug</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Fitted ellipse</source>
+        <translation>Angepasste Ellipse</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>circumference</source>
+        <translation>Umfang</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>long axis</source>
+        <translation>lange Achse</translation>
+    </message>
+    <message>
+        <source>short axis</source>
+        <translation>kurze Achse</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Distance: click both ends, or drag from one to the other.</source>
+        <translation>Distanz: beide Enden anklicken oder vom einen zum anderen ziehen.</translation>
+    </message>
+    <message>
+        <source>Poly-line: click its points, the last one twice, or Enter.</source>
+        <translation>Linienzug: die Punkte anklicken, den letzten zweimal, oder Eingabe.</translation>
+    </message>
+    <message>
+        <source>Outline: click around it or draw it; end where it began, or by Enter.</source>
+        <translation>Umriss: ringsum klicken oder zeichnen; am Anfang oder mit der Eingabetaste enden.</translation>
+    </message>
+    <message>
+        <source>Ellipse: click both ends of one axis, then how far it opens.</source>
+        <translation>Ellipse: beide Enden einer Achse anklicken, dann, wie weit sie sich öffnet.</translation>
+    </message>
+    <message>
+        <source>Fitted ellipse: click five or more points of the outline, the last one twice, or Enter.</source>
+        <translation>Angepasste Ellipse: fünf oder mehr Punkte des Umrisses anklicken, den letzten zweimal, oder Eingabe.</translation>
+    </message>
+    <message>
+        <source>Angle: click a point, the vertex, a point.</source>
+        <translation>Winkel: einen Punkt, den Scheitel und einen Punkt anklicken.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>a result&apos;s name and its value</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>± from the pixel (%1 mm), the resolution along the beam (%2 mm) and the width of the beam (%3 mm).</source>
+        <translation>± aus dem Pixel (%1 mm), der Auflösung entlang des Strahls (%2 mm) und der Breite des Strahls (%3 mm).</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>from a smallest to a largest value</comment>
+        <translation>%1 bis %2</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::Calipers</name>
+    <message>
+        <source>Calipers measure in the image, not in the strip of the M-mode. Switch to B or B + M (M).</source>
+        <translation>Gemessen wird im Bild, nicht im Streifen des M-Modus. Auf B oder B + M umschalten (M).</translation>
+    </message>
+</context>
+<context>
     <name>ew::ui::CaseFolderDialog</name>
     <message>
         <source>Save the case as a folder of its own</source>
@@ -10776,6 +10879,110 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>the loop begins, ends with this image</source>
         <translation>Schleife beginnt, endet mit diesem Bild</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Mea&amp;sure</source>
+        <translation>Me&amp;ssen</translation>
+    </message>
+    <message>
+        <source>Calipers, and what they measured (F10)</source>
+        <translation>Messpunkte, und was sie gemessen haben (F10)</translation>
+    </message>
+    <message>
+        <source>measuring</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Outlines follow edges</source>
+        <translation>Umrisse folgen Kanten</translation>
+    </message>
+    <message>
+        <source>Delete all measurements</source>
+        <translation>Alle Messungen löschen</translation>
+    </message>
+    <message>
+        <source>distance, poly-line, outline</source>
+        <translation>Distanz, Linienzug, Umriss</translation>
+    </message>
+    <message>
+        <source>ellipse, fitted ellipse, angle</source>
+        <translation>Ellipse, angepasste Ellipse, Winkel</translation>
+    </message>
+    <message>
+        <source>outlines follow edges</source>
+        <translation>Umrisse folgen Kanten</translation>
+    </message>
+    <message>
+        <source>Drag a cross</source>
+        <translation>Ein Kreuz ziehen</translation>
+    </message>
+    <message>
+        <source>move a point</source>
+        <translation>einen Punkt verschieben</translation>
+    </message>
+    <message>
+        <source>Arrows, %1</source>
+        <translation>Pfeile, %1</translation>
+    </message>
+    <message>
+        <source>move the cross, set a point; with Ctrl by a pixel</source>
+        <translation>Kreuz bewegen, Punkt setzen; mit Strg um ein Pixel</translation>
+    </message>
+    <message>
+        <source>take back, put the tool down</source>
+        <translation>zurücknehmen, Werkzeug weglegen</translation>
+    </message>
+    <message>
+        <source>delete all measurements</source>
+        <translation>alle Messungen löschen</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::MeasurePage</name>
+    <message>
+        <source>Nothing is measured yet. Choose a tool: the image freezes, and the first click sets a point.</source>
+        <translation>Noch ist nichts gemessen. Ein Werkzeug wählen: Das Bild steht still, und der erste Klick setzt einen Punkt.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>a tool and its key</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Outlines follow edges</source>
+        <translation>Umrisse folgen Kanten</translation>
+    </message>
+    <message>
+        <source>A few clicks around it are enough: the outline is brought to the edge (0)</source>
+        <translation>Wenige Klicks ringsum genügen: Der Umriss wird an die Kante gebracht (0)</translation>
+    </message>
+    <message>
+        <source>Undo (Ctrl+Z)</source>
+        <translation>Rückgängig (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>Redo (Ctrl+Shift+Z)</source>
+        <translation>Wiederholen (Strg+Umschalt+Z)</translation>
+    </message>
+    <message>
+        <source>Delete the chosen measurement, or else the last one (Backspace)</source>
+        <translation>Die gewählte Messung löschen, sonst die letzte (Rücktaste)</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete all measurements (Ctrl+Delete)</source>
+        <translation>Alle Messungen löschen (Strg+Entf)</translation>
+    </message>
+    <message>
+        <source>Delete all</source>
+        <translation>Alle löschen</translation>
     </message>
 </context>
 <context>

@@ -12,12 +12,6 @@ namespace {
 
 bool carriesWords(const std::filesystem::path& file) { return file.extension() != ".mha"; }
 
-GreyImage copyOf(ImageView<const std::uint8_t> view) {
-  GreyImage copy(view.width, view.height);
-  for (int y = 0; y < view.height; ++y) std::copy_n(view.row(y), view.width, viewOf(copy).row(y));
-  return copy;
-}
-
 }  // namespace
 
 Result<void> checkRoomForWarning(int width_px, int height_px, const std::filesystem::path& file) {

@@ -391,6 +391,16 @@ void ConsolePanel::step(const QString& control, int steps) {
   }
 }
 
+void ConsolePanel::addPage(QWidget* page, const QString& title, const QString& tip) {
+  const int index = pages_->addTab(makePage([page](QVBoxLayout* rows) { rows->addWidget(page); }), title);
+  pages_->setTabToolTip(index, tip);
+}
+
+void ConsolePanel::showPage(const QWidget* page) {
+  for (int i = 0; i < pages_->count(); ++i)
+    if (pages_->widget(i)->isAncestorOf(page)) pages_->setCurrentIndex(i);
+}
+
 void ConsolePanel::showNextPage() { pages_->setCurrentIndex((pages_->currentIndex() + 1) % pages_->count()); }
 
 void ConsolePanel::chooseQuality(Quality quality) {

@@ -39,6 +39,9 @@ class ConsolePanel final : public QWidget {
   void step(const QString& control, int steps);
   void chooseQuality(Quality quality);
   void showNextPage();
+  /// One more page, behind the others.
+  void addPage(QWidget* page, const QString& title, const QString& tip);
+  void showPage(const QWidget* page);
   void refreshIcons();
 
   /// Names of the switch and of the slider that belong to an effect or to a part of one (effect_info.h).

@@ -86,6 +86,7 @@ MainWindow::~MainWindow() {
   QCoreApplication::instance()->disconnect(this);
   parts_->panels->disconnect(this);
   parts_->document.disconnect();
+  parts_->calipers.disconnect();
   parts_->session.disconnect();
   delete parts_->cost;
   delete parts_->source;
@@ -112,6 +113,8 @@ void MainWindow::makeViews() {
   p.scanView = new ScanView(p.session);
   p.console = new ConsolePanel(p.session);
   p.console->setFixedWidth(kConsoleWidth_px);
+  p.measurePage = new MeasurePage(p.calipers);
+  p.console->addPage(p.measurePage, tr("Measure"), tr("Calipers, and what they measured (F10)"));
   p.replayBar = new ReplayBar(p.session);
   p.status = new StatusLine(p.session);
   p.cineBar = new CineBar(p.session);
@@ -178,6 +181,7 @@ void MainWindow::watchViews() {
   p.viewColumns = new ViewColumns(*p.columns, *p.panels, *p.body, *p.scanView, *p.view3d->canvas(), this);
   p.viewColumns->onPress = [this] { parts_->beforePress = parts_->session.hold(); };
   p.viewColumns->takeBackPress = [this] { parts_->session.setHold(parts_->beforePress); };
+  p.caliperLayer = new CaliperLayer(p.session, p.calipers, *p.scanView);
   p.sourcePicker = new SourcePicker(p.session, *p.scanView);  // after the hand: it looks at a click first
   p.opener = new Opener(p.session, p.document, p.jobs, *p.messages, *p.view3d, p.hand, this);
   p.host = new WorkstationHost(p.document, p.jobs, p.session, *p.panels, *p.messages, this);
@@ -346,10 +350,18 @@ void MainWindow::showHistory() {
   Parts& p = *parts_;
   const QUndoStack& history = p.document.history();
   const auto document = panelDocument();
-  const QString undo = document != nullptr ? words(document->undoText()) : history.canUndo() ? history.undoText() : QString();
-  const QString redo = document != nullptr ? words(document->redoText()) : history.canRedo() ? history.redoText() : QString();
-  p.undoAction->setEnabled(document != nullptr ? !undo.isEmpty() : history.canUndo());
-  p.redoAction->setEnabled(document != nullptr ? !redo.isEmpty() : history.canRedo());
+  QString undo = document != nullptr ? words(document->undoText()) : history.canUndo() ? history.undoText() : QString();
+  QString redo = document != nullptr ? words(document->redoText()) : history.canRedo() ? history.redoText() : QString();
+  bool canUndo = document != nullptr ? !undo.isEmpty() : history.canUndo();
+  bool canRedo = document != nullptr ? !redo.isEmpty() : history.canRedo();
+  if (p.editsCalipers()) {
+    canUndo = p.calipers.drawing().canUndo();
+    canRedo = p.calipers.drawing().canRedo();
+    undo = canUndo ? tr("measuring") : QString();
+    redo = canRedo ? tr("measuring") : QString();
+  }
+  p.undoAction->setEnabled(canUndo);
+  p.redoAction->setEnabled(canRedo);
   p.undoAction->setText(undo.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(undo));
   p.redoAction->setText(redo.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(redo));
   p.status->setEdit(undo.isEmpty() ? QString() : tr("Undo: %1 (Ctrl+Z)").arg(undo));
@@ -440,6 +452,7 @@ View3D& MainWindow::view3d() { return *parts_->view3d; }
 HandInput& MainWindow::hand() { return parts_->hand; }
 ConsolePanel& MainWindow::console() { return *parts_->console; }
 Recorder& MainWindow::recorder() { return parts_->recorder; }
+Calipers& MainWindow::calipers() { return parts_->calipers; }
 ReplayBar& MainWindow::replayBar() { return *parts_->replayBar; }
 CineBar& MainWindow::cineBar() { return *parts_->cineBar; }
 

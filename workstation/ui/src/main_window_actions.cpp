@@ -79,13 +79,17 @@ void MainWindow::addFileMenu(QMenu& file) {
 void MainWindow::addEditMenu(QMenu& edit) {
   Parts& p = *parts_;
   p.undoAction = addMenuAction(edit, tr("&Undo"), {keys("Ctrl+Z")}, [this] {
-    if (const auto document = panelDocument())
+    if (parts_->editsCalipers())
+      parts_->calipers.change([](measurement::CaliperDrawing& drawing) { drawing.undo(); });
+    else if (const auto document = panelDocument())
       document->undo();
     else
       parts_->document.history().undo();
   });
   p.redoAction = addMenuAction(edit, tr("&Redo"), {keys("Ctrl+Shift+Z"), keys("Ctrl+Y")}, [this] {
-    if (const auto document = panelDocument())
+    if (parts_->editsCalipers())
+      parts_->calipers.change([](measurement::CaliperDrawing& drawing) { drawing.redo(); });
+    else if (const auto document = panelDocument())
       document->redo();
     else
       parts_->document.history().redo();
@@ -189,6 +193,7 @@ void MainWindow::addScanMenu(QMenu& scan) {
   addConsoleAction(scan, tr("Zoom out"), "Shift+Z", "zoom", -1);
   addMenuAction(scan, tr("Reset TGC"), {keys("Ctrl+0")}, [this] { parts_->session.resetTgc(); });
   addBreathingMenu(*scan.addMenu(tr("&Breathing")));
+  addMeasureMenu(*scan.addMenu(tr("Mea&sure")));
   scan.addSeparator();
 
   addImageMenu(*scan.addMenu(tr("&Image")));

@@ -15,6 +15,7 @@ namespace ew::ui {
 
 void MainWindow::connectParts() {
   connectSession();
+  connectCalipers();
   connectDocument();
   connectPages();
   connectOpener();

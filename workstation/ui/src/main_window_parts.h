@@ -11,6 +11,8 @@
 #include <QTranslator>
 #include <optional>
 
+#include "caliper_layer.h"
+#include "calipers.h"
 #include "case_document.h"
 #include "case_info.h"
 #include "case_preparation.h"
@@ -23,6 +25,7 @@
 #include "hand_input.h"
 #include "job_cards.h"
 #include "jobs.h"
+#include "measure_page.h"
 #include "message_bar.h"
 #include "opener.h"
 #include "recorder.h"
@@ -72,6 +75,7 @@ struct MainWindow::Parts {
   QString preparing;                               ///< the case that is opened and has to be made first
   HandInput hand{session.hand()};
   Recorder recorder{session};
+  Calipers calipers{session, jobs};
   bool isRecordingSaved = true;  ///< of the replay bar
   struct {
     QString path;
@@ -94,7 +98,9 @@ struct MainWindow::Parts {
   Hold beforePress;  ///< where the probe was before the last press in a view
   ScanView* scanView = nullptr;
   SourcePicker* sourcePicker = nullptr;
+  CaliperLayer* caliperLayer = nullptr;
   ConsolePanel* console = nullptr;
+  MeasurePage* measurePage = nullptr;
   ReplayBar* replayBar = nullptr;
   CineBar* cineBar = nullptr;
   StatusLine* status = nullptr;
@@ -134,6 +140,8 @@ struct MainWindow::Parts {
   QAction* saveRecordingAction = nullptr;
   QAction* scanOnlyAction = nullptr;
   QAction* sourceAction = nullptr;
+  std::vector<QAction*> caliperActions;  ///< as measurement::drawnKinds()
+  QAction* followEdgesAction = nullptr;
   QMenu* recentMenu = nullptr;
   std::string workspace = kExplore;
   struct OwnWorkspace {
@@ -148,6 +156,8 @@ struct MainWindow::Parts {
   std::vector<ToolEntry> tools;
   std::vector<std::unique_ptr<QTranslator>> pluginWords;
   [[nodiscard]] bool isAuthor() const { return workspace == kAuthor; }
+  /// Whether undo and redo mean the calipers: an author's case has edits of its own, so there the calipers must have the keys.
+  [[nodiscard]] bool editsCalipers() const;
   /// Of a plugin, when such a one is in front.
   [[nodiscard]] const sdk::Workspace* ownWorkspace() const;
   [[nodiscard]] bool keepsBody() const { return ownWorkspace() == nullptr || ownWorkspace()->keepsBody; }

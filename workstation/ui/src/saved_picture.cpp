@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "caliper_paint.h"
+#include "caliper_words.h"
 #include "ew/scanning/picture_file.h"
 #include "ew/ui/main_window.h"
 #include "figures.h"
@@ -22,6 +24,7 @@ constexpr int kScale_px = 56;
 constexpr int kFoot_px = 32;    // the warning
 constexpr int kLeast_px = 480;  // the words need as much
 const QColor kWords(150, 150, 150);
+const QColor kMeasured(220, 220, 220);
 
 QString settingsOf(const Session& session) {
   const Knobs& knobs = session.pictureKnobs();
@@ -48,12 +51,30 @@ void paintScale(QPainter& painter, const DisplayGeometry& geometry, const QRect&
   drawFigures(painter, QRect(picture.right() + 24, picture.bottom() - 8, 30, 20), Qt::AlignLeft, MainWindow::tr("cm"));
 }
 
+/// One line each: number, what it is, all results.
+void paintMeasured(QPainter& painter, const Calipers& calipers, const QRect& room) {
+  painter.setFont(smallFont());
+  painter.setPen(kMeasured);
+  int top = room.top();
+  for (const Calipers::Line& line : calipers.lines()) {
+    QString text = QStringLiteral("%1   %2   %3")
+                       .arg(QString::number(line.measurement.number), CaliperWords::nameOf(line.measurement.caliper.kind),
+                            CaliperWords::mainResult(line.measured));
+    if (const QString others = CaliperWords::otherResults(line.measured, QStringLiteral("   ")); !others.isEmpty())
+      text += QStringLiteral("   ") + others;
+    painter.drawText(QRect(room.left(), top, room.width(), kLine_px), Qt::AlignLeft | Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(text, Qt::ElideRight, room.width()));
+    top += kLine_px;
+  }
+}
+
 }  // namespace
 
-QImage savedPicture(const Session& session, const QDateTime& at) {
+QImage savedPicture(const Session& session, const QDateTime& at, const Calipers* calipers) {
   if (!session.subject() || session.picture().isEmpty()) return {};
   const QImage shown = imageOf(session.picture());
-  QImage saved(std::max(kLeast_px, shown.width() + kScale_px), kHead_px + shown.height() + kFoot_px, shown.format());
+  const int measured_px = calipers != nullptr ? kLine_px * static_cast<int>(calipers->lines().size()) : 0;
+  QImage saved(std::max(kLeast_px, shown.width() + kScale_px), kHead_px + shown.height() + measured_px + kFoot_px, shown.format());
   saved.fill(Qt::black);
   const QRect picture((saved.width() - kScale_px - shown.width()) / 2, kHead_px, shown.width(), shown.height());
   QPainter painter(&saved);
@@ -73,13 +94,25 @@ QImage savedPicture(const Session& session, const QDateTime& at) {
   const int pixel_bytes = shown.depth() / 8;
   for (int y = 0; y < shown.height(); ++y)
     std::copy_n(shown.scanLine(y), pixel_bytes * shown.width(), saved.scanLine(kHead_px + y) + pixel_bytes * picture.left());
+  if (measured_px == 0) return saved;
+  const DisplayGeometry& geometry = session.geometry();
+  const auto pixelOf = [&](const glm::dvec2& at_mm) {  // the middle of a pixel
+    return QPointF(picture.left() + 0.5 + geometry.face_px.x + (geometry.markerLeft ? -1.0 : 1.0) * at_mm.x / geometry.pixel_mm,
+                   picture.top() + 0.5 + geometry.face_px.y + (geometry.upsideDown ? -1.0 : 1.0) * at_mm.y / geometry.pixel_mm);
+  };
+  QPainter over(&saved);
+  over.save();
+  over.setClipRect(picture);
+  paintCalipers(over, *calipers, pixelOf, {Qt::white, Qt::white});
+  over.restore();
+  paintMeasured(over, *calipers, QRect(12, kHead_px + shown.height() + 4, saved.width() - 24, measured_px));
   return saved;
 }
 
-Result<void> writeShownPicture(const Session& session, const QDateTime& at, const std::filesystem::path& file) {
+Result<void> writeShownPicture(const Session& session, const QDateTime& at, const std::filesystem::path& file, const Calipers* calipers) {
   const double pixel_mm = session.geometry().pixel_mm;
   if (file.extension() == ".mha") return writePicture(session.picture(), pixel_mm, file);
-  const QImage saved = savedPicture(session, at);
+  const QImage saved = savedPicture(session, at, calipers);
   if (saved.format() == QImage::Format_Grayscale8)
     return writePicture(Picture{{saved.constBits(), saved.width(), saved.height(), saved.bytesPerLine()}}, pixel_mm, file);
   RgbImage colours(saved.width(), saved.height());

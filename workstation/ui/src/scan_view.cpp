@@ -104,6 +104,14 @@ QPointF ScanView::positionOf(const Point<frame::Probe>& at) const {
          scale * QPointF(across * at.at.x, down * at.at.y);
 }
 
+Point<frame::Probe> ScanView::pointAt(const QPointF& position) const {
+  const DisplayGeometry& geometry = session_.geometry();
+  const QPointF pixel =
+      (position - QPointF(pictureRect().topLeft())) * devicePixelRatioF() - QPointF(geometry.face_px.x, geometry.face_px.y);
+  return {{(geometry.markerLeft ? -1.0 : 1.0) * geometry.pixel_mm * pixel.x(),
+           (geometry.upsideDown ? -1.0 : 1.0) * geometry.pixel_mm * pixel.y(), 0.0}};
+}
+
 double ScanView::depthAt_mm(double y) const {
   const double top = yOfDepth(0.0);
   const double perMm = yOfDepth(1.0) - top;

@@ -34,6 +34,8 @@ class ScanView final : public QWidget {
   [[nodiscard]] QSize minimumSizeHint() const override { return {320, 320}; }
   /// Widget position of a point of the probe's image plane, wherever zoom, pan and inversion put it.
   [[nodiscard]] QPointF positionOf(const Point<frame::Probe>& at) const;
+  /// The inverse: the point of the image plane that is shown at a widget position.
+  [[nodiscard]] Point<frame::Probe> pointAt(const QPointF& position) const;
   /// Paints over the image, clipped to it. Not on the strip of the M-mode.
   std::function<void(QPainter&)> paintOver;
   void refreshIcons();

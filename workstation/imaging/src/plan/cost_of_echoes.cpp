@@ -15,12 +15,6 @@ Scene finestScene(Scene scene) {
   return scene;
 }
 
-GreyImage copyOf(const ImageView<const std::uint8_t>& picture) {
-  GreyImage copy(picture.width, picture.height);
-  for (int y = 0; y < picture.height; ++y) std::copy_n(picture.row(y), picture.width, viewOf(copy).row(y));
-  return copy;
-}
-
 }  // namespace
 
 Result<CostOfAccuracy> measureCostOfEchoes(const FrameInput& subject, const Probe& probe, const Knobs& asked, const Scene& scene,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -48,6 +49,13 @@ ImageView<T> viewOf(Image<T>& image) {
 template <class T>
 ImageView<const T> viewOf(const Image<T>& image) {
   return {image.pixels.data(), image.width, image.height, image.width};
+}
+
+template <class T>
+Image<T> copyOf(ImageView<const T> picture) {
+  Image<T> copy(picture.width, picture.height);
+  for (int y = 0; y < picture.height; ++y) std::copy_n(picture.row(y), picture.width, viewOf(copy).row(y));
+  return copy;
 }
 
 using GreyImage = Image<std::uint8_t>;

@@ -33,6 +33,7 @@ class QMenu;
 
 namespace ew::ui {
 
+class Calipers;
 class CaseDocument;
 class CineBar;
 class ConsolePanel;
@@ -83,6 +84,7 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] HandInput& hand();
   [[nodiscard]] ConsolePanel& console();
   [[nodiscard]] Recorder& recorder();
+  [[nodiscard]] Calipers& calipers();
   [[nodiscard]] ReplayBar& replayBar();
   [[nodiscard]] CineBar& cineBar();
 
@@ -114,6 +116,7 @@ class MainWindow final : public QMainWindow {
   void addScanMenu(QMenu& scan);
   void addCineMenu(QMenu& cine);
   void addBreathingMenu(QMenu& breathing);
+  void addMeasureMenu(QMenu& measure);
   void askBreathing(BreathingRequest request);
   void addImageMenu(QMenu& image);
   void addEffectsMenu(QMenu& effects);
@@ -123,6 +126,7 @@ class MainWindow final : public QMainWindow {
   void addHelpMenu(QMenu& help);
   void connectParts();
   void connectSession();   ///< what is scanned, recorded and shown
+  void connectCalipers();  ///< tools, list and undo of what is measured
   void connectDocument();  ///< the case, its edits and the panels of plugins
   void connectPages();
   void connectOpener();

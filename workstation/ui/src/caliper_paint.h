@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QColor>
+#include <QPointF>
+#include <QRect>
+#include <functional>
+
+#include "calipers.h"
+
+class QPainter;
+
+namespace ew::ui {
+
+/// What calipers are painted with. A dark edge lies below every line, so that they are read on bright tissue too.
+struct CaliperColours {
+  QColor line;
+  QColor chosen;  ///< what is selected or being drawn
+};
+
+/// Lines, crosses at the points that can be taken, and numbers. @param pixelOf where a point of the picture's plane lies
+void paintCalipers(QPainter& painter, const Calipers& calipers, const std::function<QPointF(const glm::dvec2&)>& pixelOf,
+                   const CaliperColours& colours);
+
+/// Numbers and results in a column, on a veil, in the upper left corner of `room`; the newest ones where it is too low for all.
+void paintResults(QPainter& painter, const Calipers& calipers, const QRect& room, const CaliperColours& colours);
+
+}  // namespace ew::ui

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <QObject>
+#include <compare>
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "ew/imaging/display.h"
+#include "ew/measurement/caliper_drawing.h"
+
+namespace ew::ui {
+
+class Jobs;
+class Session;
+
+/// The measurements of the picture that stands still: what was drawn on it, and what that measures. They belong to one picture: another
+/// one of the cine loop or of a recording has its own, and they are there again when it is. The scan that goes on, or the recording that is
+/// closed, takes all of them away.
+class Calipers final : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param jobs look for the edges that outlines follow
+  Calipers(Session& session, Jobs& jobs, QObject* parent = nullptr);
+
+  /// Takes a tool into the hand, or puts it down when it is there already. A live image is frozen, what plays is paused.
+  void take(measurement::CaliperKind kind);
+  /// Pauses what plays: a point is set in a picture that stands still.
+  void hold() { Q_EMIT pauseAsked(); }
+  [[nodiscard]] const measurement::CaliperDrawing& drawing() const { return drawing_; }
+  /// The one way to change what is drawn.
+  void change(const std::function<void(measurement::CaliperDrawing&)>& edit);
+
+  /// Whether an outline that is clicked follows the edge it goes around.
+  void setFollowsEdges(bool follows);
+  [[nodiscard]] bool followsEdges() const { return followsEdges_; }
+
+  struct Line {
+    measurement::Measurement measurement;
+    measurement::Measured measured;  ///< without figures: nothing can be measured yet
+  };
+  /// What is drawn, in its order.
+  [[nodiscard]] const std::vector<Line>& lines() const { return lines_; }
+  /// What is being drawn, with the pointer as its next point.
+  [[nodiscard]] const std::optional<Line>& unfinished() const { return unfinished_; }
+  [[nodiscard]] const measurement::UncertaintyAt& uncertainty() const { return uncertaintyAt_; }
+
+ Q_SIGNALS:
+  void changed();
+  void pauseAsked();  ///< of a recording or the cine loop
+  void said(const QString& sentence);
+
+ private:
+  struct Still {
+    bool isPlayed = false;
+    double time_s = 0.0;
+    std::uint64_t number = 0;
+    auto operator<=>(const Still&) const = default;
+  };
+  [[nodiscard]] Still still() const;
+  [[nodiscard]] measurement::CaliperDrawing* drawingOf(const Still& picture);
+  void turnTo(const Still& picture);
+  void look();
+  void forget();
+  void measureAll();
+  void followEdge(int number);
+  [[nodiscard]] measurement::Measured measured(const measurement::Caliper& caliper) const;
+
+  Session& session_;
+  Jobs& jobs_;
+  measurement::CaliperDrawing drawing_;
+  std::optional<Still> of_;                                ///< the picture that is measured
+  std::map<Still, measurement::CaliperDrawing> ofOthers_;  ///< pictures that are not shown now
+  DisplayGeometry geometry_;
+  measurement::UncertaintyAt uncertaintyAt_;
+  std::vector<Line> lines_;
+  std::optional<Line> unfinished_;
+  bool followsEdges_ = false;
+};
+
+}  // namespace ew::ui
