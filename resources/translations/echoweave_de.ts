@@ -8595,12 +8595,26 @@
         <comment>from a smallest to a largest value</comment>
         <translation>%1 bis %2</translation>
     </message>
+    <message>
+        <source> R</source>
+        <comment>right side, behind what was measured</comment>
+        <translation> R</translation>
+    </message>
+    <message>
+        <source> L</source>
+        <comment>left side, behind what was measured</comment>
+        <translation> L</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::Calipers</name>
     <message>
         <source>Calipers measure in the image, not in the strip of the M-mode. Switch to B or B + M (M).</source>
         <translation>Gemessen wird im Bild, nicht im Streifen des M-Modus. Auf B oder B + M umschalten (M).</translation>
+    </message>
+    <message>
+        <source>Following the edge</source>
+        <translation>Der Kante folgen</translation>
     </message>
 </context>
 <context>
@@ -10940,6 +10954,26 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>delete all measurements</source>
         <translation>alle Messungen löschen</translation>
     </message>
+    <message>
+        <source>&amp;Worksheet…</source>
+        <translation>&amp;Arbeitsblatt…</translation>
+    </message>
+    <message>
+        <source>Choose a worksheet on the page of measurements first.</source>
+        <translation>Zuerst auf der Seite der Messungen ein Arbeitsblatt wählen.</translation>
+    </message>
+    <message>
+        <source>Save the worksheet</source>
+        <translation>Arbeitsblatt speichern</translation>
+    </message>
+    <message>
+        <source>Worksheets (*.pdf *.csv *.json)</source>
+        <translation>Arbeitsblätter (*.pdf *.csv *.json)</translation>
+    </message>
+    <message>
+        <source>The worksheet '%1' is not saved.</source>
+        <translation>Das Arbeitsblatt '%1' ist nicht gespeichert.</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::MeasurePage</name>
@@ -11630,6 +11664,178 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Click or drag to another moment (arrows: a second, with Shift five; Home and End)</source>
         <translation>Zu einem anderen Augenblick klicken oder ziehen (Pfeile: eine Sekunde, mit Umschalt fünf; Pos1 und Ende)</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::WorksheetDialog</name>
+    <message>
+        <source>Worksheet</source>
+        <translation>Arbeitsblatt</translation>
+    </message>
+    <message>
+        <source>Simulation, training only: not for diagnosis.</source>
+        <translation>Simulation, nur zur Ausbildung: nicht zur Diagnose.</translation>
+    </message>
+    <message>
+        <source>Remove a value</source>
+        <translation>Einen Wert entfernen</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>As PDF to print, as CSV for tables, as JSON for programs</source>
+        <translation>Als PDF zum Drucken, als CSV für Tabellen, als JSON für Programme</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>32w1d</source>
+        <translation>32w1d</translation>
+    </message>
+    <message>
+        <source>Weeks and days since the last period: 32w1d. Charts and redating need it.</source>
+        <translation>Wochen und Tage seit der letzten Regel: 32w1d. Kurven und Terminkorrektur brauchen es.</translation>
+    </message>
+    <message>
+        <source>Gestational age by dates</source>
+        <translation>Schwangerschaftsalter nach Daten</translation>
+    </message>
+    <message>
+        <source>not answered</source>
+        <translation>nicht beantwortet</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>an item and its side</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Write weeks and days, as 32w1d, from 0w to 45w.</source>
+        <translation>Wochen und Tage schreiben, etwa 32w1d, von 0w bis 45w.</translation>
+    </message>
+    <message>
+        <source>Nothing is entered yet. Choose an item on the page of measurements and measure it in the image.</source>
+        <translation>Noch ist nichts eingetragen. Auf der Seite der Messungen einen Punkt wählen und ihn im Bild messen.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>an item and its value</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <comment>an item, its side and its value</comment>
+        <translation>%1, %2: %3</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::WorksheetList</name>
+    <message>
+        <source>Which worksheet the measurements go to</source>
+        <translation>In welches Arbeitsblatt die Messungen eingehen</translation>
+    </message>
+    <message>
+        <source>Worksheet</source>
+        <translation>Arbeitsblatt</translation>
+    </message>
+    <message>
+        <source>Show worksheet…</source>
+        <translation>Arbeitsblatt zeigen…</translation>
+    </message>
+    <message>
+        <source>Results, usual ranges and charts, answers; save it (Shift+F10)</source>
+        <translation>Ergebnisse, übliche Bereiche und Kurven, Antworten; sichern (Umschalt+F10)</translation>
+    </message>
+    <message>
+        <source>No worksheet</source>
+        <translation>Kein Arbeitsblatt</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>an item and its side</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1
+%2</source>
+        <comment>an item, and where its calipers go</comment>
+        <translation>%1
+%2</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::WorksheetWords</name>
+    <message>
+        <source>Simulation, training only: not for diagnosis.</source>
+        <translation>Simulation, nur zur Ausbildung: nicht zur Diagnose.</translation>
+    </message>
+    <message>
+        <source>Gestational age by dates: %1</source>
+        <translation>Schwangerschaftsalter nach Daten: %1</translation>
+    </message>
+    <message>
+        <source>usual</source>
+        <translation>üblich</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>niedrig</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>hoch</translation>
+    </message>
+    <message>
+        <source>%1 (usual: %2)</source>
+        <comment>verdict and range</comment>
+        <translation>%1 (üblich: %2)</translation>
+    </message>
+    <message>
+        <source>%1 (usual in %3: %2)</source>
+        <comment>verdict, range and whom it is for</comment>
+        <translation>%1 (üblich bei %3: %2)</translation>
+    </message>
+    <message>
+        <source>percentile %1 (%2 to %3), %4</source>
+        <comment>percentile, its range, and the chart</comment>
+        <translation>Perzentile %1 (%2 bis %3), %4</translation>
+    </message>
+    <message>
+        <source>mean of %1</source>
+        <comment>of several values</comment>
+        <translation>Mittel aus %1</translation>
+    </message>
+    <message>
+        <source>by %1</source>
+        <comment>a formula</comment>
+        <translation>nach %1</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <comment>values</comment>
+        <translation>aus %1</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 d</source>
+        <comment>gestational age and days</comment>
+        <translation>%1 ± %2 d</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>what was measured, and its side</comment>
+        <translation>%1, %2</translation>
     </message>
 </context>
 </TS>

@@ -21,6 +21,26 @@ using measurement::Measurement;
 const auto kFollowsSetting = QStringLiteral("calipersFollowEdges");
 constexpr std::size_t kMostClicks = 32;  // of an outline: more were drawn, along the edge already
 
+/// Whether it gives circumference and area.
+bool isOutline(CaliperKind kind) {
+  return kind == CaliperKind::ellipse || kind == CaliperKind::fittedEllipse || kind == CaliperKind::trace;
+}
+
+std::optional<CaliperKind> toolFor(measurement::ItemMeasure measure) {
+  switch (measure) {
+    case measurement::ItemMeasure::distance:
+      return CaliperKind::distance;
+    case measurement::ItemMeasure::circumference:
+      return CaliperKind::ellipse;
+    case measurement::ItemMeasure::area:
+      return CaliperKind::trace;
+    case measurement::ItemMeasure::angle:
+      return CaliperKind::angle;
+    default:
+      return std::nullopt;
+  }
+}
+
 }  // namespace
 
 Calipers::Calipers(Session& session, Jobs& jobs, QObject* parent)
@@ -38,8 +58,18 @@ Calipers::Still Calipers::still() const {
 }
 
 void Calipers::take(CaliperKind kind) {
+  const auto& tool = drawing_.tool();
+  const bool staysFor = tool && (*tool == kind || (isOutline(*tool) && isOutline(kind)));
+  takeInto(kind, staysFor ? drawing_.purpose() : CaliperDrawing::Purpose{});
+}
+
+void Calipers::takeFor(const measurement::PackageItem& item, const std::string& side) {
+  if (const auto kind = toolFor(item.measure)) takeInto(*kind, {item.label, side});
+}
+
+void Calipers::takeInto(CaliperKind kind, const CaliperDrawing::Purpose& asked) {
   if (!session_.subject() || session_.picture().isEmpty()) return;
-  if (drawing_.tool() == kind) {
+  if (drawing_.tool() == kind && drawing_.purpose() == asked) {
     return change([](CaliperDrawing& drawing) {
       while (drawing.tool()) drawing.cancel();
     });
@@ -48,12 +78,16 @@ void Calipers::take(CaliperKind kind) {
     Q_EMIT said(tr("Calipers measure in the image, not in the strip of the M-mode. Switch to B or B + M (M)."));
     return;
   }
+  const CaliperDrawing::Purpose purpose = asked;  // it may be the drawing's own, and the drawing may change
   hold();
   if (!session_.isPlaying()) session_.setFrozen(true);
   of_ = still();
+  if (pictures_.try_emplace(*of_, nextPicture_).second) ++nextPicture_;
   look();
-  change([kind](CaliperDrawing& drawing) { drawing.take(kind); });
+  change([&](CaliperDrawing& drawing) { drawing.take(kind, purpose); });
 }
+
+std::optional<std::uint64_t> Calipers::picture() const { return of_ ? std::optional(pictures_.at(*of_)) : std::nullopt; }
 
 void Calipers::change(const std::function<void(CaliperDrawing&)>& edit) {
   const int next = drawing_.shown().nextNumber;
@@ -112,17 +146,19 @@ CaliperDrawing* Calipers::drawingOf(const Still& picture) {
 
 void Calipers::turnTo(const Still& picture) {
   const auto tool = drawing_.tool();
+  const CaliperDrawing::Purpose purpose = drawing_.purpose();
   const bool wasEmpty = drawing_.isEmpty();
   if (!wasEmpty) ofOthers_.insert_or_assign(*of_, std::move(drawing_));
   const auto known = ofOthers_.extract(picture);
   drawing_ = known ? std::move(known.mapped()) : CaliperDrawing();
-  if (drawing_.tool() != tool) {
+  if (drawing_.tool() != tool || drawing_.purpose() != purpose) {
     if (tool)
-      drawing_.take(*tool);
+      drawing_.take(*tool, purpose);
     else
       while (drawing_.tool()) drawing_.cancel();
   }
   of_ = picture;
+  if (pictures_.try_emplace(picture, nextPicture_).second) ++nextPicture_;
   uncertaintyAt_ = {};
 }
 
@@ -143,6 +179,7 @@ void Calipers::forget() {
   if (!of_) return;
   of_.reset();
   ofOthers_.clear();
+  pictures_.clear();
   uncertaintyAt_ = {};
   drawing_ = CaliperDrawing();
   measureAll();

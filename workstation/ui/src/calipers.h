@@ -5,10 +5,12 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "ew/imaging/display.h"
 #include "ew/measurement/caliper_drawing.h"
+#include "ew/measurement/package.h"
 
 namespace ew::ui {
 
@@ -26,10 +28,15 @@ class Calipers final : public QObject {
   Calipers(Session& session, Jobs& jobs, QObject* parent = nullptr);
 
   /// Takes a tool into the hand, or puts it down when it is there already. A live image is frozen, what plays is paused.
+  /// What an item of a package is measured with it stays for, when another tool is taken that gives the same.
   void take(measurement::CaliperKind kind);
+  /// Takes the tool that an item is usually measured with; what it draws is measured for the item. @param side of a sided one
+  void takeFor(const measurement::PackageItem& item, const std::string& side);
   /// Pauses what plays: a point is set in a picture that stands still.
   void hold() { Q_EMIT pauseAsked(); }
   [[nodiscard]] const measurement::CaliperDrawing& drawing() const { return drawing_; }
+  /// Of the picture that is measured: never the same for two. Empty: none is.
+  [[nodiscard]] std::optional<std::uint64_t> picture() const;
   /// The one way to change what is drawn.
   void change(const std::function<void(measurement::CaliperDrawing&)>& edit);
 
@@ -60,6 +67,7 @@ class Calipers final : public QObject {
     auto operator<=>(const Still&) const = default;
   };
   [[nodiscard]] Still still() const;
+  void takeInto(measurement::CaliperKind kind, const measurement::CaliperDrawing::Purpose& purpose);
   [[nodiscard]] measurement::CaliperDrawing* drawingOf(const Still& picture);
   void turnTo(const Still& picture);
   void look();
@@ -71,6 +79,8 @@ class Calipers final : public QObject {
   Session& session_;
   Jobs& jobs_;
   measurement::CaliperDrawing drawing_;
+  std::map<Still, std::uint64_t> pictures_;  ///< their numbers
+  std::uint64_t nextPicture_ = 1;
   std::optional<Still> of_;                                ///< the picture that is measured
   std::map<Still, measurement::CaliperDrawing> ofOthers_;  ///< pictures that are not shown now
   DisplayGeometry geometry_;

@@ -69,6 +69,10 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), parts_(std::make_
     } else {
       parts_->messages->showError(probes.error());
     }
+    if (auto packages = measurement::readPackages(*resources / "measurements"))
+      parts_->worksheets.setPackages(std::move(*packages));
+    else
+      parts_->messages->showError(packages.error());
     parts_->opener->loadDefaultMannequin();
   }
   showRecent();
@@ -87,9 +91,11 @@ MainWindow::~MainWindow() {
   parts_->panels->disconnect(this);
   parts_->document.disconnect();
   parts_->calipers.disconnect();
+  parts_->worksheets.disconnect();
   parts_->session.disconnect();
   delete parts_->cost;
   delete parts_->source;
+  delete parts_->worksheet;
   delete parts_->stages;
   parts_->stages = nullptr;
   parts_->panels->clear();
@@ -113,7 +119,7 @@ void MainWindow::makeViews() {
   p.scanView = new ScanView(p.session);
   p.console = new ConsolePanel(p.session);
   p.console->setFixedWidth(kConsoleWidth_px);
-  p.measurePage = new MeasurePage(p.calipers);
+  p.measurePage = new MeasurePage(p.calipers, p.worksheets);
   p.console->addPage(p.measurePage, tr("Measure"), tr("Calipers, and what they measured (F10)"));
   p.replayBar = new ReplayBar(p.session);
   p.status = new StatusLine(p.session);
@@ -453,6 +459,7 @@ HandInput& MainWindow::hand() { return parts_->hand; }
 ConsolePanel& MainWindow::console() { return *parts_->console; }
 Recorder& MainWindow::recorder() { return parts_->recorder; }
 Calipers& MainWindow::calipers() { return parts_->calipers; }
+Worksheets& MainWindow::worksheets() { return parts_->worksheets; }
 ReplayBar& MainWindow::replayBar() { return *parts_->replayBar; }
 CineBar& MainWindow::cineBar() { return *parts_->cineBar; }
 

@@ -110,7 +110,7 @@ void MainWindow::showRecent() {
 }
 
 bool MainWindow::mayReplaceShown(const QString& next) {
-  if (!mayLeaveCase(next) || !mayLeaveShownVolume(next) || !mayLeaveRecording(next)) return false;
+  if (!mayLeaveCase(next) || !mayLeaveShownVolume(next) || !mayLeaveRecording(next) || !mayLeaveWorksheet(next)) return false;
   forgetShownVolume();
   closeRecording();
   return true;
@@ -222,7 +222,7 @@ bool MainWindow::mayClose() {
   const std::vector<MadeVolume> unsaved = parts_->made;
   for (const MadeVolume& made : unsaved)
     if (!mayLeaveVolume(made, {})) return false;
-  if (!mayLeaveRecording({}) || !mayLeavePlugins()) return false;
+  if (!mayLeaveRecording({}) || !mayLeaveWorksheet({}) || !mayLeavePlugins()) return false;
   const auto outcome = SavingDialog(parts_->jobs, true, this).wait();
   return outcome == SavingDialog::Outcome::saved || outcome == SavingDialog::Outcome::lose;
 }

@@ -41,6 +41,8 @@
 #include "top_bar.h"
 #include "view3d.h"
 #include "view_columns.h"
+#include "worksheet_dialog.h"
+#include "worksheets.h"
 #include "workspace_panels.h"
 #include "workstation_host.h"
 
@@ -76,6 +78,7 @@ struct MainWindow::Parts {
   HandInput hand{session.hand()};
   Recorder recorder{session};
   Calipers calipers{session, jobs};
+  Worksheets worksheets{session, calipers};
   bool isRecordingSaved = true;  ///< of the replay bar
   struct {
     QString path;
@@ -112,6 +115,7 @@ struct MainWindow::Parts {
   QPointer<ShortcutsOverlay> shortcuts;
   QPointer<CostPanel> cost;
   QPointer<SourceDialog> source;
+  QPointer<WorksheetDialog> worksheet;
 
   QAction* startPageAction = nullptr;
   QAction* undoAction = nullptr;

@@ -58,7 +58,7 @@ void paintMeasured(QPainter& painter, const Calipers& calipers, const QRect& roo
   int top = room.top();
   for (const Calipers::Line& line : calipers.lines()) {
     QString text = QStringLiteral("%1   %2   %3")
-                       .arg(QString::number(line.measurement.number), CaliperWords::nameOf(line.measurement.caliper.kind),
+                       .arg(QString::number(line.measurement.number), CaliperWords::titleOf(line.measurement),
                             CaliperWords::mainResult(line.measured));
     if (const QString others = CaliperWords::otherResults(line.measured, QStringLiteral("   ")); !others.isEmpty())
       text += QStringLiteral("   ") + others;

@@ -34,6 +34,7 @@ class QMenu;
 namespace ew::ui {
 
 class Calipers;
+class Worksheets;
 class CaseDocument;
 class CineBar;
 class ConsolePanel;
@@ -85,6 +86,7 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] ConsolePanel& console();
   [[nodiscard]] Recorder& recorder();
   [[nodiscard]] Calipers& calipers();
+  [[nodiscard]] Worksheets& worksheets();
   [[nodiscard]] ReplayBar& replayBar();
   [[nodiscard]] CineBar& cineBar();
 
@@ -203,6 +205,9 @@ class MainWindow final : public QMainWindow {
   /// Plays what was opened, once what was scanned is shown.
   void takeRecording(const QString& path, std::shared_ptr<const ScanRecording> recording);
   [[nodiscard]] bool mayLeaveRecording(const QString& next);
+  [[nodiscard]] bool mayLeaveWorksheet(const QString& next);
+  void showWorksheet();
+  bool saveWorksheet();
   [[nodiscard]] bool mayLeavePlugins();
   [[nodiscard]] bool mayClose();
   void loadWordsOf(const door::PluginStatus& plugin);
