@@ -1,6 +1,7 @@
 // Calipers on the scan and the worksheets they fill: their menu, and who hears of them.
 #include <QDateTime>
 #include <QMessageBox>
+#include <algorithm>
 
 #include "caliper_words.h"
 #include "main_window_parts.h"
@@ -78,6 +79,9 @@ void MainWindow::showWorksheet() {
     p.worksheet = new WorksheetDialog(p.worksheets, this);
     p.worksheet->setAttribute(Qt::WA_DeleteOnClose);
     connect(p.worksheet, &WorksheetDialog::saveAsked, this, &MainWindow::saveWorksheet);
+    // Beside the scan, over body and case: the calipers must be reached while it is open.
+    const QPoint corner = p.scanView->mapToGlobal(QPoint(0, 0));
+    p.worksheet->move(std::max(mapToGlobal(QPoint(8, 0)).x(), corner.x() - p.worksheet->width() - 8), corner.y() + 8);
   }
   p.worksheet->show();
   p.worksheet->raise();

@@ -26,7 +26,7 @@ using measurement::PackageItem;
 WorksheetDialog::WorksheetDialog(Worksheets& worksheets, QWidget* parent) : QDialog(parent), worksheets_(worksheets) {
   setObjectName(QStringLiteral("worksheetDialog"));
   setWindowTitle(tr("Worksheet"));
-  resize(640, 640);
+  resize(560, 640);
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(16, 16, 16, 16);
   rows->setSpacing(8);
