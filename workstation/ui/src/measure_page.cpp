@@ -142,6 +142,7 @@ void MeasurePage::addTools(QVBoxLayout* rows) {
   rows->addLayout(line);
   follows_ = new QCheckBox(tr("Outlines follow edges"));
   follows_->setObjectName(QStringLiteral("followEdges"));
+  follows_->setAccessibleName(follows_->text());
   follows_->setToolTip(tr("A few clicks around it are enough: the outline is brought to the edge (0)"));
   connect(follows_, &QCheckBox::toggled, &calipers_, &Calipers::setFollowsEdges);
   rows->addWidget(follows_);

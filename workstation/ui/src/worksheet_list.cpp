@@ -50,6 +50,7 @@ WorksheetList::WorksheetList(Worksheets& worksheets, Calipers& calipers, QWidget
   rows->addWidget(items_);
   open_ = new QPushButton(tr("Show worksheet…"));
   open_->setObjectName(QStringLiteral("showWorksheet"));
+  open_->setAccessibleName(open_->text());
   open_->setProperty("compact", true);
   open_->setToolTip(tr("Results, usual ranges and charts, answers; save it (Shift+F10)"));
   rows->addWidget(open_);
