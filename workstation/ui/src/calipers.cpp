@@ -32,11 +32,6 @@ Calipers::Calipers(Session& session, Jobs& jobs, QObject* parent)
   });
 }
 
-Calipers::Still Calipers::still() const {
-  const ScanState& shown = session_.shownState();
-  return {session_.isPlaying(), shown.time_s, shown.number};
-}
-
 void Calipers::take(CaliperKind kind) {
   if (!session_.subject() || session_.picture().isEmpty()) return;
   if (drawing_.tool() == kind) {
