@@ -60,7 +60,7 @@ void compare(const Schema& schema, const Reads& reads, const json& whole, const 
       for (const auto& inner : part.items())
         visit(inner.value(), part.is_array() ? at / std::stoul(inner.key()) : at / inner.key());
   };
-  visit(whole, {});
+  visit(whole, json::json_pointer());
 }
 
 TEST(WordListSchema, AgreesWithTheReader) {
