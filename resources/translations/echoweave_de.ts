@@ -6492,8 +6492,16 @@
         <translation>Der Ordner der Voreinstellungen %1 lässt sich nicht anlegen: %2.</translation>
     </message>
     <message>
-        <source>There is no preset &apos;%1&apos;; &apos;echoweave preset list&apos; lists those there are.</source>
-        <translation>Es gibt keine Voreinstellung &apos;%1&apos;; &apos;echoweave preset list&apos; nennt die vorhandenen.</translation>
+        <source>Of %1 presets %2 cannot be used; correct what is listed.</source>
+        <translation>Von %1 Voreinstellungen sind %2 unbrauchbar; korrigieren Sie, was aufgeführt ist.</translation>
+    </message>
+    <message>
+        <source>0: the probe cannot steer</source>
+        <translation>0: der Schallkopf kann nicht schwenken</translation>
+    </message>
+    <message>
+        <source>an object, the knobs of the console</source>
+        <translation>ein Objekt, die Regler der Konsole</translation>
     </message>
 </context>
 <context>

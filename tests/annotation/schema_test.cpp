@@ -57,8 +57,7 @@ void compare(const Schema& schema, const Reads& reads, const json& whole, const 
       EXPECT_FALSE(reads(more)) << name << ": " << at;
     }
     if (part.is_object() || part.is_array())
-      for (const auto& inner : part.items())
-        visit(inner.value(), part.is_array() ? at / std::stoul(inner.key()) : at / inner.key());
+      for (const auto& inner : part.items()) visit(inner.value(), part.is_array() ? at / std::stoul(inner.key()) : at / inner.key());
   };
   visit(whole, json::json_pointer());
 }

@@ -97,10 +97,12 @@ TEST(WordListReader, SaysWhatIsWrong) {
     return read ? std::string("taken") : read.error().sentence();
   };
   EXPECT_EQ(sentence("/format"_json_pointer, 3), "knee.json has format 3, this program reads up to 1; update EchoWeave.");
-  EXPECT_EQ(sentence("/groups/0/terms/1/en"_json_pointer, "Meniscus"),
-            "'groups[0].terms[1].en' in knee.json is \"Meniscus\"; it must be one line of 1 to 40 bytes that no other term of the list says.");
-  EXPECT_EQ(sentence("/groups/0/terms/0/de"_json_pointer, " MENISKUS"),
-            "'groups[0].terms[0].de' in knee.json is \" MENISKUS\"; it must be one line of 1 to 40 bytes that no other term of the list says.");
+  EXPECT_EQ(
+      sentence("/groups/0/terms/1/en"_json_pointer, "Meniscus"),
+      "'groups[0].terms[1].en' in knee.json is \"Meniscus\"; it must be one line of 1 to 40 bytes that no other term of the list says.");
+  EXPECT_EQ(
+      sentence("/groups/0/terms/0/de"_json_pointer, " MENISKUS"),
+      "'groups[0].terms[0].de' in knee.json is \" MENISKUS\"; it must be one line of 1 to 40 bytes that no other term of the list says.");
   EXPECT_NE(sentence("/groups/0/terms/0/fr"_json_pointer, "MÉNISQUE").find("fr"), std::string::npos);
   EXPECT_NE(sentence("/title/de"_json_pointer, 7).find("'title.de' in knee.json is 7"), std::string::npos);
   EXPECT_NE(sentence("/groups"_json_pointer, json::array()).find("'groups' in knee.json"), std::string::npos);

@@ -242,7 +242,8 @@ class AnnotationsTest : public WindowFixture {
   void theMarkIsMovedHiddenAndPutByHandOnAFrozenImage() {
     auto* view = find<BodyMarkView>("bodyMark");
     scanFrom({0.0, -95.0, -60.0}, 0.0);
-    const QPoint glyph(static_cast<int>(mark().glyph()->place.x * view->width()), static_cast<int>(mark().glyph()->place.y * view->height()));
+    const QPoint glyph(static_cast<int>(mark().glyph()->place.x * view->width()),
+                       static_cast<int>(mark().glyph()->place.y * view->height()));
     const auto followed = *mark().glyph();
     // While the image runs a drag on the probe moves the whole mark: up, into the upper left corner.
     QCOMPARE(view->corner(), 2);
@@ -345,7 +346,8 @@ class AnnotationsTest : public WindowFixture {
         painter.end();
         int bright = 0;
         for (int y = 0; y < side; ++y)
-          bright += static_cast<int>(std::count_if(image.constScanLine(y), image.constScanLine(y) + side, [](uchar grey) { return grey > 120; }));
+          bright +=
+              static_cast<int>(std::count_if(image.constScanLine(y), image.constScanLine(y) + side, [](uchar grey) { return grey > 120; }));
         QVERIFY2(bright >= 2 * side, qPrintable(QString::fromStdString(drawing.string()) + QString::number(bright)));
         QVERIFY2(bright <= side * side / 4, qPrintable(QString::fromStdString(drawing.string()) + QString::number(bright)));
       }
@@ -358,14 +360,22 @@ class AnnotationsTest : public WindowFixture {
     QTest::addColumn<QString>("mannequin");
     QTest::addColumn<double>("highest_mm");
     QTest::addColumn<double>("lowest_mm");
-    QTest::newRow("abdomen") << "abdomen" << "adult" << 20.0 << -380.0;
-    QTest::newRow("trunk") << "trunk" << "adult-arms-up" << 0.0 << -380.0;
-    QTest::newRow("womb") << "womb" << "gravid" << -70.0 << -400.0;
-    QTest::newRow("flank-right") << "flank-right" << "adult-arms-up" << 40.0 << -280.0;
-    QTest::newRow("flank-left") << "flank-left" << "adult-arms-up" << 40.0 << -280.0;
-    QTest::newRow("neck-front") << "neck-front" << "neck-extended" << 300.0 << 220.0;
-    QTest::newRow("neck-right") << "neck-right" << "neck-extended" << 290.0 << 210.0;
-    QTest::newRow("neck-left") << "neck-left" << "neck-extended" << 290.0 << 210.0;
+    QTest::newRow("abdomen") << "abdomen"
+                             << "adult" << 20.0 << -380.0;
+    QTest::newRow("trunk") << "trunk"
+                           << "adult-arms-up" << 0.0 << -380.0;
+    QTest::newRow("womb") << "womb"
+                          << "gravid" << -70.0 << -400.0;
+    QTest::newRow("flank-right") << "flank-right"
+                                 << "adult-arms-up" << 40.0 << -280.0;
+    QTest::newRow("flank-left") << "flank-left"
+                                << "adult-arms-up" << 40.0 << -280.0;
+    QTest::newRow("neck-front") << "neck-front"
+                                << "neck-extended" << 300.0 << 220.0;
+    QTest::newRow("neck-right") << "neck-right"
+                                << "neck-extended" << 290.0 << 210.0;
+    QTest::newRow("neck-left") << "neck-left"
+                               << "neck-extended" << 290.0 << 210.0;
   }
   void outlinesAreThoseOfTheMannequins() {
     QFETCH(QString, id);
@@ -410,7 +420,12 @@ class AnnotationsTest : public WindowFixture {
       while (last > 0.0 && !isLine(row[static_cast<int>(last)])) --last;
       const double half = 0.5 * 2.0 / 128.0;  // the middle of the line
       const double off_mm = read->side_mm * std::max(std::abs(first / kSide + half - left), std::abs((last + 1.0) / kSide - half - right));
-      rows << QStringLiteral("z %1: drawn %2 to %3, body %4 to %5").arg(z).arg(first / kSide + half).arg((last + 1.0) / kSide - half).arg(left).arg(right);
+      rows << QStringLiteral("z %1: drawn %2 to %3, body %4 to %5")
+                  .arg(z)
+                  .arg(first / kSide + half)
+                  .arg((last + 1.0) / kSide - half)
+                  .arg(left)
+                  .arg(right);
       worst_mm = std::max(worst_mm, off_mm);
     }
     QVERIFY2(worst_mm <= 0.025 * read->side_mm, qPrintable(QStringLiteral("%1 mm\n").arg(worst_mm) + rows.join(QLatin1Char('\n'))));

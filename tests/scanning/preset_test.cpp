@@ -159,11 +159,11 @@ TEST(PresetCheck, NamesWhatTheProbeCannotDo) {
   EXPECT_EQ(sentence([](Preset& p) { p.knobs.depth_mm = 300.0; }),
             "'knobs.depth_mm' in the preset mine is 300; it must be a number from 60 to 240.");
   EXPECT_EQ(sentence([](Preset& p) { p.knobs.carrier_hz = 4e6; }),
-            "'knobs.carrier_hz' in the preset mine is 4000000; it must be 0 or one of the probe's frequencies, 2500000, 3500000, 5000000.");
+            "'knobs.carrier_hz' in the preset mine is 4e+06; it must be 0 or one of the probe's frequencies, 2500000, 3500000, 5e+06.");
   EXPECT_EQ(sentence([](Preset& p) { p.knobs.moreFoci_mm[1] = 170.0; }),
             "'knobs.focus_mm' in the preset mine is 170; it must be at most the depth, 160 mm.");
   EXPECT_EQ(sentence([](Preset& p) { p.knobs.steering_rad = 0.1 * std::numbers::pi; }),
-            "'knobs.steering_deg' in the preset mine is 18; it must be a number from 0 to 0.");
+            "'knobs.steering_deg' in the preset mine is 18; it must be 0: the probe cannot steer.");
   EXPECT_EQ(sentence([](Preset& p) {
               p.probe = "linear-12";
               p.knobs.steering_rad = 20.0 / 180.0 * std::numbers::pi;

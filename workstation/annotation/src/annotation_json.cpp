@@ -3,8 +3,8 @@
 #include <set>
 
 #include "ew/annotation/annotation.h"
-#include "ew/core/json_fields.h"
 #include "ew/core/data_file.h"
+#include "ew/core/json_fields.h"
 #include "utf8.h"
 
 namespace ew::annotation {

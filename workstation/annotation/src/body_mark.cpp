@@ -27,8 +27,8 @@ Axes axesOf(MarkView view) {
   return {kLeft, kDown, kBack};
 }
 
-constexpr double kStays = 0.15;              // how much better another mark has to be
-constexpr double kLessOfTheBody_mm = 1e4;    // a decimetre less of the body counts as 0.01, far below that
+constexpr double kStays = 0.15;            // how much better another mark has to be
+constexpr double kLessOfTheBody_mm = 1e4;  // a decimetre less of the body counts as 0.01, far below that
 constexpr double kOpposite = 1e-6;
 
 /// Where `along`, at a right angle to `beam`, points to once the shortest rotation has brought `beam` to `into`; all of unit length.

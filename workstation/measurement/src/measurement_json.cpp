@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "ew/core/json_fields.h"
 #include "ew/core/data_file.h"
+#include "ew/core/json_fields.h"
 #include "ew/measurement/measurement_list.h"
 
 namespace ew::measurement {

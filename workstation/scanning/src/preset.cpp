@@ -77,9 +77,9 @@ class Check {
     for (const double focus_mm : foci)
       if (focus_mm > depth_mm) refuse("focus_mm", textOf(focus_mm), say<"at most the depth, %1 mm">(textOf(depth_mm)));
     const double steering_deg = knobs.steering_rad * 180.0 / std::numbers::pi, most_deg = probe_.maxSteering_rad * 180.0 / std::numbers::pi;
-    if (std::abs(steering_deg) > most_deg + 1e-9) refuse("steering_deg", textOf(steering_deg), rangeText(-most_deg, most_deg));
-    if (knobs.trapezoid && !(probe_.trapezoidHalfAngle_rad > 0.0))
-      refuse("trapezoid", "true", say<"false: the probe cannot fan out">());
+    if (std::abs(steering_deg) > most_deg + 1e-9)
+      refuse("steering_deg", textOf(steering_deg), most_deg > 0.0 ? rangeText(-most_deg, most_deg) : say<"0: the probe cannot steer">());
+    if (knobs.trapezoid && !(probe_.trapezoidHalfAngle_rad > 0.0)) refuse("trapezoid", "true", say<"false: the probe cannot fan out">());
     if (problem_) return passOn(*problem_);
     return {};
   }
@@ -110,6 +110,7 @@ Result<Preset> presetFromJson(const json& document, const std::string& id, const
   preset.measurements = idIn(fields, "measurements");
   preset.source = fields.text("source", "", 0, kLongestSource);
   const JsonFields knobs = fields.object("knobs");
+  if (!fields.has("knobs")) fields.refuse("knobs", say<"an object, the knobs of the console">());
   if (knobs.has("quality")) knobs.refuse("quality", say<"left out: how fast the machine is belongs to no examination">());
   if (reading.problem()) return passOn(*reading.problem());
   auto set = knobsFromJson(document.at("knobs"), say<"the knobs of %1">(where));
@@ -213,7 +214,7 @@ Result<fs::path> saveOwnPreset(const Preset& preset, const fs::path& folder) {
   if (name.empty() || preset.title.english.size() > kLongestTitle)
     return failure(ErrorCode::badField,
                    say<"'%1' cannot be the name of a preset; use 1 to %2 bytes with a letter or a digit among them.">(preset.title.english,
-                                                                                                                     kLongestTitle),
+                                                                                                                      kLongestTitle),
                    {{"field", "title"}, {"found", preset.title.english}});
   std::error_code problem;
   fs::create_directories(folder, problem);

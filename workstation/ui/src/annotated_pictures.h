@@ -49,7 +49,7 @@ class AnnotatedPictures final : public QObject {
 
  Q_SIGNALS:
   void changed();
-  void edited();       ///< by a person, so that undo means this
+  void edited();  ///< by a person, so that undo means this
   void wordsChanged();
   void pauseAsked();  ///< of a recording or the cine loop
   void said(const QString& sentence);

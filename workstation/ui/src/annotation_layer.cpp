@@ -24,9 +24,9 @@ using annotation::AnnotationList;
 using annotation::AnnotationPart;
 
 constexpr double kReach_px = 7.0;
-constexpr double kDrawn_px = 6.0;              // a shorter drag is a click
-const QPointF kUsualArrow_px(34.0, 26.0);      // from the tip to the tail of an arrow that was clicked
-constexpr int kFieldSide_px = 5;               // between the field's edge and its text
+constexpr double kDrawn_px = 6.0;          // a shorter drag is a click
+const QPointF kUsualArrow_px(34.0, 26.0);  // from the tip to the tail of an arrow that was clicked
+constexpr int kFieldSide_px = 5;           // between the field's edge and its text
 
 }  // namespace
 
@@ -163,8 +163,8 @@ void AnnotationLayer::fitField() {
   const int height = field_->sizeHint().height();
   // Where it begins is where the text will; at the right border it is moved so far that it can be read.
   const int left = static_cast<int>(std::lround(fieldAt_.x())) - kFieldSide_px;
-  field_->setGeometry(std::clamp(left, 0, std::max(0, scan_.width() - width)), static_cast<int>(std::lround(fieldAt_.y())) - height / 2, width,
-                      height);
+  field_->setGeometry(std::clamp(left, 0, std::max(0, scan_.width() - width)), static_cast<int>(std::lround(fieldAt_.y())) - height / 2,
+                      width, height);
 }
 
 void AnnotationLayer::complete() {
@@ -350,8 +350,8 @@ void AnnotationLayer::paintEvent(QPaintEvent*) {
   const Theme theme = scanTheme();
   std::vector<annotation::Annotation> shown = pictures_.all();
   if (isWriting() && rewritten_ != 0) std::erase_if(shown, [&](const auto& each) { return each.number == rewritten_; });
-  paintAnnotations(
-      painter, shown, pictures_.selected(), [this](const glm::dvec2& at_mm) { return placeOf(at_mm); }, {theme.text, theme.accent});
+  paintAnnotations(painter, shown, pictures_.selected(), [this](const glm::dvec2& at_mm) { return placeOf(at_mm); },
+                   {theme.text, theme.accent});
   if (drag_ && drag_->number == 0) {
     const QPointF corner(scan_.pictureRect().topLeft());
     paintArrow(painter, drag_->from - corner, drag_->to - corner, theme.accent);

@@ -63,7 +63,7 @@ class AnnotationLayer final : public QWidget {
   QLineEdit* field_ = nullptr;
   QCompleter* completer_ = nullptr;
   QStringListModel* completions_ = nullptr;
-  QPointF fieldAt_;   ///< left end of what is typed, of the scan view
+  QPointF fieldAt_;    ///< left end of what is typed, of the scan view
   int rewritten_ = 0;  ///< text that is written anew; 0: a new one
   struct Drag {
     int number = 0;  ///< 0: an arrow is drawn

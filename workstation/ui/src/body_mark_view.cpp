@@ -25,9 +25,9 @@ BodyMarkView::BodyMarkView(ShownMark& mark, ScanView& scan)
   setObjectName(QStringLiteral("bodyMark"));
   setFixedSize(kMark_px, kMark_px);
   setAccessibleName(tr("Body mark"));
-  setToolTip(
-      tr("Body mark: drag it to another corner. On a frozen image drag the probe on it, turn it with the wheel; a double click lets it follow "
-         "the probe again."));
+  setToolTip(tr(
+      "Body mark: drag it to another corner. On a frozen image drag the probe on it, turn it with the wheel; a double click lets it follow "
+      "the probe again."));
   hide();
   scan.installEventFilter(this);
   connect(&mark_, &ShownMark::changed, this, &BodyMarkView::showOrHide);

@@ -49,7 +49,8 @@ void MainWindow::showRegion() {
   const auto& opened = p.document.current();
   const bool showsCase = opened && p.opener->showsCase();
   const std::string region = showsCase ? opened->region : std::string();
-  const std::string mannequin = showsCase && !opened->mannequin.empty() ? std::filesystem::path(opened->mannequin).stem().string() : "adult";
+  const std::string mannequin =
+      showsCase && !opened->mannequin.empty() ? std::filesystem::path(opened->mannequin).stem().string() : "adult";
   p.annotated.setRegion(region);
   p.bodyMark.setBody({region, mannequin});
 }
@@ -151,7 +152,9 @@ void MainWindow::showPresets(QMenu& menu) {
     return probe != probes.end() ? words(probe->name) : QString::fromStdString(id);
   };
   for (const Preset& preset : own.presets)
-    add(menu, preset.probe == present ? said(preset.title) : tr("%1 (%2)", "a preset and its probe").arg(said(preset.title), nameOf(preset.probe)),
+    add(menu,
+        preset.probe == present ? said(preset.title)
+                                : tr("%1 (%2)", "a preset and its probe").arg(said(preset.title), nameOf(preset.probe)),
         preset);
   menu.addSeparator();
   for (const Probe& probe : probes) {
@@ -184,7 +187,8 @@ void MainWindow::takePreset(const Preset& preset) {
 void MainWindow::savePreset() {
   Parts& p = *parts_;
   bool isWanted = false;
-  const QString title = QInputDialog::getText(this, tr("Save as preset"), tr("Name of the examination:"), QLineEdit::Normal, QString(), &isWanted);
+  const QString title =
+      QInputDialog::getText(this, tr("Save as preset"), tr("Name of the examination:"), QLineEdit::Normal, QString(), &isWanted);
   if (!isWanted) return;
   Preset preset = presetOf(title.trimmed().toStdString(), p.session.pictureProbe(), p.session.pictureKnobs());
   if (const annotation::WordList* list = p.annotated.wordList()) preset.annotations = list->id;

@@ -81,10 +81,10 @@ struct MainWindow::Parts {
   Calipers calipers{session, jobs};
   AnnotatedPictures annotated{session};
   ShownMark bodyMark{session};
-  std::vector<Preset> presets;  ///< of the program
+  std::vector<Preset> presets;         ///< of the program
   measurement::Measurements measured;  ///< as they were when they changed last
   bool undoesAnnotations = false;      ///< they changed after the calipers
-  bool isRecordingSaved = true;  ///< of the replay bar
+  bool isRecordingSaved = true;        ///< of the replay bar
   struct {
     QString path;
     std::shared_ptr<const ScanRecording> recording;

@@ -22,10 +22,10 @@ enum class AnnotationKind {
 };
 [[nodiscard]] std::string_view wordOf(AnnotationKind kind);  ///< in files: "text", "arrow"
 
-inline constexpr double kFarthest_mm = 1e6;         ///< of a coordinate, either way
-inline constexpr std::size_t kLongestText = 200;    ///< bytes
+inline constexpr double kFarthest_mm = 1e6;       ///< of a coordinate, either way
+inline constexpr std::size_t kLongestText = 200;  ///< bytes
 inline constexpr std::size_t kMostAnnotations = 500;
-inline constexpr double kShortestArrow_mm = 0.5;    ///< a shorter one was no drag
+inline constexpr double kShortestArrow_mm = 0.5;  ///< a shorter one was no drag
 
 /// One text or arrow. Places lie in the plane of the picture, as those of calipers do: mm of the probe frame, x lateral, y depth. Thus it
 /// stays at its tissue whatever the size, zoom and orientation of the picture.
@@ -48,8 +48,8 @@ struct Annotations {
 
 inline constexpr int kAnnotationsFormat = 1;  ///< `format` of the JSON below; a larger one is refused with newerFormat
 
-/// {"format": 1, "next_number": 3, "annotations": [{"number", "kind": "text", "at_mm": [x, y], "text"}, {"number", "kind": "arrow", "at_mm",
-/// "tail_mm"}]}
+/// {"format": 1, "next_number": 3, "annotations": [{"number", "kind": "text", "at_mm": [x, y], "text"}, {"number", "kind": "arrow",
+/// "at_mm", "tail_mm"}]}
 [[nodiscard]] nlohmann::json toJson(const Annotations& annotations);
 /// @param where how sentences name the document @error badField (one sentence for each bad field), newerFormat
 [[nodiscard]] Result<Annotations> annotationsFromJson(const nlohmann::json& document, const Message& where);

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "ew/core/data_file.h"
 #include "ew/core/frames.h"
 #include "ew/core/result.h"
-#include "ew/core/data_file.h"
 
 namespace ew::annotation {
 
@@ -37,12 +37,12 @@ struct BodyMark {
   std::string id;  ///< file name without ending: "flank-right"
   Words title;
   MarkView view = MarkView::front;
-  glm::dvec3 centre_mm{0.0};             ///< world: what is in the middle of the drawing; its depth does not count
-  double side_mm = 400.0;                ///< how much of the body the drawing is wide and high
-  std::filesystem::path drawing;         ///< whole path of the SVG file
-  std::vector<MarkVariant> variants;     ///< in the order they are offered, behind the drawing itself
-  std::vector<std::string> regions;      ///< of cases (Case::region) for which it is offered by itself; empty: chosen by hand alone
-  std::vector<std::string> mannequins;   ///< file names without ending of those it was drawn after; empty: any
+  glm::dvec3 centre_mm{0.0};            ///< world: what is in the middle of the drawing; its depth does not count
+  double side_mm = 400.0;               ///< how much of the body the drawing is wide and high
+  std::filesystem::path drawing;        ///< whole path of the SVG file
+  std::vector<MarkVariant> variants;    ///< in the order they are offered, behind the drawing itself
+  std::vector<std::string> regions;     ///< of cases (Case::region) for which it is offered by itself; empty: chosen by hand alone
+  std::vector<std::string> mannequins;  ///< file names without ending of those it was drawn after; empty: any
   bool operator==(const BodyMark&) const = default;
 
   /// The drawing of that variant; the mark's own when it is empty or not known.
@@ -62,7 +62,7 @@ struct BodyMark {
 
 /// A bar for the probe's face with a dot at its marked end.
 struct ProbeGlyph {
-  glm::dvec2 place{0.5};  ///< of the middle of the face: share of the drawing's width and height from its upper left corner
+  glm::dvec2 place{0.5};   ///< of the middle of the face: share of the drawing's width and height from its upper left corner
   double angle_rad = 0.0;  ///< from the middle to the dot: 0 to the right of the drawing, +pi/2 down; above -pi, up to pi
   bool operator==(const ProbeGlyph&) const = default;
 };
@@ -94,14 +94,14 @@ struct MarkedBody {
 /// present one stays until another is clearly better, so that nothing flickers on the outline. Where none shows the probe, the present one
 /// if it is among them, else the first. Null when there is none at all.
 /// @param offered as marksFor gives them @param present id of the mark that is shown; empty: none
-[[nodiscard]] const BodyMark* markFor(const std::vector<const BodyMark*>& offered, const Transform<frame::World, frame::Probe>& probeToWorld,
-                                      std::string_view present = {});
+[[nodiscard]] const BodyMark* markFor(const std::vector<const BodyMark*>& offered,
+                                      const Transform<frame::World, frame::Probe>& probeToWorld, std::string_view present = {});
 
 /// How a person wants the mark of a picture: kept with it.
 struct MarkChoice {
   bool isShown = true;
-  std::string mark;                 ///< id; empty: as markFor says
-  std::string variant;              ///< id; empty: the drawing itself
+  std::string mark;                  ///< id; empty: as markFor says
+  std::string variant;               ///< id; empty: the drawing itself
   std::optional<ProbeGlyph> byHand;  ///< put there by hand; empty: it follows the probe
   bool operator==(const MarkChoice&) const = default;
 };

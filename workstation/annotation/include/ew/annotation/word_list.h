@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ew/core/result.h"
 #include "ew/core/data_file.h"
+#include "ew/core/result.h"
 
 namespace ew::annotation {
 

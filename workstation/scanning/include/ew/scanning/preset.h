@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "ew/core/result.h"
 #include "ew/core/data_file.h"
+#include "ew/core/result.h"
 #include "ew/imaging/knobs.h"
 #include "ew/imaging/probe.h"
 
@@ -17,14 +17,14 @@ inline constexpr int kPresetFormat = 1;  ///< `format` of a preset; a file with 
 /// How the console is set for an examination with a probe: resources/presets/*.json, resources/schemas/preset.schema.json, and files of the
 /// user's own.
 struct Preset {
-  std::string id;             ///< file name without ending: "abdomen-convex-3.5"
-  Words title;                ///< the examination: "Abdomen"; of a user's own both languages say the same
-  std::string probe;          ///< id
-  Knobs knobs;                ///< as they are set; `quality` is the machine's and stays out of it
-  std::string annotations;    ///< id of its word list; empty: that of the case's region
-  std::string bodyMark;       ///< id; empty: the one where the probe is
-  std::string measurements;   ///< id of its measurement package; empty: none
-  std::string source;         ///< why it is set so
+  std::string id;            ///< file name without ending: "abdomen-convex-3.5"
+  Words title;               ///< the examination: "Abdomen"; of a user's own both languages say the same
+  std::string probe;         ///< id
+  Knobs knobs;               ///< as they are set; `quality` is the machine's and stays out of it
+  std::string annotations;   ///< id of its word list; empty: that of the case's region
+  std::string bodyMark;      ///< id; empty: the one where the probe is
+  std::string measurements;  ///< id of its measurement package; empty: none
+  std::string source;        ///< why it is set so
   bool operator==(const Preset&) const = default;
 };
 
