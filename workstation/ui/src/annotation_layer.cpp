@@ -23,7 +23,7 @@ using annotation::AnnotationKind;
 using annotation::AnnotationList;
 using annotation::AnnotationPart;
 
-constexpr double kReach_px = 7.0;
+constexpr double kTakenWithin_px = 7.0;
 constexpr double kDrawn_px = 6.0;          // a shorter drag is a click
 const QPointF kUsualArrow_px(34.0, 26.0);  // from the tip to the tail of an arrow that was clicked
 constexpr int kFieldSide_px = 5;           // between the field's edge and its text
@@ -102,7 +102,7 @@ std::optional<AnnotationFound> AnnotationLayer::foundAt(const QPointF& at) const
   if (pictures_.all().empty() || session_.geometry().pixel_mm <= 0.0) return std::nullopt;
   const double mm = scan_.mmPerWidgetPixel();
   const double alongX = session_.geometry().markerLeft ? -1.0 : 1.0;
-  return annotationNear(pictures_.list().now(), pointAt(at), kReach_px * mm, [&](const annotation::Annotation& text) {
+  return annotationNear(pictures_.list().now(), pointAt(at), kTakenWithin_px * mm, [&](const annotation::Annotation& text) {
     const QSizeF size = annotationSize(text.text);
     return annotation::TextSize{{size.width() * mm, size.height() * mm}, alongX};
   });

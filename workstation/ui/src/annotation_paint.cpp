@@ -11,7 +11,7 @@ namespace ew::ui {
 namespace {
 
 const QColor kTextEdge(0, 0, 0, 200);
-constexpr double kHead_px = 11.0, kHeadHalf_px = 4.5;
+constexpr double kArrowHead_px = 11.0, kArrowHalf_px = 4.5;
 
 void paintText(QPainter& painter, const QPointF& at, const std::string& text, const QColor& colour) {
   const QFontMetricsF metrics(annotationFont());
@@ -39,10 +39,10 @@ void paintArrow(QPainter& painter, const QPointF& tail, const QPointF& tip, cons
   const double length = std::hypot(along.x(), along.y());
   if (!(length > 0.0)) return;
   const QPointF forth = along / length, aside(-forth.y(), forth.x());
-  const QPointF neck = tip - std::min(kHead_px, length) * forth;
+  const QPointF neck = tip - std::min(kArrowHead_px, length) * forth;
   QPainterPath head(tip);
-  head.lineTo(neck + kHeadHalf_px * aside);
-  head.lineTo(neck - kHeadHalf_px * aside);
+  head.lineTo(neck + kArrowHalf_px * aside);
+  head.lineTo(neck - kArrowHalf_px * aside);
   head.closeSubpath();
   painter.setRenderHint(QPainter::Antialiasing);
   for (const bool isEdge : {true, false}) {

@@ -14,7 +14,7 @@ namespace ew::ui {
 namespace {
 
 const auto kCornerSetting = QStringLiteral("bodyMarkCorner");
-constexpr int kMargin_px = 8;
+constexpr int kMarkMargin_px = 8;
 constexpr double kGlyphReach_px = 16.0;
 constexpr double kTurnPerStep_rad = std::numbers::pi / 12.0;  // 15 degrees for a click of the wheel
 
@@ -48,7 +48,7 @@ void BodyMarkView::showOrHide() {
 void BodyMarkView::arrange() {
   if (movedFrom_) return;
   // Beside the sliders and the depth scale, which keep their room.
-  const QRect room = scan_.rect().adjusted(DgcColumn::kWidth_px + kMargin_px, 56, -72, -40 - kMargin_px);
+  const QRect room = scan_.rect().adjusted(DgcColumn::kWidth_px + kMarkMargin_px, 56, -72, -40 - kMarkMargin_px);
   const bool isRight = (corner_ & 1) != 0, isLow = (corner_ & 2) != 0;
   move(isRight ? room.right() - width() : room.left(), isLow ? room.bottom() - height() : room.top());
 }
