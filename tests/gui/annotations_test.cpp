@@ -1,6 +1,8 @@
 // Texts, arrows, body mark and presets in the window, as a person uses them.
+#include <QAbstractItemView>
 #include <QAction>
 #include <QApplication>
+#include <QCursor>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPainter>
@@ -84,6 +86,8 @@ class AnnotationsTest : public WindowFixture {
     qputenv("ECHOWEAVE_PRESETS", files_.path(QStringLiteral("presets")).toUtf8());
     showWindowWithCase(files_.writeCase(QStringLiteral("case")));
     scan().setFocus();
+    QCursor::setPos(window_->mapToGlobal(QPoint(2, 2)));  // a text begins at the pointer when that is over the image
+    QVERIFY(waitUntil([this] { return !scan().underMouse(); }));
   }
   void cleanup() { window_.reset(); }
 
@@ -106,6 +110,34 @@ class AnnotationsTest : public WindowFixture {
     const QPointF there = layer().placeOf(annotated().all()[0].at_mm) + QPointF(picture.topLeft());
     QVERIFY(std::hypot(there.x() - home.x(), there.y() - home.y()) < 1.5);
     QVERIFY(layer().isVisible());
+  }
+
+  void aTextBeginsAtThePointerOverTheImage() {
+    freeze();
+    const QPoint there = scan().pictureRect().center() + QPoint(30, 40);
+    QCursor::setPos(scan().mapToGlobal(there));
+    QVERIFY(waitUntil([this] { return scan().underMouse(); }));
+    pressKey(Qt::Key_T);
+    QTest::keyClicks(&layer().field(), QStringLiteral("CYST"));
+    pressKey(Qt::Key_Return);
+    const QPointF placed = layer().placeOf(annotated().all().at(0).at_mm) + QPointF(scan().pictureRect().topLeft());
+    QVERIFY(std::hypot(placed.x() - there.x(), placed.y() - there.y()) < 2.5);
+  }
+
+  void aWordOfTheListThatIsOfferedIsTakenByKeys() {
+    freeze();
+    pressKey(Qt::Key_T);
+    QTest::keyClicks(&layer().field(), QStringLiteral("port"));
+    auto* popup = qobject_cast<QAbstractItemView*>(QApplication::activePopupWidget());
+    QVERIFY(popup != nullptr);
+    QCOMPARE(popup->model()->index(0, 0).data().toString(), QStringLiteral("PORTAL VEIN"));
+    QTest::keyClick(popup, Qt::Key_Down);
+    QTest::keyClick(popup, Qt::Key_Down);
+    QTest::keyClick(popup, Qt::Key_Return);
+    QCOMPARE(layer().field().text(), QStringLiteral("PORTA HEPATIS"));
+    QVERIFY(layer().isWriting());
+    pressKey(Qt::Key_Return);
+    QCOMPARE(QString::fromStdString(annotated().all().at(0).text), QStringLiteral("PORTA HEPATIS"));
   }
 
   void theKeyTakesTheTransducerWhileTheImageRunsAndWritesOnceItStands() {

@@ -10,6 +10,7 @@
 #include <QStringListModel>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "annotation_paint.h"
 #include "scan_view.h"
@@ -30,13 +31,34 @@ constexpr int kFieldSide_px = 5;           // between the field's edge and its t
 
 }  // namespace
 
+/// While words are offered their list passes keys straight on to the field, past whoever looks at its events.
+class AnnotationField final : public QLineEdit {
+ public:
+  using QLineEdit::QLineEdit;
+  std::function<bool(int key, Qt::KeyboardModifiers modifiers)> onKey;
+
+ protected:
+  bool event(QEvent* event) override {
+    if (event->type() == QEvent::KeyPress) {
+      const auto* pressed = static_cast<QKeyEvent*>(event);
+      if (onKey(pressed->key(), pressed->modifiers())) {
+        event->accept();
+        return true;
+      }
+    }
+    return QLineEdit::event(event);
+  }
+};
+
 AnnotationLayer::AnnotationLayer(Session& session, AnnotatedPictures& pictures, ScanView& scan)
     : QWidget(&scan), session_(session), pictures_(pictures), scan_(scan) {
   setObjectName(QStringLiteral("annotationLayer"));
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setFocusPolicy(Qt::NoFocus);
   setAccessibleName(tr("Texts and arrows on the image"));
-  field_ = new QLineEdit(&scan);
+  auto* field = new AnnotationField(&scan);
+  field->onKey = [this](int key, Qt::KeyboardModifiers modifiers) { return fieldKey(key, modifiers); };
+  field_ = field;
   field_->setObjectName(QStringLiteral("annotationField"));
   field_->setFont(annotationFont());
   field_->setMaxLength(static_cast<int>(annotation::kLongestText));
@@ -50,20 +72,19 @@ AnnotationLayer::AnnotationLayer(Session& session, AnnotatedPictures& pictures, 
   hide();
   scan.installEventFilter(this);
   field_->installEventFilter(this);
-  connect(completer_, QOverload<const QString&>::of(&QCompleter::activated), this, [this](const QString& whole) {
-    field_->setText(whole);
-    fitField();
-  });
+  connect(completer_, QOverload<const QString&>::of(&QCompleter::activated), this, [this](const QString& whole) { take(whole); });
   connect(field_, &QLineEdit::textEdited, this, [this] {
     fitField();
     complete();
   });
-  connect(field_, &QLineEdit::returnPressed, this, [this] { endWriting(true); });
   connect(&session_, &Session::pictureChanged, this, &AnnotationLayer::follow);
   connect(&pictures_, &AnnotatedPictures::changed, this, &AnnotationLayer::showOrHide);
 }
 
-void AnnotationLayer::watch(QWidget* over) { over->installEventFilter(this); }
+void AnnotationLayer::watch(QWidget* over, std::function<bool()> isInUse) {
+  over->installEventFilter(this);
+  isOverInUse_ = std::move(isInUse);
+}
 
 void AnnotationLayer::follow() {
   // What stood still goes on: there is no picture any more that the text would belong to.
@@ -99,7 +120,7 @@ glm::dvec2 AnnotationLayer::pointAt(const QPointF& at) const {
 }
 
 std::optional<AnnotationFound> AnnotationLayer::foundAt(const QPointF& at) const {
-  if (pictures_.all().empty() || session_.geometry().pixel_mm <= 0.0) return std::nullopt;
+  if (pictures_.all().empty() || session_.geometry().pixel_mm <= 0.0 || isOverInUse_()) return std::nullopt;
   const double mm = scan_.mmPerWidgetPixel();
   const double alongX = session_.geometry().markerLeft ? -1.0 : 1.0;
   return annotationNear(pictures_.list().now(), pointAt(at), kTakenWithin_px * mm, [&](const annotation::Annotation& text) {
@@ -230,6 +251,7 @@ bool AnnotationLayer::move(const QPointF& at) {
 
 bool AnnotationLayer::release(const QPointF& at) {
   if (!drag_) return false;
+  if (drag_->number != 0 && at != drag_->to) move(at);
   const Drag drag = *std::exchange(drag_, std::nullopt);
   if (drag.number != 0) return true;
   const QPointF along = at - drag.from;
@@ -263,18 +285,30 @@ bool AnnotationLayer::key(int key) {
   }
 }
 
+void AnnotationLayer::take(const QString& whole) {
+  completions_->setStringList({});
+  completer_->popup()->hide();
+  field_->setText(whole);
+  fitField();
+}
+
 bool AnnotationLayer::fieldKey(int key, Qt::KeyboardModifiers modifiers) {
   switch (key) {
     case Qt::Key_Escape:
       endWriting(false);
       return true;
-    case Qt::Key_Tab:
-      if (completions_->rowCount() == 0) return true;  // the field keeps the focus
-      field_->setText(completions_->stringList().front());
-      completions_->setStringList({});
-      completer_->popup()->hide();
-      fitField();
+    case Qt::Key_Return:
+    case Qt::Key_Enter: {
+      const QModelIndex chosen = completer_->popup()->isVisible() ? completer_->popup()->currentIndex() : QModelIndex();
+      if (chosen.isValid())
+        take(chosen.data().toString());
+      else
+        endWriting(true);
       return true;
+    }
+    case Qt::Key_Tab:
+      if (completions_->rowCount() > 0) take(completions_->stringList().front());
+      return true;  // the field keeps the focus
     case Qt::Key_Home:
       if ((modifiers & Qt::ControlModifier) == 0) return false;
       moveField(homePlace());
@@ -298,9 +332,7 @@ void AnnotationLayer::showCursor(const QPointF& at) {
 bool AnnotationLayer::eventFilter(QObject* watched, QEvent* event) {
   if (watched == field_) {
     if (event->type() == QEvent::FocusOut && !completer_->popup()->isVisible()) endWriting(true);
-    if (event->type() != QEvent::KeyPress) return false;
-    const auto* pressed = static_cast<QKeyEvent*>(event);
-    return fieldKey(pressed->key(), pressed->modifiers());
+    return false;
   }
   auto* widget = static_cast<QWidget*>(watched);
   const auto mouse = [&] {

@@ -2,6 +2,7 @@
 
 #include <QPointF>
 #include <QWidget>
+#include <functional>
 #include <optional>
 
 #include "annotated_pictures.h"
@@ -23,8 +24,8 @@ class AnnotationLayer final : public QWidget {
 
  public:
   AnnotationLayer(Session& session, AnnotatedPictures& pictures, ScanView& scan);
-  /// Whose events are looked at as well; lies over the scan view.
-  void watch(QWidget* over);
+  /// Whose events are looked at as well; lies over the scan view. @param isInUse while it is, a press there means what lies over
+  void watch(QWidget* over, std::function<bool()> isInUse);
 
   /// Begins a text at the pointer when that is over the image, else at the home position; with words of the list, or none yet.
   void write(const QString& words = {});
@@ -47,6 +48,7 @@ class AnnotationLayer final : public QWidget {
   void moveField(const QPointF& at);
   void fitField();
   void complete();
+  void take(const QString& whole);  ///< of the words that are offered
   bool press(const QPointF& at);
   bool move(const QPointF& at);
   bool release(const QPointF& at);
@@ -73,6 +75,7 @@ class AnnotationLayer final : public QWidget {
   };
   std::optional<Drag> drag_;
   bool hasCursor_ = false;
+  std::function<bool()> isOverInUse_ = [] { return false; };
 };
 
 }  // namespace ew::ui

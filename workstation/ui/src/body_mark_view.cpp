@@ -81,7 +81,8 @@ void BodyMarkView::mouseMoveEvent(QMouseEvent* event) {
   }
 }
 
-void BodyMarkView::mouseReleaseEvent(QMouseEvent*) {
+void BodyMarkView::mouseReleaseEvent(QMouseEvent* event) {
+  mouseMoveEvent(event);  // to where it is let go
   unsetCursor();
   movesGlyph_ = false;
   if (!movedFrom_) return;

@@ -186,7 +186,7 @@ void MainWindow::watchViews() {
   p.viewColumns->takeBackPress = [this] { parts_->session.setHold(parts_->beforePress); };
   p.caliperLayer = new CaliperLayer(p.session, p.calipers, *p.scanView);
   p.annotationLayer = new AnnotationLayer(p.session, p.annotated, *p.scanView);
-  p.annotationLayer->watch(p.caliperLayer);  // which lies below it
+  p.annotationLayer->watch(p.caliperLayer, [this] { return parts_->calipers.drawing().tool().has_value(); });
   p.bodyMarkView = new BodyMarkView(p.bodyMark, *p.scanView);
   p.sourcePicker = new SourcePicker(p.session, *p.scanView);  // after the hand: it looks at a click first
   p.opener = new Opener(p.session, p.document, p.jobs, *p.messages, *p.view3d, p.hand, this);

@@ -218,10 +218,16 @@ void MainWindow::connectAnnotations() {
   Parts& p = *parts_;
   connect(&p.annotated, &AnnotatedPictures::changed, this, [this] {
     parts_->arrowAction->setChecked(parts_->annotated.isArrowAtHand());
+    if (parts_->annotated.isArrowAtHand() && parts_->calipers.drawing().tool())  // one tool in the hand
+      parts_->calipers.change([](measurement::CaliperDrawing& drawing) {
+        while (drawing.tool()) drawing.cancel();
+      });
     showHistory();
   });
   connect(&p.annotated, &AnnotatedPictures::edited, this, [this] { parts_->undoesAnnotations = true; });
   connect(&p.calipers, &Calipers::changed, this, [this] {
+    if (parts_->calipers.drawing().tool()) parts_->annotated.putDown();
+    parts_->bodyMarkView->raise();  // the calipers came to lie over it
     const measurement::Measurements& now = parts_->calipers.drawing().shown();
     if (now == parts_->measured) return;
     parts_->measured = now;
