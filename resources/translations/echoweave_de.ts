@@ -11197,16 +11197,16 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Eingefroren: %1</translation>
     </message>
     <message>
-        <source>write on the image, with the words of the region</source>
-        <translation>ins Bild schreiben, mit den Wörtern der Region</translation>
+        <source>write, with words of the region</source>
+        <translation>schreiben, mit Wörtern der Region</translation>
     </message>
     <message>
         <source>freeze and write, draw an arrow</source>
         <translation>einfrieren und schreiben, einen Pfeil zeichnen</translation>
     </message>
     <message>
-        <source>take the first word offered, go to the home position</source>
-        <translation>das erste angebotene Wort nehmen, zur Ausgangsstelle gehen</translation>
+        <source>first word offered, home position</source>
+        <translation>erstes angebotenes Wort, Ausgangsstelle</translation>
     </message>
     <message>
         <source>Drag, double click</source>
