@@ -52,11 +52,6 @@ Calipers::Calipers(Session& session, Jobs& jobs, QObject* parent)
   });
 }
 
-Calipers::Still Calipers::still() const {
-  const ScanState& shown = session_.shownState();
-  return {session_.isPlaying(), shown.time_s, shown.number};
-}
-
 void Calipers::take(CaliperKind kind) {
   const auto& tool = drawing_.tool();
   const bool staysFor = tool && (*tool == kind || (isOutline(*tool) && isOutline(kind)));

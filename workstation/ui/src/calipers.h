@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QObject>
-#include <compare>
 #include <functional>
 #include <map>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "ew/imaging/display.h"
 #include "ew/measurement/caliper_drawing.h"
 #include "ew/measurement/package.h"
+#include "still_picture.h"
 
 namespace ew::ui {
 
@@ -60,13 +60,8 @@ class Calipers final : public QObject {
   void said(const QString& sentence);
 
  private:
-  struct Still {
-    bool isPlayed = false;
-    double time_s = 0.0;
-    std::uint64_t number = 0;
-    auto operator<=>(const Still&) const = default;
-  };
-  [[nodiscard]] Still still() const;
+  using Still = StillPicture;
+  [[nodiscard]] Still still() const { return stillOf(session_); }
   void takeInto(measurement::CaliperKind kind, const measurement::CaliperDrawing::Purpose& purpose);
   [[nodiscard]] measurement::CaliperDrawing* drawingOf(const Still& picture);
   void turnTo(const Still& picture);

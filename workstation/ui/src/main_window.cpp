@@ -73,6 +73,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), parts_(std::make_
       parts_->worksheets.setPackages(std::move(*packages));
     else
       parts_->messages->showError(packages.error());
+    readAnnotationData(*resources);
     parts_->opener->loadDefaultMannequin();
   }
   showRecent();
@@ -92,6 +93,8 @@ MainWindow::~MainWindow() {
   parts_->document.disconnect();
   parts_->calipers.disconnect();
   parts_->worksheets.disconnect();
+  parts_->annotated.disconnect();
+  parts_->bodyMark.disconnect();
   parts_->session.disconnect();
   delete parts_->cost;
   delete parts_->source;
@@ -188,6 +191,9 @@ void MainWindow::watchViews() {
   p.viewColumns->onPress = [this] { parts_->beforePress = parts_->session.hold(); };
   p.viewColumns->takeBackPress = [this] { parts_->session.setHold(parts_->beforePress); };
   p.caliperLayer = new CaliperLayer(p.session, p.calipers, *p.scanView);
+  p.annotationLayer = new AnnotationLayer(p.session, p.annotated, *p.scanView);
+  p.annotationLayer->watch(p.caliperLayer, [this] { return parts_->calipers.drawing().tool().has_value(); });
+  p.bodyMarkView = new BodyMarkView(p.bodyMark, *p.scanView);
   p.sourcePicker = new SourcePicker(p.session, *p.scanView);  // after the hand: it looks at a click first
   p.opener = new Opener(p.session, p.document, p.jobs, *p.messages, *p.view3d, p.hand, this);
   p.host = new WorkstationHost(p.document, p.jobs, p.session, *p.panels, *p.messages, this);
@@ -360,7 +366,12 @@ void MainWindow::showHistory() {
   QString redo = document != nullptr ? words(document->redoText()) : history.canRedo() ? history.redoText() : QString();
   bool canUndo = document != nullptr ? !undo.isEmpty() : history.canUndo();
   bool canRedo = document != nullptr ? !redo.isEmpty() : history.canRedo();
-  if (p.editsCalipers()) {
+  if (p.editsAnnotations()) {
+    canUndo = p.annotated.list().canUndo();
+    canRedo = p.annotated.list().canRedo();
+    undo = canUndo ? tr("writing on the image") : QString();
+    redo = canRedo ? tr("writing on the image") : QString();
+  } else if (p.editsCalipers()) {
     canUndo = p.calipers.drawing().canUndo();
     canRedo = p.calipers.drawing().canRedo();
     undo = canUndo ? tr("measuring") : QString();
@@ -460,6 +471,8 @@ ConsolePanel& MainWindow::console() { return *parts_->console; }
 Recorder& MainWindow::recorder() { return parts_->recorder; }
 Calipers& MainWindow::calipers() { return parts_->calipers; }
 Worksheets& MainWindow::worksheets() { return parts_->worksheets; }
+AnnotatedPictures& MainWindow::annotated() { return parts_->annotated; }
+ShownMark& MainWindow::bodyMark() { return parts_->bodyMark; }
 ReplayBar& MainWindow::replayBar() { return *parts_->replayBar; }
 CineBar& MainWindow::cineBar() { return *parts_->cineBar; }
 

@@ -16,6 +16,7 @@ namespace ew::ui {
 void MainWindow::connectParts() {
   connectSession();
   connectCalipers();
+  connectAnnotations();
   connectDocument();
   connectPages();
   connectOpener();

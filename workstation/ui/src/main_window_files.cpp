@@ -495,7 +495,8 @@ void MainWindow::savePicture() {
                                           {QStringLiteral(".png"), QStringLiteral(".mha")}});
   if (file.isEmpty()) return;
   const auto written = saveTogether({pathOf(file)}, [&](const OutputSet& outputs) {
-    return writeShownPicture(parts_->session, QDateTime::currentDateTime(), outputs.staged(pathOf(file)), &parts_->calipers);
+    return writeShownPicture(parts_->session, QDateTime::currentDateTime(), outputs.staged(pathOf(file)),
+                             {&parts_->calipers, &parts_->annotated, &parts_->bodyMark});
   });
   if (written) {
     parts_->messages->showNote(tr("Saved to %1.").arg(file), kSavingPicture);

@@ -117,7 +117,7 @@ bool MainWindow::mayLeaveWorksheet(const QString& next) {
     QMessageBox question(this);
     question.setObjectName(QStringLiteral("unsavedWorksheetQuestion"));
     question.setIcon(QMessageBox::NoIcon);
-    question.setText(tr("The worksheet '%1' is not saved.").arg(WorksheetWords::of(unsaved->package().title)));
+    question.setText(tr("The worksheet '%1' is not saved.").arg(words(unsaved->package().title)));
     if (!next.isEmpty()) question.setInformativeText(tr("'%1' is ready to be shown in its place.").arg(next));
     question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
     question.setDefaultButton(QMessageBox::Save);

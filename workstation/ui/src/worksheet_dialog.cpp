@@ -13,6 +13,7 @@
 #include <QVariant>
 
 #include "theme.h"
+#include "words.h"
 #include "worksheet_words.h"
 #include "worksheets.h"
 
@@ -68,7 +69,7 @@ WorksheetDialog::WorksheetDialog(Worksheets& worksheets, QWidget* parent) : QDia
 void WorksheetDialog::build() {
   const Package& package = worksheets_.current()->package();
   shownPackage_ = &package;
-  heading_->setText(WorksheetWords::of(package.title));
+  heading_->setText(words(package.title));
   auto* fresh = new QWidget;
   layout()->replaceWidget(questions_, fresh);
   questions_->hide();
@@ -98,11 +99,11 @@ void WorksheetDialog::build() {
       auto* answer = new QComboBox;
       answer->setObjectName(QStringLiteral("worksheetAnswer"));
       answer->addItem(tr("not answered"), QString());
-      for (const auto& [word, title] : item.choices) answer->addItem(WorksheetWords::of(title), QString::fromStdString(word));
-      const QString title = WorksheetWords::of(item.title);
+      for (const auto& [word, title] : item.choices) answer->addItem(words(title), QString::fromStdString(word));
+      const QString title = words(item.title);
       const QString named = *side == 0 ? title : tr("%1, %2", "an item and its side").arg(title, WorksheetWords::sideOf(side));
       answer->setAccessibleName(named);
-      answer->setToolTip(WorksheetWords::of(item.convention));
+      answer->setToolTip(words(item.convention));
       form->addRow(named, answer);
       connect(answer, qOverload<int>(&QComboBox::activated), this, [this, answer, label = item.label, of = std::string(side)] {
         worksheets_.change(
@@ -155,7 +156,7 @@ void WorksheetDialog::showAll() {
   values_->clear();
   for (const Examination::Found& found : examination->found()) {
     const PackageItem* item = examination->package().item(found.entry.label);
-    const QString side = WorksheetWords::sideOf(found.entry.side), title = WorksheetWords::of(item->title);
+    const QString side = WorksheetWords::sideOf(found.entry.side), title = words(item->title);
     const QString value = WorksheetWords::textOf(converted(found.entry.quantity, item->unit));
     values_->addAction(side.isEmpty() ? tr("%1: %2", "an item and its value").arg(title, value)
                                       : tr("%1, %2: %3", "an item, its side and its value").arg(title, side, value),

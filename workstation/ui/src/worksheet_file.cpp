@@ -25,16 +25,15 @@ QByteArray pdfOf(const measurement::Worksheet& sheet, const QString& title, cons
   writer.setPageSize(QPageSize(QPageSize::A4));
   writer.setPageMargins(QMarginsF(18.0, 18.0, 18.0, 18.0), QPageLayout::Millimeter);
   writer.setResolution(kResolution_dpi);
-  writer.setTitle(WorksheetWords::of(sheet.title));
+  writer.setTitle(words(sheet.title));
   writer.setCreator(QStringLiteral("EchoWeave"));
   QTextDocument document;
   QFont font(QStringLiteral("DejaVu Sans"));
   font.setPointSizeF(kText_pt);
   document.setDefaultFont(font);
-  QString html =
-      QStringLiteral("<h2>%1</h2><p>%2<br>%3</p><p><b>%4</b></p>")
-          .arg(WorksheetWords::of(sheet.title).toHtmlEscaped(), title.toHtmlEscaped(), QLocale().toString(at, QLocale::ShortFormat),
-               WorksheetWords::tr("Simulation, training only: not for diagnosis.").toHtmlEscaped());
+  QString html = QStringLiteral("<h2>%1</h2><p>%2<br>%3</p><p><b>%4</b></p>")
+                     .arg(words(sheet.title).toHtmlEscaped(), title.toHtmlEscaped(), QLocale().toString(at, QLocale::ShortFormat),
+                          WorksheetWords::tr("Simulation, training only: not for diagnosis.").toHtmlEscaped());
   if (sheet.gestation_weeks)
     html += QStringLiteral("<p>%1</p>")
                 .arg(WorksheetWords::tr("Gestational age by dates: %1")

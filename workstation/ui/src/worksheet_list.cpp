@@ -10,6 +10,7 @@
 
 #include "calipers.h"
 #include "figures.h"
+#include "words.h"
 #include "worksheet_words.h"
 #include "worksheets.h"
 
@@ -65,8 +66,7 @@ WorksheetList::WorksheetList(Worksheets& worksheets, Calipers& calipers, QWidget
 void WorksheetList::showPackages() {
   choice_->clear();
   choice_->addItem(tr("No worksheet"), QString());
-  for (const auto& package : worksheets_.packages())
-    choice_->addItem(WorksheetWords::of(package->title), QString::fromStdString(package->id));
+  for (const auto& package : worksheets_.packages()) choice_->addItem(words(package->title), QString::fromStdString(package->id));
   showItems();
 }
 
@@ -85,17 +85,16 @@ void WorksheetList::showItems() {
         if (item.measure == ItemMeasure::choice) continue;  // answered in the worksheet
         for (const char* side : item.isSided ? std::vector<const char*>{"right", "left"} : std::vector<const char*>{""}) {
           Entry entry{item.label, side, new QPushButton, new FigureLabel};
-          const QString title = WorksheetWords::of(item.title);
+          const QString title = words(item.title);
           const QString named = *side == 0 ? title : tr("%1, %2", "an item and its side").arg(title, WorksheetWords::sideOf(side));
           entry.button->setObjectName(QStringLiteral("worksheetItem"));
           entry.button->setProperty("listed", true);
           entry.button->setCheckable(true);
           entry.button->setFocusPolicy(Qt::TabFocus);
           entry.button->setAccessibleName(named);
-          entry.button->setToolTip(
-              WorksheetWords::of(item.convention).isEmpty()
-                  ? named
-                  : tr("%1\n%2", "an item, and where its calipers go").arg(named, WorksheetWords::of(item.convention)));
+          entry.button->setToolTip(words(item.convention).isEmpty()
+                                       ? named
+                                       : tr("%1\n%2", "an item, and where its calipers go").arg(named, words(item.convention)));
           auto* line = new QHBoxLayout(entry.button);
           line->setContentsMargins(6, 2, 6, 2);
           auto* name = new QLabel(*side == 0 ? title : tr("%1, %2", "an item and its side").arg(title, WorksheetWords::sideOf(side)));

@@ -29,14 +29,13 @@ QString rangesOf(const WorksheetRow& row) {
     const QString verdict = reading.verdict == RangeVerdict::within  ? WorksheetWords::tr("usual")
                             : reading.verdict == RangeVerdict::below ? WorksheetWords::tr("low")
                                                                      : WorksheetWords::tr("high");
-    const QString whom = WorksheetWords::of(reading.range.applies);
+    const QString whom = words(reading.range.applies);
     all << (whom.isEmpty() ? WorksheetWords::tr("%1 (usual: %2)", "verdict and range").arg(verdict, range)
                            : WorksheetWords::tr("%1 (usual in %3: %2)", "verdict, range and whom it is for").arg(verdict, range, whom));
   }
   for (const auto& chart : row.charts)
     all << WorksheetWords::tr("percentile %1 (%2 to %3), %4", "percentile, its range, and the chart")
-               .arg(figure(chart.percentile, 0), figure(chart.lowPercentile, 0), figure(chart.highPercentile, 0),
-                    WorksheetWords::of(chart.title));
+               .arg(figure(chart.percentile, 0), figure(chart.lowPercentile, 0), figure(chart.highPercentile, 0), words(chart.title));
   return all.join(QStringLiteral("<br>"));
 }
 
@@ -60,7 +59,7 @@ QString originOf(const WorksheetRow& row) {
 }
 
 QString valueOf(const WorksheetRow& row) {
-  if (!row.choice.empty()) return WorksheetWords::of(row.choiceTitle).toHtmlEscaped();
+  if (!row.choice.empty()) return words(row.choiceTitle).toHtmlEscaped();
   if (!row.value) return QStringLiteral("–");
   Quantity value = *row.value;
   value.uncertainty = std::hypot(value.uncertainty, row.predictionError);
@@ -68,8 +67,6 @@ QString valueOf(const WorksheetRow& row) {
 }
 
 }  // namespace
-
-QString WorksheetWords::of(const measurement::Words& words) { return QString::fromStdString(words.in(QLocale().name().toStdString())); }
 
 QString WorksheetWords::sideOf(const std::string& side) { return side == "right" ? tr("right") : side == "left" ? tr("left") : QString(); }
 
@@ -86,9 +83,9 @@ QString WorksheetWords::htmlOf(const Worksheet& sheet, const QString& quiet) {
     return text.isEmpty() ? QString() : QStringLiteral("<span style='color:%1'>%2</span>").arg(quiet, text);
   };
   for (const auto& section : sheet.sections) {
-    html += QStringLiteral("<h3>%1</h3><table width='100%' cellspacing='0' cellpadding='3'>").arg(of(section.title).toHtmlEscaped());
+    html += QStringLiteral("<h3>%1</h3><table width='100%' cellspacing='0' cellpadding='3'>").arg(words(section.title).toHtmlEscaped());
     for (const WorksheetRow& row : section.rows) {
-      QString title = of(row.title).toHtmlEscaped();
+      QString title = words(row.title).toHtmlEscaped();
       if (!row.side.empty()) title = tr("%1, %2", "what was measured, and its side").arg(title, sideOf(row.side));
       const QString below = originOf(row);
       html += QStringLiteral("<tr><td width='46%'>%1%2</td><td width='22%' align='right'><b>%3</b></td><td width='32%'>%4</td></tr>")
@@ -98,7 +95,7 @@ QString WorksheetWords::htmlOf(const Worksheet& sheet, const QString& quiet) {
   }
   if (sheet.redating) html += QStringLiteral("<p>%1</p>").arg(words(sentenceOf(*sheet.redating)).toHtmlEscaped());
   for (const auto& summary : sheet.summaries)
-    html += QStringLiteral("<p><b>%1:</b> %2</p>").arg(of(summary.title).toHtmlEscaped(), of(summary.says).toHtmlEscaped());
+    html += QStringLiteral("<p><b>%1:</b> %2</p>").arg(words(summary.title).toHtmlEscaped(), words(summary.says).toHtmlEscaped());
   return html;
 }
 

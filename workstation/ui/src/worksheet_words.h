@@ -12,8 +12,7 @@ struct WorksheetWords {
   Q_DECLARE_TR_FUNCTIONS(ew::ui::WorksheetWords)
 
  public:
-  [[nodiscard]] static QString of(const measurement::Words& words);
-  /// "BPD", "KIDNEY L right" in the window's language; of a formula too.
+  /// "right" in the window's language; empty of no side.
   [[nodiscard]] static QString sideOf(const std::string& side);
   /// "82.0 ± 0.9 mm", gestational ages as "32w1d ± 5 d".
   [[nodiscard]] static QString textOf(const measurement::Quantity& quantity);

@@ -14,6 +14,7 @@
 
 namespace ew {
 enum class BreathingRequest;
+struct Preset;
 struct ScanRecording;
 struct Thrown;
 }  // namespace ew
@@ -33,6 +34,7 @@ class QMenu;
 
 namespace ew::ui {
 
+class AnnotatedPictures;
 class Calipers;
 class Worksheets;
 class CaseDocument;
@@ -45,6 +47,7 @@ class Recorder;
 class ReplayBar;
 class ScanView;
 class Session;
+class ShownMark;
 class View3D;
 struct MadeVolume;
 
@@ -87,6 +90,8 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] Recorder& recorder();
   [[nodiscard]] Calipers& calipers();
   [[nodiscard]] Worksheets& worksheets();
+  [[nodiscard]] AnnotatedPictures& annotated();
+  [[nodiscard]] ShownMark& bodyMark();
   [[nodiscard]] ReplayBar& replayBar();
   [[nodiscard]] CineBar& cineBar();
 
@@ -119,6 +124,10 @@ class MainWindow final : public QMainWindow {
   void addCineMenu(QMenu& cine);
   void addBreathingMenu(QMenu& breathing);
   void addMeasureMenu(QMenu& measure);
+  void addAnnotateMenu(QMenu& annotate);
+  void addWordMenu(QMenu& menu);
+  void addBodyMarkMenu(QMenu& mark);
+  void addPresetMenu(QMenu& presets);
   void askBreathing(BreathingRequest request);
   void addImageMenu(QMenu& image);
   void addEffectsMenu(QMenu& effects);
@@ -129,6 +138,7 @@ class MainWindow final : public QMainWindow {
   void connectParts();
   void connectSession();   ///< what is scanned, recorded and shown
   void connectCalipers();  ///< tools, list and undo of what is measured
+  void connectAnnotations();
   void connectDocument();  ///< the case, its edits and the panels of plugins
   void connectPages();
   void connectOpener();
@@ -150,6 +160,12 @@ class MainWindow final : public QMainWindow {
   /// Asks for a name and begins to save. @return false: nothing is saved
   bool saveVolume(const MadeVolume& made);
   void savePicture();
+  void readAnnotationData(const std::filesystem::path& resources);  ///< word lists, body marks, presets
+  void showRegion();                                                ///< whose words and body marks are offered
+  void showPresets(QMenu& menu);
+  void takePreset(const Preset& preset);
+  void savePreset();
+  void importPreset();
   void takeMade(const MadeVolume& made);  ///< shows what was just made, or lets it wait
   void showMade(const MadeVolume& made);
   void showWaitingVolume();
