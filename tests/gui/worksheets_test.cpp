@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QTextBrowser>
 #include <QTimer>
@@ -117,6 +118,30 @@ class WorksheetsTest : public WindowFixture {
     measure(itemCalled(QStringLiteral("bile duct")), {{0.0, 20.0}, {0.0, 110.0}});
     QVERIFY(worksheets().current()->of("CBD", "").empty());
     QVERIFY2(window_->scanView().said().contains(QLatin1String("CBD of 90")), qPrintable(window_->scanView().said()));
+  }
+
+  void whatADragMakesImpossibleIsSaidWhenItEndsAndThePointerAloneFillsNothing() {
+    choosePackage("abdomen");
+    QPushButton* duct = itemCalled(QStringLiteral("bile duct"));
+    measure(duct, {{0.0, 20.0}, {0.0, 26.0}});
+    QCOMPARE(worksheets().current()->of("CBD", "").size(), std::size_t{1});
+    int filled = 0;
+    connect(&worksheets(), &Worksheets::changed, this, [&filled] { ++filled; });
+    const auto pixel = [this](const glm::dvec2& at_mm) { return layer().placeOf(at_mm).toPoint(); };
+    for (const double x : {5.0, 10.0, 15.0}) QTest::mouseMove(&layer(), pixel({x, 60.0}));
+    QTest::qWait(20);
+    QCOMPARE(filled, 0);
+    QTest::mousePress(&layer(), Qt::LeftButton, Qt::NoModifier, pixel(calipers().lines()[0].measurement.caliper.parts[0].points[1]));
+    for (const double y : {60.0, 110.0}) {
+      const QPoint to = pixel({0.0, y});
+      QMouseEvent move(QEvent::MouseMove, to, layer().mapToGlobal(to), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+      QApplication::sendEvent(&layer(), &move);
+    }
+    QVERIFY(window_->scanView().said().isEmpty());
+    QVERIFY(worksheets().current()->of("CBD", "").empty());
+    QTest::mouseRelease(&layer(), Qt::LeftButton, Qt::NoModifier, pixel({0.0, 110.0}));
+    QVERIFY2(window_->scanView().said().contains(QLatin1String("CBD of 90")), qPrintable(window_->scanView().said()));
+    disconnect(&worksheets(), nullptr, this, nullptr);
   }
 
   void anOutlineMayTakeTheEllipsesPlace() {

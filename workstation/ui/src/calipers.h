@@ -2,7 +2,6 @@
 
 #include <QObject>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,7 +33,7 @@ class Calipers final : public QObject {
   void takeFor(const measurement::PackageItem& item, const std::string& side);
   /// Pauses what plays: a point is set in a picture that stands still.
   void hold() { Q_EMIT pauseAsked(); }
-  [[nodiscard]] const measurement::CaliperDrawing& drawing() const { return drawing_; }
+  [[nodiscard]] const measurement::CaliperDrawing& drawing() const { return drawn_.now().drawing; }
   /// Of the picture that is measured: never the same for two. Empty: none is.
   [[nodiscard]] std::optional<std::uint64_t> picture() const;
   /// The one way to change what is drawn.
@@ -56,15 +55,19 @@ class Calipers final : public QObject {
 
  Q_SIGNALS:
   void changed();
-  void pauseAsked();  ///< of a recording or the cine loop
+  void linesChanged();  ///< what is drawn, or what it measures: not the pointer's way
+  void pauseAsked();    ///< of a recording or the cine loop
   void said(const QString& sentence);
 
  private:
-  using Still = StillPicture;
-  [[nodiscard]] Still still() const { return stillOf(session_); }
+  struct Drawn {
+    measurement::CaliperDrawing drawing = measurement::CaliperDrawing();
+    std::uint64_t picture = 0;
+  };
   void takeInto(measurement::CaliperKind kind, const measurement::CaliperDrawing::Purpose& purpose);
-  [[nodiscard]] measurement::CaliperDrawing* drawingOf(const Still& picture);
-  void turnTo(const Still& picture);
+  [[nodiscard]] measurement::CaliperDrawing& mine() { return drawn_.now().drawing; }
+  /// The tool stays in the hand.
+  void turnTo(const StillPicture& picture);
   void look();
   void forget();
   void measureAll();
@@ -73,11 +76,8 @@ class Calipers final : public QObject {
 
   Session& session_;
   Jobs& jobs_;
-  measurement::CaliperDrawing drawing_;
-  std::map<Still, std::uint64_t> pictures_;  ///< their numbers
+  OfPictures<Drawn> drawn_;
   std::uint64_t nextPicture_ = 1;
-  std::optional<Still> of_;                                ///< the picture that is measured
-  std::map<Still, measurement::CaliperDrawing> ofOthers_;  ///< pictures that are not shown now
   DisplayGeometry geometry_;
   measurement::UncertaintyAt uncertaintyAt_;
   std::vector<Line> lines_;

@@ -30,6 +30,12 @@ class OfPictures {
   [[nodiscard]] Value& now() { return now_; }
   [[nodiscard]] const Value& now() const { return now_; }
   [[nodiscard]] const std::optional<StillPicture>& picture() const { return of_; }
+  /// Of any picture that had its turn; null when it had none.
+  [[nodiscard]] Value* find(const StillPicture& picture) {
+    if (of_ == picture) return &now_;
+    const auto other = others_.find(picture);
+    return other != others_.end() ? &other->second : nullptr;
+  }
 
   /// False when it is shown already.
   bool turnTo(const StillPicture& picture) {

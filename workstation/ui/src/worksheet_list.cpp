@@ -60,6 +60,7 @@ WorksheetList::WorksheetList(Worksheets& worksheets, Calipers& calipers, QWidget
           [this](int index) { worksheets_.choose(choice_->itemData(index).toString().toStdString()); });
   connect(&worksheets_, &Worksheets::packagesChanged, this, &WorksheetList::showPackages);
   connect(&worksheets_, &Worksheets::changed, this, &WorksheetList::showItems);
+  connect(&calipers_, &Calipers::changed, this, &WorksheetList::showHeld);
   showPackages();
 }
 
@@ -97,7 +98,7 @@ void WorksheetList::showItems() {
                                        : tr("%1\n%2", "an item, and where its calipers go").arg(named, words(item.convention)));
           auto* line = new QHBoxLayout(entry.button);
           line->setContentsMargins(6, 2, 6, 2);
-          auto* name = new QLabel(*side == 0 ? title : tr("%1, %2", "an item and its side").arg(title, WorksheetWords::sideOf(side)));
+          auto* name = new QLabel(named);
           name->setWordWrap(true);
           name->setProperty("small", true);
           for (QLabel* each : {name, entry.value}) each->setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -117,18 +118,24 @@ void WorksheetList::showItems() {
   items_->setVisible(!entries_.empty());
   open_->setVisible(examination != nullptr);
   showValues();
+  showHeld();
 }
 
 void WorksheetList::showValues() {
   const Examination* examination = worksheets_.current();
   if (examination == nullptr) return;
-  const auto& drawing = calipers_.drawing();
   for (const Entry& entry : entries_) {
     const PackageItem* item = examination->package().item(entry.item);
     entry.value->setText(meanOf(examination->of(entry.item, entry.side), item->unit));
-    entry.button->setChecked(drawing.tool() && drawing.purpose().item == entry.item && drawing.purpose().side == entry.side);
     entry.button->setMinimumHeight(entry.button->layout()->heightForWidth(std::max(entry.button->width(), 160)));
   }
+}
+
+/// An item whose caliper is in the hand is checked.
+void WorksheetList::showHeld() {
+  const auto& drawing = calipers_.drawing();
+  for (const Entry& entry : entries_)
+    entry.button->setChecked(drawing.tool() && drawing.purpose().item == entry.item && drawing.purpose().side == entry.side);
 }
 
 }  // namespace ew::ui

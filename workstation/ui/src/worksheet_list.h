@@ -27,6 +27,7 @@ class WorksheetList final : public QWidget {
   void showPackages();
   void showItems();
   void showValues();
+  void showHeld();
 
   Worksheets& worksheets_;
   Calipers& calipers_;

@@ -12,7 +12,8 @@ using measurement::Examination;
 using measurement::Package;
 
 Worksheets::Worksheets(Session& session, Calipers& calipers, QObject* parent) : QObject(parent), calipers_(calipers) {
-  connect(&calipers_, &Calipers::changed, this, &Worksheets::take);
+  connect(&calipers_, &Calipers::linesChanged, this, &Worksheets::take);
+  connect(&calipers_, &Calipers::changed, this, &Worksheets::sayRefused);
   connect(&session, &Session::subjectReplaced, this, &Worksheets::clear);
 }
 
@@ -47,12 +48,15 @@ void Worksheets::take() {
   if (current_ == nullptr) return;
   if (const auto picture = calipers_.picture()) {
     const auto remarks = current_->measuredIn(*picture, calipers_.drawing().shown(), calipers_.uncertainty());
-    // Once for each value, not with every move of the pointer.
-    const QString refused = remarks.empty() ? QString() : words(remarks.back());
-    if (!refused.isEmpty() && refused != refused_ && !calipers_.drawing().isDragging()) Q_EMIT said(refused);
-    if (!calipers_.drawing().isDragging()) refused_ = refused;
+    refused_ = remarks.empty() ? QString() : words(remarks.back());
   }
   Q_EMIT changed();
+}
+
+void Worksheets::sayRefused() {
+  if (calipers_.drawing().isDragging() || refused_ == said_) return;
+  said_ = refused_;
+  if (!said_.isEmpty()) Q_EMIT said(said_);
 }
 
 const Examination* Worksheets::unsaved() const {

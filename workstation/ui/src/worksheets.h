@@ -47,13 +47,16 @@ class Worksheets final : public QObject {
 
  private:
   void take();
+  /// Once for each value, and when a drag has ended.
+  void sayRefused();
 
   Calipers& calipers_;
   std::vector<std::shared_ptr<const measurement::Package>> packages_;
   std::map<std::string, measurement::Examination> examinations_;  ///< by package
   std::map<std::string, measurement::Examination> saved_;
   measurement::Examination* current_ = nullptr;
-  QString refused_;  ///< what was said of a value last
+  QString refused_;  ///< why a value of the picture is not entered; empty: all are
+  QString said_;     ///< of it last
 };
 
 }  // namespace ew::ui
