@@ -63,7 +63,7 @@ QString valueOf(const WorksheetRow& row) {
   if (!row.value) return QStringLiteral("–");
   Quantity value = *row.value;
   value.uncertainty = std::hypot(value.uncertainty, row.predictionError);
-  return WorksheetWords::textOf(value).toHtmlEscaped();
+  return WorksheetWords::textOf(value).replace(QLatin1Char(' '), QChar(QChar::Nbsp)).toHtmlEscaped();  // in one line
 }
 
 }  // namespace
