@@ -1,0 +1,348 @@
+#include "ew/export/outbox.h"
+
+#include <arpa/inet.h>
+#include <signal.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+
+#include <chrono>
+#include <thread>
+
+#include "ew/export/dicom_picture.h"
+#include "ew/export/measurement_report.h"
+#include "ew/imaging/caption.h"
+#include "ew/io/dicom.h"
+#include "export_world.h"
+#include "time_limit.h"
+
+namespace ew::outbox_test {
+namespace {
+using namespace test;
+namespace fs = std::filesystem;
+
+GreyImage pattern(int seed) {
+  GreyImage image(160, 120);
+  for (std::size_t n = 0; n < image.pixels.size(); ++n)
+    image.pixels[n] = static_cast<std::uint8_t>((n * 31 + static_cast<std::size_t>(seed) * 17) % 253);
+  return image;
+}
+
+GreyImage withWords(GreyImage image) {
+  burnCaption(viewOf(image), kNotForDiagnosis);
+  return image;
+}
+
+DicomPictureOptions pictureNumbered(std::uint64_t n) {
+  DicomPictureOptions options;
+  options.instanceUid = dicomUidOf(7, n);
+  options.number = static_cast<int>(n);
+  options.probe.name = "Test probe";
+  options.taken = someStudy().begun;
+  return options;
+}
+
+fs::path writePicture(const fs::path& folder, int n) {
+  const fs::path file = folder / ("picture" + std::to_string(n) + ".dcm");
+  EXPECT_TRUE(succeeded(writeDicomPicture({pattern(n), {}}, pictureNumbered(static_cast<std::uint64_t>(n)), someStudy(), file)));
+  return file;
+}
+
+fs::path writeClip(const fs::path& folder) {
+  DicomClip clip;
+  clip.size_px = {160, 120};
+  clip.times_s = {0.0, 0.04, 0.09};
+  clip.still = [](std::size_t n) -> Result<Still> { return Still{pattern(100 + static_cast<int>(n)), {}}; };
+  EXPECT_TRUE(succeeded(writeDicomClip(clip, pictureNumbered(50), someStudy(), folder / "clip.dcm")));
+  return folder / "clip.dcm";
+}
+
+fs::path writeReport(const fs::path& folder) {
+  using namespace measurement;
+  Worksheet sheet;
+  sheet.package = "abdomen";
+  sheet.title.english = "Abdomen";
+  WorksheetRow row;
+  row.label = "AORTA";
+  row.title.english = "Abdominal aorta, diameter";
+  row.value = Quantity{2.1, 0.1, Unit::cm};
+  sheet.sections.push_back({{"Aorta", "Aorta"}, {row}});
+  MeasurementReportOptions options;
+  options.instanceUid = dicomUidOf(7, 60);
+  options.made = someStudy().begun;
+  EXPECT_TRUE(succeeded(writeMeasurementReport(sheet, options, someStudy(), folder / "report.dcm")));
+  return folder / "report.dcm";
+}
+
+/// A port of this machine that nobody listens at.
+int freePort() {
+  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof(address);
+  EXPECT_EQ(::bind(socket, reinterpret_cast<sockaddr*>(&address), size), 0);
+  EXPECT_EQ(::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size), 0);
+  ::close(socket);
+  return ntohs(address.sin_port);
+}
+
+bool listensAt(int port) {
+  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  address.sin_port = htons(static_cast<std::uint16_t>(port));
+  const bool listens = ::connect(socket, reinterpret_cast<sockaddr*>(&address), sizeof(address)) == 0;
+  ::close(socket);
+  return listens;
+}
+
+/// Debian's Orthanc in a folder of its own; nothing of it stays.
+class Orthanc {
+ public:
+  explicit Orthanc(const fs::path& folder) : folder_(folder), port_(freePort()) {
+    fs::create_directories(folder / "db");
+    const auto text = [](const fs::path& path) { return "\"" + path.string() + "\""; };
+    writeText(folder / "orthanc.json",
+              "{\"Name\": \"test\", \"StorageDirectory\": " + text(folder / "db") + ", \"IndexDirectory\": " + text(folder / "db") +
+                  ", \"HttpServerEnabled\": false, \"DicomPort\": " + std::to_string(port_) +
+                  ", \"DicomAet\": \"ORTHANC\", \"DicomCheckCalledAet\": true, \"DicomAlwaysAllowFind\": true, \"Plugins\": []}");
+  }
+  ~Orthanc() { kill(); }
+  Orthanc(const Orthanc&) = delete;
+  Orthanc& operator=(const Orthanc&) = delete;
+
+  void start() {
+    ASSERT_EQ(process_, 0);
+    process_ = ::fork();
+    if (process_ == 0) {
+      const std::string file = (folder_ / "orthanc.json").string(), log = (folder_ / "log").string();
+      if (std::freopen(log.c_str(), "a", stdout) == nullptr || std::freopen(log.c_str(), "a", stderr) == nullptr) ::_exit(126);
+      ::execl("/usr/sbin/Orthanc", "Orthanc", file.c_str(), nullptr);
+      ::_exit(127);
+    }
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double, std::milli>(kPatience_ms);
+    while (!listensAt(port_)) {
+      ASSERT_LT(std::chrono::steady_clock::now(), end) << "Orthanc does not listen";
+      ASSERT_EQ(::waitpid(process_, nullptr, WNOHANG), 0) << textOf(folder_ / "log");
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  }
+  /// As when the power goes.
+  void kill() {
+    if (process_ == 0) return;
+    ::kill(process_, SIGKILL);
+    ::waitpid(process_, nullptr, 0);
+    process_ = 0;
+  }
+  [[nodiscard]] DicomArchive address() const {
+    DicomArchive archive;
+    archive.host = "127.0.0.1";
+    archive.port = port_;
+    archive.aeTitle = "ORTHANC";
+    return archive;
+  }
+  /// The DICOM files it keeps.
+  [[nodiscard]] std::vector<fs::path> kept() const {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_ / "db"))
+      if (entry.is_regular_file() && isDicom(entry.path())) files.push_back(entry.path());
+    return files;
+  }
+
+ private:
+  fs::path folder_;
+  int port_;
+  pid_t process_ = 0;
+};
+
+/// Acts when the n-th object was sent or asked for.
+class AtReport final : public Progress {
+ public:
+  AtReport(int n, std::function<void()> act) : n_(n), act_(std::move(act)) {}
+  void report(const Message&, double) override {
+    if (--n_ == 0) act_();
+  }
+  [[nodiscard]] bool cancelRequested() const override { return false; }
+
+ private:
+  int n_;
+  std::function<void()> act_;
+};
+
+/// Every object is in the archive once, with its pixels.
+void expectAllThere(const Orthanc& archive, int pictures) {
+  std::vector<std::vector<std::uint8_t>> stills;
+  std::size_t clips = 0, reports = 0;
+  for (const fs::path& file : archive.kept()) {
+    CineOptions whole;
+    whole.region = 0;
+    whole.pixel_mm = glm::dvec2(1.0);
+    const auto cine = readDicomCine(file, whole);
+    if (!cine) {
+      ++reports;
+      continue;
+    }
+    if (cine->sequence.frames.size() == 3) {
+      ++clips;
+      std::vector<std::uint8_t> all;
+      for (int n = 0; n < 3; ++n) {
+        const GreyImage frame = withWords(pattern(100 + n));
+        all.insert(all.end(), frame.pixels.begin(), frame.pixels.end());
+      }
+      EXPECT_EQ(cine->sequence.pixels, all);
+    } else {
+      stills.push_back(cine->sequence.pixels);
+    }
+  }
+  std::vector<std::vector<std::uint8_t>> expected;
+  for (int n = 1; n <= pictures; ++n) expected.push_back(withWords(pattern(n)).pixels);
+  std::sort(stills.begin(), stills.end());
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(stills.size(), expected.size());
+  EXPECT_TRUE(stills == expected);
+  EXPECT_EQ(clips, 1u);
+  EXPECT_EQ(reports, 1u);
+}
+
+TEST(Outbox, KeepsACopyOfEachObjectOnceUntilItIsVerified) {
+  const TemporaryFolder folder;
+  const fs::path first = writePicture(folder.path(), 1), second = writePicture(folder.path(), 2);
+  {
+    auto outbox = Outbox::open(folder / "outbox");
+    ASSERT_TRUE(succeeded(outbox));
+    EXPECT_EQ(outbox->add(first).value(), true);
+    EXPECT_EQ(outbox->add(first).value(), false);
+    EXPECT_EQ(outbox->add(second).value(), true);
+    EXPECT_EQ(textOf(outbox->copyOf(outbox->entries().front())), textOf(first));
+    OutboxEntry sent = outbox->entries().front();
+    sent.status = OutboxStatus::verified;
+    ASSERT_TRUE(succeeded(outbox->keep(sent)));
+    EXPECT_FALSE(fs::exists(outbox->copyOf(sent)));
+  }
+  auto again = Outbox::open(folder / "outbox");
+  ASSERT_TRUE(succeeded(again));
+  EXPECT_EQ(again->count(OutboxStatus::verified), 1u);
+  EXPECT_EQ(again->count(OutboxStatus::waiting), 1u);
+  EXPECT_EQ(again->add(first).value(), false) << "sent already";
+}
+
+TEST(Outbox, FindsACopyWhoseNoteWasNotWrittenAndRemovesOneThatIsDone) {
+  const TemporaryFolder folder;
+  const fs::path first = writePicture(folder.path(), 1);
+  OutboxEntry entry;
+  fs::path copy;
+  {
+    auto outbox = Outbox::open(folder / "outbox");
+    ASSERT_TRUE(succeeded(outbox));
+    ASSERT_TRUE(outbox->add(first).value());
+    entry = outbox->entries().front();
+    copy = outbox->copyOf(entry);
+  }
+  fs::path note = copy;
+  fs::remove(note.replace_extension(".json"));
+  {
+    auto outbox = Outbox::open(folder / "outbox");
+    ASSERT_TRUE(succeeded(outbox));
+    ASSERT_EQ(outbox->entries().size(), 1u);
+    EXPECT_EQ(outbox->entries().front(), entry);
+    OutboxEntry done = entry;
+    done.status = OutboxStatus::verified;
+    ASSERT_TRUE(succeeded(outbox->keep(done)));
+  }
+  fs::copy_file(first, copy);  // as if it had stopped between the note and the removal
+  auto outbox = Outbox::open(folder / "outbox");
+  ASSERT_TRUE(succeeded(outbox));
+  EXPECT_FALSE(fs::exists(copy));
+  EXPECT_EQ(outbox->count(OutboxStatus::verified), 1u);
+}
+
+TEST(Outbox, BelongsToOneProgramAtATimeAndTakesDicomAlone) {
+  const TemporaryFolder folder;
+  auto outbox = Outbox::open(folder / "outbox");
+  ASSERT_TRUE(succeeded(outbox));
+  const auto second = Outbox::open(folder / "outbox");
+  ASSERT_FALSE(second);
+  EXPECT_NE(second.error().sentence().find("Another program"), std::string::npos);
+  writeText(folder / "a.txt", "no picture");
+  EXPECT_FALSE(outbox->add(folder / "a.txt"));
+  EXPECT_FALSE(outbox->add(folder / "missing.dcm"));
+  EXPECT_TRUE(outbox->entries().empty());
+}
+
+TEST(Sending, WithoutAnArchiveWaitsLongerEachTimeAndLosesNothing) {
+  const TemporaryFolder folder;
+  auto outbox = Outbox::open(folder / "outbox");
+  ASSERT_TRUE(succeeded(outbox));
+  ASSERT_TRUE(outbox->add(writePicture(folder.path(), 1)).value());
+  DicomArchive archive;
+  archive.host = "127.0.0.1";
+  archive.port = freePort();
+  archive.aeTitle = "NOBODY";
+  std::vector<double> waits;
+  SendOptions options;
+  options.mostRounds = 5;
+  options.longestWait_s = 3.0;
+  options.wait = [&](double seconds) {
+    waits.push_back(seconds);
+    return true;
+  };
+  const auto result = sendOutbox(*outbox, archive, options);
+  ASSERT_TRUE(succeeded(result));
+  EXPECT_EQ(waits, (std::vector<double>{1.0, 2.0, 3.0, 3.0}));
+  EXPECT_EQ(result->rounds, 5);
+  EXPECT_EQ(result->left, 1u);
+  EXPECT_FALSE(result->problem.empty());
+  archive.aeTitle = "A TITLE WITH BLANKS";
+  EXPECT_FALSE(sendOutbox(*outbox, archive, options));
+}
+
+TEST(Sending, BringsPicturesClipAndReportToARealArchiveOnceEach) {
+  EW_NEEDS_PROGRAM("Orthanc");
+  const TemporaryFolder folder;
+  Orthanc archive(folder / "orthanc");
+  archive.start();
+  auto outbox = Outbox::open(folder / "outbox");
+  ASSERT_TRUE(succeeded(outbox));
+  for (const fs::path& file :
+       {writePicture(folder.path(), 1), writePicture(folder.path(), 2), writeClip(folder.path()), writeReport(folder.path())})
+    ASSERT_TRUE(outbox->add(file).value());
+  SendOptions once;
+  once.mostRounds = 1;
+  const auto result = sendOutbox(*outbox, archive.address(), once);
+  ASSERT_TRUE(succeeded(result));
+  EXPECT_EQ(result->verified, 4u) << result->problem;
+  EXPECT_EQ(result->left, 0u);
+  EXPECT_EQ(outbox->count(OutboxStatus::verified), 4u);
+  expectAllThere(archive, 2);
+}
+
+TEST(Sending, GoesOnWhenTheArchiveIsKilledInTheMiddleAndComesBack) {
+  EW_NEEDS_PROGRAM("Orthanc");
+  const TemporaryFolder folder;
+  for (const int killedAt : {1, 3, 6}) {  // between the first objects, in the middle, while it is asked
+    const fs::path own = folder / std::to_string(killedAt);
+    fs::create_directories(own);
+    Orthanc archive(own / "orthanc");
+    archive.start();
+    auto outbox = Outbox::open(own / "outbox");
+    ASSERT_TRUE(succeeded(outbox));
+    for (const fs::path& file : {writePicture(own, 1), writePicture(own, 2), writePicture(own, 3), writeClip(own), writeReport(own)})
+      ASSERT_TRUE(outbox->add(file).value());
+    AtReport progress(killedAt, [&] { archive.kill(); });
+    SendOptions options;
+    options.wait = [&](double) {
+      archive.start();
+      return true;
+    };
+    const auto result = sendOutbox(*outbox, archive.address(), options, progress);
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_GE(result->rounds, 2);
+    EXPECT_EQ(result->left, 0u) << result->problem;
+    EXPECT_EQ(outbox->count(OutboxStatus::verified), 5u);
+    expectAllThere(archive, 3);
+  }
+}
+
+}  // namespace
+}  // namespace ew::outbox_test

@@ -1,0 +1,197 @@
+#include "ew/export/outbox.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "dicom_elements.h"
+#include "ew/io/safe_file.h"
+
+namespace ew {
+namespace {
+using namespace exporting;
+namespace fs = std::filesystem;
+
+constexpr int kOutboxFormat = 1;
+constexpr OutboxStatus kStatuses[] = {OutboxStatus::waiting, OutboxStatus::stored, OutboxStatus::verified, OutboxStatus::refused};
+
+std::string textIn(DcmItem& item, const DcmTagKey& tag) {
+  OFString text;
+  if (item.findAndGetOFString(tag, text).bad()) return {};
+  return text.c_str();
+}
+
+/// The identifiers of an object; pixels stay on the disk.
+Result<OutboxEntry> entryOf(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return failure(ErrorCode::notFound, say<"%1 is not there; check the name.">(quoted(file)));
+  quietDcmtk();
+  DcmFileFormat dicom;
+  if (const auto read = dicom.loadFile(file.c_str()); read.bad())
+    return failure(ErrorCode::badHeader,
+                   say<"%1 is no DICOM file that can be read (%2); only such files can be sent.">(quoted(file), verbatim(read.text())));
+  DcmItem& data = *dicom.getDataset();
+  OutboxEntry entry;
+  entry.object = {textIn(data, DCM_SOPClassUID), textIn(data, DCM_SOPInstanceUID)};
+  entry.studyUid = textIn(data, DCM_StudyInstanceUID);
+  entry.seriesUid = textIn(data, DCM_SeriesInstanceUID);
+  for (const std::string& uid : {entry.object.classUid, entry.object.instanceUid, entry.studyUid, entry.seriesUid})
+    if (!isDicomUid(uid))
+      return failure(ErrorCode::badHeader,
+                     say<"%1 lacks an identifier that archives need; only whole DICOM objects can be sent.">(quoted(file)));
+  return entry;
+}
+
+nlohmann::ordered_json jsonOf(const OutboxEntry& entry) {
+  return {{"format", kOutboxFormat},    {"class", entry.object.classUid}, {"instance", entry.object.instanceUid},
+          {"study", entry.studyUid},    {"series", entry.seriesUid},      {"status", wordOf(entry.status)},
+          {"attempts", entry.attempts}, {"problem", entry.problem}};
+}
+
+Result<OutboxEntry> readNote(const fs::path& file) {
+  const auto text = readTextFile(file, 1U << 20);
+  if (!text) return passOn(text.error());
+  const auto unusable = [&] {
+    return failure(ErrorCode::badField, say<"%1 is no note of an outbox; move it away, and its object is sent again.">(quoted(file)));
+  };
+  const auto json = nlohmann::json::parse(*text, nullptr, false);
+  if (!json.is_object()) return unusable();
+  if (json.value("format", 0) > kOutboxFormat)
+    return failure(ErrorCode::newerFormat, say<"%1 was written by a newer version of EchoWeave; send with that one.">(quoted(file)));
+  const auto word = [&](const char* name) {
+    const auto at = json.find(name);
+    return at != json.end() && at->is_string() ? at->get<std::string>() : std::string();
+  };
+  OutboxEntry entry;
+  entry.object = {word("class"), word("instance")};
+  entry.studyUid = word("study");
+  entry.seriesUid = word("series");
+  entry.problem = word("problem");
+  if (const auto at = json.find("attempts"); at != json.end() && at->is_number_integer()) entry.attempts = at->get<int>();
+  const auto* const status =
+      std::find_if(std::begin(kStatuses), std::end(kStatuses), [&](OutboxStatus each) { return wordOf(each) == word("status"); });
+  if (status == std::end(kStatuses) || !isDicomUid(entry.object.instanceUid) || file.stem() != entry.object.instanceUid) return unusable();
+  entry.status = *status;
+  return entry;
+}
+
+}  // namespace
+
+std::string_view wordOf(OutboxStatus status) {
+  switch (status) {
+    case OutboxStatus::waiting:
+      return "waiting";
+    case OutboxStatus::stored:
+      return "stored";
+    case OutboxStatus::verified:
+      return "verified";
+    case OutboxStatus::refused:
+      return "refused";
+  }
+  return "";
+}
+
+struct Outbox::Parts {
+  fs::path folder;
+  int lock = -1;
+  std::vector<OutboxEntry> entries;
+
+  ~Parts() {
+    if (lock >= 0) ::close(lock);  // gives the lock back
+  }
+  OutboxEntry* find(const std::string& instanceUid) {
+    const auto at =
+        std::find_if(entries.begin(), entries.end(), [&](const OutboxEntry& entry) { return entry.object.instanceUid == instanceUid; });
+    return at == entries.end() ? nullptr : &*at;
+  }
+  [[nodiscard]] fs::path noteOf(const std::string& instanceUid) const { return folder / (instanceUid + ".json"); }
+};
+
+Outbox::Outbox(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Outbox::~Outbox() = default;
+Outbox::Outbox(Outbox&&) noexcept = default;
+Outbox& Outbox::operator=(Outbox&&) noexcept = default;
+
+Result<Outbox> Outbox::open(const fs::path& folder) {
+  std::error_code problem;
+  fs::create_directories(folder, problem);
+  auto parts = std::make_unique<Parts>();
+  parts->folder = folder;
+  parts->lock = ::open((folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  if (parts->lock < 0)
+    return failure(ErrorCode::notWritable, say<"The outbox %1 cannot be written; check the folder and its permissions.">(quoted(folder)));
+  if (::flock(parts->lock, LOCK_EX | LOCK_NB) != 0)
+    return failure(ErrorCode::notWritable,
+                   say<"Another program is sending from the outbox %1; wait until it has finished.">(quoted(folder)));
+  std::map<std::string, OutboxEntry> entries;
+  std::vector<fs::path> copies;
+  for (const auto& each : fs::directory_iterator(folder, problem)) {
+    if (each.path().extension() == ".dcm") copies.push_back(each.path());
+    if (each.path().extension() != ".json") continue;
+    auto note = readNote(each.path());
+    if (!note) return passOn(note.error());
+    entries.emplace(note->object.instanceUid, std::move(*note));
+  }
+  for (const fs::path& copy : copies) {
+    if (const auto known = entries.find(copy.stem().string()); known != entries.end()) {
+      if (known->second.status == OutboxStatus::verified) fs::remove(copy, problem);  // stopped between note and removal
+      continue;
+    }
+    auto entry = entryOf(copy);  // stopped between copy and note
+    if (!entry) return passOn(entry.error());
+    entries.emplace(entry->object.instanceUid, std::move(*entry));
+  }
+  for (auto& [uid, entry] : entries) parts->entries.push_back(std::move(entry));
+  return Outbox(std::move(parts));
+}
+
+Result<bool> Outbox::add(const fs::path& file) {
+  auto entry = entryOf(file);
+  if (!entry) return passOn(entry.error());
+  if (parts_->find(entry->object.instanceUid) != nullptr) return false;
+  const auto copied = writeFileSafely(copyOf(*entry), [&](std::ostream& out) -> Result<void> {
+    std::ifstream in(file, std::ios::binary);
+    out << in.rdbuf();
+    if (!in) return failure(ErrorCode::notReadable, say<"%1 cannot be read; check its permissions.">(quoted(file)));
+    return {};
+  });
+  if (!copied) return passOn(copied.error());
+  const auto after = std::find_if(parts_->entries.begin(), parts_->entries.end(),
+                                  [&](const OutboxEntry& each) { return each.object.instanceUid > entry->object.instanceUid; });
+  parts_->entries.insert(after, *entry);
+  if (auto kept = keep(*entry); !kept) return passOn(kept.error());
+  return true;
+}
+
+const std::vector<OutboxEntry>& Outbox::entries() const { return parts_->entries; }
+
+std::size_t Outbox::count(OutboxStatus status) const {
+  return static_cast<std::size_t>(
+      std::count_if(parts_->entries.begin(), parts_->entries.end(), [&](const OutboxEntry& entry) { return entry.status == status; }));
+}
+
+fs::path Outbox::copyOf(const OutboxEntry& entry) const { return parts_->folder / (entry.object.instanceUid + ".dcm"); }
+
+Result<void> Outbox::keep(const OutboxEntry& entry) {
+  if (auto written = writeFileSafely(parts_->noteOf(entry.object.instanceUid), jsonOf(entry).dump(2) + "\n"); !written) return written;
+  if (OutboxEntry* known = parts_->find(entry.object.instanceUid)) *known = entry;
+  std::error_code ignored;
+  if (entry.status == OutboxStatus::verified) fs::remove(copyOf(entry), ignored);
+  return {};
+}
+
+Result<void> Outbox::retryRefused() {
+  for (OutboxEntry entry : std::vector<OutboxEntry>(parts_->entries)) {
+    if (entry.status != OutboxStatus::refused) continue;
+    entry.status = OutboxStatus::waiting;
+    if (auto kept = keep(entry); !kept) return kept;
+  }
+  return {};
+}
+
+}  // namespace ew

@@ -1,0 +1,210 @@
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <thread>
+
+#include "dicom_elements.h"
+// after DCMTK's configuration
+#include <dcmtk/dcmnet/diutil.h>
+#include <dcmtk/dcmnet/scu.h>
+
+#include "ew/core/contract.h"
+#include "ew/export/outbox.h"
+
+namespace ew {
+namespace {
+using namespace exporting;
+
+constexpr const char* kFindClass = "1.2.840.10008.5.1.4.1.2.2.1";  // Study Root Query/Retrieve Information Model - FIND
+
+bool isTitle(const std::string& title) {
+  return !title.empty() && title.size() <= 16 &&
+         std::all_of(title.begin(), title.end(), [](char c) { return c > 0x20 && c < 0x7F && c != '\\'; });
+}
+
+Result<void> check(const DicomArchive& archive) {
+  for (const std::string& title : {archive.aeTitle, archive.ownAeTitle})
+    if (!isTitle(title))
+      return failure(ErrorCode::badField, say<"'%1' is no title of a DICOM application; it has 1 to 16 letters without blanks.">(title));
+  if (archive.host.empty() || archive.port < 1 || archive.port > 65535)
+    return failure(ErrorCode::badField, say<"The archive needs a host and a port from 1 to 65535.">());
+  return {};
+}
+
+/// One connection.
+class Round {
+ public:
+  Round(Outbox& outbox, const DicomArchive& archive, SendResult& result, Progress& progress)
+      : outbox_(outbox), archive_(archive), result_(result), progress_(progress) {}
+
+  /// @error notWritable, cancelled; what went wrong on the network stands in the result
+  Result<void> run() {
+    result_.problem = {};
+    if (!connect()) return {};
+    for (OutboxEntry entry : std::vector<OutboxEntry>(outbox_.entries())) {
+      if (entry.status != OutboxStatus::waiting) continue;
+      if (progress_.cancelRequested()) return stopped();
+      if (auto sent = send(entry); !sent) return sent;
+      if (isBroken_) return {};
+      progress_.report(say<"Sending to the archive">(), share());
+    }
+    for (OutboxEntry entry : std::vector<OutboxEntry>(outbox_.entries())) {
+      if (entry.status != OutboxStatus::stored) continue;
+      if (progress_.cancelRequested()) return stopped();
+      if (auto asked = ask(entry); !asked) return asked;
+      if (isBroken_) return {};
+      progress_.report(say<"Asking the archive">(), share());
+    }
+    scu_.releaseAssociation();
+    return {};
+  }
+
+ private:
+  Result<void> stopped() {
+    scu_.abortAssociation();
+    return failure(ErrorCode::cancelled, say<"Stopped as asked; what was not sent yet stays in the outbox.">());
+  }
+  [[nodiscard]] double share() const {
+    const std::size_t all = outbox_.entries().size();
+    return all == 0 ? 1.0 : static_cast<double>(outbox_.count(OutboxStatus::verified)) / static_cast<double>(all);
+  }
+  void fails(const OFCondition& condition) {
+    isBroken_ = true;
+    result_.problem = say<"The archive %1 at %2 port %3 does not answer as it should (%4).">(archive_.aeTitle, archive_.host, archive_.port,
+                                                                                             verbatim(condition.text()));
+  }
+  bool connect() {
+    scu_.setAETitle(archive_.ownAeTitle.c_str());
+    scu_.setPeerAETitle(archive_.aeTitle.c_str());
+    scu_.setPeerHostName(archive_.host.c_str());
+    scu_.setPeerPort(static_cast<Uint16>(archive_.port));
+    const auto timeout_s = static_cast<Uint32>(std::max(1.0, archive_.timeout_s));
+    scu_.setACSETimeout(timeout_s);
+    scu_.setDIMSETimeout(timeout_s);
+    scu_.setDIMSEBlockingMode(DIMSE_NONBLOCKING);
+    scu_.setConnectionTimeout(static_cast<Sint32>(timeout_s));
+    OFList<OFString> syntaxes;
+    syntaxes.push_back(UID_LittleEndianExplicitTransferSyntax);
+    std::set<std::string> classes{kFindClass};
+    for (const OutboxEntry& entry : outbox_.entries())
+      if (entry.status == OutboxStatus::waiting) classes.insert(entry.object.classUid);
+    for (const std::string& each : classes) scu_.addPresentationContext(each.c_str(), syntaxes);
+    OFCondition status = scu_.initNetwork();
+    if (status.good()) status = scu_.negotiateAssociation();
+    if (status.bad()) fails(status);
+    return status.good();
+  }
+  Result<void> refuse(OutboxEntry& entry, const std::string& why) {
+    entry.status = OutboxStatus::refused;
+    entry.problem = why;
+    ++result_.refused;
+    return outbox_.keep(entry);
+  }
+  Result<void> send(OutboxEntry& entry) {
+    ++entry.attempts;
+    if (scu_.findPresentationContextID(entry.object.classUid.c_str(), UID_LittleEndianExplicitTransferSyntax) == 0)
+      return refuse(entry, "the archive does not take objects of this kind");
+    Uint16 answer = 0xC000;
+    const OFCondition status = scu_.sendSTORERequest(0, OFFilename(outbox_.copyOf(entry).c_str()), nullptr, answer);
+    if (status.bad()) {
+      fails(status);
+      entry.problem = status.text();
+      return outbox_.keep(entry);
+    }
+    if (answer == 0 || (answer & 0xF000U) == 0xB000U) {  // stored, perhaps with a warning (PS3.4, B.2.3)
+      entry.status = OutboxStatus::stored;
+      entry.problem.clear();
+      return outbox_.keep(entry);
+    }
+    if ((answer & 0xFF00U) == 0xA700U) {  // out of resources: another time
+      entry.problem = DU_cstoreStatusString(answer);
+      result_.problem = say<"The archive %1 has no room now (%2).">(archive_.aeTitle, verbatim(entry.problem));
+      return outbox_.keep(entry);
+    }
+    return refuse(entry, DU_cstoreStatusString(answer));
+  }
+  Result<void> ask(OutboxEntry& entry) {
+    const auto context = scu_.findPresentationContextID(kFindClass, UID_LittleEndianExplicitTransferSyntax);
+    if (context == 0) {
+      result_.problem = say<"The archive %1 cannot be asked what it has; what it said it stored is kept in the outbox.">(archive_.aeTitle);
+      return {};
+    }
+    DcmDataset query;
+    Elements elements(query);
+    elements.text(DCM_QueryRetrieveLevel, "IMAGE");
+    elements.text(DCM_StudyInstanceUID, entry.studyUid);
+    elements.text(DCM_SeriesInstanceUID, entry.seriesUid);
+    elements.text(DCM_SOPInstanceUID, entry.object.instanceUid);
+    if (auto put = elements.check(); !put) return put;
+    OFList<QRResponse*> responses;
+    const OFCondition status = scu_.sendFINDRequest(context, &query, &responses);
+    bool isThere = false, isWhole = false;
+    for (QRResponse* response : responses) {
+      OFString found;
+      if (response->m_dataset != nullptr && response->m_dataset->findAndGetOFString(DCM_SOPInstanceUID, found).good() &&
+          found == entry.object.instanceUid.c_str())
+        isThere = true;
+      isWhole = isWhole || response->m_status == STATUS_Success;
+      delete response;
+    }
+    if (status.bad()) {
+      fails(status);
+      return {};
+    }
+    if (isThere) {
+      entry.status = OutboxStatus::verified;
+      entry.problem.clear();
+      ++result_.verified;
+      return outbox_.keep(entry);
+    }
+    if (!isWhole) {
+      result_.problem = say<"The archive %1 did not say whether it has every object.">(archive_.aeTitle);
+      return {};
+    }
+    entry.status = OutboxStatus::waiting;
+    entry.problem = "the archive did not find it afterwards";
+    result_.problem = say<"The archive %1 did not find every object that it had stored.">(archive_.aeTitle);
+    return outbox_.keep(entry);
+  }
+
+  Outbox& outbox_;
+  const DicomArchive& archive_;
+  SendResult& result_;
+  Progress& progress_;
+  DcmSCU scu_;
+  bool isBroken_ = false;
+};
+
+/// Sleeps in pieces, so that whoever cancels does not wait. @return whether to go on
+bool sleepFor(double seconds, const Progress& progress) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  while (std::chrono::steady_clock::now() < end) {
+    if (progress.cancelRequested()) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  return !progress.cancelRequested();
+}
+
+}  // namespace
+
+Result<SendResult> sendOutbox(Outbox& outbox, const DicomArchive& archive, const SendOptions& options, Progress& progress) {
+  EW_EXPECTS(options.mostRounds >= 1 && options.firstWait_s >= 0.0);
+  if (auto good = check(archive); !good) return passOn(good.error());
+  quietDcmtk();
+  SendResult result;
+  const auto left = [&] { return outbox.count(OutboxStatus::waiting) + outbox.count(OutboxStatus::stored); };
+  double wait_s = options.firstWait_s;
+  while (left() > 0) {
+    const std::size_t before = left();
+    ++result.rounds;
+    if (auto ran = Round(outbox, archive, result, progress).run(); !ran) return passOn(ran.error());
+    if (left() == 0 || result.rounds >= options.mostRounds) break;
+    if (left() < before) wait_s = options.firstWait_s;  // it got on
+    if (!(options.wait ? options.wait(wait_s) : sleepFor(wait_s, progress))) break;
+    wait_s = std::min(2.0 * wait_s, options.longestWait_s);
+  }
+  result.left = left();
+  return result;
+}
+
+}  // namespace ew
