@@ -21,16 +21,16 @@ TEST(Usage, VersionAndHelpGoToTheOutputAndSucceed) {
   const auto help = run({"--help"});
   EXPECT_EQ(help.status, 0);
   for (const char* command :
-       {"import", "reconstruct", "register", "slice", "level", "scan", "phantom", "case", "measure", "preset", "plugins", "bench"})
+       {"import", "reconstruct", "register", "slice", "level", "scan", "phantom", "case", "measure", "preset", "send", "plugins", "bench"})
     EXPECT_NE(help.out.find(command), std::string::npos) << command;
   EXPECT_EQ(help.err, "");
 }
 
 TEST(Usage, EveryCommandExplainsItselfWithAnExampleAndTheSharedOptions) {
   const std::vector<std::vector<std::string>> commands{
-      {"import"},          {"reconstruct"},     {"register"},         {"slice"},           {"scan"},           {"phantom"},
-      {"case", "list"},    {"case", "show"},    {"case", "validate"}, {"case", "prepare"}, {"preset", "list"}, {"preset", "check"},
-      {"plugins", "list"}, {"bench", "slicing"}};
+      {"import"},       {"reconstruct"},     {"register"},         {"slice"},           {"scan"},           {"phantom"},
+      {"case", "list"}, {"case", "show"},    {"case", "validate"}, {"case", "prepare"}, {"preset", "list"}, {"preset", "check"},
+      {"send"},         {"plugins", "list"}, {"bench", "slicing"}};
   for (auto words : commands) {
     words.push_back("--help");
     const auto help = run(words);

@@ -1,18 +1,13 @@
 #include "ew/export/outbox.h"
 
-#include <arpa/inet.h>
-#include <signal.h>
-#include <sys/socket.h>
-#include <sys/wait.h>
-
 #include <chrono>
-#include <thread>
 
 #include "ew/export/dicom_picture.h"
 #include "ew/export/measurement_report.h"
 #include "ew/imaging/caption.h"
 #include "ew/io/dicom.h"
 #include "export_world.h"
+#include "orthanc.h"
 #include "time_limit.h"
 
 namespace ew::outbox_test {
@@ -72,89 +67,6 @@ fs::path writeReport(const fs::path& folder) {
   EXPECT_TRUE(succeeded(writeMeasurementReport(sheet, options, someStudy(), folder / "report.dcm")));
   return folder / "report.dcm";
 }
-
-/// A port of this machine that nobody listens at.
-int freePort() {
-  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof(address);
-  EXPECT_EQ(::bind(socket, reinterpret_cast<sockaddr*>(&address), size), 0);
-  EXPECT_EQ(::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size), 0);
-  ::close(socket);
-  return ntohs(address.sin_port);
-}
-
-bool listensAt(int port) {
-  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  address.sin_port = htons(static_cast<std::uint16_t>(port));
-  const bool listens = ::connect(socket, reinterpret_cast<sockaddr*>(&address), sizeof(address)) == 0;
-  ::close(socket);
-  return listens;
-}
-
-/// Debian's Orthanc in a folder of its own; nothing of it stays.
-class Orthanc {
- public:
-  explicit Orthanc(const fs::path& folder) : folder_(folder), port_(freePort()) {
-    fs::create_directories(folder / "db");
-    const auto text = [](const fs::path& path) { return "\"" + path.string() + "\""; };
-    writeText(folder / "orthanc.json",
-              "{\"Name\": \"test\", \"StorageDirectory\": " + text(folder / "db") + ", \"IndexDirectory\": " + text(folder / "db") +
-                  ", \"HttpServerEnabled\": false, \"DicomPort\": " + std::to_string(port_) +
-                  ", \"DicomAet\": \"ORTHANC\", \"DicomCheckCalledAet\": true, \"DicomAlwaysAllowFind\": true, \"Plugins\": []}");
-  }
-  ~Orthanc() { kill(); }
-  Orthanc(const Orthanc&) = delete;
-  Orthanc& operator=(const Orthanc&) = delete;
-
-  void start() {
-    ASSERT_EQ(process_, 0);
-    process_ = ::fork();
-    if (process_ == 0) {
-      const std::string file = (folder_ / "orthanc.json").string(), log = (folder_ / "log").string();
-      if (std::freopen(log.c_str(), "a", stdout) == nullptr || std::freopen(log.c_str(), "a", stderr) == nullptr) ::_exit(126);
-      ::execl("/usr/sbin/Orthanc", "Orthanc", file.c_str(), nullptr);
-      ::_exit(127);
-    }
-    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double, std::milli>(kPatience_ms);
-    while (!listensAt(port_)) {
-      ASSERT_LT(std::chrono::steady_clock::now(), end) << "Orthanc does not listen";
-      ASSERT_EQ(::waitpid(process_, nullptr, WNOHANG), 0) << textOf(folder_ / "log");
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-  }
-  /// As when the power goes.
-  void kill() {
-    if (process_ == 0) return;
-    ::kill(process_, SIGKILL);
-    ::waitpid(process_, nullptr, 0);
-    process_ = 0;
-  }
-  [[nodiscard]] DicomArchive address() const {
-    DicomArchive archive;
-    archive.host = "127.0.0.1";
-    archive.port = port_;
-    archive.aeTitle = "ORTHANC";
-    return archive;
-  }
-  /// The DICOM files it keeps.
-  [[nodiscard]] std::vector<fs::path> kept() const {
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(folder_ / "db"))
-      if (entry.is_regular_file() && isDicom(entry.path())) files.push_back(entry.path());
-    return files;
-  }
-
- private:
-  fs::path folder_;
-  int port_;
-  pid_t process_ = 0;
-};
 
 /// Acts when the n-th object was sent or asked for.
 class AtReport final : public Progress {
@@ -301,7 +213,7 @@ TEST(Sending, BringsPicturesClipAndReportToARealArchiveOnceEach) {
   EW_NEEDS_PROGRAM("Orthanc");
   const TemporaryFolder folder;
   Orthanc archive(folder / "orthanc");
-  archive.start();
+  ASSERT_TRUE(archive.start()) << archive.said();
   auto outbox = Outbox::open(folder / "outbox");
   ASSERT_TRUE(succeeded(outbox));
   for (const fs::path& file :
@@ -324,7 +236,7 @@ TEST(Sending, GoesOnWhenTheArchiveIsKilledInTheMiddleAndComesBack) {
     const fs::path own = folder / std::to_string(killedAt);
     fs::create_directories(own);
     Orthanc archive(own / "orthanc");
-    archive.start();
+    ASSERT_TRUE(archive.start()) << archive.said();
     auto outbox = Outbox::open(own / "outbox");
     ASSERT_TRUE(succeeded(outbox));
     for (const fs::path& file : {writePicture(own, 1), writePicture(own, 2), writePicture(own, 3), writeClip(own), writeReport(own)})
@@ -332,7 +244,7 @@ TEST(Sending, GoesOnWhenTheArchiveIsKilledInTheMiddleAndComesBack) {
     AtReport progress(killedAt, [&] { archive.kill(); });
     SendOptions options;
     options.wait = [&](double) {
-      archive.start();
+      EXPECT_TRUE(archive.start()) << archive.said();
       return true;
     };
     const auto result = sendOutbox(*outbox, archive.address(), options, progress);

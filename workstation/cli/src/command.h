@@ -91,6 +91,7 @@ void addMeasure(CLI::App& root, Selection& selection);
 void addSlice(CLI::App& root, Selection& selection);
 void addScan(CLI::App& root, Selection& selection);
 void addReplay(CLI::App& root, Selection& selection);
+void addSend(CLI::App& root, Selection& selection);
 void addPhantom(CLI::App& root, Selection& selection);
 void addCase(CLI::App& root, Selection& selection);
 void addPreset(CLI::App& root, Selection& selection);

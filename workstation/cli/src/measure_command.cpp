@@ -1,14 +1,17 @@
 #include <algorithm>
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "arguments.h"
 #include "command.h"
 #include "ew/core/numbers.h"
+#include "ew/export/measurement_report.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/case.h"
 #include "ew/measurement/package.h"
 #include "ew/measurement/worksheet.h"
+#include "volume_input.h"
 
 namespace ew::cli {
 namespace {
@@ -25,6 +28,8 @@ struct MeasureArguments {
   std::string language = "en";
   std::string json;
   std::string csv;
+  std::string dicom;
+  std::string patientOf;
 };
 
 Result<fs::path> packagesFolder() {
@@ -188,13 +193,34 @@ Result<void> writeOutput(const std::string& file, const std::string& text, Run& 
   return {};
 }
 
+/// As a DICOM structured report, of a case's patient or of nobody.
+Result<void> writeReport(const MeasureArguments& arguments, const Worksheet& sheet, Run& run) {
+  if (arguments.dicom.empty()) {
+    if (arguments.patientOf.empty()) return {};
+    return failure(ErrorCode::badUsage, say<"--patient names the patient of a DICOM report; give --dicom OUT.dcm, too.">());
+  }
+  const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+  DicomStudy study = beginStudy(sheet.title.english, now);
+  if (!arguments.patientOf.empty()) {
+    const auto examined = findCase(arguments.patientOf);
+    if (!examined) return passOn(examined.error());
+    study = beginStudy(*examined, now);
+  }
+  const auto written =
+      writeMeasurementReport(sheet, {.instanceUid = newDicomUid(), .made = now}, study, run.outputs.staged(arguments.dicom));
+  if (!written) return passOn(written.error());
+  run.say("Wrote " + arguments.dicom + ".");
+  return {};
+}
+
 Result<int> fillSheet(const MeasureArguments& arguments, Run& run) {
   if (arguments.package.empty())
     return failure(ErrorCode::badUsage, say<"Name a package with --package; 'echoweave measure --packages' lists those there are.">());
   if (arguments.values.empty()) return failure(ErrorCode::badUsage, say<"Give at least one measurement, as in --value BPD=82mm.">());
   const auto package = packageNamed(arguments.package, run);
   if (!package) return passOn(package.error());
-  for (const auto& [file, ending] : {std::pair{arguments.json, ".json"}, std::pair{arguments.csv, ".csv"}})
+  for (const auto& [file, ending] :
+       {std::pair{arguments.json, ".json"}, std::pair{arguments.csv, ".csv"}, std::pair{arguments.dicom, ".dcm"}})
     if (!file.empty())
       if (auto announced = run.output(file, ending); !announced) return passOn(announced.error());
 
@@ -221,7 +247,8 @@ Result<int> fillSheet(const MeasureArguments& arguments, Run& run) {
   const auto document = toJson(sheet, arguments.language);
   if (auto written = writeOutput(arguments.json, document.dump(2) + "\n", run); !written) return passOn(written.error());
   if (auto written = writeOutput(arguments.csv, toCsv(sheet, arguments.language), run); !written) return passOn(written.error());
-  if (arguments.json.empty() && arguments.csv.empty()) print(sheet, arguments, run.out());
+  if (auto written = writeReport(arguments, sheet, run); !written) return passOn(written.error());
+  if (arguments.json.empty() && arguments.csv.empty() && arguments.dicom.empty()) print(sheet, arguments, run.out());
   std::size_t results = 0, without = 0;
   for (const FilledSection& section : sheet.sections)
     for (const WorksheetRow& row : section.rows) {
@@ -245,7 +272,8 @@ void addMeasure(CLI::App& root, Selection& selection) {
                  {"measure --packages",
                   "measure --package obstetric --value BPD=82mm --value HC=300mm --value AC=280mm --value FL=62mm --gestation 32w1d",
                   "measure --package vessel --value D_MIN/left=1.5+-0.2mm --value D_DISTAL/left=5mm --json left.json",
-                  "measure --package trauma --value RUQ=seen --value LUQ=not_seen --csv fast.csv"},
+                  "measure --package trauma --value RUQ=seen --value LUQ=not_seen --csv fast.csv",
+                  "measure --package obstetric --value BPD=82mm --value HC=300mm --dicom report.dcm --patient fetal-biometry"},
                  [arguments](Run& run) { return arguments->wantsPackages ? listPackages(*arguments, run) : fillSheet(*arguments, run); });
   auto* packages = app.add_flag("--packages", arguments->wantsPackages, "List the packages that there are, with the labels of their items");
   app.add_option("--package", arguments->package, "A shipped package by its name, or the .json file of one")
@@ -264,6 +292,9 @@ void addMeasure(CLI::App& root, Selection& selection) {
   app.add_option("--language", arguments->language, "Of titles: en or de (en)")->check(CLI::IsMember({"en", "de"}))->type_name("LANGUAGE");
   app.add_option("--json", arguments->json, "Write the worksheet as JSON")->type_name("OUT.json");
   app.add_option("--csv", arguments->csv, "Write the worksheet as a table for a spreadsheet")->type_name("OUT.csv");
+  app.add_option("--dicom", arguments->dicom, "Write the worksheet as a DICOM structured report (obstetrics by TID 5000, others TID 1500)")
+      ->type_name("OUT.dcm");
+  app.add_option("--patient", arguments->patientOf, "The case whose invented patient the DICOM report names (nobody)")->type_name("CASE");
 }
 
 }  // namespace ew::cli

@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "arguments.h"
 #include "command.h"
 #include "ew/core/numbers.h"
+#include "ew/export/examination_files.h"
 #include "ew/scanning/picture_file.h"
 #include "ew/scanning/replay.h"
 #include "volume_input.h"
@@ -57,13 +59,15 @@ std::vector<std::size_t> framesOf(const ReplayArguments& arguments, const ScanLo
   return frames;
 }
 
-/// Where the images go: numbered files, or one film.
+bool isDicomFile(const std::filesystem::path& file) { return file.extension() == ".dcm"; }
+
+/// Where the images go when they are looked at one by one: numbered files, or one film.
 class Images {
  public:
   Images(const ReplayArguments& arguments, std::size_t count, Run& run) : arguments_(arguments), count_(count), run_(run) {}
 
   Result<void> announce() {
-    if (isClip()) return run_.output(arguments_.output);
+    if (isOneFile()) return run_.output(arguments_.output);
     const std::filesystem::path folder = arguments_.output;
     if (auto made = run_.outputs.announceFolder(folder); !made) return made;
     for (std::size_t n = 0; n < count_; ++n)
@@ -71,7 +75,8 @@ class Images {
     return {};
   }
   Result<void> begin(const glm::ivec2& size_px) {
-    if (!isClip()) return checkRoomForWarning(size_px.x, size_px.y, fileOf(0));
+    if (isDicomFile(arguments_.output)) return {};
+    if (!isOneFile()) return checkRoomForWarning(size_px.x, size_px.y, fileOf(0));
     auto clip = PictureClip::open(run_.outputs.staged(arguments_.output), size_px.x, size_px.y, arguments_.rate_hz);
     if (!clip) return passOn(clip.error());
     clip_ = std::move(*clip);
@@ -82,7 +87,7 @@ class Images {
     return clip_ ? clip_->add(picture) : writePicture(picture, pixel_mm, run_.outputs.staged(fileOf(n)));
   }
   Result<void> finish() { return clip_ ? clip_->finish() : Result<void>(); }
-  [[nodiscard]] bool isClip() const { return isClipFile(arguments_.output); }
+  [[nodiscard]] bool isOneFile() const { return isClipFile(arguments_.output) || isDicomFile(arguments_.output); }
 
  private:
   [[nodiscard]] std::filesystem::path fileOf(std::size_t n) const {
@@ -94,6 +99,11 @@ class Images {
   Run& run_;
   std::optional<PictureClip> clip_;
 };
+
+DicomStudy studyOf(const std::optional<Case>& opened, const std::string& source) {
+  const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+  return opened ? beginStudy(*opened, now) : beginStudy(std::filesystem::path(source).stem().string(), now);
+}
 
 Result<int> replay(const ReplayArguments& arguments, Run& run) {
   std::optional<Case> opened;
@@ -127,28 +137,42 @@ Result<int> replay(const ReplayArguments& arguments, Run& run) {
     if (auto formed = formEchoes(run, *subject, live); !formed) return passOn(formed.error());
 
   Replay scan(log, std::move(*subject), arguments.threads);
-  for (std::size_t n = 0; n < frames.size(); ++n) {
+  const auto make = [&](std::size_t n) -> Result<Picture> {
     // What is not shown is made all the same: it shows in what follows.
     for (std::size_t frame = n == 0 ? 0 : frames[n - 1] + 1; frame < frames[n]; ++frame) {
       if (run.progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Stopped as asked; nothing was written.">());
       scan.make(frame, size_px.x, size_px.y);
     }
     if (run.progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Stopped as asked; nothing was written.">());
-    Picture picture;
-    {
-      const StepClock clock(run.report, "frame");
-      picture = scan.make(frames[n], size_px.x, size_px.y);
+    const StepClock clock(run.report, "frame");
+    return scan.make(frames[n], size_px.x, size_px.y);
+  };
+  if (isDicomFile(arguments.output)) {
+    const auto makeWithPlace = [&](std::size_t n) -> Result<std::pair<Picture, DisplayGeometry>> {
+      auto picture = make(n);
+      if (!picture) return passOn(picture.error());
+      return std::pair(*picture, scan.scanner().geometry());
+    };
+    if (auto written = writeDicomScan(log, frames, makeWithPlace, studyOf(opened, arguments.source), run.outputs.staged(arguments.output),
+                                      run.progress);
+        !written)
+      return passOn(written.error());
+  } else {
+    for (std::size_t n = 0; n < frames.size(); ++n) {
+      auto picture = make(n);
+      if (!picture) return passOn(picture.error());
+      if (auto added = images.add(n, *picture, scan.scanner().geometry().pixel_mm); !added) return passOn(added.error());
+      run.progress.report(say<"Making images">(),
+                          kShareOfReading + (1.0 - kShareOfReading) * static_cast<double>(n + 1) / static_cast<double>(frames.size()));
     }
-    if (auto added = images.add(n, picture, scan.scanner().geometry().pixel_mm); !added) return passOn(added.error());
-    run.progress.report(say<"Making images">(),
-                        kShareOfReading + (1.0 - kShareOfReading) * static_cast<double>(n + 1) / static_cast<double>(frames.size()));
+    if (auto finished = images.finish(); !finished) return passOn(finished.error());
   }
-  if (auto finished = images.finish(); !finished) return passOn(finished.error());
   run.report.options = {
       {"size", {size_px.x, size_px.y}}, {"rate_hz", arguments.rate_hz}, {"every", arguments.every}, {"threads", arguments.threads}};
   run.report.quality = {{"images", frames.size()}, {"recorded_images", log.frameCount()}, {"length_s", log.end_s() - log.begin_s()}};
   run.progress.clear();
-  run.say(images.isClip() ? "Wrote a film of " + counted(frames.size(), "image") + "." : "Wrote " + counted(frames.size(), "image") + ".");
+  run.say(images.isOneFile() ? "Wrote a film of " + counted(frames.size(), "image") + "."
+                             : "Wrote " + counted(frames.size(), "image") + ".");
   return kDone;
 }
 
@@ -159,18 +183,21 @@ void addReplay(CLI::App& root, Selection& selection) {
   auto& app = addCommand(root, selection, "replay", "Make the images of a recorded scan again",
                          {"replay upper-abdomen-gall-stone --scan mine.seq.mha -o mine.avi",
                           "replay upper-abdomen-gall-stone --scan mine.seq.mha -o images --every 30",
-                          "replay liver.mha --scan mine.seq.mha -o mine.mp4 --rate 25 --size 800x600"},
+                          "replay liver.mha --scan mine.seq.mha -o mine.mp4 --rate 25 --size 800x600",
+                          "replay upper-abdomen-gall-stone --scan mine.seq.mha -o mine.dcm --every 2"},
                          [arguments](Run& run) { return replay(*arguments, run); });
   app.add_option("SOURCE", arguments->source, "What was scanned: a case folder, a case.json, a shipped case's id, or a volume")
       ->required()
       ->type_name("");
   app.add_option("--scan", arguments->recording, "The recording (.seq.mha), as the window saves it")->required()->type_name("RECORDING");
-  app.add_option("-o,--output", arguments->output,
-                 "A folder for image_0000.png …, or a film (.avi, .mp4); every image carries 'simulation, not for diagnosis'")
+  app.add_option(
+         "-o,--output", arguments->output,
+         "A folder for image_0000.png …, a film (.avi, .mp4), or a DICOM clip with scale (.dcm); every image carries 'simulation, not "
+         "for diagnosis'")
       ->required()
-      ->type_name("DIR|CLIP");
+      ->type_name("DIR|CLIP|OUT.dcm");
   addSize(app, "--size", arguments->size_px, "Pixels of the images (as recorded)");
-  addCount(app, "--every", arguments->every, 1, 1000000, "Of the recorded images every N-th, into a folder (1)");
+  addCount(app, "--every", arguments->every, 1, 1000000, "Of the recorded images every N-th, into a folder or a DICOM clip (1)");
   addNumber(app, "--rate", arguments->rate_hz, {0.1, 240.0}, "Images a second of a film (30)");
   addCount(app, "--threads", arguments->threads, 0, 256, "Threads of one image; 0: all cores; images do not depend on it (1)");
 }

@@ -31,6 +31,23 @@ Result<void> check(const DicomArchive& archive) {
   return {};
 }
 
+void callFor(DcmSCU& scu, const DicomArchive& archive) {
+  scu.setAETitle(archive.ownAeTitle.c_str());
+  scu.setPeerAETitle(archive.aeTitle.c_str());
+  scu.setPeerHostName(archive.host.c_str());
+  scu.setPeerPort(static_cast<Uint16>(archive.port));
+  const auto timeout_s = static_cast<Uint32>(std::max(1.0, archive.timeout_s));
+  scu.setACSETimeout(timeout_s);
+  scu.setDIMSETimeout(timeout_s);
+  scu.setDIMSEBlockingMode(DIMSE_NONBLOCKING);
+  scu.setConnectionTimeout(static_cast<Sint32>(timeout_s));
+}
+
+Message doesNotAnswer(const DicomArchive& archive, const OFCondition& condition) {
+  return say<"The archive %1 at %2 port %3 does not answer as it should (%4).">(archive.aeTitle, archive.host, archive.port,
+                                                                                verbatim(condition.text()));
+}
+
 /// One connection.
 class Round {
  public:
@@ -70,19 +87,10 @@ class Round {
   }
   void fails(const OFCondition& condition) {
     isBroken_ = true;
-    result_.problem = say<"The archive %1 at %2 port %3 does not answer as it should (%4).">(archive_.aeTitle, archive_.host, archive_.port,
-                                                                                             verbatim(condition.text()));
+    result_.problem = doesNotAnswer(archive_, condition);
   }
   bool connect() {
-    scu_.setAETitle(archive_.ownAeTitle.c_str());
-    scu_.setPeerAETitle(archive_.aeTitle.c_str());
-    scu_.setPeerHostName(archive_.host.c_str());
-    scu_.setPeerPort(static_cast<Uint16>(archive_.port));
-    const auto timeout_s = static_cast<Uint32>(std::max(1.0, archive_.timeout_s));
-    scu_.setACSETimeout(timeout_s);
-    scu_.setDIMSETimeout(timeout_s);
-    scu_.setDIMSEBlockingMode(DIMSE_NONBLOCKING);
-    scu_.setConnectionTimeout(static_cast<Sint32>(timeout_s));
+    callFor(scu_, archive_);
     OFList<OFString> syntaxes;
     syntaxes.push_back(UID_LittleEndianExplicitTransferSyntax);
     std::set<std::string> classes{kFindClass};
@@ -205,6 +213,23 @@ Result<SendResult> sendOutbox(Outbox& outbox, const DicomArchive& archive, const
   }
   result.left = left();
   return result;
+}
+
+Result<void> askArchive(const DicomArchive& archive) {
+  if (auto good = check(archive); !good) return good;
+  quietDcmtk();
+  DcmSCU scu;
+  callFor(scu, archive);
+  OFList<OFString> syntaxes;
+  syntaxes.push_back(UID_LittleEndianExplicitTransferSyntax);
+  syntaxes.push_back(UID_LittleEndianImplicitTransferSyntax);
+  scu.addPresentationContext(UID_VerificationSOPClass, syntaxes);
+  OFCondition status = scu.initNetwork();
+  if (status.good()) status = scu.negotiateAssociation();
+  if (status.good()) status = scu.sendECHORequest(0);
+  if (status.bad()) return failure(ErrorCode::notReadable, doesNotAnswer(archive, status));
+  scu.releaseAssociation();
+  return {};
 }
 
 }  // namespace ew

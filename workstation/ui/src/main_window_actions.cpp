@@ -72,6 +72,7 @@ void MainWindow::addFileMenu(QMenu& file) {
   p.saveAsAction = addMenuAction(file, tr("Save case &as…"), {keys("Ctrl+Shift+S")}, [this] { save(true); });
   p.saveVolumeAction = addMenuAction(file, tr("Save &volume as…"), {}, [this] { saveShownVolume(); });
   p.savePictureAction = addMenuAction(file, tr("Save &image as…"), {keys("Ctrl+P")}, [this] { savePicture(); });
+  addStoringMenu(file);
   file.addSeparator();
   addMenuAction(file, tr("&Quit"), {keys("Ctrl+Q")}, [this] { close(); });
 }
@@ -403,6 +404,7 @@ void MainWindow::showTitle() {
   p.saveAsAction->setEnabled(document != nullptr || opened.has_value());
   p.saveVolumeAction->setEnabled(subject.has_value());
   p.savePictureAction->setEnabled(subject.has_value());
+  p.storeAction->setEnabled(subject.has_value());
   p.recordAction->setEnabled(subject.has_value());
   const MadeVolume* waiting = waitingMadeVolume();
   p.madeVolumeAction->setVisible(waiting != nullptr);

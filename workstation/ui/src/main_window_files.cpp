@@ -110,7 +110,8 @@ void MainWindow::showRecent() {
 }
 
 bool MainWindow::mayReplaceShown(const QString& next) {
-  if (!mayLeaveCase(next) || !mayLeaveShownVolume(next) || !mayLeaveRecording(next) || !mayLeaveWorksheet(next)) return false;
+  if (!mayLeaveCase(next) || !mayLeaveShownVolume(next) || !mayLeaveRecording(next) || !mayLeaveWorksheet(next) || !mayLeaveStored(next))
+    return false;
   forgetShownVolume();
   closeRecording();
   return true;
@@ -222,7 +223,7 @@ bool MainWindow::mayClose() {
   const std::vector<MadeVolume> unsaved = parts_->made;
   for (const MadeVolume& made : unsaved)
     if (!mayLeaveVolume(made, {})) return false;
-  if (!mayLeaveRecording({}) || !mayLeaveWorksheet({}) || !mayLeavePlugins()) return false;
+  if (!mayLeaveRecording({}) || !mayLeaveWorksheet({}) || !mayLeaveStored({}) || !mayLeavePlugins()) return false;
   const auto outcome = SavingDialog(parts_->jobs, true, this).wait();
   return outcome == SavingDialog::Outcome::saved || outcome == SavingDialog::Outcome::lose;
 }
@@ -491,12 +492,16 @@ void MainWindow::savePicture() {
   if (parts_->session.picture().isEmpty()) return;
   const QString file = askSaveFile(this, {tr("Save the image"),
                                           tr("scan") + QStringLiteral(".png"),
-                                          tr("Images (*.png *.mha)"),
-                                          {QStringLiteral(".png"), QStringLiteral(".mha")}});
+                                          tr("Images (*.png *.mha);;DICOM images (*.dcm)"),
+                                          {QStringLiteral(".png"), QStringLiteral(".mha"), QStringLiteral(".dcm")}});
   if (file.isEmpty()) return;
   const auto written = saveTogether({pathOf(file)}, [&](const OutputSet& outputs) {
-    return writeShownPicture(parts_->session, QDateTime::currentDateTime(), outputs.staged(pathOf(file)),
-                             {&parts_->calipers, &parts_->annotated, &parts_->bodyMark});
+    const OnPicture on{&parts_->calipers, &parts_->annotated, &parts_->bodyMark};
+    const QDateTime now = QDateTime::currentDateTime();
+    if (!file.endsWith(QStringLiteral(".dcm"))) return writeShownPicture(parts_->session, now, outputs.staged(pathOf(file)), on);
+    const auto still = storedStill(parts_->session, savedPicture(parts_->session, now, on), 1, now);
+    auto object = writeDicomPicture(still.still, still.options, studyNow(), outputs.staged(pathOf(file)));
+    return object ? Result<void>() : passOn(object.error());
   });
   if (written) {
     parts_->messages->showNote(tr("Saved to %1.").arg(file), kSavingPicture);

@@ -2,8 +2,10 @@
 #include <QDateTime>
 #include <QMessageBox>
 #include <algorithm>
+#include <chrono>
 
 #include "caliper_words.h"
+#include "ew/export/measurement_report.h"
 #include "main_window_parts.h"
 #include "save_file.h"
 #include "words.h"
@@ -93,14 +95,22 @@ bool MainWindow::saveWorksheet() {
   const measurement::Examination* examination = p.worksheets.current();
   if (examination == nullptr || !p.session.subject()) return false;
   const QString proposal = QString::fromStdString(examination->package().id);
-  const QString file = askSaveFile(this, {tr("Save the worksheet"),
-                                          proposal + QStringLiteral(".pdf"),
-                                          tr("Worksheets (*.pdf *.csv *.json)"),
-                                          {QStringLiteral(".pdf"), QStringLiteral(".csv"), QStringLiteral(".json")}});
+  const QString file =
+      askSaveFile(this, {tr("Save the worksheet"),
+                         proposal + QStringLiteral(".pdf"),
+                         tr("Worksheets (*.pdf *.csv *.json);;DICOM reports (*.dcm)"),
+                         {QStringLiteral(".pdf"), QStringLiteral(".csv"), QStringLiteral(".json"), QStringLiteral(".dcm")}});
   if (file.isEmpty()) return false;
+  std::vector<ReportPicture> pictures;
+  for (const StoredExamination::Item& item : p.stored.items()) pictures.push_back({withWarning(item.picture), item.caption});
   const auto written = saveTogether({pathOf(file)}, [&](const OutputSet& outputs) {
-    return writeWorksheet(examination->worksheet(), words(p.session.subject()->title), QDateTime::currentDateTime(),
-                          outputs.staged(pathOf(file)));
+    const QDateTime now = QDateTime::currentDateTime();
+    if (!file.endsWith(QStringLiteral(".dcm")))
+      return writeWorksheet(examination->worksheet(), words(p.session.subject()->title), now, outputs.staged(pathOf(file)), pictures);
+    const auto made = std::chrono::sys_seconds(std::chrono::seconds(now.toSecsSinceEpoch()));
+    auto report = writeMeasurementReport(examination->worksheet(), {.instanceUid = newDicomUid(), .made = made}, studyNow(),
+                                         outputs.staged(pathOf(file)));
+    return report ? Result<void>() : passOn(report.error());
   });
   if (!written) {
     p.messages->showError(written.error(), kWorksheet);

@@ -25,6 +25,7 @@
 #include "ew/library/kept_edits.h"
 #include "ew/scanning/preset.h"
 #include "ew/ui/main_window.h"
+#include "examination_dialog.h"
 #include "hand_input.h"
 #include "job_cards.h"
 #include "jobs.h"
@@ -41,6 +42,7 @@
 #include "source_picker.h"
 #include "start_page.h"
 #include "status_line.h"
+#include "stored_examination.h"
 #include "top_bar.h"
 #include "view3d.h"
 #include "view_columns.h"
@@ -82,6 +84,8 @@ struct MainWindow::Parts {
   Recorder recorder{session};
   Calipers calipers{session, jobs};
   Worksheets worksheets{session, calipers};
+  StoredExamination stored{session, worksheets};
+  bool isSending = false;
   AnnotatedPictures annotated{session};
   ShownMark bodyMark{session};
   std::vector<Preset> presets;         ///< of the program
@@ -126,6 +130,7 @@ struct MainWindow::Parts {
   QPointer<CostPanel> cost;
   QPointer<SourceDialog> source;
   QPointer<WorksheetDialog> worksheet;
+  QPointer<ExaminationDialog> examination;
 
   QAction* startPageAction = nullptr;
   QAction* undoAction = nullptr;
@@ -134,6 +139,7 @@ struct MainWindow::Parts {
   QAction* saveAsAction = nullptr;
   QAction* saveVolumeAction = nullptr;
   QAction* savePictureAction = nullptr;
+  QAction* storeAction = nullptr;
   QAction* caseVolumeAction = nullptr;
   QAction* madeVolumeAction = nullptr;
   QAction* exploreAction = nullptr;

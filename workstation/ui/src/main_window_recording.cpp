@@ -95,10 +95,6 @@ bool MainWindow::saveRecording() {
   });
 }
 
-void MainWindow::saveClip() {
-  if (const auto clip = parts_->cineBar->clip(recordedCase())) saveRecordingAs(clip, tr("Save the clip"), tr("clip"), [] {});
-}
-
 bool MainWindow::saveRecordingAs(const std::shared_ptr<const ScanRecording>& recording, const QString& title, const QString& proposal,
                                  std::function<void()> saved) {
   const QString file = askSaveFile(this, {title,
@@ -106,6 +102,12 @@ bool MainWindow::saveRecordingAs(const std::shared_ptr<const ScanRecording>& rec
                                           tr("Sequences of poses (*.seq.mha *.mha)"),
                                           {QStringLiteral(".seq.mha"), QStringLiteral(".mha")}});
   if (file.isEmpty()) return false;
+  startSavingRecording(recording, file, std::move(saved));
+  return true;
+}
+
+void MainWindow::startSavingRecording(const std::shared_ptr<const ScanRecording>& recording, const QString& file,
+                                      std::function<void()> saved) {
   parts_->jobs.start(
       tr("Saving %1").arg(QFileInfo(file).fileName()),
       [recording, file](Progress& progress) {
@@ -121,7 +123,6 @@ bool MainWindow::saveRecordingAs(const std::shared_ptr<const ScanRecording>& rec
         }
       },
       Jobs::Kind::saving);
-  return true;
 }
 
 void MainWindow::takeRecording(const QString& path, std::shared_ptr<const ScanRecording> recording) {

@@ -11,4 +11,7 @@ namespace ew::ui {
 [[nodiscard]] QImage imageOf(const Picture& picture);
 [[nodiscard]] QImage imageOf(ImageView<const std::uint8_t> grey);
 
+/// The pixels of a Format_RGB888.
+[[nodiscard]] RgbImage coloursOf(const QImage& image);
+
 }  // namespace ew::ui

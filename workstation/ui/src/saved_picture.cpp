@@ -89,13 +89,18 @@ void paintOn(QPainter& painter, const Session& session, const OnPicture& on, con
 
 }  // namespace
 
+QRect pictureOnSaved(const Session& session, const QImage& saved) {
+  const int width = session.picture().width();
+  return {(saved.width() - kScale_px - width) / 2, kHead_px, width, session.picture().height()};
+}
+
 QImage savedPicture(const Session& session, const QDateTime& at, const OnPicture& on) {
   if (!session.subject() || session.picture().isEmpty()) return {};
   const QImage shown = imageOf(session.picture());
   const int measured_px = on.calipers != nullptr ? kLine_px * static_cast<int>(on.calipers->lines().size()) : 0;
   QImage saved(std::max(kLeast_px, shown.width() + kScale_px), kHead_px + shown.height() + measured_px + kFoot_px, shown.format());
   saved.fill(Qt::black);
-  const QRect picture((saved.width() - kScale_px - shown.width()) / 2, kHead_px, shown.width(), shown.height());
+  const QRect picture = pictureOnSaved(session, saved);
   QPainter painter(&saved);
   painter.setFont(smallFont());
   painter.setPen(kWords);
@@ -125,10 +130,7 @@ Result<void> writeShownPicture(const Session& session, const QDateTime& at, cons
   const QImage saved = savedPicture(session, at, on);
   if (saved.format() == QImage::Format_Grayscale8)
     return writePicture(Picture{{saved.constBits(), saved.width(), saved.height(), saved.bytesPerLine()}}, pixel_mm, file);
-  RgbImage colours(saved.width(), saved.height());
-  for (int y = 0; y < saved.height(); ++y)
-    std::copy_n(reinterpret_cast<const Rgb*>(saved.constScanLine(y)), saved.width(), viewOf(colours).row(y));
-  return writePicture(colours, pixel_mm, file);
+  return writePicture(coloursOf(saved), pixel_mm, file);
 }
 
 }  // namespace ew::ui

@@ -29,6 +29,9 @@ struct OnPicture {
 /// @return Format_Grayscale8, or Format_RGB888 when the picture has colours; null when there is no picture
 [[nodiscard]] QImage savedPicture(const Session& session, const QDateTime& at, const OnPicture& on = {});
 
+/// Where on it the picture itself lies.
+[[nodiscard]] QRect pictureOnSaved(const Session& session, const QImage& saved);
+
 /// Writes the present picture: a .png to be looked at, as savedPicture has it and with the words it must carry; a .mha to be measured, the
 /// bare picture. Expects a picture. @error as writePicture
 [[nodiscard]] Result<void> writeShownPicture(const Session& session, const QDateTime& at, const std::filesystem::path& file,

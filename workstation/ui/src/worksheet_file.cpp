@@ -5,6 +5,7 @@
 #include <QPageLayout>
 #include <QPdfWriter>
 #include <QTextDocument>
+#include <QUrl>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -18,7 +19,27 @@ namespace {
 constexpr int kResolution_dpi = 300;
 constexpr double kText_pt = 10.0;
 
-QByteArray pdfOf(const measurement::Worksheet& sheet, const QString& title, const QDateTime& at) {
+/// Two in a row, each with its caption.
+QString picturesOf(const std::vector<ReportPicture>& pictures, QTextDocument& document) {
+  if (pictures.empty()) return {};
+  constexpr int kWidth_px = 310;  // of a page of 96 dpi, half of what its margins leave
+  QString html = QStringLiteral("<h3>%1</h3><table cellspacing='8'>").arg(WorksheetWords::tr("Images"));
+  for (std::size_t n = 0; n < pictures.size(); ++n) {
+    const QString name = QStringLiteral("picture%1").arg(n);
+    document.addResource(QTextDocument::ImageResource, QUrl(name), pictures[n].picture);
+    if (n % 2 == 0) html += QStringLiteral("<tr>");
+    html += QStringLiteral("<td><img src='%1' width='%2'><br><small>%3. %4</small></td>")
+                .arg(name)
+                .arg(kWidth_px)
+                .arg(n + 1)
+                .arg(pictures[n].caption.toHtmlEscaped());
+    if (n % 2 == 1 || n + 1 == pictures.size()) html += QStringLiteral("</tr>");
+  }
+  return html + QStringLiteral("</table>");
+}
+
+QByteArray pdfOf(const measurement::Worksheet& sheet, const QString& title, const QDateTime& at,
+                 const std::vector<ReportPicture>& pictures) {
   QBuffer pdf;
   pdf.open(QIODevice::WriteOnly);
   QPdfWriter writer(&pdf);
@@ -40,6 +61,7 @@ QByteArray pdfOf(const measurement::Worksheet& sheet, const QString& title, cons
                          .arg(WorksheetWords::textOf({*sheet.gestation_weeks, 0.0, measurement::Unit::weeks})));
   html += WorksheetWords::htmlOf(sheet, QStringLiteral("#505050"));
   html += QStringLiteral("<p style='color:#505050'>%1</p>").arg(words(sheet.source).toHtmlEscaped());
+  html += picturesOf(pictures, document);
   document.setHtml(html);
   document.print(&writer);
   return pdf.data();
@@ -48,11 +70,11 @@ QByteArray pdfOf(const measurement::Worksheet& sheet, const QString& title, cons
 }  // namespace
 
 Result<void> writeWorksheet(const measurement::Worksheet& sheet, const QString& title, const QDateTime& at,
-                            const std::filesystem::path& file) {
+                            const std::filesystem::path& file, const std::vector<ReportPicture>& pictures) {
   const std::string language = QLocale().name().toStdString();
   if (file.extension() == ".csv") return writeFileSafely(file, toCsv(sheet, language));
   if (file.extension() == ".json") return writeFileSafely(file, toJson(sheet, language).dump(2) + "\n");
-  const QByteArray pdf = pdfOf(sheet, title, at);
+  const QByteArray pdf = pdfOf(sheet, title, at, pictures);
   return writeFileSafely(file, std::string_view(pdf.constData(), static_cast<std::size_t>(pdf.size())));
 }
 

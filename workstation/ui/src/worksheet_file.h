@@ -1,18 +1,26 @@
 #pragma once
 
 #include <QDateTime>
+#include <QImage>
 #include <QString>
 #include <filesystem>
+#include <vector>
 
 #include "ew/core/result.h"
 #include "ew/measurement/worksheet.h"
 
 namespace ew::ui {
 
+/// A picture of the examination with the words it must carry.
+struct ReportPicture {
+  QImage picture;
+  QString caption;
+};
+
 /// Writes a worksheet by the name's ending: .pdf (A4, to print), .csv or .json. Titles are in the window's language. All say that they are
 /// for training only.
-/// @param title of the case @error notWritable
+/// @param title of the case @param pictures that follow the worksheet in a PDF, two in a row @error notWritable
 [[nodiscard]] Result<void> writeWorksheet(const measurement::Worksheet& sheet, const QString& title, const QDateTime& at,
-                                          const std::filesystem::path& file);
+                                          const std::filesystem::path& file, const std::vector<ReportPicture>& pictures = {});
 
 }  // namespace ew::ui

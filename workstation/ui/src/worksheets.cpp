@@ -67,6 +67,13 @@ const Examination* Worksheets::unsaved() const {
   return nullptr;
 }
 
+std::vector<const Examination*> Worksheets::filled() const {
+  std::vector<const Examination*> all;
+  for (const auto& [id, examination] : examinations_)
+    if (!examination.isEmpty()) all.push_back(&examination);
+  return all;
+}
+
 void Worksheets::setSaved() {
   if (current_ != nullptr) saved_.insert_or_assign(current_->package().id, *current_);
 }

@@ -35,6 +35,8 @@ class Worksheets final : public QObject {
 
   /// One with something in it that was not saved since; null when there is none.
   [[nodiscard]] const measurement::Examination* unsaved() const;
+  /// Those with something in them.
+  [[nodiscard]] std::vector<const measurement::Examination*> filled() const;
   /// The current one was written.
   void setSaved();
   /// All worksheets begin anew.

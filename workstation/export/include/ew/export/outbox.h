@@ -95,4 +95,7 @@ struct SendResult {
 [[nodiscard]] Result<SendResult> sendOutbox(Outbox& outbox, const DicomArchive& archive, const SendOptions& options = {},
                                             Progress& progress = noProgress());
 
+/// Asks an archive whether it is there and talks to this program (C-ECHO). @error badField, notReadable (no, and why)
+[[nodiscard]] Result<void> askArchive(const DicomArchive& archive);
+
 }  // namespace ew

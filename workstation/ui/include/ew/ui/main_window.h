@@ -14,6 +14,7 @@
 
 namespace ew {
 enum class BreathingRequest;
+struct DicomStudy;
 struct Preset;
 struct ScanRecording;
 struct Thrown;
@@ -213,15 +214,23 @@ class MainWindow final : public QMainWindow {
   /// Asks for a name and begins to save. @return false: nothing is saved
   bool saveRecording();
   void showCineState();
-  void saveClip();  ///< what runs in the loop of a frozen scan
+  void saveClip();  ///< what runs in the loop of a frozen scan: as states, film or DICOM
   /// Asks for a name and begins to save. @param saved called when it is @return false: nothing is saved
   bool saveRecordingAs(const std::shared_ptr<const ScanRecording>& recording, const QString& title, const QString& proposal,
                        std::function<void()> saved);
+  void startSavingRecording(const std::shared_ptr<const ScanRecording>& recording, const QString& file, std::function<void()> saved);
   [[nodiscard]] std::string recordedCase() const;  ///< id of the case that is scanned; empty: none
   /// Plays what was opened, once what was scanned is shown.
   void takeRecording(const QString& path, std::shared_ptr<const ScanRecording> recording);
   [[nodiscard]] bool mayLeaveRecording(const QString& next);
   [[nodiscard]] bool mayLeaveWorksheet(const QString& next);
+  [[nodiscard]] bool mayLeaveStored(const QString& next);
+  void addStoringMenu(QMenu& file);
+  [[nodiscard]] DicomStudy studyNow() const;  ///< of the patient who is scanned
+  void storePicture();
+  void showExamination();
+  bool saveExamination();  ///< asks for a folder and begins to save. @return false: nothing is saved
+  void sendExamination();
   void showWorksheet();
   bool saveWorksheet();
   [[nodiscard]] bool mayLeavePlugins();

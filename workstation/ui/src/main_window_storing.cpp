@@ -1,0 +1,249 @@
+// Images kept of an examination, and how they leave: as DICOM files and to an archive.
+#include <QDateTime>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <chrono>
+
+#include "ew/export/outbox.h"
+#include "ew/scanning/picture_file.h"
+#include "ew/scanning/replay.h"
+#include "examination_dialog.h"
+#include "main_window_parts.h"
+#include "save_file.h"
+#include "saving_dialog.h"
+#include "words.h"
+
+namespace ew::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+const auto kStoring = QStringLiteral("storing");
+const auto kSending = QStringLiteral("sending");
+constexpr int kRounds = 3;  // while somebody waits; what is left is sent the next time
+constexpr double kClipRate_hz = 25.0;
+
+fs::path outboxFolder() { return ownCasesFolder().parent_path() / "outbox"; }
+
+std::chrono::sys_seconds secondsNow() { return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()); }
+
+/// Where the outbox stands: "3 objects wait". Empty: nothing waits, or somebody else has it.
+QString waitingIn(const fs::path& folder) {
+  std::error_code failed;
+  if (!fs::exists(folder, failed)) return {};
+  const auto outbox = Outbox::open(folder);
+  if (!outbox) return words(outbox.error());
+  const auto waiting = static_cast<int>(outbox->count(OutboxStatus::waiting) + outbox->count(OutboxStatus::stored));
+  const auto refused = static_cast<int>(outbox->count(OutboxStatus::refused));
+  QString sentence;
+  if (waiting > 0) sentence = MainWindow::tr("%n objects wait in the outbox and are sent with the next ones.", nullptr, waiting);
+  if (refused == 0) return sentence;
+  for (const OutboxEntry& entry : outbox->entries())
+    if (entry.status == OutboxStatus::refused)
+      return sentence + (sentence.isEmpty() ? QString() : QStringLiteral(" ")) +
+             MainWindow::tr("The archive refused %n objects (%1); they are offered to it again.", nullptr, refused)
+                 .arg(words(entry.problem));
+  return sentence;
+}
+
+/// Puts everything into the outbox and sends what is there. @param sent what came of it
+Result<void> sendThroughOutbox(const ExaminationFiles& examination, const DicomArchive& archive, const fs::path& folder, SendResult& sent,
+                               Progress& progress) {
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  auto outbox = Outbox::open(folder);
+  if (!outbox) return passOn(outbox.error());
+  const fs::path incoming = folder / "incoming";
+  fs::remove_all(incoming, failed);
+  if (!fs::create_directory(incoming, failed))
+    return failure(ErrorCode::notWritable, say<"'%1' cannot be made; check permissions and room of the disk.">(incoming.string()));
+  const auto files = writeExamination(examination, incoming, progress);
+  if (files)
+    for (const fs::path& file : *files)
+      if (auto added = outbox->add(file); !added) return passOn(added.error());
+  fs::remove_all(incoming, failed);
+  if (!files) return passOn(files.error());
+  if (auto again = outbox->retryRefused(); !again) return again;
+  SendOptions options;
+  options.mostRounds = kRounds;
+  auto result = sendOutbox(*outbox, archive, options, progress);
+  if (!result) return passOn(result.error());
+  sent = std::move(*result);
+  return {};
+}
+
+/// Forms every image of a clip again and writes it: at even times into a film, or with its own time into a DICOM object.
+Result<void> writeClipFile(const ScanRecording& clip, ScanSubject subject, const DicomStudy& study, const fs::path& file,
+                           Progress& progress) {
+  Replay replay(clip.log, std::move(subject), 1);
+  const auto stopped = [] { return failure(ErrorCode::cancelled, say<"Stopped as asked; nothing was written.">()); };
+  std::vector<std::size_t> frames;
+  if (file.extension() == ".dcm") {
+    for (std::size_t n = 0; n < clip.log.frameCount(); ++n) frames.push_back(n);
+    const auto make = [&](std::size_t n) -> Result<std::pair<Picture, DisplayGeometry>> {
+      if (progress.cancelRequested()) return stopped();
+      const Picture picture = replay.make(frames[n], clip.size_px.x, clip.size_px.y);
+      return std::pair(picture, replay.scanner().geometry());
+    };
+    auto written = writeDicomScan(clip.log, frames, make, study, file, progress);
+    return written ? Result<void>() : passOn(written.error());
+  }
+  const double begin_s = clip.log.frameTime_s(0), length_s = clip.log.frameTime_s(clip.log.frameCount() - 1) - begin_s;
+  for (int n = 0; n <= static_cast<int>(length_s * kClipRate_hz); ++n) frames.push_back(clip.log.frameAt(begin_s + n / kClipRate_hz));
+  auto film = PictureClip::open(file, clip.size_px.x, clip.size_px.y, kClipRate_hz);
+  if (!film) return passOn(film.error());
+  for (std::size_t n = 0; n < frames.size(); ++n) {
+    // What is not shown is formed all the same: it shows in what follows.
+    for (std::size_t frame = n == 0 ? 0 : frames[n - 1] + 1; frame < frames[n]; ++frame) replay.make(frame, clip.size_px.x, clip.size_px.y);
+    if (progress.cancelRequested()) return stopped();
+    if (auto added = film->add(replay.make(frames[n], clip.size_px.x, clip.size_px.y)); !added) return added;
+    progress.report(say<"Making images">(), static_cast<double>(n + 1) / static_cast<double>(frames.size()));
+  }
+  return film->finish();
+}
+
+}  // namespace
+
+void MainWindow::addStoringMenu(QMenu& file) {
+  Parts& p = *parts_;
+  p.storeAction = addMenuAction(file, tr("S&tore image"), {QKeySequence(QStringLiteral("Ctrl+E")), QKeySequence(QStringLiteral("Ins"))},
+                                [this] { storePicture(); });
+  addMenuAction(file, tr("&Examination and archive…"), {QKeySequence(QStringLiteral("Ctrl+Shift+E"))}, [this] { showExamination(); });
+}
+
+DicomStudy MainWindow::studyNow() const {
+  const auto& opened = parts_->document.current();
+  if (opened && parts_->opener->showsCase()) return beginStudy(*opened, secondsNow());
+  const auto& subject = parts_->session.subject();
+  return beginStudy(subject ? words(subject->title).toStdString() : std::string(), secondsNow());
+}
+
+void MainWindow::storePicture() {
+  Parts& p = *parts_;
+  if (p.pages->currentWidget() != p.workspacePage || !p.keepsScan()) return;
+  if (!p.stored.store({&p.calipers, &p.annotated, &p.bodyMark}, studyNow(), QDateTime::currentDateTime())) return;
+  p.scanView->say(tr("Image %1 is stored.").arg(p.stored.items().size()));
+}
+
+void MainWindow::showExamination() {
+  Parts& p = *parts_;
+  if (p.examination.isNull()) {
+    p.examination = new ExaminationDialog(p.stored, p.worksheets, p.jobs, this);
+    p.examination->setAttribute(Qt::WA_DeleteOnClose);
+    connect(p.examination, &ExaminationDialog::saveAsked, this, &MainWindow::saveExamination);
+    connect(p.examination, &ExaminationDialog::sendAsked, this, &MainWindow::sendExamination);
+  }
+  p.examination->setSending(p.isSending);
+  if (!p.isSending) p.examination->setWaiting(waitingIn(outboxFolder()));
+  p.examination->show();
+  p.examination->raise();
+  p.examination->activateWindow();
+}
+
+bool MainWindow::saveExamination() {
+  Parts& p = *parts_;
+  const QDateTime now = QDateTime::currentDateTime();
+  const QString inside = QFileDialog::getExistingDirectory(this, tr("Folder in which the examination gets a folder of its own"));
+  if (inside.isEmpty()) return false;
+  const fs::path folder = pathOf(inside) / ("examination-" + now.toString(QStringLiteral("yyyyMMdd-HHmmss")).toStdString());
+  p.jobs.start(
+      tr("Saving the examination"),
+      [files = p.stored.files(studyNow(), now), folder](Progress& progress) -> Result<void> {
+        OutputSet outputs;
+        if (auto announced = outputs.announceNewFolder(folder); !announced) return announced;
+        if (auto written = writeExamination(files, outputs.staged(folder), progress); !written) return passOn(written.error());
+        return outputs.commit();
+      },
+      [this, folder](const Result<void>& outcome) {
+        if (outcome) {
+          parts_->stored.setSaved();
+          parts_->messages->showNote(tr("Saved to %1.").arg(wordsOf(folder)), kStoring);
+        } else if (outcome.error().code != ErrorCode::cancelled) {
+          parts_->messages->showError(outcome.error(), kStoring);
+        }
+      },
+      Jobs::Kind::saving);
+  return true;
+}
+
+void MainWindow::sendExamination() {
+  Parts& p = *parts_;
+  if (p.isSending || p.examination.isNull()) return;
+  const DicomArchive archive = p.examination->archive();
+  auto sent = std::make_shared<SendResult>();
+  p.isSending = true;
+  p.examination->setSending(true);
+  p.jobs.start(
+      tr("Sending to %1").arg(words(archive.aeTitle)),
+      [files = p.stored.files(studyNow(), QDateTime::currentDateTime()), archive, sent](Progress& progress) {
+        return sendThroughOutbox(files, archive, outboxFolder(), *sent, progress);
+      },
+      [this, sent, archive, pictures = p.stored.items().size()](const Result<void>& outcome) {
+        Parts& parts = *parts_;
+        parts.isSending = false;
+        // What is in the outbox is lost no more, whether the archive has it or not.
+        if (outcome && pictures == parts.stored.items().size()) parts.stored.setSaved();
+        if (!outcome) {
+          parts.messages->showError(outcome.error(), kSending);
+        } else if (sent->left == 0 && sent->refused == 0) {
+          parts.messages->showNote(
+              sent->verified == 0
+                  ? tr("The archive %1 has everything already.").arg(words(archive.aeTitle))
+                  : tr("The archive %1 has %n more objects now.", nullptr, static_cast<int>(sent->verified)).arg(words(archive.aeTitle)),
+              kSending);
+        } else {
+          parts.messages->showError(tr("%n objects are not in the archive yet; they stay in the outbox and are sent with the next ones. %1",
+                                       nullptr, static_cast<int>(sent->left + sent->refused))
+                                        .arg(words(sent->problem)),
+                                    kSending);
+        }
+        if (parts.examination.isNull()) return;
+        parts.examination->setSending(false);
+        parts.examination->setWaiting(waitingIn(outboxFolder()));
+      });
+}
+
+bool MainWindow::mayLeaveStored(const QString& next) {
+  Parts& p = *parts_;
+  if (!p.stored.isUnsaved()) return true;
+  QMessageBox question(this);
+  question.setObjectName(QStringLiteral("unsavedStoredQuestion"));
+  question.setIcon(QMessageBox::NoIcon);
+  question.setText(tr("%n stored images were neither saved nor sent.", nullptr, static_cast<int>(p.stored.items().size())));
+  if (!next.isEmpty()) question.setInformativeText(tr("'%1' is ready to be shown in its place.").arg(next));
+  question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  question.setDefaultButton(QMessageBox::Save);
+  const int answer = question.exec();
+  if (answer == QMessageBox::Discard) return true;
+  return answer == QMessageBox::Save && saveExamination() && SavingDialog(p.jobs, false, this).wait() == SavingDialog::Outcome::saved;
+}
+
+void MainWindow::saveClip() {
+  Parts& p = *parts_;
+  const auto clip = p.cineBar->clip(recordedCase());
+  if (!clip || !p.session.subject()) return;
+  const QString file = askSaveFile(
+      this, {tr("Save the clip"),
+             tr("clip") + QStringLiteral(".seq.mha"),
+             tr("Scan to look at again (*.seq.mha);;Films (*.mp4 *.avi);;DICOM clips (*.dcm)"),
+             {QStringLiteral(".seq.mha"), QStringLiteral(".mha"), QStringLiteral(".mp4"), QStringLiteral(".avi"), QStringLiteral(".dcm")}});
+  if (file.isEmpty()) return;
+  if (file.endsWith(QStringLiteral(".mha"))) return void(startSavingRecording(clip, file, [] {}));
+  p.jobs.start(
+      tr("Saving %1").arg(QFileInfo(file).fileName()),
+      [clip, subject = *p.session.subject(), study = studyNow(), file](Progress& progress) {
+        return saveTogether({pathOf(file)}, [&](const OutputSet& outputs) {
+          return writeClipFile(*clip, subject, study, outputs.staged(pathOf(file)), progress);
+        });
+      },
+      [this, file](const Result<void>& outcome) {
+        if (outcome)
+          parts_->messages->showNote(tr("Saved to %1.").arg(file), kStoring);
+        else if (outcome.error().code != ErrorCode::cancelled)
+          parts_->messages->showError(outcome.error(), kStoring);
+      },
+      Jobs::Kind::saving);
+}
+
+}  // namespace ew::ui

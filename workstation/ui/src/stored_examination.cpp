@@ -1,0 +1,100 @@
+#include "stored_examination.h"
+
+#include <QLocale>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "ew/imaging/caption.h"
+#include "ew/ui/main_window.h"
+#include "figures.h"
+#include "picture_image.h"
+#include "session.h"
+#include "words.h"
+#include "worksheets.h"
+
+namespace ew::ui {
+namespace {
+
+std::chrono::sys_seconds secondsOf(const QDateTime& at) { return std::chrono::sys_seconds(std::chrono::seconds(at.toSecsSinceEpoch())); }
+
+}  // namespace
+
+ExaminationFiles::StoredStill storedStill(const Session& session, const QImage& saved, int number, const QDateTime& at) {
+  Still still;
+  if (saved.format() == QImage::Format_Grayscale8) {
+    GreyImage grey(saved.width(), saved.height());
+    for (int y = 0; y < saved.height(); ++y) std::copy_n(saved.constScanLine(y), saved.width(), viewOf(grey).row(y));
+    still.pixels = std::move(grey);
+  } else {
+    still.pixels = coloursOf(saved);
+  }
+  const QPoint corner = pictureOnSaved(session, saved).topLeft();
+  still.regions.push_back(regionOf(session.geometry(), {corner.x(), corner.y()}));
+  return {std::move(still), pictureOptions(session.pictureProbe(), session.pictureKnobs(), session.geometry(), number, secondsOf(at))};
+}
+
+QImage withWarning(const QImage& saved) {
+  QImage marked = saved;
+  if (marked.format() == QImage::Format_Grayscale8) {
+    burnCaption(ImageView<std::uint8_t>{marked.bits(), marked.width(), marked.height(), marked.bytesPerLine()}, kNotForDiagnosis);
+  } else {
+    RgbImage colours = coloursOf(saved);
+    burnCaption(viewOf(colours), kNotForDiagnosis);
+    for (int y = 0; y < marked.height(); ++y)
+      std::copy_n(viewOf(colours).row(y), marked.width(), reinterpret_cast<Rgb*>(marked.scanLine(y)));
+  }
+  return marked;
+}
+
+StoredExamination::StoredExamination(Session& session, Worksheets& worksheets, QObject* parent)
+    : QObject(parent), session_(session), worksheets_(worksheets) {
+  connect(&session_, &Session::subjectReplaced, this, &StoredExamination::clear);
+  connect(&worksheets_, &Worksheets::changed, this, &StoredExamination::changed);
+}
+
+bool StoredExamination::store(const OnPicture& on, const DicomStudy& study, const QDateTime& at) {
+  const QImage saved = savedPicture(session_, at, on);
+  if (saved.isNull()) return false;
+  if (!study_) study_ = study;
+  const QString caption = MainWindow::tr("%1, %2 cm, %3", "probe, depth and time of a stored image")
+                              .arg(words(session_.pictureProbe().name), figure(session_.geometry().depth_mm / 10.0, 1),
+                                   QLocale().toString(at.time(), QLocale::ShortFormat));
+  items_.push_back({saved, caption, storedStill(session_, saved, ++number_, at)});
+  unsaved_ = true;
+  Q_EMIT changed();
+  return true;
+}
+
+void StoredExamination::remove(std::size_t item) {
+  if (item >= items_.size()) return;
+  items_.erase(items_.begin() + static_cast<std::ptrdiff_t>(item));
+  unsaved_ = unsaved_ && !items_.empty();
+  Q_EMIT changed();
+}
+
+bool StoredExamination::isEmpty() const { return items_.empty() && worksheets_.filled().empty(); }
+
+ExaminationFiles StoredExamination::files(const DicomStudy& study, const QDateTime& at) {
+  if (!study_) study_ = study;
+  ExaminationFiles files{*study_, {}, {}};
+  for (const Item& item : items_) files.pictures.push_back(item.still);
+  for (const measurement::Examination* each : worksheets_.filled()) {
+    measurement::Worksheet sheet = each->worksheet();
+    std::string contents = toJson(sheet, "en").dump();
+    KnownReport& known = reports_[sheet.package];
+    if (known.contents != contents) known = {std::move(contents), {std::move(sheet), newDicomUid(), secondsOf(at)}};
+    files.reports.push_back(known.report);
+  }
+  return files;
+}
+
+void StoredExamination::clear() {
+  items_.clear();
+  reports_.clear();
+  study_.reset();
+  number_ = 0;
+  unsaved_ = false;
+  Q_EMIT changed();
+}
+
+}  // namespace ew::ui

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <QDateTime>
+#include <QImage>
+#include <QObject>
+#include <QString>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ew/export/examination_files.h"
+#include "saved_picture.h"
+
+namespace ew::ui {
+
+class Session;
+class Worksheets;
+
+/// The pictures that were stored of the patient who is scanned, as a console's key for it keeps them, and the worksheets beside them: what
+/// becomes a report with pictures and goes to an archive. Another patient begins with none.
+class StoredExamination final : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Item {
+    QImage picture;   ///< as savedPicture
+    QString caption;  ///< probe, depth and when
+    ExaminationFiles::StoredStill still;
+  };
+
+  StoredExamination(Session& session, Worksheets& worksheets, QObject* parent = nullptr);
+
+  /// Keeps what the scan shows now. @param study of the patient, taken with the first picture
+  /// @return false: there is no picture
+  bool store(const OnPicture& on, const DicomStudy& study, const QDateTime& at);
+  [[nodiscard]] const std::vector<Item>& items() const { return items_; }
+  void remove(std::size_t item);
+  /// Neither pictures nor filled worksheets.
+  [[nodiscard]] bool isEmpty() const;
+  /// Pictures and worksheets for files and archives; one that was not changed keeps its identifier. @param study where none was taken yet
+  [[nodiscard]] ExaminationFiles files(const DicomStudy& study, const QDateTime& at);
+
+  /// Stored pictures that were neither saved nor sent.
+  [[nodiscard]] bool isUnsaved() const { return unsaved_; }
+  void setSaved() { unsaved_ = false; }
+  /// Every picture goes.
+  void clear();
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  struct KnownReport {
+    std::string contents;
+    ExaminationFiles::Report report;
+  };
+  Session& session_;
+  Worksheets& worksheets_;
+  std::vector<Item> items_;
+  std::optional<DicomStudy> study_;
+  std::map<std::string, KnownReport> reports_;  ///< by package, as last asked for
+  int number_ = 0;                              ///< of pictures of this examination so far
+  bool unsaved_ = false;
+};
+
+/// The present picture with what lies on it, ready to be written as DICOM.
+[[nodiscard]] ExaminationFiles::StoredStill storedStill(const Session& session, const QImage& saved, int number, const QDateTime& at);
+
+/// A picture as it may leave the program: with the words it must carry.
+[[nodiscard]] QImage withWarning(const QImage& saved);
+
+}  // namespace ew::ui
