@@ -6503,6 +6503,150 @@
         <source>an object, the knobs of the console</source>
         <translation>ein Objekt, die Regler der Konsole</translation>
     </message>
+    <message>
+        <source>Stopped as asked; nothing was written.</source>
+        <translation>Wie gewünscht angehalten; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Making images</source>
+        <translation>Bilder werden erzeugt</translation>
+    </message>
+    <message>
+        <source>A DICOM object could not be made (%1); check that DCMTK and its dictionary are installed.</source>
+        <translation>Ein DICOM-Objekt ließ sich nicht erzeugen (%1); prüfen Sie, ob DCMTK und sein Wörterbuch installiert sind.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no unique identifier of DICOM (%2); make one with newDicomUid.</source>
+        <translation>„%1“ ist keine eindeutige Kennung von DICOM (%2); erzeugen Sie eine mit newDicomUid.</translation>
+    </message>
+    <message>
+        <source>A DICOM object could not be written (%1).</source>
+        <translation>Ein DICOM-Objekt ließ sich nicht schreiben (%1).</translation>
+    </message>
+    <message>
+        <source>A picture of %1 x %2 pixels is too small for the words it must carry; give at least %3x%4.</source>
+        <translation>Ein Bild von %1 x %2 Pixeln ist zu klein für die Worte, die es tragen muss; geben Sie mindestens %3x%4 an.</translation>
+    </message>
+    <message>
+        <source>A picture of %1 x %2 pixels is larger than DICOM allows (%3 either way); give a smaller size.</source>
+        <translation>Ein Bild von %1 x %2 Pixeln ist größer, als DICOM erlaubt (%3 in jeder Richtung); geben Sie eine kleinere Größe an.</translation>
+    </message>
+    <message>
+        <source>%1 images of %2 x %3 pixels are more than one DICOM object can hold; store fewer of them, or smaller ones.</source>
+        <translation>%1 Bilder von %2 x %3 Pixeln sind mehr, als ein DICOM-Objekt fasst; speichern Sie weniger oder kleinere.</translation>
+    </message>
+    <message>
+        <source>A region of the picture has no size of a pixel, so that nobody could measure in it.</source>
+        <translation>Ein Bereich des Bildes hat keine Pixelgröße, sodass niemand darin messen könnte.</translation>
+    </message>
+    <message>
+        <source>A clip without an image cannot be stored; record some first.</source>
+        <translation>Ein Clip ohne Bild lässt sich nicht speichern; nehmen Sie zuerst welche auf.</translation>
+    </message>
+    <message>
+        <source>%1 images are more than one DICOM clip holds (%2); store fewer of them.</source>
+        <translation>%1 Bilder sind mehr, als ein DICOM-Clip fasst (%2); speichern Sie weniger davon.</translation>
+    </message>
+    <message>
+        <source>The times of the images do not rise, so that no clip can be made of them.</source>
+        <translation>Die Zeiten der Bilder steigen nicht an, sodass sich kein Clip aus ihnen machen lässt.</translation>
+    </message>
+    <message>
+        <source>Image %1 of the clip has another size or other colours than the clip; store the images apart.</source>
+        <translation>Bild %1 des Clips hat eine andere Größe oder andere Farben als der Clip; speichern Sie die Bilder einzeln.</translation>
+    </message>
+    <message>
+        <source>Writing the clip</source>
+        <translation>Der Clip wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing images and reports</source>
+        <translation>Bilder und Befunde werden geschrieben</translation>
+    </message>
+    <message>
+        <source>In image %1 depth, zoom or orientation are not those of the first image, and all images of a DICOM clip have one scale; write a film (.mp4) or single images instead.</source>
+        <translation>In Bild %1 sind Tiefe, Zoom oder Ausrichtung nicht die des ersten Bildes, und alle Bilder eines DICOM-Clips haben einen Maßstab; schreiben Sie stattdessen einen Film (.mp4) oder einzelne Bilder.</translation>
+    </message>
+    <message>
+        <source>The structured report could not be made (%1); save the worksheet as .json or .csv instead.</source>
+        <translation>Der strukturierte Befund ließ sich nicht erzeugen (%1); speichern Sie das Arbeitsblatt stattdessen als .json oder .csv.</translation>
+    </message>
+    <message>
+        <source>The worksheet is empty; measure something first.</source>
+        <translation>Das Arbeitsblatt ist leer; messen Sie zuerst etwas.</translation>
+    </message>
+    <message>
+        <source>%1 is not there; check the name.</source>
+        <translation>%1 gibt es nicht; prüfen Sie den Namen.</translation>
+    </message>
+    <message>
+        <source>%1 is no DICOM file that can be read (%2); only such files can be sent.</source>
+        <translation>%1 ist keine lesbare DICOM-Datei (%2); nur solche Dateien lassen sich senden.</translation>
+    </message>
+    <message>
+        <source>%1 lacks an identifier that archives need; only whole DICOM objects can be sent.</source>
+        <translation>%1 fehlt eine Kennung, die Archive brauchen; nur vollständige DICOM-Objekte lassen sich senden.</translation>
+    </message>
+    <message>
+        <source>%1 is no note of an outbox; move it away, and its object is sent again.</source>
+        <translation>%1 ist keine Notiz eines Postausgangs; verschieben Sie sie, und ihr Objekt wird noch einmal gesendet.</translation>
+    </message>
+    <message>
+        <source>%1 was written by a newer version of EchoWeave; send with that one.</source>
+        <translation>%1 wurde von einer neueren Version von EchoWeave geschrieben; senden Sie mit dieser.</translation>
+    </message>
+    <message>
+        <source>The outbox %1 cannot be written; check the folder and its permissions.</source>
+        <translation>Der Postausgang %1 lässt sich nicht schreiben; prüfen Sie den Ordner und seine Rechte.</translation>
+    </message>
+    <message>
+        <source>Another program is sending from the outbox %1; wait until it has finished.</source>
+        <translation>Ein anderes Programm sendet aus dem Postausgang %1; warten Sie, bis es fertig ist.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no title of a DICOM application; it has 1 to 16 letters without blanks.</source>
+        <translation>„%1“ ist kein Titel einer DICOM-Anwendung; er hat 1 bis 16 Zeichen ohne Leerzeichen.</translation>
+    </message>
+    <message>
+        <source>The archive needs a host and a port from 1 to 65535.</source>
+        <translation>Das Archiv braucht einen Rechner und einen Port von 1 bis 65535.</translation>
+    </message>
+    <message>
+        <source>The archive %1 at %2 port %3 does not answer as it should (%4).</source>
+        <translation>Das Archiv %1 auf %2, Port %3, antwortet nicht, wie es soll (%4).</translation>
+    </message>
+    <message>
+        <source>Sending to the archive</source>
+        <translation>Wird an das Archiv gesendet</translation>
+    </message>
+    <message>
+        <source>Asking the archive</source>
+        <translation>Das Archiv wird gefragt</translation>
+    </message>
+    <message>
+        <source>Stopped as asked; what was not sent yet stays in the outbox.</source>
+        <translation>Wie gewünscht angehalten; was noch nicht gesendet ist, bleibt im Postausgang.</translation>
+    </message>
+    <message>
+        <source>The archive %1 has no room now (%2).</source>
+        <translation>Das Archiv %1 hat jetzt keinen Platz (%2).</translation>
+    </message>
+    <message>
+        <source>The archive %1 cannot be asked what it has; what it said it stored is kept in the outbox.</source>
+        <translation>Das Archiv %1 lässt sich nicht fragen, was es hat; was es gespeichert haben will, bleibt im Postausgang.</translation>
+    </message>
+    <message>
+        <source>The archive %1 did not say whether it has every object.</source>
+        <translation>Das Archiv %1 hat nicht gesagt, ob es jedes Objekt hat.</translation>
+    </message>
+    <message>
+        <source>The archive %1 did not find every object that it had stored.</source>
+        <translation>Das Archiv %1 hat nicht jedes Objekt gefunden, das es gespeichert hatte.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be made; check permissions and room of the disk.</source>
+        <translation>„%1“ lässt sich nicht anlegen; prüfen Sie Rechte und Platz des Datenträgers.</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
@@ -11258,6 +11402,71 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>body mark</source>
         <translation>Körpersymbol</translation>
     </message>
+    <message>
+        <source>Images (*.png *.mha);;DICOM images (*.dcm)</source>
+        <translation>Bilder (*.png *.mha);;DICOM-Bilder (*.dcm)</translation>
+    </message>
+    <message>
+        <source>Worksheets (*.pdf *.csv *.json);;DICOM reports (*.dcm)</source>
+        <translation>Arbeitsblätter (*.pdf *.csv *.json);;DICOM-Befunde (*.dcm)</translation>
+    </message>
+    <message>
+        <source>Waiting in the outbox, sent with what comes next: %1.</source>
+        <translation>Im Postausgang warten, gesendet mit dem Nächsten: %1.</translation>
+    </message>
+    <message>
+        <source>Refused by the archive, and offered to it again: %1 (%2).</source>
+        <translation>Vom Archiv abgelehnt und ihm erneut angeboten: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>S&amp;tore image</source>
+        <translation>Bild &amp;ablegen</translation>
+    </message>
+    <message>
+        <source>&amp;Examination and archive…</source>
+        <translation>&amp;Untersuchung und Archiv…</translation>
+    </message>
+    <message>
+        <source>Image %1 is stored.</source>
+        <translation>Bild %1 ist abgelegt.</translation>
+    </message>
+    <message>
+        <source>Folder in which the examination gets a folder of its own</source>
+        <translation>Ordner, in dem die Untersuchung einen eigenen Ordner bekommt</translation>
+    </message>
+    <message>
+        <source>Saving the examination</source>
+        <translation>Die Untersuchung wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Sending to %1</source>
+        <translation>Wird an %1 gesendet</translation>
+    </message>
+    <message>
+        <source>The archive %1 has everything already.</source>
+        <translation>Das Archiv %1 hat schon alles.</translation>
+    </message>
+    <message>
+        <source>The archive %1 has everything now; new to it: %2.</source>
+        <translation>Das Archiv %1 hat jetzt alles; neu dort: %2.</translation>
+    </message>
+    <message>
+        <source>Not in the archive yet, but safe in the outbox: %1. %2</source>
+        <translation>Noch nicht im Archiv, aber sicher im Postausgang: %1. %2</translation>
+    </message>
+    <message>
+        <source>Stored images that were neither saved nor sent: %1.</source>
+        <translation>Abgelegte Bilder, die weder gespeichert noch gesendet sind: %1.</translation>
+    </message>
+    <message>
+        <source>Scan to look at again (*.seq.mha);;Films (*.mp4 *.avi);;DICOM clips (*.dcm)</source>
+        <translation>Scan zum Wiederansehen (*.seq.mha);;Filme (*.mp4 *.avi);;DICOM-Clips (*.dcm)</translation>
+    </message>
+    <message>
+        <source>%1, %2 cm, %3</source>
+        <comment>probe, depth and time of a stored image</comment>
+        <translation>%1, %2 cm, %3</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::MeasurePage</name>
@@ -12120,6 +12329,113 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>%1, %2</source>
         <comment>what was measured, and its side</comment>
         <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::ExaminationDialog</name>
+    <message>
+        <source>Examination</source>
+        <translation>Untersuchung</translation>
+    </message>
+    <message>
+        <source>Stored images</source>
+        <translation>Abgelegte Bilder</translation>
+    </message>
+    <message>
+        <source>No image is stored yet. &apos;Store image&apos; in the menu &apos;File&apos; keeps what the scan shows, with all that is measured and written on it.</source>
+        <translation>Noch ist kein Bild gespeichert. „Bild ablegen“ im Menü „Datei“ behält, was der Scan zeigt, mit allem, was darauf gemessen und geschrieben ist.</translation>
+    </message>
+    <message>
+        <source>Remove image</source>
+        <translation>Bild entfernen</translation>
+    </message>
+    <message>
+        <source>Every image and report says that it is a simulation and not for diagnosis.</source>
+        <translation>Auf jedem Bild und Befund steht, dass er eine Simulation ist und nicht zur Diagnose dient.</translation>
+    </message>
+    <message>
+        <source>Save as DICOM files…</source>
+        <translation>Als DICOM-Dateien speichern…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Send to the archive</source>
+        <translation>An das Archiv senden</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archiv</translation>
+    </message>
+    <message>
+        <source>name or address of its machine</source>
+        <translation>Name oder Adresse seines Rechners</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>as its administrator calls it</source>
+        <translation>wie seine Verwaltung es nennt</translation>
+    </message>
+    <message>
+        <source>Application entity title: 1 to 16 letters without blanks</source>
+        <translation>Titel der Anwendung (AE Title): 1 bis 16 Zeichen ohne Leerzeichen</translation>
+    </message>
+    <message>
+        <source>knows this program as</source>
+        <translation>kennt dieses Programm als</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Rechner</translation>
+    </message>
+    <message>
+        <source>AE title</source>
+        <translation>AE-Titel</translation>
+    </message>
+    <message>
+        <source>Test the connection</source>
+        <translation>Verbindung prüfen</translation>
+    </message>
+    <message>
+        <source>Asking…</source>
+        <translation>Wird gefragt…</translation>
+    </message>
+    <message>
+        <source>Asking the archive</source>
+        <translation>Das Archiv wird gefragt</translation>
+    </message>
+    <message>
+        <source>The archive answers.</source>
+        <translation>Das Archiv antwortet.</translation>
+    </message>
+    <message>
+        <source>No worksheet is filled.</source>
+        <translation>Kein Arbeitsblatt ist ausgefüllt.</translation>
+    </message>
+    <message>
+        <source>Worksheets: %1</source>
+        <translation>Arbeitsblätter: %1</translation>
+    </message>
+    <message>
+        <source>Sending…</source>
+        <translation>Wird gesendet…</translation>
+    </message>
+    <message>
+        <source>Stored images and a report of each worksheet; copies wait in the outbox until the archive has them</source>
+        <translation>Gespeicherte Bilder und ein Befund für jedes Arbeitsblatt; Kopien warten im Postausgang, bis das Archiv sie hat</translation>
+    </message>
+    <message>
+        <source>Name the archive first: host and AE title</source>
+        <translation>Nennen Sie zuerst das Archiv: Rechner und AE-Titel</translation>
     </message>
 </context>
 </TS>

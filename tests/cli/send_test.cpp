@@ -74,10 +74,10 @@ TEST_F(SendCommand, KeepsWhatNoArchiveTookAndTakesNothingTwice) {
   ASSERT_EQ(report("r.dcm").status, 0);
   const auto outcome = send({folder_ / "r.dcm"});
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_NE(outcome.err.find("1 objects are not in the archive yet and stay in the outbox"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("safe in the outbox: 1."), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("NOBODY"), std::string::npos) << outcome.err;
   std::filesystem::remove(folder_ / "r.dcm");
-  EXPECT_NE(send({}).err.find("1 objects"), std::string::npos);
+  EXPECT_NE(send({}).err.find("safe in the outbox: 1."), std::string::npos);
   EXPECT_EQ(send({folder_ / "missing.dcm"}).status, 1);
   writeText(folder_ / "text.dcm", "no DICOM at all");
   const auto odd = send({folder_ / "text.dcm"});

@@ -28,7 +28,7 @@ Result<int> send(const SendArguments& arguments, Run& run) {
     if (!isNew) return passOn(isNew.error());
     known += *isNew ? 0 : 1;
   }
-  if (known > 0) run.remark(say<"%1 of the files are in the outbox already, or were sent before; they are not sent twice.">(known));
+  if (known > 0) run.remark(say<"In the outbox already, or sent before, and not sent twice: %1.">(known));
   if (arguments.retriesRefused)
     if (auto waits = outbox->retryRefused(); !waits) return passOn(waits.error());
 
@@ -56,13 +56,14 @@ Result<int> send(const SendArguments& arguments, Run& run) {
   const std::size_t refused = outbox->count(OutboxStatus::refused);
   if (sent->left == 0 && refused == 0) return kDone;
   if (sent->left == 0)
-    return run.answer({ErrorCode::notWritable,
-                       say<"The archive refuses %1 objects, which stay in the outbox; see the notes, and send with --retry when the "
-                           "archive would take them.">(refused),
-                       {}});
+    return run.answer(
+        {ErrorCode::notWritable,
+         say<"Refused by the archive: %1, see the notes. What was refused stays in the outbox; send with --retry when the archive "
+             "would take it.">(refused),
+         {}});
   return run.answer({ErrorCode::notWritable,
-                     say<"%1 objects are not in the archive yet and stay in the outbox; give the command again, without files, to go on. "
-                         "%2">(sent->left, sent->problem),
+                     say<"Not in the archive yet, but safe in the outbox: %1. Give the command again, without files, to go on. %2">(
+                         sent->left, sent->problem),
                      {}});
 }
 

@@ -37,13 +37,13 @@ QString waitingIn(const fs::path& folder) {
   const auto waiting = static_cast<int>(outbox->count(OutboxStatus::waiting) + outbox->count(OutboxStatus::stored));
   const auto refused = static_cast<int>(outbox->count(OutboxStatus::refused));
   QString sentence;
-  if (waiting > 0) sentence = MainWindow::tr("%n objects wait in the outbox and are sent with the next ones.", nullptr, waiting);
+  if (waiting > 0) sentence = MainWindow::tr("Waiting in the outbox, sent with what comes next: %1.").arg(waiting);
   if (refused == 0) return sentence;
   for (const OutboxEntry& entry : outbox->entries())
     if (entry.status == OutboxStatus::refused)
       return sentence + (sentence.isEmpty() ? QString() : QStringLiteral(" ")) +
-             MainWindow::tr("The archive refused %n objects (%1); they are offered to it again.", nullptr, refused)
-                 .arg(words(entry.problem));
+             MainWindow::tr("Refused by the archive, and offered to it again: %1 (%2).")
+                 .arg(QString::number(refused), words(entry.problem));
   return sentence;
 }
 
@@ -190,12 +190,11 @@ void MainWindow::sendExamination() {
           parts.messages->showNote(
               sent->verified == 0
                   ? tr("The archive %1 has everything already.").arg(words(archive.aeTitle))
-                  : tr("The archive %1 has %n more objects now.", nullptr, static_cast<int>(sent->verified)).arg(words(archive.aeTitle)),
+                  : tr("The archive %1 has everything now; new to it: %2.").arg(words(archive.aeTitle), QString::number(sent->verified)),
               kSending);
         } else {
-          parts.messages->showError(tr("%n objects are not in the archive yet; they stay in the outbox and are sent with the next ones. %1",
-                                       nullptr, static_cast<int>(sent->left + sent->refused))
-                                        .arg(words(sent->problem)),
+          parts.messages->showError(tr("Not in the archive yet, but safe in the outbox: %1. %2")
+                                        .arg(QString::number(sent->left + sent->refused), words(sent->problem)),
                                     kSending);
         }
         if (parts.examination.isNull()) return;
@@ -210,7 +209,7 @@ bool MainWindow::mayLeaveStored(const QString& next) {
   QMessageBox question(this);
   question.setObjectName(QStringLiteral("unsavedStoredQuestion"));
   question.setIcon(QMessageBox::NoIcon);
-  question.setText(tr("%n stored images were neither saved nor sent.", nullptr, static_cast<int>(p.stored.items().size())));
+  question.setText(tr("Stored images that were neither saved nor sent: %1.").arg(p.stored.items().size())));
   if (!next.isEmpty()) question.setInformativeText(tr("'%1' is ready to be shown in its place.").arg(next));
   question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   question.setDefaultButton(QMessageBox::Save);
