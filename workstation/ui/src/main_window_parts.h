@@ -19,6 +19,7 @@
 #include "case_info.h"
 #include "case_preparation.h"
 #include "cine_bar.h"
+#include "combine_dialog.h"
 #include "console_panel.h"
 #include "cost_panel.h"
 #include "ew/door/door.h"
@@ -110,6 +111,7 @@ struct MainWindow::Parts {
   ScanView* scanView = nullptr;
   SourcePicker* sourcePicker = nullptr;
   CaliperLayer* caliperLayer = nullptr;
+  CaliperLayer* stripCaliperLayer = nullptr;
   AnnotationLayer* annotationLayer = nullptr;
   BodyMarkView* bodyMarkView = nullptr;
   ConsolePanel* console = nullptr;
@@ -126,6 +128,7 @@ struct MainWindow::Parts {
   QPointer<CostPanel> cost;
   QPointer<SourceDialog> source;
   QPointer<WorksheetDialog> worksheet;
+  QPointer<CombineDialog> combine;
 
   QAction* startPageAction = nullptr;
   QAction* undoAction = nullptr;
@@ -154,8 +157,9 @@ struct MainWindow::Parts {
   QAction* saveRecordingAction = nullptr;
   QAction* scanOnlyAction = nullptr;
   QAction* sourceAction = nullptr;
-  std::vector<QAction*> caliperActions;  ///< as measurement::drawnKinds()
+  std::vector<QAction*> caliperActions;  ///< as measurement::drawnKinds(), then stripKinds()
   QAction* followEdgesAction = nullptr;
+  QAction* snapAction = nullptr;
   QAction* textAction = nullptr;
   QAction* arrowAction = nullptr;
   QAction* bodyMarkAction = nullptr;

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "ew/core/result.h"
+#include "ew/measurement/findings.h"
 #include "ew/measurement/worksheet.h"
 
 namespace ew::ui {
@@ -14,5 +15,9 @@ namespace ew::ui {
 /// @param title of the case @error notWritable
 [[nodiscard]] Result<void> writeWorksheet(const measurement::Worksheet& sheet, const QString& title, const QDateTime& at,
                                           const std::filesystem::path& file);
+
+/// Writes all that was measured by the name's ending: .csv or .json. @param title of the case @error notWritable
+[[nodiscard]] Result<void> writeMeasurements(const measurement::Findings& findings, const QString& title,
+                                             const std::filesystem::path& file);
 
 }  // namespace ew::ui

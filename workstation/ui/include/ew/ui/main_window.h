@@ -223,6 +223,8 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] bool mayLeaveRecording(const QString& next);
   [[nodiscard]] bool mayLeaveWorksheet(const QString& next);
   void showWorksheet();
+  void showCombine();
+  void saveMeasurements();
   bool saveWorksheet();
   [[nodiscard]] bool mayLeavePlugins();
   [[nodiscard]] bool mayClose();
