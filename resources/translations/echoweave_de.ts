@@ -12540,8 +12540,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>%1 im Streifen (%2)</translation>
     </message>
     <message>
-        <source>Beats between the cursors</source>
-        <translation>Schläge zwischen den Marken</translation>
+        <source>Heart beats</source>
+        <translation>Herzschläge</translation>
     </message>
     <message>
         <source>Over how many heart beats the heart rate is measured; the more, the smaller its uncertainty</source>

@@ -241,6 +241,8 @@ void MeasurePage::showAll() {
                                  : tr("Nothing is measured yet. Choose a tool: the image freezes, and the first click sets a point."));
   explanation_->setVisible(chosen != nullptr);
   if (chosen != nullptr) explanation_->setText(CaliperWords::howItCameAbout(*chosen));
+  holdHeight(*explanation_, kLineWidth_px);
+  holdHeight(*empty_, kLineWidth_px);
   const bool isEmpty = drawing.isEmpty() && lines.empty();
   edits_->setVisible(!isEmpty || drawing.canUndo() || drawing.canRedo());
   undo_->setEnabled(drawing.canUndo());

@@ -12,6 +12,13 @@
 #include "finding_words.h"
 
 namespace ew::ui {
+namespace {
+
+constexpr int kPage_px = 208;  // of the console's page, less a scroll bar
+
+}  // namespace
+
+void holdHeight(QLabel& text, int width_px) { text.setMinimumHeight(text.heightForWidth(width_px)); }
 
 ResultsList::ResultsList(Calipers& calipers, QWidget* parent) : QWidget(parent), calipers_(calipers) {
   auto* rows = new QVBoxLayout(this);
@@ -93,6 +100,7 @@ void ResultsList::showAll() {
   if (chosen == nullptr) chosen_ = 0;
   how_->setVisible(chosen != nullptr);
   if (chosen != nullptr) how_->setText(FindingWords::howItCameAbout(findings, *chosen));
+  holdHeight(*how_, kPage_px);
   remove_->setVisible(chosen != nullptr);
   save_->setVisible(!findings.isEmpty() && chosen == nullptr);
   setVisible(!findings.isEmpty());

@@ -13,6 +13,10 @@ namespace ew::ui {
 
 class Calipers;
 
+/// Keeps the height that a wrapped text needs at a width: a layout that asks its minimum alone gives it one line, and squeezes its
+/// neighbours.
+void holdHeight(QLabel& text, int width_px);
+
 /// On the page of measurements: results over several of them, and what is done with all that was measured. A click on a line says how it
 /// came about.
 class ResultsList final : public QWidget {

@@ -45,7 +45,7 @@ StripTools::StripTools(Session& session, Calipers& calipers, QWidget* parent) : 
   beatsRow_ = new QWidget;
   auto* beats = new QHBoxLayout(beatsRow_);
   beats->setContentsMargins(0, 0, 0, 0);
-  auto* label = new QLabel(tr("Beats between the cursors"));
+  auto* label = new QLabel(tr("Heart beats"));
   beats_ = new QSpinBox;
   beats_->setObjectName(QStringLiteral("heartBeats"));
   beats_->setRange(1, measurement::kMostCycles);
