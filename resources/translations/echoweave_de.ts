@@ -6188,10 +6188,6 @@
         <translation>zwei Zahlen, ein Punkt</translation>
     </message>
     <message>
-        <source>a kind of caliper: distance, poly_line, ellipse, fitted_ellipse, trace, angle, ratio, ellipsoid, discs, biplane, slope or heart_rate</source>
-        <translation>eine Art von Messung: distance, poly_line, ellipse, fitted_ellipse, trace, angle, ratio, ellipsoid, discs, biplane, slope oder heart_rate</translation>
-    </message>
-    <message>
         <source>a list of %1 to %2 points</source>
         <translation>eine Liste von %1 bis %2 Punkten</translation>
     </message>
@@ -6646,6 +6642,66 @@
     <message>
         <source>&apos;%1&apos; cannot be made; check permissions and room of the disk.</source>
         <translation>„%1“ lässt sich nicht anlegen; prüfen Sie Rechte und Platz des Datenträgers.</translation>
+    </message>
+    <message>
+        <source>Both points lie at the same depth; move one of them.</source>
+        <translation>Beide Punkte liegen in derselben Tiefe; einen davon verschieben.</translation>
+    </message>
+    <message>
+        <source>The uncertainty of an input is not known, so that of the result is not either.</source>
+        <translation>Die Unsicherheit einer Eingabe ist nicht bekannt, also auch die des Ergebnisses nicht.</translation>
+    </message>
+    <message>
+        <source>A ratio is of two quantities of one kind, but A is measured in %1 and B in %2; choose two lengths or two areas.</source>
+        <translation>Ein Verhältnis haben zwei Größen derselben Art, aber A ist in %1 gemessen und B in %2; zwei Längen oder zwei Flächen wählen.</translation>
+    </message>
+    <message>
+        <source>B is zero, and nothing can be divided by it; choose another measurement.</source>
+        <translation>B ist null, und dadurch lässt sich nicht teilen; eine andere Messung wählen.</translation>
+    </message>
+    <message>
+        <source>A is larger than B, so nothing is reduced; A is the narrow place, B the normal one.</source>
+        <translation>A ist größer als B, also ist nichts verengt; A ist die enge Stelle, B die normale.</translation>
+    </message>
+    <message>
+        <source>A volume is of three lengths, but one of them is measured in %1; choose lengths.</source>
+        <translation>Ein Volumen haben drei Längen, aber eine davon ist in %1 gemessen; Längen wählen.</translation>
+    </message>
+    <message>
+        <source>One of the three lengths is zero; choose another measurement.</source>
+        <translation>Eine der drei Längen ist null; eine andere Messung wählen.</translation>
+    </message>
+    <message>
+        <source>All three lengths are of one picture; the third one belongs to a picture at right angles to it.</source>
+        <translation>Alle drei Längen sind aus einem Bild; die dritte gehört in ein Bild im rechten Winkel dazu.</translation>
+    </message>
+    <message>
+        <source>One length stands for two of the three; measure each of them.</source>
+        <translation>Eine Länge steht für zwei der drei; jede davon messen.</translation>
+    </message>
+    <message>
+        <source>Discs of two planes need two measurements by discs; draw them in both pictures first.</source>
+        <translation>Scheiben zweier Ebenen brauchen zwei Messungen mit Scheiben; sie erst in beiden Bildern zeichnen.</translation>
+    </message>
+    <message>
+        <source>Both planes are of one picture; the second one is that at right angles to it.</source>
+        <translation>Beide Ebenen sind aus einem Bild; die zweite ist die im rechten Winkel dazu.</translation>
+    </message>
+    <message>
+        <source>This result is of %1 measurements, not of %2.</source>
+        <translation>Dieses Ergebnis ist aus %1 Messungen, nicht aus %2.</translation>
+    </message>
+    <message>
+        <source>Measurement %1, which this result was made from, was deleted.</source>
+        <translation>Messung %1, aus der dieses Ergebnis entstand, wurde gelöscht.</translation>
+    </message>
+    <message>
+        <source>Measurement %1 gives no %2; choose another one.</source>
+        <translation>Messung %1 ergibt keine Größe „%2“; eine andere wählen.</translation>
+    </message>
+    <message>
+        <source>a kind of caliper: distance, poly_line, ellipse, fitted_ellipse, trace, angle, ratio, ellipsoid, discs, biplane, interval, slope, heart_rate or depth_distance</source>
+        <translation>eine Art von Messmarke: distance, poly_line, ellipse, fitted_ellipse, trace, angle, ratio, ellipsoid, discs, biplane, interval, slope, heart_rate oder depth_distance</translation>
     </message>
 </context>
 <context>
@@ -8803,6 +8859,24 @@
         <source>Calipers on the image</source>
         <translation>Messpunkte auf dem Bild</translation>
     </message>
+    <message>
+        <source>Calipers on the strip of the M-mode</source>
+        <translation>Messmarken auf dem Streifen des M-Mode</translation>
+    </message>
+    <message>
+        <source>%1 is measured in the image; in the strip measure time, heart rate, slope or depth.</source>
+        <comment>a tool</comment>
+        <translation>%1 wird im Bild gemessen; im Streifen misst man Zeit, Herzfrequenz, Steigung oder Tiefe.</translation>
+    </message>
+    <message>
+        <source>%1 is measured in the strip: click there.</source>
+        <comment>a tool</comment>
+        <translation>%1 wird im Streifen gemessen: dort klicken.</translation>
+    </message>
+    <message>
+        <source>Nothing is drawn there yet; click where the strip shows echoes.</source>
+        <translation>Dort ist noch nichts gezeichnet; klicken, wo der Streifen Echos zeigt.</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::CaliperWords</name>
@@ -8902,16 +8976,135 @@
         <comment>left side, behind what was measured</comment>
         <translation> L</translation>
     </message>
+    <message>
+        <source>Volume by discs</source>
+        <translation>Volumen aus Scheiben</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Heart rate</source>
+        <translation>Herzfrequenz</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>heart rate</source>
+        <translation>Herzfrequenz</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>Volume by discs: click both ends of the long axis, then around the outline; end where the outline began, or by Enter.</source>
+        <translation>Volumen aus Scheiben: beide Enden der langen Achse anklicken, dann um den Umriss herum; dort enden, wo der Umriss begann, oder mit der Eingabetaste.</translation>
+    </message>
+    <message>
+        <source>Time: click both moments in the strip.</source>
+        <translation>Zeit: beide Augenblicke im Streifen anklicken.</translation>
+    </message>
+    <message>
+        <source>Heart rate: click the same moment of two beats in the strip.</source>
+        <translation>Herzfrequenz: denselben Augenblick zweier Schläge im Streifen anklicken.</translation>
+    </message>
+    <message>
+        <source>Slope: click both ends along the moving echo in the strip.</source>
+        <translation>Steigung: beide Enden entlang des bewegten Echos im Streifen anklicken.</translation>
+    </message>
+    <message>
+        <source>Depth: click both depths in the strip.</source>
+        <translation>Tiefe: beide Tiefen im Streifen anklicken.</translation>
+    </message>
+    <message>
+        <source>M%1</source>
+        <comment>number of a measurement in the M-mode</comment>
+        <translation>M%1</translation>
+    </message>
+    <message>
+        <source>cross %1</source>
+        <translation>Kreuz %1</translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation>Kante</translation>
+    </message>
+    <message>
+        <source>same depth</source>
+        <translation>gleiche Tiefe</translation>
+    </message>
+    <message>
+        <source>horizontal</source>
+        <translation>waagerecht</translation>
+    </message>
+    <message>
+        <source>same moment</source>
+        <translation>gleicher Augenblick</translation>
+    </message>
+    <message>
+        <source>vertical</source>
+        <translation>senkrecht</translation>
+    </message>
+    <message>
+        <source>the time of a column and between two beams (%1 ms)</source>
+        <translation>der Zeit einer Spalte und zwischen zwei Strahlen (%1 ms)</translation>
+    </message>
+    <message>
+        <source>the pixel (%1 mm) and the resolution along the beam (%2 mm)</source>
+        <translation>dem Pixel (%1 mm) und der Auflösung längs des Strahls (%2 mm)</translation>
+    </message>
+    <message>
+        <source>± from %1.</source>
+        <comment>what an uncertainty comes from</comment>
+        <translation>± aus %1.</translation>
+    </message>
+    <message>
+        <source>± from %1, and from %2.</source>
+        <comment>what an uncertainty comes from</comment>
+        <translation>± aus %1 sowie aus %2.</translation>
+    </message>
+    <message>
+        <source>Heart beats between the cursors: %1.</source>
+        <translation>Herzschläge zwischen den Marken: %1.</translation>
+    </message>
+    <message>
+        <source>The strip has gone on and does not show its echoes any more; the value stays, and the cine loop brings them back.</source>
+        <translation>Der Streifen ist weitergelaufen und zeigt diese Echos nicht mehr; der Wert bleibt, und die Cine-Schleife holt sie zurück.</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::Calipers</name>
     <message>
-        <source>Calipers measure in the image, not in the strip of the M-mode. Switch to B or B + M (M).</source>
-        <translation>Gemessen wird im Bild, nicht im Streifen des M-Modus. Auf B oder B + M umschalten (M).</translation>
-    </message>
-    <message>
         <source>Following the edge</source>
         <translation>Der Kante folgen</translation>
+    </message>
+    <message>
+        <source>This tool measures in the image, and only the strip of the M-mode is shown. Switch to B or B + M (M).</source>
+        <translation>Dieses Werkzeug misst im Bild, und gezeigt wird nur der Streifen des M-Mode. Auf B oder B + M umschalten (M).</translation>
+    </message>
+    <message>
+        <source>This is measured in the strip of the M-mode. Switch to B + M or M (M).</source>
+        <translation>Das wird im Streifen des M-Mode gemessen. Auf B + M oder M umschalten (M).</translation>
     </message>
 </context>
 <context>
@@ -11467,6 +11660,62 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <comment>probe, depth and time of a stored image</comment>
         <translation>%1, %2 cm, %3</translation>
     </message>
+    <message>
+        <source>Points snap</source>
+        <translation>Punkte rasten ein</translation>
+    </message>
+    <message>
+        <source>&amp;Combine measurements…</source>
+        <translation>Messungen &amp;verrechnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Save measurements…</source>
+        <translation>Messungen &amp;sichern…</translation>
+    </message>
+    <message>
+        <source>Measure something first: a result is computed from measurements.</source>
+        <translation>Erst etwas messen: ein Ergebnis wird aus Messungen berechnet.</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet that could be saved.</source>
+        <translation>Noch ist nichts gemessen, das gesichert werden könnte.</translation>
+    </message>
+    <message>
+        <source>Save the measurements</source>
+        <translation>Messungen sichern</translation>
+    </message>
+    <message>
+        <source>measurements</source>
+        <translation>messungen</translation>
+    </message>
+    <message>
+        <source>Measurements (*.csv *.json)</source>
+        <translation>Messungen (*.csv *.json)</translation>
+    </message>
+    <message>
+        <source>volume by discs</source>
+        <translation>Volumen aus Scheiben</translation>
+    </message>
+    <message>
+        <source>time, heart rate in the strip of the M-mode</source>
+        <translation>Zeit, Herzfrequenz im Streifen des M-Mode</translation>
+    </message>
+    <message>
+        <source>slope, depth in the strip</source>
+        <translation>Steigung, Tiefe im Streifen</translation>
+    </message>
+    <message>
+        <source>points snap; hold Ctrl to do the opposite once</source>
+        <translation>Punkte rasten ein; mit Strg einmal das Gegenteil</translation>
+    </message>
+    <message>
+        <source>combine: ratio, stenosis, volume</source>
+        <translation>verrechnen: Verhältnis, Stenose, Volumen</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::MeasurePage</name>
@@ -11510,6 +11759,18 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Delete all</source>
         <translation>Alle löschen</translation>
+    </message>
+    <message>
+        <source>has left the strip</source>
+        <translation>hat den Streifen verlassen</translation>
+    </message>
+    <message>
+        <source>Points snap</source>
+        <translation>Punkte rasten ein</translation>
+    </message>
+    <message>
+        <source>To crosses, edges, and level or plumb with the point before; a mark and a word show it before the click (Ctrl+M). Hold Ctrl to do the opposite once</source>
+        <translation>An Kreuzen, Kanten und waagerecht oder senkrecht zum Punkt davor; ein Zeichen und ein Wort zeigen es vor dem Klick (Strg+M). Mit Strg einmal das Gegenteil</translation>
     </message>
 </context>
 <context>
@@ -12436,6 +12697,171 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Name the archive first: host and AE title</source>
         <translation>Nennen Sie zuerst das Archiv: Rechner und AE-Titel</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::FindingWords</name>
+    <message>
+        <source>Ratio A / B</source>
+        <translation>Verhältnis A / B</translation>
+    </message>
+    <message>
+        <source>A in percent of B</source>
+        <translation>A in Prozent von B</translation>
+    </message>
+    <message>
+        <source>Stenosis, 1 - A / B</source>
+        <translation>Stenose, 1 - A / B</translation>
+    </message>
+    <message>
+        <source>Volume, ellipsoid</source>
+        <translation>Volumen, Ellipsoid</translation>
+    </message>
+    <message>
+        <source>Volume, discs of two planes</source>
+        <translation>Volumen, Scheiben zweier Ebenen</translation>
+    </message>
+    <message>
+        <source>A, narrow</source>
+        <translation>A, eng</translation>
+    </message>
+    <message>
+        <source>B, normal</source>
+        <translation>B, normal</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>First plane</source>
+        <translation>Erste Ebene</translation>
+    </message>
+    <message>
+        <source>Second plane</source>
+        <translation>Zweite Ebene</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>R%1</source>
+        <comment>number of a result over several measurements</comment>
+        <translation>R%1</translation>
+    </message>
+    <message>
+        <source>Image %1: %2</source>
+        <comment>an image&apos;s number, and a measurement in it</comment>
+        <translation>Bild %1: %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 %3</source>
+        <comment>a measurement, what of it, its value</comment>
+        <translation>%1, %2 %3</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <comment>an input and what it is</comment>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>From %1.</source>
+        <translation>Aus %1.</translation>
+    </message>
+    <message>
+        <source>± from those of its inputs, which share no point: correlation 0.</source>
+        <translation>± aus denen der Eingaben, die keinen Punkt gemeinsam haben: Korrelation 0.</translation>
+    </message>
+    <message>
+        <source>± from those of its inputs, which share points: correlation %1.</source>
+        <translation>± aus denen der Eingaben, die Punkte gemeinsam haben: Korrelation %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::CombineDialog</name>
+    <message>
+        <source>Combine measurements</source>
+        <translation>Messungen verrechnen</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>What is computed from the measurements below</source>
+        <translation>Was aus den Messungen darunter berechnet wird</translation>
+    </message>
+    <message>
+        <source>A measurement of any image of this patient, and what of it</source>
+        <translation>Eine Messung aus irgendeinem Bild dieser Person, und was davon</translation>
+    </message>
+    <message>
+        <source>Add to the list</source>
+        <translation>In die Liste</translation>
+    </message>
+    <message>
+        <source>Nothing is measured by discs yet. Take the tool for volumes by discs, and draw axis and outline in both planes.</source>
+        <translation>Mit Scheiben ist noch nichts gemessen. Das Werkzeug für Volumen aus Scheiben nehmen und in beiden Ebenen Achse und Umriss zeichnen.</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet that this could be computed from. Measure it first; this window may stay open.</source>
+        <translation>Noch ist nichts gemessen, woraus dies berechnet werden könnte. Erst messen; dieses Fenster darf offen bleiben.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::ResultsList</name>
+    <message>
+        <source>Combine…</source>
+        <translation>Verrechnen…</translation>
+    </message>
+    <message>
+        <source>Ratio, stenosis, or volume from measurements of any image (Ctrl+E)</source>
+        <translation>Verhältnis, Stenose oder Volumen aus Messungen beliebiger Bilder (Strg+E)</translation>
+    </message>
+    <message>
+        <source>Save list…</source>
+        <translation>Liste sichern…</translation>
+    </message>
+    <message>
+        <source>All measurements of all images and their results, as CSV or JSON</source>
+        <translation>Alle Messungen aller Bilder und ihre Ergebnisse, als CSV oder JSON</translation>
+    </message>
+    <message>
+        <source>Delete result</source>
+        <translation>Ergebnis löschen</translation>
+    </message>
+    <message>
+        <source>Delete the chosen result; its measurements stay</source>
+        <translation>Das gewählte Ergebnis löschen; seine Messungen bleiben</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::StripTools</name>
+    <message>
+        <source>%1 in the strip (%2)</source>
+        <comment>a tool and its key</comment>
+        <translation>%1 im Streifen (%2)</translation>
+    </message>
+    <message>
+        <source>Heart beats</source>
+        <translation>Herzschläge</translation>
+    </message>
+    <message>
+        <source>Over how many heart beats the heart rate is measured; the more, the smaller its uncertainty</source>
+        <translation>Über wie viele Herzschläge die Herzfrequenz gemessen wird; je mehr, desto kleiner die Unsicherheit</translation>
     </message>
 </context>
 </TS>

@@ -316,13 +316,15 @@ class CalipersTest : public WindowFixture {
     QVERIFY(QImage(file).size() == saved.size());
   }
 
-  void theStripOfTheMModeIsRefusedWithAWord() {
+  void whereOnlyTheStripIsShownADistanceIsOneOfDepthAndTheRestIsRefusedWithAWord() {
     Knobs knobs = session().knobs();
     knobs.mode = DisplayMode::mMode;
     session().setKnobs(knobs);
     session().makePictureNow();
     pressKey(Qt::Key_4);
-    QVERIFY(!calipers().drawing().tool());
+    QCOMPARE(calipers().drawing().tool(), std::optional(CaliperKind::depthDistance));
+    pressKey(Qt::Key_9);
+    QCOMPARE(calipers().drawing().tool(), std::optional(CaliperKind::depthDistance));
     QVERIFY(window_->scanView().said().contains(QLatin1String("M-mode")));
   }
 };

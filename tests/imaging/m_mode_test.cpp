@@ -285,5 +285,31 @@ TEST(MMode, StandsStillWithoutAPulse) {
     for (int x = 1; x < kBeams; ++x) ASSERT_EQ(viewOf(strip).row(y)[x], viewOf(strip).row(y)[0]) << x << ' ' << y;
 }
 
+TEST(MMode, KnowsTheMomentOfEveryColumnItShowsAndTheBeamsItCameFrom) {
+  MModeStrip strip;
+  strip.configure(100, 10, 2.0);
+  EXPECT_FALSE(strip.timeOf(0));
+  EXPECT_FALSE(strip.columnOf(0.0));
+  for (int n = 0; n <= 50; ++n) strip.add(10.0 + 0.05 * n, beamWithTargetAt(50.0));  // 2.5 s: it went round once
+  // The newest column is 125, at 25; its seam is black until 31.
+  EXPECT_EQ(strip.cursor(), 26);
+  EXPECT_NEAR(*strip.timeOf(25), 12.5, 1e-12);
+  EXPECT_FALSE(strip.timeOf(26));
+  EXPECT_FALSE(strip.timeOf(31));
+  EXPECT_NEAR(*strip.timeOf(32), 10.64, 1e-12);
+  EXPECT_NEAR(*strip.columnOf(12.5), 25.0, 1e-9);
+  EXPECT_NEAR(*strip.columnOf(10.64), 32.0, 1e-9);
+  EXPECT_FALSE(strip.columnOf(10.6));
+  EXPECT_FALSE(strip.columnOf(12.6));
+  EXPECT_NEAR(strip.beamInterval_s(12.0), 0.05, 1e-6);
+  strip.add(12.9, beamWithTargetAt(50.0));
+  EXPECT_NEAR(strip.beamInterval_s(12.7), 0.4, 1e-6);
+  EXPECT_NEAR(strip.beamInterval_s(12.0), 0.05, 1e-6);
+  const MModeStrip copy = strip;  // as the cine ring keeps it
+  EXPECT_EQ(copy.timeOf(32 + 20), strip.timeOf(32 + 20));
+  strip.configure(100, 10, 4.0);
+  EXPECT_FALSE(strip.timeOf(25));
+}
+
 }  // namespace
 }  // namespace ew::m_mode_test

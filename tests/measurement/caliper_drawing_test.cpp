@@ -168,5 +168,34 @@ TEST(CaliperDrawing, BackAndEscapeGoStepByStep) {
   EXPECT_EQ(drawing.shown().all[0].number, 1);
 }
 
+TEST(CaliperDrawing, HeartRatesTakeTheBeatsThatAreSetAndGoBackByAStep) {
+  CaliperDrawing drawing;
+  drawing.setScale({80.0, 1.0});  // a second is as wide as 80 mm
+  drawing.setCycles(2);
+  drawing.take(CaliperKind::heartRate);
+  click(drawing, {1.0, 30.0});
+  EXPECT_EQ(click(drawing, {2.0, 30.0}), Press::finished);
+  const auto rate = [&] { return measure(drawing.shown().all[0].caliper)->figures[0].quantity.value; };
+  EXPECT_DOUBLE_EQ(rate(), 120.0);
+  EXPECT_TRUE(drawing.setCyclesOf(1, 3));
+  EXPECT_FALSE(drawing.setCyclesOf(1, 3));
+  EXPECT_DOUBLE_EQ(rate(), 180.0);
+  EXPECT_TRUE(drawing.undo());
+  EXPECT_DOUBLE_EQ(rate(), 120.0);
+  // 0.02 s are 1.6 mm: within reach of the handle; 0.1 s are not.
+  EXPECT_TRUE(drawing.isNearHandle({2.02, 30.5}, kReach_mm));
+  EXPECT_FALSE(drawing.isNearHandle({2.1, 30.5}, kReach_mm));
+}
+
+TEST(CaliperDrawing, DiscsAreAnAxisAndAnOutlineThatEndsWhereItBegan) {
+  CaliperDrawing drawing;
+  drawing.take(CaliperKind::discs);
+  for (const glm::dvec2 at : {glm::dvec2(0, 0), glm::dvec2(60, 0), glm::dvec2(0, -10), glm::dvec2(60, -10), glm::dvec2(60, 10)})
+    EXPECT_EQ(click(drawing, at), Press::point);
+  EXPECT_EQ(click(drawing, {0, 10}), Press::point);
+  EXPECT_EQ(click(drawing, {0.5, -10.5}), Press::finished);
+  EXPECT_NEAR(measure(drawing.shown().all[0].caliper)->figures[0].quantity.value, std::numbers::pi * 100.0 * 60.0 * 1e-3, 1e-9);
+}
+
 }  // namespace
 }  // namespace ew::measurement

@@ -69,6 +69,8 @@ inline std::vector<Caliper> oneOfEachKind(std::uint64_t seed) {
       {CaliperKind::ellipsoid, {{0, points(2, 50.0)}, {0, points(2, 50.0)}, {1, points(2, 50.0)}}},
       caliper(CaliperKind::discs, outlineWithAxis(scatter, 40.0)),
       caliper(CaliperKind::slope, {{scatter.number(1.0), scatter.number(50.0)}, {2.0 + scatter.number(0.5), scatter.number(50.0)}}),
+      caliper(CaliperKind::interval, {{scatter.number(1.0), 9.0}, {2.0 + scatter.number(0.5), 8.0}}),
+      caliper(CaliperKind::depthDistance, {{scatter.number(1.0), 9.0}, {2.0, 30.0 + scatter.number(5.0)}}),
       {CaliperKind::heartRate, {{0, {{scatter.number(1.0), 9.0}, {2.0 + scatter.number(0.5), 8.0}}}}, 3}};
   const auto first = outlineWithAxis(scatter, 40.0);
   all.push_back({CaliperKind::biplane, {{0, first}, {1, outlineWithAxis(scatter, 38.0)}}});

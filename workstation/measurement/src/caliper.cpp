@@ -10,6 +10,7 @@
 #include "cross.h"
 #include "discs.h"
 #include "ew/core/contract.h"
+#include "spreads.h"
 
 namespace ew::measurement {
 namespace {
@@ -34,8 +35,10 @@ constexpr std::array kKinds{KindInfo{CaliperKind::distance, "distance", {1, 2, 2
                             KindInfo{CaliperKind::ellipsoid, "ellipsoid", {3, 2, 2, false}},
                             KindInfo{CaliperKind::discs, "discs", {1, 5, kMostPoints, false}},
                             KindInfo{CaliperKind::biplane, "biplane", {2, 5, kMostPoints, false}},
+                            KindInfo{CaliperKind::interval, "interval", {1, 2, 2, true}},
                             KindInfo{CaliperKind::slope, "slope", {1, 2, 2, true}},
-                            KindInfo{CaliperKind::heartRate, "heart_rate", {1, 2, 2, true}}};
+                            KindInfo{CaliperKind::heartRate, "heart_rate", {1, 2, 2, true}},
+                            KindInfo{CaliperKind::depthDistance, "depth_distance", {1, 2, 2, true}}};
 
 constexpr std::array<std::pair<FigureKind, std::string_view>, 11> kFigures{{{FigureKind::length, "length"},
                                                                             {FigureKind::circumference, "circumference"},
@@ -236,13 +239,18 @@ Result<Measured> measureDiscs(const Caliper& caliper) {
 Result<Measured> measureInStrip(const Caliper& caliper) {
   const Points points = caliper.parts[0].points;
   const double time_s = points[1].x - points[0].x, change_mm = points[1].y - points[0].y;
+  if (caliper.kind == CaliperKind::depthDistance) {
+    if (change_mm == 0.0) return passOn(cannot(say<"Both points lie at the same depth; move one of them.">()));
+    const double down = change_mm < 0.0 ? -1.0 : 1.0;
+    return Measured{{made(FigureKind::length, std::abs(change_mm), Unit::mm, {{0.0, -down}, {0.0, down}})}, {}, 0.0, {}};
+  }
   if (time_s == 0.0) return passOn(cannot(say<"Both points lie at the same moment; move one of them.">()));
   const double sign = time_s < 0.0 ? -1.0 : 1.0;
   Measured measured;
   if (caliper.kind == CaliperKind::slope) {
     const glm::dvec2 bySecond(-change_mm / (time_s * time_s), 1.0 / time_s);
     measured.figures.push_back(made(FigureKind::slope, change_mm / time_s, Unit::mmPerS, {-bySecond, bySecond}));
-  } else {
+  } else if (caliper.kind == CaliperKind::heartRate) {
     const double rate = 60.0 * caliper.cycles / std::abs(time_s);
     const glm::dvec2 bySecond(-rate / time_s, 0.0);
     measured.figures.push_back(made(FigureKind::heartRate, rate, Unit::perMinute, {-bySecond, bySecond}));
@@ -273,8 +281,10 @@ Result<Measured> measureValue(const Caliper& caliper) {
     case CaliperKind::discs:
     case CaliperKind::biplane:
       return measureDiscs(caliper);
+    case CaliperKind::interval:
     case CaliperKind::slope:
     case CaliperKind::heartRate:
+    case CaliperKind::depthDistance:
       return measureInStrip(caliper);
   }
   return passOn(cannot(say<"This kind of caliper is not known.">()));
@@ -300,22 +310,14 @@ Result<void> checkShape(const Caliper& caliper) {
   return {};
 }
 
-/// How uncertain a point is, with the beam's directions.
-struct Spread {
-  glm::dvec2 place;
-  glm::dvec2 pixelVariance;
-  glm::dvec2 axial, lateral;  // directions, of the length of the standard deviations
-};
+bool isOutline(CaliperKind kind) { return kind == CaliperKind::trace || kind == CaliperKind::discs || kind == CaliperKind::biplane; }
 
-struct Spreads {
-  std::vector<Spread> points;
-  std::vector<std::size_t> ends;  // of parts
-  glm::dvec2 meanWidth_mm{0.0};   // lateral and axial, as standard deviations of the point spread
-};
+}  // namespace
 
 Spreads spreadsOf(const Caliper& caliper, const UncertaintyAt& at) {
   const bool isInStrip = shapeOf(caliper.kind).isInStrip;
   Spreads spreads;
+  spreads.isOutline = isOutline(caliper.kind);
   for (const CaliperPart& part : caliper.parts) {
     for (const glm::dvec2& point : part.points) {
       const PointUncertainty u = at(part.picture, point);
@@ -331,18 +333,21 @@ Spreads spreadsOf(const Caliper& caliper, const UncertaintyAt& at) {
   return spreads;
 }
 
-bool isOutline(CaliperKind kind) { return kind == CaliperKind::trace || kind == CaliperKind::discs || kind == CaliperKind::biplane; }
-
-double standardUncertainty(const Gradient& gradient, const Spreads& spreads, bool outline) {
-  double variance = 0.0;
-  std::vector<double> axial(gradient.size()), lateral(gradient.size());
-  for (std::size_t n = 0; n < gradient.size(); ++n) {
-    const Spread& spread = spreads.points[n];
-    axial[n] = glm::dot(gradient[n], spread.axial);
-    lateral[n] = glm::dot(gradient[n], spread.lateral);
-    variance += glm::dot(gradient[n] * gradient[n], spread.pixelVariance) + axial[n] * axial[n] + lateral[n] * lateral[n];
-  }
-  if (!outline || !(spreads.meanWidth_mm.x > 0.0 && spreads.meanWidth_mm.y > 0.0)) return std::sqrt(variance);
+double covarianceWithin(const Gradient& a, const Gradient& b, const Spreads& spreads) {
+  struct ByEcho {
+    double axial, lateral;
+  };
+  const auto byEcho = [&](const Gradient& gradient) {
+    std::vector<ByEcho> made;
+    for (std::size_t n = 0; n < gradient.size(); ++n)
+      made.push_back({glm::dot(gradient[n], spreads.points[n].axial), glm::dot(gradient[n], spreads.points[n].lateral)});
+    return made;
+  };
+  const std::vector<ByEcho> ofA = byEcho(a), ofB = byEcho(b);
+  double sum = 0.0;
+  for (std::size_t n = 0; n < a.size(); ++n)
+    sum += glm::dot(a[n] * b[n], spreads.points[n].pixelVariance) + ofA[n].axial * ofB[n].axial + ofA[n].lateral * ofB[n].lateral;
+  if (!spreads.isOutline || !(spreads.meanWidth_mm.x > 0.0 && spreads.meanWidth_mm.y > 0.0)) return sum;
   constexpr double kFarthest_widths2 = 50.0;  // exp(-25): nothing
   std::size_t begin = 0;
   for (const std::size_t end : spreads.ends) {
@@ -350,14 +355,26 @@ double standardUncertainty(const Gradient& gradient, const Spreads& spreads, boo
       for (std::size_t m = n + 1; m < end; ++m) {
         const glm::dvec2 d = (spreads.points[n].place - spreads.points[m].place) / spreads.meanWidth_mm;
         const double dd = glm::dot(d, d);
-        if (dd < kFarthest_widths2) variance += 2.0 * std::exp(-0.5 * dd) * (axial[n] * axial[m] + lateral[n] * lateral[m]);
+        if (dd < kFarthest_widths2)
+          sum += std::exp(-0.5 * dd) * (ofA[n].axial * ofB[m].axial + ofA[m].axial * ofB[n].axial + ofA[n].lateral * ofB[m].lateral +
+                                        ofA[m].lateral * ofB[n].lateral);
       }
     begin = end;
   }
-  return std::sqrt(std::max(0.0, variance));
+  return sum;
 }
 
-}  // namespace
+double covarianceBetween(const Gradient& a, const Spreads& ofA, const Gradient& b, const Spreads& ofB) {
+  double sum = 0.0;
+  for (std::size_t n = 0; n < a.size(); ++n)
+    for (std::size_t m = 0; m < b.size(); ++m) {
+      const Spread &one = ofA.points[n], &other = ofB.points[m];
+      if (one.place != other.place) continue;
+      sum += glm::dot(a[n] * b[m], one.pixelVariance) + glm::dot(a[n], one.axial) * glm::dot(b[m], other.axial) +
+             glm::dot(a[n], one.lateral) * glm::dot(b[m], other.lateral);
+    }
+  return sum;
+}
 
 std::string_view wordOf(CaliperKind kind) { return infoOf(kind).word; }
 
@@ -392,7 +409,7 @@ Result<Measured> measure(const Caliper& caliper, const UncertaintyAt& at) {
   if (!measured || !at) return measured;
   const Spreads spreads = spreadsOf(caliper, at);
   for (Figure& figure : measured->figures)
-    figure.quantity.uncertainty = standardUncertainty(figure.gradient, spreads, isOutline(caliper.kind));
+    figure.quantity.uncertainty = std::sqrt(std::max(0.0, covarianceWithin(figure.gradient, figure.gradient, spreads)));
   return measured;
 }
 

@@ -75,13 +75,19 @@ Caliper withHandleAt(const Caliper& caliper, Handle handle, glm::dvec2 to) {
 }
 
 const std::vector<CaliperKind>& drawnKinds() {
-  static const std::vector<CaliperKind> kinds{CaliperKind::distance, CaliperKind::polyLine,      CaliperKind::trace,
-                                              CaliperKind::ellipse,  CaliperKind::fittedEllipse, CaliperKind::angle};
+  static const std::vector<CaliperKind> kinds{CaliperKind::distance,      CaliperKind::polyLine, CaliperKind::trace, CaliperKind::ellipse,
+                                              CaliperKind::fittedEllipse, CaliperKind::angle,    CaliperKind::discs};
+  return kinds;
+}
+
+const std::vector<CaliperKind>& stripKinds() {
+  static const std::vector<CaliperKind> kinds{CaliperKind::interval, CaliperKind::heartRate, CaliperKind::slope,
+                                              CaliperKind::depthDistance};
   return kinds;
 }
 
 bool endsWhenAsked(CaliperKind kind) {
-  return kind == CaliperKind::polyLine || kind == CaliperKind::trace || kind == CaliperKind::fittedEllipse;
+  return kind == CaliperKind::polyLine || kind == CaliperKind::trace || kind == CaliperKind::fittedEllipse || kind == CaliperKind::discs;
 }
 
 void CaliperDrawing::take(CaliperKind kind, Purpose purpose) {
@@ -105,8 +111,11 @@ CaliperDrawing::Press CaliperDrawing::set(glm::dvec2 at, double reach_mm) {
   const CaliperKind kind = *tool_;
   // Where the outline began it ends; where the last point was set, too: that is what a second click or Enter means.
   if (endsWhenAsked(kind) && !points_.empty()) {
-    const bool isAtLast = glm::distance(points_.back(), at) <= 0.5 * reach_mm;
-    const bool isAtFirst = kind == CaliperKind::trace && points_.size() >= 3 && glm::distance(points_.front(), at) <= reach_mm;
+    const bool isAtLast = apart(points_.back(), at) <= 0.5 * reach_mm;
+    // The outline of discs begins behind the two ends of their axis.
+    const std::size_t first = kind == CaliperKind::discs ? 2 : 0;
+    const bool isClosed = kind == CaliperKind::trace || kind == CaliperKind::discs;
+    const bool isAtFirst = isClosed && points_.size() >= first + 3 && apart(points_[first], at) <= reach_mm;
     if (isAtLast || isAtFirst) return finish() ? Press::finished : Press::nothing;
   }
   // Two ends in one place measure nothing: the second is still to come.
@@ -129,7 +138,7 @@ CaliperDrawing::Press CaliperDrawing::set(glm::dvec2 at, double reach_mm) {
 CaliperDrawing::Press CaliperDrawing::press(glm::dvec2 at, double reach_mm) {
   pointer_ = at;
   if (points_.empty()) {
-    if (const auto near = handleNear(shown(), picture_, at, reach_mm)) {
+    if (const auto near = handleNear(shown(), picture_, at, reach_mm, scale_)) {
       selected_ = near->number;
       dragged_ = Dragged{near->number, near->handle, shown().find(near->number)->caliper, false};
       return Press::handle;
@@ -153,7 +162,7 @@ void CaliperDrawing::moveTo(glm::dvec2 at, double reach_mm) {
     return;
   }
   if (!pressedAt_ || tool_ != CaliperKind::trace) return;
-  if (glm::distance(*pressedAt_, at) > reach_mm) isDrawn_ = true;
+  if (apart(*pressedAt_, at) > reach_mm) isDrawn_ = true;
   if (isDrawn_ && glm::distance(points_.back(), at) >= kDrawn_mm) points_.push_back(at);
 }
 
@@ -165,16 +174,40 @@ void CaliperDrawing::release(glm::dvec2 at, double reach_mm) {
   if (isDrawn_) {
     isDrawn_ = false;
     // Back where it began it is whole; else it waits for more of it.
-    if (glm::distance(points_.front(), at) <= 2.0 * reach_mm) finish();
-  } else if (tool_ && tool_ != CaliperKind::trace && glm::distance(from, at) > reach_mm) {
+    if (apart(points_.front(), at) <= 2.0 * reach_mm) finish();
+  } else if (tool_ && tool_ != CaliperKind::trace && apart(from, at) > reach_mm) {
     set(at, reach_mm);
   }
+}
+
+void CaliperDrawing::letGo() {
+  dragged_.reset();
+  pressedAt_.reset();
+  isDrawn_ = false;
+}
+
+bool CaliperDrawing::isNearHandle(glm::dvec2 at, double reach_mm) const {
+  return handleNear(shown(), picture_, at, reach_mm, scale_).has_value();
+}
+
+std::optional<glm::dvec2> CaliperDrawing::fixedEnd() const {
+  if (!dragged_) return std::nullopt;
+  const auto& points = dragged_->before.parts[dragged_->handle.part].points;
+  return points.size() == 2 ? std::optional(points[1 - dragged_->handle.point]) : std::nullopt;
 }
 
 bool CaliperDrawing::finish() {
   if (!tool_ || !endsWhenAsked(*tool_) || points_.size() < shapeOf(*tool_).fewest) return false;
   add(points_);
   return true;
+}
+
+bool CaliperDrawing::setCyclesOf(int number, int cycles) {
+  const Measurement* found = shown().find(number);
+  if (found == nullptr || found->caliper.kind != CaliperKind::heartRate || found->caliper.cycles == cycles) return false;
+  Caliper caliper = found->caliper;
+  caliper.cycles = cycles;
+  return list_.setCaliper(number, std::move(caliper));
 }
 
 bool CaliperDrawing::takeBack() {

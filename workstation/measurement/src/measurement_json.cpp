@@ -37,7 +37,7 @@ CaliperKind kindIn(const JsonFields& fields) {
   const auto kind = caliperKindOf(fields.text("kind"));
   if (!kind)
     fields.refuse("kind", say<"a kind of caliper: distance, poly_line, ellipse, fitted_ellipse, trace, angle, ratio, ellipsoid, discs, "
-                              "biplane, slope or heart_rate">());
+                              "biplane, interval, slope, heart_rate or depth_distance">());
   return kind.value_or(CaliperKind::distance);
 }
 

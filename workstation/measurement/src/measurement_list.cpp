@@ -66,14 +66,14 @@ bool MeasurementList::clear() {
   return true;
 }
 
-std::optional<HandleFound> handleNear(const Measurements& measurements, int picture, glm::dvec2 p, double reach_mm) {
+std::optional<HandleFound> handleNear(const Measurements& measurements, int picture, glm::dvec2 p, double reach_mm, glm::dvec2 scale) {
   std::optional<HandleFound> nearest;
   for (const Measurement& measurement : measurements.all)
     for (std::size_t part = 0; part < measurement.caliper.parts.size(); ++part) {
       const CaliperPart& points = measurement.caliper.parts[part];
       if (points.picture != picture) continue;
       for (std::size_t point = 0; point < points.points.size(); ++point) {
-        const double distance_mm = glm::length(points.points[point] - p);
+        const double distance_mm = glm::length(scale * (points.points[point] - p));
         // Of two on each other the newer one, which is drawn on top.
         if (distance_mm <= reach_mm && (!nearest || distance_mm <= nearest->distance_mm))
           nearest = HandleFound{measurement.number, {part, point}, distance_mm};

@@ -5,7 +5,9 @@
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <utility>
 
 #include "caliper_words.h"
 #include "figures.h"
@@ -40,11 +42,42 @@ class Brush {
     if (isClosed) path.closeSubpath();
     stroke(path, style);
   }
+  /// Of a strip: from a moment to a later one, around its right border where the beam has begun anew at the left between them.
+  void span(const glm::dvec2& from, const glm::dvec2& to) {
+    QPointF a = pixelOf_(from), b = pixelOf_(to);
+    if (a.x() < 0.0 || b.x() < 0.0) return;
+    if (from.x > to.x) std::swap(a, b);
+    const double width = room().width();
+    const double around = b.x() < a.x() ? width : 0.0;
+    for (const double shift : around > 0.0 ? std::vector{0.0, -around} : std::vector{0.0}) {
+      QPainterPath path(a + QPointF(shift, 0.0));
+      path.lineTo(b + QPointF(shift + around, 0.0));
+      stroke(path, Qt::CustomDashLine);
+    }
+  }
+  /// A cursor over the whole strip at a moment.
+  void moment(const glm::dvec2& at) {
+    const double x = pixelOf_(at).x();
+    if (x < 0.0) return;
+    QPainterPath path(QPointF(x, room().top()));
+    path.lineTo(x, room().bottom());
+    stroke(path, Qt::SolidLine);
+  }
+  void level(const glm::dvec2& at) {
+    constexpr double kHalf_px = 14.0;
+    const QPointF middle = pixelOf_(at);
+    if (middle.x() < 0.0) return;
+    QPainterPath path(middle - QPointF(kHalf_px, 0.0));
+    path.lineTo(middle + QPointF(kHalf_px, 0.0));
+    stroke(path, Qt::SolidLine);
+  }
+  [[nodiscard]] QRectF room() const { return painter_.hasClipping() ? painter_.clipBoundingRect() : QRectF(painter_.viewport()); }
   void crosses(const std::vector<glm::dvec2>& points) {
     if (points.size() > kMostCrosses) return;
     QPainterPath path;
     for (const glm::dvec2& point : points) {
       const QPointF at = pixelOf_(point);
+      if (at.x() < -kCross_px) continue;
       path.moveTo(at - QPointF(kCross_px, 0.0));
       path.lineTo(at + QPointF(kCross_px, 0.0));
       path.moveTo(at - QPointF(0.0, kCross_px));
@@ -75,8 +108,9 @@ class Brush {
     const double width = figuresWidth_px(metrics, text), height = metrics.height();
     const QPointF at = pixelOf_(*right);
     QRectF box(at.x() + kLabel_px, at.y() - 0.5 * height, width, height);
-    const QRectF room = painter_.hasClipping() ? painter_.clipBoundingRect() : QRectF(painter_.viewport());
-    if (box.right() + 6.0 > room.right()) box.moveRight(pixelOf_(*left).x() - kLabel_px);
+    if (at.x() < 0.0) return;
+    const QRectF within = room();
+    if (box.right() + 6.0 > within.right()) box.moveRight(pixelOf_(*left).x() - kLabel_px);
     painter_.setPen(Qt::NoPen);
     painter_.setBrush(QColor(0, 0, 0, 170));
     painter_.drawRoundedRect(box.adjusted(-4.0, -1.0, 4.0, 1.0), 3.0, 3.0);
@@ -110,6 +144,23 @@ void paintLine(Brush& brush, const Calipers::Line& line, const QString& label) {
     case CaliperKind::polyLine:
       brush.line(points, false, Qt::SolidLine);
       break;
+    case CaliperKind::discs:
+      brush.line({points.begin(), points.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(2, points.size()))}, false,
+                 Qt::CustomDashLine);
+      if (points.size() > 2) brush.line({points.begin() + 2, points.end()}, points.size() > 4, Qt::SolidLine);
+      break;
+    case CaliperKind::interval:
+    case CaliperKind::heartRate:
+      for (const glm::dvec2& point : points) brush.moment(point);
+      if (points.size() == 2) brush.span(points[0], {points[1].x, points[0].y});
+      break;
+    case CaliperKind::depthDistance:
+      for (const glm::dvec2& point : points) brush.level(point);
+      if (points.size() == 2) brush.line({points[0], {points[0].x, points[1].y}}, false, Qt::CustomDashLine);
+      break;
+    case CaliperKind::slope:
+      if (points.size() == 2) brush.span(points[0], points[1]);
+      break;
     default:  // dots let the tissue be seen that is measured
       brush.line(points, false, Qt::CustomDashLine);
   }
@@ -120,18 +171,20 @@ void paintLine(Brush& brush, const Calipers::Line& line, const QString& label) {
 
 }  // namespace
 
-void paintCalipers(QPainter& painter, const Calipers& calipers, const std::function<QPointF(const glm::dvec2&)>& pixelOf,
+void paintCalipers(QPainter& painter, const Calipers& calipers, Where where, const std::function<QPointF(const glm::dvec2&)>& pixelOf,
                    const CaliperColours& colours) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setFont(smallFont());
+  const int selected = calipers.drawingIn(where).selected();
   for (const Calipers::Line& line : calipers.lines()) {
-    Brush brush(painter, pixelOf, line.measurement.number == calipers.drawing().selected() ? colours.chosen : colours.line);
-    paintLine(brush, line, QString::number(line.measurement.number));
+    if (line.where != where) continue;
+    Brush brush(painter, pixelOf, line.measurement.number == selected ? colours.chosen : colours.line);
+    paintLine(brush, line, CaliperWords::numberOf(where, line.measurement.number));
   }
-  if (const auto& line = calipers.unfinished()) {
+  if (const auto& line = calipers.unfinished(); line && line->where == where) {
     Brush brush(painter, pixelOf, colours.chosen);
     const QString result = CaliperWords::mainResult(line->measured);
-    paintLine(brush, *line, result.isEmpty() ? QString::number(line->measurement.number) : result);
+    paintLine(brush, *line, result.isEmpty() ? CaliperWords::numberOf(where, line->measurement.number) : result);
   }
 }
 
@@ -145,8 +198,11 @@ QString resultOf(const Calipers::Line& line) {
 
 }  // namespace
 
-void paintResults(QPainter& painter, const Calipers& calipers, const QRect& room, const CaliperColours& colours) {
-  const auto& lines = calipers.lines();
+void paintResults(QPainter& painter, const Calipers& calipers, Where where, const QRect& room, const CaliperColours& colours) {
+  std::vector<Calipers::Line> lines;
+  std::copy_if(calipers.lines().begin(), calipers.lines().end(), std::back_inserter(lines),
+               [where](const Calipers::Line& line) { return line.where == where; });
+  const auto numberOf = [&](std::size_t n) { return CaliperWords::numberOf(where, lines[n].measurement.number); };
   const std::size_t most = static_cast<std::size_t>(std::max(1, (room.height() - 12) / kLine_px));
   const std::size_t first = lines.size() > most ? lines.size() - most : 0;
   if (lines.empty()) return;
@@ -154,7 +210,7 @@ void paintResults(QPainter& painter, const Calipers& calipers, const QRect& room
   const QFontMetrics metrics = painter.fontMetrics();
   int number_px = 0, value_px = 0;
   for (std::size_t n = first; n < lines.size(); ++n) {
-    number_px = std::max(number_px, figuresWidth_px(metrics, QString::number(lines[n].measurement.number)));
+    number_px = std::max(number_px, figuresWidth_px(metrics, numberOf(n)));
     value_px = std::max(value_px, figuresWidth_px(metrics, resultOf(lines[n])));
   }
   const QRect box(room.topLeft(), QSize(number_px + value_px + 8 + 16, static_cast<int>(lines.size() - first) * kLine_px + 8));
@@ -164,8 +220,8 @@ void paintResults(QPainter& painter, const Calipers& calipers, const QRect& room
   painter.setBrush(Qt::NoBrush);
   for (std::size_t n = first; n < lines.size(); ++n) {
     const int top = box.top() + 4 + static_cast<int>(n - first) * kLine_px;
-    painter.setPen(lines[n].measurement.number == calipers.drawing().selected() ? colours.chosen : colours.line);
-    drawFigures(painter, QRect(box.left() + 8, top, number_px, kLine_px), Qt::AlignRight, QString::number(lines[n].measurement.number));
+    painter.setPen(lines[n].measurement.number == calipers.drawingIn(where).selected() ? colours.chosen : colours.line);
+    drawFigures(painter, QRect(box.left() + 8, top, number_px, kLine_px), Qt::AlignRight, numberOf(n));
     drawFigures(painter, QRect(box.left() + 16 + number_px, top, value_px, kLine_px), Qt::AlignRight, resultOf(lines[n]));
   }
 }

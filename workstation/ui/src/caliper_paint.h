@@ -17,11 +17,12 @@ struct CaliperColours {
   QColor chosen;  ///< what is selected or being drawn
 };
 
-/// Lines, crosses at the points that can be taken, and numbers. @param pixelOf where a point of the picture's plane lies
-void paintCalipers(QPainter& painter, const Calipers& calipers, const std::function<QPointF(const glm::dvec2&)>& pixelOf,
+/// Lines, crosses at the points that can be taken, and numbers, of the picture or of the strip.
+/// @param pixelOf where a point lies; left of 0: it is not in the strip
+void paintCalipers(QPainter& painter, const Calipers& calipers, Where where, const std::function<QPointF(const glm::dvec2&)>& pixelOf,
                    const CaliperColours& colours);
 
 /// Numbers and results in a column, on a veil, in the upper left corner of `room`; the newest ones where it is too low for all.
-void paintResults(QPainter& painter, const Calipers& calipers, const QRect& room, const CaliperColours& colours);
+void paintResults(QPainter& painter, const Calipers& calipers, Where where, const QRect& room, const CaliperColours& colours);
 
 }  // namespace ew::ui

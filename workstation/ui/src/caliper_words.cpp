@@ -1,5 +1,6 @@
 #include "caliper_words.h"
 
+#include <QKeySequence>
 #include <QLocale>
 #include <QStringList>
 #include <algorithm>
@@ -26,6 +27,16 @@ QString CaliperWords::nameOf(CaliperKind kind) {
       return tr("Fitted ellipse");
     case CaliperKind::angle:
       return tr("Angle");
+    case CaliperKind::discs:
+      return tr("Volume by discs");
+    case CaliperKind::interval:
+      return tr("Time");
+    case CaliperKind::heartRate:
+      return tr("Heart rate");
+    case CaliperKind::slope:
+      return tr("Slope");
+    case CaliperKind::depthDistance:
+      return tr("Depth");
     default:
       return QString::fromStdString(std::string(wordOf(kind)));
   }
@@ -45,6 +56,16 @@ QString CaliperWords::nameOf(FigureKind kind) {
       return tr("short axis");
     case FigureKind::angle:
       return tr("angle");
+    case FigureKind::volume:
+      return tr("volume");
+    case FigureKind::duration:
+      return tr("time");
+    case FigureKind::slope:
+      return tr("slope");
+    case FigureKind::heartRate:
+      return tr("heart rate");
+    case FigureKind::ratio:
+      return tr("ratio");
     default:
       return QString::fromStdString(std::string(wordOf(kind)));
   }
@@ -72,9 +93,28 @@ QString CaliperWords::hintOf(CaliperKind kind) {
       return tr("Fitted ellipse: click five or more points of the outline, the last one twice, or Enter.");
     case CaliperKind::angle:
       return tr("Angle: click a point, the vertex, a point.");
+    case CaliperKind::discs:
+      return tr("Volume by discs: click both ends of the long axis, then around the outline; end where the outline began, or by Enter.");
+    case CaliperKind::interval:
+      return tr("Time: click both moments in the strip.");
+    case CaliperKind::heartRate:
+      return tr("Heart rate: click the same moment of two beats in the strip.");
+    case CaliperKind::slope:
+      return tr("Slope: click both ends along the moving echo in the strip.");
+    case CaliperKind::depthDistance:
+      return tr("Depth: click both depths in the strip.");
     default:
       return {};
   }
+}
+
+QString CaliperWords::keyOf(CaliperKind kind) {
+  const auto at = [kind](const std::vector<CaliperKind>& kinds) { return std::find(kinds.begin(), kinds.end(), kind) - kinds.begin(); };
+  constexpr int kFirst = 4, kFirstInStrip = 6;
+  QString key = QString::number(at(measurement::drawnKinds()) + kFirst);
+  if (kind == CaliperKind::discs) key = QStringLiteral("Ctrl+D");
+  if (shapeOf(kind).isInStrip) key = QStringLiteral("Alt+%1").arg(at(measurement::stripKinds()) + kFirstInStrip);
+  return QKeySequence(key).toString(QKeySequence::NativeText);
 }
 
 QString CaliperWords::iconOf(CaliperKind kind) {
@@ -101,21 +141,74 @@ QString CaliperWords::otherResults(const measurement::Measured& measured, const 
   return all.join(between);
 }
 
-QString CaliperWords::howItCameAbout(const measurement::Caliper& caliper, const measurement::UncertaintyAt& at) {
-  if (!at) return {};
-  double pixel_mm = 0.0, axial_mm = 0.0, narrowest_mm = 1e9, widest_mm = 0.0;
-  for (const auto& part : caliper.parts)
-    for (const glm::dvec2& point : part.points) {
-      const measurement::PointUncertainty there = at(part.picture, point);
-      pixel_mm = there.pixel.x;
-      axial_mm = there.axial_mm;
-      narrowest_mm = std::min(narrowest_mm, there.lateral_mm);
-      widest_mm = std::max(widest_mm, there.lateral_mm);
+QString CaliperWords::numberOf(Where where, int number) {
+  return where == Where::strip ? tr("M%1", "number of a measurement in the M-mode").arg(number) : QString::number(number);
+}
+
+QString CaliperWords::snapWord(const measurement::SnapTarget& target, bool isInStrip) {
+  switch (target.kind) {
+    case measurement::SnapKind::point:
+      return tr("cross %1").arg(numberOf(isInStrip ? Where::strip : Where::picture, target.number));
+    case measurement::SnapKind::edge:
+      return tr("edge");
+    case measurement::SnapKind::horizontal:
+      return isInStrip ? tr("same depth") : tr("horizontal");
+    case measurement::SnapKind::vertical:
+      return isInStrip ? tr("same moment") : tr("vertical");
+    case measurement::SnapKind::none:
+      break;
+  }
+  return {};
+}
+
+namespace {
+
+struct Extremes {
+  double least = 1e9, most = 0.0;
+  void take(double value) {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+};
+
+}  // namespace
+
+QString CaliperWords::howItCameAbout(const Calipers::Line& line) {
+  const auto range = [](const Extremes& of, int decimals) {
+    const QString low = figure(of.least, decimals), high = figure(of.most, decimals);
+    return low == high ? low : tr("%1 to %2", "from a smallest to a largest value").arg(low, high);
+  };
+  QString said;
+  if (line.at) {
+    Extremes pixel, row, axial, lateral;
+    for (const auto& part : line.measurement.caliper.parts)
+      for (const glm::dvec2& point : part.points) {
+        const measurement::PointUncertainty there = line.at(part.picture, point);
+        pixel.take(there.pixel.x);
+        row.take(there.pixel.y);
+        axial.take(there.axial_mm);
+        lateral.take(there.lateral_mm);
+      }
+    constexpr double kMs = 1000.0;
+    if (line.where == Where::picture) {
+      said = tr("± from the pixel (%1 mm), the resolution along the beam (%2 mm) and the width of the beam (%3 mm).")
+                 .arg(range(pixel, 2), range(axial, 1), range(lateral, 1));
+    } else {
+      const Extremes pixel_ms{pixel.least * kMs, pixel.most * kMs};
+      const QString time = tr("the time of a column and between two beams (%1 ms)").arg(range(pixel_ms, 0));
+      const QString depth = tr("the pixel (%1 mm) and the resolution along the beam (%2 mm)").arg(range(row, 2), range(axial, 1));
+      const auto kind = line.measurement.caliper.kind;
+      said = kind == CaliperKind::depthDistance ? tr("± from %1.", "what an uncertainty comes from").arg(depth)
+             : kind == CaliperKind::slope       ? tr("± from %1, and from %2.", "what an uncertainty comes from").arg(time, depth)
+                                                : tr("± from %1.", "what an uncertainty comes from").arg(time);
+      if (kind == CaliperKind::heartRate)
+        said = tr("Heart beats between the cursors: %1.").arg(line.measurement.caliper.cycles) + QLatin1Char(' ') + said;
     }
-  const QString low = figure(narrowest_mm, 1), high = figure(widest_mm, 1);
-  return tr("± from the pixel (%1 mm), the resolution along the beam (%2 mm) and the width of the beam (%3 mm).")
-      .arg(figure(pixel_mm, 2), figure(axial_mm, 1),
-           low == high ? low : tr("%1 to %2", "from a smallest to a largest value").arg(low, high));
+  }
+  if (line.where == Where::strip && line.hasLeft)
+    said += (said.isEmpty() ? QString() : QStringLiteral(" ")) +
+            tr("The strip has gone on and does not show its echoes any more; the value stays, and the cine loop brings them back.");
+  return said;
 }
 
 }  // namespace ew::ui

@@ -3,8 +3,10 @@
 #include <QCoreApplication>
 #include <QString>
 
+#include "calipers.h"
 #include "ew/measurement/caliper.h"
 #include "ew/measurement/measurement_list.h"
+#include "ew/measurement/snap_target.h"
 
 namespace ew::ui {
 
@@ -19,6 +21,8 @@ struct CaliperWords {
   [[nodiscard]] static QString titleOf(const measurement::Measurement& measurement);
   /// What to click.
   [[nodiscard]] static QString hintOf(measurement::CaliperKind kind);
+  /// The key of its tool, as the system's language calls it.
+  [[nodiscard]] static QString keyOf(measurement::CaliperKind kind);
   [[nodiscard]] static QString iconOf(measurement::CaliperKind kind);
   /// "82.0 ± 0.9 mm", areas in cm².
   [[nodiscard]] static QString textOf(const measurement::Quantity& quantity);
@@ -26,8 +30,13 @@ struct CaliperWords {
   [[nodiscard]] static QString mainResult(const measurement::Measured& measured);
   /// The others, each with its name: "area 25.1 ± 0.4 cm²", joined by `between`.
   [[nodiscard]] static QString otherResults(const measurement::Measured& measured, const QString& between);
-  /// Where the uncertainty of a caliper comes from: pixel, and the beam at its points. @param at as measure() was given it
-  [[nodiscard]] static QString howItCameAbout(const measurement::Caliper& caliper, const measurement::UncertaintyAt& at);
+  /// "1", in a strip "M1".
+  [[nodiscard]] static QString numberOf(Where where, int number);
+  /// "edge", "cross 2", "level": what a point is drawn to.
+  [[nodiscard]] static QString snapWord(const measurement::SnapTarget& target, bool isInStrip);
+  /// Where the uncertainty of a caliper comes from: pixel, and the beam at its points; of a strip columns, beams and rows. And what became
+  /// of its echoes.
+  [[nodiscard]] static QString howItCameAbout(const Calipers::Line& line);
 };
 
 }  // namespace ew::ui

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <utility>
 
 #include "ew/measurement/on_picture.h"
 #include "jobs.h"
@@ -20,6 +21,8 @@ using measurement::Measured;
 using measurement::Measurement;
 
 const auto kFollowsSetting = QStringLiteral("calipersFollowEdges");
+const auto kSnapsSetting = QStringLiteral("calipersSnap");
+const auto kBeatsSetting = QStringLiteral("heartRateBeats");
 constexpr std::size_t kMostClicks = 32;  // of an outline: more were drawn, along the edge already
 
 /// Whether it gives circumference and area.
@@ -37,6 +40,12 @@ std::optional<CaliperKind> toolFor(measurement::ItemMeasure measure) {
       return CaliperKind::trace;
     case measurement::ItemMeasure::angle:
       return CaliperKind::angle;
+    case measurement::ItemMeasure::volume:
+      return CaliperKind::discs;
+    case measurement::ItemMeasure::slope:
+      return CaliperKind::slope;
+    case measurement::ItemMeasure::heartRate:
+      return CaliperKind::heartRate;
     default:
       return std::nullopt;
   }
@@ -45,9 +54,15 @@ std::optional<CaliperKind> toolFor(measurement::ItemMeasure measure) {
 }  // namespace
 
 Calipers::Calipers(Session& session, Jobs& jobs, QObject* parent)
-    : QObject(parent), session_(session), jobs_(jobs), followsEdges_(QSettings().value(kFollowsSetting, false).toBool()) {
+    : QObject(parent),
+      session_(session),
+      jobs_(jobs),
+      followsEdges_(QSettings().value(kFollowsSetting, false).toBool()),
+      snaps_(QSettings().value(kSnapsSetting, false).toBool()) {
+  const int beats = std::clamp(QSettings().value(kBeatsSetting, 1).toInt(), 1, measurement::kMostCycles);
+  for (CaliperDrawing& strip : strips_) strip.setCycles(beats);
   connect(&session_, &Session::pictureChanged, this, &Calipers::look);
-  connect(&session_, &Session::subjectReplaced, this, &Calipers::forget);
+  connect(&session_, &Session::subjectReplaced, this, &Calipers::forgetAll);
   connect(&session_, &Session::frozenChanged, this, [this](bool frozen) {
     if (!frozen && !session_.isPlaying()) forget();
   });
@@ -65,13 +80,15 @@ void Calipers::takeFor(const measurement::PackageItem& item, const std::string& 
 
 void Calipers::takeInto(CaliperKind kind, const CaliperDrawing::Purpose& asked) {
   if (!session_.subject() || session_.picture().isEmpty()) return;
+  if (kind == CaliperKind::distance && session_.pictureKnobs().mode == DisplayMode::mMode) kind = CaliperKind::depthDistance;
+  if (measurement::shapeOf(kind).isInStrip) return takeInStrip(kind, asked);
   if (drawing().tool() == kind && drawing().purpose() == asked) {
     return change([](CaliperDrawing& drawing) {
       while (drawing.tool()) drawing.cancel();
     });
   }
   if (session_.pictureKnobs().mode == DisplayMode::mMode) {
-    Q_EMIT said(tr("Calipers measure in the image, not in the strip of the M-mode. Switch to B or B + M (M)."));
+    Q_EMIT said(tr("This tool measures in the image, and only the strip of the M-mode is shown. Switch to B or B + M (M)."));
     return;
   }
   const CaliperDrawing::Purpose purpose = asked;  // it may be the drawing's own, and the drawing may change
@@ -79,15 +96,83 @@ void Calipers::takeInto(CaliperKind kind, const CaliperDrawing::Purpose& asked) 
   if (!session_.isPlaying()) session_.setFrozen(true);
   turnTo(stillOf(session_));
   look();
-  change([&](CaliperDrawing& drawing) { drawing.take(kind, purpose); });
+  changeIn(Where::picture, [&](CaliperDrawing& drawing) { drawing.take(kind, purpose); });
+}
+
+void Calipers::takeInStrip(CaliperKind kind, const CaliperDrawing::Purpose& asked) {
+  if (!hasStrip()) {
+    Q_EMIT said(tr("This is measured in the strip of the M-mode. Switch to B + M or M (M)."));
+    return;
+  }
+  if (drawing().tool() == kind && drawing().purpose() == asked) {
+    return change([](CaliperDrawing& drawing) {
+      while (drawing.tool()) drawing.cancel();
+    });
+  }
+  const CaliperDrawing::Purpose purpose = asked;  // it may be the drawing's own, and the drawing may change
+  followStrip();
+  changeIn(Where::strip, [&](CaliperDrawing& drawing) { drawing.take(kind, purpose); });
+}
+
+bool Calipers::hasStrip() const { return session_.strip().width > 0 && session_.strip().height > 1 && session_.geometry().depth_mm > 0.0; }
+
+measurement::StripPlane Calipers::stripPlane() const { return {session_.mMode(), session_.geometry().depth_mm}; }
+
+void Calipers::putDownOther() {
+  CaliperDrawing& other = mine(where_ == Where::strip ? Where::picture : Where::strip);
+  while (other.tool()) other.cancel();
+  other.select(0);
+}
+
+void Calipers::choose(Where where, int number) {
+  changeIn(where, [number](CaliperDrawing& drawing) { drawing.select(number); });
+}
+
+void Calipers::clear() {
+  for (const Where where : {where_ == Where::strip ? Where::picture : Where::strip, where_}) mine(where).clear();
+  measureAll();
+  Q_EMIT changed();
+}
+
+int Calipers::beats() const {
+  const CaliperDrawing& strip = drawingIn(Where::strip);
+  const Measurement* chosen = strip.shown().find(strip.selected());
+  return chosen != nullptr && chosen->caliper.kind == CaliperKind::heartRate ? chosen->caliper.cycles : strip.cycles();
+}
+
+void Calipers::setBeats(int beats) {
+  if (beats == this->beats() || beats < 1 || beats > measurement::kMostCycles) return;
+  QSettings().setValue(kBeatsSetting, beats);
+  for (CaliperDrawing& strip : strips_) strip.setCycles(beats);
+  changeIn(Where::strip, [beats](CaliperDrawing& drawing) { drawing.setCyclesOf(drawing.selected(), beats); });
+}
+
+void Calipers::setSnaps(bool snaps) {
+  if (snaps == snaps_) return;
+  snaps_ = snaps;
+  QSettings().setValue(kSnapsSetting, snaps);
+  Q_EMIT changed();
+}
+
+int Calipers::combine(measurement::CombinationKind kind, std::vector<measurement::FigureRef> of) {
+  const int number = findings_.add(kind, std::move(of));
+  Q_EMIT changed();
+  return number;
+}
+
+void Calipers::removeCombination(int number) {
+  if (findings_.remove(number)) Q_EMIT changed();
 }
 
 std::optional<std::uint64_t> Calipers::picture() const { return drawn_.picture() ? std::optional(drawn_.now().picture) : std::nullopt; }
 
-void Calipers::change(const std::function<void(CaliperDrawing&)>& edit) {
+void Calipers::changeIn(Where where, const std::function<void(CaliperDrawing&)>& edit) {
+  const bool isOther = where != where_;
+  where_ = where;
+  if (isOther) putDownOther();
   const int next = drawing().shown().nextNumber;
-  edit(mine());
-  if (followsEdges_ && drawing().shown().nextNumber == next + 1) followEdge(next);
+  edit(mine(where));
+  if (where == Where::picture && followsEdges_ && drawing().shown().nextNumber == next + 1) followEdge(next);
   measureAll();
   Q_EMIT changed();
 }
@@ -134,19 +219,20 @@ void Calipers::followEdge(int number) {
 }
 
 void Calipers::turnTo(const StillPicture& picture) {
-  const auto tool = drawing().tool();
-  const CaliperDrawing::Purpose purpose = drawing().purpose();
+  const auto tool = mine().tool();
+  const CaliperDrawing::Purpose purpose = mine().purpose();
   if (!drawn_.turnTo(picture)) return;
   if (drawn_.now().picture == 0) drawn_.now().picture = nextPicture_++;
   uncertaintyAt_ = {};
-  if (drawing().tool() == tool && drawing().purpose() == purpose) return;
+  if (mine().tool() == tool && mine().purpose() == purpose) return;
   if (tool)
     mine().take(*tool, purpose);
   else
-    while (drawing().tool()) mine().cancel();
+    while (mine().tool()) mine().cancel();
 }
 
 void Calipers::look() {
+  followStrip();
   if (!drawn_.picture()) return;
   if (!session_.isFrozen() && !session_.isPlaying()) return forget();
   turnTo(stillOf(session_));
@@ -154,7 +240,53 @@ void Calipers::look() {
   // The same picture in a window of another size: other pixels.
   geometry_ = session_.geometry();
   uncertaintyAt_ = measurement::uncertaintyOn(session_.pictureProbe(), session_.pictureKnobs(), session_.pictureScene(), geometry_);
-  lines_.clear();
+  std::erase_if(lines_, [](const Line& line) { return line.where == Where::picture; });
+  measureAll();
+  Q_EMIT changed();
+}
+
+/// Where its echoes are now: they move with the strip, and leave it.
+void Calipers::followStrip() {
+  if (std::exchange(wasPlaying_, session_.isPlaying()) != session_.isPlaying()) {
+    if (!session_.isPlaying()) {
+      const int beats = strips_[1].cycles();
+      strips_[1] = CaliperDrawing();  // the recording was closed, and its moments with it
+      strips_[1].setCycles(beats);
+    }
+    if (where_ == Where::strip && !hasStrip()) where_ = Where::picture;
+    measureAll();
+    Q_EMIT changed();
+  }
+  if (hasStrip()) mine(Where::strip).setScale({stripPlane().mmPerS(), 1.0});
+  if (!hasStrip() && mine(Where::strip).tool()) {  // its strip is gone
+    changeIn(Where::strip, [](CaliperDrawing& drawing) {
+      while (drawing.tool()) drawing.cancel();
+    });
+  }
+  bool isOther = false;
+  for (Line& line : lines_)
+    if (line.where == Where::strip) isOther = std::exchange(line.hasLeft, hasLeft(line.measurement.caliper)) != line.hasLeft || isOther;
+  if (isOther) Q_EMIT changed();
+}
+
+bool Calipers::hasLeft(const measurement::Caliper& caliper) const {
+  if (!hasStrip()) return true;
+  const measurement::StripPlane plane = stripPlane();
+  const auto& points = caliper.parts[0].points;
+  return std::any_of(points.begin(), points.end(), [&](const glm::dvec2& point) { return !plane.pixelOf(point); });
+}
+
+void Calipers::forgetAll() {
+  for (CaliperDrawing& strip : strips_) {
+    const int beats = strip.cycles();
+    strip = CaliperDrawing();
+    strip.setCycles(beats);
+  }
+  findings_.clear();
+  where_ = Where::picture;
+  stripAt_ = {};
+  drawn_.forget();
+  uncertaintyAt_ = {};
   measureAll();
   Q_EMIT changed();
 }
@@ -166,29 +298,53 @@ void Calipers::forget() {
   Q_EMIT changed();
 }
 
-Measured Calipers::measured(const measurement::Caliper& caliper) const {
-  auto found = measure(caliper, uncertaintyAt_);
+Measured Calipers::measured(const measurement::Caliper& caliper, const measurement::UncertaintyAt& at) {
+  auto found = measure(caliper, at);
   return found ? std::move(*found) : Measured{};
 }
 
-void Calipers::measureAll() {
-  const auto& all = drawing().shown().all;
-  std::vector<Line> now;
-  bool isSame = all.size() == lines_.size();
-  for (const Measurement& measurement : all) {
-    const auto known = std::find_if(lines_.begin(), lines_.end(), [&](const Line& line) { return line.measurement == measurement; });
-    isSame = isSame && known - lines_.begin() == std::ssize(now);
-    now.push_back(known != lines_.end() ? *known : Line{measurement, measured(measurement.caliper)});
+void Calipers::measureLines(Where where, const measurement::Measurements& shown, std::vector<Line>& now) {
+  bool isStripKnown = false;
+  for (const Measurement& measurement : shown.all) {
+    const auto known = std::find_if(lines_.begin(), lines_.end(),
+                                    [&](const Line& line) { return line.where == where && line.measurement == measurement; });
+    if (known != lines_.end()) {
+      now.push_back(*known);
+      continue;
+    }
+    if (where == Where::strip && hasStrip() && !std::exchange(isStripKnown, true))
+      stripAt_ = measurement::uncertaintyInStrip(session_.pictureProbe(), session_.pictureKnobs(), session_.pictureScene(),
+                                                 session_.geometry(), session_.mMode());
+    const measurement::UncertaintyAt& at = uncertainty(where);
+    now.push_back({measurement, measured(measurement.caliper, at), where, at, where == Where::strip && hasLeft(measurement.caliper)});
   }
+}
+
+void Calipers::measureAll() {
+  std::vector<Line> now;
+  measureLines(Where::picture, drawingIn(Where::picture).shown(), now);
+  const std::size_t ofPicture = now.size();
+  measureLines(Where::strip, drawingIn(Where::strip).shown(), now);
+  const bool isSame = std::equal(now.begin(), now.end(), lines_.begin(), lines_.end(),
+                                 [](const Line& a, const Line& b) { return a.where == b.where && a.measurement == b.measurement; });
   lines_ = std::move(now);
   unfinished_.reset();
   if (const auto caliper = drawing().unfinished()) {
     Measurement next;
     next.number = drawing().shown().nextNumber;
     next.caliper = *caliper;
-    unfinished_ = Line{next, measured(*caliper)};
+    unfinished_ = Line{next, measured(*caliper, uncertainty(where_)), where_, {}, false};
   }
-  if (!isSame) Q_EMIT linesChanged();
+  if (isSame) return;
+  std::vector<measurement::Finding> found, inStrip;
+  for (std::size_t n = 0; n < lines_.size(); ++n) {
+    const Line& line = lines_[n];
+    const bool isOfPicture = n < ofPicture;
+    (isOfPicture ? found : inStrip).push_back({isOfPicture ? drawn_.now().picture : strip(), line.measurement, line.measured, line.at});
+  }
+  if (drawn_.picture()) findings_.measuredIn(drawn_.now().picture, std::move(found));
+  findings_.measuredIn(strip(), std::move(inStrip));
+  Q_EMIT linesChanged();
 }
 
 }  // namespace ew::ui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -8,7 +9,9 @@
 
 #include "ew/imaging/display.h"
 #include "ew/measurement/caliper_drawing.h"
+#include "ew/measurement/findings.h"
 #include "ew/measurement/package.h"
+#include "ew/measurement/strip.h"
 #include "still_picture.h"
 
 namespace ew::ui {
@@ -16,9 +19,15 @@ namespace ew::ui {
 class Jobs;
 class Session;
 
+/// Where a caliper is drawn: on the scan, or in the strip of the M-mode.
+enum class Where { picture, strip };
+
 /// The measurements of the picture that stands still: what was drawn on it, and what that measures. They belong to one picture: another
 /// one of the cine loop or of a recording has its own, and they are there again when it is. The scan that goes on, or the recording that is
 /// closed, takes all of them away.
+/// Those of the strip belong to moments of the scan, which the strip shows live or frozen: they stay with their echoes, and in the list
+/// when those have left. What all of them measured is found together for results over several pictures, and stays until another patient
+/// comes.
 class Calipers final : public QObject {
   Q_OBJECT
 
@@ -28,30 +37,62 @@ class Calipers final : public QObject {
 
   /// Takes a tool into the hand, or puts it down when it is there already. A live image is frozen, what plays is paused.
   /// What an item of a package is measured with it stays for, when another tool is taken that gives the same.
+  /// A tool of the strip leaves the image as it runs; a distance that is taken where there is only the strip is one of depth.
   void take(measurement::CaliperKind kind);
   /// Takes the tool that an item is usually measured with; what it draws is measured for the item. @param side of a sided one
   void takeFor(const measurement::PackageItem& item, const std::string& side);
   /// Pauses what plays: a point is set in a picture that stands still.
   void hold() { Q_EMIT pauseAsked(); }
-  [[nodiscard]] const measurement::CaliperDrawing& drawing() const { return drawn_.now().drawing; }
+  /// The one that was used last: undo, keys and the tool at hand are its own.
+  [[nodiscard]] const measurement::CaliperDrawing& drawing() const { return drawingIn(where_); }
+  [[nodiscard]] const measurement::CaliperDrawing& drawingIn(Where where) const {
+    return where == Where::strip ? strips_[session_.isPlaying() ? 1 : 0] : drawn_.now().drawing;
+  }
+  [[nodiscard]] Where where() const { return where_; }
   /// Of the picture that is measured: never the same for two. Empty: none is.
   [[nodiscard]] std::optional<std::uint64_t> picture() const;
-  /// The one way to change what is drawn.
-  void change(const std::function<void(measurement::CaliperDrawing&)>& edit);
+  [[nodiscard]] std::uint64_t strip() const { return measurement::kStripPicture + (session_.isPlaying() ? 1 : 0); }
+  /// The one way to change what is drawn: the one that was used last, or that of a place, which is used then.
+  void change(const std::function<void(measurement::CaliperDrawing&)>& edit) { changeIn(where_, edit); }
+  void changeIn(Where where, const std::function<void(measurement::CaliperDrawing&)>& edit);
+  /// Chooses a line of the list.
+  void choose(Where where, int number);
+  void clear();  ///< of the picture and of the strip
+
+  /// Time and depth of the strip's pixels. As long as this picture is shown.
+  [[nodiscard]] measurement::StripPlane stripPlane() const;
+  [[nodiscard]] bool hasStrip() const;
+  /// Heart beats between the cursors of the heart rate that is chosen, and of those drawn from now on.
+  void setBeats(int beats);
+  [[nodiscard]] int beats() const;
 
   /// Whether an outline that is clicked follows the edge it goes around.
   void setFollowsEdges(bool follows);
   [[nodiscard]] bool followsEdges() const { return followsEdges_; }
 
+  /// Whether points are drawn to crosses, edges and levels nearby.
+  void setSnaps(bool snaps);
+  [[nodiscard]] bool snaps() const { return snaps_; }
+
   struct Line {
     measurement::Measurement measurement;
     measurement::Measured measured;  ///< without figures: nothing can be measured yet
+    Where where = Where::picture;
+    measurement::UncertaintyAt at = {};  ///< as it was measured with
+    bool hasLeft = false;                ///< some of its echoes are not in the strip any more, or not yet
   };
-  /// What is drawn, in its order.
+  /// What is drawn, in its order; that of the strip behind that of the picture.
   [[nodiscard]] const std::vector<Line>& lines() const { return lines_; }
   /// What is being drawn, with the pointer as its next point.
   [[nodiscard]] const std::optional<Line>& unfinished() const { return unfinished_; }
-  [[nodiscard]] const measurement::UncertaintyAt& uncertainty() const { return uncertaintyAt_; }
+  [[nodiscard]] const measurement::UncertaintyAt& uncertainty(Where where = Where::picture) const {
+    return where == Where::strip ? stripAt_ : uncertaintyAt_;
+  }
+
+  /// All that was measured for this patient, and results over several pictures.
+  [[nodiscard]] const measurement::Findings& findings() const { return findings_; }
+  int combine(measurement::CombinationKind kind, std::vector<measurement::FigureRef> of);
+  void removeCombination(int number);
 
  Q_SIGNALS:
   void changed();
@@ -65,14 +106,22 @@ class Calipers final : public QObject {
     std::uint64_t picture = 0;
   };
   void takeInto(measurement::CaliperKind kind, const measurement::CaliperDrawing::Purpose& purpose);
-  [[nodiscard]] measurement::CaliperDrawing& mine() { return drawn_.now().drawing; }
+  void takeInStrip(measurement::CaliperKind kind, const measurement::CaliperDrawing::Purpose& purpose);
+  void putDownOther();
+  void followStrip();
+  void forgetAll();
+  void measureLines(Where where, const measurement::Measurements& shown, std::vector<Line>& now);
+  [[nodiscard]] bool hasLeft(const measurement::Caliper& caliper) const;
+  [[nodiscard]] measurement::CaliperDrawing& mine(Where where = Where::picture) {
+    return where == Where::strip ? strips_[session_.isPlaying() ? 1 : 0] : drawn_.now().drawing;
+  }
   /// The tool stays in the hand.
   void turnTo(const StillPicture& picture);
   void look();
   void forget();
   void measureAll();
   void followEdge(int number);
-  [[nodiscard]] measurement::Measured measured(const measurement::Caliper& caliper) const;
+  [[nodiscard]] static measurement::Measured measured(const measurement::Caliper& caliper, const measurement::UncertaintyAt& at);
 
   Session& session_;
   Jobs& jobs_;
@@ -82,7 +131,13 @@ class Calipers final : public QObject {
   measurement::UncertaintyAt uncertaintyAt_;
   std::vector<Line> lines_;
   std::optional<Line> unfinished_;
+  std::array<measurement::CaliperDrawing, 2> strips_;  ///< of the scan, and of a recording that is shown: each has a clock of its own
+  bool wasPlaying_ = false;
+  Where where_ = Where::picture;
+  measurement::UncertaintyAt stripAt_;
+  measurement::Findings findings_;
   bool followsEdges_ = false;
+  bool snaps_ = false;
 };
 
 }  // namespace ew::ui

@@ -122,7 +122,7 @@ void MainWindow::makeViews() {
   p.scanView = new ScanView(p.session);
   p.console = new ConsolePanel(p.session);
   p.console->setFixedWidth(kConsoleWidth_px);
-  p.measurePage = new MeasurePage(p.calipers, p.worksheets);
+  p.measurePage = new MeasurePage(p.session, p.calipers, p.worksheets);
   p.console->addPage(p.measurePage, tr("Measure"), tr("Calipers, and what they measured (F10)"));
   p.replayBar = new ReplayBar(p.session);
   p.status = new StatusLine(p.session);
@@ -191,6 +191,7 @@ void MainWindow::watchViews() {
   p.viewColumns->onPress = [this] { parts_->beforePress = parts_->session.hold(); };
   p.viewColumns->takeBackPress = [this] { parts_->session.setHold(parts_->beforePress); };
   p.caliperLayer = new CaliperLayer(p.session, p.calipers, *p.scanView);
+  p.stripCaliperLayer = new CaliperLayer(p.session, p.calipers, *p.scanView, Where::strip);
   p.annotationLayer = new AnnotationLayer(p.session, p.annotated, *p.scanView);
   p.annotationLayer->watch(p.caliperLayer, [this] { return parts_->calipers.drawing().tool().has_value(); });
   p.bodyMarkView = new BodyMarkView(p.bodyMark, *p.scanView);

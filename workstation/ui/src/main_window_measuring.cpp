@@ -16,35 +16,45 @@ namespace ew::ui {
 namespace {
 
 const auto kWorksheet = QStringLiteral("worksheet");
+const auto kMeasurements = QStringLiteral("measurements");
 
 }  // namespace
 
 bool MainWindow::Parts::editsCalipers() const {
   const measurement::CaliperDrawing& drawing = calipers.drawing();
   if (staged || !(drawing.canUndo() || drawing.canRedo())) return false;
-  return !isAuthor() || caliperLayer->hasFocus();
+  return !isAuthor() || caliperLayer->hasFocus() || stripCaliperLayer->hasFocus();
 }
 
 void MainWindow::addMeasureMenu(QMenu& measure) {
   Parts& p = *parts_;
-  int key = Qt::Key_4;
-  for (const measurement::CaliperKind kind : measurement::drawnKinds()) {
-    QAction* action = addMenuAction(measure, CaliperWords::nameOf(kind), {QKeySequence(key++)}, [this, kind] {
-      if (parts_->pages->currentWidget() == parts_->workspacePage && parts_->keepsScan()) parts_->calipers.take(kind);
-      Q_EMIT parts_->calipers.changed();  // an action checks itself, whatever came of it
-    });
+  const auto addTool = [&](measurement::CaliperKind kind) {
+    QAction* action = addMenuAction(measure, CaliperWords::nameOf(kind),
+                                    {QKeySequence(CaliperWords::keyOf(kind), QKeySequence::NativeText)}, [this, kind] {
+                                      if (parts_->pages->currentWidget() == parts_->workspacePage && parts_->keepsScan())
+                                        parts_->calipers.take(kind);
+                                      Q_EMIT parts_->calipers.changed();  // an action checks itself, whatever came of it
+                                    });
     action->setCheckable(true);
     p.caliperActions.push_back(action);
-  }
+  };
+  for (const measurement::CaliperKind kind : measurement::drawnKinds()) addTool(kind);
+  measure.addSeparator();
+  for (const measurement::CaliperKind kind : measurement::stripKinds()) addTool(kind);
   measure.addSeparator();
   p.followEdgesAction = addMenuAction(measure, tr("Outlines follow edges"), {QKeySequence(Qt::Key_0)},
                                       [this] { parts_->calipers.setFollowsEdges(parts_->followEdgesAction->isChecked()); });
   p.followEdgesAction->setCheckable(true);
+  p.snapAction = addMenuAction(measure, tr("Points snap"), {QKeySequence(QStringLiteral("Ctrl+M"))},
+                               [this] { parts_->calipers.setSnaps(parts_->snapAction->isChecked()); });
+  p.snapAction->setCheckable(true);
+  measure.addSeparator();
+  addMenuAction(measure, tr("&Combine measurements…"), {QKeySequence(QStringLiteral("Ctrl+E"))}, [this] { showCombine(); });
+  addMenuAction(measure, tr("&Save measurements…"), {}, [this] { saveMeasurements(); });
   measure.addSeparator();
   addMenuAction(measure, tr("&Worksheet…"), {QKeySequence(QStringLiteral("Shift+F10"))}, [this] { showWorksheet(); });
   measure.addSeparator();
-  addMenuAction(measure, tr("Delete all measurements"), {QKeySequence(QStringLiteral("Ctrl+Del"))},
-                [this] { parts_->calipers.change([](measurement::CaliperDrawing& drawing) { drawing.clear(); }); });
+  addMenuAction(measure, tr("Delete all measurements"), {QKeySequence(QStringLiteral("Ctrl+Del"))}, [this] { parts_->calipers.clear(); });
 }
 
 void MainWindow::connectCalipers() {
@@ -53,7 +63,10 @@ void MainWindow::connectCalipers() {
     Parts& parts = *parts_;
     const auto& kinds = measurement::drawnKinds();
     const auto tool = parts.calipers.drawing().tool();
-    for (std::size_t n = 0; n < kinds.size(); ++n) parts.caliperActions[n]->setChecked(tool == kinds[n]);
+    const auto& inStrip = measurement::stripKinds();
+    for (std::size_t n = 0; n < parts.caliperActions.size(); ++n)
+      parts.caliperActions[n]->setChecked(tool == (n < kinds.size() ? kinds[n] : inStrip[n - kinds.size()]));
+    parts.snapAction->setChecked(parts.calipers.snaps());
     parts.followEdgesAction->setChecked(parts.calipers.followsEdges());
     if (tool) parts.console->showPage(parts.measurePage);
     showHistory();
@@ -66,7 +79,10 @@ void MainWindow::connectCalipers() {
   });
   connect(&p.worksheets, &Worksheets::said, p.scanView, &ScanView::say);
   connect(p.measurePage, &MeasurePage::worksheetAsked, this, &MainWindow::showWorksheet);
+  connect(p.measurePage, &MeasurePage::combineAsked, this, &MainWindow::showCombine);
+  connect(p.measurePage, &MeasurePage::saveAsked, this, &MainWindow::saveMeasurements);
   connect(p.caliperLayer, &CaliperLayer::focusChanged, this, &MainWindow::showHistory);
+  connect(p.stripCaliperLayer, &CaliperLayer::focusChanged, this, &MainWindow::showHistory);
   show();
 }
 
@@ -88,6 +104,44 @@ void MainWindow::showWorksheet() {
   p.worksheet->show();
   p.worksheet->raise();
   p.worksheet->activateWindow();
+}
+
+void MainWindow::showCombine() {
+  Parts& p = *parts_;
+  if (p.calipers.findings().all().empty()) {
+    p.console->showPage(p.measurePage);
+    p.scanView->say(tr("Measure something first: a result is computed from measurements."));
+    return;
+  }
+  if (p.combine.isNull()) {
+    p.combine = new CombineDialog(p.calipers, this);
+    p.combine->setAttribute(Qt::WA_DeleteOnClose);
+    const QPoint corner = p.scanView->mapToGlobal(QPoint(0, 0));
+    p.combine->move(std::max(mapToGlobal(QPoint(8, 0)).x(), corner.x() - p.combine->sizeHint().width() - 8), corner.y() + 8);
+  }
+  p.combine->show();
+  p.combine->raise();
+  p.combine->activateWindow();
+}
+
+void MainWindow::saveMeasurements() {
+  Parts& p = *parts_;
+  if (p.calipers.findings().isEmpty() || !p.session.subject()) {
+    p.scanView->say(tr("Nothing is measured yet that could be saved."));
+    return;
+  }
+  const QString file = askSaveFile(this, {tr("Save the measurements"),
+                                          tr("measurements") + QStringLiteral(".csv"),
+                                          tr("Measurements (*.csv *.json)"),
+                                          {QStringLiteral(".csv"), QStringLiteral(".json")}});
+  if (file.isEmpty()) return;
+  const auto written = saveTogether({pathOf(file)}, [&](const OutputSet& outputs) {
+    return writeMeasurements(p.calipers.findings(), words(p.session.subject()->title), outputs.staged(pathOf(file)));
+  });
+  if (!written)
+    p.messages->showError(written.error(), kMeasurements);
+  else
+    p.messages->showNote(tr("Saved to %1.").arg(file), kMeasurements);
 }
 
 bool MainWindow::saveWorksheet() {

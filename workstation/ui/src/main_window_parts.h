@@ -19,6 +19,7 @@
 #include "case_info.h"
 #include "case_preparation.h"
 #include "cine_bar.h"
+#include "combine_dialog.h"
 #include "console_panel.h"
 #include "cost_panel.h"
 #include "ew/door/door.h"
@@ -114,6 +115,7 @@ struct MainWindow::Parts {
   ScanView* scanView = nullptr;
   SourcePicker* sourcePicker = nullptr;
   CaliperLayer* caliperLayer = nullptr;
+  CaliperLayer* stripCaliperLayer = nullptr;
   AnnotationLayer* annotationLayer = nullptr;
   BodyMarkView* bodyMarkView = nullptr;
   ConsolePanel* console = nullptr;
@@ -131,6 +133,7 @@ struct MainWindow::Parts {
   QPointer<SourceDialog> source;
   QPointer<WorksheetDialog> worksheet;
   QPointer<ExaminationDialog> examination;
+  QPointer<CombineDialog> combine;
 
   QAction* startPageAction = nullptr;
   QAction* undoAction = nullptr;
@@ -160,8 +163,9 @@ struct MainWindow::Parts {
   QAction* saveRecordingAction = nullptr;
   QAction* scanOnlyAction = nullptr;
   QAction* sourceAction = nullptr;
-  std::vector<QAction*> caliperActions;  ///< as measurement::drawnKinds()
+  std::vector<QAction*> caliperActions;  ///< as measurement::drawnKinds(), then stripKinds()
   QAction* followEdgesAction = nullptr;
+  QAction* snapAction = nullptr;
   QAction* textAction = nullptr;
   QAction* arrowAction = nullptr;
   QAction* bodyMarkAction = nullptr;

@@ -6,10 +6,15 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
+#include <functional>
+#include <utility>
 
 #include "caliper_words.h"
 #include "figures.h"
 #include "icons.h"
+#include "results_list.h"
+#include "strip_tools.h"
 #include "theme.h"
 #include "worksheet_list.h"
 
@@ -61,13 +66,17 @@ class MeasuredLine final : public QPushButton {
   }
   void show(const Calipers::Line& line, bool isChosen) {
     number = line.measurement.number;
+    where = line.where;
     const QString name = CaliperWords::titleOf(line.measurement), value = CaliperWords::mainResult(line.measured);
-    const QString others = CaliperWords::otherResults(line.measured, QStringLiteral("\n"));
-    number_->setText(QString::number(number));
+    QString others = CaliperWords::otherResults(line.measured, QStringLiteral("\n"));
+    if (line.hasLeft) others += (others.isEmpty() ? QString() : QStringLiteral("\n")) + MeasurePage::tr("has left the strip");
+    const QString shownNumber = CaliperWords::numberOf(where, number);
+    number_->setText(shownNumber);
     name_->setText(name);
     // A long name leaves its value no room: then it stands below, at the same side.
     const QFontMetrics metrics(value_->font());
-    const int needed_px = 2 * kLineSide_px + kNumber_px + 16 + metrics.horizontalAdvance(name) + figuresWidth_px(metrics, value);
+    const int needed_px = 2 * kLineSide_px + std::max(kNumber_px, metrics.horizontalAdvance(shownNumber)) + 16 +
+                          metrics.horizontalAdvance(name) + figuresWidth_px(metrics, value);
     const bool isBelow = needed_px > kLineWidth_px;
     value_->setText(isBelow ? QString() : value);
     below_->setText(isBelow ? value : QString());
@@ -76,10 +85,11 @@ class MeasuredLine final : public QPushButton {
     others_->setText(others);
     others_->setVisible(!others.isEmpty());
     setChecked(isChosen);
-    setAccessibleName(QStringLiteral("%1 %2 %3").arg(number).arg(name, value));
+    setAccessibleName(QStringLiteral("%1 %2 %3").arg(shownNumber, name, value));
     setMinimumHeight(layout()->sizeHint().height());
   }
   int number = 0;
+  Where where = Where::picture;
 
  private:
   QLabel* number_ = nullptr;
@@ -89,12 +99,13 @@ class MeasuredLine final : public QPushButton {
   QLabel* others_ = nullptr;
 };
 
-MeasurePage::MeasurePage(Calipers& calipers, Worksheets& worksheets, QWidget* parent) : QWidget(parent), calipers_(calipers) {
+MeasurePage::MeasurePage(Session& session, Calipers& calipers, Worksheets& worksheets, QWidget* parent)
+    : QWidget(parent), calipers_(calipers) {
   setObjectName(QStringLiteral("measurePage"));
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(8);
-  addTools(rows);
+  addTools(session, rows);
   auto* worksheet = new WorksheetList(worksheets, calipers);
   connect(worksheet, &WorksheetList::worksheetAsked, this, &MeasurePage::worksheetAsked);
   rows->addWidget(worksheet);
@@ -112,6 +123,10 @@ MeasurePage::MeasurePage(Calipers& calipers, Worksheets& worksheets, QWidget* pa
   explanation_->setProperty("small", true);
   explanation_->setWordWrap(true);
   rows->addWidget(explanation_);
+  auto* results = new ResultsList(calipers_);
+  connect(results, &ResultsList::combineAsked, this, &MeasurePage::combineAsked);
+  connect(results, &ResultsList::saveAsked, this, &MeasurePage::saveAsked);
+  rows->addWidget(results);
   rows->addStretch(1);
   connect(&calipers_, &Calipers::changed, this, &MeasurePage::showAll);
   refreshIcons();
@@ -120,7 +135,7 @@ MeasurePage::MeasurePage(Calipers& calipers, Worksheets& worksheets, QWidget* pa
 
 MeasurePage::~MeasurePage() = default;
 
-void MeasurePage::addTools(QVBoxLayout* rows) {
+void MeasurePage::addTools(Session& session, QVBoxLayout* rows) {
   auto* line = new QHBoxLayout;
   line->setSpacing(1);
   const auto& kinds = measurement::drawnKinds();
@@ -130,7 +145,7 @@ void MeasurePage::addTools(QVBoxLayout* rows) {
     button->setCheckable(true);
     button->setProperty("segment", n == 0 ? "first" : n + 1 == kinds.size() ? "last" : "true");
     button->setFocusPolicy(Qt::TabFocus);
-    button->setToolTip(tr("%1 (%2)", "a tool and its key").arg(CaliperWords::nameOf(kinds[n])).arg(n + 4));
+    button->setToolTip(tr("%1 (%2)", "a tool and its key").arg(CaliperWords::nameOf(kinds[n]), CaliperWords::keyOf(kinds[n])));
     button->setAccessibleName(CaliperWords::nameOf(kinds[n]));
     connect(button, &QPushButton::clicked, this, [this, kind = kinds[n]] {
       calipers_.take(kind);
@@ -140,12 +155,22 @@ void MeasurePage::addTools(QVBoxLayout* rows) {
     line->addWidget(button, 1);
   }
   rows->addLayout(line);
+  strip_ = new StripTools(session, calipers_);
+  rows->addWidget(strip_);
   follows_ = new QCheckBox(tr("Outlines follow edges"));
   follows_->setObjectName(QStringLiteral("followEdges"));
   follows_->setAccessibleName(follows_->text());
   follows_->setToolTip(tr("A few clicks around it are enough: the outline is brought to the edge (0)"));
   connect(follows_, &QCheckBox::toggled, &calipers_, &Calipers::setFollowsEdges);
   rows->addWidget(follows_);
+  snaps_ = new QCheckBox(tr("Points snap"));
+  snaps_->setObjectName(QStringLiteral("snapPoints"));
+  snaps_->setAccessibleName(snaps_->text());
+  snaps_->setToolTip(
+      tr("To crosses, edges, and level or plumb with the point before; a mark and a word show it before the click (Ctrl+M). "
+         "Hold Ctrl to do the opposite once"));
+  connect(snaps_, &QCheckBox::toggled, &calipers_, &Calipers::setSnaps);
+  rows->addWidget(snaps_);
 }
 
 void MeasurePage::addEdits(QVBoxLayout* rows) {
@@ -153,22 +178,21 @@ void MeasurePage::addEdits(QVBoxLayout* rows) {
   auto* line = new QHBoxLayout(edits_);
   line->setContentsMargins(0, 0, 0, 0);
   line->setSpacing(4);
-  const auto add = [&](const char* name, const QString& tip, const QString& text, void (*edit)(CaliperDrawing&)) {
+  const auto add = [&](const char* name, const QString& tip, const QString& text, std::function<void()> edit) {
     auto* button = new QPushButton(text);
     button->setObjectName(QLatin1String(name));
     button->setProperty("compact", true);
     button->setToolTip(tip);
     button->setAccessibleName(tip);
-    connect(button, &QPushButton::clicked, this, [this, edit] { calipers_.change(edit); });
+    connect(button, &QPushButton::clicked, this, std::move(edit));
     line->addWidget(button, text.isEmpty() ? 0 : 1);
     return button;
   };
-  undo_ = add("undoCaliper", tr("Undo (Ctrl+Z)"), {}, [](CaliperDrawing& drawing) { drawing.undo(); });
-  redo_ = add("redoCaliper", tr("Redo (Ctrl+Shift+Z)"), {}, [](CaliperDrawing& drawing) { drawing.redo(); });
+  undo_ = add("undoCaliper", tr("Undo (Ctrl+Z)"), {}, [this] { calipers_.change([](CaliperDrawing& drawing) { drawing.undo(); }); });
+  redo_ = add("redoCaliper", tr("Redo (Ctrl+Shift+Z)"), {}, [this] { calipers_.change([](CaliperDrawing& drawing) { drawing.redo(); }); });
   remove_ = add("removeCaliper", tr("Delete the chosen measurement, or else the last one (Backspace)"), tr("Delete"),
-                [](CaliperDrawing& drawing) { drawing.takeBack(); });
-  clear_ =
-      add("clearCalipers", tr("Delete all measurements (Ctrl+Delete)"), tr("Delete all"), [](CaliperDrawing& drawing) { drawing.clear(); });
+                [this] { calipers_.change([](CaliperDrawing& drawing) { drawing.takeBack(); }); });
+  clear_ = add("clearCalipers", tr("Delete all measurements (Ctrl+Delete)"), tr("Delete all"), [this] { calipers_.clear(); });
   rows->addWidget(edits_);
 }
 
@@ -181,6 +205,7 @@ void MeasurePage::refreshIcons() {
 /// What is held stands on the accent.
 void MeasurePage::showIcons() {
   held_ = calipers_.drawing().tool();
+  strip_->showIcons();
   const auto& kinds = measurement::drawnKinds();
   for (std::size_t n = 0; n < tools_.size(); ++n)
     tools_[n]->setIcon(icon(CaliperWords::iconOf(kinds[n]), held_ == kinds[n] ? currentTheme().onAccent : currentTheme().text));
@@ -192,6 +217,7 @@ void MeasurePage::showAll() {
   for (std::size_t n = 0; n < tools_.size(); ++n) tools_[n]->setChecked(drawing.tool() == kinds[n]);
   if (drawing.tool() != held_) showIcons();
   follows_->setChecked(calipers_.followsEdges());
+  snaps_->setChecked(calipers_.snaps());
   const auto& lines = calipers_.lines();
   while (lines_.size() > lines.size()) {
     lines_.back()->hide();
@@ -200,14 +226,13 @@ void MeasurePage::showAll() {
   }
   while (lines_.size() < lines.size()) {
     auto* line = new MeasuredLine(this);
-    connect(line, &QPushButton::clicked, this,
-            [this, line] { calipers_.change([line](CaliperDrawing& each) { each.select(line->number); }); });
+    connect(line, &QPushButton::clicked, this, [this, line] { calipers_.choose(line->where, line->number); });
     list_->addWidget(line);
     lines_.push_back(line);
   }
   const Calipers::Line* chosen = nullptr;
   for (std::size_t n = 0; n < lines.size(); ++n) {
-    const bool isChosen = lines[n].measurement.number == drawing.selected();
+    const bool isChosen = lines[n].measurement.number == calipers_.drawingIn(lines[n].where).selected();
     if (isChosen) chosen = &lines[n];
     lines_[n]->show(lines[n], isChosen);
   }
@@ -215,12 +240,15 @@ void MeasurePage::showAll() {
   empty_->setText(drawing.tool() ? CaliperWords::hintOf(*drawing.tool())
                                  : tr("Nothing is measured yet. Choose a tool: the image freezes, and the first click sets a point."));
   explanation_->setVisible(chosen != nullptr);
-  if (chosen != nullptr) explanation_->setText(CaliperWords::howItCameAbout(chosen->measurement.caliper, calipers_.uncertainty()));
-  edits_->setVisible(!drawing.isEmpty() || drawing.canUndo() || drawing.canRedo());
+  if (chosen != nullptr) explanation_->setText(CaliperWords::howItCameAbout(*chosen));
+  holdHeight(*explanation_, kLineWidth_px);
+  holdHeight(*empty_, kLineWidth_px);
+  const bool isEmpty = drawing.isEmpty() && lines.empty();
+  edits_->setVisible(!isEmpty || drawing.canUndo() || drawing.canRedo());
   undo_->setEnabled(drawing.canUndo());
   redo_->setEnabled(drawing.canRedo());
   remove_->setEnabled(!drawing.isEmpty());
-  clear_->setEnabled(!drawing.isEmpty());
+  clear_->setEnabled(!isEmpty);
 }
 
 }  // namespace ew::ui

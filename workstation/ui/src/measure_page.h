@@ -15,6 +15,8 @@ namespace ew::ui {
 
 /// A line of the list: number, what it is and its main result, and below it the others. A click chooses it.
 class MeasuredLine;
+class Session;
+class StripTools;
 class Worksheets;
 
 /// The console's page of measurements: the tools, and the list of what they measured with its uncertainty.
@@ -22,15 +24,17 @@ class MeasurePage final : public QWidget {
   Q_OBJECT
 
  public:
-  MeasurePage(Calipers& calipers, Worksheets& worksheets, QWidget* parent = nullptr);
+  MeasurePage(Session& session, Calipers& calipers, Worksheets& worksheets, QWidget* parent = nullptr);
   ~MeasurePage() override;
   void refreshIcons();
 
  Q_SIGNALS:
   void worksheetAsked();
+  void combineAsked();
+  void saveAsked();
 
  private:
-  void addTools(QVBoxLayout* rows);
+  void addTools(Session& session, QVBoxLayout* rows);
   void addEdits(QVBoxLayout* rows);
   void showIcons();
   void showAll();
@@ -38,7 +42,9 @@ class MeasurePage final : public QWidget {
   Calipers& calipers_;
   std::vector<QPushButton*> tools_;
   std::optional<measurement::CaliperKind> held_;  ///< as the icons show it
+  StripTools* strip_ = nullptr;
   QCheckBox* follows_ = nullptr;
+  QCheckBox* snaps_ = nullptr;
   QLabel* empty_ = nullptr;
   QVBoxLayout* list_ = nullptr;
   std::vector<MeasuredLine*> lines_;

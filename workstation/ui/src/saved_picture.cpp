@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "annotated_pictures.h"
 #include "annotation_paint.h"
@@ -12,6 +13,7 @@
 #include "ew/scanning/picture_file.h"
 #include "ew/ui/main_window.h"
 #include "figures.h"
+#include "finding_words.h"
 #include "picture_image.h"
 #include "session.h"
 #include "shown_mark.h"
@@ -24,6 +26,7 @@ namespace {
 constexpr int kLine_px = 20;
 constexpr int kHead_px = 2 * kLine_px + 8;
 constexpr int kScale_px = 56;
+constexpr int kBetween_px = 8;  // picture and strip
 constexpr int kFoot_px = 32;    // the warning
 constexpr int kLeast_px = 480;  // the words need as much
 const QColor kWords(150, 150, 150);
@@ -54,17 +57,27 @@ void paintScale(QPainter& painter, const DisplayGeometry& geometry, const QRect&
   drawFigures(painter, QRect(picture.right() + 24, picture.bottom() - 8, 30, 20), Qt::AlignLeft, MainWindow::tr("cm"));
 }
 
-/// One line each: number, what it is, all results.
+int linesOf(const Calipers& calipers) { return static_cast<int>(calipers.lines().size() + calipers.findings().combinations().size()); }
+
+/// One line each: number, what it is, all results; below them results over several.
 void paintMeasured(QPainter& painter, const Calipers& calipers, const QRect& room) {
   painter.setFont(smallFont());
   painter.setPen(kMeasured);
   int top = room.top();
   for (const Calipers::Line& line : calipers.lines()) {
     QString text = QStringLiteral("%1   %2   %3")
-                       .arg(QString::number(line.measurement.number), CaliperWords::titleOf(line.measurement),
+                       .arg(CaliperWords::numberOf(line.where, line.measurement.number), CaliperWords::titleOf(line.measurement),
                             CaliperWords::mainResult(line.measured));
     if (const QString others = CaliperWords::otherResults(line.measured, QStringLiteral("   ")); !others.isEmpty())
       text += QStringLiteral("   ") + others;
+    painter.drawText(QRect(room.left(), top, room.width(), kLine_px), Qt::AlignLeft | Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(text, Qt::ElideRight, room.width()));
+    top += kLine_px;
+  }
+  for (const measurement::Combination& each : calipers.findings().combinations()) {
+    const QString text =
+        QStringLiteral("%1   %2   %3")
+            .arg(FindingWords::numberOf(each), FindingWords::nameOf(each.kind), FindingWords::valueOf(calipers.findings(), each));
     painter.drawText(QRect(room.left(), top, room.width(), kLine_px), Qt::AlignLeft | Qt::AlignVCenter,
                      painter.fontMetrics().elidedText(text, Qt::ElideRight, room.width()));
     top += kLine_px;
@@ -80,27 +93,71 @@ void paintOn(QPainter& painter, const Session& session, const OnPicture& on, con
   };
   painter.save();
   painter.setClipRect(picture);
-  if (on.calipers != nullptr && !on.calipers->lines().empty()) paintCalipers(painter, *on.calipers, pixelOf, {Qt::white, Qt::white});
+  if (on.calipers != nullptr && !on.calipers->lines().empty())
+    paintCalipers(painter, *on.calipers, Where::picture, pixelOf, {Qt::white, Qt::white});
   if (on.annotations != nullptr) paintAnnotations(painter, on.annotations->all(), 0, pixelOf, {Qt::white, Qt::white});
   if (on.mark != nullptr && std::min(picture.width(), picture.height()) >= 3 * kMark_px)
     paintMark(painter, *on.mark, QRectF(picture.left() + 4, picture.bottom() - kMark_px - 3, kMark_px, kMark_px));
   painter.restore();
 }
 
+/// What lies on the strip of the M-mode, and seconds below it.
+void paintOnStrip(QPainter& painter, const Session& session, const OnPicture& on, const QRect& strip) {
+  constexpr int kTick_px = 5;
+  const double second_px = 1.0 / session.mMode().columnTime_s();
+  painter.setFont(smallFont());
+  painter.setPen(kWords);
+  for (int second = 0; second * second_px < strip.width(); ++second) {
+    const int x = strip.left() + static_cast<int>(std::lround(second * second_px));
+    painter.drawLine(x, strip.bottom() + 1, x, strip.bottom() + 1 + kTick_px);
+    if (second > 0 && second_px >= 2.0 * kLine_px)
+      drawFigures(painter, QRect(x - 40, strip.bottom() + kTick_px, 44, kLine_px), Qt::AlignRight, MainWindow::tr("%1 s").arg(second));
+  }
+  if (on.calipers == nullptr || !on.calipers->hasStrip()) return;
+  const measurement::StripPlane plane = on.calipers->stripPlane();
+  const auto pixelOf = [&](const glm::dvec2& at) {
+    const auto pixel = plane.pixelOf(at);
+    return pixel ? QPointF(pixel->x + 0.5, pixel->y + 0.5) : QPointF(-1000.0, at.y / plane.rowDepth_mm());
+  };
+  painter.save();
+  painter.translate(strip.topLeft());
+  painter.setClipRect(QRect(QPoint(0, 0), strip.size()));
+  paintCalipers(painter, *on.calipers, Where::strip, pixelOf, {Qt::white, Qt::white});
+  painter.restore();
+}
+
+/// The images that are on the screen, one below the other.
+struct Shown {
+  QImage picture, strip;  ///< null: not shown
+  [[nodiscard]] int width() const { return std::max(picture.width(), strip.width()); }
+  [[nodiscard]] int stripTop_px() const { return picture.isNull() ? 0 : picture.height() + kBetween_px; }
+  [[nodiscard]] int height() const { return strip.isNull() ? picture.height() : stripTop_px() + strip.height() + kLine_px + kBetween_px; }
+};
+Shown shownBy(const Session& session) {
+  const DisplayMode mode = session.pictureKnobs().mode;
+  Shown shown;
+  const QImage picture = imageOf(session.picture());
+  if (mode != DisplayMode::bMode && session.strip().width > 0) shown.strip = imageOf(session.strip()).convertToFormat(picture.format());
+  if (mode != DisplayMode::mMode || shown.strip.isNull()) shown.picture = picture;
+  return shown;
+}
+
 }  // namespace
 
-QRect pictureOnSaved(const Session& session, const QImage& saved) {
-  const int width = session.picture().width();
-  return {(saved.width() - kScale_px - width) / 2, kHead_px, width, session.picture().height()};
+SavedParts partsOfSaved(const Session& session, const QImage& saved) {
+  const Shown shown = shownBy(session);
+  const QPoint corner((saved.width() - kScale_px - shown.width()) / 2, kHead_px);
+  return {QRect(corner, shown.picture.size()), QRect(corner + QPoint(0, shown.stripTop_px()), shown.strip.size())};
 }
 
 QImage savedPicture(const Session& session, const QDateTime& at, const OnPicture& on) {
   if (!session.subject() || session.picture().isEmpty()) return {};
-  const QImage shown = imageOf(session.picture());
-  const int measured_px = on.calipers != nullptr ? kLine_px * static_cast<int>(on.calipers->lines().size()) : 0;
-  QImage saved(std::max(kLeast_px, shown.width() + kScale_px), kHead_px + shown.height() + measured_px + kFoot_px, shown.format());
+  const Shown shown = shownBy(session);
+  const int measured_px = on.calipers != nullptr ? kLine_px * linesOf(*on.calipers) : 0;
+  QImage saved(std::max(kLeast_px, shown.width() + kScale_px), kHead_px + shown.height() + measured_px + kFoot_px,
+               (shown.picture.isNull() ? shown.strip : shown.picture).format());
   saved.fill(Qt::black);
-  const QRect picture = pictureOnSaved(session, saved);
+  const auto [picture, strip] = partsOfSaved(session, saved);
   QPainter painter(&saved);
   painter.setFont(smallFont());
   painter.setPen(kWords);
@@ -113,13 +170,16 @@ QImage savedPicture(const Session& session, const QDateTime& at, const OnPicture
   line(0, Qt::AlignLeft, painter.fontMetrics().elidedText(words(session.subject()->title), Qt::ElideRight, saved.width() - 24 - when_px));
   line(0, Qt::AlignRight, when);
   line(1, Qt::AlignLeft, settingsOf(session));
-  paintScale(painter, session.geometry(), picture);
+  if (!shown.picture.isNull()) paintScale(painter, session.geometry(), picture);
   painter.end();
-  const int pixel_bytes = shown.depth() / 8;
-  for (int y = 0; y < shown.height(); ++y)
-    std::copy_n(shown.scanLine(y), pixel_bytes * shown.width(), saved.scanLine(kHead_px + y) + pixel_bytes * picture.left());
+  for (const auto& [image, place] : {std::pair{shown.picture, picture}, std::pair{shown.strip, strip}}) {
+    const int pixel_bytes = saved.depth() / 8;
+    for (int y = 0; y < image.height(); ++y)
+      std::copy_n(image.constScanLine(y), pixel_bytes * image.width(), saved.scanLine(place.top() + y) + pixel_bytes * place.left());
+  }
   QPainter over(&saved);
-  paintOn(over, session, on, picture);
+  if (!shown.picture.isNull()) paintOn(over, session, on, picture);
+  if (!shown.strip.isNull()) paintOnStrip(over, session, on, strip);
   if (measured_px > 0) paintMeasured(over, *on.calipers, QRect(12, kHead_px + shown.height() + 4, saved.width() - 24, measured_px));
   return saved;
 }

@@ -24,13 +24,17 @@ struct OnPicture {
 
 /// The present picture as it is handed on: as it is on the screen, pixel for pixel, with a depth scale beside it, and above it what it
 /// shows: the title of what is scanned, the probe, depth, gain and zoom, and when it was made. White on black, whatever the theme. Room for
-/// the words that the door for pictures adds is kept along the lower edge. Calipers, texts and arrows are drawn over it, what was measured
-/// stands below it, and the body mark in its lower left corner where there is room.
+/// the words that the door for pictures adds is kept along the lower edge. The strip of the M-mode stands below it, or in its place where
+/// it alone is shown. Calipers, texts and arrows are drawn over both, what was measured stands below, results over several measurements
+/// with it, and the body mark in its lower left corner where there is room.
 /// @return Format_Grayscale8, or Format_RGB888 when the picture has colours; null when there is no picture
 [[nodiscard]] QImage savedPicture(const Session& session, const QDateTime& at, const OnPicture& on = {});
 
-/// Where on it the picture itself lies.
-[[nodiscard]] QRect pictureOnSaved(const Session& session, const QImage& saved);
+/// Where on it the picture and the strip of the M-mode lie; empty: not shown.
+struct SavedParts {
+  QRect picture, strip;
+};
+[[nodiscard]] SavedParts partsOfSaved(const Session& session, const QImage& saved);
 
 /// Writes the present picture: a .png to be looked at, as savedPicture has it and with the words it must carry; a .mha to be measured, the
 /// bare picture. Expects a picture. @error as writePicture

@@ -146,6 +146,7 @@ class Session final : public QObject {
   /// The M-mode strip; width 0 in B-mode.
   [[nodiscard]] ImageView<const std::uint8_t> strip() const { return seen().strip(); }
   [[nodiscard]] int stripCursor() const { return seen().stripCursor(); }
+  [[nodiscard]] const MModeStrip& mMode() const { return seen().mMode(); }
   [[nodiscard]] const Spans& spans() const { return seen().spans(); }
   [[nodiscard]] const Plan& plan() const { return seen().plan(); }
   /// From a change of the hold to the picture that shows it.

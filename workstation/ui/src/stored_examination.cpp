@@ -28,8 +28,11 @@ ExaminationFiles::StoredStill storedStill(const Session& session, const QImage& 
   } else {
     still.pixels = coloursOf(saved);
   }
-  const QPoint corner = pictureOnSaved(session, saved).topLeft();
-  still.regions.push_back(regionOf(session.geometry(), {corner.x(), corner.y()}));
+  const auto [picture, strip] = partsOfSaved(session, saved);
+  if (!picture.isEmpty()) still.regions.push_back(regionOf(session.geometry(), {picture.x(), picture.y()}));
+  if (!strip.isEmpty())
+    still.regions.push_back(regionOfStrip({strip.width(), strip.height()}, strip.width() * session.mMode().columnTime_s(),
+                                          session.geometry().depth_mm, {strip.x(), strip.y()}));
   return {std::move(still), pictureOptions(session.pictureProbe(), session.pictureKnobs(), session.geometry(), number, secondsOf(at))};
 }
 

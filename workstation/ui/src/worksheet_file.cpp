@@ -78,4 +78,10 @@ Result<void> writeWorksheet(const measurement::Worksheet& sheet, const QString& 
   return writeFileSafely(file, std::string_view(pdf.constData(), static_cast<std::size_t>(pdf.size())));
 }
 
+Result<void> writeMeasurements(const measurement::Findings& findings, const QString& title, const std::filesystem::path& file) {
+  const std::string scanned = title.toStdString();
+  if (file.extension() == ".csv") return writeFileSafely(file, toCsv(findings, scanned));
+  return writeFileSafely(file, toJson(findings, scanned).dump(2) + "\n");
+}
+
 }  // namespace ew::ui

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ew/core/result.h"
+#include "ew/measurement/findings.h"
 #include "ew/measurement/worksheet.h"
 
 namespace ew::ui {
@@ -22,5 +23,9 @@ struct ReportPicture {
 /// @param title of the case @param pictures that follow the worksheet in a PDF, two in a row @error notWritable
 [[nodiscard]] Result<void> writeWorksheet(const measurement::Worksheet& sheet, const QString& title, const QDateTime& at,
                                           const std::filesystem::path& file, const std::vector<ReportPicture>& pictures = {});
+
+/// Writes all that was measured by the name's ending: .csv or .json. @param title of the case @error notWritable
+[[nodiscard]] Result<void> writeMeasurements(const measurement::Findings& findings, const QString& title,
+                                             const std::filesystem::path& file);
 
 }  // namespace ew::ui

@@ -46,10 +46,15 @@ void Worksheets::measure(const std::string& item, const std::string& side) {
 
 void Worksheets::take() {
   if (current_ == nullptr) return;
-  if (const auto picture = calipers_.picture()) {
-    const auto remarks = current_->measuredIn(*picture, calipers_.drawing().shown(), calipers_.uncertainty());
-    refused_ = remarks.empty() ? QString() : words(remarks.back());
-  }
+  std::vector<Message> remarks;
+  const auto enter = [&](std::uint64_t picture, Where where) {
+    auto said = current_->measuredIn(picture, calipers_.drawingIn(where).shown(), calipers_.uncertainty(where));
+    remarks.insert(remarks.end(), said.begin(), said.end());
+  };
+  const auto picture = calipers_.picture();
+  if (picture) enter(*picture, Where::picture);
+  enter(calipers_.strip(), Where::strip);
+  if (picture || !remarks.empty()) refused_ = remarks.empty() ? QString() : words(remarks.back());
   Q_EMIT changed();
 }
 

@@ -102,6 +102,7 @@ Picture FrameMaker::make(const VolumeView<const std::uint8_t>& volume, const Pos
   return make(input);
 }
 ImageView<const std::uint8_t> FrameMaker::strip() const { return parts_->strip_.picture(); }
+const MModeStrip& FrameMaker::mMode() const { return parts_->strip_; }
 int FrameMaker::stripCursor() const { return parts_->strip_.cursor(); }
 void FrameMaker::forget() {
   parts_->persistence_.empty = true;

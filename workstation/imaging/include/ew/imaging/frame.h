@@ -127,6 +127,8 @@ class FrameMaker {
   /// The M-mode strip, as wide and high as the picture; width 0 when the mode has none.
   [[nodiscard]] ImageView<const std::uint8_t> strip() const;
   [[nodiscard]] int stripCursor() const;
+  /// The same with its clock.
+  [[nodiscard]] const MModeStrip& mMode() const;
   /// Forgets earlier frames: persistence and M-mode start afresh.
   void forget();
   /// What it remembers after the last frame, to be recalled by any maker.

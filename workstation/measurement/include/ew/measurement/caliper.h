@@ -14,8 +14,8 @@
 
 namespace ew::measurement {
 
-/// What calipers measure. Points lie in the plane of the picture: mm of the probe frame, x lateral, y depth. Those of slope and heart rate
-/// lie in an M-mode strip: x in s, y depth in mm.
+/// What calipers measure. Points lie in the plane of the picture: mm of the probe frame, x lateral, y depth. Those of kinds for the strip
+/// lie in that of an M-mode: x in s on the scan's clock, y depth along the beam in mm.
 enum class CaliperKind {
   distance,       ///< one part: two points
   polyLine,       ///< one part: two or more points, joined in their order
@@ -27,8 +27,10 @@ enum class CaliperKind {
   ellipsoid,      ///< three parts of two points, of two pictures: pi / 6 times the product of three diameters
   discs,          ///< one part: the ends of the long axis, then three or more points of the closed outline (Simpson, one plane)
   biplane,        ///< two parts as of discs, of two planes at right angles
+  interval,       ///< strip; one part: two points, of which the times count
   slope,          ///< strip; one part: two points
   heartRate,      ///< strip; one part: two points, `cycles` heart beats apart
+  depthDistance,  ///< strip; one part: two points, of which the depths count
 };
 [[nodiscard]] std::string_view wordOf(CaliperKind kind);  ///< in files: "distance", "poly_line", "fitted_ellipse"
 [[nodiscard]] std::optional<CaliperKind> caliperKindOf(std::string_view word);

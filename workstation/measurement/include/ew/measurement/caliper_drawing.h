@@ -15,14 +15,25 @@ namespace ew::measurement {
 
 /// The tools that draw in one picture, in the order in which they are offered.
 [[nodiscard]] const std::vector<CaliperKind>& drawnKinds();
+/// Those that draw in the strip of an M-mode.
+[[nodiscard]] const std::vector<CaliperKind>& stripKinds();
 /// Whether a person says when it has all of its points.
 [[nodiscard]] bool endsWhenAsked(CaliperKind kind);
 
 /// How a person draws calipers with a pointer or keys: the tool at hand, the points set so far, what is being dragged, what is selected,
-/// and the list that everything goes to. No window, no picture: points are mm of the picture's plane. Not for several threads.
+/// and the list that everything goes to. No window, no picture: points are mm of the picture's plane, or s and mm of a strip. Not for
+/// several threads.
 class CaliperDrawing {
  public:
   explicit CaliperDrawing(int picture = 0) : picture_(picture) {}
+
+  /// By how much differences of x and y are multiplied before they are distances to the pointer: of a strip, mm for each s.
+  void setScale(glm::dvec2 scale) { scale_ = scale; }
+  /// Heart beats between the cursors of those that are drawn from now on.
+  void setCycles(int cycles) { cycles_ = cycles; }
+  [[nodiscard]] int cycles() const { return cycles_; }
+  /// Of a heart rate that is there already, as a step. False when there is no such one, or nothing changes.
+  bool setCyclesOf(int number, int cycles);
 
   [[nodiscard]] const Measurements& shown() const { return list_.now(); }
   [[nodiscard]] bool isEmpty() const { return shown().all.empty() && points_.empty(); }
@@ -51,6 +62,12 @@ class CaliperDrawing {
   /// The pointer comes up. A drag from the first end to the second sets both, and one along an outline draws it.
   void release(glm::dvec2 at, double reach_mm);
   [[nodiscard]] bool isDragging() const { return dragged_.has_value(); }
+  [[nodiscard]] bool isPressed() const { return pressedAt_.has_value(); }
+  /// The pointer comes up where no point can be: what was dragged stays where it was last.
+  void letGo();
+  [[nodiscard]] bool isNearHandle(glm::dvec2 at, double reach_mm) const;
+  /// Of a caliper of two points one of which is dragged, the other.
+  [[nodiscard]] std::optional<glm::dvec2> fixedEnd() const;
 
   /// Ends a caliper that may have any number of points. False when it has too few.
   bool finish();
@@ -78,11 +95,16 @@ class CaliperDrawing {
   bool refine(int number, std::vector<glm::dvec2> outline);
 
  private:
-  [[nodiscard]] Caliper of(CaliperKind kind, std::vector<glm::dvec2> points) const { return {kind, {{picture_, std::move(points)}}}; }
+  [[nodiscard]] Caliper of(CaliperKind kind, std::vector<glm::dvec2> points) const {
+    return {kind, {{picture_, std::move(points)}}, kind == CaliperKind::heartRate ? cycles_ : 1};
+  }
+  [[nodiscard]] double apart(glm::dvec2 a, glm::dvec2 b) const { return glm::length(scale_ * (a - b)); }
   Press set(glm::dvec2 at, double reach_mm);
   void add(std::vector<glm::dvec2> points);
 
   int picture_;
+  glm::dvec2 scale_{1.0};
+  int cycles_ = 1;
   MeasurementList list_;
   std::optional<CaliperKind> tool_;
   Purpose purpose_;  ///< of the tool

@@ -82,12 +82,14 @@ class MeasurementList {
   KeptStates<Measurements> states_;
 };
 
-/// The handle nearest to a point of a picture within reach, and whose it is.
+/// The handle nearest to a point of a picture within reach, and whose it is. @param scale of differences of x and y before they are
+/// distances
 struct HandleFound {
   int number = 0;
   Handle handle;
   double distance_mm = 0.0;
 };
-[[nodiscard]] std::optional<HandleFound> handleNear(const Measurements& measurements, int picture, glm::dvec2 p, double reach_mm);
+[[nodiscard]] std::optional<HandleFound> handleNear(const Measurements& measurements, int picture, glm::dvec2 p, double reach_mm,
+                                                    glm::dvec2 scale = glm::dvec2(1.0));
 
 }  // namespace ew::measurement

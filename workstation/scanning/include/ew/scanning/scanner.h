@@ -49,6 +49,7 @@ class Scanner {
   /// The M-mode strip, as wide and high as the picture; width 0 when the mode has none.
   [[nodiscard]] ImageView<const std::uint8_t> strip() const { return maker_.strip(); }
   [[nodiscard]] int stripCursor() const { return maker_.stripCursor(); }
+  [[nodiscard]] const MModeStrip& mMode() const { return maker_.mMode(); }
 
  private:
   FrameMaker maker_;

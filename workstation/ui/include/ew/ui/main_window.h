@@ -232,6 +232,8 @@ class MainWindow final : public QMainWindow {
   bool saveExamination();  ///< asks for a folder and begins to save. @return false: nothing is saved
   void sendExamination();
   void showWorksheet();
+  void showCombine();
+  void saveMeasurements();
   bool saveWorksheet();
   [[nodiscard]] bool mayLeavePlugins();
   [[nodiscard]] bool mayClose();
