@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "calipers.h"
+#include "key_map.h"
 
 namespace ew::ui {
 
@@ -19,6 +20,7 @@ class CaliperLayer final : public QWidget {
 
  public:
   CaliperLayer(Session& session, Calipers& calipers, ScanView& scan);
+  void setKeys(const KeyMap& keys) { keys_ = &keys; }
   /// Where a point of the picture's plane is painted: in the middle of its pixel.
   [[nodiscard]] QPointF placeOf(const glm::dvec2& at_mm) const;
 
@@ -48,6 +50,7 @@ class CaliperLayer final : public QWidget {
   Session& session_;
   Calipers& calipers_;
   ScanView& scan_;
+  const KeyMap* keys_ = &usualKeys();
   std::optional<QPointF> cross_;  ///< the keyboard's; empty: the mouse was used last
   std::optional<measurement::CaliperKind> tool_;
 };

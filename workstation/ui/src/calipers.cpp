@@ -71,7 +71,7 @@ void Calipers::takeInto(CaliperKind kind, const CaliperDrawing::Purpose& asked) 
     });
   }
   if (session_.pictureKnobs().mode == DisplayMode::mMode) {
-    Q_EMIT said(tr("Calipers measure in the image, not in the strip of the M-mode. Switch to B or B + M (M)."));
+    Q_EMIT said(tr("Calipers measure in the image, not in the strip of the M-mode. Switch to B or B + M."));
     return;
   }
   const CaliperDrawing::Purpose purpose = asked;  // it may be the drawing's own, and the drawing may change

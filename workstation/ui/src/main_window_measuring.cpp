@@ -25,9 +25,10 @@ bool MainWindow::Parts::editsCalipers() const {
 
 void MainWindow::addMeasureMenu(QMenu& measure) {
   Parts& p = *parts_;
-  int key = Qt::Key_4;
-  for (const measurement::CaliperKind kind : measurement::drawnKinds()) {
-    QAction* action = addMenuAction(measure, CaliperWords::nameOf(kind), {QKeySequence(key++)}, [this, kind] {
+  const auto& kinds = measurement::drawnKinds();
+  for (std::size_t n = 0; n < kinds.size(); ++n) {
+    const measurement::CaliperKind kind = kinds[n];
+    QAction* action = addMenuAction(measure, caliperCommand(n), [this, kind] {
       if (parts_->pages->currentWidget() == parts_->workspacePage && parts_->keepsScan()) parts_->calipers.take(kind);
       Q_EMIT parts_->calipers.changed();  // an action checks itself, whatever came of it
     });
@@ -35,13 +36,13 @@ void MainWindow::addMeasureMenu(QMenu& measure) {
     p.caliperActions.push_back(action);
   }
   measure.addSeparator();
-  p.followEdgesAction = addMenuAction(measure, tr("Outlines follow edges"), {QKeySequence(Qt::Key_0)},
-                                      [this] { parts_->calipers.setFollowsEdges(parts_->followEdgesAction->isChecked()); });
+  p.followEdgesAction =
+      addMenuAction(measure, "calipers.followEdges", [this] { parts_->calipers.setFollowsEdges(parts_->followEdgesAction->isChecked()); });
   p.followEdgesAction->setCheckable(true);
   measure.addSeparator();
-  addMenuAction(measure, tr("&Worksheet…"), {QKeySequence(QStringLiteral("Shift+F10"))}, [this] { showWorksheet(); });
+  addMenuAction(measure, "calipers.worksheet", [this] { showWorksheet(); });
   measure.addSeparator();
-  addMenuAction(measure, tr("Delete all measurements"), {QKeySequence(QStringLiteral("Ctrl+Del"))},
+  addMenuAction(measure, "calipers.clear",
                 [this] { parts_->calipers.change([](measurement::CaliperDrawing& drawing) { drawing.clear(); }); });
 }
 

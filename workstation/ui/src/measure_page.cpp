@@ -10,6 +10,8 @@
 #include "caliper_words.h"
 #include "figures.h"
 #include "icons.h"
+#include "key_table.h"
+#include "key_tips.h"
 #include "theme.h"
 #include "worksheet_list.h"
 
@@ -130,8 +132,8 @@ void MeasurePage::addTools(QVBoxLayout* rows) {
     button->setCheckable(true);
     button->setProperty("segment", n == 0 ? "first" : n + 1 == kinds.size() ? "last" : "true");
     button->setFocusPolicy(Qt::TabFocus);
-    button->setToolTip(tr("%1 (%2)", "a tool and its key").arg(CaliperWords::nameOf(kinds[n])).arg(n + 4));
     button->setAccessibleName(CaliperWords::nameOf(kinds[n]));
+    button->setToolTip(tipWithKeys(CaliperWords::nameOf(kinds[n]) + QStringLiteral(" (%1)"), caliperCommand(n)));
     connect(button, &QPushButton::clicked, this, [this, kind = kinds[n]] {
       calipers_.take(kind);
       showAll();  // a tool that could not be taken is not checked
@@ -143,7 +145,8 @@ void MeasurePage::addTools(QVBoxLayout* rows) {
   follows_ = new QCheckBox(tr("Outlines follow edges"));
   follows_->setObjectName(QStringLiteral("followEdges"));
   follows_->setAccessibleName(follows_->text());
-  follows_->setToolTip(tr("A few clicks around it are enough: the outline is brought to the edge (0)"));
+  follows_->setToolTip(
+      tipWithKeys(tr("A few clicks around it are enough: the outline is brought to the edge (%1)"), "calipers.followEdges"));
   connect(follows_, &QCheckBox::toggled, &calipers_, &Calipers::setFollowsEdges);
   rows->addWidget(follows_);
 }
@@ -157,18 +160,18 @@ void MeasurePage::addEdits(QVBoxLayout* rows) {
     auto* button = new QPushButton(text);
     button->setObjectName(QLatin1String(name));
     button->setProperty("compact", true);
-    button->setToolTip(tip);
     button->setAccessibleName(tip);
+    button->setToolTip(tip);
     connect(button, &QPushButton::clicked, this, [this, edit] { calipers_.change(edit); });
     line->addWidget(button, text.isEmpty() ? 0 : 1);
     return button;
   };
-  undo_ = add("undoCaliper", tr("Undo (Ctrl+Z)"), {}, [](CaliperDrawing& drawing) { drawing.undo(); });
-  redo_ = add("redoCaliper", tr("Redo (Ctrl+Shift+Z)"), {}, [](CaliperDrawing& drawing) { drawing.redo(); });
-  remove_ = add("removeCaliper", tr("Delete the chosen measurement, or else the last one (Backspace)"), tr("Delete"),
-                [](CaliperDrawing& drawing) { drawing.takeBack(); });
-  clear_ =
-      add("clearCalipers", tr("Delete all measurements (Ctrl+Delete)"), tr("Delete all"), [](CaliperDrawing& drawing) { drawing.clear(); });
+  undo_ = add("undoCaliper", tipWithKeys(tr("Undo (%1)"), "undo"), {}, [](CaliperDrawing& drawing) { drawing.undo(); });
+  redo_ = add("redoCaliper", tipWithKeys(tr("Redo (%1)"), "redo"), {}, [](CaliperDrawing& drawing) { drawing.redo(); });
+  remove_ = add("removeCaliper", tipWithKeys(tr("Delete the chosen measurement, or else the last one (%1)"), "cross.takeBack"),
+                tr("Delete"), [](CaliperDrawing& drawing) { drawing.takeBack(); });
+  clear_ = add("clearCalipers", tipWithKeys(tr("Delete all measurements (%1)"), "calipers.clear"), tr("Delete all"),
+               [](CaliperDrawing& drawing) { drawing.clear(); });
   rows->addWidget(edits_);
 }
 
