@@ -104,7 +104,8 @@ KeysDialog::KeysDialog(KeyMap& keys, ControlSurface& surface, std::vector<PanelK
     const QString file = QFileDialog::getOpenFileName(this, tr("Open keys and controls"), QString(), tr("Keys and controls (*.json)"));
     if (!file.isEmpty()) takeFile(file);
   });
-  connect(all, &QPushButton::clicked, this, [this] {
+  connect(all, &QPushButton::clicked, this, [this, pages] {
+    pages->setCurrentIndex(0);  // where the question stands
     ask(tr("Give every action its usual keys again?"), tr("Reset all"), [this] {
       keys_.resetAll();
       Q_EMIT changed();
@@ -120,6 +121,10 @@ KeysDialog::KeysDialog(KeyMap& keys, ControlSurface& surface, std::vector<PanelK
   });
   surface_.setLooking(true);
   fillKeys();
+  for (const int column : {1, 2}) {  // as wide as the whole list needs: nothing jumps while it is filtered
+    list_->header()->setSectionResizeMode(column, QHeaderView::Interactive);
+    list_->header()->resizeSection(column, std::clamp(list_->sizeHintForColumn(column) + 16, 120, 280));
+  }
   fillTargets();
   fillControls();
   showLearning();
