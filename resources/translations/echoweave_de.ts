@@ -12714,7 +12714,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>Stop</source>
-        <translation>Anhalten</translation>
+        <translation>Beenden</translation>
     </message>
     <message>
         <source>Choose what a knob or a button shall do, press Learn, then move it.</source>
