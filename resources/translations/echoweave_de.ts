@@ -6703,6 +6703,50 @@
         <source>a kind of caliper: distance, poly_line, ellipse, fitted_ellipse, trace, angle, ratio, ellipsoid, discs, biplane, interval, slope, heart_rate or depth_distance</source>
         <translation>eine Art von Messmarke: distance, poly_line, ellipse, fitted_ellipse, trace, angle, ratio, ellipsoid, discs, biplane, interval, slope, heart_rate oder depth_distance</translation>
     </message>
+    <message>
+        <source>a setting, or &apos;action&apos; in its place</source>
+        <translation>eine Einstellung oder stattdessen &apos;action&apos;</translation>
+    </message>
+    <message>
+        <source>one that this kind of control and what it does can have</source>
+        <translation>eine, die zu dieser Art von Regler und zu dem passt, was er tut</translation>
+    </message>
+    <message>
+        <source>an object of at most %1 actions</source>
+        <translation>ein Objekt aus höchstens %1 Aktionen</translation>
+    </message>
+    <message>
+        <source>the file of keys %1</source>
+        <translation>die Tastendatei %1</translation>
+    </message>
+    <message>
+        <source>This computer has no MIDI: %1 is not there. Plug the control surface in; if it stays so, the kernel module snd-seq is missing (sudo modprobe snd-seq).</source>
+        <translation>Dieser Rechner hat kein MIDI: %1 fehlt. Schließen Sie das Reglerpult an; bleibt es so, fehlt das Kernelmodul snd-seq (sudo modprobe snd-seq).</translation>
+    </message>
+    <message>
+        <source>MIDI cannot be used: %1.</source>
+        <translation>MIDI lässt sich nicht benutzen: %1.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be listened to; another program may have it. Close that program, or plug the device in again.</source>
+        <translation>„%1“ lässt sich nicht abhören; vielleicht hat es ein anderes Programm. Schließen Sie jenes, oder stecken Sie das Gerät neu an.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be listened to (%2).</source>
+        <translation>„%1“ lässt sich nicht abhören (%2).</translation>
+    </message>
+    <message>
+        <source>This EchoWeave was built without MIDI; install librtmidi-dev and build it again to use such control surfaces.</source>
+        <translation>Dieses EchoWeave wurde ohne MIDI gebaut; installieren Sie librtmidi-dev und bauen Sie es neu, um solche Reglerpulte zu benutzen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be read (%2). Linux lets only root read such devices until a rule allows it; &apos;Keys and controls&apos; in the documentation has the line for it.</source>
+        <translation>„%1“ lässt sich nicht lesen (%2). Linux lässt solche Geräte nur root lesen, bis eine Regel es erlaubt; die Zeile dafür steht in der Dokumentation unter „Keys and controls“.</translation>
+    </message>
+    <message>
+        <source>This EchoWeave was built without HID; install libhidapi-dev and build it again to use jog dials and game controllers.</source>
+        <translation>Dieses EchoWeave wurde ohne HID gebaut; installieren Sie libhidapi-dev und bauen Sie es neu, um Jog-Räder und Spielsteuerungen zu benutzen.</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
@@ -8823,8 +8867,8 @@
 <context>
     <name>ew::ui::AnnotatedPictures</name>
     <message>
-        <source>Words and arrows belong to the image, not to the strip of the M-mode. Switch to B or B + M (M).</source>
-        <translation>Texte und Pfeile gehören ins Bild, nicht in den Streifen des M-Mode. Wechseln Sie zu B oder B + M (M).</translation>
+        <source>Words and arrows belong to the image, not to the strip of the M-mode. Switch to B or B + M.</source>
+        <translation>Texte und Pfeile gehören ins Bild, nicht in den Streifen des M-Mode. Wechseln Sie zu B oder B + M.</translation>
     </message>
 </context>
 <context>
@@ -9106,6 +9150,10 @@
         <source>This is measured in the strip of the M-mode. Switch to B + M or M (M).</source>
         <translation>Das wird im Streifen des M-Mode gemessen. Auf B + M oder M umschalten (M).</translation>
     </message>
+    <message>
+        <source>Calipers measure in the image, not in the strip of the M-mode. Switch to B or B + M.</source>
+        <translation>Gemessen wird im Bild, nicht im Streifen des M-Modus. Auf B oder B + M umschalten.</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::CaseFolderDialog</name>
@@ -9242,14 +9290,6 @@
 <context>
     <name>ew::ui::CineBar</name>
     <message>
-        <source>An image back (comma, left arrow, wheel; with Shift ten images)</source>
-        <translation>Ein Bild zurück (Komma, Pfeil links, Rad; mit Umschalt zehn Bilder)</translation>
-    </message>
-    <message>
-        <source>An image on (full stop, right arrow, wheel; with Shift ten images)</source>
-        <translation>Ein Bild weiter (Punkt, Pfeil rechts, Rad; mit Umschalt zehn Bilder)</translation>
-    </message>
-    <message>
         <source>Time line of what was scanned</source>
         <translation>Zeitleiste des Geschallten</translation>
     </message>
@@ -9264,14 +9304,6 @@
     <message>
         <source>Which image is shown, and how long before the freeze it was made</source>
         <translation>Welches Bild gezeigt wird und wie lange vor dem Einfrieren es entstand</translation>
-    </message>
-    <message>
-        <source>The loop begins with this image; once more: with the first (Shift+I)</source>
-        <translation>Die Schleife beginnt mit diesem Bild; noch einmal: mit dem ersten (Umschalt+I)</translation>
-    </message>
-    <message>
-        <source>The loop ends with this image; once more: with the last (Shift+O)</source>
-        <translation>Die Schleife endet mit diesem Bild; noch einmal: mit dem letzten (Umschalt+O)</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -9302,12 +9334,28 @@
         <translation>Clip speichern…</translation>
     </message>
     <message>
-        <source>Stop (C)</source>
-        <translation>Anhalten (C)</translation>
+        <source>An image back (%1, wheel; with Shift ten images)</source>
+        <translation>Ein Bild zurück (%1, Rad; mit Umschalt zehn Bilder)</translation>
     </message>
     <message>
-        <source>Play in a loop (C)</source>
-        <translation>In einer Schleife abspielen (C)</translation>
+        <source>An image on (%1, wheel; with Shift ten images)</source>
+        <translation>Ein Bild weiter (%1, Rad; mit Umschalt zehn Bilder)</translation>
+    </message>
+    <message>
+        <source>The loop begins with this image; once more: with the first (%1)</source>
+        <translation>Die Schleife beginnt mit diesem Bild; noch einmal: mit dem ersten (%1)</translation>
+    </message>
+    <message>
+        <source>The loop ends with this image; once more: with the last (%1)</source>
+        <translation>Die Schleife endet mit diesem Bild; noch einmal: mit dem letzten (%1)</translation>
+    </message>
+    <message>
+        <source>Stop (%1)</source>
+        <translation>Anhalten (%1)</translation>
+    </message>
+    <message>
+        <source>Play in a loop (%1)</source>
+        <translation>In einer Schleife abspielen (%1)</translation>
     </message>
 </context>
 <context>
@@ -9317,16 +9365,8 @@
         <translation>Verstärkung</translation>
     </message>
     <message>
-        <source>Overall gain (Ctrl+Up, Ctrl+Down); double-click for neutral</source>
-        <translation>Gesamtverstärkung (Strg+Auf, Strg+Ab); Doppelklick für neutral</translation>
-    </message>
-    <message>
         <source>Depth</source>
         <translation>Tiefe</translation>
-    </message>
-    <message>
-        <source>Depth of the image (Page Up, Page Down)</source>
-        <translation>Tiefe des Bildes (Bild auf, Bild ab)</translation>
     </message>
     <message>
         <source>Focus</source>
@@ -9353,20 +9393,8 @@
         <translation>Schallkopf</translation>
     </message>
     <message>
-        <source>The marker is at the left, as usual; put it at the right (X)</source>
-        <translation>Die Marke ist links, wie üblich; nach rechts setzen (X)</translation>
-    </message>
-    <message>
-        <source>The marker is at the right; put it at the left, as usual (X)</source>
-        <translation>Die Marke ist rechts; nach links setzen, wie üblich (X)</translation>
-    </message>
-    <message>
         <source>Freeze</source>
         <translation>Einfrieren</translation>
-    </message>
-    <message>
-        <source>Keep the image, and look through the last 30 s (Space or F)</source>
-        <translation>Das Bild festhalten und die letzten 30 s ansehen (Leertaste oder F)</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -9393,32 +9421,8 @@
         <translation>Sonde</translation>
     </message>
     <message>
-        <source>What the image shows and how (F10)</source>
-        <translation>Was das Bild zeigt und wie (F10)</translation>
-    </message>
-    <message>
-        <source>What the scene does to the sound (F10)</source>
-        <translation>Was die Szene mit dem Schall macht (F10)</translation>
-    </message>
-    <message>
-        <source>The transducer and its beams (F10)</source>
-        <translation>Die Sonde und ihre Strahlen (F10)</translation>
-    </message>
-    <message>
-        <source>Every depth is blurred by the width its beam has there (Shift+N)</source>
-        <translation>Jede Tiefe wird so unscharf, wie ihr Strahl dort breit ist (Umschalt+N)</translation>
-    </message>
-    <message>
-        <source>Rows out of focus are undersampled and stretched back (Shift+N)</source>
-        <translation>Zeilen außerhalb des Fokus werden gröber abgetastet und wieder gestreckt (Umschalt+N)</translation>
-    </message>
-    <message>
         <source>Dynamic range</source>
         <translation>Dynamikbereich</translation>
-    </message>
-    <message>
-        <source>Levels this far below full white become black (R, Shift+R)</source>
-        <translation>So weit unter vollem Weiß wird es schwarz (R, Umschalt+R)</translation>
     </message>
     <message>
         <source>%1 dB</source>
@@ -9481,10 +9485,6 @@
         <translation>Adaptiv</translation>
     </message>
     <message>
-        <source>Quality may fall while the probe moves fast, and refines at rest (F9)</source>
-        <translation>Die Qualität darf sinken, solange sich die Sonde schnell bewegt, und steigt in Ruhe wieder (F9)</translation>
-    </message>
-    <message>
         <source>The thickness is averaged over %1 planes (Shift+F3 for the next)</source>
         <translation>Die Dicke wird über %1 Ebenen gemittelt (Umschalt+F3 für die nächste Zahl)</translation>
     </message>
@@ -9525,20 +9525,12 @@
         <translation>Schwenk</translation>
     </message>
     <message>
-        <source>Tilts the beams of a linear array (J, L)</source>
-        <translation>Neigt die Strahlen einer Linearsonde (J, L)</translation>
-    </message>
-    <message>
         <source>%1°</source>
         <translation>%1°</translation>
     </message>
     <message>
         <source>Trapezoid</source>
         <translation>Trapez</translation>
-    </message>
-    <message>
-        <source>The lines of a linear array fan out (V)</source>
-        <translation>Die Linien einer Linearsonde fächern sich auf (V)</translation>
     </message>
     <message>
         <source>Scan lines</source>
@@ -9577,28 +9569,12 @@
         <translation>M-Linie</translation>
     </message>
     <message>
-        <source>Which beam is shown over time, from one end of the face to the other (Ctrl+Left, Ctrl+Right)</source>
-        <translation>Welcher Strahl über die Zeit gezeigt wird, von einem Ende der Sonde zum anderen (Strg+Links, Strg+Rechts)</translation>
-    </message>
-    <message>
         <source>Sweep</source>
         <translation>Durchlauf</translation>
     </message>
     <message>
-        <source>Time across the strip (Y, Shift+Y)</source>
-        <translation>Zeit über den Streifen (Y, Umschalt+Y)</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>The probe is at the bottom; put it at the top, as usual (U)</source>
-        <translation>Die Sonde ist unten; nach oben setzen, wie üblich (U)</translation>
-    </message>
-    <message>
-        <source>The probe is at the top, as usual; put it at the bottom (U)</source>
-        <translation>Die Sonde ist oben, wie üblich; nach unten setzen (U)</translation>
     </message>
     <message>
         <source>Depth of the first focal zone (comma, full stop); drag the marks beside the image for the others</source>
@@ -9623,18 +9599,6 @@
     <message>
         <source>Edge enhancement</source>
         <translation>Kantenanhebung</translation>
-    </message>
-    <message>
-        <source>Makes borders sharper (B, Shift+B)</source>
-        <translation>Macht Grenzen schärfer (B, Umschalt+B)</translation>
-    </message>
-    <message>
-        <source>How much of the last image stays (P, Shift+P)</source>
-        <translation>Wie viel vom letzten Bild bleibt (P, Umschalt+P)</translation>
-    </message>
-    <message>
-        <source>Magnify; drag in the image to move the detail (Z, Shift+Z)</source>
-        <translation>Vergrößern; im Bild ziehen verschiebt den Ausschnitt (Z, Umschalt+Z)</translation>
     </message>
     <message>
         <source>Fast</source>
@@ -9693,10 +9657,6 @@
         <translation>Leistung</translation>
     </message>
     <message>
-        <source>Measure what accuracy costs on this computer (Ctrl+K)</source>
-        <translation>Messen, was Genauigkeit auf diesem Rechner kostet (Strg+K)</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
@@ -9731,6 +9691,94 @@
     <message>
         <source>As in the paper of 1998: factors on grey levels, by rows of the image</source>
         <translation>Wie im Artikel von 1998: Faktoren auf Grauwerte, nach Zeilen des Bildes</translation>
+    </message>
+    <message>
+        <source>Overall gain (%1); double-click for neutral</source>
+        <translation>Gesamtverstärkung (%1); Doppelklick für neutral</translation>
+    </message>
+    <message>
+        <source>Depth of the image (%1)</source>
+        <translation>Tiefe des Bildes (%1)</translation>
+    </message>
+    <message>
+        <source>The marker is at the left, as usual; put it at the right (%1)</source>
+        <translation>Die Marke ist links, wie üblich; nach rechts setzen (%1)</translation>
+    </message>
+    <message>
+        <source>The marker is at the right; put it at the left, as usual (%1)</source>
+        <translation>Die Marke ist rechts; nach links setzen, wie üblich (%1)</translation>
+    </message>
+    <message>
+        <source>Keep the image, and look through the last 30 s (%1)</source>
+        <translation>Das Bild festhalten und die letzten 30 s ansehen (%1)</translation>
+    </message>
+    <message>
+        <source>What the image shows and how (%1)</source>
+        <translation>Was das Bild zeigt und wie (%1)</translation>
+    </message>
+    <message>
+        <source>What the scene does to the sound (%1)</source>
+        <translation>Was die Szene mit dem Schall macht (%1)</translation>
+    </message>
+    <message>
+        <source>The transducer and its beams (%1)</source>
+        <translation>Die Sonde und ihre Strahlen (%1)</translation>
+    </message>
+    <message>
+        <source>Every depth is blurred by the width its beam has there (%1)</source>
+        <translation>Jede Tiefe wird so unscharf, wie ihr Strahl dort breit ist (%1)</translation>
+    </message>
+    <message>
+        <source>Rows out of focus are undersampled and stretched back (%1)</source>
+        <translation>Zeilen außerhalb des Fokus werden gröber abgetastet und wieder gestreckt (%1)</translation>
+    </message>
+    <message>
+        <source>Levels this far below full white become black (%1)</source>
+        <translation>So weit unter vollem Weiß wird es schwarz (%1)</translation>
+    </message>
+    <message>
+        <source>Quality may fall while the probe moves fast, and refines at rest (%1)</source>
+        <translation>Die Qualität darf sinken, solange sich die Sonde schnell bewegt, und steigt in Ruhe wieder (%1)</translation>
+    </message>
+    <message>
+        <source>Tilts the beams of a linear array (%1)</source>
+        <translation>Neigt die Strahlen einer Linearsonde (%1)</translation>
+    </message>
+    <message>
+        <source>The lines of a linear array fan out (%1)</source>
+        <translation>Die Linien einer Linearsonde fächern sich auf (%1)</translation>
+    </message>
+    <message>
+        <source>Which beam is shown over time, from one end of the face to the other (%1)</source>
+        <translation>Welcher Strahl über die Zeit gezeigt wird, von einem Ende der Sonde zum anderen (%1)</translation>
+    </message>
+    <message>
+        <source>Time across the strip (%1)</source>
+        <translation>Zeit über den Streifen (%1)</translation>
+    </message>
+    <message>
+        <source>The probe is at the bottom; put it at the top, as usual (%1)</source>
+        <translation>Die Sonde ist unten; nach oben setzen, wie üblich (%1)</translation>
+    </message>
+    <message>
+        <source>The probe is at the top, as usual; put it at the bottom (%1)</source>
+        <translation>Die Sonde ist oben, wie üblich; nach unten setzen (%1)</translation>
+    </message>
+    <message>
+        <source>Makes borders sharper (%1)</source>
+        <translation>Macht Grenzen schärfer (%1)</translation>
+    </message>
+    <message>
+        <source>How much of the last image stays (%1)</source>
+        <translation>Wie viel vom letzten Bild bleibt (%1)</translation>
+    </message>
+    <message>
+        <source>Magnify; drag in the image to move the detail (%1)</source>
+        <translation>Vergrößern; im Bild ziehen verschiebt den Ausschnitt (%1)</translation>
+    </message>
+    <message>
+        <source>Measure what accuracy costs on this computer (%1)</source>
+        <translation>Messen, was Genauigkeit auf diesem Rechner kostet (%1)</translation>
     </message>
 </context>
 <context>
@@ -9912,16 +9960,16 @@
         <translation>TGC zurücksetzen</translation>
     </message>
     <message>
-        <source>Time gain compensation: one slider for each eighth of the depth. Click to put all of them back to the middle (Ctrl+0), double-click one for itself</source>
-        <translation>Tiefenausgleich: ein Regler für jedes Achtel der Tiefe. Klicken stellt alle wieder in die Mitte (Strg+0), Doppelklick einen allein</translation>
-    </message>
-    <message>
         <source>%1 to %2 mm: %3 %</source>
         <translation>%1 bis %2 mm: %3 %</translation>
     </message>
     <message>
         <source>%1 to %2 mm: %3 dB</source>
         <translation>%1 bis %2 mm: %3 dB</translation>
+    </message>
+    <message>
+        <source>Time gain compensation: one slider for each eighth of the depth. Click to put all of them back to the middle (%1), double-click one for itself</source>
+        <translation>Tiefenausgleich: ein Regler für jedes Achtel der Tiefe. Klicken stellt alle wieder in die Mitte (%1), Doppelklick einen allein</translation>
     </message>
 </context>
 <context>
@@ -10089,12 +10137,12 @@
 <context>
     <name>ew::ui::FocusScale</name>
     <message>
-        <source>Drag a mark to its focus depth (comma, full stop)</source>
-        <translation>Eine Marke auf ihre Fokustiefe ziehen (Komma, Punkt)</translation>
+        <source>Drag a mark to its focus depth (%1)</source>
+        <translation>Eine Marke auf ihre Fokustiefe ziehen (%1)</translation>
     </message>
     <message>
-        <source>Depth in cm; the focus is off (F2)</source>
-        <translation>Tiefe in cm; der Fokus ist aus (F2)</translation>
+        <source>Depth in cm; the focus is off (%1)</source>
+        <translation>Tiefe in cm; der Fokus ist aus (%1)</translation>
     </message>
 </context>
 <context>
@@ -10384,10 +10432,6 @@
     <message>
         <source>The program met a problem that it did not foresee (%1). Your work is still there: save it, and please report this with what you did.</source>
         <translation>Das Programm stieß auf ein unvorhergesehenes Problem (%1). Die Arbeit ist noch da: sie speichern, das Problem bitte melden und dabei die letzten Schritte nennen.</translation>
-    </message>
-    <message>
-        <source>Undo: %1 (Ctrl+Z)</source>
-        <translation>Rückgängig: %1 (Strg+Z)</translation>
     </message>
     <message>
         <source>The case &apos;%1&apos; has changes that are not saved.</source>
@@ -10922,14 +10966,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>aus welchem Bild ein Punkt stammt</translation>
     </message>
     <message>
-        <source>The strip of the M-mode shows one beam over time, no place in an image. Switch to B or B + M (M), then click a point of the image.</source>
-        <translation>Der Streifen des M-Modus zeigt einen Strahl über die Zeit, keinen Ort in einem Bild. Auf B oder B + M umschalten (M), dann einen Punkt des Bildes anklicken.</translation>
-    </message>
-    <message>
-        <source>This volume does not say which frame a voxel came from. A volume that is made here from a recorded sweep does: open the sweep (Ctrl+O), leave &apos;Record source frame per voxel&apos; switched on, and reconstruct it.</source>
-        <translation>Dieses Volumen sagt nicht, aus welchem Bild ein Voxel stammt. Ein Volumen, das hier aus einem aufgenommenen Schwenk gemacht wird, sagt es: den Schwenk öffnen (Strg+O), „Quellbild je Voxel festhalten“ eingeschaltet lassen und das Volumen machen.</translation>
-    </message>
-    <message>
         <source>&amp;Undo: %1</source>
         <translation>&amp;Rückgängig: %1</translation>
     </message>
@@ -11138,10 +11174,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>performance</source>
         <translation>Leistung</translation>
-    </message>
-    <message>
-        <source>The image is frozen, and the probe with it. Space or F lets both move again.</source>
-        <translation>Das Bild ist eingefroren und mit ihm die Sonde. Leertaste oder F lässt beide wieder los.</translation>
     </message>
     <message>
         <source>&amp;Theme</source>
@@ -11357,10 +11389,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>clip</translation>
     </message>
     <message>
-        <source>The image is frozen: its echoes were made with these settings. Space or F lets it run; then change them.</source>
-        <translation>Das Bild ist eingefroren: Seine Echos entstanden mit diesen Einstellungen. Leertaste oder F lässt es laufen, dann lassen sie sich ändern.</translation>
-    </message>
-    <message>
         <source>Frozen image</source>
         <translation>Eingefrorenes Bild</translation>
     </message>
@@ -11391,10 +11419,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Mea&amp;sure</source>
         <translation>Me&amp;ssen</translation>
-    </message>
-    <message>
-        <source>Calipers, and what they measured (F10)</source>
-        <translation>Messpunkte, und was sie gemessen haben (F10)</translation>
     </message>
     <message>
         <source>measuring</source>
@@ -11716,6 +11740,218 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
+    <message>
+        <source>Undo: %1 (%2)</source>
+        <translation>Rückgängig: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>The strip of the M-mode shows one beam over time, no place in an image. Switch to B or B + M, then click a point of the image.</source>
+        <translation>Der Streifen des M-Modus zeigt einen Strahl über die Zeit, keinen Ort in einem Bild. Auf B oder B + M umschalten, dann einen Punkt des Bildes anklicken.</translation>
+    </message>
+    <message>
+        <source>This volume does not say which frame a voxel came from. A volume that is made here from a recorded sweep does: open the sweep, leave &apos;Record source frame per voxel&apos; switched on, and reconstruct it.</source>
+        <translation>Dieses Volumen sagt nicht, aus welchem Bild ein Voxel stammt. Ein Volumen, das hier aus einem aufgenommenen Schwenk gemacht wird, sagt es: den Schwenk öffnen, „Quellbild je Voxel festhalten“ eingeschaltet lassen und das Volumen machen.</translation>
+    </message>
+    <message>
+        <source>The image is frozen, and the probe with it. Let it run (%1): then both move again.</source>
+        <translation>Das Bild steht, und mit ihm die Sonde. Lassen Sie es laufen (%1): dann bewegen sich beide wieder.</translation>
+    </message>
+    <message>
+        <source>The image is frozen: its echoes were made with these settings. Let it run (%1), then change them.</source>
+        <translation>Das Bild steht: Seine Echos entstanden mit diesen Einstellungen. Lassen Sie es laufen (%1), dann ändern Sie sie.</translation>
+    </message>
+    <message>
+        <source>Calipers, and what they measured (%1)</source>
+        <translation>Messpunkte, und was sie gemessen haben (%1)</translation>
+    </message>
+    <message>
+        <source>while the image runs</source>
+        <translation>während das Bild läuft</translation>
+    </message>
+    <message>
+        <source>on a frozen image</source>
+        <translation>auf stehendem Bild</translation>
+    </message>
+    <message>
+        <source>with a tool in the hand</source>
+        <translation>mit Werkzeug in der Hand</translation>
+    </message>
+    <message>
+        <source>with a text or an arrow chosen</source>
+        <translation>wenn Text oder Pfeil gewählt ist</translation>
+    </message>
+    <message>
+        <source>while writing</source>
+        <translation>beim Schreiben</translation>
+    </message>
+    <message>
+        <source>everywhere</source>
+        <translation>überall</translation>
+    </message>
+    <message>
+        <source>Drag, %1</source>
+        <translation>Ziehen, %1</translation>
+    </message>
+    <message>
+        <source>Console</source>
+        <translation>Konsole</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Kippen</translation>
+    </message>
+    <message>
+        <source>Rock</source>
+        <translation>Schaukeln</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Slide along the image</source>
+        <translation>Längs des Bildes schieben</translation>
+    </message>
+    <message>
+        <source>Slide across the image</source>
+        <translation>Quer zum Bild schieben</translation>
+    </message>
+    <message>
+        <source>Image of the cine loop</source>
+        <translation>Bild der Schleife</translation>
+    </message>
+    <message>
+        <source>The usual keys act meanwhile. The file stays as it is: as soon as you change a key, it is put aside and a new one is begun.</source>
+        <translation>Solange wirken die üblichen Tasten. Die Datei bleibt, wie sie ist: Sobald Sie eine Taste ändern, wird sie beiseitegelegt und eine neue begonnen.</translation>
+    </message>
+    <message>
+        <source>The file %1 cannot be put aside, so your keys are not kept.</source>
+        <translation>Die Datei %1 lässt sich nicht beiseitelegen, darum werden Ihre Tasten nicht behalten.</translation>
+    </message>
+    <message>
+        <source>What could not be read is now in %1.</source>
+        <translation>Was nicht zu lesen war, liegt jetzt in %1.</translation>
+    </message>
+    <message>
+        <source>Text, on a frozen image</source>
+        <translation>Text, auf stehendem Bild</translation>
+    </message>
+    <message>
+        <source>Show the volume that was made</source>
+        <translation>Gemachtes Volumen zeigen</translation>
+    </message>
+    <message>
+        <source>Keys and &amp;controls…</source>
+        <translation>Tasten und &amp;Regler…</translation>
+    </message>
+    <message>
+        <source>Slide to the left</source>
+        <translation>Nach links schieben</translation>
+    </message>
+    <message>
+        <source>Slide to the right</source>
+        <translation>Nach rechts schieben</translation>
+    </message>
+    <message>
+        <source>Slide up</source>
+        <translation>Nach oben schieben</translation>
+    </message>
+    <message>
+        <source>Slide down</source>
+        <translation>Nach unten schieben</translation>
+    </message>
+    <message>
+        <source>Rotate to the left</source>
+        <translation>Nach links drehen</translation>
+    </message>
+    <message>
+        <source>Rotate to the right</source>
+        <translation>Nach rechts drehen</translation>
+    </message>
+    <message>
+        <source>Rock to the left</source>
+        <translation>Nach links schaukeln</translation>
+    </message>
+    <message>
+        <source>Rock to the right</source>
+        <translation>Nach rechts schaukeln</translation>
+    </message>
+    <message>
+        <source>Tilt forward</source>
+        <translation>Nach vorn kippen</translation>
+    </message>
+    <message>
+        <source>Tilt back</source>
+        <translation>Nach hinten kippen</translation>
+    </message>
+    <message>
+        <source>Back to the start</source>
+        <translation>Zurück zum Anfang</translation>
+    </message>
+    <message>
+        <source>Images back</source>
+        <translation>Bilder zurück</translation>
+    </message>
+    <message>
+        <source>Images on</source>
+        <translation>Bilder weiter</translation>
+    </message>
+    <message>
+        <source>First image</source>
+        <translation>Erstes Bild</translation>
+    </message>
+    <message>
+        <source>Last image</source>
+        <translation>Letztes Bild</translation>
+    </message>
+    <message>
+        <source>Cross to the left</source>
+        <translation>Kreuz nach links</translation>
+    </message>
+    <message>
+        <source>Cross to the right</source>
+        <translation>Kreuz nach rechts</translation>
+    </message>
+    <message>
+        <source>Cross up</source>
+        <translation>Kreuz nach oben</translation>
+    </message>
+    <message>
+        <source>Cross down</source>
+        <translation>Kreuz nach unten</translation>
+    </message>
+    <message>
+        <source>Set a point</source>
+        <translation>Punkt setzen</translation>
+    </message>
+    <message>
+        <source>Take a point back</source>
+        <translation>Punkt zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Delete the chosen text or arrow</source>
+        <translation>Gewählten Text oder Pfeil löschen</translation>
+    </message>
+    <message>
+        <source>Delete the last word of the chosen text</source>
+        <translation>Letztes Wort des gewählten Textes löschen</translation>
+    </message>
+    <message>
+        <source>End the text</source>
+        <translation>Text beenden</translation>
+    </message>
+    <message>
+        <source>Take the first word offered</source>
+        <translation>Erstes angebotenes Wort nehmen</translation>
+    </message>
+    <message>
+        <source>To the home position</source>
+        <translation>Zur Grundstellung</translation>
+    </message>
+    <message>
+        <source>Put the tool down, close, go back</source>
+        <translation>Werkzeug weglegen, schließen, zurück</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::MeasurePage</name>
@@ -11724,37 +11960,12 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Noch ist nichts gemessen. Ein Werkzeug wählen: Das Bild steht still, und der erste Klick setzt einen Punkt.</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <comment>a tool and its key</comment>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Outlines follow edges</source>
         <translation>Umrisse folgen Kanten</translation>
     </message>
     <message>
-        <source>A few clicks around it are enough: the outline is brought to the edge (0)</source>
-        <translation>Wenige Klicks ringsum genügen: Der Umriss wird an die Kante gebracht (0)</translation>
-    </message>
-    <message>
-        <source>Undo (Ctrl+Z)</source>
-        <translation>Rückgängig (Strg+Z)</translation>
-    </message>
-    <message>
-        <source>Redo (Ctrl+Shift+Z)</source>
-        <translation>Wiederholen (Strg+Umschalt+Z)</translation>
-    </message>
-    <message>
-        <source>Delete the chosen measurement, or else the last one (Backspace)</source>
-        <translation>Die gewählte Messung löschen, sonst die letzte (Rücktaste)</translation>
-    </message>
-    <message>
         <source>Delete</source>
         <translation>Löschen</translation>
-    </message>
-    <message>
-        <source>Delete all measurements (Ctrl+Delete)</source>
-        <translation>Alle Messungen löschen (Strg+Entf)</translation>
     </message>
     <message>
         <source>Delete all</source>
@@ -11771,6 +11982,26 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>To crosses, edges, and level or plumb with the point before; a mark and a word show it before the click (Ctrl+M). Hold Ctrl to do the opposite once</source>
         <translation>An Kreuzen, Kanten und waagerecht oder senkrecht zum Punkt davor; ein Zeichen und ein Wort zeigen es vor dem Klick (Strg+M). Mit Strg einmal das Gegenteil</translation>
+    </message>
+    <message>
+        <source>A few clicks around it are enough: the outline is brought to the edge (%1)</source>
+        <translation>Wenige Klicks ringsum genügen: Der Umriss wird an die Kante gebracht (%1)</translation>
+    </message>
+    <message>
+        <source>Undo (%1)</source>
+        <translation>Rückgängig (%1)</translation>
+    </message>
+    <message>
+        <source>Redo (%1)</source>
+        <translation>Wiederholen (%1)</translation>
+    </message>
+    <message>
+        <source>Delete the chosen measurement, or else the last one (%1)</source>
+        <translation>Die gewählte Messung löschen, sonst die letzte (%1)</translation>
+    </message>
+    <message>
+        <source>Delete all measurements (%1)</source>
+        <translation>Alle Messungen löschen (%1)</translation>
     </message>
 </context>
 <context>
@@ -11924,10 +12155,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Schallbild</translation>
     </message>
     <message>
-        <source>Nothing to scan yet. Open a case, a volume or a sweep (Ctrl+O), or drop one here.</source>
-        <translation>Noch nichts zu schallen. Einen Fall, ein Volumen oder einen Schwenk öffnen (Strg+O) oder etwas hierher ziehen.</translation>
-    </message>
-    <message>
         <source>Nothing recorded here</source>
         <translation>Hier ist nichts aufgenommen</translation>
     </message>
@@ -11974,6 +12201,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>wheel: step through what was scanned</source>
         <translation>Rad: durch das Geschallte blättern</translation>
+    </message>
+    <message>
+        <source>Nothing to scan yet. Open a case, a volume or a sweep, or drop one here.</source>
+        <translation>Noch nichts zu schallen. Einen Fall, ein Volumen oder einen Schwenk öffnen oder etwas hierher ziehen.</translation>
     </message>
 </context>
 <context>
@@ -12137,10 +12368,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Öffnen…</translation>
     </message>
     <message>
-        <source>Open a case, a volume or a sweep (Ctrl+O)</source>
-        <translation>Fall, Volumen oder Schwenk öffnen (Strg+O)</translation>
-    </message>
-    <message>
         <source>Recently opened</source>
         <translation>Zuletzt geöffnet</translation>
     </message>
@@ -12167,6 +12394,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Back to %1</source>
         <translation>Zurück zu %1</translation>
+    </message>
+    <message>
+        <source>Open a case, a volume or a sweep (%1)</source>
+        <translation>Fall, Volumen oder Schwenk öffnen (%1)</translation>
     </message>
 </context>
 <context>
@@ -12254,16 +12485,16 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Gestalten</translation>
     </message>
     <message>
-        <source>Scan the open case (Ctrl+1)</source>
-        <translation>Den offenen Fall schallen (Strg+1)</translation>
-    </message>
-    <message>
-        <source>Edit the case and build volumes (Ctrl+2)</source>
-        <translation>Den Fall bearbeiten und Volumen bauen (Strg+2)</translation>
-    </message>
-    <message>
         <source>simulation, not for diagnosis</source>
         <translation>Simulation, nicht zur Diagnose</translation>
+    </message>
+    <message>
+        <source>Scan the open case (%1)</source>
+        <translation>Den offenen Fall schallen (%1)</translation>
+    </message>
+    <message>
+        <source>Edit the case and build volumes (%1)</source>
+        <translation>Den Fall bearbeiten und Volumen bauen (%1)</translation>
     </message>
 </context>
 <context>
@@ -12397,16 +12628,16 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Aufzeichnung schließen und weiter schallen (Esc)</translation>
     </message>
     <message>
-        <source>Pause (Space)</source>
-        <translation>Anhalten (Leertaste)</translation>
-    </message>
-    <message>
-        <source>Play (Space)</source>
-        <translation>Abspielen (Leertaste)</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Pause (%1)</source>
+        <translation>Anhalten (%1)</translation>
+    </message>
+    <message>
+        <source>Play (%1)</source>
+        <translation>Abspielen (%1)</translation>
     </message>
 </context>
 <context>
@@ -12501,10 +12732,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Arbeitsblatt zeigen…</translation>
     </message>
     <message>
-        <source>Results, usual ranges and charts, answers; save it (Shift+F10)</source>
-        <translation>Ergebnisse, übliche Bereiche und Kurven, Antworten; sichern (Umschalt+F10)</translation>
-    </message>
-    <message>
         <source>No worksheet</source>
         <translation>Kein Arbeitsblatt</translation>
     </message>
@@ -12519,6 +12746,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <comment>an item, and where its calipers go</comment>
         <translation>%1
 %2</translation>
+    </message>
+    <message>
+        <source>Results, usual ranges and charts, answers; save it (%1)</source>
+        <translation>Ergebnisse, übliche Bereiche und Kurven, Antworten; sichern (%1)</translation>
     </message>
 </context>
 <context>
@@ -12862,6 +13093,418 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Over how many heart beats the heart rate is measured; the more, the smaller its uncertainty</source>
         <translation>Über wie viele Herzschläge die Herzfrequenz gemessen wird; je mehr, desto kleiner die Unsicherheit</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::ControlSurface</name>
+    <message>
+        <source>%1: off, or not there now.</source>
+        <translation>%1: aus oder gerade nicht vorhanden.</translation>
+    </message>
+    <message>
+        <source>%1: turn the knob up until it meets %2.</source>
+        <translation>%1: Drehen Sie den Regler auf, bis er %2 erreicht.</translation>
+    </message>
+    <message>
+        <source>%1: turn the knob down until it meets %2.</source>
+        <translation>%1: Drehen Sie den Regler zu, bis er %2 erreicht.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::ControlWords</name>
+    <message>
+        <source>control %1, channel %2</source>
+        <translation>Regler %1, Kanal %2</translation>
+    </message>
+    <message>
+        <source>control %1 (14 bits), channel %2</source>
+        <translation>Regler %1 (14 Bit), Kanal %2</translation>
+    </message>
+    <message>
+        <source>parameter %1, channel %2</source>
+        <translation>Parameter %1, Kanal %2</translation>
+    </message>
+    <message>
+        <source>note %1, channel %2</source>
+        <translation>Note %1, Kanal %2</translation>
+    </message>
+    <message>
+        <source>fader (pitch bend), channel %1</source>
+        <translation>Fader (Pitch Bend), Kanal %1</translation>
+    </message>
+    <message>
+        <source>axis or wheel %1</source>
+        <translation>Achse oder Rad %1</translation>
+    </message>
+    <message>
+        <source>button %1.%2</source>
+        <translation>Taste %1.%2</translation>
+    </message>
+    <message>
+        <source>knob or fader</source>
+        <translation>Drehregler oder Fader</translation>
+    </message>
+    <message>
+        <source>encoder (1, 127)</source>
+        <translation>Endlosregler (1, 127)</translation>
+    </message>
+    <message>
+        <source>encoder (65, 63)</source>
+        <translation>Endlosregler (65, 63)</translation>
+    </message>
+    <message>
+        <source>encoder (1, 65)</source>
+        <translation>Endlosregler (1, 65)</translation>
+    </message>
+    <message>
+        <source>jog wheel</source>
+        <translation>Jog-Rad</translation>
+    </message>
+    <message>
+        <source>button</source>
+        <translation>Taste</translation>
+    </message>
+    <message>
+        <source>Press the button that shall do it.</source>
+        <translation>Drücken Sie die Taste, die es tun soll.</translation>
+    </message>
+    <message>
+        <source>Turn the knob, or move the fader, that shall do it.</source>
+        <translation>Bewegen Sie den Regler oder Fader, der es tun soll.</translation>
+    </message>
+    <message>
+        <source>Turn it on, a good way.</source>
+        <translation>Drehen Sie ein gutes Stück weiter.</translation>
+    </message>
+    <message>
+        <source>Now turn it back a little to the other side.</source>
+        <translation>Drehen Sie nun ein wenig zur anderen Seite zurück.</translation>
+    </message>
+    <message>
+        <source>That is a button, and this setting needs a knob. Turn a knob, or bind the button to an action instead.</source>
+        <translation>Das ist eine Taste, und diese Einstellung braucht einen Regler. Drehen Sie einen Regler, oder binden Sie die Taste an eine Aktion.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::KeyMap</name>
+    <message>
+        <source>&apos;%1&apos; is the name of no key that can be given to &apos;%2&apos;.</source>
+        <translation>„%1“ ist der Name keiner Taste, die „%2“ haben kann.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is given to &apos;%2&apos; and to another action; that one has it.</source>
+        <translation>„%1“ ist „%2“ und einer anderen Aktion gegeben; jene hat sie.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::KeysDialog</name>
+    <message>
+        <source>Keys and controls</source>
+        <translation>Tasten und Regler</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Controls</source>
+        <translation>Regler</translation>
+    </message>
+    <message>
+        <source>What the keyboard and foot pedals do</source>
+        <translation>Was Tastatur und Fußschalter tun</translation>
+    </message>
+    <message>
+        <source>What knobs, faders, jog wheels and buttons of other devices do</source>
+        <translation>Was Regler, Fader, Jog-Räder und Tasten anderer Geräte tun</translation>
+    </message>
+    <message>
+        <source>Reset all keys</source>
+        <translation>Alle Tasten zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Give every action its usual keys again; controls stay</source>
+        <translation>Jeder Aktion wieder ihre üblichen Tasten geben; Regler bleiben</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>Datei öffnen…</translation>
+    </message>
+    <message>
+        <source>Take over keys and controls that somebody saved</source>
+        <translation>Tasten und Regler übernehmen, die jemand gesichert hat</translation>
+    </message>
+    <message>
+        <source>Save as a file…</source>
+        <translation>Als Datei sichern…</translation>
+    </message>
+    <message>
+        <source>Save your keys and controls, to give them to others</source>
+        <translation>Ihre Tasten und Regler sichern, um sie weiterzugeben</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close; everything is kept already</source>
+        <translation>Schließen; alles ist schon gesichert</translation>
+    </message>
+    <message>
+        <source>Open keys and controls</source>
+        <translation>Tasten und Regler öffnen</translation>
+    </message>
+    <message>
+        <source>Keys and controls (*.json)</source>
+        <translation>Tasten und Regler (*.json)</translation>
+    </message>
+    <message>
+        <source>Give every action its usual keys again?</source>
+        <translation>Jeder Aktion wieder ihre üblichen Tasten geben?</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Alle zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Bound. It acts from now on.</source>
+        <translation>Gebunden. Er wirkt ab jetzt.</translation>
+    </message>
+    <message>
+        <source>Bound. Until now this control did &apos;%1&apos;; it does that no longer.</source>
+        <translation>Gebunden. Bisher tat dieser Regler „%1“; das tut er nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Find an action or a key</source>
+        <translation>Aktion oder Taste suchen</translation>
+    </message>
+    <message>
+        <source>Part of an action&apos;s name, of its group or of a key: freeze, 3D, F13</source>
+        <translation>Teil des Namens einer Aktion, ihrer Gruppe oder einer Taste: einfrieren, 3D, F13</translation>
+    </message>
+    <message>
+        <source>Actions and their keys</source>
+        <translation>Aktionen und ihre Tasten</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Aktion</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wann</translation>
+    </message>
+    <message>
+        <source>Click here, then press a key</source>
+        <translation>Hier klicken, dann Taste drücken</translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation>Neue Taste</translation>
+    </message>
+    <message>
+        <source>Takes the next key, also F13 to F24, media keys and a foot pedal; Escape leaves it</source>
+        <translation>Nimmt die nächste Taste, auch F13 bis F24, Medientasten und einen Fußschalter; Escape verlässt das Feld</translation>
+    </message>
+    <message>
+        <source>Usual keys</source>
+        <translation>Übliche Tasten</translation>
+    </message>
+    <message>
+        <source>Give this action its usual keys again</source>
+        <translation>Dieser Aktion wieder ihre üblichen Tasten geben</translation>
+    </message>
+    <message>
+        <source>Do what the sentence says</source>
+        <translation>Tun, was der Satz sagt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Leave everything as it is</source>
+        <translation>Alles lassen, wie es ist</translation>
+    </message>
+    <message>
+        <source>This key has no name on this system, so nothing can be bound to it.</source>
+        <translation>Diese Taste hat auf diesem System keinen Namen, darum lässt sie sich nicht belegen.</translation>
+    </message>
+    <message>
+        <source>A usual key of this action now does &apos;%1&apos;. Take it away there?</source>
+        <translation>Eine übliche Taste dieser Aktion tut jetzt „%1“. Dort wegnehmen?</translation>
+    </message>
+    <message>
+        <source>Take it away</source>
+        <translation>Wegnehmen</translation>
+    </message>
+    <message>
+        <source>Chosen by you; usually: %1</source>
+        <translation>Von Ihnen gewählt; üblich: %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>in its panel</source>
+        <translation>in seiner Tafel</translation>
+    </message>
+    <message>
+        <source>A key of a panel: the plugin decides about it</source>
+        <translation>Taste einer Tafel: Das Plugin bestimmt sie</translation>
+    </message>
+    <message>
+        <source>Choose an action above</source>
+        <translation>Oben eine Aktion wählen</translation>
+    </message>
+    <message>
+        <source>%1: always this key</source>
+        <translation>%1: immer diese Taste</translation>
+    </message>
+    <message>
+        <source>Take this key away from the action</source>
+        <translation>Der Aktion diese Taste wegnehmen</translation>
+    </message>
+    <message>
+        <source>Take %1 away</source>
+        <translation>%1 wegnehmen</translation>
+    </message>
+    <message>
+        <source>%1 does that already.</source>
+        <translation>%1 tut das schon.</translation>
+    </message>
+    <message>
+        <source>An action has at most %1 keys; take one away first.</source>
+        <translation>Eine Aktion hat höchstens %1 Tasten; nehmen Sie erst eine weg.</translation>
+    </message>
+    <message>
+        <source>%1 always does &apos;%2&apos;; press another key.</source>
+        <translation>%1 tut immer „%2“; drücken Sie eine andere Taste.</translation>
+    </message>
+    <message>
+        <source>%1 now does &apos;%2&apos;. Take it away there?</source>
+        <translation>%1 tut jetzt „%2“. Dort wegnehmen?</translation>
+    </message>
+    <message>
+        <source>%1 does &apos;%2&apos; from now on.</source>
+        <translation>%1 tut ab jetzt „%2“.</translation>
+    </message>
+    <message>
+        <source>What the control shall do</source>
+        <translation>Was der Regler tun soll</translation>
+    </message>
+    <message>
+        <source>A setting for a knob, or an action for a button</source>
+        <translation>Eine Einstellung für einen Regler oder eine Aktion für eine Taste</translation>
+    </message>
+    <message>
+        <source>Learn</source>
+        <translation>Anlernen</translation>
+    </message>
+    <message>
+        <source>Bind what you move next</source>
+        <translation>Binden, was Sie als Nächstes bewegen</translation>
+    </message>
+    <message>
+        <source>Controls and what they do</source>
+        <translation>Regler, und was sie tun</translation>
+    </message>
+    <message>
+        <source>Does</source>
+        <translation>Tut</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Regler</translation>
+    </message>
+    <message>
+        <source>Read as</source>
+        <translation>Gelesen als</translation>
+    </message>
+    <message>
+        <source>Reversed</source>
+        <translation>Umgekehrt</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>The chosen control does nothing any more</source>
+        <translation>Der gewählte Regler tut nichts mehr</translation>
+    </message>
+    <message>
+        <source>Button: %1: %2</source>
+        <translation>Taste: %1: %2</translation>
+    </message>
+    <message>
+        <source>How %1 is read</source>
+        <translation>Wie %1 gelesen wird</translation>
+    </message>
+    <message>
+        <source>How its values are read; change it when it moves the wrong way or jumps</source>
+        <translation>Wie seine Werte gelesen werden; ändern, wenn er falsch herum wirkt oder springt</translation>
+    </message>
+    <message>
+        <source>%1, reversed</source>
+        <translation>%1, umgekehrt</translation>
+    </message>
+    <message>
+        <source>To the right is less</source>
+        <translation>Rechts ist weniger</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Choose what a knob or a button shall do, press Learn, then move it.</source>
+        <translation>Wählen Sie, was ein Regler oder eine Taste tun soll, drücken Sie Anlernen und bewegen Sie ihn.</translation>
+    </message>
+    <message>
+        <source>No control surface is plugged in.</source>
+        <translation>Kein Reglerpult ist angeschlossen.</translation>
+    </message>
+    <message>
+        <source>Plugged in: %1.</source>
+        <translation>Angeschlossen: %1.</translation>
+    </message>
+    <message>
+        <source>Save keys and controls</source>
+        <translation>Tasten und Regler sichern</translation>
+    </message>
+    <message>
+        <source>Saved to %1. Whoever opens it here has the same keys and controls.</source>
+        <translation>Gesichert in %1. Wer die Datei hier öffnet, hat dieselben Tasten und Regler.</translation>
+    </message>
+    <message>
+        <source>Your keys stay as they are.</source>
+        <translation>Ihre Tasten bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>The keys and controls of this file take the place of yours.</source>
+        <translation>Die Tasten und Regler dieser Datei treten an die Stelle Ihrer eigenen.</translation>
+    </message>
+    <message>
+        <source>Save yours as a file first if you want to have them back.</source>
+        <translation>Sichern Sie Ihre zuvor als Datei, wenn Sie sie wiederhaben wollen.</translation>
+    </message>
+    <message>
+        <source>Take them over</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Taken over from %1.</source>
+        <translation>Übernommen aus %1.</translation>
+    </message>
+    <message>
+        <source>Taken over from %1, but: %2</source>
+        <translation>Übernommen aus %1, aber: %2</translation>
     </message>
 </context>
 </TS>

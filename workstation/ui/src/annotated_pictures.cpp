@@ -62,7 +62,7 @@ void AnnotatedPictures::showTerms() {
 bool AnnotatedPictures::hold() {
   if (!session_.subject() || session_.picture().isEmpty()) return false;
   if (session_.pictureKnobs().mode == DisplayMode::mMode) {
-    Q_EMIT said(tr("Words and arrows belong to the image, not to the strip of the M-mode. Switch to B or B + M (M)."));
+    Q_EMIT said(tr("Words and arrows belong to the image, not to the strip of the M-mode. Switch to B or B + M."));
     return false;
   }
   Q_EMIT pauseAsked();

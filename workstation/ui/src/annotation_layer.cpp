@@ -262,27 +262,29 @@ bool AnnotationLayer::release(const QPointF& at) {
   return true;
 }
 
-bool AnnotationLayer::key(int key) {
-  if (key == Qt::Key_Escape && pictures_.isArrowAtHand()) {
+bool AnnotationLayer::isOwnKey(const QKeyEvent& event) const {
+  const std::string command = keys_->meant(event, kWithChosen);
+  return command == "escape" ? pictures_.selected() != 0 || pictures_.isArrowAtHand() : !command.empty() && pictures_.selected() != 0;
+}
+
+bool AnnotationLayer::key(const QKeyEvent& event) {
+  const std::string command = keys_->meant(event, kWithChosen);
+  if (command == "escape" && pictures_.isArrowAtHand()) {
     drag_.reset();
     pictures_.putDown();
     return true;
   }
   const int chosen = pictures_.selected();
   if (chosen == 0) return false;
-  switch (key) {
-    case Qt::Key_Escape:
-      pictures_.select(0);
-      return true;
-    case Qt::Key_Delete:
-      pictures_.change([&](AnnotationList& list) { list.remove(chosen); });
-      return true;
-    case Qt::Key_Backspace:
-      pictures_.change([&](AnnotationList& list) { list.removeLastWord(chosen); });
-      return true;
-    default:
-      return false;
-  }
+  if (command == "escape")
+    pictures_.select(0);
+  else if (command == "chosen.delete")
+    pictures_.change([&](AnnotationList& list) { list.remove(chosen); });
+  else if (command == "chosen.deleteWord")
+    pictures_.change([&](AnnotationList& list) { list.removeLastWord(chosen); });
+  else
+    return false;
+  return true;
 }
 
 void AnnotationLayer::take(const QString& whole) {
@@ -362,16 +364,12 @@ bool AnnotationLayer::eventFilter(QObject* watched, QEvent* event) {
         writeAt(placeOf(text->at_mm) + QPointF(scan_.pictureRect().topLeft()), QString::fromStdString(text->text), text->number);
       return true;
     }
-    case QEvent::ShortcutOverride: {
-      const int pressed = static_cast<QKeyEvent*>(event)->key();
-      const bool isOurs = (pictures_.selected() != 0 && (pressed == Qt::Key_Delete || pressed == Qt::Key_Backspace)) ||
-                          (pressed == Qt::Key_Escape && (pictures_.selected() != 0 || pictures_.isArrowAtHand()));
-      if (!isOurs || static_cast<QKeyEvent*>(event)->modifiers() != Qt::NoModifier) return false;
+    case QEvent::ShortcutOverride:
+      if (!isOwnKey(*static_cast<QKeyEvent*>(event))) return false;
       event->accept();
       return true;
-    }
     case QEvent::KeyPress:
-      return static_cast<QKeyEvent*>(event)->modifiers() == Qt::NoModifier && key(static_cast<QKeyEvent*>(event)->key());
+      return key(*static_cast<QKeyEvent*>(event));
     default:
       return false;
   }

@@ -6,8 +6,10 @@
 #include <optional>
 
 #include "annotated_pictures.h"
+#include "key_map.h"
 
 class QCompleter;
+class QKeyEvent;
 class QLineEdit;
 class QStringListModel;
 
@@ -26,6 +28,7 @@ class AnnotationLayer final : public QWidget {
   AnnotationLayer(Session& session, AnnotatedPictures& pictures, ScanView& scan);
   /// Whose events are looked at as well; lies over the scan view. @param isInUse while it is, a press there means what lies over
   void watch(QWidget* over, std::function<bool()> isInUse);
+  void setKeys(const KeyMap& keys) { keys_ = &keys; }
 
   /// Begins a text at the pointer when that is over the image, else at the home position; with words of the list, or none yet.
   void write(const QString& words = {});
@@ -52,7 +55,8 @@ class AnnotationLayer final : public QWidget {
   bool press(const QPointF& at);
   bool move(const QPointF& at);
   bool release(const QPointF& at);
-  bool key(int key);
+  [[nodiscard]] bool isOwnKey(const QKeyEvent& event) const;
+  bool key(const QKeyEvent& event);
   bool fieldKey(int key, Qt::KeyboardModifiers modifiers);
   void showCursor(const QPointF& at);
   [[nodiscard]] QPointF homePlace() const;
@@ -62,6 +66,7 @@ class AnnotationLayer final : public QWidget {
   Session& session_;
   AnnotatedPictures& pictures_;
   ScanView& scan_;
+  const KeyMap* keys_ = &usualKeys();
   QLineEdit* field_ = nullptr;
   QCompleter* completer_ = nullptr;
   QStringListModel* completions_ = nullptr;

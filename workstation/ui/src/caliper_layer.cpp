@@ -21,25 +21,6 @@ using measurement::CaliperDrawing;
 constexpr double kReach_px = 9.0;
 constexpr double kStep_px = 4.0, kFarStep_px = 32.0, kFineStep_px = 1.0;
 
-/// Keys that are the layer's own as long as it has the focus, whatever they do elsewhere.
-bool isOwnKey(const QKeyEvent& event) {
-  switch (event.key()) {
-    case Qt::Key_Left:
-    case Qt::Key_Right:
-    case Qt::Key_Up:
-    case Qt::Key_Down:
-      return (event.modifiers() & (Qt::AltModifier | Qt::MetaModifier)) == 0;
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-    case Qt::Key_Backspace:
-    case Qt::Key_Delete:
-    case Qt::Key_Escape:
-      return (event.modifiers() & ~Qt::KeypadModifier) == 0;
-    default:
-      return false;
-  }
-}
-
 }  // namespace
 
 CaliperLayer::CaliperLayer(Session& session, Calipers& calipers, ScanView& scan, Where where)
@@ -141,7 +122,8 @@ std::optional<glm::dvec2> CaliperLayer::meantAt(const QPointF& at, Qt::KeyboardM
 }
 
 bool CaliperLayer::event(QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride && isOwnKey(*static_cast<QKeyEvent*>(event))) {
+  // Keys that are the layer's own as long as it has the focus, whatever they do elsewhere.
+  if (event->type() == QEvent::ShortcutOverride && !keys_->meant(*static_cast<QKeyEvent*>(event), kWithTool).empty()) {
     event->accept();
     return true;
   }
@@ -247,30 +229,19 @@ void CaliperLayer::enter() {
 }
 
 void CaliperLayer::keyPressEvent(QKeyEvent* event) {
-  if (!isOwnKey(*event)) return event->ignore();
+  const std::string command = keys_->meant(*event, kWithTool);
   const double step_px = (event->modifiers() & Qt::ControlModifier) != 0 ? kFineStep_px
                          : (event->modifiers() & Qt::ShiftModifier) != 0 ? kFarStep_px
                                                                          : kStep_px;
-  switch (event->key()) {
-    case Qt::Key_Left:
-      return moveCross({-step_px, 0.0}, event->modifiers());
-    case Qt::Key_Right:
-      return moveCross({step_px, 0.0}, event->modifiers());
-    case Qt::Key_Up:
-      return moveCross({0.0, -step_px}, event->modifiers());
-    case Qt::Key_Down:
-      return moveCross({0.0, step_px}, event->modifiers());
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-      return enter();
-    case Qt::Key_Escape: {
-      bool wasUsed = false;
-      calipers_.changeIn(where_, [&](CaliperDrawing& drawing) { wasUsed = drawing.cancel(); });
-      return event->setAccepted(wasUsed);
-    }
-    default:
-      return calipers_.changeIn(where_, [](CaliperDrawing& drawing) { drawing.takeBack(); });
-  }
+  if (command == "cross.left") return moveCross({-step_px, 0.0}, event->modifiers());
+  if (command == "cross.right") return moveCross({step_px, 0.0}, event->modifiers());
+  if (command == "cross.up") return moveCross({0.0, -step_px}, event->modifiers());
+  if (command == "cross.down") return moveCross({0.0, step_px}, event->modifiers());
+  if (command == "cross.set") return enter();
+  if (command == "cross.takeBack") return calipers_.changeIn(where_, [](CaliperDrawing& drawing) { drawing.takeBack(); });
+  bool wasUsed = false;
+  if (command == "escape") calipers_.changeIn(where_, [&](CaliperDrawing& drawing) { wasUsed = drawing.cancel(); });
+  event->setAccepted(wasUsed);
 }
 
 void CaliperLayer::focusInEvent(QFocusEvent* event) {

@@ -6,6 +6,7 @@
 
 #include "calipers.h"
 #include "ew/measurement/snap_target.h"
+#include "key_map.h"
 
 namespace ew::ui {
 
@@ -21,6 +22,7 @@ class CaliperLayer final : public QWidget {
 
  public:
   CaliperLayer(Session& session, Calipers& calipers, ScanView& scan, Where where = Where::picture);
+  void setKeys(const KeyMap& keys) { keys_ = &keys; }
   /// Where a point is painted: in the middle of its pixel. Of a strip, one that has left lies beyond its left border.
   [[nodiscard]] QPointF placeOf(const glm::dvec2& at) const;
   /// What the next click is drawn to; of kind none: nothing.
@@ -62,6 +64,7 @@ class CaliperLayer final : public QWidget {
   ScanView& scan_;
   Where where_;
   measurement::SnapTarget snap_;
+  const KeyMap* keys_ = &usualKeys();
   std::optional<QPointF> cross_;  ///< the keyboard's; empty: the mouse was used last
   std::optional<measurement::CaliperKind> tool_;
 };

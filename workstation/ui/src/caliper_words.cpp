@@ -108,15 +108,6 @@ QString CaliperWords::hintOf(CaliperKind kind) {
   }
 }
 
-QString CaliperWords::keyOf(CaliperKind kind) {
-  const auto at = [kind](const std::vector<CaliperKind>& kinds) { return std::find(kinds.begin(), kinds.end(), kind) - kinds.begin(); };
-  constexpr int kFirst = 4, kFirstInStrip = 6;
-  QString key = QString::number(at(measurement::drawnKinds()) + kFirst);
-  if (kind == CaliperKind::discs) key = QStringLiteral("Ctrl+D");
-  if (shapeOf(kind).isInStrip) key = QStringLiteral("Alt+%1").arg(at(measurement::stripKinds()) + kFirstInStrip);
-  return QKeySequence(key).toString(QKeySequence::NativeText);
-}
-
 QString CaliperWords::iconOf(CaliperKind kind) {
   QString word = QString::fromStdString(std::string(wordOf(kind)));
   return QStringLiteral("caliper-") + word.replace(QLatin1Char('_'), QLatin1Char('-'));

@@ -21,8 +21,6 @@ struct CaliperWords {
   [[nodiscard]] static QString titleOf(const measurement::Measurement& measurement);
   /// What to click.
   [[nodiscard]] static QString hintOf(measurement::CaliperKind kind);
-  /// The key of its tool, as the system's language calls it.
-  [[nodiscard]] static QString keyOf(measurement::CaliperKind kind);
   [[nodiscard]] static QString iconOf(measurement::CaliperKind kind);
   /// "82.0 ± 0.9 mm", areas in cm².
   [[nodiscard]] static QString textOf(const measurement::Quantity& quantity);

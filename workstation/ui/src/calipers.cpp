@@ -88,7 +88,7 @@ void Calipers::takeInto(CaliperKind kind, const CaliperDrawing::Purpose& asked) 
     });
   }
   if (session_.pictureKnobs().mode == DisplayMode::mMode) {
-    Q_EMIT said(tr("This tool measures in the image, and only the strip of the M-mode is shown. Switch to B or B + M (M)."));
+    Q_EMIT said(tr("This tool measures in the image, and only the strip of the M-mode is shown. Switch to B or B + M."));
     return;
   }
   const CaliperDrawing::Purpose purpose = asked;  // it may be the drawing's own, and the drawing may change

@@ -9,6 +9,7 @@
 
 #include "figures.h"
 #include "icons.h"
+#include "key_tips.h"
 #include "session.h"
 #include "time_line.h"
 
@@ -24,8 +25,8 @@ QPushButton* smallButton(const char* name, const QString& tip) {
   button->setObjectName(QString::fromLatin1(name));
   button->setProperty("compact", true);
   button->setFocusPolicy(Qt::TabFocus);  // a click must not take the arrow keys away
-  button->setToolTip(tip);
   button->setAccessibleName(tip);
+  button->setToolTip(tip);
   return button;
 }
 
@@ -37,8 +38,8 @@ CineBar::CineBar(Session& session, QWidget* parent) : QWidget(parent), session_(
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(8);
   play_ = smallButton("cinePlay", QString());
-  back_ = smallButton("cineBack", tr("An image back (comma, left arrow, wheel; with Shift ten images)"));
-  on_ = smallButton("cineOn", tr("An image on (full stop, right arrow, wheel; with Shift ten images)"));
+  back_ = smallButton("cineBack", tipWithKeys(tr("An image back (%1, wheel; with Shift ten images)"), "cine.back | cine.stepBack"));
+  on_ = smallButton("cineOn", tipWithKeys(tr("An image on (%1, wheel; with Shift ten images)"), "cine.on | cine.stepOn"));
   line_ = new TimeLine;
   line_->setObjectName(QStringLiteral("cineLine"));
   line_->setAccessibleName(tr("Time line of what was scanned"));
@@ -49,8 +50,8 @@ CineBar::CineBar(Session& session, QWidget* parent) : QWidget(parent), session_(
   time_->setProperty("small", true);
   time_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   time_->setToolTip(tr("Which image is shown, and how long before the freeze it was made"));
-  in_ = smallButton("cineIn", tr("The loop begins with this image; once more: with the first (Shift+I)"));
-  out_ = smallButton("cineOut", tr("The loop ends with this image; once more: with the last (Shift+O)"));
+  in_ = smallButton("cineIn", tipWithKeys(tr("The loop begins with this image; once more: with the first (%1)"), "cine.in"));
+  out_ = smallButton("cineOut", tipWithKeys(tr("The loop ends with this image; once more: with the last (%1)"), "cine.out"));
   speed_ = new QComboBox;
   speed_->setObjectName(QStringLiteral("cineSpeed"));
   speed_->setFocusPolicy(Qt::TabFocus);
@@ -119,9 +120,9 @@ void CineBar::setPlaying(bool playing) {
 }
 
 void CineBar::showPlaying() {
-  const QString tip = isPlaying() ? tr("Stop (C)") : tr("Play in a loop (C)");
-  play_->setToolTip(tip);
+  const QString tip = isPlaying() ? tipWithKeys(tr("Stop (%1)"), "cine.play") : tipWithKeys(tr("Play in a loop (%1)"), "cine.play");
   play_->setAccessibleName(tip);
+  play_->setToolTip(tip);
   play_->setIcon(icon(isPlaying() ? QStringLiteral("pause") : QStringLiteral("play")));
 }
 
@@ -175,27 +176,25 @@ void CineBar::showState() {
   time_->setText(tr("%1 of %2   %3 s").arg(review_->frame() + 1).arg(last + 1).arg(before_s));
 }
 
-bool CineBar::handleKey(const QKeyEvent& key) {
-  if (!review_ || (key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0) return false;
-  const int frames = (key.modifiers() & Qt::ShiftModifier) != 0 ? kManyFrames : 1;
-  switch (key.key()) {
-    case Qt::Key_Left:
-      step(-frames);
-      return true;
-    case Qt::Key_Right:
-      step(frames);
-      return true;
-    case Qt::Key_Home:
-      setPlaying(false);
-      goTo(0);
-      return true;
-    case Qt::Key_End:
-      setPlaying(false);
-      goTo(session_.cine().frameCount() - 1);
-      return true;
-    default:
-      return false;
+bool CineBar::handleKey(const QKeyEvent& key) { return run(keys_->meant(key, kWhileStill), (key.modifiers() & Qt::ShiftModifier) != 0); }
+
+bool CineBar::run(const std::string& command, bool far) {
+  if (!review_) return false;
+  const int frames = far ? kManyFrames : 1;
+  if (command == "cine.stepBack") {
+    step(-frames);
+  } else if (command == "cine.stepOn") {
+    step(frames);
+  } else if (command == "cine.first") {
+    setPlaying(false);
+    goTo(0);
+  } else if (command == "cine.last") {
+    setPlaying(false);
+    goTo(session_.cine().frameCount() - 1);
+  } else {
+    return false;
   }
+  return true;
 }
 
 void CineBar::stepByWheel(const QWheelEvent& wheel) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "ew/scanning/cine.h"
+#include "key_map.h"
 
 class QComboBox;
 class QKeyEvent;
@@ -41,6 +42,9 @@ class CineBar final : public QWidget {
   [[nodiscard]] bool isPlaying() const { return tick_.isActive(); }
   /// Arrows left and right an image, with Shift ten; Home and End. @return whether it was such a key, and the bar is open
   bool handleKey(const QKeyEvent& key);
+  /// Does what a key of a command "cine.…" of a view does. @param far as with Shift @return whether there is such a command now
+  bool run(const std::string& command, bool far = false);
+  void setKeys(const KeyMap& keys) { keys_ = &keys; }
   /// What runs, as a recording; null while the bar is not open.
   [[nodiscard]] std::shared_ptr<const ScanRecording> clip(const std::string& caseId) const;
   void refreshIcons();
@@ -62,6 +66,7 @@ class CineBar final : public QWidget {
   void showPlaying();
 
   Session& session_;
+  const KeyMap* keys_ = &usualKeys();
   QWidget* scan_ = nullptr;
   std::optional<CineReview> review_;
   QTimer tick_;

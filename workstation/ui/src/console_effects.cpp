@@ -24,7 +24,7 @@ QString ConsolePanel::switchOf(const char* effectKey) { return QStringLiteral("e
 QString ConsolePanel::strengthOf(const char* effectKey) { return QStringLiteral("strength_") + QLatin1String(effectKey); }
 
 void ConsolePanel::addEffect(QVBoxLayout* rows, const EffectInfo& effect) {
-  QCheckBox* box = addSwitch(rows, effectText(effect.name), switchOf(effect.key), effectTip(effect.tip, effect.keyStroke));
+  QCheckBox* box = addSwitch(rows, effectText(effect.name), switchOf(effect.key), effectTip(effect.tip, effect.key));
   connect(box, &QCheckBox::toggled, this, [this, &effect](bool on) {
     changeScene([this, &effect, on](Scene& scene) {
       if (on)
@@ -64,7 +64,7 @@ void ConsolePanel::addStrength(QVBoxLayout* rows, const EffectInfo& effect, cons
 }
 
 void ConsolePanel::addOption(QVBoxLayout* rows, const EffectInfo& effect, const EffectOption& option) {
-  QCheckBox* box = addSwitch(rows, effectText(option.name), switchOf(option.key), effectTip(option.tip, option.keyStroke));
+  QCheckBox* box = addSwitch(rows, effectText(option.name), switchOf(option.key), effectTip(option.tip, option.key));
   connect(box, &QCheckBox::toggled, this,
           [this, &option](bool on) { changeScene([&option, on](Scene& scene) { option.switchTo(scene, on); }); });
   shows_.emplace_back([this, box, &effect, &option] {

@@ -15,6 +15,7 @@
 
 #include "console_panel.h"
 #include "figures.h"
+#include "key_tips.h"
 #include "words.h"
 
 namespace ew::ui {
@@ -86,32 +87,34 @@ void ConsolePanel::addImagePage(QVBoxLayout* rows) {
     return rounded(asked_db > 0.0 ? asked_db : session_.scene().recordedDynamicRange_db);
   };
   addSlider(rows, {tr("Dynamic range"), QStringLiteral("dynamicRange"), QStringLiteral("120 dB"),
-                   tr("Levels this far below full white become black (R, Shift+R)"), 20, 120, 5, shownRange_db,
+                   tipWithKeys(tr("Levels this far below full white become black (%1)"), "range.wider | range.narrower"), 20, 120, 5,
+                   shownRange_db,
                    [this](int v) {
                      change([this, v](Knobs& k) { k.dynamicRange_db = v == rounded(session_.scene().recordedDynamicRange_db) ? 0.0 : v; });
                    },
                    [shownRange_db] { return tr("%1 dB").arg(shownRange_db()); }});
   addGreyMaps(rows);
-  addSlider(rows, {tr("Edge enhancement"), QStringLiteral("edges"), QStringLiteral("100 %"), tr("Makes borders sharper (B, Shift+B)"), 0,
-                   100, 10, [this] { return rounded(session_.knobs().edgeEnhancement * 100.0); },
+  addSlider(rows, {tr("Edge enhancement"), QStringLiteral("edges"), QStringLiteral("100 %"),
+                   tipWithKeys(tr("Makes borders sharper (%1)"), "edges.more | edges.less"), 0, 100, 10,
+                   [this] { return rounded(session_.knobs().edgeEnhancement * 100.0); },
                    [this](int v) { change([v](Knobs& k) { k.edgeEnhancement = v / 100.0; }); },
                    [this] {
                      const int percent = rounded(session_.knobs().edgeEnhancement * 100.0);
                      return percent == 0 ? tr("off") : tr("%1 %").arg(percent);
                    }});
-  addSlider(rows,
-            {tr("Persistence"), QStringLiteral("persistence"), QStringLiteral("95 %"), tr("How much of the last image stays (P, Shift+P)"),
-             0, 95, 10, [this] { return rounded(session_.knobs().persistence * 100.0); },
-             [this](int v) { change([v](Knobs& k) { k.persistence = v / 100.0; }); },
-             [this] {
-               const int percent = rounded(session_.knobs().persistence * 100.0);
-               return percent == 0 ? tr("off") : tr("%1 %").arg(percent);
-             }});
-  addSlider(rows,
-            {tr("Zoom"), QStringLiteral("zoom"), QStringLiteral("8.0 x"), tr("Magnify; drag in the image to move the detail (Z, Shift+Z)"),
-             kZoomSteps, 8 * kZoomSteps, kZoomSteps / 2, [this] { return rounded(session_.knobs().zoom * kZoomSteps); },
-             [this](int v) { change([v](Knobs& k) { k.zoom = static_cast<double>(v) / kZoomSteps; }); },
-             [this] { return tr("%1 x").arg(figure(session_.knobs().zoom, 1)); }});
+  addSlider(rows, {tr("Persistence"), QStringLiteral("persistence"), QStringLiteral("95 %"),
+                   tipWithKeys(tr("How much of the last image stays (%1)"), "persistence.more | persistence.less"), 0, 95, 10,
+                   [this] { return rounded(session_.knobs().persistence * 100.0); },
+                   [this](int v) { change([v](Knobs& k) { k.persistence = v / 100.0; }); },
+                   [this] {
+                     const int percent = rounded(session_.knobs().persistence * 100.0);
+                     return percent == 0 ? tr("off") : tr("%1 %").arg(percent);
+                   }});
+  addSlider(rows, {tr("Zoom"), QStringLiteral("zoom"), QStringLiteral("8.0 x"),
+                   tipWithKeys(tr("Magnify; drag in the image to move the detail (%1)"), "zoom.in | zoom.out"), kZoomSteps, 8 * kZoomSteps,
+                   kZoomSteps / 2, [this] { return rounded(session_.knobs().zoom * kZoomSteps); },
+                   [this](int v) { change([v](Knobs& k) { k.zoom = static_cast<double>(v) / kZoomSteps; }); },
+                   [this] { return tr("%1 x").arg(figure(session_.knobs().zoom, 1)); }});
   addSegments(rows,
               {tr("Quality"),
                QStringLiteral("speed"),
@@ -172,8 +175,10 @@ void ConsolePanel::addAdvanced(QVBoxLayout* rows) {
   addSegments(rows,
               {tr("Focus model"),
                QStringLiteral("focusMethod"),
-               {{tr("Beam width"), QStringLiteral("focusKernel"), tr("Every depth is blurred by the width its beam has there (Shift+N)")},
-                {tr("Coarse rows"), QStringLiteral("focusStretch"), tr("Rows out of focus are undersampled and stretched back (Shift+N)")}},
+               {{tr("Beam width"), QStringLiteral("focusKernel"),
+                 tipWithKeys(tr("Every depth is blurred by the width its beam has there (%1)"), "focus.model")},
+                {tr("Coarse rows"), QStringLiteral("focusStretch"),
+                 tipWithKeys(tr("Rows out of focus are undersampled and stretched back (%1)"), "focus.model")}},
                [this] { return session_.knobs().focusMethod == FocusMethod::lateralKernel ? 0 : 1; },
                [this](int i) { change([i](Knobs& k) { k.focusMethod = i == 0 ? FocusMethod::lateralKernel : FocusMethod::rowStretch; }); },
                [this] { return session_.scene().focus.has_value(); }});
@@ -192,12 +197,13 @@ void ConsolePanel::addAdvanced(QVBoxLayout* rows) {
   addGainLaws(rows);
   auto* line = new QHBoxLayout;
   line->setSpacing(8);
-  QCheckBox* adaptive = addSwitch(line, tr("Adaptive"), QStringLiteral("adaptive"),
-                                  tr("Quality may fall while the probe moves fast, and refines at rest (F9)"));
+  QCheckBox* adaptive =
+      addSwitch(line, tr("Adaptive"), QStringLiteral("adaptive"),
+                tipWithKeys(tr("Quality may fall while the probe moves fast, and refines at rest (%1)"), "quality.adaptive"));
   auto* cost = new QPushButton(tr("Performance…"));
   cost->setObjectName(QStringLiteral("cost"));
   cost->setAccessibleName(tr("Performance"));
-  cost->setToolTip(tr("Measure what accuracy costs on this computer (Ctrl+K)"));
+  cost->setToolTip(tipWithKeys(tr("Measure what accuracy costs on this computer (%1)"), "cost"));
   cost->setProperty("flat", true);
   cost->setFocusPolicy(Qt::TabFocus);
   line->addStretch(1);
@@ -287,7 +293,7 @@ void ConsolePanel::addSteering(QVBoxLayout* rows) {
   SliderParts steering{tr("Steering"),
                        QStringLiteral("steering"),
                        QStringLiteral("−30°"),
-                       tr("Tilts the beams of a linear array (J, L)"),
+                       tipWithKeys(tr("Tilts the beams of a linear array (%1)"), "steering.less | steering.more"),
                        -30,
                        30,
                        5,
@@ -301,7 +307,8 @@ void ConsolePanel::addSteering(QVBoxLayout* rows) {
     return std::pair{-most, most};
   };
   addSlider(rows, std::move(steering));
-  QCheckBox* trapezoid = addSwitch(rows, tr("Trapezoid"), QStringLiteral("trapezoid"), tr("The lines of a linear array fan out (V)"));
+  QCheckBox* trapezoid = addSwitch(rows, tr("Trapezoid"), QStringLiteral("trapezoid"),
+                                   tipWithKeys(tr("The lines of a linear array fan out (%1)"), "trapezoid"));
   connect(trapezoid, &QCheckBox::toggled, this, [this](bool on) { change([on](Knobs& k) { k.trapezoid = on; }); });
   shows_.emplace_back([this, trapezoid] {
     trapezoid->setChecked(session_.knobs().trapezoid);

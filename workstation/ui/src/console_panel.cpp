@@ -21,6 +21,7 @@
 #include "double_click.h"
 #include "figures.h"
 #include "icons.h"
+#include "key_tips.h"
 
 namespace ew::ui {
 
@@ -38,7 +39,7 @@ ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent),
   SliderParts depth{tr("Depth"),
                     QStringLiteral("depth"),
                     QStringLiteral("30.0 cm"),
-                    tr("Depth of the image (Page Up, Page Down)"),
+                    tipWithKeys(tr("Depth of the image (%1)"), "depth.less | depth.more"),
                     1,
                     300,
                     10,
@@ -57,9 +58,10 @@ ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent),
   pages_->addTab(makePage([this](QVBoxLayout* page) { addImagePage(page); }), tr("Image"));
   pages_->addTab(makePage([this](QVBoxLayout* page) { addEffectsPage(page); }), tr("Effects"));
   pages_->addTab(makePage([this](QVBoxLayout* page) { addProbePage(page); }), tr("Probe"));
-  const QString keys[] = {tr("What the image shows and how (F10)"), tr("What the scene does to the sound (F10)"),
-                          tr("The transducer and its beams (F10)")};
-  for (int i = 0; i < pages_->count(); ++i) pages_->setTabToolTip(i, keys[i]);
+  const QString keys[] = {tipWithKeys(tr("What the image shows and how (%1)"), "console.nextPage"),
+                          tipWithKeys(tr("What the scene does to the sound (%1)"), "console.nextPage"),
+                          tipWithKeys(tr("The transducer and its beams (%1)"), "console.nextPage")};
+  pageTips_.assign(std::begin(keys), std::end(keys));
   rows->addWidget(pages_, 1000);  // all there is, up to its own height
   auto* bottom = new QVBoxLayout;
   bottom->setContentsMargins(16, 8, 16, 0);
@@ -85,7 +87,7 @@ void ConsolePanel::addGain(QBoxLayout* rows) {
   gain.name = tr("Gain");
   gain.objectName = QStringLiteral("gain");
   gain.widest = QStringLiteral("−30.0 dB");
-  gain.tip = tr("Overall gain (Ctrl+Up, Ctrl+Down); double-click for neutral");
+  gain.tip = tipWithKeys(tr("Overall gain (%1); double-click for neutral"), "gain.more | gain.less");
   gain.get = [this, inDecibels] { return rounded(inDecibels() ? session_.knobs().gain_db * 2.0 : session_.knobs().gain * 100.0); };
   gain.set = [this, inDecibels](int v) {
     change([v, db = inDecibels()](Knobs& k) { (db ? k.gain_db : k.gain) = v / (db ? 2.0 : 100.0); });
@@ -308,20 +310,22 @@ void ConsolePanel::addAlways(QVBoxLayout* rows) {
                      [this](int i) {
                        change([i](Knobs& k) { k.mode = i == 0 ? DisplayMode::bMode : i == 1 ? DisplayMode::both : DisplayMode::mMode; });
                      }});
-  SliderParts line{tr("M line"),
-                   QStringLiteral("mLine"),
-                   QStringLiteral("−100 %"),
-                   tr("Which beam is shown over time, from one end of the face to the other (Ctrl+Left, Ctrl+Right)"),
-                   -100,
-                   100,
-                   5,
-                   [this] { return rounded(session_.knobs().mLine * 100.0) * (session_.knobs().markerLeft ? -1 : 1); },
-                   [this](int v) { change([v](Knobs& k) { k.mLine = (k.markerLeft ? -v : v) / 100.0; }); },
-                   [this] { return tr("%1 %").arg(rounded(session_.knobs().mLine * 100.0) * (session_.knobs().markerLeft ? -1 : 1)); },
-                   [] { return true; },
-                   movesInTime};
+  SliderParts line{
+      tr("M line"),
+      QStringLiteral("mLine"),
+      QStringLiteral("−100 %"),
+      tipWithKeys(tr("Which beam is shown over time, from one end of the face to the other (%1)"), "mode.lineLeft | mode.lineRight"),
+      -100,
+      100,
+      5,
+      [this] { return rounded(session_.knobs().mLine * 100.0) * (session_.knobs().markerLeft ? -1 : 1); },
+      [this](int v) { change([v](Knobs& k) { k.mLine = (k.markerLeft ? -v : v) / 100.0; }); },
+      [this] { return tr("%1 %").arg(rounded(session_.knobs().mLine * 100.0) * (session_.knobs().markerLeft ? -1 : 1)); },
+      [] { return true; },
+      movesInTime};
   addSlider(rows, std::move(line));
-  addSlider(rows, {tr("Sweep"), QStringLiteral("sweep"), QStringLiteral("16 s"), tr("Time across the strip (Y, Shift+Y)"), 1, 16, 1,
+  addSlider(rows, {tr("Sweep"), QStringLiteral("sweep"), QStringLiteral("16 s"),
+                   tipWithKeys(tr("Time across the strip (%1)"), "mode.slower | mode.faster"), 1, 16, 1,
                    [this] { return rounded(session_.knobs().mSweep_s); }, [this](int v) { change([v](Knobs& k) { k.mSweep_s = v; }); },
                    [this] { return tr("%1 s").arg(rounded(session_.knobs().mSweep_s)); }, [] { return true; }, movesInTime});
   flip_ = new QPushButton(tr("Invert left/right"));
@@ -330,7 +334,7 @@ void ConsolePanel::addAlways(QVBoxLayout* rows) {
   turn_->setObjectName(QStringLiteral("upsideDown"));
   freeze_ = new QPushButton(tr("Freeze"));
   freeze_->setObjectName(QStringLiteral("freeze"));
-  freeze_->setToolTip(tr("Keep the image, and look through the last 30 s (Space or F)"));
+  freeze_->setToolTip(tipWithKeys(tr("Keep the image, and look through the last 30 s (%1)"), "freeze"));
   for (QPushButton* button : {flip_, turn_, freeze_}) {
     button->setCheckable(true);
     button->setProperty("compact", true);  // two long words side by side in some languages
@@ -351,11 +355,12 @@ void ConsolePanel::addAlways(QVBoxLayout* rows) {
   shows_.emplace_back([this] {
     const Knobs& knobs = session_.knobs();
     flip_->setChecked(!knobs.markerLeft);
-    flip_->setToolTip(knobs.markerLeft ? tr("The marker is at the left, as usual; put it at the right (X)")
-                                       : tr("The marker is at the right; put it at the left, as usual (X)"));
+    flip_->setToolTip(knobs.markerLeft ? tipWithKeys(tr("The marker is at the left, as usual; put it at the right (%1)"), "flip.sides")
+                                       : tipWithKeys(tr("The marker is at the right; put it at the left, as usual (%1)"), "flip.sides"));
     turn_->setChecked(knobs.upsideDown);
-    turn_->setToolTip(knobs.upsideDown ? tr("The probe is at the bottom; put it at the top, as usual (U)")
-                                       : tr("The probe is at the top, as usual; put it at the bottom (U)"));
+    turn_->setToolTip(knobs.upsideDown
+                          ? tipWithKeys(tr("The probe is at the bottom; put it at the top, as usual (%1)"), "flip.upsideDown")
+                          : tipWithKeys(tr("The probe is at the top, as usual; put it at the bottom (%1)"), "flip.upsideDown"));
   });
 }
 
@@ -393,7 +398,11 @@ void ConsolePanel::step(const QString& control, int steps) {
 
 void ConsolePanel::addPage(QWidget* page, const QString& title, const QString& tip) {
   const int index = pages_->addTab(makePage([page](QVBoxLayout* rows) { rows->addWidget(page); }), title);
-  pages_->setTabToolTip(index, tip);
+  pageTips_.insert(pageTips_.begin() + index, tip);
+}
+
+void ConsolePanel::showKeys(const KeyTips& tips) {
+  for (int i = 0; i < pages_->count(); ++i) pages_->setTabToolTip(i, tips.filledIn(pageTips_[static_cast<std::size_t>(i)]));
 }
 
 void ConsolePanel::showPage(const QWidget* page) {

@@ -24,6 +24,7 @@ struct EffectStrength;
 namespace ew::ui {
 
 class FigureLabel;
+class KeyTips;
 
 /// The machine's front panel. Gain and depth are always under the thumb, and so are mode, orientation and freeze; between them lie three
 /// pages: the image, the effects of the scene, the probe. It shows and sets the session's knobs and scene; the DGC sliders stand beside the
@@ -43,6 +44,7 @@ class ConsolePanel final : public QWidget {
   void addPage(QWidget* page, const QString& title, const QString& tip);
   void showPage(const QWidget* page);
   void refreshIcons();
+  void showKeys(const KeyTips& tips);  ///< in the tips of the pages, which are no widgets of their own
 
   /// Names of the switch and of the slider that belong to an effect or to a part of one (effect_info.h).
   [[nodiscard]] static QString switchOf(const char* effectKey);
@@ -115,6 +117,7 @@ class ConsolePanel final : public QWidget {
   std::vector<std::function<void()>> shows_;  ///< each brings one control to what the session says
   Scene remembered_;                          ///< an effect that is switched on again has the strength it had
   QTabWidget* pages_ = nullptr;
+  std::vector<QString> pageTips_;
   std::vector<QPushButton*> folds_;
   QPushButton* flip_ = nullptr;
   QPushButton* turn_ = nullptr;

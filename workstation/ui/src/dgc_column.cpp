@@ -12,6 +12,7 @@
 #include "ew/imaging/effects/gain.h"
 #include "figures.h"
 #include "icons.h"
+#include "key_tips.h"
 #include "theme.h"
 
 namespace ew::ui {
@@ -48,8 +49,9 @@ DgcColumn::DgcColumn(Session& session, QWidget* parent) : QWidget(parent), sessi
   reset_->setFocusPolicy(Qt::TabFocus);
   reset_->setAccessibleName(tr("Reset TGC"));
   reset_->setToolTip(
-      tr("Time gain compensation: one slider for each eighth of the depth. Click to put all of them back to the middle (Ctrl+0), "
-         "double-click one for itself"));
+      tipWithKeys(tr("Time gain compensation: one slider for each eighth of the depth. Click to put all of them back to the middle (%1), "
+                     "double-click one for itself"),
+                  "tgc.reset"));
   connect(reset_, &QPushButton::clicked, &session_, &Session::resetTgc);
   connect(&session_, &Session::knobsChanged, this, &DgcColumn::showKnobs);
   connect(&session_, &Session::sceneChanged, this, &DgcColumn::showKnobs);

@@ -1,20 +1,20 @@
 #pragma once
 
 #include <QCoreApplication>
-#include <QKeySequence>
 #include <QString>
 
 #include "ew/imaging/effect_info.h"
+#include "key_table.h"
+#include "key_tips.h"
 
 namespace ew::ui {
 
 /// A text of effect_info.h in the window's language.
 inline QString effectText(const char* source) { return QCoreApplication::translate(kEffectTexts, source); }
 
-/// A tip with the key stroke, if there is one, as the system's language calls it.
-inline QString effectTip(const char* tip, const char* keyStroke) {
-  const QString keys = QKeySequence(QLatin1String(keyStroke)).toString(QKeySequence::NativeText);
-  return keys.isEmpty() ? effectText(tip) : QStringLiteral("%1 (%2)").arg(effectText(tip), keys);
+/// A tip with the keys of the effect, if it has any.
+inline QString effectTip(const char* tip, const char* effectKey) {
+  return tipWithKeys(effectText(tip) + QStringLiteral(" (%1)"), effectCommand(effectKey));
 }
 
 }  // namespace ew::ui

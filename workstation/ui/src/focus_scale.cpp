@@ -1,4 +1,5 @@
 #include "focus_scale.h"
+#include "key_tips.h"
 
 #include <QMouseEvent>
 #include <algorithm>
@@ -20,7 +21,8 @@ FocusScale::FocusScale(Session& session, std::function<double(double)> depthAt_m
   setObjectName(QStringLiteral("focusScale"));
   const auto show = [this] {
     setCursor(isOn() ? Qt::SizeVerCursor : Qt::ArrowCursor);
-    setToolTip(isOn() ? tr("Drag a mark to its focus depth (comma, full stop)") : tr("Depth in cm; the focus is off (F2)"));
+    setToolTip(isOn() ? tipWithKeys(tr("Drag a mark to its focus depth (%1)"), "focus.shallower | focus.deeper")
+                      : tipWithKeys(tr("Depth in cm; the focus is off (%1)"), "effect.FOCUS"));
   };
   connect(&session_, &Session::sceneChanged, this, show);
   connect(&session_, &Session::frozenChanged, this, show);

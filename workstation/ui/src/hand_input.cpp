@@ -10,6 +10,7 @@
 #include <glm/gtc/constants.hpp>
 #include <utility>
 
+#include "key_map.h"
 #include "view3d.h"
 
 namespace ew::ui {
@@ -41,6 +42,7 @@ struct HandInput::State {
 
   const HandOnSkin& hand;
   Hold start;
+  const KeyMap* keys = &usualKeys();
   bool enabled = true;
   Drag drag = Drag::none;
   QPointF last;        ///< pointer at the last event of this drag
@@ -261,56 +263,53 @@ bool HandInput::turnByWheel(const QWheelEvent& event) {
 }
 
 bool HandInput::handleKey(const QKeyEvent& key, const QWidget* where) {
-  if ((key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0) return false;
-  const double length_mm = (key.modifiers() & Qt::ShiftModifier) != 0 ? kFastSlide_mm : kSlide_mm;
+  return run(state_->keys->meant(key, kWhileRunning), (key.modifiers() & Qt::ShiftModifier) != 0, where);
+}
+
+bool HandInput::run(const std::string& command, bool far, const QWidget* where) {
+  const double length_mm = far ? kFastSlide_mm : kSlide_mm;
   const bool inScan = where != nullptr && where == state_->scan;
   const auto arrow = [&](double right, double up) {
     if (!inScan) return slideOnScreen({right, up}, length_mm);
     const double side = state_->lateralPerPixel_mm && state_->lateralPerPixel_mm() < 0.0 ? -1.0 : 1.0;
     slide(side * right * length_mm, -up * length_mm);
   };
-  switch (key.key()) {
-    case Qt::Key_Left:
-      arrow(-1.0, 0.0);
-      break;
-    case Qt::Key_Right:
-      arrow(1.0, 0.0);
-      break;
-    case Qt::Key_Up:
-      arrow(0.0, 1.0);
-      break;
-    case Qt::Key_Down:
-      arrow(0.0, -1.0);
-      break;
-    case Qt::Key_Q:
-      change(turned(hold(), -kKeyRotation_rad, 0.0, 0.0));
-      break;
-    case Qt::Key_E:
-      change(turned(hold(), kKeyRotation_rad, 0.0, 0.0));
-      break;
-    case Qt::Key_A:
-      change(turned(hold(), 0.0, -kKeyRotation_rad, 0.0));
-      break;
-    case Qt::Key_D:
-      change(turned(hold(), 0.0, kKeyRotation_rad, 0.0));
-      break;
-    case Qt::Key_W:
-      change(turned(hold(), 0.0, 0.0, kKeyRotation_rad));
-      break;
-    case Qt::Key_S:
-      change(turned(hold(), 0.0, 0.0, -kKeyRotation_rad));
-      break;
-    case Qt::Key_Home: {
-      Hold home = state_->start;
-      home.press_mm = hold().press_mm;  // the probe may have been changed since
-      change(home);
-      break;
-    }
-    default:
-      return false;
+  if (command == "hand.left") {
+    arrow(-1.0, 0.0);
+  } else if (command == "hand.right") {
+    arrow(1.0, 0.0);
+  } else if (command == "hand.up") {
+    arrow(0.0, 1.0);
+  } else if (command == "hand.down") {
+    arrow(0.0, -1.0);
+  } else if (command == "hand.rotateLeft") {
+    turn(Turn::rotation, -1.0);
+  } else if (command == "hand.rotateRight") {
+    turn(Turn::rotation, 1.0);
+  } else if (command == "hand.rockLeft") {
+    turn(Turn::rock, -1.0);
+  } else if (command == "hand.rockRight") {
+    turn(Turn::rock, 1.0);
+  } else if (command == "hand.tiltForward") {
+    turn(Turn::tilt, 1.0);
+  } else if (command == "hand.tiltBack") {
+    turn(Turn::tilt, -1.0);
+  } else if (command == "hand.home") {
+    Hold home = state_->start;
+    home.press_mm = hold().press_mm;  // the probe may have been changed since
+    change(home);
+  } else {
+    return false;
   }
   return true;
 }
+
+void HandInput::turn(Turn axis, double steps) {
+  const double by_rad = steps * kKeyRotation_rad;
+  change(turned(hold(), axis == Turn::rotation ? by_rad : 0.0, axis == Turn::rock ? by_rad : 0.0, axis == Turn::tilt ? by_rad : 0.0));
+}
+
+void HandInput::setKeys(const KeyMap& keys) { state_->keys = &keys; }
 
 bool HandInput::eventFilter(QObject* watched, QEvent* event) {
   const bool inView = state_->view != nullptr && watched == state_->view->canvas();

@@ -42,8 +42,17 @@ class HandInput : public QObject {
   void setEnabled(bool enabled);
   [[nodiscard]] bool isEnabled() const;
 
+  /// Whose keys act; without a window the usual ones.
+  void setKeys(const KeyMap& keys);
   /// Acts on a key as described above. @return whether the key was one of these
   bool handleKey(const QKeyEvent& key, const QWidget* where = nullptr);
+  /// Does what a key of a command "hand.…" does. @param far as with Shift @return whether there is such a command
+  bool run(const std::string& command, bool far = false, const QWidget* where = nullptr);
+  enum class Turn { rotation, rock, tilt };
+  /// Turns the probe by so many steps of a key, 2 degrees each.
+  void turn(Turn axis, double steps);
+  /// Slides along the probe's own axes.
+  void slide(double alongLateral_mm, double alongElevational_mm);
 
  Q_SIGNALS:
   void moved(const ew::Hold& hold);
@@ -54,7 +63,6 @@ class HandInput : public QObject {
 
  private:
   void change(const Hold& hold);
-  void slide(double alongLateral_mm, double alongElevational_mm);
   void slideOnScreen(glm::dvec2 direction, double length_mm);
   void dragInView(const QPointF& at);
   bool pressInView(const QMouseEvent& event);

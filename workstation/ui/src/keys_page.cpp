@@ -1,5 +1,6 @@
 // What the page of keys (F1) says.
 #include <QKeySequence>
+#include <set>
 
 #include "effect_words.h"
 #include "main_window_parts.h"
@@ -10,118 +11,180 @@ namespace {
 
 using Group = ShortcutsOverlay::Group;
 
-/// Keys as the system's language calls them: "Ctrl+O" is "Strg+O" in German.
-QString keysOf(const char* names) {
-  QStringList shown;
-  for (const QString& name : QString::fromLatin1(names).split(QStringLiteral(" | "))) {
-    shown << QKeySequence(name).toString(QKeySequence::NativeText);
+/// Collects lines that name commands, several on one where they belong together; what no line names gets one of its own as soon as it has a
+/// key, so that the page is whole whatever the user chose.
+class Page {
+ public:
+  explicit Page(const KeyMap& keys) : keys_(keys) {}
+
+  void begin(KeyGroup group) {
+    group_ = group;
+    now_ = {titleOf(group), {}};
   }
-  return shown.join(QStringLiteral(", "));
+  /// @param mouse what does the same, "Wheel, %1"; empty: keys alone
+  void add(const std::string& commands, const QString& what, const QString& mouse = {}, ProbeMotion motion = ProbeMotion::none) {
+    for (const QString& each : QString::fromStdString(commands).split(QStringLiteral(" | "))) named_.insert(each.toStdString());
+    const QString words = keys_.words(commands);
+    if (mouse.isEmpty() && words.isEmpty()) return;
+    now_.lines.push_back({mouse.isEmpty() ? words : mouse.contains(QStringLiteral("%1")) ? mouse.arg(words) : mouse, what, motion});
+  }
+  void addMouse(const QString& mouse, const QString& what) { now_.lines.push_back({mouse, what}); }
+  /// Where the arrows are as they were they are called so.
+  [[nodiscard]] bool areUsual(const std::string& commands) const {
+    for (const QString& each : QString::fromStdString(commands).split(QStringLiteral(" | ")))
+      if (!keys_.hasUsualKeys(each.toStdString())) return false;
+    return true;
+  }
+  void end() {
+    for (const KeyCommand& each : keys_.commands())
+      if (each.group == group_ && !named_.contains(each.id)) add(each.id, each.name());
+    if (!now_.lines.empty()) groups_.push_back(std::move(now_));
+  }
+  [[nodiscard]] std::vector<Group> takeGroups() { return std::move(groups_); }
+  void put(Group group) { groups_.push_back(std::move(group)); }
+
+ private:
+  const KeyMap& keys_;
+  KeyGroup group_ = KeyGroup::window;
+  Group now_;
+  std::set<std::string> named_;
+  std::vector<Group> groups_;
+};
+
+void addScan(Page& page) {
+  page.begin(KeyGroup::probe);
+  const std::string slide = "hand.left | hand.right | hand.up | hand.down";
+  page.add(slide, MainWindow::tr("slide over the skin, with Shift faster"),
+           page.areUsual(slide) ? MainWindow::tr("Drag, arrows") : MainWindow::tr("Drag, %1"), ProbeMotion::slide);
+  page.add("hand.rockLeft | hand.rockRight", MainWindow::tr("rock, along the image"), MainWindow::tr("Shift+wheel, %1"), ProbeMotion::rock);
+  page.add("hand.tiltForward | hand.tiltBack", MainWindow::tr("tilt, out of the image"), MainWindow::tr("Wheel, %1"), ProbeMotion::tilt);
+  page.add("hand.rotateLeft | hand.rotateRight", MainWindow::tr("rotate"), MainWindow::tr("Ctrl+wheel, %1"), ProbeMotion::rotate);
+  page.add("hand.home", MainWindow::tr("back to the start"));
+  page.end();
+
+  page.begin(KeyGroup::image);
+  page.add("freeze", MainWindow::tr("freeze"));
+  page.add("record", MainWindow::tr("record, end recording"));
+  page.add("record.mark", MainWindow::tr("mark this moment of a recording"));
+  page.add("depth.less | depth.more", MainWindow::tr("depth"));
+  page.add("gain.more | gain.less", MainWindow::tr("gain"));
+  page.add("tgc.reset", MainWindow::tr("reset TGC"));
+  page.add("zoom.in | zoom.out", MainWindow::tr("zoom"));
+  page.addMouse(MainWindow::tr("Drag in a zoomed image"), MainWindow::tr("move the detail"));
+  page.add("breathing.free", MainWindow::tr("breathe freely"));
+  page.add("breathing.in | breathing.out", MainWindow::tr("breathe in and hold, breathe out and hold"));
+  page.add("flip.sides | flip.upsideDown", MainWindow::tr("invert left/right, up/down"));
+  page.add("mode.next", MainWindow::tr("B, B + M, M"));
+  page.add("mode.lineLeft | mode.lineRight", MainWindow::tr("M line"));
+  page.add("mode.slower | mode.faster", MainWindow::tr("sweep of the M-mode"));
+  page.end();
+
+  page.begin(KeyGroup::frozen);
+  const std::string steps = "cine.stepBack | cine.stepOn";
+  if (page.areUsual(steps)) {
+    page.add("cine.back | cine.on", MainWindow::tr("an image back, on; with Shift ten"), MainWindow::tr("Wheel on the scan, arrows, %1"));
+    page.add(steps, {}, {});
+  }
+  page.add("cine.first | cine.last", MainWindow::tr("first, last image"));
+  page.add("cine.play", MainWindow::tr("play in a loop, stop"));
+  page.add("cine.in | cine.out", MainWindow::tr("the loop begins, ends with this image"));
+  page.end();
 }
 
-std::vector<Group> keysOfTheScan() {
-  return {{MainWindow::tr("Probe"),
-           {{MainWindow::tr("Drag, arrows"), MainWindow::tr("slide over the skin, with Shift faster"), ProbeMotion::slide},
-            {MainWindow::tr("Shift+wheel, %1").arg(keysOf("A | D")), MainWindow::tr("rock, along the image"), ProbeMotion::rock},
-            {MainWindow::tr("Wheel, %1").arg(keysOf("W | S")), MainWindow::tr("tilt, out of the image"), ProbeMotion::tilt},
-            {MainWindow::tr("Ctrl+wheel, %1").arg(keysOf("Q | E")), MainWindow::tr("rotate"), ProbeMotion::rotate},
-            {keysOf("Home"), MainWindow::tr("back to the start")}}},
-          {MainWindow::tr("Image"),
-           {{keysOf("Space | F"), MainWindow::tr("freeze")},
-            {keysOf("Ctrl+R"), MainWindow::tr("record, end recording")},
-            {keysOf("K"), MainWindow::tr("mark this moment of a recording")},
-            {keysOf("PgUp | PgDown"), MainWindow::tr("depth")},
-            {keysOf("Ctrl+Up | Ctrl+Down"), MainWindow::tr("gain")},
-            {keysOf("Ctrl+0"), MainWindow::tr("reset TGC")},
-            {keysOf("Z | Shift+Z"), MainWindow::tr("zoom")},
-            {MainWindow::tr("Drag in a zoomed image"), MainWindow::tr("move the detail")},
-            {keysOf("C"), MainWindow::tr("breathe freely")},
-            {keysOf("Shift+C | Ctrl+Shift+C"), MainWindow::tr("breathe in and hold, breathe out and hold")},
-            {keysOf("X | U"), MainWindow::tr("invert left/right, up/down")},
-            {keysOf("M"), MainWindow::tr("B, B + M, M")},
-            {keysOf("Ctrl+Left | Ctrl+Right"), MainWindow::tr("M line")},
-            {keysOf("Y | Shift+Y"), MainWindow::tr("sweep of the M-mode")}}},
-          {MainWindow::tr("Frozen image"),
-           {{MainWindow::tr("Wheel on the scan, arrows, %1").arg(keysOf(", | .")), MainWindow::tr("an image back, on; with Shift ten")},
-            {keysOf("Home | End"), MainWindow::tr("first, last image")},
-            {keysOf("C"), MainWindow::tr("play in a loop, stop")},
-            {keysOf("Shift+I | Shift+O"), MainWindow::tr("the loop begins, ends with this image")}}},
-          {MainWindow::tr("Measure"),
-           {{keysOf("4 | 5 | 6"), MainWindow::tr("distance, poly-line, outline")},
-            {keysOf("7 | 8 | 9"), MainWindow::tr("ellipse, fitted ellipse, angle")},
-            {keysOf("Ctrl+D"), MainWindow::tr("volume by discs")},
-            {keysOf("Alt+6 | Alt+7"), MainWindow::tr("time, heart rate in the strip of the M-mode")},
-            {keysOf("Alt+8 | Alt+9"), MainWindow::tr("slope, depth in the strip")},
-            {keysOf("0"), MainWindow::tr("outlines follow edges")},
-            {keysOf("Ctrl+M"), MainWindow::tr("points snap; hold Ctrl to do the opposite once")},
-            {keysOf("Ctrl+E"), MainWindow::tr("combine: ratio, stenosis, volume")},
-            {MainWindow::tr("Drag a cross"), MainWindow::tr("move a point")},
-            {MainWindow::tr("Arrows, %1").arg(keysOf("Return")), MainWindow::tr("move the cross, set a point; with Ctrl by a pixel")},
-            {keysOf("Backspace | Esc"), MainWindow::tr("take back, put the tool down")},
-            {keysOf("Ctrl+Del"), MainWindow::tr("delete all measurements")}}},
-          {MainWindow::tr("Annotate"),
-           {{MainWindow::tr("Frozen: %1").arg(keysOf("T")), MainWindow::tr("write, with words of the region")},
-            {keysOf("Ctrl+T | Shift+T"), MainWindow::tr("freeze and write, draw an arrow")},
-            {keysOf("Tab | Ctrl+Home"), MainWindow::tr("first word offered, home position")},
-            {MainWindow::tr("Drag, double click"), MainWindow::tr("move, write anew")},
-            {keysOf("Del | Backspace"), MainWindow::tr("delete what is chosen, its last word")},
-            {keysOf("Ctrl+B"), MainWindow::tr("body mark")}}},
-          {MainWindow::tr("3D view"),
-           {{MainWindow::tr("Right drag"), MainWindow::tr("rotate the body")},
-            {MainWindow::tr("Middle drag"), MainWindow::tr("move the body")},
-            {MainWindow::tr("Ctrl+right drag"), MainWindow::tr("closer, farther")},
-            {keysOf("Alt+1") + QStringLiteral(" … ") + keysOf("Alt+5"), MainWindow::tr("front, back, right, left, head")},
-            {keysOf("Alt+0"), MainWindow::tr("look at the volume")},
-            {MainWindow::tr("Double click"), MainWindow::tr("in a small window: swap body and scan")}}},
-          {MainWindow::tr("Settings"),
-           {{keysOf("F10"), MainWindow::tr("next page of the console")},
-            {keysOf(", | ."), MainWindow::tr("focus depth")},
-            {keysOf("N"), MainWindow::tr("number of focal zones")},
-            {keysOf("R | Shift+R"), MainWindow::tr("dynamic range")},
-            {keysOf("G"), MainWindow::tr("grey map")},
-            {keysOf("B | Shift+B"), MainWindow::tr("edge enhancement")},
-            {keysOf("P | Shift+P"), MainWindow::tr("persistence")}}}};
+void addPictures(Page& page) {
+  page.begin(KeyGroup::measure);
+  using measurement::CaliperKind;
+  const auto tools = [](std::initializer_list<CaliperKind> kinds) {
+    std::string all;
+    for (const CaliperKind kind : kinds) all += (all.empty() ? "" : " | ") + caliperCommand(kind);
+    return all;
+  };
+  page.add(tools({CaliperKind::distance, CaliperKind::polyLine, CaliperKind::trace}), MainWindow::tr("distance, poly-line, outline"));
+  page.add(tools({CaliperKind::ellipse, CaliperKind::fittedEllipse, CaliperKind::angle}), MainWindow::tr("ellipse, fitted ellipse, angle"));
+  page.add(tools({CaliperKind::discs}), MainWindow::tr("volume by discs"));
+  page.add(tools({CaliperKind::interval, CaliperKind::heartRate}), MainWindow::tr("time, heart rate in the strip of the M-mode"));
+  page.add(tools({CaliperKind::slope, CaliperKind::depthDistance}), MainWindow::tr("slope, depth in the strip"));
+  page.add("calipers.followEdges", MainWindow::tr("outlines follow edges"));
+  page.add("calipers.snap", MainWindow::tr("points snap; hold Ctrl to do the opposite once"));
+  page.add("calipers.combine", MainWindow::tr("combine: ratio, stenosis, volume"));
+  page.addMouse(MainWindow::tr("Drag a cross"), MainWindow::tr("move a point"));
+  const std::string cross = "cross.left | cross.right | cross.up | cross.down";
+  if (page.areUsual(cross)) {
+    page.add("cross.set", MainWindow::tr("move the cross, set a point; with Ctrl by a pixel"), MainWindow::tr("Arrows, %1"));
+    page.add(cross, {}, {});
+  }
+  page.add("cross.takeBack | escape", MainWindow::tr("take back, put the tool down"));
+  page.add("calipers.clear", MainWindow::tr("delete all measurements"));
+  page.end();
+
+  page.begin(KeyGroup::annotate);
+  page.add("text.writeStill", MainWindow::tr("write, with words of the region"), MainWindow::tr("Frozen: %1"));
+  page.add("text.write | text.arrow", MainWindow::tr("freeze and write, draw an arrow"));
+  page.add("writing.firstWord | writing.home", MainWindow::tr("first word offered, home position"));
+  page.addMouse(MainWindow::tr("Drag, double click"), MainWindow::tr("move, write anew"));
+  page.add("chosen.delete | chosen.deleteWord", MainWindow::tr("delete what is chosen, its last word"));
+  page.add("mark.show", MainWindow::tr("body mark"));
+  page.end();
+
+  page.begin(KeyGroup::view3d);
+  page.addMouse(MainWindow::tr("Right drag"), MainWindow::tr("rotate the body"));
+  page.addMouse(MainWindow::tr("Middle drag"), MainWindow::tr("move the body"));
+  page.addMouse(MainWindow::tr("Ctrl+right drag"), MainWindow::tr("closer, farther"));
+  page.add("look.front | look.back | look.right | look.left | look.head", MainWindow::tr("front, back, right, left, head"));
+  page.add("look.volume", MainWindow::tr("look at the volume"));
+  page.addMouse(MainWindow::tr("Double click"), MainWindow::tr("in a small window: swap body and scan"));
+  page.end();
 }
 
-/// An effect and its part on one line, as their keys stand side by side.
-Group keysOfEffects() {
-  Group group{MainWindow::tr("Effects and probe"), {}};
+void addConsole(Page& page) {
+  page.begin(KeyGroup::settings);
+  page.add("console.nextPage", MainWindow::tr("next page of the console"));
+  page.add("focus.shallower | focus.deeper", MainWindow::tr("focus depth"));
+  page.add("focus.zones", MainWindow::tr("number of focal zones"));
+  page.add("range.wider | range.narrower", MainWindow::tr("dynamic range"));
+  page.add("greyMap.next", MainWindow::tr("grey map"));
+  page.add("edges.more | edges.less", MainWindow::tr("edge enhancement"));
+  page.add("persistence.more | persistence.less", MainWindow::tr("persistence"));
+  page.end();
+
+  // An effect and its part on one line, as their keys stand side by side.
+  page.begin(KeyGroup::effects);
   for (const EffectInfo& effect : sceneEffects()) {
-    QStringList strokes, names;
-    const auto add = [&](const char* keyStroke, const char* name) {
-      if (*keyStroke == '\0') return;
-      strokes << keysOf(keyStroke);
-      names << effectText(name);
-    };
-    add(effect.keyStroke, effect.shortName);
-    if (effect.option) add(effect.option->keyStroke, effect.option->shortName);
-    if (!strokes.isEmpty()) group.lines.push_back({strokes.join(QStringLiteral(", ")), names.join(QStringLiteral(", "))});
+    const std::string command = effectCommand(effect.key);
+    if (effect.option)
+      page.add(command + " | " + effectCommand(effect.option->key),
+               effectText(effect.shortName) + QStringLiteral(", ") + effectText(effect.option->shortName));
+    else
+      page.add(command, effectText(effect.shortName));
   }
-  group.lines.push_back({keysOf("T | H"), MainWindow::tr("next transducer, next frequency")});
-  group.lines.push_back({keysOf("J | L | V"), MainWindow::tr("steer a linear array, trapezoid")});
-  return group;
+  page.add("probe.next | frequency.next", MainWindow::tr("next transducer, next frequency"));
+  page.add("steering.less | steering.more | trapezoid", MainWindow::tr("steer a linear array, trapezoid"));
+  page.end();
 }
 
-Group keysOfTheWindow() {
-  return {MainWindow::tr("Window"),
-          {{keysOf("Ctrl+H"), MainWindow::tr("cases")},
-           {keysOf("Ctrl+O"), MainWindow::tr("open")},
-           {keysOf("Ctrl+P"), MainWindow::tr("save the image")},
-           {keysOf("F12"), MainWindow::tr("scan only")},
-           {keysOf("F11"), MainWindow::tr("full screen")},
-           {keysOf("Ctrl+1 | Ctrl+2"), MainWindow::tr("Explore, Author")},
-           {keysOf("F1"), MainWindow::tr("this page")}}};
+void addAuthor(Page& page) {
+  page.begin(KeyGroup::author);
+  page.add("save | save.as", MainWindow::tr("save the case, save it elsewhere"));
+  page.add("undo | redo", MainWindow::tr("undo, redo"));
+  page.add("source", MainWindow::tr("which frame a point came from"), MainWindow::tr("%1, Alt+click"));
+  page.add("quality.fast | quality.fine | quality.cubic", MainWindow::tr("nearest, linear, cubic"));
+  page.add("focus.model", MainWindow::tr("focus model"));
+  page.add("quality.adaptive", MainWindow::tr("adaptive quality"));
+  page.add("cost", MainWindow::tr("performance"));
+  page.end();
 }
 
-Group keysOfAuthors() {
-  return {MainWindow::tr("Author"),
-          {{keysOf("Ctrl+S | Ctrl+Shift+S"), MainWindow::tr("save the case, save it elsewhere")},
-           {keysOf("Ctrl+Z | Ctrl+Shift+Z"), MainWindow::tr("undo, redo")},
-           {MainWindow::tr("%1, Alt+click").arg(keysOf("I")), MainWindow::tr("which frame a point came from")},
-           {keysOf("1 | 2 | 3"), MainWindow::tr("nearest, linear, cubic")},
-           {keysOf("Shift+N"), MainWindow::tr("focus model")},
-           {keysOf("F9"), MainWindow::tr("adaptive quality")},
-           {keysOf("Ctrl+K"), MainWindow::tr("performance")}}};
+void addWindow(Page& page) {
+  page.begin(KeyGroup::window);
+  page.add("start", MainWindow::tr("cases"));
+  page.add("open", MainWindow::tr("open"));
+  page.add("save.picture", MainWindow::tr("save the image"));
+  page.add("picture.store | examination", MainWindow::tr("store the image, images and archive"));
+  page.add("scanOnly", MainWindow::tr("scan only"));
+  page.add("fullScreen", MainWindow::tr("full screen"));
+  page.add("workspace.explore | workspace.author", MainWindow::tr("Explore, Author"));
+  page.add("keys", MainWindow::tr("this page"));
+  page.end();
 }
 
 }  // namespace
@@ -133,30 +196,26 @@ void MainWindow::showKeys() {
     return;
   }
   // Only what acts where one is: a trainee has no panels, and a stage takes the keys of the scan.
-  std::vector<Group> groups;
+  Page page(p.keys);
   if (!p.staged) {
-    groups = keysOfTheScan();
-    groups.push_back(keysOfEffects());
+    addScan(page);
+    addPictures(page);
+    addConsole(page);
   }
   for (const sdk::StagedPanel* panel : p.host->panelsAdded()) {
     if (panel->keys.empty() || panel->workspace != p.workspace || (p.isAuthor() && !p.staged)) continue;
     Group group{words(panel->title), {}};
     for (const auto& [key, what] : panel->keys) group.lines.push_back({words(key), words(what)});
-    groups.push_back(std::move(group));
+    page.put(std::move(group));
   }
-  if (p.isAuthor()) groups.push_back(keysOfAuthors());
-  Group window = keysOfTheWindow();
-  for (const auto& own : p.ownWorkspaces)  // behind Explore and Author
-    if (!own.action->shortcut().isEmpty())
-      window.lines.insert(window.lines.end() - 1,
-                          ShortcutsOverlay::Line{own.action->shortcut().toString(QKeySequence::NativeText), words(own.what.title)});
-  groups.push_back(std::move(window));
-  Group tools{MainWindow::tr("Tools"), {}};
+  if (p.isAuthor()) addAuthor(page);
+  addWindow(page);
+  Group tools{titleOf(KeyGroup::tools), {}};
   for (const auto& tool : p.tools)
     if (tool.action->isEnabled() && !tool.action->shortcut().isEmpty())
       tools.lines.push_back({tool.action->shortcut().toString(QKeySequence::NativeText), tool.action->text().remove(QLatin1Char('&'))});
-  if (!tools.lines.empty()) groups.push_back(std::move(tools));
-  p.shortcuts = new ShortcutsOverlay(groups, p.central);
+  if (!tools.lines.empty()) page.put(std::move(tools));
+  p.shortcuts = new ShortcutsOverlay(page.takeGroups(), p.central);
 }
 
 }  // namespace ew::ui

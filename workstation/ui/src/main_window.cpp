@@ -15,6 +15,7 @@
 #include "case_folder_dialog.h"
 #include "host_overlays.h"
 #include "host_scan.h"
+#include "key_tips.h"
 #include "main_window_parts.h"
 #include "theme.h"
 #include "words.h"
@@ -54,6 +55,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), parts_(std::make_
   makeViews();
   makeActions();
   connectParts();
+  connectKeys();
   refreshTheme();
   resize(1600, 900);
   restoreGeometry(settings.value(QStringLiteral("window")).toByteArray());
@@ -96,6 +98,9 @@ MainWindow::~MainWindow() {
   parts_->annotated.disconnect();
   parts_->bodyMark.disconnect();
   parts_->session.disconnect();
+  parts_->keys.disconnect();
+  parts_->surface.disconnect();
+  delete parts_->keysDialog;
   delete parts_->cost;
   delete parts_->source;
   delete parts_->worksheet;
@@ -123,7 +128,7 @@ void MainWindow::makeViews() {
   p.console = new ConsolePanel(p.session);
   p.console->setFixedWidth(kConsoleWidth_px);
   p.measurePage = new MeasurePage(p.session, p.calipers, p.worksheets);
-  p.console->addPage(p.measurePage, tr("Measure"), tr("Calipers, and what they measured (F10)"));
+  p.console->addPage(p.measurePage, tr("Measure"), tipWithKeys(tr("Calipers, and what they measured (%1)"), "console.nextPage"));
   p.replayBar = new ReplayBar(p.session);
   p.status = new StatusLine(p.session);
   p.cineBar = new CineBar(p.session);
@@ -382,7 +387,7 @@ void MainWindow::showHistory() {
   p.redoAction->setEnabled(canRedo);
   p.undoAction->setText(undo.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(undo));
   p.redoAction->setText(redo.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(redo));
-  p.status->setEdit(undo.isEmpty() ? QString() : tr("Undo: %1 (Ctrl+Z)").arg(undo));
+  p.status->setEdit(undo.isEmpty() ? QString() : tr("Undo: %1 (%2)").arg(undo, p.keys.words("undo")));
   p.status->setNote(document != nullptr ? words(document->note()) : QString());
 }
 

@@ -27,8 +27,6 @@ bool isBelow(const QWidget* widget, const QWidget* above) {
   return widget != nullptr;
 }
 
-QKeySequence keys(const char* text) { return QKeySequence(QLatin1String(text)); }
-
 }  // namespace
 
 void MainWindow::makeActions() {
@@ -43,9 +41,8 @@ void MainWindow::makeActions() {
   showCineState();
 }
 
-QAction* MainWindow::addMenuAction(QMenu& menu, const QString& text, const QList<QKeySequence>& keys, std::function<void()> run) {
+QAction* MainWindow::addPlainAction(QMenu& menu, const QString& text, std::function<void()> run) {
   QAction* action = menu.addAction(text);
-  action->setShortcuts(keys);
   connect(action, &QAction::triggered, this, [this, &menu, run = std::move(run)] {
     // A key of the scan does nothing while a panel's stage lies over it, whichever submenu it stands in.
     if (!parts_->staged || !isBelow(&menu, parts_->scanMenu)) run();
@@ -53,33 +50,39 @@ QAction* MainWindow::addMenuAction(QMenu& menu, const QString& text, const QList
   return action;
 }
 
-QAction* MainWindow::addConsoleAction(QMenu& menu, const QString& text, const char* key, const QString& control, int steps) {
-  return addMenuAction(menu, text, *key != '\0' ? QList<QKeySequence>{keys(key)} : QList<QKeySequence>{},
-                       [this, control, steps] { parts_->console->step(control, steps); });
+QAction* MainWindow::addMenuAction(QMenu& menu, const std::string& command, std::function<void()> run) {
+  const KeyCommand* entry = parts_->keys.find(command);
+  QAction* action = addPlainAction(menu, entry != nullptr ? entry->text() : QString(), std::move(run));
+  parts_->keyedActions.push_back({action, command});
+  return action;
+}
+
+QAction* MainWindow::addConsoleAction(QMenu& menu, const std::string& command, const QString& control, int steps) {
+  return addMenuAction(menu, command, [this, control, steps] { parts_->console->step(control, steps); });
 }
 
 void MainWindow::addFileMenu(QMenu& file) {
   Parts& p = *parts_;
-  addMenuAction(file, tr("&Open…"), {QKeySequence::Open}, [this] { chooseFile(); });
-  addMenuAction(file, tr("Open case &folder…"), {keys("Ctrl+Shift+O")}, [this] {
+  addMenuAction(file, "open", [this] { chooseFile(); });
+  addMenuAction(file, "open.folder", [this] {
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Open case folder"));
     if (!folder.isEmpty()) open(folder);
   });
   p.recentMenu = file.addMenu(tr("Open &recent"));
-  p.startPageAction = addMenuAction(file, tr("S&tart page"), {keys("Ctrl+H")}, [this] { showStartPage(); });
+  p.startPageAction = addMenuAction(file, "start", [this] { showStartPage(); });
   file.addSeparator();
-  p.saveAction = addMenuAction(file, tr("&Save case"), {QKeySequence::Save}, [this] { save(false); });
-  p.saveAsAction = addMenuAction(file, tr("Save case &as…"), {keys("Ctrl+Shift+S")}, [this] { save(true); });
-  p.saveVolumeAction = addMenuAction(file, tr("Save &volume as…"), {}, [this] { saveShownVolume(); });
-  p.savePictureAction = addMenuAction(file, tr("Save &image as…"), {keys("Ctrl+P")}, [this] { savePicture(); });
+  p.saveAction = addMenuAction(file, "save", [this] { save(false); });
+  p.saveAsAction = addMenuAction(file, "save.as", [this] { save(true); });
+  p.saveVolumeAction = addMenuAction(file, "save.volume", [this] { saveShownVolume(); });
+  p.savePictureAction = addMenuAction(file, "save.picture", [this] { savePicture(); });
   addStoringMenu(file);
   file.addSeparator();
-  addMenuAction(file, tr("&Quit"), {keys("Ctrl+Q")}, [this] { close(); });
+  addMenuAction(file, "quit", [this] { close(); });
 }
 
 void MainWindow::addEditMenu(QMenu& edit) {
   Parts& p = *parts_;
-  p.undoAction = addMenuAction(edit, tr("&Undo"), {keys("Ctrl+Z")}, [this] {
+  p.undoAction = addMenuAction(edit, "undo", [this] {
     if (parts_->editsAnnotations())
       parts_->annotated.change([](annotation::AnnotationList& list) { list.undo(); });
     else if (parts_->editsCalipers())
@@ -89,7 +92,7 @@ void MainWindow::addEditMenu(QMenu& edit) {
     else
       parts_->document.history().undo();
   });
-  p.redoAction = addMenuAction(edit, tr("&Redo"), {keys("Ctrl+Shift+Z"), keys("Ctrl+Y")}, [this] {
+  p.redoAction = addMenuAction(edit, "redo", [this] {
     if (parts_->editsAnnotations())
       parts_->annotated.change([](annotation::AnnotationList& list) { list.redo(); });
     else if (parts_->editsCalipers())
@@ -107,42 +110,42 @@ void MainWindow::addViewMenu(QMenu& view) {
   Parts& p = *parts_;
   p.viewMenu = &view;
   p.workspaceActions = new QActionGroup(this);
-  p.exploreAction = addMenuAction(view, tr("&Explore"), {keys("Ctrl+1")}, [this] { setWorkspace(Workspace::explore); });
-  p.authorAction = addMenuAction(view, tr("&Author"), {keys("Ctrl+2")}, [this] { setWorkspace(Workspace::author); });
+  p.exploreAction = addMenuAction(view, "workspace.explore", [this] { setWorkspace(Workspace::explore); });
+  p.authorAction = addMenuAction(view, "workspace.author", [this] { setWorkspace(Workspace::author); });
   for (QAction* action : {p.exploreAction, p.authorAction}) {
     action->setCheckable(true);
     p.workspaceActions->addAction(action);
   }
   p.exploreAction->setChecked(true);
   p.beforeLooks = view.addSeparator();
-  const auto look = [&](const QString& text, const char* key, bridge::CameraPreset preset) {
-    addMenuAction(view, text, {keys(key)}, [this, preset] { parts_->view3d->showFrom(preset); });
+  const auto look = [&](const char* command, bridge::CameraPreset preset) {
+    addMenuAction(view, command, [this, preset] { parts_->view3d->showFrom(preset); });
   };
-  look(tr("From the &front"), "Alt+1", bridge::CameraPreset::front);
-  look(tr("From the &back"), "Alt+2", bridge::CameraPreset::back);
-  look(tr("From the patient's &right"), "Alt+3", bridge::CameraPreset::right);
-  look(tr("From the patient's &left"), "Alt+4", bridge::CameraPreset::left);
-  look(tr("From the &head"), "Alt+5", bridge::CameraPreset::top);
-  addMenuAction(view, tr("Look at the &volume"), {keys("Alt+0")}, [this] { parts_->view3d->fitToVolume(); });
-  p.caseVolumeAction = addMenuAction(view, tr("Scan the &case's volume"), {}, [this] { parts_->opener->showCaseVolume(); });
-  p.madeVolumeAction = addMenuAction(view, QString(), {}, [this] { showWaitingVolume(); });
+  look("look.front", bridge::CameraPreset::front);
+  look("look.back", bridge::CameraPreset::back);
+  look("look.right", bridge::CameraPreset::right);
+  look("look.left", bridge::CameraPreset::left);
+  look("look.head", bridge::CameraPreset::top);
+  addMenuAction(view, "look.volume", [this] { parts_->view3d->fitToVolume(); });
+  p.caseVolumeAction = addMenuAction(view, "volume.ofCase", [this] { parts_->opener->showCaseVolume(); });
+  p.madeVolumeAction = addMenuAction(view, "volume.made", [this] { showWaitingVolume(); });
   view.addSeparator();
   addThemeMenu(*view.addMenu(tr("&Theme")));
   addLanguageMenu(*view.addMenu(tr("La&nguage")));
-  p.scanOnlyAction = addMenuAction(view, tr("Scan &only"), {QKeySequence(Qt::Key_F12)}, [this] {
+  p.scanOnlyAction = addMenuAction(view, "scanOnly", [this] {
     const bool isThere = parts_->pages->currentWidget() == parts_->workspacePage && parts_->workspace == kExplore;
     setScanOnly(isThere && !parts_->viewColumns->isScanOnly());
   });
   p.scanOnlyAction->setCheckable(true);
-  addMenuAction(view, tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+  addMenuAction(view, "fullScreen", [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
 }
 
 void MainWindow::addThemeMenu(QMenu& theme) {
   Parts& p = *parts_;
   auto* themes = new QActionGroup(this);
-  p.systemThemeAction = addMenuAction(theme, tr("System default"), {}, [this] { chooseTheme(QStringLiteral("system")); });
-  p.darkAction = addMenuAction(theme, tr("&Dark"), {}, [this] { chooseTheme(QStringLiteral("dark")); });
-  p.lightAction = addMenuAction(theme, tr("L&ight"), {}, [this] { chooseTheme(QStringLiteral("light")); });
+  p.systemThemeAction = addMenuAction(theme, "theme.system", [this] { chooseTheme(QStringLiteral("system")); });
+  p.darkAction = addMenuAction(theme, "theme.dark", [this] { chooseTheme(QStringLiteral("dark")); });
+  p.lightAction = addMenuAction(theme, "theme.light", [this] { chooseTheme(QStringLiteral("light")); });
   for (QAction* action : {p.systemThemeAction, p.darkAction, p.lightAction}) {
     action->setCheckable(true);
     themes->addAction(action);
@@ -154,7 +157,7 @@ void MainWindow::addLanguageMenu(QMenu& language) {
   const QString chosen = QSettings().value(QStringLiteral("language")).toString();
   const std::pair<QString, QString> offered[] = {{QString(), tr("System language")}, {"en", "English"}, {"de", "Deutsch"}};
   for (const auto& [code, name] : offered) {
-    QAction* action = addMenuAction(language, name, {}, [this, code = code] {
+    QAction* action = addPlainAction(language, name, [this, code = code] {
       QSettings().setValue(QStringLiteral("language"), code);
       parts_->messages->showNote(tr("The window speaks the chosen language from the next start on. Close EchoWeave and open it again."),
                                  QStringLiteral("language"));
@@ -169,7 +172,7 @@ void MainWindow::addScanMenu(QMenu& scan) {
   Parts& p = *parts_;
   p.scanMenu = &scan;
   scan.setToolTipsVisible(true);
-  p.freezeAction = addMenuAction(scan, tr("&Freeze"), {QKeySequence(Qt::Key_Space), QKeySequence(Qt::Key_F)}, [this] {
+  p.freezeAction = addMenuAction(scan, "freeze", [this] {
     ReplayBar& replay = *parts_->replayBar;
     if (!replay.recording()) return parts_->session.setFrozen(!parts_->session.isFrozen());
     replay.setPlaying(!replay.isPlaying());
@@ -177,11 +180,11 @@ void MainWindow::addScanMenu(QMenu& scan) {
   });
   p.freezeAction->setCheckable(true);
   addCineMenu(*scan.addMenu(tr("&Cine loop")));
-  p.recordAction = addMenuAction(scan, tr("&Record"), {keys("Ctrl+R")}, [this] { toggleRecording(); });
+  p.recordAction = addMenuAction(scan, "record", [this] { toggleRecording(); });
   p.recordAction->setCheckable(true);
-  p.markAction = addMenuAction(scan, tr("Mark this moment"), {keys("K")}, [this] { parts_->recorder.addNote("mark", nullptr); });
-  p.saveRecordingAction = addMenuAction(scan, tr("Save recording as…"), {keys("Ctrl+Shift+R")}, [this] { saveRecording(); });
-  p.sourceAction = addMenuAction(scan, tr("Show source &frame"), {keys("I")}, [this] {
+  p.markAction = addMenuAction(scan, "record.mark", [this] { parts_->recorder.addNote("mark", nullptr); });
+  p.saveRecordingAction = addMenuAction(scan, "record.save", [this] { saveRecording(); });
+  p.sourceAction = addMenuAction(scan, "source", [this] {
     if (parts_->pages->currentWidget() == parts_->workspacePage) {
       parts_->sourcePicker->setAsking(!parts_->sourcePicker->isAsking());
     } else {
@@ -190,13 +193,13 @@ void MainWindow::addScanMenu(QMenu& scan) {
   });
   p.sourceAction->setCheckable(true);
   scan.addSeparator();
-  addConsoleAction(scan, tr("Deeper"), "PgDown", "depth", 1);
-  addConsoleAction(scan, tr("Shallower"), "PgUp", "depth", -1);
-  addConsoleAction(scan, tr("More gain"), "Ctrl+Up", "gain", 1);
-  addConsoleAction(scan, tr("Less gain"), "Ctrl+Down", "gain", -1);
-  addConsoleAction(scan, tr("Zoom in"), "Z", "zoom", 1);
-  addConsoleAction(scan, tr("Zoom out"), "Shift+Z", "zoom", -1);
-  addMenuAction(scan, tr("Reset TGC"), {keys("Ctrl+0")}, [this] { parts_->session.resetTgc(); });
+  addConsoleAction(scan, "depth.more", "depth", 1);
+  addConsoleAction(scan, "depth.less", "depth", -1);
+  addConsoleAction(scan, "gain.more", "gain", 1);
+  addConsoleAction(scan, "gain.less", "gain", -1);
+  addConsoleAction(scan, "zoom.in", "zoom", 1);
+  addConsoleAction(scan, "zoom.out", "zoom", -1);
+  addMenuAction(scan, "tgc.reset", [this] { parts_->session.resetTgc(); });
   addBreathingMenu(*scan.addMenu(tr("&Breathing")));
   addMeasureMenu(*scan.addMenu(tr("Mea&sure")));
   addAnnotateMenu(*scan.addMenu(tr("&Annotate")));
@@ -209,27 +212,27 @@ void MainWindow::addScanMenu(QMenu& scan) {
   addProbeMenu(*scan.addMenu(tr("&Probe")));
   addTimeMenu(*scan.addMenu(tr("&M-mode")));
   addQualityMenu(*scan.addMenu(tr("&Quality")));
-  addMenuAction(scan, tr("Next page of the console"), {QKeySequence(Qt::Key_F10)}, [this] { parts_->console->showNextPage(); });
+  addMenuAction(scan, "console.nextPage", [this] { parts_->console->showNextPage(); });
   scan.addSeparator();
-  addMenuAction(scan, tr("&Performance…"), {keys("Ctrl+K")}, [this] { showCost(); });
+  addMenuAction(scan, "cost", [this] { showCost(); });
 }
 
 void MainWindow::addCineMenu(QMenu& cine) {
   CineBar& bar = *parts_->cineBar;
   parts_->cineActions = {
-      addMenuAction(cine, tr("Play or stop"), {keys("C")}, [&bar] { bar.setPlaying(!bar.isPlaying()); }),
-      addMenuAction(cine, tr("An image back"), {keys(",")}, [&bar] { bar.step(-1); }),
-      addMenuAction(cine, tr("An image on"), {keys(".")}, [&bar] { bar.step(1); }),
-      addMenuAction(cine, tr("Loop from this image"), {keys("Shift+I")}, [&bar] { bar.markIn(); }),
-      addMenuAction(cine, tr("Loop to this image"), {keys("Shift+O")}, [&bar] { bar.markOut(); }),
-      addMenuAction(cine, tr("Save clip as…"), {}, [this] { saveClip(); }),
+      addMenuAction(cine, "cine.play", [&bar] { bar.setPlaying(!bar.isPlaying()); }),
+      addMenuAction(cine, "cine.back", [&bar] { bar.step(-1); }),
+      addMenuAction(cine, "cine.on", [&bar] { bar.step(1); }),
+      addMenuAction(cine, "cine.in", [&bar] { bar.markIn(); }),
+      addMenuAction(cine, "cine.out", [&bar] { bar.markOut(); }),
+      addMenuAction(cine, "cine.save", [this] { saveClip(); }),
   };
 }
 
 void MainWindow::addBreathingMenu(QMenu& breathing) {
   auto* requests = new QActionGroup(this);
-  const auto add = [&](const QString& text, const char* key, BreathingRequest request) {
-    QAction* action = addMenuAction(breathing, text, {keys(key)}, [this, request] { askBreathing(request); });
+  const auto add = [&](const char* command, BreathingRequest request) {
+    QAction* action = addMenuAction(breathing, command, [this, request] { askBreathing(request); });
     action->setCheckable(true);
     requests->addAction(action);
     if (request == BreathingRequest::free) parts_->ofRunningScan.push_back(action);
@@ -237,9 +240,9 @@ void MainWindow::addBreathingMenu(QMenu& breathing) {
             [this, action, request] { action->setChecked(parts_->session.breathing() == request); });
     action->setChecked(request == BreathingRequest::free);
   };
-  add(tr("Breathe freely"), "C", BreathingRequest::free);
-  add(tr("Breathe in and hold"), "Shift+C", BreathingRequest::breatheInAndHold);
-  add(tr("Breathe out and hold"), "Ctrl+Shift+C", BreathingRequest::breatheOutAndHold);
+  add("breathing.free", BreathingRequest::free);
+  add("breathing.in", BreathingRequest::breatheInAndHold);
+  add("breathing.out", BreathingRequest::breatheOutAndHold);
 }
 
 void MainWindow::askBreathing(BreathingRequest request) {
@@ -252,64 +255,64 @@ void MainWindow::askBreathing(BreathingRequest request) {
 }
 
 void MainWindow::addImageMenu(QMenu& image) {
-  parts_->ofRunningScan.push_back(addConsoleAction(image, tr("Focus shallower"), ",", "focus", -1));
-  parts_->ofRunningScan.push_back(addConsoleAction(image, tr("Focus deeper"), ".", "focus", 1));
-  addConsoleAction(image, tr("Number of focal zones"), "N", "foci", 1);
-  addConsoleAction(image, tr("Next focus model"), "Shift+N", "focusMethod", 1);
+  parts_->ofRunningScan.push_back(addConsoleAction(image, "focus.shallower", "focus", -1));
+  parts_->ofRunningScan.push_back(addConsoleAction(image, "focus.deeper", "focus", 1));
+  addConsoleAction(image, "focus.zones", "foci", 1);
+  addConsoleAction(image, "focus.model", "focusMethod", 1);
   image.addSeparator();
-  addConsoleAction(image, tr("Wider dynamic range"), "R", "dynamicRange", 1);
-  addConsoleAction(image, tr("Narrower dynamic range"), "Shift+R", "dynamicRange", -1);
-  addConsoleAction(image, tr("Next grey map"), "G", "greyMap", 1);
-  addConsoleAction(image, tr("More edge enhancement"), "B", "edges", 1);
-  addConsoleAction(image, tr("Less edge enhancement"), "Shift+B", "edges", -1);
-  addConsoleAction(image, tr("More persistence"), "P", "persistence", 1);
-  addConsoleAction(image, tr("Less persistence"), "Shift+P", "persistence", -1);
+  addConsoleAction(image, "range.wider", "dynamicRange", 1);
+  addConsoleAction(image, "range.narrower", "dynamicRange", -1);
+  addConsoleAction(image, "greyMap.next", "greyMap", 1);
+  addConsoleAction(image, "edges.more", "edges", 1);
+  addConsoleAction(image, "edges.less", "edges", -1);
+  addConsoleAction(image, "persistence.more", "persistence", 1);
+  addConsoleAction(image, "persistence.less", "persistence", -1);
   image.addSeparator();
-  addConsoleAction(image, tr("Invert left/right"), "X", "flip", 1);
-  addConsoleAction(image, tr("Invert up/down"), "U", "upsideDown", 1);
+  addConsoleAction(image, "flip.sides", "flip", 1);
+  addConsoleAction(image, "flip.upsideDown", "upsideDown", 1);
 }
 
 void MainWindow::addEffectsMenu(QMenu& effects) {
   for (const EffectInfo& effect : sceneEffects()) {
-    addConsoleAction(effects, effectText(effect.name), effect.keyStroke, ConsolePanel::switchOf(effect.key), 1);
-    if (effect.option)
-      addConsoleAction(effects, effectText(effect.option->name), effect.option->keyStroke, ConsolePanel::switchOf(effect.option->key), 1);
+    addConsoleAction(effects, effectCommand(effect.key), ConsolePanel::switchOf(effect.key), 1);
+    if (effect.option) addConsoleAction(effects, effectCommand(effect.option->key), ConsolePanel::switchOf(effect.option->key), 1);
   }
   effects.addSeparator();
-  addConsoleAction(effects, tr("Planes of the slice thickness"), "Shift+F3", "planes", 1);
+  addConsoleAction(effects, "effect.planes", "planes", 1);
 }
 
 void MainWindow::addProbeMenu(QMenu& transducer) {
-  parts_->transducerAction = addConsoleAction(transducer, tr("Next transducer"), "T", "probe", 1);
-  addConsoleAction(transducer, tr("Next frequency"), "H", "frequency", 1);
-  addConsoleAction(transducer, tr("Steer to one side"), "J", "steering", -1);
-  addConsoleAction(transducer, tr("Steer to the other side"), "L", "steering", 1);
-  addConsoleAction(transducer, tr("Trapezoid"), "V", "trapezoid", 1);
+  parts_->transducerAction = addConsoleAction(transducer, "probe.next", "probe", 1);
+  addConsoleAction(transducer, "frequency.next", "frequency", 1);
+  addConsoleAction(transducer, "steering.less", "steering", -1);
+  addConsoleAction(transducer, "steering.more", "steering", 1);
+  addConsoleAction(transducer, "trapezoid", "trapezoid", 1);
 }
 
 void MainWindow::addTimeMenu(QMenu& time) {
-  addConsoleAction(time, tr("B, B + M, M"), "M", "mode", 1);
-  addConsoleAction(time, tr("M line to the left"), "Ctrl+Left", "mLine", -1);
-  addConsoleAction(time, tr("M line to the right"), "Ctrl+Right", "mLine", 1);
-  addConsoleAction(time, tr("Slower sweep"), "Y", "sweep", 1);
-  addConsoleAction(time, tr("Faster sweep"), "Shift+Y", "sweep", -1);
+  addConsoleAction(time, "mode.next", "mode", 1);
+  addConsoleAction(time, "mode.lineLeft", "mLine", -1);
+  addConsoleAction(time, "mode.lineRight", "mLine", 1);
+  addConsoleAction(time, "mode.slower", "sweep", 1);
+  addConsoleAction(time, "mode.faster", "sweep", -1);
 }
 
 void MainWindow::addQualityMenu(QMenu& quality) {
-  const auto choose = [&](const QString& text, Qt::Key key, Quality chosenQuality) {
-    addMenuAction(quality, text, {QKeySequence(key)}, [this, chosenQuality] { parts_->console->chooseQuality(chosenQuality); });
+  const auto choose = [&](const char* command, Quality chosenQuality) {
+    addMenuAction(quality, command, [this, chosenQuality] { parts_->console->chooseQuality(chosenQuality); });
   };
-  choose(tr("Fast: nearest voxels"), Qt::Key_1, Quality::weave);
-  choose(tr("Fine: interpolated"), Qt::Key_2, Quality::linear);
-  choose(tr("Cubic: sharpest"), Qt::Key_3, Quality::cubic);
-  addConsoleAction(quality, tr("Adaptive: falls while the probe moves fast"), "F9", "adaptive", 1);
+  choose("quality.fast", Quality::weave);
+  choose("quality.fine", Quality::linear);
+  choose("quality.cubic", Quality::cubic);
+  addConsoleAction(quality, "quality.adaptive", "adaptive", 1);
 }
 
 void MainWindow::addHelpMenu(QMenu& help) {
-  addMenuAction(help, tr("&Keys and mouse"), {QKeySequence(Qt::Key_F1)}, [this] { showKeys(); });
-  addMenuAction(help, tr("&Plugins…"), {},
+  addMenuAction(help, "keys", [this] { showKeys(); });
+  addMenuAction(help, "keys.edit", [this] { editKeys(); });
+  addMenuAction(help, "plugins",
                 [this] { PluginsDialog(parts_->plugins ? parts_->plugins->states() : std::vector<door::PluginStatus>{}, this).exec(); });
-  addMenuAction(help, tr("&About EchoWeave"), {}, [this] {
+  addMenuAction(help, "about", [this] {
     QMessageBox about(this);
     about.setWindowTitle(tr("About EchoWeave"));
     about.setText(
@@ -356,7 +359,7 @@ void MainWindow::showSource(const QPoint& pixel) {
                        });
   if (p.session.pictureKnobs().mode == DisplayMode::mMode) {
     dialog->showNone(
-        tr("The strip of the M-mode shows one beam over time, no place in an image. Switch to B or B + M (M), then click a point of the "
+        tr("The strip of the M-mode shows one beam over time, no place in an image. Switch to B or B + M, then click a point of the "
            "image."));
   } else if (!isInFan) {
     dialog->showNone(tr("This point lies outside the image. Click a point inside the fan."));
@@ -367,7 +370,7 @@ void MainWindow::showSource(const QPoint& pixel) {
   } else {
     dialog->showNone(
         tr("This volume does not say which frame a voxel came from. A volume that is made here from a recorded sweep does: open "
-           "the sweep (Ctrl+O), leave 'Record source frame per voxel' switched on, and reconstruct it."));
+           "the sweep, leave 'Record source frame per voxel' switched on, and reconstruct it."));
   }
   dialog->show();
   dialog->raise();

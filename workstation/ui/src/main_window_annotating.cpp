@@ -54,10 +54,11 @@ void MainWindow::showRegion() {
 void MainWindow::addAnnotateMenu(QMenu& annotate) {
   Parts& p = *parts_;
   const auto isThere = [this] { return parts_->pages->currentWidget() == parts_->workspacePage && parts_->keepsScan(); };
-  p.textAction = addMenuAction(annotate, tr("Text"), {}, [this, isThere] {
+  p.textAction = addMenuAction(annotate, "text.write", [this, isThere] {
     if (isThere()) parts_->annotationLayer->write();
   });
-  p.arrowAction = addMenuAction(annotate, tr("Arrow"), {QKeySequence(QStringLiteral("Shift+T"))}, [this, isThere] {
+  p.keyedActions.push_back({p.textAction, "text.writeStill"});
+  p.arrowAction = addMenuAction(annotate, "text.arrow", [this, isThere] {
     if (isThere()) parts_->annotated.takeArrow();
     parts_->arrowAction->setChecked(parts_->annotated.isArrowAtHand());
   });
@@ -66,11 +67,10 @@ void MainWindow::addAnnotateMenu(QMenu& annotate) {
   terms->setObjectName(QStringLiteral("wordMenu"));
   connect(terms, &QMenu::aboutToShow, this, [this, terms] { addWordMenu(*terms); });
   annotate.addSeparator();
-  addMenuAction(annotate, tr("Home position here"), {}, [this, isThere] {
+  addMenuAction(annotate, "text.homeHere", [this, isThere] {
     if (isThere()) parts_->annotationLayer->setHomeHere();
   });
-  addMenuAction(annotate, tr("Delete all texts and arrows"), {QKeySequence(QStringLiteral("Ctrl+Shift+Del"))},
-                [this] { parts_->annotated.change([](annotation::AnnotationList& list) { list.clear(); }); });
+  addMenuAction(annotate, "text.clear", [this] { parts_->annotated.change([](annotation::AnnotationList& list) { list.clear(); }); });
 }
 
 /// The words of the region, group by group; one that is chosen stands at the home position, or behind what is being typed.
@@ -93,11 +93,10 @@ void MainWindow::addWordMenu(QMenu& menu) {
 
 void MainWindow::addBodyMarkMenu(QMenu& menu) {
   Parts& p = *parts_;
-  p.bodyMarkAction = addMenuAction(menu, tr("Show the body mark"), {QKeySequence(QStringLiteral("Ctrl+B"))},
-                                   [this] { parts_->bodyMark.setShown(parts_->bodyMarkAction->isChecked()); });
+  p.bodyMarkAction = addMenuAction(menu, "mark.show", [this] { parts_->bodyMark.setShown(parts_->bodyMarkAction->isChecked()); });
   p.bodyMarkAction->setCheckable(true);
   p.bodyMarkAction->setChecked(p.bodyMark.choice().isShown);
-  QAction* follows = addMenuAction(menu, tr("Follow the probe again"), {}, [this] { parts_->bodyMark.putByHand(std::nullopt); });
+  QAction* follows = addMenuAction(menu, "mark.follow", [this] { parts_->bodyMark.putByHand(std::nullopt); });
   menu.addSeparator();
   auto* marks = new QActionGroup(&menu);
   connect(&menu, &QMenu::aboutToShow, this, [this, &menu, marks, follows] {
@@ -105,7 +104,7 @@ void MainWindow::addBodyMarkMenu(QMenu& menu) {
     const annotation::MarkChoice choice = parts_->bodyMark.choice();
     follows->setEnabled(choice.byHand.has_value());
     const auto add = [&](const QString& text, const std::string& mark, const std::string& variant) {
-      QAction* action = addMenuAction(menu, entry(text), {}, [this, mark, variant] { parts_->bodyMark.choose(mark, variant); });
+      QAction* action = addPlainAction(menu, entry(text), [this, mark, variant] { parts_->bodyMark.choose(mark, variant); });
       action->setCheckable(true);
       action->setChecked(choice.mark == mark && choice.variant == variant);
       marks->addAction(action);
@@ -133,7 +132,7 @@ void MainWindow::showPresets(QMenu& menu) {
   const auto& probes = p.session.probes();
   const std::string present = p.session.probe().id;
   const auto add = [&](QMenu& into, const QString& text, const Preset& preset) {
-    QAction* action = addMenuAction(into, entry(text), {}, [this, preset] { takePreset(preset); });
+    QAction* action = addPlainAction(into, entry(text), [this, preset] { takePreset(preset); });
     action->setData(QString::fromStdString(preset.id));
     action->setEnabled(checkPreset(preset, probes).has_value());
     action->setToolTip(QString::fromStdString(preset.source));
@@ -161,8 +160,8 @@ void MainWindow::showPresets(QMenu& menu) {
     if (others->isEmpty()) others->deleteLater();
   }
   menu.addSeparator();
-  addMenuAction(menu, tr("Save as preset…"), {}, [this] { savePreset(); });
-  addMenuAction(menu, tr("Take over a preset file…"), {}, [this] { importPreset(); });
+  addPlainAction(menu, tr("Save as preset…"), [this] { savePreset(); });
+  addPlainAction(menu, tr("Take over a preset file…"), [this] { importPreset(); });
 }
 
 void MainWindow::takePreset(const Preset& preset) {
@@ -233,19 +232,6 @@ void MainWindow::connectAnnotations() {
   connect(&p.annotated, &AnnotatedPictures::said, p.scanView, &ScanView::say);
   connect(&p.annotated, &AnnotatedPictures::pauseAsked, &p.calipers, &Calipers::pauseAsked);
   connect(&p.bodyMark, &ShownMark::changed, this, [this] { parts_->bodyMarkAction->setChecked(parts_->bodyMark.choice().isShown); });
-  // One key for two things, as on a machine: while the image runs it takes the next transducer, once it stands it writes.
-  const auto shareKey = [this] {
-    const bool stands = parts_->session.isFrozen() || parts_->session.isPlaying();
-    const QKeySequence key(Qt::Key_T), always(QStringLiteral("Ctrl+T"));
-    parts_->transducerAction->setShortcuts(stands ? QList<QKeySequence>{} : QList<QKeySequence>{key});
-    parts_->textAction->setShortcuts(stands ? QList<QKeySequence>{key, always} : QList<QKeySequence>{always});
-  };
-  connect(&p.session, &Session::frozenChanged, this, shareKey);
-  connect(&p.session, &Session::pictureChanged, this, [this, shareKey, stood = false]() mutable {
-    const bool stands = parts_->session.isFrozen() || parts_->session.isPlaying();
-    if (stands != std::exchange(stood, stands)) shareKey();
-  });
-  shareKey();
 }
 
 }  // namespace ew::ui

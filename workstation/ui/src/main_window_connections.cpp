@@ -44,13 +44,15 @@ void MainWindow::connectSession() {
     showRecordingState();
   });
   connect(&p.hand, &HandInput::refused, this, [this] {
-    parts_->scanView->say(parts_->session.isPlaying() ? tr("A recording is shown. Close it (Escape) to move the probe yourself.")
-                          : parts_->session.isFollowing()
-                              ? tr("The probe is moved for you. Escape takes it back.")
-                              : tr("The image is frozen, and the probe with it. Space or F lets both move again."));
+    parts_->scanView->say(
+        parts_->session.isPlaying() ? tr("A recording is shown. Close it (Escape) to move the probe yourself.")
+        : parts_->session.isFollowing()
+            ? tr("The probe is moved for you. Escape takes it back.")
+            : tr("The image is frozen, and the probe with it. Let it run (%1): then both move again.").arg(parts_->keys.words("freeze")));
   });
   connect(&p.session, &Session::changeRefused, this, [this] {
-    parts_->scanView->say(tr("The image is frozen: its echoes were made with these settings. Space or F lets it run; then change them."));
+    parts_->scanView->say(tr("The image is frozen: its echoes were made with these settings. Let it run (%1), then change them.")
+                              .arg(parts_->keys.words("freeze")));
   });
   connect(p.cineBar, &CineBar::openChanged, this, &MainWindow::showCineState);
   connect(p.cineBar, &CineBar::saveAsked, this, &MainWindow::saveClip);

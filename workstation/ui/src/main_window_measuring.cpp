@@ -29,12 +29,10 @@ bool MainWindow::Parts::editsCalipers() const {
 void MainWindow::addMeasureMenu(QMenu& measure) {
   Parts& p = *parts_;
   const auto addTool = [&](measurement::CaliperKind kind) {
-    QAction* action = addMenuAction(measure, CaliperWords::nameOf(kind),
-                                    {QKeySequence(CaliperWords::keyOf(kind), QKeySequence::NativeText)}, [this, kind] {
-                                      if (parts_->pages->currentWidget() == parts_->workspacePage && parts_->keepsScan())
-                                        parts_->calipers.take(kind);
-                                      Q_EMIT parts_->calipers.changed();  // an action checks itself, whatever came of it
-                                    });
+    QAction* action = addMenuAction(measure, caliperCommand(kind), [this, kind] {
+      if (parts_->pages->currentWidget() == parts_->workspacePage && parts_->keepsScan()) parts_->calipers.take(kind);
+      Q_EMIT parts_->calipers.changed();  // an action checks itself, whatever came of it
+    });
     action->setCheckable(true);
     p.caliperActions.push_back(action);
   };
@@ -42,19 +40,18 @@ void MainWindow::addMeasureMenu(QMenu& measure) {
   measure.addSeparator();
   for (const measurement::CaliperKind kind : measurement::stripKinds()) addTool(kind);
   measure.addSeparator();
-  p.followEdgesAction = addMenuAction(measure, tr("Outlines follow edges"), {QKeySequence(Qt::Key_0)},
-                                      [this] { parts_->calipers.setFollowsEdges(parts_->followEdgesAction->isChecked()); });
+  p.followEdgesAction =
+      addMenuAction(measure, "calipers.followEdges", [this] { parts_->calipers.setFollowsEdges(parts_->followEdgesAction->isChecked()); });
   p.followEdgesAction->setCheckable(true);
-  p.snapAction = addMenuAction(measure, tr("Points snap"), {QKeySequence(QStringLiteral("Ctrl+M"))},
-                               [this] { parts_->calipers.setSnaps(parts_->snapAction->isChecked()); });
+  p.snapAction = addMenuAction(measure, "calipers.snap", [this] { parts_->calipers.setSnaps(parts_->snapAction->isChecked()); });
   p.snapAction->setCheckable(true);
   measure.addSeparator();
-  addMenuAction(measure, tr("&Combine measurements…"), {QKeySequence(QStringLiteral("Ctrl+E"))}, [this] { showCombine(); });
-  addMenuAction(measure, tr("&Save measurements…"), {}, [this] { saveMeasurements(); });
+  addMenuAction(measure, "calipers.combine", [this] { showCombine(); });
+  addMenuAction(measure, "calipers.save", [this] { saveMeasurements(); });
   measure.addSeparator();
-  addMenuAction(measure, tr("&Worksheet…"), {QKeySequence(QStringLiteral("Shift+F10"))}, [this] { showWorksheet(); });
+  addMenuAction(measure, "calipers.worksheet", [this] { showWorksheet(); });
   measure.addSeparator();
-  addMenuAction(measure, tr("Delete all measurements"), {QKeySequence(QStringLiteral("Ctrl+Del"))}, [this] { parts_->calipers.clear(); });
+  addMenuAction(measure, "calipers.clear", [this] { parts_->calipers.clear(); });
 }
 
 void MainWindow::connectCalipers() {

@@ -21,6 +21,7 @@
 #include "cine_bar.h"
 #include "combine_dialog.h"
 #include "console_panel.h"
+#include "control_surface.h"
 #include "cost_panel.h"
 #include "ew/door/door.h"
 #include "ew/library/kept_edits.h"
@@ -30,6 +31,9 @@
 #include "hand_input.h"
 #include "job_cards.h"
 #include "jobs.h"
+#include "key_map.h"
+#include "key_tips.h"
+#include "keys_dialog.h"
 #include "measure_page.h"
 #include "message_bar.h"
 #include "opener.h"
@@ -81,6 +85,15 @@ struct MainWindow::Parts {
   std::optional<KeptEdits::Left> restoring;        ///< edits that are taken over once their case is open
   bool dropsEdits = false;                         ///< the case is being opened again, and the user gave up the changes made here
   QString preparing;                               ///< the case that is opened and has to be made first
+  KeyMap keys;
+  KeyTips keyTips{keys};
+  ControlSurface surface;
+  struct KeyedAction {
+    QAction* action;
+    std::string command;
+  };
+  std::vector<KeyedAction> keyedActions;  ///< an action may be several commands
+  bool ownKeysAreBroken = false;          ///< the user's file of keys cannot be read
   HandInput hand{session.hand()};
   Recorder recorder{session};
   Calipers calipers{session, jobs};
@@ -129,6 +142,7 @@ struct MainWindow::Parts {
   WorkstationHost* host = nullptr;
   std::optional<door::PluginList> plugins;
   QPointer<ShortcutsOverlay> shortcuts;
+  QPointer<KeysDialog> keysDialog;
   QPointer<CostPanel> cost;
   QPointer<SourceDialog> source;
   QPointer<WorksheetDialog> worksheet;

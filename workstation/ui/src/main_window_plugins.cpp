@@ -45,8 +45,13 @@ bool MainWindow::addWorkspace(const sdk::Workspace& workspace) {
   const int key = kFirstOwnKey + static_cast<int>(p.ownWorkspaces.size());
   QString tip = words(workspace.tip);
   if (key <= kLastOwnKey) {
-    action->setShortcut(QKeySequence(QStringLiteral("Ctrl+%1").arg(key)));
-    tip = QStringLiteral("%1 (%2)").arg(tip, action->shortcut().toString(QKeySequence::NativeText)).trimmed();
+    KeyCommand command;
+    command.id = "workspace." + id;
+    command.source = QByteArray::fromStdString(workspace.title);
+    command.usual = {QKeySequence(QStringLiteral("Ctrl+%1").arg(key))};
+    p.keyedActions.push_back({action, command.id});
+    tip = tipWithKeys(tip + QStringLiteral(" (%1)"), command.id);
+    p.keys.add(std::move(command));
   }
   connect(action, &QAction::triggered, this, [this, id] { showWorkspace(id); });
   p.viewMenu->insertAction(p.beforeLooks, action);
@@ -62,16 +67,25 @@ sdk::Ticket MainWindow::addTool(const sdk::MenuEntry& entry, std::function<void(
   for (const QAction* other : findChildren<QAction*>()) isFree = isFree && (entry.keys.empty() || !other->shortcuts().contains(keys));
   if (!isFree) spdlog::warn("The keys {} of '{}' belong to the window or the scan; the entry has none.", entry.keys, entry.title);
   auto* action = new QAction(words(entry.title), this);
-  if (isFree) action->setShortcut(keys);
+  KeyCommand command;
+  command.id = "tool." + entry.title;
+  command.group = KeyGroup::tools;
+  command.source = QByteArray::fromStdString(entry.title);
+  if (isFree && !entry.keys.empty()) command.usual = {keys};
+  while (p.keys.find(command.id) != nullptr) command.id += '+';  // two of one title
+  p.keyedActions.push_back({action, command.id});
+  p.keys.add(command);
   action->setEnabled(entry.workspace.empty() || entry.workspace == p.workspace);
   connect(action, &QAction::triggered, this, [run = std::move(run)] { run(); });
   p.toolsMenu->addAction(action);
   p.toolsMenu->menuAction()->setVisible(true);
   p.tools.push_back({action, entry.workspace});
-  return {action, [window = QPointer<MainWindow>(this), action = QPointer<QAction>(action)](void*) {
+  return {action, [window = QPointer<MainWindow>(this), action = QPointer<QAction>(action), id = command.id](void*) {
             if (!window || !action) return;
             Parts& of = *window->parts_;
             std::erase_if(of.tools, [&](const auto& each) { return each.action == action; });
+            std::erase_if(of.keyedActions, [&](const auto& each) { return each.action == action; });
+            of.keys.remove(id);
             of.toolsMenu->menuAction()->setVisible(!of.tools.empty());
             delete action;
           }};

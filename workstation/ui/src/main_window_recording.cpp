@@ -36,6 +36,7 @@ void MainWindow::showCineState() {
   parts_->status->setCineShown(isOpen);
   for (QAction* action : parts_->cineActions) action->setEnabled(isOpen);
   for (QAction* action : parts_->ofRunningScan) action->setEnabled(!isOpen);
+  showOwnKeys();
 }
 
 void MainWindow::endRecording() {

@@ -107,9 +107,8 @@ Result<void> writeClipFile(const ScanRecording& clip, ScanSubject subject, const
 
 void MainWindow::addStoringMenu(QMenu& file) {
   Parts& p = *parts_;
-  p.storeAction = addMenuAction(file, tr("S&tore image"), {QKeySequence(QStringLiteral("Ctrl+E")), QKeySequence(QStringLiteral("Ins"))},
-                                [this] { storePicture(); });
-  addMenuAction(file, tr("&Examination and archive…"), {QKeySequence(QStringLiteral("Ctrl+Shift+E"))}, [this] { showExamination(); });
+  p.storeAction = addMenuAction(file, "picture.store", [this] { storePicture(); });
+  addMenuAction(file, "examination", [this] { showExamination(); });
 }
 
 DicomStudy MainWindow::studyNow() const {

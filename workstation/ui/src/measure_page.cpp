@@ -13,6 +13,8 @@
 #include "caliper_words.h"
 #include "figures.h"
 #include "icons.h"
+#include "key_table.h"
+#include "key_tips.h"
 #include "results_list.h"
 #include "strip_tools.h"
 #include "theme.h"
@@ -145,8 +147,8 @@ void MeasurePage::addTools(Session& session, QVBoxLayout* rows) {
     button->setCheckable(true);
     button->setProperty("segment", n == 0 ? "first" : n + 1 == kinds.size() ? "last" : "true");
     button->setFocusPolicy(Qt::TabFocus);
-    button->setToolTip(tr("%1 (%2)", "a tool and its key").arg(CaliperWords::nameOf(kinds[n]), CaliperWords::keyOf(kinds[n])));
     button->setAccessibleName(CaliperWords::nameOf(kinds[n]));
+    button->setToolTip(tipWithKeys(CaliperWords::nameOf(kinds[n]) + QStringLiteral(" (%1)"), caliperCommand(kinds[n])));
     connect(button, &QPushButton::clicked, this, [this, kind = kinds[n]] {
       calipers_.take(kind);
       showAll();  // a tool that could not be taken is not checked
@@ -160,15 +162,17 @@ void MeasurePage::addTools(Session& session, QVBoxLayout* rows) {
   follows_ = new QCheckBox(tr("Outlines follow edges"));
   follows_->setObjectName(QStringLiteral("followEdges"));
   follows_->setAccessibleName(follows_->text());
-  follows_->setToolTip(tr("A few clicks around it are enough: the outline is brought to the edge (0)"));
+  follows_->setToolTip(
+      tipWithKeys(tr("A few clicks around it are enough: the outline is brought to the edge (%1)"), "calipers.followEdges"));
   connect(follows_, &QCheckBox::toggled, &calipers_, &Calipers::setFollowsEdges);
   rows->addWidget(follows_);
   snaps_ = new QCheckBox(tr("Points snap"));
   snaps_->setObjectName(QStringLiteral("snapPoints"));
   snaps_->setAccessibleName(snaps_->text());
   snaps_->setToolTip(
-      tr("To crosses, edges, and level or plumb with the point before; a mark and a word show it before the click (Ctrl+M). "
-         "Hold Ctrl to do the opposite once"));
+      tipWithKeys(tr("To crosses, edges, and level or plumb with the point before; a mark and a word show it before the click (%1). "
+                     "Hold Ctrl to do the opposite once"),
+                  "calipers.snap"));
   connect(snaps_, &QCheckBox::toggled, &calipers_, &Calipers::setSnaps);
   rows->addWidget(snaps_);
 }
@@ -182,17 +186,20 @@ void MeasurePage::addEdits(QVBoxLayout* rows) {
     auto* button = new QPushButton(text);
     button->setObjectName(QLatin1String(name));
     button->setProperty("compact", true);
-    button->setToolTip(tip);
     button->setAccessibleName(tip);
+    button->setToolTip(tip);
     connect(button, &QPushButton::clicked, this, std::move(edit));
     line->addWidget(button, text.isEmpty() ? 0 : 1);
     return button;
   };
-  undo_ = add("undoCaliper", tr("Undo (Ctrl+Z)"), {}, [this] { calipers_.change([](CaliperDrawing& drawing) { drawing.undo(); }); });
-  redo_ = add("redoCaliper", tr("Redo (Ctrl+Shift+Z)"), {}, [this] { calipers_.change([](CaliperDrawing& drawing) { drawing.redo(); }); });
-  remove_ = add("removeCaliper", tr("Delete the chosen measurement, or else the last one (Backspace)"), tr("Delete"),
-                [this] { calipers_.change([](CaliperDrawing& drawing) { drawing.takeBack(); }); });
-  clear_ = add("clearCalipers", tr("Delete all measurements (Ctrl+Delete)"), tr("Delete all"), [this] { calipers_.clear(); });
+  undo_ = add("undoCaliper", tipWithKeys(tr("Undo (%1)"), "undo"), {},
+              [this] { calipers_.change([](CaliperDrawing& drawing) { drawing.undo(); }); });
+  redo_ = add("redoCaliper", tipWithKeys(tr("Redo (%1)"), "redo"), {},
+              [this] { calipers_.change([](CaliperDrawing& drawing) { drawing.redo(); }); });
+  remove_ = add("removeCaliper", tipWithKeys(tr("Delete the chosen measurement, or else the last one (%1)"), "cross.takeBack"),
+                tr("Delete"), [this] { calipers_.change([](CaliperDrawing& drawing) { drawing.takeBack(); }); });
+  clear_ = add("clearCalipers", tipWithKeys(tr("Delete all measurements (%1)"), "calipers.clear"), tr("Delete all"),
+               [this] { calipers_.clear(); });
   rows->addWidget(edits_);
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "icons.h"
+#include "key_tips.h"
 #include "session.h"
 #include "time_line.h"
 
@@ -28,8 +29,8 @@ QPushButton* smallButton(const char* name, const QString& tip) {
   auto* button = new QPushButton;
   button->setObjectName(QString::fromLatin1(name));
   button->setProperty("compact", true);
-  button->setToolTip(tip);
   button->setAccessibleName(tip);
+  button->setToolTip(tip);
   return button;
 }
 
@@ -158,9 +159,9 @@ void ReplayBar::showFrame() {
 }
 
 void ReplayBar::showState() {
-  const QString tip = isPlaying() ? tr("Pause (Space)") : tr("Play (Space)");
-  play_->setToolTip(tip);
+  const QString tip = isPlaying() ? tipWithKeys(tr("Pause (%1)"), "freeze") : tipWithKeys(tr("Play (%1)"), "freeze");
   play_->setAccessibleName(tip);
+  play_->setToolTip(tip);
   play_->setIcon(icon(isPlaying() ? QStringLiteral("pause") : QStringLiteral("play")));
   time_->setText(tr("%1 of %2").arg(clockOf(position_s_), clockOf(length_s())));
 }

@@ -193,7 +193,7 @@ void ScanView::paintEvent(QPaintEvent*) {
     painter.setFont(textFont());
     painter.setPen(scanTheme().quiet);
     painter.drawText(rect().adjusted(40, 40, -40, -40), Qt::AlignCenter | Qt::TextWordWrap,
-                     tr("Nothing to scan yet. Open a case, a volume or a sweep (Ctrl+O), or drop one here."));
+                     tr("Nothing to scan yet. Open a case, a volume or a sweep, or drop one here."));
     return;
   }
   if (mode() != DisplayMode::mMode) {

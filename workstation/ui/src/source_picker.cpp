@@ -109,27 +109,19 @@ void SourcePicker::mousePressEvent(QMouseEvent* event) {
 void SourcePicker::keyPressEvent(QKeyEvent* event) {
   const int step_px = (event->modifiers() & Qt::ShiftModifier) != 0 ? kFarStep_px : kStep_px;
   QPoint by;
-  switch (event->key()) {
-    case Qt::Key_Escape:
-      return setAsking(false);
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-      return ask(cross_);
-    case Qt::Key_Left:
-      by = {-step_px, 0};
-      break;
-    case Qt::Key_Right:
-      by = {step_px, 0};
-      break;
-    case Qt::Key_Up:
-      by = {0, -step_px};
-      break;
-    case Qt::Key_Down:
-      by = {0, step_px};
-      break;
-    default:
-      return event->ignore();
-  }
+  const std::string command = keys_->meant(*event, kWithTool);
+  if (command == "escape") return setAsking(false);
+  if (command == "cross.set") return ask(cross_);
+  if (command == "cross.left")
+    by = {-step_px, 0};
+  else if (command == "cross.right")
+    by = {step_px, 0};
+  else if (command == "cross.up")
+    by = {0, -step_px};
+  else if (command == "cross.down")
+    by = {0, step_px};
+  else
+    return event->ignore();
   const Picture& picture = session_.picture();
   cross_ = {std::clamp(cross_.x() + by.x(), 0, std::max(0, picture.width() - 1)),
             std::clamp(cross_.y() + by.y(), 0, std::max(0, picture.height() - 1))};

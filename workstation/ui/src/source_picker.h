@@ -3,6 +3,7 @@
 #include <QWidget>
 #include <optional>
 
+#include "key_map.h"
 #include "session.h"
 
 namespace ew::ui {
@@ -17,6 +18,7 @@ class SourcePicker final : public QWidget {
 
  public:
   SourcePicker(Session& session, ScanView& scan);
+  void setKeys(const KeyMap& keys) { keys_ = &keys; }
 
   void setAsking(bool asking);
   [[nodiscard]] bool isAsking() const { return asking_; }
@@ -43,6 +45,7 @@ class SourcePicker final : public QWidget {
 
   Session& session_;
   ScanView& scan_;
+  const KeyMap* keys_ = &usualKeys();
   bool asking_ = false;
   QPoint cross_;  ///< pixel under the keyboard's cross
   std::optional<QPoint> mark_;

@@ -17,6 +17,7 @@
 #include "ew/imaging/frame.h"
 #include "ew/tracking/hand.h"
 #include "icons.h"
+#include "key_tips.h"
 #include "theme.h"
 #include "words.h"
 
@@ -208,7 +209,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   auto* open = new QPushButton(icon(QStringLiteral("open"), currentTheme().onAccent), tr("Open…"));
   open->setObjectName(QStringLiteral("startOpen"));
   open->setProperty("primary", true);
-  open->setToolTip(tr("Open a case, a volume or a sweep (Ctrl+O)"));
+  open->setToolTip(tipWithKeys(tr("Open a case, a volume or a sweep (%1)"), "open"));
   head->addWidget(open);
   rows->addLayout(head);
   empty_ = new QLabel;

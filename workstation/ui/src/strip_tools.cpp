@@ -11,6 +11,8 @@
 #include "caliper_words.h"
 #include "calipers.h"
 #include "icons.h"
+#include "key_table.h"
+#include "key_tips.h"
 #include "session.h"
 #include "theme.h"
 
@@ -33,7 +35,8 @@ StripTools::StripTools(Session& session, Calipers& calipers, QWidget* parent) : 
     button->setProperty("segment", n == 0 ? "first" : n + 1 == kinds.size() ? "last" : "true");
     button->setFocusPolicy(Qt::TabFocus);
     button->setAccessibleName(CaliperWords::nameOf(kinds[n]));
-    button->setToolTip(tr("%1 in the strip (%2)", "a tool and its key").arg(CaliperWords::nameOf(kinds[n]), CaliperWords::keyOf(kinds[n])));
+    button->setToolTip(tipWithKeys(tr("%1 in the strip", "a tool").arg(CaliperWords::nameOf(kinds[n])) + QStringLiteral(" (%1)"),
+                                   caliperCommand(kinds[n])));
     connect(button, &QPushButton::clicked, this, [this, kind = kinds[n]] {
       calipers_.take(kind);
       showAll();  // a tool that could not be taken is not checked

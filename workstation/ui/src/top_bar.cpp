@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "icons.h"
+#include "key_tips.h"
 #include "theme.h"
 
 namespace ew::ui {
@@ -34,8 +35,8 @@ TopBar::TopBar(QWidget* parent) : QWidget(parent) {
   row->addSpacing(16);
   row->addWidget(menus_);
   row->addStretch(1);
-  addWorkspace(QStringLiteral("explore"), tr("Explore"), tr("Scan the open case (Ctrl+1)"), {});
-  addWorkspace(QStringLiteral("author"), tr("Author"), tr("Edit the case and build volumes (Ctrl+2)"), {});
+  addWorkspace(QStringLiteral("explore"), tr("Explore"), tipWithKeys(tr("Scan the open case (%1)"), "workspace.explore"), {});
+  addWorkspace(QStringLiteral("author"), tr("Author"), tipWithKeys(tr("Edit the case and build volumes (%1)"), "workspace.author"), {});
   disclaimer_ = new QLabel(tr("simulation, not for diagnosis"));
   disclaimer_->setProperty("quiet", true);
   row->addWidget(disclaimer_);

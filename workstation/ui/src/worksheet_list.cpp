@@ -10,6 +10,7 @@
 
 #include "calipers.h"
 #include "figures.h"
+#include "key_tips.h"
 #include "words.h"
 #include "worksheet_words.h"
 #include "worksheets.h"
@@ -53,7 +54,7 @@ WorksheetList::WorksheetList(Worksheets& worksheets, Calipers& calipers, QWidget
   open_->setObjectName(QStringLiteral("showWorksheet"));
   open_->setAccessibleName(open_->text());
   open_->setProperty("compact", true);
-  open_->setToolTip(tr("Results, usual ranges and charts, answers; save it (Shift+F10)"));
+  open_->setToolTip(tipWithKeys(tr("Results, usual ranges and charts, answers; save it (%1)"), "calipers.worksheet"));
   rows->addWidget(open_);
   connect(open_, &QPushButton::clicked, this, &WorksheetList::worksheetAsked);
   connect(choice_, qOverload<int>(&QComboBox::activated), this,

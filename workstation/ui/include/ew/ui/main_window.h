@@ -1,7 +1,5 @@
 #pragma once
 
-#include <QKeySequence>
-#include <QList>
 #include <QMainWindow>
 #include <QPoint>
 #include <filesystem>
@@ -41,8 +39,10 @@ class Worksheets;
 class CaseDocument;
 class CineBar;
 class ConsolePanel;
+class ControlSurface;
 class HandInput;
 class Jobs;
+class KeyMap;
 class MessageBar;
 class Recorder;
 class ReplayBar;
@@ -95,6 +95,8 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] ShownMark& bodyMark();
   [[nodiscard]] ReplayBar& replayBar();
   [[nodiscard]] CineBar& cineBar();
+  [[nodiscard]] KeyMap& keys();
+  [[nodiscard]] ControlSurface& surface();
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -111,11 +113,13 @@ class MainWindow final : public QMainWindow {
   void makeColumns();
   void watchViews();
   void makeActions();
-  /// An entry of a menu with its keys.
-  QAction* addMenuAction(QMenu& menu, const QString& text, const QList<QKeySequence>& keys, std::function<void()> run);
+  /// An entry of a menu without keys.
+  QAction* addPlainAction(QMenu& menu, const QString& text, std::function<void()> run);
+  /// An entry that is a command of key_table.h: it has that one's text and keys.
+  QAction* addMenuAction(QMenu& menu, const std::string& command, std::function<void()> run);
   /// An entry that moves a control of the console. It is here and not at the control: the console may be hidden beside an author's panels.
-  /// @param key empty: none @param steps of ConsolePanel::step
-  QAction* addConsoleAction(QMenu& menu, const QString& text, const char* key, const QString& control, int steps);
+  /// @param steps of ConsolePanel::step
+  QAction* addConsoleAction(QMenu& menu, const std::string& command, const QString& control, int steps);
   void addFileMenu(QMenu& file);
   void addEditMenu(QMenu& edit);
   void addViewMenu(QMenu& view);
@@ -146,6 +150,13 @@ class MainWindow final : public QMainWindow {
   void connectImports();  ///< what has to be asked or made before it can be scanned
   void connectPreparation();
   void connectPlugins();
+  void connectKeys();  ///< of the window, and the control surface
+  void readOwnKeys();
+  void showOwnKeys();  ///< of every action, as the present state has them
+  void keepOwnKeys();  ///< in the user's file
+  void editKeys();
+  /// Does what a key of the command does. @return false: there is no such command now
+  bool doCommand(const std::string& command);
   void placeOverlays();
   void chooseFile();
   void save(bool elsewhere);      ///< the case, or the document of the panel whose stage is shown
