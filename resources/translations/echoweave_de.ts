@@ -11952,6 +11952,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>Put the tool down, close, go back</source>
         <translation>Werkzeug weglegen, schließen, zurück</translation>
     </message>
+    <message>
+        <source>store the image, images and archive</source>
+        <translation>das Bild ablegen, Bilder und Archiv</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::MeasurePage</name>
@@ -11980,8 +11984,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Punkte rasten ein</translation>
     </message>
     <message>
-        <source>To crosses, edges, and level or plumb with the point before; a mark and a word show it before the click (Ctrl+M). Hold Ctrl to do the opposite once</source>
-        <translation>An Kreuzen, Kanten und waagerecht oder senkrecht zum Punkt davor; ein Zeichen und ein Wort zeigen es vor dem Klick (Strg+M). Mit Strg einmal das Gegenteil</translation>
+        <source>To crosses, edges, and level or plumb with the point before; a mark and a word show it before the click (%1). Hold Ctrl to do the opposite once</source>
+        <translation>An Kreuzen, Kanten und waagerecht oder senkrecht zum Punkt davor; ein Zeichen und ein Wort zeigen es vor dem Klick (%1). Mit Strg einmal das Gegenteil</translation>
     </message>
     <message>
         <source>A few clicks around it are enough: the outline is brought to the edge (%1)</source>
@@ -13059,8 +13063,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Verrechnen…</translation>
     </message>
     <message>
-        <source>Ratio, stenosis, or volume from measurements of any image (Ctrl+E)</source>
-        <translation>Verhältnis, Stenose oder Volumen aus Messungen beliebiger Bilder (Strg+E)</translation>
+        <source>Ratio, stenosis, or volume from measurements of any image (%1)</source>
+        <translation>Verhältnis, Stenose oder Volumen aus Messungen beliebiger Bilder (%1)</translation>
     </message>
     <message>
         <source>Save list…</source>
@@ -13082,9 +13086,9 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
 <context>
     <name>ew::ui::StripTools</name>
     <message>
-        <source>%1 in the strip (%2)</source>
-        <comment>a tool and its key</comment>
-        <translation>%1 im Streifen (%2)</translation>
+        <source>%1 in the strip</source>
+        <comment>a tool</comment>
+        <translation>%1 im Streifen</translation>
     </message>
     <message>
         <source>Heart beats</source>

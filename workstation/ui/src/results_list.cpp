@@ -10,6 +10,7 @@
 #include "calipers.h"
 #include "figures.h"
 #include "finding_words.h"
+#include "key_tips.h"
 
 namespace ew::ui {
 namespace {
@@ -44,7 +45,8 @@ ResultsList::ResultsList(Calipers& calipers, QWidget* parent) : QWidget(parent),
     line->addWidget(button, 1);
     return button;
   };
-  combine_ = add("combineMeasurements", tr("Combine…"), tr("Ratio, stenosis, or volume from measurements of any image (Ctrl+E)"));
+  combine_ = add("combineMeasurements", tr("Combine…"),
+                 tipWithKeys(tr("Ratio, stenosis, or volume from measurements of any image (%1)"), "calipers.combine"));
   save_ = add("saveMeasurements", tr("Save list…"), tr("All measurements of all images and their results, as CSV or JSON"));
   remove_ = add("removeResult", tr("Delete result"), tr("Delete the chosen result; its measurements stay"));
   rows->addLayout(line);
