@@ -195,6 +195,7 @@ void MainWindow::addScanMenu(QMenu& scan) {
   addConsoleAction(scan, tr("Less gain"), "Ctrl+Down", "gain", -1);
   addConsoleAction(scan, tr("Zoom in"), "Z", "zoom", 1);
   addConsoleAction(scan, tr("Zoom out"), "Shift+Z", "zoom", -1);
+  addZoomAndWideActions(scan);
   addMenuAction(scan, tr("Reset TGC"), {keys("Ctrl+0")}, [this] { parts_->session.resetTgc(); });
   addBreathingMenu(*scan.addMenu(tr("&Breathing")));
   addMeasureMenu(*scan.addMenu(tr("Mea&sure")));
@@ -347,6 +348,11 @@ void MainWindow::showSource(const QPoint& pixel) {
     // Beside the scan, over the 3D view, where there is room for it.
     const QPoint corner = p.scanView->mapToGlobal(QPoint(0, 0));
     dialog->move(std::max(mapToGlobal(QPoint(8, 0)).x(), corner.x() - dialog->width() - 8), corner.y() + 8);
+  }
+  if (p.session.wide() != nullptr) {
+    dialog->showNone(tr("A place in a wide image was seen by many images. Close it (Ctrl+W), then click a point of one image."));
+    dialog->show();
+    return;
   }
   const Spans& fan = p.session.spans();
   const auto row = static_cast<std::size_t>(pixel.y());

@@ -17,6 +17,7 @@ void MainWindow::connectParts() {
   connectSession();
   connectCalipers();
   connectAnnotations();
+  connectZoomAndWide();
   connectDocument();
   connectPages();
   connectOpener();
@@ -49,9 +50,7 @@ void MainWindow::connectSession() {
                               ? tr("The probe is moved for you. Escape takes it back.")
                               : tr("The image is frozen, and the probe with it. Space or F lets both move again."));
   });
-  connect(&p.session, &Session::changeRefused, this, [this] {
-    parts_->scanView->say(tr("The image is frozen: its echoes were made with these settings. Space or F lets it run; then change them."));
-  });
+  connect(&p.session, &Session::changeRefused, this, &MainWindow::sayWhyRefused);
   connect(p.cineBar, &CineBar::openChanged, this, &MainWindow::showCineState);
   connect(p.cineBar, &CineBar::saveAsked, this, &MainWindow::saveClip);
   connect(&p.session, &Session::probeChanged, this, &MainWindow::showRecordingState);

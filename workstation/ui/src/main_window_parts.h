@@ -13,6 +13,7 @@
 
 #include "annotation_layer.h"
 #include "body_mark_view.h"
+#include "box_zoom.h"
 #include "caliper_layer.h"
 #include "calipers.h"
 #include "case_document.h"
@@ -44,10 +45,13 @@
 #include "top_bar.h"
 #include "view3d.h"
 #include "view_columns.h"
+#include "wide_layer.h"
+#include "wide_scan.h"
 #include "worksheet_dialog.h"
 #include "worksheets.h"
 #include "workspace_panels.h"
 #include "workstation_host.h"
+#include "zoom_overview.h"
 
 namespace ew::ui {
 
@@ -80,6 +84,7 @@ struct MainWindow::Parts {
   QString preparing;                               ///< the case that is opened and has to be made first
   HandInput hand{session.hand()};
   Recorder recorder{session};
+  WideScan wide{session};
   Calipers calipers{session, jobs};
   Worksheets worksheets{session, calipers};
   AnnotatedPictures annotated{session};
@@ -112,6 +117,7 @@ struct MainWindow::Parts {
   CaliperLayer* caliperLayer = nullptr;
   AnnotationLayer* annotationLayer = nullptr;
   BodyMarkView* bodyMarkView = nullptr;
+  BoxZoom* boxZoom = nullptr;
   ConsolePanel* console = nullptr;
   MeasurePage* measurePage = nullptr;
   ReplayBar* replayBar = nullptr;
@@ -158,6 +164,9 @@ struct MainWindow::Parts {
   QAction* followEdgesAction = nullptr;
   QAction* textAction = nullptr;
   QAction* arrowAction = nullptr;
+  QAction* boxZoomAction = nullptr;
+  QAction* wholeImageAction = nullptr;
+  QAction* wideAction = nullptr;
   QAction* bodyMarkAction = nullptr;
   QAction* transducerAction = nullptr;  ///< shares its key with texts: of a picture that moves
   QMenu* recentMenu = nullptr;
