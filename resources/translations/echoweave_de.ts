@@ -9780,6 +9780,30 @@
         <source>Measure what accuracy costs on this computer (%1)</source>
         <translation>Messen, was Genauigkeit auf diesem Rechner kostet (%1)</translation>
     </message>
+    <message>
+        <source>Box</source>
+        <translation>Ausschnitt</translation>
+    </message>
+    <message>
+        <source>Whole</source>
+        <translation>Ganz</translation>
+    </message>
+    <message>
+        <source>Wide</source>
+        <translation>Panorama</translation>
+    </message>
+    <message>
+        <source>Drag a box that fills the image then (%1)</source>
+        <translation>Einen Ausschnitt aufziehen, der dann das Bild füllt (%1)</translation>
+    </message>
+    <message>
+        <source>The whole image again (%1)</source>
+        <translation>Wieder das ganze Bild (%1)</translation>
+    </message>
+    <message>
+        <source>A wide image grows while the probe slides along its image (%1)</source>
+        <translation>Ein Panoramabild wächst, während der Schallkopf in seiner Bildebene gleitet (%1)</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::CostChart</name>
@@ -11956,6 +11980,42 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>store the image, images and archive</source>
         <translation>das Bild ablegen, Bilder und Archiv</translation>
     </message>
+    <message>
+        <source>Magnify a box</source>
+        <translation>Ausschnitt vergrößern</translation>
+    </message>
+    <message>
+        <source>Show the whole image</source>
+        <translation>Ganzes Bild zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Wide image</source>
+        <translation>Pa&amp;noramabild</translation>
+    </message>
+    <message>
+        <source>The wide image is frozen, and made of images that are done: it can be magnified, measured and saved. %1 ends it.</source>
+        <translation>Das Panoramabild ist eingefroren und aus fertigen Bildern gewebt: Es lässt sich vergrößern, messen und speichern. %1 beendet es.</translation>
+    </message>
+    <message>
+        <source>The image is frozen, and this needs new echoes: %1 lets it run. Grey map, dynamic range, zoom and inversion can be changed now.</source>
+        <translation>Das Bild ist eingefroren, und dies braucht neue Echos: %1 lässt es laufen. Graukurve, Dynamikbereich, Vergrößerung und Spiegelung lassen sich jetzt ändern.</translation>
+    </message>
+    <message>
+        <source>A place in a wide image was seen by many images. Close it (%1), then click a point of one image.</source>
+        <translation>Eine Stelle im Panoramabild haben viele Bilder gesehen. Es schließen (%1), dann auf einen Punkt eines einzelnen Bildes klicken.</translation>
+    </message>
+    <message>
+        <source>magnify a box</source>
+        <translation>Ausschnitt vergrößern</translation>
+    </message>
+    <message>
+        <source>the whole image</source>
+        <translation>ganzes Bild</translation>
+    </message>
+    <message>
+        <source>wide image: begin, give up, hide</source>
+        <translation>Panoramabild: beginnen, verwerfen, verbergen</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::MeasurePage</name>
@@ -13509,6 +13569,90 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Taken over from %1, but: %2</source>
         <translation>Übernommen aus %1, aber: %2</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::BoxZoom</name>
+    <message>
+        <source>Box to be magnified</source>
+        <translation>Ausschnitt, der vergrößert wird</translation>
+    </message>
+    <message>
+        <source>A recording shows what it showed. Close it (Escape), then zoom.</source>
+        <translation>Eine Aufnahme zeigt, was sie zeigte. Sie schließen (Escape), dann vergrößern.</translation>
+    </message>
+    <message>
+        <source>A box is drawn in the image. Switch to B or B + M (M).</source>
+        <translation>Ein Ausschnitt wird im Bild aufgezogen. Auf B oder B + M umschalten (M).</translation>
+    </message>
+    <message>
+        <source>Drag from one corner of the box to the other; Escape leaves the image as it is.</source>
+        <translation>Von einer Ecke des Ausschnitts zur anderen ziehen; Escape lässt das Bild, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Drag a box around what is to be magnified</source>
+        <translation>Einen Ausschnitt um das ziehen, was vergrößert werden soll</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::ZoomOverview</name>
+    <message>
+        <source>The whole image, with the part that is shown</source>
+        <translation>Das ganze Bild mit dem Ausschnitt, der gezeigt wird</translation>
+    </message>
+    <message>
+        <source>The whole image: drag the box to move the detail</source>
+        <translation>Das ganze Bild: den Rahmen ziehen, um den Ausschnitt zu verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::WideScan</name>
+    <message>
+        <source>A wide image grows from a scan that runs. Close the recording (Escape) first.</source>
+        <translation>Ein Panoramabild wächst aus einem laufenden Schallbild. Zuerst die Aufnahme schließen (Escape).</translation>
+    </message>
+    <message>
+        <source>A wide image grows from B-mode images. Switch to B (M) first.</source>
+        <translation>Ein Panoramabild wächst aus B-Bildern. Zuerst auf B umschalten (M).</translation>
+    </message>
+    <message>
+        <source>Slide the probe slowly along its image. Freezing ends the wide image, Escape gives it up.</source>
+        <translation>Den Schallkopf langsam in seiner Bildebene gleiten lassen. Einfrieren beendet das Panoramabild, Escape verwirft es.</translation>
+    </message>
+    <message>
+        <source>The wide image was given up.</source>
+        <translation>Das Panoramabild wurde verworfen.</translation>
+    </message>
+    <message>
+        <source>No image was woven into the wide one: the probe has no position.</source>
+        <translation>Kein Bild wurde in das Panoramabild gewebt: Der Schallkopf hat keine Lage.</translation>
+    </message>
+    <message>
+        <source>The probe has no position: its images are not woven.</source>
+        <translation>Der Schallkopf hat keine Lage: Seine Bilder werden nicht eingewebt.</translation>
+    </message>
+    <message>
+        <source>Tilted out of the plane of the wide image, by more than %1°: not woven. Tilt back.</source>
+        <translation>Um mehr als %1° aus der Ebene des Panoramabildes gekippt: nicht eingewebt. Zurückkippen.</translation>
+    </message>
+    <message>
+        <source>Beside the plane of the wide image, by more than %1 mm: not woven. Slide back.</source>
+        <translation>Mehr als %1 mm neben der Ebene des Panoramabildes: nicht eingewebt. Zurückgleiten.</translation>
+    </message>
+    <message>
+        <source>Too fast: there would be a gap. Go back to where the wide image ends, and slide slower.</source>
+        <translation>Zu schnell: Es entstünde eine Lücke. Zum Ende des Panoramabildes zurückgehen und langsamer gleiten.</translation>
+    </message>
+    <message>
+        <source>The wide image is as large as it can be. Freezing keeps it.</source>
+        <translation>Das Panoramabild ist so groß, wie es werden kann. Einfrieren behält es.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::WideLayer</name>
+    <message>
+        <source>Wide image, %1 cm across</source>
+        <translation>Panoramabild, %1 cm breit</translation>
     </message>
 </context>
 </TS>

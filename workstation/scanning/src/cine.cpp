@@ -152,26 +152,27 @@ std::size_t CineRing::frameAt(double time_s) const {
 
 CineForming::CineForming(ScanSubject subject, int threads) : scanner_(threads) { scanner_.show(std::move(subject)); }
 
-std::size_t CineForming::aim(const CineRing& ring, std::size_t frame, glm::ivec2 size_px) {
+std::size_t CineForming::aim(const CineRing& ring, std::size_t frame, glm::ivec2 size_px, const PostProcessing& by) {
   EW_EXPECTS(frame < ring.frameCount());
   const std::size_t wanted = ring.offered_ + frame;
   const CineRing::Frame& at = ring.frames_[wanted];
-  mayRecall_ = at.settings->size_px == size_px;
+  mayRecall_ = at.settings->size_px == size_px && leavesMemory(by, at.settings->knobs);
   std::size_t start = ring.startOf(wanted);
   if (!mayRecall_) {
-    // Whatever was remembered has another size.
+    // Whatever was remembered has another size, or other levels.
     const std::size_t persisting = framesToSettle(at.settings->knobs.persistence);
     const double sweep_s = at.settings->knobs.mode != DisplayMode::bMode ? at.settings->knobs.mSweep_s : 0.0;
     start = wanted;
     while (start > 0 && !ring.frames_[start].isFirst && (wanted - start < persisting || at.time_s - ring.frames_[start].time_s < sweep_s))
       --start;
   }
-  const bool isSameSize = size_px == lastSize_px_;
+  const bool isSameKind = size_px == lastSize_px_ && by == lastBy_;
   size_px_ = size_px;
+  by_ = by;
   const std::uint64_t wantedNumber = ring.dropped_ + wanted, startNumber = ring.dropped_ + start;
-  if (isSameSize && last_ == wantedNumber) return left_ = 0;
+  if (isSameKind && last_ == wantedNumber) return left_ = 0;
   // Going on from the last one is exact as well, and shorter when it lies behind the start.
-  const bool goesOn = isSameSize && last_ && *last_ < wantedNumber && *last_ + 1 >= startNumber;
+  const bool goesOn = isSameKind && last_ && *last_ < wantedNumber && *last_ + 1 >= startNumber;
   begins_ = !goesOn;
   next_ = goesOn ? *last_ + 1 : startNumber;
   return left_ = static_cast<std::size_t>(wantedNumber - next_) + 1;
@@ -184,13 +185,14 @@ void CineForming::makeNext(const CineRing& ring) {
   if (frame.isFirst || begins_) {
     scanner_.forget();
     if (!frame.isFirst && mayRecall_ && n > 0 && ring.frames_[n - 1].memory) {
-      scanner_.prepare(ring.stateOf(ring.frames_[n - 1]), size_px_.x, size_px_.y);
+      scanner_.prepare(processed(ring.stateOf(ring.frames_[n - 1]), by_), size_px_.x, size_px_.y);
       scanner_.recall(*ring.frames_[n - 1].memory);
     }
   }
   begins_ = false;
-  picture_ = scanner_.make(ring.stateOf(frame), size_px_.x, size_px_.y);
+  picture_ = scanner_.make(processed(ring.stateOf(frame), by_), size_px_.x, size_px_.y);
   lastSize_px_ = size_px_;
+  lastBy_ = by_;
   last_ = next_++;
   --left_;
 }

@@ -115,6 +115,7 @@ void ConsolePanel::addImagePage(QVBoxLayout* rows) {
                    kZoomSteps / 2, [this] { return rounded(session_.knobs().zoom * kZoomSteps); },
                    [this](int v) { change([v](Knobs& k) { k.zoom = static_cast<double>(v) / kZoomSteps; }); },
                    [this] { return tr("%1 x").arg(figure(session_.knobs().zoom, 1)); }});
+  addZoomButtons(rows);
   addSegments(rows,
               {tr("Quality"),
                QStringLiteral("speed"),

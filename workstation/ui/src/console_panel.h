@@ -51,6 +51,8 @@ class ConsolePanel final : public QWidget {
   [[nodiscard]] static QString strengthOf(const char* effectKey);
 
  Q_SIGNALS:
+  void boxZoomAsked();
+  void wideAsked();
   void costAsked();  ///< the Cost of accuracy panel is wanted
 
  private:
@@ -94,6 +96,7 @@ class ConsolePanel final : public QWidget {
   void addImagePage(QVBoxLayout* rows);
   void addGreyMaps(QVBoxLayout* rows);
   void addGainLaws(QVBoxLayout* rows);
+  void addZoomButtons(QVBoxLayout* rows);
   void addAdvanced(QVBoxLayout* rows);
   void addEffectsPage(QVBoxLayout* rows);
   void addProbePage(QVBoxLayout* rows);

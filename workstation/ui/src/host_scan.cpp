@@ -21,8 +21,8 @@ std::optional<ScanState> HostScan::state() const {
   if (!session_.subject() || session_.picture().isEmpty()) return std::nullopt;
   return session_.shownState();
 }
-Picture HostScan::picture() const { return session_.picture(); }
-DisplayGeometry HostScan::geometry() const { return session_.geometry(); }
+Picture HostScan::picture() const { return session_.fanPicture(); }
+DisplayGeometry HostScan::geometry() const { return session_.fanGeometry(); }
 Knobs HostScan::knobs() const { return session_.knobs(); }
 double HostScan::now_s() const { return session_.now_s(); }
 

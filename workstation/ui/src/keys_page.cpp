@@ -70,7 +70,10 @@ void addScan(Page& page) {
   page.add("gain.more | gain.less", MainWindow::tr("gain"));
   page.add("tgc.reset", MainWindow::tr("reset TGC"));
   page.add("zoom.in | zoom.out", MainWindow::tr("zoom"));
+  page.add("zoom.box", MainWindow::tr("magnify a box"));
+  page.add("zoom.whole", MainWindow::tr("the whole image"));
   page.addMouse(MainWindow::tr("Drag in a zoomed image"), MainWindow::tr("move the detail"));
+  page.add("wide", MainWindow::tr("wide image: begin, give up, hide"));
   page.add("breathing.free", MainWindow::tr("breathe freely"));
   page.add("breathing.in | breathing.out", MainWindow::tr("breathe in and hold, breathe out and hold"));
   page.add("flip.sides | flip.upsideDown", MainWindow::tr("invert left/right, up/down"));

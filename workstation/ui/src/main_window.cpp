@@ -93,6 +93,7 @@ MainWindow::~MainWindow() {
   QCoreApplication::instance()->disconnect(this);
   parts_->panels->disconnect(this);
   parts_->document.disconnect();
+  parts_->wide.disconnect();
   parts_->calipers.disconnect();
   parts_->worksheets.disconnect();
   parts_->annotated.disconnect();
@@ -200,6 +201,9 @@ void MainWindow::watchViews() {
   p.annotationLayer = new AnnotationLayer(p.session, p.annotated, *p.scanView);
   p.annotationLayer->watch(p.caliperLayer, [this] { return parts_->calipers.drawing().tool().has_value(); });
   p.bodyMarkView = new BodyMarkView(p.bodyMark, *p.scanView);
+  new WideLayer(p.session, p.wide, *p.scanView);
+  new ZoomOverview(p.session, *p.scanView);
+  p.boxZoom = new BoxZoom(p.session, *p.scanView);
   p.sourcePicker = new SourcePicker(p.session, *p.scanView);  // after the hand: it looks at a click first
   p.opener = new Opener(p.session, p.document, p.jobs, *p.messages, *p.view3d, p.hand, this);
   p.host = new WorkstationHost(p.document, p.jobs, p.session, *p.panels, *p.messages, this);
@@ -219,9 +223,10 @@ void MainWindow::watchViews() {
 void MainWindow::showPicture() {
   Parts& p = *parts_;
   if (!p.session.subject() || p.session.picture().isEmpty()) return;
-  p.view3d->setProbe(p.session.pictureProbe(), p.session.geometry().depth_mm, p.session.pictureKnobs());
+  const Knobs& knobs = p.session.wide() != nullptr ? p.session.shownState().knobs : p.session.pictureKnobs();
+  p.view3d->setProbe(p.session.pictureProbe(), p.session.fanGeometry().depth_mm, knobs);
   p.view3d->setPose(p.session.picturePose());
-  p.view3d->setFanImage(p.session.picture(), p.session.geometry());
+  p.view3d->setFanImage(p.session.fanPicture(), p.session.fanGeometry());
   p.view3d->setProbeVisible(true);
 }
 
@@ -432,6 +437,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && parts_->wide.state() == WideScan::State::growing) return parts_->wide.cancel();
   // Before any message goes: the one that tells to press it is a message itself.
   if (event->key() == Qt::Key_Escape && parts_->session.isFollowing() && parts_->pages->currentWidget() == parts_->workspacePage)
     return parts_->host->hostScan().takeProbeBack();
@@ -475,6 +481,7 @@ View3D& MainWindow::view3d() { return *parts_->view3d; }
 HandInput& MainWindow::hand() { return parts_->hand; }
 ConsolePanel& MainWindow::console() { return *parts_->console; }
 Recorder& MainWindow::recorder() { return parts_->recorder; }
+WideScan& MainWindow::wideScan() { return parts_->wide; }
 Calipers& MainWindow::calipers() { return parts_->calipers; }
 Worksheets& MainWindow::worksheets() { return parts_->worksheets; }
 AnnotatedPictures& MainWindow::annotated() { return parts_->annotated; }

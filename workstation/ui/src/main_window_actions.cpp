@@ -199,6 +199,7 @@ void MainWindow::addScanMenu(QMenu& scan) {
   addConsoleAction(scan, "gain.less", "gain", -1);
   addConsoleAction(scan, "zoom.in", "zoom", 1);
   addConsoleAction(scan, "zoom.out", "zoom", -1);
+  addZoomAndWideActions(scan);
   addMenuAction(scan, "tgc.reset", [this] { parts_->session.resetTgc(); });
   addBreathingMenu(*scan.addMenu(tr("&Breathing")));
   addMeasureMenu(*scan.addMenu(tr("Mea&sure")));
@@ -351,6 +352,12 @@ void MainWindow::showSource(const QPoint& pixel) {
     // Beside the scan, over the 3D view, where there is room for it.
     const QPoint corner = p.scanView->mapToGlobal(QPoint(0, 0));
     dialog->move(std::max(mapToGlobal(QPoint(8, 0)).x(), corner.x() - dialog->width() - 8), corner.y() + 8);
+  }
+  if (p.session.wide() != nullptr) {
+    dialog->showNone(
+        tr("A place in a wide image was seen by many images. Close it (%1), then click a point of one image.").arg(p.keys.words("wide")));
+    dialog->show();
+    return;
   }
   const Spans& fan = p.session.spans();
   const auto row = static_cast<std::size_t>(pixel.y());

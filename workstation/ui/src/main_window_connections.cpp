@@ -17,6 +17,7 @@ void MainWindow::connectParts() {
   connectSession();
   connectCalipers();
   connectAnnotations();
+  connectZoomAndWide();
   connectDocument();
   connectPages();
   connectOpener();
@@ -50,10 +51,7 @@ void MainWindow::connectSession() {
             ? tr("The probe is moved for you. Escape takes it back.")
             : tr("The image is frozen, and the probe with it. Let it run (%1): then both move again.").arg(parts_->keys.words("freeze")));
   });
-  connect(&p.session, &Session::changeRefused, this, [this] {
-    parts_->scanView->say(tr("The image is frozen: its echoes were made with these settings. Let it run (%1), then change them.")
-                              .arg(parts_->keys.words("freeze")));
-  });
+  connect(&p.session, &Session::changeRefused, this, &MainWindow::sayWhyRefused);
   connect(p.cineBar, &CineBar::openChanged, this, &MainWindow::showCineState);
   connect(p.cineBar, &CineBar::saveAsked, this, &MainWindow::saveClip);
   connect(&p.session, &Session::probeChanged, this, &MainWindow::showRecordingState);

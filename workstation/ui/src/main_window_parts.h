@@ -13,6 +13,7 @@
 
 #include "annotation_layer.h"
 #include "body_mark_view.h"
+#include "box_zoom.h"
 #include "caliper_layer.h"
 #include "calipers.h"
 #include "case_document.h"
@@ -51,10 +52,13 @@
 #include "top_bar.h"
 #include "view3d.h"
 #include "view_columns.h"
+#include "wide_layer.h"
+#include "wide_scan.h"
 #include "worksheet_dialog.h"
 #include "worksheets.h"
 #include "workspace_panels.h"
 #include "workstation_host.h"
+#include "zoom_overview.h"
 
 namespace ew::ui {
 
@@ -96,6 +100,7 @@ struct MainWindow::Parts {
   bool ownKeysAreBroken = false;          ///< the user's file of keys cannot be read
   HandInput hand{session.hand()};
   Recorder recorder{session};
+  WideScan wide{session};
   Calipers calipers{session, jobs};
   Worksheets worksheets{session, calipers};
   StoredExamination stored{session, worksheets};
@@ -131,6 +136,7 @@ struct MainWindow::Parts {
   CaliperLayer* stripCaliperLayer = nullptr;
   AnnotationLayer* annotationLayer = nullptr;
   BodyMarkView* bodyMarkView = nullptr;
+  BoxZoom* boxZoom = nullptr;
   ConsolePanel* console = nullptr;
   MeasurePage* measurePage = nullptr;
   ReplayBar* replayBar = nullptr;
@@ -182,6 +188,9 @@ struct MainWindow::Parts {
   QAction* snapAction = nullptr;
   QAction* textAction = nullptr;
   QAction* arrowAction = nullptr;
+  QAction* boxZoomAction = nullptr;
+  QAction* wholeImageAction = nullptr;
+  QAction* wideAction = nullptr;
   QAction* bodyMarkAction = nullptr;
   QAction* transducerAction = nullptr;  ///< shares its key with texts: of a picture that moves
   QMenu* recentMenu = nullptr;

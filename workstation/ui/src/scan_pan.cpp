@@ -14,13 +14,14 @@ ScanPan::ScanPan(Session& session, ScanView& view) : QObject(&view), session_(se
   showCursor();
 }
 
-bool ScanPan::pans() const { return session_.subject() && !session_.isFrozen() && !session_.isPlaying() && session_.knobs().zoom > 1.0; }
+bool ScanPan::pans() const { return session_.subject() && !session_.isPlaying() && session_.pictureKnobs().zoom > 1.0; }
 
 void ScanPan::showCursor() {
   if (panning_) return;
-  const Qt::CursorShape shape = !session_.subject() || session_.isFrozen() ? Qt::ArrowCursor
-                                : pans()                                   ? Qt::OpenHandCursor
-                                                                           : Qt::SizeAllCursor;
+  const Qt::CursorShape shape = !session_.subject()   ? Qt::ArrowCursor
+                                : pans()              ? Qt::OpenHandCursor
+                                : session_.isFrozen() ? Qt::ArrowCursor
+                                                      : Qt::SizeAllCursor;
   if (view_.cursor().shape() != Qt::CrossCursor && view_.cursor().shape() != shape) view_.setCursor(shape);
 }
 
@@ -40,10 +41,12 @@ bool ScanPan::eventFilter(QObject* watched, QEvent* event) {
       last_ = static_cast<QMouseEvent*>(event)->localPos();
       const DisplayGeometry& geometry = session_.geometry();
       const double perPixel_mm = view_.mmPerWidgetPixel();
-      Pan pan = panWithinFan(session_.probe(), session_.knobs(), session_.pan());
+      Detail detail = session_.detail();
+      Pan& pan = detail.pan;
       pan.lateral_mm += (geometry.markerLeft ? 1.0 : -1.0) * perPixel_mm * by.x();
       pan.axial_mm += (geometry.upsideDown ? 1.0 : -1.0) * perPixel_mm * by.y();
-      session_.setPan(panWithinFan(session_.probe(), session_.knobs(), pan));
+      if (session_.wide() == nullptr) pan = panWithinFan(session_.pictureProbe(), session_.pictureKnobs(), pan);
+      session_.setDetail(detail.zoom, pan);
       return true;
     }
     case QEvent::MouseButtonRelease:

@@ -200,7 +200,7 @@ void ScanView::paintEvent(QPaintEvent*) {
     QImage image = imageOf(picture);
     image.setDevicePixelRatio(devicePixelRatioF());
     painter.drawImage(pictureRect().topLeft(), image);
-    paintUnrecorded(painter);
+    if (session_.wide() == nullptr) paintUnrecorded(painter);
   }
   if (mode() != DisplayMode::bMode) paintStrip(painter);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -218,7 +218,7 @@ void ScanView::paintEvent(QPaintEvent*) {
   if (session_.isFrozen()) paintFrozen(painter);
   if (recorded_s_) paintRecording(painter);
   if (!said_.isEmpty()) return paintSaid(painter);
-  if (mode() != DisplayMode::mMode && isBesideVolume()) {
+  if (mode() != DisplayMode::mMode && session_.wide() == nullptr && isBesideVolume()) {
     painter.setFont(textFont());
     painter.setPen(scanTheme().quiet);
     painter.drawText(pictureRect(), Qt::AlignCenter | Qt::TextWordWrap,
@@ -382,7 +382,7 @@ void ScanView::paintDepthScale(QPainter& painter) {
     }
   };
   paintScale(pictureRect(), [this](double mm) { return yOfDepth(mm); });
-  if (mode() != DisplayMode::mMode && veil_.end_mm) paintEndOfData(painter, *veil_.end_mm);
+  if (mode() != DisplayMode::mMode && session_.wide() == nullptr && veil_.end_mm) paintEndOfData(painter, *veil_.end_mm);
   if (mode() == DisplayMode::both) {
     const QRect strip = stripRect();
     paintScale(strip, [&](double mm) { return strip.top() + strip.height() * mm / depth_mm; });
@@ -496,11 +496,11 @@ void ScanView::paintWords(QPainter& painter) {
   // What a drag would do, as long as the pointer is here and there is room beside the figures.
   const int hint_px = width() - 100 - figuresWidth_px(metrics, line) - 48;
   const bool looksBack = session_.isFrozen() && session_.cineFrame() && session_.cine().frameCount() > 1;
-  if (underMouse() && (!session_.isFrozen() || looksBack) && !session_.isPlaying() && hint_px >= kHint_px) {
+  if (underMouse() && (!session_.isFrozen() || looksBack || knobs.zoom > 1.0) && !session_.isPlaying() && hint_px >= kHint_px) {
     painter.drawText(QRect(width() - 80 - hint_px, height() - 32, hint_px, 24), Qt::AlignRight | Qt::AlignVCenter,
-                     looksBack          ? tr("wheel: step through what was scanned")
-                     : knobs.zoom > 1.0 ? tr("drag: move the detail")
-                                        : tr("drag: slide the probe"));
+                     knobs.zoom > 1.0 ? tr("drag: move the detail")
+                     : looksBack      ? tr("wheel: step through what was scanned")
+                                      : tr("drag: slide the probe"));
   }
 }
 

@@ -83,6 +83,7 @@ void Session::chooseProbe(const std::string& id) {
 }
 
 void Session::show(ScanSubject shown) {
+  showWide({});
   play({});
   setFrozen(false);
   forgetCine();
@@ -108,6 +109,7 @@ void Session::show(ScanSubject shown) {
 }
 
 void Session::clear() {
+  showWide({});
   play({});
   setFrozen(false);
   forgetCine();
@@ -140,6 +142,7 @@ void Session::setTitle(const std::string& title) {
 
 void Session::takeScene(const Scene& scene) {
   live_.scene = subject() ? subject()->known(scene) : scene;
+  if (consoleWhileFrozen_) consoleWhileFrozen_ = processed(live_, processing_);
   recent_.clear();
   due();
   Q_EMIT sceneChanged();
@@ -215,16 +218,79 @@ void Session::setSkin(std::shared_ptr<const Skin> skin) {
 }
 
 void Session::setKnobs(const Knobs& knobs) {
-  if (played_ || knobs == live_.knobs || refuses()) return;
+  if (played_ || knobs == console().knobs) return;
+  if (wide_) return setKnobsOfWide(knobs);
+  if (frozen_ && differInProcessingOnly(knobs, console().knobs)) return process(knobs, knobs.zoom > 1.0 ? pan() : Pan{});
+  if (refuses()) return;
   live_.knobs = knobs;
   if (!(knobs.zoom > 1.0)) live_.pan = {};  // the next zoom begins in the middle
   due();
   Q_EMIT knobsChanged();
 }
 
-void Session::setPan(const Pan& pan) {
-  if (played_ || pan == live_.pan || refuses()) return;
-  live_.pan = pan;
+void Session::setKnobsOfWide(Knobs asked) {
+  Knobs sameZoom = asked;
+  sameZoom.zoom = knobs().zoom;
+  if (sameZoom == knobs()) return setDetail(asked.zoom, asked.zoom > 1.0 ? pan() : Pan{});
+  if (refuses()) return;
+  asked.zoom = live_.knobs.zoom;
+  live_.knobs = asked;
+  showWideSettings();
+  due();
+  Q_EMIT knobsChanged();
+}
+
+void Session::showWide(std::optional<Wide> wide) {
+  const bool wasShown = wide_.has_value();
+  if (!wide && !wasShown) return;
+  const Detail before = wasShown ? wide_->shown.detail : Detail{};
+  wide_.reset();
+  if (wide) {
+    wide_.emplace();
+    wide_->shown = std::move(*wide);
+    wide_->picture.grey = viewOf(std::as_const(wide_->shown.grey));
+    showWideSettings();
+  }
+  if (wasShown != wide_.has_value() || !(before == wide_->shown.detail)) Q_EMIT knobsChanged();
+  Q_EMIT pictureChanged();
+}
+
+void Session::showWideSettings() {
+  wide_->state = frozen_ ? *frozen_ : live_;
+  wide_->state.knobs.zoom = wide_->shown.detail.zoom;
+  wide_->state.pan = wide_->shown.detail.pan;
+}
+
+Detail Session::detail() const {
+  if (wide_) return wide_->shown.detail;
+  const ScanState& at = settings();
+  return {at.knobs.zoom > 1.0 ? at.knobs.zoom : 1.0, panWithinFan(at.probe, at.knobs, at.pan)};
+}
+
+void Session::setDetail(double zoom, const Pan& part) {
+  // An older image of the loop may have been scanned with another zoom than the console has.
+  if (played_ || (zoom == settings().knobs.zoom && part == settings().pan)) return;
+  if (wide_) {
+    wide_->shown.detail = {zoom, part};
+    showWideSettings();
+    Q_EMIT knobsChanged();
+    return Q_EMIT wideDetailAsked({zoom, part});
+  }
+  if (frozen_) {
+    processing_.detail = Detail{zoom, part};
+    return process(console().knobs, console().pan);
+  }
+  live_.knobs.zoom = zoom;
+  live_.pan = part;
+  due();
+  Q_EMIT knobsChanged();
+}
+
+void Session::process(const Knobs& asked, const Pan& part) {
+  processing_ = withChange(processing_, console(), asked, part);
+  consoleWhileFrozen_ = processed(live_, processing_);
+  frozen_ = processed(asScanned_, processing_);
+  isProcessedAnew_ = true;
   due();
   Q_EMIT knobsChanged();
 }
@@ -266,7 +332,7 @@ std::optional<double> Session::contact() const {
 UnrecordedPart Session::unrecorded() const {
   constexpr int kEvery_px = 4;
   if (!subject() || picture_.isEmpty()) return {};
-  return unrecordedPart(recorded_, geometry(), spans(), shown_.pose, geometry().depth_mm, kEvery_px);
+  return unrecordedPart(recorded_, fanGeometry(), spans(), shown_.pose, fanGeometry().depth_mm, kEvery_px);
 }
 
 bool Session::seesVolume() const { return !picture_.isEmpty() && seen().seesVolume(picturePose()); }
@@ -278,6 +344,7 @@ Pose Session::pose() const {
 
 void Session::play(std::optional<ScanState> state) {
   if ((!state && !played_) || (state && !subject())) return;
+  showWide({});
   if (state) setFrozen(false);
   if (state && !played_) cine_.beginAnew();  // what was scanned before a recording is another scan
   if (!state || !played_) forgetPictures();
@@ -318,6 +385,7 @@ const char* Session::whyBreathingIsNotSeen() const {
 
 void Session::setFrozen(bool frozen) {
   if (frozen == isFrozen() || (frozen && played_)) return;
+  const bool wasProcessed = consoleWhileFrozen_.has_value();
   if (frozen) {
     // What is frozen is what the console and the hand say at this moment, as well as they can say it.
     if (adaptive_.isLowered()) due_ = true;
@@ -331,16 +399,21 @@ void Session::setFrozen(bool frozen) {
     kept.time_s = shown_.time_s;
     kept.number = shown_.number;
     kept.body = shown_.body;
+    asScanned_ = kept;
     frozen_ = std::move(kept);
     if (!cine_.empty()) cineFrame_ = cine_.frameCount() - 1;
   } else {
     frozen_.reset();
+    processing_ = {};
+    consoleWhileFrozen_.reset();
+    isProcessedAnew_ = false;
     formOn_.stop();
     cineFrame_.reset();
     cine_.beginAnew();  // as a machine does: the next loop is of the next scan
     due();
   }
   Q_EMIT frozenChanged(frozen);
+  if (wasProcessed) Q_EMIT knobsChanged();
 }
 
 bool Session::refuses() {
@@ -372,8 +445,8 @@ void Session::formCine() {
     return left <= kFormedAtOnce || static_cast<double>(left) * lastFrame_ms_ <= kFormedAtOnce_ms;
   };
   const std::size_t shown = forming_->shown, other = 1 - shown;
-  if (isQuick(forming_->two[shown].aim(cine_, *cineFrame_, size_px))) return showFormed(shown);
-  if (isQuick(forming_->two[other].aim(cine_, *cineFrame_, size_px))) return showFormed(other);
+  if (isQuick(forming_->two[shown].aim(cine_, *cineFrame_, size_px, processing_))) return showFormed(shown);
+  if (isQuick(forming_->two[other].aim(cine_, *cineFrame_, size_px, processing_))) return showFormed(other);
   formOn_.start(0);
 }
 
@@ -394,7 +467,8 @@ void Session::showFormed(std::size_t which) {
   if (left > 0) lastFrame_ms_ = 1000.0 * (now_s() - begin_s) / static_cast<double>(left);
   forming_->shown = which;
   forming_->isSeen = true;
-  frozen_ = cine_.frame(*cineFrame_);
+  asScanned_ = cine_.frame(*cineFrame_);
+  frozen_ = processed(asScanned_, processing_);
   shown_ = *frozen_;
   picture_ = here.picture();
   ++framesMade_;
@@ -434,8 +508,9 @@ void Session::makePictureNow() {
   if (!due_) return;
   due_ = false;
   if (!subject() || width_ <= 0 || height_ <= 0) return;
-  // A frozen picture is still drawn anew for a window of another size, from the frozen pose and knobs.
-  if (frozen_ && picture_.width() == width_ && picture_.height() == height_) return;
+  // A frozen picture is still drawn anew for a window of another size or when it is shown otherwise, from the frozen pose and knobs.
+  const bool isAsItWas = !std::exchange(isProcessedAnew_, false) && picture_.width() == width_ && picture_.height() == height_;
+  if (frozen_ && isAsItWas) return;
   if (frozen_ && cineFrame_) return formCine();
   nextFrame_.stop();
   const double begin_s = now_s();

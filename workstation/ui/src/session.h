@@ -15,6 +15,7 @@
 #include "ew/imaging/resolved.h"
 #include "ew/scanning/breathing.h"
 #include "ew/scanning/cine.h"
+#include "ew/scanning/post_processing.h"
 #include "ew/scanning/recorded.h"
 #include "ew/scanning/scanner.h"
 #include "ew/tracking/pose_source.h"
@@ -62,8 +63,10 @@ class Session final : public QObject {
 
   void setKnobs(const Knobs& knobs);
   [[nodiscard]] const Knobs& knobs() const { return console().knobs; }
-  /// Which part of the fan a zoomed picture shows; a frozen picture keeps its own.
-  void setPan(const Pan& pan);
+  /// Which part of the fan a zoomed picture shows.
+  void setPan(const Pan& pan) { setDetail(knobs().zoom, pan); }
+  /// How large, and which part.
+  void setDetail(double zoom, const Pan& pan);
   [[nodiscard]] const Pan& pan() const { return console().pan; }
   [[nodiscard]] double depth_mm() const;  ///< resolved and within the probe's range
   [[nodiscard]] double focus_mm() const;  ///< resolved
@@ -117,8 +120,9 @@ class Session final : public QObject {
   /// Why a breath that is asked for does not show; null when it does. Translatable in the context "ew::ui::Session".
   [[nodiscard]] const char* whyBreathingIsNotSeen() const;
 
-  /// Freezing keeps the picture and all that it was made with; the hand may move on. Settings are refused as long as it lasts: the echoes
-  /// were made with those they have.
+  /// Freezing keeps the picture and all that it was made with; the hand may move on. Settings that need new echoes are refused as long as
+  /// it lasts. How the echoes are shown may be changed (scanning/post_processing.h): that acts on all images of the ring until the scan
+  /// runs on, which then has the settings it had.
   void setFrozen(bool frozen);
   [[nodiscard]] bool isFrozen() const { return frozen_.has_value(); }
 
@@ -140,9 +144,27 @@ class Session final : public QObject {
 
   /// Size of the picture in device pixels.
   void setPictureSize(int width, int height);
-  /// The latest picture; its views are valid until the next one. Empty before the first.
-  [[nodiscard]] const Picture& picture() const { return picture_; }
-  [[nodiscard]] const DisplayGeometry& geometry() const { return seen().geometry(); }
+  [[nodiscard]] glm::ivec2 pictureSize_px() const { return {width_, height_}; }
+  /// What is shown: the latest picture, or the wide one in its place. Its views are valid until the next one. Empty before the first.
+  [[nodiscard]] const Picture& picture() const { return wide_ ? wide_->picture : picture_; }
+  [[nodiscard]] const DisplayGeometry& geometry() const { return wide_ ? wide_->shown.geometry : fanGeometry(); }
+  /// What the probe sees, whatever is shown.
+  [[nodiscard]] const Picture& fanPicture() const { return picture_; }
+  [[nodiscard]] const DisplayGeometry& fanGeometry() const { return seen().geometry(); }
+
+  /// A wide picture (imaging/wide_picture.h) in the directions of the fan's, and how it is shown.
+  struct Wide {
+    GreyImage grey;
+    DisplayGeometry geometry;
+    Detail detail;
+    GreyImage whole;  ///< small
+    DisplayGeometry wholeGeometry;
+  };
+  /// Shown in place of the fan's picture until it is empty again. Points of the image plane are those of the wide picture meanwhile.
+  void showWide(std::optional<Wide> wide);
+  [[nodiscard]] const Wide* wide() const { return wide_ ? &wide_->shown : nullptr; }
+  /// How what is shown is zoomed, and the pan that acts.
+  [[nodiscard]] Detail detail() const;
   /// The M-mode strip; width 0 in B-mode.
   [[nodiscard]] ImageView<const std::uint8_t> strip() const { return seen().strip(); }
   [[nodiscard]] int stripCursor() const { return seen().stripCursor(); }
@@ -175,8 +197,9 @@ class Session final : public QObject {
   void holdChanged();
   void frozenChanged(bool frozen);
   void breathingChanged();
-  void cineChanged();    ///< which image of the ring is wanted, or the ring itself while frozen
-  void changeRefused();  ///< of settings, because the image is frozen
+  void cineChanged();                              ///< which image of the ring is wanted, or the ring itself while frozen
+  void changeRefused();                            ///< of settings, because the image is frozen
+  void wideDetailAsked(const ew::Detail& detail);  ///< the wide picture is to be shown so
   void pictureChanged();
 
  private:
@@ -188,6 +211,8 @@ class Session final : public QObject {
   void keepComing();
   /// A change of settings while frozen: refused, and who asked is told the settings there are.
   [[nodiscard]] bool refuses();
+  /// Of a frozen picture: shown so from now on. Expects nothing that needs new echoes.
+  void process(const Knobs& knobs, const Pan& pan);
   void forgetCine();
   /// Forms the wanted image of the ring: now where that is quick, else between other events.
   void formCine();
@@ -195,8 +220,13 @@ class Session final : public QObject {
   void showFormed(std::size_t which);
   /// Who made the present picture.
   [[nodiscard]] const Scanner& seen() const { return forming_ && forming_->isSeen ? forming_->two[forming_->shown].scanner() : scanner_; }
-  [[nodiscard]] const ScanState& console() const { return played_ ? *played_ : live_; }
-  [[nodiscard]] const ScanState& settings() const { return frozen_ ? *frozen_ : console(); }
+  [[nodiscard]] const ScanState& console() const {
+    return wide_ ? wide_->state : played_ ? *played_ : consoleWhileFrozen_ ? *consoleWhileFrozen_ : live_;
+  }
+  [[nodiscard]] const ScanState& settings() const { return wide_ ? wide_->state : frozen_ ? *frozen_ : console(); }
+  /// The zoom of the console is that of the wide picture, while one is shown.
+  void showWideSettings();
+  void setKnobsOfWide(Knobs asked);
   /// Everything the next picture is made with.
   [[nodiscard]] ScanState nextState();
 
@@ -205,10 +235,19 @@ class Session final : public QObject {
   Recorded recorded_;
   std::shared_ptr<const Skin> skin_;
   HandOnSkin hand_;
-  std::shared_ptr<const PoseSource> source_;  ///< null: the hand
-  ScanState live_;                            ///< as the console has it, and the number of the last live picture
-  std::optional<ScanState> frozen_;
+  std::shared_ptr<const PoseSource> source_;     ///< null: the hand
+  ScanState live_;                               ///< as the console has it, and the number of the last live picture
+  std::optional<ScanState> frozen_;              ///< as it is shown
+  ScanState asScanned_;                          ///< what is frozen, before anybody changed how it is shown
+  PostProcessing processing_;                    ///< of what is frozen
+  std::optional<ScanState> consoleWhileFrozen_;  ///< once something of a frozen picture was changed
   std::optional<ScanState> played_;
+  struct ShownWide {
+    Wide shown;
+    Picture picture;
+    ScanState state;
+  };
+  std::optional<ShownWide> wide_;
   ScanState shown_;
   CineRing cine_;
   std::optional<std::size_t> cineFrame_;
@@ -225,7 +264,8 @@ class Session final : public QObject {
   AskedBreathing breathing_;
   bool due_ = false;
   bool isFreezing_ = false;
-  bool isOwnFrame_ = false;  ///< nothing was changed: the frame comes by itself
+  bool isProcessedAnew_ = false;  ///< the frozen picture is to be shown otherwise
+  bool isOwnFrame_ = false;       ///< nothing was changed: the frame comes by itself
   bool isWatched_ = true;
   int width_ = 0, height_ = 0;
   Picture picture_;

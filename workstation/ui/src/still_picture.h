@@ -13,13 +13,14 @@ namespace ew::ui {
 /// A picture that stands still: frozen, of the cine loop, or of a recording.
 struct StillPicture {
   bool isPlayed = false;
+  bool isWide = false;  ///< the wide picture that ended with it
   double time_s = 0.0;
   std::uint64_t number = 0;
   auto operator<=>(const StillPicture&) const = default;
 };
 [[nodiscard]] inline StillPicture stillOf(const Session& session) {
   const ScanState& shown = session.shownState();
-  return {session.isPlaying(), shown.time_s, shown.number};
+  return {session.isPlaying(), session.wide() != nullptr, shown.time_s, shown.number};
 }
 
 /// What belongs to pictures that stand still, to each its own: it is there again when the picture is.

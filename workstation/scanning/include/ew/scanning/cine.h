@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "ew/scanning/post_processing.h"
 #include "ew/scanning/recording.h"
 #include "ew/scanning/scanner.h"
 
@@ -93,14 +94,16 @@ class CineRing {
 };
 
 /// Forms images of a ring again, in a maker of its own: the live one stays as it is. In the size that an image had the pixels are the same,
-/// on every machine and with every number of threads; in another size persistence and M-mode begin as many images before as still show.
+/// on every machine and with every number of threads; in another size, or processed otherwise, persistence and M-mode begin as many images
+/// before as still show.
 class CineForming {
  public:
   /// @param threads as of Scanner
   explicit CineForming(ScanSubject subject, int threads = 1);
 
-  /// What is wanted. @return how many images are to be made until it is there, with it; 0 when it is the one that was made last
-  std::size_t aim(const CineRing& ring, std::size_t frame, glm::ivec2 size_px);
+  /// What is wanted, and how it is shown. @return how many images are to be made until it is there, with it; 0 when it is the one that was
+  /// made last
+  std::size_t aim(const CineRing& ring, std::size_t frame, glm::ivec2 size_px, const PostProcessing& by = {});
   [[nodiscard]] std::size_t left() const { return left_; }
   /// Makes the next of them. Expects left() > 0, and the ring as it was when it was aimed at.
   void makeNext(const CineRing& ring);
@@ -112,12 +115,14 @@ class CineForming {
   Scanner scanner_;
   Picture picture_;
   glm::ivec2 size_px_{0};              ///< that is asked for
+  PostProcessing by_;                  ///< that is asked for
   glm::ivec2 lastSize_px_{0};          ///< of the one that was made last
+  PostProcessing lastBy_;              ///< of the one that was made last
   std::optional<std::uint64_t> last_;  ///< number of the frame that was made last
   std::uint64_t next_ = 0;
   std::size_t left_ = 0;
   bool begins_ = false;     ///< nothing of what was made shows in the next
-  bool mayRecall_ = false;  ///< the images asked for have the size they had
+  bool mayRecall_ = false;  ///< the images asked for leave the memories they left
 };
 
 /// Where somebody stands in a ring, and which part of it runs. A value without a clock; the ring outlives it and rests meanwhile.

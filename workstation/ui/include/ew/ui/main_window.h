@@ -35,6 +35,7 @@ namespace ew::ui {
 
 class AnnotatedPictures;
 class Calipers;
+class WideScan;
 class Worksheets;
 class CaseDocument;
 class CineBar;
@@ -89,6 +90,7 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] HandInput& hand();
   [[nodiscard]] ConsolePanel& console();
   [[nodiscard]] Recorder& recorder();
+  [[nodiscard]] WideScan& wideScan();
   [[nodiscard]] Calipers& calipers();
   [[nodiscard]] Worksheets& worksheets();
   [[nodiscard]] AnnotatedPictures& annotated();
@@ -133,6 +135,7 @@ class MainWindow final : public QMainWindow {
   void addWordMenu(QMenu& menu);
   void addBodyMarkMenu(QMenu& mark);
   void addPresetMenu(QMenu& presets);
+  void addZoomAndWideActions(QMenu& scan);
   void askBreathing(BreathingRequest request);
   void addImageMenu(QMenu& image);
   void addEffectsMenu(QMenu& effects);
@@ -144,6 +147,9 @@ class MainWindow final : public QMainWindow {
   void connectSession();   ///< what is scanned, recorded and shown
   void connectCalipers();  ///< tools, list and undo of what is measured
   void connectAnnotations();
+  void connectZoomAndWide();
+  void showWideState();
+  void sayWhyRefused();
   void connectDocument();  ///< the case, its edits and the panels of plugins
   void connectPages();
   void connectOpener();
