@@ -84,6 +84,28 @@ void Calipers::takeInto(CaliperKind kind, const CaliperDrawing::Purpose& asked) 
 
 std::optional<std::uint64_t> Calipers::picture() const { return drawn_.picture() ? std::optional(drawn_.now().picture) : std::nullopt; }
 
+void Calipers::putDown() {
+  while (drawing().tool()) mine().cancel();
+}
+
+void Calipers::exchange(Calipers& other) {
+  for (Calipers* each : {this, &other}) {
+    each->putDown();
+    each->unfinished_.reset();
+  }
+  std::swap(drawn_, other.drawn_);
+  std::swap(geometry_, other.geometry_);
+  std::swap(uncertaintyAt_, other.uncertaintyAt_);
+  std::swap(lines_, other.lines_);
+  // No two pictures of the window have the same number, whichever of the two drew on them.
+  nextPicture_ = other.nextPicture_ = std::max(nextPicture_, other.nextPicture_);
+}
+
+void Calipers::tellOfAll() {
+  Q_EMIT linesChanged();
+  Q_EMIT changed();
+}
+
 void Calipers::change(const std::function<void(CaliperDrawing&)>& edit) {
   const int next = drawing().shown().nextNumber;
   edit(mine());
@@ -143,7 +165,7 @@ void Calipers::turnTo(const StillPicture& picture) {
   if (tool)
     mine().take(*tool, purpose);
   else
-    while (drawing().tool()) mine().cancel();
+    putDown();
 }
 
 void Calipers::look() {

@@ -36,6 +36,10 @@ class Calipers final : public QObject {
   [[nodiscard]] const measurement::CaliperDrawing& drawing() const { return drawn_.now().drawing; }
   /// Of the picture that is measured: never the same for two. Empty: none is.
   [[nodiscard]] std::optional<std::uint64_t> picture() const;
+  /// What is drawn changes places with that of another one, as their sessions' pictures do (Session::exchangePicture): before those. The
+  /// tool is put down. Nobody is told before tellOfAll().
+  void exchange(Calipers& other);
+  void tellOfAll();
   /// The one way to change what is drawn.
   void change(const std::function<void(measurement::CaliperDrawing&)>& edit);
 
@@ -64,6 +68,7 @@ class Calipers final : public QObject {
     measurement::CaliperDrawing drawing = measurement::CaliperDrawing();
     std::uint64_t picture = 0;
   };
+  void putDown();
   void takeInto(measurement::CaliperKind kind, const measurement::CaliperDrawing::Purpose& purpose);
   [[nodiscard]] measurement::CaliperDrawing& mine() { return drawn_.now().drawing; }
   /// The tool stays in the hand.

@@ -39,6 +39,8 @@ std::vector<Group> keysOfTheScan() {
             {keysOf("Shift+C | Ctrl+Shift+C"), MainWindow::tr("breathe in and hold, breathe out and hold")},
             {keysOf("X | U"), MainWindow::tr("invert left/right, up/down")},
             {keysOf("M"), MainWindow::tr("B, B + M, M")},
+            {keysOf("O"), MainWindow::tr("one, two, four pictures")},
+            {MainWindow::tr("Click, %1").arg(keysOf("Shift+L")), MainWindow::tr("take another picture in hand, the next one")},
             {keysOf("Ctrl+Left | Ctrl+Right"), MainWindow::tr("M line")},
             {keysOf("Y | Shift+Y"), MainWindow::tr("sweep of the M-mode")}}},
           {MainWindow::tr("Frozen image"),

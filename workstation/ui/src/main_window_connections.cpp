@@ -17,6 +17,7 @@ void MainWindow::connectParts() {
   connectSession();
   connectCalipers();
   connectAnnotations();
+  connectPictures();
   connectDocument();
   connectPages();
   connectOpener();

@@ -495,8 +495,10 @@ void MainWindow::savePicture() {
                                           {QStringLiteral(".png"), QStringLiteral(".mha")}});
   if (file.isEmpty()) return;
   const auto written = saveTogether({pathOf(file)}, [&](const OutputSet& outputs) {
-    return writeShownPicture(parts_->session, QDateTime::currentDateTime(), outputs.staged(pathOf(file)),
-                             {&parts_->calipers, &parts_->annotated, &parts_->bodyMark});
+    std::vector<SavedPart> all;
+    for (const PictureGrid::Shown& each : parts_->pictures->shown())
+      all.push_back({each.session, {each.calipers, each.annotated, each.mark}, each.name, each.place == parts_->pictures->active()});
+    return writeShownPictures(all, std::min(2, parts_->pictures->count()), QDateTime::currentDateTime(), outputs.staged(pathOf(file)));
   });
   if (written) {
     parts_->messages->showNote(tr("Saved to %1.").arg(file), kSavingPicture);

@@ -4,11 +4,13 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "annotated_pictures.h"
 #include "annotation_paint.h"
 #include "caliper_paint.h"
 #include "caliper_words.h"
+#include "ew/core/contract.h"
 #include "ew/scanning/picture_file.h"
 #include "ew/ui/main_window.h"
 #include "figures.h"
@@ -89,7 +91,7 @@ void paintOn(QPainter& painter, const Session& session, const OnPicture& on, con
 
 }  // namespace
 
-QImage savedPicture(const Session& session, const QDateTime& at, const OnPicture& on) {
+QImage savedPicture(const Session& session, const QDateTime& at, const OnPicture& on, const QString& name) {
   if (!session.subject() || session.picture().isEmpty()) return {};
   const QImage shown = imageOf(session.picture());
   const int measured_px = on.calipers != nullptr ? kLine_px * static_cast<int>(on.calipers->lines().size()) : 0;
@@ -107,7 +109,7 @@ QImage savedPicture(const Session& session, const QDateTime& at, const OnPicture
   const int when_px = painter.fontMetrics().horizontalAdvance(when) + 24;
   line(0, Qt::AlignLeft, painter.fontMetrics().elidedText(words(session.subject()->title), Qt::ElideRight, saved.width() - 24 - when_px));
   line(0, Qt::AlignRight, when);
-  line(1, Qt::AlignLeft, settingsOf(session));
+  line(1, Qt::AlignLeft, name.isEmpty() ? settingsOf(session) : name + QStringLiteral("   ") + settingsOf(session));
   paintScale(painter, session.geometry(), picture);
   painter.end();
   const int pixel_bytes = shown.depth() / 8;
@@ -119,16 +121,53 @@ QImage savedPicture(const Session& session, const QDateTime& at, const OnPicture
   return saved;
 }
 
-Result<void> writeShownPicture(const Session& session, const QDateTime& at, const std::filesystem::path& file, const OnPicture& on) {
-  const double pixel_mm = session.geometry().pixel_mm;
-  if (file.extension() == ".mha") return writePicture(session.picture(), pixel_mm, file);
-  const QImage saved = savedPicture(session, at, on);
+QImage savedPictures(const std::vector<SavedPart>& parts, int columns, const QDateTime& at) {
+  std::vector<QImage> each;
+  for (const SavedPart& part : parts)
+    if (QImage image = savedPicture(*part.session, at, part.on, part.name); !image.isNull()) each.push_back(std::move(image));
+  if (each.size() < 2) return each.empty() ? QImage() : each.front();
+  const auto across = static_cast<std::size_t>(std::clamp(columns, 1, static_cast<int>(each.size())));
+  const std::size_t rows = (each.size() + across - 1) / across;
+  bool isGrey = true;
+  std::vector<int> widths(across, 0), heights(rows, 0);
+  for (std::size_t n = 0; n < each.size(); ++n) {
+    isGrey = isGrey && each[n].format() == QImage::Format_Grayscale8;
+    widths[n % across] = std::max(widths[n % across], each[n].width());
+    heights[n / across] = std::max(heights[n / across], each[n].height());
+  }
+  const QImage::Format format = isGrey ? QImage::Format_Grayscale8 : QImage::Format_RGB888;
+  QImage all(std::accumulate(widths.begin(), widths.end(), 0), std::accumulate(heights.begin(), heights.end(), 0), format);
+  all.fill(Qt::black);
+  int top = 0;
+  for (std::size_t n = 0, left = 0; n < each.size(); ++n) {
+    const QImage image = each[n].convertToFormat(format);
+    const auto line_bytes = static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.depth() / 8);
+    for (int y = 0; y < image.height(); ++y)
+      std::copy_n(image.constScanLine(y), line_bytes, all.scanLine(top + y) + left * static_cast<std::size_t>(image.depth() / 8));
+    left += static_cast<std::size_t>(widths[n % across]);
+    if ((n + 1) % across != 0) continue;
+    top += heights[n / across];
+    left = 0;
+  }
+  return all;
+}
+
+Result<void> writeShownPictures(const std::vector<SavedPart>& parts, int columns, const QDateTime& at, const std::filesystem::path& file) {
+  const auto inHand = std::find_if(parts.begin(), parts.end(), [](const SavedPart& part) { return part.isInHand; });
+  EW_EXPECTS(inHand != parts.end());
+  const double pixel_mm = inHand->session->geometry().pixel_mm;
+  if (file.extension() == ".mha") return writePicture(inHand->session->picture(), pixel_mm, file);
+  const QImage saved = savedPictures(parts, columns, at);
   if (saved.format() == QImage::Format_Grayscale8)
     return writePicture(Picture{{saved.constBits(), saved.width(), saved.height(), saved.bytesPerLine()}}, pixel_mm, file);
   RgbImage colours(saved.width(), saved.height());
   for (int y = 0; y < saved.height(); ++y)
     std::copy_n(reinterpret_cast<const Rgb*>(saved.constScanLine(y)), saved.width(), viewOf(colours).row(y));
   return writePicture(colours, pixel_mm, file);
+}
+
+Result<void> writeShownPicture(const Session& session, const QDateTime& at, const std::filesystem::path& file, const OnPicture& on) {
+  return writeShownPictures({{&session, on, {}, true}}, 1, at, file);
 }
 
 }  // namespace ew::ui

@@ -44,6 +44,7 @@ class HandInput;
 class Jobs;
 class MessageBar;
 class Recorder;
+class PictureGrid;
 class ReplayBar;
 class ScanView;
 class Session;
@@ -92,6 +93,7 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] Worksheets& worksheets();
   [[nodiscard]] AnnotatedPictures& annotated();
   [[nodiscard]] ShownMark& bodyMark();
+  [[nodiscard]] PictureGrid& pictures();
   [[nodiscard]] ReplayBar& replayBar();
   [[nodiscard]] CineBar& cineBar();
 
@@ -127,6 +129,7 @@ class MainWindow final : public QMainWindow {
   void addAnnotateMenu(QMenu& annotate);
   void addWordMenu(QMenu& menu);
   void addBodyMarkMenu(QMenu& mark);
+  void addPicturesMenu(QMenu& pictures);
   void addPresetMenu(QMenu& presets);
   void askBreathing(BreathingRequest request);
   void addImageMenu(QMenu& image);
@@ -139,6 +142,8 @@ class MainWindow final : public QMainWindow {
   void connectSession();   ///< what is scanned, recorded and shown
   void connectCalipers();  ///< tools, list and undo of what is measured
   void connectAnnotations();
+  void connectPictures();
+  void showPictures();     ///< how many there are, and what was measured on each
   void connectDocument();  ///< the case, its edits and the panels of plugins
   void connectPages();
   void connectOpener();
