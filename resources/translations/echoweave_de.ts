@@ -12016,6 +12016,62 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>wide image: begin, give up, hide</source>
         <translation>Panoramabild: beginnen, verwerfen, verbergen</translation>
     </message>
+    <message>
+        <source>P&amp;ictures</source>
+        <translation>B&amp;ilder</translation>
+    </message>
+    <message>
+        <source>One picture</source>
+        <translation>Ein Bild</translation>
+    </message>
+    <message>
+        <source>Two pictures</source>
+        <translation>Zwei Bilder</translation>
+    </message>
+    <message>
+        <source>Four pictures</source>
+        <translation>Vier Bilder</translation>
+    </message>
+    <message>
+        <source>Next number of pictures</source>
+        <translation>Nächste Zahl von Bildern</translation>
+    </message>
+    <message>
+        <source>Next picture</source>
+        <translation>Nächstes Bild</translation>
+    </message>
+    <message>
+        <source>Same scale</source>
+        <translation>Gleicher Maßstab</translation>
+    </message>
+    <message>
+        <source>A recording runs, and it is of one picture. End it (%1) to go to another.</source>
+        <translation>Eine Aufnahme läuft, und zwar von einem Bild. Beenden Sie sie (%1), um zu einem anderen zu gehen.</translation>
+    </message>
+    <message>
+        <source>This picture shows the patient&apos;s left side.</source>
+        <translation>Dieses Bild zeigt die linke Seite des Patienten.</translation>
+    </message>
+    <message>
+        <source>This picture shows the patient&apos;s right side.</source>
+        <translation>Dieses Bild zeigt die rechte Seite des Patienten.</translation>
+    </message>
+    <message>
+        <source>one, two, four pictures</source>
+        <translation>ein, zwei, vier Bilder</translation>
+    </message>
+    <message>
+        <source>Click, %1</source>
+        <translation>Klick, %1</translation>
+    </message>
+    <message>
+        <source>take another picture in hand, the next one</source>
+        <translation>ein anderes Bild in die Hand nehmen, das nächste</translation>
+    </message>
+    <message>
+        <source>A wide image is at work. Close it (%1) to go to another picture.</source>
+        <translation>Ein Panoramabild ist in Arbeit. Schließen Sie es (%1), um zu einem anderen Bild zu gehen.</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::MeasurePage</name>
@@ -12066,6 +12122,18 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Delete all measurements (%1)</source>
         <translation>Alle Messungen löschen (%1)</translation>
+    </message>
+    <message>
+        <source>Picture %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>Picture %1: %2</source>
+        <translation>Bild %1: %2</translation>
+    </message>
+    <message>
+        <source>Measured on another picture; a click takes that one in hand</source>
+        <translation>In einem anderen Bild gemessen; ein Klick nimmt jenes in die Hand</translation>
     </message>
 </context>
 <context>
@@ -12814,6 +12882,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Results, usual ranges and charts, answers; save it (%1)</source>
         <translation>Ergebnisse, übliche Bereiche und Kurven, Antworten; sichern (%1)</translation>
+    </message>
+    <message>
+        <source>Measured on picture %1</source>
+        <translation>Gemessen in Bild %1</translation>
     </message>
 </context>
 <context>
@@ -13653,6 +13725,75 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Wide image, %1 cm across</source>
         <translation>Panoramabild, %1 cm breit</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::KeptPicture</name>
+    <message>
+        <source>Another picture</source>
+        <translation>Ein anderes Bild</translation>
+    </message>
+    <message>
+        <source>Click to measure or write on this picture, or to scan where there is none yet (%1: the next picture)</source>
+        <translation>Klicken, um in diesem Bild zu messen oder zu schreiben, oder um hier zu scannen, wo noch keines ist (%1: das nächste Bild)</translation>
+    </message>
+    <message>
+        <source>No picture here yet. Click to scan here.</source>
+        <translation>Hier ist noch kein Bild. Klicken, um hier zu schallen.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::PictureGrid</name>
+    <message>
+        <source>A recording is shown. Close it (Escape) to go to another picture.</source>
+        <translation>Eine Aufnahme wird gezeigt. Schließen Sie sie (Esc), um zu einem anderen Bild zu gehen.</translation>
+    </message>
+    <message>
+        <source>%1 right</source>
+        <comment>number of a picture, and the patient&apos;s side</comment>
+        <translation>%1 rechts</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <comment>number of a picture, and the patient&apos;s side</comment>
+        <translation>%1 links</translation>
+    </message>
+    <message>
+        <source>The volume was moved: the other pictures were made where it lay before, and are gone.</source>
+        <translation>Das Volumen wurde verschoben: Die anderen Bilder entstanden an seinem alten Ort und sind fort.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::PictureButtons</name>
+    <message>
+        <source>One picture (%1: the next number of pictures)</source>
+        <translation>Ein Bild (%1: die nächste Zahl von Bildern)</translation>
+    </message>
+    <message>
+        <source>Two pictures beside each other (%1: the next number of pictures)</source>
+        <translation>Zwei Bilder nebeneinander (%1: die nächste Zahl von Bildern)</translation>
+    </message>
+    <message>
+        <source>Four pictures (%1: the next number of pictures)</source>
+        <translation>Vier Bilder (%1: die nächste Zahl von Bildern)</translation>
+    </message>
+    <message>
+        <source>L/R</source>
+        <comment>the next of several pictures</comment>
+        <translation>L/R</translation>
+    </message>
+    <message>
+        <source>Next picture: a running scan goes on in it, a frozen one is kept (%1)</source>
+        <translation>Nächstes Bild: Ein laufender Scan geht dort weiter, ein eingefrorener bleibt (%1)</translation>
+    </message>
+    <message>
+        <source>1 : 1</source>
+        <comment>all pictures at the same scale</comment>
+        <translation>1 : 1</translation>
+    </message>
+    <message>
+        <source>All pictures at the scale of the one that shows most</source>
+        <translation>Alle Bilder im Maßstab dessen, das am meisten zeigt</translation>
     </message>
 </context>
 </TS>

@@ -80,7 +80,8 @@ class StoringTest : public WindowFixture {
   void savedAsFilesItHasItsScaleAndItsWords() {
     session().setFrozen(true);
     storeImage();
-    const Still expected = storedStill(session(), savedPicture(session(), QDateTime::currentDateTime()), 1, {}).still;
+    const std::vector<SavedPart> shown{{&session()}};
+    const Still expected = storedStill(shown, savedPictures(shown, 1, QDateTime::currentDateTime()), 1, {}).still;
     const QString folder = files_.path(QStringLiteral("saved"));
     QDir(folder).removeRecursively();
     QDir().mkpath(folder);

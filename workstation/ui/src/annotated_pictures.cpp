@@ -85,10 +85,19 @@ void AnnotatedPictures::putDown() {
   Q_EMIT changed();
 }
 
+void AnnotatedPictures::exchange(AnnotatedPictures& other) {
+  std::swap(lists_, other.lists_);
+  std::swap(wasWrittenLast_, other.wasWrittenLast_);
+  for (AnnotatedPictures* each : {this, &other}) {
+    each->isArrowAtHand_ = false;
+    each->selected_ = 0;
+  }
+}
+
 void AnnotatedPictures::change(const std::function<void(AnnotationList&)>& edit) {
   edit(lists_.now());
   if (list().now().find(selected_) == nullptr) selected_ = 0;
-  Q_EMIT edited();
+  wasWrittenLast_ = true;
   Q_EMIT changed();
 }
 

@@ -37,6 +37,13 @@ class AnnotatedPictures final : public QObject {
   void putDown();
   [[nodiscard]] bool isArrowAtHand() const { return isArrowAtHand_; }
 
+  /// What is written changes places with that of another one, as Calipers::exchange has it.
+  void exchange(AnnotatedPictures& other);
+  void tellOfAll() { Q_EMIT changed(); }
+  /// Whether undo means the writing on this picture: nothing was measured on it since.
+  [[nodiscard]] bool wasWrittenLast() const { return wasWrittenLast_; }
+  void setMeasuredLast() { wasWrittenLast_ = false; }
+
   [[nodiscard]] const annotation::AnnotationList& list() const { return lists_.now(); }
   [[nodiscard]] const std::vector<annotation::Annotation>& all() const { return list().now().all; }
   /// The one way to change what is there.
@@ -49,7 +56,6 @@ class AnnotatedPictures final : public QObject {
 
  Q_SIGNALS:
   void changed();
-  void edited();  ///< by a person, so that undo means this
   void wordsChanged();
   void pauseAsked();  ///< of a recording or the cine loop
   void said(const QString& sentence);
@@ -66,6 +72,7 @@ class AnnotatedPictures final : public QObject {
   OfPictures<annotation::AnnotationList> lists_;
   bool isArrowAtHand_ = false;
   int selected_ = 0;
+  bool wasWrittenLast_ = false;
   annotation::HomePosition home_;
 };
 

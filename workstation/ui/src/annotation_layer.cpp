@@ -86,6 +86,10 @@ void AnnotationLayer::watch(QWidget* over, std::function<bool()> isInUse) {
   isOverInUse_ = std::move(isInUse);
 }
 
+void AnnotationLayer::finish() {
+  if (isWriting()) endWriting(true);
+}
+
 void AnnotationLayer::follow() {
   // What stood still goes on: there is no picture any more that the text would belong to.
   if (isWriting() && !session_.isFrozen() && !session_.isPlaying()) endWriting(false);

@@ -34,6 +34,8 @@ class AnnotationLayer final : public QWidget {
   void write(const QString& words = {});
   /// The home position is where the text that is typed stands, or else the chosen one, or the pointer over the image.
   void setHomeHere();
+  /// What is being typed is done.
+  void finish();
   [[nodiscard]] bool isWriting() const;
   [[nodiscard]] QLineEdit& field() const { return *field_; }
   /// Where a point of the picture's plane is painted.

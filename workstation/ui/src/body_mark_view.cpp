@@ -33,10 +33,14 @@ BodyMarkView::BodyMarkView(ShownMark& mark, ScanView& scan)
   connect(&mark_, &ShownMark::changed, this, &BodyMarkView::showOrHide);
 }
 
-void BodyMarkView::setCorner(int corner) {
+void BodyMarkView::placeIn(int corner) {
   corner_ = qBound(0, corner, 3);
-  QSettings().setValue(kCornerSetting, corner_);
   arrange();
+}
+
+void BodyMarkView::setCorner(int corner) {
+  placeIn(corner);
+  QSettings().setValue(kCornerSetting, corner_);
 }
 
 void BodyMarkView::showOrHide() {

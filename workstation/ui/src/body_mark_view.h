@@ -19,7 +19,8 @@ class BodyMarkView final : public QWidget {
   BodyMarkView(ShownMark& mark, ScanView& scan);
   /// 0 upper left, 1 upper right, 2 lower left, 3 lower right.
   [[nodiscard]] int corner() const { return corner_; }
-  void setCorner(int corner);
+  void setCorner(int corner);  ///< kept for the next start
+  void placeIn(int corner);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -166,6 +166,36 @@ void Calipers::removeCombination(int number) {
 
 std::optional<std::uint64_t> Calipers::picture() const { return drawn_.picture() ? std::optional(drawn_.now().picture) : std::nullopt; }
 
+void Calipers::putDown() {
+  for (const Where where : {Where::picture, Where::strip})
+    while (drawingIn(where).tool()) mine(where).cancel();
+}
+
+void Calipers::exchange(Calipers& other) {
+  for (Calipers* each : {this, &other}) {
+    each->putDown();
+    each->unfinished_.reset();
+  }
+  std::swap(drawn_, other.drawn_);
+  std::swap(geometry_, other.geometry_);
+  std::swap(uncertaintyAt_, other.uncertaintyAt_);
+  std::swap(lines_, other.lines_);
+  std::swap(strips_, other.strips_);
+  std::swap(where_, other.where_);
+  std::swap(stripAt_, other.stripAt_);
+  if (!std::exchange(other.hadStrip_, true)) other.stripNumber_ = ++nextStrip_;
+  hadStrip_ = true;
+  std::swap(stripNumber_, other.stripNumber_);
+  // No two pictures of the window have the same number, whichever of the two drew on them.
+  nextPicture_ = other.nextPicture_ = std::max(nextPicture_, other.nextPicture_);
+  nextStrip_ = other.nextStrip_ = std::max(nextStrip_, other.nextStrip_);
+}
+
+void Calipers::tellOfAll() {
+  Q_EMIT linesChanged();
+  Q_EMIT changed();
+}
+
 void Calipers::changeIn(Where where, const std::function<void(CaliperDrawing&)>& edit) {
   const bool isOther = where != where_;
   where_ = where;

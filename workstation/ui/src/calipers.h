@@ -51,7 +51,11 @@ class Calipers final : public QObject {
   [[nodiscard]] Where where() const { return where_; }
   /// Of the picture that is measured: never the same for two. Empty: none is.
   [[nodiscard]] std::optional<std::uint64_t> picture() const;
-  [[nodiscard]] std::uint64_t strip() const { return measurement::kStripPicture + (session_.isPlaying() ? 1 : 0); }
+  [[nodiscard]] std::uint64_t strip() const { return measurement::kStripPicture + 2 * stripNumber_ + (session_.isPlaying() ? 1 : 0); }
+  /// What is drawn changes places with that of another one, as their sessions' pictures do (Session::exchangePicture): before those. The
+  /// tool is put down. Nobody is told before tellOfAll().
+  void exchange(Calipers& other);
+  void tellOfAll();
   /// The one way to change what is drawn: the one that was used last, or that of a place, which is used then.
   void change(const std::function<void(measurement::CaliperDrawing&)>& edit) { changeIn(where_, edit); }
   void changeIn(Where where, const std::function<void(measurement::CaliperDrawing&)>& edit);
@@ -105,6 +109,7 @@ class Calipers final : public QObject {
     measurement::CaliperDrawing drawing = measurement::CaliperDrawing();
     std::uint64_t picture = 0;
   };
+  void putDown();
   void takeInto(measurement::CaliperKind kind, const measurement::CaliperDrawing::Purpose& purpose);
   void takeInStrip(measurement::CaliperKind kind, const measurement::CaliperDrawing::Purpose& purpose);
   void putDownOther();
@@ -132,6 +137,8 @@ class Calipers final : public QObject {
   std::vector<Line> lines_;
   std::optional<Line> unfinished_;
   std::array<measurement::CaliperDrawing, 2> strips_;  ///< of the scan, and of a recording that is shown: each has a clock of its own
+  std::uint64_t stripNumber_ = 0, nextStrip_ = 0;      ///< each picture beside others has a strip of its own
+  bool hadStrip_ = false;
   bool wasPlaying_ = false;
   Where where_ = Where::picture;
   measurement::UncertaintyAt stripAt_;

@@ -82,6 +82,10 @@ CineBar::CineBar(Session& session, QWidget* parent) : QWidget(parent), session_(
   });
   connect(&session_, &Session::frozenChanged, this, &CineBar::follow);
   connect(&session_, &Session::cineChanged, this, &CineBar::follow);
+  connect(&session_, &Session::cineReplaced, this, [this] {
+    if (isOpen()) close();
+    follow();
+  });
   connect(&session_, &Session::pictureChanged, this, [this] {
     if (review_) showState();
   });
@@ -96,16 +100,19 @@ void CineBar::watch(QWidget* scan, QWidget* body) {
 void CineBar::follow() {
   const bool opens = session_.cineFrame().has_value() && session_.cine().frameCount() > 1;
   if (opens == isOpen()) return;
-  if (opens) {
-    review_.emplace(session_.cine());
-    wheel_ = 0;
-    line_->setLength(session_.cine().length_s(), {}, {});
-    showState();
-  } else {
-    setPlaying(false);
-    review_.reset();
-  }
-  Q_EMIT openChanged(opens);
+  if (!opens) return close();
+  review_.emplace(session_.cine());
+  review_->goTo(*session_.cineFrame());
+  wheel_ = 0;
+  line_->setLength(session_.cine().length_s(), {}, {});
+  showState();
+  Q_EMIT openChanged(true);
+}
+
+void CineBar::close() {
+  setPlaying(false);
+  review_.reset();
+  Q_EMIT openChanged(false);
 }
 
 void CineBar::setPlaying(bool playing) {

@@ -59,6 +59,7 @@ class CineBar final : public QWidget {
 
  private:
   void follow();  ///< the session: opens and closes
+  void close();
   void advance();
   void stepByWheel(const QWheelEvent& wheel);
   void showFrame();

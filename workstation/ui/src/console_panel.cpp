@@ -67,6 +67,7 @@ ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent),
   bottom->setContentsMargins(16, 8, 16, 0);
   bottom->setSpacing(0);
   addAlways(bottom);
+  always_ = bottom;
   rows->addLayout(bottom);
   rows->addStretch(1);
   refreshIcons();
@@ -295,6 +296,8 @@ QCheckBox* ConsolePanel::addSwitch(QBoxLayout* rows, const QString& name, const 
   rows->addWidget(made);
   return made;
 }
+
+void ConsolePanel::addBelow(QWidget* row) { always_->addWidget(row); }
 
 void ConsolePanel::addAlways(QVBoxLayout* rows) {
   const auto movesInTime = [this] { return session_.knobs().mode != DisplayMode::bMode; };

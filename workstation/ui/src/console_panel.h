@@ -42,6 +42,8 @@ class ConsolePanel final : public QWidget {
   void showNextPage();
   /// One more page, behind the others.
   void addPage(QWidget* page, const QString& title, const QString& tip);
+  /// One more row of what is always there, below the pages.
+  void addBelow(QWidget* row);
   void showPage(const QWidget* page);
   void refreshIcons();
   void showKeys(const KeyTips& tips);  ///< in the tips of the pages, which are no widgets of their own
@@ -125,6 +127,7 @@ class ConsolePanel final : public QWidget {
   QPushButton* flip_ = nullptr;
   QPushButton* turn_ = nullptr;
   QPushButton* freeze_ = nullptr;
+  QVBoxLayout* always_ = nullptr;
 };
 
 }  // namespace ew::ui

@@ -78,6 +78,8 @@ void addScan(Page& page) {
   page.add("breathing.in | breathing.out", MainWindow::tr("breathe in and hold, breathe out and hold"));
   page.add("flip.sides | flip.upsideDown", MainWindow::tr("invert left/right, up/down"));
   page.add("mode.next", MainWindow::tr("B, B + M, M"));
+  page.add("pictures.count", MainWindow::tr("one, two, four pictures"));
+  page.add("pictures.next", MainWindow::tr("take another picture in hand, the next one"), MainWindow::tr("Click, %1"));
   page.add("mode.lineLeft | mode.lineRight", MainWindow::tr("M line"));
   page.add("mode.slower | mode.faster", MainWindow::tr("sweep of the M-mode"));
   page.end();

@@ -17,6 +17,7 @@
 #include "host_scan.h"
 #include "key_tips.h"
 #include "main_window_parts.h"
+#include "picture_buttons.h"
 #include "theme.h"
 #include "words.h"
 
@@ -126,10 +127,12 @@ void MainWindow::makeViews() {
   p.caseInfo = new CaseInfo;
   p.body = new BodyColumn(p.view3d, p.caseInfo);
   p.scanView = new ScanView(p.session);
+  p.pictures = new PictureGrid({p.session, p.calipers, p.annotated, p.bodyMark, p.jobs, *p.scanView});
   p.console = new ConsolePanel(p.session);
   p.console->setFixedWidth(kConsoleWidth_px);
   p.measurePage = new MeasurePage(p.session, p.calipers, p.worksheets);
   p.console->addPage(p.measurePage, tr("Measure"), tipWithKeys(tr("Calipers, and what they measured (%1)"), "console.nextPage"));
+  p.console->addBelow(new PictureButtons(*p.pictures));
   p.replayBar = new ReplayBar(p.session);
   p.status = new StatusLine(p.session);
   p.cineBar = new CineBar(p.session);
@@ -172,7 +175,7 @@ void MainWindow::makeColumns() {
   p.columns->setChildrenCollapsible(false);
   p.columns->addWidget(p.panels);
   p.columns->addWidget(p.body);
-  p.columns->addWidget(p.scanView);
+  p.columns->addWidget(p.pictures);
   p.stages = new QStackedWidget;
   p.stages->setObjectName(QStringLiteral("stages"));
   p.stages->hide();
@@ -193,7 +196,8 @@ void MainWindow::watchViews() {
   });
   p.cineBar->watch(p.scanView, p.view3d->canvas());  // after the hand: a frozen scan is stepped through, and the probe rests
   new ScanPan(p.session, *p.scanView);               // after the hand: in a zoomed image it takes the drag; the view owns it
-  p.viewColumns = new ViewColumns(*p.columns, *p.panels, *p.body, *p.scanView, *p.view3d->canvas(), this);
+  p.viewColumns = new ViewColumns(*p.columns, *p.panels, *p.body, *p.pictures, *p.view3d->canvas(), this);
+  p.viewColumns->watch(*p.scanView);
   p.viewColumns->onPress = [this] { parts_->beforePress = parts_->session.hold(); };
   p.viewColumns->takeBackPress = [this] { parts_->session.setHold(parts_->beforePress); };
   p.caliperLayer = new CaliperLayer(p.session, p.calipers, *p.scanView);
@@ -204,6 +208,7 @@ void MainWindow::watchViews() {
   new WideLayer(p.session, p.wide, *p.scanView);
   new ZoomOverview(p.session, *p.scanView);
   p.boxZoom = new BoxZoom(p.session, *p.scanView);
+  p.pictures->setMarkView(*p.bodyMarkView);
   p.sourcePicker = new SourcePicker(p.session, *p.scanView);  // after the hand: it looks at a click first
   p.opener = new Opener(p.session, p.document, p.jobs, *p.messages, *p.view3d, p.hand, this);
   p.host = new WorkstationHost(p.document, p.jobs, p.session, *p.panels, *p.messages, this);
@@ -338,7 +343,7 @@ void MainWindow::showStage() {
   showConsole();
   if (p.scanMenu != nullptr) p.scanMenu->menuAction()->setEnabled(!p.staged);  // its keys are those of a scan that is not seen
   p.body->setVisible(!p.staged && !p.viewColumns->isScanOnly() && p.keepsBody());
-  p.scanView->setVisible(!p.staged && p.keepsScan());
+  p.pictures->setVisible(!p.staged && p.keepsScan());
   if (was != p.staged) {
     p.stages->setVisible(p.staged);
     p.status->setStaged(p.staged);
@@ -486,6 +491,7 @@ Calipers& MainWindow::calipers() { return parts_->calipers; }
 Worksheets& MainWindow::worksheets() { return parts_->worksheets; }
 AnnotatedPictures& MainWindow::annotated() { return parts_->annotated; }
 ShownMark& MainWindow::bodyMark() { return parts_->bodyMark; }
+PictureGrid& MainWindow::pictures() { return *parts_->pictures; }
 ReplayBar& MainWindow::replayBar() { return *parts_->replayBar; }
 CineBar& MainWindow::cineBar() { return *parts_->cineBar; }
 

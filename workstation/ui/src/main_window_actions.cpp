@@ -205,6 +205,7 @@ void MainWindow::addScanMenu(QMenu& scan) {
   addMeasureMenu(*scan.addMenu(tr("Mea&sure")));
   addAnnotateMenu(*scan.addMenu(tr("&Annotate")));
   addBodyMarkMenu(*scan.addMenu(tr("Body mar&k")));
+  addPicturesMenu(*scan.addMenu(tr("P&ictures")));
   addPresetMenu(*scan.addMenu(tr("Prese&ts")));
   scan.addSeparator();
 
@@ -445,6 +446,7 @@ void MainWindow::refreshTheme() {
   parts_->caseInfo->refreshIcons();
   parts_->console->refreshIcons();
   parts_->scanView->refreshIcons();
+  parts_->pictures->refreshIcons();
   parts_->replayBar->refreshIcons();
   parts_->cineBar->refreshIcons();
   parts_->messages->refreshIcons();

@@ -21,7 +21,7 @@ bool MainWindow::Parts::editsAnnotations() const {
   const annotation::AnnotationList& list = annotated.list();
   if (staged || !(list.canUndo() || list.canRedo())) return false;
   if (isAuthor() && !annotationLayer->isWriting() && annotated.selected() == 0) return false;
-  return undoesAnnotations || !editsCalipers();
+  return annotated.wasWrittenLast() || !editsCalipers();
 }
 
 void MainWindow::readAnnotationData(const std::filesystem::path& resources) {
@@ -219,14 +219,14 @@ void MainWindow::connectAnnotations() {
       });
     showHistory();
   });
-  connect(&p.annotated, &AnnotatedPictures::edited, this, [this] { parts_->undoesAnnotations = true; });
   connect(&p.calipers, &Calipers::changed, this, [this] {
     if (parts_->calipers.drawing().tool()) parts_->annotated.putDown();
     parts_->bodyMarkView->raise();  // the calipers came to lie over it
     const measurement::Measurements& now = parts_->calipers.drawing().shown();
+    const bool isOther = std::exchange(parts_->measuredPicture, parts_->calipers.picture()) != parts_->calipers.picture();
     if (now == parts_->measured) return;
     parts_->measured = now;
-    parts_->undoesAnnotations = false;
+    if (!isOther) parts_->annotated.setMeasuredLast();
     showHistory();
   });
   connect(&p.annotated, &AnnotatedPictures::said, p.scanView, &ScanView::say);

@@ -18,6 +18,7 @@ void MainWindow::connectParts() {
   connectCalipers();
   connectAnnotations();
   connectZoomAndWide();
+  connectPictures();
   connectDocument();
   connectPages();
   connectOpener();

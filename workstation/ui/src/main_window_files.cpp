@@ -496,10 +496,10 @@ void MainWindow::savePicture() {
                                           {QStringLiteral(".png"), QStringLiteral(".mha"), QStringLiteral(".dcm")}});
   if (file.isEmpty()) return;
   const auto written = saveTogether({pathOf(file)}, [&](const OutputSet& outputs) {
-    const OnPicture on{&parts_->calipers, &parts_->annotated, &parts_->bodyMark};
     const QDateTime now = QDateTime::currentDateTime();
-    if (!file.endsWith(QStringLiteral(".dcm"))) return writeShownPicture(parts_->session, now, outputs.staged(pathOf(file)), on);
-    const auto still = storedStill(parts_->session, savedPicture(parts_->session, now, on), 1, now);
+    const std::vector<SavedPart> parts = shownParts();
+    if (!file.endsWith(QStringLiteral(".dcm"))) return writeShownPictures(parts, pictureColumns(), now, outputs.staged(pathOf(file)));
+    const auto still = storedStill(parts, savedPictures(parts, pictureColumns(), now), 1, now);
     auto object = writeDicomPicture(still.still, still.options, studyNow(), outputs.staged(pathOf(file)));
     return object ? Result<void>() : passOn(object.error());
   });

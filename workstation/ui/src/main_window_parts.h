@@ -38,6 +38,7 @@
 #include "measure_page.h"
 #include "message_bar.h"
 #include "opener.h"
+#include "picture_grid.h"
 #include "recorder.h"
 #include "replay_bar.h"
 #include "scan_pan.h"
@@ -109,8 +110,8 @@ struct MainWindow::Parts {
   ShownMark bodyMark{session};
   std::vector<Preset> presets;         ///< of the program
   measurement::Measurements measured;  ///< as they were when they changed last
-  bool undoesAnnotations = false;      ///< they changed after the calipers
-  bool isRecordingSaved = true;        ///< of the replay bar
+  std::optional<std::uint64_t> measuredPicture;
+  bool isRecordingSaved = true;  ///< of the replay bar
   struct {
     QString path;
     std::shared_ptr<const ScanRecording> recording;
@@ -131,6 +132,7 @@ struct MainWindow::Parts {
   ViewColumns* viewColumns = nullptr;
   Hold beforePress;  ///< where the probe was before the last press in a view
   ScanView* scanView = nullptr;
+  PictureGrid* pictures = nullptr;  ///< with the scan view, and what stands beside it
   SourcePicker* sourcePicker = nullptr;
   CaliperLayer* caliperLayer = nullptr;
   CaliperLayer* stripCaliperLayer = nullptr;
@@ -192,6 +194,9 @@ struct MainWindow::Parts {
   QAction* wholeImageAction = nullptr;
   QAction* wideAction = nullptr;
   QAction* bodyMarkAction = nullptr;
+  std::vector<QAction*> pictureCounts;  ///< 1, 2, 4
+  QAction* nextPictureAction = nullptr;
+  QAction* sameScaleAction = nullptr;
   QAction* transducerAction = nullptr;  ///< shares its key with texts: of a picture that moves
   QMenu* recentMenu = nullptr;
   std::string workspace = kExplore;

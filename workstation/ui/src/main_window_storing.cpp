@@ -121,7 +121,7 @@ DicomStudy MainWindow::studyNow() const {
 void MainWindow::storePicture() {
   Parts& p = *parts_;
   if (p.pages->currentWidget() != p.workspacePage || !p.keepsScan()) return;
-  if (!p.stored.store({&p.calipers, &p.annotated, &p.bodyMark}, studyNow(), QDateTime::currentDateTime())) return;
+  if (!p.stored.store(shownParts(), pictureColumns(), studyNow(), QDateTime::currentDateTime())) return;
   p.scanView->say(tr("Image %1 is stored.").arg(p.stored.items().size()));
 }
 

@@ -116,6 +116,11 @@ MeasurePage::MeasurePage(Session& session, Calipers& calipers, Worksheets& works
   empty_->setProperty("quiet", true);
   empty_->setWordWrap(true);
   rows->addWidget(empty_);
+  own_ = new QLabel;
+  own_->setObjectName(QStringLiteral("measuredPicture"));
+  own_->setProperty("quiet", true);
+  own_->hide();
+  rows->addWidget(own_);
   list_ = new QVBoxLayout;
   list_->setSpacing(4);
   rows->addLayout(list_);
@@ -129,6 +134,12 @@ MeasurePage::MeasurePage(Session& session, Calipers& calipers, Worksheets& works
   connect(results, &ResultsList::combineAsked, this, &MeasurePage::combineAsked);
   connect(results, &ResultsList::saveAsked, this, &MeasurePage::saveAsked);
   rows->addWidget(results);
+  others_ = new QWidget;
+  auto* others = new QVBoxLayout(others_);
+  others->setContentsMargins(0, 0, 0, 0);
+  others->setSpacing(4);
+  others_->hide();
+  rows->addWidget(others_);
   rows->addStretch(1);
   connect(&calipers_, &Calipers::changed, this, &MeasurePage::showAll);
   refreshIcons();
@@ -216,6 +227,34 @@ void MeasurePage::showIcons() {
   const auto& kinds = measurement::drawnKinds();
   for (std::size_t n = 0; n < tools_.size(); ++n)
     tools_[n]->setIcon(icon(CaliperWords::iconOf(kinds[n]), held_ == kinds[n] ? currentTheme().onAccent : currentTheme().text));
+}
+
+void MeasurePage::setPictures(const QString& own, const std::vector<OfPicture>& others) {
+  own_->setText(own.isEmpty() ? QString() : tr("Picture %1").arg(own));
+  own_->setVisible(!own.isEmpty());
+  for (QWidget* each : others_->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+    each->hide();
+    each->deleteLater();  // its click may be what is handled now
+  }
+  bool isAny = false;
+  for (const OfPicture& picture : others) {
+    if (picture.lines.empty()) continue;
+    isAny = true;
+    auto* name = new QLabel(tr("Picture %1").arg(picture.name));
+    name->setObjectName(QStringLiteral("measuredPicture"));
+    name->setProperty("quiet", true);
+    others_->layout()->addWidget(name);
+    for (const Calipers::Line& each : picture.lines) {
+      auto* line = new MeasuredLine(others_);
+      line->show(each, false);
+      line->setObjectName(QStringLiteral("measuredElsewhere"));
+      line->setToolTip(tr("Measured on another picture; a click takes that one in hand"));
+      line->setAccessibleName(tr("Picture %1: %2").arg(picture.name, line->accessibleName()));
+      connect(line, &QPushButton::clicked, this, [this, place = picture.place] { Q_EMIT pictureAsked(place); });
+      others_->layout()->addWidget(line);
+    }
+  }
+  others_->setVisible(isAny);
 }
 
 void MeasurePage::showAll() {

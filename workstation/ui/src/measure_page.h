@@ -28,10 +28,20 @@ class MeasurePage final : public QWidget {
   ~MeasurePage() override;
   void refreshIcons();
 
+  /// What was measured on a picture that stands beside the one in hand.
+  struct OfPicture {
+    int place = 0;
+    QString name;
+    std::vector<Calipers::Line> lines;
+  };
+  /// @param own name of the picture in hand; empty: the only one
+  void setPictures(const QString& own, const std::vector<OfPicture>& others);
+
  Q_SIGNALS:
   void worksheetAsked();
   void combineAsked();
   void saveAsked();
+  void pictureAsked(int place);  ///< to be taken in hand
 
  private:
   void addTools(Session& session, QVBoxLayout* rows);
@@ -48,6 +58,8 @@ class MeasurePage final : public QWidget {
   QLabel* empty_ = nullptr;
   QVBoxLayout* list_ = nullptr;
   std::vector<MeasuredLine*> lines_;
+  QLabel* own_ = nullptr;
+  QWidget* others_ = nullptr;  ///< of the pictures beside
   QLabel* explanation_ = nullptr;
   QWidget* edits_ = nullptr;
   QPushButton *undo_ = nullptr, *redo_ = nullptr, *remove_ = nullptr, *clear_ = nullptr;

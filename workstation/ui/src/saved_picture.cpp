@@ -4,12 +4,14 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "annotated_pictures.h"
 #include "annotation_paint.h"
 #include "caliper_paint.h"
 #include "caliper_words.h"
+#include "ew/core/contract.h"
 #include "ew/scanning/picture_file.h"
 #include "ew/ui/main_window.h"
 #include "figures.h"
@@ -142,22 +144,22 @@ Shown shownBy(const Session& session) {
   return shown;
 }
 
-}  // namespace
-
-SavedParts partsOfSaved(const Session& session, const QImage& saved) {
-  const Shown shown = shownBy(session);
-  const QPoint corner((saved.width() - kScale_px - shown.width()) / 2, kHead_px);
-  return {QRect(corner, shown.picture.size()), QRect(corner + QPoint(0, shown.stripTop_px()), shown.strip.size())};
+/// Of a picture that is saved by itself. @param width_px of all of it
+SavedPlace placeOf(const Session& session, const Shown& shown, int width_px) {
+  const QPoint corner((width_px - kScale_px - shown.width()) / 2, kHead_px);
+  return {&session, QRect(corner, shown.picture.size()), QRect(corner + QPoint(0, shown.stripTop_px()), shown.strip.size())};
 }
 
-QImage savedPicture(const Session& session, const QDateTime& at, const OnPicture& on) {
+}  // namespace
+
+QImage savedPicture(const Session& session, const QDateTime& at, const OnPicture& on, const QString& name) {
   if (!session.subject() || session.picture().isEmpty()) return {};
   const Shown shown = shownBy(session);
   const int measured_px = on.calipers != nullptr ? kLine_px * linesOf(*on.calipers) : 0;
   QImage saved(std::max(kLeast_px, shown.width() + kScale_px), kHead_px + shown.height() + measured_px + kFoot_px,
                (shown.picture.isNull() ? shown.strip : shown.picture).format());
   saved.fill(Qt::black);
-  const auto [picture, strip] = partsOfSaved(session, saved);
+  const auto [whose, picture, strip] = placeOf(session, shown, saved.width());
   QPainter painter(&saved);
   painter.setFont(smallFont());
   painter.setPen(kWords);
@@ -169,7 +171,7 @@ QImage savedPicture(const Session& session, const QDateTime& at, const OnPicture
   const int when_px = painter.fontMetrics().horizontalAdvance(when) + 24;
   line(0, Qt::AlignLeft, painter.fontMetrics().elidedText(words(session.subject()->title), Qt::ElideRight, saved.width() - 24 - when_px));
   line(0, Qt::AlignRight, when);
-  line(1, Qt::AlignLeft, settingsOf(session));
+  line(1, Qt::AlignLeft, name.isEmpty() ? settingsOf(session) : name + QStringLiteral("   ") + settingsOf(session));
   if (!shown.picture.isNull()) paintScale(painter, session.geometry(), picture);
   painter.end();
   for (const auto& [image, place] : {std::pair{shown.picture, picture}, std::pair{shown.strip, strip}}) {
@@ -184,13 +186,60 @@ QImage savedPicture(const Session& session, const QDateTime& at, const OnPicture
   return saved;
 }
 
-Result<void> writeShownPicture(const Session& session, const QDateTime& at, const std::filesystem::path& file, const OnPicture& on) {
-  const double pixel_mm = session.geometry().pixel_mm;
-  if (file.extension() == ".mha") return writePicture(session.picture(), pixel_mm, file);
-  const QImage saved = savedPicture(session, at, on);
+SavedTogether savedPictures(const std::vector<SavedPart>& parts, int columns, const QDateTime& at) {
+  SavedTogether saved;
+  std::vector<QImage> each;
+  for (const SavedPart& part : parts)
+    if (QImage image = savedPicture(*part.session, at, part.on, part.name); !image.isNull()) {
+      saved.places.push_back(placeOf(*part.session, shownBy(*part.session), image.width()));
+      each.push_back(std::move(image));
+    }
+  if (each.size() < 2) {
+    if (!each.empty()) saved.image = each.front();
+    return saved;
+  }
+  const auto across = static_cast<std::size_t>(std::clamp(columns, 1, static_cast<int>(each.size())));
+  const std::size_t rows = (each.size() + across - 1) / across;
+  bool isGrey = true;
+  std::vector<int> widths(across, 0), heights(rows, 0);
+  for (std::size_t n = 0; n < each.size(); ++n) {
+    isGrey = isGrey && each[n].format() == QImage::Format_Grayscale8;
+    widths[n % across] = std::max(widths[n % across], each[n].width());
+    heights[n / across] = std::max(heights[n / across], each[n].height());
+  }
+  const QImage::Format format = isGrey ? QImage::Format_Grayscale8 : QImage::Format_RGB888;
+  QImage& all = saved.image;
+  all = QImage(std::accumulate(widths.begin(), widths.end(), 0), std::accumulate(heights.begin(), heights.end(), 0), format);
+  all.fill(Qt::black);
+  const auto pixel_bytes = static_cast<std::size_t>(all.depth() / 8);
+  int top = 0, left = 0;
+  for (std::size_t n = 0; n < each.size(); ++n) {
+    const QImage image = each[n].convertToFormat(format);
+    for (int y = 0; y < image.height(); ++y)
+      std::copy_n(image.constScanLine(y), static_cast<std::size_t>(image.width()) * pixel_bytes,
+                  all.scanLine(top + y) + static_cast<std::size_t>(left) * pixel_bytes);
+    for (QRect* part : {&saved.places[n].picture, &saved.places[n].strip}) part->translate(left, top);
+    left += widths[n % across];
+    if ((n + 1) % across != 0) continue;
+    top += heights[n / across];
+    left = 0;
+  }
+  return saved;
+}
+
+Result<void> writeShownPictures(const std::vector<SavedPart>& parts, int columns, const QDateTime& at, const std::filesystem::path& file) {
+  const auto inHand = std::find_if(parts.begin(), parts.end(), [](const SavedPart& part) { return part.isInHand; });
+  EW_EXPECTS(inHand != parts.end());
+  const double pixel_mm = inHand->session->geometry().pixel_mm;
+  if (file.extension() == ".mha") return writePicture(inHand->session->picture(), pixel_mm, file);
+  const QImage saved = savedPictures(parts, columns, at).image;
   if (saved.format() == QImage::Format_Grayscale8)
     return writePicture(Picture{{saved.constBits(), saved.width(), saved.height(), saved.bytesPerLine()}}, pixel_mm, file);
   return writePicture(coloursOf(saved), pixel_mm, file);
+}
+
+Result<void> writeShownPicture(const Session& session, const QDateTime& at, const std::filesystem::path& file, const OnPicture& on) {
+  return writeShownPictures({{&session, on, {}, true}}, 1, at, file);
 }
 
 }  // namespace ew::ui

@@ -2,7 +2,10 @@
 
 #include <QDateTime>
 #include <QImage>
+#include <QRect>
+#include <QString>
 #include <filesystem>
+#include <vector>
 
 #include "ew/core/result.h"
 
@@ -28,13 +31,31 @@ struct OnPicture {
 /// it alone is shown. Calipers, texts and arrows are drawn over both, what was measured stands below, results over several measurements
 /// with it, and the body mark in its lower left corner where there is room.
 /// @return Format_Grayscale8, or Format_RGB888 when the picture has colours; null when there is no picture
-[[nodiscard]] QImage savedPicture(const Session& session, const QDateTime& at, const OnPicture& on = {});
+/// @param name which picture it is, before its settings; empty: the only one
+[[nodiscard]] QImage savedPicture(const Session& session, const QDateTime& at, const OnPicture& on = {}, const QString& name = {});
 
-/// Where on it the picture and the strip of the M-mode lie; empty: not shown.
-struct SavedParts {
-  QRect picture, strip;
+/// One of several pictures that are saved together.
+struct SavedPart {
+  const Session* session = nullptr;
+  OnPicture on = {};
+  QString name;  ///< which it is, above it; empty: the only one
+  bool isInHand = true;
 };
-[[nodiscard]] SavedParts partsOfSaved(const Session& session, const QImage& saved);
+/// Where on a saved picture a part of it lies.
+struct SavedPlace {
+  const Session* session = nullptr;
+  QRect picture, strip;  ///< of the M-mode; empty: not shown
+};
+struct SavedTogether {
+  QImage image;
+  std::vector<SavedPlace> places;
+};
+/// All of them, each as savedPicture has it and in its own scale, in rows; empty ones are left out.
+/// @param columns >= 1
+[[nodiscard]] SavedTogether savedPictures(const std::vector<SavedPart>& parts, int columns, const QDateTime& at);
+/// As writeShownPicture; a .mha has the bare picture that is in hand. Expects a picture in hand. @error as writePicture
+[[nodiscard]] Result<void> writeShownPictures(const std::vector<SavedPart>& parts, int columns, const QDateTime& at,
+                                              const std::filesystem::path& file);
 
 /// Writes the present picture: a .png to be looked at, as savedPicture has it and with the words it must carry; a .mha to be measured, the
 /// bare picture. Expects a picture. @error as writePicture

@@ -66,6 +66,33 @@ ScanView::ScanView(Session& session, QWidget* parent) : QWidget(parent), session
 }
 
 QRect ScanView::pictureRect() const {
+  const QRect whole = wholeRect();
+  if (mode() != DisplayMode::bMode || share_ >= 1.0) return whole;
+  const QSize size(std::max(1, static_cast<int>(std::lround(share_ * whole.width()))),
+                   std::max(1, static_cast<int>(std::lround(share_ * whole.height()))));
+  return {QPoint(whole.left() + (whole.width() - size.width()) / 2, whole.top()), size};
+}
+
+double ScanView::pixelOfWhole_mm() const {
+  if (!session_.subject()) return 0.0;
+  const QSize size = wholeRect().size() * devicePixelRatioF();
+  return fitDisplay(session_.pictureProbe(), session_.pictureKnobs(), std::max(1, size.width()), std::max(1, size.height())).pixel_mm;
+}
+
+void ScanView::setLeastPixel(double pixel_mm) {
+  if (pixel_mm == leastPixel_mm_) return;
+  leastPixel_mm_ = pixel_mm;
+  arrange();
+  update();
+}
+
+void ScanView::setLabel(const QString& label) {
+  if (label == label_) return;
+  label_ = label;
+  update();
+}
+
+QRect ScanView::wholeRect() const {
   const bool isAlone = mode() == DisplayMode::bMode;
   const int left_px = isAlone ? left_px_ : kLeft_px;
   const int right_px = isAlone ? right_px_ : kRight_px;
@@ -176,6 +203,7 @@ void ScanView::fitMargins() {
 
 void ScanView::arrange() {
   fitMargins();
+  share_ = leastPixel_mm_ > 0.0 && session_.subject() ? std::min(1.0, pixelOfWhole_mm() / leastPixel_mm_) : 1.0;
   const QRect box = pictureRect();
   session_.setPictureSize(static_cast<int>(std::lround(box.width() * devicePixelRatioF())),
                           static_cast<int>(std::lround(box.height() * devicePixelRatioF())));
@@ -485,7 +513,9 @@ void ScanView::paintWords(QPainter& painter) {
   const QFontMetrics metrics = painter.fontMetrics();
   const int right = session_.isFrozen() ? width() - 144 : width() - (recorded_s_ ? 96 : 24);
   painter.drawText(QRect(20, 8, right - 20, 24), Qt::AlignLeft | Qt::AlignVCenter,
-                   metrics.elidedText(words(session_.pictureProbe().name), Qt::ElideRight, right - 20));
+                   metrics.elidedText(label_.isEmpty() ? words(session_.pictureProbe().name)
+                                                       : label_ + QStringLiteral("   ") + words(session_.pictureProbe().name),
+                                      Qt::ElideRight, right - 20));
   const Knobs& knobs = session_.pictureKnobs();
   const QString depth_cm = figure(session_.geometry().depth_mm / 10.0, 1);
   QString line = resolvedGainLaw(knobs, session_.pictureScene()) == GainLaw::decibel

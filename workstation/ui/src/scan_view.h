@@ -44,6 +44,15 @@ class ScanView final : public QWidget {
   [[nodiscard]] QString said() const { return said_; }
   /// Sliders and marks on the image that change settings.
   void setControlsEnabled(bool enabled);
+  /// Which of several pictures it is, before the name of the probe; empty: the only one.
+  void setLabel(const QString& label);
+  [[nodiscard]] const QString& label() const { return label_; }
+  /// Millimetres that a pixel of the screen shows when the image is as large as the view has room; 0 without one.
+  [[nodiscard]] double pixelOfWhole_mm() const;
+  /// The image is made smaller than the room it has until a pixel shows as many millimetres, so that several have one scale. Only in
+  /// B-mode.
+  /// @param pixel_mm of device pixels; 0: as large as there is room
+  void setLeastPixel(double pixel_mm);
   /// A red dot and how long the recording is by now; empty: none is made.
   void setRecording(std::optional<double> length_s);
 
@@ -58,6 +67,7 @@ class ScanView final : public QWidget {
  private:
   void arrange();
   void fitMargins();
+  [[nodiscard]] QRect wholeRect() const;  ///< room for the image, beside the scales
   [[nodiscard]] DisplayMode mode() const { return session_.pictureKnobs().mode; }
   [[nodiscard]] bool isBesideVolume() const;
   void paintUnrecorded(QPainter& painter);
@@ -97,6 +107,9 @@ class ScanView final : public QWidget {
   [[nodiscard]] const Veil& veil();
   Veil veil_;
   std::optional<double> recorded_s_;
+  QString label_;
+  double leastPixel_mm_ = 0.0;
+  double share_ = 1.0;  ///< of the room that the image takes
   QString said_;
   QTimer saidLong_;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ew/core/contract.h"
 #include "ew/scanning/contact.h"
 #include "ew/scanning/recorded.h"
 
@@ -121,6 +122,68 @@ void Session::clear() {
   forming_.reset();
   Q_EMIT subjectChanged();
   Q_EMIT pictureChanged();
+}
+
+void Session::exchangePicture(Session& other) {
+  EW_EXPECTS(&other != this && !played_ && !other.played_ && !wide_ && !other.wide_);
+  EW_EXPECTS((frozen_ || picture_.isEmpty()) && (other.frozen_ || other.picture_.isEmpty()));
+  const bool wasFrozen = isFrozen(), otherWasFrozen = other.isFrozen();
+  const bool isForming = formOn_.isActive(), otherIsForming = other.formOn_.isActive();
+  for (Session* each : {this, &other}) {
+    each->formOn_.stop();
+    each->nextFrame_.stop();
+    each->sceneBeforeReset_.reset();
+    each->wantedEchoes_.reset();
+    each->adaptive_.reset();
+    each->recent_.clear();
+    each->movedAt_s_.reset();
+  }
+  std::swap(scanner_, other.scanner_);
+  std::swap(live_, other.live_);
+  std::swap(frozen_, other.frozen_);
+  std::swap(asScanned_, other.asScanned_);
+  std::swap(processing_, other.processing_);
+  std::swap(consoleWhileFrozen_, other.consoleWhileFrozen_);
+  std::swap(isProcessedAnew_, other.isProcessedAnew_);
+  std::swap(shown_, other.shown_);
+  std::swap(cine_, other.cine_);
+  std::swap(cineFrame_, other.cineFrame_);
+  std::swap(forming_, other.forming_);
+  std::swap(picture_, other.picture_);
+  std::swap(unsettledFrames_, other.unsettledFrames_);
+  std::swap(width_, other.width_);
+  std::swap(height_, other.height_);
+  // No two pictures of the window have the same number.
+  live_.number = other.live_.number = std::max(live_.number, other.live_.number);
+  // The subject may have been edited while the picture stood aside.
+  if (other.subject() && subject()) {
+    const ScanSubject& edited = *other.subject();
+    scanner_.setTitle(edited.title);
+    scanner_.setScene(edited.scene);
+    if (edited.tissue && !subject()->tissue) scanner_.know(edited.tissue);
+  }
+  tellOfPicture(wasFrozen);
+  other.tellOfPicture(otherWasFrozen);
+  if (otherIsForming) formCine();
+  if (isForming) other.formCine();
+}
+
+void Session::tellOfPicture(bool wasFrozen) {
+  due();
+  if (isFrozen() != wasFrozen) Q_EMIT frozenChanged(isFrozen());
+  Q_EMIT cineReplaced();
+  Q_EMIT probeChanged();
+  Q_EMIT knobsChanged();
+  Q_EMIT sceneChanged();
+  Q_EMIT holdChanged();
+  Q_EMIT pictureChanged();
+}
+
+void Session::beginLike(const Session& other) {
+  EW_EXPECTS(other.subject().has_value());
+  setProbes(other.all_);
+  show(*other.subject());
+  live_ = other.live_;
 }
 
 void Session::place(const Transform<frame::World, frame::World>& ownToWorld) {

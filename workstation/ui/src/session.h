@@ -40,6 +40,12 @@ class Session final : public QObject {
   void show(ScanSubject subject);
   void clear();
   [[nodiscard]] const std::optional<ScanSubject>& subject() const { return scanner_.subject(); }
+  /// The picture and all that it is made with change places with those of another session of the same subject: its console, its cine loop
+  /// and who makes it, so that nothing is formed again. Expects that neither runs: frozen, or without a picture; and that none plays.
+  /// Where the probe is, the clock and the breath are not a picture's and stay.
+  void exchangePicture(Session& other);
+  /// The same subject and the same console as another session, and no picture yet.
+  void beginLike(const Session& other);
   /// Moves the volume, and its labels with it, to where `ownToWorld` (rigid, mm) takes the grids of their own; ignored without one.
   /// A transform and no grid: whoever moves something cannot give it the grid of something else.
   void place(const Transform<frame::World, frame::World>& ownToWorld);
@@ -198,6 +204,7 @@ class Session final : public QObject {
   void frozenChanged(bool frozen);
   void breathingChanged();
   void cineChanged();                              ///< which image of the ring is wanted, or the ring itself while frozen
+  void cineReplaced();                             ///< by the ring of another picture
   void changeRefused();                            ///< of settings, because the image is frozen
   void wideDetailAsked(const ew::Detail& detail);  ///< the wide picture is to be shown so
   void pictureChanged();
@@ -214,6 +221,8 @@ class Session final : public QObject {
   /// Of a frozen picture: shown so from now on. Expects nothing that needs new echoes.
   void process(const Knobs& knobs, const Pan& pan);
   void forgetCine();
+  /// Everybody who shows something of the picture or its console looks again. @param wasFrozen before
+  void tellOfPicture(bool wasFrozen);
   /// Forms the wanted image of the ring: now where that is quick, else between other events.
   void formCine();
   void formOn();

@@ -45,6 +45,27 @@ void ShownMark::setBody(const annotation::MarkedBody& body) {
   look();
 }
 
+void ShownMark::beginLike(const ShownMark& other) {
+  mark_ = nullptr;
+  marks_ = other.marks_;
+  body_ = other.body_;
+  chosen_ = other.chosen_;
+  variant_ = other.variant_;
+  isShown_ = other.isShown_;
+}
+
+void ShownMark::exchange(ShownMark& other) {
+  std::swap(byHand_, other.byHand_);
+  std::swap(chosen_, other.chosen_);
+  std::swap(variant_, other.variant_);
+}
+
+void ShownMark::follow(const ShownMark& other) {
+  if (isShown_ == other.isShown_) return;
+  isShown_ = other.isShown_;
+  Q_EMIT changed();
+}
+
 std::vector<const BodyMark*> ShownMark::offered() const {
   std::vector<const BodyMark*> all = marksFor(marks_, body_);
   for (const BodyMark& mark : marks_)

@@ -23,12 +23,17 @@ class ShownMark final : public QObject {
 
   void setMarks(std::vector<annotation::BodyMark> marks);
   void setBody(const annotation::MarkedBody& body);
+  /// The same marks and body as another one; of a picture that was not made yet, the same choice.
+  void beginLike(const ShownMark& other);
+  /// Which drawing was chosen and where the probe was put changes places with that of another one, as Calipers::exchange has it.
+  void exchange(ShownMark& other);
 
   /// What is offered for this body, then all others.
   [[nodiscard]] std::vector<const annotation::BodyMark*> offered() const;
   /// What the menu shows as chosen; `byHand` is that of the picture.
   [[nodiscard]] annotation::MarkChoice choice() const;
-  void setShown(bool shown);
+  void setShown(bool shown);            ///< kept for the next start
+  void follow(const ShownMark& other);  ///< is shown as that one is
   /// @param mark id; empty: the one that shows the probe best
   void choose(const std::string& mark, const std::string& variant = {});
   /// Only on a picture that stands still; empty: it follows the probe again.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "ew/core/contract.h"
 #include "ew/imaging/caption.h"
 #include "ew/ui/main_window.h"
 #include "figures.h"
@@ -19,20 +20,26 @@ std::chrono::sys_seconds secondsOf(const QDateTime& at) { return std::chrono::sy
 
 }  // namespace
 
-ExaminationFiles::StoredStill storedStill(const Session& session, const QImage& saved, int number, const QDateTime& at) {
+ExaminationFiles::StoredStill storedStill(const std::vector<SavedPart>& parts, const SavedTogether& saved, int number,
+                                          const QDateTime& at) {
+  const QImage& image = saved.image;
   Still still;
-  if (saved.format() == QImage::Format_Grayscale8) {
-    GreyImage grey(saved.width(), saved.height());
-    for (int y = 0; y < saved.height(); ++y) std::copy_n(saved.constScanLine(y), saved.width(), viewOf(grey).row(y));
+  if (image.format() == QImage::Format_Grayscale8) {
+    GreyImage grey(image.width(), image.height());
+    for (int y = 0; y < image.height(); ++y) std::copy_n(image.constScanLine(y), image.width(), viewOf(grey).row(y));
     still.pixels = std::move(grey);
   } else {
-    still.pixels = coloursOf(saved);
+    still.pixels = coloursOf(image);
   }
-  const auto [picture, strip] = partsOfSaved(session, saved);
-  if (!picture.isEmpty()) still.regions.push_back(regionOf(session.geometry(), {picture.x(), picture.y()}));
-  if (!strip.isEmpty())
-    still.regions.push_back(regionOfStrip({strip.width(), strip.height()}, strip.width() * session.mMode().columnTime_s(),
-                                          session.geometry().depth_mm, {strip.x(), strip.y()}));
+  for (const auto& [session, picture, strip] : saved.places) {
+    if (!picture.isEmpty()) still.regions.push_back(regionOf(session->geometry(), {picture.x(), picture.y()}));
+    if (!strip.isEmpty())
+      still.regions.push_back(regionOfStrip({strip.width(), strip.height()}, strip.width() * session->mMode().columnTime_s(),
+                                            session->geometry().depth_mm, {strip.x(), strip.y()}));
+  }
+  const auto inHand = std::find_if(parts.begin(), parts.end(), [](const SavedPart& part) { return part.isInHand; });
+  EW_EXPECTS(inHand != parts.end());
+  const Session& session = *inHand->session;
   return {std::move(still), pictureOptions(session.pictureProbe(), session.pictureKnobs(), session.geometry(), number, secondsOf(at))};
 }
 
@@ -55,14 +62,15 @@ StoredExamination::StoredExamination(Session& session, Worksheets& worksheets, Q
   connect(&worksheets_, &Worksheets::changed, this, &StoredExamination::changed);
 }
 
-bool StoredExamination::store(const OnPicture& on, const DicomStudy& study, const QDateTime& at) {
-  const QImage saved = savedPicture(session_, at, on);
-  if (saved.isNull()) return false;
+bool StoredExamination::store(const std::vector<SavedPart>& parts, int columns, const DicomStudy& study, const QDateTime& at) {
+  SavedTogether saved = savedPictures(parts, columns, at);
+  if (saved.image.isNull()) return false;
   if (!study_) study_ = study;
   const QString caption = MainWindow::tr("%1, %2 cm, %3", "probe, depth and time of a stored image")
                               .arg(words(session_.pictureProbe().name), figure(session_.geometry().depth_mm / 10.0, 1),
                                    QLocale().toString(at.time(), QLocale::ShortFormat));
-  items_.push_back({saved, caption, storedStill(session_, saved, ++number_, at)});
+  auto still = storedStill(parts, saved, ++number_, at);
+  items_.push_back({std::move(saved.image), caption, std::move(still)});
   unsaved_ = true;
   Q_EMIT changed();
   return true;

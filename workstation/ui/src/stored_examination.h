@@ -31,9 +31,9 @@ class StoredExamination final : public QObject {
 
   StoredExamination(Session& session, Worksheets& worksheets, QObject* parent = nullptr);
 
-  /// Keeps what the scan shows now. @param study of the patient, taken with the first picture
+  /// Keeps what the scan shows now. @param parts, columns as of savedPictures @param study of the patient, taken with the first picture
   /// @return false: there is no picture
-  bool store(const OnPicture& on, const DicomStudy& study, const QDateTime& at);
+  bool store(const std::vector<SavedPart>& parts, int columns, const DicomStudy& study, const QDateTime& at);
   [[nodiscard]] const std::vector<Item>& items() const { return items_; }
   void remove(std::size_t item);
   /// Neither pictures nor filled worksheets.
@@ -64,8 +64,10 @@ class StoredExamination final : public QObject {
   bool unsaved_ = false;
 };
 
-/// The present picture with what lies on it, ready to be written as DICOM.
-[[nodiscard]] ExaminationFiles::StoredStill storedStill(const Session& session, const QImage& saved, int number, const QDateTime& at);
+/// What is shown, ready to be written as DICOM: each picture and strip with its scale; probe and settings are those of the picture in hand.
+/// Expects a picture in hand.
+[[nodiscard]] ExaminationFiles::StoredStill storedStill(const std::vector<SavedPart>& parts, const SavedTogether& saved, int number,
+                                                        const QDateTime& at);
 
 /// A picture as it may leave the program: with the words it must carry.
 [[nodiscard]] QImage withWarning(const QImage& saved);

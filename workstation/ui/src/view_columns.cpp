@@ -46,7 +46,6 @@ ViewColumns::ViewColumns(QSplitter& columns, QWidget& panel, QWidget& body, QWid
     : QObject(parent), columns_(columns), panel_(panel), body_(body), scan_(scan), canvas_(canvas) {
   columns_.installEventFilter(this);
   canvas_.installEventFilter(this);
-  scan_.installEventFilter(this);
   connect(&columns_, &QSplitter::splitterMoved, this, [this] {
     if (staged_ || scanOnly_ || !keepsBody_ || !keepsScan_) return;
     if (!panel_.isHidden()) panel_px_ = panel_.width();
@@ -56,6 +55,8 @@ ViewColumns::ViewColumns(QSplitter& columns, QWidget& panel, QWidget& body, QWid
     QSettings().setValue(isNarrow() ? kNarrowSetting : kWideSetting, swapped_ ? 1.0 - share : share);
   });
 }
+
+void ViewColumns::watch(QWidget& view) { view.installEventFilter(this); }
 
 bool ViewColumns::isNarrow() const { return columns_.window()->width() < kNarrow_px; }
 

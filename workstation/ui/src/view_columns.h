@@ -44,6 +44,8 @@ class ViewColumns final : public QObject {
   /// Width of the author's panels beside body and scan; what is staged there has them alone.
   void setPanelWidth(int panel_px);
   void setStaged(bool staged, int panel_px);
+  /// A double click in this view means the scan, which it is a part of.
+  void watch(QWidget& view);
   /// Which of the two a workspace keeps beside its panels.
   void setKept(bool body, bool scan);
   /// Nothing but the scan.

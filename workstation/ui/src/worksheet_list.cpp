@@ -86,7 +86,7 @@ void WorksheetList::showItems() {
       for (const PackageItem& item : examination->package().items) {
         if (item.measure == ItemMeasure::choice) continue;  // answered in the worksheet
         for (const char* side : item.isSided ? std::vector<const char*>{"right", "left"} : std::vector<const char*>{""}) {
-          Entry entry{item.label, side, new QPushButton, new FigureLabel};
+          Entry entry{item.label, side, new QPushButton, new FigureLabel, {}};
           const QString title = words(item.title);
           const QString named = *side == 0 ? title : tr("%1, %2", "an item and its side").arg(title, WorksheetWords::sideOf(side));
           entry.button->setObjectName(QStringLiteral("worksheetItem"));
@@ -94,9 +94,10 @@ void WorksheetList::showItems() {
           entry.button->setCheckable(true);
           entry.button->setFocusPolicy(Qt::TabFocus);
           entry.button->setAccessibleName(named);
-          entry.button->setToolTip(words(item.convention).isEmpty()
-                                       ? named
-                                       : tr("%1\n%2", "an item, and where its calipers go").arg(named, words(item.convention)));
+          entry.tip = words(item.convention).isEmpty()
+                          ? named
+                          : tr("%1\n%2", "an item, and where its calipers go").arg(named, words(item.convention));
+          entry.button->setToolTip(entry.tip);
           auto* line = new QHBoxLayout(entry.button);
           line->setContentsMargins(6, 2, 6, 2);
           auto* name = new QLabel(named);
@@ -128,8 +129,22 @@ void WorksheetList::showValues() {
   for (const Entry& entry : entries_) {
     const PackageItem* item = examination->package().item(entry.item);
     entry.value->setText(meanOf(examination->of(entry.item, entry.side), item->unit));
+    const QString pictures = picturesOf(entry);
+    entry.button->setToolTip(pictures.isEmpty() ? entry.tip : entry.tip + QLatin1Char('\n') + pictures);
     entry.button->setMinimumHeight(entry.button->layout()->heightForWidth(std::max(entry.button->width(), 160)));
   }
+}
+
+/// Where the values of an item were measured, when there are several pictures.
+QString WorksheetList::picturesOf(const Entry& entry) const {
+  QStringList names;
+  if (!worksheets_.nameOfPicture) return {};
+  for (const auto& found : worksheets_.current()->found()) {
+    if (found.entry.label != entry.item || found.entry.side != entry.side) continue;
+    const QString name = worksheets_.nameOfPicture(found.picture);
+    if (!name.isEmpty() && !names.contains(name)) names << name;
+  }
+  return names.isEmpty() ? QString() : tr("Measured on picture %1").arg(names.join(QStringLiteral(", ")));
 }
 
 /// An item whose caliper is in the hand is checked.

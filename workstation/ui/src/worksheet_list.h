@@ -39,7 +39,9 @@ class WorksheetList final : public QWidget {
     std::string side;
     QPushButton* button = nullptr;
     QLabel* value = nullptr;
+    QString tip;  ///< what it is, and where its calipers go
   };
+  [[nodiscard]] QString picturesOf(const Entry& entry) const;
   std::vector<Entry> entries_;
   const void* shownPackage_ = nullptr;  ///< whose items are listed
 };

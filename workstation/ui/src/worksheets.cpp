@@ -42,6 +42,8 @@ void Worksheets::measure(const std::string& item, const std::string& side) {
   if (current_ == nullptr) return;
   if (const measurement::PackageItem* asked = current_->package().item(item)) calipers_.takeFor(*asked, side);
   Q_EMIT changed();  // an item checks itself, whatever came of it
+  if (const QString remark = whyNotSide ? whyNotSide(side) : QString(); !remark.isEmpty() && calipers_.drawing().tool())
+    Q_EMIT said(remark);
 }
 
 void Worksheets::take() {

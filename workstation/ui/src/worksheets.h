@@ -33,6 +33,11 @@ class Worksheets final : public QObject {
   /// Takes the caliper of an item into the hand, or puts it down when it is there for that.
   void measure(const std::string& item, const std::string& side);
 
+  /// What people call a picture (Calipers::picture) of several; empty: it is the only one, or gone.
+  std::function<QString(std::uint64_t)> nameOfPicture;
+  /// What speaks against measuring an item of this side in the picture in hand; empty: nothing.
+  std::function<QString(const std::string& side)> whyNotSide;
+
   /// One with something in it that was not saved since; null when there is none.
   [[nodiscard]] const measurement::Examination* unsaved() const;
   /// Those with something in them.

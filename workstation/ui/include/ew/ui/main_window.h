@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "ew/core/result.h"
 #include "ew/ui/run.h"
@@ -46,12 +47,14 @@ class Jobs;
 class KeyMap;
 class MessageBar;
 class Recorder;
+class PictureGrid;
 class ReplayBar;
 class ScanView;
 class Session;
 class ShownMark;
 class View3D;
 struct MadeVolume;
+struct SavedPart;
 
 enum class Workspace { explore, author };
 
@@ -95,6 +98,7 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] Worksheets& worksheets();
   [[nodiscard]] AnnotatedPictures& annotated();
   [[nodiscard]] ShownMark& bodyMark();
+  [[nodiscard]] PictureGrid& pictures();
   [[nodiscard]] ReplayBar& replayBar();
   [[nodiscard]] CineBar& cineBar();
   [[nodiscard]] KeyMap& keys();
@@ -134,6 +138,7 @@ class MainWindow final : public QMainWindow {
   void addAnnotateMenu(QMenu& annotate);
   void addWordMenu(QMenu& menu);
   void addBodyMarkMenu(QMenu& mark);
+  void addPicturesMenu(QMenu& pictures);
   void addPresetMenu(QMenu& presets);
   void addZoomAndWideActions(QMenu& scan);
   void askBreathing(BreathingRequest request);
@@ -150,6 +155,10 @@ class MainWindow final : public QMainWindow {
   void connectZoomAndWide();
   void showWideState();
   void sayWhyRefused();
+  void connectPictures();
+  [[nodiscard]] std::vector<SavedPart> shownParts() const;  ///< all pictures, as they are saved
+  [[nodiscard]] int pictureColumns() const;
+  void showPictures();     ///< how many there are, and what was measured on each
   void connectDocument();  ///< the case, its edits and the panels of plugins
   void connectPages();
   void connectOpener();
