@@ -13,6 +13,7 @@
 #include <QTabWidget>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <map>
 
 #include "control_surface.h"
@@ -123,7 +124,8 @@ KeysDialog::KeysDialog(KeyMap& keys, ControlSurface& surface, std::vector<PanelK
   fillKeys();
   for (const int column : {1, 2}) {  // as wide as the whole list needs: nothing jumps while it is filtered
     list_->header()->setSectionResizeMode(column, QHeaderView::Interactive);
-    list_->header()->resizeSection(column, std::clamp(list_->sizeHintForColumn(column) + 16, 120, 280));
+    const int wanted_px = static_cast<const QAbstractItemView*>(list_)->sizeHintForColumn(column) + 16;
+    list_->header()->resizeSection(column, std::clamp(wanted_px, 120, 280));
   }
   fillTargets();
   fillControls();
