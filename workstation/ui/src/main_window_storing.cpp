@@ -208,7 +208,7 @@ bool MainWindow::mayLeaveStored(const QString& next) {
   QMessageBox question(this);
   question.setObjectName(QStringLiteral("unsavedStoredQuestion"));
   question.setIcon(QMessageBox::NoIcon);
-  question.setText(tr("Stored images that were neither saved nor sent: %1.").arg(p.stored.items().size())));
+  question.setText(tr("Stored images that were neither saved nor sent: %1.").arg(p.stored.items().size()));
   if (!next.isEmpty()) question.setInformativeText(tr("'%1' is ready to be shown in its place.").arg(next));
   question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   question.setDefaultButton(QMessageBox::Save);
