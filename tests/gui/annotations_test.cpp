@@ -222,7 +222,7 @@ class AnnotationsTest : public WindowFixture {
     freeze();
     write({30.0, 40.0}, "LIVER");
     pressKey(Qt::Key_4);
-    auto* calipers = window_->findChild<CaliperLayer*>();
+    auto* calipers = window_->findChild<CaliperLayer*>(QStringLiteral("caliperLayer"));
     const auto click = [&](const glm::dvec2& at_mm) {
       QTest::mouseClick(calipers, Qt::LeftButton, Qt::NoModifier, at(at_mm) - calipers->mapTo(&scan(), QPoint(0, 0)));
     };

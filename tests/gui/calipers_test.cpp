@@ -27,7 +27,7 @@ class CalipersTest : public WindowFixture {
   Q_OBJECT
 
   [[nodiscard]] Calipers& calipers() const { return window_->calipers(); }
-  [[nodiscard]] CaliperLayer& layer() const { return *window_->findChild<CaliperLayer*>(); }
+  [[nodiscard]] CaliperLayer& layer() const { return *window_->findChild<CaliperLayer*>(QStringLiteral("caliperLayer")); }
   [[nodiscard]] double pixel_mm() const { return session().geometry().pixel_mm; }
   [[nodiscard]] std::size_t count() const { return calipers().lines().size(); }
   [[nodiscard]] const Calipers::Line& last() const { return calipers().lines().back(); }

@@ -29,7 +29,7 @@ class WorksheetsTest : public WindowFixture {
 
   [[nodiscard]] Calipers& calipers() const { return window_->calipers(); }
   [[nodiscard]] Worksheets& worksheets() const { return window_->worksheets(); }
-  [[nodiscard]] CaliperLayer& layer() const { return *window_->findChild<CaliperLayer*>(); }
+  [[nodiscard]] CaliperLayer& layer() const { return *window_->findChild<CaliperLayer*>(QStringLiteral("caliperLayer")); }
   void click(const glm::dvec2& at_mm) const {
     const QPointF at = layer().placeOf(at_mm);
     QTest::mouseClick(&layer(), Qt::LeftButton, Qt::NoModifier, QPoint(static_cast<int>(at.x()), static_cast<int>(at.y())));

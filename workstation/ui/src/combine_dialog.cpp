@@ -45,7 +45,7 @@ CombineDialog::CombineDialog(Calipers& calipers, QWidget* parent) : QDialog(pare
   auto* rows = new QVBoxLayout(this);
   rows->setSpacing(8);
   auto* form = new QFormLayout;
-  form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   kind_ = new QComboBox;
   kind_->setObjectName(QStringLiteral("combineKind"));
   kind_->setAccessibleName(tr("Result"));

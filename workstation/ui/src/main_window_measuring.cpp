@@ -114,7 +114,8 @@ void MainWindow::showCombine() {
     p.combine = new CombineDialog(p.calipers, this);
     p.combine->setAttribute(Qt::WA_DeleteOnClose);
     const QPoint corner = p.scanView->mapToGlobal(QPoint(0, 0));
-    p.combine->move(std::max(mapToGlobal(QPoint(8, 0)).x(), corner.x() - p.combine->sizeHint().width() - 8), corner.y() + 8);
+    p.combine->adjustSize();
+    p.combine->move(std::max(mapToGlobal(QPoint(8, 0)).x(), corner.x() - p.combine->width() - 8), corner.y() + 8);
   }
   p.combine->show();
   p.combine->raise();

@@ -63,8 +63,10 @@ class MeasuredLine final : public QPushButton {
     others_->setProperty("quiet", true);
     others_->setContentsMargins(kNumber_px + 8, 0, 0, 0);
     rows->addWidget(others_);
-    for (QLabel* each : {number_, name_, static_cast<QLabel*>(value_), static_cast<QLabel*>(below_), others_})
+    for (QLabel* each : {number_, name_, static_cast<QLabel*>(value_), static_cast<QLabel*>(below_), others_}) {
       each->setAttribute(Qt::WA_TransparentForMouseEvents);
+      each->setVisible(true);  // a layout counts as empty what was never shown, and its height is asked for at once
+    }
   }
   void show(const Calipers::Line& line, bool isChosen) {
     number = line.measurement.number;

@@ -78,6 +78,7 @@ void ResultsList::showAll() {
     for (QLabel* each : {line.name, line.value}) {
       each->setAttribute(Qt::WA_TransparentForMouseEvents);
       inside->addWidget(each);
+      each->setVisible(true);  // a layout counts as empty what was never shown, and its height is asked for at once
     }
     const std::size_t index = lines_.size();
     connect(line.button, &QPushButton::clicked, this, [this, index] {
