@@ -1,0 +1,176 @@
+// Whole examinations of shipped cases as a person does them: planes found, calipers set, images stored, worksheets saved as a report.
+// EW_SCREENSHOTS=FOLDER keeps pictures of the window. Cases that are not prepared are skipped.
+#include <QComboBox>
+#include <QDir>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <cmath>
+
+#include "answers.h"
+#include "caliper_layer.h"
+#include "calipers.h"
+#include "ew/core/progress.h"
+#include "ew/io/dicom.h"
+#include "ew/library/case_truth.h"
+#include "examination_dialog.h"
+#include "picture_grid.h"
+#include "window_fixture.h"
+#include "worksheet_dialog.h"
+#include "worksheets.h"
+
+namespace ew::ui::testing {
+
+class ExaminationJourneyTest : public WindowFixture {
+  Q_OBJECT
+
+  [[nodiscard]] Calipers& calipers() const { return window_->calipers(); }
+  [[nodiscard]] CaliperLayer& layer() const { return *window_->findChild<CaliperLayer*>(QStringLiteral("caliperLayer")); }
+  void keep(const char* name) const {
+    const QString folder = qEnvironmentVariable("EW_SCREENSHOTS");
+    if (folder.isEmpty()) return;
+    QTest::qWait(300);
+    window_->grab().save(folder + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".png"));
+  }
+  void open(const char* id) {
+    const auto folder = shippedCasesFolder();
+    QVERIFY(folder.has_value());
+    for (const Case& each : listCases(*folder).cases) {
+      if (each.id != id) continue;
+      if (caseNeedsPreparation(each)) QSKIP("the case is not prepared; run 'echoweave case prepare --all' first");
+      const auto truth = loadCaseTruth(each, noProgress());
+      QVERIFY(truth.has_value());
+      truth_ = *truth;
+      window_ = std::make_unique<MainWindow>();
+      window_->resize(1600, 900);
+      window_->show();
+      QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+      QApplication::setActiveWindow(window_.get());
+      session().setAdaptive(false);
+      window_->open(QString::fromStdString(each.folder.string()));
+      QVERIFY(waitUntil([&] { return window_->isSettled() && window_->document().current() && window_->document().current()->id == id; },
+                        10.0 * test::kPatience_ms));
+      window_->findChild<ConsolePanel*>()->showPage(window_->findChild<QWidget*>(QStringLiteral("measurePage")));
+      return;
+    }
+    QFAIL("no such case");
+  }
+  [[nodiscard]] const ExpectedMeasurement& expected(const char* name) const {
+    static const ExpectedMeasurement none;
+    for (const ExpectedMeasurement& each : truth_.measurements)
+      if (each.name == name) return each;
+    return none;
+  }
+  void holdIn(const Transform<frame::World, frame::Probe>& probeToWorld) {
+    session().setFrozen(false);
+    probeToWorld_ = probeToWorld;
+    session().follow(std::make_shared<PosePath>(std::vector<TimedPose>{{0.0, {probeToWorld, PoseStatus::ok}}}));
+    session().makePictureNow();
+  }
+  void findPlane(const std::string& name) {
+    for (const ExpectedPlane& plane : truth_.planes)
+      if (plane.name == name) return holdIn(plane.probeToWorld);
+    QFAIL(("no plane " + name).c_str());
+  }
+  void choosePackage(const char* id) const {
+    auto* choice = find<QComboBox>("worksheetChoice");
+    choice->setCurrentIndex(choice->findData(QLatin1String(id)));
+    Q_EMIT choice->activated(choice->currentIndex());
+  }
+  void clickAt(const glm::dvec2& at_mm) const {
+    const QPointF at = layer().placeOf(at_mm);
+    QVERIFY2(layer().rect().contains(at.toPoint()), "the place is not in the picture");
+    QTest::mouseClick(&layer(), Qt::LeftButton, Qt::NoModifier, QPoint(static_cast<int>(at.x()), static_cast<int>(at.y())));
+  }
+  /// Where a point of the world lies in the plane that is seen.
+  [[nodiscard]] glm::dvec2 inPlane(const glm::dvec3& world) const {
+    const glm::dvec4 at = glm::inverse(probeToWorld_.matrix) * glm::dvec4(world, 1.0);
+    return {at.x, at.y};
+  }
+  /// Takes the item's caliper with a click on it, and sets its points where the truth has them.
+  void measureItem(const QString& title, const ExpectedMeasurement& truth) {
+    QVERIFY2(!truth.points_mm.empty(), qPrintable(title));
+    QPushButton* item = nullptr;
+    for (QPushButton* each : window_->findChildren<QPushButton*>(QStringLiteral("worksheetItem")))
+      if (!each->isHidden() && each->accessibleName().contains(title)) item = each;
+    QVERIFY2(item != nullptr, qPrintable(title));
+    if (!item->isChecked()) QTest::mouseClick(item, Qt::LeftButton);
+    QVERIFY(session().isFrozen());
+    const std::size_t clicks = truth.points_mm.size() == 4 ? 3 : truth.points_mm.size();
+    for (std::size_t n = 0; n < clicks; ++n) clickAt(inPlane(truth.points_mm[n]));
+    if (calipers().drawing().tool()) QTest::keyClick(&layer(), Qt::Key_Escape);
+    const double read = calipers().lines().back().measured.figures.front().quantity.value;
+    qInfo("%s: read %.2f, truth %.2f %s", qPrintable(title), read, truth.value, truth.unit.c_str());
+    QVERIFY2(std::abs(read - truth.value) <= std::max(truth.tolerance.value_or(0.0), 4.0 * session().geometry().pixel_mm),
+             qPrintable(QStringLiteral("%1: read %2, truth %3").arg(title).arg(read).arg(truth.value)));
+  }
+  void store() const { QTest::keyClick(window_.get(), Qt::Key_Insert); }
+  void saveSheet(const QString& file) {
+    Answers answers({{QStringLiteral("fileDialog"), type(file)}});
+    QTest::mouseClick(window_->findChild<QPushButton*>(QStringLiteral("saveWorksheet")), Qt::LeftButton);
+    QVERIFY2(!window_->messages().isError(), qPrintable(window_->messages().text()));
+    QVERIFY(QFileInfo(file).size() > 1000);
+  }
+
+  CaseTruth truth_;
+  Transform<frame::World, frame::Probe> probeToWorld_;
+
+ private Q_SLOTS:
+  void init() { QSettings().clear(); }
+  void cleanup() { window_.reset(); }
+
+  void obstetricBiometryInFivePlanes() {
+    open("fetal-biometry");
+    if (window_ == nullptr || QTest::currentTestFailed()) return;
+    choosePackage("obstetric");
+    findPlane("transthalamic");
+    measureItem(QStringLiteral("Biparietal diameter"), expected("biparietal diameter, outer to inner"));
+    measureItem(QStringLiteral("Head circumference"), expected("head circumference"));
+    keep("obstetric-head");
+    store();
+    for (const auto& [plane, name] : {std::pair{"transventricular", "atrium of the lateral ventricle"},
+                                      std::pair{"transcerebellar", "transverse diameter of the cerebellum"}}) {
+      findPlane(plane);
+      QTest::keyClick(&window_->scanView(), Qt::Key_4);
+      for (const glm::dvec3& point : expected(name).points_mm) clickAt(inPlane(point));
+      QCOMPARE(calipers().lines().size(), std::size_t{1});
+      const double read_mm = calipers().lines()[0].measured.figures.front().quantity.value;
+      QVERIFY2(std::abs(read_mm - expected(name).value) <= 2.0 * session().geometry().pixel_mm, name);
+      QTest::keyClick(&layer(), Qt::Key_Escape);
+      keep(plane);
+      store();
+    }
+    findPlane("abdominal circumference");
+    measureItem(QStringLiteral("Abdominal circumference"), expected("abdominal circumference"));
+    keep("obstetric-abdomen");
+    store();
+    findPlane("femur");
+    measureItem(QStringLiteral("Femur length"), expected("femur length"));
+    store();
+    QTest::mouseClick(find<QPushButton>("showWorksheet"), Qt::LeftButton);
+    QTest::keyClicks(window_->findChild<QLineEdit*>(QStringLiteral("gestation")), QStringLiteral("20w4d"));
+    keep("obstetric-femur");
+    if (const QString folder = qEnvironmentVariable("EW_SCREENSHOTS"); !folder.isEmpty())
+      window_->findChild<WorksheetDialog*>()->grab().save(folder + QStringLiteral("/obstetric-worksheet.png"));
+    const QString kept = qEnvironmentVariable("EW_SCREENSHOTS");
+    const QString folder = kept.isEmpty() ? files_.path(QStringLiteral(".")) : kept;
+    saveSheet(folder + QStringLiteral("/obstetric.pdf"));
+    saveSheet(folder + QStringLiteral("/obstetric.dcm"));
+    QVERIFY(isDicom((folder + QStringLiteral("/obstetric.dcm")).toStdString()));
+    QTest::keyClick(window_.get(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+    auto* examination = window_->findChild<ExaminationDialog*>();
+    QVERIFY(examination != nullptr);
+    QCOMPARE(examination->findChild<QListWidget*>(QStringLiteral("storedImages"))->count(), 5);
+    if (!kept.isEmpty()) {
+      QTest::qWait(300);
+      examination->grab().save(folder + QStringLiteral("/obstetric-examination.png"));
+    }
+    Answers answers({{QStringLiteral("unsavedStoredQuestion"), press(QMessageBox::Discard)}});
+    window_->close();
+  }
+};
+
+}  // namespace ew::ui::testing
+
+EW_WINDOW_TEST_MAIN(ew::ui::testing::ExaminationJourneyTest)
+#include "examination_journey_test.moc"
