@@ -46,7 +46,7 @@ class PicturesTest : public WindowFixture {
 
   [[nodiscard]] PictureGrid& grid() const { return window_->pictures(); }
   [[nodiscard]] Calipers& calipers() const { return window_->calipers(); }
-  [[nodiscard]] CaliperLayer& layer() const { return *window_->scanView().findChild<CaliperLayer*>(); }
+  [[nodiscard]] CaliperLayer& layer() const { return *window_->scanView().findChild<CaliperLayer*>(QStringLiteral("caliperLayer")); }
   [[nodiscard]] KeptPicture& kept(int place) const { return *grid().kept(place); }
   void pressKey(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) const {
     QTest::keyClick(&window_->scanView(), key, modifiers);

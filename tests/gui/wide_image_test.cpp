@@ -109,7 +109,7 @@ class WideImageTest : public ConsoleFixture {
     Calipers& calipers = window_->calipers();
     calipers.take(measurement::CaliperKind::distance);
     QVERIFY(session().wide() != nullptr);
-    auto& layer = *window_->findChild<CaliperLayer*>();
+    auto& layer = *window_->findChild<CaliperLayer*>(QStringLiteral("caliperLayer"));
     const double pixel_mm = window_->scanView().mmPerWidgetPixel();
     const auto click = [&](const glm::dvec2& at_mm) {
       const QPointF at = layer.placeOf(at_mm);
