@@ -59,7 +59,7 @@ struct Strokes {
   cv::Mat lowest;       ///< over time: a scan that moves is dark here, text is not
   cv::Mat deviation;    ///< over time
   cv::Mat height;       ///< of the lowest above its surroundings, wider than strokes are
-  cv::Mat gradient;     ///< of the mean: text has sharp rims
+  cv::Mat gradient;     ///< of the lowest: text has sharp rims
   cv::Mat inside;       ///< the scan
   cv::Mat sure;         ///< 1: a stroke
   cv::Mat weak;         ///< 1: may belong to one
@@ -71,13 +71,12 @@ Strokes strokesOf(const ScreenStatistics& statistics, const FanOutline& outline)
   const int scale = std::max(statistics.width_px(), statistics.height_px());
   s.lowest = matOf(statistics.lowest());
   s.deviation = matOf(statistics.deviation());
-  const cv::Mat mean = matOf(statistics.mean());
   s.inside = matOf(maskOf(outline, statistics.width_px(), statistics.height_px()));
   // A stroke is at most this thick.
   const int reach = std::clamp(scale / 60, 9, 31) | 1;
   const cv::Mat box = cv::getStructuringElement(cv::MORPH_RECT, {reach, reach});
   cv::morphologyEx(s.lowest, s.height, cv::MORPH_TOPHAT, box);
-  cv::morphologyEx(mean, s.gradient, cv::MORPH_GRADIENT, cv::getStructuringElement(cv::MORPH_RECT, {3, 3}));
+  cv::morphologyEx(s.lowest, s.gradient, cv::MORPH_GRADIENT, cv::getStructuringElement(cv::MORPH_RECT, {3, 3}));
   s.moving = quantile(s.deviation, s.inside, 0.5);
   const float still = std::clamp(0.25f * s.moving, 2.5f, 8.0f);
   cv::Mat sure = (s.height > 40) & (s.deviation < still);
@@ -90,7 +89,10 @@ Strokes strokesOf(const ScreenStatistics& statistics, const FanOutline& outline)
   cv::morphologyEx(hue, broad, cv::MORPH_OPEN, box);
   const cv::Mat thin = hue & ~broad;
   s.sure = (sure | thin) / 255;
-  s.weak = (weak | thin) / 255;
+  // Only close to what is sure: a few grains of speckle stand still by chance.
+  cv::Mat close;
+  cv::dilate(s.sure, close, cv::getStructuringElement(cv::MORPH_RECT, {7, 7}));
+  s.weak = ((weak | thin) / 255) & close;
   return s;
 }
 
@@ -118,16 +120,16 @@ bool isCharacter(const Component& one, const cv::Mat& labels, const Strokes& s, 
   for (int y = one.rect.y; y < one.rect.br().y; ++y)
     for (int x = one.rect.x; x < one.rect.br().x; ++x) {
       if (labels.at<int>(y, x) != one.label) continue;
-      rims.push_back(s.gradient.at<float>(y, x));
+      rims.push_back(static_cast<float>(s.gradient.at<std::uint8_t>(y, x)));
       levels.push_back(static_cast<float>(s.height.at<std::uint8_t>(y, x)));
       shakes.push_back(s.deviation.at<float>(y, x));
     }
-  const auto middle = [](std::vector<float>& values) {
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
+  const auto ranked = [](std::vector<float>& values, std::size_t quarters) {
+    std::sort(values.begin(), values.end());
+    return values[(values.size() - 1) * quarters / 4];
   };
-  const float rim = middle(rims), level = middle(levels), shake = middle(shakes);
+  // Of a thin stroke most pixels are half text, half scan: the stillest quarter is its middle.
+  const float rim = ranked(rims, 2), level = ranked(levels, 2), shake = ranked(shakes, 1);
   // Echoes that do not move are spread by the beam: their rims are slopes.
   return rim > 0.6f * level && shake < std::max(4.0f, 0.35f * s.moving);
 }
