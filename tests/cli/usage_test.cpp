@@ -21,7 +21,7 @@ TEST(Usage, VersionAndHelpGoToTheOutputAndSucceed) {
   const auto help = run({"--help"});
   EXPECT_EQ(help.status, 0);
   for (const char* command :
-       {"import", "reconstruct", "register", "slice", "level", "scan", "phantom", "case", "measure", "plugins", "bench"})
+       {"import", "screen", "reconstruct", "register", "slice", "level", "scan", "phantom", "case", "measure", "plugins", "bench"})
     EXPECT_NE(help.out.find(command), std::string::npos) << command;
   EXPECT_EQ(help.err, "");
 }

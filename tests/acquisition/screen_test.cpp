@@ -1,0 +1,315 @@
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <cstdio>
+
+#include "acquisition/screens.h"
+#include "ew/acquisition/line_data.h"
+#include "ew/acquisition/screen.h"
+#include "ew/acquisition/screen_recording.h"
+#include "ew/io/clip_file.h"
+#include "ew/io/sequence.h"
+#include "recordings.h"
+
+namespace ew::test::screen_test {
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+constexpr double kReadable = 0.6;  ///< correlation from which a character counts as readable; drawn ones have 0.75 and more
+
+struct Worst {
+  double apex_mm = 0.0, angle_deg = 0.0, overlap = 1.0, quality = 1.0, tick_px = 0.0, filled = 0.0, readable = 0.0, drawn = 1.0;
+};
+
+/// Compares what was found with what was drawn, says every figure and keeps the worst.
+void compare(const DrawnScreen& screen, const FoundScreen& found, unsigned seed, Worst& worst) {
+  ASSERT_TRUE(found.outline) << "screen " << seed << ", quality " << found.quality;
+  const cv::Mat& picture = screen.frames.front();
+  const double overlap = overlapOf(*found.outline, screen.truth, picture.cols, picture.rows);
+  EXPECT_EQ(found.outline->shape, screen.truth.shape) << seed;
+  EXPECT_GE(overlap, 0.98) << seed;
+  worst.overlap = std::min(worst.overlap, overlap);
+  worst.quality = std::min(worst.quality, found.quality);
+  if (screen.truth.shape != FanShape::linear && found.outline->shape != FanShape::linear) {
+    const double apex_mm = glm::distance(found.outline->apex_px, screen.truth.apex_px) * screen.pixel_mm;
+    const double angle_deg =
+        std::max(std::abs(found.outline->left_rad - screen.truth.left_rad), std::abs(found.outline->right_rad - screen.truth.right_rad)) /
+        kDegree;
+    EXPECT_LT(apex_mm, 2.0) << seed;
+    EXPECT_LT(angle_deg, 1.0) << seed;
+    worst.apex_mm = std::max(worst.apex_mm, apex_mm);
+    worst.angle_deg = std::max(worst.angle_deg, angle_deg);
+  }
+  ASSERT_TRUE(found.ticks) << seed;
+  const double off = std::abs(found.ticks->spacing_px - screen.tick_mm / screen.pixel_mm);
+  EXPECT_LT(off, 0.2) << seed;
+  worst.tick_px = std::max(worst.tick_px, off);
+
+  const auto geometry = corrected(found, {.tick_mm = screen.tick_mm});
+  ASSERT_TRUE(geometry) << geometry.error();
+  EXPECT_NEAR(*geometry->pixel_mm, screen.pixel_mm, 0.005 * screen.pixel_mm) << seed;
+  const ScreenCleaner cleaner(*geometry, {});
+  GreyImage clean;
+  const double filled = static_cast<double>(cleaner.pixelsFilled()) / static_cast<double>(cleaner.pixelsInside());
+  EXPECT_LE(filled, 0.01) << seed;
+  worst.filled = std::max(worst.filled, filled);
+  for (const std::size_t n : {std::size_t{0}, screen.frames.size() - 1}) {
+    const CineFrame frame = frameOf(screen.frames[n]);
+    cleaner.clean(frame.level, clean);
+    for (const DrawnText& text : screen.texts) {
+      if (!text.over) continue;
+      const double before = readability(frame.level, {0, 0, frame.level.width, frame.level.height}, text);
+      const double after = readability(clean, cleaner.kept(), text);
+      EXPECT_LT(after, kReadable) << seed << " " << text.text << " at " << text.rect << " font " << text.font << " scale " << text.scale;
+      worst.readable = std::max(worst.readable, after);
+      worst.drawn = std::min(worst.drawn, before);
+    }
+  }
+  // Nothing of what stood around is left.
+  const GreyImage truth = maskOf(screen.truth, picture.cols, picture.rows);
+  cv::Mat mask(picture.rows, picture.cols, CV_8U), grown;
+  std::copy(truth.pixels.begin(), truth.pixels.end(), mask.ptr());
+  cv::dilate(mask, grown, cv::getStructuringElement(cv::MORPH_RECT, {9, 9}));
+  int around = 0;
+  for (int y = 0; y < clean.height; ++y)
+    for (int x = 0; x < clean.width; ++x)
+      around += grown.at<std::uint8_t>(y + cleaner.kept().y, x + cleaner.kept().x) == 0 && viewOf(clean).at(x, y) != 0 ? 1 : 0;
+  EXPECT_EQ(around, 0) << seed;
+}
+
+void tell(const char* what, const Worst& worst) {
+  std::printf(
+      "%s: apex %.3f mm, angles %.3f degrees, overlap %.4f, quality %.2f, ticks %.3f px, filled %.2f %%, most readable %.2f (drawn: "
+      "%.2f)\n",
+      what, worst.apex_mm, worst.angle_deg, worst.overlap, worst.quality, worst.tick_px, 100.0 * worst.filled, worst.readable, worst.drawn);
+}
+
+TEST(Screen, FiftyMadeScreensAreFoundAndCleaned) {
+  Worst worst;
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    const DrawnScreen screen = madeScreen(seed);
+    compare(screen, findScreen(statisticsOf(screen)), seed, worst);
+  }
+  tell("worst of 50 made screens", worst);
+}
+
+/// The images of a recording in a screen, at the place `at`, with furniture around and over them. @param truth in pixels of the recording
+DrawnScreen screenAround(const Sequence& recording, const FanOutline& truth, double pixel_mm, unsigned seed, std::size_t mostFrames = 30) {
+  std::mt19937 random(seed);
+  DrawnScreen screen;
+  const cv::Point at(110, 40);
+  const cv::Size size(std::max(1024, recording.width + 260), std::max(768, recording.height + 100));
+  screen.truth = truth.movedBy({at.x, at.y});
+  screen.pixel_mm = pixel_mm;
+  screen.tick_mm = pixel_mm < 0.12 ? 5.0 : 10.0;
+  const Furniture furniture = furnish(screen.truth, size, pixel_mm, screen.tick_mm, random);
+  for (const auto& [text, colour] : furniture.texts) screen.texts.push_back(text);
+  const std::size_t every = std::max<std::size_t>(1, recording.frames.size() / mostFrames);
+  for (std::size_t n = 0; n < recording.frames.size(); n += every) {
+    const auto pixels = recording.framePixels(n);
+    const cv::Mat image(recording.height, recording.width, CV_8U, const_cast<std::uint8_t*>(pixels.data()));
+    cv::Mat picture = cv::Mat::zeros(size, CV_8UC3);
+    cv::Mat place = picture(cv::Rect(at, image.size()));
+    cv::cvtColor(image, place, cv::COLOR_GRAY2BGR);
+    drawFurniture(picture, furniture, static_cast<int>(n));
+    screen.frames.push_back(picture);
+  }
+  return screen;
+}
+
+void compareWithRecording(const char* what, const Sequence& recording, const FanOutline& truth, double pixel_mm) {
+  Worst worst;
+  for (unsigned seed = 101; seed <= 103; ++seed) {
+    const DrawnScreen screen = screenAround(recording, truth, pixel_mm, seed);
+    compare(screen, findScreen(statisticsOf(screen)), seed, worst);
+  }
+  tell(what, worst);
+}
+
+FanOutline rectangleOf(double left, double top, double right, double bottom) {
+  FanOutline outline;
+  outline.corners_px = {glm::dvec2(left, top), glm::dvec2(right, top), glm::dvec2(right, bottom), glm::dvec2(left, bottom)};
+  return outline;
+}
+
+TEST(ScreenOfRecordings, ConvexLiverSweep) {
+  EW_NEEDS_RECORDING("liver-sweep/liver_sweep.igs.mha");
+  const auto sweep = readSequence(recording("liver-sweep/liver_sweep.igs.mha"));
+  ASSERT_TRUE(sweep) << sweep.error();
+  FanOutline truth;  // as stored with the sweep
+  truth.shape = FanShape::convex;
+  truth.apex_px = {369.0, 22.01 - 161.34};
+  truth.left_rad = -30.28 * kDegree;
+  truth.right_rad = 30.28 * kDegree;
+  truth.near_px = 161.34;
+  truth.far_px = 724.35;
+  compareWithRecording("liver sweep", *sweep, truth, 0.314818);
+}
+
+TEST(ScreenOfRecordings, WideCurvilinearScanLines) {
+  EW_NEEDS_RECORDING("curvilinear-scanlines/UltrasonixCurvilinearBrightnessData.igs.mha");
+  auto lines = readSequence(recording("curvilinear-scanlines/UltrasonixCurvilinearBrightnessData.igs.mha"));
+  ASSERT_TRUE(lines) << lines.error();
+  LineGeometry geometry;
+  geometry.curvilinear = true;
+  geometry.radiusStart_mm = 10.0;
+  geometry.radiusStop_mm = 82.0;
+  geometry.theta_rad = 75.0 * kDegree;
+  geometry.size_px = {1100, 570};
+  geometry.pixel_mm = 0.15;
+  geometry.face_px = {550.0, 80.0};
+  const auto pictures = convertLines(*std::move(lines), geometry, 0, noProgress());
+  ASSERT_TRUE(pictures) << pictures.error();
+  FanOutline truth;
+  truth.shape = FanShape::convex;
+  truth.apex_px = {550.0, 80.0 - 10.0 / 0.15};
+  truth.left_rad = -75.0 * kDegree;
+  truth.right_rad = 75.0 * kDegree;
+  truth.near_px = 10.0 / 0.15;
+  truth.far_px = 82.0 / 0.15;
+  compareWithRecording("curvilinear scan lines", *pictures, truth, 0.15);
+}
+
+TEST(ScreenOfRecordings, LinearSimulatedSweep) {
+  EW_NEEDS_RECORDING("simulated-liver-pair/liver_sim_l2.igs.mha");
+  const auto sweep = readSequence(recording("simulated-liver-pair/liver_sim_l2.igs.mha"));
+  ASSERT_TRUE(sweep) << sweep.error();
+  // The whole image is scan. Its pixels are oblong; in this test they count as square.
+  compareWithRecording("simulated linear sweep", *sweep, rectangleOf(-0.5, -0.5, 255.5, 511.5), 0.2734);
+}
+
+TEST(ScreenRecording, AFilmBecomesACleanedSequence) {
+  const auto folder = std::filesystem::temp_directory_path() / ("ew-screen-" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  struct Removal {
+    std::filesystem::path folder;
+    ~Removal() {
+      std::error_code ignored;
+      std::filesystem::remove_all(folder, ignored);
+    }
+  } const removal{folder};
+  for (const char* name : {"screen.avi", "screen.mp4"}) {
+    Worst worst;
+    for (const unsigned seed : {3u, 5u, 8u}) {
+      const DrawnScreen screen = madeScreen(seed, 20);
+      const cv::Mat& first = screen.frames.front();
+      auto clip = ClipWriter::open(folder / name, first.cols, first.rows, 20.0);
+      ASSERT_TRUE(clip) << clip.error();
+      for (const cv::Mat& picture : screen.frames) ASSERT_TRUE(clip->add(frameOf(picture).colour));
+      ASSERT_TRUE(clip->finish());
+      auto opened = openScreen(folder / name);
+      ASSERT_TRUE(opened) << opened.error();
+      EXPECT_EQ(opened->times_s.size(), 20u);
+      compare(screen, opened->found, seed, worst);
+      if (HasFatalFailure()) return;
+      const auto geometry = corrected(opened->found, {.tick_mm = screen.tick_mm});
+      ASSERT_TRUE(geometry) << geometry.error();
+      const auto cleaned = writeCleaned(*opened, *geometry, {}, folder / "clean.igs.mha");
+      ASSERT_TRUE(cleaned) << cleaned.error();
+      const auto sequence = readSequence(folder / "clean.igs.mha");
+      ASSERT_TRUE(sequence) << sequence.error();
+      ASSERT_EQ(sequence->frames.size(), 20u);
+      EXPECT_EQ(sequence->width, cleaned->kept.width);
+      GreyImage last(sequence->width, sequence->height);
+      const auto pixels = sequence->framePixels(19);
+      std::copy(pixels.begin(), pixels.end(), last.pixels.begin());
+      for (const DrawnText& text : screen.texts) {
+        if (!text.over) continue;
+        EXPECT_LT(readability(last, cleaned->kept, text), kReadable) << name << seed << text.text;
+      }
+    }
+    tell(name, worst);
+  }
+}
+
+TEST(Screen, NothingThatLooksLikeAScanIsSaidPlainly) {
+  cv::RNG random(3);
+  ScreenStatistics still(320, 240), noise(320, 240);
+  for (int n = 0; n < 6; ++n) {
+    cv::Mat picture = cv::Mat::zeros(240, 320, CV_8UC3);
+    cv::putText(picture, "Settings " + std::to_string(n), {30, 60}, cv::FONT_HERSHEY_SIMPLEX, 0.6, cv::Scalar(255, 255, 255));
+    still.add(frameOf(picture));
+  }
+  const FoundScreen found = findScreen(still);
+  EXPECT_FALSE(found.outline);
+  ASSERT_FALSE(found.notes.empty());
+  EXPECT_NE(found.notes.back().english().find("not found"), std::string::npos);
+}
+
+TEST(Screen, CorrectionsReplaceAddAndRemove) {
+  FoundScreen found;
+  found.width_px = 200;
+  found.height_px = 150;
+  found.outline = rectangleOf(20, 10, 180, 140);
+  found.parts = {
+      {{30, 30, 40, 12}, ScreenPartKind::text}, {{100, 60, 30, 12}, ScreenPartKind::text}, {{5, 5, 10, 10}, ScreenPartKind::outside}};
+  found.ticks = DepthTicks{.x_px = 190, .first_px = 10, .spacing_px = 26, .count = 6};
+  ScreenCorrection correction;
+  correction.removed = {{28, 28, 44, 16}};
+  correction.added = {{120, 65, 40, 20}, {-5, 100, 30, 10}};
+  correction.tick_mm = 10.0;
+  const auto geometry = corrected(found, correction);
+  ASSERT_TRUE(geometry) << geometry.error();
+  EXPECT_EQ(geometry->text, (std::vector<PixelRect>{{100, 60, 60, 25}, {0, 100, 25, 10}}));
+  EXPECT_NEAR(*geometry->pixel_mm, 10.0 / 26.0, 1e-12);
+  correction.depth_mm = 65.0;
+  const auto deep = corrected(found, correction);
+  ASSERT_TRUE(deep);
+  EXPECT_NEAR(*deep->pixel_mm, 0.5, 1e-12);
+  EXPECT_EQ(deep->notes.size(), 1u) << "the ticks disagree";
+  correction.depth_mm = -1.0;
+  EXPECT_EQ(corrected(found, correction).error().code, ErrorCode::badField);
+  found.ticks.reset();
+  EXPECT_EQ(corrected(found, {.tick_mm = 5.0}).error().code, ErrorCode::badField);
+}
+
+TEST(Screen, TheFileOfAScreenGivesTheCorrectionBack) {
+  const auto file = std::filesystem::temp_directory_path() / ("ew-screen-" + std::to_string(getpid()) + ".screen.json");
+  ScreenCorrection correction;
+  FanOutline fan;
+  fan.shape = FanShape::sector;
+  fan.apex_px = {123.456, -7.25};
+  fan.left_rad = -0.7123;
+  fan.right_rad = 0.6;
+  fan.near_px = 3.0;
+  fan.far_px = 400.125;
+  correction.outline = fan;
+  correction.depth_mm = 160.0;
+  correction.added = {{1, 2, 3, 4}};
+  FoundScreen found;
+  found.width_px = 640;
+  found.height_px = 480;
+  ASSERT_TRUE(writeScreen(found, correction, file));
+  const auto again = readScreenCorrection(file);
+  std::filesystem::remove(file);
+  ASSERT_TRUE(again) << again.error();
+  EXPECT_EQ(*again, correction);
+  EXPECT_EQ(screenFileBeside("a/liver.igs.mha"), std::filesystem::path("a/liver.screen.json"));
+}
+
+TEST(Screen, FilledTextIsBetweenWhatLiesAround) {
+  ScreenGeometry geometry;
+  geometry.width_px = 80;
+  geometry.height_px = 60;
+  geometry.outline = rectangleOf(0, 0, 79, 59);
+  geometry.text = {{30, 20, 20, 10}};
+  GreyImage picture(80, 60), clean;
+  for (int y = 0; y < 60; ++y)
+    for (int x = 0; x < 80; ++x) viewOf(picture).at(x, y) = static_cast<std::uint8_t>(50 + x + y);
+  GreyImage written = picture;
+  for (int y = 22; y < 28; ++y)
+    for (int x = 32; x < 48; ++x) viewOf(written).at(x, y) = 255;
+  ScreenCleaner(geometry, {}).clean(written, clean);
+  for (int y = 0; y < 60; ++y)
+    for (int x = 0; x < 80; ++x) EXPECT_NEAR(viewOf(clean).at(x, y), viewOf(picture).at(x, y), 3) << x << " " << y;
+  ScreenCleaner(geometry, {.fill = TextFill::black}).clean(written, clean);
+  EXPECT_EQ(viewOf(clean).at(40, 25), 0);
+  EXPECT_EQ(viewOf(clean).at(29, 25), viewOf(picture).at(29, 25));
+}
+
+}  // namespace
+}  // namespace ew::test::screen_test
