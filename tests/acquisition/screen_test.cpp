@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-
 #include <cstdio>
+#include <fstream>
 
 #include "acquisition/screens.h"
 #include "ew/acquisition/line_data.h"
@@ -25,8 +25,8 @@ struct Worst {
   double apex_mm = 0.0, angle_deg = 0.0, overlap = 1.0, quality = 1.0, tick_px = 0.0, filled = 0.0, readable = 0.0, drawn = 1.0;
 };
 
-/// Compares what was found with what was drawn, says every figure and keeps the worst.
-void compare(const DrawnScreen& screen, const FoundScreen& found, unsigned seed, Worst& worst) {
+/// The outline beside the drawn one: says every figure and keeps the worst.
+void compareOutline(const DrawnScreen& screen, const FoundScreen& found, unsigned seed, Worst& worst) {
   ASSERT_TRUE(found.outline) << "screen " << seed << ", quality " << found.quality;
   const cv::Mat& picture = screen.frames.front();
   const double overlap = overlapOf(*found.outline, screen.truth, picture.cols, picture.rows);
@@ -34,24 +34,32 @@ void compare(const DrawnScreen& screen, const FoundScreen& found, unsigned seed,
   EXPECT_GE(overlap, 0.98) << seed;
   worst.overlap = std::min(worst.overlap, overlap);
   worst.quality = std::min(worst.quality, found.quality);
-  if (screen.truth.shape != FanShape::linear && found.outline->shape != FanShape::linear) {
-    const double apex_mm = glm::distance(found.outline->apex_px, screen.truth.apex_px) * screen.pixel_mm;
-    const double angle_deg =
-        std::max(std::abs(found.outline->left_rad - screen.truth.left_rad), std::abs(found.outline->right_rad - screen.truth.right_rad)) /
-        kDegree;
-    EXPECT_LT(apex_mm, 2.0) << seed;
-    EXPECT_LT(angle_deg, 1.0) << seed;
-    worst.apex_mm = std::max(worst.apex_mm, apex_mm);
-    worst.angle_deg = std::max(worst.angle_deg, angle_deg);
-  }
+  if (screen.truth.shape == FanShape::linear || found.outline->shape == FanShape::linear) return;
+  const double apex_mm = glm::distance(found.outline->apex_px, screen.truth.apex_px) * screen.pixel_mm;
+  const double angle_deg =
+      std::max(std::abs(found.outline->left_rad - screen.truth.left_rad), std::abs(found.outline->right_rad - screen.truth.right_rad)) /
+      kDegree;
+  EXPECT_LT(apex_mm, 2.0) << seed;
+  EXPECT_LT(angle_deg, 1.0) << seed;
+  worst.apex_mm = std::max(worst.apex_mm, apex_mm);
+  worst.angle_deg = std::max(worst.angle_deg, angle_deg);
+}
+
+/// The scale beside the drawn one, and what a statement of its distance makes of it.
+void compareScale(const DrawnScreen& screen, const FoundScreen& found, unsigned seed, Worst& worst) {
   ASSERT_TRUE(found.ticks) << seed;
   const double off = std::abs(found.ticks->spacing_px - screen.tick_mm / screen.pixel_mm);
   EXPECT_LT(off, 0.2) << seed;
   worst.tick_px = std::max(worst.tick_px, off);
-
   const auto geometry = corrected(found, {.tick_mm = screen.tick_mm});
   ASSERT_TRUE(geometry) << geometry.error();
   EXPECT_NEAR(*geometry->pixel_mm, screen.pixel_mm, 0.005 * screen.pixel_mm) << seed;
+}
+
+/// No character over the scan is left, little of the scan is lost, and nothing of what stood around is kept.
+void compareCleaning(const DrawnScreen& screen, const FoundScreen& found, unsigned seed, Worst& worst) {
+  const auto geometry = corrected(found, {});
+  ASSERT_TRUE(geometry) << geometry.error();
   const ScreenCleaner cleaner(*geometry, {});
   GreyImage clean;
   const double filled = static_cast<double>(cleaner.pixelsFilled()) / static_cast<double>(cleaner.pixelsInside());
@@ -64,12 +72,13 @@ void compare(const DrawnScreen& screen, const FoundScreen& found, unsigned seed,
       if (!text.over) continue;
       const double before = readability(frame.level, {0, 0, frame.level.width, frame.level.height}, text);
       const double after = readability(clean, cleaner.kept(), text);
+      EXPECT_GT(before, kReadable) << seed << " " << text.text << ": the search has to find what is there";
       EXPECT_LT(after, kReadable) << seed << " " << text.text << " at " << text.rect << " font " << text.font << " scale " << text.scale;
       worst.readable = std::max(worst.readable, after);
       worst.drawn = std::min(worst.drawn, before);
     }
   }
-  // Nothing of what stood around is left.
+  const cv::Mat& picture = screen.frames.front();
   const GreyImage truth = maskOf(screen.truth, picture.cols, picture.rows);
   cv::Mat mask(picture.rows, picture.cols, CV_8U), grown;
   std::copy(truth.pixels.begin(), truth.pixels.end(), mask.ptr());
@@ -79,6 +88,12 @@ void compare(const DrawnScreen& screen, const FoundScreen& found, unsigned seed,
     for (int x = 0; x < clean.width; ++x)
       around += grown.at<std::uint8_t>(y + cleaner.kept().y, x + cleaner.kept().x) == 0 && viewOf(clean).at(x, y) != 0 ? 1 : 0;
   EXPECT_EQ(around, 0) << seed;
+}
+
+void compare(const DrawnScreen& screen, const FoundScreen& found, unsigned seed, Worst& worst) {
+  ASSERT_NO_FATAL_FAILURE(compareOutline(screen, found, seed, worst));
+  ASSERT_NO_FATAL_FAILURE(compareCleaning(screen, found, seed, worst));
+  compareScale(screen, found, seed, worst);
 }
 
 void tell(const char* what, const Worst& worst) {
@@ -182,6 +197,66 @@ TEST(ScreenOfRecordings, LinearSimulatedSweep) {
   compareWithRecording("simulated linear sweep", *sweep, rectangleOf(-0.5, -0.5, 255.5, 511.5), 0.2734);
 }
 
+TEST(ScreenOfRecordings, LinearSpinePhantom) {
+  EW_NEEDS_RECORDING("spine-phantom-sweep/SpinePhantomFreehand.igs.mha");
+  const auto sweep = readSequence(recording("spine-phantom-sweep/SpinePhantomFreehand.igs.mha"));
+  ASSERT_TRUE(sweep) << sweep.error();
+  // The first and last columns and rows of which a third ever exceeds a level of 4: 187 to 631 and 12 to 601.
+  compareWithRecording("spine phantom", *sweep, rectangleOf(186.5, 11.5, 631.5, 601.5), 0.08);
+}
+
+TEST(ScreenOfRecordings, LinearCarotidThatStandsStill) {
+  EW_NEEDS_RECORDING("carotid-doppler-iq/carotid_env.raw");
+  // 304 lines of 592 samples, one after another, behind 28 bytes of header; two pixels a line make it as wide as its depth.
+  std::ifstream in(recording("carotid-doppler-iq/carotid_env.raw"), std::ios::binary);
+  std::vector<char> bytes(28 + 304 * 592);
+  ASSERT_TRUE(in.read(bytes.data(), static_cast<std::streamsize>(bytes.size())));
+  Sequence still;
+  still.width = 608;
+  still.height = 592;
+  still.frames.resize(1);
+  for (std::size_t y = 0; y < 592; ++y)
+    for (std::size_t x = 0; x < 608; ++x) still.pixels.push_back(static_cast<std::uint8_t>(bytes[28 + x / 2 * 592 + y]));
+  Worst worst;
+  for (unsigned seed = 101; seed <= 103; ++seed) {
+    const DrawnScreen screen = screenAround(still, rectangleOf(-0.5, -0.5, 607.5, 591.5), 0.0507, seed);
+    const FoundScreen found = findScreen(statisticsOf(screen));
+    compareOutline(screen, found, seed, worst);
+    compareScale(screen, found, seed, worst);
+    ASSERT_FALSE(found.notes.empty());
+    EXPECT_NE(found.notes.front().english().find("brightness alone"), std::string::npos) << "text over a still scan is not promised";
+  }
+  tell("carotid, one picture", worst);
+}
+
+TEST(ScreenOfRecordings, WiresInWaterHaveNoOutlineAndThisIsSaid) {
+  EW_NEEDS_RECORDING("wire-phantom-pair/fCal_Test_Validation_3NWires_fCal2.0.igs.mha");
+  const auto sweep = readSequence(recording("wire-phantom-pair/fCal_Test_Validation_3NWires_fCal2.0.igs.mha"));
+  ASSERT_TRUE(sweep) << sweep.error();
+  // Water is as black as what lies around the scan.
+  const FoundScreen found = findScreen(statisticsOf(screenAround(*sweep, rectangleOf(100, 20, 700, 600), 0.08, 101)));
+  EXPECT_FALSE(found.outline) << found.outline->word() << ", quality " << found.quality;
+  ASSERT_FALSE(found.notes.empty());
+  EXPECT_NE(found.notes.back().english().find("not found"), std::string::npos);
+}
+
+TEST(ScreenOfRecordings, SectorOfAHeartAsTheScannerStoredIt) {
+  EW_NEEDS_RECORDING("dicom-us/examples_ybr_color.dcm");
+  const auto opened = openScreen(recording("dicom-us/examples_ybr_color.dcm"));
+  ASSERT_TRUE(opened) << opened.error();
+  EXPECT_EQ(opened->times_s.size(), 30u);
+  // Read off the range of the frames by eye, within a pixel (1.02 mm) and half a degree: lines through the visible parts of both sides.
+  ASSERT_TRUE(opened->found.outline) << opened->found.quality;
+  const FanOutline& fan = *opened->found.outline;
+  std::printf("heart: apex %.2f %.2f, angles %.2f %.2f degrees, radii %.1f %.1f, quality %.2f\n", fan.apex_px.x, fan.apex_px.y,
+              fan.left_rad / kDegree, fan.right_rad / kDegree, fan.near_px, fan.far_px, opened->found.quality);
+  EXPECT_EQ(fan.shape, FanShape::sector);
+  EXPECT_LT(glm::distance(fan.apex_px, glm::dvec2(171.0, 8.5)) * 1.021, 2.0);
+  EXPECT_NEAR(fan.left_rad / kDegree, -43.0, 1.0);
+  EXPECT_NEAR(fan.right_rad / kDegree, 43.0, 1.0);
+  EXPECT_NEAR(fan.far_px, 192.5, 2.0);
+}
+
 TEST(ScreenRecording, AFilmBecomesACleanedSequence) {
   const auto folder = std::filesystem::temp_directory_path() / ("ew-screen-" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
@@ -226,18 +301,86 @@ TEST(ScreenRecording, AFilmBecomesACleanedSequence) {
   }
 }
 
+/// Pictures of one size, made by `draw` from their number.
+template <class Draw>
+FoundScreen foundIn(const cv::Size& size, int frames, const Draw& draw) {
+  ScreenStatistics statistics(size.width, size.height);
+  for (int n = 0; n < frames; ++n) {
+    cv::Mat picture = cv::Mat::zeros(size, CV_8UC3);
+    draw(picture, n);
+    statistics.add(frameOf(picture));
+  }
+  return findScreen(statistics);
+}
+
 TEST(Screen, NothingThatLooksLikeAScanIsSaidPlainly) {
   cv::RNG random(3);
-  ScreenStatistics still(320, 240), noise(320, 240);
-  for (int n = 0; n < 6; ++n) {
-    cv::Mat picture = cv::Mat::zeros(240, 320, CV_8UC3);
+  const auto black = [](cv::Mat&, int) {};
+  const auto white = [](cv::Mat& picture, int) { picture.setTo(cv::Scalar(255, 255, 255)); };
+  const auto menu = [](cv::Mat& picture, int n) {
     cv::putText(picture, "Settings " + std::to_string(n), {30, 60}, cv::FONT_HERSHEY_SIMPLEX, 0.6, cv::Scalar(255, 255, 255));
-    still.add(frameOf(picture));
+  };
+  const auto grain = [&](cv::Mat& picture, int) { random.fill(picture, cv::RNG::UNIFORM, 0, 256); };
+  const auto rareGrain = [&](cv::Mat& picture, int) {
+    for (int dot = 0; dot < 400; ++dot)
+      picture.at<cv::Vec3b>(random.uniform(0, picture.rows), random.uniform(0, picture.cols)) = {200, 200, 200};
+  };
+  const auto pointer = [](cv::Mat& picture, int n) { cv::circle(picture, {40 + 20 * n, 120}, 7, cv::Scalar(255, 255, 255), -1); };
+  const auto check = [](const char* what, const FoundScreen& found) {
+    EXPECT_FALSE(found.outline) << what << ": " << found.outline->word() << ", quality " << found.quality;
+    ASSERT_FALSE(found.notes.empty()) << what;
+    EXPECT_NE(found.notes.back().english().find("not found"), std::string::npos) << what;
+    const auto geometry = corrected(found, {});
+    ASSERT_TRUE(geometry) << what << geometry.error();
+    EXPECT_FALSE(geometry->outline) << what;
+  };
+  for (const cv::Size& size : {cv::Size(320, 240), cv::Size(300, 720)}) {
+    check("black", foundIn(size, 6, black));
+    check("menu", foundIn(size, 6, menu));
+    check("rare grain", foundIn(size, 6, rareGrain));
+    check("pointer", foundIn(size, 6, pointer));
+    check("one black picture", foundIn(size, 1, black));
+    check("no picture", foundIn(size, 0, black));
   }
-  const FoundScreen found = findScreen(still);
-  EXPECT_FALSE(found.outline);
-  ASSERT_FALSE(found.notes.empty());
-  EXPECT_NE(found.notes.back().english().find("not found"), std::string::npos);
+  for (const cv::Size& size : {cv::Size(1, 1), cv::Size(2, 500), cv::Size(500, 2), cv::Size(17, 13)}) {
+    check("tiny", foundIn(size, 4, black));
+    foundIn(size, 4, grain);  // any answer, no crash
+    foundIn(size, 1, white);
+  }
+  // Grain all over is a rectangle that fills the picture: an answer, and a true one.
+  const FoundScreen whole = foundIn({320, 240}, 6, grain);
+  if (whole.outline) {
+    EXPECT_GT(overlapOf(*whole.outline, rectangleOf(0, 0, 319, 239), 320, 240), 0.95);
+  }
+}
+
+TEST(Screen, ADarkScanOfAPortraitPictureAndOneOf4KAreFound) {
+  Worst worst;
+  for (const auto& [size, seed] : {std::pair(cv::Size(720, 1280), 61u), std::pair(cv::Size(3840, 2160), 62u)}) {
+    std::mt19937 random(seed);
+    DrawnScreen screen;
+    screen.truth.shape = FanShape::convex;
+    const double scale = std::min(size.width / 720.0, size.height / 720.0);
+    screen.truth.apex_px = glm::dvec2(0.5 * size.width - 11.0, 0.25 * size.height - 60.0 * scale);
+    screen.truth.left_rad = -31.0 * kDegree;
+    screen.truth.right_rad = 30.0 * kDegree;
+    screen.truth.near_px = 150.0 * scale;
+    screen.truth.far_px = 500.0 * scale;
+    screen.pixel_mm = 150.0 / screen.truth.depth_px();
+    screen.tick_mm = 10.0;
+    const cv::Mat level = tissue(screen.truth, size, random);
+    const Speckle speckle(size.width, size.height, seed);
+    const Furniture furniture = furnish(screen.truth, size, screen.pixel_mm, screen.tick_mm, random);
+    for (const auto& [text, colour] : furniture.texts) screen.texts.push_back(text);
+    for (int n = 0; n < 8; ++n) {
+      cv::Mat picture;
+      cv::cvtColor(scanOf(level, speckle, n), picture, cv::COLOR_GRAY2BGR);
+      drawFurniture(picture, furniture, n);
+      screen.frames.push_back(picture);
+    }
+    compare(screen, findScreen(statisticsOf(screen)), seed, worst);
+  }
+  tell("portrait and 4K", worst);
 }
 
 TEST(Screen, CorrectionsReplaceAddAndRemove) {
@@ -289,6 +432,8 @@ TEST(Screen, TheFileOfAScreenGivesTheCorrectionBack) {
   ASSERT_TRUE(again) << again.error();
   EXPECT_EQ(*again, correction);
   EXPECT_EQ(screenFileBeside("a/liver.igs.mha"), std::filesystem::path("a/liver.screen.json"));
+  EXPECT_EQ(screenFileBeside("a/liver.mha"), std::filesystem::path("a/liver.screen.json"));
+  EXPECT_EQ(screenFileBeside("a/liver.1.igs.mha"), std::filesystem::path("a/liver.1.screen.json")) << "liver.2 has one of its own";
 }
 
 TEST(Screen, FilledTextIsBetweenWhatLiesAround) {

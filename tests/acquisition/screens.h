@@ -125,7 +125,7 @@ inline void draw(cv::Mat& picture, const DrawnText& text, const cv::Scalar& colo
 /// Texts, scale, bar, logo, and what else a machine puts around a scan.
 struct Furniture {
   std::vector<std::pair<DrawnText, cv::Scalar>> texts;
-  cv::Rect bar, scale;
+  cv::Rect bar, colourBar, scale;
   double first_px = 0.0, spacing_px = 0.0;
   int ticks = 0, major = 5, x = 0;
   bool ticksToLeft = false;
@@ -138,6 +138,13 @@ inline void drawFurniture(cv::Mat& picture, const Furniture& f, int frame) {
   for (int y = 0; y < f.bar.height; ++y) {
     const int level = 255 - 255 * y / std::max(1, f.bar.height - 1);
     cv::line(picture, {f.bar.x, f.bar.y + y}, {f.bar.x + f.bar.width - 1, f.bar.y + y}, cv::Scalar(level, level, level));
+  }
+  // Colour bar: towards the probe red to yellow, away from it blue to cyan, black between them.
+  for (int y = 0; y < f.colourBar.height; ++y) {
+    const double share = 1.0 - 2.0 * y / std::max(1, f.colourBar.height - 1), strong = 255.0 * std::min(1.0, 1.6 * std::abs(share));
+    const double second = 255.0 * std::max(0.0, 2.0 * std::abs(share) - 1.0);
+    const cv::Scalar colour = share > 0.0 ? cv::Scalar(0, second, strong) : cv::Scalar(strong, second, 0);
+    cv::line(picture, {f.colourBar.x, f.colourBar.y + y}, {f.colourBar.x + f.colourBar.width - 1, f.colourBar.y + y}, colour);
   }
   for (int n = 0; n < f.ticks; ++n) {
     const int y = static_cast<int>(std::lround(f.first_px + n * f.spacing_px)), length = n % f.major == 0 ? 12 : 6;
@@ -222,6 +229,7 @@ inline Furniture furnish(const FanOutline& fan, const cv::Size& size, double pix
     return false;
   });
   f.bar = {size.width - 26, 90, 12, 180};
+  f.colourBar = {size.width - 26, 300, 12, 120};
   f.spacing_px = tick_mm / pixel_mm;
   f.x = std::min(size.width - 60, static_cast<int>(bounds[1].x) + 12);
   const double top = fan.shape == FanShape::linear ? fan.corners_px[0].y : fan.apex_px.y + fan.near_px;

@@ -113,8 +113,9 @@ ordered_json toJson(const FoundScreen& found) {
 }  // namespace
 
 std::filesystem::path screenFileBeside(const std::filesystem::path& recording) {
-  std::filesystem::path name = recording.filename();
-  while (name.has_extension()) name = name.stem();
+  // "liver.1.igs.mha" and "liver.2.igs.mha" have files of their own.
+  std::filesystem::path name = recording.filename().stem();
+  if (name.extension() == ".igs") name = name.stem();
   return recording.parent_path() / (name.string() + ".screen.json");
 }
 
