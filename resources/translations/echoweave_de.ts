@@ -1644,6 +1644,10 @@
         <translation>In der Aufnahme bewegt sich nichts, deshalb wurden Ultraschallbild und Bildschirm allein nach der Helligkeit getrennt; genau hinsehen.</translation>
     </message>
     <message>
+        <source>Too much of the scan stands still for text over it to be told from echoes; look for text and add its boxes.</source>
+        <translation>Zu viel vom Ultraschallbild steht still, als dass sich Text darüber von Echos unterscheiden ließe; nach Text suchen und seine Kästen hinzufügen.</translation>
+    </message>
+    <message>
         <source>The outline of the scan was not found; state it in a correction.</source>
         <translation>Der Umriss des Ultraschallbilds wurde nicht gefunden; ihn in einer Korrektur angeben.</translation>
     </message>
