@@ -270,7 +270,7 @@ inline FanOutline fanFor(FanShape shape, const cv::Size& size, std::mt19937& ran
 }
 
 /// A whole made screen.
-inline DrawnScreen madeScreen(unsigned seed, int frames = 12) {
+inline DrawnScreen madeScreen(unsigned seed, int frames = 12, bool overScan = true) {
   std::mt19937 random(seed);
   const std::array<cv::Size, 3> sizes{cv::Size(800, 600), cv::Size(1024, 768), cv::Size(960, 640)};
   const cv::Size size = sizes[seed % 3];
@@ -281,7 +281,7 @@ inline DrawnScreen madeScreen(unsigned seed, int frames = 12) {
   screen.tick_mm = screen.truth.shape == FanShape::linear ? 5.0 : 10.0;
   const cv::Mat level = tissue(screen.truth, size, random);
   const Speckle speckle(size.width, size.height, seed);
-  const Furniture furniture = furnish(screen.truth, size, screen.pixel_mm, screen.tick_mm, random);
+  const Furniture furniture = furnish(screen.truth, size, screen.pixel_mm, screen.tick_mm, random, overScan);
   for (const auto& [text, colour] : furniture.texts) screen.texts.push_back(text);
   screen.bar = furniture.bar;
   for (int n = 0; n < frames; ++n) {

@@ -16,6 +16,7 @@ constexpr double kSupport_px = 2.0;    ///< an edge this close bears the outline
 constexpr double kParallel_rad = 3.0 * kDegree;
 constexpr double kSectorShare = 0.1;  ///< near over far radius below which a fan is a sector
 constexpr double kLeastArea = 0.02;   ///< of the picture
+constexpr double kLeastFilled = 0.3;  ///< of an outline, by what is scan; wires in water fill a tenth
 constexpr int kSamples = 600;         ///< lines drawn at random through two points
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
@@ -367,7 +368,7 @@ bool refineFan(FanOutline& fan, const std::vector<EdgePoint>& points) {
   return true;
 }
 
-/// Of the outline borne out by edges, times the share of the mask inside.
+/// Of the outline borne out by edges, times the share of the mask inside; less for an outline around little of it.
 double qualityOf(const FanOutline& outline, const Candidate& candidate) {
   const cv::Mat& mask = candidate.mask;
   const auto points = edgePoints(outline, candidate.evidence, 8.0);
@@ -394,7 +395,7 @@ double qualityOf(const FanOutline& outline, const Candidate& candidate) {
       area += in ? 1.0 : 0.0;
     }
   if (whole < 1.0 || moving < 1.0 || area < kLeastArea * static_cast<double>(mask.total())) return 0.0;
-  return borne / whole * (both / moving);
+  return borne / whole * (both / moving) * std::min(1.0, both / area / kLeastFilled);
 }
 
 std::optional<FanFit> refined(FanOutline outline, const Candidate& candidate) {

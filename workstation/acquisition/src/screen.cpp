@@ -32,6 +32,21 @@ PixelRect within(const PixelRect& rect, int width_px, int height_px) {
   return {across.from, down.from, across.length, down.length};
 }
 
+constexpr double kMostUnderText = 0.05;  ///< of a scan: with more, what was taken for text is still scan
+
+/// The share of the outline under boxes that do not overlap.
+double shareUnder(const std::vector<PixelRect>& boxes, const FanOutline& outline, int width_px, int height_px) {
+  const GreyImage inside = maskOf(outline, width_px, height_px);
+  const auto whole = std::count(inside.pixels.begin(), inside.pixels.end(), std::uint8_t{1});
+  std::ptrdiff_t under = 0;
+  for (const PixelRect& box : boxes)
+    for (int y = box.y; y < box.y + box.height; ++y) {
+      const std::uint8_t* const row = viewOf(inside).row(y) + box.x;
+      under += std::count(row, row + box.width, std::uint8_t{1});
+    }
+  return whole == 0 ? 0.0 : static_cast<double>(under) / static_cast<double>(whole);
+}
+
 Error badStated(const char* field, Message message) { return {ErrorCode::badField, std::move(message), {{"field", field}}}; }
 
 }  // namespace
@@ -62,7 +77,12 @@ FoundScreen findScreen(const ScreenStatistics& statistics, const std::optional<F
   const float background = detail::backgroundOf(statistics);
   found.ticks = detail::findTicks(statistics, *found.outline, background);
   if (!found.ticks) found.notes.push_back(say<"No evenly spaced marks of a depth scale were found; the depth has to be stated.">());
-  for (const PixelRect& rect : detail::findText(statistics, *found.outline)) found.parts.push_back({rect, ScreenPartKind::text});
+  const auto text = detail::findText(statistics, *found.outline);
+  if (shareUnder(text, *found.outline, found.width_px, found.height_px) > kMostUnderText)
+    found.notes.push_back(
+        say<"Too much of the scan stands still for text over it to be told from echoes; look for text and add its boxes.">());
+  else
+    for (const PixelRect& rect : text) found.parts.push_back({rect, ScreenPartKind::text});
   const auto beside = detail::findBeside(statistics, *found.outline, background, found.ticks);
   found.parts.insert(found.parts.end(), beside.begin(), beside.end());
   return found;
