@@ -6336,14 +6336,6 @@
         <translation>Messpaket %1</translation>
     </message>
     <message>
-        <source>The folder of measurement packages %1 cannot be opened: %2.</source>
-        <translation>Der Ordner mit Messpaketen %1 kann nicht geöffnet werden: %2.</translation>
-    </message>
-    <message>
-        <source>The folder of measurement packages %1 cannot be read: %2.</source>
-        <translation>Der Ordner mit Messpaketen %1 kann nicht gelesen werden: %2.</translation>
-    </message>
-    <message>
         <source>a letter, then letters, digits and _</source>
         <translation>ein Buchstabe, dann Buchstaben, Ziffern und _</translation>
     </message>
@@ -6506,6 +6498,134 @@
     <message>
         <source>The scan says %1, dates say %2: %3 days apart, not more than %4, so the dates stay.</source>
         <translation>Die Messung ergibt %1, der Termin %2: %3 Tage auseinander, nicht mehr als %4, daher bleibt der Termin.</translation>
+    </message>
+    <message>
+        <source>The folder %1 with the %2 cannot be opened: %3.</source>
+        <translation>Der Ordner %1 (%2) lässt sich nicht öffnen: %3.</translation>
+    </message>
+    <message>
+        <source>The folder %1 with the %2 cannot be read: %3.</source>
+        <translation>Der Ordner %1 (%2) lässt sich nicht lesen: %3.</translation>
+    </message>
+    <message>
+        <source>measurement packages</source>
+        <translation>Messpakete</translation>
+    </message>
+    <message>
+        <source>word lists</source>
+        <translation>Wortlisten</translation>
+    </message>
+    <message>
+        <source>body marks</source>
+        <translation>Körpersymbole</translation>
+    </message>
+    <message>
+        <source>presets</source>
+        <translation>Voreinstellungen</translation>
+    </message>
+    <message>
+        <source>two numbers, a place in mm</source>
+        <translation>zwei Zahlen, ein Ort in mm</translation>
+    </message>
+    <message>
+        <source>one line of text of 1 to %1 bytes</source>
+        <translation>eine Zeile Text von 1 bis %1 Bytes</translation>
+    </message>
+    <message>
+        <source>left out of a text</source>
+        <translation>bei einem Text weggelassen werden</translation>
+    </message>
+    <message>
+        <source>left out of an arrow</source>
+        <translation>bei einem Pfeil weggelassen werden</translation>
+    </message>
+    <message>
+        <source>a place at least 0.5 mm from at_mm</source>
+        <translation>ein Ort, der mindestens 0,5 mm von at_mm entfernt ist</translation>
+    </message>
+    <message>
+        <source>a number that no other annotation has</source>
+        <translation>eine Nummer, die keine andere Beschriftung hat</translation>
+    </message>
+    <message>
+        <source>one line of 1 to %1 bytes that no other term of the list says</source>
+        <translation>eine Zeile von 1 bis %1 Bytes, die kein anderer Begriff der Liste ist</translation>
+    </message>
+    <message>
+        <source>the word list %1</source>
+        <translation>die Wortliste %1</translation>
+    </message>
+    <message>
+        <source>small letters, digits and -</source>
+        <translation>Kleinbuchstaben, Ziffern und -</translation>
+    </message>
+    <message>
+        <source>the name of an SVG file in the folder of the mark</source>
+        <translation>der Name einer SVG-Datei im Ordner des Körpersymbols</translation>
+    </message>
+    <message>
+        <source>an id that no other variant has</source>
+        <translation>eine Kennung, die keine andere Variante hat</translation>
+    </message>
+    <message>
+        <source>the body mark %1</source>
+        <translation>das Körpersymbol %1</translation>
+    </message>
+    <message>
+        <source>two numbers from 0 to 1, a place on the drawing</source>
+        <translation>zwei Zahlen von 0 bis 1, ein Ort auf der Zeichnung</translation>
+    </message>
+    <message>
+        <source>small letters, digits, ., - and _</source>
+        <translation>Kleinbuchstaben, Ziffern, ., - und _</translation>
+    </message>
+    <message>
+        <source>the preset %1</source>
+        <translation>die Voreinstellung %1</translation>
+    </message>
+    <message>
+        <source>the knobs of %1</source>
+        <translation>die Regler von %1</translation>
+    </message>
+    <message>
+        <source>0 or one of the probe&apos;s frequencies, %1</source>
+        <translation>0 oder eine der Frequenzen des Schallkopfs, %1</translation>
+    </message>
+    <message>
+        <source>at most the depth, %1 mm</source>
+        <translation>höchstens die Tiefe, %1 mm</translation>
+    </message>
+    <message>
+        <source>false: the probe cannot fan out</source>
+        <translation>false: der Schallkopf kann sich nicht auffächern</translation>
+    </message>
+    <message>
+        <source>left out: how fast the machine is belongs to no examination</source>
+        <translation>weggelassen werden: Wie schnell der Rechner ist, gehört zu keiner Untersuchung</translation>
+    </message>
+    <message>
+        <source>The preset %1 is for the probe &apos;%2&apos;, which there is not; those there are: %3.</source>
+        <translation>Die Voreinstellung %1 ist für den Schallkopf &apos;%2&apos;, den es nicht gibt; es gibt: %3.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be the name of a preset; use 1 to %2 bytes with a letter or a digit among them.</source>
+        <translation>&apos;%1&apos; kann nicht der Name einer Voreinstellung sein; nehmen Sie 1 bis %2 Bytes mit einem Buchstaben oder einer Ziffer darunter.</translation>
+    </message>
+    <message>
+        <source>The folder of presets %1 cannot be made: %2.</source>
+        <translation>Der Ordner der Voreinstellungen %1 lässt sich nicht anlegen: %2.</translation>
+    </message>
+    <message>
+        <source>Of %1 presets %2 cannot be used; correct what is listed.</source>
+        <translation>Von %1 Voreinstellungen sind %2 unbrauchbar; korrigieren Sie, was aufgeführt ist.</translation>
+    </message>
+    <message>
+        <source>0: the probe cannot steer</source>
+        <translation>0: der Schallkopf kann nicht schwenken</translation>
+    </message>
+    <message>
+        <source>an object, the knobs of the console</source>
+        <translation>ein Objekt, die Regler der Konsole</translation>
     </message>
 </context>
 <context>
@@ -8625,6 +8745,39 @@
     </message>
 </context>
 <context>
+    <name>ew::ui::AnnotatedPictures</name>
+    <message>
+        <source>Words and arrows belong to the image, not to the strip of the M-mode. Switch to B or B + M (M).</source>
+        <translation>Texte und Pfeile gehören ins Bild, nicht in den Streifen des M-Mode. Wechseln Sie zu B oder B + M (M).</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::AnnotationLayer</name>
+    <message>
+        <source>Texts and arrows on the image</source>
+        <translation>Texte und Pfeile im Bild</translation>
+    </message>
+    <message>
+        <source>Text on the image</source>
+        <translation>Text im Bild</translation>
+    </message>
+    <message>
+        <source>Enter ends, Escape gives up, Tab takes the first word of the list, Ctrl+Home goes to the home position</source>
+        <translation>Eingabe beendet, Esc verwirft, Tab nimmt das erste Wort der Liste, Strg+Pos1 geht zur Ausgangsstelle</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::BodyMarkView</name>
+    <message>
+        <source>Body mark</source>
+        <translation>Körpersymbol</translation>
+    </message>
+    <message>
+        <source>Body mark: drag it to another corner. On a frozen image drag the probe on it, turn it with the wheel; a double click lets it follow the probe again.</source>
+        <translation>Körpersymbol: Ziehen Sie es in eine andere Ecke. In einem eingefrorenen Bild lässt sich der Schallkopf darauf ziehen und mit dem Rad drehen; nach einem Doppelklick folgt er wieder dem Schallkopf.</translation>
+    </message>
+</context>
+<context>
     <name>ew::ui::CaliperLayer</name>
     <message>
         <source>Calipers on the image</source>
@@ -8719,12 +8872,26 @@
         <comment>from a smallest to a largest value</comment>
         <translation>%1 bis %2</translation>
     </message>
+    <message>
+        <source> R</source>
+        <comment>right side, behind what was measured</comment>
+        <translation> R</translation>
+    </message>
+    <message>
+        <source> L</source>
+        <comment>left side, behind what was measured</comment>
+        <translation> L</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::Calipers</name>
     <message>
         <source>Calipers measure in the image, not in the strip of the M-mode. Switch to B or B + M (M).</source>
         <translation>Gemessen wird im Bild, nicht im Streifen des M-Modus. Auf B oder B + M umschalten (M).</translation>
+    </message>
+    <message>
+        <source>Following the edge</source>
+        <translation>Der Kante folgen</translation>
     </message>
 </context>
 <context>
@@ -11064,6 +11231,157 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>delete all measurements</source>
         <translation>alle Messungen löschen</translation>
     </message>
+    <message>
+        <source>&amp;Worksheet…</source>
+        <translation>&amp;Arbeitsblatt…</translation>
+    </message>
+    <message>
+        <source>Choose a worksheet on the page of measurements first.</source>
+        <translation>Zuerst auf der Seite der Messungen ein Arbeitsblatt wählen.</translation>
+    </message>
+    <message>
+        <source>Save the worksheet</source>
+        <translation>Arbeitsblatt speichern</translation>
+    </message>
+    <message>
+        <source>Worksheets (*.pdf *.csv *.json)</source>
+        <translation>Arbeitsblätter (*.pdf *.csv *.json)</translation>
+    </message>
+    <message>
+        <source>The worksheet '%1' is not saved.</source>
+        <translation>Das Arbeitsblatt '%1' ist nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>&amp;Annotate</source>
+        <translation>&amp;Beschriften</translation>
+    </message>
+    <message>
+        <source>Body mar&amp;k</source>
+        <translation>&amp;Körpersymbol</translation>
+    </message>
+    <message>
+        <source>Prese&amp;ts</source>
+        <translation>&amp;Voreinstellungen</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Arrow</source>
+        <translation>Pfeil</translation>
+    </message>
+    <message>
+        <source>Words</source>
+        <translation>Wörter</translation>
+    </message>
+    <message>
+        <source>Home position here</source>
+        <translation>Ausgangsstelle hier</translation>
+    </message>
+    <message>
+        <source>Delete all texts and arrows</source>
+        <translation>Alle Texte und Pfeile löschen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a word and what it means</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Show the body mark</source>
+        <translation>Körpersymbol zeigen</translation>
+    </message>
+    <message>
+        <source>Follow the probe again</source>
+        <translation>Wieder dem Schallkopf folgen</translation>
+    </message>
+    <message>
+        <source>Where the probe is</source>
+        <translation>Wo der Schallkopf ist</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>a body mark and its variant</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>a preset and its probe</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Save as preset…</source>
+        <translation>Als Voreinstellung speichern…</translation>
+    </message>
+    <message>
+        <source>Save as preset</source>
+        <translation>Als Voreinstellung speichern</translation>
+    </message>
+    <message>
+        <source>Name of the examination:</source>
+        <translation>Name der Untersuchung:</translation>
+    </message>
+    <message>
+        <source>Saved to %1. Give this file to others who want the same.</source>
+        <translation>Gespeichert unter %1. Geben Sie diese Datei weiter, wenn andere dasselbe wollen.</translation>
+    </message>
+    <message>
+        <source>Take over a preset file…</source>
+        <translation>Datei einer Voreinstellung übernehmen…</translation>
+    </message>
+    <message>
+        <source>Take over a preset file</source>
+        <translation>Datei einer Voreinstellung übernehmen</translation>
+    </message>
+    <message>
+        <source>Presets (*.json)</source>
+        <translation>Voreinstellungen (*.json)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is now among your presets.</source>
+        <translation>&apos;%1&apos; gehört jetzt zu Ihren Voreinstellungen.</translation>
+    </message>
+    <message>
+        <source>writing on the image</source>
+        <translation>Beschriften</translation>
+    </message>
+    <message>
+        <source>Annotate</source>
+        <translation>Beschriften</translation>
+    </message>
+    <message>
+        <source>Frozen: %1</source>
+        <translation>Eingefroren: %1</translation>
+    </message>
+    <message>
+        <source>write, with words of the region</source>
+        <translation>schreiben, mit Wörtern der Region</translation>
+    </message>
+    <message>
+        <source>freeze and write, draw an arrow</source>
+        <translation>einfrieren und schreiben, einen Pfeil zeichnen</translation>
+    </message>
+    <message>
+        <source>first word offered, home position</source>
+        <translation>erstes angebotenes Wort, Ausgangsstelle</translation>
+    </message>
+    <message>
+        <source>Drag, double click</source>
+        <translation>Ziehen, Doppelklick</translation>
+    </message>
+    <message>
+        <source>move, write anew</source>
+        <translation>verschieben, neu schreiben</translation>
+    </message>
+    <message>
+        <source>delete what is chosen, its last word</source>
+        <translation>Gewähltes löschen, sein letztes Wort</translation>
+    </message>
+    <message>
+        <source>body mark</source>
+        <translation>Körpersymbol</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::MeasurePage</name>
@@ -11754,6 +12072,178 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Click or drag to another moment (arrows: a second, with Shift five; Home and End)</source>
         <translation>Zu einem anderen Augenblick klicken oder ziehen (Pfeile: eine Sekunde, mit Umschalt fünf; Pos1 und Ende)</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::WorksheetDialog</name>
+    <message>
+        <source>Worksheet</source>
+        <translation>Arbeitsblatt</translation>
+    </message>
+    <message>
+        <source>Simulation, training only: not for diagnosis.</source>
+        <translation>Simulation, nur zur Ausbildung: nicht zur Diagnose.</translation>
+    </message>
+    <message>
+        <source>Remove a value</source>
+        <translation>Einen Wert entfernen</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>As PDF to print, as CSV for tables, as JSON for programs</source>
+        <translation>Als PDF zum Drucken, als CSV für Tabellen, als JSON für Programme</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>32w1d</source>
+        <translation>32w1d</translation>
+    </message>
+    <message>
+        <source>Weeks and days since the last period: 32w1d. Charts and redating need it.</source>
+        <translation>Wochen und Tage seit der letzten Regel: 32w1d. Kurven und Terminkorrektur brauchen es.</translation>
+    </message>
+    <message>
+        <source>Gestational age by dates</source>
+        <translation>Schwangerschaftsalter nach Daten</translation>
+    </message>
+    <message>
+        <source>not answered</source>
+        <translation>nicht beantwortet</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>an item and its side</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Write weeks and days, as 32w1d, from 0w to 45w.</source>
+        <translation>Wochen und Tage schreiben, etwa 32w1d, von 0w bis 45w.</translation>
+    </message>
+    <message>
+        <source>Nothing is entered yet. Choose an item on the page of measurements and measure it in the image.</source>
+        <translation>Noch ist nichts eingetragen. Auf der Seite der Messungen einen Punkt wählen und ihn im Bild messen.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>an item and its value</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <comment>an item, its side and its value</comment>
+        <translation>%1, %2: %3</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::WorksheetList</name>
+    <message>
+        <source>Which worksheet the measurements go to</source>
+        <translation>In welches Arbeitsblatt die Messungen eingehen</translation>
+    </message>
+    <message>
+        <source>Worksheet</source>
+        <translation>Arbeitsblatt</translation>
+    </message>
+    <message>
+        <source>Show worksheet…</source>
+        <translation>Arbeitsblatt zeigen…</translation>
+    </message>
+    <message>
+        <source>Results, usual ranges and charts, answers; save it (Shift+F10)</source>
+        <translation>Ergebnisse, übliche Bereiche und Kurven, Antworten; sichern (Umschalt+F10)</translation>
+    </message>
+    <message>
+        <source>No worksheet</source>
+        <translation>Kein Arbeitsblatt</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>an item and its side</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1
+%2</source>
+        <comment>an item, and where its calipers go</comment>
+        <translation>%1
+%2</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::WorksheetWords</name>
+    <message>
+        <source>Simulation, training only: not for diagnosis.</source>
+        <translation>Simulation, nur zur Ausbildung: nicht zur Diagnose.</translation>
+    </message>
+    <message>
+        <source>Gestational age by dates: %1</source>
+        <translation>Schwangerschaftsalter nach Daten: %1</translation>
+    </message>
+    <message>
+        <source>usual</source>
+        <translation>üblich</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>niedrig</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>hoch</translation>
+    </message>
+    <message>
+        <source>%1 (usual: %2)</source>
+        <comment>verdict and range</comment>
+        <translation>%1 (üblich: %2)</translation>
+    </message>
+    <message>
+        <source>%1 (usual in %3: %2)</source>
+        <comment>verdict, range and whom it is for</comment>
+        <translation>%1 (üblich bei %3: %2)</translation>
+    </message>
+    <message>
+        <source>percentile %1 (%2 to %3), %4</source>
+        <comment>percentile, its range, and the chart</comment>
+        <translation>Perzentile %1 (%2 bis %3), %4</translation>
+    </message>
+    <message>
+        <source>mean of %1</source>
+        <comment>of several values</comment>
+        <translation>Mittel aus %1</translation>
+    </message>
+    <message>
+        <source>by %1</source>
+        <comment>a formula</comment>
+        <translation>nach %1</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <comment>values</comment>
+        <translation>aus %1</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 d</source>
+        <comment>gestational age and days</comment>
+        <translation>%1 ± %2 d</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>what was measured, and its side</comment>
+        <translation>%1, %2</translation>
     </message>
 </context>
 </TS>

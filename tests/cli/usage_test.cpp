@@ -20,25 +20,17 @@ TEST(Usage, VersionAndHelpGoToTheOutputAndSucceed) {
   EXPECT_EQ(version.out, std::string("echoweave ") + kVersion + "\n");
   const auto help = run({"--help"});
   EXPECT_EQ(help.status, 0);
-  for (const char* command :
-       {"import", "screen", "reconstruct", "register", "slice", "level", "scan", "phantom", "case", "measure", "plugins", "bench"})
+  for (const char* command : {"import", "screen", "reconstruct", "register", "slice", "level", "scan", "phantom", "case", "measure",
+                              "preset", "plugins", "bench"})
     EXPECT_NE(help.out.find(command), std::string::npos) << command;
   EXPECT_EQ(help.err, "");
 }
 
 TEST(Usage, EveryCommandExplainsItselfWithAnExampleAndTheSharedOptions) {
-  const std::vector<std::vector<std::string>> commands{{"import"},
-                                                       {"reconstruct"},
-                                                       {"register"},
-                                                       {"slice"},
-                                                       {"scan"},
-                                                       {"phantom"},
-                                                       {"case", "list"},
-                                                       {"case", "show"},
-                                                       {"case", "validate"},
-                                                       {"case", "prepare"},
-                                                       {"plugins", "list"},
-                                                       {"bench", "slicing"}};
+  const std::vector<std::vector<std::string>> commands{
+      {"import"},          {"reconstruct"},     {"register"},         {"slice"},           {"scan"},           {"phantom"},
+      {"case", "list"},    {"case", "show"},    {"case", "validate"}, {"case", "prepare"}, {"preset", "list"}, {"preset", "check"},
+      {"plugins", "list"}, {"bench", "slicing"}};
   for (auto words : commands) {
     words.push_back("--help");
     const auto help = run(words);

@@ -9,6 +9,7 @@
 
 #include "caliper_layer.h"
 #include "calipers.h"
+#include "cine_bar.h"
 #include "ew/core/progress.h"
 #include "ew/library/case_truth.h"
 #include "saved_picture.h"

@@ -48,7 +48,8 @@ class TraineeTest : public WindowFixture {
   [[nodiscard]] bool says(const QString& text) const { return shownTexts().contains(text); }
   void drag(QWidget* target, const QPoint& from, const QPoint& to) const {
     QTest::mousePress(target, Qt::LeftButton, Qt::NoModifier, from);
-    QMouseEvent move(QEvent::MouseMove, to, Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
+    // A splitter asks where on the screen the pointer is; without that it would be where the last one left it.
+    QMouseEvent move(QEvent::MouseMove, to, target->mapToGlobal(to), Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(target, &move);
     QTest::mouseRelease(target, Qt::LeftButton, Qt::NoModifier, to);
     QTest::qWait(30);

@@ -94,6 +94,7 @@ void addScreen(CLI::App& root, Selection& selection);
 void addReplay(CLI::App& root, Selection& selection);
 void addPhantom(CLI::App& root, Selection& selection);
 void addCase(CLI::App& root, Selection& selection);
+void addPreset(CLI::App& root, Selection& selection);
 void addPlugins(CLI::App& root, Selection& selection);
 void addBench(CLI::App& root, Selection& selection);
 

@@ -31,7 +31,8 @@ constexpr const char* kFooter =
     "Exit status: 0 done, 1 it could not be done, 2 wrong usage, 3 done with the answer 'no' or 'cannot tell'.";
 
 std::vector<std::string> builtInNames() {
-  return {"import", "screen", "reconstruct", "register", "slice", "level", "scan", "replay", "phantom", "case", "measure", "plugins", "bench"};
+  return {"import", "screen",  "reconstruct", "register", "slice",  "level",   "scan",
+          "replay", "phantom", "case",        "measure",  "preset", "plugins", "bench"};
 }
 
 /// CLI11's messages, as one sentence with a full stop.
@@ -210,6 +211,7 @@ int runCommand(std::span<const std::string> args, const Surroundings& surroundin
   addPhantom(root, selection);
   addCase(root, selection);
   addMeasure(root, selection);
+  addPreset(root, selection);
   addPlugins(root, selection);
   addBench(root, selection);
   root.footer(kFooter);  // last, because groups of commands inherit what the root has when they are made

@@ -84,8 +84,9 @@ bool endsWhenAsked(CaliperKind kind) {
   return kind == CaliperKind::polyLine || kind == CaliperKind::trace || kind == CaliperKind::fittedEllipse;
 }
 
-void CaliperDrawing::take(CaliperKind kind) {
+void CaliperDrawing::take(CaliperKind kind, Purpose purpose) {
   tool_ = kind;
+  purpose_ = std::move(purpose);
   selected_ = 0;
   points_.clear();
   pressedAt_.reset();
@@ -94,7 +95,7 @@ void CaliperDrawing::take(CaliperKind kind) {
 }
 
 void CaliperDrawing::add(std::vector<glm::dvec2> points) {
-  selected_ = list_.add(of(*tool_, std::move(points)));
+  selected_ = list_.add(of(*tool_, std::move(points)), {}, purpose_.item, purpose_.side);
   points_.clear();
   isDrawn_ = false;
   pressedAt_.reset();
@@ -187,7 +188,7 @@ bool CaliperDrawing::cancel() {
   pressedAt_.reset();
   isDrawn_ = false;
   if (!points_.empty()) return points_.clear(), true;
-  if (tool_) return tool_.reset(), true;
+  if (tool_) return tool_.reset(), purpose_ = {}, true;
   return std::exchange(selected_, 0) != 0;
 }
 

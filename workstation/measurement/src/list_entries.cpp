@@ -1,5 +1,7 @@
 #include "ew/measurement/list_entries.h"
 
+#include <utility>
+
 namespace ew::measurement {
 namespace {
 
@@ -35,18 +37,24 @@ const Figure* figureFor(ItemMeasure measure, const Measured& measured) {
   return measured.figure(figureKindOf(measure));
 }
 
+Result<std::optional<WorksheetEntry>> entryOf(const Measurement& measurement, const Package& package, const UncertaintyAt& at) {
+  const PackageItem* item = package.item(measurement.item);
+  if (item == nullptr) return std::nullopt;
+  const auto measured = measure(measurement.caliper, at);
+  if (!measured) return std::nullopt;
+  const Figure* figure = figureFor(item->measure, *measured);
+  if (figure == nullptr)
+    return failure(ErrorCode::badField, say<"Measurement %1 was made for %2, but gives no %3; measure it with another caliper.">(
+                                            measurement.number, item->label, std::string(wordOf(item->measure))));
+  return WorksheetEntry{item->label, measurement.side, figure->quantity, {}, false};
+}
+
 Result<std::vector<WorksheetEntry>> entriesOf(const Measurements& measurements, const Package& package, const UncertaintyAt& at) {
   std::vector<WorksheetEntry> entries;
   for (const Measurement& each : measurements.all) {
-    const PackageItem* item = package.item(each.item);
-    if (item == nullptr) continue;
-    const auto measured = measure(each.caliper, at);
-    if (!measured) continue;
-    const Figure* figure = figureFor(item->measure, *measured);
-    if (figure == nullptr)
-      return failure(ErrorCode::badField, say<"Measurement %1 was made for %2, but gives no %3; measure it with another caliper.">(
-                                              each.number, item->label, std::string(wordOf(item->measure))));
-    entries.push_back({item->label, each.side, figure->quantity, {}, false});
+    auto entry = entryOf(each, package, at);
+    if (!entry) return passOn(entry.error());
+    if (*entry) entries.push_back(std::move(**entry));
   }
   return entries;
 }

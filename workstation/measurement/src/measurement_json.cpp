@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "ew/core/data_file.h"
 #include "ew/core/json_fields.h"
 #include "ew/measurement/measurement_list.h"
 
@@ -76,11 +77,7 @@ json toJson(const Measurements& measurements) {
 Result<Measurements> measurementsFromJson(const json& document, const Message& where) {
   JsonReading reading(where);
   const JsonFields fields(document, reading);
-  const auto format = fields.whole("format", 1, 1000000);
-  if (fields.good() && format > kMeasurementsFormat)
-    return failure(ErrorCode::newerFormat,
-                   say<"%1 has format %2, this program reads up to %3; update EchoWeave.">(where, format, kMeasurementsFormat),
-                   {{"file", where.english()}, {"found", std::to_string(format)}, {"known", std::to_string(kMeasurementsFormat)}});
+  requireFormat(fields, kMeasurementsFormat);
   fields.only({"format", "next_number", "measurements"});
   Measurements made;
   made.nextNumber = static_cast<int>(fields.whole("next_number", 1, kLargestNumber));

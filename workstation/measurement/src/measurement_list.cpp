@@ -4,30 +4,10 @@
 #include <cmath>
 
 namespace ew::measurement {
-namespace {
-
-constexpr std::size_t kMostStates = 1000;
-
-}  // namespace
 
 const Measurement* Measurements::find(int number) const {
   const auto found = std::find_if(all.begin(), all.end(), [&](const Measurement& each) { return each.number == number; });
   return found == all.end() ? nullptr : &*found;
-}
-
-MeasurementList::MeasurementList() : MeasurementList(Measurements{}) {}
-MeasurementList::MeasurementList(Measurements measurements) : states_{std::make_shared<const Measurements>(std::move(measurements))} {}
-
-void MeasurementList::step(Measurements next, Change change) {
-  states_.resize(at_ + 1);
-  auto state = std::make_shared<const Measurements>(std::move(next));
-  if (change == Change::goesOn && at_ > 0) {
-    states_[at_] = std::move(state);
-    return;
-  }
-  states_.push_back(std::move(state));
-  if (states_.size() > kMostStates) states_.erase(states_.begin());
-  at_ = states_.size() - 1;
 }
 
 template <class Edit>
@@ -35,7 +15,7 @@ bool MeasurementList::edit(int number, Change change, Edit edit) {
   Measurements next = now();
   const auto found = std::find_if(next.all.begin(), next.all.end(), [&](const Measurement& each) { return each.number == number; });
   if (found == next.all.end() || !edit(*found)) return false;
-  step(std::move(next), change);
+  states_.step(std::move(next), change);
   return true;
 }
 
@@ -43,7 +23,7 @@ int MeasurementList::add(Caliper caliper, std::string name, std::string item, st
   Measurements next = now();
   const int number = next.nextNumber++;
   next.all.push_back({number, std::move(name), std::move(item), std::move(side), std::move(caliper)});
-  step(std::move(next), Change::begins);
+  states_.step(std::move(next));
   return number;
 }
 
@@ -76,25 +56,13 @@ bool MeasurementList::assign(int number, std::string item, std::string side) {
 bool MeasurementList::remove(int number) {
   Measurements next = now();
   if (std::erase_if(next.all, [&](const Measurement& each) { return each.number == number; }) == 0) return false;
-  step(std::move(next), Change::begins);
+  states_.step(std::move(next));
   return true;
 }
 
 bool MeasurementList::clear() {
   if (now().all.empty()) return false;
-  step({{}, now().nextNumber}, Change::begins);
-  return true;
-}
-
-bool MeasurementList::undo() {
-  if (!canUndo()) return false;
-  --at_;
-  return true;
-}
-
-bool MeasurementList::redo() {
-  if (!canRedo()) return false;
-  ++at_;
+  states_.step({{}, now().nextNumber});
   return true;
 }
 

@@ -7,13 +7,10 @@
 #include <numbers>
 
 #include "ew/core/contract.h"
-#include "ew/core/json_fields.h"
-#include "ew/io/safe_file.h"
+#include "ew/io/json_files.h"
 
 namespace ew::measurement {
 namespace {
-
-constexpr std::size_t kLargestPackage_bytes = 4u << 20;
 
 template <class Labelled>
 const Labelled* labelled(const std::vector<Labelled>& all, std::string_view label) {
@@ -59,34 +56,14 @@ double valueAt(const PackageChart& chart, double weeks, double z) {
 }
 
 Result<Package> readPackage(const std::filesystem::path& file) {
-  const auto text = readTextFile(file, kLargestPackage_bytes);
-  if (!text) return passOn(text.error());
   const Message where = say<"the measurement package %1">(file.string());
-  const auto document = parseJsonObject(*text, where);
+  const auto document = readJsonFile(file, where);
   if (!document) return passOn(document.error());
   return packageFromJson(*document, file.stem().string(), where);
 }
 
 Result<std::vector<Package>> readPackages(const std::filesystem::path& folder) {
-  std::error_code problem;
-  std::filesystem::directory_iterator entries(folder, problem);
-  if (problem)
-    return failure(ErrorCode::notFound,
-                   say<"The folder of measurement packages %1 cannot be opened: %2.">(folder.string(), problem.message()),
-                   {{"folder", folder.string()}});
-  std::vector<Package> packages;
-  for (; entries != std::filesystem::directory_iterator(); entries.increment(problem)) {
-    if (problem)
-      return failure(ErrorCode::notReadable,
-                     say<"The folder of measurement packages %1 cannot be read: %2.">(folder.string(), problem.message()),
-                     {{"folder", folder.string()}});
-    if (entries->path().extension() != ".json") continue;
-    auto package = readPackage(entries->path());
-    if (!package) return passOn(package.error());
-    packages.push_back(std::move(*package));
-  }
-  std::sort(packages.begin(), packages.end(), [](const Package& a, const Package& b) { return a.id < b.id; });
-  return packages;
+  return readEvery<Package>(folder, say<"measurement packages">(), readPackage);
 }
 
 }  // namespace ew::measurement

@@ -40,13 +40,6 @@ std::string longText(const JsonFields& fields, std::string_view key, std::option
   return fields.text(key, std::move(fallback), 1, kLongestText);
 }
 
-Words wordsIn(const JsonFields& fields, std::string_view key, bool needed = true) {
-  if (!needed && !fields.has(key)) return {};
-  const JsonFields words = fields.object(key);
-  words.only({"en", "de"});
-  return {longText(words, "en"), longText(words, "de")};
-}
-
 Unit unitIn(const JsonFields& fields, std::string_view key) {
   const auto unit = unitOf(fields.text(key));
   if (!unit) fields.refuse(key, say<"a unit: 1, %, mm, cm, mm2, cm2, ml, g, kg, deg, s, ms, /min, mm/s, cm/s, weeks or days">());
@@ -266,7 +259,7 @@ struct PackageReader {
       if (each.has("low")) range.low = each.number("low", -kFarthest, kFarthest);
       if (each.has("high")) range.high = each.number("high", range.low.value_or(-kFarthest), kFarthest);
       if (!range.low && !range.high) each.refuse("high", say<"a number, when there is no \"low\"">());
-      range.applies = wordsIn(each, "applies", false);
+      range.applies = wordsIn(each, "applies", kLongestText, false);
       range.source = longText(each, "source");
       package.ranges.push_back(std::move(range));
     }
@@ -338,11 +331,7 @@ std::string_view wordOf(ItemMeasure measure) {
 Result<Package> packageFromJson(const json& document, const std::string& id, const Message& where) {
   JsonReading reading(where, {"note"});
   const JsonFields fields(document, reading);
-  const auto format = fields.whole("format", 1, 1000000);
-  if (fields.good() && format > kPackageFormat)
-    return failure(ErrorCode::newerFormat,
-                   say<"%1 has format %2, this program reads up to %3; update EchoWeave.">(where, format, kPackageFormat),
-                   {{"file", where.english()}, {"found", std::to_string(format)}, {"known", std::to_string(kPackageFormat)}});
+  requireFormat(fields, kPackageFormat);
   fields.only({"format", "version", "title", "source", "items", "formulas", "charts", "ranges", "redating", "summaries", "worksheet"});
   PackageReader reader;
   reader.package.id = id;

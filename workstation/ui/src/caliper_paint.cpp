@@ -135,6 +135,16 @@ void paintCalipers(QPainter& painter, const Calipers& calipers, const std::funct
   }
 }
 
+namespace {
+
+/// What stands beside a number on the picture: the result, behind the item it was measured for.
+QString resultOf(const Calipers::Line& line) {
+  const QString result = CaliperWords::mainResult(line.measured);
+  return line.measurement.item.empty() ? result : CaliperWords::titleOf(line.measurement) + QStringLiteral("  ") + result;
+}
+
+}  // namespace
+
 void paintResults(QPainter& painter, const Calipers& calipers, const QRect& room, const CaliperColours& colours) {
   const auto& lines = calipers.lines();
   const std::size_t most = static_cast<std::size_t>(std::max(1, (room.height() - 12) / kLine_px));
@@ -145,7 +155,7 @@ void paintResults(QPainter& painter, const Calipers& calipers, const QRect& room
   int number_px = 0, value_px = 0;
   for (std::size_t n = first; n < lines.size(); ++n) {
     number_px = std::max(number_px, figuresWidth_px(metrics, QString::number(lines[n].measurement.number)));
-    value_px = std::max(value_px, figuresWidth_px(metrics, CaliperWords::mainResult(lines[n].measured)));
+    value_px = std::max(value_px, figuresWidth_px(metrics, resultOf(lines[n])));
   }
   const QRect box(room.topLeft(), QSize(number_px + value_px + 8 + 16, static_cast<int>(lines.size() - first) * kLine_px + 8));
   painter.setPen(Qt::NoPen);
@@ -156,8 +166,7 @@ void paintResults(QPainter& painter, const Calipers& calipers, const QRect& room
     const int top = box.top() + 4 + static_cast<int>(n - first) * kLine_px;
     painter.setPen(lines[n].measurement.number == calipers.drawing().selected() ? colours.chosen : colours.line);
     drawFigures(painter, QRect(box.left() + 8, top, number_px, kLine_px), Qt::AlignRight, QString::number(lines[n].measurement.number));
-    drawFigures(painter, QRect(box.left() + 16 + number_px, top, value_px, kLine_px), Qt::AlignRight,
-                CaliperWords::mainResult(lines[n].measured));
+    drawFigures(painter, QRect(box.left() + 16 + number_px, top, value_px, kLine_px), Qt::AlignRight, resultOf(lines[n]));
   }
 }
 

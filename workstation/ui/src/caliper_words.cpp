@@ -50,6 +50,14 @@ QString CaliperWords::nameOf(FigureKind kind) {
   }
 }
 
+QString CaliperWords::titleOf(const measurement::Measurement& measurement) {
+  if (measurement.item.empty()) return nameOf(measurement.caliper.kind);
+  QString item = QString::fromStdString(measurement.item).replace(QLatin1Char('_'), QLatin1Char(' '));
+  if (measurement.side == "right") item += tr(" R", "right side, behind what was measured");
+  if (measurement.side == "left") item += tr(" L", "left side, behind what was measured");
+  return item;
+}
+
 QString CaliperWords::hintOf(CaliperKind kind) {
   switch (kind) {
     case CaliperKind::distance:

@@ -4,6 +4,7 @@
 #include <QString>
 
 #include "ew/measurement/caliper.h"
+#include "ew/measurement/measurement_list.h"
 
 namespace ew::ui {
 
@@ -14,6 +15,8 @@ struct CaliperWords {
  public:
   [[nodiscard]] static QString nameOf(measurement::CaliperKind kind);
   [[nodiscard]] static QString nameOf(measurement::FigureKind kind);
+  /// What was measured: the item it was made for and its side, or else the caliper.
+  [[nodiscard]] static QString titleOf(const measurement::Measurement& measurement);
   /// What to click.
   [[nodiscard]] static QString hintOf(measurement::CaliperKind kind);
   [[nodiscard]] static QString iconOf(measurement::CaliperKind kind);

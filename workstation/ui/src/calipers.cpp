@@ -3,6 +3,7 @@
 #include <QPointer>
 #include <QSettings>
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "ew/measurement/on_picture.h"
@@ -21,6 +22,26 @@ using measurement::Measurement;
 const auto kFollowsSetting = QStringLiteral("calipersFollowEdges");
 constexpr std::size_t kMostClicks = 32;  // of an outline: more were drawn, along the edge already
 
+/// Whether it gives circumference and area.
+bool isOutline(CaliperKind kind) {
+  return kind == CaliperKind::ellipse || kind == CaliperKind::fittedEllipse || kind == CaliperKind::trace;
+}
+
+std::optional<CaliperKind> toolFor(measurement::ItemMeasure measure) {
+  switch (measure) {
+    case measurement::ItemMeasure::distance:
+      return CaliperKind::distance;
+    case measurement::ItemMeasure::circumference:
+      return CaliperKind::ellipse;
+    case measurement::ItemMeasure::area:
+      return CaliperKind::trace;
+    case measurement::ItemMeasure::angle:
+      return CaliperKind::angle;
+    default:
+      return std::nullopt;
+  }
+}
+
 }  // namespace
 
 Calipers::Calipers(Session& session, Jobs& jobs, QObject* parent)
@@ -32,14 +53,19 @@ Calipers::Calipers(Session& session, Jobs& jobs, QObject* parent)
   });
 }
 
-Calipers::Still Calipers::still() const {
-  const ScanState& shown = session_.shownState();
-  return {session_.isPlaying(), shown.time_s, shown.number};
+void Calipers::take(CaliperKind kind) {
+  const auto& tool = drawing().tool();
+  const bool staysFor = tool && (*tool == kind || (isOutline(*tool) && isOutline(kind)));
+  takeInto(kind, staysFor ? drawing().purpose() : CaliperDrawing::Purpose{});
 }
 
-void Calipers::take(CaliperKind kind) {
+void Calipers::takeFor(const measurement::PackageItem& item, const std::string& side) {
+  if (const auto kind = toolFor(item.measure)) takeInto(*kind, {item.label, side});
+}
+
+void Calipers::takeInto(CaliperKind kind, const CaliperDrawing::Purpose& asked) {
   if (!session_.subject() || session_.picture().isEmpty()) return;
-  if (drawing_.tool() == kind) {
+  if (drawing().tool() == kind && drawing().purpose() == asked) {
     return change([](CaliperDrawing& drawing) {
       while (drawing.tool()) drawing.cancel();
     });
@@ -48,17 +74,20 @@ void Calipers::take(CaliperKind kind) {
     Q_EMIT said(tr("Calipers measure in the image, not in the strip of the M-mode. Switch to B or B + M (M)."));
     return;
   }
+  const CaliperDrawing::Purpose purpose = asked;  // it may be the drawing's own, and the drawing may change
   hold();
   if (!session_.isPlaying()) session_.setFrozen(true);
-  of_ = still();
+  turnTo(stillOf(session_));
   look();
-  change([kind](CaliperDrawing& drawing) { drawing.take(kind); });
+  change([&](CaliperDrawing& drawing) { drawing.take(kind, purpose); });
 }
 
+std::optional<std::uint64_t> Calipers::picture() const { return drawn_.picture() ? std::optional(drawn_.now().picture) : std::nullopt; }
+
 void Calipers::change(const std::function<void(CaliperDrawing&)>& edit) {
-  const int next = drawing_.shown().nextNumber;
-  edit(drawing_);
-  if (followsEdges_ && drawing_.shown().nextNumber == next + 1) followEdge(next);
+  const int next = drawing().shown().nextNumber;
+  edit(mine());
+  if (followsEdges_ && drawing().shown().nextNumber == next + 1) followEdge(next);
   measureAll();
   Q_EMIT changed();
 }
@@ -71,7 +100,7 @@ void Calipers::setFollowsEdges(bool follows) {
 }
 
 void Calipers::followEdge(int number) {
-  const Measurement* made = drawing_.shown().find(number);
+  const Measurement* made = drawing().shown().find(number);
   if (made == nullptr || made->caliper.kind != CaliperKind::trace || made->caliper.parts[0].points.size() > kMostClicks) return;
   struct Traced {
     GreyImage picture;
@@ -89,47 +118,38 @@ void Calipers::followEdge(int number) {
         traced->outline = std::move(*outline);
         return {};
       },
-      [self = QPointer<Calipers>(this), traced, number, picture = still()](const Result<void>& outcome) {
+      [self = QPointer<Calipers>(this), traced, number, picture = stillOf(session_)](const Result<void>& outcome) {
         if (!self) return;
-        CaliperDrawing* drawing = self->drawingOf(picture);
-        const Measurement* clicked = drawing != nullptr ? drawing->shown().find(number) : nullptr;
+        Drawn* drawn = self->drawn_.find(picture);
+        const Measurement* clicked = drawn != nullptr ? drawn->drawing.shown().find(number) : nullptr;
         if (clicked == nullptr || clicked->caliper != traced->clicked) return;  // somebody has gone on with it
         if (!outcome) {
           if (outcome.error().code != ErrorCode::cancelled) Q_EMIT self->said(words(outcome.error().message));
           return;
         }
-        drawing->refine(number, std::move(traced->outline));
+        drawn->drawing.refine(number, std::move(traced->outline));
         self->measureAll();
         Q_EMIT self->changed();
       });
 }
 
-CaliperDrawing* Calipers::drawingOf(const Still& picture) {
-  if (of_ == picture) return &drawing_;
-  const auto found = ofOthers_.find(picture);
-  return found != ofOthers_.end() ? &found->second : nullptr;
-}
-
-void Calipers::turnTo(const Still& picture) {
-  const auto tool = drawing_.tool();
-  const bool wasEmpty = drawing_.isEmpty();
-  if (!wasEmpty) ofOthers_.insert_or_assign(*of_, std::move(drawing_));
-  const auto known = ofOthers_.extract(picture);
-  drawing_ = known ? std::move(known.mapped()) : CaliperDrawing();
-  if (drawing_.tool() != tool) {
-    if (tool)
-      drawing_.take(*tool);
-    else
-      while (drawing_.tool()) drawing_.cancel();
-  }
-  of_ = picture;
+void Calipers::turnTo(const StillPicture& picture) {
+  const auto tool = drawing().tool();
+  const CaliperDrawing::Purpose purpose = drawing().purpose();
+  if (!drawn_.turnTo(picture)) return;
+  if (drawn_.now().picture == 0) drawn_.now().picture = nextPicture_++;
   uncertaintyAt_ = {};
+  if (drawing().tool() == tool && drawing().purpose() == purpose) return;
+  if (tool)
+    mine().take(*tool, purpose);
+  else
+    while (drawing().tool()) mine().cancel();
 }
 
 void Calipers::look() {
-  if (!of_) return;
+  if (!drawn_.picture()) return;
   if (!session_.isFrozen() && !session_.isPlaying()) return forget();
-  if (*of_ != still()) turnTo(still());
+  turnTo(stillOf(session_));
   if (uncertaintyAt_ && geometry_ == session_.geometry()) return;
   // The same picture in a window of another size: other pixels.
   geometry_ = session_.geometry();
@@ -140,11 +160,8 @@ void Calipers::look() {
 }
 
 void Calipers::forget() {
-  if (!of_) return;
-  of_.reset();
-  ofOthers_.clear();
+  if (!drawn_.forget()) return;
   uncertaintyAt_ = {};
-  drawing_ = CaliperDrawing();
   measureAll();
   Q_EMIT changed();
 }
@@ -155,19 +172,23 @@ Measured Calipers::measured(const measurement::Caliper& caliper) const {
 }
 
 void Calipers::measureAll() {
+  const auto& all = drawing().shown().all;
   std::vector<Line> now;
-  for (const Measurement& measurement : drawing_.shown().all) {
+  bool isSame = all.size() == lines_.size();
+  for (const Measurement& measurement : all) {
     const auto known = std::find_if(lines_.begin(), lines_.end(), [&](const Line& line) { return line.measurement == measurement; });
+    isSame = isSame && known - lines_.begin() == std::ssize(now);
     now.push_back(known != lines_.end() ? *known : Line{measurement, measured(measurement.caliper)});
   }
   lines_ = std::move(now);
   unfinished_.reset();
-  if (const auto caliper = drawing_.unfinished()) {
+  if (const auto caliper = drawing().unfinished()) {
     Measurement next;
-    next.number = drawing_.shown().nextNumber;
+    next.number = drawing().shown().nextNumber;
     next.caliper = *caliper;
     unfinished_ = Line{next, measured(*caliper)};
   }
+  if (!isSame) Q_EMIT linesChanged();
 }
 
 }  // namespace ew::ui

@@ -1,14 +1,15 @@
 #pragma once
 
 #include <QObject>
-#include <compare>
 #include <functional>
-#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "ew/imaging/display.h"
 #include "ew/measurement/caliper_drawing.h"
+#include "ew/measurement/package.h"
+#include "still_picture.h"
 
 namespace ew::ui {
 
@@ -26,10 +27,15 @@ class Calipers final : public QObject {
   Calipers(Session& session, Jobs& jobs, QObject* parent = nullptr);
 
   /// Takes a tool into the hand, or puts it down when it is there already. A live image is frozen, what plays is paused.
+  /// What an item of a package is measured with it stays for, when another tool is taken that gives the same.
   void take(measurement::CaliperKind kind);
+  /// Takes the tool that an item is usually measured with; what it draws is measured for the item. @param side of a sided one
+  void takeFor(const measurement::PackageItem& item, const std::string& side);
   /// Pauses what plays: a point is set in a picture that stands still.
   void hold() { Q_EMIT pauseAsked(); }
-  [[nodiscard]] const measurement::CaliperDrawing& drawing() const { return drawing_; }
+  [[nodiscard]] const measurement::CaliperDrawing& drawing() const { return drawn_.now().drawing; }
+  /// Of the picture that is measured: never the same for two. Empty: none is.
+  [[nodiscard]] std::optional<std::uint64_t> picture() const;
   /// The one way to change what is drawn.
   void change(const std::function<void(measurement::CaliperDrawing&)>& edit);
 
@@ -49,19 +55,19 @@ class Calipers final : public QObject {
 
  Q_SIGNALS:
   void changed();
-  void pauseAsked();  ///< of a recording or the cine loop
+  void linesChanged();  ///< what is drawn, or what it measures: not the pointer's way
+  void pauseAsked();    ///< of a recording or the cine loop
   void said(const QString& sentence);
 
  private:
-  struct Still {
-    bool isPlayed = false;
-    double time_s = 0.0;
-    std::uint64_t number = 0;
-    auto operator<=>(const Still&) const = default;
+  struct Drawn {
+    measurement::CaliperDrawing drawing = measurement::CaliperDrawing();
+    std::uint64_t picture = 0;
   };
-  [[nodiscard]] Still still() const;
-  [[nodiscard]] measurement::CaliperDrawing* drawingOf(const Still& picture);
-  void turnTo(const Still& picture);
+  void takeInto(measurement::CaliperKind kind, const measurement::CaliperDrawing::Purpose& purpose);
+  [[nodiscard]] measurement::CaliperDrawing& mine() { return drawn_.now().drawing; }
+  /// The tool stays in the hand.
+  void turnTo(const StillPicture& picture);
   void look();
   void forget();
   void measureAll();
@@ -70,9 +76,8 @@ class Calipers final : public QObject {
 
   Session& session_;
   Jobs& jobs_;
-  measurement::CaliperDrawing drawing_;
-  std::optional<Still> of_;                                ///< the picture that is measured
-  std::map<Still, measurement::CaliperDrawing> ofOthers_;  ///< pictures that are not shown now
+  OfPictures<Drawn> drawn_;
+  std::uint64_t nextPicture_ = 1;
   DisplayGeometry geometry_;
   measurement::UncertaintyAt uncertaintyAt_;
   std::vector<Line> lines_;

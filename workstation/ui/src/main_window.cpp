@@ -69,6 +69,11 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), parts_(std::make_
     } else {
       parts_->messages->showError(probes.error());
     }
+    if (auto packages = measurement::readPackages(*resources / "measurements"))
+      parts_->worksheets.setPackages(std::move(*packages));
+    else
+      parts_->messages->showError(packages.error());
+    readAnnotationData(*resources);
     parts_->opener->loadDefaultMannequin();
   }
   showRecent();
@@ -87,9 +92,13 @@ MainWindow::~MainWindow() {
   parts_->panels->disconnect(this);
   parts_->document.disconnect();
   parts_->calipers.disconnect();
+  parts_->worksheets.disconnect();
+  parts_->annotated.disconnect();
+  parts_->bodyMark.disconnect();
   parts_->session.disconnect();
   delete parts_->cost;
   delete parts_->source;
+  delete parts_->worksheet;
   delete parts_->stages;
   parts_->stages = nullptr;
   parts_->panels->clear();
@@ -113,7 +122,7 @@ void MainWindow::makeViews() {
   p.scanView = new ScanView(p.session);
   p.console = new ConsolePanel(p.session);
   p.console->setFixedWidth(kConsoleWidth_px);
-  p.measurePage = new MeasurePage(p.calipers);
+  p.measurePage = new MeasurePage(p.calipers, p.worksheets);
   p.console->addPage(p.measurePage, tr("Measure"), tr("Calipers, and what they measured (F10)"));
   p.replayBar = new ReplayBar(p.session);
   p.status = new StatusLine(p.session);
@@ -182,6 +191,9 @@ void MainWindow::watchViews() {
   p.viewColumns->onPress = [this] { parts_->beforePress = parts_->session.hold(); };
   p.viewColumns->takeBackPress = [this] { parts_->session.setHold(parts_->beforePress); };
   p.caliperLayer = new CaliperLayer(p.session, p.calipers, *p.scanView);
+  p.annotationLayer = new AnnotationLayer(p.session, p.annotated, *p.scanView);
+  p.annotationLayer->watch(p.caliperLayer, [this] { return parts_->calipers.drawing().tool().has_value(); });
+  p.bodyMarkView = new BodyMarkView(p.bodyMark, *p.scanView);
   p.sourcePicker = new SourcePicker(p.session, *p.scanView);  // after the hand: it looks at a click first
   p.opener = new Opener(p.session, p.document, p.jobs, *p.messages, *p.view3d, p.hand, this);
   p.host = new WorkstationHost(p.document, p.jobs, p.session, *p.panels, *p.messages, this);
@@ -354,7 +366,12 @@ void MainWindow::showHistory() {
   QString redo = document != nullptr ? words(document->redoText()) : history.canRedo() ? history.redoText() : QString();
   bool canUndo = document != nullptr ? !undo.isEmpty() : history.canUndo();
   bool canRedo = document != nullptr ? !redo.isEmpty() : history.canRedo();
-  if (p.editsCalipers()) {
+  if (p.editsAnnotations()) {
+    canUndo = p.annotated.list().canUndo();
+    canRedo = p.annotated.list().canRedo();
+    undo = canUndo ? tr("writing on the image") : QString();
+    redo = canRedo ? tr("writing on the image") : QString();
+  } else if (p.editsCalipers()) {
     canUndo = p.calipers.drawing().canUndo();
     canRedo = p.calipers.drawing().canRedo();
     undo = canUndo ? tr("measuring") : QString();
@@ -453,6 +470,9 @@ HandInput& MainWindow::hand() { return parts_->hand; }
 ConsolePanel& MainWindow::console() { return *parts_->console; }
 Recorder& MainWindow::recorder() { return parts_->recorder; }
 Calipers& MainWindow::calipers() { return parts_->calipers; }
+Worksheets& MainWindow::worksheets() { return parts_->worksheets; }
+AnnotatedPictures& MainWindow::annotated() { return parts_->annotated; }
+ShownMark& MainWindow::bodyMark() { return parts_->bodyMark; }
 ReplayBar& MainWindow::replayBar() { return *parts_->replayBar; }
 CineBar& MainWindow::cineBar() { return *parts_->cineBar; }
 

@@ -79,7 +79,9 @@ void MainWindow::addFileMenu(QMenu& file) {
 void MainWindow::addEditMenu(QMenu& edit) {
   Parts& p = *parts_;
   p.undoAction = addMenuAction(edit, tr("&Undo"), {keys("Ctrl+Z")}, [this] {
-    if (parts_->editsCalipers())
+    if (parts_->editsAnnotations())
+      parts_->annotated.change([](annotation::AnnotationList& list) { list.undo(); });
+    else if (parts_->editsCalipers())
       parts_->calipers.change([](measurement::CaliperDrawing& drawing) { drawing.undo(); });
     else if (const auto document = panelDocument())
       document->undo();
@@ -87,7 +89,9 @@ void MainWindow::addEditMenu(QMenu& edit) {
       parts_->document.history().undo();
   });
   p.redoAction = addMenuAction(edit, tr("&Redo"), {keys("Ctrl+Shift+Z"), keys("Ctrl+Y")}, [this] {
-    if (parts_->editsCalipers())
+    if (parts_->editsAnnotations())
+      parts_->annotated.change([](annotation::AnnotationList& list) { list.redo(); });
+    else if (parts_->editsCalipers())
       parts_->calipers.change([](measurement::CaliperDrawing& drawing) { drawing.redo(); });
     else if (const auto document = panelDocument())
       document->redo();
@@ -194,6 +198,9 @@ void MainWindow::addScanMenu(QMenu& scan) {
   addMenuAction(scan, tr("Reset TGC"), {keys("Ctrl+0")}, [this] { parts_->session.resetTgc(); });
   addBreathingMenu(*scan.addMenu(tr("&Breathing")));
   addMeasureMenu(*scan.addMenu(tr("Mea&sure")));
+  addAnnotateMenu(*scan.addMenu(tr("&Annotate")));
+  addBodyMarkMenu(*scan.addMenu(tr("Body mar&k")));
+  addPresetMenu(*scan.addMenu(tr("Prese&ts")));
   scan.addSeparator();
 
   addImageMenu(*scan.addMenu(tr("&Image")));
@@ -272,7 +279,7 @@ void MainWindow::addEffectsMenu(QMenu& effects) {
 }
 
 void MainWindow::addProbeMenu(QMenu& transducer) {
-  addConsoleAction(transducer, tr("Next transducer"), "T", "probe", 1);
+  parts_->transducerAction = addConsoleAction(transducer, tr("Next transducer"), "T", "probe", 1);
   addConsoleAction(transducer, tr("Next frequency"), "H", "frequency", 1);
   addConsoleAction(transducer, tr("Steer to one side"), "J", "steering", -1);
   addConsoleAction(transducer, tr("Steer to the other side"), "L", "steering", 1);
@@ -404,6 +411,7 @@ void MainWindow::showTitle() {
   p.sourceAction->setEnabled(knowsSource);
   p.sourceAction->setToolTip(knowsSource ? tr("Click a point to see the recorded frame it came from")
                                          : tr("Only a volume made here from a recorded sweep knows which frame a point came from"));
+  showRegion();
   p.caseVolumeAction->setVisible(opened && !p.opener->showsCase() && p.opener->hasCaseVolume());
   setWindowTitle(title.isEmpty() ? QStringLiteral("EchoWeave") : QStringLiteral("%1 - EchoWeave").arg(title));
 }

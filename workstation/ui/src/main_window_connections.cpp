@@ -16,6 +16,7 @@ namespace ew::ui {
 void MainWindow::connectParts() {
   connectSession();
   connectCalipers();
+  connectAnnotations();
   connectDocument();
   connectPages();
   connectOpener();
@@ -184,7 +185,7 @@ void MainWindow::connectPlugins() {
   p.host->setCaseSaving({[this](const std::filesystem::path& folder) { return saveCaseFor(folder); }, [this] { return makeCaseOwn(); }});
   connect(p.host, &WorkstationHost::volumeShown, this, [this](const std::shared_ptr<const Volume>& volume, const QString& title) {
     parts_->opener->openVolume(volume, title, [this, title] {
-      if (!mayLeaveShownVolume(title) || !mayLeaveRecording(title)) return false;
+      if (!mayLeaveShownVolume(title) || !mayLeaveRecording(title) || !mayLeaveWorksheet(title)) return false;
       forgetShownVolume();
       closeRecording();
       parts_->pages->setCurrentWidget(parts_->workspacePage);

@@ -110,7 +110,7 @@ void MainWindow::showRecent() {
 }
 
 bool MainWindow::mayReplaceShown(const QString& next) {
-  if (!mayLeaveCase(next) || !mayLeaveShownVolume(next) || !mayLeaveRecording(next)) return false;
+  if (!mayLeaveCase(next) || !mayLeaveShownVolume(next) || !mayLeaveRecording(next) || !mayLeaveWorksheet(next)) return false;
   forgetShownVolume();
   closeRecording();
   return true;
@@ -222,7 +222,7 @@ bool MainWindow::mayClose() {
   const std::vector<MadeVolume> unsaved = parts_->made;
   for (const MadeVolume& made : unsaved)
     if (!mayLeaveVolume(made, {})) return false;
-  if (!mayLeaveRecording({}) || !mayLeavePlugins()) return false;
+  if (!mayLeaveRecording({}) || !mayLeaveWorksheet({}) || !mayLeavePlugins()) return false;
   const auto outcome = SavingDialog(parts_->jobs, true, this).wait();
   return outcome == SavingDialog::Outcome::saved || outcome == SavingDialog::Outcome::lose;
 }
@@ -495,7 +495,8 @@ void MainWindow::savePicture() {
                                           {QStringLiteral(".png"), QStringLiteral(".mha")}});
   if (file.isEmpty()) return;
   const auto written = saveTogether({pathOf(file)}, [&](const OutputSet& outputs) {
-    return writeShownPicture(parts_->session, QDateTime::currentDateTime(), outputs.staged(pathOf(file)), &parts_->calipers);
+    return writeShownPicture(parts_->session, QDateTime::currentDateTime(), outputs.staged(pathOf(file)),
+                             {&parts_->calipers, &parts_->annotated, &parts_->bodyMark});
   });
   if (written) {
     parts_->messages->showNote(tr("Saved to %1.").arg(file), kSavingPicture);

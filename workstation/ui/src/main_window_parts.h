@@ -11,6 +11,8 @@
 #include <QTranslator>
 #include <optional>
 
+#include "annotation_layer.h"
+#include "body_mark_view.h"
 #include "caliper_layer.h"
 #include "calipers.h"
 #include "case_document.h"
@@ -21,6 +23,7 @@
 #include "cost_panel.h"
 #include "ew/door/door.h"
 #include "ew/library/kept_edits.h"
+#include "ew/scanning/preset.h"
 #include "ew/ui/main_window.h"
 #include "hand_input.h"
 #include "job_cards.h"
@@ -41,6 +44,8 @@
 #include "top_bar.h"
 #include "view3d.h"
 #include "view_columns.h"
+#include "worksheet_dialog.h"
+#include "worksheets.h"
 #include "workspace_panels.h"
 #include "workstation_host.h"
 
@@ -76,7 +81,13 @@ struct MainWindow::Parts {
   HandInput hand{session.hand()};
   Recorder recorder{session};
   Calipers calipers{session, jobs};
-  bool isRecordingSaved = true;  ///< of the replay bar
+  Worksheets worksheets{session, calipers};
+  AnnotatedPictures annotated{session};
+  ShownMark bodyMark{session};
+  std::vector<Preset> presets;         ///< of the program
+  measurement::Measurements measured;  ///< as they were when they changed last
+  bool undoesAnnotations = false;      ///< they changed after the calipers
+  bool isRecordingSaved = true;        ///< of the replay bar
   struct {
     QString path;
     std::shared_ptr<const ScanRecording> recording;
@@ -99,6 +110,8 @@ struct MainWindow::Parts {
   ScanView* scanView = nullptr;
   SourcePicker* sourcePicker = nullptr;
   CaliperLayer* caliperLayer = nullptr;
+  AnnotationLayer* annotationLayer = nullptr;
+  BodyMarkView* bodyMarkView = nullptr;
   ConsolePanel* console = nullptr;
   MeasurePage* measurePage = nullptr;
   ReplayBar* replayBar = nullptr;
@@ -112,6 +125,7 @@ struct MainWindow::Parts {
   QPointer<ShortcutsOverlay> shortcuts;
   QPointer<CostPanel> cost;
   QPointer<SourceDialog> source;
+  QPointer<WorksheetDialog> worksheet;
 
   QAction* startPageAction = nullptr;
   QAction* undoAction = nullptr;
@@ -142,6 +156,10 @@ struct MainWindow::Parts {
   QAction* sourceAction = nullptr;
   std::vector<QAction*> caliperActions;  ///< as measurement::drawnKinds()
   QAction* followEdgesAction = nullptr;
+  QAction* textAction = nullptr;
+  QAction* arrowAction = nullptr;
+  QAction* bodyMarkAction = nullptr;
+  QAction* transducerAction = nullptr;  ///< shares its key with texts: of a picture that moves
   QMenu* recentMenu = nullptr;
   std::string workspace = kExplore;
   struct OwnWorkspace {
@@ -158,6 +176,8 @@ struct MainWindow::Parts {
   [[nodiscard]] bool isAuthor() const { return workspace == kAuthor; }
   /// Whether undo and redo mean the calipers: an author's case has edits of its own, so there the calipers must have the keys.
   [[nodiscard]] bool editsCalipers() const;
+  /// ... or the texts and arrows, by the same rule.
+  [[nodiscard]] bool editsAnnotations() const;
   /// Of a plugin, when such a one is in front.
   [[nodiscard]] const sdk::Workspace* ownWorkspace() const;
   [[nodiscard]] bool keepsBody() const { return ownWorkspace() == nullptr || ownWorkspace()->keepsBody; }

@@ -11,6 +11,7 @@
 #include "figures.h"
 #include "icons.h"
 #include "theme.h"
+#include "worksheet_list.h"
 
 namespace ew::ui {
 
@@ -60,7 +61,7 @@ class MeasuredLine final : public QPushButton {
   }
   void show(const Calipers::Line& line, bool isChosen) {
     number = line.measurement.number;
-    const QString name = CaliperWords::nameOf(line.measurement.caliper.kind), value = CaliperWords::mainResult(line.measured);
+    const QString name = CaliperWords::titleOf(line.measurement), value = CaliperWords::mainResult(line.measured);
     const QString others = CaliperWords::otherResults(line.measured, QStringLiteral("\n"));
     number_->setText(QString::number(number));
     name_->setText(name);
@@ -88,12 +89,15 @@ class MeasuredLine final : public QPushButton {
   QLabel* others_ = nullptr;
 };
 
-MeasurePage::MeasurePage(Calipers& calipers, QWidget* parent) : QWidget(parent), calipers_(calipers) {
+MeasurePage::MeasurePage(Calipers& calipers, Worksheets& worksheets, QWidget* parent) : QWidget(parent), calipers_(calipers) {
   setObjectName(QStringLiteral("measurePage"));
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(8);
   addTools(rows);
+  auto* worksheet = new WorksheetList(worksheets, calipers);
+  connect(worksheet, &WorksheetList::worksheetAsked, this, &MeasurePage::worksheetAsked);
+  rows->addWidget(worksheet);
   addEdits(rows);  // above the list, which may become long
   empty_ = new QLabel;
   empty_->setProperty("quiet", true);
@@ -138,6 +142,7 @@ void MeasurePage::addTools(QVBoxLayout* rows) {
   rows->addLayout(line);
   follows_ = new QCheckBox(tr("Outlines follow edges"));
   follows_->setObjectName(QStringLiteral("followEdges"));
+  follows_->setAccessibleName(follows_->text());
   follows_->setToolTip(tr("A few clicks around it are enough: the outline is brought to the edge (0)"));
   connect(follows_, &QCheckBox::toggled, &calipers_, &Calipers::setFollowsEdges);
   rows->addWidget(follows_);

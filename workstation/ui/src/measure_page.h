@@ -15,15 +15,19 @@ namespace ew::ui {
 
 /// A line of the list: number, what it is and its main result, and below it the others. A click chooses it.
 class MeasuredLine;
+class Worksheets;
 
 /// The console's page of measurements: the tools, and the list of what they measured with its uncertainty.
 class MeasurePage final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit MeasurePage(Calipers& calipers, QWidget* parent = nullptr);
+  MeasurePage(Calipers& calipers, Worksheets& worksheets, QWidget* parent = nullptr);
   ~MeasurePage() override;
   void refreshIcons();
+
+ Q_SIGNALS:
+  void worksheetAsked();
 
  private:
   void addTools(QVBoxLayout* rows);

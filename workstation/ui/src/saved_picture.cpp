@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "annotated_pictures.h"
+#include "annotation_paint.h"
 #include "caliper_paint.h"
 #include "caliper_words.h"
 #include "ew/scanning/picture_file.h"
@@ -12,6 +14,7 @@
 #include "figures.h"
 #include "picture_image.h"
 #include "session.h"
+#include "shown_mark.h"
 #include "theme.h"
 #include "words.h"
 
@@ -58,7 +61,7 @@ void paintMeasured(QPainter& painter, const Calipers& calipers, const QRect& roo
   int top = room.top();
   for (const Calipers::Line& line : calipers.lines()) {
     QString text = QStringLiteral("%1   %2   %3")
-                       .arg(QString::number(line.measurement.number), CaliperWords::nameOf(line.measurement.caliper.kind),
+                       .arg(QString::number(line.measurement.number), CaliperWords::titleOf(line.measurement),
                             CaliperWords::mainResult(line.measured));
     if (const QString others = CaliperWords::otherResults(line.measured, QStringLiteral("   ")); !others.isEmpty())
       text += QStringLiteral("   ") + others;
@@ -68,12 +71,28 @@ void paintMeasured(QPainter& painter, const Calipers& calipers, const QRect& roo
   }
 }
 
+/// What lies on the picture itself. @param picture where it is on the saved one
+void paintOn(QPainter& painter, const Session& session, const OnPicture& on, const QRect& picture) {
+  const DisplayGeometry& geometry = session.geometry();
+  const auto pixelOf = [&](const glm::dvec2& at_mm) {  // the middle of a pixel
+    return QPointF(picture.left() + 0.5 + geometry.face_px.x + (geometry.markerLeft ? -1.0 : 1.0) * at_mm.x / geometry.pixel_mm,
+                   picture.top() + 0.5 + geometry.face_px.y + (geometry.upsideDown ? -1.0 : 1.0) * at_mm.y / geometry.pixel_mm);
+  };
+  painter.save();
+  painter.setClipRect(picture);
+  if (on.calipers != nullptr && !on.calipers->lines().empty()) paintCalipers(painter, *on.calipers, pixelOf, {Qt::white, Qt::white});
+  if (on.annotations != nullptr) paintAnnotations(painter, on.annotations->all(), 0, pixelOf, {Qt::white, Qt::white});
+  if (on.mark != nullptr && std::min(picture.width(), picture.height()) >= 3 * kMark_px)
+    paintMark(painter, *on.mark, QRectF(picture.left() + 4, picture.bottom() - kMark_px - 3, kMark_px, kMark_px));
+  painter.restore();
+}
+
 }  // namespace
 
-QImage savedPicture(const Session& session, const QDateTime& at, const Calipers* calipers) {
+QImage savedPicture(const Session& session, const QDateTime& at, const OnPicture& on) {
   if (!session.subject() || session.picture().isEmpty()) return {};
   const QImage shown = imageOf(session.picture());
-  const int measured_px = calipers != nullptr ? kLine_px * static_cast<int>(calipers->lines().size()) : 0;
+  const int measured_px = on.calipers != nullptr ? kLine_px * static_cast<int>(on.calipers->lines().size()) : 0;
   QImage saved(std::max(kLeast_px, shown.width() + kScale_px), kHead_px + shown.height() + measured_px + kFoot_px, shown.format());
   saved.fill(Qt::black);
   const QRect picture((saved.width() - kScale_px - shown.width()) / 2, kHead_px, shown.width(), shown.height());
@@ -94,25 +113,16 @@ QImage savedPicture(const Session& session, const QDateTime& at, const Calipers*
   const int pixel_bytes = shown.depth() / 8;
   for (int y = 0; y < shown.height(); ++y)
     std::copy_n(shown.scanLine(y), pixel_bytes * shown.width(), saved.scanLine(kHead_px + y) + pixel_bytes * picture.left());
-  if (measured_px == 0) return saved;
-  const DisplayGeometry& geometry = session.geometry();
-  const auto pixelOf = [&](const glm::dvec2& at_mm) {  // the middle of a pixel
-    return QPointF(picture.left() + 0.5 + geometry.face_px.x + (geometry.markerLeft ? -1.0 : 1.0) * at_mm.x / geometry.pixel_mm,
-                   picture.top() + 0.5 + geometry.face_px.y + (geometry.upsideDown ? -1.0 : 1.0) * at_mm.y / geometry.pixel_mm);
-  };
   QPainter over(&saved);
-  over.save();
-  over.setClipRect(picture);
-  paintCalipers(over, *calipers, pixelOf, {Qt::white, Qt::white});
-  over.restore();
-  paintMeasured(over, *calipers, QRect(12, kHead_px + shown.height() + 4, saved.width() - 24, measured_px));
+  paintOn(over, session, on, picture);
+  if (measured_px > 0) paintMeasured(over, *on.calipers, QRect(12, kHead_px + shown.height() + 4, saved.width() - 24, measured_px));
   return saved;
 }
 
-Result<void> writeShownPicture(const Session& session, const QDateTime& at, const std::filesystem::path& file, const Calipers* calipers) {
+Result<void> writeShownPicture(const Session& session, const QDateTime& at, const std::filesystem::path& file, const OnPicture& on) {
   const double pixel_mm = session.geometry().pixel_mm;
   if (file.extension() == ".mha") return writePicture(session.picture(), pixel_mm, file);
-  const QImage saved = savedPicture(session, at, calipers);
+  const QImage saved = savedPicture(session, at, on);
   if (saved.format() == QImage::Format_Grayscale8)
     return writePicture(Picture{{saved.constBits(), saved.width(), saved.height(), saved.bytesPerLine()}}, pixel_mm, file);
   RgbImage colours(saved.width(), saved.height());

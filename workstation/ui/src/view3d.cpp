@@ -294,9 +294,10 @@ void View3D::fitToVolume() {
 void View3D::render() {
   if (parts_->renderAsked) return;
   parts_->renderAsked = true;
-  // Drawing without a GPU takes longer than a scan frame; at most half of the time goes into it, so that the scan is never held up.
+  // Drawing without a GPU takes longer than a scan frame; at most a third of the time goes into it: with half of it, a hand's every second
+  // image waits for the body to be drawn.
   const qint64 rested_ms = parts_->sinceDrawn.isValid() ? parts_->sinceDrawn.elapsed() : kLongestRest_ms;
-  const qint64 wait_ms = std::clamp(std::min(parts_->drawing_ms, kLongestRest_ms) - rested_ms, qint64{0}, kLongestRest_ms);
+  const qint64 wait_ms = std::clamp(std::min(2 * parts_->drawing_ms, kLongestRest_ms) - rested_ms, qint64{0}, kLongestRest_ms);
   QTimer::singleShot(static_cast<int>(wait_ms), Qt::PreciseTimer, this, [this] {
     if (!parts_->renderAsked) return;
     draw(bridge::Scene3D::Edges::quick);

@@ -58,8 +58,8 @@ class View3D : public QWidget {
   void showFrom(bridge::CameraPreset preset);
   void fitToVolume();  ///< looks at the volume box, or at the trunk when there is none
 
-  /// Draws once, soon: at the end of this turn of the event loop, or after as long a rest as the last drawing took; edges are smoothed when
-  /// nothing has moved for a quarter of a second.
+  /// Draws once, soon: at the end of this turn of the event loop, or after a rest twice as long as the last drawing took; edges are
+  /// smoothed when nothing has moved for a quarter of a second.
   void render();
   /// Draws at once with smooth edges, for screenshots; the picture is complete when this returns.
   void renderNow();

@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "ew/measurement/measurement_list.h"
@@ -26,9 +27,16 @@ class CaliperDrawing {
   [[nodiscard]] const Measurements& shown() const { return list_.now(); }
   [[nodiscard]] bool isEmpty() const { return shown().all.empty() && points_.empty(); }
 
-  /// Takes a tool into the hand; points that were set with the one before go.
-  void take(CaliperKind kind);
+  /// What a tool is taken for: an item of a package, and its side. Empty: for none.
+  struct Purpose {
+    std::string item;
+    std::string side;
+    bool operator==(const Purpose&) const = default;
+  };
+  /// Takes a tool into the hand; points that were set with the one before go. What is drawn with it is measured for its purpose.
+  void take(CaliperKind kind, Purpose purpose = {});
   [[nodiscard]] std::optional<CaliperKind> tool() const { return tool_; }
+  [[nodiscard]] const Purpose& purpose() const { return purpose_; }
 
   enum class Press {
     nothing,   ///< no tool, and no handle there: what was selected no longer is
@@ -77,6 +85,7 @@ class CaliperDrawing {
   int picture_;
   MeasurementList list_;
   std::optional<CaliperKind> tool_;
+  Purpose purpose_;  ///< of the tool
   std::vector<glm::dvec2> points_;
   std::optional<glm::dvec2> pointer_;
   std::optional<glm::dvec2> pressedAt_;  ///< where a press that goes on has set a point

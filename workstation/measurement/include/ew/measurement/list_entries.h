@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "ew/core/result.h"
@@ -13,9 +14,13 @@ namespace ew::measurement {
 /// What a caliper gives to an item of a kind, in the order of preference; null when it gives nothing of that kind.
 [[nodiscard]] const Figure* figureFor(ItemMeasure measure, const Measured& measured);
 
-/// The entries of a worksheet from the measurements that were made for items of its package, in their order. Measurements for other
-/// packages and those whose caliper cannot be measured yet are left out.
+/// What a measurement gives to the item it was made for; empty when it was made for none of this package, or cannot be measured yet.
 /// @error badField (a caliper that gives nothing its item needs: a distance for a circumference)
+[[nodiscard]] Result<std::optional<WorksheetEntry>> entryOf(const Measurement& measurement, const Package& package,
+                                                            const UncertaintyAt& at = {});
+
+/// The entries of a worksheet from the measurements that were made for items of its package, in their order. Measurements for other
+/// packages and those whose caliper cannot be measured yet are left out. @error as entryOf
 [[nodiscard]] Result<std::vector<WorksheetEntry>> entriesOf(const Measurements& measurements, const Package& package,
                                                             const UncertaintyAt& at = {});
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ew/core/kept_states.h"
 #include "ew/core/result.h"
 #include "ew/measurement/caliper.h"
 
@@ -46,19 +47,17 @@ struct Handle {
   bool operator==(const Handle&) const = default;
 };
 
-/// Whether a change is a step of its own, or goes on with the last one: a drag is many moves and one step back.
-enum class Change { begins, goesOn };
+using ew::Change;
 
-/// The measurements of a picture with undo and redo. Every state is a whole, unchanging value, so that whoever shows one keeps it and
-/// nothing has to be taken back piece by piece. Not for several threads at once; the states are.
+/// The measurements of a picture with undo and redo (core/kept_states.h). Not for several threads at once; the states are.
 class MeasurementList {
  public:
-  MeasurementList();
-  explicit MeasurementList(Measurements measurements);
+  MeasurementList() = default;
+  explicit MeasurementList(Measurements measurements) : states_(std::move(measurements)) {}
 
-  [[nodiscard]] const Measurements& now() const { return *states_[at_]; }
+  [[nodiscard]] const Measurements& now() const { return states_.now(); }
   /// The same, to be kept: it stays as it is whatever happens to the list.
-  [[nodiscard]] std::shared_ptr<const Measurements> kept() const { return states_[at_]; }
+  [[nodiscard]] std::shared_ptr<const Measurements> kept() const { return states_.kept(); }
 
   /// Returns its number. @param caliper as measure() takes it, or with points still to come
   int add(Caliper caliper, std::string name = {}, std::string item = {}, std::string side = {});
@@ -71,18 +70,16 @@ class MeasurementList {
   bool remove(int number);
   bool clear();  ///< false when there is nothing
 
-  [[nodiscard]] bool canUndo() const { return at_ > 0; }
-  [[nodiscard]] bool canRedo() const { return at_ + 1 < states_.size(); }
-  bool undo();
-  bool redo();
+  [[nodiscard]] bool canUndo() const { return states_.canUndo(); }
+  [[nodiscard]] bool canRedo() const { return states_.canRedo(); }
+  bool undo() { return states_.undo(); }
+  bool redo() { return states_.redo(); }
 
  private:
-  void step(Measurements next, Change change);
   template <class Edit>
   bool edit(int number, Change change, Edit edit);
 
-  std::vector<std::shared_ptr<const Measurements>> states_;
-  std::size_t at_ = 0;
+  KeptStates<Measurements> states_;
 };
 
 /// The handle nearest to a point of a picture within reach, and whose it is.

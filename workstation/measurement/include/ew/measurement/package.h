@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ew/core/data_file.h"
 #include "ew/core/result.h"
 #include "ew/measurement/expression.h"
 #include "ew/measurement/quantity.h"
@@ -14,15 +15,6 @@
 namespace ew::measurement {
 
 inline constexpr int kPackageFormat = 1;  ///< `format` of a package; a file with a larger one is refused with newerFormat
-
-/// A text of a package in the languages of the program.
-struct Words {
-  std::string english;
-  std::string german;
-  /// @param language "de" or "de_DE": German; else English
-  [[nodiscard]] const std::string& in(std::string_view language) const { return language.starts_with("de") ? german : english; }
-  bool operator==(const Words&) const = default;
-};
 
 /// From `low` to `high`, both included.
 struct Limits {

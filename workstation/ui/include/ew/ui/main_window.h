@@ -14,6 +14,7 @@
 
 namespace ew {
 enum class BreathingRequest;
+struct Preset;
 struct ScanRecording;
 struct Thrown;
 }  // namespace ew
@@ -33,7 +34,9 @@ class QMenu;
 
 namespace ew::ui {
 
+class AnnotatedPictures;
 class Calipers;
+class Worksheets;
 class CaseDocument;
 class CineBar;
 class ConsolePanel;
@@ -44,6 +47,7 @@ class Recorder;
 class ReplayBar;
 class ScanView;
 class Session;
+class ShownMark;
 class View3D;
 struct MadeVolume;
 
@@ -85,6 +89,9 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] ConsolePanel& console();
   [[nodiscard]] Recorder& recorder();
   [[nodiscard]] Calipers& calipers();
+  [[nodiscard]] Worksheets& worksheets();
+  [[nodiscard]] AnnotatedPictures& annotated();
+  [[nodiscard]] ShownMark& bodyMark();
   [[nodiscard]] ReplayBar& replayBar();
   [[nodiscard]] CineBar& cineBar();
 
@@ -117,6 +124,10 @@ class MainWindow final : public QMainWindow {
   void addCineMenu(QMenu& cine);
   void addBreathingMenu(QMenu& breathing);
   void addMeasureMenu(QMenu& measure);
+  void addAnnotateMenu(QMenu& annotate);
+  void addWordMenu(QMenu& menu);
+  void addBodyMarkMenu(QMenu& mark);
+  void addPresetMenu(QMenu& presets);
   void askBreathing(BreathingRequest request);
   void addImageMenu(QMenu& image);
   void addEffectsMenu(QMenu& effects);
@@ -127,6 +138,7 @@ class MainWindow final : public QMainWindow {
   void connectParts();
   void connectSession();   ///< what is scanned, recorded and shown
   void connectCalipers();  ///< tools, list and undo of what is measured
+  void connectAnnotations();
   void connectDocument();  ///< the case, its edits and the panels of plugins
   void connectPages();
   void connectOpener();
@@ -148,6 +160,12 @@ class MainWindow final : public QMainWindow {
   /// Asks for a name and begins to save. @return false: nothing is saved
   bool saveVolume(const MadeVolume& made);
   void savePicture();
+  void readAnnotationData(const std::filesystem::path& resources);  ///< word lists, body marks, presets
+  void showRegion();                                                ///< whose words and body marks are offered
+  void showPresets(QMenu& menu);
+  void takePreset(const Preset& preset);
+  void savePreset();
+  void importPreset();
   void takeMade(const MadeVolume& made);  ///< shows what was just made, or lets it wait
   void showMade(const MadeVolume& made);
   void showWaitingVolume();
@@ -203,6 +221,9 @@ class MainWindow final : public QMainWindow {
   /// Plays what was opened, once what was scanned is shown.
   void takeRecording(const QString& path, std::shared_ptr<const ScanRecording> recording);
   [[nodiscard]] bool mayLeaveRecording(const QString& next);
+  [[nodiscard]] bool mayLeaveWorksheet(const QString& next);
+  void showWorksheet();
+  bool saveWorksheet();
   [[nodiscard]] bool mayLeavePlugins();
   [[nodiscard]] bool mayClose();
   void loadWordsOf(const door::PluginStatus& plugin);

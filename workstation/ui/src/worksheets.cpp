@@ -1,0 +1,83 @@
+#include "worksheets.h"
+
+#include <algorithm>
+
+#include "calipers.h"
+#include "session.h"
+#include "words.h"
+
+namespace ew::ui {
+
+using measurement::Examination;
+using measurement::Package;
+
+Worksheets::Worksheets(Session& session, Calipers& calipers, QObject* parent) : QObject(parent), calipers_(calipers) {
+  connect(&calipers_, &Calipers::linesChanged, this, &Worksheets::take);
+  connect(&calipers_, &Calipers::changed, this, &Worksheets::sayRefused);
+  connect(&session, &Session::subjectReplaced, this, &Worksheets::clear);
+}
+
+void Worksheets::setPackages(std::vector<Package> packages) {
+  packages_.clear();
+  for (Package& package : packages) packages_.push_back(std::make_shared<const Package>(std::move(package)));
+  Q_EMIT packagesChanged();
+}
+
+void Worksheets::choose(const std::string& id) {
+  const auto found = std::find_if(packages_.begin(), packages_.end(), [&](const auto& package) { return package->id == id; });
+  Examination* chosen = found != packages_.end() ? &examinations_.try_emplace(id, *found).first->second : nullptr;
+  if (chosen == current_) return;
+  current_ = chosen;
+  take();
+  Q_EMIT changed();
+}
+
+void Worksheets::change(const std::function<void(Examination&)>& edit) {
+  EW_EXPECTS(current_ != nullptr);
+  edit(*current_);
+  Q_EMIT changed();
+}
+
+void Worksheets::measure(const std::string& item, const std::string& side) {
+  if (current_ == nullptr) return;
+  if (const measurement::PackageItem* asked = current_->package().item(item)) calipers_.takeFor(*asked, side);
+  Q_EMIT changed();  // an item checks itself, whatever came of it
+}
+
+void Worksheets::take() {
+  if (current_ == nullptr) return;
+  if (const auto picture = calipers_.picture()) {
+    const auto remarks = current_->measuredIn(*picture, calipers_.drawing().shown(), calipers_.uncertainty());
+    refused_ = remarks.empty() ? QString() : words(remarks.back());
+  }
+  Q_EMIT changed();
+}
+
+void Worksheets::sayRefused() {
+  if (calipers_.drawing().isDragging() || refused_ == said_) return;
+  said_ = refused_;
+  if (!said_.isEmpty()) Q_EMIT said(said_);
+}
+
+const Examination* Worksheets::unsaved() const {
+  for (const auto& [id, examination] : examinations_) {
+    const auto saved = saved_.find(id);
+    if (!examination.isEmpty() && (saved == saved_.end() || !(saved->second == examination))) return &examination;
+  }
+  return nullptr;
+}
+
+void Worksheets::setSaved() {
+  if (current_ != nullptr) saved_.insert_or_assign(current_->package().id, *current_);
+}
+
+void Worksheets::clear() {
+  const std::string id = current_ != nullptr ? current_->package().id : std::string();
+  current_ = nullptr;
+  examinations_.clear();
+  saved_.clear();
+  choose(id);  // the same kind of examination, of another patient
+  Q_EMIT changed();
+}
+
+}  // namespace ew::ui
