@@ -59,7 +59,7 @@ struct Strokes {
   cv::Mat lowest;       ///< over time: a scan that moves is dark here, text is not
   cv::Mat deviation;    ///< over time
   cv::Mat height;       ///< of the lowest above its surroundings, wider than strokes are
-  cv::Mat gradient;     ///< of the lowest: text has sharp rims
+  cv::Mat rim;          ///< steepest gradient of the lowest within 2 pixels: text has sharp rims, and a stroke is at most 5 pixels thick
   cv::Mat inside;       ///< the scan
   cv::Mat sure;         ///< 1: a stroke
   cv::Mat upright;      ///< 1: in the middle of a thin upright or slanting stroke of which half is scan
@@ -95,7 +95,8 @@ Strokes strokesOf(const ScreenStatistics& statistics, const FanOutline& outline)
   const int reach = std::clamp(scale / 60, 9, 31) | 1;
   const cv::Mat box = cv::getStructuringElement(cv::MORPH_RECT, {reach, reach});
   cv::morphologyEx(s.lowest, s.height, cv::MORPH_TOPHAT, box);
-  cv::morphologyEx(s.lowest, s.gradient, cv::MORPH_GRADIENT, cv::getStructuringElement(cv::MORPH_RECT, {3, 3}));
+  cv::morphologyEx(s.lowest, s.rim, cv::MORPH_GRADIENT, cv::getStructuringElement(cv::MORPH_RECT, {3, 3}));
+  cv::dilate(s.rim, s.rim, cv::getStructuringElement(cv::MORPH_RECT, {5, 5}));
   s.moving = quantile(s.deviation, s.inside, 0.5);
   const float still = std::clamp(0.25f * s.moving, 2.5f, 8.0f);
   cv::Mat sure = (s.height > 40) & (s.deviation < still);
@@ -141,7 +142,7 @@ bool isCharacter(const Component& one, const cv::Mat& labels, const Strokes& s, 
   for (int y = one.rect.y; y < one.rect.br().y; ++y)
     for (int x = one.rect.x; x < one.rect.br().x; ++x) {
       if (labels.at<int>(y, x) != one.label) continue;
-      rims.push_back(static_cast<float>(s.gradient.at<std::uint8_t>(y, x)));
+      rims.push_back(static_cast<float>(s.rim.at<std::uint8_t>(y, x)));
       levels.push_back(static_cast<float>(s.height.at<std::uint8_t>(y, x)));
       shakes.push_back(s.deviation.at<float>(y, x));
       upright += s.upright.at<std::uint8_t>(y, x);
