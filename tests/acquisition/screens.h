@@ -32,6 +32,7 @@ struct DrawnScreen {
   cv::Rect bar;
   std::vector<DrawnText> texts;
   std::vector<cv::Mat> frames;  ///< 8 bit, blue green red
+  std::vector<cv::Mat> bare;    ///< the same without any text over the scan
 };
 
 inline double uniform(std::mt19937& random, double from, double to) { return from + (to - from) * (random() / 4294967296.0); }
@@ -133,7 +134,8 @@ struct Furniture {
   int logo = 0;
 };
 
-inline void drawFurniture(cv::Mat& picture, const Furniture& f, int frame) {
+/// @param overScan false: texts over the scan are left out
+inline void drawFurniture(cv::Mat& picture, const Furniture& f, int frame, bool overScan = true) {
   const int width = picture.cols, height = picture.rows;
   for (int y = 0; y < f.bar.height; ++y) {
     const int level = 255 - 255 * y / std::max(1, f.bar.height - 1);
@@ -167,7 +169,17 @@ inline void drawFurniture(cv::Mat& picture, const Furniture& f, int frame) {
     }
     cv::polylines(picture, line, false, cv::Scalar(60, 220, 60), 1, cv::LINE_AA);
   }
-  for (const auto& [text, colour] : f.texts) draw(picture, text, colour);
+  for (const auto& [text, colour] : f.texts)
+    if (overScan || !text.over) draw(picture, text, colour);
+}
+
+/// One more moment of a screen.
+inline void addFrame(DrawnScreen& screen, const cv::Mat& scan, const Furniture& furniture, int frame) {
+  for (const bool overScan : {true, false}) {
+    cv::Mat picture = scan.clone();
+    drawFurniture(picture, furniture, frame, overScan);
+    (overScan ? screen.frames : screen.bare).push_back(picture);
+  }
 }
 
 /// Texts over the scan, at most so large that their boxes are about half a percent of it, and around it; bar, scale and the rest.
@@ -287,8 +299,7 @@ inline DrawnScreen madeScreen(unsigned seed, int frames = 12, bool overScan = tr
   for (int n = 0; n < frames; ++n) {
     cv::Mat picture;
     cv::cvtColor(scanOf(level, speckle, n), picture, cv::COLOR_GRAY2BGR);
-    drawFurniture(picture, furniture, n);
-    screen.frames.push_back(picture);
+    addFrame(screen, picture, furniture, n);
   }
   return screen;
 }
@@ -347,6 +358,40 @@ inline double readability(const GreyImage& clean, const PixelRect& kept, const D
     best = std::max(best, highest);
   }
   return best;
+}
+
+/// What may be looked at for text that was left: a moment at the beginning and at the end, and mean and minimum over time, in which a scan
+/// that moves fades and text does not.
+inline std::array<GreyImage, 4> lookedAt(const ScreenCleaner& cleaner, const std::vector<cv::Mat>& frames) {
+  std::array<GreyImage, 4> pictures;
+  std::vector<double> sum;
+  GreyImage clean, lowest;
+  for (std::size_t n = 0; n < frames.size(); ++n) {
+    cleaner.clean(frameOf(frames[n]).level, clean);
+    if (n == 0) {
+      pictures[0] = lowest = clean;
+      sum.resize(clean.pixels.size());
+    }
+    for (std::size_t p = 0; p < sum.size(); ++p) {
+      sum[p] += clean.pixels[p];
+      lowest.pixels[p] = std::min(lowest.pixels[p], clean.pixels[p]);
+    }
+  }
+  pictures[1] = pictures[2] = clean;
+  for (std::size_t p = 0; p < sum.size(); ++p)
+    pictures[2].pixels[p] = static_cast<std::uint8_t>(std::lround(sum[p] / static_cast<double>(frames.size())));
+  pictures[3] = lowest;
+  return pictures;
+}
+
+/// The largest difference of two pictures wherever readability looks for a text.
+inline int largestDifference(const GreyImage& a, const GreyImage& b, const PixelRect& kept, const DrawnText& text) {
+  const cv::Rect around = cv::Rect(text.rect.x - 16 - kept.x, text.rect.y - 16 - kept.y, text.rect.width + 40, text.rect.height + 32) &
+                          cv::Rect(0, 0, a.width, a.height);
+  int largest = 0;
+  for (int y = around.y; y < around.br().y; ++y)
+    for (int x = around.x; x < around.br().x; ++x) largest = std::max(largest, std::abs(viewOf(a).at(x, y) - viewOf(b).at(x, y)));
+  return largest;
 }
 
 }  // namespace ew::test
