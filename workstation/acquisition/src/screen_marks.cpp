@@ -54,6 +54,39 @@ float quantile(const cv::Mat& map, const cv::Mat& mask, double share) {
   return *at;
 }
 
+/// The lowest level with the scan carried on beyond its edge, so that the edge is no rim of a stroke. What is carried on is the median
+/// along the edge, so that text across the edge ends where it ends.
+cv::Mat carriedOn(const cv::Mat& lowest, const cv::Mat& inside, int reach) {
+  // Two pixels within the edge nothing is half scan, half background.
+  cv::Mat whole, core, nearest, labels;
+  cv::copyMakeBorder(inside, whole, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
+  cv::erode(whole, whole, cv::getStructuringElement(cv::MORPH_RECT, {5, 5}));
+  whole = whole(cv::Rect({1, 1}, inside.size())).clone();
+  if (cv::countNonZero(whole) == 0) return lowest.clone();
+  cv::erode(whole, core, cv::getStructuringElement(cv::MORPH_RECT, {3, 3}), {-1, -1}, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
+  cv::distanceTransform(whole == 0, nearest, labels, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
+  std::vector<std::uint8_t> level(1 + static_cast<std::size_t>(cv::countNonZero(whole)));
+  std::vector<std::uint8_t> along;
+  for (int y = 0; y < whole.rows; ++y)
+    for (int x = 0; x < whole.cols; ++x) {
+      if (whole.at<std::uint8_t>(y, x) == 0 || core.at<std::uint8_t>(y, x) != 0) continue;
+      const cv::Rect around = grown({x, y, 1, 1}, reach, whole.size());
+      along.clear();
+      for (int v = around.y; v < around.br().y; ++v)
+        for (int u = around.x; u < around.br().x; ++u)
+          if (whole.at<std::uint8_t>(v, u) != 0 && core.at<std::uint8_t>(v, u) == 0) along.push_back(lowest.at<std::uint8_t>(v, u));
+      const auto middle = along.begin() + static_cast<std::ptrdiff_t>(along.size() / 2);
+      std::nth_element(along.begin(), middle, along.end());
+      level[static_cast<std::size_t>(labels.at<int>(y, x))] = *middle;
+    }
+  cv::Mat result = lowest.clone();
+  for (int y = 0; y < whole.rows; ++y)
+    for (int x = 0; x < whole.cols; ++x)
+      if (whole.at<std::uint8_t>(y, x) == 0)
+        result.at<std::uint8_t>(y, x) = std::max(result.at<std::uint8_t>(y, x), level[static_cast<std::size_t>(labels.at<int>(y, x))]);
+  return result;
+}
+
 /// Thin strokes that stand still and stand out: what text over a scan is made of.
 struct Strokes {
   cv::Mat lowest;       ///< over time: a scan that moves is dark here, text is not
@@ -88,11 +121,11 @@ cv::Mat uprightStrokes(const Strokes& s) {
 Strokes strokesOf(const ScreenStatistics& statistics, const FanOutline& outline) {
   Strokes s;
   const int scale = std::max(statistics.width_px(), statistics.height_px());
-  s.lowest = matOf(statistics.lowest());
   s.deviation = matOf(statistics.deviation());
   s.inside = matOf(maskOf(outline, statistics.width_px(), statistics.height_px()));
   // A stroke is at most this thick.
   const int reach = std::clamp(scale / 60, 9, 31) | 1;
+  s.lowest = carriedOn(matOf(statistics.lowest()), s.inside, reach);
   const cv::Mat box = cv::getStructuringElement(cv::MORPH_RECT, {reach, reach});
   cv::morphologyEx(s.lowest, s.height, cv::MORPH_TOPHAT, box);
   cv::morphologyEx(s.lowest, s.rim, cv::MORPH_GRADIENT, cv::getStructuringElement(cv::MORPH_RECT, {3, 3}));
