@@ -95,28 +95,9 @@ struct Strokes {
   cv::Mat rim;          ///< steepest gradient of the lowest within 2 pixels: text has sharp rims, and a stroke is at most 5 pixels thick
   cv::Mat inside;       ///< the scan
   cv::Mat sure;         ///< 1: a stroke
-  cv::Mat upright;      ///< 1: in the middle of a thin upright or slanting stroke of which half is scan
   cv::Mat weak;         ///< 1: may belong to one
   float moving = 0.0f;  ///< usual deviation of the scan
 };
-
-/// The middles of thin strokes of 7 pixels that go down or slant: smoothed ones, spread over two pixels, are half scan and move half as
-/// much. Grain is wider than high, so that level strokes say nothing.
-cv::Mat uprightStrokes(const Strokes& s) {
-  constexpr int length = 7;
-  cv::Mat thin, height, found = cv::Mat::zeros(s.lowest.size(), CV_8U);
-  cv::morphologyEx(s.lowest, thin, cv::MORPH_TOPHAT, cv::getStructuringElement(cv::MORPH_RECT, {length, length}));
-  thin.convertTo(height, CV_32F);
-  const cv::Mat calm = (height > 40.0f) & (s.deviation < 0.7f * s.moving);
-  for (int slant = -1; slant <= 1; ++slant) {
-    cv::Mat line = cv::Mat::zeros(length, length, CV_32F), high, shaking;
-    for (int n = 0; n < length; ++n) line.at<float>(n, length / 2 + slant * (n - length / 2)) = 1.0f / length;
-    cv::filter2D(height, high, CV_32F, line);
-    cv::filter2D(s.deviation, shaking, CV_32F, line);
-    found |= calm & (high > 55.0f) & (shaking < 0.55f * s.moving);
-  }
-  return found / 255;
-}
 
 Strokes strokesOf(const ScreenStatistics& statistics, const FanOutline& outline) {
   Strokes s;
@@ -141,8 +122,7 @@ Strokes strokesOf(const ScreenStatistics& statistics, const FanOutline& outline)
   cv::Mat broad;
   cv::morphologyEx(hue, broad, cv::MORPH_OPEN, box);
   const cv::Mat thin = hue & ~broad;
-  s.upright = uprightStrokes(s);
-  s.sure = ((sure | thin) / 255) | s.upright;
+  s.sure = (sure | thin) / 255;
   // Only close to what is sure: a few grains of speckle stand still by chance.
   cv::Mat close;
   cv::dilate(s.sure, close, cv::getStructuringElement(cv::MORPH_RECT, {7, 7}));
@@ -171,14 +151,12 @@ bool isCharacter(const Component& one, const cv::Mat& labels, const Strokes& s, 
   if (one.area < 3 || height > highest || width > widest) return false;
   if (height < 4 && width > 6 * std::max(height, 3)) return false;  // a line
   std::vector<float> rims, levels, shakes;
-  int upright = 0;
   for (int y = one.rect.y; y < one.rect.br().y; ++y)
     for (int x = one.rect.x; x < one.rect.br().x; ++x) {
       if (labels.at<int>(y, x) != one.label) continue;
       rims.push_back(static_cast<float>(s.rim.at<std::uint8_t>(y, x)));
       levels.push_back(static_cast<float>(s.height.at<std::uint8_t>(y, x)));
       shakes.push_back(s.deviation.at<float>(y, x));
-      upright += s.upright.at<std::uint8_t>(y, x);
     }
   const auto ranked = [](std::vector<float>& values, std::size_t quarters) {
     std::sort(values.begin(), values.end());
@@ -187,7 +165,7 @@ bool isCharacter(const Component& one, const cv::Mat& labels, const Strokes& s, 
   // Of a thin stroke most pixels are half text, half scan: the stillest quarter is its middle.
   const float rim = ranked(rims, 2), level = ranked(levels, 2), shake = ranked(shakes, 1);
   // Echoes that do not move are spread by the beam: their rims are slopes.
-  return rim > 0.6f * level && shake < std::max(4.0f, (upright >= 3 ? 0.6f : 0.35f) * s.moving);
+  return rim > 0.6f * level && shake < std::max(4.0f, 0.35f * s.moving);
 }
 
 /// The static part of what lies outside the scan.
