@@ -42,17 +42,6 @@ std::vector<Component> componentsOf(const cv::Mat& mask, cv::Mat& labels) {
   return found;
 }
 
-/// The value that `share` of the pixels in the mask stay below.
-float quantile(const cv::Mat& map, const cv::Mat& mask, double share) {
-  std::vector<float> values;
-  for (int y = 0; y < map.rows; ++y)
-    for (int x = 0; x < map.cols; ++x)
-      if (mask.at<std::uint8_t>(y, x) != 0) values.push_back(map.at<float>(y, x));
-  if (values.empty()) return 0.0f;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 /// The lowest level with the scan carried on beyond its edge, so that the edge is no rim of a stroke. What is carried on is the median
 /// along the edge, so that text across the edge ends where it ends.
@@ -87,16 +76,27 @@ cv::Mat carriedOn(const cv::Mat& lowest, const cv::Mat& inside, int reach) {
   return result;
 }
 
+/// The mean of a map over the scan around each pixel.
+cv::Mat meanInside(const cv::Mat& map, const cv::Mat& inside, int size) {
+  cv::Mat mask, values, sums, counts;
+  inside.convertTo(mask, CV_32F);
+  cv::boxFilter(map.mul(mask), sums, CV_32F, {size, size}, {-1, -1}, false, cv::BORDER_CONSTANT);
+  cv::boxFilter(mask, counts, CV_32F, {size, size}, {-1, -1}, false, cv::BORDER_CONSTANT);
+  return sums / cv::max(counts, 1.0);
+}
+
+constexpr double kCodecNoise = 2.5;  ///< levels by which a codec lets what stands still deviate
+
 /// Thin strokes that stand still and stand out: what text over a scan is made of.
 struct Strokes {
-  cv::Mat lowest;       ///< over time: a scan that moves is dark here, text is not
-  cv::Mat deviation;    ///< over time
-  cv::Mat height;       ///< of the lowest above its surroundings, wider than strokes are
-  cv::Mat rim;          ///< steepest gradient of the lowest within 2 pixels: text has sharp rims, and a stroke is at most 5 pixels thick
-  cv::Mat inside;       ///< the scan
-  cv::Mat sure;         ///< 1: a stroke
-  cv::Mat weak;         ///< 1: may belong to one
-  float moving = 0.0f;  ///< usual deviation of the scan
+  cv::Mat lowest;     ///< over time: a scan that moves is dark here, text is not
+  cv::Mat deviation;  ///< over time
+  cv::Mat height;     ///< of the lowest above its surroundings, wider than strokes are
+  cv::Mat rim;        ///< steepest gradient of the lowest within 2 pixels: text has sharp rims, and a stroke is at most 5 pixels thick
+  cv::Mat inside;     ///< the scan
+  cv::Mat sure;       ///< 1: a stroke
+  cv::Mat weak;       ///< 1: may belong to one
+  cv::Mat moving;     ///< mean deviation of the scan around: text is still beside it
 };
 
 Strokes strokesOf(const ScreenStatistics& statistics, const FanOutline& outline) {
@@ -111,13 +111,13 @@ Strokes strokesOf(const ScreenStatistics& statistics, const FanOutline& outline)
   cv::morphologyEx(s.lowest, s.height, cv::MORPH_TOPHAT, box);
   cv::morphologyEx(s.lowest, s.rim, cv::MORPH_GRADIENT, cv::getStructuringElement(cv::MORPH_RECT, {3, 3}));
   cv::dilate(s.rim, s.rim, cv::getStructuringElement(cv::MORPH_RECT, {5, 5}));
-  s.moving = quantile(s.deviation, s.inside, 0.5);
-  const float still = std::clamp(0.25f * s.moving, 2.5f, 8.0f);
-  cv::Mat sure = (s.height > 40) & (s.deviation < still);
-  cv::Mat weak = (s.height > 20) & (s.deviation < std::max(3.0f * still, 0.7f * s.moving));
+  s.moving = meanInside(s.deviation, s.inside, std::max(31, scale / 16) | 1);
+  const cv::Mat still = cv::max(0.25 * s.moving, kCodecNoise);
+  const cv::Mat sure = (s.height > 40) & (s.deviation < still);
+  const cv::Mat weak = (s.height > 20) & (s.deviation < 3.0 * still);
   // Coloured pixels of a grey scan that stay are graphics however dark (blue has a luminance of 29).
   const cv::Mat coloured = matOf(statistics.colouredShare()), changes = matOf(statistics.activity());
-  const cv::Mat hue = (coloured > 0.9f) & (changes < 0.1f) & (s.deviation < 2.0f * still);
+  const cv::Mat hue = (coloured > 0.9f) & (changes < 0.1f) & (s.deviation < 2.0 * still);
   // A colour flow box is coloured too, but it changes and is no stroke.
   cv::Mat broad;
   cv::morphologyEx(hue, broad, cv::MORPH_OPEN, box);
@@ -145,27 +145,33 @@ cv::Mat grownStrokes(const Strokes& s) {
 }
 
 /// Whether a component may be a character or a part of one, by size and by how sharp its rim is.
-bool isCharacter(const Component& one, const cv::Mat& labels, const Strokes& s, int scale) {
+bool isCharacter(const Component& one, const cv::Mat& labels, const Strokes& s, const FanOutline& outline, int scale) {
   const int highest = std::max(14, scale / 12), widest = std::max(24, scale / 4);
   const int height = one.rect.height, width = one.rect.width;
   if (one.area < 3 || height > highest || width > widest) return false;
-  if (height < 4 && width > 6 * std::max(height, 3)) return false;  // a line
-  std::vector<float> rims, levels, shakes;
+  std::vector<float> rims, levels, shakes, around;
+  double nearest = 1e9, farthest = -1e9;
   for (int y = one.rect.y; y < one.rect.br().y; ++y)
     for (int x = one.rect.x; x < one.rect.br().x; ++x) {
       if (labels.at<int>(y, x) != one.label) continue;
       rims.push_back(static_cast<float>(s.rim.at<std::uint8_t>(y, x)));
       levels.push_back(static_cast<float>(s.height.at<std::uint8_t>(y, x)));
       shakes.push_back(s.deviation.at<float>(y, x));
+      around.push_back(s.moving.at<float>(y, x));
+      const double depth = outline.shape == FanShape::linear ? y : glm::distance(glm::dvec2(x, y), outline.apex_px);
+      nearest = std::min(nearest, depth);
+      farthest = std::max(farthest, depth);
     }
+  // A line on the screen, or one across the beams: an echo of what is the same for all of them.
+  if (std::min<double>(height, farthest - nearest + 1.0) < 4.0 && width > 18) return false;
   const auto ranked = [](std::vector<float>& values, std::size_t quarters) {
     std::sort(values.begin(), values.end());
     return values[(values.size() - 1) * quarters / 4];
   };
   // Of a thin stroke most pixels are half text, half scan: the stillest quarter is its middle.
-  const float rim = ranked(rims, 2), level = ranked(levels, 2), shake = ranked(shakes, 1);
+  const float rim = ranked(rims, 2), level = ranked(levels, 2), shake = ranked(shakes, 1), moving = ranked(around, 2);
   // Echoes that do not move are spread by the beam: their rims are slopes.
-  return rim > 0.6f * level && shake < std::max(4.0f, 0.35f * s.moving);
+  return rim > 0.6f * level && shake < std::max(static_cast<float>(kCodecNoise), 0.35f * moving);
 }
 
 /// The static part of what lies outside the scan.
@@ -283,7 +289,7 @@ std::vector<PixelRect> findText(const ScreenStatistics& statistics, const FanOut
   cv::Mat labels;
   cv::Mat letters = cv::Mat::zeros(strokes.size(), CV_8U);
   for (const Component& one : componentsOf(strokes, labels)) {
-    if (!isCharacter(one, labels, s, scale)) continue;
+    if (!isCharacter(one, labels, s, outline, scale)) continue;
     cv::Mat part = letters(one.rect);
     part.setTo(1, labels(one.rect) == one.label);
   }
