@@ -42,7 +42,6 @@ std::vector<Component> componentsOf(const cv::Mat& mask, cv::Mat& labels) {
   return found;
 }
 
-
 /// The lowest level with the scan carried on beyond its edge, so that the edge is no rim of a stroke. What is carried on is the median
 /// along the edge, so that text across the edge ends where it ends.
 cv::Mat carriedOn(const cv::Mat& lowest, const cv::Mat& inside, int reach) {
@@ -151,6 +150,7 @@ bool isCharacter(const Component& one, const cv::Mat& labels, const Strokes& s, 
   if (one.area < 3 || height > highest || width > widest) return false;
   std::vector<float> rims, levels, shakes, around;
   double nearest = 1e9, farthest = -1e9;
+  int sure = 0;
   for (int y = one.rect.y; y < one.rect.br().y; ++y)
     for (int x = one.rect.x; x < one.rect.br().x; ++x) {
       if (labels.at<int>(y, x) != one.label) continue;
@@ -158,12 +158,15 @@ bool isCharacter(const Component& one, const cv::Mat& labels, const Strokes& s, 
       levels.push_back(static_cast<float>(s.height.at<std::uint8_t>(y, x)));
       shakes.push_back(s.deviation.at<float>(y, x));
       around.push_back(s.moving.at<float>(y, x));
+      sure += s.sure.at<std::uint8_t>(y, x);
       const double depth = outline.shape == FanShape::linear ? y : glm::distance(glm::dvec2(x, y), outline.apex_px);
       nearest = std::min(nearest, depth);
       farthest = std::max(farthest, depth);
     }
   // A line on the screen, or one across the beams: an echo of what is the same for all of them.
   if (std::min<double>(height, farthest - nearest + 1.0) < 4.0 && width > 18) return false;
+  // Of text a good part is sure; a few sure grains among many that are not are scan.
+  if (5 * sure < one.area) return false;
   const auto ranked = [](std::vector<float>& values, std::size_t quarters) {
     std::sort(values.begin(), values.end());
     return values[(values.size() - 1) * quarters / 4];
@@ -300,9 +303,10 @@ std::vector<PixelRect> findText(const ScreenStatistics& statistics, const FanOut
   std::vector<PixelRect> boxes;
   cv::Mat lineLabels;
   for (const Component& line : componentsOf(lines, lineLabels)) {
-    const int ink = cv::countNonZero(letters(line.rect));
+    const int ink = cv::countNonZero(letters(line.rect)), sure = cv::countNonZero(letters(line.rect) & s.sure(line.rect));
     const double share = static_cast<double>(ink) / line.rect.area();
-    if (ink < 12 || line.rect.height < 5 || share > 0.92) continue;
+    // A small letter is ten sure pixels, or half as many with their soft rims.
+    if (ink + sure < 16 || line.rect.height < 5 || share > 0.92) continue;
     const int margin = std::clamp(line.rect.height / 5, 3, 6);
     const cv::Rect box = grown(line.rect, margin, strokes.size());
     if (cv::countNonZero(s.inside(box)) == 0) continue;
