@@ -17,6 +17,7 @@ constexpr double kParallel_rad = 3.0 * kDegree;
 constexpr double kSectorShare = 0.1;  ///< near over far radius below which a fan is a sector
 constexpr double kLeastArea = 0.02;   ///< of the picture
 constexpr double kLeastFilled = 0.3;  ///< of an outline, by what is scan; wires in water fill a tenth
+constexpr double kLeastSide = 0.15;   ///< of each side and of the far edge, by edges that bear it out; a side with less is a guess
 constexpr int kSamples = 600;         ///< lines drawn at random through two points
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
@@ -368,7 +369,8 @@ bool refineFan(FanOutline& fan, const std::vector<EdgePoint>& points) {
   return true;
 }
 
-/// Of the outline borne out by edges, times the share of the mask inside; less for an outline around little of it.
+/// Of the outline borne out by edges, times the share of the mask inside; less for an outline around little of it or with a side
+/// that nothing bears out.
 double qualityOf(const FanOutline& outline, const Candidate& candidate) {
   const cv::Mat& mask = candidate.mask;
   const auto points = edgePoints(outline, candidate.evidence, 8.0);
@@ -380,10 +382,11 @@ double qualityOf(const FanOutline& outline, const Candidate& candidate) {
     all[side] += 1.0;
     seen[side] += point.seen && std::abs(point.offset_px) < kSupport_px ? 1.0 : 0.0;
   }
-  double borne = 0.0, whole = 0.0;
+  double borne = 0.0, whole = 0.0, least = 1.0;
   for (std::size_t side = 0; side < 4; ++side) {
     borne += kWeights[side] * seen[side];
     whole += kWeights[side] * all[side];
+    if (side > 0) least = std::min(least, seen[side] / std::max(all[side], 1.0));
   }
   const GreyImage inside = maskOf(outline, mask.cols, mask.rows);
   double both = 0.0, moving = 0.0, area = 0.0;
@@ -395,7 +398,7 @@ double qualityOf(const FanOutline& outline, const Candidate& candidate) {
       area += in ? 1.0 : 0.0;
     }
   if (whole < 1.0 || moving < 1.0 || area < kLeastArea * static_cast<double>(mask.total())) return 0.0;
-  return borne / whole * (both / moving) * std::min(1.0, both / area / kLeastFilled);
+  return borne / whole * (both / moving) * std::min(1.0, both / area / kLeastFilled) * std::min(1.0, least / kLeastSide);
 }
 
 std::optional<FanFit> refined(FanOutline outline, const Candidate& candidate) {
