@@ -1636,10 +1636,6 @@
         <translation>Die Grenzflächen werden gesucht</translation>
     </message>
     <message>
-        <source>Films cannot be written, because a part of the program is missing; install EchoWeave again.</source>
-        <translation>Filme können nicht geschrieben werden, weil ein Teil des Programms fehlt; EchoWeave neu installieren.</translation>
-    </message>
-    <message>
         <source>Frame %1 has &quot;%2&quot; for its field %3; gating needs numbers and the frames&apos; times.</source>
         <translation>Bild %1 hat „%2“ in seinem Feld %3; Gating braucht Zahlen und die Zeiten der Bilder.</translation>
     </message>
@@ -6746,6 +6742,134 @@
     <message>
         <source>This EchoWeave was built without HID; install libhidapi-dev and build it again to use jog dials and game controllers.</source>
         <translation>Dieses EchoWeave wurde ohne HID gebaut; installieren Sie libhidapi-dev und bauen Sie es neu, um Jog-Räder und Spielsteuerungen zu benutzen.</translation>
+    </message>
+    <message>
+        <source>The recording gave %1 of the %2 frames it has, so %3 was not written; check that the file is still there.</source>
+        <translation>Die Aufnahme gab %1 ihrer %2 Bilder her, deshalb wurde %3 nicht geschrieben; prüfen, ob die Datei noch da ist.</translation>
+    </message>
+    <message>
+        <source>Nothing moves in the recording, so scan and screen were told apart by brightness alone; look closely.</source>
+        <translation>In der Aufnahme bewegt sich nichts, deshalb wurden Ultraschallbild und Bildschirm allein nach der Helligkeit getrennt; genau hinsehen.</translation>
+    </message>
+    <message>
+        <source>Too much of the scan stands still for text over it to be told from echoes; look for text and add its boxes.</source>
+        <translation>Zu viel vom Ultraschallbild steht still, als dass sich Text darüber von Echos unterscheiden ließe; nach Text suchen und seine Kästen hinzufügen.</translation>
+    </message>
+    <message>
+        <source>The outline of the scan was not found; state it in a correction.</source>
+        <translation>Der Umriss des Ultraschallbilds wurde nicht gefunden; ihn in einer Korrektur angeben.</translation>
+    </message>
+    <message>
+        <source>No evenly spaced marks of a depth scale were found; the depth has to be stated.</source>
+        <translation>Es wurden keine gleichmäßigen Marken einer Tiefenskala gefunden; die Tiefe muss angegeben werden.</translation>
+    </message>
+    <message>
+        <source>The stated outline holds no part of the pictures; correct it.</source>
+        <translation>Der angegebene Umriss enthält nichts von den Bildern; ihn berichtigen.</translation>
+    </message>
+    <message>
+        <source>A stated depth or distance of ticks must be above 0 mm.</source>
+        <translation>Eine angegebene Tiefe oder ein Markenabstand muss über 0 mm liegen.</translation>
+    </message>
+    <message>
+        <source>The distance of ticks was stated, but none were found; state the depth of the scan instead.</source>
+        <translation>Ein Markenabstand wurde angegeben, aber es wurden keine Marken gefunden; stattdessen die Tiefe des Bilds angeben.</translation>
+    </message>
+    <message>
+        <source>The stated depth (%1 mm a pixel) and the stated ticks (%2 mm a pixel) do not agree; the depth counts. Check both.</source>
+        <translation>Die angegebene Tiefe (%1 mm je Pixel) und der angegebene Markenabstand (%2 mm je Pixel) passen nicht zusammen; es gilt die Tiefe. Beide prüfen.</translation>
+    </message>
+    <message>
+        <source>four corners, clockwise from the upper left one</source>
+        <translation>vier Ecken, im Uhrzeigersinn ab der linken oberen</translation>
+    </message>
+    <message>
+        <source>x and y of each corner, in pixels</source>
+        <translation>x und y jeder Ecke in Pixeln</translation>
+    </message>
+    <message>
+        <source>larger than &quot;left_deg&quot;</source>
+        <translation>größer als &quot;left_deg&quot;</translation>
+    </message>
+    <message>
+        <source>larger than &quot;near_px&quot;</source>
+        <translation>größer als &quot;near_px&quot;</translation>
+    </message>
+    <message>
+        <source>boxes of whole pixels: x, y, width, height</source>
+        <translation>Kästen aus ganzen Pixeln: x, y, Breite, Höhe</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has version %2 of its format and this program knows %3; use a newer EchoWeave.</source>
+        <translation>&apos;%1&apos; hat die Formatversion %2, und dieses Programm kennt %3; ein neueres EchoWeave verwenden.</translation>
+    </message>
+    <message>
+        <source>Looking at the frames</source>
+        <translation>Bilder werden angesehen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no frames that can be read.</source>
+        <translation>&apos;%1&apos; hat keine lesbaren Bilder.</translation>
+    </message>
+    <message>
+        <source>Looking at the frames was stopped.</source>
+        <translation>Das Ansehen der Bilder wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Where the scan lies is not known, so the recording cannot be cleaned; state its outline in a correction.</source>
+        <translation>Die Lage des Ultraschallbilds ist nicht bekannt, deshalb lässt sich die Aufnahme nicht bereinigen; den Umriss in einer Korrektur angeben.</translation>
+    </message>
+    <message>
+        <source>The %1 frames before it were read.</source>
+        <translation>Die %1 Bilder davor wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>%1 says it holds a film, but has none; export it again.</source>
+        <translation>%1 gibt an, einen Film zu enthalten, hat aber keinen; neu exportieren.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the film in %1; close other programs.</source>
+        <translation>Der Speicher reicht nicht für den Film in %1; andere Programme schließen.</translation>
+    </message>
+    <message>
+        <source>%1 holds poses without images; choose a recording with images.</source>
+        <translation>%1 enthält Lagen ohne Bilder; eine Aufnahme mit Bildern wählen.</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2 has another size than those before it; the %3 before it were read.</source>
+        <translation>Bild %1 von %2 hat eine andere Größe als die davor; die %3 davor wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>%1 is no film, DICOM cine, TIFF, sequence or picture that is known, or its beginning is damaged.</source>
+        <translation>%1 ist kein bekannter Film, keine DICOM-Bildfolge, kein TIFF, keine Sequenz und kein Bild, oder der Anfang ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>Reading the frames was stopped.</source>
+        <translation>Das Lesen der Bilder wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>%1 is a TIFF that cannot be read: it is damaged or packed in a way that is not known; save it again.</source>
+        <translation>%1 ist ein nicht lesbares TIFF: beschädigt oder auf unbekannte Art gepackt; neu speichern.</translation>
+    </message>
+    <message>
+        <source>%1 is a film of which nothing can be read: its index is missing (the recording was not ended), it is damaged, or its codec is not installed; record or export it again.</source>
+        <translation>%1 ist ein Film, von dem nichts zu lesen ist: Der Index fehlt (die Aufnahme wurde nicht beendet), die Datei ist beschädigt, oder der Codec ist nicht installiert; neu aufnehmen oder exportieren.</translation>
+    </message>
+    <message>
+        <source>No frame of %1 can be read; get the file again, or record it once more.</source>
+        <translation>Kein Bild von %1 ist lesbar; die Datei neu beschaffen oder noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+        <source>%1 ends early or is damaged: of %2 frames the first %3 were read; get the file again if the others are needed.</source>
+        <translation>%1 endet zu früh oder ist beschädigt: Von %2 Bildern wurden die ersten %3 gelesen; die Datei neu beschaffen, wenn die übrigen gebraucht werden.</translation>
+    </message>
+    <message>
+        <source>The pictures of %1 have %2 x %3 pixels, more than are read; record a smaller part of the screen.</source>
+        <translation>Die Bilder von %1 haben %2 x %3 Pixel, mehr als gelesen werden; einen kleineren Teil des Bildschirms aufnehmen.</translation>
+    </message>
+    <message>
+        <source>Films can be neither written nor read, because a part of the program is missing; install EchoWeave again.</source>
+        <translation>Filme können weder geschrieben noch gelesen werden, weil ein Teil des Programms fehlt; EchoWeave neu installieren.</translation>
     </message>
 </context>
 <context>

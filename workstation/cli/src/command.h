@@ -90,6 +90,7 @@ void addLevel(CLI::App& root, Selection& selection);
 void addMeasure(CLI::App& root, Selection& selection);
 void addSlice(CLI::App& root, Selection& selection);
 void addScan(CLI::App& root, Selection& selection);
+void addScreen(CLI::App& root, Selection& selection);
 void addReplay(CLI::App& root, Selection& selection);
 void addSend(CLI::App& root, Selection& selection);
 void addPhantom(CLI::App& root, Selection& selection);

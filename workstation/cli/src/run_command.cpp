@@ -31,8 +31,8 @@ constexpr const char* kFooter =
     "Exit status: 0 done, 1 it could not be done, 2 wrong usage, 3 done with the answer 'no' or 'cannot tell'.";
 
 std::vector<std::string> builtInNames() {
-  return {"import",  "reconstruct", "register", "slice",  "level", "scan",    "replay",
-          "phantom", "case",        "measure",  "preset", "send",  "plugins", "bench"};
+  return {"import",  "screen", "reconstruct", "register", "slice", "level",   "scan", "replay",
+          "phantom", "case",   "measure",     "preset",   "send",  "plugins", "bench"};
 }
 
 /// CLI11's messages, as one sentence with a full stop.
@@ -201,6 +201,7 @@ int runCommand(std::span<const std::string> args, const Surroundings& surroundin
   root.require_subcommand(1);
   root.get_formatter()->column_width(34);
   addImport(root, selection);
+  addScreen(root, selection);
   addReconstruct(root, selection);
   addRegister(root, selection);
   addSlice(root, selection);

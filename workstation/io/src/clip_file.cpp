@@ -1,13 +1,10 @@
 #include "ew/io/clip_file.h"
 
-#include <dlfcn.h>
-
-#include <array>
 #include <utility>
 
 #include "ew/core/contract.h"
 #include "image_header.h"
-#include "video_module.h"
+#include "video_loader.h"
 
 namespace ew {
 namespace {
@@ -20,41 +17,6 @@ tl::unexpected<Error> notWritten(const fs::path& file, const Message& reason) {
                  {{"file", file.string()}, {"reason", reason.english()}});
 }
 
-/// The functions of the module, loaded once and never unloaded.
-struct Video {
-  EwClipOpen* open = nullptr;
-  EwClipAdd* add = nullptr;
-  EwClipClose* close = nullptr;
-};
-
-Result<Video> loadVideo() {
-  std::error_code ignored;
-  const fs::path installed = fs::read_symlink("/proc/self/exe", ignored).parent_path() / "../lib/echoweave/libew_video.so";
-  const fs::path file = fs::exists(installed, ignored) ? installed : fs::path(EW_VIDEO_MODULE);
-  void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-  Video video;
-  if (module != nullptr) {
-    video.open = reinterpret_cast<EwClipOpen*>(dlsym(module, "ewClipOpen"));
-    video.add = reinterpret_cast<EwClipAdd*>(dlsym(module, "ewClipAdd"));
-    video.close = reinterpret_cast<EwClipClose*>(dlsym(module, "ewClipClose"));
-  }
-  if (video.open == nullptr || video.add == nullptr || video.close == nullptr) {
-    const char* const reason = dlerror();
-    return failure(ErrorCode::unsupported,
-                   say<"Films cannot be written, because a part of the program is missing; install EchoWeave again.">(),
-                   {{"file", file.string()}, {"reason", reason == nullptr ? "" : reason}});
-  }
-  return video;
-}
-
-const Result<Video>& video() {
-  static const Result<Video> loaded = loadVideo();
-  return loaded;
-}
-
-constexpr std::size_t kReasonRoom = 256;
-using Reason = std::array<char, kReasonRoom>;  ///< what another library said; empty when it said nothing
-
 }  // namespace
 
 struct ClipWriter::Parts {
@@ -63,7 +25,7 @@ struct ClipWriter::Parts {
   EwClip* clip = nullptr;
 
   void close() {
-    if (clip != nullptr) (*video()->close)(std::exchange(clip, nullptr));
+    if (clip != nullptr) (*videoModule()->close)(std::exchange(clip, nullptr));
   }
   ~Parts() { close(); }
 };
@@ -83,9 +45,9 @@ Result<ClipWriter> ClipWriter::open(const fs::path& file, int width_px, int heig
   if (width_px < 2 || height_px < 2)
     return failure(ErrorCode::badField, say<"A film of %1 x %2 pixels cannot be made; give at least 2x2.">(width_px, height_px),
                    {{"file", file.string()}});
-  if (!video()) return passOn(video().error());
+  if (!videoModule()) return passOn(videoModule().error());
   Reason why{};
-  EwClip* const clip = (*video()->open)(file.c_str(), width_px, height_px, rate_hz, why.data(), why.size());
+  EwClip* const clip = (*videoModule()->open)(file.c_str(), width_px, height_px, rate_hz, why.data(), why.size());
   if (clip == nullptr) return notWritten(file, why.front() == '\0' ? say<"the film could not be begun">() : verbatim(why.data()));
   auto parts = std::make_unique<Parts>();
   parts->file = file;
@@ -99,7 +61,7 @@ Result<void> ClipWriter::add(const RgbImage& image) {
   EW_EXPECTS(parts_->clip != nullptr && image.width == parts_->width_px && image.height == parts_->height_px);
   Reason why{};
   const auto* const bytes = reinterpret_cast<const unsigned char*>(image.pixels.data());
-  if (!(*video()->add)(parts_->clip, bytes, why.data(), why.size())) return notWritten(parts_->file, verbatim(why.data()));
+  if (!(*videoModule()->add)(parts_->clip, bytes, why.data(), why.size())) return notWritten(parts_->file, verbatim(why.data()));
   return {};
 }
 

@@ -194,6 +194,36 @@ std::vector<UltrasoundRegion> regionsOf(const DicomItem& data, std::uint64_t col
   return regions;
 }
 
+std::vector<double> frameTimes(const DicomItem& data, std::uint64_t frames, std::vector<Message>& notes) {
+  constexpr DicomTag period = 0x00181063u, steps = 0x00181065u;
+  DicomTag named = 0;
+  if (const DicomElement* const pointer = data.find(0x00280009u); pointer != nullptr && pointer->value.size() >= 4) {
+    const auto word = [&](std::size_t at) -> std::uint32_t {
+      const std::uint32_t first = pointer->value[at], second = pointer->value[at + 1];
+      return data.bigEndian ? first << 8 | second : second << 8 | first;
+    };
+    named = word(0) << 16 | word(2);
+  }
+  if (named != period && named != steps) named = data.find(period) != nullptr ? period : steps;
+  const auto values = data.numbers(named);
+  std::vector<double> times_s;
+  const auto usable = [](double step) { return std::isfinite(step) && step >= 0.0 && step < 1e7; };
+  if (frames < 2) return {};
+  if (named == period && !values.empty() && usable(values.front()) && values.front() > 0.0) {
+    for (std::uint64_t n = 0; n < frames; ++n) times_s.push_back(values.front() * 0.001 * static_cast<double>(n));
+  } else if (named == steps && values.size() == frames && std::all_of(values.begin(), values.end(), usable)) {
+    double time_ms = 0.0;
+    for (std::uint64_t n = 0; n < frames; ++n) {
+      // The first entry is the time before the first frame, 0 by the standard.
+      if (n > 0) time_ms += values[n];
+      times_s.push_back(time_ms * 0.001);
+    }
+  } else {
+    notes.push_back(say<"The file gives no usable times of its frames (Frame Time, Frame Time Vector), so they have none.">());
+  }
+  return times_s;
+}
+
 Bytes kretzInside(const DicomItem& data) {
   for (const DicomElement& element : data.elements) {
     if ((element.tag >> 16) % 2 == 1 && element.value.size() > 24 && std::memcmp(element.value.data(), "KRETZFILE 1.0", 13) == 0)

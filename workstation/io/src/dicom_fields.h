@@ -17,6 +17,9 @@ constexpr const char* kEnhancedUsVolume = "1.2.840.10008.5.1.4.1.1.6.2";
 /// The regions with what is wrong with each.
 [[nodiscard]] std::vector<UltrasoundRegion> regionsOf(const DicomItem& data, std::uint64_t columns, std::uint64_t rows);
 
+/// Times of the frames by the field that the file names, or by the one that is there; empty when there is none.
+[[nodiscard]] std::vector<double> frameTimes(const DicomItem& data, std::uint64_t frames, std::vector<Message>& notes);
+
 /// The Kretz file inside a private field, or empty bytes.
 [[nodiscard]] Bytes kretzInside(const DicomItem& data);
 

@@ -461,8 +461,9 @@ Result<void> FrameReader::samplesOf(std::uint64_t frame, std::vector<std::int32_
 }
 
 Result<void> FrameReader::read(std::uint64_t frame, std::vector<std::int32_t>& level, std::vector<std::uint8_t>& coloured,
-                               const Progress& progress) const {
+                               const Progress& progress, std::vector<Rgb>* colour) const {
   const std::size_t pixels = layout_.pixelsPerFrame();
+  if (colour != nullptr) colour->resize(layout_.inColour() ? pixels : 0);
   coloured.assign(layout_.inColour() ? pixels : 0, 0);
   bool planar = false, lumaChroma = false;
   if (!layout_.inColour()) return samplesOf(frame, level, planar, lumaChroma, progress);
@@ -476,6 +477,7 @@ Result<void> FrameReader::read(std::uint64_t frame, std::vector<std::int32_t>& l
       const std::array<int, 3> rgb{entry[0], entry[1], entry[2]};
       level[n] = luminance(rgb);
       coloured[n] = isColoured(rgb) ? 1 : 0;
+      if (colour != nullptr) (*colour)[n] = Rgb(entry[0], entry[1], entry[2]);
     }
     return {};
   }
@@ -487,6 +489,7 @@ Result<void> FrameReader::read(std::uint64_t frame, std::vector<std::int32_t>& l
     // The luminance of full-range YCbCr is Y itself; through RGB and back it would be rounded twice.
     level[n] = lumaChroma && !partial ? sample(0) : luminance(rgb);
     coloured[n] = isColoured(rgb) ? 1 : 0;
+    if (colour != nullptr) (*colour)[n] = Rgb(rgb[0], rgb[1], rgb[2]);
   }
   return {};
 }

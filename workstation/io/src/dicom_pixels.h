@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dicom_dataset.h"
+#include "ew/core/image.h"
 #include "ew/core/progress.h"
 #include "ew/io/volume_file.h"
 
@@ -41,8 +42,9 @@ class FrameReader {
   /// Luminance of one frame (ITU-R BT.601) as stored values; `coloured` gets 1 where red, green and blue differ by more than
   /// kColourStep. Values of colours are 0..255, of grey frames whatever is stored.
   /// @error badHeader (a frame that cannot be unpacked), truncated, cancelled
+  /// @param colour where it is given, gets red, green and blue of each pixel of a frame in colour; nothing of a grey one
   [[nodiscard]] Result<void> read(std::uint64_t frame, std::vector<std::int32_t>& level, std::vector<std::uint8_t>& coloured,
-                                  const Progress& progress) const;
+                                  const Progress& progress, std::vector<Rgb>* colour = nullptr) const;
 
   static constexpr int kColourStep = 24;  ///< JPEG leaves up to 16 between the colours of what was grey
 

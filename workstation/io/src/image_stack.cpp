@@ -10,6 +10,7 @@
 #include "grey_samples.h"
 #include "image_header.h"
 #include "png_pixels.h"
+#include "stack_picture.h"
 
 namespace ew {
 namespace {
@@ -108,7 +109,9 @@ Result<JpegGrey> readPgm(Bytes bytes, const fs::path& file) {
   return picture;
 }
 
-Result<JpegGrey> readPicture(const fs::path& file, const Progress& progress = noProgress()) {
+}  // namespace
+
+Result<JpegGrey> detail::readStackPicture(const fs::path& file, const Progress& progress) {
   const auto bytes = readWholeFile(file, kLargestFile);
   if (!bytes) return passOn(bytes.error());
   const std::string ending = lowerCase(file.extension().string());
@@ -116,8 +119,6 @@ Result<JpegGrey> readPicture(const fs::path& file, const Progress& progress = no
   if (ending == ".pgm") return readPgm(*bytes, file);
   return readJpeg(*bytes, file, kMostStackPixels, progress);
 }
-
-}  // namespace
 
 Result<std::vector<fs::path>> stackFiles(const fs::path& folderOrPicture) {
   std::error_code ec;
@@ -148,7 +149,7 @@ Result<std::vector<fs::path>> stackFiles(const fs::path& folderOrPicture) {
 Result<StackPicture> readFirstOfStack(const fs::path& folderOrPicture) try {
   const auto files = stackFiles(folderOrPicture);
   if (!files) return passOn(files.error());
-  auto picture = readPicture(files->front());
+  auto picture = readStackPicture(files->front(), noProgress());
   if (!picture) return passOn(picture.error());
   StackPicture first;
   first.level.width = picture->width;
@@ -174,7 +175,7 @@ Result<StackVolume> readImageStack(const fs::path& folderOrPicture, const StackO
   std::uint64_t colouredPixels = 0;
   for (std::size_t n = 0; n < files->size(); ++n) {
     if (progress.cancelRequested()) return stopped(folderOrPicture);
-    auto picture = readPicture((*files)[n], progress);
+    auto picture = readStackPicture((*files)[n], progress);
     if (!picture) return passOn(picture.error());
     if (n == 0) {
       volume.grid.dims = {picture->width, picture->height, static_cast<int>(files->size())};

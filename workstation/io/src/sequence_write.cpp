@@ -47,30 +47,59 @@ Result<void> addFrame(const fs::path& file, const SequenceFrame& frame, const st
   return {};
 }
 
-}  // namespace
-
-Result<void> writeSequence(const Sequence& sequence, const fs::path& file, Progress& progress) {
+/// Everything but the pixels. @param hasImages whether there are any
+Result<MetaText> metaTextOf(const Sequence& sequence, const fs::path& file, bool hasImages) {
   if (!lowerCase(file.filename().string()).ends_with(".mha"))
     return failure(ErrorCode::unsupported, say<"%1 has an ending that is not written; end its name in .igs.mha.">(quoted(file)),
                    {{"file", file.string()}});
   if (sequence.frames.empty())
     return failure(ErrorCode::badField, say<"The recording has no frames, so %1 was not written; record or open one first.">(quoted(file)),
                    {{"file", file.string()}});
-  const bool hasImages = !sequence.pixels.empty();
   const std::uint64_t width = hasImages ? static_cast<std::uint64_t>(sequence.width) : 0;
   const std::uint64_t height = hasImages ? static_cast<std::uint64_t>(sequence.height) : 0;
-  const bool complete = sequence.width >= 0 && sequence.height >= 0 && sequence.pixels.size() == width * height * sequence.frames.size();
-  EW_EXPECTS(complete);
-  if (!complete)
-    return failure(ErrorCode::internal, say<"The recording's pixels do not match its size, so %1 was not written.">(quoted(file)));
   MetaText text{
       .sizes = {width, height, sequence.frames.size()}, .geometry = {}, .kinds = "domain domain list", .samples = hasImages, .fields = {}};
   if (!sequence.orientation.empty()) text.fields.emplace_back("UltrasoundImageOrientation", sequence.orientation);
   if (!sequence.imageType.empty()) text.fields.emplace_back("UltrasoundImageType", sequence.imageType);
   text.fields.insert(text.fields.end(), sequence.otherFields.begin(), sequence.otherFields.end());
   for (std::size_t frame = 0; frame < sequence.frames.size(); ++frame)
-    if (auto added = addFrame(file, sequence.frames[frame], prefixOf(frame), text.fields); !added) return added;
-  return writeMetaFile(file, text, sequence.pixels, true, say<"Writing frames">(), progress);
+    if (auto added = addFrame(file, sequence.frames[frame], prefixOf(frame), text.fields); !added) return passOn(added.error());
+  return text;
+}
+
+}  // namespace
+
+Result<void> writeSequence(const Sequence& sequence, const fs::path& file, Progress& progress) {
+  const bool hasImages = !sequence.pixels.empty();
+  const auto text = metaTextOf(sequence, file, hasImages);
+  if (!text) return passOn(text.error());
+  const bool complete =
+      sequence.width >= 0 && sequence.height >= 0 && sequence.pixels.size() == text->sizes[0] * text->sizes[1] * sequence.frames.size();
+  EW_EXPECTS(complete);
+  if (!complete)
+    return failure(ErrorCode::internal, say<"The recording's pixels do not match its size, so %1 was not written.">(quoted(file)));
+  return writeMetaFile(file, *text, sequence.pixels, true, say<"Writing frames">(), progress);
+}
+
+Result<void> writeSequence(const Sequence& sequence, const NextFrame& next, const fs::path& file, Progress& progress) {
+  EW_EXPECTS(sequence.pixels.empty() && sequence.width > 0 && sequence.height > 0);
+  const auto text = metaTextOf(sequence, file, true);
+  if (!text) return passOn(text.error());
+  const std::size_t size = static_cast<std::size_t>(sequence.width) * static_cast<std::size_t>(sequence.height);
+  std::size_t given = 0;
+  const auto more = [&]() -> Result<std::span<const std::uint8_t>> {
+    if (given == sequence.frames.size()) return std::span<const std::uint8_t>();
+    auto pixels = next();
+    if (!pixels) return passOn(pixels.error());
+    if (pixels->size() != size)
+      return failure(ErrorCode::truncated,
+                     say<"The recording gave %1 of the %2 frames it has, so %3 was not written; check that the file is still there.">(
+                         given, sequence.frames.size(), quoted(file)));
+    ++given;
+    progress.report(say<"Writing frames">(), static_cast<double>(given) / static_cast<double>(sequence.frames.size()));
+    return pixels;
+  };
+  return writeMetaStream(file, *text, more, progress);
 }
 
 }  // namespace ew

@@ -74,6 +74,14 @@ using SequenceCheck = std::function<Result<void>(const Sequence&)>;
 /// Writes .igs.mha (compressed), complete or not at all.
 [[nodiscard]] Result<void> writeSequence(const Sequence& sequence, const std::filesystem::path& file, Progress& progress = noProgress());
 
+/// The pixels of the next frame; empty at the end.
+using NextFrame = std::function<Result<std::span<const std::uint8_t>>()>;
+/// The same without all pixels in memory: they are asked for frame after frame while the file is written, and stand in it as they are.
+/// @param sequence without pixels; its frames are as many as `next` will give
+/// @error as above; truncated (`next` gave fewer), and those of `next`
+[[nodiscard]] Result<void> writeSequence(const Sequence& sequence, const NextFrame& next, const std::filesystem::path& file,
+                                         Progress& progress = noProgress());
+
 /// What a PLUS device set says about geometry and reconstruction.
 struct DeviceSet {
   std::vector<NamedTransform> transforms;  ///< CoordinateDefinitions: calibration ("Image" to "Probe") and others

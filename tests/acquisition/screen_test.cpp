@@ -1,0 +1,484 @@
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+
+#include "acquisition/screens.h"
+#include "ew/acquisition/line_data.h"
+#include "ew/acquisition/screen.h"
+#include "ew/acquisition/screen_recording.h"
+#include "ew/io/clip_file.h"
+#include "ew/io/sequence.h"
+#include "recordings.h"
+
+namespace ew::test::screen_test {
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+constexpr double kReadable = 0.6;  ///< correlation from which a character counts as readable; over bright tissue drawn ones have less
+
+struct Worst {
+  double apex_mm = 0.0, angle_deg = 0.0, overlap = 1.0, quality = 1.0, tick_px = 0.0, filled = 0.0, readable = 0.0, drawn = 1.0;
+  int differs = 0;  ///< by so many levels a cleaned picture differs from one without text, around a text
+  int screensWithText = 0;
+};
+
+/// The outline beside the drawn one: says every figure and keeps the worst.
+void compareOutline(const DrawnScreen& screen, const FoundScreen& found, unsigned seed, Worst& worst) {
+  ASSERT_TRUE(found.outline) << "screen " << seed << ", quality " << found.quality;
+  const cv::Mat& picture = screen.frames.front();
+  const double overlap = overlapOf(*found.outline, screen.truth, picture.cols, picture.rows);
+  EXPECT_EQ(found.outline->shape, screen.truth.shape) << seed;
+  EXPECT_GE(overlap, 0.98) << seed;
+  worst.overlap = std::min(worst.overlap, overlap);
+  worst.quality = std::min(worst.quality, found.quality);
+  if (screen.truth.shape == FanShape::linear || found.outline->shape == FanShape::linear) return;
+  const double apex_mm = glm::distance(found.outline->apex_px, screen.truth.apex_px) * screen.pixel_mm;
+  const double angle_deg =
+      std::max(std::abs(found.outline->left_rad - screen.truth.left_rad), std::abs(found.outline->right_rad - screen.truth.right_rad)) /
+      kDegree;
+  EXPECT_LT(apex_mm, 2.0) << seed;
+  EXPECT_LT(angle_deg, 1.0) << seed;
+  worst.apex_mm = std::max(worst.apex_mm, apex_mm);
+  worst.angle_deg = std::max(worst.angle_deg, angle_deg);
+}
+
+/// The scale beside the drawn one, and what a statement of its distance makes of it.
+void compareScale(const DrawnScreen& screen, const FoundScreen& found, unsigned seed, Worst& worst) {
+  ASSERT_TRUE(found.ticks) << seed;
+  const double off = std::abs(found.ticks->spacing_px - screen.tick_mm / screen.pixel_mm);
+  EXPECT_LT(off, 0.2) << seed;
+  worst.tick_px = std::max(worst.tick_px, off);
+  const auto geometry = corrected(found, {.tick_mm = screen.tick_mm});
+  ASSERT_TRUE(geometry) << geometry.error();
+  EXPECT_NEAR(*geometry->pixel_mm, screen.pixel_mm, 0.005 * screen.pixel_mm) << seed;
+}
+
+/// No character over the scan is left, little of the scan is lost, and nothing of what stood around is kept.
+void compareCleaning(const DrawnScreen& screen, const FoundScreen& found, unsigned seed, Worst& worst) {
+  const auto geometry = corrected(found, {});
+  ASSERT_TRUE(geometry) << geometry.error();
+  const ScreenCleaner cleaner(*geometry, {});
+  GreyImage clean;
+  const double filled = static_cast<double>(cleaner.pixelsFilled()) / static_cast<double>(cleaner.pixelsInside());
+  EXPECT_LE(filled, 0.01) << seed;
+  worst.filled = std::max(worst.filled, filled);
+  const cv::Mat& picture = screen.frames.front();
+  const GreyImage drawn = frameOf(picture).level;
+  const std::array<GreyImage, 4> cleaned = lookedAt(cleaner, screen.frames), never = lookedAt(cleaner, screen.bare);
+  constexpr std::array looks{"first", "last", "mean", "lowest"};
+  int left = 0;
+  for (const DrawnText& text : screen.texts) {
+    if (!text.over) continue;
+    const double before = readability(drawn, {0, 0, drawn.width, drawn.height}, text);
+    worst.drawn = std::min(worst.drawn, before);
+    for (std::size_t n = 0; n < cleaned.size(); ++n) {
+      // Where nothing was ever written the search finds a likeness as well, in the edge of a scan first of all: such a place is left out
+      // only where the cleaned picture is equal, to the last pixel, to one in which the text was never drawn.
+      const int differs = largestDifference(cleaned[n], never[n], cleaner.kept(), text);
+      worst.differs = std::max(worst.differs, differs);
+      if (differs == 0) continue;
+      const double after = readability(cleaned[n], cleaner.kept(), text);
+      EXPECT_LT(after, kReadable) << seed << " " << text.text << " (" << before << ") in the " << looks[n] << " picture, differs by "
+                                  << differs << ", at " << text.rect << " font " << text.font << " scale " << text.scale << " thickness "
+                                  << text.thickness << " line " << text.line;
+      worst.readable = std::max(worst.readable, after);
+      left += after >= kReadable ? 1 : 0;
+    }
+  }
+  worst.screensWithText += left > 0 ? 1 : 0;
+  cleaner.clean(drawn, clean);
+  const GreyImage truth = maskOf(screen.truth, picture.cols, picture.rows);
+  cv::Mat mask(picture.rows, picture.cols, CV_8U), grown;
+  std::copy(truth.pixels.begin(), truth.pixels.end(), mask.ptr());
+  cv::dilate(mask, grown, cv::getStructuringElement(cv::MORPH_RECT, {9, 9}));
+  int around = 0;
+  for (int y = 0; y < clean.height; ++y)
+    for (int x = 0; x < clean.width; ++x)
+      around += grown.at<std::uint8_t>(y + cleaner.kept().y, x + cleaner.kept().x) == 0 && viewOf(clean).at(x, y) != 0 ? 1 : 0;
+  EXPECT_EQ(around, 0) << seed;
+}
+
+void compare(const DrawnScreen& screen, const FoundScreen& found, unsigned seed, Worst& worst) {
+  ASSERT_NO_FATAL_FAILURE(compareOutline(screen, found, seed, worst));
+  ASSERT_NO_FATAL_FAILURE(compareCleaning(screen, found, seed, worst));
+  compareScale(screen, found, seed, worst);
+}
+
+void tell(const char* what, const Worst& worst) {
+  std::printf(
+      "%s: apex %.3f mm, angles %.3f degrees, overlap %.4f, quality %.2f, ticks %.3f px, filled %.2f %%, most readable %.2f (drawn: "
+      "%.2f), left of text at most %d levels, screens with text %d\n",
+      what, worst.apex_mm, worst.angle_deg, worst.overlap, worst.quality, worst.tick_px, 100.0 * worst.filled, worst.readable, worst.drawn,
+      worst.differs, worst.screensWithText);
+}
+
+TEST(Screen, FiftyMadeScreensAreFoundAndCleaned) {
+  Worst worst;
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    const DrawnScreen screen = madeScreen(seed);
+    compare(screen, findScreen(statisticsOf(screen)), seed, worst);
+  }
+  tell("worst of 50 made screens", worst);
+}
+
+/// The images of a recording in a screen, at the place `at`, with furniture around and over them. @param truth in pixels of the recording
+DrawnScreen screenAround(const Sequence& recording, const FanOutline& truth, double pixel_mm, unsigned seed, std::size_t mostFrames = 30) {
+  std::mt19937 random(seed);
+  DrawnScreen screen;
+  const cv::Point at(110, 40);
+  const cv::Size size(std::max(1024, recording.width + 260), std::max(768, recording.height + 100));
+  screen.truth = truth.movedBy({at.x, at.y});
+  screen.pixel_mm = pixel_mm;
+  screen.tick_mm = pixel_mm < 0.12 ? 5.0 : 10.0;
+  const Furniture furniture = furnish(screen.truth, size, pixel_mm, screen.tick_mm, random);
+  for (const auto& [text, colour] : furniture.texts) screen.texts.push_back(text);
+  const std::size_t every = std::max<std::size_t>(1, recording.frames.size() / mostFrames);
+  for (std::size_t n = 0; n < recording.frames.size(); n += every) {
+    const auto pixels = recording.framePixels(n);
+    const cv::Mat image(recording.height, recording.width, CV_8U, const_cast<std::uint8_t*>(pixels.data()));
+    cv::Mat picture = cv::Mat::zeros(size, CV_8UC3);
+    cv::Mat place = picture(cv::Rect(at, image.size()));
+    cv::cvtColor(image, place, cv::COLOR_GRAY2BGR);
+    addFrame(screen, picture, furniture, static_cast<int>(n));
+  }
+  return screen;
+}
+
+void compareWithRecording(const char* what, const Sequence& recording, const FanOutline& truth, double pixel_mm) {
+  Worst worst;
+  for (unsigned seed = 101; seed <= 103; ++seed) {
+    const DrawnScreen screen = screenAround(recording, truth, pixel_mm, seed);
+    compare(screen, findScreen(statisticsOf(screen)), seed, worst);
+  }
+  tell(what, worst);
+}
+
+FanOutline rectangleOf(double left, double top, double right, double bottom) {
+  FanOutline outline;
+  outline.corners_px = {glm::dvec2(left, top), glm::dvec2(right, top), glm::dvec2(right, bottom), glm::dvec2(left, bottom)};
+  return outline;
+}
+
+TEST(ScreenOfRecordings, ConvexLiverSweep) {
+  EW_NEEDS_RECORDING("liver-sweep/liver_sweep.igs.mha");
+  const auto sweep = readSequence(recording("liver-sweep/liver_sweep.igs.mha"));
+  ASSERT_TRUE(sweep) << sweep.error();
+  // Apex, angles and near radius as stored with the sweep. The far radius stored is 724.35, but its pictures go on: along the beams the
+  // highest level is 27 at 732 pixels and 3 at 734.
+  FanOutline truth;
+  truth.shape = FanShape::convex;
+  truth.apex_px = {369.0, 22.01 - 161.34};
+  truth.left_rad = -30.28 * kDegree;
+  truth.right_rad = 30.28 * kDegree;
+  truth.near_px = 161.34;
+  truth.far_px = 733.0;
+  compareWithRecording("liver sweep", *sweep, truth, 0.314818);
+}
+
+TEST(ScreenOfRecordings, WideCurvilinearScanLines) {
+  EW_NEEDS_RECORDING("curvilinear-scanlines/UltrasonixCurvilinearBrightnessData.igs.mha");
+  auto lines = readSequence(recording("curvilinear-scanlines/UltrasonixCurvilinearBrightnessData.igs.mha"));
+  ASSERT_TRUE(lines) << lines.error();
+  LineGeometry geometry;
+  geometry.curvilinear = true;
+  geometry.radiusStart_mm = 10.0;
+  geometry.radiusStop_mm = 82.0;
+  geometry.theta_rad = 75.0 * kDegree;
+  geometry.size_px = {1100, 570};
+  geometry.pixel_mm = 0.15;
+  geometry.face_px = {550.0, 80.0};
+  const auto pictures = convertLines(*std::move(lines), geometry, 0, noProgress());
+  ASSERT_TRUE(pictures) << pictures.error();
+  FanOutline truth;
+  truth.shape = FanShape::convex;
+  truth.apex_px = {550.0, 80.0 - 10.0 / 0.15};
+  truth.left_rad = -75.0 * kDegree;
+  truth.right_rad = 75.0 * kDegree;
+  truth.near_px = 10.0 / 0.15;
+  truth.far_px = 82.0 / 0.15;
+  // Five pictures of a tank in which next to nothing moves: its echoes stand as still as text, which is said.
+  Worst worst;
+  for (unsigned seed = 101; seed <= 103; ++seed) {
+    const DrawnScreen screen = screenAround(*pictures, truth, 0.15, seed);
+    const FoundScreen found = findScreen(statisticsOf(screen));
+    compareOutline(screen, found, seed, worst);
+    compareScale(screen, found, seed, worst);
+    ASSERT_FALSE(found.notes.empty());
+    EXPECT_NE(found.notes.back().english().find("stands still"), std::string::npos);
+  }
+  tell("curvilinear scan lines", worst);
+}
+
+TEST(ScreenOfRecordings, LinearSimulatedSweep) {
+  EW_NEEDS_RECORDING("simulated-liver-pair/liver_sim_l2.igs.mha");
+  const auto sweep = readSequence(recording("simulated-liver-pair/liver_sim_l2.igs.mha"));
+  ASSERT_TRUE(sweep) << sweep.error();
+  // The whole image is scan. Its pixels are oblong; in this test they count as square.
+  compareWithRecording("simulated linear sweep", *sweep, rectangleOf(-0.5, -0.5, 255.5, 511.5), 0.2734);
+}
+
+TEST(ScreenOfRecordings, LinearSpinePhantom) {
+  EW_NEEDS_RECORDING("spine-phantom-sweep/SpinePhantomFreehand.igs.mha");
+  const auto sweep = readSequence(recording("spine-phantom-sweep/SpinePhantomFreehand.igs.mha"));
+  ASSERT_TRUE(sweep) << sweep.error();
+  // The first and last columns and rows of which a third ever exceeds a level of 4: 187 to 631 and 12 to 601.
+  compareWithRecording("spine phantom", *sweep, rectangleOf(186.5, 11.5, 631.5, 601.5), 0.08);
+}
+
+TEST(ScreenOfRecordings, LinearCarotidThatStandsStill) {
+  EW_NEEDS_RECORDING("carotid-doppler-iq/carotid_env.raw");
+  // 304 lines of 592 samples, one after another, behind 28 bytes of header; two pixels a line make it as wide as its depth.
+  std::ifstream in(recording("carotid-doppler-iq/carotid_env.raw"), std::ios::binary);
+  std::vector<char> bytes(28 + 304 * 592);
+  ASSERT_TRUE(in.read(bytes.data(), static_cast<std::streamsize>(bytes.size())));
+  Sequence still;
+  still.width = 608;
+  still.height = 592;
+  still.frames.resize(1);
+  for (std::size_t y = 0; y < 592; ++y)
+    for (std::size_t x = 0; x < 608; ++x) still.pixels.push_back(static_cast<std::uint8_t>(bytes[28 + x / 2 * 592 + y]));
+  Worst worst;
+  for (unsigned seed = 101; seed <= 103; ++seed) {
+    const DrawnScreen screen = screenAround(still, rectangleOf(-0.5, -0.5, 607.5, 591.5), 0.0507, seed);
+    const FoundScreen found = findScreen(statisticsOf(screen));
+    compareOutline(screen, found, seed, worst);
+    compareScale(screen, found, seed, worst);
+    ASSERT_FALSE(found.notes.empty());
+    EXPECT_NE(found.notes.front().english().find("brightness alone"), std::string::npos) << "text over a still scan is not promised";
+  }
+  tell("carotid, one picture", worst);
+}
+
+TEST(ScreenOfRecordings, WiresInWaterHaveNoOutlineAndThisIsSaid) {
+  EW_NEEDS_RECORDING("wire-phantom-pair/fCal_Test_Validation_3NWires_fCal2.0.igs.mha");
+  const auto sweep = readSequence(recording("wire-phantom-pair/fCal_Test_Validation_3NWires_fCal2.0.igs.mha"));
+  ASSERT_TRUE(sweep) << sweep.error();
+  // Water is as black as what lies around the scan.
+  const FoundScreen found = findScreen(statisticsOf(screenAround(*sweep, rectangleOf(100, 20, 700, 600), 0.08, 101)));
+  EXPECT_FALSE(found.outline) << found.outline->word() << ", quality " << found.quality;
+  ASSERT_FALSE(found.notes.empty());
+  EXPECT_NE(found.notes.back().english().find("not found"), std::string::npos);
+}
+
+TEST(ScreenOfRecordings, SectorOfAHeartAsTheScannerStoredIt) {
+  EW_NEEDS_RECORDING("dicom-us/examples_ybr_color.dcm");
+  const auto opened = openScreen(recording("dicom-us/examples_ybr_color.dcm"));
+  ASSERT_TRUE(opened) << opened.error();
+  EXPECT_EQ(opened->times_s.size(), 30u);
+  // Read off the range of the frames by eye, within a pixel (1.02 mm) and half a degree: lines through the visible parts of both sides.
+  ASSERT_TRUE(opened->found.outline) << opened->found.quality;
+  const FanOutline& fan = *opened->found.outline;
+  std::printf("heart: apex %.2f %.2f, angles %.2f %.2f degrees, radii %.1f %.1f, quality %.2f\n", fan.apex_px.x, fan.apex_px.y,
+              fan.left_rad / kDegree, fan.right_rad / kDegree, fan.near_px, fan.far_px, opened->found.quality);
+  EXPECT_EQ(fan.shape, FanShape::sector);
+  EXPECT_LT(glm::distance(fan.apex_px, glm::dvec2(171.0, 8.5)) * 1.021, 2.0);
+  EXPECT_NEAR(fan.left_rad / kDegree, -43.0, 1.0);
+  EXPECT_NEAR(fan.right_rad / kDegree, 43.0, 1.0);
+  EXPECT_NEAR(fan.far_px, 192.5, 2.0);
+}
+
+TEST(ScreenRecording, AFilmBecomesACleanedSequence) {
+  const auto folder = std::filesystem::temp_directory_path() / ("ew-screen-" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  struct Removal {
+    std::filesystem::path folder;
+    ~Removal() {
+      std::error_code ignored;
+      std::filesystem::remove_all(folder, ignored);
+    }
+  } const removal{folder};
+  for (const char* name : {"screen.avi", "screen.mp4"}) {
+    Worst worst;
+    for (const unsigned seed : {3u, 5u, 8u}) {
+      const DrawnScreen screen = madeScreen(seed, 20);
+      const cv::Mat& first = screen.frames.front();
+      auto clip = ClipWriter::open(folder / name, first.cols, first.rows, 20.0);
+      ASSERT_TRUE(clip) << clip.error();
+      for (const cv::Mat& picture : screen.frames) ASSERT_TRUE(clip->add(frameOf(picture).colour));
+      ASSERT_TRUE(clip->finish());
+      auto opened = openScreen(folder / name);
+      ASSERT_TRUE(opened) << opened.error();
+      EXPECT_EQ(opened->times_s.size(), 20u);
+      compare(screen, opened->found, seed, worst);
+      if (HasFatalFailure()) return;
+      const auto geometry = corrected(opened->found, {.tick_mm = screen.tick_mm});
+      ASSERT_TRUE(geometry) << geometry.error();
+      const auto cleaned = writeCleaned(*opened, *geometry, {}, folder / "clean.igs.mha");
+      ASSERT_TRUE(cleaned) << cleaned.error();
+      const auto sequence = readSequence(folder / "clean.igs.mha");
+      ASSERT_TRUE(sequence) << sequence.error();
+      ASSERT_EQ(sequence->frames.size(), 20u);
+      EXPECT_EQ(sequence->width, cleaned->kept.width);
+      GreyImage last(sequence->width, sequence->height);
+      const auto pixels = sequence->framePixels(19);
+      std::copy(pixels.begin(), pixels.end(), last.pixels.begin());
+      for (const DrawnText& text : screen.texts) {
+        if (!text.over) continue;
+        EXPECT_LT(readability(last, cleaned->kept, text), kReadable) << name << seed << text.text;
+      }
+    }
+    tell(name, worst);
+  }
+}
+
+/// Pictures of one size, made by `draw` from their number.
+template <class Draw>
+FoundScreen foundIn(const cv::Size& size, int frames, const Draw& draw) {
+  ScreenStatistics statistics(size.width, size.height);
+  for (int n = 0; n < frames; ++n) {
+    cv::Mat picture = cv::Mat::zeros(size, CV_8UC3);
+    draw(picture, n);
+    statistics.add(frameOf(picture));
+  }
+  return findScreen(statistics);
+}
+
+TEST(Screen, NothingThatLooksLikeAScanIsSaidPlainly) {
+  cv::RNG random(3);
+  const auto black = [](cv::Mat&, int) {};
+  const auto white = [](cv::Mat& picture, int) { picture.setTo(cv::Scalar(255, 255, 255)); };
+  const auto menu = [](cv::Mat& picture, int n) {
+    cv::putText(picture, "Settings " + std::to_string(n), {30, 60}, cv::FONT_HERSHEY_SIMPLEX, 0.6, cv::Scalar(255, 255, 255));
+  };
+  const auto grain = [&](cv::Mat& picture, int) { random.fill(picture, cv::RNG::UNIFORM, 0, 256); };
+  const auto rareGrain = [&](cv::Mat& picture, int) {
+    for (int dot = 0; dot < 400; ++dot)
+      picture.at<cv::Vec3b>(random.uniform(0, picture.rows), random.uniform(0, picture.cols)) = {200, 200, 200};
+  };
+  const auto pointer = [](cv::Mat& picture, int n) { cv::circle(picture, {40 + 20 * n, 120}, 7, cv::Scalar(255, 255, 255), -1); };
+  const auto check = [](const char* what, const FoundScreen& found) {
+    EXPECT_FALSE(found.outline) << what << ": " << found.outline->word() << ", quality " << found.quality;
+    ASSERT_FALSE(found.notes.empty()) << what;
+    EXPECT_NE(found.notes.back().english().find("not found"), std::string::npos) << what;
+    const auto geometry = corrected(found, {});
+    ASSERT_TRUE(geometry) << what << geometry.error();
+    EXPECT_FALSE(geometry->outline) << what;
+  };
+  for (const cv::Size& size : {cv::Size(320, 240), cv::Size(300, 720)}) {
+    check("black", foundIn(size, 6, black));
+    check("menu", foundIn(size, 6, menu));
+    check("rare grain", foundIn(size, 6, rareGrain));
+    check("pointer", foundIn(size, 6, pointer));
+    check("one black picture", foundIn(size, 1, black));
+    check("no picture", foundIn(size, 0, black));
+  }
+  for (const cv::Size& size : {cv::Size(1, 1), cv::Size(2, 500), cv::Size(500, 2), cv::Size(17, 13)}) {
+    check("tiny", foundIn(size, 4, black));
+    foundIn(size, 4, grain);  // any answer, no crash
+    foundIn(size, 1, white);
+  }
+  // Grain all over is a rectangle that fills the picture: an answer, and a true one.
+  const FoundScreen whole = foundIn({320, 240}, 6, grain);
+  if (whole.outline) {
+    EXPECT_GT(overlapOf(*whole.outline, rectangleOf(0, 0, 319, 239), 320, 240), 0.95);
+  }
+}
+
+TEST(Screen, ADarkScanOfAPortraitPictureAndOneOf4KAreFound) {
+  Worst worst;
+  for (const auto& [size, seed] : {std::pair(cv::Size(720, 1280), 61u), std::pair(cv::Size(3840, 2160), 62u)}) {
+    std::mt19937 random(seed);
+    DrawnScreen screen;
+    screen.truth.shape = FanShape::convex;
+    const double scale = std::min(size.width / 720.0, size.height / 720.0);
+    screen.truth.apex_px = glm::dvec2(0.5 * size.width - 11.0, 0.25 * size.height - 60.0 * scale);
+    screen.truth.left_rad = -31.0 * kDegree;
+    screen.truth.right_rad = 30.0 * kDegree;
+    screen.truth.near_px = 150.0 * scale;
+    screen.truth.far_px = 500.0 * scale;
+    screen.pixel_mm = 150.0 / screen.truth.depth_px();
+    screen.tick_mm = 10.0;
+    const cv::Mat level = tissue(screen.truth, size, random);
+    const Speckle speckle(size.width, size.height, seed);
+    const Furniture furniture = furnish(screen.truth, size, screen.pixel_mm, screen.tick_mm, random);
+    for (const auto& [text, colour] : furniture.texts) screen.texts.push_back(text);
+    for (int n = 0; n < 8; ++n) {
+      cv::Mat picture;
+      cv::cvtColor(scanOf(level, speckle, n), picture, cv::COLOR_GRAY2BGR);
+      addFrame(screen, picture, furniture, n);
+    }
+    compare(screen, findScreen(statisticsOf(screen)), seed, worst);
+  }
+  tell("portrait and 4K", worst);
+}
+
+TEST(Screen, CorrectionsReplaceAddAndRemove) {
+  FoundScreen found;
+  found.width_px = 200;
+  found.height_px = 150;
+  found.outline = rectangleOf(20, 10, 180, 140);
+  found.parts = {
+      {{30, 30, 40, 12}, ScreenPartKind::text}, {{100, 60, 30, 12}, ScreenPartKind::text}, {{5, 5, 10, 10}, ScreenPartKind::outside}};
+  found.ticks = DepthTicks{.x_px = 190, .first_px = 10, .spacing_px = 26, .count = 6};
+  ScreenCorrection correction;
+  correction.removed = {{28, 28, 44, 16}};
+  correction.added = {{120, 65, 40, 20}, {-5, 100, 30, 10}};
+  correction.tick_mm = 10.0;
+  const auto geometry = corrected(found, correction);
+  ASSERT_TRUE(geometry) << geometry.error();
+  EXPECT_EQ(geometry->text, (std::vector<PixelRect>{{100, 60, 60, 25}, {0, 100, 25, 10}}));
+  EXPECT_NEAR(*geometry->pixel_mm, 10.0 / 26.0, 1e-12);
+  correction.depth_mm = 65.0;
+  const auto deep = corrected(found, correction);
+  ASSERT_TRUE(deep);
+  EXPECT_NEAR(*deep->pixel_mm, 0.5, 1e-12);
+  EXPECT_EQ(deep->notes.size(), 1u) << "the ticks disagree";
+  correction.depth_mm = -1.0;
+  EXPECT_EQ(corrected(found, correction).error().code, ErrorCode::badField);
+  found.ticks.reset();
+  EXPECT_EQ(corrected(found, {.tick_mm = 5.0}).error().code, ErrorCode::badField);
+}
+
+TEST(Screen, TheFileOfAScreenGivesTheCorrectionBack) {
+  const auto file = std::filesystem::temp_directory_path() / ("ew-screen-" + std::to_string(getpid()) + ".screen.json");
+  ScreenCorrection correction;
+  FanOutline fan;
+  fan.shape = FanShape::sector;
+  fan.apex_px = {123.456, -7.25};
+  fan.left_rad = -0.7123;
+  fan.right_rad = 0.6;
+  fan.near_px = 3.0;
+  fan.far_px = 400.125;
+  correction.outline = fan;
+  correction.depth_mm = 160.0;
+  correction.added = {{1, 2, 3, 4}};
+  FoundScreen found;
+  found.width_px = 640;
+  found.height_px = 480;
+  ASSERT_TRUE(writeScreen(found, correction, file));
+  const auto again = readScreenCorrection(file);
+  std::filesystem::remove(file);
+  ASSERT_TRUE(again) << again.error();
+  EXPECT_EQ(*again, correction);
+  EXPECT_EQ(screenFileBeside("a/liver.igs.mha"), std::filesystem::path("a/liver.screen.json"));
+  EXPECT_EQ(screenFileBeside("a/liver.mha"), std::filesystem::path("a/liver.screen.json"));
+  EXPECT_EQ(screenFileBeside("a/liver.1.igs.mha"), std::filesystem::path("a/liver.1.screen.json")) << "liver.2 has one of its own";
+}
+
+TEST(Screen, FilledTextIsBetweenWhatLiesAround) {
+  ScreenGeometry geometry;
+  geometry.width_px = 80;
+  geometry.height_px = 60;
+  geometry.outline = rectangleOf(0, 0, 79, 59);
+  geometry.text = {{30, 20, 20, 10}};
+  GreyImage picture(80, 60), clean;
+  for (int y = 0; y < 60; ++y)
+    for (int x = 0; x < 80; ++x) viewOf(picture).at(x, y) = static_cast<std::uint8_t>(50 + x + y);
+  GreyImage written = picture;
+  for (int y = 22; y < 28; ++y)
+    for (int x = 32; x < 48; ++x) viewOf(written).at(x, y) = 255;
+  ScreenCleaner(geometry, {}).clean(written, clean);
+  for (int y = 0; y < 60; ++y)
+    for (int x = 0; x < 80; ++x) EXPECT_NEAR(viewOf(clean).at(x, y), viewOf(picture).at(x, y), 3) << x << " " << y;
+  ScreenCleaner(geometry, {.fill = TextFill::black}).clean(written, clean);
+  EXPECT_EQ(viewOf(clean).at(40, 25), 0);
+  EXPECT_EQ(viewOf(clean).at(29, 25), viewOf(picture).at(29, 25));
+}
+
+}  // namespace
+}  // namespace ew::test::screen_test

@@ -1,0 +1,117 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <random>
+
+#include "cli/cli_world.h"
+#include "ew/acquisition/import.h"
+#include "ew/acquisition/screen.h"
+#include "ew/io/clip_file.h"
+#include "ew/io/sequence.h"
+
+namespace ew::test::screen_test {
+namespace {
+
+FanOutline drawnFan() {
+  FanOutline fan;
+  fan.shape = FanShape::convex;
+  fan.apex_px = {200.0, -40.0};
+  fan.left_rad = -0.5;
+  fan.right_rad = 0.5;
+  fan.near_px = 90.0;
+  fan.far_px = 310.0;
+  return fan;
+}
+
+/// A film of noise in a fan, with a scale of marks 22 pixels apart at its right.
+void writeScreenFilm(const std::filesystem::path& file, bool withScan = true) {
+  auto clip = ClipWriter::open(file, 420, 300, 20.0);
+  ASSERT_TRUE(clip) << clip.error();
+  const GreyImage mask = maskOf(drawnFan(), 420, 300);
+  std::mt19937 random(7);
+  for (int n = 0; n < 10; ++n) {
+    RgbImage picture(420, 300);
+    for (std::size_t p = 0; p < picture.pixels.size(); ++p)
+      if (withScan && mask.pixels[p] != 0) picture.pixels[p] = Rgb(static_cast<std::uint8_t>(40 + random() % 180));
+    for (int tick = 0; tick < 11; ++tick)
+      for (int x = 380; x < 388; ++x) viewOf(picture).at(x, 50 + 22 * tick) = Rgb(240);
+    ASSERT_TRUE(clip->add(picture));
+  }
+  ASSERT_TRUE(clip->finish());
+}
+
+TEST(ScreenCommand, AFilmBecomesACleanedSequenceThatAcquisitionOpens) {
+  const TemporaryFolder folder;
+  writeScreenFilm(folder / "screen.avi");
+  const auto made = run({"screen", folder / "screen.avi", "-o", folder / "scan.igs.mha", "--tick", "5", "--device-set", folder / "scan.xml",
+                         "--report", folder / "r.json"});
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_NE(made.out.find("convex"), std::string::npos) << made.out;
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"r.json", "scan.igs.mha", "scan.screen.json", "scan.xml", "screen.avi"}));
+  const auto report = readJson(folder / "r.json");
+  EXPECT_EQ(report["verdict"], "found");
+  EXPECT_EQ(report["command"], "screen");
+  EXPECT_NEAR(report["quality"]["tick_spacing_px"].get<double>(), 22.0, 0.1);
+  EXPECT_NEAR(report["quality"]["pixel_mm"].get<double>(), 5.0 / 22.0, 0.002);
+  EXPECT_NEAR(report["outline"]["apex_px"][1].get<double>(), -40.0, 4.0);
+  const auto sequence = readSequence(folder / "scan.igs.mha");
+  ASSERT_TRUE(sequence) << sequence.error();
+  EXPECT_EQ(sequence->frames.size(), 10u);
+  EXPECT_NEAR(*sequence->frames[3].time_s, 0.15, 0.002);
+  ASSERT_EQ(sequence->frames[0].transforms.size(), 1u);
+  EXPECT_NEAR(sequence->frames[0].transforms[0].matrix[0][0], 5.0 / 22.0, 0.002);
+
+  // With a motor that says how the probe moved it becomes a volume.
+  writeText(folder / "motor.json", R"({"kind": "parallel", "first": 0, "step": 1})");
+  SweepImportOptions options;
+  options.calibrations = {folder / "scan.xml"};
+  options.motor = folder / "motor.json";
+  const auto opened = openSweep(folder / "scan.igs.mha", options, noProgress());
+  ASSERT_TRUE(opened) << opened.error();
+  EXPECT_EQ(opened->plan.frames.used, 10u);
+  EXPECT_TRUE(opened->plan.reconstruct.clip.fan);
+}
+
+TEST(ScreenCommand, ACorrectionIsReadAndItsOutlineCounts) {
+  const TemporaryFolder folder;
+  writeScreenFilm(folder / "screen.avi");
+  writeText(folder / "c.json",
+            R"({"correction": {"outline": {"shape": "linear", "corners_px": [[150, 80], [250, 80], [250, 200], [150, 200]]},
+                                   "depth_mm": 60, "added": [[160, 100, 20, 10]]}})");
+  const auto made = run(
+      {"screen", folder / "screen.avi", "-o", folder / "scan.igs.mha", "--correction", folder / "c.json", "--report", folder / "r.json"});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const auto report = readJson(folder / "r.json");
+  EXPECT_EQ(report["outline"]["shape"], "rectangle");
+  EXPECT_NEAR(report["quality"]["pixel_mm"].get<double>(), 0.5, 1e-9);
+  const auto sequence = readSequence(folder / "scan.igs.mha");
+  ASSERT_TRUE(sequence);
+  EXPECT_EQ(sequence->width, 101);
+  EXPECT_EQ(sequence->height, 121);
+  // The file beside it says the same again, and is a correction itself.
+  const auto again = readScreenCorrection(folder / "scan.screen.json");
+  ASSERT_TRUE(again) << again.error();
+  EXPECT_EQ(again, readScreenCorrection(folder / "c.json"));
+  EXPECT_EQ(run({"screen", folder / "screen.avi", "-o", folder / "other.igs.mha", "--correction", folder / "scan.screen.json"}).status, 0);
+
+  writeText(folder / "bad.json", R"({"correction": {"depth_mm": -3}})");
+  const auto refused = run({"screen", folder / "screen.avi", "-o", folder / "no.igs.mha", "--correction", folder / "bad.json"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.err.find("depth_mm"), std::string::npos) << refused.err;
+}
+
+TEST(ScreenCommand, WhatIsNotFoundIsSaidAndNothingIsWritten) {
+  const TemporaryFolder folder;
+  writeScreenFilm(folder / "empty.avi", false);
+  const auto none = run({"screen", folder / "empty.avi", "-o", folder / "scan.igs.mha", "--report", folder / "r.json"});
+  EXPECT_EQ(none.status, 3) << none.err;
+  EXPECT_NE(none.out.find("not found"), std::string::npos) << none.out;
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"empty.avi", "r.json"}));
+  EXPECT_EQ(readJson(folder / "r.json")["verdict"], "not found");
+  EXPECT_EQ(run({"screen", folder / "none.mp4", "-o", folder / "scan.igs.mha"}).status, 1);
+  EXPECT_EQ(run({"screen", folder / "empty.avi", "-o", folder / "scan.txt"}).status, 2);
+}
+
+}  // namespace
+}  // namespace ew::test::screen_test

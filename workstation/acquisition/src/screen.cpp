@@ -1,0 +1,216 @@
+#include "ew/acquisition/screen.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ew/core/contract.h"
+#include "ew/core/numbers.h"
+#include "fan_finder.h"
+#include "screen_marks.h"
+
+namespace ew {
+namespace {
+
+double areaOf(const PixelRect& rect) { return static_cast<double>(rect.width) * rect.height; }
+double commonArea(const PixelRect& a, const PixelRect& b) {
+  const int width = std::min(a.x + a.width, b.x + b.width) - std::max(a.x, b.x);
+  const int height = std::min(a.y + a.height, b.y + b.height) - std::max(a.y, b.y);
+  return width > 0 && height > 0 ? static_cast<double>(width) * height : 0.0;
+}
+
+/// The part of a stretch of pixels that lies in a picture.
+struct Stretch {
+  int from = 0, length = 0;
+};
+Stretch within(long long from, long long length, long long most) {
+  const long long begin = std::clamp(from, 0LL, most), end = std::clamp(from + length, begin, most);
+  return {static_cast<int>(begin), static_cast<int>(end - begin)};
+}
+PixelRect within(const PixelRect& rect, int width_px, int height_px) {
+  const Stretch across = within(rect.x, rect.width, width_px), down = within(rect.y, rect.height, height_px);
+  return {across.from, down.from, across.length, down.length};
+}
+
+constexpr double kMostUnderText = 0.05;  ///< of a scan: with more, what was taken for text is still scan
+
+/// The share of the outline under boxes that do not overlap.
+double shareUnder(const std::vector<PixelRect>& boxes, const FanOutline& outline, int width_px, int height_px) {
+  const GreyImage inside = maskOf(outline, width_px, height_px);
+  const auto whole = std::count(inside.pixels.begin(), inside.pixels.end(), std::uint8_t{1});
+  std::ptrdiff_t under = 0;
+  for (const PixelRect& box : boxes)
+    for (int y = box.y; y < box.y + box.height; ++y) {
+      const std::uint8_t* const row = viewOf(inside).row(y) + box.x;
+      under += std::count(row, row + box.width, std::uint8_t{1});
+    }
+  return whole == 0 ? 0.0 : static_cast<double>(under) / static_cast<double>(whole);
+}
+
+Error badStated(const char* field, Message message) { return {ErrorCode::badField, std::move(message), {{"field", field}}}; }
+
+}  // namespace
+
+const char* nameOf(ScreenPartKind kind) {
+  constexpr std::array names{"text", "outside", "bar", "scale"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+FoundScreen findScreen(const ScreenStatistics& statistics, const std::optional<FanOutline>& outline) {
+  FoundScreen found;
+  found.width_px = statistics.width_px();
+  found.height_px = statistics.height_px();
+  found.frames = statistics.frames();
+  if (outline) {
+    found.outline = outline;
+    found.quality = 1.0;
+  } else if (const auto fit = detail::findFan(statistics)) {
+    found.quality = fit->quality;
+    if (fit->quality >= kLeastQuality) found.outline = fit->outline;
+  }
+  if (found.frames < 3)
+    found.notes.push_back(say<"Nothing moves in the recording, so scan and screen were told apart by brightness alone; look closely.">());
+  if (!found.outline) {
+    found.notes.push_back(say<"The outline of the scan was not found; state it in a correction.">());
+    return found;
+  }
+  const float background = detail::backgroundOf(statistics);
+  found.ticks = detail::findTicks(statistics, *found.outline, background);
+  if (!found.ticks) found.notes.push_back(say<"No evenly spaced marks of a depth scale were found; the depth has to be stated.">());
+  const auto text = detail::findText(statistics, *found.outline);
+  if (shareUnder(text, *found.outline, found.width_px, found.height_px) > kMostUnderText)
+    found.notes.push_back(
+        say<"Too much of the scan stands still for text over it to be told from echoes; look for text and add its boxes.">());
+  else
+    for (const PixelRect& rect : text) found.parts.push_back({rect, ScreenPartKind::text});
+  const auto beside = detail::findBeside(statistics, *found.outline, background, found.ticks);
+  found.parts.insert(found.parts.end(), beside.begin(), beside.end());
+  return found;
+}
+
+Result<ScreenGeometry> corrected(const FoundScreen& found, const ScreenCorrection& correction) {
+  ScreenGeometry geometry;
+  geometry.width_px = found.width_px;
+  geometry.height_px = found.height_px;
+  geometry.outline = correction.outline ? correction.outline : found.outline;
+  if (geometry.outline) {
+    const GreyImage mask = maskOf(*geometry.outline, found.width_px, found.height_px);
+    if (!(geometry.outline->depth_px() > 1.0) || std::count(mask.pixels.begin(), mask.pixels.end(), 1) < 64)
+      return tl::unexpected(badStated("outline", say<"The stated outline holds no part of the pictures; correct it.">()));
+  }
+  const auto usable = [](double mm) { return std::isfinite(mm) && mm > 0.0 && mm < 1e4; };
+  for (const auto& [field, value] : {std::pair("depth_mm", correction.depth_mm), std::pair("tick_mm", correction.tick_mm)})
+    if (value && !usable(*value)) return tl::unexpected(badStated(field, say<"A stated depth or distance of ticks must be above 0 mm.">()));
+  if (correction.tick_mm) {
+    if (!found.ticks && !correction.depth_mm)
+      return tl::unexpected(
+          badStated("tick_mm", say<"The distance of ticks was stated, but none were found; state the depth of the scan instead.">()));
+    if (found.ticks) geometry.pixel_mm = *correction.tick_mm / found.ticks->spacing_px;
+  }
+  if (correction.depth_mm && geometry.outline) {
+    const double byDepth = *correction.depth_mm / geometry.outline->depth_px();
+    if (geometry.pixel_mm && std::abs(byDepth / *geometry.pixel_mm - 1.0) > 0.03)
+      geometry.notes.push_back(
+          say<"The stated depth (%1 mm a pixel) and the stated ticks (%2 mm a pixel) do not agree; the depth counts. Check both.">(
+              numeral(textOf(std::round(byDepth * 1e4) / 1e4)), numeral(textOf(std::round(*geometry.pixel_mm * 1e4) / 1e4))));
+    geometry.pixel_mm = byDepth;
+  }
+  std::vector<PixelRect> text;
+  for (const ScreenPart& part : found.parts) {
+    if (part.kind != ScreenPartKind::text) continue;
+    const bool isNone = std::any_of(correction.removed.begin(), correction.removed.end(), [&](const PixelRect& removed) {
+      return commonArea(part.rect, removed) >= 0.5 * std::min(areaOf(part.rect), areaOf(removed));
+    });
+    if (!isNone) text.push_back(part.rect);
+  }
+  for (const PixelRect& rect : correction.added)
+    if (const PixelRect inside = within(rect, found.width_px, found.height_px); areaOf(inside) > 0.0) text.push_back(inside);
+  geometry.text = detail::withoutOverlap(std::move(text));
+  return geometry;
+}
+
+ScreenCleaner::ScreenCleaner(const ScreenGeometry& geometry, const CleaningOptions& options) {
+  EW_EXPECTS(geometry.outline || options.keepOutside);
+  const int width = geometry.width_px, height = geometry.height_px;
+  GreyImage inside(width, height, 1);
+  if (geometry.outline) inside = maskOf(*geometry.outline, width, height);
+  kept_ = {0, 0, width, height};
+  if (!options.keepOutside) {
+    const auto bounds = geometry.outline->bounds_px();
+    const int x = std::max(0, static_cast<int>(std::floor(bounds[0].x))), y = std::max(0, static_cast<int>(std::floor(bounds[0].y)));
+    kept_ =
+        within({x, y, static_cast<int>(std::ceil(bounds[1].x)) + 1 - x, static_cast<int>(std::ceil(bounds[1].y)) + 1 - y}, width, height);
+  }
+  mask_ = GreyImage(kept_.width, kept_.height);
+  GreyImage under(width, height);
+  for (const PixelRect& box : geometry.text)
+    for (int y = box.y; y < box.y + box.height; ++y)
+      for (int x = box.x; x < box.x + box.width; ++x) viewOf(under).at(x, y) = 1;
+  for (int y = 0; y < kept_.height; ++y)
+    for (int x = 0; x < kept_.width; ++x) {
+      const bool in = viewOf(inside).at(x + kept_.x, y + kept_.y) != 0, text = viewOf(under).at(x + kept_.x, y + kept_.y) != 0;
+      viewOf(mask_).at(x, y) = (in || options.keepOutside) && !text ? 1 : 0;
+      inside_ += in ? 1 : 0;
+      filled_ += in && text ? 1 : 0;
+    }
+  if (options.fill == TextFill::black) return;
+  const auto taken = [&](int x, int y) {
+    return x >= 0 && y >= 0 && x < kept_.width && y < kept_.height && viewOf(mask_).at(x, y) != 0 &&
+           viewOf(inside).at(x + kept_.x, y + kept_.y) != 0;
+  };
+  constexpr std::array<glm::ivec2, 4> ways{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
+  for (int y = 0; y < kept_.height; ++y)
+    for (int x = 0; x < kept_.width; ++x) {
+      if (viewOf(under).at(x + kept_.x, y + kept_.y) == 0 || viewOf(inside).at(x + kept_.x, y + kept_.y) == 0) continue;
+      Fill fill;
+      fill.to = static_cast<std::uint32_t>(y * kept_.width + x);
+      float sum = 0.0f;
+      for (std::size_t way = 0; way < ways.size(); ++way) {
+        glm::ivec2 at(x, y);
+        int distance = 0;
+        do {
+          at += ways[way];
+          ++distance;
+        } while (at.x >= 0 && at.y >= 0 && at.x < kept_.width && at.y < kept_.height && !taken(at.x, at.y) &&
+                 viewOf(inside).at(at.x + kept_.x, at.y + kept_.y) != 0);
+        if (!taken(at.x, at.y)) continue;
+        fill.from[way] = static_cast<std::uint32_t>(at.y * kept_.width + at.x);
+        fill.weight[way] = 1.0f / static_cast<float>(distance);
+        sum += fill.weight[way];
+      }
+      if (sum <= 0.0f) continue;
+      for (float& weight : fill.weight) weight /= sum;
+      fills_.push_back(fill);
+    }
+}
+
+void ScreenCleaner::clean(const GreyImage& picture, GreyImage& clean) const {
+  clean.width = kept_.width;
+  clean.height = kept_.height;
+  clean.pixels.resize(mask_.pixels.size());
+  for (int y = 0; y < kept_.height; ++y) {
+    const std::uint8_t* const from = viewOf(picture).row(y + kept_.y) + kept_.x;
+    const std::uint8_t* const takes = viewOf(mask_).row(y);
+    std::uint8_t* const to = viewOf(clean).row(y);
+    for (int x = 0; x < kept_.width; ++x) to[x] = takes[x] != 0 ? from[x] : std::uint8_t{0};
+  }
+  for (const Fill& fill : fills_) {
+    float value = 0.0f;
+    // Five pixels along the rim, so that one grain of speckle does not become a streak.
+    for (std::size_t way = 0; way < 4; ++way) {
+      if (fill.weight[way] <= 0.0f) continue;
+      const auto across = way < 2 ? static_cast<std::int64_t>(kept_.width) : 1;
+      float sum = 0.0f, count = 0.0f;
+      for (std::int64_t aside = -2; aside <= 2; ++aside) {
+        const std::int64_t at = static_cast<std::int64_t>(fill.from[way]) + aside * across;
+        if (at < 0 || at >= static_cast<std::int64_t>(mask_.pixels.size()) || mask_.pixels[static_cast<std::size_t>(at)] == 0) continue;
+        sum += clean.pixels[static_cast<std::size_t>(at)];
+        count += 1.0f;
+      }
+      value += fill.weight[way] * (count > 0.0f ? sum / count : 0.0f);
+    }
+    clean.pixels[fill.to] = static_cast<std::uint8_t>(std::lround(value));
+  }
+}
+
+}  // namespace ew

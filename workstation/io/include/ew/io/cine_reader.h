@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "ew/core/image.h"
+#include "ew/core/progress.h"
+#include "ew/core/result.h"
+#include "ew/io/deidentify.h"
+#include "ew/io/volume_file.h"
+
+namespace ew {
+
+/// What pictures in the order of time come from.
+enum class CineKind {
+  film,       ///< .mp4, .avi, .mov, .mkv, .mpg, by content
+  dicomFilm,  ///< MPEG-2, H.264 or HEVC inside DICOM
+  dicom,      ///< other DICOM stills and cines
+  pages,      ///< a TIFF, its pages one after the other
+  sequence,   ///< .igs.mha, .igs.nrrd ... with images
+  pictures    ///< a folder of pictures, or one of several numbered pictures
+};
+[[nodiscard]] const char* nameOf(CineKind kind);
+
+/// One picture of a cine.
+struct CineFrame {
+  GreyImage level;                          ///< luminance (ITU-R BT.601) of colours, other levels as stored
+  std::vector<std::uint8_t> coloured = {};  ///< like level.pixels: 1 where red, green and blue differ by more than 24; empty: nowhere
+  RgbImage colour = {};                     ///< with `coloured`, the picture as it was; else empty
+  double time_s = 0.0;                      ///< from the first frame on, never running backwards
+};
+
+struct CineInfo {
+  CineKind kind = CineKind::film;
+  int width_px = 0;
+  int height_px = 0;
+  std::uint64_t frames = 0;  ///< that the file promises; 0: it does not say
+  double rate_hz = 0.0;      ///< that the file promises; 0: it does not say
+  bool timesKnown = false;   ///< false: frames are counted at rate_hz, or 25 a second
+  Removed removed = {};      ///< fields left behind
+  std::vector<Message> notes = {};
+};
+
+/// Whether the file is a film or a TIFF, by its beginning: what readers of volumes and DICOM know nothing of.
+[[nodiscard]] bool isFilm(const std::filesystem::path& file);
+[[nodiscard]] bool isTiff(const std::filesystem::path& file);
+
+/// The one way to the frames of a recorded cine or screen: one after another, with one frame in memory at a time (but for a sequence, a
+/// folder's list and a DICOM file, which are held whole, packed as they are). Frames of films come from OpenCV, which a program loads when
+/// it meets the first.
+///
+/// A file that is damaged further on gives what comes before that; brokenOff() then says in one sentence how far it went. What a decoder
+/// hides (a film's damaged macro blocks) is not seen.
+class CineReader {
+ public:
+  /// @error notFound, notReadable, badHeader (nothing of it can be read), truncated, tooLarge, unsupported, cancelled
+  [[nodiscard]] static Result<CineReader> open(const std::filesystem::path& file, Progress& progress = noProgress(),
+                                               const ReadLimits& limits = {});
+  ~CineReader();
+  CineReader(CineReader&&) noexcept;
+  CineReader& operator=(CineReader&&) noexcept;
+
+  [[nodiscard]] const CineInfo& info() const;
+
+  /// The next frame, into memory that `frame` already has where it fits. @return false: there is none
+  /// @error cancelled; before the first frame also as open()
+  [[nodiscard]] Result<bool> next(CineFrame& frame, const Progress& progress = noProgress());
+  /// Frames given since the start or the last rewind().
+  [[nodiscard]] std::uint64_t given() const;
+  /// Why there were fewer frames than promised; empty while there is nothing to complain of.
+  [[nodiscard]] const std::optional<Error>& brokenOff() const;
+
+  /// The next frame is the first again. @error as open()
+  [[nodiscard]] Result<void> rewind();
+
+  struct Source;  ///< of the implementation
+
+ private:
+  explicit CineReader(std::unique_ptr<Source> source);
+  std::unique_ptr<Source> source_;
+};
+
+}  // namespace ew

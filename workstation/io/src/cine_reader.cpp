@@ -1,0 +1,355 @@
+#include "ew/io/cine_reader.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <fstream>
+#include <new>
+#include <numeric>
+
+#include "cine_source.h"
+#include "dicom_fields.h"
+#include "dicom_pixels.h"
+#include "ew/io/dicom.h"
+#include "ew/io/image_stack.h"
+#include "ew/io/sequence.h"
+#include "grey_samples.h"
+#include "image_header.h"
+#include "stack_picture.h"
+
+namespace ew {
+
+CineReader::Source::~Source() = default;
+
+namespace {
+using namespace detail;
+namespace fs = std::filesystem;
+using OpenedSource = Result<std::unique_ptr<CineReader::Source>>;
+
+constexpr double kUnknownRate_hz = 25.0;
+
+std::vector<std::uint8_t> beginningOf(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::vector<std::uint8_t> beginning(600);
+  in.read(reinterpret_cast<char*>(beginning.data()), static_cast<std::streamsize>(beginning.size()));
+  beginning.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+  return beginning;
+}
+
+bool standsAt(std::span<const std::uint8_t> bytes, std::size_t at, std::string_view text) {
+  return bytes.size() >= at + text.size() && std::memcmp(bytes.data() + at, text.data(), text.size()) == 0;
+}
+
+/// By content alone: a play list by the name of a film could make a decoder open other files.
+bool beginsAsFilm(std::span<const std::uint8_t> bytes) {
+  using namespace std::string_view_literals;
+  for (const std::string_view box : {"ftyp"sv, "moov"sv, "mdat"sv, "wide"sv, "free"sv, "skip"sv})
+    if (standsAt(bytes, 4, box)) return true;
+  if (standsAt(bytes, 0, "RIFF"sv) && standsAt(bytes, 8, "AVI "sv)) return true;
+  for (const std::string_view start : {"\x1A\x45\xDF\xA3"sv, "\x00\x00\x01\xBA"sv, "\x00\x00\x01\xB3"sv, "\x30\x26\xB2\x75"sv})
+    if (standsAt(bytes, 0, start)) return true;
+  return bytes.size() > 376 && bytes[0] == 0x47 && bytes[188] == 0x47 && bytes[376] == 0x47;  // MPEG transport stream
+}
+
+bool beginsAsTiff(std::span<const std::uint8_t> bytes) {
+  using namespace std::string_view_literals;
+  for (const std::string_view start : {"II\x2A\x00"sv, "MM\x00\x2A"sv, "II\x2B\x00"sv, "MM\x00\x2B"sv})
+    if (standsAt(bytes, 0, start)) return true;
+  return false;
+}
+
+void keepColourWhereItIs(CineFrame& frame) {
+  if (std::find(frame.coloured.begin(), frame.coloured.end(), 1) != frame.coloured.end()) return;
+  frame.coloured.clear();
+  frame.colour = {};
+}
+
+/// DICOM whose frames are unpacked one by one.
+struct DicomSource final : CineReader::Source {
+  DicomFile dicom;
+  PixelLayout layout;
+  std::optional<FrameReader> reader;
+  std::vector<double> times_s;
+  std::vector<std::int32_t> levels;
+  std::int32_t lowest = 0, highest = 255;
+
+  Result<bool> read(CineFrame& frame, const Progress& progress) override {
+    if (given >= layout.frames) return false;
+    std::vector<Rgb>& colour = frame.colour.pixels;
+    if (auto got = reader->read(given, levels, frame.coloured, progress, &colour); !got) {
+      if (got.error().code == ErrorCode::cancelled || given == 0) return passOn(got.error());
+      brokenOff = got.error();
+      brokenOff->message = joined({brokenOff->message, say<"The %1 frames before it were read.">(given)});
+      return false;
+    }
+    frame.level.width = frame.colour.width = info.width_px;
+    frame.level.height = frame.colour.height = info.height_px;
+    frame.level.pixels.resize(levels.size());
+    const bool inverted = layout.photometric == "MONOCHROME1";
+    const std::int32_t span = std::max(1, highest - lowest);
+    for (std::size_t n = 0; n < levels.size(); ++n) {
+      const auto value = (static_cast<std::int64_t>(std::clamp(levels[n], lowest, highest)) - lowest) * 255 / span;
+      frame.level.pixels[n] = static_cast<std::uint8_t>(inverted ? 255 - value : value);
+    }
+    frame.time_s = given < times_s.size() ? times_s[given] : static_cast<double>(given) / kUnknownRate_hz;
+    keepColourWhereItIs(frame);
+    return true;
+  }
+  Result<void> rewind() override { return {}; }
+};
+
+/// The smallest and largest of deep samples, which a frame alone does not know.
+Result<void> findRange(DicomSource& source, Progress& progress) {
+  if (source.layout.inColour() || (source.layout.bitsStored == 8 && !source.layout.isSigned)) return {};
+  source.lowest = std::numeric_limits<std::int32_t>::max();
+  source.highest = std::numeric_limits<std::int32_t>::min();
+  std::vector<std::uint8_t> coloured;
+  for (std::uint64_t n = 0; n < source.layout.frames; ++n) {
+    if (progress.cancelRequested()) return stopped(source.dicom.file);
+    if (auto got = source.reader->read(n, source.levels, coloured, progress); !got) {
+      if (got.error().code == ErrorCode::cancelled || n == 0) return passOn(got.error());
+      return {};
+    }
+    const auto [low, high] = std::minmax_element(source.levels.begin(), source.levels.end());
+    source.lowest = std::min(source.lowest, *low);
+    source.highest = std::max(source.highest, *high);
+    progress.report(say<"Reading frames">(), static_cast<double>(n + 1) / static_cast<double>(source.layout.frames));
+  }
+  source.info.notes.push_back(say<"The samples have %1 bits: values from %2 to %3 were mapped to 0 to 255.">(
+      source.layout.bitsStored, source.lowest, source.highest));
+  return {};
+}
+
+bool isMpeg(const std::string& transferSyntax) {
+  // MPEG-2 (.100, .101 and their fragmentable ones), H.264 (.102 to .106), HEVC (.107, .108).
+  return transferSyntax.starts_with("1.2.840.10008.1.2.4.10") && transferSyntax.size() > std::strlen("1.2.840.10008.1.2.4.10");
+}
+
+/// A film inside DICOM: its stream lies in memory under a name of its own, so that nothing of a patient is written anywhere.
+struct DicomFilmSource final : CineReader::Source {
+  int memory = -1;
+  std::unique_ptr<CineReader::Source> film;
+  std::vector<double> times_s;
+
+  DicomFilmSource() = default;
+  DicomFilmSource(const DicomFilmSource&) = delete;
+  DicomFilmSource& operator=(const DicomFilmSource&) = delete;
+  ~DicomFilmSource() override {
+    film.reset();
+    if (memory >= 0) close(memory);
+  }
+  Result<bool> read(CineFrame& frame, const Progress& progress) override {
+    film->given = given;
+    auto got = film->read(frame, progress);
+    brokenOff = film->brokenOff;
+    if (got && *got && given < times_s.size()) frame.time_s = times_s[given];
+    return got;
+  }
+  Result<void> rewind() override {
+    film->brokenOff.reset();
+    auto begun = film->rewind();
+    film->info.frames = info.frames;
+    return begun;
+  }
+};
+
+OpenedSource openDicomFilm(const fs::path& file, const DicomFile& dicom, const ReadLimits& limits) {
+  const DicomElement* const pixels = dicom.data.find(0x7FE00010u);
+  if (pixels == nullptr || pixels->fragments.size() < 2)
+    return failure(ErrorCode::badHeader, say<"%1 says it holds a film, but has none; export it again.">(quoted(file)),
+                   {{"file", file.string()}});
+  auto source = std::make_unique<DicomFilmSource>();
+  source->memory = memfd_create("film", MFD_CLOEXEC);
+  bool written = source->memory >= 0;
+  for (std::size_t n = 1; written && n < pixels->fragments.size(); ++n)
+    for (Bytes rest = pixels->fragments[n]; written && !rest.empty();) {
+      const ssize_t count = write(source->memory, rest.data(), rest.size());
+      written = count > 0;
+      if (written) rest = rest.subspan(static_cast<std::size_t>(count));
+    }
+  if (!written)
+    return failure(ErrorCode::tooLarge, say<"There is not enough memory for the film in %1; close other programs.">(quoted(file)),
+                   {{"file", file.string()}});
+  auto film = openFilm("/proc/self/fd/" + std::to_string(source->memory), file, CineKind::dicomFilm, limits);
+  if (!film) return passOn(film.error());
+  source->film = *std::move(film);
+  source->info = source->film->info;
+  source->info.removed = identifyingFields(dicom.data);
+  // Streams without a container guess their length; the data set knows it.
+  source->info.frames = source->film->info.frames = dicom.data.count(0x00280008u).value_or(0);
+  source->times_s = frameTimes(dicom.data, source->info.frames, source->info.notes);
+  source->info.timesKnown = source->info.timesKnown || !source->times_s.empty();
+  return std::unique_ptr<CineReader::Source>(std::move(source));
+}
+
+OpenedSource openDicom(const fs::path& file, Progress& progress, const ReadLimits& limits) {
+  auto dicom = readDicomFile(file, limits.maxBytes, progress);
+  if (!dicom) return passOn(dicom.error());
+  if (isMpeg(dicom->transferSyntax)) return openDicomFilm(file, *dicom, limits);
+  auto source = std::make_unique<DicomSource>();
+  source->dicom = *std::move(dicom);
+  const auto layout = pixelLayoutOf(source->dicom, limits);
+  if (!layout) return passOn(layout.error());
+  source->layout = *layout;
+  auto reader = FrameReader::open(source->dicom, source->layout);
+  if (!reader) return passOn(reader.error());
+  source->reader = *std::move(reader);
+  CineInfo& info = source->info;
+  info.kind = CineKind::dicom;
+  info.width_px = static_cast<int>(layout->columns);
+  info.height_px = static_cast<int>(layout->rows);
+  info.frames = layout->frames;
+  info.removed = identifyingFields(source->dicom.data);
+  source->times_s = frameTimes(source->dicom.data, layout->frames, info.notes);
+  info.timesKnown = !source->times_s.empty();
+  if (auto found = findRange(*source, progress); !found) return passOn(found.error());
+  return std::unique_ptr<CineReader::Source>(std::move(source));
+}
+
+struct SequenceSource final : CineReader::Source {
+  Sequence sequence;
+  Result<bool> read(CineFrame& frame, const Progress&) override {
+    if (given >= sequence.frames.size()) return false;
+    const auto pixels = sequence.framePixels(given);
+    frame.level.width = info.width_px;
+    frame.level.height = info.height_px;
+    frame.level.pixels.assign(pixels.begin(), pixels.end());
+    frame.coloured.clear();
+    frame.colour = {};
+    frame.time_s = sequence.frames[given].time_s.value_or(static_cast<double>(given) / kUnknownRate_hz);
+    return true;
+  }
+  Result<void> rewind() override { return {}; }
+};
+
+OpenedSource openSequence(const fs::path& file, Progress& progress, const ReadLimits& limits) {
+  auto sequence = readSequence(file, progress, limits);
+  if (!sequence) return passOn(sequence.error());
+  if (sequence->pixels.empty())
+    return failure(ErrorCode::unsupported, say<"%1 holds poses without images; choose a recording with images.">(quoted(file)),
+                   {{"file", file.string()}});
+  auto source = std::make_unique<SequenceSource>();
+  source->info.kind = CineKind::sequence;
+  source->info.width_px = sequence->width;
+  source->info.height_px = sequence->height;
+  source->info.frames = sequence->frames.size();
+  source->info.timesKnown =
+      std::all_of(sequence->frames.begin(), sequence->frames.end(), [](const SequenceFrame& frame) { return frame.time_s.has_value(); });
+  source->info.notes = sequence->notes;
+  source->sequence = *std::move(sequence);
+  return std::unique_ptr<CineReader::Source>(std::move(source));
+}
+
+struct PicturesSource final : CineReader::Source {
+  std::vector<fs::path> files;
+  Result<bool> read(CineFrame& frame, const Progress& progress) override {
+    if (given >= files.size()) return false;
+    auto picture = readStackPicture(files[given], progress);
+    if (!picture) {
+      if (picture.error().code == ErrorCode::cancelled || given == 0) return passOn(picture.error());
+      brokenOff = picture.error();
+      brokenOff->message = joined({brokenOff->message, say<"The %1 frames before it were read.">(given)});
+      return false;
+    }
+    if (picture->width != info.width_px || picture->height != info.height_px) {
+      brokenOff = Error{
+          ErrorCode::badField,
+          say<"Frame %1 of %2 has another size than those before it; the %3 before it were read.">(given + 1, quoted(files[given]), given),
+          {{"file", files[given].string()}}};
+      return false;
+    }
+    frame.level.width = picture->width;
+    frame.level.height = picture->height;
+    frame.level.pixels = std::move(picture->level);
+    frame.coloured = std::move(picture->coloured);
+    frame.colour = {};
+    if (std::find(frame.coloured.begin(), frame.coloured.end(), 1) == frame.coloured.end()) frame.coloured.clear();
+    frame.time_s = static_cast<double>(given) / kUnknownRate_hz;
+    return true;
+  }
+  Result<void> rewind() override { return {}; }
+};
+
+OpenedSource openPictures(const fs::path& file) {
+  auto files = stackFiles(file);
+  if (!files) return passOn(files.error());
+  auto source = std::make_unique<PicturesSource>();
+  source->files = *std::move(files);
+  const auto first = readStackPicture(source->files.front(), noProgress());
+  if (!first) return passOn(first.error());
+  source->info.width_px = first->width;
+  source->info.height_px = first->height;
+  source->info.kind = CineKind::pictures;
+  source->info.frames = source->files.size();
+  return std::unique_ptr<CineReader::Source>(std::move(source));
+}
+
+OpenedSource openAny(const fs::path& file, Progress& progress, const ReadLimits& limits) {
+  std::error_code ec;
+  if (fs::is_directory(file, ec)) return openPictures(file);
+  if (const auto there = checkIsFile(file); !there) return passOn(there.error());
+  const auto beginning = beginningOf(file);
+  // The free bytes before "DICM" may be those of another format.
+  if (standsAt(beginning, 128, "DICM")) return openDicom(file, progress, limits);
+  if (beginsAsTiff(beginning)) return openFilm(file, file, CineKind::pages, limits);
+  if (beginsAsFilm(beginning)) return openFilm(file, file, CineKind::film, limits);
+  if (looksLikeDicom(Bytes(beginning).first(std::min<std::size_t>(beginning.size(), 256)))) return openDicom(file, progress, limits);
+  const std::string ending = lowerCase(file.extension().string());
+  if (ending == ".mha" || ending == ".mhd" || ending == ".nrrd" || ending == ".nhdr") return openSequence(file, progress, limits);
+  if (ending == ".png" || ending == ".jpg" || ending == ".jpeg" || ending == ".pgm") return openPictures(file);
+  return failure(ErrorCode::unsupported,
+                 say<"%1 is no film, DICOM cine, TIFF, sequence or picture that is known, or its beginning is damaged.">(quoted(file)),
+                 {{"file", file.string()}});
+}
+
+}  // namespace
+
+const char* nameOf(CineKind kind) {
+  constexpr std::array names{"film", "film in DICOM", "DICOM pictures", "TIFF", "sequence", "pictures"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+bool isFilm(const fs::path& file) { return checkIsFile(file) && beginsAsFilm(beginningOf(file)); }
+bool isTiff(const fs::path& file) { return checkIsFile(file) && beginsAsTiff(beginningOf(file)); }
+
+CineReader::CineReader(std::unique_ptr<Source> source) : source_(std::move(source)) {}
+CineReader::~CineReader() = default;
+CineReader::CineReader(CineReader&&) noexcept = default;
+CineReader& CineReader::operator=(CineReader&&) noexcept = default;
+
+Result<CineReader> CineReader::open(const fs::path& file, Progress& progress, const ReadLimits& limits) try {
+  auto source = openAny(file, progress, limits);
+  if (!source) return passOn(source.error());
+  return CineReader(*std::move(source));
+} catch (const std::bad_alloc&) {
+  return failure(ErrorCode::tooLarge, say<"There is not enough memory for the frames of %1; close other programs.">(quoted(file)),
+                 {{"file", file.string()}});
+}
+
+const CineInfo& CineReader::info() const { return source_->info; }
+std::uint64_t CineReader::given() const { return source_->given; }
+const std::optional<Error>& CineReader::brokenOff() const { return source_->brokenOff; }
+
+Result<bool> CineReader::next(CineFrame& frame, const Progress& progress) {
+  if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Reading the frames was stopped.">());
+  if (source_->brokenOff) return false;
+  const double before_s = frame.time_s;
+  auto got = source_->read(frame, progress);
+  if (!got) return passOn(got.error());
+  if (!*got) return false;
+  if (source_->given > 0) frame.time_s = std::max(frame.time_s, before_s);
+  ++source_->given;
+  return true;
+}
+
+Result<void> CineReader::rewind() {
+  if (auto begun = source_->rewind(); !begun) return begun;
+  source_->given = 0;
+  source_->brokenOff.reset();
+  return {};
+}
+
+}  // namespace ew

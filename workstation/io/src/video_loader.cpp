@@ -1,0 +1,42 @@
+#include "video_loader.h"
+
+#include <dlfcn.h>
+
+#include <filesystem>
+
+namespace ew::detail {
+namespace {
+namespace fs = std::filesystem;
+
+Result<VideoModule> load() {
+  std::error_code ignored;
+  const fs::path installed = fs::read_symlink("/proc/self/exe", ignored).parent_path() / "../lib/echoweave/libew_video.so";
+  const fs::path file = fs::exists(installed, ignored) ? installed : fs::path(EW_VIDEO_MODULE);
+  void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  VideoModule video;
+  if (module != nullptr) {
+    video.open = reinterpret_cast<EwClipOpen*>(dlsym(module, "ewClipOpen"));
+    video.add = reinterpret_cast<EwClipAdd*>(dlsym(module, "ewClipAdd"));
+    video.close = reinterpret_cast<EwClipClose*>(dlsym(module, "ewClipClose"));
+    video.openFilm = reinterpret_cast<EwFilmOpen*>(dlsym(module, "ewFilmOpen"));
+    video.nextOfFilm = reinterpret_cast<EwFilmNext*>(dlsym(module, "ewFilmNext"));
+    video.closeFilm = reinterpret_cast<EwFilmClose*>(dlsym(module, "ewFilmClose"));
+  }
+  if (video.open == nullptr || video.add == nullptr || video.close == nullptr || video.openFilm == nullptr || video.nextOfFilm == nullptr ||
+      video.closeFilm == nullptr) {
+    const char* const reason = dlerror();
+    return failure(ErrorCode::unsupported,
+                   say<"Films can be neither written nor read, because a part of the program is missing; install EchoWeave again.">(),
+                   {{"file", file.string()}, {"reason", reason == nullptr ? "" : reason}});
+  }
+  return video;
+}
+
+}  // namespace
+
+const Result<VideoModule>& videoModule() {
+  static const Result<VideoModule> loaded = load();
+  return loaded;
+}
+
+}  // namespace ew::detail

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+
+#include "ew/core/result.h"
+#include "video_module.h"
+
+namespace ew::detail {
+
+/// The functions of the module that knows films, loaded once and never unloaded.
+struct VideoModule {
+  EwClipOpen* open = nullptr;
+  EwClipAdd* add = nullptr;
+  EwClipClose* close = nullptr;
+  EwFilmOpen* openFilm = nullptr;
+  EwFilmNext* nextOfFilm = nullptr;
+  EwFilmClose* closeFilm = nullptr;
+};
+/// @error unsupported (a part of the program is missing)
+[[nodiscard]] const Result<VideoModule>& videoModule();
+
+using Reason = std::array<char, 256>;  ///< what another library said; empty when it said nothing
+
+}  // namespace ew::detail
