@@ -22,7 +22,9 @@ class Answers final : public QObject {
   explicit Answers(std::map<QString, Answer> known) : known_(std::move(known)) {
     connect(&poll_, &QTimer::timeout, this, [this] {
       QWidget* modal = QApplication::activeModalWidget();
-      if (modal == nullptr || modal == answered_ || modal->objectName() == QLatin1String("importDialog")) return;
+      if (modal == nullptr || modal == answered_ || modal->objectName() == QLatin1String("importDialog") ||
+          modal->objectName() == QLatin1String("screenDialog"))
+        return;
       const QString name = qobject_cast<QFileDialog*>(modal) != nullptr ? QStringLiteral("fileDialog") : modal->objectName();
       asked << name;
       texts << (qobject_cast<QMessageBox*>(modal) != nullptr ? qobject_cast<QMessageBox*>(modal)->text() : QString());

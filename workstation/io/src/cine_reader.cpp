@@ -314,6 +314,11 @@ const char* nameOf(CineKind kind) {
 
 bool isFilm(const fs::path& file) { return checkIsFile(file) && beginsAsFilm(beginningOf(file)); }
 bool isTiff(const fs::path& file) { return checkIsFile(file) && beginsAsTiff(beginningOf(file)); }
+bool isDicomFilm(const fs::path& file) {
+  if (!isDicom(file)) return false;
+  const auto dicom = readDicomFile(file, ReadLimits{}.maxBytes, noProgress());
+  return dicom && isMpeg(dicom->transferSyntax);
+}
 
 CineReader::CineReader(std::unique_ptr<Source> source) : source_(std::move(source)) {}
 CineReader::~CineReader() = default;

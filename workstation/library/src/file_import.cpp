@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 
+#include "ew/io/cine_reader.h"
 #include "ew/io/image_stack.h"
 #include "ew/io/kretz.h"
 #include "ew/io/sequence.h"
@@ -107,6 +108,11 @@ Result<ImportedFile> read(FileKind kind, const fs::path& file, const ImportAnswe
     case FileKind::pictures:
       return fromParts(
           readImageStack(file, {.spacing_mm = answers.spacing_mm, .colour = answers.colour, .blank = answers.blank}, progress, limits));
+    case FileKind::film:
+      return ask(ErrorCode::unsupported, "screen",
+                 say<"'%1' is a film or a TIFF, which may show more than a scan; clean it first (echoweave screen), or open it in the "
+                     "window.">(file.filename()),
+                 file);
     case FileKind::raw:
       break;
   }
@@ -120,7 +126,7 @@ Result<ImportedFile> read(FileKind kind, const fs::path& file, const ImportAnswe
 }  // namespace
 
 const char* nameOf(FileKind kind) {
-  constexpr std::array names{"volume", "sweep", "DICOM pictures", "Enhanced US Volume", "Kretz volume", "pictures", "raw samples"};
+  constexpr std::array names{"volume", "sweep", "DICOM pictures", "Enhanced US Volume", "Kretz volume", "pictures", "film", "raw samples"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -142,6 +148,8 @@ Result<FileKind> kindOfFile(const fs::path& file) {
     return *sequence ? FileKind::sweep : FileKind::volume;
   }
   if (among(ending, {".png", ".jpg", ".jpeg", ".pgm"})) return FileKind::pictures;
+  // The free bytes before a DICOM data set may be those of a TIFF.
+  if (isDicom(file) ? isDicomFilm(file) : isFilm(file) || isTiff(file)) return FileKind::film;
   if (isKretz(file)) return FileKind::kretz;
   if (isDicom(file)) {
     const auto summary = inspectDicom(file);
@@ -224,6 +232,7 @@ Result<ImportPreview> previewImport(const fs::path& file, FileKind kind, Progres
       preview.volumes = 0;
       return preview;
     case FileKind::sweep:
+    case FileKind::film:
     case FileKind::raw:
       break;
   }

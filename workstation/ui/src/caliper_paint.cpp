@@ -171,6 +171,14 @@ void paintLine(Brush& brush, const Calipers::Line& line, const QString& label) {
 
 }  // namespace
 
+void paintCaliper(QPainter& painter, const Calipers::Line& line, const QString& label,
+                  const std::function<QPointF(const glm::dvec2&)>& pixelOf, const QColor& colour) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setFont(smallFont());
+  Brush brush(painter, pixelOf, colour);
+  paintLine(brush, line, label);
+}
+
 void paintCalipers(QPainter& painter, const Calipers& calipers, Where where, const std::function<QPointF(const glm::dvec2&)>& pixelOf,
                    const CaliperColours& colours) {
   painter.setRenderHint(QPainter::Antialiasing);

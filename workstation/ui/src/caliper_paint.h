@@ -22,6 +22,10 @@ struct CaliperColours {
 void paintCalipers(QPainter& painter, const Calipers& calipers, Where where, const std::function<QPointF(const glm::dvec2&)>& pixelOf,
                    const CaliperColours& colours);
 
+/// One caliper with a label, of whatever list.
+void paintCaliper(QPainter& painter, const Calipers::Line& line, const QString& label,
+                  const std::function<QPointF(const glm::dvec2&)>& pixelOf, const QColor& colour);
+
 /// Numbers and results in a column, on a veil, in the upper left corner of `room`; the newest ones where it is too low for all.
 void paintResults(QPainter& painter, const Calipers& calipers, Where where, const QRect& room, const CaliperColours& colours);
 

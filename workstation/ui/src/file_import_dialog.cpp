@@ -123,6 +123,17 @@ void FileImportDialog::addRows() {
   import_->setProperty("primary", true);
   import_->setDefault(true);
   auto* cancel = new QPushButton(tr("Cancel"));
+  if (picture_ != nullptr) {
+    auto* screen = new QPushButton(tr("Clean as a recorded screen…"));
+    screen->setObjectName(QStringLiteral("cleanScreen"));
+    screen->setAutoDefault(false);
+    screen->setToolTip(tr("Finds the outline of the scan, its scale and text over it; the images are shown, played and measured"));
+    buttons().insertWidget(0, screen);
+    connect(screen, &QPushButton::clicked, this, [this] {
+      close();
+      Q_EMIT screenChosen();
+    });
+  }
   buttons().addWidget(cancel);
   buttons().addWidget(import_);
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);

@@ -39,6 +39,8 @@ class FileImportDialog final : public FormDialog {
   void imported(const ew::ScanVoxels& voxels, const QString& title);
   /// Pictures without a place were kept as a sequence: how the probe moved is the next question.
   void sequenceSaved(const QString& file);
+  /// The pictures are a recorded screen, which is cleaned first. The dialog has closed.
+  void screenChosen();
 
  private:
   void addRows();

@@ -9,6 +9,7 @@
 #include "host_scan.h"
 #include "import_dialog.h"
 #include "main_window_parts.h"
+#include "screen_dialog.h"
 #include "words.h"
 
 namespace ew::ui {
@@ -161,11 +162,14 @@ void MainWindow::connectImports() {
     dialog->open();
   });
   connect(p.opener, &Opener::recordingOpened, this, &MainWindow::takeRecording);
-  connect(p.opener, &Opener::answersNeeded, this, [this](const QString& path, FileKind kind, const QString& question) {
+  const auto askAboutScreen = [this](const QString& path) { (new ScreenDialog(path, parts_->jobs, *parts_->messages, this))->open(); };
+  connect(p.opener, &Opener::answersNeeded, this, [this, askAboutScreen](const QString& path, FileKind kind, const QString& question) {
+    if (kind == FileKind::film) return askAboutScreen(path);
     auto* dialog = new FileImportDialog(path, kind, question, parts_->jobs, *parts_->messages, this);
     connect(dialog, &FileImportDialog::imported, this, [this, path](const ScanVoxels& voxels, const QString& title) {
       if (mayReplaceShown(title)) showMade({path, title, voxels, nullptr});
     });
+    connect(dialog, &FileImportDialog::screenChosen, this, [askAboutScreen, path] { askAboutScreen(path); });
     connect(dialog, &FileImportDialog::sequenceSaved, parts_->opener, &Opener::sweepChosen);
     dialog->open();
   });

@@ -343,6 +343,8 @@ void Opener::openImage(const QString& path) {
           loaded->recording = std::make_shared<const ScanRecording>(std::move(*recording));
         }
         if (loaded->isSweep) return {};
+        loaded->asks = *kind == FileKind::film;
+        if (loaded->asks) return {};
         PartOfProgress most(progress, 0.0, 0.9);
         std::shared_ptr<const Volume> read;
         if (*kind == FileKind::volume && !isNifti(path)) {

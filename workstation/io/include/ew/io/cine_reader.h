@@ -47,6 +47,8 @@ struct CineInfo {
 /// Whether the file is a film or a TIFF, by its beginning: what readers of volumes and DICOM know nothing of.
 [[nodiscard]] bool isFilm(const std::filesystem::path& file);
 [[nodiscard]] bool isTiff(const std::filesystem::path& file);
+/// Whether the file is DICOM whose frames are a film (MPEG-2, H.264 or HEVC).
+[[nodiscard]] bool isDicomFilm(const std::filesystem::path& file);
 
 /// The one way to the frames of a recorded cine or screen: one after another, with one frame in memory at a time (but for a sequence, a
 /// folder's list and a DICOM file, which are held whole, packed as they are). Frames of films come from OpenCV, which a program loads when

@@ -24,6 +24,7 @@ enum class FileKind {
   dicomVolume,    ///< an Enhanced US Volume
   kretz,          ///< a GE Kretz file, also inside DICOM
   pictures,       ///< a folder of pictures, or one of several numbered pictures
+  film,           ///< a film, also inside DICOM, or a TIFF: a recorded screen, to be cleaned (ew/acquisition/screen_recording.h)
   raw             ///< nothing known: samples without a header
 };
 [[nodiscard]] const char* nameOf(FileKind kind);
