@@ -4,6 +4,14 @@
 <context>
     <name>ew::Message</name>
     <message>
+        <source>&apos;%1&apos; is a film or a TIFF, which may show more than a scan; clean it first (echoweave screen), or open it in the window.</source>
+        <translation>„%1“ ist ein Film oder ein TIFF, worauf mehr als ein Schallbild zu sehen sein kann; zuerst bereinigen (echoweave screen) oder im Fenster öffnen.</translation>
+    </message>
+    <message>
+        <source>The recording has no frame %1; it ends with frame %2.</source>
+        <translation>Die Aufnahme hat kein Bild %1; sie endet mit Bild %2.</translation>
+    </message>
+    <message>
         <source>of the carrier</source>
         <translation>des Trägers</translation>
     </message>
@@ -10123,6 +10131,14 @@
 <context>
     <name>ew::ui::FileImportDialog</name>
     <message>
+        <source>Clean as a recorded screen…</source>
+        <translation>Als Bildschirmaufnahme bereinigen …</translation>
+    </message>
+    <message>
+        <source>Finds the outline of the scan, its scale and text over it; the images are shown, played and measured</source>
+        <translation>Findet den Umriss des Schallbilds, seinen Maßstab und Text darüber; die Bilder werden gezeigt, abgespielt und gemessen</translation>
+    </message>
+    <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
@@ -11102,8 +11118,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Linearsonde schwenken, Trapez</translation>
     </message>
     <message>
-        <source>All that EchoWeave reads (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw *.png *.jpg *.pgm);;Cases (case.json);;Sweeps (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumes (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;DICOM, Kretz, raw samples, images (*)</source>
-        <translation>Alles, was EchoWeave liest (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw *.png *.jpg *.pgm);;Fälle (case.json);;Schwenks (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumen (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;DICOM, Kretz, Rohdaten, Bilder (*)</translation>
+        <source>All that EchoWeave reads (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw *.png *.jpg *.pgm *.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff);;Cases (case.json);;Sweeps (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumes (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;Films and recorded screens (*.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff *.dcm);;DICOM, Kretz, raw samples, images (*)</source>
+        <translation>Alles, was EchoWeave liest (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw *.png *.jpg *.pgm *.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff);;Fälle (case.json);;Schwenks (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumen (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;Filme und Bildschirmaufnahmen (*.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff *.dcm);;DICOM, Kretz, Rohdaten, Bilder (*)</translation>
     </message>
     <message>
         <source>Show source &amp;frame</source>
@@ -13918,6 +13934,255 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>All pictures at the scale of the one that shows most</source>
         <translation>Alle Bilder im Maßstab dessen, das am meisten zeigt</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::ScreenDialog</name>
+    <message>
+        <source>Film or recorded screen</source>
+        <translation>Film oder aufgezeichneter Bildschirm</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>nicht gefunden</translation>
+    </message>
+    <message>
+        <source>fan</source>
+        <translation>Fächer</translation>
+    </message>
+    <message>
+        <source>straight sides</source>
+        <translation>gerade Seiten</translation>
+    </message>
+    <message>
+        <source>Shape of the scan&apos;s outline; another one begins anew and is then dragged into place</source>
+        <translation>Form des Schallbild-Umrisses; eine andere beginnt neu und wird dann an ihren Platz gezogen</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>Look again within this outline</source>
+        <translation>In diesem Umriss noch einmal suchen</translation>
+    </message>
+    <message>
+        <source>Looks for text and for the depth scale once more, with the outline as it was corrected</source>
+        <translation>Sucht Text und Tiefenskala noch einmal, mit dem berichtigten Umriss</translation>
+    </message>
+    <message>
+        <source>Back to what was found</source>
+        <translation>Zurück zum Gefundenen</translation>
+    </message>
+    <message>
+        <source>Takes back what was corrected of outline and boxes</source>
+        <translation>Nimmt zurück, was an Umriss und Kästen berichtigt wurde</translation>
+    </message>
+    <message>
+        <source>Measure distances</source>
+        <translation>Strecken messen</translation>
+    </message>
+    <message>
+        <source>Click or drag from one end to the other, in any frame; Backspace takes the last one away</source>
+        <translation>Von einem Ende zum anderen klicken oder ziehen, in jedem Bild; die Rücktaste nimmt die letzte Strecke weg</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importieren …</translation>
+    </message>
+    <message>
+        <source>Writes the cleaned recording; nothing else of it is stored</source>
+        <translation>Schreibt die bereinigte Aufnahme; sonst wird nichts von ihr gespeichert</translation>
+    </message>
+    <message>
+        <source>Depth of the scan as the screen states it, from its near to its far edge</source>
+        <translation>Tiefe des Schallbilds, wie sie der Bildschirm angibt, vom nahen bis zum fernen Rand</translation>
+    </message>
+    <message>
+        <source>Distance of neighbouring marks of the depth scale that was found</source>
+        <translation>Abstand benachbarter Marken der gefundenen Tiefenskala</translation>
+    </message>
+    <message>
+        <source>Depth of the scan</source>
+        <translation>Tiefe des Schallbilds</translation>
+    </message>
+    <message>
+        <source>Distance of marks</source>
+        <translation>Abstand der Marken</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>not said</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>How far the recording was read</source>
+        <translation>Wie weit die Aufnahme gelesen ist</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Frame that is shown (arrows: a frame, with Shift ten; Home and End)</source>
+        <translation>Gezeigtes Bild (Pfeile: ein Bild, mit Umschalt zehn; Pos1 und Ende)</translation>
+    </message>
+    <message>
+        <source>%1 of %2   %3 s</source>
+        <translation>%1 von %2   %3 s</translation>
+    </message>
+    <message>
+        <source>Which frame is shown, and how long after the first</source>
+        <translation>Welches Bild gezeigt wird, und wie lange nach dem ersten</translation>
+    </message>
+    <message>
+        <source>Cleaned</source>
+        <translation>Bereinigt</translation>
+    </message>
+    <message>
+        <source>Shows the frames as they will be stored</source>
+        <translation>Zeigt die Bilder, wie sie gespeichert werden</translation>
+    </message>
+    <message>
+        <source>Drag the round handles to the edges of the scan, and the square one to move all of it. Click a box to keep what is below it, or drag a new box over text. H and Ctrl with arrows do for the mouse.</source>
+        <translation>Die runden Griffe an die Ränder des Schallbilds ziehen, den eckigen, um alles zu verschieben. Ein Klick auf einen Kasten lässt stehen, was darunter liegt; über Text einen neuen Kasten ziehen. H und Strg mit Pfeilen ersetzen die Maus.</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>Looking for text and the depth scale within the outline …</source>
+        <translation>Text und Tiefenskala werden im Umriss gesucht …</translation>
+    </message>
+    <message>
+        <source>Reading the recording and looking for the scan …</source>
+        <translation>Die Aufnahme wird gelesen und das Schallbild gesucht …</translation>
+    </message>
+    <message>
+        <source>No text over the scan is taken out.</source>
+        <translation>Aus dem Schallbild wird kein Text genommen.</translation>
+    </message>
+    <message>
+        <source>The outline of the scan was not found. Choose its shape and drag it into place, then look again within it.</source>
+        <translation>Der Umriss des Schallbilds wurde nicht gefunden. Seine Form wählen, ihn an seinen Platz ziehen und dann darin noch einmal suchen.</translation>
+    </message>
+    <message>
+        <source>Check the outline, the scale and the boxes of text. Everything outside the outline becomes black.</source>
+        <translation>Umriss, Maßstab und Textkästen prüfen. Alles außerhalb des Umrisses wird schwarz.</translation>
+    </message>
+    <message>
+        <source>%1 marks were found, %2 pixels apart.</source>
+        <translation>%1 Marken wurden gefunden, je %2 Pixel auseinander.</translation>
+    </message>
+    <message>
+        <source>No marks were found.</source>
+        <translation>Keine Marken wurden gefunden.</translation>
+    </message>
+    <message>
+        <source>A pixel is %1 mm, the scan %2 mm deep.</source>
+        <translation>Ein Pixel misst %1 mm, das Schallbild ist %2 mm tief.</translation>
+    </message>
+    <message>
+        <source>Type how far apart they are, or the depth.</source>
+        <translation>Ihren Abstand oder die Tiefe eintippen.</translation>
+    </message>
+    <message>
+        <source>Type the depth that the screen states.</source>
+        <translation>Die Tiefe eintippen, die der Bildschirm angibt.</translation>
+    </message>
+    <message>
+        <source>Reading a frame</source>
+        <translation>Ein Bild wird gelesen</translation>
+    </message>
+    <message>
+        <source>Stop (space)</source>
+        <translation>Anhalten (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Play in a loop (space)</source>
+        <translation>In einer Schleife abspielen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>%1 pixels</source>
+        <translation>%1 Pixel</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>State the depth to measure in mm.</source>
+        <translation>Um in mm zu messen, die Tiefe angeben.</translation>
+    </message>
+    <message>
+        <source>Save the cleaned recording</source>
+        <translation>Die bereinigte Aufnahme speichern</translation>
+    </message>
+    <message>
+        <source>%1 cleaned</source>
+        <translation>%1 bereinigt</translation>
+    </message>
+    <message>
+        <source>Sequences (*.igs.mha)</source>
+        <translation>Sequenzen (*.igs.mha)</translation>
+    </message>
+    <message>
+        <source>The recording itself is not written over; choose another name.</source>
+        <translation>Die Aufnahme selbst wird nicht überschrieben; einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>The cleaned recording was written to %1.</source>
+        <translation>Die bereinigte Aufnahme wurde nach %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Writing the cleaned recording to %1 …</source>
+        <translation>Die bereinigte Aufnahme wird nach %1 geschrieben …</translation>
+    </message>
+    <message>
+        <source>Writing was stopped; nothing was stored.</source>
+        <translation>Das Schreiben wurde abgebrochen; gespeichert ist nichts.</translation>
+    </message>
+    <message>
+        <source>The cleaned recording was written to %1. Nothing else of it was stored.</source>
+        <translation>Die bereinigte Aufnahme wurde nach %1 geschrieben. Sonst wurde nichts von ihr gespeichert.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boxes of text over the scan are filled.</source>
+        <translation>
+            <numerusform>%n Textkasten über dem Schallbild wird gefüllt.</numerusform>
+            <numerusform>%n Textkästen über dem Schallbild werden gefüllt.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::ScreenView</name>
+    <message>
+        <source>A frame of the recording, with the outline of the scan and boxes of text</source>
+        <translation>Ein Bild der Aufnahme mit dem Umriss des Schallbilds und Textkästen</translation>
+    </message>
+    <message>
+        <source>No frame can be shown yet.</source>
+        <translation>Noch lässt sich kein Bild zeigen.</translation>
     </message>
 </context>
 </TS>

@@ -40,7 +40,8 @@ FoundScreen found() {
   screen.width_px = 800;
   screen.height_px = 600;
   screen.outline = fan();
-  screen.parts = {{{300, 200, 40, 12}, ScreenPartKind::text}, {{310, 300, 60, 12}, ScreenPartKind::text}, {{5, 5, 80, 20}, ScreenPartKind::outside}};
+  screen.parts = {
+      {{300, 200, 40, 12}, ScreenPartKind::text}, {{310, 300, 60, 12}, ScreenPartKind::text}, {{5, 5, 80, 20}, ScreenPartKind::outside}};
   return screen;
 }
 
