@@ -78,13 +78,13 @@ void MainWindow::openDefaultCase() {
 void MainWindow::chooseFile() {
   const QString file = QFileDialog::getOpenFileName(
       this, tr("Open a case, a volume or a sweep"), QString(),
-      tr("All that EchoWeave reads (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw *.png *.jpg *.pgm *.mp4 "
-         "*.mov "
-         "*.mkv *.avi *.mpg *.mpeg *.tif *.tiff);;Cases "
-         "(case.json);;Sweeps (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumes (*.mha *.mhd *.nrrd *.nhdr "
-         "*.nii *.nii.gz);;Films and recorded screens (*.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff *.dcm);;DICOM, Kretz, raw "
-         "samples, "
-         "images (*)"));
+      tr("All that EchoWeave reads (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw "
+         "*.png *.jpg *.pgm *.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff);;"
+         "Cases (case.json);;"
+         "Sweeps (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;"
+         "Volumes (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;"
+         "Films and recorded screens (*.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff *.dcm);;"
+         "DICOM, Kretz, raw samples, images (*)"));
   if (!file.isEmpty()) open(file);
 }
 

@@ -78,9 +78,10 @@ measurement::Caliper inMillimetres(measurement::Caliper caliper, double pixel_mm
 
 /// What jobs read. One of them at a time has the reader: whoever comes second waits for the lock.
 struct ScreenDialog::Opened {
-  explicit Opened(OpenedScreen read) : screen(std::move(read)) {}
+  explicit Opened(OpenedScreen read) : screen(std::move(read)), notes(screen.reader.info().notes) {}
   std::mutex mutex;
-  OpenedScreen screen;
+  OpenedScreen screen;  ///< its reader belongs to whoever has the lock
+  std::vector<Message> notes;
   ScreenFrames frames;
   std::optional<ScreenCleaner> cleaner;  ///< for the state of the edit below
   int cleanerOf = -1;
@@ -386,7 +387,7 @@ void ScreenDialog::showNotes(const Result<ScreenGeometry>& geometry) {
   const auto add = [&lines](const std::vector<Message>& notes) {
     for (const Message& note : notes) lines << words(note);
   };
-  add(opened_->screen.reader.info().notes);
+  add(opened_->notes);
   add(edit_->found().notes);
   if (opened_->screen.brokenOff) lines << words(opened_->screen.brokenOff->message);
   if (geometry) add(geometry->notes);
