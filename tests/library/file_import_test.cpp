@@ -25,8 +25,13 @@ TEST(ImportFile, EachKindIsKnownByItsContentAndAsksForWhatIsMissing) {
   };
   cine.regions = {};
   const std::string unregioned = cineFile(cine);
+  std::string withTiffBefore = unregioned;  // in the bytes that every DICOM file leaves free
+  withTiffBefore.replace(0, 4, std::string("II*\0", 4));
   for (const auto& [name, bytes, kind, asks] :
-       {Case{"a.dcm", unregioned, FileKind::dicomPictures, "pixel-mm"},
+       {Case{"both.dcm", withTiffBefore, FileKind::dicomPictures, "pixel-mm"},
+        Case{"film.raw", "RIFF" + ramp(4) + "AVI LIST" + ramp(100), FileKind::film, "screen"},
+        Case{"stack.tif", std::string("II*\0", 4) + ramp(100), FileKind::film, "screen"},
+        Case{"a.dcm", unregioned, FileKind::dicomPictures, "pixel-mm"},
         Case{"no-ending", enhancedFile(enhanced), FileKind::dicomVolume, ""}, Case{"k.vol", kretzFile(kretz), FileKind::kretz, ""},
         Case{"x.bin", ramp(100), FileKind::raw, "raw"}, Case{"p1.pgm", "P5\n2 2\n255\n" + ramp(4), FileKind::pictures, "spacing"},
         Case{"v.mha", "ObjectType = Image\nNDims = 3\nDimSize = 2 2 1\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n" + ramp(4),

@@ -577,7 +577,7 @@ void ScreenDialog::import() {
       [here = QPointer<ScreenDialog>(this), messages = QPointer<MessageBar>(&messages_), cleaned, target](const Result<void>& outcome) {
         const std::vector<Message> removed = outcome ? sentencesOf(cleaned->removed) : std::vector<Message>();
         const QString topic = QStringLiteral("save ") + target;
-        if (messages && outcome) messages->showNotes(tr("The cleaned recording was written to %1.").arg(target), removed, topic);
+        if (messages && outcome) messages->showNote(tr("The cleaned recording was written to %1.").arg(target), topic);
         if (ScreenDialog* const dialog = here.data(); dialog != nullptr) return dialog->endImport(target, outcome, removed);
         if (messages && !outcome && outcome.error().code != ErrorCode::cancelled) messages->showError(outcome.error(), topic);
       },
