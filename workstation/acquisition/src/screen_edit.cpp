@@ -7,6 +7,7 @@ namespace ew {
 namespace {
 
 constexpr double kLeastSpread_rad = 0.02;
+constexpr double kMostSpread_rad = 3.141592653589793;
 constexpr double kLeastDepth_px = 2.0;
 constexpr double kSectorShare = 0.1;  ///< of the far radius: a fan whose near one is smaller is a sector
 constexpr double kFirstHalfAngle_rad = 0.55;
@@ -39,7 +40,8 @@ FanOutline withFanGripAt(const FanOutline& fan, OutlineGrip grip, glm::dvec2 to_
     moved.near_px = std::clamp(glm::dot(d, along(middleOf(fan))), 0.0, std::max(0.0, fan.far_px - kLeastDepth_px));
   if (grip == OutlineGrip::farEdge) moved.far_px = std::max(glm::length(d), fan.near_px + kLeastDepth_px);
   // An apex that was dragged into the scan or below it is no apex of it.
-  if (moved.right_rad - moved.left_rad < kLeastSpread_rad || moved.far_px - moved.near_px < kLeastDepth_px) return fan;
+  const double spread_rad = moved.right_rad - moved.left_rad;
+  if (spread_rad < kLeastSpread_rad || spread_rad > kMostSpread_rad || moved.far_px - moved.near_px < kLeastDepth_px) return fan;
   moved.shape = moved.near_px < kSectorShare * moved.far_px ? FanShape::sector : FanShape::convex;
   return moved;
 }
