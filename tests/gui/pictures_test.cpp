@@ -372,13 +372,19 @@ class PicturesTest : public WindowFixture {
     measure(30);
     // One list for both.
     QStringList names;
-    for (const QLabel* each : window_->findChildren<QLabel*>(QStringLiteral("measuredPicture")))
-      if (!each->isHidden()) names << each->text();
+    QVERIFY(waitUntil([&] {  // what is added to a page is shown with the next turn of the event loop
+      names.clear();
+      for (const QLabel* each : window_->findChildren<QLabel*>(QStringLiteral("measuredPicture")))
+        if (!each->isHidden()) names << each->text();
+      return names.size() == 2;
+    }));
     QCOMPARE(names, (QStringList{QStringLiteral("Picture 2 left"), QStringLiteral("Picture 1 right")}));
     QPushButton* elsewhere = nullptr;
-    for (QPushButton* each : window_->findChildren<QPushButton*>(QStringLiteral("measuredElsewhere")))
-      if (!each->isHidden()) elsewhere = each;
-    QVERIFY(elsewhere != nullptr);
+    QVERIFY(waitUntil([&] {
+      for (QPushButton* each : window_->findChildren<QPushButton*>(QStringLiteral("measuredElsewhere")))
+        if (!each->isHidden()) elsewhere = each;
+      return elsewhere != nullptr;
+    }));
     elsewhere->click();
     QCOMPARE(grid().active(), 0);
     comparesInPixels(calipers(), session(), 70);
