@@ -127,17 +127,17 @@ class PicturesTest : public WindowFixture {
   void keyAndButtonsGoToTwoAndFourAndBack() {
     const QSize alone = window_->scanView().size();
     QCOMPARE(grid().count(), 1);
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     QCOMPARE(grid().count(), 2);
     QVERIFY(window_->scanView().width() < alone.width());
     QVERIFY(kept(1).isEmpty());
     QVERIFY(kept(1).isVisible());
     QVERIFY(!kept(1).view().isVisible());
     QVERIFY(!session().isFrozen());
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     QCOMPARE(grid().count(), 4);
     QCOMPARE(window_->scanView().size(), kept(3).size());
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     QCOMPARE(grid().count(), 1);
     QCOMPARE(window_->scanView().size(), alone);
     QTest::mouseClick(find<QPushButton>("twoPictures"), Qt::LeftButton);
@@ -151,7 +151,7 @@ class PicturesTest : public WindowFixture {
   }
 
   void eachPictureKeepsItsConsoleItsCalipersAndItsUndo() {
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     setDepth(160.0);
     setGain(3.0);
     pressKey(Qt::Key_F);
@@ -206,7 +206,7 @@ class PicturesTest : public WindowFixture {
   }
 
   void aRunningScanGoesOnInTheNextPictureWithItsOwnSettings() {
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     setDepth(160.0);
     pressNext();
     setDepth(90.0);
@@ -224,8 +224,8 @@ class PicturesTest : public WindowFixture {
   }
 
   void whatStandsBesideCostsNothingPerFrame() {
-    pressKey(Qt::Key_O);
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     for (int n = 0; n < 3; ++n) pressNext();
     QCOMPARE(grid().active(), 3);
     QTest::qWait(50);
@@ -239,7 +239,7 @@ class PicturesTest : public WindowFixture {
   }
 
   void anotherSizeIsFormedSharpFromTheState() {
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     scanForAWhile(3);
     pressNext();
     const QSize before(kept(0).session().picture().width(), kept(0).session().picture().height());
@@ -250,7 +250,7 @@ class PicturesTest : public WindowFixture {
   }
 
   void eachPictureHasItsOwnCineLoop() {
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     Knobs knobs = session().knobs();
     knobs.persistence = 0.6;
     session().setKnobs(knobs);
@@ -293,7 +293,7 @@ class PicturesTest : public WindowFixture {
   }
 
   void calipersOfACineImageAreThereAgain() {
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     scanForAWhile(4);
     pressKey(Qt::Key_F);
     measure(60);
@@ -309,7 +309,7 @@ class PicturesTest : public WindowFixture {
   }
 
   void wordsAndBodyMarkBelongToTheirPicture() {
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     pressKey(Qt::Key_F);
     AnnotatedPictures& annotated = window_->annotated();
     QVERIFY(annotated.hold());
@@ -334,7 +334,7 @@ class PicturesTest : public WindowFixture {
   }
 
   void oneScaleForAll() {
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     setDepth(160.0);
     pressKey(Qt::Key_F);
     measure(50);
@@ -360,7 +360,7 @@ class PicturesTest : public WindowFixture {
   void namesSayTheSideOfThePatient() {
     lookAt(-50.0);
     QVERIFY(window_->scanView().label().isEmpty());
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     QCOMPARE(window_->scanView().label(), QStringLiteral("1 right"));
     pressKey(Qt::Key_F);
     measure(70);
@@ -395,7 +395,7 @@ class PicturesTest : public WindowFixture {
 
   void savedPictureHasAllOfThem() {
     const QDateTime when(QDate(2026, 1, 2), QTime(3, 4));
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     pressKey(Qt::Key_F);
     measure(80);
     pressNext();
@@ -416,8 +416,8 @@ class PicturesTest : public WindowFixture {
   }
 
   void fourPicturesGoWithTheirCase() {
-    pressKey(Qt::Key_O);
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     for (int n = 0; n < 3; ++n) {
       pressKey(Qt::Key_F);
       measure(20 + 10 * n);
@@ -429,37 +429,37 @@ class PicturesTest : public WindowFixture {
     for (int place = 0; place < 3; ++place) comparesInPixels(kept(place).calipers(), kept(place).session(), 20 + 10 * place);
     // What has no room is kept.
     const std::vector<std::uint8_t> third = pixelsOf(kept(2).session());
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     QCOMPARE(grid().count(), 1);
     comparesInPixels(calipers(), session(), 90);
-    pressKey(Qt::Key_O);
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     QCOMPARE(grid().shown().size(), std::size_t{4});
     QVERIFY(waitUntil([&] { return !kept(2).session().isFormingCine(); }));
     QVERIFY(pixelsOf(kept(2).session()) == third);
   }
 
   void anotherCaseBeginsWithOnePicture() {
-    pressKey(Qt::Key_O);
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     for (int n = 0; n < 3; ++n) pressNext();
     QVERIFY(openCase(files_.writeCase(QStringLiteral("second"))));
     QCOMPARE(grid().count(), 1);
     QVERIFY(!session().isFrozen());
     QCOMPARE(calipers().lines().size(), std::size_t{0});
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     QVERIFY(kept(1).isEmpty());
     pressNext();
     session().makePictureNow();
     QVERIFY(pixelsOf(session()) == madeAnew(session()));
     session().clear();
     QCOMPARE(grid().count(), 1);
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     QCOMPARE(grid().count(), 1);
   }
 
   void aVolumeThatIsMovedTakesTheOthersAway() {
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     pressNext();
     QVERIFY(!kept(0).isEmpty());
     Transform<frame::World, frame::World> moved;
@@ -471,7 +471,7 @@ class PicturesTest : public WindowFixture {
   }
 
   void aRecordingIsOfOnePicture() {
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     pressNext();
     pressKey(Qt::Key_R, Qt::ControlModifier);
     QVERIFY(window_->recorder().isRecording());
