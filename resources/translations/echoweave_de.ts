@@ -9267,8 +9267,8 @@
         <translation>Der Kante folgen</translation>
     </message>
     <message>
-        <source>This tool measures in the image, and only the strip of the M-mode is shown. Switch to B or B + M (M).</source>
-        <translation>Dieses Werkzeug misst im Bild, und gezeigt wird nur der Streifen des M-Mode. Auf B oder B + M umschalten (M).</translation>
+        <source>This tool measures in the image, and only the strip of the M-mode is shown. Switch to B or B + M.</source>
+        <translation>Dieses Werkzeug misst im Bild, und gezeigt wird nur der Streifen des M-Mode. Auf B oder B + M umschalten.</translation>
     </message>
     <message>
         <source>This is measured in the strip of the M-mode. Switch to B + M or M (M).</source>
