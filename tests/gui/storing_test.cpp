@@ -80,7 +80,7 @@ class StoringTest : public WindowFixture {
   void savedAsFilesItHasItsScaleAndItsWords() {
     session().setFrozen(true);
     storeImage();
-    const std::vector<SavedPart> shown{{&session()}};
+    const std::vector<SavedPart> shown{{&session(), {}, {}, true}};
     const Still expected = storedStill(shown, savedPictures(shown, 1, QDateTime::currentDateTime()), 1, {}).still;
     const QString folder = files_.path(QStringLiteral("saved"));
     QDir(folder).removeRecursively();
