@@ -157,6 +157,7 @@ class ExaminationJourneyTest : public WindowFixture {
     saveSheet(folder + QStringLiteral("/obstetric.pdf"));
     saveSheet(folder + QStringLiteral("/obstetric.dcm"));
     QVERIFY(isDicom((folder + QStringLiteral("/obstetric.dcm")).toStdString()));
+    QApplication::setActiveWindow(window_.get());  // from the worksheet back to the window
     QTest::keyClick(window_.get(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
     auto* examination = window_->findChild<ExaminationDialog*>();
     QVERIFY(examination != nullptr);

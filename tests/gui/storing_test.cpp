@@ -109,7 +109,8 @@ class StoringTest : public WindowFixture {
     name(shown, archive.address());
     send(shown);
     QVERIFY(window_->messages().isError());
-    QVERIFY2(in<QLabel>(shown, "outboxState")->text().contains(QLatin1String("2 ")), qPrintable(in<QLabel>(shown, "outboxState")->text()));
+    QVERIFY2(in<QLabel>(shown, "outboxState")->text().contains(QLatin1String(": 2.")),
+             qPrintable(in<QLabel>(shown, "outboxState")->text()));
     QVERIFY2(archive.start(), archive.said().c_str());
     QTest::mouseClick(in<QPushButton>(shown, "testArchive"), Qt::LeftButton);
     QVERIFY(waitUntil([&] { return in<QLabel>(shown, "archiveAnswer")->text().contains(QLatin1String("answers")); }));
