@@ -92,7 +92,7 @@ class ExaminationJourneyTest : public WindowFixture {
     QVERIFY2(!truth.points_mm.empty(), qPrintable(title));
     QPushButton* item = nullptr;
     for (QPushButton* each : window_->findChildren<QPushButton*>(QStringLiteral("worksheetItem")))
-      if (!each->isHidden() && each->accessibleName().contains(title)) item = each;
+      if (item == nullptr && !each->isHidden() && each->accessibleName().contains(title)) item = each;
     QVERIFY2(item != nullptr, qPrintable(title));
     if (!item->isChecked()) QTest::mouseClick(item, Qt::LeftButton);
     QVERIFY(session().isFrozen());
