@@ -27,7 +27,10 @@ class StoringTest : public WindowFixture {
   Q_OBJECT
 
   void type(int key, Qt::KeyboardModifiers modifiers) const { QTest::keyClick(window_.get(), static_cast<Qt::Key>(key), modifiers); }
-  void storeImage() const { type(Qt::Key_Insert, Qt::NoModifier); }
+  void storeImage() const {
+    QApplication::setActiveWindow(window_.get());  // back from a dialog
+    type(Qt::Key_Insert, Qt::NoModifier);
+  }
   [[nodiscard]] ExaminationDialog* dialog() const {
     type(Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
     return window_->findChild<ExaminationDialog*>();
