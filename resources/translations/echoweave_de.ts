@@ -11897,8 +11897,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Der Streifen des M-Modus zeigt einen Strahl über die Zeit, keinen Ort in einem Bild. Auf B oder B + M umschalten, dann einen Punkt des Bildes anklicken.</translation>
     </message>
     <message>
-        <source>This volume does not say which frame a voxel came from. A volume that is made here from a recorded sweep does: open the sweep, leave &apos;Record source frame per voxel&apos; switched on, and reconstruct it.</source>
-        <translation>Dieses Volumen sagt nicht, aus welchem Bild ein Voxel stammt. Ein Volumen, das hier aus einem aufgenommenen Schwenk gemacht wird, sagt es: den Schwenk öffnen, „Quellbild je Voxel festhalten“ eingeschaltet lassen und das Volumen machen.</translation>
+        <source>This volume does not say which frame a voxel came from. A volume that is made here from a recorded sweep does: open the sweep (%1), leave &apos;Record source frame per voxel&apos; switched on, and reconstruct it.</source>
+        <translation>Dieses Volumen sagt nicht, aus welchem Bild ein Voxel stammt. Ein Volumen, das hier aus einem aufgenommenen Schwenk gemacht wird, sagt es: den Schwenk öffnen (%1), „Quellbild je Voxel festhalten“ eingeschaltet lassen und das Volumen machen.</translation>
     </message>
     <message>
         <source>The image is frozen, and the probe with it. Let it run (%1): then both move again.</source>
