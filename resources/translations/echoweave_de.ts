@@ -9275,16 +9275,16 @@
         <translation>Der Kante folgen</translation>
     </message>
     <message>
-        <source>This tool measures in the image, and only the strip of the M-mode is shown. Switch to B or B + M (M).</source>
-        <translation>Dieses Werkzeug misst im Bild, und gezeigt wird nur der Streifen des M-Mode. Auf B oder B + M umschalten (M).</translation>
-    </message>
-    <message>
         <source>This is measured in the strip of the M-mode. Switch to B + M or M (M).</source>
         <translation>Das wird im Streifen des M-Mode gemessen. Auf B + M oder M umschalten (M).</translation>
     </message>
     <message>
         <source>Calipers measure in the image, not in the strip of the M-mode. Switch to B or B + M.</source>
         <translation>Gemessen wird im Bild, nicht im Streifen des M-Modus. Auf B oder B + M umschalten.</translation>
+    </message>
+    <message>
+        <source>This tool measures in the image, and only the strip of the M-mode is shown. Switch to B or B + M.</source>
+        <translation>Dieses Werkzeug misst im Bild, und gezeigt wird nur der Streifen des M-Mode. Auf B oder B + M umschalten.</translation>
     </message>
 </context>
 <context>
@@ -11913,10 +11913,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Der Streifen des M-Modus zeigt einen Strahl über die Zeit, keinen Ort in einem Bild. Auf B oder B + M umschalten, dann einen Punkt des Bildes anklicken.</translation>
     </message>
     <message>
-        <source>This volume does not say which frame a voxel came from. A volume that is made here from a recorded sweep does: open the sweep, leave &apos;Record source frame per voxel&apos; switched on, and reconstruct it.</source>
-        <translation>Dieses Volumen sagt nicht, aus welchem Bild ein Voxel stammt. Ein Volumen, das hier aus einem aufgenommenen Schwenk gemacht wird, sagt es: den Schwenk öffnen, „Quellbild je Voxel festhalten“ eingeschaltet lassen und das Volumen machen.</translation>
-    </message>
-    <message>
         <source>The image is frozen, and the probe with it. Let it run (%1): then both move again.</source>
         <translation>Das Bild steht, und mit ihm die Sonde. Lassen Sie es laufen (%1): dann bewegen sich beide wieder.</translation>
     </message>
@@ -12211,6 +12207,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>A wide image is at work. Close it (%1) to go to another picture.</source>
         <translation>Ein Panoramabild ist in Arbeit. Schließen Sie es (%1), um zu einem anderen Bild zu gehen.</translation>
+    </message>
+    <message>
+        <source>This volume does not say which frame a voxel came from. A volume that is made here from a recorded sweep does: open the sweep (%1), leave &apos;Record source frame per voxel&apos; switched on, and reconstruct it.</source>
+        <translation>Dieses Volumen sagt nicht, aus welchem Bild ein Voxel stammt. Ein Volumen, das hier aus einem aufgenommenen Schwenk gemacht wird, sagt es: den Schwenk öffnen (%1), „Quellbild je Voxel festhalten“ eingeschaltet lassen und das Volumen machen.</translation>
     </message>
 </context>
 <context>

@@ -63,7 +63,7 @@ TEST(ScreenCommand, AFilmBecomesACleanedSequenceThatAcquisitionOpens) {
   EXPECT_NEAR(sequence->frames[0].transforms[0].matrix[0][0], 5.0 / 22.0, 0.002);
 
   // With a motor that says how the probe moved it becomes a volume.
-  writeText(folder / "motor.json", R"({"kind": "parallel", "first": 0, "step": 1})");
+  writeText(folder / "motor.json", R"({"format": 1, "kind": "parallel", "first_mm": 0, "step_mm": 1})");
   SweepImportOptions options;
   options.calibrations = {folder / "scan.xml"};
   options.motor = folder / "motor.json";

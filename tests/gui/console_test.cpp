@@ -60,8 +60,18 @@ class ConsoleTest : public ConsoleFixture {
       if (!label->isVisible() || label->wordWrap()) continue;
       QVERIFY2(label->width() >= label->sizeHint().width() - 1, qPrintable(label->objectName() + QStringLiteral(": ") + label->text()));
     }
-    for (const QScrollArea* page : window_->console().findChildren<QScrollArea*>())
-      QVERIFY2(!page->isVisible() || page->widget()->width() <= page->viewport()->width(), "a page is wider than the console");
+    for (const QScrollArea* page : window_->console().findChildren<QScrollArea*>()) {
+      if (!page->isVisible() || page->widget()->width() <= page->viewport()->width()) continue;
+      QStringList wide;
+      for (const QWidget* each : page->widget()->findChildren<QWidget*>())
+        if (each->isVisible())
+          wide << QStringLiteral("%1 %2").arg(each->minimumSizeHint().width(), 4).arg(each->objectName() + each->accessibleName());
+      std::sort(wide.begin(), wide.end(), std::greater<>());
+      QFAIL(qPrintable(QStringLiteral("a page of %1 pixels is wider than the console with %2; widest: %3")
+                           .arg(page->widget()->width())
+                           .arg(page->viewport()->width())
+                           .arg(wide.mid(0, 5).join(QStringLiteral(", ")))));
+    }
     for (const QAbstractButton* button : window_->findChildren<QAbstractButton*>()) {
       if (!button->isVisible() || button->text().isEmpty()) continue;
       QVERIFY2(button->width() >= button->minimumSizeHint().width() - 1, qPrintable(button->text()));

@@ -25,6 +25,7 @@ class ExaminationJourneyTest : public WindowFixture {
   Q_OBJECT
 
   [[nodiscard]] Calipers& calipers() const { return window_->calipers(); }
+  [[nodiscard]] Worksheets& worksheets() const { return window_->worksheets(); }
   [[nodiscard]] CaliperLayer& layer() const { return *window_->findChild<CaliperLayer*>(QStringLiteral("caliperLayer")); }
   void keep(const char* name) const {
     const QString folder = qEnvironmentVariable("EW_SCREENSHOTS");
@@ -87,18 +88,22 @@ class ExaminationJourneyTest : public WindowFixture {
     const glm::dvec4 at = glm::inverse(probeToWorld_.matrix) * glm::dvec4(world, 1.0);
     return {at.x, at.y};
   }
-  /// Takes the item's caliper with a click on it, and sets its points where the truth has them.
-  void measureItem(const QString& title, const ExpectedMeasurement& truth) {
-    QVERIFY2(!truth.points_mm.empty(), qPrintable(title));
+  /// Takes the item's caliper with a click on it, and sets its points there. @param points_mm of the world
+  void setCalipers(const QString& title, const std::vector<glm::dvec3>& points_mm) {
+    QVERIFY2(!points_mm.empty(), qPrintable(title));
     QPushButton* item = nullptr;
     for (QPushButton* each : window_->findChildren<QPushButton*>(QStringLiteral("worksheetItem")))
-      if (!each->isHidden() && each->accessibleName().contains(title)) item = each;
+      if (item == nullptr && !each->isHidden() && each->accessibleName().contains(title)) item = each;
     QVERIFY2(item != nullptr, qPrintable(title));
     if (!item->isChecked()) QTest::mouseClick(item, Qt::LeftButton);
     QVERIFY(session().isFrozen());
-    const std::size_t clicks = truth.points_mm.size() == 4 ? 3 : truth.points_mm.size();
-    for (std::size_t n = 0; n < clicks; ++n) clickAt(inPlane(truth.points_mm[n]));
+    const std::size_t clicks = points_mm.size() == 4 ? 3 : points_mm.size();
+    for (std::size_t n = 0; n < clicks; ++n) clickAt(inPlane(points_mm[n]));
     if (calipers().drawing().tool()) QTest::keyClick(&layer(), Qt::Key_Escape);
+  }
+  void measureItem(const QString& title, const ExpectedMeasurement& truth) {
+    setCalipers(title, truth.points_mm);
+    if (QTest::currentTestFailed()) return;
     const double read = calipers().lines().back().measured.figures.front().quantity.value;
     qInfo("%s: read %.2f, truth %.2f %s", qPrintable(title), read, truth.value, truth.unit.c_str());
     QVERIFY2(std::abs(read - truth.value) <= std::max(truth.tolerance.value_or(0.0), 4.0 * session().geometry().pixel_mm),
@@ -110,6 +115,18 @@ class ExaminationJourneyTest : public WindowFixture {
     QTest::mouseClick(window_->findChild<QPushButton*>(QStringLiteral("saveWorksheet")), Qt::LeftButton);
     QVERIFY2(!window_->messages().isError(), qPrintable(window_->messages().text()));
     QVERIFY(QFileInfo(file).size() > 1000);
+  }
+
+  /// On the other side of the patient.
+  [[nodiscard]] static std::vector<glm::dvec3> mirrored(std::vector<glm::dvec3> points_mm) {
+    for (glm::dvec3& point : points_mm) point.x = -point.x;
+    return points_mm;
+  }
+  [[nodiscard]] static Transform<frame::World, frame::Probe> mirrored(const Transform<frame::World, frame::Probe>& pose) {
+    Transform<frame::World, frame::Probe> other = pose;
+    for (int axis = 0; axis < 4; ++axis) other.matrix[axis].x = -other.matrix[axis].x;
+    other.matrix[0] = -other.matrix[0];  // right-handed again
+    return other;
   }
 
   CaseTruth truth_;
@@ -157,6 +174,7 @@ class ExaminationJourneyTest : public WindowFixture {
     saveSheet(folder + QStringLiteral("/obstetric.pdf"));
     saveSheet(folder + QStringLiteral("/obstetric.dcm"));
     QVERIFY(isDicom((folder + QStringLiteral("/obstetric.dcm")).toStdString()));
+    QApplication::setActiveWindow(window_.get());  // from the worksheet back to the window
     QTest::keyClick(window_.get(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
     auto* examination = window_->findChild<ExaminationDialog*>();
     QVERIFY(examination != nullptr);
@@ -165,6 +183,44 @@ class ExaminationJourneyTest : public WindowFixture {
       QTest::qWait(300);
       examination->grab().save(folder + QStringLiteral("/obstetric-examination.png"));
     }
+    Answers answers({{QStringLiteral("unsavedStoredQuestion"), press(QMessageBox::Discard)}});
+    window_->close();
+  }
+
+  void carotidStenosisWithLeftAndRightBesideEachOther() {
+    open("neck-carotid-thyroid");
+    if (window_ == nullptr || QTest::currentTestFailed()) return;
+    choosePackage("vessel");
+    findPlane("along the carotid fork");
+    const auto right = probeToWorld_;
+    const std::pair<QString, const ExpectedMeasurement&> items[] = {
+        {QStringLiteral("Narrowest lumen, diameter"), expected("right carotid bulb, free lumen at the plaque")},
+        {QStringLiteral("Vessel at the stenosis, original diameter"), expected("right carotid bulb, between its walls")},
+        {QStringLiteral("Lumen beyond the stenosis, diameter"), expected("right common carotid artery, lumen 10 mm below the fork")}};
+    for (const auto& [title, truth] : items) {
+      measureItem(title + QStringLiteral(", right"), truth);
+      if (QTest::currentTestFailed()) return;
+    }
+    QTest::keyClick(&window_->scanView(), Qt::Key_M, Qt::ShiftModifier);
+    QCOMPARE(window_->pictures().count(), 2);
+    QTest::keyClick(&window_->scanView(), Qt::Key_L, Qt::ShiftModifier);
+    QCOMPARE(window_->pictures().active(), 1);
+    holdIn(mirrored(right));
+    for (const auto& [title, truth] : items) {
+      setCalipers(title + QStringLiteral(", left"), mirrored(truth.points_mm));
+      if (QTest::currentTestFailed()) return;
+    }
+    const auto shown = window_->pictures().shown();
+    QCOMPARE(shown.size(), std::size_t{2});
+    QVERIFY(shown[0].side == BodySide::right && shown[1].side == BodySide::left);
+    QCOMPARE(worksheets().current()->of("D_MIN", "right").size(), std::size_t{1});
+    QCOMPARE(worksheets().current()->of("D_MIN", "left").size(), std::size_t{1});
+    keep("carotid-both");
+    store();
+    QTest::mouseClick(find<QPushButton>("showWorksheet"), Qt::LeftButton);
+    const QString kept = qEnvironmentVariable("EW_SCREENSHOTS");
+    if (!kept.isEmpty()) window_->findChild<WorksheetDialog*>()->grab().save(kept + QStringLiteral("/carotid-worksheet.png"));
+    saveSheet((kept.isEmpty() ? files_.path(QStringLiteral(".")) : kept) + QStringLiteral("/carotid.pdf"));
     Answers answers({{QStringLiteral("unsavedStoredQuestion"), press(QMessageBox::Discard)}});
     window_->close();
   }

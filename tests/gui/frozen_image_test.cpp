@@ -180,7 +180,9 @@ class FrozenImageTest : public ConsoleFixture {
       session().makePictureNow();
       settle();
       QVERIFY(!(session().detail().pan == before));
-      QVERIFY(std::abs(overview().box().center().x() - part.center().x() - 8.0) < 2.0);
+      QVERIFY2(
+          std::abs(overview().box().center().x() - part.center().x() - 8.0) < 2.0,
+          qPrintable(QStringLiteral("%1 from %2 of %3").arg(overview().box().center().x()).arg(part.center().x()).arg(overview().width())));
       // So does one in the image.
       const Pan there = session().detail().pan;
       drag(window_->scanView(), scan.pictureRect().center(), scan.pictureRect().center() + QPoint(20, 10));

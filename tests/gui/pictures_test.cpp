@@ -127,17 +127,17 @@ class PicturesTest : public WindowFixture {
   void keyAndButtonsGoToTwoAndFourAndBack() {
     const QSize alone = window_->scanView().size();
     QCOMPARE(grid().count(), 1);
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     QCOMPARE(grid().count(), 2);
     QVERIFY(window_->scanView().width() < alone.width());
     QVERIFY(kept(1).isEmpty());
     QVERIFY(kept(1).isVisible());
     QVERIFY(!kept(1).view().isVisible());
     QVERIFY(!session().isFrozen());
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     QCOMPARE(grid().count(), 4);
     QCOMPARE(window_->scanView().size(), kept(3).size());
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     QCOMPARE(grid().count(), 1);
     QCOMPARE(window_->scanView().size(), alone);
     QTest::mouseClick(find<QPushButton>("twoPictures"), Qt::LeftButton);
@@ -151,7 +151,7 @@ class PicturesTest : public WindowFixture {
   }
 
   void eachPictureKeepsItsConsoleItsCalipersAndItsUndo() {
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     setDepth(160.0);
     setGain(3.0);
     pressKey(Qt::Key_F);
@@ -206,7 +206,7 @@ class PicturesTest : public WindowFixture {
   }
 
   void aRunningScanGoesOnInTheNextPictureWithItsOwnSettings() {
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     setDepth(160.0);
     pressNext();
     setDepth(90.0);
@@ -224,22 +224,28 @@ class PicturesTest : public WindowFixture {
   }
 
   void whatStandsBesideCostsNothingPerFrame() {
-    pressKey(Qt::Key_O);
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     for (int n = 0; n < 3; ++n) pressNext();
     QCOMPARE(grid().active(), 3);
     QTest::qWait(50);
     const std::uint64_t made[] = {kept(0).session().framesMade(), kept(1).session().framesMade(), kept(2).session().framesMade()};
     Paints first(kept(0)), second(kept(1)), third(kept(2));
+    const auto paints = [&] { return first.count + second.count + third.count; };
+    for (int before = -1; before != paints();) {  // what is still to be shown of them
+      before = paints();
+      QTest::qWait(200);
+    }
+    const int shown = paints();
     const std::uint64_t live = session().framesMade();
     scanForAWhile(30);
     QVERIFY(session().framesMade() >= live + 30);
     for (int place = 0; place < 3; ++place) QCOMPARE(kept(place).session().framesMade(), made[place]);
-    QCOMPARE(first.count + second.count + third.count, 0);
+    QCOMPARE(paints(), shown);
   }
 
   void anotherSizeIsFormedSharpFromTheState() {
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     scanForAWhile(3);
     pressNext();
     const QSize before(kept(0).session().picture().width(), kept(0).session().picture().height());
@@ -250,7 +256,7 @@ class PicturesTest : public WindowFixture {
   }
 
   void eachPictureHasItsOwnCineLoop() {
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     Knobs knobs = session().knobs();
     knobs.persistence = 0.6;
     session().setKnobs(knobs);
@@ -293,7 +299,7 @@ class PicturesTest : public WindowFixture {
   }
 
   void calipersOfACineImageAreThereAgain() {
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     scanForAWhile(4);
     pressKey(Qt::Key_F);
     measure(60);
@@ -309,7 +315,7 @@ class PicturesTest : public WindowFixture {
   }
 
   void wordsAndBodyMarkBelongToTheirPicture() {
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     pressKey(Qt::Key_F);
     AnnotatedPictures& annotated = window_->annotated();
     QVERIFY(annotated.hold());
@@ -334,7 +340,7 @@ class PicturesTest : public WindowFixture {
   }
 
   void oneScaleForAll() {
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     setDepth(160.0);
     pressKey(Qt::Key_F);
     measure(50);
@@ -360,7 +366,7 @@ class PicturesTest : public WindowFixture {
   void namesSayTheSideOfThePatient() {
     lookAt(-50.0);
     QVERIFY(window_->scanView().label().isEmpty());
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     QCOMPARE(window_->scanView().label(), QStringLiteral("1 right"));
     pressKey(Qt::Key_F);
     measure(70);
@@ -372,13 +378,19 @@ class PicturesTest : public WindowFixture {
     measure(30);
     // One list for both.
     QStringList names;
-    for (const QLabel* each : window_->findChildren<QLabel*>(QStringLiteral("measuredPicture")))
-      if (!each->isHidden()) names << each->text();
+    QVERIFY(waitUntil([&] {  // what is added to a page is shown with the next turn of the event loop
+      names.clear();
+      for (const QLabel* each : window_->findChildren<QLabel*>(QStringLiteral("measuredPicture")))
+        if (!each->isHidden()) names << each->text();
+      return names.size() == 2;
+    }));
     QCOMPARE(names, (QStringList{QStringLiteral("Picture 2 left"), QStringLiteral("Picture 1 right")}));
     QPushButton* elsewhere = nullptr;
-    for (QPushButton* each : window_->findChildren<QPushButton*>(QStringLiteral("measuredElsewhere")))
-      if (!each->isHidden()) elsewhere = each;
-    QVERIFY(elsewhere != nullptr);
+    QVERIFY(waitUntil([&] {
+      for (QPushButton* each : window_->findChildren<QPushButton*>(QStringLiteral("measuredElsewhere")))
+        if (!each->isHidden()) elsewhere = each;
+      return elsewhere != nullptr;
+    }));
     elsewhere->click();
     QCOMPARE(grid().active(), 0);
     comparesInPixels(calipers(), session(), 70);
@@ -389,7 +401,7 @@ class PicturesTest : public WindowFixture {
 
   void savedPictureHasAllOfThem() {
     const QDateTime when(QDate(2026, 1, 2), QTime(3, 4));
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     pressKey(Qt::Key_F);
     measure(80);
     pressNext();
@@ -410,8 +422,8 @@ class PicturesTest : public WindowFixture {
   }
 
   void fourPicturesGoWithTheirCase() {
-    pressKey(Qt::Key_O);
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     for (int n = 0; n < 3; ++n) {
       pressKey(Qt::Key_F);
       measure(20 + 10 * n);
@@ -423,37 +435,37 @@ class PicturesTest : public WindowFixture {
     for (int place = 0; place < 3; ++place) comparesInPixels(kept(place).calipers(), kept(place).session(), 20 + 10 * place);
     // What has no room is kept.
     const std::vector<std::uint8_t> third = pixelsOf(kept(2).session());
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     QCOMPARE(grid().count(), 1);
     comparesInPixels(calipers(), session(), 90);
-    pressKey(Qt::Key_O);
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     QCOMPARE(grid().shown().size(), std::size_t{4});
     QVERIFY(waitUntil([&] { return !kept(2).session().isFormingCine(); }));
     QVERIFY(pixelsOf(kept(2).session()) == third);
   }
 
   void anotherCaseBeginsWithOnePicture() {
-    pressKey(Qt::Key_O);
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     for (int n = 0; n < 3; ++n) pressNext();
     QVERIFY(openCase(files_.writeCase(QStringLiteral("second"))));
     QCOMPARE(grid().count(), 1);
     QVERIFY(!session().isFrozen());
     QCOMPARE(calipers().lines().size(), std::size_t{0});
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     QVERIFY(kept(1).isEmpty());
     pressNext();
     session().makePictureNow();
     QVERIFY(pixelsOf(session()) == madeAnew(session()));
     session().clear();
     QCOMPARE(grid().count(), 1);
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     QCOMPARE(grid().count(), 1);
   }
 
   void aVolumeThatIsMovedTakesTheOthersAway() {
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     pressNext();
     QVERIFY(!kept(0).isEmpty());
     Transform<frame::World, frame::World> moved;
@@ -465,7 +477,7 @@ class PicturesTest : public WindowFixture {
   }
 
   void aRecordingIsOfOnePicture() {
-    pressKey(Qt::Key_O);
+    pressKey(Qt::Key_M, Qt::ShiftModifier);
     pressNext();
     pressKey(Qt::Key_R, Qt::ControlModifier);
     QVERIFY(window_->recorder().isRecording());

@@ -27,7 +27,10 @@ class StoringTest : public WindowFixture {
   Q_OBJECT
 
   void type(int key, Qt::KeyboardModifiers modifiers) const { QTest::keyClick(window_.get(), static_cast<Qt::Key>(key), modifiers); }
-  void storeImage() const { type(Qt::Key_Insert, Qt::NoModifier); }
+  void storeImage() const {
+    QApplication::setActiveWindow(window_.get());  // back from a dialog
+    type(Qt::Key_Insert, Qt::NoModifier);
+  }
   [[nodiscard]] ExaminationDialog* dialog() const {
     type(Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
     return window_->findChild<ExaminationDialog*>();
@@ -80,7 +83,7 @@ class StoringTest : public WindowFixture {
   void savedAsFilesItHasItsScaleAndItsWords() {
     session().setFrozen(true);
     storeImage();
-    const std::vector<SavedPart> shown{{&session()}};
+    const std::vector<SavedPart> shown{{&session(), {}, {}, true}};
     const Still expected = storedStill(shown, savedPictures(shown, 1, QDateTime::currentDateTime()), 1, {}).still;
     const QString folder = files_.path(QStringLiteral("saved"));
     QDir(folder).removeRecursively();
@@ -109,7 +112,8 @@ class StoringTest : public WindowFixture {
     name(shown, archive.address());
     send(shown);
     QVERIFY(window_->messages().isError());
-    QVERIFY2(in<QLabel>(shown, "outboxState")->text().contains(QLatin1String("2 ")), qPrintable(in<QLabel>(shown, "outboxState")->text()));
+    QVERIFY2(in<QLabel>(shown, "outboxState")->text().contains(QLatin1String(": 2.")),
+             qPrintable(in<QLabel>(shown, "outboxState")->text()));
     QVERIFY2(archive.start(), archive.said().c_str());
     QTest::mouseClick(in<QPushButton>(shown, "testArchive"), Qt::LeftButton);
     QVERIFY(waitUntil([&] { return in<QLabel>(shown, "archiveAnswer")->text().contains(QLatin1String("answers")); }));

@@ -87,7 +87,7 @@ CineBar::CineBar(Session& session, QWidget* parent) : QWidget(parent), session_(
     follow();
   });
   connect(&session_, &Session::pictureChanged, this, [this] {
-    if (review_) showState();
+    if (review_ && session_.cineFrame()) showState();  // not in the moment in which the scan runs on and the ring begins anew
   });
   refreshIcons();
 }

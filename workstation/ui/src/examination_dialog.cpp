@@ -197,9 +197,12 @@ void ExaminationDialog::showAll() {
   const auto& items = stored_.items();
   if (images_->count() != static_cast<int>(items.size())) {
     images_->clear();
-    for (const auto& item : items) {
-      auto* shown = new QListWidgetItem(
-          QIcon(QPixmap::fromImage(item.picture.scaled(kThumbnail_px, Qt::KeepAspectRatio, Qt::SmoothTransformation))), item.caption);
+    for (std::size_t n = 0; n < items.size(); ++n) {
+      const auto& item = items[n];
+      const QString when = item.caption.section(QStringLiteral(", "), -1);  // all of it is in the tip
+      auto* shown =
+          new QListWidgetItem(QIcon(QPixmap::fromImage(item.picture.scaled(kThumbnail_px, Qt::KeepAspectRatio, Qt::SmoothTransformation))),
+                              QStringLiteral("%1.  %2").arg(n + 1).arg(when));
       shown->setToolTip(item.caption);
       images_->addItem(shown);
     }

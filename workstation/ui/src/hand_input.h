@@ -13,6 +13,7 @@ class QWheelEvent;
 
 namespace ew::ui {
 
+class KeyMap;
 class View3D;
 
 /// The mouse and the keyboard move the hand. Watches the 3D view and the scan view and says how the probe is to be held from now on; who

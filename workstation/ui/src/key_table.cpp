@@ -246,7 +246,7 @@ std::vector<KeyCommand> keyTable() {
       made.id = caliperCommand(kinds[n]);
       made.group = KeyGroup::measure;
       made.source = CaliperWords::nameOf(kinds[n]).toUtf8();
-      made.usual = {kinds[n] == measurement::CaliperKind::discs ? QKeySequence(Qt::CTRL + Qt::Key_D)
+      made.usual = {kinds[n] == measurement::CaliperKind::discs ? QKeySequence(QStringLiteral("Ctrl+D"))
                                                                 : QKeySequence(static_cast<int>(modifiers) + first + static_cast<int>(n))};
       table.push_back(std::move(made));
     }

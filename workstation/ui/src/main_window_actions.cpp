@@ -378,7 +378,8 @@ void MainWindow::showSource(const QPoint& pixel) {
   } else {
     dialog->showNone(
         tr("This volume does not say which frame a voxel came from. A volume that is made here from a recorded sweep does: open "
-           "the sweep, leave 'Record source frame per voxel' switched on, and reconstruct it."));
+           "the sweep (%1), leave 'Record source frame per voxel' switched on, and reconstruct it.")
+            .arg(p.keys.words("open")));
   }
   dialog->show();
   dialog->raise();

@@ -160,6 +160,7 @@ void MeasurePage::addTools(Session& session, QVBoxLayout* rows) {
     button->setCheckable(true);
     button->setProperty("segment", n == 0 ? "first" : n + 1 == kinds.size() ? "last" : "true");
     button->setFocusPolicy(Qt::TabFocus);
+    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // an icon: all of them fit beside a scroll bar as well
     button->setAccessibleName(CaliperWords::nameOf(kinds[n]));
     button->setToolTip(tipWithKeys(CaliperWords::nameOf(kinds[n]) + QStringLiteral(" (%1)"), caliperCommand(kinds[n])));
     connect(button, &QPushButton::clicked, this, [this, kind = kinds[n]] {

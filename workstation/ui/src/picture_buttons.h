@@ -21,6 +21,7 @@ class PictureButtons final : public QWidget {
 
   PictureGrid& grid_;
   std::array<QPushButton*, 3> counts_{};
+  QWidget* severalOnly_ = nullptr;  ///< means something with more than one
   QPushButton* next_ = nullptr;
   QPushButton* scale_ = nullptr;
 };

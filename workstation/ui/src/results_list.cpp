@@ -19,7 +19,7 @@ constexpr int kPage_px = 208;  // of the console's page, less a scroll bar
 
 }  // namespace
 
-void holdHeight(QLabel& text, int width_px) { text.setMinimumHeight(text.heightForWidth(width_px)); }
+void holdHeight(QLabel& text, int width_px) { text.setMinimumHeight(std::max(0, text.heightForWidth(width_px))); }
 
 ResultsList::ResultsList(Calipers& calipers, QWidget* parent) : QWidget(parent), calipers_(calipers) {
   auto* rows = new QVBoxLayout(this);

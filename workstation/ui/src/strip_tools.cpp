@@ -34,6 +34,7 @@ StripTools::StripTools(Session& session, Calipers& calipers, QWidget* parent) : 
     button->setCheckable(true);
     button->setProperty("segment", n == 0 ? "first" : n + 1 == kinds.size() ? "last" : "true");
     button->setFocusPolicy(Qt::TabFocus);
+    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // an icon: all of them fit beside a scroll bar as well
     button->setAccessibleName(CaliperWords::nameOf(kinds[n]));
     button->setToolTip(tipWithKeys(tr("%1 in the strip", "a tool").arg(CaliperWords::nameOf(kinds[n])) + QStringLiteral(" (%1)"),
                                    caliperCommand(kinds[n])));

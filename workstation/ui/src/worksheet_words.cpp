@@ -88,7 +88,8 @@ QString WorksheetWords::htmlOf(const Worksheet& sheet, const QString& quiet) {
       QString title = words(row.title).toHtmlEscaped();
       if (!row.side.empty()) title = tr("%1, %2", "what was measured, and its side").arg(title, sideOf(row.side));
       const QString below = originOf(row);
-      html += QStringLiteral("<tr><td width='46%'>%1%2</td><td width='22%' align='right'><b>%3</b></td><td width='32%'>%4</td></tr>")
+      html += QStringLiteral(
+                  "<tr><td width='46%'>%1%2</td><td width='28%' align='right'><b><nobr>%3</nobr></b></td><td width='26%'>%4</td></tr>")
                   .arg(title, below.isEmpty() ? QString() : QStringLiteral("<br>") + quietly(below), valueOf(row), quietly(rangesOf(row)));
     }
     html += QStringLiteral("</table>");

@@ -143,8 +143,9 @@ void ZoomOverview::moveTo(const QPointF& at) {
   const DisplayGeometry& whole = geometryOfWhole();
   if (!(whole.pixel_mm > 0.0)) return;
   const double ratio = devicePixelRatioF();
-  const Detail detail =
-      detailAround(session_.geometry(), session_.detail(), pointSeenAt(whole, glm::dvec2(at.x() * ratio - 0.5, at.y() * ratio - 0.5)));
+  // From the whole image, not from what is shown: that may be an image behind a drag.
+  const glm::dvec2 p_mm = pointSeenAt(whole, glm::dvec2(at.x() * ratio - 0.5, at.y() * ratio - 0.5));
+  const Detail detail = detailAround(whole, {session_.detail().zoom, {}}, p_mm);
   session_.setDetail(detail.zoom,
                      session_.wide() != nullptr ? detail.pan : panWithinFan(session_.pictureProbe(), session_.pictureKnobs(), detail.pan));
 }
