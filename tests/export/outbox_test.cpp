@@ -1,5 +1,9 @@
 #include "ew/export/outbox.h"
 
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
 #include <chrono>
 
 #include "ew/export/dicom_picture.h"
@@ -207,6 +211,73 @@ TEST(Sending, WithoutAnArchiveWaitsLongerEachTimeAndLosesNothing) {
   EXPECT_FALSE(result->problem.empty());
   archive.aeTitle = "A TITLE WITH BLANKS";
   EXPECT_FALSE(sendOutbox(*outbox, archive, options));
+}
+
+/// A port where connections are taken and nobody ever says a word.
+class SilentPort {
+ public:
+  SilentPort() : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    EXPECT_EQ(::bind(socket_, reinterpret_cast<const sockaddr*>(&address), size), 0);
+    EXPECT_EQ(::listen(socket_, 8), 0);
+    EXPECT_EQ(::getsockname(socket_, reinterpret_cast<sockaddr*>(&address), &size), 0);
+    number_ = ntohs(address.sin_port);
+  }
+  ~SilentPort() { ::close(socket_); }
+  SilentPort(const SilentPort&) = delete;
+  SilentPort& operator=(const SilentPort&) = delete;
+  [[nodiscard]] int number() const { return number_; }
+
+ private:
+  int socket_;
+  int number_ = 0;
+};
+
+/// Lets the work go on until it has asked so often.
+class StopsAfter final : public Progress {
+ public:
+  explicit StopsAfter(int asked) : left_(asked) {}
+  void report(const Message&, double) override {}
+  [[nodiscard]] bool cancelRequested() const override { return --left_ < 0; }
+
+ private:
+  mutable int left_;
+};
+
+TEST(Sending, StopsAtOnceWhenToldWhileTheArchiveIsSilent) {
+  const TemporaryFolder folder;
+  auto outbox = Outbox::open(folder / "outbox");
+  ASSERT_TRUE(succeeded(outbox));
+  ASSERT_TRUE(outbox->add(writePicture(folder.path(), 1)).value());
+  const SilentPort port;
+  DicomArchive archive;
+  archive.host = "127.0.0.1";
+  archive.port = port.number();
+  archive.aeTitle = "SILENT";
+  archive.timeout_s = 3600.0;  // what a wait that is not stopped would take
+  StopsAfter sending(10), asking(10);
+  const auto sent = sendOutbox(*outbox, archive, {}, sending);
+  ASSERT_FALSE(sent);
+  EXPECT_EQ(sent.error().code, ErrorCode::cancelled);
+  EXPECT_EQ(outbox->count(OutboxStatus::waiting), 1u);
+  const auto asked = askArchive(archive, asking);
+  ASSERT_FALSE(asked);
+  EXPECT_EQ(asked.error().code, ErrorCode::cancelled);
+}
+
+TEST(Sending, GivesUpASilentArchiveAfterItsTimeout) {
+  const SilentPort port;
+  DicomArchive archive;
+  archive.host = "127.0.0.1";
+  archive.port = port.number();
+  archive.aeTitle = "SILENT";
+  archive.timeout_s = 1.0;
+  const auto asked = askArchive(archive);
+  ASSERT_FALSE(asked);
+  EXPECT_EQ(asked.error().code, ErrorCode::notReadable);
 }
 
 TEST(Sending, BringsPicturesClipAndReportToARealArchiveOnceEach) {

@@ -3,6 +3,7 @@
 #include <set>
 #include <thread>
 
+#include "cancellable_layer.h"
 #include "dicom_elements.h"
 // after DCMTK's configuration
 #include <dcmtk/dcmnet/diutil.h>
@@ -31,45 +32,73 @@ Result<void> check(const DicomArchive& archive) {
   return {};
 }
 
-void callFor(DcmSCU& scu, const DicomArchive& archive) {
-  scu.setAETitle(archive.ownAeTitle.c_str());
-  scu.setPeerAETitle(archive.aeTitle.c_str());
-  scu.setPeerHostName(archive.host.c_str());
-  scu.setPeerPort(static_cast<Uint16>(archive.port));
-  const auto timeout_s = static_cast<Uint32>(std::max(1.0, archive.timeout_s));
-  scu.setACSETimeout(timeout_s);
-  scu.setDIMSETimeout(timeout_s);
-  scu.setDIMSEBlockingMode(DIMSE_NONBLOCKING);
-  scu.setConnectionTimeout(static_cast<Sint32>(timeout_s));
+Message doesNotAnswer(const DicomArchive& archive, const std::string& why) {
+  return say<"The archive %1 at %2 port %3 does not answer as it should (%4).">(archive.aeTitle, archive.host, archive.port, verbatim(why));
+}
+tl::unexpected<Error> stoppedAsAsked() {
+  return failure(ErrorCode::cancelled, say<"Stopped as asked; what was not sent yet stays in the outbox.">());
 }
 
-Message doesNotAnswer(const DicomArchive& archive, const OFCondition& condition) {
-  return say<"The archive %1 at %2 port %3 does not answer as it should (%4).">(archive.aeTitle, archive.host, archive.port,
-                                                                                verbatim(condition.text()));
-}
+struct Scu final : DcmSCU {
+  using DcmSCU::useSecureConnection;
+};
+
+/// An association with an archive; whatever it waits for ends soon after the work was cancelled.
+class Association {
+ public:
+  Association(const DicomArchive& archive, const Progress& progress)
+      : archive_(archive), progress_(progress), timeout_s_(std::max(1.0, archive.timeout_s)), layer_(progress, timeout_s_) {
+    const auto whole_s = static_cast<Uint32>(timeout_s_);
+    scu_.setAETitle(archive.ownAeTitle.c_str());
+    scu_.setPeerAETitle(archive.aeTitle.c_str());
+    scu_.setPeerHostName(archive.host.c_str());
+    scu_.setPeerPort(static_cast<Uint16>(archive.port));
+    scu_.setACSETimeout(whole_s);
+    scu_.setDIMSETimeout(whole_s);
+    scu_.setDIMSEBlockingMode(DIMSE_NONBLOCKING);
+    scu_.setConnectionTimeout(static_cast<Sint32>(whole_s));
+  }
+
+  DcmSCU& scu() { return scu_; }
+  /// @return empty, or why it could not be made
+  [[nodiscard]] std::string open() {
+    if (std::string why = whyNotReached(archive_.host, archive_.port, timeout_s_, progress_); !why.empty()) return why;
+    OFCondition status = scu_.initNetwork();
+    if (status.good()) status = scu_.useSecureConnection(&layer_);  // plain TCP all the same: the layer decides
+    if (status.good()) status = scu_.negotiateAssociation();
+    return status.good() ? std::string() : std::string(status.text());
+  }
+
+ private:
+  const DicomArchive& archive_;
+  const Progress& progress_;
+  double timeout_s_;
+  CancellableLayer layer_;
+  Scu scu_;
+};
 
 /// One connection.
 class Round {
  public:
   Round(Outbox& outbox, const DicomArchive& archive, SendResult& result, Progress& progress)
-      : outbox_(outbox), archive_(archive), result_(result), progress_(progress) {}
+      : outbox_(outbox), archive_(archive), result_(result), progress_(progress), association_(archive, progress) {}
 
   /// @error notWritable, cancelled; what went wrong on the network stands in the result
   Result<void> run() {
     result_.problem = {};
-    if (!connect()) return {};
+    if (!connect()) return brokenOff();
     for (OutboxEntry entry : std::vector<OutboxEntry>(outbox_.entries())) {
       if (entry.status != OutboxStatus::waiting) continue;
       if (progress_.cancelRequested()) return stopped();
       if (auto sent = send(entry); !sent) return sent;
-      if (isBroken_) return {};
+      if (isBroken_) return brokenOff();
       progress_.report(say<"Sending to the archive">(), share());
     }
     for (OutboxEntry entry : std::vector<OutboxEntry>(outbox_.entries())) {
       if (entry.status != OutboxStatus::stored) continue;
       if (progress_.cancelRequested()) return stopped();
       if (auto asked = ask(entry); !asked) return asked;
-      if (isBroken_) return {};
+      if (isBroken_) return brokenOff();
       progress_.report(say<"Asking the archive">(), share());
     }
     scu_.releaseAssociation();
@@ -79,28 +108,30 @@ class Round {
  private:
   Result<void> stopped() {
     scu_.abortAssociation();
-    return failure(ErrorCode::cancelled, say<"Stopped as asked; what was not sent yet stays in the outbox.">());
+    return stoppedAsAsked();
+  }
+  [[nodiscard]] Result<void> brokenOff() const {
+    if (progress_.cancelRequested()) return stoppedAsAsked();
+    return {};
   }
   [[nodiscard]] double share() const {
     const std::size_t all = outbox_.entries().size();
     return all == 0 ? 1.0 : static_cast<double>(outbox_.count(OutboxStatus::verified)) / static_cast<double>(all);
   }
-  void fails(const OFCondition& condition) {
+  void fails(const std::string& why) {
     isBroken_ = true;
-    result_.problem = doesNotAnswer(archive_, condition);
+    result_.problem = doesNotAnswer(archive_, why);
   }
   bool connect() {
-    callFor(scu_, archive_);
     OFList<OFString> syntaxes;
     syntaxes.push_back(UID_LittleEndianExplicitTransferSyntax);
     std::set<std::string> classes{kFindClass};
     for (const OutboxEntry& entry : outbox_.entries())
       if (entry.status == OutboxStatus::waiting) classes.insert(entry.object.classUid);
     for (const std::string& each : classes) scu_.addPresentationContext(each.c_str(), syntaxes);
-    OFCondition status = scu_.initNetwork();
-    if (status.good()) status = scu_.negotiateAssociation();
-    if (status.bad()) fails(status);
-    return status.good();
+    const std::string why = association_.open();
+    if (!why.empty()) fails(why);
+    return why.empty();
   }
   Result<void> refuse(OutboxEntry& entry, const std::string& why) {
     entry.status = OutboxStatus::refused;
@@ -115,7 +146,7 @@ class Round {
     Uint16 answer = 0xC000;
     const OFCondition status = scu_.sendSTORERequest(0, OFFilename(outbox_.copyOf(entry).c_str()), nullptr, answer);
     if (status.bad()) {
-      fails(status);
+      fails(status.text());
       entry.problem = status.text();
       return outbox_.keep(entry);
     }
@@ -156,7 +187,7 @@ class Round {
       delete response;
     }
     if (status.bad()) {
-      fails(status);
+      fails(status.text());
       return {};
     }
     if (isThere) {
@@ -179,7 +210,8 @@ class Round {
   const DicomArchive& archive_;
   SendResult& result_;
   Progress& progress_;
-  DcmSCU scu_;
+  Association association_;
+  DcmSCU& scu_ = association_.scu();
   bool isBroken_ = false;
 };
 
@@ -215,19 +247,20 @@ Result<SendResult> sendOutbox(Outbox& outbox, const DicomArchive& archive, const
   return result;
 }
 
-Result<void> askArchive(const DicomArchive& archive) {
+Result<void> askArchive(const DicomArchive& archive, const Progress& progress) {
   if (auto good = check(archive); !good) return good;
   quietDcmtk();
-  DcmSCU scu;
-  callFor(scu, archive);
+  Association association(archive, progress);
+  DcmSCU& scu = association.scu();
   OFList<OFString> syntaxes;
   syntaxes.push_back(UID_LittleEndianExplicitTransferSyntax);
   syntaxes.push_back(UID_LittleEndianImplicitTransferSyntax);
   scu.addPresentationContext(UID_VerificationSOPClass, syntaxes);
-  OFCondition status = scu.initNetwork();
-  if (status.good()) status = scu.negotiateAssociation();
-  if (status.good()) status = scu.sendECHORequest(0);
-  if (status.bad()) return failure(ErrorCode::notReadable, doesNotAnswer(archive, status));
+  std::string why = association.open();
+  if (why.empty())
+    if (const OFCondition status = scu.sendECHORequest(0); status.bad()) why = status.text();
+  if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Stopped as asked.">());
+  if (!why.empty()) return failure(ErrorCode::notReadable, doesNotAnswer(archive, why));
   scu.releaseAssociation();
   return {};
 }

@@ -172,7 +172,7 @@ void ExaminationDialog::testArchive() {
   answer_->setText(tr("Asking…"));
   test_->setEnabled(false);
   jobs_.start(
-      tr("Asking the archive"), [archive = archive()](Progress&) { return askArchive(archive); },
+      tr("Asking the archive"), [archive = archive()](Progress& progress) { return askArchive(archive, progress); },
       [dialog = QPointer<ExaminationDialog>(this)](const Result<void>& outcome) {
         if (dialog.isNull()) return;
         dialog->test_->setEnabled(true);

@@ -95,7 +95,7 @@ struct SendResult {
 [[nodiscard]] Result<SendResult> sendOutbox(Outbox& outbox, const DicomArchive& archive, const SendOptions& options = {},
                                             Progress& progress = noProgress());
 
-/// Asks an archive whether it is there and talks to this program (C-ECHO). @error badField, notReadable (no, and why)
-[[nodiscard]] Result<void> askArchive(const DicomArchive& archive);
+/// Asks an archive whether it is there and talks to this program (C-ECHO). @error badField, notReadable (no, and why), cancelled
+[[nodiscard]] Result<void> askArchive(const DicomArchive& archive, const Progress& progress = noProgress());
 
 }  // namespace ew
