@@ -10,6 +10,7 @@
 #include <functional>
 #include <utility>
 
+#include "caliper_tool_row.h"
 #include "caliper_words.h"
 #include "figures.h"
 #include "icons.h"
@@ -151,26 +152,8 @@ MeasurePage::MeasurePage(Session& session, Calipers& calipers, Worksheets& works
 MeasurePage::~MeasurePage() = default;
 
 void MeasurePage::addTools(Session& session, QVBoxLayout* rows) {
-  auto* line = new QHBoxLayout;
-  line->setSpacing(1);
-  const auto& kinds = measurement::drawnKinds();
-  for (std::size_t n = 0; n < kinds.size(); ++n) {
-    auto* button = new QPushButton;
-    button->setObjectName(CaliperWords::iconOf(kinds[n]));
-    button->setCheckable(true);
-    button->setProperty("segment", n == 0 ? "first" : n + 1 == kinds.size() ? "last" : "true");
-    button->setFocusPolicy(Qt::TabFocus);
-    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // an icon: all of them fit beside a scroll bar as well
-    button->setAccessibleName(CaliperWords::nameOf(kinds[n]));
-    button->setToolTip(tipWithKeys(CaliperWords::nameOf(kinds[n]) + QStringLiteral(" (%1)"), caliperCommand(kinds[n])));
-    connect(button, &QPushButton::clicked, this, [this, kind = kinds[n]] {
-      calipers_.take(kind);
-      showAll();  // a tool that could not be taken is not checked
-    });
-    tools_.push_back(button);
-    line->addWidget(button, 1);
-  }
-  rows->addLayout(line);
+  tools_ = new CaliperToolRow(calipers_, measurement::drawnKinds(), [](CaliperKind kind) { return CaliperWords::nameOf(kind); });
+  rows->addWidget(tools_);
   strip_ = new StripTools(session, calipers_);
   rows->addWidget(strip_);
   follows_ = new QCheckBox(tr("Outlines follow edges"));
@@ -218,20 +201,13 @@ void MeasurePage::addEdits(QVBoxLayout* rows) {
 }
 
 void MeasurePage::refreshIcons() {
-  showIcons();
+  tools_->refreshIcons();
+  strip_->refreshIcons();
   undo_->setIcon(icon(QStringLiteral("undo")));
   redo_->setIcon(icon(QStringLiteral("redo")));
 }
 
 /// What is held stands on the accent.
-void MeasurePage::showIcons() {
-  held_ = calipers_.drawing().tool();
-  strip_->showIcons();
-  const auto& kinds = measurement::drawnKinds();
-  for (std::size_t n = 0; n < tools_.size(); ++n)
-    tools_[n]->setIcon(icon(CaliperWords::iconOf(kinds[n]), held_ == kinds[n] ? currentTheme().onAccent : currentTheme().text));
-}
-
 void MeasurePage::setPictures(const QString& own, const std::vector<OfPicture>& others) {
   own_->setText(own.isEmpty() ? QString() : tr("Picture %1").arg(own));
   own_->setVisible(!own.isEmpty());
@@ -262,9 +238,6 @@ void MeasurePage::setPictures(const QString& own, const std::vector<OfPicture>& 
 
 void MeasurePage::showAll() {
   const CaliperDrawing& drawing = calipers_.drawing();
-  const auto& kinds = measurement::drawnKinds();
-  for (std::size_t n = 0; n < tools_.size(); ++n) tools_[n]->setChecked(drawing.tool() == kinds[n]);
-  if (drawing.tool() != held_) showIcons();
   follows_->setChecked(calipers_.followsEdges());
   snaps_->setChecked(calipers_.snaps());
   const auto& lines = calipers_.lines();

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QWidget>
-#include <optional>
 #include <vector>
 
 #include "calipers.h"
@@ -13,6 +12,7 @@ class QVBoxLayout;
 
 namespace ew::ui {
 
+class CaliperToolRow;
 /// A line of the list: number, what it is and its main result, and below it the others. A click chooses it.
 class MeasuredLine;
 class Session;
@@ -46,12 +46,10 @@ class MeasurePage final : public QWidget {
  private:
   void addTools(Session& session, QVBoxLayout* rows);
   void addEdits(QVBoxLayout* rows);
-  void showIcons();
   void showAll();
 
   Calipers& calipers_;
-  std::vector<QPushButton*> tools_;
-  std::optional<measurement::CaliperKind> held_;  ///< as the icons show it
+  CaliperToolRow* tools_ = nullptr;
   StripTools* strip_ = nullptr;
   QCheckBox* follows_ = nullptr;
   QCheckBox* snaps_ = nullptr;

@@ -2,19 +2,14 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVBoxLayout>
-#include <QVariant>
 
+#include "caliper_tool_row.h"
 #include "caliper_words.h"
 #include "calipers.h"
-#include "icons.h"
-#include "key_table.h"
-#include "key_tips.h"
 #include "session.h"
-#include "theme.h"
 
 namespace ew::ui {
 
@@ -25,27 +20,9 @@ StripTools::StripTools(Session& session, Calipers& calipers, QWidget* parent) : 
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(8);
-  auto* line = new QHBoxLayout;
-  line->setSpacing(1);
-  const auto& kinds = measurement::stripKinds();
-  for (std::size_t n = 0; n < kinds.size(); ++n) {
-    auto* button = new QPushButton;
-    button->setObjectName(CaliperWords::iconOf(kinds[n]));
-    button->setCheckable(true);
-    button->setProperty("segment", n == 0 ? "first" : n + 1 == kinds.size() ? "last" : "true");
-    button->setFocusPolicy(Qt::TabFocus);
-    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // an icon: all of them fit beside a scroll bar as well
-    button->setAccessibleName(CaliperWords::nameOf(kinds[n]));
-    button->setToolTip(tipWithKeys(tr("%1 in the strip", "a tool").arg(CaliperWords::nameOf(kinds[n])) + QStringLiteral(" (%1)"),
-                                   caliperCommand(kinds[n])));
-    connect(button, &QPushButton::clicked, this, [this, kind = kinds[n]] {
-      calipers_.take(kind);
-      showAll();  // a tool that could not be taken is not checked
-    });
-    tools_.push_back(button);
-    line->addWidget(button, 1);
-  }
-  rows->addLayout(line);
+  tools_ = new CaliperToolRow(calipers_, measurement::stripKinds(),
+                              [](CaliperKind kind) { return tr("%1 in the strip", "a tool").arg(CaliperWords::nameOf(kind)); });
+  rows->addWidget(tools_);
   beatsRow_ = new QWidget;
   auto* beats = new QHBoxLayout(beatsRow_);
   beats->setContentsMargins(0, 0, 0, 0);
@@ -67,18 +44,10 @@ StripTools::StripTools(Session& session, Calipers& calipers, QWidget* parent) : 
   showAll();
 }
 
-void StripTools::showIcons() {
-  held_ = calipers_.drawing().tool();
-  const auto& kinds = measurement::stripKinds();
-  for (std::size_t n = 0; n < tools_.size(); ++n)
-    tools_[n]->setIcon(icon(CaliperWords::iconOf(kinds[n]), held_ == kinds[n] ? currentTheme().onAccent : currentTheme().text));
-}
+void StripTools::refreshIcons() { tools_->refreshIcons(); }
 
 void StripTools::showAll() {
   const auto tool = calipers_.drawing().tool();
-  const auto& kinds = measurement::stripKinds();
-  for (std::size_t n = 0; n < tools_.size(); ++n) tools_[n]->setChecked(tool == kinds[n]);
-  if (tool != held_) showIcons();
   const auto& strip = calipers_.drawingIn(Where::strip);
   const auto* chosen = strip.shown().find(strip.selected());
   beatsRow_->setVisible(tool == CaliperKind::heartRate || (chosen != nullptr && chosen->caliper.kind == CaliperKind::heartRate));

@@ -1,17 +1,13 @@
 #pragma once
 
 #include <QWidget>
-#include <optional>
-#include <vector>
-
-#include "ew/measurement/caliper.h"
 
 class QLabel;
-class QPushButton;
 class QSpinBox;
 
 namespace ew::ui {
 
+class CaliperToolRow;
 class Calipers;
 class Session;
 
@@ -21,15 +17,14 @@ class StripTools final : public QWidget {
 
  public:
   StripTools(Session& session, Calipers& calipers, QWidget* parent = nullptr);
-  void showIcons();
+  void refreshIcons();
 
  private:
   void showAll();
 
   Calipers& calipers_;
   Session& session_;
-  std::vector<QPushButton*> tools_;
-  std::optional<measurement::CaliperKind> held_;
+  CaliperToolRow* tools_ = nullptr;
   QWidget* beatsRow_ = nullptr;
   QSpinBox* beats_ = nullptr;
 };
