@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ew/acquisition/screen.h"
+#include "ew/io/sequence.h"
 
 namespace ew::test {
 
@@ -303,6 +304,47 @@ inline DrawnScreen madeScreen(unsigned seed, int frames = 12, bool overScan = tr
   }
   return screen;
 }
+
+/// Where screenAround() puts the upper left pixel of a recording.
+inline const cv::Point kScanAt(110, 40);
+
+/// The images of a recording in a screen, with furniture around and over them. @param truth in pixels of the recording
+inline DrawnScreen screenAround(const Sequence& recording, const FanOutline& truth, double pixel_mm, unsigned seed,
+                                std::size_t mostFrames = 30) {
+  std::mt19937 random(seed);
+  DrawnScreen screen;
+  const cv::Size size(std::max(1024, recording.width + 260), std::max(768, recording.height + 100));
+  screen.truth = truth.movedBy({kScanAt.x, kScanAt.y});
+  screen.pixel_mm = pixel_mm;
+  screen.tick_mm = pixel_mm < 0.12 ? 5.0 : 10.0;
+  const Furniture furniture = furnish(screen.truth, size, pixel_mm, screen.tick_mm, random);
+  for (const auto& [text, colour] : furniture.texts) screen.texts.push_back(text);
+  const std::size_t every = std::max<std::size_t>(1, recording.frames.size() / mostFrames);
+  for (std::size_t n = 0; n < recording.frames.size(); n += every) {
+    const auto pixels = recording.framePixels(n);
+    const cv::Mat image(recording.height, recording.width, CV_8U, const_cast<std::uint8_t*>(pixels.data()));
+    cv::Mat picture = cv::Mat::zeros(size, CV_8UC3);
+    cv::Mat place = picture(cv::Rect(kScanAt, image.size()));
+    cv::cvtColor(image, place, cv::COLOR_GRAY2BGR);
+    addFrame(screen, picture, furniture, static_cast<int>(n));
+  }
+  return screen;
+}
+
+/// Of ../shared/data/liver-sweep, in its pixels. Apex, angles and near radius as stored with the sweep. The far radius stored is 724.35,
+/// but its pictures go on: along the beams the highest level is 27 at 732 pixels and 3 at 734.
+inline FanOutline liverSweepOutline() {
+  constexpr double degree = 0.017453292519943295;
+  FanOutline truth;
+  truth.shape = FanShape::convex;
+  truth.apex_px = {369.0, 22.01 - 161.34};
+  truth.left_rad = -30.28 * degree;
+  truth.right_rad = 30.28 * degree;
+  truth.near_px = 161.34;
+  truth.far_px = 733.0;
+  return truth;
+}
+inline constexpr double kLiverSweepPixel_mm = 0.314818;
 
 inline CineFrame frameOf(const cv::Mat& picture, double time_s = 0.0) {
   CineFrame frame;

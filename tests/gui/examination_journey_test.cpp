@@ -15,6 +15,7 @@
 #include "ew/library/case_truth.h"
 #include "examination_dialog.h"
 #include "picture_grid.h"
+#include "screenshots.h"
 #include "window_fixture.h"
 #include "worksheet_dialog.h"
 #include "worksheets.h"
@@ -27,12 +28,7 @@ class ExaminationJourneyTest : public WindowFixture {
   [[nodiscard]] Calipers& calipers() const { return window_->calipers(); }
   [[nodiscard]] Worksheets& worksheets() const { return window_->worksheets(); }
   [[nodiscard]] CaliperLayer& layer() const { return *window_->findChild<CaliperLayer*>(QStringLiteral("caliperLayer")); }
-  void keep(const char* name) const {
-    const QString folder = qEnvironmentVariable("EW_SCREENSHOTS");
-    if (folder.isEmpty()) return;
-    QTest::qWait(300);
-    window_->grab().save(folder + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".png"));
-  }
+  void keep(const char* name) const { keepScreenshot(*window_, name); }
   void open(const char* id) {
     const auto folder = shippedCasesFolder();
     QVERIFY(folder.has_value());
@@ -167,9 +163,8 @@ class ExaminationJourneyTest : public WindowFixture {
     QTest::mouseClick(find<QPushButton>("showWorksheet"), Qt::LeftButton);
     QTest::keyClicks(window_->findChild<QLineEdit*>(QStringLiteral("gestation")), QStringLiteral("20w4d"));
     keep("obstetric-femur");
-    if (const QString folder = qEnvironmentVariable("EW_SCREENSHOTS"); !folder.isEmpty())
-      window_->findChild<WorksheetDialog*>()->grab().save(folder + QStringLiteral("/obstetric-worksheet.png"));
-    const QString kept = qEnvironmentVariable("EW_SCREENSHOTS");
+    keepScreenshot(*window_->findChild<WorksheetDialog*>(), "obstetric-worksheet");
+    const QString kept = screenshotFolder();
     const QString folder = kept.isEmpty() ? files_.path(QStringLiteral(".")) : kept;
     saveSheet(folder + QStringLiteral("/obstetric.pdf"));
     saveSheet(folder + QStringLiteral("/obstetric.dcm"));
@@ -218,8 +213,8 @@ class ExaminationJourneyTest : public WindowFixture {
     keep("carotid-both");
     store();
     QTest::mouseClick(find<QPushButton>("showWorksheet"), Qt::LeftButton);
-    const QString kept = qEnvironmentVariable("EW_SCREENSHOTS");
-    if (!kept.isEmpty()) window_->findChild<WorksheetDialog*>()->grab().save(kept + QStringLiteral("/carotid-worksheet.png"));
+    const QString kept = screenshotFolder();
+    keepScreenshot(*window_->findChild<WorksheetDialog*>(), "carotid-worksheet");
     saveSheet((kept.isEmpty() ? files_.path(QStringLiteral(".")) : kept) + QStringLiteral("/carotid.pdf"));
     Answers answers({{QStringLiteral("unsavedStoredQuestion"), press(QMessageBox::Discard)}});
     window_->close();

@@ -6,6 +6,7 @@
 #include "calipers.h"
 #include "cine_bar.h"
 #include "console_fixture.h"
+#include "screenshots.h"
 #include "shown_mark.h"
 #include "zoom_overview.h"
 
@@ -215,14 +216,11 @@ class FrozenImageTest : public ConsoleFixture {
     pressKey(Qt::Key_O);
     mouse(box(), QEvent::MouseButtonPress, middleBox().topLeft());
     mouse(box(), QEvent::MouseMove, middleBox().bottomRight());
-    const QImage drawing = window_->grab().toImage();
+    keepScreenshot(*window_, "box_drawing");
     mouse(box(), QEvent::MouseButtonRelease, middleBox().bottomRight());
     settle();
     QVERIFY(waitUntil([this] { return overview().isUpToDate() && !overview().image().isNull(); }));
-    const QString folder = qEnvironmentVariable("EW_SCREENSHOTS");
-    if (folder.isEmpty()) return;
-    drawing.save(folder + QStringLiteral("/box_drawing.png"));
-    window_->grab().save(folder + QStringLiteral("/box_zoomed.png"));
+    keepScreenshot(*window_, "box_zoomed");
   }
 };
 

@@ -14,13 +14,16 @@
 #include "acquisition/screens.h"
 #include "answers.h"
 #include "ew/io/clip_file.h"
+#include "recordings.h"
 #include "screen_view.h"
+#include "screenshots.h"
 #include "window_fixture.h"
 
 namespace ew::ui {
 namespace {
 
 using testing::Answers;
+using testing::keepScreenshot;
 using testing::waitUntil;
 
 constexpr double kReadable = 0.6;  // as in test_screens
@@ -40,8 +43,8 @@ class ScreenDialogTest : public testing::WindowFixture {
   [[nodiscard]] QString sentence() const { return in<QLabel>("screenSentence")->text(); }
   [[nodiscard]] QStringList files() const { return QDir(folder_).entryList(QDir::Files, QDir::Name); }
 
-  [[nodiscard]] QString write(const std::vector<cv::Mat>& frames) const {
-    const QString file = folder_ + QStringLiteral("/screen.avi");
+  [[nodiscard]] QString write(const std::vector<cv::Mat>& frames, const QString& name = QStringLiteral("screen.avi")) const {
+    const QString file = folder_ + QLatin1Char('/') + name;
     auto clip = ClipWriter::open(file.toStdString(), frames.front().cols, frames.front().rows, 20.0);
     if (!clip) return {};
     for (const cv::Mat& picture : frames) {
@@ -197,6 +200,63 @@ class ScreenDialogTest : public testing::WindowFixture {
     }
     const auto kept = readScreenCorrection(folder_.toStdString() + "/liver.screen.json");
     QVERIFY(kept && *kept == edit.correction());
+  }
+
+  /// The journey of a case author with a film of a real liver: imported, cleaned, measured.
+  void aRealSweepComesBackOutOfAFilmOfItsScreen() {
+    const auto file = test::recording("liver-sweep/liver_sweep.igs.mha");
+    if (!std::filesystem::exists(file)) QSKIP("for want of recordings: ../shared/data/liver-sweep is not there");
+    const auto sweep = readSequence(file);
+    QVERIFY(sweep);
+    const test::DrawnScreen screen = test::screenAround(*sweep, test::liverSweepOutline(), test::kLiverSweepPixel_mm, 102);
+    window_->open(write(screen.frames, QStringLiteral("screen.mp4")));
+    QVERIFY(waitUntil([&] { return isReady(); }));
+    keepScreenshot(*dialog(), "screen-found");
+    const ScreenEdit& edit = *dialog()->edit();
+    QVERIFY(edit.outline().has_value());
+    const FanOutline& found = *edit.outline();
+    QVERIFY(glm::distance(found.apex_px, screen.truth.apex_px) * screen.pixel_mm < 2.0);
+    const double degree = std::acos(-1.0) / 180.0;
+    QVERIFY(std::abs(found.left_rad - screen.truth.left_rad) < degree && std::abs(found.right_rad - screen.truth.right_rad) < degree);
+    QVERIFY(edit.found().ticks.has_value());
+
+    // The marks stand a centimetre apart, and a true distance of the sweep is measured.
+    in<QDoubleSpinBox>("screenTick")->setValue(screen.tick_mm);
+    in<QPushButton>("screenMeasure")->click();
+    const glm::dvec2 from = glm::dvec2(300.0, 200.0) + glm::dvec2(test::kScanAt.x, test::kScanAt.y), to = from + glm::dvec2(60.0, 240.0);
+    drag(view().placeOf(from), view().placeOf(to));
+    const auto said = QRegularExpression(QStringLiteral("1: ([0-9.]+) ± ([0-9.]+) mm")).match(in<QLabel>("screenDistances")->text());
+    QVERIFY2(said.hasMatch(), qPrintable(in<QLabel>("screenDistances")->text()));
+    const double truth_mm = glm::distance(from, to) * test::kLiverSweepPixel_mm;
+    QVERIFY2(std::abs(said.captured(1).toDouble() - truth_mm) < 2.0 * said.captured(2).toDouble(),
+             qPrintable(QStringLiteral("%1 instead of %2 mm").arg(said.captured(0)).arg(truth_mm)));
+    keepScreenshot(*dialog(), "screen-measured");
+    in<QPushButton>("screenMeasure")->click();
+    in<QCheckBox>("screenCleaned")->setChecked(true);
+    QVERIFY(waitUntil([&] { return !window_->jobs().isRunning(); }));
+    keepScreenshot(*dialog(), "screen-cleaned");
+
+    const QString target = folder_ + QStringLiteral("/liver.igs.mha");
+    Answers answers({{QStringLiteral("fileDialog"), testing::type(target)}});
+    in<QPushButton>("screenImport")->click();
+    QVERIFY(waitUntil([&] { return !window_->jobs().isRunning() && !window_->jobs().isSaving(); }));
+    keepScreenshot(*dialog(), "screen-stored");
+    const auto stored = readSequence(target.toStdString());
+    QVERIFY(stored);
+    QCOMPARE(stored->frames.size(), screen.frames.size());
+    // What was stored is the sweep: well within the scan its levels are those of the recording, but for what a film's compression takes.
+    const auto geometry = edit.geometry();
+    QVERIFY(geometry);
+    const PixelRect kept = ScreenCleaner(*geometry, {}).kept();
+    const glm::ivec2 corner(kept.x - test::kScanAt.x, kept.y - test::kScanAt.y);
+    const auto was = sweep->framePixels(0), is = stored->framePixels(0);
+    double sum = 0.0;
+    int count = 0;
+    for (int y = 150; y < 500; ++y)
+      for (int x = 250; x < 480; ++x, ++count)
+        sum += std::abs(static_cast<int>(was[static_cast<std::size_t>(y * sweep->width + x)]) -
+                        static_cast<int>(is[static_cast<std::size_t>((y - corner.y) * stored->width + x - corner.x)]));
+    QVERIFY2(sum / count < 4.0, qPrintable(QString::number(sum / count)));
   }
 
   void anOutlineThatWasNotFoundIsStated() {

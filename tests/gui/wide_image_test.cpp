@@ -9,6 +9,7 @@
 #include "cine_bar.h"
 #include "console_fixture.h"
 #include "saved_picture.h"
+#include "screenshots.h"
 #include "shown_mark.h"
 #include "wide_layer.h"
 #include "wide_scan.h"
@@ -206,19 +207,14 @@ class WideImageTest : public ConsoleFixture {
   }
 
   void itLooksAsItShould() {
-    const QString folder = qEnvironmentVariable("EW_SCREENSHOTS");
     begin();
     sweep();
-    const QImage growing = window_->grab().toImage();
+    keepScreenshot(*window_, "wide_growing");
     keep();
-    QVERIFY(!growing.isNull());
-    if (folder.isEmpty()) return;
-    growing.save(folder + QStringLiteral("/wide_growing.png"));
-    window_->grab().save(folder + QStringLiteral("/wide_kept.png"));
+    keepScreenshot(*window_, "wide_kept");
     session().setDetail(3.0, {30.0, 0.0});
     QVERIFY(waitUntil([this] { return wide().isSettled(); }));
-    QTest::qWait(50);
-    window_->grab().save(folder + QStringLiteral("/wide_zoomed.png"));
+    keepScreenshot(*window_, "wide_zoomed");
   }
 };
 
