@@ -11,6 +11,7 @@ namespace ew::cli {
 Result<WindowWish> windowArguments(std::span<const std::string> args) {
   WindowWish wish;
   CLI::App app("EchoWeave", "echoweave");
+  app.set_help_flag();  // the command has it
   std::string open;
   app.add_option("OPEN", wish.open);
   app.add_option("--open", open);
