@@ -9617,8 +9617,8 @@
         <translation>Adaptiv</translation>
     </message>
     <message>
-        <source>The thickness is averaged over %1 planes (Shift+F3 for the next)</source>
-        <translation>Die Dicke wird über %1 Ebenen gemittelt (Umschalt+F3 für die nächste Zahl)</translation>
+        <source>The thickness is averaged over %1 planes</source>
+        <translation>Die Dicke wird über %1 Ebenen gemittelt</translation>
     </message>
     <message>
         <source>Undo: effects of the case</source>

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "video_module.h"
+#include "why_not.h"
 
 struct EwFilmParts {
   EwFilmParts() = default;
@@ -26,13 +27,6 @@ struct EwFilmParts {
 };
 
 namespace {
-
-void tell(const char* reason, char* why, std::size_t room) {
-  if (room == 0) return;
-  const std::size_t length = std::min(std::strlen(reason), room - 1);
-  std::memcpy(why, reason, length);
-  why[length] = '\0';
-}
 
 using SetLoudness = void(int);
 

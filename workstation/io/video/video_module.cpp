@@ -1,7 +1,6 @@
 #include "video_module.h"
+#include "why_not.h"
 
-#include <algorithm>
-#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -12,17 +11,6 @@ struct EwClipParts {
   cv::VideoWriter writer;
   cv::Mat blueGreenRed;
 };
-
-namespace {
-
-void tell(const char* reason, char* why, std::size_t room) {
-  if (room == 0) return;
-  const std::size_t length = std::min(std::strlen(reason), room - 1);
-  std::memcpy(why, reason, length);
-  why[length] = '\0';
-}
-
-}  // namespace
 
 extern "C" {
 

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "csv.h"
 #include "ew/core/numbers.h"
 #include "ew/measurement/findings.h"
 
@@ -29,19 +30,9 @@ ordered_json placeOf(const Findings& findings, std::uint64_t picture, int number
   return made;
 }
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string made = "\"";
-  for (const char c : text) {
-    made += c;
-    if (c == '"') made += c;
-  }
-  return made + '"';
-}
-
 std::string line(const std::vector<std::string>& fields) {
   std::string made;
-  for (const std::string& field : fields) made += (made.empty() ? "" : ",") + quoted(field);
+  for (std::size_t n = 0; n < fields.size(); ++n) made += (n == 0 ? "" : ",") + csvField(fields[n]);
   return made + "\r\n";
 }
 

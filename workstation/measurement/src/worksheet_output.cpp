@@ -1,6 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "csv.h"
 #include "ew/core/numbers.h"
 #include "ew/measurement/worksheet.h"
 
@@ -49,16 +50,6 @@ ordered_json jsonOf(const WorksheetRow& row, std::string_view language) {
                               {"source", chart.source}});
   for (const Message& remark : row.remarks) made["remarks"].push_back(remark.english());
   return made;
-}
-
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string made = "\"";
-  for (const char c : text) {
-    made += c;
-    if (c == '"') made += c;
-  }
-  return made + '"';
 }
 
 template <class Parts, class Text>
@@ -128,8 +119,8 @@ std::string toCsv(const Worksheet& worksheet, std::string_view language) {
   std::string csv = "section,label,side,title,value,uncertainty,unit,prediction_error,usual,verdict,percentile,how,source,remarks,notice\n";
   const auto number = [](double value) { return textOf(value); };
   const auto add = [&](const std::vector<std::string>& cells) {
-    for (const std::string& cell : cells) csv += quoted(cell) + ",";
-    csv += quoted(kTrainingOnly) + "\n";
+    for (const std::string& cell : cells) csv += csvField(cell) + ",";
+    csv += csvField(kTrainingOnly) + "\n";
   };
   for (const FilledSection& section : worksheet.sections)
     for (const WorksheetRow& row : section.rows)

@@ -190,8 +190,9 @@ void ConsolePanel::addAdvanced(QVBoxLayout* rows) {
                      [this](int i) { change([i](Knobs& k) { k.elevationPlanes = 3 + 2 * i; }); },
                      [this] { return session_.scene().sliceThickness.has_value(); }};
   for (int n = 3; n <= 9; n += 2) {
-    planes.choices.push_back({QString::number(n), QStringLiteral("planes%1").arg(n),
-                              tr("The thickness is averaged over %1 planes (Shift+F3 for the next)").arg(n)});
+    planes.choices.push_back(
+        {QString::number(n), QStringLiteral("planes%1").arg(n),
+         tipWithKeys(tr("The thickness is averaged over %1 planes").arg(n) + QStringLiteral(" (%1)"), "effect.planes")});
   }
   planes.isInline = true;
   addSegments(rows, std::move(planes));

@@ -2,6 +2,7 @@
 
 #include <QLocale>
 #include <QStringList>
+#include <algorithm>
 #include <cmath>
 
 #include "caliper_words.h"
@@ -74,7 +75,9 @@ QString WorksheetWords::textOf(const Quantity& quantity) {
   if (quantity.unit != Unit::weeks) return CaliperWords::textOf(quantity);
   const QString age = QString::fromStdString(measurement::gestationText(quantity.value));
   if (!(quantity.uncertainty > 0.0)) return age;
-  return tr("%1 ± %2 d", "gestational age and days").arg(age, figure(kDaysOfAWeek * quantity.uncertainty, 0));
+  const double days = kDaysOfAWeek * quantity.uncertainty;
+  // Nothing is known to 0 days.
+  return tr("%1 ± %2 d", "gestational age and days").arg(age, days < 0.95 ? figure(std::max(days, 0.1), 1) : figure(days, 0));
 }
 
 QString WorksheetWords::htmlOf(const Worksheet& sheet, const QString& quiet) {
