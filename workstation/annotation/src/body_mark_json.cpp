@@ -7,7 +7,7 @@
 #include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
 #include "ew/io/json_files.h"
-#include "limits.h"
+#include "kept_limits.h"
 
 namespace ew::annotation {
 namespace {

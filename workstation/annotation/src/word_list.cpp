@@ -6,7 +6,7 @@
 
 #include "ew/core/json_fields.h"
 #include "ew/io/json_files.h"
-#include "limits.h"
+#include "kept_limits.h"
 #include "utf8.h"
 
 namespace ew::annotation {
