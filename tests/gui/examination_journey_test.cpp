@@ -6,6 +6,8 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <cmath>
+#include <random>
+#include <string>
 
 #include "answers.h"
 #include "caliper_layer.h"
@@ -131,6 +133,48 @@ class ExaminationJourneyTest : public WindowFixture {
  private Q_SLOTS:
   void init() { QSettings().clear(); }
   void cleanup() { window_.reset(); }
+
+  /// Head and abdomen from eight clicks each that are up to two millimetres off: fitted, and traced along the edge.
+  void eightRoughClicksAreEnoughForHeadAndAbdomen() {
+    open("fetal-biometry");
+    if (window_ == nullptr || QTest::currentTestFailed()) return;
+    for (const auto& [plane, name] :
+         {std::pair{"transthalamic", "head circumference"}, std::pair{"abdominal circumference", "abdominal circumference"}}) {
+      findPlane(plane);
+      const ExpectedMeasurement& truth = expected(name);
+      QCOMPARE(truth.points_mm.size(), std::size_t{4});
+      const glm::dvec2 a = inPlane(truth.points_mm[0]), b = inPlane(truth.points_mm[1]), c = inPlane(truth.points_mm[2]),
+                       d = inPlane(truth.points_mm[3]);
+      for (const bool traced : {false, true}) {
+        for (unsigned seed = 1; seed <= 4; ++seed) {
+          session().setFrozen(false);
+          session().makePictureNow();
+          calipers().setFollowsEdges(true);
+          QTest::keyClick(&window_->scanView(), traced ? Qt::Key_6 : Qt::Key_8);
+          QVERIFY(session().isFrozen());
+          std::mt19937 random(seed);
+          const auto off = [&random] { return 4.0 * (random() / 4294967296.0) - 2.0; };
+          for (int n = 0; n < 8; ++n) {
+            const double angle = std::acos(-1.0) * n / 4.0;
+            const glm::dvec2 at =
+                0.25 * (a + b + c + d) + 0.5 * std::cos(angle) * (b - a) + 0.5 * std::sin(angle) * (d - c) + glm::dvec2(off(), off());
+            clickAt(at);
+          }
+          QTest::keyClick(&layer(), Qt::Key_Return);
+          QTest::keyClick(&layer(), Qt::Key_Escape);
+          QVERIFY(waitUntil([&] { return !window_->jobs().isRunning(); }));
+          QCOMPARE(calipers().lines().size(), std::size_t{1});
+          const auto* read = calipers().lines()[0].measured.figure(measurement::FigureKind::circumference);
+          QVERIFY(read != nullptr);
+          const double percent = 100.0 * (read->quantity.value / truth.value - 1.0);
+          qInfo("%s, %s, seed %u: read %.2f, truth %.2f mm, %+.2f %%", name, traced ? "traced" : "fitted", seed, read->quantity.value,
+                truth.value, percent);
+          QVERIFY2(std::abs(percent) < 3.0, name);  // 2 % are hoped for, and reached by most: resources/docs/measuring.md
+          if (seed == 1) keep((std::string("rough-") + plane + (traced ? "-traced" : "-fitted")).c_str());
+        }
+      }
+    }
+  }
 
   void obstetricBiometryInFivePlanes() {
     open("fetal-biometry");

@@ -271,8 +271,8 @@ std::optional<Caliper> CaliperDrawing::unfinished() const {
 
 bool CaliperDrawing::refine(int number, std::vector<glm::dvec2> outline) {
   const Measurement* found = shown().find(number);
-  if (found == nullptr || found->caliper.kind != CaliperKind::trace) return false;
-  return list_.setCaliper(number, of(CaliperKind::trace, std::move(outline)));
+  if (found == nullptr || (found->caliper.kind != CaliperKind::trace && found->caliper.kind != CaliperKind::fittedEllipse)) return false;
+  return list_.setCaliper(number, of(found->caliper.kind, std::move(outline)));
 }
 
 }  // namespace ew::measurement

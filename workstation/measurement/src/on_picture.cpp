@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "ew/imaging/resolution.h"
+#include "ew/measurement/ellipse.h"
 
 namespace ew::measurement {
 namespace {
@@ -86,6 +87,19 @@ Result<std::vector<glm::dvec2>> traceOnPicture(ImageView<const std::uint8_t> pic
   if (!outline) return passOn(outline.error());
   for (glm::dvec2& point : *outline) point *= side;
   return std::move(*outline);
+}
+
+Result<std::vector<glm::dvec2>> ellipseOnPicture(ImageView<const std::uint8_t> picture, const DisplayGeometry& geometry,
+                                                 std::span<const glm::dvec2> clicks_mm) {
+  constexpr std::size_t kMostPoints = 64;
+  auto outline = traceOnPicture(picture, geometry, clicks_mm);
+  if (!outline) return passOn(outline.error());
+  std::vector<glm::dvec2> points;
+  const std::size_t every = std::max<std::size_t>(1, outline->size() / kMostPoints);
+  for (std::size_t n = 0; n < outline->size(); n += every) points.push_back((*outline)[n]);
+  auto fit = fitEllipse(points);
+  if (!fit) return passOn(fit.error());
+  return pointsOn(fit->ellipse, static_cast<int>(clicks_mm.size()));
 }
 
 }  // namespace ew::measurement

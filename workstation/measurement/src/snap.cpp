@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "edge_profile.h"
 #include "ew/core/contract.h"
-#include "ew/measurement/tracing.h"
 
 namespace ew::measurement {
 namespace {
@@ -19,7 +19,8 @@ std::optional<double> greyAt(ImageView<const std::uint8_t> picture, const glm::d
   return (1.0 - v) * ((1.0 - u) * upper[0] + u * upper[1]) + v * ((1.0 - u) * lower[0] + u * lower[1]);
 }
 
-/// The profile along a direction, averaged across it; not a number where the picture ends.
+}  // namespace
+
 std::vector<double> profileThrough(ImageView<const std::uint8_t> picture, const PictureGeometry& geometry, const glm::dvec2& p,
                                    const glm::dvec2& along, int half, double step_mm, double across_mm) {
   const glm::dvec2 across(-along.y, along.x);
@@ -39,7 +40,6 @@ std::vector<double> profileThrough(ImageView<const std::uint8_t> picture, const 
   return profile;
 }
 
-/// Derivative of the profile under a Gaussian, by mm; 0 where a part of it is missing.
 std::vector<double> slopesOf(const std::vector<double>& profile, double step_mm, double blur_mm) {
   const int reach = std::max(1, static_cast<int>(std::ceil(3.0 * blur_mm / step_mm)));
   std::vector<double> weights;
@@ -58,8 +58,6 @@ std::vector<double> slopesOf(const std::vector<double>& profile, double step_mm,
   }
   return slopes;
 }
-
-}  // namespace
 
 Snapped snapToEdge(ImageView<const std::uint8_t> picture, const PictureGeometry& geometry, glm::dvec2 p_mm, glm::dvec2 direction,
                    const SnapOptions& options) {

@@ -2,61 +2,44 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/imgproc/segmentation.hpp>
 
 #include "cross.h"
+#include "edge_band.h"
 #include "ew/core/contract.h"
 #include "ew/core/guarded.h"
+#include "ew/measurement/ellipse.h"
 
 namespace ew::measurement {
 namespace {
 
 constexpr int kSmallest = 8;
 constexpr double kMostPixels = 64e6;
+constexpr double kRoughEllipse = 0.35;  // of the reach: how far clicks on an ellipse lie beside it
+constexpr double kFarClicks = 8.0;      // of the reach
 
 Error openCvFailed(const Thrown& thrown) {
   if (thrown.noMemory) return {ErrorCode::tooLarge, say<"There is not enough memory to trace in this picture.">(), {}};
   return {ErrorCode::internal, say<"The edges of the picture could not be traced (%1).">(thrown.reason), {}};
 }
 
-/// Points at even distances of about `spacing` along a closed line.
-std::vector<glm::dvec2> resampled(const std::vector<glm::dvec2>& line, double spacing) {
-  std::vector<double> way{0.0};
-  for (std::size_t n = 0; n < line.size(); ++n) way.push_back(way.back() + glm::length(line[(n + 1) % line.size()] - line[n]));
-  const double total = way.back();
-  const auto count = static_cast<std::size_t>(std::max(8.0, std::round(total / spacing)));
-  std::vector<glm::dvec2> points;
-  std::size_t at = 0;
-  for (std::size_t n = 0; n < count; ++n) {
-    const double wanted = total * static_cast<double>(n) / static_cast<double>(count);
-    while (at + 1 < line.size() && way[at + 1] <= wanted) ++at;
-    const double piece = way[at + 1] - way[at];
-    points.push_back(glm::mix(line[at], line[(at + 1) % line.size()], piece > 0.0 ? (wanted - way[at]) / piece : 0.0));
-  }
-  return points;
+ImageView<const std::uint8_t> viewOf(const cv::Mat& grey) {
+  return {grey.ptr<std::uint8_t>(), grey.cols, grey.rows, static_cast<std::ptrdiff_t>(grey.step[0])};
 }
 
-/// A closed line under a Gaussian along itself. Half of the move is taken back once by a second pass of the other sign (Taubin's idea, one
-/// step of it), without which a circle would shrink.
-std::vector<glm::dvec2> smoothed(const std::vector<glm::dvec2>& line, double deviation) {
-  const auto pass = [&](const std::vector<glm::dvec2>& from) {
-    const int count = static_cast<int>(from.size()), reach = std::min(static_cast<int>(std::ceil(3.0 * deviation)), count / 2);
-    std::vector<glm::dvec2> to(from.size(), glm::dvec2(0.0));
-    double total = 0.0;
-    for (int m = -reach; m <= reach; ++m) {
-      const double weight = std::exp(-0.5 * m * m / (deviation * deviation));
-      total += weight;
-      for (int n = 0; n < count; ++n)
-        to[static_cast<std::size_t>(n)] += weight * from[static_cast<std::size_t>(((n + m) % count + count) % count)];
-    }
-    for (glm::dvec2& each : to) each /= total;
-    return to;
-  };
-  const auto once = pass(line), twice = pass(once);
-  std::vector<glm::dvec2> made(line.size());
-  for (std::size_t n = 0; n < line.size(); ++n) made[n] = 2.0 * once[n] - twice[n];
-  return made;
+/// Places of a path `spacing` apart, without its ends.
+std::vector<glm::dvec2> resampledOpen(const std::vector<glm::dvec2>& path, double spacing) {
+  std::vector<glm::dvec2> points;
+  double since = 0.0;
+  for (std::size_t n = 1; n + 1 < path.size(); ++n) {
+    since += glm::length(path[n] - path[n - 1]);
+    if (since < spacing) continue;
+    points.push_back(path[n]);
+    since = 0.0;
+  }
+  return points;
 }
 
 /// Which way round a closed line goes: 1 or -1.
@@ -81,9 +64,7 @@ struct EdgeTracer::Impl {
   cv::segmentation::IntelligentScissorsMB scissors;
   bool isAnchored = false;
 
-  [[nodiscard]] ImageView<const std::uint8_t> view() const {
-    return {grey.ptr<std::uint8_t>(), grey.cols, grey.rows, static_cast<std::ptrdiff_t>(grey.step[0])};
-  }
+  [[nodiscard]] ImageView<const std::uint8_t> view() const { return viewOf(grey); }
   [[nodiscard]] cv::Point pixelOf(const glm::dvec2& p_mm) const {
     const glm::dvec2 p = glm::round(geometry.toPixel(p_mm));
     return {static_cast<int>(std::clamp(p.x, 0.0, grey.cols - 1.0)), static_cast<int>(std::clamp(p.y, 0.0, grey.rows - 1.0))};
@@ -99,6 +80,28 @@ struct EdgeTracer::Impl {
     std::vector<glm::dvec2> points;
     for (const cv::Point& pixel : pixels) points.push_back(geometry.toMm({pixel.x, pixel.y}));
     return points;
+  }
+  /// A closed line to begin with. Clicks about an ellipse err less together than each alone.
+  [[nodiscard]] std::vector<glm::dvec2> lineAbout(std::span<const glm::dvec2> clicks_mm) {
+    if (clicks_mm.size() >= 5) {
+      const auto fit = fitEllipse(clicks_mm);
+      if (fit && fit->residualRms_mm < kRoughEllipse * options.snap.reach_mm)
+        return pointsOn(fit->ellipse,
+                        std::max(64, static_cast<int>(2.0 * std::numbers::pi * fit->ellipse.semiMajor_mm / options.spacing_mm)));
+    }
+    // Between clicks that lie near each other a smooth curve leads to the edge; farther apart it is followed from one to the next.
+    const double far_mm = kFarClicks * options.snap.reach_mm;
+    std::vector<glm::dvec2> way;
+    for (std::size_t n = 0; n < clicks_mm.size(); ++n) {
+      const glm::dvec2 &here = clicks_mm[n], &next = clicks_mm[(n + 1) % clicks_mm.size()];
+      way.push_back(here);
+      if (glm::length(next - here) <= far_mm) continue;
+      anchorAt(here);
+      const auto piece = resampledOpen(path(next), far_mm / 4.0);
+      way.insert(way.end(), piece.begin(), piece.end());
+    }
+    isAnchored = false;
+    return closedCurveThrough(way, options.spacing_mm);
   }
 };
 
@@ -156,36 +159,20 @@ std::vector<Snapped> EdgeTracer::snapAround(std::span<const glm::dvec2> clicks_m
 }
 
 Result<std::vector<glm::dvec2>> EdgeTracer::traceAround(std::span<const glm::dvec2> clicks_mm) {
-  constexpr double kReachOfTrace_mm = 1.5;  // the path lies on the edge's pixels already
   if (!hasPicture()) return failure(ErrorCode::badField, say<"There is no picture to trace in; freeze one first.">());
   if (clicks_mm.size() < 3)
     return failure(ErrorCode::badField, say<"An outline needs at least three clicks; there are %1.">(clicks_mm.size()));
   return guarded(
       [&] {
         const TracingOptions& options = impl_->options;
-        const auto clicks = snapAround(clicks_mm);
-        std::vector<glm::dvec2> outline;
-        for (std::size_t n = 0; n < clicks.size(); ++n) {
-          impl_->anchorAt(clicks[n].at_mm);
-          auto piece = impl_->path(clicks[(n + 1) % clicks.size()].at_mm);
-          if (!piece.empty()) piece.pop_back();  // it begins the next one
-          outline.insert(outline.end(), piece.begin(), piece.end());
-        }
-        impl_->isAnchored = false;
-        if (outline.size() < 3) return std::vector<glm::dvec2>(clicks_mm.begin(), clicks_mm.end());
-        const double deviation = options.smoothing_mm / options.spacing_mm;
         const auto even = [&](const std::vector<glm::dvec2>& line) {
+          const double deviation = options.smoothing_mm / options.spacing_mm;
           auto points = resampled(line, options.spacing_mm);
           return deviation > 0.0 ? smoothed(points, deviation) : points;
         };
-        outline = even(outline);
-        SnapOptions nearby = options.snap;
-        nearby.reach_mm = std::min(nearby.reach_mm, kReachOfTrace_mm);
-        const auto step = static_cast<std::size_t>(std::max(1.0, std::round(deviation)));
-        const double winding = windingOf(outline);
-        std::vector<glm::dvec2> onEdge;
-        for (std::size_t n = 0; n < outline.size(); ++n)
-          onEdge.push_back(snapToEdge(impl_->view(), impl_->geometry, outline[n], normalAt(outline, n, step, winding), nearby).at_mm);
+        const auto curve = impl_->lineAbout(clicks_mm);
+        if (curve.size() < 3) return std::vector<glm::dvec2>(clicks_mm.begin(), clicks_mm.end());
+        const auto onEdge = broughtToEdge(impl_->view(), impl_->geometry, even(curve), options);
         return resampled(even(onEdge), options.spacing_mm);
       },
       openCvFailed);

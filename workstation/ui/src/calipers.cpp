@@ -216,7 +216,8 @@ void Calipers::setFollowsEdges(bool follows) {
 
 void Calipers::followEdge(int number) {
   const Measurement* made = drawing().shown().find(number);
-  if (made == nullptr || made->caliper.kind != CaliperKind::trace || made->caliper.parts[0].points.size() > kMostClicks) return;
+  if (made == nullptr || (made->caliper.kind != CaliperKind::trace && made->caliper.kind != CaliperKind::fittedEllipse)) return;
+  if (made->caliper.parts[0].points.size() > kMostClicks) return;
   struct Traced {
     GreyImage picture;
     DisplayGeometry geometry;
@@ -227,8 +228,8 @@ void Calipers::followEdge(int number) {
   jobs_.start(
       tr("Following the edge"),
       [traced](Progress&) -> Result<void> {
-        auto outline =
-            measurement::traceOnPicture(viewOf(std::as_const(traced->picture)), traced->geometry, traced->clicked.parts[0].points);
+        const auto follow = traced->clicked.kind == CaliperKind::trace ? measurement::traceOnPicture : measurement::ellipseOnPicture;
+        auto outline = follow(viewOf(std::as_const(traced->picture)), traced->geometry, traced->clicked.parts[0].points);
         if (!outline) return passOn(outline.error());
         traced->outline = std::move(*outline);
         return {};

@@ -28,4 +28,8 @@ namespace ew::measurement {
 [[nodiscard]] Result<std::vector<glm::dvec2>> traceOnPicture(ImageView<const std::uint8_t> picture, const DisplayGeometry& geometry,
                                                              std::span<const glm::dvec2> clicks_mm);
 
+/// The ellipse of such an outline, as many points on it as there are clicks. @param clicks_mm at least 5 @error as EdgeTracer, fitEllipse
+[[nodiscard]] Result<std::vector<glm::dvec2>> ellipseOnPicture(ImageView<const std::uint8_t> picture, const DisplayGeometry& geometry,
+                                                               std::span<const glm::dvec2> clicks_mm);
+
 }  // namespace ew::measurement

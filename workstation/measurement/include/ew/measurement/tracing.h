@@ -82,8 +82,11 @@ class EdgeTracer {
   /// outwards, so that EdgeSide::brightToDark finds the outer border of a bright wall (a skull), darkToBright that of a dark inside.
   [[nodiscard]] std::vector<Snapped> snapAround(std::span<const glm::dvec2> clicks_mm) const;
 
-  /// A closed outline through clicks around it: clicks snap to the edge, paths join them, and the whole is brought to the edge at a
-  /// fraction of a pixel and smoothed. Points at even distances, the first one not repeated. The anchor is forgotten.
+  /// A closed outline about clicks around it. It begins as the ellipse of the clicks where they lie about one, else as a smooth line
+  /// through them (paths join those that lie far apart), and is brought to the edge that keeps one side and lies evenly about the clicks,
+  /// at a fraction of a pixel, and smoothed. Where the edge fades, it goes on between what is seen. Of a bright wall the border is meant,
+  /// not the flank that logarithmic compression draws beyond it. Points at even distances, the first one not repeated. The anchor is
+  /// forgotten.
   /// @param clicks_mm at least 3 @error badField (too few, no picture yet)
   [[nodiscard]] Result<std::vector<glm::dvec2>> traceAround(std::span<const glm::dvec2> clicks_mm);
 
