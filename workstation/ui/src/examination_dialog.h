@@ -9,6 +9,7 @@ class QLineEdit;
 class QListWidget;
 class QPushButton;
 class QSpinBox;
+class QVBoxLayout;
 
 namespace ew::ui {
 
@@ -35,7 +36,7 @@ class ExaminationDialog final : public QDialog {
   void sendAsked();
 
  private:
-  void addArchive(class QVBoxLayout& rows);
+  void addArchive(QVBoxLayout& rows);
   void showAll();
   void testArchive();
 
