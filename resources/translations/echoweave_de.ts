@@ -14166,12 +14166,9 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>The cleaned recording was written to %1. Nothing else of it was stored.</source>
         <translation>Die bereinigte Aufnahme wurde nach %1 geschrieben. Sonst wurde nichts von ihr gespeichert.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n boxes of text over the scan are filled.</source>
-        <translation>
-            <numerusform>%n Textkasten über dem Schallbild wird gefüllt.</numerusform>
-            <numerusform>%n Textkästen über dem Schallbild werden gefüllt.</numerusform>
-        </translation>
+    <message>
+        <source>Boxes of text over the scan that are filled: %1</source>
+        <translation>Gefüllte Textkästen über dem Schallbild: %1</translation>
     </message>
 </context>
 <context>

@@ -352,7 +352,7 @@ void ScreenDialog::follow() {
   }
   const auto boxes = edit_->boxes();
   const auto count = static_cast<int>(std::count_if(boxes.begin(), boxes.end(), [](const TextBox& box) { return box.counts; }));
-  text_->setText(count == 0 ? tr("No text over the scan is taken out.") : tr("%n boxes of text over the scan are filled.", nullptr, count));
+  text_->setText(count == 0 ? tr("No text over the scan is taken out.") : tr("Boxes of text over the scan that are filled: %1").arg(count));
   showScale(geometry);
   showNotes(geometry);
   const auto& said = edit_->correction();
