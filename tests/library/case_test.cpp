@@ -20,7 +20,7 @@ using test::TemporaryFolder;
 using test::textOf;
 using test::writeText;
 
-json smallest() { return {{"format", 1}, {"id", "one"}, {"title", "One"}, {"volume", {{"file", "volumes/a.mha"}}}}; }
+json smallest() { return {{"format", kCaseFormat}, {"id", "one"}, {"title", "One"}, {"volume", {{"file", "volumes/a.mha"}}}}; }
 
 /// A case folder with the files a manifest may name.
 void makeCase(const std::filesystem::path& folder, const json& manifest) {
@@ -232,6 +232,64 @@ TEST(SaveCase, KeepsUnknownFieldsWhereTheyWere) {
   EXPECT_EQ(saved["scene"]["shadow"], true);
   EXPECT_EQ(saved["title"], "Another");
   EXPECT_EQ(loadCase(folder.path())->otherFields, opened->otherFields);
+}
+
+TEST(LoadCase, ReadsTheFormerFormatAndSavesTheOneOfToday) {
+  json former = smallest();
+  former["format"] = 1;
+  former["previous_examinations"] = {{{"when", "in May"}, {"kind", "ultrasound"}, {"findings", "None."}},
+                                     {{"when", "in June"}, {"kind", "laboratory"}, {"findings", "Lipase 40 U/l."}, {"by", "x"}}};
+  const TemporaryFolder folder;
+  makeCase(folder.path(), former);
+  EXPECT_TRUE(validateCase(folder.path()).empty());
+  const auto opened = loadCase(folder.path());
+  ASSERT_TRUE(opened) << opened.error();
+  ASSERT_EQ(opened->previousExaminations.size(), 1u);
+  ASSERT_EQ(opened->laboratory.size(), 1u);
+  EXPECT_EQ(opened->laboratory[0].when, "in June");
+  EXPECT_EQ(opened->laboratory[0].findings, "Lipase 40 U/l.");
+  EXPECT_EQ(opened->laboratory[0].otherFields["by"], "x");
+  ASSERT_TRUE(saveCase(*opened, folder.path()));
+  EXPECT_EQ(json::parse(textOf(folder / "case.json"))["format"], kCaseFormat);
+  EXPECT_EQ(*loadCase(folder.path()), *opened);
+}
+
+TEST(LoadCase, ReadsWhatATraineeIsToldAndWhatIsExpectedOfARecordedVolume) {
+  json manifest = smallest();
+  manifest["complaint"] = "It hurts.";
+  manifest["laboratory"] = {{{"when", "today"}, {"findings", "CRP 5 mg/l."}}};
+  manifest["differential"] = {"Gastritis", "Ulcer"};
+  manifest["difficulty"] = 4;
+  manifest["tags"] = {"liver", "first steps"};
+  manifest["volume"]["labels"] = "volumes/a.mha";
+  manifest["previous_examinations"] = {{{"when", "in May"}, {"pictures", {"patient.json"}}}};
+  manifest["targets"] = {{{"kind", "structure"}, {"name", "vein"}, {"label", 7}}};
+  manifest["measurements"] = {
+      {{"name", "vein"}, {"value", 9.5}, {"kind", "distance"}, {"unit", "mm"}, {"tolerance", 1}, {"points_mm", {{1, 2, 3}, {4, 5, 6}}}}};
+  const TemporaryFolder folder;
+  makeCase(folder.path(), manifest);
+  const auto opened = loadCase(folder.path());
+  ASSERT_TRUE(opened) << opened.error();
+  EXPECT_EQ(opened->complaint, "It hurts.");
+  EXPECT_EQ(opened->differential, (std::vector<std::string>{"Gastritis", "Ulcer"}));
+  EXPECT_EQ(opened->difficulty, 4);
+  EXPECT_EQ(opened->tags.size(), 2u);
+  EXPECT_EQ(opened->previousExaminations[0].pictures.front(), "patient.json");
+  EXPECT_EQ(opened->targets[0].label, 7);
+  EXPECT_EQ(opened->measurements[0].value, 9.5);
+  EXPECT_EQ(opened->measurements[0].points_mm[1], glm::dvec3(4, 5, 6));
+  ASSERT_TRUE(saveCase(*opened, folder.path()));
+  EXPECT_EQ(*loadCase(folder.path()), *opened);
+
+  json without = manifest;
+  without["measurements"][0].erase("value");
+  EXPECT_EQ(context(onlyProblem(without), "field"), "measurements[0].value");
+  without = manifest;
+  without["volume"].erase("labels");
+  EXPECT_EQ(context(onlyProblem(without), "field"), "targets[0].label");
+  without = manifest;
+  without["previous_examinations"][0]["pictures"] = {"../secret.png"};
+  EXPECT_EQ(context(onlyProblem(without), "field"), "previous_examinations[0].pictures");
 }
 
 json withSweeps() {

@@ -1,12 +1,12 @@
 #include "ew/library/case.h"
 
 #include <algorithm>
-#include <set>
 
 #include "ew/core/json_fields.h"
 #include "ew/core/output_set.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
+#include "ew/library/lesson.h"
 #include "ew/library/schema.h"
 #include "guarded_case.h"
 #include "manifest.h"
@@ -218,26 +218,13 @@ Result<void> saveCase(const Case& edited, const fs::path& folder) {
 }
 
 std::string idForFolder(const fs::path& folder) {
-  constexpr std::size_t kLongest = 90;  // an id has at most 100 characters; a number comes behind it
   std::error_code ignored;
   fs::path place = fs::absolute(folder, ignored).lexically_normal();
   if (!place.has_filename()) place = place.parent_path();
-  std::string id;
-  for (const char letter : place.filename().string()) {
-    const bool isCapital = letter >= 'A' && letter <= 'Z';
-    const bool fits = isCapital || (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9');
-    if (fits) id += isCapital ? static_cast<char>(letter - 'A' + 'a') : letter;
-    if (!fits && !id.empty() && id.back() != '-') id += '-';
-  }
-  id.resize(std::min(id.size(), kLongest));
-  while (!id.empty() && id.back() == '-') id.pop_back();
-  if (id.empty()) id = "case";
-  std::set<std::string> taken;
+  std::vector<std::string> taken;
   for (const Case& beside : listCases(place.parent_path()).cases)
-    if (beside.folder.filename() != place.filename()) taken.insert(beside.id);
-  std::string found = id;
-  for (int number = 2; taken.count(found) > 0; ++number) found = id + "-" + std::to_string(number);
-  return found;
+    if (beside.folder.filename() != place.filename()) taken.push_back(beside.id);
+  return idFor(place.filename().string(), taken, "case");
 }
 
 CaseList listCases(const fs::path& folder) {

@@ -65,6 +65,8 @@ Result<CaseTruth> compared(const Case& opened, const json& truth) {
       point.at_mm = placedPoint(target.at_mm.value_or(glm::dvec3(0.0)));
       point.tolerance_mm = target.tolerance_mm.value_or(point.tolerance_mm);
       found.points.push_back(point);
+    } else if (target.kind == CaseTarget::Kind::structure && target.label) {
+      found.structures.push_back({target.name, target.organ, *target.label});
     } else if (target.kind == CaseTarget::Kind::structure) {
       auto organ = named(truth.at("organs"), target.organ, field + ".organ", say<"no such organ">());
       if (!organ) return passOn(organ.error());
@@ -89,6 +91,18 @@ Result<CaseTruth> compared(const Case& opened, const json& truth) {
   }
   for (std::size_t n = 0; n < opened.measurements.size(); ++n) {
     const CaseMeasurement& asked = opened.measurements[n];
+    if (asked.value) {
+      ExpectedMeasurement expected{asked.name,
+                                   asked.kind.empty() ? "distance" : asked.kind,
+                                   *asked.value,
+                                   asked.unit.empty() ? "mm" : asked.unit,
+                                   asked.tolerance,
+                                   {},
+                                   {}};
+      for (const glm::dvec3& p_mm : asked.points_mm) expected.points_mm.push_back(placedPoint(p_mm));
+      found.measurements.push_back(std::move(expected));
+      continue;
+    }
     auto known = named(truth.at("measurements"), asked.name, "measurements[" + std::to_string(n) + "].name", say<"no such measurement">());
     if (!known) return passOn(known.error());
     ExpectedMeasurement expected;

@@ -16,19 +16,24 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 19> kTopFields = {
-    "format",     "id",        "title",   "title_for_trainees", "region", "patient",   "history", "indication", "previous_examinations",
-    "findings",   "diagnosis", "targets", "measurements",       "volume", "mannequin", "probes",  "scene",      "start_pose",
-    "expert_pose"};
+constexpr std::array<std::string_view, 24> kTopFields = {"format",       "id",           "title",       "title_for_trainees",
+                                                         "region",       "patient",      "complaint",   "history",
+                                                         "indication",   "laboratory",   "findings",    "diagnosis",
+                                                         "targets",      "differential", "difficulty",  "tags",
+                                                         "measurements", "volume",       "mannequin",   "probes",
+                                                         "scene",        "start_pose",   "expert_pose", "previous_examinations"};
 constexpr std::array<std::string_view, 3> kPatientFields = {"name", "sex", "age_years"};
 constexpr std::array<std::string_view, 8> kVolumeFields = {"file",   "labels",      "level",        "recipe", "recipe_spacing_mm",
                                                            "sweeps", "reconstruct", "file_to_world"};
 constexpr std::array<std::string_view, 7> kReconstructFields = {"spacing_mm", "interpolation", "compounding",      "fill_reach_mm",
                                                                 "seam",       "feather_mm",    "labels_spacing_mm"};
-constexpr std::array<std::string_view, 3> kExaminationFields = {"when", "kind", "findings"};
-constexpr std::array<std::string_view, 9> kTargetFields = {
-    "kind", "name", "at_mm", "tolerance_mm", "probe_to_world", "position_tolerance_mm", "angle_tolerance_deg", "organ", "reveals_finding"};
-constexpr std::array<std::string_view, 3> kMeasurementFields = {"name", "tolerance", "reveals_finding"};
+constexpr std::array<std::string_view, 4> kExaminationFields = {"when", "kind", "findings", "pictures"};
+constexpr std::array<std::string_view, 2> kLaboratoryFields = {"when", "findings"};
+constexpr std::array<std::string_view, 10> kTargetFields = {
+    "kind",  "name",  "at_mm",          "tolerance_mm", "probe_to_world", "position_tolerance_mm", "angle_tolerance_deg",
+    "organ", "label", "reveals_finding"};
+constexpr std::array<std::string_view, 7> kMeasurementFields = {"name", "tolerance", "value",          "kind",
+                                                                "unit", "points_mm", "reveals_finding"};
 Message sceneName() { return say<"the scene of case.json">(); }
 
 template <class Names>
@@ -84,22 +89,42 @@ void checkTargets(const json& manifest, std::vector<Error>& problems) {
     const std::string kind = target["kind"];
     if (kind == "point" && !target.contains("at_mm"))
       problems.push_back(wrongField(field + ".at_mm", say<"missing">(), say<"three numbers, mm in the world">()));
-    if (kind == "structure" && !target.contains("organ"))
-      problems.push_back(wrongField(field + ".organ", say<"missing">(), say<"the name of an organ of the patient">()));
-    const bool needsPatient = kind == "structure" || (kind == "plane" && !target.contains("probe_to_world"));
-    if (needsPatient && !manifest["volume"].contains("recipe"))
+    const bool hasRecipe = manifest["volume"].contains("recipe");
+    if (kind == "structure" && !target.contains("organ") && !target.contains("label"))
+      problems.push_back(wrongField(
+          field + (hasRecipe ? ".organ" : ".label"), say<"missing">(),
+          hasRecipe ? say<"the name of an organ of the patient">() : say<"the number of the structure in the labels of the volume">()));
+    if (target.contains("label") && !manifest["volume"].contains("labels"))
       problems.push_back(
-          kind == "plane"
-              ? wrongField(field, say<"a plane of a patient, and the case has no recipe">(), say<"a plane with probe_to_world">())
-              : wrongField(field, say<"a structure of a patient, and the case has no recipe">(), say<"a point or a plane">()));
+          wrongField(field + ".label", say<"given, and the case has no labels">(), say<"left out, or a number of volume.labels">()));
+    if (kind == "plane" && !target.contains("probe_to_world") && !hasRecipe)
+      problems.push_back(
+          wrongField(field, say<"a plane of a patient, and the case has no recipe">(), say<"a plane with probe_to_world">()));
+    if (kind == "structure" && target.contains("organ") && !hasRecipe)
+      problems.push_back(wrongField(field, say<"a structure of a patient, and the case has no recipe">(),
+                                    say<"a structure with a label, or a point or a plane">()));
     checkMatrix(target, "probe_to_world", field, problems);
   }
 }
 
 void checkMeasurements(const json& manifest, std::vector<Error>& problems) {
-  if (manifest.contains("measurements") && !manifest["measurements"].empty() && !manifest["volume"].contains("recipe"))
-    problems.push_back(
-        wrongField("measurements", say<"given, and the case has no recipe whose patient could know their values">(), say<"left out">()));
+  if (!manifest.contains("measurements") || manifest["volume"].contains("recipe")) return;
+  for (std::size_t n = 0; n < manifest["measurements"].size(); ++n)
+    if (!manifest["measurements"][n].contains("value"))
+      problems.push_back(wrongField("measurements[" + std::to_string(n) + "].value",
+                                    say<"missing, and the case has no patient who could know it">(),
+                                    say<"the value as it was measured">()));
+}
+
+void checkPictures(const std::filesystem::path& folder, const json& manifest, std::vector<Error>& problems) {
+  if (!manifest.contains("previous_examinations")) return;
+  for (std::size_t n = 0; n < manifest["previous_examinations"].size(); ++n) {
+    const json& examination = manifest["previous_examinations"][n];
+    if (!examination.contains("pictures")) continue;
+    const std::string field = "previous_examinations[" + std::to_string(n) + "].pictures";
+    for (const json& picture : examination["pictures"])
+      if (auto file = fileOfCase(folder, picture.get<std::string>(), field); !file) problems.push_back(file.error());
+  }
 }
 
 void checkFile(const std::filesystem::path& folder, const json& owner, const char* key, const std::string& field,
@@ -134,7 +159,28 @@ void checkMannequin(const std::filesystem::path& folder, const json& manifest, s
 
 }  // namespace
 
-std::vector<Error> checkManifest(const json& manifest, const std::filesystem::path& folder) {
+json ofToday(const json& manifest) {
+  if (!manifest.is_object() || !manifest.contains("format") || manifest["format"] != 1) return manifest;
+  json migrated = manifest;
+  migrated["format"] = 2;
+  if (!manifest.contains("previous_examinations") || !manifest["previous_examinations"].is_array()) return migrated;
+  json examinations = json::array(), laboratory = json::array();
+  for (json each : manifest["previous_examinations"]) {
+    const bool isLaboratory = each.is_object() && each.contains("kind") && each["kind"] == "laboratory";
+    if (isLaboratory) each.erase("kind");
+    (isLaboratory ? laboratory : examinations).push_back(std::move(each));
+  }
+  if (laboratory.empty()) return migrated;
+  if (migrated.contains("laboratory") && migrated["laboratory"].is_array())
+    laboratory.insert(laboratory.begin(), migrated["laboratory"].begin(), migrated["laboratory"].end());
+  migrated["laboratory"] = std::move(laboratory);
+  migrated.erase("previous_examinations");
+  if (!examinations.empty()) migrated["previous_examinations"] = std::move(examinations);
+  return migrated;
+}
+
+std::vector<Error> checkManifest(const json& given, const std::filesystem::path& folder) {
+  const json manifest = ofToday(given);
   if (manifest.is_object() && manifest.contains("format") && manifest["format"].is_number_integer() &&
       manifest["format"].get<double>() > kCaseFormat) {
     const std::string found = manifest["format"].dump();
@@ -187,6 +233,7 @@ std::vector<Error> checkManifest(const json& manifest, const std::filesystem::pa
   }
   checkTargets(manifest, problems);
   checkMeasurements(manifest, problems);
+  checkPictures(folder, manifest, problems);
   checkMannequin(folder, manifest, problems);
   return problems;
 }
@@ -242,6 +289,7 @@ CaseTarget targetOf(const json& object) {
   target.positionTolerance_mm = numberIn(object, "position_tolerance_mm");
   target.angleTolerance_deg = numberIn(object, "angle_tolerance_deg");
   target.organ = object.value("organ", "");
+  if (object.contains("label")) target.label = object["label"].get<int>();
   target.revealsFinding = object.value("reveals_finding", false);
   target.otherFields = without(object, kTargetFields);
   return target;
@@ -261,21 +309,35 @@ ordered_json toJson(const CaseTarget& target) {
   if (target.positionTolerance_mm) object["position_tolerance_mm"] = *target.positionTolerance_mm;
   if (target.angleTolerance_deg) object["angle_tolerance_deg"] = *target.angleTolerance_deg;
   if (!target.organ.empty()) object["organ"] = target.organ;
+  if (target.label) object["label"] = *target.label;
   if (target.revealsFinding) object["reveals_finding"] = true;
   add(object, target.otherFields);
   return object;
 }
 
+CaseMeasurement measurementOf(const json& object) {
+  CaseMeasurement measurement;
+  measurement.name = object["name"];
+  measurement.tolerance = numberIn(object, "tolerance");
+  measurement.value = numberIn(object, "value");
+  measurement.kind = object.value("kind", "");
+  measurement.unit = object.value("unit", "");
+  for (const json& point : object.value("points_mm", json::array())) measurement.points_mm.push_back({point[0], point[1], point[2]});
+  measurement.revealsFinding = object.value("reveals_finding", false);
+  measurement.otherFields = without(object, kMeasurementFields);
+  return measurement;
+}
+
 /// History, earlier findings and what is expected: everything a lesson asks about.
 void readExpectations(const json& manifest, Case& made) {
   for (const json& each : manifest.value("previous_examinations", json::array()))
-    made.previousExaminations.push_back(
-        {each.value("when", ""), each.value("kind", ""), each.value("findings", ""), without(each, kExaminationFields)});
+    made.previousExaminations.push_back({each.value("when", ""), each.value("kind", ""), each.value("findings", ""),
+                                         each.value("pictures", std::vector<std::string>()), without(each, kExaminationFields)});
+  for (const json& each : manifest.value("laboratory", json::array()))
+    made.laboratory.push_back({each.value("when", ""), each.value("findings", ""), without(each, kLaboratoryFields)});
   if (manifest.contains("findings")) made.findings = manifest["findings"].get<std::vector<std::string>>();
   for (const json& each : manifest.value("targets", json::array())) made.targets.push_back(targetOf(each));
-  for (const json& each : manifest.value("measurements", json::array()))
-    made.measurements.push_back(
-        {each["name"], numberIn(each, "tolerance"), each.value("reveals_finding", false), without(each, kMeasurementFields)});
+  for (const json& each : manifest.value("measurements", json::array())) made.measurements.push_back(measurementOf(each));
 }
 
 ordered_json examinationsOf(const Case& edited) {
@@ -284,6 +346,19 @@ ordered_json examinationsOf(const Case& edited) {
     ordered_json object = ordered_json::object();
     if (!each.when.empty()) object["when"] = each.when;
     if (!each.kind.empty()) object["kind"] = each.kind;
+    if (!each.findings.empty()) object["findings"] = each.findings;
+    if (!each.pictures.empty()) object["pictures"] = each.pictures;
+    add(object, each.otherFields);
+    list.push_back(std::move(object));
+  }
+  return list;
+}
+
+ordered_json laboratoryOf(const Case& edited) {
+  ordered_json list = ordered_json::array();
+  for (const CaseLaboratory& each : edited.laboratory) {
+    ordered_json object = ordered_json::object();
+    if (!each.when.empty()) object["when"] = each.when;
     if (!each.findings.empty()) object["findings"] = each.findings;
     add(object, each.otherFields);
     list.push_back(std::move(object));
@@ -296,6 +371,10 @@ ordered_json measurementsOf(const Case& edited) {
   for (const CaseMeasurement& each : edited.measurements) {
     ordered_json object = {{"name", each.name}};
     if (each.tolerance) object["tolerance"] = *each.tolerance;
+    if (each.value) object["value"] = *each.value;
+    if (!each.kind.empty()) object["kind"] = each.kind;
+    if (!each.unit.empty()) object["unit"] = each.unit;
+    for (const glm::dvec3& p_mm : each.points_mm) object["points_mm"].push_back({p_mm.x, p_mm.y, p_mm.z});
     if (each.revealsFinding) object["reveals_finding"] = true;
     add(object, each.otherFields);
     list.push_back(std::move(object));
@@ -305,7 +384,8 @@ ordered_json measurementsOf(const Case& edited) {
 
 }  // namespace
 
-Result<Case> caseFromManifest(const json& manifest, const std::filesystem::path& folder) {
+Result<Case> caseFromManifest(const json& given, const std::filesystem::path& folder) {
+  const json manifest = ofToday(given);
   if (auto problems = checkManifest(manifest, folder); !problems.empty()) return passOn(std::move(problems.front()));
   Case made;
   made.id = manifest["id"];
@@ -318,9 +398,13 @@ Result<Case> caseFromManifest(const json& manifest, const std::filesystem::path&
     made.patient.sex = patient.value("sex", "");
     if (patient.contains("age_years")) made.patient.age_years = patient["age_years"].get<int>();
   }
+  made.complaint = manifest.value("complaint", "");
   made.history = manifest.value("history", "");
   made.indication = manifest.value("indication", "");
   made.diagnosis = manifest.value("diagnosis", "");
+  made.differential = manifest.value("differential", std::vector<std::string>());
+  if (manifest.contains("difficulty")) made.difficulty = manifest["difficulty"].get<int>();
+  made.tags = manifest.value("tags", std::vector<std::string>());
   readExpectations(manifest, made);
   const json& volume = manifest["volume"];
   made.volume.file = volume.value("file", "");
@@ -361,11 +445,16 @@ ordered_json orderedManifestOf(const Case& edited) {
   if (!edited.patient.sex.empty()) patient["sex"] = edited.patient.sex;
   if (edited.patient.age_years) patient["age_years"] = *edited.patient.age_years;
   if (!patient.empty()) manifest["patient"] = patient;
+  text("complaint", edited.complaint);
   text("history", edited.history);
   text("indication", edited.indication);
   if (!edited.previousExaminations.empty()) manifest["previous_examinations"] = examinationsOf(edited);
+  if (!edited.laboratory.empty()) manifest["laboratory"] = laboratoryOf(edited);
   if (!edited.findings.empty()) manifest["findings"] = edited.findings;
   text("diagnosis", edited.diagnosis);
+  if (!edited.differential.empty()) manifest["differential"] = edited.differential;
+  if (edited.difficulty) manifest["difficulty"] = *edited.difficulty;
+  if (!edited.tags.empty()) manifest["tags"] = edited.tags;
   for (const CaseTarget& target : edited.targets) manifest["targets"].push_back(toJson(target));
   if (!edited.measurements.empty()) manifest["measurements"] = measurementsOf(edited);
   ordered_json volume = ordered_json::object();

@@ -11,6 +11,9 @@ inline constexpr const char* kManifestName = "case.json";
 /// The manifest in the order people read it.
 nlohmann::ordered_json orderedManifestOf(const Case& edited);
 
+/// A manifest in the format of today, whatever format it was written in; anything that is no manifest comes back as it is.
+[[nodiscard]] nlohmann::json ofToday(const nlohmann::json& manifest);
+
 /// fileOfCase for a volume. A header may keep its samples in another file (.mhd, .nhdr): that one lies in the case folder, too.
 /// @error as fileOfCase
 [[nodiscard]] Result<std::filesystem::path> volumeOfCase(const std::filesystem::path& folder, const std::string& relative,

@@ -20,7 +20,9 @@
 
 namespace ew {
 
-inline constexpr int kCaseFormat = 1;  ///< `format` of case.json; a file with a larger one is refused with newerFormat
+/// `format` of case.json. A file with a larger one is refused with newerFormat; one with a smaller is read as if it had been written today,
+/// and saved so. 2: laboratory findings are a list of their own (1: examinations of the kind "laboratory").
+inline constexpr int kCaseFormat = 2;
 
 struct CasePatient {
   std::string name;  ///< invented, never a real patient's
@@ -58,11 +60,20 @@ struct CaseVolume {
 
 /// What was examined before this examination.
 struct CaseExamination {
-  std::string when;      ///< in words: "two years ago"
-  std::string kind;      ///< "ultrasound", "laboratory" ...
-  std::string findings;  ///< what it said
+  std::string when;                        ///< in words: "two years ago"
+  std::string kind;                        ///< "ultrasound", "laboratory" ...
+  std::string findings;                    ///< what it said
+  std::vector<std::string> pictures = {};  ///< files of the case folder ("media/2019-liver.png")
   nlohmann::json otherFields = nlohmann::json::object();
   bool operator==(const CaseExamination&) const = default;
+};
+
+/// Values from the laboratory.
+struct CaseLaboratory {
+  std::string when;      ///< in words: "last month"
+  std::string findings;  ///< "Bilirubin 12 umol/l"
+  nlohmann::json otherFields = nlohmann::json::object();
+  bool operator==(const CaseLaboratory&) const = default;
 };
 
 /// What a trainee is to find. Points and planes are in the world of the patient or file, before file_to_world.
@@ -76,16 +87,21 @@ struct CaseTarget {
   std::optional<double> positionTolerance_mm = {};                       ///< of a plane; absent: the standard plane's
   std::optional<double> angleTolerance_deg = {};                         ///< of a plane; absent: the standard plane's
   std::string organ = {};                                                ///< of a structure: an organ of the patient
+  std::optional<int> label = {};                                         ///< of a structure: its number in volume.labels, 1 to 255
   bool revealsFinding = false;  ///< its name gives a finding away: a trainee sees it with the findings
   nlohmann::json otherFields = nlohmann::json::object();
   bool operator==(const CaseTarget&) const = default;
 };
 
-/// A measurement that is expected of a trainee: the patient knows its true value (see CaseTruth).
+/// A measurement that is expected of a trainee. Its value stands in the case, or a virtual patient knows it (see CaseTruth).
 struct CaseMeasurement {
-  std::string name;                      ///< of a measurement of the patient
-  std::optional<double> tolerance = {};  ///< in the measurement's unit
-  bool revealsFinding = false;           ///< its name gives a finding away: a trainee sees it with the findings
+  std::string name;                        ///< without a value: of a measurement of the patient
+  std::optional<double> tolerance = {};    ///< in the measurement's unit
+  std::optional<double> value = {};        ///< in `unit`, as the author measured it; absent: the patient's
+  std::string kind = {};                   ///< with a value: "distance", "circumference", "area", "angle"
+  std::string unit = {};                   ///< with a value: "mm", "cm2", "deg" ...
+  std::vector<glm::dvec3> points_mm = {};  ///< where the author's calipers stood, before file_to_world
+  bool revealsFinding = false;             ///< its name gives a finding away: a trainee sees it with the findings
   nlohmann::json otherFields = nlohmann::json::object();
   bool operator==(const CaseMeasurement&) const = default;
 };
@@ -97,11 +113,16 @@ struct Case {
   std::string titleForTrainees;  ///< what a trainee may read before the examination ("Upper abdomen, pain after meals"); empty: the title
   std::string region;            ///< "upper abdomen"
   CasePatient patient;
+  std::string complaint;  ///< why the patient came, in the patient's words
   std::string history;
   std::string indication;
   std::vector<CaseExamination> previousExaminations;
+  std::vector<CaseLaboratory> laboratory;
   std::vector<std::string> findings;  ///< what a good report of this examination says, a sentence each
   std::string diagnosis;
+  std::vector<std::string> differential;  ///< what else it could have been, likeliest first
+  std::optional<int> difficulty;          ///< 1 (first steps) to 5 (examination)
+  std::vector<std::string> tags;          ///< by which it is found; a trainee may read them
   std::vector<CaseTarget> targets;
   std::vector<CaseMeasurement> measurements;
   CaseVolume volume;

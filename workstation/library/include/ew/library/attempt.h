@@ -1,0 +1,121 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ew/core/message.h"
+#include "ew/core/result.h"
+
+namespace ew {
+
+inline constexpr int kAttemptFormat = 1;  ///< `format` of attempt.json; a larger one is refused with newerFormat
+
+enum class StepVerdict {
+  passed,
+  failed,
+  skipped  ///< left without trying: counts as not passed
+};
+
+/// A figure of a step, as it was measured: "angle", 4.2, "deg".
+struct AttemptFigure {
+  std::string name;
+  double value = 0.0;
+  std::string unit;  ///< "mm", "deg", "s", "%", or empty for a ratio
+  bool operator==(const AttemptFigure&) const = default;
+};
+
+/// What is said after a step.
+struct AttemptRemark {
+  bool good = false;  ///< what was done well; false: what was missed
+  Message text;
+  bool operator==(const AttemptRemark&) const = default;
+};
+
+struct StepOutcome {
+  std::string stepId;
+  StepVerdict verdict = StepVerdict::failed;
+  double score = 0.0;    ///< 0 to 1
+  double seconds = 0.0;  ///< spent on the step, pauses left out
+  int hints = 0;         ///< that were asked for
+  std::vector<AttemptFigure> figures;
+  std::vector<AttemptRemark> remarks;
+  nlohmann::json answer;              ///< what was entered, by the step's kind; null: nothing
+  std::string recording;              ///< of the scan during the step, relative to the attempt's folder; empty: none was made
+  std::vector<std::string> pictures;  ///< relative to the attempt's folder
+  std::chrono::sys_seconds at{};      ///< when it ended
+  nlohmann::json otherFields = nlohmann::json::object();
+  bool operator==(const StepOutcome&) const = default;
+};
+
+/// One trainee's way through one lesson: raw data first, so that scores can be worked out again.
+struct Attempt {
+  std::string id;      ///< as idOfAttempt makes it: by time, unique
+  std::string caseId;  ///< of the case that holds the lesson
+  std::string lessonId;
+  std::string lessonTitle;    ///< as it was shown
+  std::string lessonContent;  ///< ContentKey of the lesson's JSON at the start: whether it has changed since
+  std::string person;         ///< who tried, as they call themselves; may be empty
+  std::string program;        ///< version that judged
+  std::chrono::sys_seconds startedAt{};
+  std::optional<std::chrono::sys_seconds> finishedAt;  ///< empty: stopped in the middle, and may be gone on with
+  std::string runningStep;                             ///< begun and not ended yet; after a crash this is the step that was lost
+  std::vector<StepOutcome> outcomes;                   ///< in the order they ended; of a step that was repeated all are kept
+  nlohmann::json otherFields = nlohmann::json::object();
+  bool operator==(const Attempt&) const = default;
+
+  /// The outcome that counts: the latest of the step; null while there is none.
+  [[nodiscard]] const StepOutcome* outcomeOf(const std::string& stepId) const;
+};
+
+/// "20261126-093000-4f2a91c7": sorts by time; the random end keeps two workstations on one folder apart.
+[[nodiscard]] std::string idOfAttempt(std::chrono::sys_seconds now);
+
+/// An attempt's JSON. @error badField, newerFormat (with both format numbers)
+[[nodiscard]] Result<Attempt> attemptFromJson(const nlohmann::json& document);
+/// attemptFromJson(jsonOf(a)) == a.
+[[nodiscard]] nlohmann::json jsonOf(const Attempt& attempt);
+
+/// An attempt on disk: ROOT/ID/attempt.json and the files that it names. attempt.json is written whole or not at all whenever a step begins
+/// or ends; files of a step lie there before they are named. So a crash at any moment loses at most the step that was running, and
+/// `runningStep` says which.
+class KeptAttempt {
+ public:
+  /// Makes the folder. @param root need not be there yet. @error notWritable
+  [[nodiscard]] static Result<KeptAttempt> begin(const std::filesystem::path& root, Attempt attempt);
+  /// @error notFound, badHeader, badField, newerFormat
+  [[nodiscard]] static Result<KeptAttempt> open(const std::filesystem::path& folder);
+
+  [[nodiscard]] const Attempt& attempt() const { return attempt_; }
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+  /// All of these save; when that fails, nothing has changed. @error notWritable
+  [[nodiscard]] Result<void> beginStep(const std::string& stepId);
+  /// @param outcome names files that lie in the folder already
+  [[nodiscard]] Result<void> endStep(StepOutcome outcome);
+  /// The step that runs is given up, as if it had not begun.
+  [[nodiscard]] Result<void> leaveStep();
+  [[nodiscard]] Result<void> finish(std::chrono::sys_seconds now);
+
+  /// A name for a file of a step that is not there yet: "step-03-find-the-kidney.seq.mha". @param ending with its dot
+  [[nodiscard]] std::string nameForFile(const std::string& stepId, const std::string& ending) const;
+
+ private:
+  KeptAttempt(std::filesystem::path folder, Attempt attempt) : folder_(std::move(folder)), attempt_(std::move(attempt)) {}
+  [[nodiscard]] Result<void> keep(Attempt next);
+
+  std::filesystem::path folder_;
+  Attempt attempt_;
+};
+
+struct AttemptList {
+  std::vector<std::pair<std::filesystem::path, Attempt>> attempts;  ///< folder and content, the latest first
+  std::vector<Error> problems;                                      ///< of folders that cannot be read, each with its name
+};
+/// A folder that is not there holds no attempts.
+[[nodiscard]] AttemptList listAttempts(const std::filesystem::path& root);
+
+}  // namespace ew

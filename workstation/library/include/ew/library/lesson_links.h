@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ew/library/case.h"
+#include "ew/library/lesson.h"
+
+namespace ew {
+
+/// The lessons of a case; none when it has no such section. @error as lessonsFromJson
+[[nodiscard]] Result<std::vector<Lesson>> lessonsOf(const Case& home);
+
+/// What still keeps a lesson from being worked through.
+struct LessonProblem {
+  std::string stepId;  ///< empty: the lesson as a whole
+  Message text;
+  bool operator==(const LessonProblem&) const = default;
+};
+
+/// A case by its id; null when there is none, or nobody knows. The case that holds the lesson is not asked for.
+using CaseById = std::function<const Case*(const std::string& id)>;
+
+/// Looks at a lesson beside the cases it refers to: targets and measurements that a case does not have, files that are not there, questions
+/// without a right answer. Empty: it is ready.
+/// @param home the case that holds it, with its folder: files are looked for in its parts/lessons
+[[nodiscard]] std::vector<LessonProblem> problemsOf(const Lesson& lesson, const Case& home, const CaseById& caseById);
+
+}  // namespace ew

@@ -1,0 +1,121 @@
+#include "ew/library/lesson_links.h"
+
+#include <algorithm>
+
+#include "ew/core/message.h"
+
+namespace ew {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool hasTarget(const Case& scanned, const std::string& name, CaseTarget::Kind kind) {
+  return std::any_of(scanned.targets.begin(), scanned.targets.end(),
+                     [&](const CaseTarget& target) { return target.name == name && target.kind == kind; });
+}
+
+/// Looks at the tasks of one lesson; each problem stands with the step it was found in.
+class Looking {
+ public:
+  Looking(const Case& home, std::vector<LessonProblem>& problems)
+      : folder_(home.folder / "parts" / std::string(kLessonsPart)), hasFolder_(!home.folder.empty()), problems_(problems) {}
+
+  void look(const LessonStep& step, const Case& scanned) {
+    step_ = &step;
+    scanned_ = &scanned;
+    std::visit([this](const auto& task) { at(task); }, step.task);
+  }
+
+ private:
+  void say(Message text) { problems_.push_back({step_->id, std::move(text)}); }
+
+  void file(const std::string& relative) {
+    std::error_code ignored;
+    if (hasFolder_ && !fs::is_regular_file(folder_ / relative, ignored))
+      say(ew::say<"The file '%1' of the lesson is not in the case folder; put it into parts/lessons, or choose another.">(relative));
+  }
+
+  void plane(const std::string& name) {
+    if (name.empty()) return say(ew::say<"No plane is chosen; choose one of the case's.">());
+    if (!hasTarget(*scanned_, name, CaseTarget::Kind::plane))
+      say(ew::say<"The case '%1' has no plane '%2'; choose one of its own.">(scanned_->id, name));
+  }
+
+  void structure(const std::string& name) {
+    if (name.empty()) return say(ew::say<"No structure is chosen; choose one of the case's.">());
+    if (!hasTarget(*scanned_, name, CaseTarget::Kind::structure))
+      say(ew::say<"The case '%1' has no structure '%2'; choose one of its own.">(scanned_->id, name));
+  }
+
+  void at(const ReadTask& task) {
+    if (!task.picture.empty()) file(task.picture);
+    if (step_->text.empty() && task.picture.empty()) say(ew::say<"There is nothing to read; write a text.">());
+  }
+  void at(const WatchTask& task) {
+    if (task.recording.empty()) return say(ew::say<"The expert's scan is not recorded yet; record it, or leave the step out.">());
+    file(task.recording);
+  }
+  void at(const PlaneTask& task) { plane(task.target); }
+  void at(const SweepTask& task) { structure(task.target); }
+  void at(const MeasureTask& task) {
+    if (task.measurement.empty()) return say(ew::say<"No measurement is chosen; choose one that the case expects.">());
+    const auto& all = scanned_->measurements;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const CaseMeasurement& one) { return one.name == task.measurement; });
+    if (found == all.end())
+      return say(ew::say<"The case '%1' expects no measurement '%2'; choose one that it does.">(scanned_->id, task.measurement));
+    if (!task.tolerance && !found->tolerance)
+      say(ew::say<"Neither the step nor the case says how far the measurement may be off; give a tolerance.">());
+  }
+  void at(const PointTask& task) {
+    if (task.target.empty()) return say(ew::say<"Nothing is chosen to point at; choose a point or a structure of the case.">());
+    if (!hasTarget(*scanned_, task.target, CaseTarget::Kind::point) && !hasTarget(*scanned_, task.target, CaseTarget::Kind::structure))
+      say(ew::say<"The case '%1' has no point or structure '%2'; choose one of its own.">(scanned_->id, task.target));
+  }
+  void at(const SettingsTask& task) {
+    if (task.probes.empty() && task.bands.empty()) say(ew::say<"No setting is asked for; name a probe or give a range.">());
+  }
+  void at(const AnswerTask& task) {
+    if (step_->text.empty()) say(ew::say<"There is no question; write one.">());
+    if (task.number) return;
+    const auto right = std::count_if(task.options.begin(), task.options.end(), [](const AnswerOption& one) { return one.right; });
+    if (task.options.size() < 2) return say(ew::say<"A question needs at least two answers to choose from, or a number.">());
+    if (right == 0) say(ew::say<"None of the answers is marked as right; mark one.">());
+  }
+  void at(const FreeTask& task) {
+    for (const std::string& name : task.targets)
+      if (!hasTarget(*scanned_, name, CaseTarget::Kind::plane) && !hasTarget(*scanned_, name, CaseTarget::Kind::structure))
+        say(ew::say<"The case '%1' has no plane or structure '%2'; choose one of its own.">(scanned_->id, name));
+  }
+
+  fs::path folder_;
+  bool hasFolder_;
+  std::vector<LessonProblem>& problems_;
+  const LessonStep* step_ = nullptr;
+  const Case* scanned_ = nullptr;
+};
+
+}  // namespace
+
+Result<std::vector<Lesson>> lessonsOf(const Case& home) {
+  const auto& fields = home.otherFields;
+  if (!fields.is_object() || !fields.contains("parts") || !fields["parts"].is_object() || !fields["parts"].contains(kLessonsPart))
+    return std::vector<Lesson>{};
+  return lessonsFromJson(fields["parts"][std::string(kLessonsPart)]);
+}
+
+std::vector<LessonProblem> problemsOf(const Lesson& lesson, const Case& home, const CaseById& caseById) {
+  std::vector<LessonProblem> problems;
+  if (lesson.steps.empty()) problems.push_back({{}, say<"The lesson has no steps; add one.">()});
+  Looking looking(home, problems);
+  for (const LessonStep& step : lesson.steps) {
+    const bool isHome = step.caseId.empty() || step.caseId == home.id;
+    const Case* scanned = isHome ? &home : caseById ? caseById(step.caseId) : nullptr;
+    if (scanned != nullptr)
+      looking.look(step, *scanned);
+    else
+      problems.push_back({step.id, say<"The case '%1' is not in the library; import it, or choose another.">(step.caseId)});
+  }
+  return problems;
+}
+
+}  // namespace ew
