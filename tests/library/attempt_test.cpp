@@ -19,7 +19,7 @@ using test::TemporaryFolder;
 using test::textOf;
 using test::writeText;
 
-constexpr sys_seconds kMorning{std::chrono::seconds(1'795'771'800)};  // 2026-11-26T09:30:00Z
+constexpr sys_seconds kMorning = std::chrono::sys_days(std::chrono::year(2026) / 11 / 26) + std::chrono::minutes(9 * 60 + 30);
 
 StepOutcome outcome(std::string step, StepVerdict verdict = StepVerdict::passed) {
   StepOutcome made;

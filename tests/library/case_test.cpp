@@ -394,7 +394,7 @@ TEST(LoadCase, WantsAPatientForWhatOnlyAPatientKnows) {
   EXPECT_EQ(context(onlyProblem(manifest), "field"), "targets[0]");
   manifest = smallest();
   manifest["measurements"] = {{{"name", "x"}}};
-  EXPECT_EQ(context(onlyProblem(manifest), "field"), "measurements");
+  EXPECT_EQ(context(onlyProblem(manifest), "field"), "measurements[0].value");
   manifest = smallest();
   manifest["volume"]["sweeps"] = {"patient.json"};
   EXPECT_EQ(context(onlyProblem(manifest), "field"), "volume.sweeps");

@@ -10,6 +10,7 @@
 #include "ew/core/message_json.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/lesson.h"
+#include "json_rest.h"
 
 namespace ew {
 namespace {
@@ -18,10 +19,10 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using std::chrono::sys_seconds;
 
-constexpr const char* kFileName = "attempt.json";
-constexpr std::size_t kLargestFile_bytes = 64u << 20;
-constexpr std::size_t kMostOutcomes = 10'000, kMostEntries = 1000;
-constexpr std::size_t kLongestText = 20'000, kLongestPath = 240;
+constexpr const char* kAttemptFile = "attempt.json";
+constexpr std::size_t kLargestAttempt_bytes = 64u << 20;
+constexpr std::size_t kMostOutcomes = 10'000, kMostRemarks = 1000;
+constexpr std::size_t kLongestPerson = 20'000, kLongestFileName = 240;
 
 constexpr std::array<std::pair<std::string_view, StepVerdict>, 3> kVerdicts = {
     {{"passed", StepVerdict::passed}, {"failed", StepVerdict::failed}, {"skipped", StepVerdict::skipped}}};
@@ -31,13 +32,7 @@ constexpr std::array<std::string_view, 12> kAttemptFields = {"format",  "id",   
 constexpr std::array<std::string_view, 11> kOutcomeFields = {"step",    "verdict",   "score",    "seconds", "hints", "figures",
                                                              "remarks", "recording", "pictures", "answer",  "at"};
 
-template <class Names>
-json without(json object, const Names& names) {
-  for (const auto name : names) object.erase(std::string(name));
-  return object;
-}
-
-std::string textOf(sys_seconds moment) {
+std::string momentText(sys_seconds moment) {
   const auto day = std::chrono::floor<std::chrono::days>(moment);
   const std::chrono::year_month_day date(day);
   const std::chrono::hh_mm_ss time(moment - day);
@@ -78,9 +73,9 @@ StepOutcome readOutcome(const JsonFields& fields) {
   outcome.score = fields.number("score", 0.0, 1.0);
   outcome.seconds = fields.number("seconds", 0.0, 1e8);
   outcome.hints = static_cast<int>(fields.whole("hints", 0, 1000, 0));
-  for (const JsonFields& figure : fields.objects("figures", 0, kMostEntries))
+  for (const JsonFields& figure : fields.objects("figures", 0, kMostRemarks))
     outcome.figures.push_back({figure.text("name"), figure.number("value", -1e300, 1e300), figure.text("unit", std::string(), 0, 20)});
-  for (const JsonFields& remark : fields.objects("remarks", 0, kMostEntries)) {
+  for (const JsonFields& remark : fields.objects("remarks", 0, kMostRemarks)) {
     AttemptRemark made{remark.flag("good", false), {}};
     try {
       if (remark.has("text")) made.text = remark.find("text")->get<Message>();
@@ -90,8 +85,8 @@ StepOutcome readOutcome(const JsonFields& fields) {
     outcome.remarks.push_back(std::move(made));
   }
   if (const json* answer = fields.find("answer")) outcome.answer = *answer;
-  outcome.recording = ownFile(fields, "recording", fields.text("recording", std::string(), 0, kLongestPath));
-  for (const std::string& picture : fields.texts("pictures", 0, kMostEntries))
+  outcome.recording = ownFile(fields, "recording", fields.text("recording", std::string(), 0, kLongestFileName));
+  for (const std::string& picture : fields.texts("pictures", 0, kMostRemarks))
     outcome.pictures.push_back(ownFile(fields, "pictures", picture));
   outcome.at = moment(fields, "at", true).value_or(sys_seconds{});
   outcome.otherFields = without(fields.value(), kOutcomeFields);
@@ -115,7 +110,7 @@ json jsonOf(const StepOutcome& outcome) {
   if (!outcome.answer.is_null()) made["answer"] = outcome.answer;
   if (!outcome.recording.empty()) made["recording"] = outcome.recording;
   if (!outcome.pictures.empty()) made["pictures"] = outcome.pictures;
-  made["at"] = textOf(outcome.at);
+  made["at"] = momentText(outcome.at);
   return made;
 }
 
@@ -127,7 +122,7 @@ const StepOutcome* Attempt::outcomeOf(const std::string& stepId) const {
 }
 
 std::string idOfAttempt(sys_seconds now) {
-  std::string id = textOf(now);
+  std::string id = momentText(now);
   std::erase_if(id, [](char letter) { return letter == '-' || letter == ':' || letter == 'Z'; });
   std::replace(id.begin(), id.end(), 'T', '-');
   std::array<char, 12> end{};
@@ -136,13 +131,13 @@ std::string idOfAttempt(sys_seconds now) {
 }
 
 Result<Attempt> attemptFromJson(const json& document) {
-  JsonReading reading(verbatim(kFileName));
+  JsonReading reading(verbatim(kAttemptFile));
   const JsonFields fields(document, reading);
   const auto format = fields.whole("format", 1, 1'000'000);
   if (reading.good() && format > kAttemptFormat)
     return failure(ErrorCode::newerFormat,
                    say<"%1 has format %2, and this program reads formats up to %3; open it with a newer EchoWeave.">(
-                       std::string(kFileName), std::to_string(format), kAttemptFormat),
+                       std::string(kAttemptFile), std::to_string(format), kAttemptFormat),
                    {{"field", "format"}, {"found", std::to_string(format)}});
   Attempt made;
   made.id = fields.text("id", {}, 1, 100);
@@ -150,7 +145,7 @@ Result<Attempt> attemptFromJson(const json& document) {
   made.lessonId = fields.text("lesson", {}, 1, 100);
   made.lessonTitle = fields.text("lesson_title", std::string(), 0);
   made.lessonContent = fields.text("lesson_content", std::string(), 0);
-  made.person = fields.text("person", std::string(), 0, kLongestText);
+  made.person = fields.text("person", std::string(), 0, kLongestPerson);
   made.program = fields.text("program", std::string(), 0);
   made.startedAt = moment(fields, "started_at", true).value_or(sys_seconds{});
   made.finishedAt = moment(fields, "finished_at", false);
@@ -174,8 +169,8 @@ json jsonOf(const Attempt& attempt) {
   text("lesson_content", attempt.lessonContent);
   text("person", attempt.person);
   text("program", attempt.program);
-  made["started_at"] = textOf(attempt.startedAt);
-  if (attempt.finishedAt) made["finished_at"] = textOf(*attempt.finishedAt);
+  made["started_at"] = momentText(attempt.startedAt);
+  if (attempt.finishedAt) made["finished_at"] = momentText(*attempt.finishedAt);
   text("running", attempt.runningStep);
   made["outcomes"] = json::array();
   for (const StepOutcome& outcome : attempt.outcomes) made["outcomes"].push_back(jsonOf(outcome));
@@ -197,9 +192,9 @@ Result<KeptAttempt> KeptAttempt::begin(const fs::path& root, Attempt attempt) {
 }
 
 Result<KeptAttempt> KeptAttempt::open(const fs::path& folder) {
-  auto text = readTextFile(folder / kFileName, kLargestFile_bytes);
+  auto text = readTextFile(folder / kAttemptFile, kLargestAttempt_bytes);
   if (!text) return passOn(text.error());
-  auto document = parseJsonObject(*text, verbatim(kFileName));
+  auto document = parseJsonObject(*text, verbatim(kAttemptFile));
   if (!document) return passOn(document.error());
   auto attempt = attemptFromJson(*document);
   if (!attempt) return passOn(attempt.error());
@@ -213,7 +208,7 @@ Result<void> KeptAttempt::keep(Attempt next) {
   } catch (const json::exception&) {
     return failure(ErrorCode::badField, say<"A text of the attempt is not valid UTF-8 and cannot be saved; type it again.">());
   }
-  if (auto written = writeFileSafely(folder_ / kFileName, text); !written) return written;
+  if (auto written = writeFileSafely(folder_ / kAttemptFile, text); !written) return written;
   attempt_ = std::move(next);
   return {};
 }
@@ -270,7 +265,7 @@ AttemptList listAttempts(const fs::path& root) {
   for (; entries != fs::directory_iterator(); entries.increment(error)) {
     const fs::path folder = entries->path();
     std::error_code ignored;
-    if (folder.filename().string().starts_with('.') || !fs::exists(folder / kFileName, ignored)) continue;
+    if (folder.filename().string().starts_with('.') || !fs::exists(folder / kAttemptFile, ignored)) continue;
     auto kept = KeptAttempt::open(folder);
     if (kept) {
       list.attempts.emplace_back(folder, kept->attempt());

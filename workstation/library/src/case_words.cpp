@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kWordsFormat = 1;
-constexpr std::size_t kLargestFile_bytes = 8u << 20;
+constexpr std::size_t kLargestWords_bytes = 8u << 20;
 
 /// Visits every text of a case, as something that may be changed.
 template <class Visit>
@@ -56,7 +56,7 @@ const std::string& CaseWords::of(const std::string& text) const {
 }
 
 Result<CaseWords> readCaseWords(const fs::path& file) {
-  auto text = readTextFile(file, kLargestFile_bytes);
+  auto text = readTextFile(file, kLargestWords_bytes);
   if (!text) return passOn(text.error());
   const Message where = verbatim(file.filename().string());
   auto document = parseJsonObject(*text, where);

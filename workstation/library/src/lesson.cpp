@@ -6,6 +6,7 @@
 
 #include "ew/core/json_fields.h"
 #include "ew/core/message.h"
+#include "json_rest.h"
 #include "schema_text.h"
 
 namespace ew {
@@ -35,12 +36,6 @@ constexpr std::array<AidField, 7> kAids = {{{"translucent_skin", &LessonAids::tr
                                             {"expert_probe", &LessonAids::expertProbe},
                                             {"outline", &LessonAids::outline},
                                             {"compass", &LessonAids::compass}}};
-
-template <class Names>
-json without(json object, const Names& names) {
-  for (const auto name : names) object.erase(std::string(name));
-  return object;
-}
 
 std::string longText(const JsonFields& fields, std::string_view key) { return fields.text(key, std::string(), 0, kLongestText); }
 

@@ -9,6 +9,7 @@
 #include "ew/imaging/settings_json.h"
 #include "ew/library/schema.h"
 #include "ew/stitching/project.h"
+#include "json_rest.h"
 
 namespace ew {
 namespace {
@@ -35,12 +36,6 @@ constexpr std::array<std::string_view, 10> kTargetFields = {
 constexpr std::array<std::string_view, 7> kMeasurementFields = {"name", "tolerance", "value",          "kind",
                                                                 "unit", "points_mm", "reveals_finding"};
 Message sceneName() { return say<"the scene of case.json">(); }
-
-template <class Names>
-json without(json object, const Names& names) {
-  for (const auto name : names) object.erase(std::string(name));
-  return object;
-}
 
 /// What the program does not know, at the top and inside the objects it does know.
 json unknownFields(const json& manifest) {
