@@ -1,0 +1,167 @@
+#include "ew/assessment/compass.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/constants.hpp>
+#include <numbers>
+
+#include "../tracking/skins.h"
+#include "ew/assessment/body_skin.h"
+#include "ew/assessment/scannable_region.h"
+#include "ew/assessment/simulated_hand.h"
+
+namespace ew {
+namespace {
+
+/// On the front of a trunk, the marker to the patient's right.
+Hold frontHold(const Skin& skin) {
+  Hold hold;
+  hold.contact = skin.nearest({0.0, -500.0, 0.0});
+  hold.press_mm = 4.0;
+  return hold;
+}
+
+CompassTarget targetAt(const Hold& hold, const Skin& skin, const PlaneTolerance& tolerance = {}) {
+  return compassTargetOf({poseOf(hold).probeToWorld, {0.0, 60.0}}, tolerance, skin);
+}
+
+TEST(Compass, KnowsThatAPlaneOfAHoldIsReached) {
+  const test::CylinderSkin skin(120.0);
+  const Hold hold = turned(slid(frontHold(skin), skin, 40.0, 30.0), 0.4, 0.2, -0.3);
+  const CompassTarget target = targetAt(hold, skin);
+  EXPECT_TRUE(target.reachable);
+  EXPECT_LT(target.left.angle_deg, 1e-6);
+  const CompassAdvice advice = nextMovement(target, hold);
+  EXPECT_EQ(advice.movement, HandMovement::stay);
+  EXPECT_EQ(advice.text.english(), "You are there: hold the probe still.");
+}
+
+TEST(Compass, NamesThePatientsSides) {
+  const test::CylinderSkin skin(120.0);
+  const CompassTarget target = targetAt(frontHold(skin), skin);
+  const auto from = [&](double right_mm, double feet_mm) {
+    // Upright and unturned the marker, x, points to the patient's right, and z to the feet or head.
+    Hold hold = frontHold(skin);
+    hold.contact = skin.nearest(hold.contact.point_mm + glm::dvec3(-right_mm, 0.0, -feet_mm));
+    return nextMovement(target, hold);
+  };
+  EXPECT_EQ(from(0.0, 60.0).text.english(), "Slide 60 mm towards the patient's head.");
+  EXPECT_EQ(from(0.0, -60.0).text.english(), "Slide 60 mm towards the patient's feet.");
+  EXPECT_EQ(from(40.0, 0.0).towards, PatientSide::left);
+  EXPECT_EQ(from(-40.0, 0.0).towards, PatientSide::right);
+  EXPECT_EQ(from(0.0, 60.0).movement, HandMovement::slide);
+}
+
+TEST(Compass, SlidesToTheRegionThenRotatesThenTips) {
+  const test::CylinderSkin skin(120.0);
+  const CompassTarget target = targetAt(frontHold(skin), skin);
+  const Hold turnedAway = turned(frontHold(skin), 1.0, 0.4, 0.4);
+  EXPECT_EQ(nextMovement(target, slid(turnedAway, skin, 80.0, 0.0)).movement, HandMovement::slide);
+  EXPECT_EQ(nextMovement(target, slid(turnedAway, skin, 10.0, 0.0)).movement, HandMovement::rotate);
+  EXPECT_EQ(nextMovement(target, turned(frontHold(skin), 0.0, 0.4, 0.4)).movement, HandMovement::tilt);
+  EXPECT_EQ(nextMovement(target, turned(frontHold(skin), 0.0, 0.4, 0.0)).movement, HandMovement::rock);
+}
+
+TEST(Compass, SaysWhichWayToTurnAsSeenFromAboveTheProbe) {
+  const test::CylinderSkin skin(120.0);
+  const CompassTarget target = targetAt(frontHold(skin), skin);
+  const CompassAdvice advice = nextMovement(target, turned(frontHold(skin), 0.7, 0.0, 0.0));
+  EXPECT_EQ(advice.text.english(), "Rotate anticlockwise by 40 degrees.");
+  // The probe stands on the front of a patient seen from the front: right lies left, head lies up. Clockwise takes the marker from the
+  // patient's right to the head.
+  const glm::dvec3 marker(poseOf(turned(frontHold(skin), std::numbers::pi / 2.0, 0.0, 0.0)).probeToWorld.matrix[0]);
+  EXPECT_NEAR(marker.z, 1.0, 1e-9);
+}
+
+TEST(Compass, SaysWhereTheBeamIsToTip) {
+  const test::CylinderSkin skin(120.0);
+  const CompassTarget target = targetAt(frontHold(skin), skin);
+  const Hold fanned = turned(frontHold(skin), 0.0, 0.0, 0.5);
+  const glm::dvec3 beam(poseOf(fanned).probeToWorld.matrix[1]);
+  const CompassAdvice tilt = nextMovement(target, fanned);
+  ASSERT_EQ(tilt.movement, HandMovement::tilt);
+  EXPECT_EQ(tilt.towards, beam.z > 0.0 ? PatientSide::feet : PatientSide::head);
+  const Hold rocked = turned(frontHold(skin), 0.0, 0.5, 0.0);
+  const glm::dvec3 rockedBeam(poseOf(rocked).probeToWorld.matrix[1]);
+  const CompassAdvice rock = nextMovement(target, rocked);
+  ASSERT_EQ(rock.movement, HandMovement::rock);
+  EXPECT_EQ(rock.towards, rockedBeam.x > 0.0 ? PatientSide::right : PatientSide::left);
+}
+
+TEST(Compass, SaysThatTheMarkerPointsTheWrongWay) {
+  const test::CylinderSkin skin(120.0);
+  const CompassTarget target = targetAt(frontHold(skin), skin);
+  const CompassAdvice advice = nextMovement(target, turned(frontHold(skin), std::numbers::pi, 0.0, 0.0));
+  EXPECT_EQ(advice.movement, HandMovement::turnRound);
+}
+
+TEST(Compass, GoesOnTurningTheWayItBegan) {
+  const test::CylinderSkin skin(120.0);
+  const CompassTarget target = targetAt(frontHold(skin), skin);
+  const CompassAdvice first = nextMovement(target, turned(frontHold(skin), std::numbers::pi - 0.02, 0.0, 0.0));
+  const CompassAdvice second = nextMovement(target, turned(frontHold(skin), std::numbers::pi + 0.02, 0.0, 0.0), first);
+  EXPECT_GT(first.amount * second.amount, 0.0);
+}
+
+TEST(Compass, KeepsSayingThereUntilThePlaneIsLeft) {
+  const test::CylinderSkin skin(120.0);
+  const CompassTarget target = targetAt(frontHold(skin), skin);
+  const Hold near = slid(frontHold(skin), skin, 0.0, 4.5);  // between found and left
+  EXPECT_NE(nextMovement(target, near).movement, HandMovement::stay);
+  CompassAdvice there;
+  EXPECT_EQ(nextMovement(target, near, there).movement, HandMovement::stay);
+  EXPECT_NE(nextMovement(target, slid(frontHold(skin), skin, 0.0, 5.5), there).movement, HandMovement::stay);
+}
+
+TEST(Compass, SaysWhenAPlaneCannotBeReachedFromTheSkin) {
+  const test::CylinderSkin skin(120.0);
+  PlaneTarget inside{poseOf(frontHold(skin)).probeToWorld, {0.0, 60.0}};
+  inside.probeToWorld.matrix[3].y += 60.0;  // its face lies in the middle of the body
+  const CompassTarget target = compassTargetOf(inside, {}, skin);
+  EXPECT_FALSE(target.reachable);
+  EXPECT_EQ(nextMovement(target, frontHold(skin)).movement, HandMovement::none);
+  EXPECT_EQ(followCompass(target, frontHold(skin), skin, 1).reached, false);
+}
+
+/// Starts all over `skin` at most so far from the target, turned anyhow.
+template <class AnySkin>
+void expectHandsArrive(const AnySkin& skin, double farthest_mm, int hands) {
+  const Hold hold = turned(slid(frontHold(skin), skin, 20.0, 10.0), 0.6, -0.2, 0.3);
+  const CompassTarget target = targetAt(hold, skin);
+  ASSERT_TRUE(target.reachable);
+  for (int n = 0; n < hands; ++n) {
+    const double way = farthest_mm * (n + 1.0) / hands;
+    const Hold start =
+        turned(slid(hold, skin, way * std::cos(2.4 * n), way * std::sin(2.4 * n)), 2.4 * n, 0.3 * std::sin(n), 0.3 * std::cos(n));
+    const HandRun run = followCompass(target, start, skin, static_cast<std::uint64_t>(n));
+    EXPECT_TRUE(run.reached) << "from " << way << " mm, angle " << run.error.angle_deg << ", distance " << run.error.distance_mm;
+    EXPECT_TRUE(isFound(planeError(target.plane, poseOf(run.end).probeToWorld), target.tolerance));
+    EXPECT_LT(run.changesOfAdvice, 40) << "it chatters";
+  }
+}
+
+TEST(Compass, BringsClumsyHandsThereOnFlatSkin) { expectHandsArrive(test::PlaneSkin(), 150.0, 20); }
+TEST(Compass, BringsClumsyHandsThereAroundATrunk) { expectHandsArrive(test::CylinderSkin(120.0), 300.0, 20); }
+TEST(Compass, BringsClumsyHandsThereAroundABall) { expectHandsArrive(test::SphereSkin(90.0), 250.0, 20); }
+
+TEST(Compass, BringsClumsyHandsToThePlanesOfTheNeck) {
+  const auto cases = shippedCasesFolder();
+  const auto resources = resourceFolder();
+  ASSERT_TRUE(cases && resources);
+  const auto opened = loadCase(*cases / "neck-carotid-thyroid");
+  ASSERT_TRUE(opened) << opened.error();
+  const auto truth = loadCaseTruth(*opened, noProgress());
+  ASSERT_TRUE(truth) << truth.error();
+  const auto skin = readBodySkin(*resources / "mannequin" / opened->mannequin);
+  ASSERT_TRUE(skin) << skin.error();
+  ASSERT_GE(truth->planes.size(), 5U);
+  for (const ExpectedPlane& plane : truth->planes) {
+    const CompassTarget target = compassTargetOf(targetOf(plane, *truth, 40.0), toleranceOf(plane), **skin);
+    ASSERT_TRUE(target.reachable) << plane.name << ": " << target.left.angle_deg << " deg, " << target.left.distance_mm << " mm";
+    const Hold start = turned(slid(target.hold, **skin, 25.0, 15.0), 2.0, 0.2, -0.2);
+    EXPECT_TRUE(followCompass(target, start, **skin, 3).reached) << plane.name;
+  }
+}
+
+}  // namespace
+}  // namespace ew
