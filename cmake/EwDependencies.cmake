@@ -5,6 +5,8 @@ find_package(Ceres 2.1 REQUIRED)
 find_package(kissfft REQUIRED COMPONENTS SHARED)
 find_package(ZLIB REQUIRED)
 find_package(SQLite3 REQUIRED)
+find_package(LibArchive REQUIRED)
+find_package(OpenSSL 3 REQUIRED COMPONENTS Crypto)
 find_package(PNG REQUIRED)
 find_package(TIFF REQUIRED)
 find_package(glm REQUIRED)
@@ -18,7 +20,7 @@ find_package(hwy REQUIRED)
 find_package(TBB REQUIRED)
 find_package(Qt5 5.15 REQUIRED COMPONENTS Widgets OpenGL Svg)
 find_package(VTK 9.1 REQUIRED COMPONENTS
-  CommonCore CommonDataModel CommonMath CommonTransforms FiltersCore FiltersSources ImagingCore
+  CommonCore CommonDataModel CommonMath CommonTransforms FiltersCore FiltersGeneral FiltersSources ImagingCore
   IOGeometry IOPLY InteractionStyle RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 GUISupportQt)
 # GDCM's own package file names programs and VTK bridges of other packages that are not needed here; its libraries are found by name.
 find_path(EW_GDCM_INCLUDE gdcmImageCodec.h PATH_SUFFIXES gdcm-3.0 REQUIRED)

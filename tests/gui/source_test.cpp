@@ -176,7 +176,7 @@ class SourceTest : public WindowFixture {
     QVERIFY(importSweep(files_.writeSweep(QStringLiteral("keys.igs.mha")), true));
     const Hold before = session().hold();
     QTest::keyClick(&window_->scanView(), Qt::Key_I);
-    QVERIFY(waitUntil([this] { return picker().isAsking(); }));
+    QVERIFY(waitUntil([this] { return picker().isPicking(); }));
     QTest::mouseClick(&picker(), Qt::LeftButton, Qt::NoModifier, picker().rect().center());
     QVERIFY(waitUntil([this] { return dialog() != nullptr && dialog()->isVisible(); }));
     const QPoint first = *picker().mark();
@@ -186,7 +186,7 @@ class SourceTest : public WindowFixture {
     QCOMPARE(*picker().mark(), first + QPoint(4, 4));
     QVERIFY(session().hold() == before);
     QTest::keyClick(&picker(), Qt::Key_Escape);
-    QVERIFY(!picker().isAsking());
+    QVERIFY(!picker().isPicking());
     // The mark alone leaves the mouse to the probe, and goes when the plane does.
     QTest::keyClick(&window_->scanView(), Qt::Key_Q);
     QVERIFY(!(session().hold() == before));

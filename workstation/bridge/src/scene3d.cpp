@@ -23,6 +23,7 @@
 
 #include "camera.h"
 #include "ew/bridge/convert.h"
+#include "ew/bridge/organ_surfaces.h"
 #include "ew/core/contract.h"
 #include "fan_picture.h"
 #include "orientation_cube.h"
@@ -104,6 +105,10 @@ struct Scene3D::Parts {
   vtkNew<vtkActor> box;
   vtkNew<vtkPolyData> boxMesh;
   std::optional<Bounds> volume;
+  bool boxWanted = true;
+  std::shared_ptr<const OrganSurfaces> organs;
+  vtkNew<vtkActor> organActor;
+  vtkNew<vtkPolyDataMapper> organMapper;
 
   vtkNew<vtkActor> housing;
   vtkNew<vtkPolyDataMapper> housingMapper;
@@ -242,6 +247,14 @@ Scene3D::Scene3D(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(windo
   p.body->VisibilityOff();
   p.bodyLayer->AddActor(p.body);
 
+  p.organActor->SetMapper(p.organMapper);
+  p.organMapper->SetColorModeToDirectScalars();
+  p.organActor->GetProperty()->SetInterpolationToPhong();
+  p.organActor->GetProperty()->SetAmbient(0.12);
+  p.organActor->GetProperty()->SetDiffuse(0.85);
+  p.organActor->VisibilityOff();
+  p.bodyLayer->AddActor(p.organActor);
+
   vtkNew<vtkPolyDataMapper> boxMapper;
   boxMapper->SetInputData(p.boxMesh);
   p.box->SetMapper(boxMapper);
@@ -321,7 +334,20 @@ void Scene3D::setVolumeBox(const Grid& grid) {
       }
   p.boxMesh->SetPoints(points);
   p.boxMesh->SetLines(lines);
-  p.box->VisibilityOn();
+  p.box->SetVisibility(p.boxWanted);
+}
+
+void Scene3D::setBoxVisible(bool visible) {
+  parts_->boxWanted = visible;
+  parts_->box->SetVisibility(visible && parts_->volume.has_value());
+}
+
+void Scene3D::setOrgans(std::shared_ptr<const OrganSurfaces> organs) {
+  Parts& p = *parts_;
+  p.organs = std::move(organs);
+  const bool any = p.organs != nullptr && !p.organs->labels().empty();
+  if (any) p.organMapper->SetInputData(p.organs->mesh());
+  p.organActor->SetVisibility(any);
 }
 
 void Scene3D::clearVolumeBox() {

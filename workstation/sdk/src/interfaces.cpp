@@ -18,6 +18,9 @@ Cases::~Cases() = default;
 Result<void> Cases::makeOwn() { return {}; }
 std::optional<Cases::Scan> Cases::scan() const { return std::nullopt; }
 Cases::Choices Cases::choices() const { return {}; }
+Result<void> Cases::open(const std::filesystem::path&) {
+  return failure(ErrorCode::badUsage, say<"There is no window in which a case could be opened.">());
+}
 Jobs::~Jobs() = default;
 void Jobs::startSaving(const std::string& title, std::function<Result<void>(Progress&)> work,
                        std::function<void(const Result<void>&)> done) {
@@ -30,9 +33,15 @@ void Panels::add(const std::string& id, const std::string& title, StagedPanel::M
   addStaged({.id = id, .title = title, .make = std::move(make), .workspace = workspace});
 }
 Scan::~Scan() = default;
+std::optional<Scanned> Scan::scanned() const { return std::nullopt; }
+std::vector<ScanMeasurement> Scan::measurements() const { return {}; }
+Ticket Scan::onMeasured(std::function<void()>) { return nullptr; }
+Ticket Scan::askForPoint(const std::string&, std::function<void(const Point<frame::Probe>&)>, std::function<void()>) { return nullptr; }
 Workspaces::~Workspaces() = default;
 Overlays::~Overlays() = default;
+Ticket Overlays::showInBody(const BodyAids&) { return nullptr; }
 CaseParts::~CaseParts() = default;
+Ticket CaseParts::onAsked(const std::string&, AskCallback) { return nullptr; }
 Window::~Window() = default;
 Commands::~Commands() = default;
 Log::~Log() = default;

@@ -153,6 +153,15 @@ std::shared_ptr<HostOverlays::Shown<Drawing>> HostOverlays::made(std::vector<std
 std::shared_ptr<sdk::ScanOverlay> HostOverlays::overScan() { return made(scan_, &HostOverlays::scanChanged); }
 std::shared_ptr<sdk::BodyOverlay> HostOverlays::overBody() { return made(body_, &HostOverlays::bodyChanged); }
 
+sdk::Ticket HostOverlays::showInBody(const sdk::BodyAids& aids) {
+  auto kept = std::make_shared<const sdk::BodyAids>(aids);
+  aids_.push_back(kept);
+  Q_EMIT aidsChanged();
+  return sdk::Ticket(nullptr, [host = QPointer<HostOverlays>(this), kept](void*) {
+    if (host && std::erase(host->aids_, kept) > 0) Q_EMIT host->aidsChanged();
+  });
+}
+
 bool HostOverlays::isBodyDrawnOver() const {
   return std::any_of(body_.begin(), body_.end(), [](const auto& weak) {
     const auto shown = weak.lock();

@@ -24,6 +24,9 @@ class HostOverlays final : public QObject, public sdk::Overlays {
 
   [[nodiscard]] std::shared_ptr<sdk::ScanOverlay> overScan() override;
   [[nodiscard]] std::shared_ptr<sdk::BodyOverlay> overBody() override;
+  [[nodiscard]] sdk::Ticket showInBody(const sdk::BodyAids& aids) override;
+  /// What is asked for at last; null: nothing, the user's own choice counts.
+  [[nodiscard]] const sdk::BodyAids* aids() const { return aids_.empty() ? nullptr : aids_.back().get(); }
 
   [[nodiscard]] bool isBodyDrawnOver() const;
   /// @param pixelOf where a point lies in the painter's coordinates
@@ -33,6 +36,7 @@ class HostOverlays final : public QObject, public sdk::Overlays {
  Q_SIGNALS:
   void scanChanged();
   void bodyChanged();
+  void aidsChanged();
 
  private:
   template <class Drawing>
@@ -41,6 +45,7 @@ class HostOverlays final : public QObject, public sdk::Overlays {
   [[nodiscard]] std::shared_ptr<Shown<Drawing>> made(std::vector<std::weak_ptr<Shown<Drawing>>>& all, void (HostOverlays::*changed)());
   std::vector<std::weak_ptr<Shown<sdk::ScanDrawing>>> scan_;
   std::vector<std::weak_ptr<Shown<sdk::BodyDrawing>>> body_;
+  std::vector<std::shared_ptr<const sdk::BodyAids>> aids_;
 };
 
 }  // namespace ew::ui

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "calipers.h"
+#include "pick_layer.h"
 #include "session.h"
+#include "words.h"
 
 namespace ew::ui {
 
@@ -126,6 +129,79 @@ sdk::Ticket HostScan::keepSettings() {
               once->deleteLater();
               giveBack();
             });
+          }};
+}
+
+std::optional<sdk::Scanned> HostScan::scanned() const {
+  const auto& subject = session_.subject();
+  if (!subject) return std::nullopt;
+  return sdk::Scanned{subject->placedGrid, subject->labels, subject->placedLabels, session_.skin(), session_.probes()};
+}
+
+void HostScan::setCalipers(Calipers& calipers) {
+  calipers_ = &calipers;
+  connect(&calipers, &Calipers::linesChanged, this, [this] {
+    std::erase_if(measured_, [](const auto& one) { return one.expired(); });
+    const auto now = measured_;  // a callback may register another
+    for (const auto& weak : now)
+      if (const auto callback = weak.lock()) (*callback)();
+  });
+}
+
+sdk::Ticket HostScan::onMeasured(std::function<void()> callback) {
+  auto kept = std::make_shared<std::function<void()>>(std::move(callback));
+  measured_.push_back(kept);
+  return kept;
+}
+
+std::vector<sdk::ScanMeasurement> HostScan::measurements() const {
+  std::vector<sdk::ScanMeasurement> found;
+  if (calipers_ == nullptr) return found;
+  for (const Calipers::Line& line : calipers_->lines()) {
+    if (line.where != Where::picture || line.measured.figures.empty()) continue;
+    sdk::ScanMeasurement one;
+    one.number = line.measurement.number;
+    one.kind = measurement::wordOf(line.measurement.caliper.kind);
+    for (const auto& part : line.measurement.caliper.parts)
+      for (const glm::dvec2& at : part.points) one.points.push_back({{at.x, at.y, 0.0}});
+    for (const auto& figure : line.measured.figures)
+      one.figures.push_back({std::string(measurement::wordOf(figure.kind)), figure.quantity.value, figure.quantity.uncertainty,
+                             std::string(measurement::symbolOf(figure.quantity.unit))});
+    found.push_back(std::move(one));
+  }
+  return found;
+}
+
+void HostScan::setPointing(PickLayer& layer) {
+  pointing_ = &layer;
+  connect(&layer, &PickLayer::picked, this, [this](const QPoint& pixel) {
+    if (askings_.empty()) return;
+    const auto asking = askings_.back();  // it may give its ticket back meanwhile
+    if (asking->pointed) {
+      const glm::dvec2 at_mm = session_.geometry().probePoint_mm(pixel.x(), pixel.y());
+      asking->pointed({{at_mm.x, at_mm.y, 0.0}});
+    }
+  });
+  connect(&layer, &PickLayer::escaped, this, [this] {
+    const auto all = std::exchange(askings_, {});
+    for (const auto& asking : all)
+      if (asking->stopped) asking->stopped();
+  });
+}
+
+void HostScan::askLatest() {
+  if (pointing_ == nullptr) return;
+  if (!askings_.empty()) pointing_->setHint(askings_.back()->hint);
+  pointing_->setPicking(!askings_.empty());
+}
+
+sdk::Ticket HostScan::askForPoint(const std::string& hint, std::function<void(const Point<frame::Probe>&)> pointed,
+                                  std::function<void()> stopped) {
+  auto asking = std::make_shared<Asking>(Asking{words(hint), std::move(pointed), std::move(stopped)});
+  askings_.push_back(asking);
+  askLatest();
+  return {asking.get(), [host = QPointer<HostScan>(this), asking](void*) {
+            if (host && std::erase(host->askings_, asking) > 0) host->askLatest();
           }};
 }
 

@@ -10,6 +10,8 @@
 
 namespace ew::ui {
 
+class Calipers;
+class PickLayer;
 class Session;
 
 /// The scan of a session as plugins see it, and who of them has the probe.
@@ -30,6 +32,15 @@ class HostScan final : public QObject, public sdk::Scan {
   [[nodiscard]] Result<void> chooseProbe(const std::string& id) override;
   [[nodiscard]] Result<void> setFrozen(bool frozen) override;
   [[nodiscard]] sdk::Ticket keepSettings() override;
+  [[nodiscard]] std::optional<sdk::Scanned> scanned() const override;
+  [[nodiscard]] std::vector<sdk::ScanMeasurement> measurements() const override;
+  [[nodiscard]] sdk::Ticket onMeasured(std::function<void()> callback) override;
+  [[nodiscard]] sdk::Ticket askForPoint(const std::string& hint, std::function<void(const Point<frame::Probe>&)> pointed,
+                                        std::function<void()> stopped) override;
+
+  /// Without them nothing is measured and nobody is asked to point. Both must outlive the host.
+  void setCalipers(Calipers& calipers);
+  void setPointing(PickLayer& layer);
 
   /// The user wants the probe back: nobody drives it any more, and who did is told.
   void takeProbeBack();
@@ -39,7 +50,13 @@ class HostScan final : public QObject, public sdk::Scan {
     std::shared_ptr<const PoseSource> source;
     std::function<void()> takenBack;
   };
+  struct Asking {
+    QString hint;
+    std::function<void(const Point<frame::Probe>&)> pointed;
+    std::function<void()> stopped;
+  };
   void followLatest();
+  void askLatest();
   void tellPicture();
   void tell(const ScanEvent& event);
   [[nodiscard]] Result<void> mayChange() const;
@@ -48,6 +65,10 @@ class HostScan final : public QObject, public sdk::Scan {
   Session& session_;
   std::vector<std::shared_ptr<Driver>> drivers_;
   std::vector<std::weak_ptr<EventCallback>> callbacks_;
+  Calipers* calipers_ = nullptr;
+  std::vector<std::weak_ptr<std::function<void()>>> measured_;
+  PickLayer* pointing_ = nullptr;
+  std::vector<std::shared_ptr<Asking>> askings_;
   std::optional<ScanState> told_;  ///< the state of the last image that was told; empty: none of this subject
   int subjects_ = 0;               ///< shown so far
 };

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "body_aids.h"
 #include "case_folder_dialog.h"
 #include "host_overlays.h"
 #include "host_scan.h"
@@ -213,6 +214,12 @@ void MainWindow::watchViews() {
   p.opener = new Opener(p.session, p.document, p.jobs, *p.messages, *p.view3d, p.hand, this);
   p.host = new WorkstationHost(p.document, p.jobs, p.session, *p.panels, *p.messages, this);
   HostOverlays& overlays = p.host->hostOverlays();
+  new BodyAidsView(overlays, p.session, *p.view3d, p.jobs, this);
+  p.pointing = new PickLayer(p.session, *p.scanView);
+  p.pointing->setObjectName(QStringLiteral("pointing"));
+  p.pointing->setAccessibleName(tr("Point at a structure"));
+  p.host->hostScan().setPointing(*p.pointing);
+  p.host->hostScan().setCalipers(p.calipers);
   p.scanView->paintOver = [this, &overlays](QPainter& painter) {
     overlays.paintOverScan(painter, [this](const Point<frame::Probe>& at) { return parts_->scanView->positionOf(at); });
   };

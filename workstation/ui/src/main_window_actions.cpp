@@ -186,7 +186,7 @@ void MainWindow::addScanMenu(QMenu& scan) {
   p.saveRecordingAction = addMenuAction(scan, "record.save", [this] { saveRecording(); });
   p.sourceAction = addMenuAction(scan, "source", [this] {
     if (parts_->pages->currentWidget() == parts_->workspacePage) {
-      parts_->sourcePicker->setAsking(!parts_->sourcePicker->isAsking());
+      parts_->sourcePicker->setPicking(!parts_->sourcePicker->isPicking());
     } else {
       parts_->sourceAction->setChecked(false);
     }
@@ -348,7 +348,7 @@ void MainWindow::showSource(const QPoint& pixel) {
     p.source = dialog;
     connect(dialog, &QDialog::finished, this, [this] {
       parts_->sourcePicker->clearMark();
-      parts_->sourcePicker->setAsking(false);
+      parts_->sourcePicker->setPicking(false);
     });
     // Beside the scan, over the 3D view, where there is room for it.
     const QPoint corner = p.scanView->mapToGlobal(QPoint(0, 0));

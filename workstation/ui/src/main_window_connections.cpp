@@ -68,7 +68,7 @@ void MainWindow::connectSession() {
   });
   connect(p.console, &ConsolePanel::costAsked, this, &MainWindow::showCost);
   connect(p.sourcePicker, &SourcePicker::asked, this, &MainWindow::showSource);
-  connect(p.sourcePicker, &SourcePicker::askingChanged, p.sourceAction, &QAction::setChecked);
+  connect(p.sourcePicker, &PickLayer::pickingChanged, p.sourceAction, &QAction::setChecked);
 }
 
 void MainWindow::showCoverage() {
@@ -199,6 +199,10 @@ void MainWindow::connectPlugins() {
   });
   if (const auto* application = qobject_cast<GuardedApplication*>(QCoreApplication::instance()))
     connect(application, &GuardedApplication::thrown, this, &MainWindow::showThrown);
+  p.host->setOpening([this](const std::filesystem::path& folder) -> Result<void> {
+    open(wordsOf(folder));
+    return {};
+  });
   p.host->setScan([this]() -> std::optional<sdk::Cases::Scan> {
     const Session& session = parts_->session;
     if (!parts_->opener->showsCase() || !session.subject()) return std::nullopt;

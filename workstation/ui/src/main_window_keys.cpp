@@ -63,6 +63,7 @@ void MainWindow::connectKeys() {
   p.caliperLayer->setKeys(p.keys);
   p.annotationLayer->setKeys(p.keys);
   p.sourcePicker->setKeys(p.keys);
+  p.pointing->setKeys(p.keys);
   connect(&p.keys, &KeyMap::changed, this, [this] {
     showOwnKeys();
     parts_->console->showKeys(parts_->keyTips);

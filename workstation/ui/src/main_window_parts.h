@@ -133,6 +133,7 @@ struct MainWindow::Parts {
   Hold beforePress;  ///< where the probe was before the last press in a view
   ScanView* scanView = nullptr;
   PictureGrid* pictures = nullptr;  ///< with the scan view, and what stands beside it
+  PickLayer* pointing = nullptr;  ///< for plugins that ask for a point
   SourcePicker* sourcePicker = nullptr;
   CaliperLayer* caliperLayer = nullptr;
   CaliperLayer* stripCaliperLayer = nullptr;

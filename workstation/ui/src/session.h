@@ -65,7 +65,7 @@ class Session final : public QObject {
   void setCaseScene(const Scene& scene);
 
   void setSkin(std::shared_ptr<const Skin> skin);
-  [[nodiscard]] const Skin* skin() const { return skin_.get(); }
+  [[nodiscard]] const std::shared_ptr<const Skin>& skin() const { return skin_; }
 
   void setKnobs(const Knobs& knobs);
   [[nodiscard]] const Knobs& knobs() const { return console().knobs; }

@@ -1,181 +1,30 @@
 #include "start_page.h"
 
-#include <QFileInfo>
-#include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QMouseEvent>
-#include <QPainter>
-#include <QPainterPath>
-#include <QProgressBar>
+#include <QLineEdit>
 #include <QPushButton>
-#include <QScrollArea>
+#include <QStackedWidget>
 #include <QVBoxLayout>
-#include <QVariant>
-#include <algorithm>
 
-#include "ew/imaging/frame.h"
-#include "ew/tracking/hand.h"
+#include "card_view.h"
+#include "case_filters.h"
 #include "icons.h"
 #include "key_tips.h"
+#include "recent_strip.h"
 #include "theme.h"
 #include "words.h"
 
 namespace ew::ui {
 namespace {
 
-constexpr int kLeastCardWidth_px = 280;
-constexpr int kMostCardWidth_px = 440;
-constexpr int kGap_px = 16;
-constexpr int kThumbHeight_px = 160;
+constexpr int kMostAtAGlance = 24;
 
-/// A fan drawn in the accent's tone, for a case whose volume has not been prepared yet: shape, not data.
-void paintFan(QPainter& painter, const QRect& box) {
-  const Theme theme = scanTheme();
-  QPainterPath fan;
-  const QPointF apex(box.center().x(), box.top() - 24.0);
-  const double inner = 48.0;
-  const double outer = box.height() + 8.0;
-  fan.arcMoveTo(QRectF(apex.x() - inner, apex.y() - inner, 2 * inner, 2 * inner), 240);
-  fan.arcTo(QRectF(apex.x() - inner, apex.y() - inner, 2 * inner, 2 * inner), 240, 60);
-  fan.arcTo(QRectF(apex.x() - outer, apex.y() - outer, 2 * outer, 2 * outer), 300, -60);
-  fan.closeSubpath();
-  QColor fill = theme.accent;
-  fill.setAlphaF(0.16);
-  painter.setPen(QPen(theme.accent, 1.25));
-  painter.fillPath(fan, fill);
-  painter.drawPath(fan);
-}
-
-class Thumbnail final : public QWidget {
- public:
-  explicit Thumbnail(QWidget* parent) : QWidget(parent) { setFixedHeight(kThumbHeight_px); }
-  void setPicture(const QImage& picture) {
-    picture_ = picture;
-    update();
-  }
-
- protected:
-  void paintEvent(QPaintEvent*) override {
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    QPainterPath rounded;
-    rounded.addRoundedRect(QRectF(rect()), 4, 4);
-    painter.setClipPath(rounded);
-    painter.fillRect(rect(), Qt::black);
-    if (picture_.isNull()) {
-      paintFan(painter, rect());
-      return;
-    }
-    const QSize fitted = picture_.size().scaled(size(), Qt::KeepAspectRatioByExpanding);
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(QRect(QPoint((width() - fitted.width()) / 2, (height() - fitted.height()) / 2), fitted), picture_);
-  }
-
- private:
-  QImage picture_;
-};
-
-class CaseCard final : public QFrame {
- public:
-  CaseCard(const Case& shown, bool forAuthors, std::function<void()> chosen)
-      : id(shown.id), ownTitle_(words(shown.title)), traineesTitle_(words(titleForTrainees(shown))), chosen_(std::move(chosen)) {
-    setObjectName(QStringLiteral("caseCard"));
-    setMinimumWidth(kLeastCardWidth_px);
-    setMaximumWidth(kMostCardWidth_px);
-    setFocusPolicy(Qt::StrongFocus);
-    setCursor(Qt::PointingHandCursor);
-    auto* rows = new QVBoxLayout(this);
-    rows->setContentsMargins(12, 12, 12, 16);
-    rows->setSpacing(4);
-    thumbnail = new Thumbnail(this);
-    rows->addWidget(thumbnail);
-    rows->addSpacing(8);
-    title_ = new QLabel;
-    title_->setObjectName(QStringLiteral("caseCardTitle"));
-    QLabel* title = title_;
-    title->setProperty("heading", true);
-    title->setWordWrap(true);
-    rows->addWidget(title);
-    const auto quiet = [rows](const QString& text) {
-      if (text.isEmpty()) return;
-      auto* label = new QLabel(text);
-      label->setProperty("quiet", true);
-      label->setProperty("small", true);
-      label->setWordWrap(true);
-      rows->addWidget(label);
-    };
-    quiet(words(shown.region));
-    quiet(words(shown.indication));
-    rows->addStretch(1);
-    state = new QLabel;
-    state->setObjectName(QStringLiteral("caseState"));
-    state->setProperty("quiet", true);
-    state->setProperty("small", true);
-    state->setWordWrap(true);
-    rows->addWidget(state);
-    bar = new QProgressBar;
-    bar->setRange(0, 1000);
-    bar->setTextVisible(false);
-    rows->addWidget(bar);
-    state->hide();
-    bar->hide();
-    setForAuthors(forAuthors);
-  }
-
-  void setForAuthors(bool forAuthors) {
-    title_->setText(forAuthors ? ownTitle_ : traineesTitle_);
-    setAccessibleName(title_->text());
-  }
-
-  void setState(const QString& text, double fraction) {
-    state->setText(text);
-    state->setVisible(!text.isEmpty());
-    bar->setValue(static_cast<int>(fraction * 1000.0));
-    bar->setVisible(fraction > 0.0);
-  }
-
-  QLabel* state = nullptr;
-  QProgressBar* bar = nullptr;
-  Thumbnail* thumbnail = nullptr;
-  const std::string id;
-
- protected:
-  void mouseReleaseEvent(QMouseEvent* event) override {
-    if (event->button() == Qt::LeftButton && rect().contains(event->pos())) chosen_();
-  }
-  void keyPressEvent(QKeyEvent* event) override {
-    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter || event->key() == Qt::Key_Space) {
-      chosen_();
-    } else {
-      QFrame::keyPressEvent(event);
-    }
-  }
-
- private:
-  QLabel* title_ = nullptr;
-  QString ownTitle_, traineesTitle_;
-  std::function<void()> chosen_;
-};
-
-/// Opens with Enter as well as with a click: on a page of things to open nobody expects only the space bar to do it.
-class RecentButton final : public QPushButton {
- public:
-  using QPushButton::QPushButton;
-
- protected:
-  void keyPressEvent(QKeyEvent* event) override {
-    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
-      click();
-    } else {
-      QPushButton::keyPressEvent(event);
-    }
-  }
-};
-
-QLabel* heading(const QString& text) {
-  auto* label = new QLabel(text);
-  label->setProperty("heading", true);
+QLabel* quietLabel(const char* name) {
+  auto* label = new QLabel;
+  label->setObjectName(QLatin1String(name));
+  label->setProperty("quiet", true);
+  label->setWordWrap(true);
   return label;
 }
 
@@ -184,68 +33,165 @@ QLabel* heading(const QString& text) {
 StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("startPage"));
   setAttribute(Qt::WA_StyledBackground);
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(0, 0, 0, 0);
-  outer->addWidget(scroll);
-  body_ = new QWidget;
-  body_->setObjectName(QStringLiteral("startBody"));
-  body_->setAttribute(Qt::WA_StyledBackground);
-  scroll->setWidget(body_);
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(32, 24, 32, 16);
+  rows->setSpacing(12);
+  makeHead();
+  filters_ = new CaseFilters;
+  rows->addWidget(filters_);
+  makeList();
+  recent_ = new RecentStrip;
+  rows->addWidget(recent_);
+  hint_ = quietLabel("startHint");
+  hint_->setProperty("small", true);
+  rows->addWidget(hint_);
+  connect(filters_, &CaseFilters::changed, this, &StartPage::find);
+  connect(filters_, &CaseFilters::clearRequested, this, &StartPage::clearSearch);
+  connect(recent_, &RecentStrip::chosen, this, &StartPage::fileChosen);
+  QWidget* before = search_;
+  for (QWidget* next : filters_->inOrder()) {
+    setTabOrder(before, next);
+    before = next;
+  }
+  setTabOrder(before, cards_);
+  setForAuthors(false);
+  find();
+}
 
-  auto* rows = new QVBoxLayout(body_);
-  rows->setContentsMargins(40, 32, 40, 32);
-  rows->setSpacing(16);
+void StartPage::makeHead() {
   auto* head = new QHBoxLayout;
-  head->addWidget(heading(tr("Cases")));
+  head->setSpacing(kGrid_px);
+  static_cast<QVBoxLayout*>(layout())->addLayout(head);
+  auto* title = new QLabel(tr("Cases"));
+  title->setProperty("heading", true);
+  head->addWidget(title);
+  head->addSpacing(kGrid_px);
+  search_ = new QLineEdit;
+  search_->setObjectName(QStringLiteral("caseSearch"));
+  search_->setAccessibleName(tr("Search the cases"));
+  search_->setToolTip(tipWithKeys(tr("Each word is looked for at the beginning of the words of a case (%1)"), "search"));
+  search_->setClearButtonEnabled(true);
+  search_->setMinimumWidth(200);
+  search_->setMaximumWidth(560);
+  search_->setMaxLength(10000);
+  search_->installEventFilter(this);
+  head->addWidget(search_, 3);
   head->addStretch(1);
   back_ = new QPushButton;
   back_->setObjectName(QStringLiteral("startBack"));
   back_->setToolTip(tr("Back to what is open (Escape)"));
   back_->hide();
   head->addWidget(back_);
-  auto* open = new QPushButton(icon(QStringLiteral("open"), currentTheme().onAccent), tr("Open…"));
-  open->setObjectName(QStringLiteral("startOpen"));
-  open->setProperty("primary", true);
-  open->setToolTip(tipWithKeys(tr("Open a case, a volume or a sweep (%1)"), "open"));
-  head->addWidget(open);
-  rows->addLayout(head);
-  empty_ = new QLabel;
-  empty_->setObjectName(QStringLiteral("startEmpty"));
-  empty_->setProperty("quiet", true);
-  empty_->setWordWrap(true);
-  empty_->hide();
-  rows->addWidget(empty_);
-  grid_ = new QGridLayout;
-  grid_->setSpacing(kGap_px);
-  rows->addLayout(grid_);
-  recentTitle_ = heading(tr("Recently opened"));
-  recentTitle_->hide();
-  rows->addSpacing(16);
-  rows->addWidget(recentTitle_);
-  recent_ = new QVBoxLayout;
-  recent_->setSpacing(0);
-  rows->addLayout(recent_);
-  hint_ = new QLabel;
-  hint_->setObjectName(QStringLiteral("startHint"));
-  hint_->setProperty("quiet", true);
-  hint_->setProperty("small", true);
-  hint_->setWordWrap(true);
-  rows->addWidget(hint_);
-  rows->addStretch(1);
-  connect(open, &QPushButton::clicked, this, &StartPage::openRequested);
+  open_ = new QPushButton(icon(QStringLiteral("open"), currentTheme().onAccent), tr("Open…"));
+  open_->setObjectName(QStringLiteral("startOpen"));
+  open_->setProperty("primary", true);
+  open_->setToolTip(tipWithKeys(tr("Open a case, a volume or a sweep (%1)"), "open"));
+  head->addWidget(open_);
+  connect(search_, &QLineEdit::textChanged, this, &StartPage::find);
+  connect(open_, &QPushButton::clicked, this, &StartPage::openRequested);
   connect(back_, &QPushButton::clicked, this, &StartPage::backRequested);
-  setForAuthors(false);
+}
+
+void StartPage::makeList() {
+  pages_ = new QStackedWidget;
+  cards_ = new CardView(list_);
+  pages_->addWidget(cards_);
+  auto* emptyPage = new QWidget;
+  auto* rows = new QVBoxLayout(emptyPage);
+  rows->setSpacing(16);
+  empty_ = quietLabel("startEmpty");
+  empty_->setAlignment(Qt::AlignCenter);
+  emptyButton_ = new QPushButton;
+  emptyButton_->setObjectName(QStringLiteral("startEmptyButton"));
+  rows->addStretch(2);
+  rows->addWidget(empty_);
+  rows->addWidget(emptyButton_, 0, Qt::AlignCenter);
+  rows->addStretch(3);
+  pages_->addWidget(emptyPage);
+  static_cast<QVBoxLayout*>(layout())->addWidget(pages_, 1);
+  connect(cards_, &CardView::chosen, this, &StartPage::caseChosen);
+  connect(cards_, &CardView::sightChanged, this, &StartPage::sightChanged);
+  connect(cards_, &CardView::leftUpwards, this, &StartPage::focusSearch);
+  connect(cards_, &CardView::typed, this, [this](const QString& text) {
+    search_->setFocus(Qt::ShortcutFocusReason);
+    search_->setText(search_->text() + text);
+  });
+  connect(emptyButton_, &QPushButton::clicked, this, [this] {
+    if (search_->text().isEmpty() && !filters_->isNarrowing()) return openRequested();
+    clearSearch();
+    focusSearch();
+  });
+}
+
+void StartPage::setIndex(LibraryIndex* index) {
+  index_ = index;
+  list_.setIndex(index);
+  showFound();
+}
+
+void StartPage::showFound() {
+  if (index_ != nullptr)
+    if (const auto choices = index_->choices()) filters_->setChoices(*choices);
+  find();
+}
+
+CaseQuery StartPage::query() const {
+  CaseQuery query;
+  query.words = search_->text().toStdString();
+  query.forTrainees = !forAuthors_;
+  filters_->fill(query);
+  return query;
+}
+
+void StartPage::find() {
+  if (const auto refused = list_.find(query())) Q_EMIT problem(*refused);
+  showEmpty();
+  Q_EMIT listed();
+}
+
+void StartPage::showEmpty() {
+  const int count = list_.rowCount();
+  const bool isNarrowed = !search_->text().isEmpty() || filters_->isNarrowing();
+  filters_->setClearable(isNarrowed);
+  filters_->setCount(count == 0 && !isNarrowed ? QString() : tr("%n case(s)", nullptr, count));
+  pages_->setCurrentIndex(count > 0 ? 0 : 1);
+  if (count > 0) return;
+  emptyButton_->setVisible(isNarrowed || !reading_);
+  if (isNarrowed) {
+    empty_->setText(tr("No case has all of this. Leave out a word or a filter."));
+    emptyButton_->setText(tr("Show all cases"));
+    return;
+  }
+  emptyButton_->setText(tr("Open…"));
+  empty_->setText(!problem_.isEmpty() ? problem_
+                  : reading_          ? tr("The cases of the library are being read.")
+                                      : tr("There are no cases here yet. Open a case folder, a volume or a sweep to begin."));
+}
+
+void StartPage::clearSearch() {
+  filters_->clear();
+  search_->clear();
+  find();
+}
+
+void StartPage::setReading(bool reading) {
+  reading_ = reading;
+  showEmpty();
+}
+
+void StartPage::setProblem(const QString& problem) {
+  problem_ = problem;
+  showEmpty();
 }
 
 void StartPage::setForAuthors(bool forAuthors) {
+  const bool changes = forAuthors_ != forAuthors;
   forAuthors_ = forAuthors;
-  for (QWidget* card : cards_) static_cast<CaseCard*>(card)->setForAuthors(forAuthors);
+  search_->setPlaceholderText(forAuthors ? tr("Search by title, region, finding, tag…") : tr("Search by title, region, lesson, tag…"));
   hint_->setText(forAuthors
                      ? tr("A sweep (.igs.mha), a volume (.mha, .mhd, .nrrd, .nii) or a case folder can also be dropped on this window.")
                      : tr("A case folder can also be dropped on this window."));
+  if (changes) find();
 }
 
 void StartPage::setOpenCase(const QString& name) {
@@ -254,72 +200,40 @@ void StartPage::setOpenCase(const QString& name) {
   back_->setAccessibleName(tr("Back to %1").arg(name));
 }
 
-void StartPage::showCases(const std::vector<Case>& cases, const QString& problem) {
-  for (QWidget* card : cards_) card->deleteLater();
-  cards_.clear();
-  for (const Case& shown : cases) {
-    cards_.push_back(new CaseCard(shown, forAuthors_, [this, folder = wordsOf(shown.folder)] { Q_EMIT caseChosen(folder); }));
-  }
-  empty_->setVisible(cases.empty());
-  empty_->setText(problem.isEmpty() ? tr("There are no cases here yet. Open a case folder, a volume or a sweep to begin.") : problem);
-  columns_ = 0;
-  arrange();
+void StartPage::showRecent(const std::vector<RecentFile>& files) { recent_->show(files); }
+
+void StartPage::setThumbnail(const QString& folder, const QImage& picture) { list_.setPicture(folder, picture); }
+
+void StartPage::setState(const QString& folder, const QString& state, double fraction) { list_.setState(folder, {state, fraction}); }
+
+void StartPage::focusSearch() {
+  search_->setFocus(Qt::ShortcutFocusReason);
+  search_->selectAll();
 }
 
-void StartPage::showRecent(const std::vector<RecentFile>& files) {
-  while (QLayoutItem* item = recent_->takeAt(0)) {
-    delete item->widget();
-    delete item;
-  }
-  recentTitle_->setVisible(!files.empty());
-  for (const RecentFile& file : files) {
-    auto* button = new RecentButton(file.name);
-    button->setObjectName(QStringLiteral("recentFile"));
-    button->setProperty("flat", true);
-    button->setToolTip(file.tip);
-    button->setStyleSheet(QStringLiteral("text-align: left;"));
-    button->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
-    connect(button, &QPushButton::clicked, this, [this, path = file.path] { Q_EMIT fileChosen(path); });
-    recent_->addWidget(button, 0, Qt::AlignLeft);
-  }
+QStringList StartPage::foldersInSight() const { return pages_->currentIndex() == 0 ? cards_->foldersInSight() : QStringList(); }
+
+QStringList StartPage::foldersAtAGlance() const {
+  QStringList folders;
+  if (list_.rowCount() > kMostAtAGlance) return folders;
+  for (int n = 0; n < list_.rowCount(); ++n)
+    if (const CaseRow* row = list_.row(n)) folders << wordsOf(row->folder);
+  return folders;
 }
 
-void StartPage::setThumbnail(const std::string& caseId, const QImage& picture) {
-  for (QWidget* widget : cards_) {
-    auto* card = static_cast<CaseCard*>(widget);
-    if (card->id == caseId) card->thumbnail->setPicture(picture);
+bool StartPage::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != search_ || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
+  const auto* key = static_cast<QKeyEvent*>(event);
+  const bool goesDown = key->key() == Qt::Key_Down || key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
+  if (goesDown && list_.rowCount() > 0) {
+    cards_->setFocus(Qt::TabFocusReason);
+    return true;
   }
-}
-
-void StartPage::setState(const std::string& caseId, const QString& state, double fraction) {
-  for (QWidget* widget : cards_) {
-    auto* card = static_cast<CaseCard*>(widget);
-    if (card->id == caseId) card->setState(state, fraction);
+  if (key->key() == Qt::Key_Escape && !search_->text().isEmpty()) {
+    search_->clear();
+    return true;
   }
-}
-
-void StartPage::resizeEvent(QResizeEvent* event) {
-  QWidget::resizeEvent(event);
-  arrange();
-}
-
-void StartPage::arrange() {
-  const int columns = std::max(1, (width() - 80 + kGap_px) / (kLeastCardWidth_px + kGap_px));
-  if (columns == columns_) return;
-  columns_ = columns;
-  for (std::size_t i = 0; i < cards_.size(); ++i) {
-    grid_->addWidget(cards_[i], static_cast<int>(i) / columns, static_cast<int>(i) % columns);
-    cards_[i]->show();
-  }
-  // The cards share the width. Giving a column a stretch makes it exist, so the count is taken before.
-  const int known = std::max(grid_->columnCount(), columns);
-  for (int column = 0; column < known; ++column) grid_->setColumnStretch(column, column < columns ? 1 : 0);
-  // The tab key goes from card to card before it comes to what was open recently.
-  QWidget* before = findChild<QPushButton*>(QStringLiteral("startOpen"));
-  for (QWidget* card : cards_) {
-    setTabOrder(before, card);
-    before = card;
-  }
+  return QWidget::eventFilter(watched, event);
 }
 
 }  // namespace ew::ui

@@ -1,59 +1,87 @@
 #pragma once
 
 #include <QWidget>
-#include <filesystem>
 #include <vector>
 
-#include "ew/imaging/probe.h"
-#include "ew/library/case.h"
+#include "case_list.h"
 #include "recent_files.h"
 
-class QGridLayout;
 class QLabel;
+class QLineEdit;
 class QPushButton;
-class QVBoxLayout;
+class QStackedWidget;
 
 namespace ew::ui {
 
-/// The shipped cases as cards, *Open*, and what was open recently. Says what to do when there is nothing.
+class CaseFilters;
+class CardView;
+class RecentStrip;
+
+/// The library: cases as cards, found by words and filters, *Open*, and what was open recently. Says what to do when there is nothing.
 class StartPage final : public QWidget {
   Q_OBJECT
 
  public:
   explicit StartPage(QWidget* parent = nullptr);
 
-  void showCases(const std::vector<Case>& cases, const QString& problem);
+  /// @param index may be null; outlives the page's use of it
+  void setIndex(LibraryIndex* index);
+  /// Shows what the index says now; what is in sight stays in sight.
+  void showFound();
+  /// While the folders are read for the first time an empty list says so.
+  void setReading(bool reading);
+  /// Why there are no cases at all; empty: nothing is wrong.
+  void setProblem(const QString& problem);
   void showRecent(const std::vector<RecentFile>& files);
-  /// Authors read the cases' own titles, and what else may be opened here.
+  /// Authors read and search the cases' own titles and findings, and see what else may be opened here.
   void setForAuthors(bool forAuthors);
   /// @param name of what is open, which the page leads back to; empty: nothing is open
   void setOpenCase(const QString& name);
   /// Says on the case's card how its preparation stands; empty when it is ready. @param fraction 0..1; 0: no bar
-  void setState(const std::string& caseId, const QString& state, double fraction);
+  void setState(const QString& folder, const QString& state, double fraction);
   /// Puts a picture of the case's volume on its card.
-  void setThumbnail(const std::string& caseId, const QImage& picture);
+  void setThumbnail(const QString& folder, const QImage& picture);
+  void focusSearch();
+
+  [[nodiscard]] const CaseList& cases() const { return list_; }
+  [[nodiscard]] QStringList foldersInSight() const;
+  /// Folders of the cards when they are so few that nobody needs another way to one of them; else none.
+  [[nodiscard]] QStringList foldersAtAGlance() const;
 
  Q_SIGNALS:
   void caseChosen(const QString& folder);
   void fileChosen(const QString& file);
   void openRequested();
   void backRequested();
+  void sightChanged();  ///< other cards are in sight
+  void listed();        ///< the list is another one
+  void problem(const ew::Error& error);
 
  protected:
-  void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void arrange();
-  QWidget* body_ = nullptr;
-  QGridLayout* grid_ = nullptr;
-  QVBoxLayout* recent_ = nullptr;
-  QLabel* recentTitle_ = nullptr;
+  void makeHead();
+  void makeList();
+  void find();
+  void showEmpty();
+  void clearSearch();
+  [[nodiscard]] CaseQuery query() const;
+  CaseList list_;
+  QLineEdit* search_ = nullptr;
+  CaseFilters* filters_ = nullptr;
+  CardView* cards_ = nullptr;
+  QStackedWidget* pages_ = nullptr;
   QLabel* empty_ = nullptr;
+  QPushButton* emptyButton_ = nullptr;
+  RecentStrip* recent_ = nullptr;
   QLabel* hint_ = nullptr;
+  QPushButton* open_ = nullptr;
   QPushButton* back_ = nullptr;
-  std::vector<QWidget*> cards_;
+  LibraryIndex* index_ = nullptr;
+  QString problem_;
+  bool reading_ = false;
   bool forAuthors_ = false;
-  int columns_ = 0;
 };
 
 }  // namespace ew::ui

@@ -23,6 +23,8 @@
 namespace ew::ui {
 namespace {
 
+constexpr double kTranslucent = 0.45;
+
 constexpr int kOverlayMargin_px = 16;
 constexpr int kLeastForHint_px = 280;
 constexpr qint64 kLongestRest_ms = 100;  // the body follows ten times a second at the least
@@ -99,6 +101,8 @@ class OverlayBar final : public QWidget {
 }  // namespace
 
 struct View3D::Parts {
+  double opacity = 1.0;  ///< the user's choice
+  std::optional<Aids> aids;
   explicit Parts(View3D* view)
       : canvas(new QVTKOpenGLNativeWidget(view)), glass(new Glass(view)), hint(new QLabel(view)), buttons(new OverlayBar(view)) {
     canvas->setRenderWindow(window);
@@ -177,7 +181,7 @@ View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts
   skinButton->setAutoRaise(true);
   skinButton->setCheckable(true);
   skinButton->setProperty("small", true);
-  connect(skinButton, &QToolButton::toggled, this, [this](bool through) { setBodyOpacity(through ? 0.45 : 1.0); });
+  connect(skinButton, &QToolButton::toggled, this, [this](bool through) { setBodyOpacity(through ? kTranslucent : 1.0); });
   parts_->viewButtons.push_back(skinButton);
   parts_->still.setSingleShot(true);
   parts_->still.setInterval(250);
@@ -277,7 +281,20 @@ void View3D::setDarkTheme(bool dark) {
 }
 
 void View3D::setBodyOpacity(double opacity) {
-  parts_->scene->setBodyOpacity(opacity);
+  parts_->opacity = opacity;
+  showAids();
+}
+
+void View3D::setAids(std::optional<Aids> aids) {
+  parts_->aids = std::move(aids);
+  showAids();
+}
+
+void View3D::showAids() {
+  Parts& p = *parts_;
+  p.scene->setBodyOpacity(!p.aids ? p.opacity : p.aids->translucent || p.aids->organs ? kTranslucent : 1.0);
+  p.scene->setBoxVisible(!p.aids || p.aids->box);
+  p.scene->setOrgans(p.aids ? p.aids->organs : nullptr);
   render();
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ew/bridge/mannequin.h"
+#include "ew/bridge/organ_surfaces.h"
 #include "ew/bridge/scene3d.h"
 #include "ew/core/image.h"
 #include "ew/core/pose.h"
@@ -52,7 +53,14 @@ class View3D : public QWidget {
   void clearFanImage();  ///< the fan becomes a tinted pane
 
   void setDarkTheme(bool dark);
-  void setBodyOpacity(double opacity);  ///< 0..1
+  void setBodyOpacity(double opacity);  ///< 0..1; the user's choice
+  /// What a lesson shows in place of what the user chose; empty: the user's choice counts again.
+  struct Aids {
+    bool translucent = false;
+    bool box = false;
+    std::shared_ptr<const bridge::OrganSurfaces> organs;
+  };
+  void setAids(std::optional<Aids> aids);
   [[nodiscard]] QString defaultHint() const;
 
   void showFrom(bridge::CameraPreset preset);
@@ -89,6 +97,7 @@ class View3D : public QWidget {
 
  private:
   void draw(bridge::Scene3D::Edges edges);
+  void showAids();
   void retranslate();
   void placeOverlays();
 

@@ -5,6 +5,7 @@
 #include <QShowEvent>
 #include <QTabWidget>
 #include <QVBoxLayout>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -143,6 +144,7 @@ class HostCases final : public sdk::Cases {
     return saving.makeOwn ? saving.makeOwn() : Result<void>();
   }
   [[nodiscard]] bool hasUnsavedChanges() const override { return document_.hasUnsavedChanges(); }
+  Result<void> open(const std::filesystem::path& folder) override { return openCase ? openCase(folder) : sdk::Cases::open(folder); }
   [[nodiscard]] std::optional<Scan> scan() const override { return askScan ? askScan() : std::nullopt; }
   [[nodiscard]] Choices choices() const override { return askChoices ? askChoices() : Choices{}; }
   Ticket onChanged(std::function<void()> callback) override { return callbacks_.add(std::move(callback)); }
@@ -150,6 +152,7 @@ class HostCases final : public sdk::Cases {
 
   std::function<std::optional<Scan>()> askScan;
   std::function<Choices()> askChoices;
+  std::function<Result<void>(const std::filesystem::path&)> openCase;
 
   WorkstationHost::CaseSaving saving;
 
@@ -179,12 +182,36 @@ class HostCaseParts final : public sdk::CaseParts {
     return document_.current() ? document_.current()->folder / "parts" / name : std::filesystem::path();
   }
   [[nodiscard]] sdk::Ticket onOpened(OpenCallback callback) override { return callbacks_.add(std::move(callback)); }
-  void tellOpened() { callbacks_.tell(document_.current() ? document_.current()->folder : std::filesystem::path()); }
+  void tellOpened() {
+    callbacks_.tell(document_.current() ? document_.current()->folder : std::filesystem::path());
+    if (!document_.current() || !waiting_ || waiting_->folder != document_.current()->folder) return;
+    const auto asked = *std::exchange(waiting_, std::nullopt);
+    tellAsked(asked.name, asked.item);
+  }
+  [[nodiscard]] sdk::Ticket onAsked(const std::string& name, AskCallback callback) override {
+    return asked_[name].add(std::move(callback));
+  }
+  /// Of the open case at once, of another when it is opened.
+  void ask(const std::filesystem::path& folder, const std::string& name, const std::string& item) {
+    waiting_.reset();
+    if (document_.current() && document_.current()->folder == folder) return tellAsked(name, item);
+    waiting_ = Asked{folder, name, item};
+  }
 
  private:
+  struct Asked {
+    std::filesystem::path folder;
+    std::string name, item;
+  };
+  void tellAsked(const std::string& name, const std::string& item) {
+    if (const auto calls = asked_.find(name); calls != asked_.end()) calls->second.tell(item);
+  }
+
   CaseDocument& document_;
   door::PartSchemas& schemas_;
   TicketedCalls<std::filesystem::path> callbacks_;
+  std::map<std::string, TicketedCalls<std::string>> asked_;
+  std::optional<Asked> waiting_;
 };
 
 class HostJobs final : public sdk::Jobs {
@@ -326,6 +353,12 @@ WorkstationHost::~WorkstationHost() = default;
 
 void WorkstationHost::setCaseSaving(CaseSaving saving) { parts_->cases.saving = std::move(saving); }
 void WorkstationHost::setScan(std::function<std::optional<sdk::Cases::Scan>()> scan) { parts_->cases.askScan = std::move(scan); }
+void WorkstationHost::setOpening(std::function<Result<void>(const std::filesystem::path&)> open) {
+  parts_->cases.openCase = std::move(open);
+}
+void WorkstationHost::askFor(const std::filesystem::path& caseFolder, const std::string& part, const std::string& item) {
+  parts_->caseParts.ask(caseFolder, part, item);
+}
 void WorkstationHost::setChoices(std::function<sdk::Cases::Choices()> choices) { parts_->cases.askChoices = std::move(choices); }
 
 void WorkstationHost::setWorkspaceSwitch(WorkspaceSwitch theSwitch) { parts_->workspaces.theSwitch = std::move(theSwitch); }

@@ -55,6 +55,10 @@ class WorkstationHost final : public QObject, public sdk::Host {
   /// How the open case is scanned, and what a case may choose from: the window knows.
   void setScan(std::function<std::optional<sdk::Cases::Scan>()> scan);
   void setChoices(std::function<sdk::Cases::Choices()> choices);
+  /// How the window opens a case.
+  void setOpening(std::function<Result<void>(const std::filesystem::path&)> open);
+  /// Tells whoever waits for it (CaseParts::onAsked), when the case is open.
+  void askFor(const std::filesystem::path& caseFolder, const std::string& part, const std::string& item);
   /// Workspaces that plugins bring: how the window adds one (false: its id is taken), shows one and says which is in front.
   struct WorkspaceSwitch {
     std::function<bool(const sdk::Workspace&)> add;

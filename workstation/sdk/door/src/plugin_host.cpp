@@ -95,6 +95,7 @@ class PluginCases final : public sdk::Cases {
   Result<void> save(const std::filesystem::path& folder) override { return inner_.save(folder); }
   Result<void> makeOwn() override { return inner_.makeOwn(); }
   [[nodiscard]] bool hasUnsavedChanges() const override { return inner_.hasUnsavedChanges(); }
+  Result<void> open(const std::filesystem::path& folder) override { return inner_.open(folder); }
   [[nodiscard]] std::optional<Scan> scan() const override { return inner_.scan(); }
   [[nodiscard]] Choices choices() const override { return inner_.choices(); }
   Ticket onChanged(std::function<void()> callback) override {
@@ -264,6 +265,23 @@ class PluginScan final : public sdk::Scan {
   Result<void> apply(const Knobs& knobs) override { return inner_.apply(knobs); }
   Result<void> chooseProbe(const std::string& id) override { return inner_.chooseProbe(id); }
   Result<void> setFrozen(bool frozen) override { return inner_.setFrozen(frozen); }
+  [[nodiscard]] std::optional<sdk::Scanned> scanned() const override { return inner_.scanned(); }
+  [[nodiscard]] std::vector<sdk::ScanMeasurement> measurements() const override { return inner_.measurements(); }
+  [[nodiscard]] sdk::Ticket onMeasured(std::function<void()> callback) override {
+    return calls_->keepTicket(inner_.onMeasured(
+        [calls = calls_, callback = std::move(callback)] { static_cast<void>(calls->call(PluginMoment::scan, {}, callback)); }));
+  }
+  [[nodiscard]] sdk::Ticket askForPoint(const std::string& hint, std::function<void(const Point<frame::Probe>&)> pointed,
+                                        std::function<void()> stopped) override {
+    return calls_->keepTicket(inner_.askForPoint(
+        hint,
+        [calls = calls_, pointed = std::move(pointed)](const Point<frame::Probe>& at) {
+          static_cast<void>(calls->call(PluginMoment::scan, {}, [&] { pointed(at); }));
+        },
+        [calls = calls_, stopped = std::move(stopped)] {
+          if (stopped) static_cast<void>(calls->call(PluginMoment::scan, {}, stopped));
+        }));
+  }
   [[nodiscard]] sdk::Ticket keepSettings() override { return calls_->keepTicket(inner_.keepSettings()); }
 
  private:
@@ -310,6 +328,7 @@ class PluginOverlays final : public sdk::Overlays {
   [[nodiscard]] std::shared_ptr<sdk::BodyOverlay> overBody() override {
     return std::make_shared<KeptOverlay<sdk::BodyDrawing>>(*calls_, inner_.overBody());
   }
+  [[nodiscard]] sdk::Ticket showInBody(const sdk::BodyAids& aids) override { return calls_->keepTicket(inner_.showInBody(aids)); }
 
  private:
   Calls calls_;
@@ -333,6 +352,11 @@ class PluginCaseParts final : public sdk::CaseParts {
   [[nodiscard]] sdk::Ticket onOpened(OpenCallback callback) override {
     return calls_->keepTicket(inner_.onOpened([calls = calls_, callback = std::move(callback)](const std::filesystem::path& folder) {
       static_cast<void>(calls->call(PluginMoment::caseChanged, {}, [&] { callback(folder); }));
+    }));
+  }
+  [[nodiscard]] sdk::Ticket onAsked(const std::string& name, AskCallback callback) override {
+    return calls_->keepTicket(inner_.onAsked(name, [calls = calls_, callback = std::move(callback)](const std::string& item) {
+      static_cast<void>(calls->call(PluginMoment::caseChanged, {}, [&] { callback(item); }));
     }));
   }
 

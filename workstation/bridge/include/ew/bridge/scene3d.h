@@ -19,6 +19,8 @@ class vtkRenderer;
 
 namespace ew::bridge {
 
+class OrganSurfaces;
+
 /// Seen from the patient's front, back, right, left and head; `overview` is from the front and above, from the side that shows the fan
 /// best, and what the scene begins with once mannequin and pose are there.
 enum class CameraPreset { front, back, right, left, top, overview };
@@ -65,6 +67,10 @@ class Scene3D {
 
   void setVolumeBox(const Grid& grid);
   void clearVolumeBox();
+  /// Whether the box is drawn where there is one.
+  void setBoxVisible(bool visible);
+  /// Inside the body, seen where it is translucent; null: none.
+  void setOrgans(std::shared_ptr<const OrganSurfaces> organs);
 
   /// Housing and fan of a probe, the fan down to `depth_mm` and leaning as the knobs steer it; nothing is shown before the first pose.
   void setProbe(const Probe& probe, double depth_mm, const Knobs& knobs = {});

@@ -36,6 +36,11 @@ class CaseParts {
   /// Cases::onChanged tells of edits.
   using OpenCallback = std::function<void(const std::filesystem::path& folder)>;
   [[nodiscard]] virtual Ticket onOpened(OpenCallback callback) = 0;
+
+  /// Told when somebody asks for one item of a section, as the start page does for a lesson of a case: once that case is open.
+  /// @param item its id; empty: whatever is next
+  using AskCallback = std::function<void(const std::string& item)>;
+  [[nodiscard]] virtual Ticket onAsked(const std::string& name, AskCallback callback);
 };
 
 }  // namespace ew::sdk

@@ -128,6 +128,10 @@ class Cases {
   /// @error badUsage (no case is open), cancelled (the user wants no copy), notWritable
   [[nodiscard]] virtual Result<void> makeOwn();
   [[nodiscard]] virtual bool hasUnsavedChanges() const = 0;
+  /// Begins to open another case in place of this one, as if the user had chosen it; the user is asked about what would be lost, and may
+  /// stay. It is there when CaseParts::onOpened says so.
+  /// @error badUsage (no window)
+  [[nodiscard]] virtual Result<void> open(const std::filesystem::path& folder);
 
   /// How the volume of the open case is scanned at this moment.
   struct Scan {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ew/core/frames.h"
+#include "ew/sdk/ticket.h"
 
 namespace ew::sdk {
 
@@ -70,6 +71,14 @@ class Overlay {
 using ScanOverlay = Overlay<ScanDrawing>;
 using BodyOverlay = Overlay<BodyDrawing>;
 
+/// What helps to find one's way in the 3D view, beside what is drawn there.
+struct BodyAids {
+  bool translucentSkin = false;
+  std::vector<int> organs = {};  ///< numbers in the labels of what is scanned (Scanned::labels) whose surfaces are shown
+  bool volumeBox = false;        ///< how far the volume reaches
+  bool operator==(const BodyAids&) const = default;
+};
+
 /// Drawings over the views: values that the host paints in the theme's colours. On the window's thread. What is drawn over an image never
 /// gets into a saved image or a recording.
 class Overlays {
@@ -78,6 +87,9 @@ class Overlays {
   /// Never null; without a window nothing is drawn.
   [[nodiscard]] virtual std::shared_ptr<ScanOverlay> overScan() = 0;
   [[nodiscard]] virtual std::shared_ptr<BodyOverlay> overBody() = 0;
+  /// Shows in the body what `aids` says, and nothing else of it, until the ticket is destroyed; then what was shown before. Who asks last
+  /// is followed. Organs appear when their surfaces are made, which takes seconds.
+  [[nodiscard]] virtual Ticket showInBody(const BodyAids& aids);
 };
 
 }  // namespace ew::sdk

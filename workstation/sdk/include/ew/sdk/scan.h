@@ -15,6 +15,29 @@
 
 namespace ew::sdk {
 
+/// What is scanned, beside its pictures.
+struct Scanned {
+  Grid volume;                           ///< where the voxels lie in the world
+  std::shared_ptr<const Volume> labels;  ///< which structure each voxel is (its `echo` holds the numbers); null: nobody knows
+  Grid placedLabels;                     ///< where the labels lie in the world
+  std::shared_ptr<const Skin> skin;      ///< that the hand slides on; null: none yet
+  std::vector<Probe> probes;             ///< that may be chosen
+};
+
+/// Something that was measured in the image with calipers, as it stands now.
+struct ScanMeasurement {
+  struct Figure {
+    std::string name;          ///< "length", "circumference", "area", "angle" ...
+    double value = 0.0;        ///< in `unit`
+    double uncertainty = 0.0;  ///< standard deviation, in `unit`; 0: not known
+    std::string unit;          ///< "mm", "cm2", "deg" ...
+  };
+  int number = 0;                           ///< stays while it is edited
+  std::string kind;                         ///< of the caliper: "distance", "ellipse", "fitted_ellipse" ...
+  std::vector<Point<frame::Probe>> points;  ///< of the image plane, mm
+  std::vector<Figure> figures;              ///< the one that the caliper is for comes first
+};
+
 /// The scan as it goes on in the workstation: what every image is made with, and a way to move probe and settings and to give them back.
 /// On the window's thread. Without a window nothing is scanned: there is no state, tickets do nothing,
 /// and what would change the scan says so.
@@ -48,6 +71,21 @@ class Scan {
   [[nodiscard]] virtual Result<void> apply(const Knobs& knobs) = 0;
   /// @param id of one of the probes that the case allows. @error badUsage (no scan, it is frozen, a recording is played, no such probe)
   [[nodiscard]] virtual Result<void> chooseProbe(const std::string& id) = 0;
+  /// Empty: nothing is scanned.
+  [[nodiscard]] virtual std::optional<Scanned> scanned() const;
+
+  /// What is measured in the present image, in the order it was drawn. Empty without a window.
+  [[nodiscard]] virtual std::vector<ScanMeasurement> measurements() const;
+  /// Told whenever measurements() has changed.
+  [[nodiscard]] virtual Ticket onMeasured(std::function<void()> callback);
+
+  /// Asks the user to point at something: until the ticket is destroyed, clicks into the image (or a cross moved by the arrows, and Enter)
+  /// give `pointed` a point of the image plane instead of moving the probe. Who asks last is asked for. The user may stop it (Escape):
+  /// then `stopped` is called, and the ticket has no effect any more.
+  /// @param hint a sentence over the image meanwhile
+  [[nodiscard]] virtual Ticket askForPoint(const std::string& hint, std::function<void(const Point<frame::Probe>&)> pointed,
+                                           std::function<void()> stopped);
+
   /// Freezes the image, or lets it go on. @error badUsage (no scan, or a recording is played)
   [[nodiscard]] virtual Result<void> setFrozen(bool frozen) = 0;
   /// Remembers probe and settings; when the ticket is destroyed they are again what they were, unless something else is scanned by

@@ -1,0 +1,163 @@
+#include "logic/lesson_run.h"
+
+#include <algorithm>
+
+#include "ew/core/version.h"
+#include "ew/io/content_key.h"
+#include "ew/scanning/recording.h"
+
+namespace ew::lessons {
+namespace {
+
+std::chrono::sys_seconds now() { return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()); }
+
+}  // namespace
+
+std::string contentOf(const Lesson& lesson) { return ContentKey().add(jsonOf(std::vector<Lesson>{lesson}).dump()).text(); }
+
+LessonRun::LessonRun(Lesson lesson, std::optional<KeptAttempt> attempt) : lesson_(std::move(lesson)), attempt_(std::move(attempt)) {
+  if (!attempt_) return;
+  lostStep_ = attempt_->attempt().runningStep;
+  // It goes on at the first step that nobody has ended: the steps before it were judged, or skipped.
+  const auto isOpen = [&](const LessonStep& step) { return attempt_->attempt().outcomeOf(step.id) == nullptr; };
+  at_ = static_cast<std::size_t>(std::find_if(lesson_.steps.begin(), lesson_.steps.end(), isOpen) - lesson_.steps.begin());
+}
+
+Result<LessonRun> LessonRun::begin(Lesson lesson, const std::string& caseId, const std::string& person,
+                                   const std::filesystem::path& attempts) {
+  Attempt attempt;
+  attempt.startedAt = now();
+  attempt.id = idOfAttempt(attempt.startedAt);
+  attempt.caseId = caseId;
+  attempt.lessonId = lesson.id;
+  attempt.lessonTitle = lesson.title;
+  attempt.lessonContent = contentOf(lesson);
+  attempt.person = person;
+  attempt.program = kVersion;
+  auto kept = KeptAttempt::begin(attempts, std::move(attempt));
+  if (!kept) return passOn(kept.error());
+  return LessonRun(std::move(lesson), std::move(*kept));
+}
+
+const StepOutcome* LessonRun::outcomeOf(const std::string& stepId) const {
+  if (attempt_) return attempt_->attempt().outcomeOf(stepId);
+  const auto last = std::find_if(unkept_.rbegin(), unkept_.rend(), [&](const StepOutcome& one) { return one.stepId == stepId; });
+  return last == unkept_.rend() ? nullptr : &*last;
+}
+
+double LessonRun::passedShare() const {
+  if (lesson_.steps.empty()) return 0.0;
+  const auto isPassed = [&](const LessonStep& step) {
+    const StepOutcome* outcome = outcomeOf(step.id);
+    return outcome != nullptr && outcome->verdict == StepVerdict::passed;
+  };
+  return static_cast<double>(std::count_if(lesson_.steps.begin(), lesson_.steps.end(), isPassed)) /
+         static_cast<double>(lesson_.steps.size());
+}
+
+Result<void> LessonRun::startStep(StepScene scene, double now_s) {
+  EW_EXPECTS(!isOver() && !isRunning());
+  auto work = workOf(step(), std::move(scene));
+  if (!work) return passOn(work.error());
+  if (attempt_)
+    if (auto begun = attempt_->beginStep(step().id); !begun) return begun;
+  work_ = std::move(*work);
+  log_ = {};
+  usedBefore_s_ = 0.0;
+  runningSince_s_ = now_s;
+  hints_ = 0;
+  lostStep_.clear();
+  return {};
+}
+
+void LessonRun::pause(double now_s) {
+  if (!isRunning() || isPaused()) return;
+  usedBefore_s_ = used_s(now_s);
+  runningSince_s_.reset();
+}
+
+void LessonRun::goOn(double now_s) {
+  if (isPaused()) runningSince_s_ = now_s;
+}
+
+void LessonRun::see(const ScanEvent& event, const std::optional<ScanState>& image) {
+  if (!isRunning() || isPaused()) return;
+  log_.add(event);
+  if (image && std::holds_alternative<FrameMade>(event.what)) work_->see(*image);
+}
+
+double LessonRun::used_s(double now_s) const { return usedBefore_s_ + (runningSince_s_ ? std::max(0.0, now_s - *runningSince_s_) : 0.0); }
+
+std::optional<double> LessonRun::left_s(double now_s) const {
+  if (!isRunning() || !step().time_s) return std::nullopt;
+  return std::max(0.0, *step().time_s - used_s(now_s));
+}
+
+std::optional<std::string> LessonRun::nextHint() {
+  const auto& hints = step().hints;
+  if (!isRunning() || hints_ >= static_cast<int>(hints.size())) return std::nullopt;
+  return hints[static_cast<std::size_t>(hints_++)];
+}
+
+void LessonRun::stop() {
+  work_.reset();
+  runningSince_s_.reset();
+}
+
+Result<StepOutcome> LessonRun::keep(StepOutcome outcome, const KeepFiles& keepFiles) {
+  outcome.stepId = step().id;
+  outcome.hints = hints_;
+  outcome.at = now();
+  if (attempt_) {
+    if (log_.frameCount() > 0) {
+      const std::string name = attempt_->nameForFile(outcome.stepId, ".seq.mha");
+      ScanRecording recording;
+      recording.caseId = step().caseId.empty() ? attempt_->attempt().caseId : step().caseId;
+      recording.title = step().title;
+      recording.log = log_;
+      if (auto written = writeRecording(recording, attempt_->folder() / name); !written) return passOn(written.error());
+      outcome.recording = name;
+    }
+    if (keepFiles) outcome.pictures = keepFiles(*attempt_);
+    if (auto ended = attempt_->endStep(outcome); !ended) return passOn(ended.error());
+  } else {
+    unkept_.push_back(outcome);
+  }
+  stop();
+  return outcome;
+}
+
+Result<StepOutcome> LessonRun::endStep(const Handed& handed, double now_s, const KeepFiles& keepFiles) {
+  EW_EXPECTS(isRunning());
+  StepOutcome outcome;
+  outcome.seconds = used_s(now_s);
+  work_->judge(handed, outcome);
+  const bool inTime = !step().time_s || outcome.seconds <= *step().time_s + 0.5;  // the timer that ends it ticks twice a second
+  if (!inTime) outcome.remarks.push_back({false, say<"The time was over before the step was handed in.">()});
+  outcome.verdict = inTime && outcome.score >= step().passLevel ? StepVerdict::passed : StepVerdict::failed;
+  return keep(std::move(outcome), keepFiles);
+}
+
+Result<StepOutcome> LessonRun::skipStep(double now_s) {
+  StepOutcome outcome;
+  outcome.seconds = isRunning() ? used_s(now_s) : 0.0;
+  outcome.verdict = StepVerdict::skipped;
+  return keep(std::move(outcome), {});
+}
+
+Result<void> LessonRun::next() {
+  EW_EXPECTS(!isRunning() && !isOver());
+  if (at_ + 1 == lesson_.steps.size() && attempt_)
+    if (auto finished = attempt_->finish(now()); !finished) return finished;
+  ++at_;
+  return {};
+}
+
+Result<void> LessonRun::leave() {
+  if (attempt_)
+    if (auto left = attempt_->leaveStep(); !left) return left;
+  stop();
+  return {};
+}
+
+}  // namespace ew::lessons

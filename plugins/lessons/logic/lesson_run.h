@@ -1,0 +1,87 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ew/scanning/events.h"
+#include "logic/step_work.h"
+
+namespace ew::lessons {
+
+/// One trainee's way through one lesson: which step it stands at, what has been seen in it, and an attempt on disk that loses at most the
+/// step that runs. Times are on the scan's clock. A run without an attempt (an author's preview) keeps nothing.
+class LessonRun {
+ public:
+  /// @param attempt empty: nothing is kept
+  LessonRun(Lesson lesson, std::optional<KeptAttempt> attempt);
+
+  /// An attempt of this lesson, begun now. @error as KeptAttempt::begin
+  [[nodiscard]] static Result<LessonRun> begin(Lesson lesson, const std::string& caseId, const std::string& person,
+                                               const std::filesystem::path& attempts);
+
+  [[nodiscard]] const Lesson& lesson() const { return lesson_; }
+  /// Which step is next or runs; as many as there are steps: the lesson is over.
+  [[nodiscard]] std::size_t at() const { return at_; }
+  [[nodiscard]] bool isOver() const { return at_ >= lesson_.steps.size(); }
+  [[nodiscard]] const LessonStep& step() const { return lesson_.steps[at_]; }
+  [[nodiscard]] bool isRunning() const { return work_ != nullptr; }
+  [[nodiscard]] bool isPaused() const { return isRunning() && !runningSince_s_; }
+  /// The latest outcome of a step; null while there is none.
+  [[nodiscard]] const StepOutcome* outcomeOf(const std::string& stepId) const;
+  /// Steps passed, of all: 0 to 1.
+  [[nodiscard]] double passedShare() const;
+  /// The step that a crash or a kill took, and that begins anew; empty: none.
+  [[nodiscard]] const std::string& lostStep() const { return lostStep_; }
+  [[nodiscard]] const std::optional<KeptAttempt>& attempt() const { return attempt_; }
+
+  /// Begins the step it stands at. @error as workOf, as KeptAttempt::beginStep
+  [[nodiscard]] Result<void> startStep(StepScene scene, double now_s);
+  void pause(double now_s);
+  void goOn(double now_s);
+  /// Every image of the scan and what happens in it, while a step runs. Nothing is taken while it is paused.
+  void see(const ScanEvent& event, const std::optional<ScanState>& image);
+  [[nodiscard]] double used_s(double now_s) const;
+  /// Of the time that the step may take; empty: as long as one likes.
+  [[nodiscard]] std::optional<double> left_s(double now_s) const;
+  /// The next hint, or none; each is counted.
+  [[nodiscard]] std::optional<std::string> nextHint();
+  [[nodiscard]] int hintsGiven() const { return hints_; }
+  [[nodiscard]] std::vector<LiveFigure> live() const { return work_ ? work_->live() : std::vector<LiveFigure>{}; }
+  /// What is missing before the step can be handed in; empty: nothing.
+  [[nodiscard]] std::optional<Message> missing(const Handed& handed) const { return work_ ? work_->missing(handed) : std::nullopt; }
+
+  /// Ends the step, judges it and keeps its outcome, with a recording of the scan when there was one. The run stands at the same step until
+  /// next() or again(). @param keepFiles writes pictures into the attempt's folder and returns their names
+  /// @error as KeptAttempt::endStep, as writeRecording: then the step goes on
+  using KeepFiles = std::function<std::vector<std::string>(const KeptAttempt&)>;
+  [[nodiscard]] Result<StepOutcome> endStep(const Handed& handed, double now_s, const KeepFiles& keepFiles = {});
+  /// Leaves the step without judging it: it counts as skipped. @error as endStep
+  [[nodiscard]] Result<StepOutcome> skipStep(double now_s);
+  /// Goes to the step after this one; finishes the attempt after the last. @error as KeptAttempt::finish
+  [[nodiscard]] Result<void> next();
+  /// Gives up the running step, as if it had not begun. @error as KeptAttempt::leaveStep
+  [[nodiscard]] Result<void> leave();
+
+ private:
+  [[nodiscard]] Result<StepOutcome> keep(StepOutcome outcome, const KeepFiles& keepFiles);
+  void stop();
+
+  Lesson lesson_;
+  std::optional<KeptAttempt> attempt_;
+  std::vector<StepOutcome> unkept_;  ///< of a run without an attempt
+  std::string lostStep_;
+  std::size_t at_ = 0;
+  std::unique_ptr<StepWork> work_;
+  ScanLog log_;
+  std::optional<double> runningSince_s_;
+  double usedBefore_s_ = 0.0;
+  int hints_ = 0;
+};
+
+/// What an attempt is compared with to tell whether a lesson has changed since: a name of its content.
+[[nodiscard]] std::string contentOf(const Lesson& lesson);
+
+}  // namespace ew::lessons

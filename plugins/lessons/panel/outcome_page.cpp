@@ -1,0 +1,115 @@
+#include "panel/outcome_page.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "ew/sdk/panel.h"
+#include "logic/lesson_run.h"
+
+namespace ew::lessons {
+
+using sdk::kGap_px;
+using sdk::words;
+
+OutcomePage::OutcomePage(QWidget* parent) : QWidget(parent) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
+  column->setSpacing(kGap_px);
+  heading_ = sdk::headingLabel({});
+  heading_->setObjectName(QStringLiteral("outcomeHeading"));
+  heading_->setWordWrap(true);
+  column->addWidget(heading_);
+  figure_ = sdk::quietLabel({});
+  figure_->setObjectName(QStringLiteral("outcomeScore"));
+  column->addWidget(figure_);
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  auto* body = new QWidget;
+  remarks_ = new QVBoxLayout(body);
+  remarks_->setContentsMargins(0, 0, 0, 0);
+  remarks_->setSpacing(kGap_px);
+  scroll->setWidget(body);
+  column->addWidget(scroll, 1);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(kGap_px);
+  again_ = new QPushButton(tr("Try again"));
+  again_->setObjectName(QStringLiteral("tryAgain"));
+  connect(again_, &QPushButton::clicked, this, &OutcomePage::againAsked);
+  next_ = new QPushButton;
+  next_->setObjectName(QStringLiteral("nextStep"));
+  next_->setProperty("primary", true);
+  connect(next_, &QPushButton::clicked, this, &OutcomePage::nextAsked);
+  buttons->addWidget(again_);
+  buttons->addStretch(1);
+  buttons->addWidget(next_);
+  column->addLayout(buttons);
+}
+
+void OutcomePage::clear() {
+  while (QLayoutItem* item = remarks_->takeAt(0)) {
+    if (item->widget() != nullptr) item->widget()->deleteLater();
+    delete item;
+  }
+}
+
+void OutcomePage::addRemark(bool good, const QString& text) {
+  // The sign says it as well as the words: colour alone would not do.
+  auto* row = new QLabel((good ? QStringLiteral("\u2713  ") : QStringLiteral("\u2717  ")) + text);
+  row->setObjectName(good ? QStringLiteral("remarkGood") : QStringLiteral("remarkMissed"));
+  row->setTextFormat(Qt::PlainText);
+  row->setWordWrap(true);
+  if (!good) row->setForegroundRole(QPalette::BrightText);
+  remarks_->addWidget(row);
+}
+
+void OutcomePage::showStep(const LessonStep& step, const StepOutcome& outcome, bool isLast) {
+  clear();
+  const bool passed = outcome.verdict == StepVerdict::passed;
+  heading_->setText(passed                                    ? tr("Passed: %1").arg(words(step.title))
+                    : outcome.verdict == StepVerdict::skipped ? tr("Skipped: %1").arg(words(step.title))
+                                                              : tr("Not passed yet: %1").arg(words(step.title)));
+  figure_->setText(
+      outcome.verdict == StepVerdict::skipped
+          ? QString()
+          : tr("%1 of 100 points, %2 needed").arg(std::lround(100.0 * outcome.score)).arg(std::lround(100.0 * step.passLevel)));
+  for (const AttemptRemark& remark : outcome.remarks) addRemark(remark.good, words(remark.text));
+  if (!step.after.empty()) {
+    auto* after = new QLabel(words(step.after));
+    after->setObjectName(QStringLiteral("afterStep"));
+    after->setTextFormat(Qt::PlainText);
+    after->setWordWrap(true);
+    remarks_->addWidget(after);
+  }
+  remarks_->addStretch(1);
+  again_->setVisible(true);
+  again_->setText(tr("Try again"));
+  next_->setText(isLast ? tr("Finish") : tr("Next step"));
+  next_->setFocus();
+}
+
+void OutcomePage::showLesson(const LessonRun& run) {
+  clear();
+  const auto& steps = run.lesson().steps;
+  std::size_t passed = 0;
+  for (const LessonStep& step : steps) {
+    const StepOutcome* outcome = run.outcomeOf(step.id);
+    const bool good = outcome != nullptr && outcome->verdict == StepVerdict::passed;
+    passed += good ? 1 : 0;
+    addRemark(good, words(step.title));
+  }
+  remarks_->addStretch(1);
+  heading_->setText(passed == steps.size() ? tr("Lesson passed: %1").arg(words(run.lesson().title))
+                                           : tr("Lesson finished: %1").arg(words(run.lesson().title)));
+  figure_->setText(tr("%1 of %2 steps passed").arg(passed).arg(steps.size()));
+  again_->setVisible(false);
+  next_->setText(tr("Back to the lessons"));
+  next_->setFocus();
+}
+
+}  // namespace ew::lessons

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ew/library/attempt.h"
+#include "ew/library/lesson.h"
+
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace ew::lessons {
+
+class LessonRun;
+
+/// How a step went: passed or not, what was good, what was missed; and at the end of a lesson how all of it went.
+class OutcomePage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit OutcomePage(QWidget* parent = nullptr);
+  void showStep(const LessonStep& step, const StepOutcome& outcome, bool isLast);
+  void showLesson(const LessonRun& run);
+
+ Q_SIGNALS:
+  void againAsked();
+  void nextAsked();
+
+ private:
+  void clear();
+  void addRemark(bool good, const QString& text);
+
+  QLabel* heading_ = nullptr;
+  QLabel* figure_ = nullptr;
+  QVBoxLayout* remarks_ = nullptr;
+  QPushButton* again_ = nullptr;
+  QPushButton* next_ = nullptr;
+};
+
+}  // namespace ew::lessons

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <QWidget>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "ew/library/lesson.h"
+#include "logic/lesson_run.h"
+#include "panel/aids_drawer.h"
+#include "panel/expert_player.h"
+
+class QAbstractButton;
+class QButtonGroup;
+class QCheckBox;
+class QDoubleSpinBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QVBoxLayout;
+
+namespace ew::lessons {
+
+/// One step at work: what to do, what to look for, aids and hints, and what the trainee hands in. Owns nothing of the lesson: the panel
+/// does.
+class StepPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit StepPage(sdk::Host& host, QWidget* parent = nullptr);
+  ~StepPage() override;
+
+  /// Shows the step the run stands at, which runs. @param recording of a step that is watched
+  void showStep(LessonRun& run, const LessonStep& shown, const StepScene& scene, std::optional<ScanRecording> recording,
+                const std::filesystem::path& picture);
+  /// Nothing is asked for any more: drawings and the probe are given back.
+  void end();
+  void see(const ScanState& image);
+  /// What stands handed in now.
+  [[nodiscard]] Handed handed() const;
+  /// Time, figures and what is missing, as they are now. Called a few times a second.
+  void refresh(double now_s);
+
+ Q_SIGNALS:
+  void doneAsked();
+  void skipAsked();
+  void leaveAsked();
+  void pauseAsked(bool paused);
+
+ private:
+  void clear();
+  QLabel* addText(const QString& text, const char* name, bool quiet = false);
+  void addAids(const LessonStep& step);
+  void addAnswer(const AnswerTask& task);
+  void addPointing();
+  void addExpert(const WatchTask& task, ScanRecording recording);
+  void addPicture(const std::filesystem::path& file);
+  void showExpert();
+  void showPoint();
+
+  sdk::Host& host_;
+  LessonRun* run_ = nullptr;
+  std::unique_ptr<AidsDrawer> aids_;
+  std::unique_ptr<ExpertPlayer> expert_;
+  sdk::Ticket asking_;
+  std::shared_ptr<sdk::ScanOverlay> pointShown_;
+  std::optional<Point<frame::Probe>> point_;
+  bool watched_ = false;
+
+  QLabel* head_ = nullptr;
+  QProgressBar* bar_ = nullptr;
+  QVBoxLayout* rows_ = nullptr;
+  QLabel* time_ = nullptr;
+  QLabel* live_ = nullptr;
+  QLabel* missing_ = nullptr;
+  QLabel* hint_ = nullptr;
+  QPushButton* hintButton_ = nullptr;
+  QPushButton* pause_ = nullptr;
+  QPushButton* done_ = nullptr;
+  QButtonGroup* options_ = nullptr;
+  QDoubleSpinBox* number_ = nullptr;
+  QPushButton* pointButton_ = nullptr;
+  QPushButton* play_ = nullptr;
+  QLabel* mark_ = nullptr;
+};
+
+}  // namespace ew::lessons
