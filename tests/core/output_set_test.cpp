@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 
 #include "io/files.h"
@@ -309,6 +310,17 @@ TEST(OutputSet, WhatAKilledProgramLeftIsRemovedFromAFolderOfOnesOwnAndNothingEls
   EXPECT_TRUE(fs::exists(folder / ".ew-notes"));
   EXPECT_TRUE(fs::exists(folder / ".ew-1-x"));
   EXPECT_TRUE(running.commit());
+}
+
+TEST(OutputSet, WhatAnotherMachineHasAsideInASharedFolderIsLeftUntilItIsOld) {
+  const Folder folder;
+  const fs::path young = folder / ".ew-99999999-0-0badcafe", old = folder / ".ew-99999999-1-0badcafe";
+  fs::create_directory(young);
+  fs::create_directory(old);
+  fs::last_write_time(old, fs::file_time_type::clock::now() - std::chrono::hours(72));
+  removeLeftovers(folder.path());
+  EXPECT_TRUE(fs::exists(young)) << "a process of that number is at work elsewhere";
+  EXPECT_FALSE(fs::exists(old));
 }
 
 }  // namespace

@@ -5,9 +5,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <optional>
@@ -99,17 +101,51 @@ int renameToFreeName(const fs::path& from, const fs::path& to) {
   return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
-/// The process that made a folder aside; empty: it is none.
-std::optional<pid_t> makerOf(const std::string& name) {
+/// What this machine is called, in short: on a folder that two machines share, numbers of processes mean nothing without it.
+const std::string& machineMark() {
+  static const std::string mark = [] {
+    std::array<char, 256> name{};
+    ::gethostname(name.data(), name.size() - 1);
+    std::uint32_t hash = 2166136261u;  // FNV-1a
+    for (const char* at = name.data(); *at != '\0'; ++at) hash = (hash ^ static_cast<unsigned char>(*at)) * 16777619u;
+    std::array<char, 9> digits{};
+    std::snprintf(digits.data(), digits.size(), "%08x", hash);
+    return std::string(digits.data());
+  }();
+  return mark;
+}
+
+struct Maker {
+  pid_t process = 0;
+  bool isHere = true;  // on this machine
+};
+
+/// Who made a folder aside; empty: it is none.
+std::optional<Maker> makerOf(const std::string& name) {
   if (!name.starts_with(kAside)) return std::nullopt;
   const char* const end = name.data() + name.size();
-  pid_t maker = 0;
+  Maker maker;
   unsigned number = 0;
-  const auto first = std::from_chars(name.data() + kAside.size(), end, maker);
+  const auto first = std::from_chars(name.data() + kAside.size(), end, maker.process);
   if (first.ec != std::errc{} || first.ptr == end || *first.ptr != '-') return std::nullopt;
   const auto second = std::from_chars(first.ptr + 1, end, number);
-  if (second.ec != std::errc{} || second.ptr != end || maker <= 0) return std::nullopt;
+  if (second.ec != std::errc{} || maker.process <= 0) return std::nullopt;
+  const std::string_view machine(second.ptr, static_cast<std::size_t>(end - second.ptr));
+  if (machine.empty()) return maker;  // of earlier versions
+  if (machine.size() != 9 || machine.front() != '-') return std::nullopt;
+  maker.isHere = machine.substr(1) == machineMark();
   return maker;
+}
+
+/// Whether nobody can be at work in a folder aside any more. What another machine made is left for as long as any work may last.
+bool isLeftover(const fs::path& aside) {
+  const auto maker = makerOf(aside.filename().string());
+  std::error_code problem;
+  if (!maker || !fs::is_directory(fs::symlink_status(aside, problem))) return false;
+  if (maker->isHere) return maker->process != ::getpid() && ::kill(maker->process, 0) != 0 && errno == ESRCH;
+  constexpr std::chrono::hours kLongestWork(48);
+  const auto changed = fs::last_write_time(aside, problem);
+  return !problem && fs::file_time_type::clock::now() - changed > kLongestWork;
 }
 
 }  // namespace
@@ -147,7 +183,8 @@ Result<fs::path> OutputSet::asideOf(const fs::path& folder, const fs::path& want
     if (aside.folder == folder) return aside.path;
   // Asking for permissions answers for the wrong user on some file systems; making something does not.
   for (int attempt = 0; attempt < 100; ++attempt) {
-    const fs::path path = folder / (std::string(kAside) + std::to_string(::getpid()) + "-" + std::to_string(counter++));
+    const fs::path path =
+        folder / (std::string(kAside) + std::to_string(::getpid()) + "-" + std::to_string(counter++) + "-" + machineMark());
     if (::mkdir(path.c_str(), 0700) == 0) {
       asides_.push_back({folder, path});
       return path;
@@ -375,10 +412,8 @@ Result<void> OutputSet::commit(const std::function<Result<void>()>& last) {
 void removeLeftovers(const fs::path& folder) {
   std::error_code problem;
   std::vector<fs::path> left;
-  for (fs::directory_iterator at(folder, problem), end; !problem && at != end; at.increment(problem)) {
-    const auto maker = makerOf(at->path().filename().string());
-    if (maker && *maker != ::getpid() && at->is_directory(problem) && ::kill(*maker, 0) != 0 && errno == ESRCH) left.push_back(at->path());
-  }
+  for (fs::directory_iterator at(folder, problem), end; !problem && at != end; at.increment(problem))
+    if (isLeftover(at->path())) left.push_back(at->path());
   for (const auto& path : left) fs::remove_all(path, problem);
 }
 

@@ -31,7 +31,7 @@ enum class LateFile {
 ///     writeVolume(volume, outputs.staged("liver.mhd"), progress);          // as often as there are outputs
 ///     return outputs.commit();                                             // or leave without it: nothing happened
 ///
-/// Aside is a hidden folder beside each output (".ew-PID-N"), in which an output has the name it will have: a header can name its samples,
+/// Aside is a hidden folder beside each output (".ew-PID-N-MACHINE"), in which an output has the name it will have: a header can name its samples,
 /// names may be as long as the file system allows, and putting in place is a renaming. After the program was killed this folder is all
 /// that stays (removeLeftovers). Not for several threads at once.
 class OutputSet {
@@ -113,7 +113,7 @@ class OutputSet {
 };
 
 /// Removes what killed programs left aside in a folder that belongs to this program alone, such as a cache. What a program that still runs
-/// has aside is left.
+/// has aside is left; what another machine has aside, in a folder that machines share, is left for two days.
 void removeLeftovers(const std::filesystem::path& folder);
 
 }  // namespace ew
