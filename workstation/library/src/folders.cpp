@@ -74,10 +74,15 @@ bool isShipped(const fs::path& folder) {
   return std::mismatch(root.begin(), root.end(), place.begin(), place.end()).first == root.end();
 }
 
+fs::path libraryFolder() {
+  if (const std::string chosen = environment("ECHOWEAVE_LIBRARY"); !chosen.empty()) return chosen;
+  if (const std::string home = environment("HOME"); !home.empty()) return fs::path(home) / "EchoWeave";
+  return "EchoWeave";
+}
+
 fs::path ownCasesFolder() {
   if (const std::string chosen = environment("ECHOWEAVE_CASES"); !chosen.empty()) return chosen;
-  if (const std::string home = environment("HOME"); !home.empty()) return fs::path(home) / "EchoWeave" / "cases";
-  return "EchoWeave cases";
+  return libraryFolder() / "cases";
 }
 
 fs::path cacheFolder() {

@@ -227,7 +227,9 @@ struct PreparationOptions {
 /// Whether a folder is one of the shipped cases', or any other place below them: it belongs to the program, and a new version of the
 /// program, or of its sources, replaces what is in it.
 [[nodiscard]] bool isShipped(const std::filesystem::path& folder);
-/// Where a user's own cases are kept unless another folder is chosen: $ECHOWEAVE_CASES, else ~/EchoWeave/cases. It need not be there yet.
+/// The user's library (published.h says what is in it): $ECHOWEAVE_LIBRARY, else ~/EchoWeave. It need not be there yet.
+[[nodiscard]] std::filesystem::path libraryFolder();
+/// Where a user's own cases are kept unless another folder is chosen: $ECHOWEAVE_CASES, else cases in the library. It need not be there yet.
 [[nodiscard]] std::filesystem::path ownCasesFolder();
 /// $ECHOWEAVE_CACHE, else $XDG_CACHE_HOME/echoweave, else ~/.cache/echoweave.
 [[nodiscard]] std::filesystem::path cacheFolder();

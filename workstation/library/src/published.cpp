@@ -1,0 +1,190 @@
+#include "ew/library/published.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "ew/core/output_set.h"
+#include "file_pieces.h"
+#include "guarded_case.h"
+#include "handed_on.h"
+#include "manifest.h"
+#include "revisions.h"
+
+namespace ew {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kPublished = "published";
+
+std::optional<int> revisionNamed(const std::string& name) {
+  int revision = 0;
+  const auto read = std::from_chars(name.data(), name.data() + name.size(), revision);
+  if (read.ec != std::errc{} || read.ptr != name.data() + name.size() || revision < 1 || name.front() == '0') return std::nullopt;
+  return revision;
+}
+
+/// Every number that a folder has, complete or not.
+std::vector<int> takenRevisions(const fs::path& folder) {
+  std::vector<int> taken;
+  std::error_code problem;
+  for (fs::directory_iterator at(folder, problem), end; !problem && at != end; at.increment(problem))
+    if (const auto revision = revisionNamed(at->path().filename().string())) taken.push_back(*revision);
+  std::sort(taken.begin(), taken.end());
+  return taken;
+}
+
+/// The sums of a revision whose files are all there.
+std::optional<std::vector<FileSum>> sumsOfComplete(const fs::path& revision) {
+  auto sums = readSums(revision);
+  if (!sums) return std::nullopt;
+  std::error_code problem;
+  for (const FileSum& each : *sums)
+    if (fs::file_size(revision / each.path, problem) != each.size_bytes || problem) return std::nullopt;
+  return std::move(*sums);
+}
+
+bool hasManifest(const std::vector<FileSum>& files) {
+  return std::any_of(files.begin(), files.end(), [](const FileSum& each) { return each.path == kManifestName; });
+}
+
+/// A file of the latest revision in another one's place; false: it has to be copied. What the link leads to is read: a revision that was
+/// damaged may not damage the next.
+Result<bool> linked(const fs::path& earlier, const fs::path& to, const FileSum& file, ByteCount& count) {
+  const auto sum = sumInPieces(earlier, count);
+  if (!sum && sum.error().code == ErrorCode::cancelled) return passOn(sum.error());
+  if (!sum || sum->sha256 != file.sha256) return false;
+  std::error_code problem;
+  fs::create_directories(to.parent_path(), problem);
+  fs::create_hard_link(earlier, to, problem);
+  return !problem;
+}
+
+Result<void> copyFiles(const CaseToHandOn& from, const std::optional<PublishedCase>& earlier, const fs::path& to, ByteCount& count) {
+  std::vector<FileSum> before;
+  if (earlier) before = sumsOfComplete(earlier->folder).value_or(std::vector<FileSum>());
+  for (const FileSum& each : from.files) {
+    const auto same = std::find_if(before.begin(), before.end(), [&](const FileSum& file) { return file.sha256 == each.sha256; });
+    if (same != before.end()) {
+      const auto done = linked(earlier->folder / same->path, to / each.path, each, count);
+      if (!done) return passOn(done.error());
+      if (*done) continue;
+    }
+    const auto copied = copyInPieces(from.opened.folder / each.path, to / each.path, count);
+    if (!copied) return passOn(copied.error());
+    if (copied->sha256 != each.sha256)
+      return failure(ErrorCode::notReadable,
+                     say<"\"%1\" was changed while the case was read; do it again when nobody is writing to the case folder.">(each.path),
+                     {{"file", each.path}});
+  }
+  return {};
+}
+
+}  // namespace
+
+fs::path publishedFolder(const fs::path& library) { return library / kPublished; }
+
+bool isCaseId(std::string_view text) {
+  constexpr std::size_t kLongest_bytes = 100;
+  const auto isPlain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
+  return !text.empty() && text.size() <= kLongest_bytes && isPlain(text.front()) &&
+         std::all_of(text.begin(), text.end(), [&](char c) { return isPlain(c) || c == '.' || c == '_' || c == '-'; });
+}
+
+std::vector<PublishedCase> publishedRevisions(const fs::path& library, const std::string& id) {
+  std::vector<PublishedCase> found;
+  if (!isCaseId(id)) return found;
+  const fs::path folder = publishedFolder(library) / id;
+  for (const int revision : takenRevisions(folder))
+    if (sumsOfComplete(folder / std::to_string(revision)))
+      found.push_back({.id = id, .revision = revision, .folder = folder / std::to_string(revision)});
+  return found;
+}
+
+std::optional<PublishedCase> latestPublished(const fs::path& library, const std::string& id) {
+  if (!isCaseId(id)) return std::nullopt;
+  const fs::path folder = publishedFolder(library) / id;
+  const auto taken = takenRevisions(folder);
+  for (auto revision = taken.rbegin(); revision != taken.rend(); ++revision)
+    if (sumsOfComplete(folder / std::to_string(*revision)))
+      return PublishedCase{.id = id, .revision = *revision, .folder = folder / std::to_string(*revision)};
+  return std::nullopt;
+}
+
+std::vector<PublishedCase> listPublished(const fs::path& library) {
+  std::vector<PublishedCase> found;
+  std::error_code problem;
+  for (fs::directory_iterator at(publishedFolder(library), problem), end; !problem && at != end; at.increment(problem)) {
+    const std::string id = at->path().filename().string();
+    if (!isCaseId(id)) continue;
+    removeLeftovers(at->path());
+    if (auto latest = latestPublished(library, id)) found.push_back(std::move(*latest));
+  }
+  std::sort(found.begin(), found.end(), [](const PublishedCase& a, const PublishedCase& b) { return a.id < b.id; });
+  return found;
+}
+
+std::optional<PublishedCase> revisionWith(const fs::path& library, const std::string& id, const std::vector<FileSum>& files) {
+  auto revisions = publishedRevisions(library, id);
+  const auto same = std::find_if(revisions.rbegin(), revisions.rend(), [&](const PublishedCase& each) {
+    const auto sums = sumsOfComplete(each.folder);
+    return sums && *sums == files;
+  });
+  if (same == revisions.rend()) return std::nullopt;
+  same->wasThere = true;
+  return *same;
+}
+
+Result<PublishedCase> makeRevision(const fs::path& library, const std::string& id, int wanted, const std::vector<FileSum>& files,
+                                   const std::function<Result<void>(const fs::path&)>& fill) {
+  if (!hasManifest(files))
+    return failure(ErrorCode::notFound, say<"What is to be published holds no case.json, so it is not a case; choose a case folder.">());
+  const fs::path folder = publishedFolder(library) / id;
+  removeLeftovers(folder);
+  constexpr int kAttempts = 5;
+  for (int attempt = 1;; ++attempt) {
+    const auto taken = takenRevisions(folder);
+    const bool isFree = wanted > 0 && !std::binary_search(taken.begin(), taken.end(), wanted);
+    const int revision = isFree ? wanted : taken.empty() ? 1 : taken.back() + 1;
+    const fs::path place = folder / std::to_string(revision);
+    OutputSet outputs;
+    if (auto made = outputs.announceFolder(folder); !made) return passOn(made.error());
+    if (auto announced = outputs.announceNewFolder(place); !announced) return passOn(announced.error());
+    const fs::path aside = outputs.staged(place);
+    if (auto filled = fill(aside); !filled) return passOn(outputs.inGivenNames(filled.error()));
+    if (const auto opened = loadCase(aside); !opened) return passOn(outputs.inGivenNames(opened.error()));
+    if (auto written = writeSums(files, aside); !written) return passOn(outputs.inGivenNames(written.error()));
+    auto committed = outputs.commit();
+    if (committed) return PublishedCase{.id = id, .revision = revision, .folder = place};
+    std::error_code ignored;
+    if (attempt == kAttempts || !fs::exists(place, ignored)) return passOn(committed.error());
+  }
+}
+
+Result<PublishedCase> publishCase(const fs::path& caseFolder, const fs::path& library, Progress& progress) {
+  return guardedCase(caseFolder, [&]() -> Result<PublishedCase> {
+    PartOfProgress summing(progress, 0.0, 0.3), copying(progress, 0.3, 1.0);
+    const auto from = caseToHandOn(caseFolder, summing);
+    if (!from) return passOn(from.error());
+    const std::string& id = from->opened.id;
+    const auto latest = latestPublished(library, id);
+    if (latest)
+      if (auto same = revisionWith(library, id, from->files); same && same->revision == latest->revision) return *same;
+    if (auto room = checkRoom(library, bytesOf(from->files)); !room) return passOn(room.error());
+    return makeRevision(library, id, 0, from->files, [&](const fs::path& aside) {
+      ByteCount count(say<"Publishing the case">(), bytesOf(from->files), copying);
+      return copyFiles(*from, latest, aside, count);
+    });
+  });
+}
+
+bool isPublished(const fs::path& folder) {
+  std::error_code failed;
+  for (fs::path at = fs::weakly_canonical(folder, failed); !failed && at.has_relative_path(); at = at.parent_path())
+    if (at.parent_path().parent_path().filename() == kPublished && revisionNamed(at.filename().string()) &&
+        fs::exists(at / kSumsName, failed))
+      return true;
+  return false;
+}
+
+}  // namespace ew

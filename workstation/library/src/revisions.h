@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ew/core/result.h"
+#include "ew/library/checksums.h"
+#include "ew/library/published.h"
+
+namespace ew {
+
+/// Whether a text can be a case's id, and with it the name of a folder: as case.schema.json has it.
+[[nodiscard]] bool isCaseId(std::string_view text);
+
+/// The revision that holds exactly these files, with the sizes they should have; the latest of them.
+[[nodiscard]] std::optional<PublishedCase> revisionWith(const std::filesystem::path& library, const std::string& id,
+                                                        const std::vector<FileSum>& files);
+
+/// Makes a revision aside and puts it in place when it is whole: sums are written, the case can be opened from there. Takes away what
+/// killed programs left. When somebody else took the revision's number meanwhile, it is made again with another one.
+/// @param wanted its number; taken already, or 0: the one after the highest
+/// @param fill   puts every file into a new folder
+/// @error notWritable, of `fill`, as loadCase; then everything is as it was before
+[[nodiscard]] Result<PublishedCase> makeRevision(const std::filesystem::path& library, const std::string& id, int wanted,
+                                                 const std::vector<FileSum>& files,
+                                                 const std::function<Result<void>(const std::filesystem::path&)>& fill);
+
+}  // namespace ew
