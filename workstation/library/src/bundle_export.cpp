@@ -7,6 +7,7 @@
 #include "file_pieces.h"
 #include "guarded_case.h"
 #include "handed_on.h"
+#include "utf8_names.h"
 
 namespace ew {
 namespace {
@@ -24,7 +25,7 @@ class BundleWriter {
   BundleWriter& operator=(const BundleWriter&) = delete;
 
   Result<void> open() {
-    const bool ready = archive_write_set_format_pax_restricted(archive_) == ARCHIVE_OK &&
+    const bool ready = names_.good() && archive_write_set_format_pax_restricted(archive_) == ARCHIVE_OK &&
                        archive_write_set_options(archive_, "hdrcharset=UTF-8") == ARCHIVE_OK &&
                        archive_write_add_filter_zstd(archive_) == ARCHIVE_OK &&
                        archive_write_set_bytes_in_last_block(archive_, 1) == ARCHIVE_OK &&
@@ -69,6 +70,7 @@ class BundleWriter {
                    say<"The bundle could not be written (%1); please report it.">(verbatim(said == nullptr ? "" : said)));
   }
 
+  Utf8Names names_;
   PieceWriter& out_;
   archive* archive_;
   std::optional<Error> problem_;  // of the file below

@@ -13,6 +13,8 @@
 #include <set>
 #include <system_error>
 
+#include "utf8_names.h"
+
 namespace ew {
 namespace {
 
@@ -25,6 +27,7 @@ constexpr std::size_t kPiece_bytes = 1u << 20;
 }  // namespace
 
 struct BundleReader::Parts {
+  Utf8Names names;
   fs::path file;
   BundleLimits limits;
   Progress& progress;
@@ -113,7 +116,8 @@ Result<void> BundleReader::Parts::openFile() {
 Result<void> BundleReader::Parts::openArchive() {
   source = archive_read_new();
   if (source == nullptr) throw std::bad_alloc();
-  const bool ready = archive_read_support_filter_zstd(source) == ARCHIVE_OK && archive_read_support_format_tar(source) == ARCHIVE_OK &&
+  const bool ready = names.good() && archive_read_support_filter_zstd(source) == ARCHIVE_OK &&
+                     archive_read_support_format_tar(source) == ARCHIVE_OK &&
                      // Else reading ends where the tar says so, and nobody sees that the file does not.
                      archive_read_set_options(source, "tar:read_concatenated_archives,hdrcharset=UTF-8") == ARCHIVE_OK;
   if (!ready) return problemNow();

@@ -6,6 +6,8 @@
 #include "ew/core/output_set.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
+#include "ew/library/checksums.h"
+#include "ew/library/folder_lease.h"
 #include "ew/library/lesson.h"
 #include "ew/library/schema.h"
 #include "guarded_case.h"
@@ -82,6 +84,15 @@ Result<void> writeManifest(const Case& edited, const fs::path& folder) {
   return writeFileSafely(folder / kManifestName, *text);
 }
 
+/// What belongs to the folder that was copied, not to the case: who edits it, and the sums of a revision.
+void leaveBehind(const fs::path& copied) {
+  std::error_code ignored;
+  std::vector<fs::path> left{copied / kSumsName};
+  for (fs::directory_iterator at(copied, ignored), end; !ignored && at != end; at.increment(ignored))
+    if (isLeaseFile(at->path())) left.push_back(at->path());
+  for (const fs::path& each : left) fs::remove(each, ignored);
+}
+
 /// A copy of the whole case under another name, made aside and renamed, so that a half-copied case never carries the final name.
 Result<void> saveElsewhere(const Case& edited, const fs::path& folder) {
   std::error_code error;
@@ -112,6 +123,7 @@ Result<void> saveElsewhere(const Case& edited, const fs::path& folder) {
   const fs::path aside = outputs.staged(target);
   fs::copy(source, aside, fs::copy_options::recursive | fs::copy_options::skip_symlinks, error);
   if (error) return giveUp(verbatim(error.message()));
+  leaveBehind(aside);
   if (auto written = writeManifest(edited, aside); !written) return passOn(outputs.inGivenNames(std::move(written.error())));
   if (auto committed = outputs.commit(); !committed) return giveUp(reasonOf(committed.error()));
   return {};

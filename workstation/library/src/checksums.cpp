@@ -82,7 +82,7 @@ Result<std::vector<FileSum>> sumsOfCase(const fs::path& folder, Progress& progre
 std::vector<FileSum> fileSumsIn(const JsonFields& document, const CaseFileLimits& limits) {
   std::vector<FileSum> files;
   constexpr long long kLargestFile_bytes = 1ll << 52;
-  for (const JsonFields& each : document.objects("files", 0, limits.maxFiles)) {
+  for (const JsonFields& each : document.objects("files", 1, limits.maxFiles)) {
     each.only({"path", "size", "sha256"});
     FileSum file;
     file.path = each.text("path", {}, 1, 4096);
