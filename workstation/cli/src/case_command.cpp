@@ -2,6 +2,7 @@
 #include <ostream>
 
 #include "arguments.h"
+#include "case_library.h"
 #include "command.h"
 #include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
@@ -287,7 +288,7 @@ Result<int> prepare(const CaseArguments& arguments, Run& run) {
 }  // namespace
 
 void addCase(CLI::App& root, Selection& selection) {
-  auto& group = *root.add_subcommand("case", "List, show, validate and prepare training cases");
+  auto& group = *root.add_subcommand("case", "List, show, validate, prepare, publish and hand on training cases");
   group.require_subcommand(1);
   auto arguments = std::make_shared<CaseArguments>();
 
@@ -318,6 +319,8 @@ void addCase(CLI::App& root, Selection& selection) {
                   "Also write the recordings of the sweeps that are made now, DIR/CASE/NAME.igs.mha with NAME.xml; DIR/CASE must be new")
       ->type_name("DIR");
   addCount(prepared, "--threads", arguments->threads, 0, 1024, "Threads; 0: all cores; the voxels do not depend on it (0)");
+
+  addCaseLibrary(group, selection);
 }
 
 }  // namespace ew::cli

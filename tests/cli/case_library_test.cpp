@@ -1,0 +1,113 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "cli/cli_world.h"
+#include "ew/io/volume_file.h"
+
+namespace ew::test::case_library_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+void makeCase(const std::string& place, const std::string& id) {
+  fs::create_directories(fs::path(place) / "volumes");
+  ASSERT_TRUE(writeVolume(rampVolume({6, 5, 4}), (fs::path(place) / "volumes/v.mha")));
+  const nlohmann::json manifest = {
+      {"format", 1},
+      {"id", id},
+      {"title", "Knee"},
+      {"volume", {{"file", "volumes/v.mha"}, {"file_to_world", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}}}};
+  writeText((fs::path(place) / "case.json").string(), manifest.dump(2));
+}
+
+TEST(CaseLibrary, ExportsACaseAndImportsItIntoAnotherLibrary) {
+  const TemporaryFolder folder;
+  makeCase(folder / "mine", "knee");
+  const auto exported = run({"case", "export", folder / "mine", "-o", folder / "knee.ewcase", "--report", folder / "r.json"});
+  ASSERT_EQ(exported.status, 0) << exported.err;
+  EXPECT_NE(exported.out.find("Exported knee (2 files"), std::string::npos) << exported.out;
+  EXPECT_EQ(readJson(folder / "r.json")["quality"]["files"], 2);
+  EXPECT_EQ(readJson(folder / "r.json")["outputs"][0], folder / "knee.ewcase");
+  const auto imported = run({"case", "import", folder / "knee.ewcase", "--library", folder / "library", "--report", folder / "i.json"});
+  ASSERT_EQ(imported.status, 0) << imported.err;
+  EXPECT_NE(imported.out.find("Imported knee, revision 1"), std::string::npos) << imported.out;
+  EXPECT_EQ(readJson(folder / "i.json")["case"]["revision"], 1);
+  EXPECT_EQ(run({"case", "validate", folder / "library/published/knee/1"}).status, 0);
+  const auto again = run({"case", "import", folder / "knee.ewcase", "--library", folder / "library"});
+  EXPECT_EQ(again.status, 0);
+  EXPECT_NE(again.out.find("nothing was done"), std::string::npos) << again.out;
+}
+
+TEST(CaseLibrary, PublishesIntoTheUsersLibraryFromWhereTheIdIsKnown) {
+  const TemporaryFolder folder;
+  const EnvironmentValue library("ECHOWEAVE_LIBRARY", folder / "library");
+  makeCase(folder / "mine", "knee");
+  for (int revision = 1; revision <= 2; ++revision) {
+    writeText(folder / "mine/notes.txt", std::to_string(revision));
+    const auto published = run({"case", "publish", folder / "mine"});
+    ASSERT_EQ(published.status, 0) << published.err;
+    EXPECT_NE(published.out.find("revision " + std::to_string(revision)), std::string::npos) << published.out;
+  }
+  const auto exported = run({"case", "export", "knee", "-o", folder / "knee.ewcase"});
+  ASSERT_EQ(exported.status, 0) << exported.err;
+  EXPECT_NE(exported.out.find("knee, revision 2"), std::string::npos) << exported.out;
+  EXPECT_EQ(run({"case", "verify", "knee", folder / "knee.ewcase"}).status, 0);
+}
+
+TEST(CaseLibrary, VerifyNamesEveryFileThatIsWrongAndFails) {
+  const TemporaryFolder folder;
+  makeCase(folder / "mine", "knee");
+  ASSERT_EQ(run({"case", "publish", folder / "mine", "--library", folder / "library"}).status, 0);
+  const std::string revision = folder / "library/published/knee/1";
+  const auto good = run({"case", "verify", revision, folder / "mine"});
+  EXPECT_EQ(good.status, 0) << good.err;
+  EXPECT_NE(good.out.find("all as they were kept"), std::string::npos) << good.out;
+  EXPECT_NE(good.err.find("was not published"), std::string::npos) << good.err;
+  fs::remove(revision + "/volumes/v.mha");
+  writeText(revision + "/more.txt", "more");
+  ASSERT_EQ(run({"case", "export", folder / "mine", "-o", folder / "knee.ewcase"}).status, 0);
+  const std::string whole = readText(folder / "knee.ewcase");
+  writeText(folder / "short.ewcase", whole.substr(0, whole.size() / 2));
+  const auto checked = run({"case", "verify", revision, folder / "short.ewcase", folder / "knee.ewcase", "--report", folder / "r.json"});
+  EXPECT_EQ(checked.status, 1);
+  for (const char* part : {"volumes/v.mha", "more.txt", "short.ewcase", "ends too early"})
+    EXPECT_NE(checked.out.find(part), std::string::npos) << part << "\n" << checked.out;
+  const auto report = readJson(folder / "r.json");
+  ASSERT_EQ(report["cases"].size(), 3u) << report;
+  EXPECT_GE(report["cases"][0]["problems"].size(), 2u);
+  EXPECT_EQ(report["cases"][2]["problems"].size(), 0u);
+}
+
+TEST(CaseLibrary, RefusedCommandsWriteNothing) {
+  const TemporaryFolder folder;
+  makeCase(folder / "mine", "knee");
+  const auto names = folder.names();
+  const auto refuses = [&](const std::vector<std::string>& words, int status) {
+    const auto outcome = run(words);
+    EXPECT_EQ(outcome.status, status) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(folder.names(), names);
+  };
+  refuses({"case", "export", folder / "mine"}, 2);
+  refuses({"case", "export", folder / "mine", "-o", folder / "knee.zip"}, 2);
+  refuses({"case", "export", folder / "mine", "-o", folder / "k.ewcase", "--report", folder / "mine/case.json"}, 2);
+  refuses({"case", "export", folder / "mine", "-o", folder / "k.ewcase", "--report", folder / "mine/volumes/v.mha"}, 2);
+  refuses({"case", "export", folder / "nothing", "-o", folder / "k.ewcase"}, 1);
+  refuses({"case", "import", folder / "mine/case.json", "--library", folder / "library"}, 1);
+  refuses({"case", "import", folder / "nothing.ewcase", "--library", folder / "library"}, 1);
+  refuses({"case", "publish"}, 2);
+  refuses({"case", "verify"}, 2);
+  std::atomic<bool> cancel{true};
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"case", "export", folder / "mine", "-o", folder / "k.ewcase"},
+        std::vector<std::string>{"case", "publish", folder / "mine", "--library", folder / "library"}}) {
+    const auto stopped = run(words, &cancel);
+    EXPECT_EQ(stopped.status, 1);
+    EXPECT_NE(stopped.err.find("nothing was written"), std::string::npos) << stopped.err;
+    EXPECT_EQ(folder.names(), names);
+  }
+}
+
+}  // namespace
+}  // namespace ew::test::case_library_test

@@ -1,0 +1,200 @@
+#include "case_library.h"
+
+#include <algorithm>
+#include <ostream>
+
+#include "arguments.h"
+#include "ew/core/numbers.h"
+#include "ew/library/bundle.h"
+#include "volume_input.h"
+
+namespace ew::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+struct LibraryArguments {
+  std::string chosen;
+  std::vector<std::string> several;
+  std::string output;
+  std::string library;
+};
+
+fs::path libraryOf(const LibraryArguments& arguments) { return arguments.library.empty() ? libraryFolder() : fs::path(arguments.library); }
+
+bool isBundle(const fs::path& named) {
+  std::error_code ignored;
+  return named.extension() == kBundleEnding || (fs::is_regular_file(named, ignored) && named.filename() != "case.json");
+}
+
+/// The folder of a case: as findCase, but a case that cannot be opened has one, too, and so has the latest revision of an id.
+Result<fs::path> folderOfCase(const std::string& caseOrId) {
+  std::error_code ignored;
+  if (fs::is_directory(caseOrId, ignored)) return fs::path(caseOrId);
+  if (fs::exists(caseOrId, ignored)) return fs::absolute(caseOrId, ignored).parent_path();
+  if (const auto published = latestPublished(libraryFolder(), caseOrId)) return published->folder;
+  const auto found = findCase(caseOrId);
+  if (!found) return passOn(found.error());
+  return found->folder;
+}
+
+/// Every file of the case is read: no output may lie over one.
+Result<void> readsCase(const fs::path& folder, Run& run) {
+  if (auto kept = run.input(folder / "case.json"); !kept) return kept;
+  const auto files = filesOfCase(folder);
+  if (!files) return {};  // whoever reads them says so
+  for (const FileSum& each : *files)
+    if (auto kept = run.outputs.protect(folder / each.path); !kept) return kept;
+  return {};
+}
+
+std::string sizeText(const std::vector<FileSum>& files) {
+  std::uint64_t bytes = 0;
+  for (const FileSum& each : files) bytes += each.size_bytes;
+  return counted(files.size(), "file") + ", " + rounded(static_cast<double>(bytes) / 1048576.0, 1) + " MiB";
+}
+
+Result<int> exportCase(const LibraryArguments& arguments, Run& run) {
+  const auto folder = folderOfCase(arguments.chosen);
+  if (!folder) return passOn(folder.error());
+  if (auto kept = readsCase(*folder, run); !kept) return passOn(kept.error());
+  if (auto announced = run.output(arguments.output, kBundleEnding); !announced) return passOn(announced.error());
+  const auto header = [&] {
+    const StepClock clock(run.report, "export");
+    return exportBundle(*folder, run.outputs.staged(arguments.output), run.progress);
+  }();
+  if (!header) return passOn(header.error());
+  std::error_code ignored;
+  const auto bytes = fs::file_size(run.outputs.staged(arguments.output), ignored);
+  run.report.quality = {{"files", header->files.size()}, {"revision", header->revision}, {"bundle_bytes", bytes}};
+  run.say("Exported " + header->id + (header->revision > 0 ? ", revision " + std::to_string(header->revision) : "") + " (" +
+          sizeText(header->files) + ") to " + arguments.output + ".");
+  return kDone;
+}
+
+void tellPublished(const PublishedCase& published, const std::string& what, const std::string& nothing, Run& run) {
+  run.isPublished = true;
+  run.report.outputs.push_back(published.folder.string());
+  run.report.quality = {{"revision", published.revision}, {"was_there", published.wasThere}};
+  run.report.details["case"] = {
+      {"id", published.id}, {"revision", published.revision}, {"folder", published.folder.string()}, {"was_there", published.wasThere}};
+  run.say((published.wasThere ? nothing : what) + " " + published.id + ", revision " + std::to_string(published.revision) + ": " +
+          published.folder.string());
+}
+
+Result<int> importCase(const LibraryArguments& arguments, Run& run) {
+  if (auto kept = run.input(arguments.chosen); !kept) return passOn(kept.error());
+  const auto imported = [&] {
+    const StepClock clock(run.report, "import");
+    return importBundle(arguments.chosen, libraryOf(arguments), {}, run.progress);
+  }();
+  if (!imported) return passOn(imported.error());
+  tellPublished(*imported, "Imported", "The library has this already, and nothing was done:", run);
+  return kDone;
+}
+
+Result<int> publish(const LibraryArguments& arguments, Run& run) {
+  const auto folder = folderOfCase(arguments.chosen);
+  if (!folder) return passOn(folder.error());
+  if (auto kept = readsCase(*folder, run); !kept) return passOn(kept.error());
+  const auto published = [&] {
+    const StepClock clock(run.report, "publish");
+    return publishCase(*folder, libraryOf(arguments), run.progress);
+  }();
+  if (!published) return passOn(published.error());
+  tellPublished(*published, "Published", "Nothing has changed since, and nothing was done:", run);
+  return kDone;
+}
+
+json rowOf(const std::string& name, const CaseCheck& check) {
+  json problems = json::array();
+  for (const Error& problem : check.problems) {
+    json row = {{"code", nameOf(problem.code)}, {"sentence", problem.sentence()}};
+    for (const auto& [key, value] : problem.context)
+      if (key == "file") row["file"] = value;
+    problems.push_back(std::move(row));
+  }
+  return {{"name", name}, {"files", check.files}, {"bytes", check.bytes}, {"has_sums", check.hasSums}, {"problems", problems}};
+}
+
+/// A bundle or a folder, checked to its last byte. What is wrong with it is the answer; that it is not there or cannot be read is an error.
+Result<CaseCheck> checkOne(const std::string& named, Run& run, Progress& progress) {
+  if (!isBundle(named)) {
+    const auto folder = folderOfCase(named);
+    if (!folder) return passOn(folder.error());
+    if (auto kept = readsCase(*folder, run); !kept) return passOn(kept.error());
+    return verifyCase(*folder, progress);
+  }
+  if (auto kept = run.input(named); !kept) return passOn(kept.error());
+  const auto header = verifyBundle(named, {}, progress);
+  CaseCheck check{.hasSums = true, .files = 0, .bytes = 0, .problems = {}};
+  if (header) {
+    check.files = header->files.size();
+    for (const FileSum& each : header->files) check.bytes += each.size_bytes;
+    return check;
+  }
+  const ErrorCode code = header.error().code;
+  if (code == ErrorCode::cancelled || code == ErrorCode::notFound || code == ErrorCode::notReadable) return passOn(header.error());
+  check.problems.push_back(header.error());
+  return check;
+}
+
+Result<int> verify(const LibraryArguments& arguments, Run& run) {
+  run.stopped = say<"Stopped as asked before everything was checked.">();
+  std::size_t problems = 0;
+  run.report.details["cases"] = json::array();
+  for (std::size_t n = 0; n < arguments.several.size(); ++n) {
+    const std::string& named = arguments.several[n];
+    const auto all = static_cast<double>(arguments.several.size());
+    PartOfProgress part(run.progress, static_cast<double>(n) / all, static_cast<double>(n + 1) / all);
+    const StepClock clock(run.report, "verify");
+    const auto check = checkOne(named, run, part);
+    if (!check) return passOn(check.error());
+    run.report.details["cases"].push_back(rowOf(named, *check));
+    for (const Error& problem : check->problems) run.out() << named << ": " << problem.sentence() << "\n";
+    problems += check->problems.size();
+    if (check->problems.empty())
+      run.say(named + ": " + counted(check->files, "file") +
+              (check->hasSums ? ", all as they were kept." : ", and the case can be opened."));
+    if (!check->hasSums && check->problems.empty())
+      run.remark(say<"'%1' was not published: it has no sums, so nobody can tell whether its files have changed.">(named));
+  }
+  run.report.quality = {{"checked", arguments.several.size()}, {"problems", problems}};
+  run.out() << std::flush;
+  if (problems == 0) return kDone;
+  return run.answer({ErrorCode::badField, say<"%1 found; what is listed says what to do.">(counted(problems, "problem")), {}});
+}
+
+}  // namespace
+
+void addCaseLibrary(CLI::App& group, Selection& selection) {
+  auto arguments = std::make_shared<LibraryArguments>();
+  constexpr const char* kCaseText = "A case folder, its case.json, or the id of a published or shipped case";
+  constexpr const char* kLibraryText = "The library's folder (ECHOWEAVE_LIBRARY, else ~/EchoWeave)";
+
+  auto& exported = addCommand(group, selection, "export", "Write a case into one file that another workstation can import",
+                              {"case export my-cases/knee -o knee.ewcase"}, [arguments](Run& run) { return exportCase(*arguments, run); });
+  exported.add_option("CASE", arguments->chosen, kCaseText)->required()->type_name("");
+  exported.add_option("-o,--output", arguments->output, "The bundle to write, X.ewcase")->required()->type_name("X.ewcase");
+
+  auto& imported = addCommand(group, selection, "import", "Take a bundle into the library, checked to its last byte, or not at all",
+                              {"case import knee.ewcase", "case import knee.ewcase --library /srv/echoweave"},
+                              [arguments](Run& run) { return importCase(*arguments, run); });
+  imported.add_option("BUNDLE", arguments->chosen, "A file that `case export` wrote")->required()->type_name("X.ewcase");
+  imported.add_option("--library", arguments->library, kLibraryText)->type_name("DIR");
+
+  auto& published = addCommand(group, selection, "publish", "Make the next revision of a case: a copy that never changes again",
+                               {"case publish my-cases/knee"}, [arguments](Run& run) { return publish(*arguments, run); });
+  published.add_option("CASE", arguments->chosen, kCaseText)->required()->type_name("");
+  published.add_option("--library", arguments->library, kLibraryText)->type_name("DIR");
+
+  auto& verified = addCommand(group, selection, "verify", "Read every byte of cases and bundles; exit status 1 when something is wrong",
+                              {"case verify knee.ewcase", "case verify ~/EchoWeave/published/knee/3 my-cases/knee"},
+                              [arguments](Run& run) { return verify(*arguments, run); });
+  verified.add_option("CASES", arguments->several, "Bundles, case folders, or ids of published or shipped cases")
+      ->required()
+      ->type_name("");
+}
+
+}  // namespace ew::cli

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "command.h"
+
+namespace ew::cli {
+
+/// Commands of `case` that hand cases on and keep them: export, import, verify, publish.
+void addCaseLibrary(CLI::App& group, Selection& selection);
+
+}  // namespace ew::cli
