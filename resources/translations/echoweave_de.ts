@@ -6879,6 +6879,266 @@
         <source>Films can be neither written nor read, because a part of the program is missing; install EchoWeave again.</source>
         <translation>Filme können weder geschrieben noch gelesen werden, weil ein Teil des Programms fehlt; EchoWeave neu installieren.</translation>
     </message>
+    <message>
+        <source>The bundle could not be written (%1); please report it.</source>
+        <translation>Das Paket konnte nicht geschrieben werden (%1); bitte melden.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was changed while the case was read; do it again when nobody is writing to the case folder.</source>
+        <translation>„%1“ wurde verändert, während der Fall gelesen wurde; noch einmal versuchen, wenn niemand in den Ordner des Falls schreibt.</translation>
+    </message>
+    <message>
+        <source>Exporting the case</source>
+        <translation>Fall wird exportiert</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing; put it back, or import or publish the case again.</source>
+        <translation>„%1“ fehlt; zurücklegen, oder den Fall noch einmal importieren oder veröffentlichen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not what was kept: its content has changed; put the kept file back, or import or publish the case again.</source>
+        <translation>„%1“ ist nicht, was aufbewahrt wurde: Der Inhalt hat sich geändert; die aufbewahrte Datei zurücklegen, oder den Fall noch einmal importieren oder veröffentlichen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not belong to the case; move it to another place.</source>
+        <translation>„%1“ gehört nicht zum Fall; an einen anderen Ort verschieben.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is named by its content and holds something else: it has changed; put the kept file back or choose the volume again.</source>
+        <translation>„%1“ ist nach dem Inhalt benannt und enthält etwas anderes: Die Datei hat sich geändert; die aufbewahrte Datei zurücklegen oder das Volumen noch einmal wählen.</translation>
+    </message>
+    <message>
+        <source>The case in the bundle &apos;%1&apos; cannot be used: %2</source>
+        <translation>Der Fall im Paket „%1“ kann nicht verwendet werden: %2</translation>
+    </message>
+    <message>
+        <source>The bundle &apos;%1&apos; says that it holds the case &quot;%2&quot;, and it holds &quot;%3&quot;; ask for it to be exported again.</source>
+        <translation>Das Paket „%1“ soll den Fall „%2“ enthalten, enthält aber „%3“; um einen neuen Export bitten.</translation>
+    </message>
+    <message>
+        <source>Checking the bundle</source>
+        <translation>Paket wird geprüft</translation>
+    </message>
+    <message>
+        <source>The bundle &apos;%1&apos; was changed while it was read; do it again.</source>
+        <translation>Das Paket „%1“ wurde verändert, während es gelesen wurde; noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>Importing the case</source>
+        <translation>Fall wird importiert</translation>
+    </message>
+    <message>
+        <source>The case folder &apos;%1&apos; cannot be read (%2); check that it is there and that you may open it.</source>
+        <translation>Der Ordner „%1“ des Falls kann nicht gelesen werden (%2); prüfen, ob es ihn gibt und ob er geöffnet werden darf.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; in the case folder is a link that leads out of it, to a folder or to nothing; copy the file itself into the case folder.</source>
+        <translation>„%1“ im Ordner des Falls ist eine Verknüpfung, die hinausführt, zu einem Ordner oder ins Leere; die Datei selbst in den Ordner des Falls kopieren.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; in the case folder is neither a file nor a folder; take it out of there.</source>
+        <translation>„%1“ im Ordner des Falls ist weder Datei noch Ordner; von dort entfernen.</translation>
+    </message>
+    <message>
+        <source>it is an absolute path</source>
+        <translation>es ist ein absoluter Pfad</translation>
+    </message>
+    <message>
+        <source>it is longer than %1 bytes</source>
+        <translation>er ist länger als %1 Bytes</translation>
+    </message>
+    <message>
+        <source>it has characters that not every system knows in names</source>
+        <translation>er hat Zeichen, die nicht jedes System in Namen kennt</translation>
+    </message>
+    <message>
+        <source>it leads out of the case folder</source>
+        <translation>er führt aus dem Ordner des Falls hinaus</translation>
+    </message>
+    <message>
+        <source>a part of it is empty or hidden</source>
+        <translation>ein Teil davon ist leer oder verborgen</translation>
+    </message>
+    <message>
+        <source>the library itself has a file of that name</source>
+        <translation>die Bibliothek selbst hat eine Datei dieses Namens</translation>
+    </message>
+    <message>
+        <source>%1 names the file &quot;%2&quot;, which is refused (%3); rename the file, or, when it is not yours, do not use what names it.</source>
+        <translation>%1 nennt die Datei „%2“, die abgelehnt wird (%3); die Datei umbenennen, oder, wenn sie von Fremden stammt, nicht verwenden, was sie nennt.</translation>
+    </message>
+    <message>
+        <source>%1 names %2 files, and more than %3 are not taken; divide the case.</source>
+        <translation>%1 nennt %2 Dateien, und mehr als %3 werden nicht angenommen; den Fall teilen.</translation>
+    </message>
+    <message>
+        <source>another one has that name, but for capitals</source>
+        <translation>eine andere heißt ebenso, bis auf Großbuchstaben</translation>
+    </message>
+    <message>
+        <source>%1 names files of more than %2 MiB in all, and no more is taken; divide the case.</source>
+        <translation>%1 nennt Dateien von zusammen mehr als %2 MiB, und mehr wird nicht angenommen; den Fall teilen.</translation>
+    </message>
+    <message>
+        <source>another file has the name of its folder</source>
+        <translation>eine andere Datei heißt wie ihr Ordner</translation>
+    </message>
+    <message>
+        <source>The case folder &apos;%1&apos;</source>
+        <translation>Der Ordner „%1“ des Falls</translation>
+    </message>
+    <message>
+        <source>case.json names &quot;%1&quot;, and hidden files are not handed on; give it a name without a dot in front, there and in the case folder.</source>
+        <translation>case.json nennt „%1“, und verborgene Dateien werden nicht weitergegeben; dort und im Ordner des Falls einen Namen ohne Punkt am Anfang geben.</translation>
+    </message>
+    <message>
+        <source>The volume &apos;%1&apos; cannot be put into a case as it is; save it as .mha first and choose that.</source>
+        <translation>Das Volumen „%1“ kann so nicht in einen Fall gelegt werden; zuerst als .mha speichern und das wählen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is there and holds something else than its name says; move it away, or verify the case.</source>
+        <translation>„%1“ ist schon da und enthält etwas anderes, als der Name sagt; wegschieben oder den Fall prüfen.</translation>
+    </message>
+    <message>
+        <source>Putting a volume into the case</source>
+        <translation>Volumen wird in den Fall gelegt</translation>
+    </message>
+    <message>
+        <source>The bundle &apos;%1&apos; would grow from %2 KiB to %3 KiB, as no case does; do not use it.</source>
+        <translation>Das Paket „%1“ würde von %2 KiB auf %3 KiB wachsen, was kein Fall tut; nicht verwenden.</translation>
+    </message>
+    <message>
+        <source>bundle.json of &apos;%1&apos;</source>
+        <translation>bundle.json von „%1“</translation>
+    </message>
+    <message>
+        <source>The bundle &apos;%1&apos; holds no case but a &quot;%2&quot;, which this program does not know; update EchoWeave.</source>
+        <translation>Das Paket „%1“ enthält keinen Fall, sondern „%2“, was dieses Programm nicht kennt; EchoWeave aktualisieren.</translation>
+    </message>
+    <message>
+        <source>letters, digits, &apos;-&apos;, &apos;_&apos; and &apos;.&apos;, at most 100</source>
+        <translation>Buchstaben, Ziffern, „-“, „_“ und „.“, höchstens 100,</translation>
+    </message>
+    <message>
+        <source>The bundle &apos;%1&apos; lists %2 files, and more than %3 are not taken; do not use it, or ask for a smaller one.</source>
+        <translation>Das Paket „%1“ führt %2 Dateien auf, und mehr als %3 werden nicht angenommen; nicht verwenden oder um ein kleineres bitten.</translation>
+    </message>
+    <message>
+        <source>The bundle &apos;%1&apos;</source>
+        <translation>Das Paket „%1“</translation>
+    </message>
+    <message>
+        <source>The bundle &apos;%1&apos; lists no case.json, so there is no case in it; ask for another one.</source>
+        <translation>Das Paket „%1“ führt keine case.json auf, enthält also keinen Fall; um ein anderes bitten.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a case bundle; choose a file that EchoWeave has exported (.ewcase).</source>
+        <translation>„%1“ ist kein Paket mit einem Fall; eine Datei wählen, die EchoWeave exportiert hat (.ewcase).</translation>
+    </message>
+    <message>
+        <source>The bundle &apos;%1&apos; ends too early; copy or download it again.</source>
+        <translation>Das Paket „%1“ endet zu früh; noch einmal kopieren oder herunterladen.</translation>
+    </message>
+    <message>
+        <source>The bundle &apos;%1&apos; is damaged (%2); copy or download it again.</source>
+        <translation>Das Paket „%1“ ist beschädigt (%2); noch einmal kopieren oder herunterladen.</translation>
+    </message>
+    <message>
+        <source>The bundle &apos;%1&apos; holds more than its list names; do not use it.</source>
+        <translation>Das Paket „%1“ enthält mehr, als seine Liste nennt; nicht verwenden.</translation>
+    </message>
+    <message>
+        <source>The bundle &apos;%1&apos; cannot be read (%2); check the medium it is on.</source>
+        <translation>Das Paket „%1“ kann nicht gelesen werden (%2); den Datenträger prüfen.</translation>
+    </message>
+    <message>
+        <source>The bundle &apos;%1&apos; cannot be opened (%2); check that it is there and that you may read it.</source>
+        <translation>Das Paket „%1“ kann nicht geöffnet werden (%2); prüfen, ob es da ist und gelesen werden darf.</translation>
+    </message>
+    <message>
+        <source>The bundle &apos;%1&apos; holds &quot;%2&quot;, which is a link, a device or a folder instead of a file; do not use it, and ask for another one from somebody you trust.</source>
+        <translation>Das Paket „%1“ enthält „%2“, eine Verknüpfung, ein Gerät oder einen Ordner statt einer Datei; nicht verwenden und um ein anderes von vertrauter Seite bitten.</translation>
+    </message>
+    <message>
+        <source>The list of the bundle &apos;%1&apos; is too long to be that of a case; do not use it.</source>
+        <translation>Die Liste des Pakets „%1“ ist zu lang für die eines Falls; nicht verwenden.</translation>
+    </message>
+    <message>
+        <source>&quot;%2&quot; in the bundle &apos;%1&apos; is not what was put in; copy or download the bundle again.</source>
+        <translation>„%2“ im Paket „%1“ ist nicht, was hineingelegt wurde; das Paket noch einmal kopieren oder herunterladen.</translation>
+    </message>
+    <message>
+        <source>The bundle &apos;%1&apos; holds a file named &quot;%2&quot;, which is refused (%3); do not use it, and ask for another one from somebody you trust.</source>
+        <translation>Das Paket „%1“ enthält eine Datei namens „%2“, die abgelehnt wird (%3); nicht verwenden und um ein anderes von vertrauter Seite bitten.</translation>
+    </message>
+    <message>
+        <source>The bundle &apos;%1&apos; holds &quot;%2&quot; twice; do not use it, and ask for another one.</source>
+        <translation>Das Paket „%1“ enthält „%2“ zweimal; nicht verwenden und um ein anderes bitten.</translation>
+    </message>
+    <message>
+        <source>The bundle &apos;%1&apos; holds &quot;%2&quot;, which its list does not name; do not use it, and ask for another one.</source>
+        <translation>Das Paket „%1“ enthält „%2“, was seine Liste nicht nennt; nicht verwenden und um ein anderes bitten.</translation>
+    </message>
+    <message>
+        <source>The bundle &apos;%1&apos; lists &quot;%2&quot;, which is not in it; ask for it to be exported again.</source>
+        <translation>Das Paket „%1“ führt „%2“ auf, was nicht darin ist; um einen neuen Export bitten.</translation>
+    </message>
+    <message>
+        <source>What is to be published holds no case.json, so it is not a case; choose a case folder.</source>
+        <translation>Was veröffentlicht werden soll, enthält keine case.json, ist also kein Fall; einen Ordner mit einem Fall wählen.</translation>
+    </message>
+    <message>
+        <source>Publishing the case</source>
+        <translation>Fall wird veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Adding up sums</source>
+        <translation>Prüfsummen werden gebildet</translation>
+    </message>
+    <message>
+        <source>64 hexadecimal digits in small letters</source>
+        <translation>64 hexadezimale Ziffern in kleinen Buchstaben</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos;</source>
+        <translation>Die Datei „%1“</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; cannot be reserved for editing (%2); check that you may write there, or save the case elsewhere.</source>
+        <translation>Der Ordner „%1“ kann nicht zum Bearbeiten belegt werden (%2); prüfen, ob dort geschrieben werden darf, oder den Fall anderswo speichern.</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; is being edited by somebody who cannot be told; wait two minutes, or save the case elsewhere.</source>
+        <translation>Der Ordner „%1“ wird von jemandem bearbeitet, den man nicht nennen kann; zwei Minuten warten oder den Fall anderswo speichern.</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; is being edited by %2 on the computer %3 since %4; wait until it is closed there, or save the case elsewhere.</source>
+        <translation>Der Ordner „%1“ wird seit %4 von %2 am Rechner %3 bearbeitet; warten, bis er dort geschlossen ist, oder den Fall anderswo speichern.</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; was taken over by %2 on the computer %3 while this program did not run; save your work as another case.</source>
+        <translation>Der Ordner „%1“ wurde von %2 am Rechner %3 übernommen, während dieses Programm ruhte; die Arbeit als anderen Fall speichern.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read (%2); check that it is there, that you may read it, and the medium it is on.</source>
+        <translation>„%1“ kann nicht gelesen werden (%2); prüfen, ob es da ist und gelesen werden darf, und den Datenträger.</translation>
+    </message>
+    <message>
+        <source>The place &apos;%1&apos; has %2 MiB left, and %3 MiB are needed; free some room or choose another place.</source>
+        <translation>Am Ort „%1“ sind %2 MiB frei, und %3 MiB werden gebraucht; Platz schaffen oder einen anderen Ort wählen.</translation>
+    </message>
+    <message>
+        <source>Stopped as asked before everything was checked.</source>
+        <translation>Wie gewünscht abgebrochen, bevor alles geprüft war.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was not published: it has no sums, so nobody can tell whether its files have changed.</source>
+        <translation>„%1“ wurde nicht veröffentlicht: Es gibt keine Prüfsummen, und niemand kann sagen, ob sich seine Dateien geändert haben.</translation>
+    </message>
+    <message>
+        <source>%1 found; what is listed says what to do.</source>
+        <translation>%1 gefunden; was aufgeführt ist, sagt, was zu tun ist.</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
