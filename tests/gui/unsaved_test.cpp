@@ -1,4 +1,5 @@
 // What a person made is asked about when it would be lost, and not before: edits, volumes, files that are written over, work that is saved.
+#include <QAbstractItemView>
 #include <QAction>
 #include <QDialog>
 #include <QFileDialog>
@@ -449,7 +450,7 @@ class UnsavedTest : public WindowFixture {
     QVERIFY(waitUntil([this] { return window_->messages().isError(); }, kPatience_ms));
     window_->setWorkspace(Workspace::explore);
     QVERIFY(find<StartPage>("startPage")->isVisible());
-    QVERIFY(!window_->findChildren<QFrame*>(QStringLiteral("caseCard")).isEmpty());
+    QVERIFY(waitUntil([this] { return find<QAbstractItemView>("caseCards")->model()->rowCount() > 0; }));
     QVERIFY(waitForRest());
   }
 
@@ -489,7 +490,8 @@ class UnsavedTest : public WindowFixture {
     QVERIFY(saved->id != json::parse(before)["id"]);
     QCOMPARE(QSettings().value(QStringLiteral("recent")).toStringList().constFirst(), QString::fromStdString(own->folder.string()));
     window_->showStartPage();
-    QCOMPARE(window_->findChildren<QFrame*>(QStringLiteral("caseCard")).size(), 2);  // the program's, and the copy
+    // The program's, and the copy.
+    QVERIFY(waitUntil([this] { return window_->isSettled() && find<QAbstractItemView>("caseCards")->model()->rowCount() == 2; }));
     QVERIFY(waitForRest());
     editTitle("my own, again");
     save->trigger();

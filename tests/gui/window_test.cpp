@@ -1,3 +1,4 @@
+#include <QAbstractItemView>
 #include <QAction>
 #include <QComboBox>
 #include <QDialog>
@@ -426,9 +427,9 @@ class WindowTest : public WindowFixture {
 
   void theStartPageOffersTheShippedCasesAndOpen() {
     window_->showStartPage();
-    QTest::qWait(50);
+    QVERIFY(waitUntil([this] { return window_->isSettled(); }));
     QVERIFY(find<QPushButton>("startOpen")->isVisible());
-    QCOMPARE(static_cast<std::size_t>(window_->findChildren<QFrame*>(QStringLiteral("caseCard")).size()),
+    QCOMPARE(static_cast<std::size_t>(find<QAbstractItemView>("caseCards")->model()->rowCount()),
              listCases(*shippedCasesFolder()).cases.size());
   }
 };

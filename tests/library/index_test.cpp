@@ -8,7 +8,6 @@
 
 #include "index_folders.h"
 #include "index_library.h"
-#include "index_store.h"
 #include "sqlite.h"
 
 namespace ew {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "ew/core/message_json.h"
 
@@ -13,7 +14,8 @@ constexpr std::size_t kLongestTypedWord_bytes = 64;
 
 /// What turns an index of version n into one of version n + 1, for n = 0, 1, ...
 constexpr const char* kIndexMigrations[] = {
-    // case_text: a row for each case with the case's number. The prefixes are those that are typed first and match most.
+    // The texts have a row for each case, with the case's number, and hold each word once. Without positions (detail) a search of a letter
+    // that is everywhere takes a quarter; the prefixes are those that are typed first and match most.
     R"sql(
 CREATE TABLE case_entry(
   number INTEGER PRIMARY KEY, folder TEXT NOT NULL UNIQUE, stamp TEXT NOT NULL, kind INTEGER NOT NULL, revision INTEGER NOT NULL,
@@ -33,7 +35,8 @@ CREATE TABLE case_tag(
   case_number INTEGER NOT NULL REFERENCES case_entry(number) ON DELETE CASCADE, tag TEXT NOT NULL,
   PRIMARY KEY(case_number, tag)) WITHOUT ROWID;
 CREATE INDEX case_by_tag ON case_tag(tag, case_number);
-CREATE VIRTUAL TABLE case_text USING fts5(open, closed, tokenize = "unicode61 remove_diacritics 2", prefix = '1 2 3');
+CREATE VIRTUAL TABLE trainee_text USING fts5(words, tokenize = "unicode61 remove_diacritics 2", prefix = '1 2 3', detail = none);
+CREATE VIRTUAL TABLE author_text USING fts5(words, tokenize = "unicode61 remove_diacritics 2", prefix = '1 2 3', detail = none);
 )sql",
 };
 static_assert(std::size(kIndexMigrations) == kIndexVersion);
@@ -73,13 +76,30 @@ std::vector<std::string> typedWords(std::string_view typed) {
   return words;
 }
 
+/// Each word of a text once, parted at blanks.
+std::string wordsOnce(const std::string& text) {
+  std::set<std::string_view> words;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t begin = text.find_first_not_of(" \t\r\n", at);
+    if (begin == std::string::npos) break;
+    at = std::min(text.find_first_of(" \t\r\n", begin), text.size());
+    words.insert(std::string_view(text).substr(begin, at - begin));
+  }
+  std::string all;
+  for (const std::string_view word : words) all.append(word).push_back(' ');
+  return all;
+}
+
 }  // namespace
 
-std::string matchOf(std::string_view typed, bool forTrainees) {
+std::string matchOf(std::string_view typed, bool plain) {
+  std::string letters = searchable(std::string(typed));
+  if (plain)
+    std::replace_if(
+        letters.begin(), letters.end(), [](char byte) { return static_cast<unsigned char>(byte) >= 0x80; }, ' ');
   std::string match;
-  for (const std::string& word : typedWords(searchable(std::string(typed)))) match += '"' + word + "\"* ";
-  if (match.empty()) return {};
-  return forTrainees ? "open : (" + match + ')' : match;
+  for (const std::string& word : typedWords(letters)) match += '"' + word + "\"* ";
+  return match;
 }
 
 IndexStore::IndexStore(const std::filesystem::path& file) : database_(file) {
@@ -124,16 +144,11 @@ std::map<std::string, IndexStore::Known> IndexStore::known() {
   return all;
 }
 
-void IndexStore::store(const std::vector<Stamped>& entries) {
-  sqlite::Transaction all(database_);
-  for (const Stamped& each : entries) storeOne(each);
-  all.commit();
-}
-
-void IndexStore::storeOne(const Stamped& each) {
-  const CaseRow& row = each.entry.row;
-  const std::string folder = row.folder.string();
-  sqlite::Statement write(database_, R"sql(
+/// The statements of one transaction, prepared once.
+class IndexStore::Writer {
+ public:
+  explicit Writer(sqlite::Database& database)
+      : entry_(database, R"sql(
 INSERT INTO case_entry(folder, stamp, kind, revision, problem, id, title, title_for_trainees, region, indication, pathology, level,
                        lesson_count, author_key, trainee_key)
 VALUES(?, ?, ?, ?, nullif(?, ''), ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)
@@ -141,48 +156,94 @@ ON CONFLICT(folder) DO UPDATE SET stamp = excluded.stamp, kind = excluded.kind, 
   id = excluded.id, title = excluded.title, title_for_trainees = excluded.title_for_trainees, region = excluded.region,
   indication = excluded.indication, pathology = excluded.pathology, level = excluded.level, lesson_count = excluded.lesson_count,
   author_key = excluded.author_key, trainee_key = excluded.trainee_key
-RETURNING number)sql");
-  const std::string problem = each.entry.problem ? nlohmann::json(*each.entry.problem).dump() : std::string();
-  write.bind(folder).bind(each.stamp).bind(static_cast<int>(row.kind)).bind(row.revision).bind(problem);
-  write.bind(row.id).bind(row.title).bind(row.titleForTrainees).bind(row.region).bind(row.indication).bind(row.pathology);
-  write.bind(row.level).bind(static_cast<int>(row.lessons.size())).bind(sortKey(row.title)).bind(sortKey(row.titleForTrainees));
-  write.step();
-  const std::int64_t number = write.number(0);
-  write.run();
-  for (const char* old :
-       {"DELETE FROM lesson WHERE case_number = ?", "DELETE FROM case_tag WHERE case_number = ?", "DELETE FROM case_text WHERE rowid = ?"})
-    sqlite::Statement(database_, old).bind(number).run();
-  sqlite::Statement lesson(database_, "INSERT INTO lesson VALUES(?, ?, ?, ?, ?, ?, ?, ?)");
-  for (std::size_t n = 0; n < row.lessons.size(); ++n) {
-    const LessonRow& of = row.lessons[n];
-    lesson.again().bind(number).bind(static_cast<int>(n)).bind(of.id).bind(of.title).bind(of.aim).bind(of.level).bind(of.minutes);
-    lesson.bind(of.steps).run();
+RETURNING number)sql"),
+        oldParts_{{database, "DELETE FROM lesson WHERE case_number = ?"},
+                  {database, "DELETE FROM case_tag WHERE case_number = ?"},
+                  {database, "DELETE FROM trainee_text WHERE rowid = ?"},
+                  {database, "DELETE FROM author_text WHERE rowid = ?"}},
+        lesson_(database, "INSERT INTO lesson VALUES(?, ?, ?, ?, ?, ?, ?, ?)"),
+        tag_(database, "INSERT OR IGNORE INTO case_tag VALUES(?, ?)"),
+        traineeText_(database, "INSERT INTO trainee_text(rowid, words) VALUES(?, ?)"),
+        authorText_(database, "INSERT INTO author_text(rowid, words) VALUES(?, ?)") {}
+
+  void write(const Stamped& each) {
+    const CaseRow& row = each.entry.row;
+    const std::int64_t number = writeEntry(each);
+    for (sqlite::Statement& old : oldParts_) old.again().bind(number).run();
+    for (std::size_t n = 0; n < row.lessons.size(); ++n) {
+      const LessonRow& of = row.lessons[n];
+      lesson_.again().bind(number).bind(static_cast<int>(n)).bind(of.id).bind(of.title).bind(of.aim).bind(of.level).bind(of.minutes);
+      lesson_.bind(of.steps).run();
+    }
+    for (const std::string& of : row.tags) tag_.again().bind(number).bind(of).run();
+    if (each.entry.problem) return;
+    traineeText_.again().bind(number).bind(wordsOnce(each.entry.openText)).run();
+    authorText_.again().bind(number).bind(wordsOnce(each.entry.openText + '\n' + each.entry.closedText)).run();
   }
-  sqlite::Statement tag(database_, "INSERT OR IGNORE INTO case_tag VALUES(?, ?)");
-  for (const std::string& of : row.tags) tag.again().bind(number).bind(of).run();
-  if (each.entry.problem) return;
-  sqlite::Statement(database_, "INSERT INTO case_text(rowid, open, closed) VALUES(?, ?, ?)")
-      .bind(number)
-      .bind(each.entry.openText)
-      .bind(each.entry.closedText)
-      .run();
+
+ private:
+  std::int64_t writeEntry(const Stamped& each) {
+    const CaseRow& row = each.entry.row;
+    const std::string folder = row.folder.string();
+    const std::string problem = each.entry.problem ? nlohmann::json(*each.entry.problem).dump() : std::string();
+    entry_.again().bind(folder).bind(each.stamp).bind(static_cast<int>(row.kind)).bind(row.revision).bind(problem);
+    entry_.bind(row.id).bind(row.title).bind(row.titleForTrainees).bind(row.region).bind(row.indication).bind(row.pathology);
+    entry_.bind(row.level).bind(static_cast<int>(row.lessons.size())).bind(sortKey(row.title)).bind(sortKey(row.titleForTrainees));
+    entry_.step();
+    const std::int64_t number = entry_.number(0);
+    entry_.run();
+    return number;
+  }
+
+  sqlite::Statement entry_;
+  sqlite::Statement oldParts_[4];
+  sqlite::Statement lesson_, tag_, traineeText_, authorText_;
+};
+
+void IndexStore::store(const std::vector<Stamped>& entries) {
+  sqlite::Transaction all(database_);
+  Writer writer(database_);
+  for (const Stamped& each : entries) writer.write(each);
+  all.commit();
 }
 
 void IndexStore::remove(const std::vector<std::string>& folders) {
   sqlite::Transaction all(database_);
-  sqlite::Statement text(database_, "DELETE FROM case_text WHERE rowid = (SELECT number FROM case_entry WHERE folder = ?)");
+  sqlite::Statement trainees(database_, "DELETE FROM trainee_text WHERE rowid = (SELECT number FROM case_entry WHERE folder = ?)");
+  sqlite::Statement authors(database_, "DELETE FROM author_text WHERE rowid = (SELECT number FROM case_entry WHERE folder = ?)");
   sqlite::Statement entry(database_, "DELETE FROM case_entry WHERE folder = ?");
-  for (const std::string& folder : folders) {
-    text.again().bind(folder).run();
-    entry.again().bind(folder).run();
-  }
+  for (const std::string& folder : folders)
+    for (sqlite::Statement* each : {&trainees, &authors, &entry}) each->again().bind(folder).run();
   all.commit();
 }
 
+std::optional<std::vector<bool>> IndexStore::withWords(std::string_view typed, bool forTrainees) {
+  const char* sql =
+      forTrainees ? "SELECT rowid FROM trainee_text WHERE trainee_text MATCH ?" : "SELECT rowid FROM author_text WHERE author_text MATCH ?";
+  for (const bool plain : {false, true}) {
+    const std::string match = matchOf(typed, plain);
+    if (match.empty()) break;
+    try {
+      std::vector<bool> numbers;
+      sqlite::Statement read(database_, sql);
+      read.bind(match);
+      while (read.step()) {
+        const auto number = static_cast<std::size_t>(read.number(0));
+        if (number >= numbers.size()) numbers.resize(std::max(number + 1, 2 * numbers.size()));
+        numbers[number] = true;
+      }
+      return numbers;
+    } catch (const sqlite::Failed& failed) {
+      // A sign that is no letter within a word makes a phrase of it, which needs positions.
+      if (plain || failed.trouble != sqlite::Trouble::other) throw;
+    }
+  }
+  return {};
+}
+
 std::vector<CaseFound> IndexStore::find(const CaseQuery& query) {
-  const std::string match = matchOf(query.words, query.forTrainees);
+  const auto withAllWords = withWords(query.words, query.forTrainees);
   std::string sql = "SELECT number, kind FROM case_entry WHERE problem IS NULL";
-  if (!match.empty()) sql += " AND number IN (SELECT rowid FROM case_text WHERE case_text MATCH ?)";
   if (!query.region.empty()) sql += " AND region = ?";
   if (query.level) sql += " AND level = ?";
   if (query.kind) sql += " AND kind = ?";
@@ -190,13 +251,16 @@ std::vector<CaseFound> IndexStore::find(const CaseQuery& query) {
   for (std::size_t n = 0; n < query.tags.size(); ++n) sql += " AND number IN (SELECT case_number FROM case_tag WHERE tag = ?)";
   sql += query.forTrainees ? " ORDER BY kind, trainee_key, number" : " ORDER BY kind, author_key, number";
   sqlite::Statement read(database_, sql);
-  if (!match.empty()) read.bind(match);
   if (!query.region.empty()) read.bind(query.region);
   if (query.level) read.bind(*query.level);
   if (query.kind) read.bind(static_cast<int>(*query.kind));
   for (const std::string& tag : query.tags) read.bind(tag);
   std::vector<CaseFound> found;
-  while (read.step()) found.push_back({read.number(0), static_cast<LibraryKind>(read.number(1))});
+  while (read.step()) {
+    const auto number = static_cast<std::size_t>(read.number(0));
+    if (!withAllWords || (number < withAllWords->size() && (*withAllWords)[number]))
+      found.push_back({read.number(0), static_cast<LibraryKind>(read.number(1))});
+  }
   return found;
 }
 

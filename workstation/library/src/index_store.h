@@ -41,11 +41,14 @@ class IndexStore {
 
  private:
   void makeTables();
-  void storeOne(const Stamped& each);
+  class Writer;
+  /// By number, which cases have all the words; nothing when there are no words.
+  [[nodiscard]] std::optional<std::vector<bool>> withWords(std::string_view typed, bool forTrainees);
   sqlite::Database database_;
 };
 
 /// The words of a query as FTS5 takes them, each the beginning of a word; empty when nothing can be searched.
-[[nodiscard]] std::string matchOf(std::string_view typed, bool forTrainees);
+/// @param plain whether all that is not ASCII separates words
+[[nodiscard]] std::string matchOf(std::string_view typed, bool plain);
 
 }  // namespace ew

@@ -116,6 +116,7 @@ const Row kActions[] = {
     {"focus.model", KeyGroup::author, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Next focus model"), "Shift+N"},
     {"cost", KeyGroup::author, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "&Performance…"), "Ctrl+K"},
     {"start", KeyGroup::window, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "S&tart page"), "Ctrl+H"},
+    {"search", KeyGroup::window, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Sea&rch the cases"), "Ctrl+F"},
     {"open", KeyGroup::window, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "&Open…"), "Ctrl+O"},
     {"open.folder", KeyGroup::window, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Open case &folder…"), "Ctrl+Shift+O"},
     {"save.picture", KeyGroup::window, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Save &image as…"), "Ctrl+P"},

@@ -88,6 +88,9 @@ MainWindow::~MainWindow() {
   // Work first, then panels (their code lives in plugins), then the plugins, then what the host handed them.
   parts_->preparation.disconnect();
   parts_->preparation.pause();
+  parts_->library.disconnect();
+  parts_->details.disconnect();
+  parts_->startPage->disconnect();
   parts_->jobs.cancelAllAndWait();
   // An undo history that is destroyed says that it is empty; nobody is left to show it.
   parts_->document.history().disconnect();
@@ -242,55 +245,9 @@ void MainWindow::showPicture() {
   p.view3d->setProbeVisible(true);
 }
 
-void MainWindow::prepareCases() {
-  if (const auto folder = shippedCasesFolder()) parts_->preparation.start(listCases(*folder).cases);
-}
-
-void MainWindow::showPreparation() {
-  if (parts_->pages->currentWidget() != parts_->startPage) return;
-  for (const Case& shown : parts_->shownCases) {
-    const auto seen = parts_->preparation.seen(shown);
-    const QString takes = tr("about %1 s").arg(std::ceil(seen.estimate_s));
-    switch (seen.state) {
-      case CasePreparation::State::ready:
-        parts_->startPage->setState(shown.id, {}, 0.0);
-        break;
-      case CasePreparation::State::running:
-        parts_->startPage->setState(shown.id, seen.step.isEmpty() ? tr("Preparing") : seen.step, seen.fraction);
-        break;
-      case CasePreparation::State::waiting:
-        parts_->startPage->setState(shown.id, tr("Will be prepared, %1").arg(takes), 0.0);
-        break;
-      case CasePreparation::State::stopped:
-        parts_->startPage->setState(shown.id, tr("Not prepared yet, %1; open it to begin").arg(takes), 0.0);
-        break;
-    }
-  }
-}
-
 void MainWindow::showStartPage() {
   if (parts_->pages->currentWidget() == parts_->startPage) return fillStartPage();
   parts_->pages->setCurrentWidget(parts_->startPage);
-}
-
-void MainWindow::fillStartPage() {
-  auto folder = shippedCasesFolder();
-  CaseList found;
-  if (folder) found = listCases(*folder);
-  std::error_code ignored;
-  if (const auto own = CaseFolderDialog::library(); std::filesystem::is_directory(own, ignored)) {
-    CaseList theirs = listCases(own);
-    std::move(theirs.cases.begin(), theirs.cases.end(), std::back_inserter(found.cases));
-    std::move(theirs.problems.begin(), theirs.problems.end(), std::back_inserter(found.problems));
-  }
-  for (const Error& problem : found.problems) parts_->messages->showError(problem);
-  parts_->startPage->showCases(found.cases, folder ? QString() : words(folder.error().message));
-  parts_->shownCases = found.cases;
-  showRecent();
-  parts_->startPage->setOpenCase(parts_->session.subject() ? words(parts_->session.subject()->title) : QString());
-  showPreparation();
-  prepareThumbnails();
-  showTitle();
 }
 
 void MainWindow::backToWork() {
@@ -480,7 +437,8 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
 bool MainWindow::isSettled() const {
   const Parts& p = *parts_;
   if (p.jobs.isRunning() || p.opener->isBusy()) return false;
-  if (p.pages->currentWidget() == p.startPage || p.staged) return true;
+  if (p.pages->currentWidget() == p.startPage) return !p.library.isRefreshing() && !p.details.isBusy();
+  if (p.staged) return true;
   return p.session.subject() && !p.session.picture().isEmpty();
 }
 

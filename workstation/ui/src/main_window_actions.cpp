@@ -70,6 +70,10 @@ void MainWindow::addFileMenu(QMenu& file) {
   });
   p.recentMenu = file.addMenu(tr("Open &recent"));
   p.startPageAction = addMenuAction(file, "start", [this] { showStartPage(); });
+  addMenuAction(file, "search", [this] {
+    if (parts_->pages->currentWidget() != parts_->startPage) showStartPage();
+    parts_->startPage->focusSearch();
+  });
   file.addSeparator();
   p.saveAction = addMenuAction(file, "save", [this] { save(false); });
   p.saveAsAction = addMenuAction(file, "save.as", [this] { save(true); });
@@ -451,40 +455,6 @@ void MainWindow::refreshTheme() {
   parts_->replayBar->refreshIcons();
   parts_->cineBar->refreshIcons();
   parts_->messages->refreshIcons();
-}
-
-void MainWindow::prepareThumbnails() {
-  const QSize size(544, 320);
-  std::vector<Case> missing;
-  for (const Case& shown : parts_->shownCases) {
-    const QImage kept = keptThumbnail(shown, size);
-    if (!kept.isNull()) {
-      parts_->startPage->setThumbnail(shown.id, kept);
-    } else if (!caseNeedsPreparation(shown)) {  // the others keep their drawn card: a start page is no reason to compute for minutes
-      missing.push_back(shown);
-    }
-  }
-  if (missing.empty()) return;
-  auto pictures = std::make_shared<std::vector<std::pair<std::string, QImage>>>();
-  parts_->jobs.start(
-      tr("Loading thumbnails"),
-      [missing, pictures, size](Progress& progress) -> Result<void> {
-        const auto resources = resourceFolder();
-        if (!resources) return passOn(resources.error());
-        const auto probes = readProbes(*resources / "probes");
-        if (!probes) return passOn(probes.error());
-        for (const Case& shown : missing) {
-          if (progress.cancelRequested()) break;
-          auto contents = readContents(shown, progress);
-          if (!contents) continue;
-          pictures->emplace_back(shown.id, thumbnailOf(subjectOf(shown, *contents), *probes, size));
-          keepThumbnail(shown, pictures->back().second);
-        }
-        return {};
-      },
-      [this, pictures](const Result<void>&) {
-        for (const auto& [id, picture] : *pictures) parts_->startPage->setThumbnail(id, picture);
-      });
 }
 
 }  // namespace ew::ui

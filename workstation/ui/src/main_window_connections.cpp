@@ -120,6 +120,7 @@ void MainWindow::connectPages() {
   });
   connect(p.startPage, &StartPage::fileChosen, this, &MainWindow::open);
   connect(&p.jobs, &Jobs::problem, this, [this](const Error& error) { parts_->messages->showError(error); });
+  connectLibrary();
 }
 
 void MainWindow::connectOpener() {
@@ -179,7 +180,8 @@ void MainWindow::connectPreparation() {
   Parts& p = *parts_;
   connect(&p.preparation, &CasePreparation::changed, this, &MainWindow::showPreparation);
   connect(&p.preparation, &CasePreparation::prepared, this, [this] {
-    if (parts_->pages->currentWidget() == parts_->startPage) prepareThumbnails();
+    parts_->details.forget();
+    readDetails();
   });
   connect(&p.preparation, &CasePreparation::failed, this, [this](const Error& error) { parts_->messages->showError(error); });
   connect(&p.preparation, &CasePreparation::noted, this, [this](const QString& note) { parts_->messages->showNote(note); });

@@ -102,7 +102,7 @@ void MainWindow::showRecent() {
   const QStringList recent = QSettings().value(QStringLiteral("recent")).toStringList();
   const bool forAuthors = parts_->isAuthor();
   QStringList onCards;
-  for (const Case& shown : parts_->shownCases) onCards << QDir::cleanPath(QFileInfo(wordsOf(shown.folder)).absoluteFilePath());
+  for (const QString& folder : parts_->startPage->foldersAtAGlance()) onCards << QDir::cleanPath(QFileInfo(folder).absoluteFilePath());
   parts_->startPage->showRecent(recentFilesOf(recent, forAuthors, onCards));
   parts_->recentMenu->clear();
   for (const RecentFile& file : recentFilesOf(recent, forAuthors)) {

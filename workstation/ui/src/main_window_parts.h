@@ -16,6 +16,7 @@
 #include "box_zoom.h"
 #include "caliper_layer.h"
 #include "calipers.h"
+#include "case_details.h"
 #include "case_document.h"
 #include "case_info.h"
 #include "case_preparation.h"
@@ -32,6 +33,7 @@
 #include "hand_input.h"
 #include "job_cards.h"
 #include "jobs.h"
+#include "library_browser.h"
 #include "key_map.h"
 #include "key_tips.h"
 #include "keys_dialog.h"
@@ -82,7 +84,9 @@ struct MainWindow::Parts {
   CaseDocument document;
   Jobs jobs;
   CasePreparation preparation{jobs};
-  std::vector<Case> shownCases;  ///< on the start page: shipped ones, then the user's own
+  LibraryBrowser library{jobs};
+  CaseDetails details;
+  QTimer detailsSoon;
   std::vector<MadeVolume> made;  ///< never saved: the one that is shown, and those that wait
   KeptEdits keptEdits;           ///< of the open case, against a crash
   QTimer keepSoon;

@@ -142,10 +142,9 @@ void MainWindow::takeRecording(const QString& path, std::shared_ptr<const ScanRe
     remember(path);
     return showRecordingState();
   }
-  const auto known = std::find_if(p.shownCases.begin(), p.shownCases.end(), [&](const Case& each) { return each.id == recording->caseId; });
-  if (!recording->caseId.empty() && known != p.shownCases.end()) {
+  if (const auto folder = p.library.folderOf(recording->caseId); !folder.empty()) {
     p.waitingRecording = {path, std::move(recording)};
-    return open(wordsOf(known->folder));
+    return open(wordsOf(folder));
   }
   p.messages->showError({ErrorCode::badUsage,
                          verbatim(tr("%1 is a recording of '%2'. Open what was scanned first, then the recording.")

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "case_list.h"
+#include "case_catalogue.h"
 #include "recent_files.h"
 
 class QLabel;
@@ -43,7 +43,7 @@ class StartPage final : public QWidget {
   void setThumbnail(const QString& folder, const QImage& picture);
   void focusSearch();
 
-  [[nodiscard]] const CaseList& cases() const { return list_; }
+  [[nodiscard]] const CaseCatalogue& cases() const { return list_; }
   [[nodiscard]] QStringList foldersInSight() const;
   /// Folders of the cards when they are so few that nobody needs another way to one of them; else none.
   [[nodiscard]] QStringList foldersAtAGlance() const;
@@ -67,7 +67,7 @@ class StartPage final : public QWidget {
   void showEmpty();
   void clearSearch();
   [[nodiscard]] CaseQuery query() const;
-  CaseList list_;
+  CaseCatalogue list_;
   QLineEdit* search_ = nullptr;
   CaseFilters* filters_ = nullptr;
   CardView* cards_ = nullptr;

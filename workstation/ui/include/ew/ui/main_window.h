@@ -222,7 +222,8 @@ class MainWindow final : public QMainWindow {
   /// @param choice "dark", "light" or "system"
   void chooseTheme(const QString& choice);
   void refreshTheme();
-  void prepareThumbnails();
+  void connectLibrary();
+  void readDetails();  ///< of the cards in sight
   /// Says what a handler of an event let through, and of whom: of the plugin whose panel `receiver` is a part of, or of the program.
   void showThrown(const QObject* receiver, const Thrown& thrown);
   void showPreparation();

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <QImage>
+#include <QPainter>
+
+#include "case_catalogue.h"
+
+namespace ew::ui {
+
+inline constexpr int kCardPicture_px = 160;  ///< height of a card's picture
+inline constexpr int kCardMargin_px = 12;
+
+struct CardLook {
+  const CaseRow* row = nullptr;     ///< null: an empty card, for a case that is gone
+  const QImage* picture = nullptr;  ///< null: a fan is drawn
+  CaseCatalogue::State state;
+  bool isCurrent = false;  ///< where the keys are
+  bool isUnderMouse = false;
+  Qt::LayoutDirection direction = Qt::LeftToRight;
+};
+
+/// What every card takes: the texts have as many lines as there may be, so that cards of one row stand alike.
+[[nodiscard]] int cardHeight_px();
+void paintCard(QPainter& painter, const QRect& box, const CardLook& look);
+
+}  // namespace ew::ui
