@@ -6,6 +6,7 @@
 #include "arguments.h"
 #include "bench_echoes.h"
 #include "bench_frame.h"
+#include "bench_library.h"
 #include "bench_page.h"
 #include "bench_paper.h"
 #include "bench_reconstruct.h"
@@ -424,6 +425,7 @@ void addBench(CLI::App& root, Selection& selection) {
       {"bench register", "bench register --html bench --report bench.json", "bench register --side 128 --no-peers"});
   add(Bench::stitch, "stitch", "Every way to join two views of one scene: how visible the seam is, and what it costs",
       {"bench stitch", "bench stitch --html bench --report bench.json", "bench stitch --side 96 --repetitions 5"});
+  addLibraryBench(group, selection);
   add(Bench::all, "all", "All of it, on one page", {"bench all --html bench --report bench.json"});
 }
 
