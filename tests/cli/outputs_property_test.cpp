@@ -241,9 +241,10 @@ class Scenario {
         {"volume", {{"file", "volumes/v.mha"}, {"file_to_world", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}}}};
     if (dice_.once(3)) manifest["title"] = 3;
     writeText((fs::path(folder) / "case.json").string(), manifest.dump());
-    const std::string what = dice_.of({"list", "show", "validate", "prepare"});
+    const std::string what = dice_.of({"list", "show", "validate", "prepare", "export", "verify"});
     words = {"case", what, what == "list" ? home_.string() : folder};
     if (what == "prepare" && dice_.once(2)) option("--keep-sweeps", at("kept"));
+    if (what == "export") option("-o", outputName({".ewcase", ".ewcase", ".zip"}));
     if (dice_.once(3)) {
       const std::string report = fs::path(folder).filename().string() + dice_.of({"/case.json", "/volumes/v.mha", "/new.json"});
       named.insert(report);
@@ -395,7 +396,8 @@ std::string endOne(std::uint64_t seed, std::map<std::string, int>& tally) {
   };
   const int status = runWith(scenario.words, end == End::left || end == End::full ? -1 : letters, atMoment, &cancel);
   ::setrlimit(RLIMIT_FSIZE, &unlimited);
-  const bool validated = scenario.words.size() > 1 && scenario.words[1] == "validate" && status == cli::kFailed;  // its answer
+  const bool validated = scenario.words.size() > 1 && (scenario.words[1] == "validate" || scenario.words[1] == "verify") &&
+                         status == cli::kFailed;  // its answer
   const bool well = status == cli::kDone || status == cli::kVerdict || validated;
   ++tally[scenario.words.front() + (status == cli::kDone ? ", done" : well ? ", no" : ", failed")];
   const Contents after = contentsOf(folder.path());

@@ -14,13 +14,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int kBlock_bytes = 256 << 10;
+
 /// A tar in zstd that is written entry by entry.
 class BundleWriter {
  public:
   explicit BundleWriter(PieceWriter& out) : out_(out), archive_(archive_write_new()) {
     if (archive_ == nullptr) throw std::bad_alloc();
   }
-  ~BundleWriter() { archive_write_free(archive_); }
+  ~BundleWriter() {
+    if (!isClosed_) archive_write_fail(archive_);  // else what is missing of the entry would be filled up with zeros, gigabytes of them
+    archive_write_free(archive_);
+  }
   BundleWriter(const BundleWriter&) = delete;
   BundleWriter& operator=(const BundleWriter&) = delete;
 
@@ -28,6 +33,7 @@ class BundleWriter {
     const bool ready = names_.good() && archive_write_set_format_pax_restricted(archive_) == ARCHIVE_OK &&
                        archive_write_set_options(archive_, "hdrcharset=UTF-8") == ARCHIVE_OK &&
                        archive_write_add_filter_zstd(archive_) == ARCHIVE_OK &&
+                       archive_write_set_bytes_per_block(archive_, kBlock_bytes) == ARCHIVE_OK &&
                        archive_write_set_bytes_in_last_block(archive_, 1) == ARCHIVE_OK &&
                        archive_write_open(archive_, this, nullptr, &BundleWriter::put, nullptr) == ARCHIVE_OK;
     return ready ? Result<void>() : problemNow();
@@ -52,7 +58,10 @@ class BundleWriter {
     return written == static_cast<la_ssize_t>(piece.size()) ? Result<void>() : problemNow();
   }
 
-  Result<void> close() { return archive_write_close(archive_) == ARCHIVE_OK ? Result<void>() : problemNow(); }
+  Result<void> close() {
+    isClosed_ = archive_write_close(archive_) == ARCHIVE_OK;
+    return isClosed_ ? Result<void>() : problemNow();
+  }
 
  private:
   static la_ssize_t put(archive*, void* self, const void* bytes, size_t count) {
@@ -73,6 +82,7 @@ class BundleWriter {
   Utf8Names names_;
   PieceWriter& out_;
   archive* archive_;
+  bool isClosed_ = false;
   std::optional<Error> problem_;  // of the file below
 };
 
