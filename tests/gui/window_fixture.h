@@ -39,6 +39,7 @@ class Files {
   Files() {
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder_.path() + QStringLiteral("/settings"));
     qputenv("XDG_DATA_HOME", path(QStringLiteral("data")).toUtf8());
+    qputenv("ECHOWEAVE_LIBRARY", path(QStringLiteral("library")).toUtf8());
     qputenv("ECHOWEAVE_CASES", path(QStringLiteral("own cases")).toUtf8());
   }
 

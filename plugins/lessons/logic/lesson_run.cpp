@@ -82,8 +82,15 @@ void LessonRun::goOn(double now_s) {
 
 void LessonRun::see(const ScanEvent& event, const std::optional<ScanState>& image) {
   if (!isRunning() || isPaused()) return;
-  log_.add(event);
-  if (image && std::holds_alternative<FrameMade>(event.what)) work_->see(*image);
+  if (std::holds_alternative<FrameMade>(event.what)) {
+    if (!image) return;
+    log_.addFrame(*image);  // with probe and settings before the first one, which were told before the step began
+    work_->see(*image);
+  } else if (const auto* freeze = std::get_if<FreezeChanged>(&event.what)) {
+    log_.setFrozen(event.time_s, freeze->isFrozen);
+  } else if (std::holds_alternative<Note>(event.what)) {
+    log_.add(event);
+  }
 }
 
 double LessonRun::used_s(double now_s) const { return usedBefore_s_ + (runningSince_s_ ? std::max(0.0, now_s - *runningSince_s_) : 0.0); }

@@ -81,6 +81,7 @@ PlayerPanel::PlayerPanel(sdk::Host& host, QWidget* parent) : QWidget(parent), ho
   connect(&timer_, &QTimer::timeout, this, &PlayerPanel::tick);
 
   tickets_ = {host_.cases().onChanged([this] { showCase(); }), host_.caseParts().onOpened([this](const std::filesystem::path&) {
+                leaveForAnotherCase();
                 truth_.reset();
                 ++loads_;
                 showCase();
@@ -91,10 +92,7 @@ PlayerPanel::PlayerPanel(sdk::Host& host, QWidget* parent) : QWidget(parent), ho
                                           if (lessonOf(item) != nullptr && !run_) begin(item);
                                         }),
               host_.scan().onEvent([this](const ScanEvent& event) {
-                if (!run_ || !run_->isRunning()) return;
-                const auto image = host_.scan().state();
-                run_->see(event, image);
-                if (image && std::holds_alternative<FrameMade>(event.what)) step_->see(*image);
+                if (run_ && run_->isRunning()) take(event);
               })};
   showCase();
 }
@@ -232,8 +230,16 @@ void PlayerPanel::startStep(std::shared_ptr<const CaseTruth> truth) {
   Lesson one;
   one.steps = {step};
   step_->showStep(*run_, translated(one, words_).steps.front(), scene, std::move(recording), picture);
+  // A probe that rests makes no image by itself: what is shown already counts.
+  if (const auto state = host_.scan().state()) take({state->time_s, FrameMade{state->pose, state->gaps_mm, state->number, state->body}});
   pages_->setCurrentIndex(kStep);
   timer_.start();
+}
+
+void PlayerPanel::take(const ScanEvent& event) {
+  const auto image = host_.scan().state();
+  run_->see(event, image);
+  if (image && std::holds_alternative<FrameMade>(event.what)) step_->see(*image);
 }
 
 void PlayerPanel::tick() {
@@ -299,6 +305,17 @@ void PlayerPanel::leave() {
   run_.reset();
   step_->end();
   showCase();
+}
+
+void PlayerPanel::leaveForAnotherCase() {
+  if (!run_ || pages_->currentIndex() == kWaiting) return;  // the case of the next step is what was waited for
+  if (run_->isOver() || (case_ && host_.cases().currentFolder() == case_->folder)) return;
+  if (run_->isRunning())
+    if (auto left = run_->leave(); !left) host_.log().warn(left.error().sentence());
+  run_.reset();
+  step_->end();
+  host_.window().info(tr("The lesson was left because another case was opened; it can be gone on with in its own case.").toStdString(),
+                      "lesson left");
 }
 
 void PlayerPanel::fail(const Error& problem) {

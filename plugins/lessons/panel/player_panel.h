@@ -38,6 +38,7 @@ class PlayerPanel final : public QWidget {
   void begin(const std::string& lessonId);
   void goOn(const std::string& lessonId);
   void take(Result<LessonRun> run);
+  void take(const ScanEvent& event);
   void openStep();  ///< makes ready what the step scans, and starts it
   void loadTruth();
   void startStep(std::shared_ptr<const CaseTruth> truth);
@@ -45,6 +46,7 @@ class PlayerPanel final : public QWidget {
   void skipStep();
   void nextStep();
   void leave();
+  void leaveForAnotherCase();
   void fail(const Error& problem);
   void tick();
   [[nodiscard]] const Lesson* lessonOf(const std::string& id) const;

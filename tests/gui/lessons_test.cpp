@@ -1,0 +1,277 @@
+// A trainee in the real window: chooses a lesson of the open case, works through a step of each kind, fails one and tries it again, leaves
+// in the middle and goes on.
+#include <QAbstractButton>
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QTabWidget>
+
+#include "calipers.h"
+#include "ew/library/attempt.h"
+#include "ew/library/case.h"
+#include "ew/library/lesson.h"
+#include "ew/scanning/recording.h"
+#include "pick_layer.h"
+#include "screenshots.h"
+#include "window_fixture.h"
+
+namespace ew::ui::testing {
+
+class LessonsTest : public WindowFixture {
+  Q_OBJECT
+
+  static LessonStep step(const char* id, LessonTask task) {
+    LessonStep made;
+    made.id = id;
+    made.title = std::string("Title of ") + id;
+    made.text = "What to do in this step.";
+    made.task = std::move(task);
+    return made;
+  }
+
+  /// The usual test case with a labelled ball below where the probe stands at the start, a plane there, and a lesson with a step of each
+  /// kind.
+  [[nodiscard]] QString writeTaught() {
+    const QString folder = files_.writeCase(QStringLiteral("taught"));
+    showWindowWithCase(folder);
+    const ScanState start = session().shownState();
+    const auto& probeToWorld = start.pose.probeToWorld;
+    const glm::dvec3 middle_mm = (probeToWorld * Point<frame::Probe>{{0.0, 50.0, 0.0}}).at;
+    window_.reset();
+
+    Volume labels;
+    labels.grid.dims = {96, 80, 88};
+    labels.grid.spacing_mm = glm::dvec3(2.0);
+    labels.grid.origin_mm = {-95.0, -110.0, -100.0};
+    labels.echo.assign(labels.grid.voxelCount(), 0);
+    for (int k = 0; k < 88; ++k)
+      for (int j = 0; j < 80; ++j)
+        for (int i = 0; i < 96; ++i)
+          if (glm::distance(labels.grid.origin_mm + 2.0 * glm::dvec3(i, j, k), middle_mm) < 16.0)
+            labels.echo[labels.grid.indexOf(i, j, k)] = 3;
+    if (!writeVolume(labels, folder.toStdString() + "/labels.mha")) return {};
+
+    auto opened = loadCase(folder.toStdString());
+    if (!opened) return {};
+    opened->volume.labels = "labels.mha";
+    opened->targets = {{.kind = CaseTarget::Kind::plane,
+                        .name = "start plane",
+                        .probeToFile = Transform<frame::File, frame::Probe>{probeToWorld.matrix},
+                        .positionTolerance_mm = 6.0,
+                        .angleTolerance_deg = 10.0},
+                       {.kind = CaseTarget::Kind::structure, .name = "ball", .label = 3}};
+    opened->measurements = {{.name = "ball, across", .tolerance = 4.0, .value = 32.0, .kind = "distance", .unit = "mm"}};
+    Lesson lesson;
+    lesson.id = "first";
+    lesson.title = "The ball";
+    lesson.aim = "You find a ball and measure it.";
+    lesson.steps = {step("read", ReadTask{}),
+                    step("watch", WatchTask{"scans/expert.seq.mha", {}, {}, {{0.4, "Here is the ball."}}}),
+                    step("plane", PlaneTask{"start plane", {}, {}}),
+                    step("sweep", SweepTask{"ball", 0.5}),
+                    step("measure", MeasureTask{"ball, across", {}}),
+                    step("point", PointTask{"ball"}),
+                    step("settings", SettingsTask{{"convex-3.5"}, {{"depth_mm", 100.0, 130.0}}}),
+                    step("answer", AnswerTask{{{"A ball", true, "It is round."}, {"A cube", false, "It has no corners."}}, {}, 0.0, ""}),
+                    step("free", FreeTask{0.0, {"start plane"}})};
+    for (LessonStep& each : lesson.steps) each.hints = {"Look below the probe.", "Freeze first."};
+    lesson.steps[2].aids = {true, true, true, true, true, true, true};
+    lesson.steps[5].aids.outline = true;
+    opened->otherFields["parts"]["lessons"] = jsonOf(std::vector<Lesson>{lesson});
+    if (!saveCase(*opened, folder.toStdString())) return {};
+
+    ScanRecording expert;
+    expert.caseId = opened->id;
+    for (int n = 0; n <= 10; ++n) {
+      ScanState image = start;
+      image.time_s = 0.1 * n;
+      image.number = static_cast<std::uint64_t>(n + 1);
+      image.pose.probeToWorld.matrix[3].z += n;
+      expert.log.addFrame(image);
+    }
+    QDir().mkpath(folder + QStringLiteral("/parts/lessons/scans"));
+    if (!writeRecording(expert, folder.toStdString() + "/parts/lessons/scans/expert.seq.mha")) return {};
+    return folder;
+  }
+
+  [[nodiscard]] QWidget* player() const { return find<QWidget>("lessonPlayer"); }
+  void openLessons() {
+    auto* panel = find<QWidget>("panel_lessons");
+    QVERIFY2(panel, "the plugin is there");
+    for (QWidget* up = panel; up != nullptr; up = up->parentWidget())
+      if (auto* tabs = qobject_cast<QTabWidget*>(up)) tabs->setCurrentWidget(panel);
+    QVERIFY(waitUntil([this] { return player() != nullptr && player()->isVisible(); }));
+  }
+  [[nodiscard]] QString text(const char* name) const {
+    for (const QLabel* label : player()->findChildren<QLabel*>(QLatin1String(name)))
+      if (label->isVisible()) return label->text();
+    return {};
+  }
+  template <class Widget = QPushButton>
+  [[nodiscard]] Widget* seen(const char* name) const {
+    for (Widget* each : player()->findChildren<Widget*>(QLatin1String(name)))
+      if (each->isVisible()) return each;
+    return nullptr;
+  }
+  void press(const char* name) {
+    QVERIFY2(waitUntil([&] { return seen(name) != nullptr && seen(name)->isEnabled(); }), name);
+    QTest::mouseClick(seen(name), Qt::LeftButton);
+  }
+  void waitForStep(const char* id) {
+    QVERIFY2(waitUntil([&] { return text("stepTitle") == QStringLiteral("Title of ") + QLatin1String(id); }), id);
+    QVERIFY(waitUntil([this] { return window_->isSettled(); }));
+  }
+  void begin() {
+    showWindowWithCase(writeTaught());
+    window_->openPlugins();
+    openLessons();
+    keepScreenshot(*window_, "lessons-01-list");
+    press("startLesson");
+    waitForStep("read");
+  }
+  void skipTo(const char* id) {
+    for (const char* each : {"read", "watch", "plane", "sweep", "measure", "point", "settings", "answer", "free"}) {
+      waitForStep(each);
+      if (std::string_view(each) == id) return;
+      press("skipStep");
+    }
+  }
+  [[nodiscard]] AttemptList attempts() const { return listAttempts(libraryFolder() / "attempts"); }
+
+ private Q_SLOTS:
+  void cleanup() { window_.reset(); }
+
+  void everyKindOfStepIsWorkedThrough() {
+    begin();
+    QCOMPARE(text("stepNumber"), QStringLiteral("Step 1 of 9"));
+    keepScreenshot(*window_, "lessons-02-read");
+    press("stepDone");
+    press("nextStep");
+
+    waitForStep("watch");
+    QVERIFY2(!seen("stepDone")->isEnabled(), "the scan has to be watched first");
+    press("playExpert");
+    QVERIFY(waitUntil([this] { return text("expertMark") == QStringLiteral("Here is the ball."); }));
+    keepScreenshot(*window_, "lessons-03-watch");
+    press("playExpert");
+    press("stepDone");  // waits until it has been shown to its end
+    press("nextStep");
+
+    waitForStep("plane");
+    session().setHold(slid(session().hold(), *session().skin(), 0.0, 25.0));
+    QVERIFY(waitUntil([this] { return !text("stepLive").isEmpty(); }));
+    press("showHint");
+    QCOMPARE(text("stepHint"), QStringLiteral("Look below the probe."));
+    keepScreenshot(*window_, "lessons-04-plane");
+    press("stepDone");
+    QVERIFY(waitUntil([this] { return text("outcomeHeading").startsWith(QStringLiteral("Not passed yet")); }));
+    keepScreenshot(*window_, "lessons-05-not-passed");
+    press("tryAgain");
+    waitForStep("plane");
+    session().setHold(slid(session().hold(), *session().skin(), 0.0, -25.0));
+    session().makePictureNow();
+    press("stepDone");
+    QVERIFY2(waitUntil([this] { return text("outcomeHeading").startsWith(QStringLiteral("Passed")); }), qPrintable(text("outcomeScore")));
+    press("nextStep");
+
+    waitForStep("sweep");
+    for (int n = -10; n <= 10; ++n) {
+      session().setHold(slid(session().hold(), *session().skin(), 0.0, n == -10 ? -20.0 : 2.0));
+      session().makePictureNow();
+    }
+    press("stepDone");
+    QVERIFY2(waitUntil([this] { return text("outcomeHeading").startsWith(QStringLiteral("Passed")); }), qPrintable(text("remarkMissed")));
+    press("nextStep");
+
+    waitForStep("measure");
+    QVERIFY(!seen("stepDone")->isEnabled());
+    session().setFrozen(true);
+    window_->calipers().take(measurement::CaliperKind::distance);
+    window_->calipers().changeIn(Where::picture, [](measurement::CaliperDrawing& drawing) {
+      static_cast<void>(drawing.press({-16.0, 50.0}, 0.0));
+      static_cast<void>(drawing.press({16.0, 50.0}, 0.0));
+    });
+    keepScreenshot(*window_, "lessons-06-measure");
+    press("stepDone");
+    QVERIFY2(waitUntil([this] { return text("outcomeHeading").startsWith(QStringLiteral("Passed")); }), qPrintable(text("remarkMissed")));
+    press("nextStep");
+
+    waitForStep("point");
+    session().setHold(slid(session().hold(), *session().skin(), 0.0, -20.0));
+    session().makePictureNow();
+    press("pointAtIt");
+    auto* layer = find<PickLayer>("pointing");
+    QVERIFY(waitUntil([&] { return layer->isPicking(); }));
+    const QPointF at = window_->scanView().positionOf({{0.0, 50.0, 0.0}}) - QPointF(layer->pos());
+    QTest::mouseClick(layer, Qt::LeftButton, Qt::NoModifier, at.toPoint());
+    keepScreenshot(*window_, "lessons-07-point");
+    press("stepDone");
+    QVERIFY2(waitUntil([this] { return text("outcomeHeading").startsWith(QStringLiteral("Passed")); }), qPrintable(text("remarkMissed")));
+    QVERIFY(!layer->isPicking());
+    press("nextStep");
+
+    waitForStep("settings");
+    Knobs knobs = session().knobs();
+    knobs.depth_mm = 120.0;
+    session().setKnobs(knobs);
+    session().makePictureNow();
+    press("stepDone");
+    QVERIFY(waitUntil([this] { return text("outcomeHeading").startsWith(QStringLiteral("Passed")); }));
+    press("nextStep");
+
+    waitForStep("answer");
+    QVERIFY(!seen("stepDone")->isEnabled());
+    QTest::mouseClick(seen<QAbstractButton>("answerOption"), Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
+    keepScreenshot(*window_, "lessons-08-answer");
+    press("stepDone");
+    QVERIFY(waitUntil([this] { return text("outcomeHeading").startsWith(QStringLiteral("Passed")); }));
+    press("nextStep");
+
+    waitForStep("free");
+    session().makePictureNow();
+    press("stepDone");
+    press("nextStep");
+    QVERIFY(waitUntil([this] { return text("outcomeHeading").startsWith(QStringLiteral("Lesson")); }));
+    keepScreenshot(*window_, "lessons-09-end");
+    press("nextStep");
+    QVERIFY(waitUntil([this] { return text("lessonProgress").startsWith(QLatin1String("9 of 9")); }));
+
+    const AttemptList kept = attempts();
+    QVERIFY(kept.problems.empty());
+    const Attempt& attempt = kept.attempts.front().second;
+    QVERIFY(attempt.finishedAt);
+    QCOMPARE(attempt.outcomes.size(), std::size_t(10));  // the plane twice
+    QVERIFY(attempt.outcomeOf("plane")->verdict == StepVerdict::passed);
+    QVERIFY(QFile::exists(QString::fromStdString((kept.attempts.front().first / attempt.outcomeOf("plane")->pictures.front()).string())));
+    QVERIFY(readRecording(kept.attempts.front().first / attempt.outcomeOf("sweep")->recording));
+  }
+
+  void aLessonThatWasLeftIsGoneOnWith() {
+    begin();
+    press("stepDone");
+    press("nextStep");
+    waitForStep("watch");
+    press("leaveLesson");
+    QVERIFY(waitUntil([this] { return seen("goOnWithLesson") != nullptr; }));
+    keepScreenshot(*window_, "lessons-10-interrupted");
+    press("goOnWithLesson");
+    waitForStep("watch");
+  }
+
+  void anotherCaseInTheMiddleLosesNothing() {
+    begin();
+    skipTo("plane");
+    const QString other = files_.writeCase(QStringLiteral("other"));
+    QVERIFY(openCase(other));
+    QVERIFY(attempts().attempts.front().second.outcomes.size() == 2);
+    QVERIFY(waitUntil([this] { return !find<QWidget>("pointing")->isVisible(); }));
+  }
+};
+
+}  // namespace ew::ui::testing
+
+using ew::ui::testing::LessonsTest;
+EW_WINDOW_TEST_MAIN(LessonsTest)
+#include "lessons_test.moc"

@@ -1,0 +1,130 @@
+#include "logic/lesson_run.h"
+
+#include <gtest/gtest.h>
+
+#include "ew/scanning/recording.h"
+#include "lessons/made_scene.h"
+#include "library/temporary_folder.h"
+
+namespace ew::lessons {
+namespace {
+
+using ew::test::TemporaryFolder;
+using test::held;
+using test::image;
+using test::scene;
+
+Lesson lesson() {
+  Lesson made;
+  made.id = "lesson";
+  made.title = "Lesson";
+  for (const auto& [id, task] :
+       {std::pair<const char*, LessonTask>{"read", ReadTask{}}, {"plane", PlaneTask{"middle", {}, {}}}, {"end", ReadTask{}}}) {
+    made.steps.push_back(test::step(task));
+    made.steps.back().id = id;
+    made.steps.back().hints = {"First.", "Second."};
+  }
+  return made;
+}
+
+void show(LessonRun& run, const ScanState& state) {
+  run.see({state.time_s, FrameMade{state.pose, {}, state.number, {}}}, state);
+}
+
+TEST(LessonRunOfALesson, KeepsEachStepWithItsRecording) {
+  const TemporaryFolder folder;
+  auto run = LessonRun::begin(lesson(), "home", "me", folder.path());
+  ASSERT_TRUE(run) << run.error();
+  ASSERT_TRUE(run->startStep(scene(), 10.0));
+  ASSERT_TRUE(run->endStep({}, 12.0));
+  ASSERT_TRUE(run->next());
+  ASSERT_TRUE(run->startStep(scene(), 20.0));
+  show(*run, image(held(1.0), 21.0));
+  EXPECT_EQ(run->nextHint(), "First.");
+  const auto outcome = run->endStep({}, 24.0);
+  ASSERT_TRUE(outcome) << outcome.error();
+  EXPECT_EQ(outcome->verdict, StepVerdict::passed);
+  EXPECT_DOUBLE_EQ(outcome->seconds, 4.0);
+  EXPECT_EQ(outcome->hints, 1);
+  const auto recording = readRecording(run->attempt()->folder() / outcome->recording);
+  ASSERT_TRUE(recording) << recording.error();
+  EXPECT_EQ(recording->log.frameCount(), 1u);
+  ASSERT_TRUE(run->next());
+  ASSERT_TRUE(run->startStep(scene(), 30.0));
+  ASSERT_TRUE(run->endStep({}, 31.0));
+  ASSERT_TRUE(run->next());
+  EXPECT_TRUE(run->isOver());
+  EXPECT_DOUBLE_EQ(run->passedShare(), 1.0);
+  const auto kept = listAttempts(folder.path());
+  ASSERT_EQ(kept.attempts.size(), 1u);
+  EXPECT_TRUE(kept.attempts[0].second.finishedAt);
+  EXPECT_EQ(kept.attempts[0].second.outcomes.size(), 3u);
+}
+
+TEST(LessonRunOfALesson, GoesOnAtTheStepThatWasNotEnded) {
+  const TemporaryFolder folder;
+  std::filesystem::path kept;
+  {
+    auto run = LessonRun::begin(lesson(), "home", "", folder.path());
+    ASSERT_TRUE(run);
+    kept = run->attempt()->folder();
+    ASSERT_TRUE(run->startStep(scene(), 0.0));
+    ASSERT_TRUE(run->endStep({}, 1.0));
+    ASSERT_TRUE(run->next());
+    ASSERT_TRUE(run->startStep(scene(), 2.0));
+  }  // as if it were killed
+  auto again = KeptAttempt::open(kept);
+  ASSERT_TRUE(again);
+  const LessonRun run(lesson(), std::move(*again));
+  EXPECT_EQ(run.step().id, "plane");
+  EXPECT_EQ(run.lostStep(), "plane");
+}
+
+TEST(LessonRunOfALesson, LeavesPausesOutOfTheTimeAndTheRecording) {
+  LessonRun run(lesson(), std::nullopt);
+  ASSERT_TRUE(run.startStep(scene(), 0.0));
+  ASSERT_TRUE(run.endStep({}, 1.0));
+  ASSERT_TRUE(run.next());
+  ASSERT_TRUE(run.startStep(scene(), 10.0));
+  run.pause(13.0);
+  EXPECT_TRUE(run.isPaused());
+  show(run, image(held(), 15.0));
+  EXPECT_DOUBLE_EQ(run.used_s(100.0), 3.0);
+  run.goOn(100.0);
+  EXPECT_DOUBLE_EQ(run.used_s(102.0), 5.0);
+  EXPECT_TRUE(run.missing({})) << "what was shown while it rested does not count";
+}
+
+TEST(LessonRunOfALesson, FailsAStepThatTakesTooLong) {
+  Lesson timed = lesson();
+  timed.steps.front().time_s = 10.0;
+  LessonRun run(timed, std::nullopt);
+  ASSERT_TRUE(run.startStep(scene(), 0.0));
+  EXPECT_DOUBLE_EQ(*run.left_s(4.0), 6.0);
+  EXPECT_EQ(run.endStep({}, 12.0)->verdict, StepVerdict::failed);
+}
+
+TEST(LessonRunOfALesson, KeepsAStepThatIsTriedAgain) {
+  LessonRun run(lesson(), std::nullopt);
+  ASSERT_TRUE(run.startStep(scene(), 0.0));
+  ASSERT_TRUE(run.skipStep(1.0));
+  EXPECT_EQ(run.outcomeOf("read")->verdict, StepVerdict::skipped);
+  ASSERT_TRUE(run.startStep(scene(), 2.0));
+  ASSERT_TRUE(run.endStep({}, 3.0));
+  EXPECT_EQ(run.outcomeOf("read")->verdict, StepVerdict::passed);
+}
+
+TEST(LessonRunOfALesson, GoesOnWithTheStepWhenItsOutcomeCannotBeKept) {
+  const TemporaryFolder folder;
+  auto run = LessonRun::begin(lesson(), "home", "", folder.path());
+  ASSERT_TRUE(run);
+  ASSERT_TRUE(run->startStep(scene(), 0.0));
+  std::filesystem::remove_all(run->attempt()->folder());
+  EXPECT_FALSE(run->endStep({}, 1.0));
+  EXPECT_TRUE(run->isRunning());
+  std::filesystem::create_directories(run->attempt()->folder());
+  EXPECT_TRUE(run->endStep({}, 2.0));
+}
+
+}  // namespace
+}  // namespace ew::lessons

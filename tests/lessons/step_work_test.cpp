@@ -1,0 +1,160 @@
+#include "logic/step_work.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "lessons/made_scene.h"
+#include "logic/sweep_cover.h"
+
+namespace ew::lessons {
+namespace {
+
+using test::held;
+using test::image;
+using test::scene;
+
+StepOutcome judged(const LessonTask& task, const std::vector<ScanState>& images, const Handed& handed = {}) {
+  auto work = workOf(test::step(task), scene());
+  EXPECT_TRUE(work) << work.error();
+  for (const ScanState& each : images) (*work)->see(each);
+  StepOutcome outcome;
+  (*work)->judge(handed, outcome);
+  return outcome;
+}
+
+double figure(const StepOutcome& outcome, const std::string& name) {
+  for (const AttemptFigure& one : outcome.figures)
+    if (one.name == name) return one.value;
+  ADD_FAILURE() << "no figure " << name;
+  return 0.0;
+}
+
+TEST(ScoreOf, IsTheUsualPassLevelAtTheTolerance) {
+  EXPECT_DOUBLE_EQ(scoreOf(0.0), 1.0);
+  EXPECT_DOUBLE_EQ(scoreOf(1.0), 0.7);
+  EXPECT_DOUBLE_EQ(scoreOf(2.0), 0.35);
+  EXPECT_DOUBLE_EQ(scoreOf(3.0), 0.0);
+  EXPECT_DOUBLE_EQ(scoreOf(std::numeric_limits<double>::quiet_NaN()), 0.0);
+}
+
+RC_GTEST_PROP(ScoreOf, NeverRisesWithTheError, ()) {
+  const double a = *rc::gen::inRange(0, 5000) / 1000.0, b = *rc::gen::inRange(0, 5000) / 1000.0;
+  RC_ASSERT(scoreOf(std::min(a, b)) >= scoreOf(std::max(a, b)));
+}
+
+TEST(PlaneStep, MeasuresTiltAndDistanceExactly) {
+  const StepOutcome there = judged(PlaneTask{"middle", {}, {}}, {image(held())});
+  EXPECT_DOUBLE_EQ(there.score, 1.0);
+  const StepOutcome beside = judged(PlaneTask{"middle", {}, {}}, {image(held(4.0))});
+  EXPECT_NEAR(figure(beside, "distance"), 4.0, 1e-9);
+  EXPECT_NEAR(beside.score, 1.0 - 0.3 * 0.8, 1e-9);
+  const StepOutcome tilted = judged(PlaneTask{"middle", {}, 5.0}, {image(held(0.0, 6.0))});
+  EXPECT_NEAR(figure(tilted, "angle"), 6.0, 1e-9);
+  EXPECT_LT(tilted.score, 0.7) << "the step's own tolerance of 5 degrees counts";
+  EXPECT_FALSE(tilted.remarks.front().good);
+}
+
+TEST(PlaneStep, CountsTheImageThatIsShownLast) {
+  EXPECT_LT(judged(PlaneTask{"middle", {}, {}}, {image(held()), image(held(30.0))}).score, 0.7);
+}
+
+TEST(SweepStep, SeesWhatImagesPassThrough) {
+  std::vector<ScanState> half, all;
+  for (double z_mm = -25.0; z_mm <= 25.0; z_mm += 1.0) {
+    all.push_back(image(held(z_mm)));
+    if (z_mm <= 0.0) half.push_back(image(held(z_mm)));
+  }
+  EXPECT_DOUBLE_EQ(figure(judged(SweepTask{"ball", 0.9}, all), "share"), 100.0);
+  EXPECT_DOUBLE_EQ(judged(SweepTask{"ball", 0.9}, all).score, 1.0);
+  const StepOutcome outcome = judged(SweepTask{"ball", 0.9}, half);
+  EXPECT_NEAR(figure(outcome, "share"), 50.0 + 100.0 * (1.5 + 0.5) / 40.0 * 0.75, 3.0) << "and half a slice beyond the middle";
+  EXPECT_LT(outcome.score, 0.7);
+  EXPECT_TRUE(judged(SweepTask{"ball", 0.9}, {image(held(60.0))}).score == 0.0) << "beside the ball";
+}
+
+TEST(SweepStep, TakesNothingFromImagesWithoutAPose) {
+  ScanState lost = image(held());
+  lost.pose.status = PoseStatus::missing;
+  SweepCover cover(test::ball(), 7);
+  cover.add(lost);
+  EXPECT_DOUBLE_EQ(cover.share(), 0.0);
+  ScanState shallow = image(held());
+  shallow.knobs.depth_mm = 20.0;  // the ball begins there
+  cover.add(shallow);
+  EXPECT_LT(cover.share(), 0.002);
+}
+
+TEST(MeasureStep, ComparesTheLastFittingMeasurement) {
+  const MeasureTask task{"ball, across", {}};
+  EXPECT_DOUBLE_EQ(judged(task, {image(held())}, {.measurements = {test::length(90.0), test::length(40.0)}}).score, 1.0);
+  const StepOutcome off = judged(task, {image(held())}, {.measurements = {test::length(43.0)}});
+  EXPECT_NEAR(figure(off, "error"), 3.0, 1e-12);
+  EXPECT_LT(off.score, 0.7);
+  auto work = workOf(test::step(task), scene());
+  sdk::ScanMeasurement angle;
+  angle.figures.push_back({"angle", 40.0, 0.0, "deg"});
+  EXPECT_TRUE((*work)->missing({.measurements = {angle}})) << "an angle is no length";
+  EXPECT_FALSE((*work)->missing({.measurements = {test::length(1.0)}}));
+}
+
+TEST(PointStep, KnowsStructuresAndPoints) {
+  const auto at = [](double x, double y) { return Handed{.point = Point<frame::Probe>{{x, y, 0.0}}}; };
+  EXPECT_DOUBLE_EQ(judged(PointTask{"ball"}, {image(held())}, at(0.0, 40.0)).score, 1.0);
+  EXPECT_GE(judged(PointTask{"ball"}, {image(held())}, at(21.0, 40.0)).score, 0.7) << "a hand's width beside the border";
+  EXPECT_LT(judged(PointTask{"ball"}, {image(held())}, at(26.0, 40.0)).score, 0.7);
+  EXPECT_DOUBLE_EQ(judged(PointTask{"ball"}, {image(held())}, at(29.0, 5.0)).score, 0.0);
+  EXPECT_DOUBLE_EQ(judged(PointTask{"middle of the ball"}, {image(held())}, at(0.0, 40.0)).score, 1.0);
+  EXPECT_LT(judged(PointTask{"middle of the ball"}, {image(held())}, at(10.0, 40.0)).score, 0.7);
+}
+
+TEST(SettingsStep, CountsWhatIsRight) {
+  const SettingsTask task{{"linear-7.5"}, {{"depth_mm", 60.0, 90.0}, {"gain_db", 5.0, 10.0}}};
+  const StepOutcome outcome = judged(task, {image(held())});
+  EXPECT_NEAR(outcome.score, 2.0 / 3.0, 1e-12);
+  ASSERT_EQ(outcome.remarks.size(), 3u);
+  EXPECT_TRUE(outcome.remarks[1].good);
+  EXPECT_FALSE(outcome.remarks[2].good);
+}
+
+TEST(AnswerStep, GivesNothingForChoosingEverything) {
+  const AnswerTask task{{{"a", true, ""}, {"b", true, ""}, {"c", false, "No."}, {"d", false, ""}}, {}, 0.0, ""};
+  EXPECT_DOUBLE_EQ(judged(task, {}, {.chosen = {0, 1}}).score, 1.0);
+  EXPECT_DOUBLE_EQ(judged(task, {}, {.chosen = {0}}).score, 0.5);
+  EXPECT_DOUBLE_EQ(judged(task, {}, {.chosen = {0, 1, 2, 3}}).score, 0.0);
+  EXPECT_DOUBLE_EQ(judged(AnswerTask{{}, 12.0, 0.5, "mm"}, {}, {.number = 12.4}).score, 1.0);
+  EXPECT_DOUBLE_EQ(judged(AnswerTask{{}, 12.0, 0.5, "mm"}, {}, {.number = 12.6}).score, 0.0);
+}
+
+TEST(FreeStep, TicksWhatWasShown) {
+  const FreeTask task{10.0, {"middle", "ball"}};
+  auto work = workOf(test::step(task), scene());
+  (*work)->see(image(held(60.0), 0.0));
+  EXPECT_TRUE((*work)->missing({}));
+  (*work)->see(image(held(1.0), 11.0));
+  EXPECT_FALSE((*work)->missing({}));
+  StepOutcome outcome;
+  (*work)->judge({}, outcome);
+  EXPECT_DOUBLE_EQ(outcome.score, 0.5) << "one image shows the plane, and little of the ball";
+}
+
+TEST(WorkOf, SaysWhatTheCaseDoesNotHave) {
+  for (const LessonTask& task : {LessonTask(PlaneTask{"none", {}, {}}), LessonTask(SweepTask{"none", 0.9}), LessonTask(PointTask{"none"}),
+                                 LessonTask(MeasureTask{"none", {}})}) {
+    const auto work = workOf(test::step(task), scene());
+    ASSERT_FALSE(work);
+    EXPECT_NE(work.error().sentence().find("none"), std::string::npos);
+  }
+}
+
+TEST(EveryStep, JudgesWithoutHavingSeenAnything) {
+  for (const LessonTask& task :
+       {LessonTask(ReadTask{}), LessonTask(WatchTask{}), LessonTask(PlaneTask{"middle", {}, {}}), LessonTask(SweepTask{"ball", 0.9}),
+        LessonTask(MeasureTask{"ball, across", {}}), LessonTask(PointTask{"ball"}), LessonTask(SettingsTask{{"x"}, {}}),
+        LessonTask(AnswerTask{{{"a", true, ""}}, {}, 0.0, ""}), LessonTask(FreeTask{1.0, {"middle"}})}) {
+    const double score = judged(task, {}).score;
+    EXPECT_DOUBLE_EQ(score, std::holds_alternative<ReadTask>(task) ? 1.0 : 0.0) << taskWord(task);
+  }
+}
+
+}  // namespace
+}  // namespace ew::lessons
