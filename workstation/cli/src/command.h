@@ -95,6 +95,7 @@ void addReplay(CLI::App& root, Selection& selection);
 void addSend(CLI::App& root, Selection& selection);
 void addPhantom(CLI::App& root, Selection& selection);
 void addCase(CLI::App& root, Selection& selection);
+void addLesson(CLI::App& root, Selection& selection);
 void addPreset(CLI::App& root, Selection& selection);
 void addPlugins(CLI::App& root, Selection& selection);
 void addBench(CLI::App& root, Selection& selection);

@@ -31,8 +31,8 @@ constexpr const char* kFooter =
     "Exit status: 0 done, 1 it could not be done, 2 wrong usage, 3 done with the answer 'no' or 'cannot tell'.";
 
 std::vector<std::string> builtInNames() {
-  return {"import",  "screen", "reconstruct", "register", "slice", "level",   "scan", "replay",
-          "phantom", "case",   "measure",     "preset",   "send",  "plugins", "bench"};
+  return {"import",  "screen", "reconstruct", "register", "slice",  "level", "scan",    "replay",
+          "phantom", "case",   "lesson",      "measure",  "preset", "send",  "plugins", "bench"};
 }
 
 /// CLI11's messages, as one sentence with a full stop.
@@ -210,6 +210,7 @@ int runCommand(std::span<const std::string> args, const Surroundings& surroundin
   addReplay(root, selection);
   addPhantom(root, selection);
   addCase(root, selection);
+  addLesson(root, selection);
   addMeasure(root, selection);
   addPreset(root, selection);
   addSend(root, selection);
