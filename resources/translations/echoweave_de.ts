@@ -7139,6 +7139,70 @@
         <source>%1 found; what is listed says what to do.</source>
         <translation>%1 gefunden; was aufgeführt ist, sagt, was zu tun ist.</translation>
     </message>
+    <message>
+        <source>The folder of cases &apos;%1&apos; cannot be listed (%2); check its permissions.</source>
+        <translation>Der Ordner der Fälle „%1“ lässt sich nicht auflisten (%2); seine Zugriffsrechte prüfen.</translation>
+    </message>
+    <message>
+        <source>The case in &apos;%1&apos; has format %2, and this program reads formats up to %3; install a newer version of EchoWeave.</source>
+        <translation>Der Fall in „%1“ hat das Format %2, und dieses Programm liest Formate bis %3; eine neuere Version von EchoWeave installieren.</translation>
+    </message>
+    <message>
+        <source>The case.json in &apos;%1&apos; has no &apos;%2&apos;; open the folder to see what else is missing.</source>
+        <translation>In der case.json in „%1“ fehlt „%2“; den Ordner öffnen, um zu sehen, was noch fehlt.</translation>
+    </message>
+    <message>
+        <source>The index of the library cannot be written (%1); close other programs that use it.</source>
+        <translation>Das Verzeichnis der Bibliothek lässt sich nicht schreiben (%1); andere Programme schließen, die es benutzen.</translation>
+    </message>
+    <message>
+        <source>The index of the library cannot be read (%1); it is made anew when the start page is opened again.</source>
+        <translation>Das Verzeichnis der Bibliothek lässt sich nicht lesen (%1); es wird neu angelegt, wenn die Startseite wieder geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>The index of the library was damaged or made by another version, and was made anew from the folders.</source>
+        <translation>Das Verzeichnis der Bibliothek war beschädigt oder von einer anderen Version und wurde aus den Ordnern neu angelegt.</translation>
+    </message>
+    <message>
+        <source>The index of the library cannot be kept in &apos;%1&apos; (%2), so the library is read anew at every start; make room there or choose another folder with ECHOWEAVE_CACHE.</source>
+        <translation>Das Verzeichnis der Bibliothek lässt sich nicht in „%1“ behalten (%2), deshalb wird die Bibliothek bei jedem Start neu gelesen; dort Platz schaffen oder mit ECHOWEAVE_CACHE einen anderen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>Looking at the folders of the library</source>
+        <translation>Ordner der Bibliothek ansehen</translation>
+    </message>
+    <message>
+        <source>Reading the cases of the library</source>
+        <translation>Fälle der Bibliothek lesen</translation>
+    </message>
+    <message>
+        <source>Reading the library was stopped.</source>
+        <translation>Das Lesen der Bibliothek wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>No index of the library can be made (%1); close other programs to have more memory.</source>
+        <translation>Es lässt sich kein Verzeichnis der Bibliothek anlegen (%1); andere Programme schließen, damit mehr Speicher frei ist.</translation>
+    </message>
+    <message>
+        <source>Making the folders of cases</source>
+        <translation>Ordner der Fälle anlegen</translation>
+    </message>
+    <message>
+        <source>Searching as people type</source>
+        <translation>Suchen, wie getippt wird</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be written; make room in the folder of temporary files.</source>
+        <translation>„%1“ lässt sich nicht schreiben; im Ordner für temporäre Dateien Platz schaffen.</translation>
+    </message>
+    <message>
+        <source>The index that was just made cannot be read; run the benchmark again.</source>
+        <translation>Das eben angelegte Verzeichnis lässt sich nicht lesen; den Benchmark noch einmal starten.</translation>
+    </message>
+    <message>
+        <source>No temporary folder can be made; set TMPDIR to a folder you may write to.</source>
+        <translation>Es lässt sich kein temporärer Ordner anlegen; TMPDIR auf einen beschreibbaren Ordner setzen.</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
@@ -12472,6 +12536,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>This volume does not say which frame a voxel came from. A volume that is made here from a recorded sweep does: open the sweep (%1), leave &apos;Record source frame per voxel&apos; switched on, and reconstruct it.</source>
         <translation>Dieses Volumen sagt nicht, aus welchem Bild ein Voxel stammt. Ein Volumen, das hier aus einem aufgenommenen Schwenk gemacht wird, sagt es: den Schwenk öffnen (%1), „Quellbild je Voxel festhalten“ eingeschaltet lassen und das Volumen machen.</translation>
     </message>
+    <message>
+        <source>Sea&amp;rch the cases</source>
+        <translation>Fälle &amp;suchen</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::MeasurePage</name>
@@ -12900,10 +12968,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Öffnen…</translation>
     </message>
     <message>
-        <source>Recently opened</source>
-        <translation>Zuletzt geöffnet</translation>
-    </message>
-    <message>
         <source>A sweep (.igs.mha), a volume (.mha, .mhd, .nrrd, .nii) or a case folder can also be dropped on this window.</source>
         <translation>Ein Schwenk (.igs.mha), ein Volumen (.mha, .mhd, .nrrd, .nii) oder ein Fallordner lässt sich auch auf dieses Fenster ziehen.</translation>
     </message>
@@ -12930,6 +12994,42 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Open a case, a volume or a sweep (%1)</source>
         <translation>Fall, Volumen oder Schwenk öffnen (%1)</translation>
+    </message>
+    <message>
+        <source>Search the cases</source>
+        <translation>Fälle suchen</translation>
+    </message>
+    <message>
+        <source>Each word is looked for at the beginning of the words of a case (%1)</source>
+        <translation>Jedes Wort wird am Anfang der Wörter eines Falls gesucht (%1)</translation>
+    </message>
+    <message>
+        <source>1 case</source>
+        <translation>1 Fall</translation>
+    </message>
+    <message>
+        <source>%1 cases</source>
+        <translation>%1 Fälle</translation>
+    </message>
+    <message>
+        <source>No case has all of this. Leave out a word or a filter.</source>
+        <translation>Kein Fall hat all das. Ein Wort oder einen Filter weglassen.</translation>
+    </message>
+    <message>
+        <source>Show all cases</source>
+        <translation>Alle Fälle zeigen</translation>
+    </message>
+    <message>
+        <source>The cases of the library are being read.</source>
+        <translation>Die Fälle der Bibliothek werden gelesen.</translation>
+    </message>
+    <message>
+        <source>Search by title, region, finding, tag…</source>
+        <translation>Nach Titel, Region, Befund, Schlagwort suchen…</translation>
+    </message>
+    <message>
+        <source>Search by title, region, lesson, tag…</source>
+        <translation>Nach Titel, Region, Lektion, Schlagwort suchen…</translation>
     </message>
 </context>
 <context>
@@ -14440,6 +14540,125 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>No frame can be shown yet.</source>
         <translation>Noch lässt sich kein Bild zeigen.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::CardView</name>
+    <message>
+        <source>Cases</source>
+        <translation>Fälle</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::CaseCatalogue</name>
+    <message>
+        <source>First steps</source>
+        <translation>Erste Schritte</translation>
+    </message>
+    <message>
+        <source>Basic</source>
+        <translation>Grundlagen</translation>
+    </message>
+    <message>
+        <source>Intermediate</source>
+        <translation>Aufbau</translation>
+    </message>
+    <message>
+        <source>Advanced</source>
+        <translation>Fortgeschritten</translation>
+    </message>
+    <message>
+        <source>Examination</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Shipped with EchoWeave</source>
+        <translation>Mit EchoWeave geliefert</translation>
+    </message>
+    <message>
+        <source>Your own</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>Published</source>
+        <translation>Veröffentlicht</translation>
+    </message>
+    <message>
+        <source>1 lesson</source>
+        <translation>1 Lektion</translation>
+    </message>
+    <message>
+        <source>%1 lessons</source>
+        <translation>%1 Lektionen</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::CaseFilters</name>
+    <message>
+        <source>Where cases come from</source>
+        <translation>Woher Fälle kommen</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Region</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>Schlagwort</translation>
+    </message>
+    <message>
+        <source>With lessons</source>
+        <translation>Mit Lektionen</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alle zeigen</translation>
+    </message>
+    <message>
+        <source>Clear the search and all filters</source>
+        <translation>Suche und alle Filter leeren</translation>
+    </message>
+    <message>
+        <source>All origins</source>
+        <translation>Jede Herkunft</translation>
+    </message>
+    <message>
+        <source>All regions</source>
+        <translation>Alle Regionen</translation>
+    </message>
+    <message>
+        <source>All levels</source>
+        <translation>Alle Stufen</translation>
+    </message>
+    <message>
+        <source>All tags</source>
+        <translation>Alle Schlagwörter</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::LibraryBrowser</name>
+    <message>
+        <source>Reading the library</source>
+        <translation>Bibliothek lesen</translation>
+    </message>
+    <message>
+        <source>Further cases of the library that cannot be read: %1.</source>
+        <translation>Weitere Fälle der Bibliothek, die sich nicht lesen lassen: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::RecentStrip</name>
+    <message>
+        <source>Recently opened</source>
+        <translation>Zuletzt geöffnet</translation>
     </message>
 </context>
 </TS>

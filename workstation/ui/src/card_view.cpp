@@ -28,6 +28,7 @@ CardView::CardView(CaseCatalogue& list, QWidget* parent) : QListView(parent), li
   setEditTriggers(NoEditTriggers);
   setVerticalScrollMode(ScrollPerPixel);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setViewportMargins(0, 0, kGap_px / 2, 0);  // between the cards and the bar
   setMouseTracking(true);
   setTabKeyNavigation(false);
   connect(&list, &QAbstractItemModel::modelAboutToBeReset, this, &CardView::keepPlace);

@@ -34,6 +34,7 @@ void paintFan(QPainter& painter, const QRect& box) {
   QColor fill = theme.accent;
   fill.setAlphaF(0.16);
   painter.setPen(QPen(theme.accent, 1.25));
+  painter.setBrush(Qt::NoBrush);
   painter.fillPath(fan, fill);
   painter.drawPath(fan);
 }

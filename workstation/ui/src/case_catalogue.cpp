@@ -121,6 +121,9 @@ QString kindWords(LibraryKind kind) {
   return {};
 }
 
-QString lessonWords(std::size_t count) { return count == 0 ? QString() : CaseCatalogue::tr("%n lesson(s)", nullptr, static_cast<int>(count)); }
+QString lessonWords(std::size_t count) {
+  if (count == 0) return {};
+  return count == 1 ? CaseCatalogue::tr("1 lesson") : CaseCatalogue::tr("%1 lessons").arg(count);
+}
 
 }  // namespace ew::ui

@@ -83,7 +83,7 @@ void LibraryBrowser::tellNews(const RefreshReport& report) {
   for (std::size_t n = 0; n < news.size() && n < kMostProblemsAtOnce; ++n)
     Q_EMIT failed({ErrorCode::badField, news[n]->message, {{"folder", news[n]->folder.string()}}});
   if (news.size() > kMostProblemsAtOnce)
-    Q_EMIT noted(tr("%n more case(s) of the library cannot be read either.", nullptr, static_cast<int>(news.size() - kMostProblemsAtOnce)));
+    Q_EMIT noted(tr("Further cases of the library that cannot be read: %1.").arg(news.size() - kMostProblemsAtOnce));
 }
 
 std::filesystem::path LibraryBrowser::folderOf(const std::string& caseId) const {
