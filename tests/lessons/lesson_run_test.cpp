@@ -27,9 +27,7 @@ Lesson lesson() {
   return made;
 }
 
-void show(LessonRun& run, const ScanState& state) {
-  run.see({state.time_s, FrameMade{state.pose, {}, state.number, {}}}, state);
-}
+void show(LessonRun& run, const ScanState& state) { run.see({state.time_s, FrameMade{state.pose, {}, state.number, {}}}, state); }
 
 TEST(LessonRunOfALesson, KeepsEachStepWithItsRecording) {
   const TemporaryFolder folder;

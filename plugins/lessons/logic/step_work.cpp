@@ -3,19 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ew/assessment/judging.h"
+#include "ew/assessment/organ_coverage.h"
 #include "ew/assessment/plane_error.h"
 #include "ew/core/numbers.h"
 #include "ew/imaging/display.h"
-#include "logic/sweep_cover.h"
 
 namespace ew::lessons {
-
-double scoreOf(double errors) {
-  constexpr double kAtTolerance = 0.7, kNothing = 3.0;
-  if (!(errors < kNothing)) return 0.0;
-  if (errors <= 1.0) return 1.0 - (1.0 - kAtTolerance) * std::max(0.0, errors);
-  return kAtTolerance * (kNothing - errors) / (kNothing - 1.0);
-}
 
 std::optional<double> settingOf(const ScanState& state, const std::string& setting) {
   if (setting == "depth_mm") return resolvedDepth_mm(state.probe, state.knobs);
@@ -26,36 +20,6 @@ std::optional<double> settingOf(const ScanState& state, const std::string& setti
   return std::nullopt;
 }
 
-int labelAt(const sdk::Scanned& scanned, const glm::dvec3& at_mm) {
-  if (!scanned.labels) return 0;
-  const glm::ivec3 dims = scanned.placedLabels.dims;
-  const glm::dvec3 voxel = (inverse(scanned.placedLabels.voxelToWorld()) * Point<frame::World>{at_mm}).at;
-  const glm::ivec3 nearest(glm::round(voxel));
-  for (int axis = 0; axis < 3; ++axis)
-    if (nearest[axis] < 0 || nearest[axis] >= dims[axis]) return 0;
-  const auto at = (static_cast<std::size_t>(nearest.z) * static_cast<std::size_t>(dims.y) + static_cast<std::size_t>(nearest.y)) *
-                      static_cast<std::size_t>(dims.x) +
-                  static_cast<std::size_t>(nearest.x);
-  return scanned.labels->echo[at];
-}
-
-std::optional<double> distanceToLabel_mm(const sdk::Scanned& scanned, const glm::dvec3& at_mm, int label, double reach_mm) {
-  if (!scanned.labels) return std::nullopt;
-  std::optional<double> nearest;
-  const double step_mm = std::max(
-      0.25, 0.5 * std::min({scanned.placedLabels.spacing_mm.x, scanned.placedLabels.spacing_mm.y, scanned.placedLabels.spacing_mm.z}));
-  const int steps = static_cast<int>(std::ceil(reach_mm / step_mm));
-  for (int k = -steps; k <= steps; ++k)
-    for (int j = -steps; j <= steps; ++j)
-      for (int i = -steps; i <= steps; ++i) {
-        const glm::dvec3 off_mm = step_mm * glm::dvec3(i, j, k);
-        const double length_mm = glm::length(off_mm);
-        if (length_mm > reach_mm || (nearest && length_mm >= *nearest)) continue;
-        if (labelAt(scanned, at_mm + off_mm) == label) nearest = length_mm;
-      }
-  return nearest;
-}
-
 StepWork::~StepWork() = default;
 std::optional<Message> StepWork::missing(const Handed&) const { return std::nullopt; }
 
@@ -63,6 +27,23 @@ namespace {
 
 std::string rounded(double value, int decimals = 0) {
   return textOf(std::round(value * std::pow(10.0, decimals)) / std::pow(10.0, decimals));
+}
+
+/// What stands in an outcome of a judgement.
+void take(Judgement judgement, StepOutcome& outcome) {
+  outcome.score = judgement.score;
+  outcome.figures = std::move(judgement.figures);
+  outcome.remarks = std::move(judgement.remarks);
+}
+
+Fan fanOf(const ScanState& image) { return {image.probe, resolvedDepth_mm(image.probe, image.knobs)}; }
+
+/// The voxels of a structure where they lie in the world.
+std::shared_ptr<const OrganVoxels> voxelsOf(const sdk::Scanned& scanned, int label) {
+  if (!scanned.labels) return std::make_shared<const OrganVoxels>();
+  Volume placed = *scanned.labels;
+  placed.grid = scanned.placedLabels;
+  return std::make_shared<const OrganVoxels>(placed, label);
 }
 
 Message noImage() { return say<"There is no image yet; put the probe on the body.">(); }
@@ -100,32 +81,15 @@ class PlaneWork final : public StepWork {
     return noImage();
   }
   void judge(const Handed&, StepOutcome& outcome) const override {
-    const auto error = errorNow();
-    if (!error) return;
-    outcome.figures = {
-        {"angle", error->angle_deg, "deg"}, {"distance", error->distance_mm, "mm"}, {"in_picture", error->inPicture_mm, "mm"}};
-    outcome.score = scoreOf(shareOfTolerance(*error, tolerance_));
-    const auto remark = [&](bool good, Message text) { outcome.remarks.push_back({good, std::move(text)}); };
-    if (error->angle_deg <= tolerance_.angle_deg)
-      remark(true, say<"The direction of the plane is right (%1° off).">(rounded(error->angle_deg)));
-    else
-      remark(false, say<"The plane is tilted or rotated by %1° against the one asked for; at most %2° are allowed.">(
-                        rounded(error->angle_deg), rounded(tolerance_.angle_deg)));
-    if (error->distance_mm <= tolerance_.position_mm)
-      remark(true, say<"The plane passes through the right place (%1 mm off).">(rounded(error->distance_mm)));
-    else
-      remark(false, say<"The plane passes %1 mm beside what it should show; at most %2 mm are allowed.">(rounded(error->distance_mm),
-                                                                                                         rounded(tolerance_.position_mm)));
-    if (error->inPicture_mm > kInPictureFactor * tolerance_.position_mm)
-      remark(false, say<"What it should show lies %1 mm from where it belongs in the image.">(rounded(error->inPicture_mm)));
-    if (error->isMirrored) remark(false, say<"The marker points the other way: left and right are exchanged in the image.">());
+    if (last()) take(judgePlane(targetNow(), tolerance_, last()->pose), outcome);
   }
 
  private:
   [[nodiscard]] std::optional<PlaneError> errorNow() const {
     if (!last() || last()->pose.status != PoseStatus::ok) return std::nullopt;
-    return planeError(targetOf(target_, *truth_, resolvedDepth_mm(last()->probe, last()->knobs)), last()->pose.probeToWorld);
+    return planeError(targetNow(), last()->pose.probeToWorld);
   }
+  [[nodiscard]] PlaneTarget targetNow() const { return targetOf(target_, *truth_, resolvedDepth_mm(last()->probe, last()->knobs)); }
 
   ExpectedPlane target_;
   std::shared_ptr<const CaseTruth> truth_;
@@ -134,31 +98,21 @@ class PlaneWork final : public StepWork {
 
 class SweepWork final : public StepWork {
  public:
-  SweepWork(const SweepTask& task, const sdk::Scanned& scanned, int label) : task_(task), cover_(scanned, label) {}
+  SweepWork(const SweepTask& task, const sdk::Scanned& scanned, int label) : task_(task), cover_(voxelsOf(scanned, label)) {}
 
   void see(const ScanState& image) override {
     StepWork::see(image);
-    cover_.add(image);
+    cover_.add(fanOf(image), image.pose, image.gaps_mm);
   }
   [[nodiscard]] std::vector<LiveFigure> live() const override {
     const double share = cover_.share();
     return {{say<"Seen so far: %1 %">(rounded(100.0 * share)), share >= task_.share}};
   }
-  void judge(const Handed&, StepOutcome& outcome) const override {
-    const double share = cover_.share();
-    outcome.figures = {{"share", 100.0 * share, "%"}};
-    outcome.score = share >= task_.share ? 0.7 + 0.3 * (task_.share < 1.0 ? (share - task_.share) / (1.0 - task_.share) : 1.0)
-                                         : 0.7 * share / task_.share;
-    const bool good = share >= task_.share;
-    outcome.remarks.push_back(
-        {good, good ? say<"Images passed through %1 % of it.">(rounded(100.0 * share))
-                    : say<"Images passed through %1 % of it; %2 % are asked for. Sweep on until it is gone at both ends.">(
-                          rounded(100.0 * share), rounded(100.0 * task_.share))});
-  }
+  void judge(const Handed&, StepOutcome& outcome) const override { take(judgeSweep(cover_.share(), task_.share), outcome); }
 
  private:
   SweepTask task_;
-  SweepCover cover_;
+  OrganCoverage cover_;
 };
 
 /// Which figure of a caliper is compared with an expected value of a kind.
@@ -175,35 +129,34 @@ class MeasureWork final : public StepWork {
   MeasureWork(const ExpectedMeasurement& expected, double tolerance) : expected_(expected), tolerance_(tolerance) {}
 
   [[nodiscard]] std::optional<Message> missing(const Handed& handed) const override {
-    if (figureOf(handed)) return std::nullopt;
+    if (fitting(handed)) return std::nullopt;
     return say<"Nothing that fits is measured in this image yet; freeze the image and set the calipers.">();
   }
   void judge(const Handed& handed, StepOutcome& outcome) const override {
-    const auto value = figureOf(handed);
-    if (!value) return;
-    const double error = *value - expected_.value;
-    outcome.figures = {{"value", *value, expected_.unit}, {"error", error, expected_.unit}};
-    outcome.answer = {{"value", *value}, {"unit", expected_.unit}};
-    outcome.score = scoreOf(std::abs(error) / tolerance_);
-    if (std::abs(error) <= tolerance_)
-      outcome.remarks.push_back(
-          {true, say<"%1 %2 were measured; it is %3 %2.">(rounded(*value, 1), expected_.unit, rounded(expected_.value, 1))});
-    else
-      outcome.remarks.push_back({false, say<"%1 %2 were measured, and it is %3 %2; at most %4 %2 more or less are allowed.">(
-                                            rounded(*value, 1), expected_.unit, rounded(expected_.value, 1), rounded(tolerance_, 1))});
+    const auto found = fitting(handed);
+    if (!found || !last()) return;
+    std::vector<glm::dvec3> points_mm;
+    for (const auto& point : found->points) points_mm.push_back((last()->pose.probeToWorld * point).at);
+    take(judgeMeasurement(expected_, found->value, points_mm, tolerance_), outcome);
+    outcome.answer = {{"value", found->value}, {"unit", expected_.unit}};
   }
 
  private:
-  /// Of the last measurement that has such a figure in that unit.
-  [[nodiscard]] std::optional<double> figureOf(const Handed& handed) const {
+  struct Fitting {
+    double value = 0.0;
+    std::vector<Point<frame::Probe>> points;
+  };
+  /// The last measurement that has such a figure, in that unit. Points of other calipers than two ends are not compared: they mean
+  /// something else in each kind.
+  [[nodiscard]] std::optional<Fitting> fitting(const Handed& handed) const {
     const auto names = figuresFor(expected_.kind);
     for (auto one = handed.measurements.rbegin(); one != handed.measurements.rend(); ++one)
-      for (const auto& figure : one->figures)
-        if (std::find(names.begin(), names.end(), figure.name) != names.end()) {
-          if (figure.unit == expected_.unit) return figure.value;
-          if (figure.unit == "mm2" && expected_.unit == "cm2") return figure.value / 100.0;
-          if (figure.unit == "cm" && expected_.unit == "mm") return figure.value * 10.0;
-        }
+      for (const auto& figure : one->figures) {
+        if (std::find(names.begin(), names.end(), figure.name) == names.end()) continue;
+        const double factor = figure.unit == expected_.unit ? 1.0 : figure.unit == "mm2" && expected_.unit == "cm2" ? 0.01 : 0.0;
+        if (factor == 0.0) continue;
+        return Fitting{factor * figure.value, one->kind == "distance" ? one->points : std::vector<Point<frame::Probe>>{}};
+      }
     return std::nullopt;
   }
 
@@ -213,8 +166,8 @@ class MeasureWork final : public StepWork {
 
 class PointWork final : public StepWork {
  public:
-  PointWork(StepScene scene, std::optional<ExpectedPoint> point, int label)
-      : scene_(std::move(scene)), point_(std::move(point)), label_(label) {}
+  explicit PointWork(ExpectedPoint point) : point_(std::move(point)) {}
+  PointWork(const sdk::Scanned& scanned, int label) : organ_(voxelsOf(scanned, label)) {}
 
   [[nodiscard]] std::optional<Message> missing(const Handed& handed) const override {
     if (handed.point && last()) return std::nullopt;
@@ -222,27 +175,15 @@ class PointWork final : public StepWork {
   }
   void judge(const Handed& handed, StepOutcome& outcome) const override {
     if (!handed.point || !last()) return;
+    constexpr double kMargin_mm = 3.0;  // as far as a hand misses a border that it sees
     const glm::dvec3 at_mm = (last()->pose.probeToWorld * *handed.point).at;
+    take(point_ ? judgePointing(*point_, at_mm) : judgePointing(*organ_, at_mm, kMargin_mm), outcome);
     outcome.answer = {{"at_mm", {at_mm.x, at_mm.y, at_mm.z}}};
-    constexpr double kNear_mm = 3.0;  // as far as a hand misses a border that it sees
-    constexpr double kReach_mm = 15.0;
-    const double tolerance_mm = point_ ? point_->tolerance_mm : kNear_mm;
-    const auto off_mm =
-        point_ ? std::optional(glm::distance(at_mm, point_->at_mm)) : distanceToLabel_mm(scene_.scanned, at_mm, label_, kReach_mm);
-    if (off_mm) outcome.figures = {{"distance", *off_mm, "mm"}};
-    outcome.score = off_mm ? scoreOf(*off_mm / tolerance_mm) : 0.0;
-    if (off_mm && *off_mm <= tolerance_mm)
-      outcome.remarks.push_back({true, say<"That is it.">()});
-    else if (off_mm)
-      outcome.remarks.push_back({false, say<"That is %1 mm beside it.">(rounded(*off_mm))});
-    else
-      outcome.remarks.push_back({false, say<"That is something else.">()});
   }
 
  private:
-  StepScene scene_;
   std::optional<ExpectedPoint> point_;
-  int label_;
+  std::shared_ptr<const OrganVoxels> organ_;
 };
 
 class SettingsWork final : public StepWork {
@@ -342,7 +283,7 @@ class FreeWork final : public StepWork {
       for (const ExpectedPlane& plane : scene.truth->planes)
         if (plane.name == name) one.plane = plane;
       for (const ExpectedStructure& structure : scene.truth->structures)
-        if (structure.name == name) one.cover.emplace(scene.scanned, structure.label);
+        if (structure.name == name) one.cover.emplace(voxelsOf(scene.scanned, structure.label));
       sought_.push_back(std::move(one));
     }
   }
@@ -351,7 +292,7 @@ class FreeWork final : public StepWork {
     if (!begin_s_) begin_s_ = image.time_s;
     end_s_ = image.time_s;
     for (Sought& one : sought_) {
-      if (one.cover) one.cover->add(image);
+      if (one.cover) one.cover->add(fanOf(image), image.pose, image.gaps_mm);
       if (!one.plane || image.pose.status != PoseStatus::ok) continue;
       const PlaneTarget target = targetOf(*one.plane, *truth_, resolvedDepth_mm(image.probe, image.knobs));
       one.leastErrors = std::min(one.leastErrors, shareOfTolerance(planeError(target, image.pose.probeToWorld), toleranceOf(*one.plane)));
@@ -378,7 +319,7 @@ class FreeWork final : public StepWork {
   struct Sought {
     std::string name;
     std::optional<ExpectedPlane> plane;
-    std::optional<SweepCover> cover;
+    std::optional<OrganCoverage> cover;
     double leastErrors;
   };
   std::shared_ptr<const CaseTruth> truth_;
@@ -423,10 +364,10 @@ struct MakeWork {
     return std::make_unique<MeasureWork>(*expected, *tolerance);
   }
   Made operator()(const PointTask& task) const {
-    if (const ExpectedPoint* point = named(scene.truth->points, task.target)) return std::make_unique<PointWork>(scene, *point, 0);
+    if (const ExpectedPoint* point = named(scene.truth->points, task.target)) return std::make_unique<PointWork>(*point);
     const ExpectedStructure* structure = named(scene.truth->structures, task.target);
     if (structure == nullptr || !scene.scanned.labels) return notThere(task.target);
-    return std::make_unique<PointWork>(scene, std::nullopt, structure->label);
+    return std::make_unique<PointWork>(scene.scanned, structure->label);
   }
   Made operator()(const SettingsTask& task) const { return std::make_unique<SettingsWork>(task); }
   Made operator()(const AnswerTask& task) const { return std::make_unique<AnswerWork>(task); }

@@ -57,17 +57,7 @@ class StepWork {
 /// @error badField: the case does not have what the step asks for (ew/library/lesson_links.h says so beforehand)
 [[nodiscard]] Result<std::unique_ptr<StepWork>> workOf(const LessonStep& step, StepScene scene);
 
-/// The score of something that may be off by a tolerance: 1 when it is exact, 0.7 at the tolerance, 0 at three times the tolerance and
-/// beyond, straight in between. So the usual pass level of 0.7 is the tolerance itself.
-/// @param errors in tolerances, >= 0
-[[nodiscard]] double scoreOf(double errors);
-
 /// A knob by the name that lessons give it (kLessonSettings), as it acts: with its default resolved. Empty: no such setting.
 [[nodiscard]] std::optional<double> settingOf(const ScanState& state, const std::string& setting);
-
-/// Which label lies at a point of the world; 0 outside.
-[[nodiscard]] int labelAt(const sdk::Scanned& scanned, const glm::dvec3& at_mm);
-/// How far a label's nearest voxel lies from a point of the world, at most `reach_mm`; empty: further.
-[[nodiscard]] std::optional<double> distanceToLabel_mm(const sdk::Scanned& scanned, const glm::dvec3& at_mm, int label, double reach_mm);
 
 }  // namespace ew::lessons

@@ -28,6 +28,13 @@ std::vector<sdk::OverlayLine<frame::Probe>> outlineOf(const sdk::Scanned& scanne
   const double half_mm = isSector(image.probe.kind) ? depth_mm : faceHalfWidth_mm(image.probe);
   const int columns = static_cast<int>(2.0 * half_mm / step_mm) + 2, rows = static_cast<int>(depth_mm / step_mm) + 2;
   const auto at = [&](int column, int row) { return glm::dvec2(-half_mm + column * step_mm, row * step_mm); };
+  const auto worldToVoxel = inverse(scanned.placedLabels.voxelToWorld());
+  const glm::ivec3 dims = scanned.placedLabels.dims;
+  const auto isLabel = [&](const glm::dvec3& at_mm) {
+    const glm::ivec3 voxel(glm::round((worldToVoxel * Point<frame::World>{at_mm}).at));
+    if (glm::any(glm::lessThan(voxel, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(voxel, dims))) return false;
+    return scanned.labels->echo[scanned.labels->grid.indexOf(voxel.x, voxel.y, voxel.z)] == label;
+  };
   std::vector<bool> inside(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
   const auto place = [&](int column, int row) {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
@@ -35,7 +42,7 @@ std::vector<sdk::OverlayLine<frame::Probe>> outlineOf(const sdk::Scanned& scanne
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
       const glm::dvec2 p = at(column, row);
-      inside[place(column, row)] = labelAt(scanned, (image.pose.probeToWorld * Point<frame::Probe>{{p.x, p.y, 0.0}}).at) == label;
+      inside[place(column, row)] = isLabel((image.pose.probeToWorld * Point<frame::Probe>{{p.x, p.y, 0.0}}).at);
     }
   const auto add = [&](glm::dvec2 a, glm::dvec2 b) {
     sdk::OverlayLine<frame::Probe> line;

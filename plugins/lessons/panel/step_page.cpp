@@ -34,6 +34,7 @@ constexpr AidWords kAidWords[] = {
     {&LessonAids::ownPath, QT_TRANSLATE_NOOP("ew::lessons::StepPage", "My path")},
     {&LessonAids::expertProbe, QT_TRANSLATE_NOOP("ew::lessons::StepPage", "The expert's plane")},
     {&LessonAids::outline, QT_TRANSLATE_NOOP("ew::lessons::StepPage", "Outline in the image")},
+    {&LessonAids::compass, QT_TRANSLATE_NOOP("ew::lessons::StepPage", "Next movement")},
 };
 
 QString minutes(double seconds) {
@@ -111,7 +112,7 @@ void StepPage::clear() {
     if (item->widget() != nullptr) item->widget()->deleteLater();
     delete item;
   }
-  live_ = hint_ = mark_ = nullptr;
+  live_ = hint_ = mark_ = compassText_ = nullptr;
   hintButton_ = pointButton_ = play_ = nullptr;
   options_ = nullptr;
   number_ = nullptr;
@@ -168,6 +169,7 @@ void StepPage::showStep(LessonRun& run, const LessonStep& shown, const StepScene
     live_ = addText({}, "stepLive");
     live_->hide();
   }
+  makeCompass(shown, scene);
   aids_ = std::make_unique<AidsDrawer>(host_, shown, scene);
   addAids(shown);
   if (!shown.hints.empty()) {
@@ -202,6 +204,8 @@ void StepPage::addAids(const LessonStep& step) {
     connect(box, &QCheckBox::toggled, this, [this, on, which = aid.aid](bool checked) {
       (*on).*which = checked;
       if (aids_) aids_->setAids(*on);
+      wantsCompass_ = on->compass;
+      showCompass();
     });
   }
   aids_->setAids(*on);
@@ -310,8 +314,37 @@ void StepPage::addPicture(const std::filesystem::path& file) {
   rows_->addWidget(label);
 }
 
+void StepPage::makeCompass(const LessonStep& step, const StepScene& scene) {
+  compass_.reset();
+  last_.reset();
+  wantsCompass_ = step.aids.compass;
+  const auto* task = std::get_if<PlaneTask>(&step.task);
+  const auto state = host_.scan().state();
+  if (task == nullptr || !step.aids.compass || !scene.scanned.skin || !state) return;
+  for (const ExpectedPlane& plane : scene.truth->planes) {
+    if (plane.name != task->target) continue;
+    PlaneTolerance tolerance = toleranceOf(plane);
+    tolerance.position_mm = task->positionTolerance_mm.value_or(tolerance.position_mm);
+    tolerance.angle_deg = task->angleTolerance_deg.value_or(tolerance.angle_deg);
+    const PlaneTarget target = targetOf(plane, *scene.truth, resolvedDepth_mm(state->probe, state->knobs));
+    compass_ = Compass{compassTargetOf(target, tolerance, *scene.scanned.skin), scene.scanned.skin, {}};
+    compassText_ = addText({}, "stepCompass");
+    compassText_->hide();
+    return;
+  }
+}
+
+void StepPage::showCompass() {
+  if (compassText_ == nullptr) return;
+  if (!compass_ || !wantsCompass_ || !last_ || last_->pose.status != PoseStatus::ok) return compassText_->hide();
+  compass_->advice = nextMovement(compass_->target, holdFor(last_->pose, *compass_->skin), compass_->advice);
+  compassText_->setText(words(compass_->advice->text));
+  compassText_->show();
+}
+
 void StepPage::see(const ScanState& image) {
   if (aids_) aids_->see(image);
+  last_ = image;
 }
 
 Handed StepPage::handed() const {
@@ -334,6 +367,7 @@ void StepPage::refresh(double now_s) {
   missing_->setText(missing ? words(*missing) : QString());
   missing_->setVisible(missing.has_value());
   done_->setEnabled(!missing);
+  showCompass();
   if (live_ == nullptr) return;
   QStringList lines;
   for (const LiveFigure& figure : run_->live())

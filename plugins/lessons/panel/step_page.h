@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "ew/assessment/compass.h"
 #include "ew/library/lesson.h"
 #include "logic/lesson_run.h"
 #include "panel/aids_drawer.h"
@@ -66,6 +67,19 @@ class StepPage final : public QWidget {
   std::shared_ptr<sdk::ScanOverlay> pointShown_;
   std::optional<Point<frame::Probe>> point_;
   bool watched_ = false;
+
+  /// Advice for the hand while a plane is sought; empty: the step has none, or the trainee does without.
+  struct Compass {
+    CompassTarget target;
+    std::shared_ptr<const Skin> skin;
+    std::optional<CompassAdvice> advice;
+  };
+  void makeCompass(const LessonStep& step, const StepScene& scene);
+  void showCompass();
+  std::optional<Compass> compass_;
+  std::optional<ScanState> last_;
+  bool wantsCompass_ = false;
+  QLabel* compassText_ = nullptr;
 
   QLabel* head_ = nullptr;
   QProgressBar* bar_ = nullptr;
