@@ -7203,6 +7203,446 @@
         <source>No temporary folder can be made; set TMPDIR to a folder you may write to.</source>
         <translation>Es lässt sich kein temporärer Ordner anlegen; TMPDIR auf einen beschreibbaren Ordner setzen.</translation>
     </message>
+    <message>
+        <source>The time was over before the step was handed in.</source>
+        <translation>Die Zeit war abgelaufen, bevor der Schritt abgegeben wurde.</translation>
+    </message>
+    <message>
+        <source>%1 is right.</source>
+        <translation>%1: richtig eingestellt.</translation>
+    </message>
+    <message>
+        <source>%1 is too high.</source>
+        <translation>%1: zu hoch.</translation>
+    </message>
+    <message>
+        <source>%1 is too low.</source>
+        <translation>%1: zu niedrig.</translation>
+    </message>
+    <message>
+        <source>Angle to the plane %1°</source>
+        <translation>Winkel zur Ebene %1°</translation>
+    </message>
+    <message>
+        <source>Another transducer suits this examination better.</source>
+        <translation>Ein anderer Schallkopf eignet sich besser für diese Untersuchung.</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Distance from the plane %1 mm</source>
+        <translation>Abstand von der Ebene %1 mm</translation>
+    </message>
+    <message>
+        <source>Dynamic range</source>
+        <translation>Dynamikbereich</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>It is %1 %2.</source>
+        <translation>Es sind %1 %2.</translation>
+    </message>
+    <message>
+        <source>No answer was chosen yet.</source>
+        <translation>Es wurde noch keine Antwort gewählt.</translation>
+    </message>
+    <message>
+        <source>No number was entered yet.</source>
+        <translation>Es wurde noch keine Zahl eingegeben.</translation>
+    </message>
+    <message>
+        <source>Not shown: %1</source>
+        <translation>Nicht gezeigt: %1</translation>
+    </message>
+    <message>
+        <source>Nothing that fits is measured in this image yet; freeze the image and set the calipers.</source>
+        <translation>In diesem Bild ist noch nichts Passendes gemessen; frieren Sie das Bild ein und setzen Sie die Messpunkte.</translation>
+    </message>
+    <message>
+        <source>Nothing was pointed at yet; click it in the image.</source>
+        <translation>Es wurde noch nichts gezeigt; klicken Sie die Stelle im Bild an.</translation>
+    </message>
+    <message>
+        <source>Right would have been: %1</source>
+        <translation>Richtig gewesen wäre: %1</translation>
+    </message>
+    <message>
+        <source>Scan for at least %1 s more.</source>
+        <translation>Schallen Sie noch mindestens %1 s.</translation>
+    </message>
+    <message>
+        <source>Seen so far: %1 %</source>
+        <translation>Bisher gesehen: %1 %</translation>
+    </message>
+    <message>
+        <source>Shown: %1</source>
+        <translation>Gezeigt: %1</translation>
+    </message>
+    <message>
+        <source>That is right.</source>
+        <translation>Das ist richtig.</translation>
+    </message>
+    <message>
+        <source>The case has no &apos;%1&apos;; the lesson asks for something that is not there. Tell its author.</source>
+        <translation>Der Fall hat kein „%1“; die Lektion verlangt etwas, das es nicht gibt. Sagen Sie es ihrem Autor.</translation>
+    </message>
+    <message>
+        <source>The expert&apos;s scan has not been shown to its end yet.</source>
+        <translation>Die Untersuchung des Experten wurde noch nicht bis zum Ende gezeigt.</translation>
+    </message>
+    <message>
+        <source>The transducer suits the examination.</source>
+        <translation>Der Schallkopf passt zur Untersuchung.</translation>
+    </message>
+    <message>
+        <source>There is no image yet; put the probe on the body.</source>
+        <translation>Es gibt noch kein Bild; setzen Sie den Schallkopf auf den Körper.</translation>
+    </message>
+    <message>
+        <source>Transducer</source>
+        <translation>Schallkopf</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos;, which this step scans, is not in the library; import it first.</source>
+        <translation>Der Fall „%1“, der in diesem Schritt geschallt wird, ist nicht in der Bibliothek; importieren Sie ihn zuerst.</translation>
+    </message>
+    <message>
+        <source>Making the organs&apos; surfaces</source>
+        <translation>Oberflächen der Organe werden berechnet</translation>
+    </message>
+    <message>
+        <source>Making the organs&apos; surfaces was stopped.</source>
+        <translation>Die Berechnung der Organoberflächen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>A text of the attempt is not valid UTF-8 and cannot be saved; type it again.</source>
+        <translation>Ein Text des Versuchs ist kein gültiges UTF-8 und kann nicht gespeichert werden; geben Sie ihn neu ein.</translation>
+    </message>
+    <message>
+        <source>The attempt in the folder &apos;%1&apos; is left out: %2</source>
+        <translation>Der Versuch im Ordner „%1“ wird ausgelassen: %2</translation>
+    </message>
+    <message>
+        <source>The attempts in &apos;%1&apos; cannot be read (%2); check that the folder is there and that you may read it.</source>
+        <translation>Die Versuche in „%1“ können nicht gelesen werden (%2); prüfen Sie, ob der Ordner da ist und Sie ihn lesen dürfen.</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; for this attempt cannot be made (%2); free some space, or choose a library you may write to.</source>
+        <translation>Der Ordner „%1“ für diesen Versuch kann nicht angelegt werden (%2); schaffen Sie Platz, oder wählen Sie eine Bibliothek, in die Sie schreiben dürfen.</translation>
+    </message>
+    <message>
+        <source>a file of the attempt&apos;s folder</source>
+        <translation>eine Datei im Ordner des Versuchs</translation>
+    </message>
+    <message>
+        <source>a moment such as &quot;2026-11-26T09:30:00Z&quot;</source>
+        <translation>ein Zeitpunkt wie &quot;2026-11-26T09:30:00Z&quot;</translation>
+    </message>
+    <message>
+        <source>a sentence</source>
+        <translation>ein Satz</translation>
+    </message>
+    <message>
+        <source>The lessons of the case have format %1, and this program reads formats up to %2; open them with a newer EchoWeave.</source>
+        <translation>Die Lektionen des Falls haben das Format %1, und dieses Programm liest Formate bis %2; öffnen Sie sie mit einem neueren EchoWeave.</translation>
+    </message>
+    <message>
+        <source>a list of texts</source>
+        <translation>eine Liste von Texten</translation>
+    </message>
+    <message>
+        <source>a relative path inside the folder parts/lessons of the case</source>
+        <translation>ein relativer Pfad im Ordner parts/lessons des Falls</translation>
+    </message>
+    <message>
+        <source>a time after begin_s</source>
+        <translation>eine Zeit nach begin_s</translation>
+    </message>
+    <message>
+        <source>an id that no other lesson of the case has</source>
+        <translation>eine Kennung, die keine andere Lektion des Falls hat</translation>
+    </message>
+    <message>
+        <source>an id that no other step of the lesson has</source>
+        <translation>eine Kennung, die kein anderer Schritt der Lektion hat</translation>
+    </message>
+    <message>
+        <source>at least lowest</source>
+        <translation>mindestens lowest</translation>
+    </message>
+    <message>
+        <source>each setting once</source>
+        <translation>jede Einstellung einmal</translation>
+    </message>
+    <message>
+        <source>left out where there are options</source>
+        <translation>weggelassen, wo es Antworten zur Auswahl gibt</translation>
+    </message>
+    <message>
+        <source>the lessons of case.json</source>
+        <translation>den Lektionen von case.json</translation>
+    </message>
+    <message>
+        <source>A question needs at least two answers to choose from, or a number.</source>
+        <translation>Eine Frage braucht mindestens zwei Antworten zur Auswahl oder eine Zahl.</translation>
+    </message>
+    <message>
+        <source>Neither the step nor the case says how far the measurement may be off; give a tolerance.</source>
+        <translation>Weder der Schritt noch der Fall sagt, wie weit die Messung abweichen darf; geben Sie eine Toleranz an.</translation>
+    </message>
+    <message>
+        <source>No measurement is chosen; choose one that the case expects.</source>
+        <translation>Es ist keine Messung gewählt; wählen Sie eine, die der Fall erwartet.</translation>
+    </message>
+    <message>
+        <source>No plane is chosen; choose one of the case&apos;s.</source>
+        <translation>Es ist keine Ebene gewählt; wählen Sie eine des Falls.</translation>
+    </message>
+    <message>
+        <source>No setting is asked for; name a probe or give a range.</source>
+        <translation>Es wird keine Einstellung verlangt; nennen Sie einen Schallkopf oder geben Sie einen Bereich an.</translation>
+    </message>
+    <message>
+        <source>No structure is chosen; choose one of the case&apos;s.</source>
+        <translation>Es ist keine Struktur gewählt; wählen Sie eine des Falls.</translation>
+    </message>
+    <message>
+        <source>None of the answers is marked as right; mark one.</source>
+        <translation>Keine der Antworten ist als richtig markiert; markieren Sie eine.</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen to point at; choose a point or a structure of the case.</source>
+        <translation>Es ist nichts gewählt, worauf gezeigt werden soll; wählen Sie einen Punkt oder eine Struktur des Falls.</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; expects no measurement &apos;%2&apos;; choose one that it does.</source>
+        <translation>Der Fall „%1“ erwartet keine Messung „%2“; wählen Sie eine, die er erwartet.</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; has no plane &apos;%2&apos;; choose one of its own.</source>
+        <translation>Der Fall „%1“ hat keine Ebene „%2“; wählen Sie eine seiner eigenen.</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; has no plane or structure &apos;%2&apos;; choose one of its own.</source>
+        <translation>Der Fall „%1“ hat keine Ebene oder Struktur „%2“; wählen Sie eine seiner eigenen.</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; has no point or structure &apos;%2&apos;; choose one of its own.</source>
+        <translation>Der Fall „%1“ hat keinen Punkt und keine Struktur „%2“; wählen Sie eine seiner eigenen.</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; has no structure &apos;%2&apos;; choose one of its own.</source>
+        <translation>Der Fall „%1“ hat keine Struktur „%2“; wählen Sie eine seiner eigenen.</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; is not in the library; import it, or choose another.</source>
+        <translation>Der Fall „%1“ ist nicht in der Bibliothek; importieren Sie ihn, oder wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>The expert&apos;s scan is not recorded yet; record it, or leave the step out.</source>
+        <translation>Die Untersuchung des Experten ist noch nicht aufgezeichnet; zeichnen Sie sie auf, oder lassen Sie den Schritt weg.</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; of the lesson is not in the case folder; put it into parts/lessons, or choose another.</source>
+        <translation>Die Datei „%1“ der Lektion ist nicht im Ordner des Falls; legen Sie sie in parts/lessons ab, oder wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>The lesson has no steps; add one.</source>
+        <translation>Die Lektion hat keine Schritte; fügen Sie einen hinzu.</translation>
+    </message>
+    <message>
+        <source>There is no question; write one.</source>
+        <translation>Es gibt keine Frage; schreiben Sie eine.</translation>
+    </message>
+    <message>
+        <source>There is nothing to read; write a text.</source>
+        <translation>Es gibt nichts zu lesen; schreiben Sie einen Text.</translation>
+    </message>
+    <message>
+        <source>a structure with a label, or a point or a plane</source>
+        <translation>eine Struktur mit label, oder ein Punkt oder eine Ebene</translation>
+    </message>
+    <message>
+        <source>given, and the case has no labels</source>
+        <translation>angegeben, und der Fall hat keine labels</translation>
+    </message>
+    <message>
+        <source>left out, or a number of volume.labels</source>
+        <translation>weggelassen, oder eine Nummer aus volume.labels</translation>
+    </message>
+    <message>
+        <source>missing, and the case has no patient who could know it</source>
+        <translation>nicht da, und der Fall hat keinen Patienten, der ihn wissen könnte</translation>
+    </message>
+    <message>
+        <source>the number of the structure in the labels of the volume</source>
+        <translation>die Nummer der Struktur in den labels des Volumens</translation>
+    </message>
+    <message>
+        <source>the value as it was measured</source>
+        <translation>der gemessene Wert</translation>
+    </message>
+    <message>
+        <source>There is no window in which a case could be opened.</source>
+        <translation>Es gibt kein Fenster, in dem ein Fall geöffnet werden könnte.</translation>
+    </message>
+    <message>
+        <source>an object with format and lessons</source>
+        <translation>ein Objekt mit format und lessons</translation>
+    </message>
+    <message>
+        <source>a list of at most 200 lessons</source>
+        <translation>eine Liste von höchstens 200 Lektionen</translation>
+    </message>
+    <message>
+        <source>a lesson: an object with id, title and steps</source>
+        <translation>eine Lektion: ein Objekt mit id, title und steps</translation>
+    </message>
+    <message>
+        <source>a short name, unique in the case, of 1 to 100 characters</source>
+        <translation>ein kurzer Name von 1 bis 100 Zeichen, den es im Fall einmal gibt</translation>
+    </message>
+    <message>
+        <source>a title of 1 to 200 characters that gives no finding away</source>
+        <translation>ein Titel von 1 bis 200 Zeichen, der keinen Befund verrät</translation>
+    </message>
+    <message>
+        <source>text: what one can do afterwards</source>
+        <translation>Text: was man danach kann</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 (first steps) to 5 (examination)</source>
+        <translation>eine ganze Zahl von 1 (erste Schritte) bis 5 (Prüfung)</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 to 600: about how long it takes</source>
+        <translation>eine ganze Zahl von 1 bis 600: wie lange es ungefähr dauert</translation>
+    </message>
+    <message>
+        <source>a list of texts: what it teaches after</source>
+        <translation>eine Liste von Texten: wonach sie lehrt</translation>
+    </message>
+    <message>
+        <source>the language of its texts, such as &quot;en&quot; or &quot;de&quot;</source>
+        <translation>die Sprache der Texte, etwa &quot;en&quot; oder &quot;de&quot;</translation>
+    </message>
+    <message>
+        <source>a list of at most 200 steps</source>
+        <translation>eine Liste von höchstens 200 Schritten</translation>
+    </message>
+    <message>
+        <source>a step: an object with id, title and task</source>
+        <translation>ein Schritt: ein Objekt mit id, title und task</translation>
+    </message>
+    <message>
+        <source>a short name, unique in the lesson, of 1 to 100 characters</source>
+        <translation>ein kurzer Name von 1 bis 100 Zeichen, den es in der Lektion einmal gibt</translation>
+    </message>
+    <message>
+        <source>&quot;read&quot;, &quot;watch&quot;, &quot;plane&quot;, &quot;sweep&quot;, &quot;measure&quot;, &quot;point&quot;, &quot;settings&quot;, &quot;answer&quot; or &quot;free&quot;</source>
+        <translation>&quot;read&quot;, &quot;watch&quot;, &quot;plane&quot;, &quot;sweep&quot;, &quot;measure&quot;, &quot;point&quot;, &quot;settings&quot;, &quot;answer&quot; oder &quot;free&quot;</translation>
+    </message>
+    <message>
+        <source>text of at most 20000 characters: what to do</source>
+        <translation>Text von höchstens 20000 Zeichen: was zu tun ist</translation>
+    </message>
+    <message>
+        <source>text of at most 20000 characters: what to look for</source>
+        <translation>Text von höchstens 20000 Zeichen: worauf zu achten ist</translation>
+    </message>
+    <message>
+        <source>text of at most 20000 characters: said when the step is over</source>
+        <translation>Text von höchstens 20000 Zeichen: was nach dem Schritt gesagt wird</translation>
+    </message>
+    <message>
+        <source>the id of the case that is scanned; left out: the case that holds the lesson</source>
+        <translation>die Kennung des Falls, der geschallt wird; weggelassen: der Fall, zu dem die Lektion gehört</translation>
+    </message>
+    <message>
+        <source>a list of at most 50 texts</source>
+        <translation>eine Liste von höchstens 50 Texten</translation>
+    </message>
+    <message>
+        <source>an object that says which aids may be switched on</source>
+        <translation>ein Objekt, das sagt, welche Hilfen eingeschaltet werden dürfen</translation>
+    </message>
+    <message>
+        <source>true or false: whether it is said while scanning how far off one is</source>
+        <translation>true oder false: ob beim Schallen gesagt wird, wie weit man daneben ist</translation>
+    </message>
+    <message>
+        <source>the least score, a number from 0 to 1</source>
+        <translation>die kleinste Punktzahl, eine Zahl von 0 bis 1</translation>
+    </message>
+    <message>
+        <source>the seconds that the step may take, a number from 5 to 7200</source>
+        <translation>die Sekunden, die der Schritt dauern darf, eine Zahl von 5 bis 7200</translation>
+    </message>
+    <message>
+        <source>text: why the patient came</source>
+        <translation>Text: weshalb der Patient kam</translation>
+    </message>
+    <message>
+        <source>a list of at most 50 pictures inside the case folder, as relative paths such as &quot;media/liver.png&quot;</source>
+        <translation>eine Liste von höchstens 50 Bildern im Ordner des Falls, als relative Pfade wie &quot;media/liver.png&quot;</translation>
+    </message>
+    <message>
+        <source>a relative path such as &quot;media/liver.png&quot;</source>
+        <translation>ein relativer Pfad wie &quot;media/liver.png&quot;</translation>
+    </message>
+    <message>
+        <source>a list of objects with when and findings</source>
+        <translation>eine Liste von Objekten mit when und findings</translation>
+    </message>
+    <message>
+        <source>an object with when and findings, each a text</source>
+        <translation>ein Objekt mit when und findings, jeweils ein Text</translation>
+    </message>
+    <message>
+        <source>a list of texts: what else it could have been</source>
+        <translation>eine Liste von Texten: was es sonst hätte sein können</translation>
+    </message>
+    <message>
+        <source>a list of at most 100 texts of 1 to 100 characters, by which the case is found</source>
+        <translation>eine Liste von höchstens 100 Texten von 1 bis 100 Zeichen, unter denen der Fall gefunden wird</translation>
+    </message>
+    <message>
+        <source>a text of 1 to 100 characters</source>
+        <translation>ein Text von 1 bis 100 Zeichen</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 to 255, of a structure: its number in volume.labels</source>
+        <translation>eine ganze Zahl von 1 bis 255, bei einer Struktur: ihre Nummer in volume.labels</translation>
+    </message>
+    <message>
+        <source>an object with the name of a measurement of the patient, or with name, value, kind and unit</source>
+        <translation>ein Objekt mit dem Namen einer Messung des Patienten, oder mit name, value, kind und unit</translation>
+    </message>
+    <message>
+        <source>a number, in the measurement&apos;s unit: as it was measured</source>
+        <translation>eine Zahl, in der Einheit der Messung: wie gemessen wurde</translation>
+    </message>
+    <message>
+        <source>&quot;distance&quot;, &quot;circumference&quot;, &quot;area&quot; or &quot;angle&quot;</source>
+        <translation>&quot;distance&quot;, &quot;circumference&quot;, &quot;area&quot; oder &quot;angle&quot;</translation>
+    </message>
+    <message>
+        <source>the unit of the value: &quot;mm&quot;, &quot;cm2&quot; or &quot;deg&quot;</source>
+        <translation>die Einheit des Werts: &quot;mm&quot;, &quot;cm2&quot; oder &quot;deg&quot;</translation>
+    </message>
+    <message>
+        <source>a list of at most 1000 points, each three numbers in mm: where the calipers stood</source>
+        <translation>eine Liste von höchstens 1000 Punkten, jeweils drei Zahlen in mm: wo die Messpunkte standen</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
@@ -12540,6 +12980,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>Sea&amp;rch the cases</source>
         <translation>Fälle &amp;suchen</translation>
     </message>
+    <message>
+        <source>Point at a structure</source>
+        <translation>Auf eine Struktur zeigen</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::MeasurePage</name>
@@ -14659,6 +15103,272 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Recently opened</source>
         <translation>Zuletzt geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>ew::lessons</name>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+</context>
+<context>
+    <name>ew::lessons::LessonList</name>
+    <message>
+        <source>First steps</source>
+        <translation>Erste Schritte</translation>
+    </message>
+    <message>
+        <source>Basic</source>
+        <translation>Grundlagen</translation>
+    </message>
+    <message>
+        <source>Intermediate</source>
+        <translation>Fortgeschritten</translation>
+    </message>
+    <message>
+        <source>Advanced</source>
+        <translation>Anspruchsvoll</translation>
+    </message>
+    <message>
+        <source>Examination</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>%1, about %2 min</source>
+        <translation>%1, etwa %2 min</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps passed</source>
+        <translation>%1 von %2 Schritten bestanden</translation>
+    </message>
+    <message>
+        <source>Go on at step %1</source>
+        <translation>Weiter bei Schritt %1</translation>
+    </message>
+    <message>
+        <source>Begin again</source>
+        <translation>Neu beginnen</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>ew::lessons::OutcomePage</name>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Passed: %1</source>
+        <translation>Bestanden: %1</translation>
+    </message>
+    <message>
+        <source>Skipped: %1</source>
+        <translation>Übersprungen: %1</translation>
+    </message>
+    <message>
+        <source>Not passed yet: %1</source>
+        <translation>Noch nicht bestanden: %1</translation>
+    </message>
+    <message>
+        <source>%1 of 100 points, %2 needed</source>
+        <translation>%1 von 100 Punkten, %2 nötig</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Nächster Schritt</translation>
+    </message>
+    <message>
+        <source>Lesson passed: %1</source>
+        <translation>Lektion bestanden: %1</translation>
+    </message>
+    <message>
+        <source>Lesson finished: %1</source>
+        <translation>Lektion beendet: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps passed</source>
+        <translation>%1 von %2 Schritten bestanden</translation>
+    </message>
+    <message>
+        <source>Back to the lessons</source>
+        <translation>Zurück zu den Lektionen</translation>
+    </message>
+</context>
+<context>
+    <name>ew::lessons::StepPage</name>
+    <message>
+        <source>Translucent skin</source>
+        <translation>Durchscheinende Haut</translation>
+    </message>
+    <message>
+        <source>Organs in the body</source>
+        <translation>Organe im Körper</translation>
+    </message>
+    <message>
+        <source>What was recorded</source>
+        <translation>Was aufgenommen wurde</translation>
+    </message>
+    <message>
+        <source>My path</source>
+        <translation>Mein Weg</translation>
+    </message>
+    <message>
+        <source>The expert&apos;s plane</source>
+        <translation>Ebene des Experten</translation>
+    </message>
+    <message>
+        <source>Outline in the image</source>
+        <translation>Umriss im Bild</translation>
+    </message>
+    <message>
+        <source>Next movement</source>
+        <translation>Nächste Bewegung</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Back to the lessons; the lesson can be gone on with later</source>
+        <translation>Zurück zu den Lektionen; die Lektion kann später fortgesetzt werden</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>Leave this step out; it counts as not passed</source>
+        <translation>Diesen Schritt auslassen; er gilt als nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>Look for: %1</source>
+        <translation>Achten Sie auf: %1</translation>
+    </message>
+    <message>
+        <source>Show a hint</source>
+        <translation>Hinweis zeigen</translation>
+    </message>
+    <message>
+        <source>Show another hint</source>
+        <translation>Weiteren Hinweis zeigen</translation>
+    </message>
+    <message>
+        <source>No more hints</source>
+        <translation>Keine weiteren Hinweise</translation>
+    </message>
+    <message>
+        <source>Your answer</source>
+        <translation>Ihre Antwort</translation>
+    </message>
+    <message>
+        <source>More than one answer is right.</source>
+        <translation>Mehr als eine Antwort ist richtig.</translation>
+    </message>
+    <message>
+        <source>Point at it</source>
+        <translation>Darauf zeigen</translation>
+    </message>
+    <message>
+        <source>Then click in the image; on the keyboard arrows and Enter</source>
+        <translation>Dann im Bild klicken; mit der Tastatur Pfeile und Eingabe</translation>
+    </message>
+    <message>
+        <source>Click what is asked for. Arrows and Enter do the same, Escape ends.</source>
+        <translation>Klicken Sie das Gesuchte an. Pfeile und Eingabe tun dasselbe, Escape beendet.</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Rest</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Play again</source>
+        <translation>Noch einmal abspielen</translation>
+    </message>
+    <message>
+        <source>The picture &apos;%1&apos; cannot be shown.</source>
+        <translation>Das Bild „%1“ kann nicht gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>noch %1</translation>
+    </message>
+</context>
+<context>
+    <name>ew::lessons::PlayerPanel</name>
+    <message>
+        <source>No lessons here</source>
+        <translation>Hier gibt es keine Lektionen</translation>
+    </message>
+    <message>
+        <source>Open a case that has lessons: the start page says how many each has.</source>
+        <translation>Öffnen Sie einen Fall mit Lektionen: Die Startseite sagt, wie viele jeder hat.</translation>
+    </message>
+    <message>
+        <source>The lesson was changed since this attempt began; its steps are those of today.</source>
+        <translation>Die Lektion wurde seit Beginn dieses Versuchs geändert; es gelten die Schritte von heute.</translation>
+    </message>
+    <message>
+        <source>The step that was running when the program ended was not kept; it begins anew.</source>
+        <translation>Der Schritt, der lief, als das Programm endete, wurde nicht behalten; er beginnt von vorn.</translation>
+    </message>
+    <message>
+        <source>Getting the step ready…</source>
+        <translation>Der Schritt wird vorbereitet…</translation>
+    </message>
+    <message>
+        <source>Getting the step ready</source>
+        <translation>Schritt vorbereiten</translation>
+    </message>
+    <message>
+        <source>Opening the case of this step…</source>
+        <translation>Der Fall dieses Schritts wird geöffnet…</translation>
+    </message>
+    <message>
+        <source>The volume of this case is being made ready…</source>
+        <translation>Das Volumen dieses Falls wird vorbereitet…</translation>
+    </message>
+    <message>
+        <source>The lesson was left because another case was opened; it can be gone on with in its own case.</source>
+        <translation>Die Lektion wurde verlassen, weil ein anderer Fall geöffnet wurde; sie kann in ihrem eigenen Fall fortgesetzt werden.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::BodyAidsView</name>
+    <message>
+        <source>Showing organs</source>
+        <translation>Organe zeigen</translation>
     </message>
 </context>
 </TS>
