@@ -57,17 +57,24 @@ PatientSide sideOf(const glm::dvec3& direction) {
   return direction.y > 0.0 ? PatientSide::back : PatientSide::front;
 }
 
-/// The way over the skin to a contact: along the chord's tangent, as long as an arc whose ends have these normals. Through the body's
-/// opposite side the chord says nothing; then around the body.
+/// Whether a contact lies on the other side of the body.
+bool isOpposite(const Skin::Contact& a, const Skin::Contact& b) { return glm::dot(a.outward, b.outward) < 0.0; }
+
+/// The way over the skin to a contact: along the chord's tangent, as long as an arc whose ends have these normals. To the other side of
+/// the body the chord's tangent says next to nothing of how far it is around, so that is what the arc leaves once the way along the body is
+/// gone.
 glm::dvec3 wayTo(const Skin::Contact& target, const Skin::Contact& now) {
   const glm::dvec3 chord = target.point_mm - now.point_mm;
   const double chord_mm = glm::length(chord);
   if (chord_mm < 1e-9) return glm::dvec3(0.0);
-  glm::dvec3 tangent = chord - glm::dot(chord, now.outward) * now.outward;
   const double half_rad = std::asin(std::clamp(0.5 * glm::length(target.outward - now.outward), 0.0, 1.0));
   const double way_mm = half_rad < 1e-6 ? chord_mm : chord_mm * half_rad / std::sin(half_rad);
-  if (glm::length(tangent) < 0.05 * chord_mm) tangent = axesAt(now.outward).around;
-  return way_mm * glm::normalize(tangent);
+  const glm::dvec3 tangent = chord - glm::dot(chord, now.outward) * now.outward;
+  if (!isOpposite(target, now) && glm::length(tangent) > 0.05 * chord_mm) return way_mm * glm::normalize(tangent);
+  const SkinAxes axes = axesAt(now.outward);
+  const double along_mm = glm::dot(chord, axes.along);
+  const double around_mm = std::sqrt(std::max(0.0, way_mm * way_mm - along_mm * along_mm));
+  return along_mm * axes.along + std::copysign(around_mm, glm::dot(chord, axes.around)) * axes.around;
 }
 
 Left leftTo(const CompassTarget& target, const Hold& now) {
@@ -101,7 +108,8 @@ CompassAdvice told(CompassAdvice advice) {
 }
 
 /// One of the patient's two directions across the skin: the one that more is left of, unless the other is being slid along.
-CompassAdvice slideBy(const Left& left, const Hold& now, const std::optional<CompassAdvice>& before, double release_mm) {
+CompassAdvice slideBy(const Left& left, const Hold& target, const Hold& now, const std::optional<CompassAdvice>& before,
+                      double release_mm) {
   const SkinAxes axes = axesAt(now.contact.outward);
   const double along_mm = glm::dot(left.slide_mm, axes.along);
   const double around_mm = glm::dot(left.slide_mm, axes.around);
@@ -110,7 +118,12 @@ CompassAdvice slideBy(const Left& left, const Hold& now, const std::optional<Com
     const bool wasAlong = std::abs(glm::dot(before->along, axes.along)) > std::abs(glm::dot(before->along, axes.around));
     if (std::abs(wasAlong ? along_mm : around_mm) > release_mm) isAlong = wasAlong;
   }
-  const double amount_mm = isAlong ? along_mm : around_mm;
+  double amount_mm = isAlong ? along_mm : around_mm;
+  // On the far side both ways around are about as long, and which is shorter changes with every tremor: the way goes on as it began.
+  const bool wentAround = before && before->movement == HandMovement::slide &&
+                          std::abs(glm::dot(before->along, axes.around)) > std::abs(glm::dot(before->along, axes.along));
+  if (!isAlong && wentAround && isOpposite(target.contact, now.contact))
+    amount_mm = std::copysign(amount_mm, glm::dot(before->along, axes.around));
   CompassAdvice advice;
   advice.movement = HandMovement::slide;
   advice.along = (amount_mm < 0.0 ? -1.0 : 1.0) * (isAlong ? axes.along : axes.around);
@@ -213,7 +226,7 @@ CompassAdvice nextMovement(const CompassTarget& target, const Hold& now, const s
   switch (movement) {
     case HandMovement::slide: {
       const bool far = glm::length(left.slide_mm) > kRegion_mm;
-      return slideBy(left, now, before, far ? kAboutThere_mm : kRelease * units.slide_mm);
+      return slideBy(left, target.hold, now, before, far ? kAboutThere_mm : kRelease * units.slide_mm);
     }
     case HandMovement::rotate:
       return rotateBy(left, before);

@@ -1,0 +1,103 @@
+#include "ew/assessment/judging.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace ew {
+namespace {
+
+TEST(Score, IsPassingWithinToleranceAndNowhereElse) {
+  EXPECT_EQ(scoreAt(0.0), 1.0);
+  EXPECT_EQ(scoreAt(1.0), kPassScore);
+  EXPECT_LT(scoreAt(std::nextafter(1.0, 2.0)), kPassScore);
+  EXPECT_DOUBLE_EQ(scoreAt(2.0), 0.35);
+  EXPECT_EQ(scoreAt(3.0), 0.0);
+  EXPECT_EQ(scoreAt(1e9), 0.0);
+  for (double share = 0.0; share < 4.0; share += 0.01) EXPECT_GE(scoreAt(share), scoreAt(share + 0.01));
+}
+
+PlaneTarget target() { return {{}, {0.0, 50.0}}; }
+
+Pose moved(const glm::dmat4& matrix) {
+  Pose pose;
+  pose.probeToWorld.matrix = matrix;
+  return pose;
+}
+
+TEST(JudgePlane, PassesWithinToleranceAndSaysWhatWasMissed) {
+  EXPECT_TRUE(judgePlane(target(), {5.0, 10.0}, moved(glm::translate(glm::dmat4(1.0), {0.0, 0.0, 4.9}))).passed);
+  const Judgement off = judgePlane(target(), {5.0, 10.0}, moved(glm::translate(glm::dmat4(1.0), {0.0, 0.0, 7.5})));
+  EXPECT_FALSE(off.passed);
+  EXPECT_DOUBLE_EQ(off.score, scoreAt(1.5));
+  ASSERT_EQ(off.remarks.size(), 1U);
+  EXPECT_EQ(off.remarks.front().text.english(), "What matters lies 7.5 mm beside the plane; 5 mm are allowed.");
+}
+
+TEST(JudgePlane, DoesNotPassAMarkerOnTheWrongSide) {
+  const Judgement mirrored = judgePlane(target(), {}, moved(glm::rotate(glm::dmat4(1.0), 3.14159265358979, glm::dvec3(0.0, 1.0, 0.0))));
+  EXPECT_FALSE(mirrored.passed);
+  EXPECT_EQ(mirrored.score, 0.5);
+  ASSERT_EQ(mirrored.remarks.size(), 1U);
+  EXPECT_EQ(mirrored.remarks.front().text.english(), "The marker points the wrong way; left and right are exchanged.");
+}
+
+TEST(JudgePlane, FailsAProbeThatWasNotSeen) {
+  Pose pose;
+  pose.status = PoseStatus::missing;
+  EXPECT_EQ(judgePlane(target(), {}, pose).score, 0.0);
+}
+
+ExpectedMeasurement diameter() {
+  ExpectedMeasurement expected;
+  expected.value = 30.0;
+  expected.unit = "mm";
+  expected.tolerance = 2.0;
+  expected.points_mm = {{0.0, 0.0, 0.0}, {30.0, 0.0, 0.0}};
+  return expected;
+}
+
+TEST(JudgeMeasurement, WantsTheValueAndThePlace) {
+  const auto judged = [](double value, const std::vector<glm::dvec3>& points) { return judgeMeasurement(diameter(), value, points, 2.0); };
+  EXPECT_TRUE(judged(31.9, {{0.0, 0.0, 0.0}, {31.9, 0.0, 0.0}}).passed);
+  EXPECT_TRUE(judged(30.0, {{30.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}).passed) << "from the other end";
+  EXPECT_FALSE(judged(32.1, {{0.0, 0.0, 0.0}, {32.1, 0.0, 0.0}}).passed);
+  const Judgement elsewhere = judged(30.0, {{0.0, 20.0, 0.0}, {30.0, 20.0, 0.0}});
+  EXPECT_FALSE(elsewhere.passed) << "the right number in the wrong place";
+  EXPECT_EQ(elsewhere.remarks.back().text.english(), "The calipers stand 20 mm from where they belong.");
+  EXPECT_TRUE(judged(30.0, {}).passed) << "typed in: nothing is known of its place";
+}
+
+TEST(JudgeMeasurement, ReadsCalipers) {
+  EXPECT_EQ(readingOf({{0.0, 0.0, 0.0}, {3.0, 4.0, 0.0}}), 5.0);
+  EXPECT_NEAR(*readingOf({{-10.0, 0.0, 0.0}, {10.0, 0.0, 0.0}, {0.0, -10.0, 0.0}, {0.0, 10.0, 0.0}}), 62.83185307, 1e-6);
+  EXPECT_FALSE(readingOf({{0.0, 0.0, 0.0}}));
+}
+
+TEST(JudgeSweep, PassesFromWhatIsNeeded) {
+  EXPECT_TRUE(judgeSweep(0.9, 0.9).passed);
+  EXPECT_DOUBLE_EQ(judgeSweep(0.9, 0.9).score, kPassScore);
+  EXPECT_EQ(judgeSweep(1.0, 0.9).score, 1.0);
+  EXPECT_FALSE(judgeSweep(0.89, 0.9).passed);
+  EXPECT_LT(judgeSweep(0.8999999999, 0.9).score, kPassScore);
+  EXPECT_EQ(judgeSweep(0.0, 0.9).score, 0.0);
+}
+
+TEST(JudgePointing, IsWithinTheOrganOrItsMargin) {
+  Volume labels;
+  labels.grid.dims = glm::ivec3(11);
+  labels.echo.assign(labels.grid.voxelCount(), 0);
+  labels.echo[labels.grid.indexOf(5, 5, 5)] = 1;
+  const OrganVoxels organ(labels, 1);
+  EXPECT_EQ(judgePointing(organ, {5.3, 5.0, 5.0}, 0.0).score, 1.0);
+  EXPECT_FALSE(judgePointing(organ, {5.7, 5.0, 5.0}, 0.0).passed);
+  EXPECT_TRUE(judgePointing(organ, {6.4, 5.0, 5.0}, 1.0).passed);
+  EXPECT_FALSE(judgePointing(organ, {6.6, 5.0, 5.0}, 1.0).passed);
+  ExpectedPoint point;
+  point.tolerance_mm = 4.0;
+  EXPECT_TRUE(judgePointing(point, {3.9, 0.0, 0.0}).passed);
+  EXPECT_FALSE(judgePointing(point, {4.1, 0.0, 0.0}).passed);
+}
+
+}  // namespace
+}  // namespace ew

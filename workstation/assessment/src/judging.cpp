@@ -1,0 +1,162 @@
+#include "ew/assessment/judging.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ew/core/contract.h"
+#include "ew/core/numbers.h"
+#include "ew/measurement/ellipse.h"
+
+namespace ew {
+namespace {
+
+std::string whole(double value) { return std::to_string(std::lround(value)); }
+std::string tenths(double value) { return textOf(std::round(10.0 * value) / 10.0); }
+
+void missed(Judgement& judged, Message text) { judged.remarks.push_back({false, std::move(text)}); }
+void wellDone(Judgement& judged, Message text) { judged.remarks.push_back({true, std::move(text)}); }
+
+Judgement judgedBy(double share) {
+  Judgement judged;
+  judged.score = scoreAt(share);
+  judged.passed = share <= 1.0;
+  return judged;
+}
+
+Judgement withoutPose() {
+  Judgement judged;
+  missed(judged, say<"The probe was not seen; hold it where the tracker sees it.">());
+  return judged;
+}
+
+/// The farthest that a caliper stands from its place: of two points in the better order.
+double placeError_mm(const std::vector<glm::dvec3>& expected, const std::vector<glm::dvec3>& set) {
+  if (expected.size() == 2 && set.size() == 2) {
+    const auto worst = [&](const glm::dvec3& a, const glm::dvec3& b) {
+      return std::max(glm::distance(expected[0], a), glm::distance(expected[1], b));
+    };
+    return std::min(worst(set[0], set[1]), worst(set[1], set[0]));
+  }
+  const auto middle = [](const std::vector<glm::dvec3>& points) {
+    glm::dvec3 sum(0.0);
+    for (const glm::dvec3& p : points) sum += p;
+    return sum / static_cast<double>(points.size());
+  };
+  return glm::distance(middle(expected), middle(set));
+}
+
+}  // namespace
+
+double scoreAt(double shareOfTolerance) {
+  EW_EXPECTS(shareOfTolerance >= 0.0);
+  if (shareOfTolerance <= 1.0) return 1.0 - (1.0 - kPassScore) * shareOfTolerance;
+  // Just beyond the rim is just below passing, also in the last digit.
+  return std::min(std::nextafter(kPassScore, 0.0), std::max(0.0, kPassScore * 0.5 * (3.0 - shareOfTolerance)));
+}
+
+Judgement judgePlane(const PlaneTarget& target, const PlaneTolerance& tolerance, const Pose& pose) {
+  if (pose.status != PoseStatus::ok) return withoutPose();
+  const PlaneError error = planeError(target, pose.probeToWorld);
+  Judgement judged = judgedBy(shareOfTolerance(error, tolerance));
+  judged.figures = {{"angle", error.angle_deg, "deg"},
+                    {"distance", error.distance_mm, "mm"},
+                    {"roll", error.roll_deg, "deg"},
+                    {"in_picture", error.inPicture_mm, "mm"},
+                    {"face", error.face_mm, "mm"}};
+  if (judged.passed && !error.isMirrored)
+    wellDone(judged,
+             say<"The plane is found: %1 degrees and %2 mm from the expert's.">(tenths(error.angle_deg), tenths(error.distance_mm)));
+  if (error.angle_deg > tolerance.angle_deg)
+    missed(judged, say<"The plane is tipped by %1 degrees; %2 degrees are allowed.">(whole(error.angle_deg), tenths(tolerance.angle_deg)));
+  if (error.distance_mm > tolerance.position_mm)
+    missed(judged,
+           say<"What matters lies %1 mm beside the plane; %2 mm are allowed.">(tenths(error.distance_mm), tenths(tolerance.position_mm)));
+  if (error.inPicture_mm > kInPictureFactor * tolerance.position_mm)
+    missed(judged, say<"What matters lies %1 mm elsewhere in the image; bring it to where the expert has it.">(whole(error.inPicture_mm)));
+  if (error.isMirrored) {
+    judged.passed = false;
+    judged.score = std::min(judged.score, 0.5);
+    missed(judged, say<"The marker points the wrong way; left and right are exchanged.">());
+  }
+  return judged;
+}
+
+Judgement judgePointing(const OrganVoxels& organ, const glm::dvec3& clicked_world_mm, double margin_mm) {
+  EW_EXPECTS(margin_mm >= 0.0);
+  const double beside_mm = distanceTo_mm(organ, clicked_world_mm);
+  // In tolerances of at least a millimetre, or one beside an organ without a margin would count as infinitely far.
+  const double unit_mm = std::max(1.0, margin_mm);
+  Judgement judged =
+      judgedBy(beside_mm <= margin_mm ? beside_mm / unit_mm : std::max(1.0 + 1e-9, 1.0 + (beside_mm - margin_mm) / (5.0 * unit_mm)));
+  judged.figures = {{"distance", std::isfinite(beside_mm) ? beside_mm : 1e6, "mm"}};
+  if (judged.passed)
+    wellDone(judged, say<"That is it.">());
+  else if (std::isfinite(beside_mm))
+    missed(judged, say<"The point lies %1 mm beside it.">(tenths(beside_mm)));
+  return judged;
+}
+
+Judgement judgePointing(const ExpectedPoint& point, const glm::dvec3& clicked_world_mm) {
+  EW_EXPECTS(point.tolerance_mm > 0.0);
+  const double off_mm = glm::distance(point.at_mm, clicked_world_mm);
+  Judgement judged = judgedBy(off_mm / point.tolerance_mm);
+  judged.figures = {{"distance", off_mm, "mm"}};
+  if (judged.passed)
+    wellDone(judged, say<"That is it.">());
+  else
+    missed(judged, say<"The point lies %1 mm beside it.">(tenths(off_mm)));
+  return judged;
+}
+
+Judgement judgeSweep(double share, double needed) {
+  EW_EXPECTS(needed > 0.0 && needed <= 1.0 && share >= 0.0);
+  Judgement judged;
+  judged.passed = share >= needed;
+  // Nothing passed through is nothing; all of what is needed is passing, and the rest of the organ the rest of the score.
+  judged.score = judged.passed ? (needed < 1.0 ? kPassScore + (1.0 - kPassScore) * (std::min(share, 1.0) - needed) / (1.0 - needed) : 1.0)
+                               : std::min(std::nextafter(kPassScore, 0.0), kPassScore * share / needed);
+  judged.figures = {{"coverage", 100.0 * share, "%"}};
+  if (judged.passed)
+    wellDone(judged, say<"The images passed through %1 % of it.">(whole(100.0 * share)));
+  else
+    missed(judged, say<"The images passed through %1 % of it; %2 % are needed.">(whole(100.0 * share), whole(100.0 * needed)));
+  return judged;
+}
+
+std::optional<double> readingOf(const std::vector<glm::dvec3>& points_mm) {
+  if (points_mm.size() == 2) return glm::distance(points_mm[0], points_mm[1]);
+  if (points_mm.size() != 4) return std::nullopt;
+  const double a_mm = 0.5 * glm::distance(points_mm[0], points_mm[1]);
+  const double b_mm = 0.5 * glm::distance(points_mm[2], points_mm[3]);
+  if (a_mm <= 0.0 || b_mm <= 0.0) return std::nullopt;
+  return measurement::ellipseCircumference_mm(a_mm, b_mm);
+}
+
+double placeTolerance_mm(double tolerance) { return std::clamp(2.0 * tolerance, 5.0, 15.0); }
+
+double toleranceOf(const ExpectedMeasurement& expected) {
+  return expected.tolerance.value_or(std::max(2.0, 0.1 * std::abs(expected.value)));
+}
+
+Judgement judgeMeasurement(const ExpectedMeasurement& expected, double value, const std::vector<glm::dvec3>& points_mm, double tolerance) {
+  EW_EXPECTS(tolerance > 0.0);
+  const double off = value - expected.value;
+  double share = std::abs(off) / tolerance;
+  double place_mm = 0.0;
+  const bool knowsPlace = !expected.points_mm.empty() && !points_mm.empty();
+  if (knowsPlace) place_mm = placeError_mm(expected.points_mm, points_mm);
+  const double placeAllowed_mm = placeTolerance_mm(tolerance);
+  const bool isElsewhere = knowsPlace && place_mm > placeAllowed_mm;
+  if (isElsewhere) share = std::max(share, place_mm / placeAllowed_mm);
+  Judgement judged = judgedBy(share);
+  judged.figures = {{"value", value, expected.unit}, {"off", off, expected.unit}};
+  if (knowsPlace) judged.figures.push_back({"place", place_mm, "mm"});
+  if (judged.passed) wellDone(judged, say<"Measured: %1 %2; the expert has %3 %2.">(tenths(value), expected.unit, tenths(expected.value)));
+  if (std::abs(off) > tolerance)
+    missed(judged, say<"%1 %2 were measured; it is %3 %2, and %4 %2 more or less are allowed.">(tenths(value), expected.unit,
+                                                                                                tenths(expected.value), tenths(tolerance)));
+  if (isElsewhere) missed(judged, say<"The calipers stand %1 mm from where they belong.">(whole(place_mm)));
+  return judged;
+}
+
+}  // namespace ew
