@@ -13,6 +13,7 @@
 #include "bench_register.h"
 #include "bench_slicing.h"
 #include "bench_stitch.h"
+#include "bench_teaching_commands.h"
 #include "command.h"
 #include "ew/core/numbers.h"
 #include "ew/core/simd.h"
@@ -425,6 +426,7 @@ void addBench(CLI::App& root, Selection& selection) {
       {"bench register", "bench register --html bench --report bench.json", "bench register --side 128 --no-peers"});
   add(Bench::stitch, "stitch", "Every way to join two views of one scene: how visible the seam is, and what it costs",
       {"bench stitch", "bench stitch --html bench --report bench.json", "bench stitch --side 96 --repetitions 5"});
+  addTeachingBenches(group, selection);
   addLibraryBench(group, selection);
   add(Bench::all, "all", "All of it, on one page", {"bench all --html bench --report bench.json"});
 }
