@@ -7643,6 +7643,54 @@
         <source>a list of at most 1000 points, each three numbers in mm: where the calipers stood</source>
         <translation>eine Liste von höchstens 1000 Punkten, jeweils drei Zahlen in mm: wo die Messpunkte standen</translation>
     </message>
+    <message>
+        <source>a lesson that the course does not hold yet</source>
+        <translation>eine Lektion, die der Kurs noch nicht enthält</translation>
+    </message>
+    <message>
+        <source>given where there is no pose, and left out else</source>
+        <translation>angegeben, wo keine Lage steht, und sonst weggelassen</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; has no plane &apos;%2&apos; to put the probe on; name one that it has: %3.</source>
+        <translation>Der Fall „%1“ hat keine Ebene „%2“, auf die der Schallkopf gesetzt werden kann; eine nennen, die er hat: %3.</translation>
+    </message>
+    <message>
+        <source>Recording the expert&apos;s scan was stopped.</source>
+        <translation>Die Aufnahme des Expertenscans wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>No way on the skin leads straight from station %1 to station %2; put a station between them.</source>
+        <translation>Auf der Haut führt kein gerader Weg von Station %1 zu Station %2; eine Station dazwischensetzen.</translation>
+    </message>
+    <message>
+        <source>Recording the expert&apos;s scan</source>
+        <translation>Expertenscan wird aufgenommen</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; has no lesson &apos;%2&apos;; it has %3.</source>
+        <translation>Der Fall „%1“ hat keine Lektion „%2“; er hat %3.</translation>
+    </message>
+    <message>
+        <source>The recording &apos;%1&apos; is a scan of the case &apos;%2&apos;, and the step scans &apos;%3&apos;; record it there, or choose another.</source>
+        <translation>Die Aufzeichnung „%1“ ist ein Scan des Falls „%2“, und der Schritt untersucht „%3“; dort aufnehmen oder eine andere wählen.</translation>
+    </message>
+    <message>
+        <source>A mark stands at %1 s, and the recording &apos;%2&apos; is from %3 to %4 s; move the mark.</source>
+        <translation>Eine Marke steht bei %1 s, und die Aufzeichnung „%2“ reicht von %3 bis %4 s; die Marke verschieben.</translation>
+    </message>
+    <message>
+        <source>The lessons of &apos;%1&apos; have %2; correct what is listed.</source>
+        <translation>Die Lektionen von „%1“ haben %2; das Aufgelistete berichtigen.</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; has no probe &apos;%2&apos;; choose one of its own.</source>
+        <translation>Der Fall „%1“ hat keinen Schallkopf „%2“; einen seiner eigenen wählen.</translation>
+    </message>
+    <message>
+        <source>Of the course &apos;%1&apos; %2 cannot be found; import their cases, or take them out of it.</source>
+        <translation>Vom Kurs „%1“ ist nicht zu finden: %2; deren Fälle importieren oder sie herausnehmen.</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
