@@ -290,6 +290,21 @@ void CardView::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton && released.isValid() && std::exchange(pressed_, -1) == released.row()) choose(released);
 }
 
+/// Letters, digits and the keys that move mean this list while it has the focus, not the console.
+bool CardView::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const bool isPlain = (key->modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier)) == Qt::NoModifier;
+    const bool moves =
+        (key->key() >= Qt::Key_Home && key->key() <= Qt::Key_PageDown) || key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
+    if (isPlain && (moves || (!key->text().isEmpty() && key->text().front().isPrint()))) {
+      event->accept();
+      return true;
+    }
+  }
+  return QListView::event(event);
+}
+
 void CardView::keyPressEvent(QKeyEvent* event) {
   const bool isPlain = (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
   if (isPlain && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter || event->key() == Qt::Key_Space))

@@ -31,6 +31,7 @@ class CardView final : public QListView {
   void leftUpwards();               ///< the arrow up in the first row
 
  protected:
+  bool event(QEvent* event) override;
   [[nodiscard]] int horizontalOffset() const override { return 0; }
   [[nodiscard]] int verticalOffset() const override;
   QModelIndex moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers) override;

@@ -152,7 +152,7 @@ void StartPage::find() {
 void StartPage::showEmpty() {
   const int count = list_.rowCount();
   const bool isNarrowed = !search_->text().isEmpty() || filters_->isNarrowing();
-  filters_->setClearable(isNarrowed);
+  filters_->setClearable(isNarrowed && count > 0);  // else the empty page has the button
   filters_->setCount(count == 0 ? QString() : count == 1 ? tr("1 case") : tr("%1 cases").arg(locale().toString(count)));
   pages_->setCurrentIndex(count > 0 ? 0 : 1);
   if (count > 0) return;
