@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 // So little at a time that what it can grow to (zeros, 30,000 times) takes no tenth of a second.
 constexpr std::size_t kPacked_bytes = 16u << 10;
-constexpr std::size_t kPiece_bytes = 1u << 20;
+constexpr std::size_t kUnpacked_bytes = 1u << 20;
 
 }  // namespace
 
@@ -144,7 +144,7 @@ Result<std::optional<std::string>> BundleReader::Parts::nextEntry(struct archive
 }
 
 Result<std::uint64_t> BundleReader::Parts::readData(std::uint64_t most_bytes, const TakePiece& take) {
-  std::vector<std::byte> piece(kPiece_bytes);
+  std::vector<std::byte> piece(kUnpacked_bytes);
   std::uint64_t bytes = 0;
   for (;;) {
     const la_ssize_t got = archive_read_data(source, piece.data(), piece.size());

@@ -16,8 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kVolumes = "volumes/";
-constexpr std::size_t kDigits = 16;
-constexpr std::array<std::string_view, 4> kEndings = {".mha", ".nrrd", ".nii", ".nii.gz"};
+constexpr std::size_t kNameDigits = 16;
+constexpr std::array<std::string_view, 4> kVolumeEndings = {".mha", ".nrrd", ".nii", ".nii.gz"};
 
 /// ".mha" of "Liver.MHA", ".nii.gz" of "a.b.nii.gz".
 std::string volumeEnding(const fs::path& file) {
@@ -113,18 +113,18 @@ Result<FileSum> joinHeaderAndSamples(const fs::path& headerFile, const fs::path&
 }  // namespace
 
 std::string contentName(std::string_view sha256, std::string_view ending) {
-  return std::string(kVolumes) + std::string(sha256.substr(0, kDigits)) + std::string(ending);
+  return std::string(kVolumes) + std::string(sha256.substr(0, kNameDigits)) + std::string(ending);
 }
 
 bool isContentNamed(std::string_view path) {
-  if (!path.starts_with(kVolumes) || path.size() < kVolumes.size() + kDigits) return false;
-  const auto digits = path.substr(kVolumes.size(), kDigits), ending = path.substr(kVolumes.size() + kDigits);
+  if (!path.starts_with(kVolumes) || path.size() < kVolumes.size() + kNameDigits) return false;
+  const auto digits = path.substr(kVolumes.size(), kNameDigits), ending = path.substr(kVolumes.size() + kNameDigits);
   return digits.find_first_not_of("0123456789abcdef") == std::string_view::npos &&
-         std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+         std::find(kVolumeEndings.begin(), kVolumeEndings.end(), ending) != kVolumeEndings.end();
 }
 
 bool namesItsContent(std::string_view path, std::string_view sha256) {
-  return isContentNamed(path) && path.substr(kVolumes.size(), kDigits) == sha256.substr(0, kDigits);
+  return isContentNamed(path) && path.substr(kVolumes.size(), kNameDigits) == sha256.substr(0, kNameDigits);
 }
 
 Result<std::string> addVolumeFile(const fs::path& file, const fs::path& caseFolder, Progress& progress) {
@@ -138,7 +138,7 @@ Result<std::string> addVolumeFile(const fs::path& file, const fs::path& caseFold
     if (auto room = checkRoom(caseFolder, bytes); !room) return passOn(room.error());
     ByteCount count(say<"Putting a volume into the case">(), bytes, progress);
     const std::string ending = volumeEnding(file);
-    if (header->files.size() == 1 && std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end())
+    if (header->files.size() == 1 && std::find(kVolumeEndings.begin(), kVolumeEndings.end(), ending) != kVolumeEndings.end())
       return putIn(caseFolder, ending, [&](const fs::path& to) { return copyInPieces(file, to, count); });
     if (header->files.size() == 2 && ending == ".mhd")
       return putIn(caseFolder, ".mha", [&](const fs::path& to) {

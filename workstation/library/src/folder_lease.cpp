@@ -125,7 +125,7 @@ std::optional<Lease> readLease(const fs::path& file) {
   return lease;
 }
 
-double secondsBetween(const timespec& from, const timespec& to) {
+double secondsFromTo(const timespec& from, const timespec& to) {
   return static_cast<double>(to.tv_sec - from.tv_sec) + 1e-9 * static_cast<double>(to.tv_nsec - from.tv_nsec);
 }
 
@@ -136,7 +136,7 @@ bool isOver(const Lease& lease, const std::optional<timespec>& now, const LeaseO
     const auto start = startOf(lease.holder.process);
     if (start == 0 || (lease.processStart != 0 && start != lease.processStart)) return true;
   }
-  return now && secondsBetween(lease.touched, *now) > static_cast<double>(options.staleAfter.count());
+  return now && secondsFromTo(lease.touched, *now) > static_cast<double>(options.staleAfter.count());
 }
 
 /// A file of our own in the folder, with a lease's text; its time is the server's.

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kPublished = "published";
 
-std::optional<int> revisionNamed(const std::string& name) {
+std::optional<int> numberOfRevision(const std::string& name) {
   int revision = 0;
   const auto read = std::from_chars(name.data(), name.data() + name.size(), revision);
   if (read.ec != std::errc{} || read.ptr != name.data() + name.size() || revision < 1 || name.front() == '0') return std::nullopt;
@@ -29,7 +29,7 @@ std::vector<int> takenRevisions(const fs::path& folder) {
   std::vector<int> taken;
   std::error_code problem;
   for (fs::directory_iterator at(folder, problem), end; !problem && at != end; at.increment(problem))
-    if (const auto revision = revisionNamed(at->path().filename().string())) taken.push_back(*revision);
+    if (const auto revision = numberOfRevision(at->path().filename().string())) taken.push_back(*revision);
   std::sort(taken.begin(), taken.end());
   return taken;
 }
@@ -181,7 +181,7 @@ Result<PublishedCase> publishCase(const fs::path& caseFolder, const fs::path& li
 bool isPublished(const fs::path& folder) {
   std::error_code failed;
   for (fs::path at = fs::weakly_canonical(folder, failed); !failed && at.has_relative_path(); at = at.parent_path())
-    if (at.parent_path().parent_path().filename() == kPublished && revisionNamed(at.filename().string()) &&
+    if (at.parent_path().parent_path().filename() == kPublished && numberOfRevision(at.filename().string()) &&
         fs::exists(at / kSumsName, failed))
       return true;
   return false;
