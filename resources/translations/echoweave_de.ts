@@ -8287,6 +8287,66 @@
         <source>Nothing is wrong with this case.</source>
         <translation>An diesem Fall ist nichts auszusetzen.</translation>
     </message>
+    <message>
+        <source>Complaint</source>
+        <translation>Beschwerden</translation>
+    </message>
+    <message>
+        <source>Change the complaint</source>
+        <translation>Beschwerden ändern</translation>
+    </message>
+    <message>
+        <source>Laboratory</source>
+        <translation>Labor</translation>
+    </message>
+    <message>
+        <source>Change the laboratory values</source>
+        <translation>Laborwerte ändern</translation>
+    </message>
+    <message>
+        <source>Difficulty</source>
+        <translation>Schwierigkeit</translation>
+    </message>
+    <message>
+        <source>Change the difficulty</source>
+        <translation>Schwierigkeit ändern</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Schlagwörter</translation>
+    </message>
+    <message>
+        <source>Change the tags</source>
+        <translation>Schlagwörter ändern</translation>
+    </message>
+    <message>
+        <source>Differential</source>
+        <translation>Differentialdiagnosen</translation>
+    </message>
+    <message>
+        <source>Change the differential diagnoses</source>
+        <translation>Differentialdiagnosen ändern</translation>
+    </message>
+    <message>
+        <source>1, first steps</source>
+        <translation>1, erste Schritte</translation>
+    </message>
+    <message>
+        <source>2, basic</source>
+        <translation>2, Grundlagen</translation>
+    </message>
+    <message>
+        <source>3, intermediate</source>
+        <translation>3, fortgeschritten</translation>
+    </message>
+    <message>
+        <source>4, advanced</source>
+        <translation>4, anspruchsvoll</translation>
+    </message>
+    <message>
+        <source>5, examination</source>
+        <translation>5, Prüfung</translation>
+    </message>
 </context>
 <context>
     <name>ew::stitching</name>
@@ -10222,6 +10282,18 @@
             <numerusform>%n weiterer mit dem Befund</numerusform>
             <numerusform>%n weitere mit dem Befund</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Complaint</source>
+        <translation>Beschwerden</translation>
+    </message>
+    <message>
+        <source>Laboratory</source>
+        <translation>Labor</translation>
+    </message>
+    <message>
+        <source>Differential diagnosis</source>
+        <translation>Differentialdiagnose</translation>
     </message>
 </context>
 <context>
@@ -13723,6 +13795,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>what it said</source>
         <translation>was sie ergab</translation>
+    </message>
+    <message>
+        <source>Add laboratory values</source>
+        <translation>Laborwerte hinzufügen</translation>
     </message>
 </context>
 <context>

@@ -42,6 +42,8 @@ class CasePanel final : public QWidget {
   void addSex(QFormLayout* form);
   void addAge(QFormLayout* form);
   void addPlace(QFormLayout* form);
+  void addLaboratory(QFormLayout* form);
+  void addDifficulty(QFormLayout* form);
   void addLines(QFormLayout* form, const std::string& path, const QString& label, const QString& what);
   void addExaminations(QFormLayout* form);
   void addStartPose(QFormLayout* form);

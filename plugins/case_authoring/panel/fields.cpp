@@ -13,21 +13,22 @@ QString textIn(const nlohmann::json& object, const char* key) {
 
 }  // namespace
 
-ExaminationsField::ExaminationsField(QWidget* parent) : QWidget(parent) {
-  setObjectName(QStringLiteral("previous_examinations"));
+ExaminationsField::ExaminationsField(Of what, QWidget* parent) : QWidget(parent), what_(what) {
+  const bool isLaboratory = what_ == Of::laboratory;
+  setObjectName(isLaboratory ? QStringLiteral("laboratory") : QStringLiteral("previous_examinations"));
   column_ = new QVBoxLayout(this);
   column_->setContentsMargins(0, 0, 0, 0);
   column_->setSpacing(sdk::kGap_px);
   entries_ = new QWidget;
   column_->addWidget(entries_);
-  auto* add = new QPushButton(tr("Add an examination"));
-  add->setObjectName(QStringLiteral("addExamination"));
+  auto* add = new QPushButton(isLaboratory ? tr("Add laboratory values") : tr("Add an examination"));
+  add->setObjectName(isLaboratory ? QStringLiteral("addLaboratory") : QStringLiteral("addExamination"));
   column_->addWidget(add, 0, Qt::AlignLeft);
   connect(add, &QPushButton::clicked, this, [this] {
     list_.push_back(nlohmann::json::object());
     remake();
     tell();
-    const QString name = QStringLiteral("examination_%1_when").arg(list_.size() - 1);
+    const QString name = namePrefix(list_.size() - 1) + QStringLiteral("when");
     if (auto* first = findChild<QLineEdit*>(name)) first->setFocus();
   });
 }
@@ -55,7 +56,7 @@ void ExaminationsField::remake() {
 
 void ExaminationsField::addOne(std::size_t number) {
   const nlohmann::json& one = list_[number];
-  const QString name = QStringLiteral("examination_%1_").arg(number);
+  const QString name = namePrefix(number);
   auto* head = new QHBoxLayout;
   head->setSpacing(sdk::kGap_px);
   const auto line = [&](const char* key, const QString& hint) {
@@ -68,7 +69,7 @@ void ExaminationsField::addOne(std::size_t number) {
     head->addWidget(edited, 1);
   };
   line("when", tr("when"));
-  line("kind", tr("kind"));
+  if (what_ == Of::examinations) line("kind", tr("kind"));
   auto* away = new QPushButton(tr("Remove"));
   away->setObjectName(name + QStringLiteral("remove"));
   connect(away, &QPushButton::clicked, this, [this, number] {
@@ -89,6 +90,10 @@ void ExaminationsField::addOne(std::size_t number) {
   findings->setPlainText(textIn(one, "findings"));
   connect(findings, &QPlainTextEdit::textChanged, this, [this, number, findings] { edit(number, "findings", findings->toPlainText()); });
   rows->addWidget(findings);
+}
+
+QString ExaminationsField::namePrefix(std::size_t number) const {
+  return (what_ == Of::laboratory ? QStringLiteral("laboratory_%1_") : QStringLiteral("examination_%1_")).arg(number);
 }
 
 void ExaminationsField::edit(std::size_t number, const char* key, const QString& text) {

@@ -36,7 +36,9 @@ class ExaminationsField final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ExaminationsField(QWidget* parent = nullptr);
+  /// What was examined before, or values from the laboratory: those have no kind.
+  enum class Of { examinations, laboratory };
+  explicit ExaminationsField(Of what = Of::examinations, QWidget* parent = nullptr);
 
   void setValue(const nlohmann::json& list);                  ///< an array of objects, or null
   std::function<void(const nlohmann::json& list)> onChanged;  ///< called when the user edits; null: none are left
@@ -45,8 +47,10 @@ class ExaminationsField final : public QWidget {
   void remake();
   void addOne(std::size_t number);
   void tell();
+  [[nodiscard]] QString namePrefix(std::size_t number) const;
   void edit(std::size_t number, const char* key, const QString& text);
 
+  Of what_;
   nlohmann::json list_ = nlohmann::json::array();
   QVBoxLayout* column_ = nullptr;
   QWidget* entries_ = nullptr;

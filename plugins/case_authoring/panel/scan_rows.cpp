@@ -6,6 +6,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <algorithm>
+#include <array>
 #include <map>
 #include <memory>
 
@@ -48,6 +49,39 @@ void CasePanel::addExaminations(QFormLayout* form) {
   };
   fields_[path] = {[field, path](const nlohmann::json& manifest) { field->setValue(fieldOf(manifest, path)); },
                    addRow(form, tr("Earlier"), field, path)};
+}
+
+void CasePanel::addLaboratory(QFormLayout* form) {
+  const std::string path = "laboratory";
+  auto* field = new ExaminationsField(ExaminationsField::Of::laboratory);
+  field->onChanged = [this, path](const nlohmann::json& list) {
+    change(path, tr("Change the laboratory values"), [&](nlohmann::json manifest) {
+      return withField(std::move(manifest), path, list.is_null() ? std::nullopt : std::optional<nlohmann::json>(list));
+    });
+  };
+  fields_[path] = {[field, path](const nlohmann::json& manifest) { field->setValue(fieldOf(manifest, path)); },
+                   addRow(form, tr("Laboratory"), field, path)};
+}
+
+void CasePanel::addDifficulty(QFormLayout* form) {
+  const std::string path = "difficulty";
+  auto* choice = new ChoiceField;
+  choice->setObjectName(nameOf(path));
+  choice->setFocusPolicy(Qt::StrongFocus);
+  const std::array<QString, 6> names = {tr("not stated"),      tr("1, first steps"), tr("2, basic"),
+                                        tr("3, intermediate"), tr("4, advanced"),    tr("5, examination")};
+  for (std::size_t level = 0; level < names.size(); ++level) choice->addItem(names[level], static_cast<int>(level));
+  connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, path](int level) {
+    change(path, tr("Change the difficulty"), [&](nlohmann::json manifest) {
+      return withField(std::move(manifest), path, level == 0 ? std::nullopt : std::optional<nlohmann::json>(level));
+    });
+  });
+  fields_[path] = {[choice, path](const nlohmann::json& manifest) {
+                     const QSignalBlocker quiet(choice);
+                     const auto value = fieldOf(manifest, path);
+                     choice->setCurrentIndex(value.is_number_integer() ? std::clamp(value.get<int>(), 0, 5) : 0);
+                   },
+                   addRow(form, tr("Difficulty"), choice, path)};
 }
 
 void CasePanel::addStartPose(QFormLayout* form) {

@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QScrollArea>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "ew/library/case.h"
+#include "ew/library/case_words.h"
 #include "icons.h"
 #include "words.h"
 
@@ -136,7 +138,8 @@ void CaseInfo::showCase(const Case* shown) {
   if (place != case_) showsFindings_ = false;
   case_ = place;
   contents_ = contents;
-  fill(*shown);
+  words_ = ew::wordsOf(shown->folder, QLocale().name().toStdString());
+  fill(translated(*shown, words_));
   show();
   Q_EMIT contentsChanged();
 }
@@ -149,6 +152,10 @@ void CaseInfo::fill(const Case& shown) {
   rows_->setSpacing(4);
   const QString patient = patientOf(shown.patient);
   if (!patient.isEmpty()) addText(patient)->setObjectName(QStringLiteral("caseInfoPatient"));
+  if (!shown.complaint.empty()) {
+    addHeading(tr("Complaint"));
+    addText(words(shown.complaint));
+  }
   if (!shown.indication.empty()) {
     addHeading(tr("Indication"));
     addText(words(shown.indication));
@@ -160,6 +167,11 @@ void CaseInfo::fill(const Case& shown) {
   if (!shown.previousExaminations.empty()) {
     addHeading(tr("Previous examinations"));
     for (const CaseExamination& examination : shown.previousExaminations) addText(examinationOf(examination));
+  }
+  if (!shown.laboratory.empty()) {
+    addHeading(tr("Laboratory"));
+    for (const CaseLaboratory& values : shown.laboratory)
+      addText(values.when.empty() ? words(values.findings) : tr("%1: %2").arg(words(values.when), words(values.findings)));
   }
   addList(shown);
   if (!shown.findings.empty() || !shown.diagnosis.empty()) {
@@ -187,6 +199,10 @@ void CaseInfo::fill(const Case& shown) {
       if (!shown.diagnosis.empty()) {
         addHeading(tr("Diagnosis"));
         addText(words(shown.diagnosis))->setObjectName(QStringLiteral("caseInfoDiagnosis"));
+      }
+      if (!shown.differential.empty()) {
+        addHeading(tr("Differential diagnosis"));
+        for (const std::string& other : shown.differential) addText(words(other));
       }
     }
   }
@@ -225,12 +241,12 @@ void CaseInfo::addList(const Case& shown) {
       auto* box = new QCheckBox;
       box->setObjectName(QStringLiteral("caseInfoItem"));
       box->setFocusPolicy(Qt::TabFocus);
-      box->setAccessibleName(words(entry.name));
+      box->setAccessibleName(words(words_.of(entry.name)));
       box->setChecked(ticked_[case_].count(entry.name) > 0);
       auto* line = new QHBoxLayout;
       line->setSpacing(8);
       line->addWidget(box, 0, Qt::AlignTop);
-      line->addWidget(new ItemLabel(words(entry.name), *box), 1);
+      line->addWidget(new ItemLabel(words(words_.of(entry.name)), *box), 1);
       rows_->addLayout(line);
       connect(box, &QCheckBox::toggled, this, [this, id = case_, name = entry.name](bool on) {
         if (on) {

@@ -5,6 +5,8 @@
 #include <set>
 #include <string>
 
+#include "ew/library/case_words.h"
+
 class QLabel;
 class QPushButton;
 class QScrollArea;
@@ -55,6 +57,7 @@ class CaseInfo final : public QWidget {
   std::map<std::string, std::set<std::string>> ticked_;  ///< names by the case's folder, as long as the window lives
   bool isOpen_ = true;
   bool showsFindings_ = false;
+  CaseWords words_;  ///< of the shown case, in the window's language
 };
 
 }  // namespace ew::ui
