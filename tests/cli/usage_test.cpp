@@ -27,11 +27,30 @@ TEST(Usage, VersionAndHelpGoToTheOutputAndSucceed) {
 }
 
 TEST(Usage, EveryCommandExplainsItselfWithAnExampleAndTheSharedOptions) {
-  const std::vector<std::vector<std::string>> commands{
-      {"import"},          {"reconstruct"},    {"register"},         {"slice"},           {"scan"},           {"phantom"},
-      {"case", "list"},    {"case", "show"},   {"case", "validate"}, {"case", "prepare"}, {"case", "export"}, {"case", "import"},
-      {"case", "publish"}, {"case", "verify"}, {"preset", "list"},   {"preset", "check"}, {"send"},           {"plugins", "list"},
-      {"bench", "slicing"}};
+  const std::vector<std::vector<std::string>> commands{{"import"},
+                                                       {"reconstruct"},
+                                                       {"register"},
+                                                       {"slice"},
+                                                       {"scan"},
+                                                       {"phantom"},
+                                                       {"case", "list"},
+                                                       {"case", "show"},
+                                                       {"case", "validate"},
+                                                       {"case", "prepare"},
+                                                       {"case", "export"},
+                                                       {"case", "import"},
+                                                       {"case", "publish"},
+                                                       {"case", "verify"},
+                                                       {"preset", "list"},
+                                                       {"preset", "check"},
+                                                       {"send"},
+                                                       {"plugins", "list"},
+                                                       {"bench", "slicing"},
+                                                       {"lesson", "list"},
+                                                       {"lesson", "show"},
+                                                       {"lesson", "check"},
+                                                       {"lesson", "record"},
+                                                       {"lesson", "course"}};
   for (auto words : commands) {
     words.push_back("--help");
     const auto help = run(words);

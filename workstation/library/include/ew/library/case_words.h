@@ -20,6 +20,7 @@ class CaseWords {
   [[nodiscard]] const std::string& of(const std::string& text) const;
   [[nodiscard]] bool has(const std::string& text) const { return words_.count(text) > 0; }
   [[nodiscard]] bool empty() const { return words_.empty(); }
+  [[nodiscard]] std::size_t size() const { return words_.size(); }
 
  private:
   std::unordered_map<std::string, std::string> words_;
