@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QUndoCommand>
+#include "ew/library/published.h"
 
 #include "words.h"
 
@@ -42,7 +43,7 @@ CaseDocument::CaseDocument(QObject* parent) : QObject(parent) {
 void CaseDocument::open(Case opened, std::optional<Fingerprint> asRead) {
   current_ = std::move(opened);
   asRead_ = asRead;
-  isShipped_ = isShipped(current_->folder);
+  isShipped_ = isShipped(current_->folder) || isPublished(current_->folder);
   history_.clear();
   history_.setClean();
   Q_EMIT changed();
@@ -86,7 +87,7 @@ Result<void> CaseDocument::save(const std::filesystem::path& folder, const CaseO
   if (!current_) return failure(ErrorCode::badUsage, say<"No case is open; open one first.">());
   const std::filesystem::path target = folder.empty() ? current_->folder : folder;
   const bool isElsewhere = target != current_->folder;
-  if (!decided.shipped && (isElsewhere ? isShipped(target) : isShipped_))
+  if (!decided.shipped && (isElsewhere ? isShipped(target) || isPublished(target) : isShipped_))
     return failure(ErrorCode::notWritable,
                    say<"'%1' belongs to the program, and the next version replaces it; save the case as a copy of your own.">(target),
                    {{"file", target.string()}});
