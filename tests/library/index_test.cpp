@@ -1,6 +1,7 @@
 #include "ew/library/index.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -203,6 +204,22 @@ TEST_F(LibraryIndexTest, OnlyWhatChangedIsReadAgain) {
   EXPECT_EQ(titles(*index, "8"), Titles{});
 }
 
+TEST_F(LibraryIndexTest, AStampCountsOnceItsFileHasRestedForLongerThanAClockTicks) {
+  writeManifest(folder / "own/one", plainCase("one", "Title"));
+  struct ::stat seen {};
+  ASSERT_EQ(::stat((folder / "own/one/case.json").c_str(), &seen), 0);
+  const std::chrono::system_clock::time_point written(
+      std::chrono::seconds(seen.st_mtim.tv_sec) +
+      std::chrono::duration_cast<std::chrono::system_clock::duration>(std::chrono::nanoseconds(seen.st_mtim.tv_nsec)));
+  using std::chrono::milliseconds;
+  const auto settledAfter = [&](milliseconds age) { return isSettled(folder / "own/one", "en", written + age); };
+  EXPECT_FALSE(settledAfter(milliseconds(0)));
+  EXPECT_FALSE(settledAfter(milliseconds(20)));
+  EXPECT_TRUE(settledAfter(milliseconds(100)));
+  EXPECT_FALSE(settledAfter(milliseconds(-500))) << "clocks of two machines that differ a little";
+  EXPECT_TRUE(settledAfter(milliseconds(-5000))) << "a file from the future is not read at every start";
+}
+
 TEST_F(LibraryIndexTest, AChangeWithinATickOfTheClockIsSeen) {
   for (int n = 0; n < 50; ++n) {
     writeManifest(folder / "own/one", plainCase("one", "Title " + std::to_string(n % 10)));  // in place and as long as before
@@ -278,6 +295,9 @@ TEST_F(LibraryIndexTest, ADamagedIndexIsMadeAnewAndSaid) {
     fs::remove(file.string() + "-shm");
     const auto index = refreshed();
     EXPECT_EQ(titles(*index, ""), Titles{"Pain after meals"});
+    const auto again = open();
+    EXPECT_TRUE(again->takeNotes().empty()) << "the new one is on the disk";
+    EXPECT_EQ(titles(*again, ""), Titles{"Pain after meals"});
   }
   refreshed();
   std::ofstream(file, std::ios::binary | std::ios::trunc) << "this is no data base, whatever its name says";
