@@ -49,6 +49,17 @@ ExpertStation readStation(const JsonFields& fields, const Message& where, json& 
   return station;
 }
 
+/// As firmly as in the window, where a plane may only touch the skin; where the probe leans that moves the plane, so it is slid back.
+Hold pressedOn(const Pose& pose, const ExpertGround& ground) {
+  Hold hold = holdFor(pose, ground.skin);
+  hold.press_mm = std::max(hold.press_mm, usualPress_mm(ground.probe));
+  const glm::dmat4& wanted = pose.probeToWorld.matrix;
+  const glm::dvec3 away_mm(wanted[3] - poseOf(hold).probeToWorld.matrix[3]);
+  const glm::dmat4 upright = uprightPoseOf(hold).probeToWorld.matrix;
+  const glm::dvec3 across_mm = away_mm - glm::dot(away_mm, glm::dvec3(wanted[1])) * glm::dvec3(wanted[1]);
+  return slid(hold, ground.skin, glm::dot(across_mm, glm::dvec3(upright[0])), glm::dot(across_mm, glm::dvec3(upright[2])));
+}
+
 Result<Hold> holdOf(const ExpertStation& station, const ExpertGround& ground) {
   std::optional<Pose> pose = station.pose;
   if (station.plane == "start") pose = ground.opened.startPose;
@@ -62,8 +73,7 @@ Result<Hold> holdOf(const ExpertStation& station, const ExpertGround& ground) {
         ErrorCode::badField,
         say<"The case '%1' has no plane '%2' to put the probe on; name one that it has: %3.">(ground.opened.id, station.plane, names),
         {{"field", "plane"}, {"found", station.plane}, {"expected", names}});
-  Hold hold = holdFor(*pose, ground.skin);
-  if (hold.press_mm == 0.0) hold.press_mm = usualPress_mm(ground.probe);
+  Hold hold = pressedOn(*pose, ground);
   hold = slid(hold, ground.skin, station.slideLateral_mm, station.slideElevational_mm);
   return turned(hold, station.rotation_rad, station.rock_rad, station.tilt_rad);
 }
