@@ -33,10 +33,10 @@
 #include "hand_input.h"
 #include "job_cards.h"
 #include "jobs.h"
-#include "library_browser.h"
 #include "key_map.h"
 #include "key_tips.h"
 #include "keys_dialog.h"
+#include "library_browser.h"
 #include "measure_page.h"
 #include "message_bar.h"
 #include "opener.h"
@@ -137,7 +137,7 @@ struct MainWindow::Parts {
   Hold beforePress;  ///< where the probe was before the last press in a view
   ScanView* scanView = nullptr;
   PictureGrid* pictures = nullptr;  ///< with the scan view, and what stands beside it
-  PickLayer* pointing = nullptr;  ///< for plugins that ask for a point
+  PickLayer* pointing = nullptr;    ///< for plugins that ask for a point
   SourcePicker* sourcePicker = nullptr;
   CaliperLayer* caliperLayer = nullptr;
   CaliperLayer* stripCaliperLayer = nullptr;

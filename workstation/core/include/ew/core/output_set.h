@@ -31,9 +31,9 @@ enum class LateFile {
 ///     writeVolume(volume, outputs.staged("liver.mhd"), progress);          // as often as there are outputs
 ///     return outputs.commit();                                             // or leave without it: nothing happened
 ///
-/// Aside is a hidden folder beside each output (".ew-PID-N-MACHINE"), in which an output has the name it will have: a header can name its samples,
-/// names may be as long as the file system allows, and putting in place is a renaming. After the program was killed this folder is all
-/// that stays (removeLeftovers). Not for several threads at once.
+/// Aside is a hidden folder beside each output (".ew-PID-N-MACHINE"), in which an output has the name it will have: a header can name its
+/// samples, names may be as long as the file system allows, and putting in place is a renaming. After the program was killed this folder is
+/// all that stays (removeLeftovers). Not for several threads at once.
 class OutputSet {
  public:
   explicit OutputSet(LateFile late = LateFile::refuse) : late_(late) {}

@@ -229,7 +229,8 @@ struct PreparationOptions {
 [[nodiscard]] bool isShipped(const std::filesystem::path& folder);
 /// The user's library (published.h says what is in it): $ECHOWEAVE_LIBRARY, else ~/EchoWeave. It need not be there yet.
 [[nodiscard]] std::filesystem::path libraryFolder();
-/// Where a user's own cases are kept unless another folder is chosen: $ECHOWEAVE_CASES, else cases in the library. It need not be there yet.
+/// Where a user's own cases are kept unless another folder is chosen: $ECHOWEAVE_CASES, else cases in the library. It need not be there
+/// yet.
 [[nodiscard]] std::filesystem::path ownCasesFolder();
 /// $ECHOWEAVE_CACHE, else $XDG_CACHE_HOME/echoweave, else ~/.cache/echoweave.
 [[nodiscard]] std::filesystem::path cacheFolder();
