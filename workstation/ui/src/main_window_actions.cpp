@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLocale>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPushButton>
@@ -12,6 +13,7 @@
 
 #include "effect_words.h"
 #include "ew/core/version.h"
+#include "ew/library/case_words.h"
 #include "icons.h"
 #include "main_window_parts.h"
 #include "plugins_dialog.h"
@@ -400,7 +402,7 @@ void MainWindow::showTitle() {
   QString remark;
   if (subject && !p.opener->showsCase()) remark = tr("a volume without a case");
   if (showsCase) {
-    title = words(p.isAuthor() ? opened->title : titleForTrainees(*opened));
+    title = words(p.isAuthor() ? opened->title : ew::wordsOf(opened->folder, QLocale().name().toStdString()).of(titleForTrainees(*opened)));
     remark = words(opened->patient.name);
     const auto add = [&remark](const QString& more) { remark += (remark.isEmpty() ? QString() : QStringLiteral("   ")) + more; };
     // Who explores need not know whose folder a case lies in.
