@@ -55,24 +55,69 @@ std::optional<Message> whyNotPlane(const ExpectedPlane& plane, const ExerciseGro
   return std::nullopt;
 }
 
-std::optional<Message> whyNotOrgan(const ExpectedStructure& structure, const ExerciseGround& ground, std::uint64_t seed) {
-  if (!ground.labels || OrganVoxels(*ground.labels, structure.label).empty()) return say<"The case has no voxels of it.">();
-  const auto view = viewOfOrgan(ground, structure.label, seed);
-  if (!view) return say<"It comes into no picture from the skin.">();
+/// Holds of random hands: found once for all organs, for each takes some milliseconds on a body.
+std::vector<Hold> randomHolds(const ExerciseGround& ground, std::uint64_t seed) {
+  std::vector<Hold> holds;
+  for (std::uint64_t n = 0; n < kChanceHolds; ++n)
+    if (const auto hold = randomHold(ground.region, *ground.skin, seed * 7919 + n, freelyOf(ground))) holds.push_back(*hold);
+  return holds;
+}
+
+/// Where a point is looked at from a contact; the beam's tip is what remains of the direction once the probe is turned by `rotation_rad`.
+Hold aimedAt(const Skin::Contact& contact, double rotation_rad, double press_mm, const glm::dvec3& at_mm) {
+  Hold hold;
+  hold.contact = contact;
+  hold.press_mm = press_mm;
+  hold = turned(hold, rotation_rad, 0.0, 0.0);
+  const glm::dmat4 upright = poseOf(hold).probeToWorld.matrix;
+  const glm::dvec3 to = glm::transpose(glm::dmat3(upright)) * (at_mm - glm::dvec3(upright[3]));
+  // The y axis of Rx(tilt) Rz(rock) is (-sin rock, cos rock cos tilt, cos rock sin tilt).
+  return turned(hold, 0.0, -std::asin(std::clamp(to.x / glm::length(to), -1.0, 1.0)), std::atan2(to.z, to.y));
+}
+
+/// The best of many views, half of them from the skin above the organ and half from `elsewhere`.
+std::optional<Hold> viewFrom(const std::vector<Hold>& elsewhere, const OrganVoxels& organ, const ExerciseGround& ground, int label,
+                             std::uint64_t seed) {
+  constexpr int kViews = 160;
+  constexpr double kFarthestTip_rad = 0.9;  // further, and the face leaves the skin
+  RandomNumbers random(seed * 31 + static_cast<std::uint64_t>(label));
+  std::optional<Hold> best;
+  double largest_mm2 = 0.0;
+  for (std::size_t n = 0; n < kViews; ++n) {
+    // Its middle may lie outside of a curved organ, so voxels of it are aimed at.
+    const auto voxel = static_cast<std::size_t>(random.unit() * static_cast<double>(organ.count()));
+    const glm::dvec3 at_mm(organ.centres_mm()[std::min(voxel, organ.count() - 1)]);
+    const double rotation_rad = random.between(-3.14159, 3.14159);
+    if (n % 2 == 1 && elsewhere.empty()) continue;
+    const Skin::Contact contact = n % 2 == 1 ? elsewhere[(n / 2) % elsewhere.size()].contact : ground.skin->nearest(at_mm);
+    if (!isScannable(ground.region, contact)) continue;
+    const Hold hold = aimedAt(contact, rotation_rad, usualPress_mm(ground.probe), at_mm);
+    if (std::abs(hold.tilt_rad) > kFarthestTip_rad || std::abs(hold.rock_rad) > kFarthestTip_rad) continue;
+    const double area_mm2 = sectionOf(*ground.labels, label, ground.fan(), poseOf(hold), 1.5).area_mm2;
+    if (area_mm2 <= largest_mm2) continue;
+    largest_mm2 = area_mm2;
+    best = hold;
+  }
+  return best;
+}
+
+std::optional<Message> whyNotOrgan(const ExpectedStructure& structure, const ExerciseGround& ground, const std::vector<Hold>& holds,
+                                   std::uint64_t seed) {
+  if (!ground.labels) return say<"The case has no voxels of it.">();
+  const OrganVoxels organ(*ground.labels, structure.label);
+  if (organ.empty()) return say<"The case has no voxels of it.">();
+  if (!viewFrom(holds, organ, ground, structure.label, seed)) return say<"It comes into no picture from the skin.">();
   const Fan fan = ground.fan();
   const double whole_mm2 = areaOf_mm2(fan, 3.0);
   double byChance = 0.0;
-  int pictures = 0, without = 0;
-  for (int n = 0; n < kChanceHolds; ++n) {
-    const auto hold = randomHold(ground.region, *ground.skin, seed * 7919 + static_cast<std::uint64_t>(n), freelyOf(ground));
-    if (!hold) continue;
-    ++pictures;
-    const double area_mm2 = sectionOf(*ground.labels, structure.label, fan, poseOf(*hold), 3.0).area_mm2;
+  int without = 0;
+  for (const Hold& hold : holds) {
+    const double area_mm2 = sectionOf(*ground.labels, structure.label, fan, poseOf(hold), 3.0).area_mm2;
     byChance += area_mm2 / whole_mm2;
     without += area_mm2 > 0.0 ? 0 : 1;
   }
-  if (pictures == 0) return say<"No skin lies over the data.">();
-  if (byChance > kMostByChance * pictures) return say<"It fills so much of most pictures that pointing at random would do.">();
+  if (byChance > kMostByChance * static_cast<double>(holds.size()))
+    return say<"It fills so much of most pictures that pointing at random would do.">();
   if (without < kChancePicturesFree) return say<"It is in nearly every picture, so that there is nothing to look for.">();
   return std::nullopt;
 }
@@ -91,18 +136,6 @@ void sort(ExerciseList& list, Exercise exercise, std::optional<Message> why) {
     list.withheld.push_back({std::move(exercise), *std::move(why)});
   else
     list.offered.push_back(std::move(exercise));
-}
-
-/// Where a point is looked at from a contact; the beam's tip is what remains of the direction once the probe is turned by `rotation_rad`.
-Hold aimedAt(const Skin::Contact& contact, double rotation_rad, double press_mm, const glm::dvec3& at_mm) {
-  Hold hold;
-  hold.contact = contact;
-  hold.press_mm = press_mm;
-  hold = turned(hold, rotation_rad, 0.0, 0.0);
-  const glm::dmat4 upright = poseOf(hold).probeToWorld.matrix;
-  const glm::dvec3 to = glm::transpose(glm::dmat3(upright)) * (at_mm - glm::dvec3(upright[3]));
-  // The y axis of Rx(tilt) Rz(rock) is (-sin rock, cos rock cos tilt, cos rock sin tilt).
-  return turned(hold, 0.0, -std::asin(std::clamp(to.x / glm::length(to), -1.0, 1.0)), std::atan2(to.z, to.y));
 }
 
 std::optional<Hold> startForPlane(const ExpectedPlane& plane, const ExerciseGround& ground, int level, std::uint64_t seed, bool maySolve) {
@@ -148,7 +181,7 @@ ExerciseDifficulty difficultyOf(int level) {
     levels[1] = {{true, true, true, true, false, true, true}, 1.25, 2.0, 100.0, std::nullopt};
     levels[2] = {{true, true, true, true, false, false, false}, 1.0, 1.0, std::nullopt, std::nullopt};
     levels[3] = {{}, 1.0, 0.5, std::nullopt, 180.0};
-    levels[4] = {{}, 0.75, 0.0, std::nullopt, 90.0};
+    levels[4] = {{}, 0.75, 0.5, std::nullopt, 90.0};  // half a millimetre is what a hand clicks beside
     return levels;
   }();
   return kLevels[static_cast<std::size_t>(std::clamp(level, 1, kExerciseLevels) - 1)];
@@ -164,11 +197,12 @@ const ExpectedMeasurement* measurementOf(const Exercise& exercise, const CaseTru
 
 ExerciseList exercisesOf(const Case& edited, const ExerciseGround& ground, std::uint64_t seed) {
   ExerciseList list;
+  const std::vector<Hold> holds = ground.labels && !ground.truth.structures.empty() ? randomHolds(ground, seed) : std::vector<Hold>();
   for (const ExpectedPlane& each : ground.truth.planes)
     sort(list, exerciseFor(edited, ExerciseKind::findPlane, each.name, targetReveals(edited, each.name)), whyNotPlane(each, ground));
   for (const ExpectedStructure& each : ground.truth.structures)
     sort(list, exerciseFor(edited, ExerciseKind::pointAtOrgan, each.name, targetReveals(edited, each.name)),
-         whyNotOrgan(each, ground, seed));
+         whyNotOrgan(each, ground, holds, seed));
   for (const ExpectedMeasurement& each : ground.truth.measurements)
     sort(list, exerciseFor(edited, ExerciseKind::measure, each.name, measurementReveals(edited, each.name)), whyNotMeasurement(each));
   return list;
@@ -177,30 +211,7 @@ ExerciseList exercisesOf(const Case& edited, const ExerciseGround& ground, std::
 std::optional<Hold> viewOfOrgan(const ExerciseGround& ground, int label, std::uint64_t seed) {
   if (!ground.labels) return std::nullopt;
   const OrganVoxels organ(*ground.labels, label);
-  if (organ.empty()) return std::nullopt;
-  RandomNumbers random(seed * 31 + static_cast<std::uint64_t>(label));
-  std::optional<Hold> best;
-  double largest_mm2 = 0.0;
-  constexpr int kViews = 160;
-  for (int n = 0; n < kViews; ++n) {
-    // Its middle may lie outside of a curved organ, so voxels of it are aimed at.
-    const auto voxel = static_cast<std::size_t>(random.unit() * static_cast<double>(organ.count()));
-    const glm::dvec3 at_mm(organ.centres_mm()[std::min(voxel, organ.count() - 1)]);
-    Skin::Contact contact = ground.skin->nearest(at_mm);
-    if (n % 2 == 1) {
-      const auto anywhere = randomHold(ground.region, *ground.skin, random.bits());
-      if (!anywhere) continue;
-      contact = anywhere->contact;
-    }
-    if (!isScannable(ground.region, contact)) continue;
-    const Hold hold = aimedAt(contact, random.between(-3.14159, 3.14159), usualPress_mm(ground.probe), at_mm);
-    if (std::abs(hold.tilt_rad) > 0.9 || std::abs(hold.rock_rad) > 0.9) continue;  // the face would leave the skin
-    const double area_mm2 = sectionOf(*ground.labels, label, ground.fan(), poseOf(hold), 1.0).area_mm2;
-    if (area_mm2 <= largest_mm2) continue;
-    largest_mm2 = area_mm2;
-    best = hold;
-  }
-  return best;
+  return organ.empty() ? std::nullopt : viewFrom(randomHolds(ground, seed), organ, ground, label, seed);
 }
 
 std::optional<Hold> startOf(const Exercise& exercise, const ExerciseGround& ground, int level, std::uint64_t seed) {

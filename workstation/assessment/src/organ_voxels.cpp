@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "ew/core/contract.h"
@@ -33,6 +34,32 @@ void overRaster(const Fan& fan, double step_mm, const See& see) {
       const glm::dvec2 p_mm(column * step_mm, y);
       if (placeInFan(fan, p_mm)) see(p_mm);
     }
+}
+
+/// What is left of a section once its rim has been taken away, up to 3 mm of it and never all.
+std::vector<glm::dvec2> wellInside(std::vector<glm::dvec2> section, const Extent& extent, double step_mm) {
+  constexpr double kDeep_mm = 3.0;
+  const int columns = 2 * static_cast<int>(std::ceil(extent.halfWidth_mm / step_mm)) + 3;
+  const int rows = static_cast<int>(std::ceil((extent.bottom_mm - extent.top_mm) / step_mm)) + 3;
+  const auto cellOf = [&](const glm::dvec2& p_mm) {
+    const auto row = std::lround((p_mm.y - extent.top_mm) / step_mm - 0.5) + 1;
+    return static_cast<std::size_t>(row * columns + std::lround(p_mm.x / step_mm) + columns / 2);
+  };
+  const auto wide = static_cast<std::size_t>(columns);
+  std::vector<std::uint8_t> isIn(wide * static_cast<std::size_t>(rows), 0);
+  for (const glm::dvec2& p_mm : section) isIn[cellOf(p_mm)] = 1;
+  for (double depth_mm = step_mm; depth_mm <= kDeep_mm; depth_mm += step_mm) {
+    std::vector<glm::dvec2> deeper;
+    for (const glm::dvec2& p_mm : section) {
+      const std::size_t cell = cellOf(p_mm);
+      if (isIn[cell - 1] != 0 && isIn[cell + 1] != 0 && isIn[cell - wide] != 0 && isIn[cell + wide] != 0) deeper.push_back(p_mm);
+    }
+    if (deeper.empty()) break;
+    section = std::move(deeper);
+    std::fill(isIn.begin(), isIn.end(), 0);
+    for (const glm::dvec2& p_mm : section) isIn[cellOf(p_mm)] = 1;
+  }
+  return section;
 }
 
 }  // namespace
@@ -107,18 +134,17 @@ int labelAt(const Volume& labels, const glm::dvec3& p_world_mm) {
 
 OrganSection sectionOf(const Volume& labels, int label, const Fan& fan, const Pose& pose, double step_mm) {
   std::vector<glm::dvec2> inside;
-  glm::dvec2 sum(0.0);
   const auto probeToVoxel = labels.grid.worldToVoxel() * pose.probeToWorld;
   overRaster(fan, step_mm, [&](const glm::dvec2& p_mm) {
     const glm::ivec3 voxel(glm::round(carried(probeToVoxel, glm::dvec3(p_mm, 0.0))));
-    if (!labels.grid.contains(voxel) || labels.echo[labels.grid.indexOf(voxel.x, voxel.y, voxel.z)] != label) return;
-    inside.push_back(p_mm);
-    sum += p_mm;
+    if (labels.grid.contains(voxel) && labels.echo[labels.grid.indexOf(voxel.x, voxel.y, voxel.z)] == label) inside.push_back(p_mm);
   });
   OrganSection section;
   if (inside.empty()) return section;
   section.area_mm2 = static_cast<double>(inside.size()) * step_mm * step_mm;
-  const glm::dvec2 middle = sum / static_cast<double>(inside.size());
+  glm::dvec2 middle(0.0);
+  for (const glm::dvec2& p_mm : inside) middle += p_mm / static_cast<double>(inside.size());
+  inside = wellInside(std::move(inside), extentOf(fan), step_mm);
   section.inside_mm = *std::min_element(inside.begin(), inside.end(), [&](const glm::dvec2& a, const glm::dvec2& b) {
     return glm::distance(a, middle) < glm::distance(b, middle);
   });

@@ -47,7 +47,7 @@ struct Draw {
 };
 
 /// The expert: follows the compass to planes, points at the middle of an organ's section, sets calipers where the truth has them.
-bool expertPasses(Draw draw) {
+bool expertPasses(Draw draw, const std::optional<Hold>& view) {
   ExerciseAnswer answer;
   const CaseTruth& truth = draw.ground.truth;
   if (draw.exercise.kind == ExerciseKind::findPlane) {
@@ -61,7 +61,6 @@ bool expertPasses(Draw draw) {
   } else if (draw.exercise.kind == ExerciseKind::pointAtOrgan) {
     if (!startOf(draw.exercise, draw.ground, draw.level, draw.random())) return false;
     const int label = structureOf(draw.exercise, truth)->label;
-    const auto view = viewOfOrgan(draw.ground, label, draw.random() % 1000);
     if (!view) return false;
     const OrganSection section = sectionOf(*draw.ground.labels, label, draw.ground.fan(), poseOf(*view), 0.5);
     answer.points_mm = {carried(poseOf(*view).probeToWorld, glm::dvec3(section.inside_mm + draw.click(), 0.0))};
@@ -107,11 +106,14 @@ struct Passed {
 
 Result<Passed> drawn(const Exercise& exercise, const ExerciseGround& ground, int level, const ExerciseBenchOptions& options,
                      Progress& progress) {
+  std::optional<Hold> view;  // where an expert looks at the organ from, the same at every draw
+  if (exercise.kind == ExerciseKind::pointAtOrgan)
+    view = viewOfOrgan(ground, structureOf(exercise, ground.truth)->label, options.seed + static_cast<std::uint64_t>(level));
   std::vector<std::uint8_t> expert(static_cast<std::size_t>(options.draws), 0), chance(expert);
   const bool done = forEachTask(options.draws, options.threads, progress, say<"Exercises are tried: %1">(exercise.target), [&](int n) {
     const std::uint64_t seed = options.seed * 1000003 + static_cast<std::uint64_t>(n) * 10 + static_cast<std::uint64_t>(level);
     const Draw draw{exercise, ground, level, std::mt19937_64(seed)};
-    expert[static_cast<std::size_t>(n)] = expertPasses(draw) ? 1 : 0;
+    expert[static_cast<std::size_t>(n)] = expertPasses(draw, view) ? 1 : 0;
     chance[static_cast<std::size_t>(n)] = chancePasses(draw) ? 1 : 0;
   });
   if (!done) return failure(ErrorCode::cancelled, say<"The benchmark was stopped.">());

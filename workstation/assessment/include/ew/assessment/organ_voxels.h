@@ -57,8 +57,9 @@ class OrganVoxels {
 
 /// What of an organ a picture shows.
 struct OrganSection {
-  double area_mm2 = 0.0;      ///< of the organ within the fan; 0: it is not shown
-  glm::dvec2 inside_mm{0.0};  ///< the point of the organ nearest to the section's centre of area; lateral and axial in the probe's frame
+  double area_mm2 = 0.0;  ///< of the organ within the fan; 0: it is not shown
+  glm::dvec2 inside_mm{
+      0.0};  ///< of the points well inside (3 mm from its rim, or as deep as there are) that nearest to its middle; probe x, y
 };
 
 /// The label volume is sampled at its nearest voxels, on a raster of `step_mm` over the fan.
