@@ -7691,6 +7691,190 @@
         <source>Of the course &apos;%1&apos; %2 cannot be found; import their cases, or take them out of it.</source>
         <translation>Vom Kurs „%1“ ist nicht zu finden: %2; deren Fälle importieren oder sie herausnehmen.</translation>
     </message>
+    <message>
+        <source>You are there: hold the probe still.</source>
+        <translation>Das ist die Ebene: den Schallkopf ruhig halten.</translation>
+    </message>
+    <message>
+        <source>Slide %1 mm %2.</source>
+        <translation>%1 mm %2 schieben.</translation>
+    </message>
+    <message>
+        <source>Rotate clockwise by %1 degrees.</source>
+        <translation>Um %1 Grad im Uhrzeigersinn drehen.</translation>
+    </message>
+    <message>
+        <source>Rotate anticlockwise by %1 degrees.</source>
+        <translation>Um %1 Grad gegen den Uhrzeigersinn drehen.</translation>
+    </message>
+    <message>
+        <source>The marker points the wrong way: turn the probe round.</source>
+        <translation>Die Markierung zeigt in die falsche Richtung: den Schallkopf umdrehen.</translation>
+    </message>
+    <message>
+        <source>Tilt the beam by %1 degrees %2.</source>
+        <translation>Den Schallstrahl um %1 Grad %2 fächern.</translation>
+    </message>
+    <message>
+        <source>Rock the beam by %1 degrees %2.</source>
+        <translation>Den Schallstrahl um %1 Grad %2 kippen.</translation>
+    </message>
+    <message>
+        <source>Press the probe in by %1 mm.</source>
+        <translation>Den Schallkopf um %1 mm eindrücken.</translation>
+    </message>
+    <message>
+        <source>Lift the probe by %1 mm.</source>
+        <translation>Den Schallkopf um %1 mm anheben.</translation>
+    </message>
+    <message>
+        <source>This plane cannot be reached from the skin; choose another one.</source>
+        <translation>Diese Ebene ist von der Haut aus nicht zu erreichen; eine andere wählen.</translation>
+    </message>
+    <message>
+        <source>towards the patient&apos;s left</source>
+        <translation>zur linken Seite des Patienten</translation>
+    </message>
+    <message>
+        <source>towards the patient&apos;s right</source>
+        <translation>zur rechten Seite des Patienten</translation>
+    </message>
+    <message>
+        <source>towards the patient&apos;s head</source>
+        <translation>zum Kopf des Patienten</translation>
+    </message>
+    <message>
+        <source>towards the patient&apos;s feet</source>
+        <translation>zu den Füßen des Patienten</translation>
+    </message>
+    <message>
+        <source>towards the patient&apos;s front</source>
+        <translation>zur Vorderseite des Patienten</translation>
+    </message>
+    <message>
+        <source>towards the patient&apos;s back</source>
+        <translation>zum Rücken des Patienten</translation>
+    </message>
+    <message>
+        <source>The probe was not seen; hold it where the tracker sees it.</source>
+        <translation>Der Schallkopf wurde nicht gesehen; ihn dort halten, wo der Tracker ihn sieht.</translation>
+    </message>
+    <message>
+        <source>The plane is found: %1 degrees and %2 mm from the expert&apos;s.</source>
+        <translation>Die Ebene ist gefunden: %1 Grad und %2 mm neben der des Experten.</translation>
+    </message>
+    <message>
+        <source>The plane is tipped by %1 degrees; %2 degrees are allowed.</source>
+        <translation>Die Ebene ist um %1 Grad gekippt; erlaubt sind %2 Grad.</translation>
+    </message>
+    <message>
+        <source>What matters lies %1 mm beside the plane; %2 mm are allowed.</source>
+        <translation>Worauf es ankommt, liegt %1 mm neben der Ebene; erlaubt sind %2 mm.</translation>
+    </message>
+    <message>
+        <source>What matters lies %1 mm elsewhere in the image; bring it to where the expert has it.</source>
+        <translation>Worauf es ankommt, liegt im Bild %1 mm anderswo; es dorthin bringen, wo der Experte es hat.</translation>
+    </message>
+    <message>
+        <source>The marker points the wrong way; left and right are exchanged.</source>
+        <translation>Die Markierung zeigt in die falsche Richtung; links und rechts sind vertauscht.</translation>
+    </message>
+    <message>
+        <source>That is it.</source>
+        <translation>Das ist es.</translation>
+    </message>
+    <message>
+        <source>The point lies %1 mm beside it.</source>
+        <translation>Der Punkt liegt %1 mm daneben.</translation>
+    </message>
+    <message>
+        <source>The images passed through %1 % of it.</source>
+        <translation>Die Bilder gingen durch %1 % davon.</translation>
+    </message>
+    <message>
+        <source>The images passed through %1 % of it; %2 % are needed.</source>
+        <translation>Die Bilder gingen durch %1 % davon; nötig sind %2 %.</translation>
+    </message>
+    <message>
+        <source>Measured: %1 %2; the expert has %3 %2.</source>
+        <translation>Gemessen: %1 %2; der Experte hat %3 %2.</translation>
+    </message>
+    <message>
+        <source>%1 %2 were measured; it is %3 %2, and %4 %2 more or less are allowed.</source>
+        <translation>Gemessen wurden %1 %2; es sind %3 %2, und %4 %2 mehr oder weniger sind erlaubt.</translation>
+    </message>
+    <message>
+        <source>The calipers stand %1 mm from where they belong.</source>
+        <translation>Die Messpunkte stehen %1 mm neben ihrem Ort.</translation>
+    </message>
+    <message>
+        <source>The plane cannot be reached from the skin.</source>
+        <translation>Die Ebene ist von der Haut aus nicht zu erreichen.</translation>
+    </message>
+    <message>
+        <source>The case has no voxels of it.</source>
+        <translation>Der Fall hat davon keine Voxel.</translation>
+    </message>
+    <message>
+        <source>It comes into no picture from the skin.</source>
+        <translation>Von der Haut aus kommt es in kein Bild.</translation>
+    </message>
+    <message>
+        <source>It fills so much of most pictures that pointing at random would do.</source>
+        <translation>Es füllt so viel der meisten Bilder, dass es zufälliges Zeigen träfe.</translation>
+    </message>
+    <message>
+        <source>It is in nearly every picture, so that there is nothing to look for.</source>
+        <translation>Es ist in fast jedem Bild, sodass es nichts zu suchen gibt.</translation>
+    </message>
+    <message>
+        <source>Calipers alone cannot measure it.</source>
+        <translation>Mit Messpunkten allein ist es nicht zu messen.</translation>
+    </message>
+    <message>
+        <source>Its tolerance is finer than calipers can be set.</source>
+        <translation>Seine Toleranz ist feiner, als Messpunkte gesetzt werden können.</translation>
+    </message>
+    <message>
+        <source>Its points do not read its value.</source>
+        <translation>Seine Punkte ergeben nicht seinen Wert.</translation>
+    </message>
+    <message>
+        <source>The case does not have this target any more; take another exercise.</source>
+        <translation>Der Fall hat dieses Ziel nicht mehr; eine andere Übung nehmen.</translation>
+    </message>
+    <message>
+        <source>No point was set; click in the image.</source>
+        <translation>Es wurde kein Punkt gesetzt; ins Bild klicken.</translation>
+    </message>
+    <message>
+        <source>These points read nothing; set the calipers that the measurement needs.</source>
+        <translation>Diese Punkte ergeben nichts; die Messpunkte setzen, die die Messung braucht.</translation>
+    </message>
+    <message>
+        <source>an exercise that is not in the list yet</source>
+        <translation>eine Übung, die noch nicht in der Liste steht</translation>
+    </message>
+    <message>
+        <source>Hands follow the compass to %1</source>
+        <translation>Hände folgen dem Kompass zu %1</translation>
+    </message>
+    <message>
+        <source>Exercises are tried: %1</source>
+        <translation>Übungen werden versucht: %1</translation>
+    </message>
+    <message>
+        <source>%1 has no skin over its data to start on; look at its box.</source>
+        <translation>%1 hat über seinen Daten keine Haut, um dort zu beginnen; seinen Quader ansehen.</translation>
+    </message>
+    <message>
+        <source>%1 has no virtual patient; only cases with one are measured here.</source>
+        <translation>%1 hat keinen virtuellen Patienten; nur Fälle mit einem werden hier gemessen.</translation>
+    </message>
+    <message>
+        <source>There is no probe &quot;%1&quot;; see resources/probes.</source>
+        <translation>Es gibt keinen Schallkopf „%1“; siehe resources/probes.</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
