@@ -15,7 +15,8 @@ struct PlaneTarget {
 };
 
 /// What counts as found. 5 mm and 10 degrees where nobody says otherwise: automatic estimation of fetal brain planes reached 2.97 mm and
-/// 6.63 degrees (median), observers of a facial axis differ by 10 to 15 degrees.
+/// 6.63 degrees (median; Di Vece et al., arXiv 2301.08317, 2023), observers of a facial axis differ by 10 to 15 degrees (Alomar et al.,
+/// arXiv 2409.02826, 2024).
 struct PlaneTolerance {
   double position_mm = 5.0;  ///< of PlaneError::distance_mm
   double angle_deg = 10.0;   ///< of PlaneError::angle_deg
@@ -44,10 +45,8 @@ struct PlaneError {
 };
 
 /// Of a rigid pose; its status is for the caller to look at.
-/// Source of the figures: angle between normals, roll and distance of the target's point as in evaluations of plane finding (Li et al.,
-/// "Standard plane detection in 3D fetal ultrasound using an iterative transformation network", MICCAI 2018, measures the distance of
-/// plane centres and the angle of normals; ours takes the point of interest instead of the centre, for the middle of a fan is seldom what
-/// one looks at).
+/// Angle between normals and distance are what evaluations of plane finding state (as Di Vece et al. 2023); ours takes the distance of the
+/// point of interest instead of the planes' middles, for the middle of a fan is seldom what one looks at.
 [[nodiscard]] PlaneError planeError(const PlaneTarget& target, const Transform<frame::World, frame::Probe>& probeToWorld);
 
 /// The worst of distance_mm / position, angle_deg / angle and inPicture_mm / (kInPictureFactor * position): up to 1 is within tolerance.
