@@ -167,6 +167,7 @@ struct ShippedCase {
 std::vector<ShippedCase> cases() {
   std::vector<ShippedCase> all;
   for (const auto& entry : fs::directory_iterator(fs::path(EW_SOURCE_DIR) / "cases")) {
+    if (!entry.is_directory()) continue;  // the course over all of them
     const json manifest = json::parse(std::ifstream(entry.path() / "case.json"));
     const auto pose = [&](const char* key) { return Placed{matrixFromRows(manifest[key].get<std::array<double, 16>>())}; };
     all.push_back(
