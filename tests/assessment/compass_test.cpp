@@ -103,6 +103,37 @@ TEST(Compass, GoesOnTurningTheWayItBegan) {
   EXPECT_GT(first.amount * second.amount, 0.0);
 }
 
+TEST(Compass, GoesOnAroundTheBodyTheWayItBegan) {
+  const test::CylinderSkin skin(120.0);
+  const CompassTarget target = targetAt(frontHold(skin), skin);
+  const auto behind = [&](double left_mm, const std::optional<CompassAdvice>& before) {
+    Hold hold = frontHold(skin);
+    hold.contact = skin.nearest({left_mm, 500.0, 0.0});
+    return nextMovement(target, hold, before);
+  };
+  const CompassAdvice first = behind(5.0, {});
+  ASSERT_EQ(first.movement, HandMovement::slide);
+  EXPECT_EQ(first.towards, PatientSide::left) << "the nearer way";
+  EXPECT_EQ(behind(-5.0, {}).towards, PatientSide::right);
+  EXPECT_EQ(behind(-5.0, first).towards, PatientSide::left) << "a tremor across the spine changes nothing";
+  EXPECT_NEAR(first.amount, 120.0 * std::numbers::pi, 8.0) << "half around the body";
+}
+
+TEST(Compass, TakesATiltForMoreWhereThePointLiesDeep) {
+  const test::PlaneSkin skin;
+  const auto advised = [&](double depth_mm) {
+    const Hold hold = frontHold(skin);
+    const CompassTarget target = compassTargetOf({poseOf(hold).probeToWorld, {0.0, depth_mm}}, {5.0, 10.0}, skin);
+    // Of both signs of the slide one adds to what the tilt does to the point, so that the plane is not found.
+    const Hold off = turned(hold, 0.0, 0.0, glm::radians(4.0));
+    Hold now = slid(off, skin, 0.0, 4.5);
+    if (planeError(target.plane, poseOf(now).probeToWorld).distance_mm < 4.5) now = slid(off, skin, 0.0, -4.5);
+    return nextMovement(target, now).movement;
+  };
+  EXPECT_EQ(advised(100.0), HandMovement::tilt);
+  EXPECT_EQ(advised(15.0), HandMovement::slide);
+}
+
 TEST(Compass, KeepsSayingThereUntilThePlaneIsLeft) {
   const test::CylinderSkin skin(120.0);
   const CompassTarget target = targetAt(frontHold(skin), skin);
