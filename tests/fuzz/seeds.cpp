@@ -257,6 +257,7 @@ void texts(const fs::path& folder) {
   put(folder / "settings", "empty", "{}");
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(fs::path(EW_SOURCE_DIR) / "cases", error)) {
+    if (!entry.is_directory()) continue;
     const std::string id = entry.path().filename().string(), text = textOf(entry.path() / "case.json");
     put(folder / "case_manifest", id, text + kNext + textOf(entry.path() / "patient.json"));
     const auto scene = text.find("\"scene\""), open = text.find('{', scene), close = text.find("\n  }", scene);
