@@ -31,7 +31,8 @@ namespace {
 constexpr int kConsoleWidth_px = 248;
 constexpr int kHandle_px = 7;  ///< wide enough to be seen and taken
 constexpr int kPanelWidth_px = 400;
-constexpr int kStagedPanelWidth_px = 296;  ///< beside a stage, which has columns of its own
+constexpr int kExplorePanelWidth_px = 304;  ///< beside a scan that is worked with, which wants the room
+constexpr int kStagedPanelWidth_px = 296;   ///< beside a stage, which has columns of its own
 
 /// The probes and the mannequins of the program.
 sdk::Cases::Choices choicesForCases(const std::vector<Probe>& probes, const std::filesystem::path& mannequins) {
@@ -286,7 +287,14 @@ void MainWindow::showPanels() {
   const bool hasPanels = p.isAuthor() || p.panels->has(p.workspace);
   p.panels->show(p.workspace);
   p.panels->setVisible(hasPanels);
-  if (hasPanels != wasVisible) p.viewColumns->setPanelWidth(kPanelWidth_px);
+  const int width_px = p.panelWidth_px();
+  p.panels->setTabsWidth(width_px);
+  if (hasPanels != wasVisible || width_px != p.shownPanelWidth_px) p.viewColumns->setPanelWidth(width_px);
+  p.shownPanelWidth_px = width_px;
+}
+
+int MainWindow::Parts::panelWidth_px() const {
+  return staged ? kStagedPanelWidth_px : workspace == kExplore ? kExplorePanelWidth_px : kPanelWidth_px;
 }
 
 const sdk::Workspace* MainWindow::Parts::ownWorkspace() const {
@@ -303,7 +311,7 @@ void MainWindow::showStage() {
     p.stages->setCurrentWidget(stage);
   }
   const bool was = std::exchange(p.staged, stage != nullptr);
-  p.panels->setTabsWidth(p.staged ? kStagedPanelWidth_px : kPanelWidth_px);
+  p.panels->setTabsWidth(p.panelWidth_px());
   showConsole();
   if (p.scanMenu != nullptr) p.scanMenu->menuAction()->setEnabled(!p.staged);  // its keys are those of a scan that is not seen
   p.body->setVisible(!p.staged && !p.viewColumns->isScanOnly() && p.keepsBody());
@@ -311,7 +319,7 @@ void MainWindow::showStage() {
   if (was != p.staged) {
     p.stages->setVisible(p.staged);
     p.status->setStaged(p.staged);
-    p.viewColumns->setStaged(p.staged, p.staged ? kStagedPanelWidth_px : kPanelWidth_px);
+    p.viewColumns->setStaged(p.staged, p.panelWidth_px());
   }
   placeOverlays();
   showHistory();

@@ -222,6 +222,8 @@ struct MainWindow::Parts {
   /// ... or the texts and arrows, by the same rule.
   [[nodiscard]] bool editsAnnotations() const;
   /// Of a plugin, when such a one is in front.
+  [[nodiscard]] int panelWidth_px() const;  ///< of the column of panels, by what is in front
+  int shownPanelWidth_px = 0;
   [[nodiscard]] const sdk::Workspace* ownWorkspace() const;
   [[nodiscard]] bool keepsBody() const { return ownWorkspace() == nullptr || ownWorkspace()->keepsBody; }
   [[nodiscard]] bool keepsScan() const { return ownWorkspace() == nullptr || ownWorkspace()->keepsScan; }
