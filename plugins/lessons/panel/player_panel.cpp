@@ -110,6 +110,8 @@ const Lesson* PlayerPanel::lessonOf(const std::string& id) const {
 
 void PlayerPanel::showCase() {
   const auto manifest = host_.cases().current();
+  const std::vector<Lesson> before = std::move(lessons_);
+  const std::filesystem::path folderBefore = case_ ? case_->folder : std::filesystem::path();
   case_.reset();
   lessons_.clear();
   if (manifest) {
@@ -122,7 +124,9 @@ void PlayerPanel::showCase() {
     else
       sdk::setProblem(problem_, words(lessons.error()));
   }
-  if (!run_) showLessons();
+  // Told of every edit of the case; attempts are read again only when what is listed is another.
+  const bool isListed = pages_->currentIndex() == kList && case_ && case_->folder == folderBefore && lessons_ == before;
+  if (!run_ && !isListed) showLessons();
 }
 
 void PlayerPanel::showLessons() {
