@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "../tracking/skins.h"
-#include "ew/assessment/body_skin.h"
 #include "ew/assessment/scannable_region.h"
 #include "ew/assessment/simulated_hand.h"
+#include "ew/library/body_skin.h"
 
 namespace ew {
 namespace {

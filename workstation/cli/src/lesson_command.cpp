@@ -3,8 +3,8 @@
 
 #include "arguments.h"
 #include "command.h"
-#include "ew/assessment/body_skin.h"
 #include "ew/core/numbers.h"
+#include "ew/library/body_skin.h"
 #include "ew/library/case_words.h"
 #include "ew/library/course.h"
 #include "ew/library/lesson_links.h"

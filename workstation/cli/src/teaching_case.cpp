@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ew/assessment/body_skin.h"
+#include "ew/library/body_skin.h"
 #include "ew/phantom/label_grid.h"
 
 namespace ew {

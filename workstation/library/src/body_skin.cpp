@@ -1,4 +1,4 @@
-#include "ew/assessment/body_skin.h"
+#include "ew/library/body_skin.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "ew/acquisition/import.h"
+#include "ew/core/progress.h"
+#include "ew/core/result.h"
+#include "ew/core/volume.h"
+#include "ew/library/case.h"
+#include "ew/library/file_import.h"
+#include "ew/library/placing.h"
+
+namespace ew {
+
+/// A volume in a file: .mha, .mhd, .nrrd, .nii, DICOM, Kretz, pictures; whatever importFile reads.
+struct VolumeFile {
+  std::filesystem::path file;
+  ImportAnswers answers = {};  ///< what the file does not say (askedFor tells what is missing)
+};
+
+/// A tracked recording, which is reconstructed as the window's import does it, with the confidence in its echoes.
+struct SweepFile {
+  std::filesystem::path file;
+  std::optional<double> spacing_mm = {};   ///< of a voxel, 0.1 to 10; absent: as fine as the frames carry
+  std::filesystem::path calibration = {};  ///< device set; empty: the recording says everything itself
+};
+
+/// A stitch project (.json), which is stitched, or what stitching made of one: its folder, or the volume.mha in it.
+struct StitchingResult {
+  std::filesystem::path file;
+};
+
+/// monostate: a case without a volume, which can be given one later.
+using CaseSource = std::variant<std::monostate, VolumeFile, SweepFile, StitchingResult>;
+
+/// What a file is as a source of a case: a sweep, a stitching result, or a volume.
+/// @error as kindOfFile; unsupported for what is none of them
+[[nodiscard]] Result<CaseSource> sourceOf(const std::filesystem::path& file);
+
+/// What a new case is made of.
+struct NewCase {
+  std::string title;
+  std::string titleForTrainees;
+  std::string region;
+  std::string templateId;  ///< of listTemplates(); empty: none. What is empty or absent here is taken from it
+  CaseSource source;
+  /// Where the volume lies; absent: at the usual place of the region on the mannequin (firstPlacement), or as its file says where the
+  /// mannequin has no named places.
+  std::optional<Transform<frame::World, frame::File>> fileToWorld;
+  std::string mannequin;  ///< empty: the template's, or the default
+  std::string attribution;
+  std::string licence;
+};
+
+struct NewCasePlan {
+  Grid grid;                ///< of the volume in its own file; no voxels when there is no volume, or for a project that is to be stitched
+  SweepAxes axes;           ///< of the recording; SweepAxes' own where nobody knows them
+  std::uint64_t bytes = 0;  ///< memory at the peak
+  std::uint64_t disk_bytes = 0;  ///< that the case may take at most; volumes are compressed
+  double seconds = 0.0;          ///< about, on this machine
+  std::vector<Message> notes;
+};
+
+/// What making a case will take, before it is made. Reads headers, and of a sweep its frames.
+/// @error as makeCase, as far as it goes
+[[nodiscard]] Result<NewCasePlan> planCase(const NewCase& wanted, Progress& progress = noProgress());
+
+/// A case that was made, and what is to be told about it.
+struct MadeCase {
+  Case made;  ///< with its folder
+  std::vector<Message> notes;
+  std::optional<SweepCounts> frames = {};  ///< of a sweep
+  std::optional<Contact> contact = {};     ///< of the placed volume with the mannequin's skin, where both are known
+};
+
+/// Makes a case folder with case.json, its volume and the level for live echoes. The folder appears complete or not at all, also when the
+/// program is killed meanwhile.
+/// @param folder new, or empty; the case's id is made from its name
+/// @error notWritable (the folder holds something), badField (no title, an unknown template, a licence or attribution that is too long),
+///        as openSweep and importSweep, importFile, addVolumeFile, runChain, levelOf; tooLarge; cancelled within 0.5 s
+[[nodiscard]] Result<MadeCase> makeCase(const NewCase& wanted, const std::filesystem::path& folder, Progress& progress = noProgress());
+
+/// A case with another volume. case.json is not written: whoever edits the case saves it, or leaves it.
+struct GivenVolume {
+  Case edited;                       ///< the same case; targets and measurements that only the old volume knew are left out
+  std::size_t lostTargets = 0;       ///< that were left out
+  std::size_t lostMeasurements = 0;  ///< the same of measurements
+  std::vector<Message> notes;
+};
+
+/// Puts a volume into the folder of a case, beside what is there (files are named by their content), for a case that has none or that is
+/// to have another. The placement stays when there was a volume; else it is as makeCase chooses it.
+/// @param opened with its folder, which is the author's own
+/// @error as makeCase; badUsage (a source without a volume)
+[[nodiscard]] Result<GivenVolume> giveVolume(const Case& opened, const CaseSource& source, Progress& progress = noProgress());
+
+/// Whether a case has neither a file nor a recipe. It opens, and says that it has no volume.
+[[nodiscard]] bool hasNoVolume(const Case& opened);
+
+/// Whom to name for the recording, and under which licence it may be passed on; they stand in Case::otherFields.
+struct RecordingRights {
+  std::string attribution;
+  std::string licence;
+  bool operator==(const RecordingRights&) const = default;
+};
+[[nodiscard]] RecordingRights rightsOf(const Case& opened);
+[[nodiscard]] Case withRights(Case edited, const RecordingRights& rights);
+
+}  // namespace ew
