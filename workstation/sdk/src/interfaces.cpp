@@ -37,9 +37,22 @@ std::optional<Scanned> Scan::scanned() const { return std::nullopt; }
 std::vector<ScanMeasurement> Scan::measurements() const { return {}; }
 Ticket Scan::onMeasured(std::function<void()>) { return nullptr; }
 Ticket Scan::askForPoint(const std::string&, std::function<void(const Point<frame::Probe>&)>, std::function<void()>) { return nullptr; }
+Ticket Scan::askForStroke(StrokeRequest) { return nullptr; }
+Result<void> Scan::showLabels(std::optional<Volume>) {
+  return failure(ErrorCode::badUsage, say<"Nothing is scanned; open a case or a volume first.">());
+}
 Workspaces::~Workspaces() = default;
 Overlays::~Overlays() = default;
 Ticket Overlays::showInBody(const BodyAids&) { return nullptr; }
+std::shared_ptr<HandlesOverlay> Overlays::showHandles(const BodyHandles&, HandlesMoved) {
+  class Unseen final : public HandlesOverlay {
+    void show(BodyHandles) override {}
+  };
+  return std::make_shared<Unseen>();
+}
+Ticket Overlays::askForBodyPoint(const std::string&, std::function<void(const Point<frame::World>&)>, std::function<void()>) {
+  return nullptr;
+}
 CaseParts::~CaseParts() = default;
 Ticket CaseParts::onAsked(const std::string&, AskCallback) { return nullptr; }
 Window::~Window() = default;

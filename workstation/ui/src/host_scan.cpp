@@ -135,7 +135,8 @@ sdk::Ticket HostScan::keepSettings() {
 std::optional<sdk::Scanned> HostScan::scanned() const {
   const auto& subject = session_.subject();
   if (!subject) return std::nullopt;
-  return sdk::Scanned{subject->placedGrid, subject->labels, subject->placedLabels, session_.skin(), session_.probes()};
+  return sdk::Scanned{subject->placedGrid, subject->labels,   subject->placedLabels,
+                      session_.skin(),     session_.probes(), subject->voxels.volume()};
 }
 
 void HostScan::setCalipers(Calipers& calipers) {
@@ -172,16 +173,33 @@ std::vector<sdk::ScanMeasurement> HostScan::measurements() const {
   return found;
 }
 
+Result<void> HostScan::showLabels(std::optional<Volume> labels) {
+  if (!session_.subject()) return failure(ErrorCode::badUsage, say<"Nothing is scanned; open a case or a volume first.">());
+  session_.previewLabels(std::move(labels));
+  return {};
+}
+
+Point<frame::Probe> HostScan::probePointOf(const QPoint& pixel) const {
+  const glm::dvec2 at_mm = session_.geometry().probePoint_mm(pixel.x(), pixel.y());
+  return {{at_mm.x, at_mm.y, 0.0}};
+}
+
+void HostScan::tellStroke(const QPoint& pixel, sdk::StrokeRequest::At sdk::StrokeRequest::*told) const {
+  if (askings_.empty() || !askings_.back()->stroke) return;
+  const auto asking = askings_.back();  // it may give its ticket back meanwhile
+  if (const auto& call = (*asking->stroke).*told) call(probePointOf(pixel));
+}
+
 void HostScan::setPointing(PickLayer& layer) {
   pointing_ = &layer;
   connect(&layer, &PickLayer::picked, this, [this](const QPoint& pixel) {
     if (askings_.empty()) return;
     const auto asking = askings_.back();  // it may give its ticket back meanwhile
-    if (asking->pointed) {
-      const glm::dvec2 at_mm = session_.geometry().probePoint_mm(pixel.x(), pixel.y());
-      asking->pointed({{at_mm.x, at_mm.y, 0.0}});
-    }
+    if (asking->pointed) asking->pointed(probePointOf(pixel));
   });
+  connect(&layer, &PickLayer::strokeBegun, this, [this](const QPoint& pixel) { tellStroke(pixel, &sdk::StrokeRequest::begun); });
+  connect(&layer, &PickLayer::strokeMoved, this, [this](const QPoint& pixel) { tellStroke(pixel, &sdk::StrokeRequest::moved); });
+  connect(&layer, &PickLayer::strokeEnded, this, [this](const QPoint& pixel) { tellStroke(pixel, &sdk::StrokeRequest::ended); });
   connect(&layer, &PickLayer::escaped, this, [this] {
     const auto all = std::exchange(askings_, {});
     for (const auto& asking : all)
@@ -191,18 +209,30 @@ void HostScan::setPointing(PickLayer& layer) {
 
 void HostScan::askLatest() {
   if (pointing_ == nullptr) return;
-  if (!askings_.empty()) pointing_->setHint(askings_.back()->hint);
+  if (!askings_.empty()) {
+    const Asking& latest = *askings_.back();
+    pointing_->setHint(latest.hint);
+    pointing_->setStroke(latest.stroke ? std::optional(latest.stroke->radius_mm) : std::nullopt);
+  }
   pointing_->setPicking(!askings_.empty());
 }
 
-sdk::Ticket HostScan::askForPoint(const std::string& hint, std::function<void(const Point<frame::Probe>&)> pointed,
-                                  std::function<void()> stopped) {
-  auto asking = std::make_shared<Asking>(Asking{words(hint), std::move(pointed), std::move(stopped)});
+sdk::Ticket HostScan::ask(Asking asked) {
+  auto asking = std::make_shared<Asking>(std::move(asked));
   askings_.push_back(asking);
   askLatest();
   return {asking.get(), [host = QPointer<HostScan>(this), asking](void*) {
             if (host && std::erase(host->askings_, asking) > 0) host->askLatest();
           }};
+}
+
+sdk::Ticket HostScan::askForPoint(const std::string& hint, std::function<void(const Point<frame::Probe>&)> pointed,
+                                  std::function<void()> stopped) {
+  return ask({words(hint), std::move(pointed), std::move(stopped), {}});
+}
+
+sdk::Ticket HostScan::askForStroke(sdk::StrokeRequest request) {
+  return ask({words(request.hint), {}, request.stopped, std::move(request)});
 }
 
 }  // namespace ew::ui

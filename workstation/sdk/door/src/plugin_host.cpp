@@ -282,6 +282,17 @@ class PluginScan final : public sdk::Scan {
           if (stopped) static_cast<void>(calls->call(PluginMoment::scan, {}, stopped));
         }));
   }
+  [[nodiscard]] sdk::Ticket askForStroke(sdk::StrokeRequest request) override {
+    for (auto* each : {&request.begun, &request.moved, &request.ended})
+      *each = [calls = calls_, told = std::move(*each)](const Point<frame::Probe>& at) {
+        if (told) static_cast<void>(calls->call(PluginMoment::scan, {}, [&] { told(at); }));
+      };
+    request.stopped = [calls = calls_, stopped = std::move(request.stopped)] {
+      if (stopped) static_cast<void>(calls->call(PluginMoment::scan, {}, stopped));
+    };
+    return calls_->keepTicket(inner_.askForStroke(std::move(request)));
+  }
+  [[nodiscard]] Result<void> showLabels(std::optional<Volume> labels) override { return inner_.showLabels(std::move(labels)); }
   [[nodiscard]] sdk::Ticket keepSettings() override { return calls_->keepTicket(inner_.keepSettings()); }
 
  private:
@@ -329,6 +340,23 @@ class PluginOverlays final : public sdk::Overlays {
     return std::make_shared<KeptOverlay<sdk::BodyDrawing>>(*calls_, inner_.overBody());
   }
   [[nodiscard]] sdk::Ticket showInBody(const sdk::BodyAids& aids) override { return calls_->keepTicket(inner_.showInBody(aids)); }
+  [[nodiscard]] std::shared_ptr<sdk::HandlesOverlay> showHandles(const sdk::BodyHandles& handles, sdk::HandlesMoved moved) override {
+    return std::make_shared<KeptOverlay<sdk::BodyHandles>>(
+        *calls_, inner_.showHandles(handles, [calls = calls_, moved = std::move(moved)](const auto& toWorld, bool isOver) {
+          static_cast<void>(calls->call(PluginMoment::event, {}, [&] { moved(toWorld, isOver); }));
+        }));
+  }
+  [[nodiscard]] sdk::Ticket askForBodyPoint(const std::string& hint, std::function<void(const Point<frame::World>&)> pointed,
+                                            std::function<void()> stopped) override {
+    return calls_->keepTicket(inner_.askForBodyPoint(
+        hint,
+        [calls = calls_, pointed = std::move(pointed)](const Point<frame::World>& at) {
+          static_cast<void>(calls->call(PluginMoment::event, {}, [&] { pointed(at); }));
+        },
+        [calls = calls_, stopped = std::move(stopped)] {
+          if (stopped) static_cast<void>(calls->call(PluginMoment::event, {}, stopped));
+        }));
+  }
 
  private:
   Calls calls_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -79,6 +81,18 @@ struct BodyAids {
   bool operator==(const BodyAids&) const = default;
 };
 
+/// Handles by which the user moves something in the body as a rigid body: an arrow along each axis of its own frame, a ring about each.
+struct BodyHandles {
+  struct Frame {};                                    ///< of what is moved: its origin is where the axes meet; mm
+  Transform<frame::World, Frame> toWorld = {};        ///< rigid
+  glm::dvec3 halfSize_mm{0.0};                        ///< of the box about the origin that is moved
+  std::array<std::string, 3> axes = {"x", "y", "z"};  ///< what each is called, shown while it is used: "into the body"
+  bool operator==(const BodyHandles&) const = default;
+};
+/// Told while handles are moved, and once more with `isOver` when that has ended; a drag that Escape ended gives back where it began.
+using HandlesMoved = std::function<void(const Transform<frame::World, BodyHandles::Frame>& toWorld, bool isOver)>;
+using HandlesOverlay = Overlay<BodyHandles>;
+
 /// Drawings over the views: values that the host paints in the theme's colours. On the window's thread. What is drawn over an image never
 /// gets into a saved image or a recording.
 class Overlays {
@@ -90,6 +104,18 @@ class Overlays {
   /// Shows in the body what `aids` says, and nothing else of it, until the ticket is destroyed; then what was shown before. Who asks last
   /// is followed. Organs appear when their surfaces are made, which takes seconds.
   [[nodiscard]] virtual Ticket showInBody(const BodyAids& aids);
+
+  /// Handles in the 3D view, there until what is returned is destroyed; whoever asks last has them. They are dragged with the mouse (Shift:
+  /// whole millimetres and degrees), and moved by the arrows, Page up and Page down while the view has the focus (with Alt: turned). The
+  /// handles go where they are dragged; show() puts them elsewhere, as after an undo.
+  /// Never null; without a window nothing is shown and nobody moves anything.
+  [[nodiscard]] virtual std::shared_ptr<HandlesOverlay> showHandles(const BodyHandles& handles, HandlesMoved moved);
+  /// Asks the user to point at a place on the body: until the ticket is destroyed, clicks in the 3D view give `pointed` a point on the skin
+  /// instead of moving the probe; looking around goes on. Who asks last is asked for. The user may stop it (Escape): then `stopped` is
+  /// called, and the ticket has no effect any more.
+  /// @param hint a sentence over the view meanwhile
+  [[nodiscard]] virtual Ticket askForBodyPoint(const std::string& hint, std::function<void(const Point<frame::World>&)> pointed,
+                                               std::function<void()> stopped);
 };
 
 }  // namespace ew::sdk

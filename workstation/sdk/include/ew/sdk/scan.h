@@ -22,6 +22,18 @@ struct Scanned {
   Grid placedLabels;                     ///< where the labels lie in the world
   std::shared_ptr<const Skin> skin;      ///< that the hand slides on; null: none yet
   std::vector<Probe> probes;             ///< that may be chosen
+  std::shared_ptr<const Volume> voxels;  ///< what is scanned, in its own frame (of the file, before it is placed)
+};
+
+/// What is asked of a user who draws over the image.
+struct StrokeRequest {
+  using At = std::function<void(const Point<frame::Probe>&)>;
+  std::string hint;        ///< a sentence over the image meanwhile
+  double radius_mm = 0.0;  ///< of a circle about the pointer; 0: none
+  At begun = {};           ///< the button went down
+  At moved = {};           ///< and is held
+  At ended = {};
+  std::function<void()> stopped = {};  ///< the user ended it (Escape)
 };
 
 /// Something that was measured in the image with calipers, as it stands now.
@@ -85,6 +97,15 @@ class Scan {
   /// @param hint a sentence over the image meanwhile
   [[nodiscard]] virtual Ticket askForPoint(const std::string& hint, std::function<void(const Point<frame::Probe>&)> pointed,
                                            std::function<void()> stopped);
+
+  /// As askForPoint, for what is drawn with the button held; with the keyboard a cross and Enter give strokes of one point.
+  [[nodiscard]] virtual Ticket askForStroke(StrokeRequest request);
+
+  /// Shows labels in place of those of what is scanned, in the image (shadows) and in the body: while they are edited. They hold until
+  /// something else is scanned, or the case names other labels.
+  /// @param labels on a grid in the world, where the volume lies now; empty: the labels are again those of what is scanned
+  /// @error badUsage (nothing is scanned)
+  [[nodiscard]] virtual Result<void> showLabels(std::optional<Volume> labels);
 
   /// Freezes the image, or lets it go on. @error badUsage (no scan, or a recording is played)
   [[nodiscard]] virtual Result<void> setFrozen(bool frozen) = 0;
