@@ -39,6 +39,12 @@ void Scanner::place(const Transform<frame::World, frame::World>& ownToWorld) {
   if (subject_) subject_->place(ownToWorld);
 }
 
+void Scanner::setLabels(std::shared_ptr<const Volume> labels) {
+  if (!subject_) return;
+  subject_->labels = std::move(labels);
+  subject_->place(subject_->placedGrid.voxelToWorld() * inverse(subject_->voxels.grid().voxelToWorld()));
+}
+
 void Scanner::prepare(const ScanState& state, int width_px, int height_px) {
   EW_EXPECTS(subject_.has_value());
   maker_.configure(state.probe, state.knobs, state.scene, subject_->placedGrid, width_px, height_px, subject_->labels != nullptr, state.pan,

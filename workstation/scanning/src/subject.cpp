@@ -7,6 +7,7 @@
 
 #include "ew/core/contract.h"
 #include "ew/imaging/tissue_level.h"
+#include "ew/io/volume_file.h"
 #include "ew/tracking/hand.h"
 #include "kept_layouts.h"
 
@@ -152,6 +153,16 @@ Result<CaseContents> readContents(const Case& opened, Progress& progress, const 
                         .notes = std::move(echo->notes)};
   if (echo->labels) contents.labels = std::make_shared<const Volume>(std::move(*echo->labels));
   return contents;
+}
+
+Result<std::shared_ptr<const Volume>> readLabelsFor(const Case& edited, const CaseContents& contents, Progress& progress) {
+  if (edited.volume.labels.empty()) return std::shared_ptr<const Volume>();
+  auto file = fileOfCase(edited.folder, edited.volume.labels, "volume.labels");
+  if (!file) return passOn(file.error());
+  auto read = readLabelVolume(*file, progress);
+  if (!read) return passOn(read.error());
+  read->volume.grid = placed(read->volume.grid, contents.fileToWorld);
+  return std::make_shared<const Volume>(std::move(read->volume));
 }
 
 Transform<frame::World, frame::World> ownToWorldOf(const Case& edited, const CaseContents& contents) {

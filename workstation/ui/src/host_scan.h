@@ -8,6 +8,8 @@
 
 #include "ew/sdk/scan.h"
 
+class QPoint;
+
 namespace ew::ui {
 
 class Calipers;
@@ -37,6 +39,8 @@ class HostScan final : public QObject, public sdk::Scan {
   [[nodiscard]] sdk::Ticket onMeasured(std::function<void()> callback) override;
   [[nodiscard]] sdk::Ticket askForPoint(const std::string& hint, std::function<void(const Point<frame::Probe>&)> pointed,
                                         std::function<void()> stopped) override;
+  [[nodiscard]] sdk::Ticket askForStroke(sdk::StrokeRequest request) override;
+  [[nodiscard]] Result<void> showLabels(std::optional<Volume> labels) override;
 
   /// Without them nothing is measured and nobody is asked to point. Both must outlive the host.
   void setCalipers(Calipers& calipers);
@@ -54,7 +58,11 @@ class HostScan final : public QObject, public sdk::Scan {
     QString hint;
     std::function<void(const Point<frame::Probe>&)> pointed;
     std::function<void()> stopped;
+    std::optional<sdk::StrokeRequest> stroke;  ///< for strokes rather than for a point
   };
+  [[nodiscard]] Point<frame::Probe> probePointOf(const QPoint& pixel) const;
+  [[nodiscard]] sdk::Ticket ask(Asking asking);
+  void tellStroke(const QPoint& pixel, sdk::StrokeRequest::At sdk::StrokeRequest::*told) const;
   void followLatest();
   void askLatest();
   void tellPicture();

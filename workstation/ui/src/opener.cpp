@@ -309,12 +309,48 @@ void Opener::reloadCase(const Case& edited) {
   if (caseNeedsPreparation(edited)) Q_EMIT preparing(path);
 }
 
+void Opener::loadChanged(const Case& edited) {
+  Sources but = sourcesOf(edited);
+  but.volume.labels = contents_->sources.volume.labels;
+  if (!showsCase_ || !(but == contents_->sources)) return reloadCase(edited);
+  reloadLabels(edited);
+  followEdits(edited);
+}
+
+void Opener::reloadLabels(const Case& edited) {
+  const Sources wanted = sourcesOf(edited);
+  if (reloading_ == wanted || refused_ == wanted) return;
+  auto read = std::make_shared<std::shared_ptr<const Volume>>();
+  startOpening(
+      wordsOf(edited.folder),
+      [read, edited, contents = contents_->read](Progress& progress) -> Result<void> {
+        auto labels = readLabelsFor(edited, contents, progress);
+        if (!labels) return passOn(labels.error());
+        *read = std::move(*labels);
+        return {};
+      },
+      [this, read, wanted] {
+        const auto& now = document_.current();
+        if (!now || !(sourcesOf(*now) == wanted) || !contents_) return;
+        contents_->sources = wanted;
+        contents_->read.labels = std::move(*read);
+        if (showsCase_) session_.setLabels(contents_->read.labels);
+      },
+      [this, wanted] {
+        // As with voxels: no labels rather than those that the case does not hold any more.
+        refused_ = wanted;
+        if (showsCase_) session_.setLabels(nullptr);
+      });
+  openingPath_.clear();
+  reloading_ = wanted;
+}
+
 void Opener::showCaseVolume() {
   const auto& opened = document_.current();
   if (!opened || !contents_) return;
   if (!(contents_->sources == sourcesOf(*opened))) {
     refused_.reset();
-    reloadCase(*opened);
+    loadChanged(*opened);
     return;
   }
   showsCase_ = true;
@@ -442,18 +478,25 @@ void Opener::followDocument() {
   }
   if (!contents_) return;
   if (!(contents_->sources == sourcesOf(*opened))) {
-    reloadCase(*opened);
+    loadChanged(*opened);
     return;
   }
   if (reloading_ || refused_) {  // undone before it was loaded
     giveUpOpening();
     refused_.reset();
-    if (!showsCase_) showCaseVolume();
+    if (showsCase_)
+      session_.setLabels(contents_->read.labels);
+    else
+      showCaseVolume();
   }
+  followEdits(*opened);
+}
+
+void Opener::followEdits(const Case& edited) {
   if (!showsCase_) return;
-  session_.setTitle(titleForTrainees(*opened));
-  session_.setCaseScene(sceneWithTissues(opened->scene, contents_->read.tissues));
-  session_.place(ownToWorldOf(*opened, contents_->read));
+  session_.setTitle(titleForTrainees(edited));
+  session_.setCaseScene(sceneWithTissues(edited.scene, contents_->read.tissues));
+  session_.place(ownToWorldOf(edited, contents_->read));
 }
 
 void Opener::takeStart() {

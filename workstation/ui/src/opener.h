@@ -80,6 +80,9 @@ class Opener final : public QObject {
   /// Loads what the open case names since it was edited.
   void reloadCase(const Case& edited);
   [[nodiscard]] static Result<void> load(Loading& into, const std::filesystem::path& presentMannequin, Progress& progress);
+  /// The same where the case names other labels and all else is there: the scan goes on as it stands.
+  void reloadLabels(const Case& edited);
+  void loadChanged(const Case& edited);
   void takeContents(Loading& loaded);
   /// Runs `work` as the one opening there is: a later one cancels it, and then `taken` is not called.
   void startOpening(const QString& path, Jobs::Work work, std::function<void()> taken, std::function<void()> refused = {});
@@ -90,6 +93,8 @@ class Opener final : public QObject {
   void findTissue();
   void showMannequin(std::shared_ptr<const bridge::Mannequin> mannequin);
   void followDocument();
+  /// What the scan takes over from edits at once: title, scene, placement.
+  void followEdits(const Case& edited);
   void takeStart();
 
   Session& session_;

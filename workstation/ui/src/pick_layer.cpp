@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "scan_view.h"
 #include "theme.h"
@@ -37,6 +38,13 @@ void PickLayer::follow() {
 void PickLayer::setHint(const QString& hint) {
   hint_ = hint;
   setAccessibleDescription(hint);
+  update();
+}
+
+void PickLayer::setStroke(std::optional<double> radius_mm) {
+  strokeRadius_mm_ = radius_mm;
+  isDrawing_ = false;
+  setMouseTracking(radius_mm.has_value());
   update();
 }
 
@@ -89,7 +97,23 @@ bool PickLayer::eventFilter(QObject* watched, QEvent* event) {
 
 void PickLayer::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return event->ignore();
-  pick(pixelAt(event->localPos()));
+  if (!strokeRadius_mm_) return pick(pixelAt(event->localPos()));
+  isDrawing_ = true;
+  cross_ = pixelAt(event->localPos());
+  update();
+  Q_EMIT strokeBegun(cross_);
+}
+
+void PickLayer::mouseMoveEvent(QMouseEvent* event) {
+  if (!strokeRadius_mm_) return event->ignore();
+  cross_ = pixelAt(event->localPos());
+  update();
+  if (isDrawing_) Q_EMIT strokeMoved(cross_);
+}
+
+void PickLayer::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || !std::exchange(isDrawing_, false)) return event->ignore();
+  Q_EMIT strokeEnded(pixelAt(event->localPos()));
 }
 
 void PickLayer::keyPressEvent(QKeyEvent* event) {
@@ -99,6 +123,11 @@ void PickLayer::keyPressEvent(QKeyEvent* event) {
   if (command == "escape") {
     setPicking(false);
     Q_EMIT escaped();
+    return;
+  }
+  if (command == "cross.set" && strokeRadius_mm_) {
+    Q_EMIT strokeBegun(cross_);
+    Q_EMIT strokeEnded(cross_);
     return;
   }
   if (command == "cross.set") return pick(cross_);
@@ -136,6 +165,13 @@ void PickLayer::paintEvent(QPaintEvent*) {
   if (mark) paintCross(painter, placeOf(*mark), true);
   if (!picking_) return;
   if (cross_ != mark) paintCross(painter, placeOf(cross_), false);
+  if (strokeRadius_mm_ && *strokeRadius_mm_ > 0.0 && session_.geometry().pixel_mm > 0.0) {
+    const double radius_px = *strokeRadius_mm_ / session_.geometry().pixel_mm / devicePixelRatioF();
+    for (const auto& [colour, width] : {std::pair{QColor(Qt::black), 3.0}, std::pair{scanTheme().accent, 1.5}}) {
+      painter.setPen(QPen(colour, width));
+      painter.drawEllipse(placeOf(cross_), radius_px, radius_px);
+    }
+  }
   if (hint_.isEmpty()) return;
   painter.setFont(smallFont());
   const QRect room = rect().adjusted(16, 16, -16, -16);

@@ -2,6 +2,7 @@
 
 #include <QPoint>
 #include <QWidget>
+#include <optional>
 
 #include "key_map.h"
 
@@ -23,16 +24,23 @@ class PickLayer : public QWidget {
   [[nodiscard]] bool isPicking() const { return picking_; }
   /// A sentence over the picture while somebody picks.
   void setHint(const QString& hint);
+  /// With a radius (mm, 0: no circle) strokes are drawn: button down, held, up; Enter is a stroke of one point. Without, points are picked.
+  void setStroke(std::optional<double> radius_mm);
 
  Q_SIGNALS:
   void pickingChanged(bool picking);
   void picked(const QPoint& pixel);  ///< of the picture, device pixels
-  void escaped();                    ///< the user ended it
+  void strokeBegun(const QPoint& pixel);
+  void strokeMoved(const QPoint& pixel);
+  void strokeEnded(const QPoint& pixel);
+  void escaped();  ///< the user ended it
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
   [[nodiscard]] Session& session() const { return session_; }
@@ -57,6 +65,8 @@ class PickLayer : public QWidget {
   bool picking_ = false;
   QPoint cross_;  ///< pixel under the keyboard's cross
   QString hint_;
+  std::optional<double> strokeRadius_mm_;  ///< empty: points are picked
+  bool isDrawing_ = false;                 ///< the button is held
 };
 
 }  // namespace ew::ui

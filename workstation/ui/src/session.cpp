@@ -92,6 +92,7 @@ void Session::show(ScanSubject shown) {
   recent_.clear();
   adaptive_.reset();
   latency_.clear();
+  caseLabels_ = subject()->labels;
   sceneBeforeReset_.reset();
   wantedEchoes_.reset();
   breathing_ = {};
@@ -158,6 +159,8 @@ void Session::exchangePicture(Session& other) {
     scanner_.setTitle(edited.title);
     scanner_.setScene(edited.scene);
     if (edited.tissue && !subject()->tissue) scanner_.know(edited.tissue);
+    if (edited.labels != subject()->labels) scanner_.setLabels(edited.labels);
+    caseLabels_ = other.caseLabels_;
   }
   tellOfPicture(wasFrozen);
   other.tellOfPicture(otherWasFrozen);
@@ -197,6 +200,28 @@ void Session::place(const Transform<frame::World, frame::World>& ownToWorld) {
 void Session::setTitle(const std::string& title) {
   if (!subject() || subject()->title == title) return;
   scanner_.setTitle(title);
+  Q_EMIT subjectChanged();
+}
+
+void Session::setLabels(std::shared_ptr<const Volume> labels) {
+  if (!subject()) return;
+  caseLabels_ = labels;
+  takeLabels(std::move(labels));
+}
+
+void Session::previewLabels(std::optional<Volume> labels) {
+  if (!subject()) return;
+  if (!labels) return takeLabels(caseLabels_);
+  const auto ownToWorld = subject()->placedGrid.voxelToWorld() * inverse(subject()->voxels.grid().voxelToWorld());
+  labels->grid = placed(labels->grid, inverse(ownToWorld));
+  takeLabels(std::make_shared<const Volume>(std::move(*labels)));
+}
+
+void Session::takeLabels(std::shared_ptr<const Volume> labels) {
+  if (subject()->labels == labels) return;
+  scanner_.setLabels(std::move(labels));
+  if (!frozen_) forgetCine();  // its images cannot be formed again with tissues that lie elsewhere
+  due();
   Q_EMIT subjectChanged();
 }
 

@@ -50,6 +50,10 @@ class Session final : public QObject {
   /// A transform and no grid: whoever moves something cannot give it the grid of something else.
   void place(const Transform<frame::World, frame::World>& ownToWorld);
   void setTitle(const std::string& title);
+  /// The case names other labels now, on a grid in the frame of the voxels' own; null: none.
+  void setLabels(std::shared_ptr<const Volume> labels);
+  /// Shows labels that are being edited, on a grid in the world, where the volume lies now; empty: those of the case again.
+  void previewLabels(std::optional<Volume> labels);
 
   /// What the frames run: the case's scene until the console switches an effect. Only the console's is set here; the case keeps its own.
   void setScene(const Scene& scene);
@@ -215,6 +219,7 @@ class Session final : public QObject {
   void updateUsableProbes();
   void takeProbe(const Probe& probe);
   void takeScene(const Scene& scene);
+  void takeLabels(std::shared_ptr<const Volume> labels);
   void keepComing();
   /// A change of settings while frozen: refused, and who asked is told the settings there are.
   [[nodiscard]] bool refuses();
@@ -269,6 +274,7 @@ class Session final : public QObject {
   std::unique_ptr<Forming> forming_;  ///< once another image than the last one was asked for
   QTimer formOn_;
   std::optional<Scene> sceneBeforeReset_;
+  std::shared_ptr<const Volume> caseLabels_;      ///< while others are shown that are being edited
   std::optional<LiveEchoesEffect> wantedEchoes_;  ///< that begin once tissue is known
   AskedBreathing breathing_;
   bool due_ = false;

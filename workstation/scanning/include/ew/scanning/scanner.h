@@ -32,6 +32,8 @@ class Scanner {
   void setScene(Scene scene);
   void know(std::shared_ptr<const TissueMaps> ofVoxels);
   void place(const Transform<frame::World, frame::World>& ownToWorld);
+  /// Other labels of the same subject, on a grid in the frame of the voxels' own; null: none. They are placed as the voxels are.
+  void setLabels(std::shared_ptr<const Volume> labels);
 
   /// Tables for a state, made now rather than with the next picture.
   void prepare(const ScanState& state, int width_px, int height_px);

@@ -133,6 +133,10 @@ struct CaseContents {
 /// @error as loadCaseVolume; cancelled
 [[nodiscard]] Result<CaseContents> readContents(const Case& opened, Progress& progress, const PreparationOptions& options = {});
 
+/// The labels that a case of a file names, on a grid in the frame of `contents`, which were read before the case named these; null: none.
+/// @error as readLabelVolume, badField
+[[nodiscard]] Result<std::shared_ptr<const Volume>> readLabelsFor(const Case& edited, const CaseContents& contents, Progress& progress);
+
 /// Where a case as it stands puts the grids of its contents.
 [[nodiscard]] Transform<frame::World, frame::World> ownToWorldOf(const Case& edited, const CaseContents& contents);
 
