@@ -32,12 +32,16 @@ Panels::~Panels() = default;
 void Panels::add(const std::string& id, const std::string& title, StagedPanel::Make make, const std::string& workspace) {
   addStaged({.id = id, .title = title, .make = std::move(make), .workspace = workspace});
 }
+void Panels::setShown(const std::string&, bool) {}
 Scan::~Scan() = default;
 std::optional<Scanned> Scan::scanned() const { return std::nullopt; }
 std::vector<ScanMeasurement> Scan::measurements() const { return {}; }
 Ticket Scan::onMeasured(std::function<void()>) { return nullptr; }
 Ticket Scan::askForPoint(const std::string&, std::function<void(const Point<frame::Probe>&)>, std::function<void()>) { return nullptr; }
 Ticket Scan::askForStroke(StrokeRequest) { return nullptr; }
+Result<void> Scan::placeProbe(const Transform<frame::World, frame::Probe>&) {
+  return failure(ErrorCode::badUsage, say<"Nothing is scanned; open a case or a volume first.">());
+}
 Result<void> Scan::showLabels(std::optional<Volume>) {
   return failure(ErrorCode::badUsage, say<"Nothing is scanned; open a case or a volume first.">());
 }

@@ -84,6 +84,13 @@ Result<void> HostScan::maySet() const {
   return {};
 }
 
+Result<void> HostScan::placeProbe(const Transform<frame::World, frame::Probe>& probeToWorld) {
+  if (auto may = maySet(); !may) return may;
+  if (!session_.skin()) return failure(ErrorCode::badUsage, say<"The body is still being read; try again in a moment.">());
+  session_.setHold(holdFor(Pose{.probeToWorld = probeToWorld}, *session_.skin()));
+  return {};
+}
+
 Result<void> HostScan::apply(const Knobs& knobs) {
   if (auto may = maySet(); !may) return may;
   session_.setKnobs(limited(knobs));

@@ -30,6 +30,7 @@ class HostScan final : public QObject, public sdk::Scan {
   [[nodiscard]] double now_s() const override;
   [[nodiscard]] sdk::Ticket onEvent(EventCallback callback) override;
   [[nodiscard]] sdk::Ticket drive(std::shared_ptr<const PoseSource> source, std::function<void()> takenBack) override;
+  [[nodiscard]] Result<void> placeProbe(const Transform<frame::World, frame::Probe>& probeToWorld) override;
   [[nodiscard]] Result<void> apply(const Knobs& knobs) override;
   [[nodiscard]] Result<void> chooseProbe(const std::string& id) override;
   [[nodiscard]] Result<void> setFrozen(bool frozen) override;

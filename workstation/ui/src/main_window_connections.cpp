@@ -92,6 +92,10 @@ void MainWindow::connectDocument() {
     showTitle();
   });
   connect(p.panels, &WorkspacePanels::changed, this, &MainWindow::showStage);
+  connect(p.panels, &WorkspacePanels::tabsChanged, this, [this] {
+    showPanels();
+    showStage();
+  });
 }
 
 void MainWindow::connectPages() {

@@ -34,6 +34,21 @@ QTabWidget& WorkspacePanels::of(const std::string& workspace) {
   return *tabs;
 }
 
+bool WorkspacePanels::has(const std::string& workspace) const {
+  const auto found = tabs_.find(workspace);
+  if (found == tabs_.end()) return false;
+  for (int tab = 0; tab < found->second->count(); ++tab)
+    if (found->second->isTabVisible(tab)) return true;
+  return false;
+}
+
+void WorkspacePanels::setTabShown(QTabWidget& tabs, int tab, bool shown) {
+  if (tabs.isTabVisible(tab) == shown) return;
+  tabs.setTabVisible(tab, shown);
+  if (shown && !tabs.isTabVisible(tabs.currentIndex())) tabs.setCurrentIndex(tab);
+  Q_EMIT tabsChanged();
+}
+
 void WorkspacePanels::show(const std::string& workspace) {
   inFront_ = workspace;
   for (const auto& [id, tabs] : tabs_) tabs->setVisible(id == workspace);

@@ -19,7 +19,9 @@ class WorkspacePanels final : public QWidget {
 
   /// The tabs of a workspace, made when they are first asked for.
   [[nodiscard]] QTabWidget& of(const std::string& workspace);
-  [[nodiscard]] bool has(const std::string& workspace) const { return tabs_.contains(workspace); }
+  /// Whether a workspace has a tab that is shown.
+  [[nodiscard]] bool has(const std::string& workspace) const;
+  void setTabShown(QTabWidget& tabs, int tab, bool shown);
   [[nodiscard]] const std::map<std::string, QTabWidget*>& all() const { return tabs_; }
   /// Brings a workspace's tabs to the front. Whether the column is seen is up to who holds it.
   void show(const std::string& workspace);
@@ -30,7 +32,8 @@ class WorkspacePanels final : public QWidget {
   void clear();
 
  Q_SIGNALS:
-  void changed();  ///< another panel is in front
+  void changed();      ///< another panel is in front
+  void tabsChanged();  ///< a workspace has other tabs than before
 
  private:
   std::map<std::string, QTabWidget*> tabs_;

@@ -243,6 +243,12 @@ class HostPanels final : public sdk::Panels {
     panel->setObjectName(QStringLiteral("panel_") + id);
     tabs.addTab(panel, title);
   }
+  void setShown(const std::string& id, bool shown) override {
+    for (const auto& [workspace, tabs] : columns_.all())
+      for (int i = 0; i < tabs->count(); ++i)
+        if (const auto* panel = dynamic_cast<const LazyPanel*>(tabs->widget(i)); panel != nullptr && panel->panel().id == id)
+          return columns_.setTabShown(*tabs, i, shown);
+  }
   [[nodiscard]] LazyPanel* inFront() const {
     const QTabWidget* tabs = columns_.inFront();
     return tabs != nullptr ? dynamic_cast<LazyPanel*>(tabs->currentWidget()) : nullptr;

@@ -177,6 +177,9 @@ class PluginPanels final : public sdk::Panels {
     }
     calls_->whenMade([this, panel = std::move(panel)] { inner_.addStaged(panel); });
   }
+  void setShown(const std::string& id, bool shown) override {
+    if (has(id)) calls_->whenMade([this, id, shown] { inner_.setShown(id, shown); });
+  }
   [[nodiscard]] bool has(const std::string& id) const { return std::find(ids_.begin(), ids_.end(), id) != ids_.end(); }
 
  private:
@@ -262,6 +265,7 @@ class PluginScan final : public sdk::Scan {
     };
     return calls_->keepTicket(inner_.drive(std::make_shared<GuardedPoses>(calls_, std::move(source)), std::move(told)));
   }
+  Result<void> placeProbe(const Transform<frame::World, frame::Probe>& probeToWorld) override { return inner_.placeProbe(probeToWorld); }
   Result<void> apply(const Knobs& knobs) override { return inner_.apply(knobs); }
   Result<void> chooseProbe(const std::string& id) override { return inner_.chooseProbe(id); }
   Result<void> setFrozen(bool frozen) override { return inner_.setFrozen(frozen); }

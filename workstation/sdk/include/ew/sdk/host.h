@@ -211,6 +211,9 @@ class Panels {
   virtual void addStaged(StagedPanel panel) = 0;
   /// One that is a column alone.
   void add(const std::string& id, const std::string& title, StagedPanel::Make make, const std::string& workspace = "author");
+  /// Takes a panel's tab out of its column while it has nothing to show, and puts it back; a column without tabs gives its room to the
+  /// views. A panel is shown when it is added. An id that is none does nothing.
+  virtual void setShown(const std::string& id, bool shown);
 };
 
 /// Headless commands: `echoweave NAME args…`.

@@ -78,6 +78,10 @@ class Scan {
   /// `takenBack` is called, and the ticket has no effect any more. A source that throws leaves the probe where it was.
   [[nodiscard]] virtual Ticket drive(std::shared_ptr<const PoseSource> source, std::function<void()> takenBack) = 0;
 
+  /// Puts the probe there, pulled to the skin, as if the hand had brought it: the hand goes on from it.
+  /// @error badUsage (nothing is scanned, no skin yet, it is frozen, a recording is played)
+  [[nodiscard]] virtual Result<void> placeProbe(const Transform<frame::World, frame::Probe>& probeToWorld);
+
   /// Sets what the console sets; brought within its limits.
   /// @error badUsage (no scan, it is frozen, or a recording is played)
   [[nodiscard]] virtual Result<void> apply(const Knobs& knobs) = 0;
