@@ -124,7 +124,7 @@ class Cases {
   /// @error badUsage, notWritable, badField, cancelled (the user wants it unsaved for now)
   [[nodiscard]] virtual Result<void> save(const std::filesystem::path& folder = {}) = 0;
   /// To be called before files are put into currentFolder(): a shipped case is first copied to a folder of the user's own, which is
-  /// asked for and becomes currentFolder(). Any other case stays where it is.
+  /// asked for and becomes currentFolder(). So is one that somebody else is editing. Any other case stays where it is.
   /// @error badUsage (no case is open), cancelled (the user wants no copy), notWritable
   [[nodiscard]] virtual Result<void> makeOwn();
   [[nodiscard]] virtual bool hasUnsavedChanges() const = 0;
@@ -146,8 +146,12 @@ class Cases {
   [[nodiscard]] virtual std::optional<Scan> scan() const;
   /// What the program has for a case to choose from.
   struct Choices {
-    std::vector<std::pair<std::string, std::string>> probes;  ///< id and name
-    std::vector<std::string> mannequins;                      ///< file names; the first is the usual one
+    std::vector<std::pair<std::string, std::string>> probes;     ///< id and name
+    std::vector<std::string> mannequins;                         ///< file names; the first is the usual one
+    std::vector<std::pair<std::string, std::string>> presets;    ///< of the console: id and name, in the window's language
+    std::vector<std::pair<std::string, std::string>> bodyMarks;  ///< id and name, in the window's language
+    std::vector<std::string> regions;                            ///< that body marks and word lists are made for
+    std::filesystem::path ownCases;                              ///< where the user keeps cases of their own; it need not be there yet
   };
   [[nodiscard]] virtual Choices choices() const;
 

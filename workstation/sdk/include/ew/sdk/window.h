@@ -7,12 +7,17 @@
 
 namespace ew::sdk {
 
-/// An entry of the window's menu of tools; one with keys stands on the page of keys as well.
+/// Where an entry stands: in the menu of tools, first in the menu of files, or there and as a button on the page of cases, where authors
+/// and whoever has no case yet look for what begins one.
+enum class MenuPlace { tools, file, start };
+
+/// An entry of the window's menus; one with keys stands on the page of keys as well.
 struct MenuEntry {
   std::string title;  ///< as shown, "&" before the letter for Alt
   std::string keys =
       {};  ///< "Ctrl+Shift+G", with Ctrl or Alt; keys that the window has stay the window's, and the log says so. Empty: none
   std::string workspace = {};  ///< the entry works in this one alone; empty: everywhere
+  MenuPlace place = MenuPlace::tools;
 };
 
 /// The window around it all: sentences, entries of menus, a word before it closes. On the window's thread; headless the sentences go to the
