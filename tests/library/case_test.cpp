@@ -8,6 +8,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "ew/library/new_case.h"
 #include "ew/library/schema.h"
 #include "library/temporary_folder.h"
 
@@ -151,15 +152,21 @@ TEST(LoadCase, NamesEachMissingFieldThatACaseNeeds) {
   }
 }
 
-TEST(LoadCase, WantsEitherAFileOrARecipeButNotBoth) {
+TEST(LoadCase, TakesAFileOrARecipeButNotBothAndWaitsForEither) {
   json both = smallest();
   both["volume"]["recipe"] = "patient.json";
-  EXPECT_EQ(context(onlyProblem(both), "field"), "volume");
+  const Error problem = onlyProblem(both);
+  EXPECT_EQ(context(problem, "field"), "volume");
+  EXPECT_NE(problem.sentence().find("a file or a recipe, not both"), std::string::npos) << problem;
   json neither = smallest();
   neither["volume"] = json::object();
-  const Error problem = onlyProblem(neither);
-  EXPECT_EQ(context(problem, "field"), "volume");
-  EXPECT_NE(problem.sentence().find("either a file or a recipe"), std::string::npos) << problem;
+  const auto waiting = caseFromManifest(neither, {});
+  ASSERT_TRUE(waiting) << waiting.error();
+  EXPECT_TRUE(hasNoVolume(*waiting));
+  EXPECT_EQ(json(manifestOf(*waiting))["volume"], json({{"file_to_world", identityWith(0, 1.0)}}));
+  const auto loaded = loadCaseVolume(*waiting, noProgress());
+  ASSERT_FALSE(loaded);
+  EXPECT_EQ(loaded.error().code, ErrorCode::emptyVolume);
 }
 
 TEST(LoadCase, RefusesAPlaceThatIsNotRigid) {

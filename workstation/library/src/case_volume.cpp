@@ -76,6 +76,11 @@ Result<CaseEcho> fromFiles(const Case& opened, const fs::path& file, Progress& p
 Result<CaseEcho> loadCaseVolume(const Case& opened, Progress& progress, const PreparationOptions& options) {
   Result<CaseEcho> found = [&]() -> Result<CaseEcho> {
     if (!opened.volume.recipe.empty()) return fromRecipe(opened, options, progress);
+    if (opened.volume.file.empty())
+      return failure(
+          ErrorCode::emptyVolume,
+          say<"The case '%1' has no volume yet; give it one in the Author workspace, or make it anew from a volume.">(opened.title),
+          {{"field", "volume.file"}, {"found", "missing"}});
     auto file = volumeOfCase(opened.folder, opened.volume.file, "volume.file");
     if (!file) return passOn(file.error());
     return fromFiles(opened, *file, progress);

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kVolumes = "volumes/";
+constexpr std::string_view kVolumesFolder = "volumes/";
 constexpr std::size_t kNameDigits = 16;
 constexpr std::array<std::string_view, 4> kVolumeEndings = {".mha", ".nrrd", ".nii", ".nii.gz"};
 
@@ -113,18 +113,18 @@ Result<FileSum> joinHeaderAndSamples(const fs::path& headerFile, const fs::path&
 }  // namespace
 
 std::string contentName(std::string_view sha256, std::string_view ending) {
-  return std::string(kVolumes) + std::string(sha256.substr(0, kNameDigits)) + std::string(ending);
+  return std::string(kVolumesFolder) + std::string(sha256.substr(0, kNameDigits)) + std::string(ending);
 }
 
 bool isContentNamed(std::string_view path) {
-  if (!path.starts_with(kVolumes) || path.size() < kVolumes.size() + kNameDigits) return false;
-  const auto digits = path.substr(kVolumes.size(), kNameDigits), ending = path.substr(kVolumes.size() + kNameDigits);
+  if (!path.starts_with(kVolumesFolder) || path.size() < kVolumesFolder.size() + kNameDigits) return false;
+  const auto digits = path.substr(kVolumesFolder.size(), kNameDigits), ending = path.substr(kVolumesFolder.size() + kNameDigits);
   return digits.find_first_not_of("0123456789abcdef") == std::string_view::npos &&
          std::find(kVolumeEndings.begin(), kVolumeEndings.end(), ending) != kVolumeEndings.end();
 }
 
 bool namesItsContent(std::string_view path, std::string_view sha256) {
-  return isContentNamed(path) && path.substr(kVolumes.size(), kNameDigits) == sha256.substr(0, kNameDigits);
+  return isContentNamed(path) && path.substr(kVolumesFolder.size(), kNameDigits) == sha256.substr(0, kNameDigits);
 }
 
 Result<std::string> addVolumeFile(const fs::path& file, const fs::path& caseFolder, Progress& progress) {

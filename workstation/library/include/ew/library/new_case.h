@@ -64,7 +64,7 @@ struct NewCasePlan {
   std::uint64_t bytes = 0;  ///< memory at the peak
   std::uint64_t disk_bytes = 0;  ///< that the case may take at most; volumes are compressed
   double seconds = 0.0;          ///< about, on this machine
-  std::vector<Message> notes;
+  std::vector<Message> notes = {};
 };
 
 /// What making a case will take, before it is made. Reads headers, and of a sweep its frames.
@@ -74,7 +74,7 @@ struct NewCasePlan {
 /// A case that was made, and what is to be told about it.
 struct MadeCase {
   Case made;  ///< with its folder
-  std::vector<Message> notes;
+  std::vector<Message> notes = {};
   std::optional<SweepCounts> frames = {};  ///< of a sweep
   std::optional<Contact> contact = {};     ///< of the placed volume with the mannequin's skin, where both are known
 };
@@ -91,7 +91,7 @@ struct GivenVolume {
   Case edited;                       ///< the same case; targets and measurements that only the old volume knew are left out
   std::size_t lostTargets = 0;       ///< that were left out
   std::size_t lostMeasurements = 0;  ///< the same of measurements
-  std::vector<Message> notes;
+  std::vector<Message> notes = {};
 };
 
 /// Puts a volume into the folder of a case, beside what is there (files are named by their content), for a case that has none or that is

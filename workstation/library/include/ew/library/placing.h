@@ -91,7 +91,7 @@ struct MannequinLandmarks {
 [[nodiscard]] const PlacingSite* siteFor(const MannequinLandmarks& known, const std::string& region);
 
 /// Puts the near face of a volume flush against the skin at a site, its beams looking to where the site says: its middle comes to lie
-/// on the skin's nearest point, then it moves along the beams until as much of the face stands off as lies below. The beams are tipped
+/// on the skin's nearest point, then it moves along the beams until as much of the face as can be lies within kGel_mm. The beams are tipped
 /// from the normal by at most 35 degrees, since a probe that is tipped further loses the skin.
 [[nodiscard]] Transform<frame::World, frame::File> firstPlacement(const PlacingShape& shape, const Skin& skin, const PlacingSite& site);
 

@@ -1,0 +1,240 @@
+#include "new_case_source.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ew/imaging/tissue_level.h"
+#include "ew/io/safe_file.h"
+#include "ew/io/volume_file.h"
+#include "ew/library/content_name.h"
+#include "ew/stitching/chain.h"
+
+namespace ew {
+namespace {
+
+namespace fs = std::filesystem;
+using stitching::StitchProject;
+
+/// A volume in memory and what is known about it, before it is put into a case.
+struct MadeVolume {
+  Volume volume;
+  fs::path level;  // a file that has it already
+  std::optional<SweepAxes> axes;
+  std::optional<SweepCounts> frames;
+  std::vector<Message> notes;
+};
+
+SweepImportOptions importOptionsFor(const SweepFile& sweep) {
+  SweepImportOptions options;
+  if (!sweep.calibration.empty()) options.calibrations = {sweep.calibration};
+  // Shadows count less: every echo is weighed by the confidence in it.
+  options.usual = {.spacing = !sweep.spacing_mm, .interpolation = true, .compounding = false, .fillReach = true};
+  options.reconstruct.compounding = Compounding::weighted;
+  if (sweep.spacing_mm) options.reconstruct.spacing_mm = *sweep.spacing_mm;
+  return options;
+}
+
+Result<void> checkSpacing(const SweepFile& sweep) {
+  if (!sweep.spacing_mm || (*sweep.spacing_mm >= 0.1 && *sweep.spacing_mm <= 10.0)) return {};
+  return failure(ErrorCode::badField, say<"The spacing of a voxel must be from 0.1 to 10 mm.">(), {{"field", "spacing"}});
+}
+
+Result<MadeVolume> madeOf(const VolumeFile& given, const fs::path&, Progress& progress) {
+  auto imported = importFile(given.file, given.answers, progress);
+  if (!imported) return passOn(imported.error());
+  if (!imported->volume)
+    return failure(
+        ErrorCode::unsupported,
+        say<"'%1' holds pictures one by one and no volume; a case needs a volume, a recording with poses, or a stitched result.">(
+            given.file.filename()),
+        {{"file", given.file.string()}});
+  return MadeVolume{*std::move(imported->volume), {}, {}, {}, std::move(imported->notes)};
+}
+
+Result<MadeVolume> madeOf(const SweepFile& given, const fs::path&, Progress& progress) {
+  if (auto usable = checkSpacing(given); !usable) return passOn(usable.error());
+  PartOfProgress opening(progress, 0.0, 0.3), pasting(progress, 0.3, 1.0);
+  auto opened = openSweep(given.file, importOptionsFor(given), opening);
+  if (!opened) return passOn(opened.error());
+  MadeVolume made;
+  made.notes = opened->readNotes;
+  made.notes.insert(made.notes.end(), opened->plan.notes.begin(), opened->plan.notes.end());
+  made.axes = sweepAxesOf(posedFrames(*opened));
+  made.frames = opened->plan.frames;
+  auto imported = importSweep(*std::move(opened), pasting);
+  if (!imported) return passOn(imported.error());
+  made.volume = std::move(imported->reconstruction.volume);
+  return made;
+}
+
+/// A folder that stitching wrote, by its name or that of the volume in it.
+fs::path resultFolderOf(const fs::path& named) {
+  std::error_code ignored;
+  return fs::is_directory(named, ignored) ? named : named.parent_path();
+}
+
+Result<MadeVolume> readStitched(const fs::path& folder, Progress& progress) {
+  auto read = readVolume(folder / "volume.mha", progress);
+  if (!read) return passOn(read.error());
+  MadeVolume made{std::move(read->volume), {}, {}, {}, std::move(read->notes)};
+  std::error_code ignored;
+  if (fs::is_regular_file(folder / "coverage.mha", ignored))
+    if (auto covered = readCoverageInto(made.volume, folder / "coverage.mha"); !covered) return passOn(covered.error());
+  if (fs::is_regular_file(folder / "level.mha", ignored)) made.level = folder / "level.mha";
+  return made;
+}
+
+Result<StitchProject> readProject(const fs::path& file) {
+  const auto text = readTextFile(file);
+  if (!text) return passOn(text.error());
+  return stitching::parseProject(*text, fs::absolute(file).parent_path());
+}
+
+Result<MadeVolume> madeOf(const StitchingResult& given, const fs::path& scratch, Progress& progress) {
+  if (given.file.extension() != ".json") return readStitched(resultFolderOf(given.file), progress);
+  const auto project = readProject(given.file);
+  if (!project) return passOn(project.error());
+  PartOfProgress stitching(progress, 0.0, 0.95), reading(progress, 0.95, 1.0);
+  stitching::ChainOptions options;
+  options.keepVolumes = false;
+  options.isFolderOwn = true;
+  const auto state = runChain(*project, scratch, options, stitching);
+  if (!state) return passOn(state.error());
+  if (state->volume.empty())
+    return failure(ErrorCode::unsupported, say<"The project '%1' was not stitched into one volume: %2">(given.file, state->reason),
+                   {{"file", given.file.string()}});
+  auto made = readStitched(scratch, reading);
+  if (!made) return made;
+  made->notes.insert(made->notes.end(), state->notes.begin(), state->notes.end());
+  if (state->verdict != registration::Verdict::aligned && !state->reason.empty()) made->notes.push_back(state->reason);
+  return made;
+}
+
+Result<MadeVolume> madeOf(const std::monostate&, const fs::path&, Progress&) {
+  return failure(ErrorCode::badUsage, say<"No volume is named; choose a volume, a recording or a stitched result.">());
+}
+
+Result<std::string> addLevel(const MadeVolume& made, const fs::path& caseFolder, Progress& progress) {
+  if (!made.level.empty()) return addVolumeFile(made.level, caseFolder, progress);
+  PartOfProgress levelling(progress, 0.0, 0.8), writing(progress, 0.8, 1.0);
+  auto level = levelOf(made.volume, {}, levelling);
+  if (!level) return passOn(level.error());
+  return addVolume(Volume{made.volume.grid, *std::move(level), {}}, caseFolder, writing);
+}
+
+NewCasePlan planOfGrid(const Grid& grid) {
+  NewCasePlan plan;
+  plan.grid = grid;
+  const std::uint64_t voxels = grid.voxelCount();
+  // Echoes, coverage and level, and what levelling holds beside them.
+  plan.bytes = 3 * voxels + levelForecast_bytes(grid, {});
+  plan.disk_bytes = 2 * voxels + (64u << 10);
+  plan.seconds = 0.5 + 3.5e-7 * static_cast<double>(voxels);
+  return plan;
+}
+
+Result<NewCasePlan> planned(const VolumeFile& given, Progress& progress) {
+  const auto kind = given.answers.raw ? Result<FileKind>(FileKind::raw) : kindOfFile(given.file);
+  if (!kind) return passOn(kind.error());
+  if (*kind == FileKind::volume) {
+    const auto header = readVolumeHeader(given.file);
+    if (!header) return passOn(header.error());
+    Grid grid = header->grid;
+    if (given.answers.spacing_mm) grid.spacing_mm = *given.answers.spacing_mm;
+    return planOfGrid(grid);
+  }
+  const auto made = madeOf(given, {}, progress);
+  if (!made) return passOn(made.error());
+  NewCasePlan plan = planOfGrid(made->volume.grid);
+  plan.notes = made->notes;
+  return plan;
+}
+
+Result<NewCasePlan> planned(const SweepFile& given, Progress& progress) {
+  if (auto usable = checkSpacing(given); !usable) return passOn(usable.error());
+  const auto opened = openSweep(given.file, importOptionsFor(given), progress);
+  if (!opened) return passOn(opened.error());
+  NewCasePlan plan = planOfGrid(opened->plan.grid);
+  plan.bytes = std::max(plan.bytes, opened->plan.bytes);
+  if (const auto axes = sweepAxesOf(posedFrames(*opened))) plan.axes = *axes;
+  const Sequence& sequence = opened->sequence;
+  plan.seconds += opened->readSeconds + 1.2e-7 * static_cast<double>(opened->plan.frames.used) * sequence.width * sequence.height;
+  plan.notes = opened->plan.notes;
+  return plan;
+}
+
+Result<NewCasePlan> planned(const StitchingResult& given, Progress&) {
+  if (given.file.extension() != ".json") {
+    const auto header = readVolumeHeader(resultFolderOf(given.file) / "volume.mha");
+    if (!header) return passOn(header.error());
+    return planOfGrid(header->grid);
+  }
+  const auto project = readProject(given.file);
+  if (!project) return passOn(project.error());
+  const auto forecast = stitching::forecastChain(*project, cacheFolder() / "no-such-folder", {});
+  if (!forecast) return passOn(forecast.error());
+  NewCasePlan plan;
+  plan.bytes = forecast->peak_bytes;
+  for (const auto& step : forecast->steps) plan.seconds += step.seconds;
+  return plan;
+}
+
+Result<NewCasePlan> planned(const std::monostate&, Progress&) { return NewCasePlan{}; }
+
+}  // namespace
+
+Result<CaseSource> sourceOf(const fs::path& file) {
+  std::error_code ignored;
+  if (file.extension() == ".json" && fs::is_regular_file(file, ignored)) return CaseSource(StitchingResult{file});
+  if (fs::is_directory(file, ignored) && fs::is_regular_file(file / "volume.mha", ignored)) return CaseSource(StitchingResult{file});
+  if (file.filename() == "volume.mha" && fs::is_regular_file(file.parent_path() / "provenance.json", ignored))
+    return CaseSource(StitchingResult{file});
+  const auto kind = kindOfFile(file);
+  if (!kind) return passOn(kind.error());
+  if (*kind == FileKind::sweep) return CaseSource(SweepFile{.file = file});
+  if (*kind == FileKind::film || *kind == FileKind::dicomPictures)
+    return failure(
+        ErrorCode::unsupported,
+        say<"'%1' holds pictures one by one and no volume; a case needs a volume, a recording with poses, or a stitched result.">(
+            file.filename()),
+        {{"file", file.string()}});
+  return CaseSource(VolumeFile{.file = file});
+}
+
+Result<SourceInCase> putSource(const CaseSource& source, const fs::path& caseFolder, const fs::path& scratch, Progress& progress) {
+  PartOfProgress making(progress, 0.0, 0.6), writing(progress, 0.6, 0.75), levelling(progress, 0.75, 1.0);
+  auto made = std::visit([&](const auto& given) { return madeOf(given, scratch, making); }, source);
+  if (!made) return passOn(made.error());
+  const auto file = addVolume(made->volume, caseFolder, writing);
+  if (!file) return passOn(file.error());
+  const auto level = addLevel(*made, caseFolder, levelling);
+  if (!level) return passOn(level.error());
+  SourceInCase put{*file, *level, made->axes, {}, made->frames, std::move(made->notes)};
+  put.shape = placingShapeOf(made->volume, made->axes.value_or(SweepAxes{}));
+  return put;
+}
+
+Result<NewCasePlan> planSource(const CaseSource& source, Progress& progress) {
+  return std::visit([&](const auto& given) { return planned(given, progress); }, source);
+}
+
+ChosenPlace choosePlace(const PlacingShape& shape, const std::string& mannequin, const fs::path& caseFolder, const std::string& region,
+                        const std::optional<Transform<frame::World, frame::File>>& given) {
+  ChosenPlace place;
+  const auto skin = skinOfMannequin(mannequin, caseFolder);
+  if (given) {
+    place.fileToWorld = *given;
+  } else {
+    const auto known = landmarksOf(mannequin);
+    const PlacingSite* site = known ? siteFor(*known, region) : nullptr;
+    if (!skin || site == nullptr) {
+      place.notes.push_back(say<"The volume lies where its file says; place it on the body by hand.">());
+      return place;
+    }
+    place.fileToWorld = firstPlacement(shape, **skin, *site);
+  }
+  if (skin) place.contact = contactOf(shape, place.fileToWorld, **skin);
+  return place;
+}
+
+}  // namespace ew

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ew/library/new_case.h"
+
+namespace ew {
+
+/// A source as it lies in a case folder.
+struct SourceInCase {
+  std::string file;   ///< "volumes/….mha"
+  std::string level;  ///< the same of its level
+  std::optional<SweepAxes> axes = {};
+  PlacingShape shape = {};
+  std::optional<SweepCounts> frames = {};
+  std::vector<Message> notes = {};
+};
+
+/// Makes a volume and its level of a source and puts both into a case folder.
+/// @param scratch a folder for what is only needed meanwhile; made when it is needed, left to the caller
+/// @param source not monostate
+/// @error as makeCase
+[[nodiscard]] Result<SourceInCase> putSource(const CaseSource& source, const std::filesystem::path& caseFolder,
+                                             const std::filesystem::path& scratch, Progress& progress);
+
+/// What putSource will take. @error as putSource, as far as it goes
+[[nodiscard]] Result<NewCasePlan> planSource(const CaseSource& source, Progress& progress);
+
+/// Where a volume comes to lie when nobody says: at the usual place of a region.
+/// @return the identity and a note where the mannequin has no named places or no skin
+struct ChosenPlace {
+  Transform<frame::World, frame::File> fileToWorld = {};
+  std::optional<Contact> contact = {};
+  std::vector<Message> notes = {};
+};
+[[nodiscard]] ChosenPlace choosePlace(const PlacingShape& shape, const std::string& mannequin, const std::filesystem::path& caseFolder,
+                                      const std::string& region, const std::optional<Transform<frame::World, frame::File>>& given);
+
+}  // namespace ew
