@@ -159,14 +159,14 @@ std::optional<PlannedExercise> nextExercise(const std::vector<RepetitionState>& 
 
 Result<std::vector<RepetitionState>> repetitionFromJson(const nlohmann::json& document) {
   constexpr double kLatest_s = 253402300799.0;  // the end of the year 9999
-  JsonReading reading(verbatim("exercises.json"));
+  JsonReading reading(verbatim("repetition.json"));
   const JsonFields root(document, reading);
   const long long format = root.whole("format", 1, 1000000);
   if (reading.problem()) return passOn(*reading.problem());
   if (format > kRepetitionFormat)
     return failure(ErrorCode::newerFormat,
                    say<"%1 has format %2, and this program reads formats up to %3; open it with a newer EchoWeave.">(
-                       std::string("exercises.json"), std::to_string(format), kRepetitionFormat),
+                       std::string("repetition.json"), std::to_string(format), kRepetitionFormat),
                    {{"field", "format"}, {"found", std::to_string(format)}});
   std::vector<RepetitionState> states;
   std::set<std::string> ids;

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ew/library/attempt.h"
+#include "ew/library/case_words.h"
+#include "ew/library/course.h"
+#include "ew/library/lesson.h"
+
+namespace ew {
+
+// How far somebody has got: worked out from the attempts that are kept, whenever it is asked for, so that it cannot say anything else than
+// they do.
+
+[[nodiscard]] std::filesystem::path attemptsFolder(const std::filesystem::path& library);
+
+/// Of one lesson.
+struct LessonStanding {
+  std::size_t attempts = 0;                          ///< finished
+  std::size_t bestPassed = 0;                        ///< steps, of the best attempt that was finished
+  std::optional<std::filesystem::path> interrupted;  ///< the latest attempt, when it was stopped in the middle
+  std::size_t interruptedAt = 0;                     ///< steps ended in it, each counted once
+  std::optional<std::chrono::sys_seconds> last;      ///< when it was worked on last
+  bool operator==(const LessonStanding&) const = default;
+
+  [[nodiscard]] bool isPassed(std::size_t steps) const { return attempts > 0 && bestPassed >= steps; }
+};
+
+/// A lesson that was stopped in the middle.
+struct InterruptedLesson {
+  std::string caseId;
+  std::string lessonId;
+  std::string lessonTitle;  ///< as it was when it began
+  std::size_t endedSteps = 0;
+  std::filesystem::path folder;  ///< of the attempt
+  bool operator==(const InterruptedLesson&) const = default;
+};
+
+/// Whether an attempt counts for a person: it bears their name or none, for a workstation where nobody gives a name has one trainee.
+[[nodiscard]] bool countsFor(const Attempt& attempt, const std::string& person);
+
+/// What one person's attempts say of all lessons.
+class Standings {
+ public:
+  Standings() = default;
+  Standings(const AttemptList& attempts, const std::string& person);
+
+  /// @param steps ids of those that count, as a lesson has them now; empty: any
+  [[nodiscard]] LessonStanding of(const std::string& caseId, const std::string& lessonId, const std::vector<std::string>& steps = {}) const;
+  [[nodiscard]] LessonStanding of(const std::string& caseId, const Lesson& lesson) const;
+  /// Those whose latest attempt was stopped, the latest first.
+  [[nodiscard]] std::vector<InterruptedLesson> interrupted() const;
+  [[nodiscard]] bool empty() const { return attempts_.empty(); }
+
+ private:
+  using Key = std::pair<std::string, std::string>;                                  // case and lesson
+  std::map<Key, std::vector<std::pair<std::filesystem::path, Attempt>>> attempts_;  ///< the latest first
+};
+
+/// A lesson of a course with what is needed to show and to open it.
+struct CourseStep {
+  CourseLesson lesson;
+  std::filesystem::path caseFolder;  ///< empty: the library does not have it
+  std::string title;
+  std::string caseTitle;  ///< for trainees
+  int minutes = 0;
+  std::size_t steps = 0;
+  LessonStanding standing;
+
+  [[nodiscard]] bool isThere() const { return !caseFolder.empty(); }
+  [[nodiscard]] bool isPassed() const { return isThere() && standing.isPassed(steps); }
+};
+
+/// A course as one person stands in it.
+struct CourseStanding {
+  Course course;
+  std::vector<CourseStep> steps;
+  [[nodiscard]] std::size_t passed() const;
+  /// The first that is there and not passed; as many as there are: none.
+  [[nodiscard]] std::size_t next() const;
+};
+/// Reads the cases of the course. @param language of the titles, as in a locale
+[[nodiscard]] CourseStanding standingIn(Course course, const Standings& standings, const std::filesystem::path& library,
+                                        const std::string& language);
+
+/// The folder of a case by its id: the author's own, else the latest published revision, else the shipped one.
+[[nodiscard]] std::optional<std::filesystem::path> findCase(const std::string& id, const std::filesystem::path& library);
+
+}  // namespace ew
