@@ -22,7 +22,7 @@ struct Scanned {
   Grid placedLabels;                     ///< where the labels lie in the world
   std::shared_ptr<const Skin> skin;      ///< that the hand slides on; null: none yet
   std::vector<Probe> probes;             ///< that may be chosen
-  std::shared_ptr<const Volume> voxels;  ///< what is scanned, in its own frame (of the file, before it is placed)
+  std::shared_ptr<const Volume> voxels;  ///< what is scanned, on the grid it was read with; `volume` is where it lies now
 };
 
 /// What is asked of a user who draws over the image.
