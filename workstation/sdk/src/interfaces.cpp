@@ -33,6 +33,7 @@ void Panels::add(const std::string& id, const std::string& title, StagedPanel::M
   addStaged({.id = id, .title = title, .make = std::move(make), .workspace = workspace});
 }
 void Panels::setShown(const std::string&, bool) {}
+void Panels::bringToFront(const std::string&) {}
 Scan::~Scan() = default;
 std::optional<Scanned> Scan::scanned() const { return std::nullopt; }
 std::vector<ScanMeasurement> Scan::measurements() const { return {}; }

@@ -218,6 +218,8 @@ class Panels {
   /// Takes a panel's tab out of its column while it has nothing to show, and puts it back; a column without tabs gives its room to the
   /// views. A panel is shown when it is added. An id that is none does nothing.
   virtual void setShown(const std::string& id, bool shown);
+  /// Puts a panel, another plugin's as well, in front of the others of its workspace. An id that is none does nothing.
+  virtual void bringToFront(const std::string& id);
 };
 
 /// Headless commands: `echoweave NAME args…`.
