@@ -13,11 +13,20 @@ namespace fs = std::filesystem;
 void makeCase(const std::string& place, const std::string& id) {
   fs::create_directories(fs::path(place) / "volumes");
   ASSERT_TRUE(writeVolume(rampVolume({6, 5, 4}), (fs::path(place) / "volumes/v.mha")));
-  const nlohmann::json manifest = {
-      {"format", 1},
-      {"id", id},
-      {"title", "Knee"},
-      {"volume", {{"file", "volumes/v.mha"}, {"file_to_world", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}}}};
+  const nlohmann::json manifest = {{"format", 1},
+                                   {"id", id},
+                                   {"title", "Knee"},
+                                   {"title_for_trainees", "A joint"},
+                                   {"region", "knee"},
+                                   {"indication", "Pain after a fall. Fluid?"},
+                                   {"findings", {"No fluid."}},
+                                   {"diagnosis", "A sound knee."},
+                                   {"start_pose", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}},
+                                   {"volume",
+                                    {{"file", "volumes/v.mha"},
+                                     {"attribution", "made for a test"},
+                                     {"licence", "CC0"},
+                                     {"file_to_world", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}}}};
   writeText((fs::path(place) / "case.json").string(), manifest.dump(2));
 }
 

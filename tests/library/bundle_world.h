@@ -49,8 +49,17 @@ inline nlohmann::json manifestOfVolumeCase(const std::string& id, const std::str
   return {{"format", 1},
           {"id", id},
           {"title", title},
+          {"title_for_trainees", "A joint"},
           {"region", "knee"},
-          {"volume", {{"file", "volumes/v.mha"}, {"file_to_world", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}}}};
+          {"indication", "Pain after a fall. Fluid?"},
+          {"findings", {"No fluid."}},
+          {"diagnosis", "A sound knee."},
+          {"start_pose", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}},
+          {"volume",
+           {{"file", "volumes/v.mha"},
+            {"attribution", "made for a test"},
+            {"licence", "CC0"},
+            {"file_to_world", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}}}};
 }
 
 /// A case folder with a volume and some files besides.

@@ -118,14 +118,18 @@ void makeTaughtCase(const fs::path& folder, const std::string& id, const std::st
   auto opened = loadCase(folder);
   ASSERT_TRUE(opened);
   opened->id = id;
-  opened->title = title;
+  opened->title = opened->titleForTrainees = title;
+  opened->region = opened->indication = opened->diagnosis = "A ball.";
+  opened->findings = {"A ball."};
+  opened->startPose = Pose{};
+  opened->startPose->probeToWorld.matrix[3] = glm::dvec4(0.0, -60.0, 0.0, 1.0);
   std::vector<Lesson> lessons(2);
   for (std::size_t n = 0; n < 2; ++n) {
     lessons[n].id = n == 0 ? "first" : "second";
     lessons[n].title = "Lesson " + lessons[n].id;
     for (const char* step : {"a", "b"}) {
       LessonStep made;
-      made.id = made.title = step;
+      made.id = made.title = made.text = step;
       made.task = ReadTask{};
       lessons[n].steps.push_back(made);
     }

@@ -3,6 +3,7 @@
 
 #include "arguments.h"
 #include "case_library.h"
+#include "case_new.h"
 #include "command.h"
 #include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
@@ -288,7 +289,7 @@ Result<int> prepare(const CaseArguments& arguments, Run& run) {
 }  // namespace
 
 void addCase(CLI::App& root, Selection& selection) {
-  auto& group = *root.add_subcommand("case", "List, show, validate, prepare, publish and hand on training cases");
+  auto& group = *root.add_subcommand("case", "Make, list, show, validate, prepare, publish and hand on training cases");
   group.require_subcommand(1);
   auto arguments = std::make_shared<CaseArguments>();
 
@@ -320,6 +321,7 @@ void addCase(CLI::App& root, Selection& selection) {
       ->type_name("DIR");
   addCount(prepared, "--threads", arguments->threads, 0, 1024, "Threads; 0: all cores; the voxels do not depend on it (0)");
 
+  addCaseNew(group, selection);
   addCaseLibrary(group, selection);
 }
 

@@ -1,11 +1,13 @@
 #include "case_library.h"
 
 #include <algorithm>
+#include <map>
 #include <ostream>
 
 #include "arguments.h"
 #include "ew/core/numbers.h"
 #include "ew/library/bundle.h"
+#include "ew/library/publishing.h"
 #include "volume_input.h"
 
 namespace ew::cli {
@@ -94,10 +96,54 @@ Result<int> importCase(const LibraryArguments& arguments, Run& run) {
   return kDone;
 }
 
+/// A case beside the one in `folder`, the program's own, or one that is published.
+std::optional<Case> caseOf(const std::string& id, const fs::path& folder) {
+  if (auto beside = loadCase(fs::absolute(folder).lexically_normal().parent_path() / id); beside && beside->id == id)
+    return *std::move(beside);
+  if (auto found = findCase(id)) return *std::move(found);
+  const auto published = latestPublished(libraryFolder(), id);
+  if (!published) return std::nullopt;
+  auto read = loadCase(published->folder);
+  return read ? std::optional(*std::move(read)) : std::nullopt;
+}
+
+/// Cases that lessons refer to, by id; read when the first is asked for.
+CaseById caseByIdFor(const Case& opened) {
+  auto known = std::make_shared<std::map<std::string, std::optional<Case>>>();
+  return [known, folder = opened.folder](const std::string& id) -> const Case* {
+    const auto [at, isNew] = known->try_emplace(id);
+    if (isNew) at->second = caseOf(id, folder);
+    return at->second ? &*at->second : nullptr;
+  };
+}
+
+const char* wordOf(CheckItem::State state) {
+  return state == CheckItem::State::missing ? "missing" : state == CheckItem::State::warning ? "look at" : "done";
+}
+
+/// The list an author goes through; what is done goes into the report alone.
+void tellList(const std::vector<CheckItem>& list, Run& run) {
+  json items = json::array();
+  for (const CheckItem& each : list) {
+    items.push_back({{"state", wordOf(each.state)}, {"what", each.what.english()}, {"field", each.field}});
+    if (each.state != CheckItem::State::done && !run.quiet()) run.out() << wordOf(each.state) << ": " << each.what.english() << "\n";
+  }
+  run.out() << std::flush;
+  run.report.details["check_list"] = std::move(items);
+}
+
 Result<int> publish(const LibraryArguments& arguments, Run& run) {
   const auto folder = folderOfCase(arguments.chosen);
   if (!folder) return passOn(folder.error());
   if (auto kept = readsCase(*folder, run); !kept) return passOn(kept.error());
+  if (const auto opened = loadCase(*folder)) {
+    const auto list = [&] {
+      const StepClock clock(run.report, "check");
+      return publishingList(*opened, {.caseById = caseByIdFor(*opened)});
+    }();
+    if (!list) return passOn(list.error());
+    tellList(*list, run);
+  }
   const auto published = [&] {
     const StepClock clock(run.report, "publish");
     return publishCase(*folder, libraryOf(arguments), run.progress);

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "ew/core/output_set.h"
+#include "ew/library/publishing.h"
 #include "file_pieces.h"
 #include "guarded_case.h"
 #include "handed_on.h"
@@ -78,6 +79,34 @@ Result<void> copyFiles(const CaseToHandOn& from, const std::optional<PublishedCa
                      {{"file", each.path}});
   }
   return {};
+}
+
+/// The cases that lessons may refer to: beside this one, the program's own, and those that are published.
+std::vector<Case> casesAround(const fs::path& caseFolder, const fs::path& library) {
+  std::vector<Case> all = listCases(fs::weakly_canonical(caseFolder).parent_path()).cases;
+  if (const auto shipped = shippedCasesFolder())
+    for (Case& each : listCases(*shipped).cases) all.push_back(std::move(each));
+  for (const PublishedCase& each : listPublished(library))
+    if (auto opened = loadCase(each.folder)) all.push_back(*std::move(opened));
+  return all;
+}
+
+/// @error badField: the first thing that is missing, and how many there are
+Result<void> checkReady(const Case& opened, const fs::path& library) {
+  std::optional<std::vector<Case>> around;
+  const auto missing = missingForPublishing(opened, [&](const std::string& id) -> const Case* {
+    if (!around) around = casesAround(opened.folder, library);
+    const auto found = std::find_if(around->begin(), around->end(), [&](const Case& each) { return each.id == id; });
+    return found == around->end() ? nullptr : &*found;
+  });
+  if (missing.empty()) return {};
+  std::vector<std::pair<std::string, std::string>> context = {{"field", missing.front().field},
+                                                              {"missing", std::to_string(missing.size())}};
+  if (missing.size() == 1)
+    return failure(ErrorCode::badField, say<"The case is not ready to be published: %1">(missing.front().what), std::move(context));
+  return failure(ErrorCode::badField,
+                 say<"The case is not ready to be published, %1 things are missing. The first: %2">(missing.size(), missing.front().what),
+                 std::move(context));
 }
 
 }  // namespace
@@ -166,6 +195,7 @@ Result<PublishedCase> publishCase(const fs::path& caseFolder, const fs::path& li
     PartOfProgress summing(progress, 0.0, 0.3), copying(progress, 0.3, 1.0);
     const auto from = caseToHandOn(caseFolder, summing);
     if (!from) return passOn(from.error());
+    if (auto ready = checkReady(from->opened, library); !ready) return passOn(ready.error());
     const std::string& id = from->opened.id;
     const auto latest = latestPublished(library, id);
     if (latest)

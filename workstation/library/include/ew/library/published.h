@@ -31,7 +31,8 @@ struct PublishedCase {
 /// it gets its name. A program killed at any moment leaves the revisions that were there, and aside what the next one takes away. A volume
 /// that the latest revision has, too, shares its room on the medium where there are hard links.
 /// @return that revision; or, when the case is as the latest one has it, the latest, with wasThere
-/// @error as loadCase and sumsOfCase; notWritable, cancelled (then nothing is there that was not before)
+/// @error as loadCase and sumsOfCase; badField (missingForPublishing finds something: the first of it, and in the context "missing" how
+///        many); notWritable, cancelled (then nothing is there that was not before)
 [[nodiscard]] Result<PublishedCase> publishCase(const std::filesystem::path& caseFolder, const std::filesystem::path& library,
                                                 Progress& progress = noProgress());
 

@@ -19,11 +19,11 @@ struct RealLooking {
 };
 
 /// Looks through one text for a date with day and month, a telephone, insurance, patient or accession number, an e-mail or web address, a
-/// title with a name ("Dr. Weber"), a hospital by name, a street. Rules, no list of people; it warns and never refuses.
+/// title with a name ("Dr. Weber"), a hospital by name, a street, one of the commonest given names with one of
+/// the commonest family names. It warns and never refuses.
 [[nodiscard]] std::vector<RealLooking> realLookingIn(std::string_view text, const std::string& field);
 
-/// The same for all texts of a case. Of the patient's name also: whether it was invented by inventedName or is at least none of the
-/// commonest given names with one of the commonest family names.
+/// The same for all texts of a case and its lessons, but for sources, attribution and licence.
 [[nodiscard]] std::vector<RealLooking> realLooking(const Case& opened);
 
 /// The name of nobody: put together from syllables, the same for the same seed.
