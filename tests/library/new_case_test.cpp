@@ -1,0 +1,315 @@
+#include "ew/library/new_case.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "../counted_stop.h"
+#include "../even_sweep.h"
+#include "ew/io/sequence.h"
+#include "ew/io/volume_file.h"
+#include "ew/library/checksums.h"
+#include "ew/library/publishing.h"
+#include "ew/library/templates.h"
+#include "library/bundle_world.h"
+
+namespace ew::test::new_case_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A sweep of 30 x 20 pixels of 1 mm and 25 frames a millimetre apart: grey tells the frame.
+fs::path makeSweep(const TemporaryFolder& folder) {
+  const Sequence sweep = evenSweep({.width = 30, .height = 20, .frames = 25, .from = "Image"}, [](int n, int) { return 20 + 8 * n; });
+  const fs::path file = folder / "sweep.igs.mha";
+  EXPECT_TRUE(writeSequence(sweep, file));
+  return file;
+}
+
+NewCase named(const std::string& title, CaseSource source) {
+  NewCase wanted;
+  wanted.title = title;
+  wanted.source = std::move(source);
+  return wanted;
+}
+
+TEST(MakeCase, OfASweepReconstructsPlacesAndLevelsIt) {
+  const TemporaryFolder folder;
+  const fs::path sweep = makeSweep(folder);
+  NewCase wanted = named("A sweep", SweepFile{.file = sweep, .spacing_mm = 1.0});
+  wanted.region = "right upper quadrant";
+  wanted.attribution = "Nobody";
+  wanted.licence = "CC0";
+  const auto plan = planCase(wanted);
+  ASSERT_TRUE(plan) << plan.error();
+  const auto made = makeCase(wanted, folder / "cases/A Sweep");
+  ASSERT_TRUE(made) << made.error();
+  const auto opened = loadCase(folder / "cases/A Sweep");
+  ASSERT_TRUE(opened) << opened.error();
+  EXPECT_EQ(manifestOf(*opened), manifestOf(made->made));
+  EXPECT_EQ(opened->id, "a-sweep");
+  EXPECT_EQ(rightsOf(*opened), (RecordingRights{"Nobody", "CC0"}));
+  const auto echo = loadCaseVolume(*opened, noProgress());
+  ASSERT_TRUE(echo) << echo.error();
+  EXPECT_EQ(echo->volume.grid.dims, plan->grid.dims);
+  EXPECT_EQ(echo->volume.grid.dims, glm::ivec3(30, 20, 25));
+  EXPECT_TRUE(echo->tissue) << "the level, for live echoes";
+  EXPECT_EQ(echo->volume.echo[echo->volume.grid.indexOf(15, 10, 12)], 20 + 8 * 12) << "the frame's own grey";
+  ASSERT_TRUE(made->frames);
+  EXPECT_EQ(made->frames->used, 25u);
+  ASSERT_TRUE(made->contact);
+  EXPECT_GT(made->contact->faceShare, 0.5);
+  const auto axes = sweepAxesOf(*opened);
+  ASSERT_TRUE(axes);
+  EXPECT_EQ(axes->depth, glm::dvec3(0, 1, 0)) << "down the frames";
+  EXPECT_EQ(axes->lateral, glm::dvec3(1, 0, 0)) << "along their rows";
+  const auto check = verifyCase(folder / "cases/A Sweep");
+  ASSERT_TRUE(check);
+  EXPECT_TRUE(check->problems.empty()) << check->problems.front();
+  std::uint64_t bytes = 0;
+  const auto files = filesOfCase(folder / "cases/A Sweep");
+  for (const FileSum& each : *files) bytes += each.size_bytes;
+  EXPECT_LE(bytes, plan->disk_bytes) << "what was said before";
+}
+
+TEST(MakeCase, OfAVolumeTakesItsVoxelsAndThePlaceThatIsGiven) {
+  const TemporaryFolder folder;
+  const Volume volume = noisyVolume({12, 10, 8}, 3);
+  Volume spaced = volume;
+  spaced.grid.spacing_mm = {0.5, 0.6, 0.7};
+  ASSERT_TRUE(writeVolume(spaced, folder / "v.mha"));
+  NewCase wanted = named("V", VolumeFile{.file = folder / "v.mha"});
+  wanted.fileToWorld = Transform<frame::World, frame::File>{};
+  wanted.fileToWorld->matrix[3] = glm::dvec4(1, 2, 3, 1);
+  const auto made = makeCase(wanted, folder / "v");
+  ASSERT_TRUE(made) << made.error();
+  const auto echo = loadCaseVolume(made->made, noProgress());
+  ASSERT_TRUE(echo);
+  EXPECT_EQ(echo->volume.echo, volume.echo);
+  EXPECT_EQ(echo->volume.grid.origin_mm, glm::dvec3(1, 2, 3));
+  ASSERT_TRUE(writeVolume(volume, folder / "unspaced.mha"));
+  const auto asked = makeCase(named("U", VolumeFile{.file = folder / "unspaced.mha"}), folder / "u");
+  ASSERT_FALSE(asked);
+  EXPECT_EQ(askedFor(asked.error()), "spacing");
+  EXPECT_FALSE(fs::exists(folder / "u"));
+}
+
+TEST(MakeCase, OfAStitchedResultTakesItsVolumeAndLevel) {
+  const TemporaryFolder folder;
+  Volume volume = noisyVolume({12, 10, 8}, 3);
+  volume.grid.spacing_mm = glm::dvec3(0.5);
+  Volume level = noisyVolume({12, 10, 8}, 4);
+  level.grid.spacing_mm = glm::dvec3(0.5);
+  fs::create_directories(folder / "stitched");
+  ASSERT_TRUE(writeVolume(volume, folder / "stitched/volume.mha"));
+  ASSERT_TRUE(writeVolume(level, folder / "stitched/level.mha"));
+  writeText(folder / "stitched/provenance.json", "{}");
+  for (const fs::path& named_ : {folder / "stitched", folder / "stitched/volume.mha"}) {
+    const auto source = sourceOf(named_);
+    ASSERT_TRUE(source);
+    ASSERT_TRUE(std::holds_alternative<StitchingResult>(*source)) << named_;
+    const auto made = makeCase(named("S", *source), folder / ("case-" + named_.stem().string()));
+    ASSERT_TRUE(made) << made.error();
+    const auto echo = loadCaseVolume(made->made, noProgress());
+    ASSERT_TRUE(echo);
+    EXPECT_EQ(echo->volume.echo, volume.echo);
+    ASSERT_TRUE(echo->tissue);
+    EXPECT_EQ(echo->tissue->level, level.echo);
+  }
+}
+
+TEST(MakeCase, OfNothingWaitsForAVolumeAndTakesOne) {
+  const TemporaryFolder folder;
+  NewCase wanted = named("Later", {});
+  wanted.region = "neck";
+  const auto made = makeCase(wanted, folder / "later");
+  ASSERT_TRUE(made) << made.error();
+  EXPECT_TRUE(hasNoVolume(made->made));
+  EXPECT_TRUE(validateCase(folder / "later").empty());
+  EXPECT_FALSE(caseNeedsPreparation(made->made));
+  const auto loaded = loadCaseVolume(made->made, noProgress());
+  ASSERT_FALSE(loaded);
+  EXPECT_EQ(loaded.error().code, ErrorCode::emptyVolume);
+
+  const std::string before = textOf(folder / "later/case.json");
+  const auto given = giveVolume(made->made, SweepFile{.file = makeSweep(folder), .spacing_mm = 1.0});
+  ASSERT_TRUE(given) << given.error();
+  EXPECT_EQ(textOf(folder / "later/case.json"), before) << "whoever edits the case saves it";
+  EXPECT_NE(given->edited.volume.fileToWorld, (Transform<frame::World, frame::File>{})) << "at the neck";
+  ASSERT_TRUE(saveCase(given->edited, folder / "later"));
+  EXPECT_TRUE(loadCaseVolume(given->edited, noProgress()));
+
+  Case edited = given->edited;
+  edited.targets.push_back({.kind = CaseTarget::Kind::point, .name = "p", .at_mm = glm::dvec3(1, 2, 3), .tolerance_mm = 5.0});
+  Volume other = noisyVolume({12, 10, 8}, 3);
+  other.grid.spacing_mm = glm::dvec3(0.5);
+  ASSERT_TRUE(writeVolume(other, folder / "other.mha"));
+  const auto replaced = giveVolume(edited, VolumeFile{.file = folder / "other.mha"});
+  ASSERT_TRUE(replaced) << replaced.error();
+  EXPECT_EQ(replaced->edited.volume.fileToWorld, edited.volume.fileToWorld) << "the placement stays";
+  EXPECT_EQ(replaced->edited.targets.size(), 1u);
+  EXPECT_TRUE(fs::exists(folder / "later" / edited.volume.file)) << "undo needs it";
+  EXPECT_FALSE(fs::exists(folder / "later/.stitching"));
+  EXPECT_FALSE(giveVolume(edited, std::monostate{}));
+}
+
+TEST(MakeCase, IsCompleteOrAbsentWhenItIsStoppedAnywhere) {
+  const TemporaryFolder folder;
+  const NewCase wanted = named("Stopped", SweepFile{.file = makeSweep(folder), .spacing_mm = 1.0});
+  bool wasMade = false;
+  for (long question = 1; question < 5000 && !wasMade; question = question * 3 / 2 + 1) {
+    CountedStop stop = CountedStop::atQuestion(question);
+    const auto made = makeCase(wanted, folder / "cases/stopped", stop);
+    wasMade = made.has_value();
+    if (wasMade) break;
+    EXPECT_EQ(made.error().code, ErrorCode::cancelled) << made.error();
+    EXPECT_FALSE(fs::exists(folder / "cases")) << question;
+  }
+  EXPECT_TRUE(wasMade);
+  EXPECT_TRUE(loadCase(folder / "cases/stopped"));
+}
+
+TEST(MakeCase, RefusesAndLeavesEverythingAsItWas) {
+  const TemporaryFolder folder;
+  writeText(folder / "there/mine.txt", "mine");
+  const auto taken = makeCase(named("T", {}), folder / "there");
+  ASSERT_FALSE(taken);
+  EXPECT_EQ(taken.error().code, ErrorCode::notWritable);
+  EXPECT_EQ(makeCase(named("", {}), folder / "new").error().code, ErrorCode::badField);
+  NewCase unknown = named("T", {});
+  unknown.templateId = "nothing";
+  const auto refused = makeCase(unknown, folder / "new");
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().sentence().find("upper-abdomen"), std::string::npos) << refused.error();
+  EXPECT_FALSE(makeCase(named("T", SweepFile{.file = folder / "nowhere.igs.mha"}), folder / "new"));
+  writeText(folder / "broken.mha", "ObjectType = Image\nNDims = 3\nDimSize = 2 2");
+  EXPECT_FALSE(makeCase(named("T", VolumeFile{.file = folder / "broken.mha"}), folder / "new"));
+  EXPECT_FALSE(fs::exists(folder / "new"));
+  EXPECT_EQ(treeOf(folder / "there").size(), 2u);
+}
+
+TEST(Templates, AreCompleteAndMakeCasesThatOpen) {
+  const TemporaryFolder folder;
+  const TemplateList list = listTemplates();
+  for (const Error& each : list.problems) ADD_FAILURE() << each;
+  ASSERT_GE(list.templates.size(), 6u);
+  for (const CaseTemplate& each : list.templates) {
+    EXPECT_FALSE(each.text.german.empty());
+    EXPECT_FALSE(each.indications.empty());
+    EXPECT_FALSE(each.targets.empty());
+    ASSERT_FALSE(each.lessons.empty());
+    EXPECT_FALSE(each.lessons.front().sources.empty());
+    NewCase wanted = named(each.title.english, {});
+    wanted.templateId = each.id;
+    const auto made = makeCase(wanted, folder / each.id);
+    ASSERT_TRUE(made) << each.id << ": " << made.error();
+    EXPECT_TRUE(validateCase(folder / each.id).empty()) << each.id;
+    EXPECT_EQ(made->made.region, each.prefilled.region);
+    EXPECT_FALSE(made->made.probes.empty());
+    const auto lessons = lessonsOf(made->made);
+    ASSERT_TRUE(lessons);
+    EXPECT_EQ(*lessons, each.lessons);
+    const auto known = landmarksOf(made->made.mannequin);
+    ASSERT_TRUE(known);
+    EXPECT_NE(made->made.region.find(siteFor(*known, made->made.region)->region), std::string::npos) << "no site for " << made->made.region;
+    const auto preset = resourceFolder();
+    EXPECT_TRUE(fs::exists(*preset / "presets" / (each.preset + ".json"))) << each.preset;
+  }
+}
+
+TEST(Templates, FillOnlyWhatIsOpen) {
+  const auto from = readTemplate("thyroid-and-neck");
+  ASSERT_TRUE(from);
+  Case edited;
+  edited.region = "elbow";
+  edited.probes = {"phased-2.5"};
+  const Case filled = withTemplate(edited, *from);
+  EXPECT_EQ(filled.region, "elbow");
+  EXPECT_EQ(filled.probes, edited.probes);
+  EXPECT_EQ(filled.mannequin, from->prefilled.mannequin);
+  EXPECT_EQ(filled.difficulty, from->prefilled.difficulty);
+}
+
+std::vector<std::string> fieldsOf(const std::vector<CheckItem>& list, CheckItem::State state) {
+  std::vector<std::string> fields;
+  for (const CheckItem& each : list)
+    if (each.state == state) fields.push_back(each.field);
+  return fields;
+}
+
+TEST(Publishing, ListsWhatIsMissingAndRefusesUntilNothingIs) {
+  const TemporaryFolder folder;
+  const auto made = makeCase(named("P", {}), folder / "p");
+  ASSERT_TRUE(made);
+  const auto list = publishingList(made->made);
+  ASSERT_TRUE(list);
+  using State = CheckItem::State;
+  const std::vector<std::string> expected = {"title_for_trainees", "region",      "indication", "findings",
+                                             "diagnosis",          "volume.file", "start_pose"};
+  EXPECT_EQ(fieldsOf(*list, State::missing), expected);
+  const auto refused = publishCase(folder / "p", folder / "library");
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().sentence().find("7 things"), std::string::npos) << refused.error();
+  EXPECT_NE(refused.error().sentence().find("title for trainees"), std::string::npos) << refused.error();
+  EXPECT_FALSE(fs::exists(folder / "library"));
+
+  makeVolumeCase(folder / "knee", "knee");
+  const auto knee = loadCase(folder / "knee");
+  ASSERT_TRUE(knee);
+  const auto ready = publishingList(*knee);
+  ASSERT_TRUE(ready);
+  EXPECT_EQ(countOf(*ready, State::missing), 0u);
+  EXPECT_TRUE(publishCase(folder / "knee", folder / "library"));
+  Case away = *knee;
+  away.startPose->probeToWorld.matrix[3] = glm::dvec4(0, 140, 0, 1);
+  EXPECT_EQ(missingForPublishing(away).front().field, "start_pose") << "it looks away from the volume";
+}
+
+TEST(Publishing, WarnsOfTargetsFilesAndTextsThatDoNotFit) {
+  const TemporaryFolder folder;
+  makeVolumeCase(folder / "knee", "knee");
+  auto knee = loadCase(folder / "knee");
+  ASSERT_TRUE(knee);
+  knee->history = "Seen by Dr. Weber.";
+  knee->expertPose = knee->startPose;
+  knee->targets = {{.kind = CaseTarget::Kind::point, .name = "far", .at_mm = glm::dvec3(500, 0, 0), .tolerance_mm = 5.0}};
+  const auto list = publishingList(*knee);
+  ASSERT_TRUE(list);
+  const auto warned = fieldsOf(*list, CheckItem::State::warning);
+  const auto has = [&](const std::string& field) { return std::find(warned.begin(), warned.end(), field) != warned.end(); };
+  EXPECT_TRUE(has("targets[0]"));
+  EXPECT_TRUE(has("history"));
+  EXPECT_TRUE(has("start_pose")) << "the expert's pose gives the finding away";
+  EXPECT_TRUE(has("")) << "scans/expert.txt and media are used by nothing";
+  EXPECT_TRUE(has("volume.file_to_world")) << "a noise block in the middle of the body";
+}
+
+TEST(Publishing, TellsWhatALessonStillNeeds) {
+  const TemporaryFolder folder;
+  makeVolumeCase(folder / "knee", "knee");
+  auto knee = loadCase(folder / "knee");
+  ASSERT_TRUE(knee);
+  Lesson lesson;
+  lesson.id = "l";
+  lesson.title = "First";
+  LessonStep step;
+  step.id = "watch";
+  step.title = "Watch";
+  step.task = WatchTask{};
+  lesson.steps = {step};
+  knee->otherFields["parts"]["lessons"] = jsonOf(std::vector{lesson});
+  const auto missing = missingForPublishing(*knee);
+  ASSERT_EQ(missing.size(), 1u);
+  EXPECT_EQ(missing.front().field, "parts.lessons.lessons[0]");
+  EXPECT_NE(missing.front().what.english().find("not recorded"), std::string::npos) << missing.front().what;
+}
+
+TEST(Publishing, FindsTheShippedCasesReady) {
+  const auto folder = shippedCasesFolder();
+  ASSERT_TRUE(folder);
+  for (const Case& each : listCases(*folder).cases)
+    for (const CheckItem& item : missingForPublishing(each)) ADD_FAILURE() << each.id << ": " << item.what;
+}
+
+}  // namespace
+}  // namespace ew::test::new_case_test
