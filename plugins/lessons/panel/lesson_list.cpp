@@ -2,38 +2,16 @@
 
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "ew/sdk/panel.h"
+#include "panel/scrolled_rows.h"
 
 namespace ew::lessons {
 
 using sdk::kGap_px;
 using sdk::words;
-
-LessonProgress progressOf(const Lesson& lesson, const std::string& caseId, const AttemptList& attempts) {
-  LessonProgress progress;
-  for (const auto& [folder, attempt] : attempts.attempts) {
-    if (attempt.lessonId != lesson.id || attempt.caseId != caseId) continue;
-    if (!attempt.finishedAt) {
-      if (!progress.interrupted && progress.attempts == 0) {
-        progress.interrupted = folder;
-        progress.interruptedAt = attempt.outcomes.size();
-      }
-      continue;
-    }
-    ++progress.attempts;
-    std::size_t passed = 0;
-    for (const LessonStep& step : lesson.steps) {
-      const StepOutcome* outcome = attempt.outcomeOf(step.id);
-      passed += outcome != nullptr && outcome->verdict == StepVerdict::passed ? 1 : 0;
-    }
-    progress.bestPassed = std::max(progress.bestPassed, passed);
-  }
-  return progress;
-}
 
 QString levelText(int level) {
   switch (level) {
@@ -53,27 +31,15 @@ QString levelText(int level) {
 LessonList::LessonList(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  body_ = new QWidget;
-  rows_ = new QVBoxLayout(body_);
-  rows_->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
-  rows_->setSpacing(kGap_px);
-  scroll->setWidget(body_);
-  column->addWidget(scroll);
+  rows_ = new ScrolledRows(2 * kGap_px);
+  column->addWidget(rows_);
 }
 
-void LessonList::showLessons(const std::vector<Lesson>& lessons, const std::vector<LessonProgress>& progress) {
-  while (QLayoutItem* item = rows_->takeAt(0)) {
-    if (item->widget() != nullptr) item->widget()->deleteLater();
-    delete item;
-  }
+void LessonList::showLessons(const std::vector<Lesson>& lessons, const std::vector<LessonStanding>& standings) {
+  rows_->clear();
   for (std::size_t n = 0; n < lessons.size(); ++n) {
     const Lesson& lesson = lessons[n];
-    const LessonProgress& stands = progress[n];
+    const LessonStanding& stands = standings[n];
     auto* card = new QWidget;
     card->setObjectName(QStringLiteral("lesson_") + words(lesson.id));
     auto* rows = new QVBoxLayout(card);
@@ -113,9 +79,9 @@ void LessonList::showLessons(const std::vector<Lesson>& lessons, const std::vect
     buttons->addWidget(start);
     buttons->addStretch(1);
     rows->addLayout(buttons);
-    rows_->addWidget(card);
+    rows_->rows()->addWidget(card);
   }
-  rows_->addStretch(1);
+  rows_->rows()->addStretch(1);
 }
 
 }  // namespace ew::lessons

@@ -2,12 +2,12 @@
 
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QVBoxLayout>
 #include <cmath>
 
 #include "ew/sdk/panel.h"
 #include "logic/lesson_run.h"
+#include "panel/scrolled_rows.h"
 
 namespace ew::lessons {
 
@@ -25,17 +25,8 @@ OutcomePage::OutcomePage(QWidget* parent) : QWidget(parent) {
   figure_ = sdk::quietLabel({});
   figure_->setObjectName(QStringLiteral("outcomeScore"));
   column->addWidget(figure_);
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  auto* body = new QWidget;
-  remarks_ = new QVBoxLayout(body);
-  remarks_->setContentsMargins(0, 0, 0, 0);
-  remarks_->setSpacing(kGap_px);
-  scroll->setWidget(body);
-  column->addWidget(scroll, 1);
+  remarks_ = new ScrolledRows;
+  column->addWidget(remarks_, 1);
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(kGap_px);
   again_ = new QPushButton(tr("Try again"));
@@ -51,13 +42,6 @@ OutcomePage::OutcomePage(QWidget* parent) : QWidget(parent) {
   column->addLayout(buttons);
 }
 
-void OutcomePage::clear() {
-  while (QLayoutItem* item = remarks_->takeAt(0)) {
-    if (item->widget() != nullptr) item->widget()->deleteLater();
-    delete item;
-  }
-}
-
 void OutcomePage::addRemark(bool good, const QString& text) {
   // The sign says it as well as the words: colour alone would not do.
   auto* row = new QLabel((good ? QStringLiteral("\u2713  ") : QStringLiteral("\u2717  ")) + text);
@@ -65,11 +49,11 @@ void OutcomePage::addRemark(bool good, const QString& text) {
   row->setTextFormat(Qt::PlainText);
   row->setWordWrap(true);
   if (!good) row->setForegroundRole(QPalette::BrightText);
-  remarks_->addWidget(row);
+  remarks_->rows()->addWidget(row);
 }
 
 void OutcomePage::showStep(const LessonStep& step, const StepOutcome& outcome, bool isLast) {
-  clear();
+  remarks_->clear();
   const bool passed = outcome.verdict == StepVerdict::passed;
   heading_->setText(passed                                    ? tr("Passed: %1").arg(words(step.title))
                     : outcome.verdict == StepVerdict::skipped ? tr("Skipped: %1").arg(words(step.title))
@@ -84,17 +68,28 @@ void OutcomePage::showStep(const LessonStep& step, const StepOutcome& outcome, b
     after->setObjectName(QStringLiteral("afterStep"));
     after->setTextFormat(Qt::PlainText);
     after->setWordWrap(true);
-    remarks_->addWidget(after);
+    remarks_->rows()->addWidget(after);
   }
-  remarks_->addStretch(1);
+  remarks_->rows()->addStretch(1);
   again_->setVisible(true);
   again_->setText(tr("Try again"));
   next_->setText(isLast ? tr("Finish") : tr("Next step"));
   next_->setFocus();
 }
 
+void OutcomePage::showExercise(const LessonStep& step, const StepOutcome& outcome, const QString& then) {
+  showStep(step, outcome, false);
+  const bool passed = outcome.verdict == StepVerdict::passed;
+  heading_->setText((passed ? tr("Right: %1") : tr("Not right yet: %1")).arg(words(step.title)));
+  auto* comesAgain = sdk::quietLabel(then);
+  comesAgain->setObjectName(QStringLiteral("comesAgain"));
+  remarks_->rows()->insertWidget(remarks_->rows()->count() - 1, comesAgain);
+  again_->setText(tr("Stop"));
+  next_->setText(tr("Next exercise"));
+}
+
 void OutcomePage::showLesson(const LessonRun& run) {
-  clear();
+  remarks_->clear();
   const auto& steps = run.lesson().steps;
   std::size_t passed = 0;
   for (const LessonStep& step : steps) {
@@ -103,7 +98,7 @@ void OutcomePage::showLesson(const LessonRun& run) {
     passed += good ? 1 : 0;
     addRemark(good, words(step.title));
   }
-  remarks_->addStretch(1);
+  remarks_->rows()->addStretch(1);
   heading_->setText(passed == steps.size() ? tr("Lesson passed: %1").arg(words(run.lesson().title))
                                            : tr("Lesson finished: %1").arg(words(run.lesson().title)));
   figure_->setText(tr("%1 of %2 steps passed").arg(passed).arg(steps.size()));

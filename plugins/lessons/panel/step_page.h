@@ -22,6 +22,8 @@ class QVBoxLayout;
 
 namespace ew::lessons {
 
+class ScrolledRows;
+
 /// One step at work: what to do, what to look for, aids and hints, and what the trainee hands in. Owns nothing of the lesson: the panel
 /// does.
 class StepPage final : public QWidget {
@@ -34,6 +36,8 @@ class StepPage final : public QWidget {
   /// Shows the step the run stands at, which runs. @param recording of a step that is watched
   void showStep(LessonRun& run, const LessonStep& shown, const StepScene& scene, std::optional<ScanRecording> recording,
                 const std::filesystem::path& picture);
+  /// What stands above the step in place of its number in the lesson.
+  void setHead(const QString& text, int value, int most);
   /// Nothing is asked for any more: drawings and the probe are given back.
   void end();
   void see(const ScanState& image);
@@ -83,6 +87,7 @@ class StepPage final : public QWidget {
 
   QLabel* head_ = nullptr;
   QProgressBar* bar_ = nullptr;
+  ScrolledRows* scrolled_ = nullptr;
   QVBoxLayout* rows_ = nullptr;
   QLabel* time_ = nullptr;
   QLabel* live_ = nullptr;

@@ -1,0 +1,122 @@
+#include "logic/step_works.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ew::lessons {
+namespace {
+
+class ReadWork final : public StepWork {
+ public:
+  void judge(const Handed&, StepOutcome& outcome) const override { outcome.score = 1.0; }
+};
+
+class WatchWork final : public StepWork {
+ public:
+  [[nodiscard]] std::optional<Message> missing(const Handed& handed) const override {
+    if (handed.watched) return std::nullopt;
+    return say<"The expert's scan has not been shown to its end yet.">();
+  }
+  void judge(const Handed& handed, StepOutcome& outcome) const override { outcome.score = handed.watched ? 1.0 : 0.0; }
+};
+
+class SettingsWork final : public StepWork {
+ public:
+  explicit SettingsWork(SettingsTask task) : task_(std::move(task)) {}
+
+  [[nodiscard]] std::vector<LiveFigure> live() const override {
+    std::vector<LiveFigure> figures;
+    if (!last()) return figures;
+    if (!task_.probes.empty()) figures.push_back({say<"Transducer">(), hasProbe()});
+    for (const SettingBand& band : task_.bands) figures.push_back({nameOf(band.setting), isWithin(band)});
+    return figures;
+  }
+  [[nodiscard]] std::optional<Message> missing(const Handed&) const override {
+    if (last()) return std::nullopt;
+    return noImage();
+  }
+  void judge(const Handed&, StepOutcome& outcome) const override {
+    if (!last()) return;
+    int right = 0, all = 0;
+    const auto count = [&](bool good, Message goodText, Message badText) {
+      ++all;
+      right += good ? 1 : 0;
+      outcome.remarks.push_back({good, good ? std::move(goodText) : std::move(badText)});
+    };
+    if (!task_.probes.empty())
+      count(hasProbe(), say<"The transducer suits the examination.">(), say<"Another transducer suits this examination better.">());
+    for (const SettingBand& band : task_.bands) {
+      const double value = settingOf(*last(), band.setting).value_or(0.0);
+      outcome.figures.push_back({band.setting, value, band.setting.ends_with("_mm") ? "mm" : "dB"});
+      count(isWithin(band), say<"%1 is right.">(nameOf(band.setting)),
+            value < band.lowest ? say<"%1 is too low.">(nameOf(band.setting)) : say<"%1 is too high.">(nameOf(band.setting)));
+    }
+    outcome.score = all > 0 ? static_cast<double>(right) / all : 1.0;
+  }
+
+ private:
+  static Message nameOf(const std::string& setting) {
+    if (setting == "depth_mm") return say<"Depth">();
+    if (setting == "gain_db") return say<"Gain">();
+    if (setting == "dynamic_range_db") return say<"Dynamic range">();
+    return say<"Focus">();
+  }
+  [[nodiscard]] bool hasProbe() const {
+    return std::find(task_.probes.begin(), task_.probes.end(), last()->probe.id) != task_.probes.end();
+  }
+  [[nodiscard]] bool isWithin(const SettingBand& band) const {
+    const auto value = settingOf(*last(), band.setting);
+    return value && *value >= band.lowest && *value <= band.highest;
+  }
+  SettingsTask task_;
+};
+
+class AnswerWork final : public StepWork {
+ public:
+  explicit AnswerWork(AnswerTask task) : task_(std::move(task)) {}
+
+  [[nodiscard]] std::optional<Message> missing(const Handed& handed) const override {
+    if (task_.options.empty() ? handed.number.has_value() : !handed.chosen.empty()) return std::nullopt;
+    return task_.options.empty() ? say<"No number was entered yet.">() : say<"No answer was chosen yet.">();
+  }
+  void judge(const Handed& handed, StepOutcome& outcome) const override {
+    if (task_.options.empty()) return judgeNumber(handed, outcome);
+    // Every right answer counts, and every wrong one takes one away: choosing all earns nothing.
+    int right = 0, wrong = 0, all = 0;
+    for (std::size_t n = 0; n < task_.options.size(); ++n) {
+      const AnswerOption& option = task_.options[n];
+      const bool chosen = std::find(handed.chosen.begin(), handed.chosen.end(), n) != handed.chosen.end();
+      all += option.right ? 1 : 0;
+      right += option.right && chosen ? 1 : 0;
+      wrong += !option.right && chosen ? 1 : 0;
+      if (chosen && !option.why.empty()) outcome.remarks.push_back({option.right, verbatim(option.why)});
+      if (!chosen && option.right) outcome.remarks.push_back({false, say<"Right would have been: %1">(verbatim(option.text))});
+    }
+    outcome.answer = {{"chosen", handed.chosen}};
+    outcome.score = all > 0 ? std::max(0.0, static_cast<double>(right - wrong) / all) : 0.0;
+  }
+
+ private:
+  void judgeNumber(const Handed& handed, StepOutcome& outcome) const {
+    if (!handed.number || !task_.number) return;
+    const double error = *handed.number - *task_.number;
+    outcome.answer = {{"number", *handed.number}};
+    outcome.figures = {{"error", error, task_.unit}};
+    const bool good = std::abs(error) <= task_.tolerance;
+    outcome.score = good ? 1.0 : 0.0;
+    outcome.remarks.push_back({good, good ? say<"That is right.">() : say<"It is %1 %2.">(rounded(*task_.number, 2), task_.unit)});
+  }
+  AnswerTask task_;
+};
+
+}  // namespace
+
+Work readWork() { return std::make_unique<ReadWork>(); }
+
+Work watchWork() { return std::make_unique<WatchWork>(); }
+
+Work settingsWork(const SettingsTask& task) { return std::make_unique<SettingsWork>(task); }
+
+Work answerWork(const AnswerTask& task) { return std::make_unique<AnswerWork>(task); }
+
+}  // namespace ew::lessons

@@ -1,0 +1,259 @@
+#include "panel/lesson_player.h"
+
+#include <QLabel>
+#include <QPointer>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include "ew/library/learning.h"
+#include "ew/scanning/picture_file.h"
+#include "ew/sdk/case_parts.h"
+#include "ew/sdk/panel.h"
+#include "ew/sdk/window.h"
+#include "panel/outcome_page.h"
+#include "panel/step_page.h"
+
+namespace ew::lessons {
+
+using sdk::words;
+
+namespace {
+
+enum PlayerPage { kWaiting, kStep, kOutcome };
+constexpr int kTick_ms = 250;
+
+std::filesystem::path partFolder(const std::filesystem::path& caseFolder) { return caseFolder / "parts" / std::string(kLessonsPart); }
+
+}  // namespace
+
+Result<std::filesystem::path> folderOfCase(const std::string& id) {
+  if (auto found = findCase(id, libraryFolder())) return std::move(*found);
+  return failure(ErrorCode::notFound, say<"The case '%1', which this step scans, is not in the library; import it first.">(id));
+}
+
+LessonPlayer::LessonPlayer(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(host), folder_(host.cases().currentFolder()) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  pages_ = new QStackedWidget;
+  waiting_ = sdk::quietLabel({});
+  waiting_->setObjectName(QStringLiteral("lessonWaiting"));
+  waiting_->setAlignment(Qt::AlignCenter);
+  pages_->addWidget(waiting_);
+  step_ = new StepPage(host_);
+  pages_->addWidget(step_);
+  outcome_ = new OutcomePage;
+  pages_->addWidget(outcome_);
+  column->addWidget(pages_);
+
+  connect(step_, &StepPage::doneAsked, this, &LessonPlayer::endStep);
+  connect(step_, &StepPage::skipAsked, this, &LessonPlayer::skipStep);
+  connect(step_, &StepPage::leaveAsked, this, &LessonPlayer::leave);
+  connect(step_, &StepPage::pauseAsked, this, [this](bool paused) {
+    if (!run_) return;
+    const double now_s = host_.scan().now_s();
+    if (paused)
+      run_->pause(now_s);
+    else
+      run_->goOn(now_s);
+  });
+  connect(outcome_, &OutcomePage::againAsked, this, &LessonPlayer::openStep);
+  connect(outcome_, &OutcomePage::nextAsked, this, &LessonPlayer::nextStep);
+  timer_.setInterval(kTick_ms);
+  connect(&timer_, &QTimer::timeout, this, &LessonPlayer::tick);
+  tickets_ = {host_.caseParts().onOpened([this](const std::filesystem::path&) { takeCase(); }),
+              host_.scan().onEvent([this](const ScanEvent& event) {
+                if (run_ && run_->isRunning()) take(event);
+              })};
+}
+
+LessonPlayer::~LessonPlayer() {
+  tickets_.clear();
+  if (run_ && run_->isRunning()) static_cast<void>(run_->leave());  // the window closes: the step begins anew next time
+}
+
+std::optional<Case> LessonPlayer::openCase() const {
+  const auto manifest = host_.cases().current();
+  if (!manifest) return std::nullopt;
+  auto opened = caseFromManifest(*manifest, host_.cases().currentFolder());
+  if (!opened) return std::nullopt;
+  return std::move(*opened);
+}
+
+void LessonPlayer::play(LessonRun run, const Case& home, CaseWords words) {
+  Q_EMIT problemGone();
+  homeCase_ = home.id;
+  homeFolder_ = home.folder;
+  words_ = std::move(words);
+  run_.emplace(std::move(run));
+  truth_.reset();  // the case may have been edited since
+  ++loads_;
+  if (run_->isOver()) return nextStep();
+  openStep();
+}
+
+void LessonPlayer::takeCase() {
+  leaveForAnotherCase();
+  folder_ = host_.cases().currentFolder();
+  truth_.reset();
+  ++loads_;
+  if (run_ && !run_->isOver() && !run_->isRunning() && pages_->currentIndex() == kWaiting) openStep();
+}
+
+void LessonPlayer::openStep() {
+  const std::string wanted = run_->step().caseId.empty() ? homeCase_ : run_->step().caseId;
+  Q_EMIT problemGone();
+  waiting_->setText(tr("Getting the step ready…"));
+  pages_->setCurrentIndex(kWaiting);
+  const auto opened = openCase();
+  if (!opened || opened->id != wanted) {
+    const auto folder = wanted == homeCase_ ? Result<std::filesystem::path>(homeFolder_) : folderOfCase(wanted);
+    if (!folder) return fail(folder.error());
+    if (auto opening = host_.cases().open(*folder); !opening) return fail(opening.error());
+    waiting_->setText(tr("Opening the case of this step…"));
+    return;
+  }
+  if (truth_) return startStep(truth_);
+  loadTruth(*opened);
+}
+
+void LessonPlayer::loadTruth(const Case& opened) {
+  const int load = ++loads_;
+  auto found = std::make_shared<CaseTruth>();
+  host_.jobs().start(
+      tr("Getting the step ready").toStdString(),
+      [found, opened](Progress& progress) -> Result<void> {
+        auto truth = loadCaseTruth(opened, progress);
+        if (!truth) return passOn(truth.error());
+        *found = std::move(*truth);
+        return {};
+      },
+      [panel = QPointer<LessonPlayer>(this), found, load](const Result<void>& done) {
+        if (!panel || panel->loads_ != load || !panel->run_) return;
+        if (!done) return panel->fail(done.error());
+        panel->truth_ = found;
+        panel->startStep(found);
+      });
+}
+
+void LessonPlayer::startStep(std::shared_ptr<const CaseTruth> truth) {
+  const auto scanned = host_.scan().scanned();
+  if (!scanned) {  // the volume is being prepared: the first image of it goes on
+    waiting_->setText(tr("The volume of this case is being made ready…"));
+    timer_.start();
+    return;
+  }
+  const LessonStep& step = run_->step();
+  std::optional<ScanRecording> recording;
+  if (const auto* watch = std::get_if<WatchTask>(&step.task)) {
+    auto read = readRecording(partFolder(homeFolder_) / watch->recording);
+    if (!read) return fail(read.error());
+    recording = std::move(*read);
+  }
+  std::filesystem::path picture;
+  if (const auto* read = std::get_if<ReadTask>(&step.task); read != nullptr && !read->picture.empty())
+    picture = partFolder(homeFolder_) / read->picture;
+  if (auto frozen = host_.scan().setFrozen(false); !frozen) return fail(frozen.error());
+  StepScene scene{std::move(truth), *scanned};
+  if (auto started = run_->startStep(scene, host_.scan().now_s()); !started) return fail(started.error());
+  Lesson one;
+  one.steps = {step};
+  step_->showStep(*run_, translated(one, words_).steps.front(), scene, std::move(recording), picture);
+  // A probe that rests makes no image by itself: what is shown already counts.
+  if (const auto state = host_.scan().state()) take({state->time_s, FrameMade{state->pose, state->gaps_mm, state->number, state->body}});
+  pages_->setCurrentIndex(kStep);
+  timer_.start();
+}
+
+void LessonPlayer::take(const ScanEvent& event) {
+  const auto image = host_.scan().state();
+  run_->see(event, image);
+  if (image && std::holds_alternative<FrameMade>(event.what)) step_->see(*image);
+}
+
+void LessonPlayer::tick() {
+  if (!run_) return timer_.stop();
+  if (!run_->isRunning()) {
+    if (pages_->currentIndex() == kWaiting && truth_ && host_.scan().scanned()) startStep(truth_);
+    return;
+  }
+  const double now_s = host_.scan().now_s();
+  step_->refresh(now_s);
+  if (const auto left_s = run_->left_s(now_s); left_s && *left_s <= 0.0) endStep();
+}
+
+std::vector<std::string> LessonPlayer::keepPicture(const KeptAttempt& attempt) const {
+  const auto state = host_.scan().state();
+  const Picture picture = host_.scan().picture();
+  if (!state || picture.isEmpty()) return {};
+  const std::string name = attempt.nameForFile(run_->step().id, ".png");
+  if (const auto written = writePicture(picture, host_.scan().geometry().pixel_mm, attempt.folder() / name); !written)
+    return {};  // the outcome is worth keeping without
+  return {name};
+}
+
+void LessonPlayer::endStep() {
+  if (!run_ || !run_->isRunning()) return;
+  const auto outcome =
+      run_->endStep(step_->handed(), host_.scan().now_s(), [this](const KeptAttempt& attempt) { return keepPicture(attempt); });
+  if (!outcome) return fail(outcome.error());
+  timer_.stop();
+  step_->end();
+  Lesson one;
+  one.steps = {run_->step()};
+  StepOutcome shown = *outcome;
+  for (AttemptRemark& remark : shown.remarks)
+    if (remark.text.text() == nullptr) remark.text = verbatim(words_.of(remark.text.english()));
+  outcome_->showStep(translated(one, words_).steps.front(), shown, run_->at() + 1 == run_->lesson().steps.size());
+  pages_->setCurrentIndex(kOutcome);
+}
+
+void LessonPlayer::skipStep() {
+  if (!run_ || !run_->isRunning()) return;
+  if (const auto outcome = run_->skipStep(host_.scan().now_s()); !outcome) return fail(outcome.error());
+  step_->end();
+  nextStep();
+}
+
+void LessonPlayer::nextStep() {
+  if (!run_) return;
+  if (run_->isOver()) return finish();  // back from the summary
+  if (auto gone = run_->next(); !gone) return fail(gone.error());
+  if (!run_->isOver()) return openStep();
+  timer_.stop();
+  outcome_->showLesson(*run_);
+  pages_->setCurrentIndex(kOutcome);
+}
+
+void LessonPlayer::leave() {
+  if (run_ && run_->isRunning())
+    if (auto left = run_->leave(); !left) return fail(left.error());
+  finish();
+}
+
+void LessonPlayer::finish() {
+  timer_.stop();
+  run_.reset();
+  step_->end();
+  Q_EMIT ended();
+}
+
+void LessonPlayer::leaveForAnotherCase() {
+  if (!run_ || pages_->currentIndex() == kWaiting) return;  // the case of the next step is what was waited for
+  if (run_->isOver() || host_.cases().currentFolder() == folder_) return;
+  if (run_->isRunning())
+    if (auto left = run_->leave(); !left) host_.log().warn(left.error().sentence());
+  if (run_->attempt())
+    host_.window().info(tr("The lesson was left because another case was opened; it can be gone on with in its own case.").toStdString(),
+                        "lesson left");
+  finish();
+}
+
+void LessonPlayer::fail(const Error& problem) {
+  host_.log().warn(problem.sentence());
+  Q_EMIT failed(words(problem));
+  // A step that runs goes on; anything else leads back, and the attempt can be gone on with.
+  if (run_ && run_->isRunning()) return;
+  finish();
+}
+
+}  // namespace ew::lessons

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ew/library/case.h"
+#include "ew/library/case_words.h"
+#include "ew/sdk/host.h"
+#include "logic/lesson_run.h"
+
+class QLabel;
+class QStackedWidget;
+
+namespace ew::lessons {
+
+class OutcomePage;
+class StepPage;
+
+/// One run through a lesson: opens what each step scans, shows the step, and how it went. Whether an attempt is kept is the run's affair,
+/// so a trainee works with the pages that an author tries.
+class LessonPlayer final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LessonPlayer(sdk::Host& host, QWidget* parent = nullptr);
+  ~LessonPlayer() override;
+
+  /// Begins or goes on. @param home the case that holds the lesson, which is open
+  void play(LessonRun run, const Case& home, CaseWords words);
+  [[nodiscard]] const LessonRun* run() const { return run_ ? &*run_ : nullptr; }
+  /// Leaves the lesson at the step it is at; a step that runs begins anew when it is gone on with.
+  void leave();
+
+ Q_SIGNALS:
+  void ended();  ///< left, or the summary was read: there is no run any more
+  void failed(const QString& problem);
+  void problemGone();
+
+ private:
+  void take(const ScanEvent& event);
+  void openStep();  ///< makes ready what the step scans, and starts it
+  void loadTruth(const Case& opened);
+  void startStep(std::shared_ptr<const CaseTruth> truth);
+  void endStep();
+  void skipStep();
+  void nextStep();
+  void takeCase();  ///< another one is open, or none
+  void leaveForAnotherCase();
+  void finish();
+  void fail(const Error& problem);
+  void tick();
+  [[nodiscard]] std::optional<Case> openCase() const;
+  [[nodiscard]] std::vector<std::string> keepPicture(const KeptAttempt& attempt) const;
+
+  sdk::Host& host_;
+  std::string homeCase_;  ///< id of the case whose lesson runs
+  std::filesystem::path homeFolder_;
+  std::filesystem::path folder_;  ///< of the case that is open
+  CaseWords words_;               ///< of the case that holds the lesson
+  std::optional<LessonRun> run_;
+  std::shared_ptr<const CaseTruth> truth_;  ///< of the open case
+  int loads_ = 0;                           ///< truths asked for so far; an older one that arrives late is not taken
+  std::vector<sdk::Ticket> tickets_;
+  QTimer timer_;
+
+  QStackedWidget* pages_ = nullptr;
+  QLabel* waiting_ = nullptr;
+  StepPage* step_ = nullptr;
+  OutcomePage* outcome_ = nullptr;
+};
+
+/// The folder of a case by its id: the user's own, published or shipped. @error notFound
+[[nodiscard]] Result<std::filesystem::path> folderOfCase(const std::string& id);
+
+}  // namespace ew::lessons
