@@ -4,6 +4,346 @@
 <context>
     <name>ew::Message</name>
     <message>
+        <source>A placement needs at least three pairs of places, not on one line, and there are %1; add some.</source>
+        <translation>Eine Platzierung braucht mindestens drei Paare von Orten, die nicht auf einer Linie liegen, und es gibt %1; weitere hinzufügen.</translation>
+    </message>
+    <message>
+        <source>The places all lie on one line, so that nobody can say how the volume is turned about it; add one beside it.</source>
+        <translation>Die Orte liegen alle auf einer Linie, sodass niemand sagen kann, wie das Volumen um sie gedreht ist; einen daneben hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Nobody has named places of the mannequin &apos;%1&apos;; place the volume by hand, or choose another mannequin.</source>
+        <translation>Für den Übungskörper „%1“ sind keine Orte benannt; das Volumen von Hand platzieren oder einen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>The mannequin &apos;%1&apos; is a mesh, whose skin only the window has; place the volume there.</source>
+        <translation>Der Übungskörper „%1“ ist ein Netz, dessen Haut nur das Fenster hat; das Volumen dort platzieren.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is there already, and nothing in it is overwritten; choose a new folder.</source>
+        <translation>„%1“ gibt es schon, und nichts darin wird überschrieben; einen neuen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>Stopped as asked; no case was made.</source>
+        <translation>Wie gewünscht angehalten; es wurde kein Fall angelegt.</translation>
+    </message>
+    <message>
+        <source>The case is not your own, so that nothing is put into its folder; save it as your own case first.</source>
+        <translation>Der Fall ist kein eigener, deshalb wird nichts in seinen Ordner gelegt; ihn zuerst als eigenen Fall speichern.</translation>
+    </message>
+    <message>
+        <source>The spacing of a voxel must be from 0.1 to 10 mm.</source>
+        <translation>Der Voxelabstand muss 0,1 bis 10 mm betragen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; holds pictures one by one and no volume; a case needs a volume, a recording with poses, or a stitched result.</source>
+        <translation>„%1“ enthält einzelne Bilder und kein Volumen; ein Fall braucht ein Volumen, eine Aufnahme mit Posen oder ein zusammengefügtes Ergebnis.</translation>
+    </message>
+    <message>
+        <source>The project &apos;%1&apos; was not stitched into one volume: %2</source>
+        <translation>Das Projekt „%1“ wurde nicht zu einem Volumen zusammengefügt: %2</translation>
+    </message>
+    <message>
+        <source>No volume is named; choose a volume, a recording or a stitched result.</source>
+        <translation>Es ist kein Volumen genannt; ein Volumen, eine Aufnahme oder ein zusammengefügtes Ergebnis wählen.</translation>
+    </message>
+    <message>
+        <source>The volume lies where its file says; place it on the body by hand.</source>
+        <translation>Das Volumen liegt, wo seine Datei es sagt; es von Hand am Körper platzieren.</translation>
+    </message>
+    <message>
+        <source>templates</source>
+        <translation>Vorlagen</translation>
+    </message>
+    <message>
+        <source>There is no template &apos;%1&apos;; the templates are %2.</source>
+        <translation>Es gibt keine Vorlage „%1“; die Vorlagen sind %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; looks like the date of a real examination; write how long ago it was.</source>
+        <translation>„%1“ sieht nach dem Datum einer echten Untersuchung aus; schreiben, wie lange sie her ist.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; looks like a date of birth; give an age instead.</source>
+        <translation>„%1“ sieht nach einem Geburtsdatum aus; stattdessen ein Alter angeben.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; looks like a telephone number; leave it out.</source>
+        <translation>„%1“ sieht nach einer Telefonnummer aus; sie weglassen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; looks like the number of a patient, an insurance or an examination; leave it out.</source>
+        <translation>„%1“ sieht nach der Nummer eines Patienten, einer Versicherung oder einer Untersuchung aus; sie weglassen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; looks like an address; leave it out.</source>
+        <translation>„%1“ sieht nach einer Adresse aus; sie weglassen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; looks like the name of a real person; write an invented one, or none.</source>
+        <translation>„%1“ sieht nach dem Namen einer echten Person aus; einen erfundenen oder keinen schreiben.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; looks like a real hospital; write &quot;another hospital&quot;.</source>
+        <translation>„%1“ sieht nach einem echten Krankenhaus aus; „ein anderes Krankenhaus“ schreiben.</translation>
+    </message>
+    <message>
+        <source>It has a title for trainees.</source>
+        <translation>Ein Titel für Lernende ist da.</translation>
+    </message>
+    <message>
+        <source>Write a title for trainees that gives no finding away.</source>
+        <translation>Einen Titel für Lernende schreiben, der keinen Befund verrät.</translation>
+    </message>
+    <message>
+        <source>The region is given.</source>
+        <translation>Die Region ist angegeben.</translation>
+    </message>
+    <message>
+        <source>Give the region of the body.</source>
+        <translation>Die Körperregion angeben.</translation>
+    </message>
+    <message>
+        <source>The indication is given.</source>
+        <translation>Die Fragestellung ist angegeben.</translation>
+    </message>
+    <message>
+        <source>Write the indication: what is asked.</source>
+        <translation>Die Fragestellung schreiben: was gefragt ist.</translation>
+    </message>
+    <message>
+        <source>The findings are written.</source>
+        <translation>Die Befunde sind geschrieben.</translation>
+    </message>
+    <message>
+        <source>Write the findings, a sentence each.</source>
+        <translation>Die Befunde schreiben, je einen Satz.</translation>
+    </message>
+    <message>
+        <source>The diagnosis is written.</source>
+        <translation>Die Diagnose ist geschrieben.</translation>
+    </message>
+    <message>
+        <source>Write the diagnosis.</source>
+        <translation>Die Diagnose schreiben.</translation>
+    </message>
+    <message>
+        <source>The difficulty is given.</source>
+        <translation>Die Schwierigkeit ist angegeben.</translation>
+    </message>
+    <message>
+        <source>Say how difficult the case is, 1 to 5.</source>
+        <translation>Angeben, wie schwierig der Fall ist, 1 bis 5.</translation>
+    </message>
+    <message>
+        <source>It has a volume.</source>
+        <translation>Ein Volumen ist da.</translation>
+    </message>
+    <message>
+        <source>Give the case a volume.</source>
+        <translation>Dem Fall ein Volumen geben.</translation>
+    </message>
+    <message>
+        <source>The licence of the recording is given.</source>
+        <translation>Die Lizenz der Aufnahme ist angegeben.</translation>
+    </message>
+    <message>
+        <source>Give the licence under which the recording may be passed on.</source>
+        <translation>Die Lizenz angeben, unter der die Aufnahme weitergegeben werden darf.</translation>
+    </message>
+    <message>
+        <source>It says whom to name for the recording.</source>
+        <translation>Es ist angegeben, wer für die Aufnahme zu nennen ist.</translation>
+    </message>
+    <message>
+        <source>Say whom to name for the recording.</source>
+        <translation>Angeben, wer für die Aufnahme zu nennen ist.</translation>
+    </message>
+    <message>
+        <source>Put the probe where a trainee begins, and take that as the start.</source>
+        <translation>Den Schallkopf dorthin setzen, wo Lernende beginnen, und das als Anfang übernehmen.</translation>
+    </message>
+    <message>
+        <source>From the start nothing of the volume is seen; put the start above it.</source>
+        <translation>Vom Anfang aus ist nichts vom Volumen zu sehen; den Anfang darüber setzen.</translation>
+    </message>
+    <message>
+        <source>The start shows what is to be found; begin somewhere else.</source>
+        <translation>Der Anfang zeigt, was gefunden werden soll; anderswo beginnen.</translation>
+    </message>
+    <message>
+        <source>A trainee begins where the volume is seen and nothing is given away.</source>
+        <translation>Lernende beginnen, wo das Volumen zu sehen ist und nichts verraten wird.</translation>
+    </message>
+    <message>
+        <source>It has no lesson; trainees can scan it freely.</source>
+        <translation>Es gibt keine Lektion; Lernende können frei schallen.</translation>
+    </message>
+    <message>
+        <source>Lesson &apos;%1&apos;: %2</source>
+        <translation>Lektion „%1“: %2</translation>
+    </message>
+    <message>
+        <source>Lesson &apos;%1&apos;, step &apos;%2&apos;: %3</source>
+        <translation>Lektion „%1“, Schritt „%2“: %3</translation>
+    </message>
+    <message>
+        <source>Lesson &apos;%1&apos; is ready.</source>
+        <translation>Die Lektion „%1“ ist fertig.</translation>
+    </message>
+    <message>
+        <source>Nothing in its texts looks like a real person&apos;s.</source>
+        <translation>Nichts in den Texten sieht nach einer echten Person aus.</translation>
+    </message>
+    <message>
+        <source>%1 % of the volume&apos;s near face touch the skin (gap up to %2 mm), and %3 % of it lie outside the body; place it better.</source>
+        <translation>%1 % der nahen Fläche des Volumens berühren die Haut (Abstand bis %2 mm), und %3 % liegen außerhalb des Körpers; es besser platzieren.</translation>
+    </message>
+    <message>
+        <source>The volume lies against the skin: %1 % of its near face touch it.</source>
+        <translation>Das Volumen liegt an der Haut an: %1 % seiner nahen Fläche berühren sie.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; lies outside the volume; correct it, or leave it out.</source>
+        <translation>„%1“ liegt außerhalb des Volumens; es berichtigen oder weglassen.</translation>
+    </message>
+    <message>
+        <source>The probe of &apos;%1&apos; stands more than %2 mm off the skin, where no hand can put it.</source>
+        <translation>Der Schallkopf von „%1“ steht mehr als %2 mm neben der Haut, wo keine Hand ihn hinsetzen kann.</translation>
+    </message>
+    <message>
+        <source>It has no target; say what is to be found.</source>
+        <translation>Es gibt kein Ziel; angeben, was gefunden werden soll.</translation>
+    </message>
+    <message>
+        <source>All %1 targets can be reached.</source>
+        <translation>Alle %1 Ziele sind erreichbar.</translation>
+    </message>
+    <message>
+        <source>Every file of its folder is used.</source>
+        <translation>Jede Datei des Ordners wird gebraucht.</translation>
+    </message>
+    <message>
+        <source>%1 files of its folder are used by nothing, &apos;%2&apos; first; they would be handed on as well.</source>
+        <translation>%1 Dateien des Ordners braucht niemand, „%2“ zuerst; sie würden mit weitergegeben.</translation>
+    </message>
+    <message>
+        <source>Nobody knows the skin of the mannequin here, so the volume&apos;s contact was not checked.</source>
+        <translation>Die Haut des Übungskörpers ist hier nicht bekannt, deshalb wurde die Auflage des Volumens nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>The case is not ready to be published: %1</source>
+        <translation>Der Fall kann noch nicht veröffentlicht werden: %1</translation>
+    </message>
+    <message>
+        <source>The case is not ready to be published, %1 things are missing. The first: %2</source>
+        <translation>Der Fall kann noch nicht veröffentlicht werden, es fehlen %1 Dinge. Das erste: %2</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; has no volume yet; give it one in the Author workspace, or make it anew from a volume.</source>
+        <translation>Der Fall „%1“ hat noch kein Volumen; ihm im Arbeitsbereich „Gestalten“ eines geben oder ihn aus einem Volumen neu anlegen.</translation>
+    </message>
+    <message>
+        <source>three numbers: the unit vector in the file that points away from the probe</source>
+        <translation>drei Zahlen: der Einheitsvektor in der Datei, der vom Schallkopf weg zeigt</translation>
+    </message>
+    <message>
+        <source>three numbers: the unit vector in the file that points to the marker of the probe</source>
+        <translation>drei Zahlen: der Einheitsvektor in der Datei, der zur Markierung des Schallkopfs zeigt</translation>
+    </message>
+    <message>
+        <source>a number from -1 to 1</source>
+        <translation>eine Zahl von -1 bis 1</translation>
+    </message>
+    <message>
+        <source>an object that names a file or a recipe, not both, and where the volume lies (file_to_world)</source>
+        <translation>ein Objekt, das eine Datei oder ein Rezept nennt, nicht beides, und sagt, wo das Volumen liegt (file_to_world)</translation>
+    </message>
+    <message>
+        <source>'%1' is not a language such as "de".</source>
+        <translation>„%1“ ist keine Sprache wie „de“.</translation>
+    </message>
+    <message>
+        <source>Nothing is scanned; wait until the volume of the case is shown.</source>
+        <translation>Es wird nichts untersucht; warten, bis das Volumen des Falls gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>There is no picture '%1'; choose another.</source>
+        <translation>Ein Bild „%1“ gibt es nicht; ein anderes wählen.</translation>
+    </message>
+    <message>
+        <source>'%1' is neither a PNG nor a JPEG picture; choose one of these.</source>
+        <translation>„%1“ ist weder ein PNG- noch ein JPEG-Bild; ein solches wählen.</translation>
+    </message>
+    <message>
+        <source>The picture '%1' has more than 100 million pixels; make it smaller first.</source>
+        <translation>Das Bild „%1“ hat mehr als 100 Millionen Bildpunkte; es zuerst verkleinern.</translation>
+    </message>
+    <message>
+        <source>The picture '%1' cannot be read (%2); choose another.</source>
+        <translation>Das Bild „%1“ kann nicht gelesen werden (%2); ein anderes wählen.</translation>
+    </message>
+    <message>
+        <source>The folder '%1' cannot be made (%2); check its permissions.</source>
+        <translation>Der Ordner „%1“ kann nicht angelegt werden (%2); seine Zugriffsrechte prüfen.</translation>
+    </message>
+    <message>
+        <source>'%1' cannot be written (%2); check its permissions.</source>
+        <translation>„%1“ kann nicht geschrieben werden (%2); die Zugriffsrechte prüfen.</translation>
+    </message>
+    <message>
+        <source>Nothing was scanned while it was recorded; put the probe on the body and record again.</source>
+        <translation>Während der Aufnahme wurde nichts untersucht; den Schallkopf auf den Körper setzen und neu aufnehmen.</translation>
+    </message>
+    <message>
+        <source>What was known of your exercises cannot be read (%1). It was put aside as &apos;%2&apos;, and the exercises begin anew.</source>
+        <translation>Was über die Übungen bekannt war, kann nicht gelesen werden (%1). Es wurde als „%2“ beiseitegelegt, und die Übungen beginnen von vorn.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be read, nor be put aside (%2); move it away.</source>
+        <translation>„%1“ kann nicht gelesen und nicht beiseitegelegt werden (%2); die Datei wegräumen.</translation>
+    </message>
+    <message>
+        <source>Another window is writing &apos;%1&apos;; try again in a moment.</source>
+        <translation>Ein anderes Fenster schreibt gerade „%1“; gleich noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; for your exercises cannot be made (%2); free some space, or choose a library you may write to.</source>
+        <translation>Der Ordner „%1“ für die Übungen kann nicht angelegt werden (%2); Platz schaffen oder eine beschreibbare Bibliothek wählen.</translation>
+    </message>
+    <message>
+        <source>The body is still being read; try again in a moment.</source>
+        <translation>Der Körper wird noch gelesen; gleich noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>The exercises were not planned.</source>
+        <translation>Die Übungen wurden nicht geplant.</translation>
+    </message>
+    <message>
+        <source>Bring it into the image, freeze, set the calipers, and press Done.</source>
+        <translation>Ins Bild bringen, einfrieren, die Messkreuze setzen und Fertig drücken.</translation>
+    </message>
+    <message>
+        <source>Bring it into the image, point at it, and press Done.</source>
+        <translation>Ins Bild bringen, darauf zeigen und Fertig drücken.</translation>
+    </message>
+    <message>
+        <source>Bring the probe to this plane and press Done.</source>
+        <translation>Den Schallkopf auf diese Ebene bringen und Fertig drücken.</translation>
+    </message>
+    <message>
+        <source>Measure: %1</source>
+        <translation>Messen: %1</translation>
+    </message>
+    <message>
+        <source>Point at: %1</source>
+        <translation>Zeigen auf: %1</translation>
+    </message>
+    <message>
+        <source>Find the plane: %1</source>
+        <translation>Ebene aufsuchen: %1</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; is a film or a TIFF, which may show more than a scan; clean it first (echoweave screen), or open it in the window.</source>
         <translation>„%1“ ist ein Film oder ein TIFF, worauf mehr als ein Schallbild zu sehen sein kann; zuerst bereinigen (echoweave screen) oder im Fenster öffnen.</translation>
     </message>
@@ -4652,10 +4992,6 @@
         <translation>ein Objekt</translation>
     </message>
     <message>
-        <source>an object that names either a file or a recipe, and where the volume lies (file_to_world)</source>
-        <translation>ein Objekt, das entweder eine Datei oder ein Rezept nennt und sagt, wo das Volumen liegt (file_to_world)</translation>
-    </message>
-    <message>
         <source>an object that says how the sweeps become the volume</source>
         <translation>ein Objekt, das sagt, wie die Schwenks zum Volumen werden</translation>
     </message>
@@ -7875,6 +8211,54 @@
         <source>There is no probe &quot;%1&quot;; see resources/probes.</source>
         <translation>Es gibt keinen Schallkopf „%1“; siehe resources/probes.</translation>
     </message>
+    <message>
+        <source>a list of at most 100 pairs of places</source>
+        <translation>eine Liste von höchstens 100 Paaren von Stellen</translation>
+    </message>
+    <message>
+        <source>three numbers: a place in the volume&apos;s own file, in mm</source>
+        <translation>drei Zahlen: eine Stelle in der Datei des Volumens, in mm</translation>
+    </message>
+    <message>
+        <source>three numbers: a place on the body, in mm</source>
+        <translation>drei Zahlen: eine Stelle am Körper, in mm</translation>
+    </message>
+    <message>
+        <source>the id of a named place of the mannequin</source>
+        <translation>die Kennung einer benannten Stelle der Puppe</translation>
+    </message>
+    <message>
+        <source>a text of at most 200 characters</source>
+        <translation>ein Text von höchstens 200 Zeichen</translation>
+    </message>
+    <message>
+        <source>A shape between outlines needs two of them at least; trace another one in another image plane.</source>
+        <translation>Eine Form zwischen Umrissen braucht mindestens zwei davon; in einer anderen Bildebene noch einen ziehen.</translation>
+    </message>
+    <message>
+        <source>Two of the traced planes cross within the outlines, so there is no shape between them; trace planes that lie side by side.</source>
+        <translation>Zwei der umfahrenen Ebenen kreuzen sich innerhalb der Umrisse, dazwischen ist also keine Form; Ebenen umfahren, die nebeneinander liegen.</translation>
+    </message>
+    <message>
+        <source>Filling between outlines</source>
+        <translation>Zwischen Umrissen wird gefüllt</translation>
+    </message>
+    <message>
+        <source>Growing from the seed</source>
+        <translation>Vom Klick aus wachsen</translation>
+    </message>
+    <message>
+        <source>Looking for the largest piece</source>
+        <translation>Das größte Stück wird gesucht</translation>
+    </message>
+    <message>
+        <source>The volume of this case stays in its file, so nothing can be painted in it; take a case whose volume fits into memory.</source>
+        <translation>Das Volumen dieses Falls bleibt in seiner Datei, darin lässt sich also nicht malen; einen Fall nehmen, dessen Volumen in den Speicher passt.</translation>
+    </message>
+    <message>
+        <source>What is painted cannot be kept in &apos;%1&apos;, so a crash would lose it; keep it in the case often.</source>
+        <translation>Das Gemalte lässt sich nicht in „%1“ sichern, ein Absturz würde es verlieren; es oft im Fall aufheben.</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
@@ -8143,6 +8527,14 @@
     <message>
         <source>Case</source>
         <translation>Fall</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Platzieren</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Ziele</translation>
     </message>
 </context>
 <context>
@@ -13288,6 +13680,142 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>Point at a structure</source>
         <translation>Auf eine Struktur zeigen</translation>
     </message>
+    <message>
+        <source>Handles: move to the left</source>
+        <translation>Griffe: nach links schieben</translation>
+    </message>
+    <message>
+        <source>Handles: move to the right</source>
+        <translation>Griffe: nach rechts schieben</translation>
+    </message>
+    <message>
+        <source>Handles: move up</source>
+        <translation>Griffe: nach oben schieben</translation>
+    </message>
+    <message>
+        <source>Handles: move down</source>
+        <translation>Griffe: nach unten schieben</translation>
+    </message>
+    <message>
+        <source>Handles: move nearer</source>
+        <translation>Griffe: heranholen</translation>
+    </message>
+    <message>
+        <source>Handles: move away</source>
+        <translation>Griffe: wegschieben</translation>
+    </message>
+    <message>
+        <source>Handles: turn to the left</source>
+        <translation>Griffe: nach links drehen</translation>
+    </message>
+    <message>
+        <source>Handles: turn to the right</source>
+        <translation>Griffe: nach rechts drehen</translation>
+    </message>
+    <message>
+        <source>Handles: turn up</source>
+        <translation>Griffe: nach oben drehen</translation>
+    </message>
+    <message>
+        <source>Handles: turn down</source>
+        <translation>Griffe: nach unten drehen</translation>
+    </message>
+    <message>
+        <source>Handles: turn anticlockwise</source>
+        <translation>Griffe: gegen den Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Handles: turn clockwise</source>
+        <translation>Griffe: im Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>in the 3D view, with handles</source>
+        <translation>in der 3D-Ansicht, mit Griffen</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt size</source>
+        <translation>Te&amp;xtgröße</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>&amp;Larger text</source>
+        <translation>&amp;Größerer Text</translation>
+    </message>
+    <message>
+        <source>&amp;Smaller text</source>
+        <translation>&amp;Kleinerer Text</translation>
+    </message>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>&amp;Rundgang</translation>
+    </message>
+    <message>
+        <source>The probe on the body</source>
+        <translation>Der Schallkopf am Körper</translation>
+    </message>
+    <message>
+        <source>Drag the body&apos;s skin and the probe slides there. The wheel tilts it, with Shift it rocks, with Ctrl it rotates. The arrow keys do the same.</source>
+        <translation>Auf der Haut ziehen: der Schallkopf gleitet dorthin. Das Rad kippt ihn, mit Umschalt wird er geschaukelt, mit Strg gedreht. Die Pfeiltasten bewegen ihn ebenso.</translation>
+    </message>
+    <message>
+        <source>The scan</source>
+        <translation>Das Ultraschallbild</translation>
+    </message>
+    <message>
+        <source>What the probe sees, as on a machine: the marker&apos;s dot shows which side is which, the scale how deep it is, and the sliders at the left set the gain for each depth.</source>
+        <translation>Was der Schallkopf sieht, wie am Gerät: der Punkt zeigt, welche Seite welche ist, die Skala die Tiefe, und die Schieber links stellen die Verstärkung für jede Tiefe ein.</translation>
+    </message>
+    <message>
+        <source>The console</source>
+        <translation>Das Bedienfeld</translation>
+    </message>
+    <message>
+        <source>Gain, depth, focus, transducer and what the machine does to the sound. Every control says in a tip which key it has; %1 lists them all.</source>
+        <translation>Verstärkung, Tiefe, Fokus, Schallkopf und was das Gerät mit dem Schall macht. Jedes Element nennt in einem Hinweis seine Taste; %1 zeigt alle.</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>A case may bring lessons: find a plane, measure, answer. They are led through here, step by step.</source>
+        <translation>Ein Fall kann Lektionen mitbringen: eine Ebene finden, messen, antworten. Hier führen sie Schritt für Schritt hindurch.</translation>
+    </message>
+    <message>
+        <source>The cases</source>
+        <translation>Die Fälle</translation>
+    </message>
+    <message>
+        <source>Each card is a patient. Click one, or choose it with the arrows and open it with Enter; the line on a card shows how far its lessons are done.</source>
+        <translation>Jede Karte ist ein Patient. Eine anklicken oder mit den Pfeilen wählen und mit der Eingabetaste öffnen; die Linie auf der Karte zeigt, wie weit ihre Lektionen erledigt sind.</translation>
+    </message>
+    <message>
+        <source>The search</source>
+        <translation>Die Suche</translation>
+    </message>
+    <message>
+        <source>Type what is looked for: a region, a lesson, a tag. Below, filters leave only one origin, region or level.</source>
+        <translation>Eintippen, was gesucht wird: eine Region, eine Lektion, ein Schlagwort. Darunter lassen Filter nur eine Herkunft, Region oder Stufe übrig.</translation>
+    </message>
+    <message>
+        <source>The course</source>
+        <translation>Der Kurs</translation>
+    </message>
+    <message>
+        <source>Lessons in the order in which they build on each other, and the one that comes next for you.</source>
+        <translation>Lektionen in der Reihenfolge, in der sie aufeinander aufbauen, und die, die als Nächste dran ist.</translation>
+    </message>
+    <message>
+        <source>Here cases and their lessons are made, and volumes from sweeps. The keys %1 and %2 lead back and here again.</source>
+        <translation>Hier entstehen Fälle und ihre Lektionen und Volumen aus Aufnahmen. Die Tasten %1 und %2 führen zurück und wieder hierher.</translation>
+    </message>
+    <message>
+        <source>Making cases</source>
+        <translation>Fälle gestalten</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::MeasurePage</name>
@@ -13939,6 +14467,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>drag: slide on skin   wheel: tilt   Shift: rock   Ctrl: rotate   right drag: look around</source>
         <translation>Ziehen: gleiten   Rad: kippen   Umschalt: schaukeln   Strg: drehen   rechts ziehen: umsehen</translation>
     </message>
+    <message>
+        <source>Body with probe</source>
+        <translation>Körper mit Schallkopf</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::WorkstationHost</name>
@@ -14033,6 +14565,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Click or drag to another moment (arrows: a second, with Shift five; Home and End)</source>
         <translation>Zu einem anderen Augenblick klicken oder ziehen (Pfeile: eine Sekunde, mit Umschalt fünf; Pos1 und Ende)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 von %2 s</translation>
     </message>
 </context>
 <context>
@@ -15308,6 +15844,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
 <context>
     <name>ew::ui::CaseCatalogue</name>
     <message>
+        <source>%1 of %2 lessons passed</source>
+        <translation>%1 von %2 Lektionen bestanden</translation>
+    </message>
+    <message>
         <source>First steps</source>
         <translation>Erste Schritte</translation>
     </message>
@@ -15469,6 +16009,22 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
 </context>
 <context>
     <name>ew::lessons::OutcomePage</name>
+    <message>
+        <source>Stop</source>
+        <translation>Aufhören</translation>
+    </message>
+    <message>
+        <source>Next exercise</source>
+        <translation>Nächste Übung</translation>
+    </message>
+    <message>
+        <source>Not right yet: %1</source>
+        <translation>Noch nicht richtig: %1</translation>
+    </message>
+    <message>
+        <source>Right: %1</source>
+        <translation>Richtig: %1</translation>
+    </message>
     <message>
         <source>Try again</source>
         <translation>Noch einmal</translation>
@@ -15651,6 +16207,9 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>The step that was running when the program ended was not kept; it begins anew.</source>
         <translation>Der Schritt, der lief, als das Programm endete, wurde nicht behalten; er beginnt von vorn.</translation>
     </message>
+</context>
+<context>
+    <name>ew::lessons::LessonPlayer</name>
     <message>
         <source>Getting the step ready…</source>
         <translation>Der Schritt wird vorbereitet…</translation>
@@ -15677,6 +16236,2441 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Showing organs</source>
         <translation>Organe zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::CourseStrip</name>
+    <message>
+        <source>The case of this lesson is not in the library.</source>
+        <translation>Der Fall dieser Lektion ist nicht in der Bibliothek.</translation>
+    </message>
+    <message>
+        <source>%1 · about %2 min · %3</source>
+        <translation>%1 · etwa %2 min · %3</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1. You have passed all lessons that are here.</source>
+        <translation>%1. Alle Lektionen, die hier sind, sind bestanden.</translation>
+    </message>
+    <message>
+        <source>%1. Next: %2 (%3)</source>
+        <translation>%1. Als Nächstes: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 lessons passed</source>
+        <translation>%1 von %2 Lektionen bestanden</translation>
+    </message>
+    <message>
+        <source>Course: %1</source>
+        <translation>Kurs: %1</translation>
+    </message>
+    <message>
+        <source>Go on with %1</source>
+        <translation>Weiter mit %1</translation>
+    </message>
+    <message>
+        <source>You stopped in step %1 of %2 of the lesson “%3”.</source>
+        <translation>Unterbrochen bei Schritt %1 von %2 der Lektion „%3“.</translation>
+    </message>
+    <message>
+        <source>Show all lessons of the course in their order</source>
+        <translation>Alle Lektionen des Kurses in ihrer Reihenfolge zeigen</translation>
+    </message>
+    <message>
+        <source>Show the next lesson alone</source>
+        <translation>Nur die nächste Lektion zeigen</translation>
+    </message>
+    <message>
+        <source>All lessons</source>
+        <translation>Alle Lektionen</translation>
+    </message>
+    <message>
+        <source>Fewer</source>
+        <translation>Weniger</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Once more</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Not begun yet</source>
+        <translation>Noch nicht begonnen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps passed</source>
+        <translation>%1 von %2 Schritten bestanden</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Stopped in step %1 of %2</source>
+        <translation>Bei Schritt %1 von %2 unterbrochen</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::CaseLessons</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>This lesson has no steps yet.</source>
+        <translation>Diese Lektion hat noch keine Schritte.</translation>
+    </message>
+    <message>
+        <source>%1, last on %2</source>
+        <translation>%1, zuletzt am %2</translation>
+    </message>
+    <message>
+        <source>%1, about %2 min · %3</source>
+        <translation>%1, etwa %2 min · %3</translation>
+    </message>
+    <message>
+        <source>Open the case without a lesson</source>
+        <translation>Den Fall ohne Lektion öffnen</translation>
+    </message>
+    <message>
+        <source>Lessons of %1</source>
+        <translation>Lektionen von %1</translation>
+    </message>
+</context>
+<context>
+    <name>ew::lessons::ExerciseCard</name>
+    <message>
+        <source>Go on with exercises</source>
+        <translation>Mit Übungen weitermachen</translation>
+    </message>
+    <message>
+        <source>Start exercises</source>
+        <translation>Übungen beginnen</translation>
+    </message>
+    <message>
+        <source>Known well: %1</source>
+        <translation>Gut bekannt: %1</translation>
+    </message>
+    <message>
+        <source>Still hard: %1</source>
+        <translation>Noch schwierig: %1</translation>
+    </message>
+    <message>
+        <source>Of %1 exercises tried, none is due before %2. There may be new ones.</source>
+        <translation>Von %1 versuchten Übungen ist vor dem %2 keine fällig. Neue kann es geben.</translation>
+    </message>
+    <message>
+        <source>Of %1 exercises tried, %2 are due.</source>
+        <translation>Von %1 versuchten Übungen sind %2 fällig.</translation>
+    </message>
+    <message>
+        <source>Of %1 exercises tried, one is due.</source>
+        <translation>Von %1 versuchten Übungen ist eine fällig.</translation>
+    </message>
+    <message>
+        <source>The program asks you for planes, organs and measurements of this case, and again for what was hard.</source>
+        <translation>Das Programm fragt nach Ebenen, Organen und Messungen dieses Falls, und wieder nach dem, was schwierig war.</translation>
+    </message>
+    <message>
+        <source>Learning as</source>
+        <translation>Es lernt</translation>
+    </message>
+    <message>
+        <source>Kept with your attempts, so that several people can learn at one workstation. It may stay empty.</source>
+        <translation>Wird mit den Versuchen aufbewahrt, damit mehrere Personen an einem Arbeitsplatz lernen können. Kann leer bleiben.</translation>
+    </message>
+    <message>
+        <source>Your name, if you like</source>
+        <translation>Name, wenn gewünscht</translation>
+    </message>
+    <message>
+        <source>Some exercises give away what this case has. They come by themselves once its lessons are finished.</source>
+        <translation>Manche Übungen verraten, was dieser Fall hat. Sie kommen von selbst, sobald seine Lektionen beendet sind.</translation>
+    </message>
+    <message>
+        <source>Ask for findings, too</source>
+        <translation>Auch nach Befunden fragen</translation>
+    </message>
+    <message>
+        <source>Teach yourself</source>
+        <translation>Selbst üben</translation>
+    </message>
+</context>
+<context>
+    <name>ew::lessons::ExercisePlayer</name>
+    <message>
+        <source>Then a little easier: level %1.</source>
+        <translation>Dann etwas leichter: Stufe %1.</translation>
+    </message>
+    <message>
+        <source>Then a little harder: level %1.</source>
+        <translation>Dann etwas schwieriger: Stufe %1.</translation>
+    </message>
+    <message>
+        <source>It comes again in %1 days.</source>
+        <translation>Sie kommt in %1 Tagen wieder.</translation>
+    </message>
+    <message>
+        <source>It comes again tomorrow.</source>
+        <translation>Sie kommt morgen wieder.</translation>
+    </message>
+    <message>
+        <source>It comes again in a few minutes.</source>
+        <translation>Sie kommt in wenigen Minuten wieder.</translation>
+    </message>
+    <message>
+        <source>Level %1 of %2</source>
+        <translation>Stufe %1 von %2</translation>
+    </message>
+    <message>
+        <source>There is nothing here that the program could ask for: no plane can be reached from the skin, no organ is told apart by pointing, and nothing is measured with calipers.</source>
+        <translation>Hier gibt es nichts, wonach das Programm fragen könnte: keine Ebene ist von der Haut aus zu erreichen, kein Organ durch Zeigen zu unterscheiden, und nichts wird mit Messkreuzen gemessen.</translation>
+    </message>
+    <message>
+        <source>Getting the exercise ready</source>
+        <translation>Die Übung wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Getting the exercise ready…</source>
+        <translation>Die Übung wird vorbereitet …</translation>
+    </message>
+    <message>
+        <source>The volume of this case is being made ready…</source>
+        <translation>Das Volumen dieses Falls wird vorbereitet …</translation>
+    </message>
+    <message>
+        <source>Looking for exercises</source>
+        <translation>Übungen werden gesucht</translation>
+    </message>
+    <message>
+        <source>Looking for exercises in this case…</source>
+        <translation>Übungen in diesem Fall werden gesucht …</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::BodyTools</name>
+    <message>
+        <source>Move: %1</source>
+        <translation>Schieben: %1</translation>
+    </message>
+    <message>
+        <source>Turn about: %1</source>
+        <translation>Drehen um: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 mm</source>
+        <translation>%1: %2 mm</translation>
+    </message>
+    <message>
+        <source>about %1: %2°</source>
+        <translation>um %1: %2°</translation>
+    </message>
+</context>
+<context>
+    <name>ew::sdk::PlacementFields</name>
+    <message>
+        <source>Towards the patient&apos;s left</source>
+        <translation>Zur linken Seite des Patienten</translation>
+    </message>
+    <message>
+        <source>Towards the back</source>
+        <translation>Zum Rücken</translation>
+    </message>
+    <message>
+        <source>Towards the head</source>
+        <translation>Zum Kopf</translation>
+    </message>
+    <message>
+        <source>Turn about the x axis</source>
+        <translation>Drehung um die x-Achse</translation>
+    </message>
+    <message>
+        <source>Turn about the y axis</source>
+        <translation>Drehung um die y-Achse</translation>
+    </message>
+    <message>
+        <source>Turn about the z axis</source>
+        <translation>Drehung um die z-Achse</translation>
+    </message>
+</context>
+<context>
+    <name>ew::case_authoring::PairList</name>
+    <message>
+        <source>Place %1</source>
+        <translation>Stelle %1</translation>
+    </message>
+    <message>
+        <source>What place %1 is called</source>
+        <translation>Wie Stelle %1 heißt</translation>
+    </message>
+    <message>
+        <source>How far the place in the volume then lies from the place on the body</source>
+        <translation>Wie weit die Stelle im Volumen dann von der Stelle am Körper entfernt liegt</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Where place %1 is on the body</source>
+        <translation>Wo Stelle %1 am Körper ist</translation>
+    </message>
+    <message>
+        <source>On the body…</source>
+        <translation>Am Körper …</translation>
+    </message>
+    <message>
+        <source>Click on the skin</source>
+        <translation>Auf die Haut klicken</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Click in the image</source>
+        <translation>Ins Bild klicken</translation>
+    </message>
+    <message>
+        <source>In the image ✓</source>
+        <translation>Im Bild ✓</translation>
+    </message>
+    <message>
+        <source>In the image…</source>
+        <translation>Im Bild …</translation>
+    </message>
+    <message>
+        <source>Point at the place in the scan image again</source>
+        <translation>Die Stelle im Schallbild noch einmal zeigen</translation>
+    </message>
+    <message>
+        <source>Point at the place in the scan image</source>
+        <translation>Die Stelle im Schallbild zeigen</translation>
+    </message>
+    <message>
+        <source>Clicked ✓ (%1, %2, %3)</source>
+        <translation>Geklickt ✓ (%1, %2, %3)</translation>
+    </message>
+    <message>
+        <source>not clicked yet</source>
+        <translation>noch nicht geklickt</translation>
+    </message>
+</context>
+<context>
+    <name>ew::case_authoring::PlacePanel</name>
+    <message>
+        <source>No case is open</source>
+        <translation>Kein Fall ist geöffnet</translation>
+    </message>
+    <message>
+        <source>Open a case. Then its volume can be placed in the body here.</source>
+        <translation>Einen Fall öffnen. Dann lässt sich hier sein Volumen im Körper platzieren.</translation>
+    </message>
+    <message>
+        <source>On the skin</source>
+        <translation>An der Haut</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Bewegen</translation>
+    </message>
+    <message>
+        <source>By places</source>
+        <translation>Nach Stellen</translation>
+    </message>
+    <message>
+        <source>Move the volume, %1</source>
+        <translation>Volumen bewegen, %1</translation>
+    </message>
+    <message>
+        <source>Part of the near face that touches the skin</source>
+        <translation>Anteil der nahen Fläche, der die Haut berührt</translation>
+    </message>
+    <message>
+        <source>Near face</source>
+        <translation>Nahe Fläche</translation>
+    </message>
+    <message>
+        <source>The side of the volume on which the probe was</source>
+        <translation>Die Seite des Volumens, auf der der Schallkopf war</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Griffe</translation>
+    </message>
+    <message>
+        <source>Arrows and rings in the 3D view: drag one (Shift: whole millimetres and degrees), or use the arrows, Page up and Page down there; with Alt they turn</source>
+        <translation>Pfeile und Ringe in der 3D-Ansicht: einen ziehen (Umschalt: ganze Millimeter und Grad) oder dort die Pfeiltasten, Bild auf und Bild ab drücken; mit Alt drehen sie</translation>
+    </message>
+    <message>
+        <source>Put on the skin…</source>
+        <translation>Auf die Haut setzen …</translation>
+    </message>
+    <message>
+        <source>Click on the body: the near face is put flush on the skin there</source>
+        <translation>Auf den Körper klicken: Dort wird die nahe Fläche bündig auf die Haut gesetzt</translation>
+    </message>
+    <message>
+        <source>Usual place</source>
+        <translation>Übliche Stelle</translation>
+    </message>
+    <message>
+        <source>Where a probe is usually put for the region of this case</source>
+        <translation>Wo ein Schallkopf für die Region dieses Falls üblicherweise aufgesetzt wird</translation>
+    </message>
+    <message>
+        <source>Flip left and right</source>
+        <translation>Links und rechts tauschen</translation>
+    </message>
+    <message>
+        <source>Half a turn about the beams</source>
+        <translation>Eine halbe Drehung um die Schallstrahlen</translation>
+    </message>
+    <message>
+        <source>Flip the volume left and right</source>
+        <translation>Links und rechts des Volumens tauschen</translation>
+    </message>
+    <message>
+        <source>Turn 90° back</source>
+        <translation>90° zurückdrehen</translation>
+    </message>
+    <message>
+        <source>A quarter turn about the beams, anticlockwise as seen from outside</source>
+        <translation>Eine Vierteldrehung um die Schallstrahlen, von außen gesehen gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Turn the volume by 90°</source>
+        <translation>Volumen um 90° drehen</translation>
+    </message>
+    <message>
+        <source>Turn 90° on</source>
+        <translation>90° weiterdrehen</translation>
+    </message>
+    <message>
+        <source>A quarter turn about the beams, clockwise as seen from outside</source>
+        <translation>Eine Vierteldrehung um die Schallstrahlen, von außen gesehen im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Point at the same places in the image and on the body: three at least, not on one line. A fourth shows which one is wrong.</source>
+        <translation>Dieselben Stellen im Bild und am Körper zeigen: mindestens drei, nicht auf einer Geraden. Eine vierte zeigt, welche falsch ist.</translation>
+    </message>
+    <message>
+        <source>Name a place</source>
+        <translation>Stelle benennen</translation>
+    </message>
+    <message>
+        <source>Remove a place</source>
+        <translation>Stelle entfernen</translation>
+    </message>
+    <message>
+        <source>Choose a place on the body</source>
+        <translation>Stelle am Körper wählen</translation>
+    </message>
+    <message>
+        <source>Add a place</source>
+        <translation>Stelle hinzufügen</translation>
+    </message>
+    <message>
+        <source>Place by these</source>
+        <translation>Danach platzieren</translation>
+    </message>
+    <message>
+        <source>Place the volume by places</source>
+        <translation>Volumen nach Stellen platzieren</translation>
+    </message>
+    <message>
+        <source>The volume of this case is not what is scanned at the moment, so that nobody can say how it lies. Give the case a volume, prepare it, or choose View, Scan the case&apos;s volume.</source>
+        <translation>Zurzeit wird nicht das Volumen dieses Falls geschallt, deshalb lässt sich nicht sagen, wie es liegt. Dem Fall ein Volumen geben, ihn vorbereiten oder Ansicht, Volumen des Falls schallen wählen.</translation>
+    </message>
+    <message>
+        <source>towards the left</source>
+        <translation>nach links</translation>
+    </message>
+    <message>
+        <source>towards the right</source>
+        <translation>nach rechts</translation>
+    </message>
+    <message>
+        <source>towards the back</source>
+        <translation>nach hinten</translation>
+    </message>
+    <message>
+        <source>towards the front</source>
+        <translation>nach vorn</translation>
+    </message>
+    <message>
+        <source>towards the head</source>
+        <translation>zum Kopf</translation>
+    </message>
+    <message>
+        <source>towards the feet</source>
+        <translation>zu den Füßen</translation>
+    </message>
+    <message>
+        <source>the side %1</source>
+        <translation>die Seite %1</translation>
+    </message>
+    <message>
+        <source>as the beams were recorded</source>
+        <translation>wie die Schallstrahlen aufgenommen wurden</translation>
+    </message>
+    <message>
+        <source>Choose the near face</source>
+        <translation>Nahe Fläche wählen</translation>
+    </message>
+    <message>
+        <source>The near face lies on the skin.</source>
+        <translation>Die nahe Fläche liegt an der Haut.</translation>
+    </message>
+    <message>
+        <source>The near face stands off the skin; move the volume in, or turn it flush.</source>
+        <translation>Die nahe Fläche steht von der Haut ab; das Volumen hineinschieben oder bündig drehen.</translation>
+    </message>
+    <message>
+        <source>The near face lies below the skin; move the volume out.</source>
+        <translation>Die nahe Fläche liegt unter der Haut; das Volumen herausschieben.</translation>
+    </message>
+    <message>
+        <source>Part of the volume lies outside the body; turn it so that the beams look inwards.</source>
+        <translation>Ein Teil des Volumens liegt außerhalb des Körpers; so drehen, dass die Schallstrahlen nach innen zeigen.</translation>
+    </message>
+    <message>
+        <source>%1 % of the near face touch the skin (within %2 mm). Largest gap %3 mm, deepest below %4 mm. %5 % of the volume lie outside the body.</source>
+        <translation>%1 % der nahen Fläche berühren die Haut (auf %2 mm). Größter Spalt %3 mm, tiefste Stelle darunter %4 mm. %5 % des Volumens liegen außerhalb des Körpers.</translation>
+    </message>
+    <message>
+        <source>across</source>
+        <translation>quer</translation>
+    </message>
+    <message>
+        <source>along the beams</source>
+        <translation>entlang der Schallstrahlen</translation>
+    </message>
+    <message>
+        <source>along the sweep</source>
+        <translation>entlang des Schwenks</translation>
+    </message>
+    <message>
+        <source>Move the volume by its handles</source>
+        <translation>Volumen an den Griffen bewegen</translation>
+    </message>
+    <message>
+        <source>Nobody has said where a probe is usually put on this mannequin; use the handles, or click on the skin.</source>
+        <translation>Für diese Puppe ist nicht bekannt, wo ein Schallkopf üblicherweise aufgesetzt wird; die Griffe benutzen oder auf die Haut klicken.</translation>
+    </message>
+    <message>
+        <source>Put the volume at its usual place</source>
+        <translation>Volumen an die übliche Stelle setzen</translation>
+    </message>
+    <message>
+        <source>Click where the middle of the near face is to lie. Escape leaves it where it is.</source>
+        <translation>Dorthin klicken, wo die Mitte der nahen Fläche liegen soll. Esc lässt sie, wo sie ist.</translation>
+    </message>
+    <message>
+        <source>Put the volume on the skin</source>
+        <translation>Volumen auf die Haut setzen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not fit with the others: it lies %2 mm off and is left out. Point at it again. The others lie %3 mm apart on average.</source>
+        <translation>„%1“ passt nicht zu den anderen: Die Stelle liegt %2 mm daneben und bleibt außer Betracht. Sie noch einmal zeigen. Die anderen liegen im Mittel %3 mm auseinander.</translation>
+    </message>
+    <message>
+        <source>The places lie %1 mm apart on average; the worst is &apos;%2&apos; with %3 mm.</source>
+        <translation>Die Stellen liegen im Mittel %1 mm auseinander; am schlechtesten ist „%2“ mit %3 mm.</translation>
+    </message>
+    <message>
+        <source>Place %1</source>
+        <translation>Stelle %1</translation>
+    </message>
+    <message>
+        <source>Move the volume so that the places lie on each other as well as may be</source>
+        <translation>Das Volumen so bewegen, dass die Stellen möglichst gut aufeinanderliegen</translation>
+    </message>
+    <message>
+        <source>Three complete pairs are needed, not on one line</source>
+        <translation>Drei vollständige Paare sind nötig, nicht auf einer Geraden</translation>
+    </message>
+    <message>
+        <source>The volume of this case is not what is scanned at the moment; choose View, Scan the case&apos;s volume.</source>
+        <translation>Zurzeit wird nicht das Volumen dieses Falls geschallt; Ansicht, Volumen des Falls schallen wählen.</translation>
+    </message>
+    <message>
+        <source>Click the place in the image; move the probe before, if it is not to be seen. Escape ends.</source>
+        <translation>Die Stelle im Bild anklicken; vorher den Schallkopf bewegen, wenn sie nicht zu sehen ist. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Point at a place in the volume</source>
+        <translation>Stelle im Volumen zeigen</translation>
+    </message>
+    <message>
+        <source>Click the place on the body. Escape ends.</source>
+        <translation>Die Stelle am Körper anklicken. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Point at a place on the body</source>
+        <translation>Stelle am Körper zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>ew::lessons::AnswerForm</name>
+    <message>
+        <source>Answered by</source>
+        <translation>Antwort durch</translation>
+    </message>
+    <message>
+        <source>choosing</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>Change how a question is answered</source>
+        <translation>Art der Antwort ändern</translation>
+    </message>
+    <message>
+        <source>Add an answer</source>
+        <translation>Antwort hinzufügen</translation>
+    </message>
+    <message>
+        <source>Answer %1</source>
+        <translation>Antwort %1</translation>
+    </message>
+    <message>
+        <source>Right is</source>
+        <translation>Richtig ist</translation>
+    </message>
+    <message>
+        <source>Change the right number</source>
+        <translation>Richtige Zahl ändern</translation>
+    </message>
+    <message>
+        <source>Off by at most</source>
+        <translation>Höchstens daneben</translation>
+    </message>
+    <message>
+        <source>Change how far a number may be off</source>
+        <translation>Erlaubte Abweichung einer Zahl ändern</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Change the unit of a number</source>
+        <translation>Einheit einer Zahl ändern</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>richtig</translation>
+    </message>
+    <message>
+        <source>Answer %1 is right</source>
+        <translation>Antwort %1 ist richtig</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove answer %1</source>
+        <translation>Antwort %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Change an answer</source>
+        <translation>Antwort ändern</translation>
+    </message>
+    <message>
+        <source>what can be chosen</source>
+        <translation>was zur Wahl steht</translation>
+    </message>
+    <message>
+        <source>why it is right or wrong</source>
+        <translation>warum sie richtig oder falsch ist</translation>
+    </message>
+    <message>
+        <source>Mark a right answer</source>
+        <translation>Richtige Antwort kennzeichnen</translation>
+    </message>
+    <message>
+        <source>Remove an answer</source>
+        <translation>Antwort entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>ew::lessons::EditorPanel</name>
+    <message>
+        <source>No case is open</source>
+        <translation>Kein Fall ist geöffnet</translation>
+    </message>
+    <message>
+        <source>Open a case from the start page or the File menu. Then its lessons are made here.</source>
+        <translation>Einen Fall auf der Startseite oder im Menü Datei öffnen. Dann entstehen hier seine Lektionen.</translation>
+    </message>
+    <message>
+        <source>Back to editing</source>
+        <translation>Zurück zum Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Leave the trial; nothing of it is kept</source>
+        <translation>Die Probe verlassen; nichts davon wird behalten</translation>
+    </message>
+    <message>
+        <source>As a trainee sees it; nothing is kept.</source>
+        <translation>Wie Lernende es sehen; nichts wird behalten.</translation>
+    </message>
+    <message>
+        <source>The expert's scan is being recorded; stop it first.</source>
+        <translation>Die Untersuchung des Experten wird gerade aufgenommen; zuerst die Aufnahme beenden.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::lessons::ExpertTake</name>
+    <message>
+        <source>The recording of the expert's scan is paused, because another case was opened; it goes on in its own case.</source>
+        <translation>Die Aufnahme der Untersuchung ruht, weil ein anderer Fall geöffnet wurde; sie geht in ihrem eigenen Fall weiter.</translation>
+    </message>
+    <message>
+        <source>An expert's scan is being recorded and not kept yet.</source>
+        <translation>Eine Untersuchung des Experten wird aufgenommen und ist noch nicht behalten.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::lessons::FieldForm</name>
+    <message>
+        <source>%1 (not there any more)</source>
+        <translation>%1 (nicht mehr vorhanden)</translation>
+    </message>
+</context>
+<context>
+    <name>ew::lessons::LessonDocument</name>
+    <message>
+        <source>Read</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>A text to read, perhaps with a picture</source>
+        <translation>Ein Text zum Lesen, vielleicht mit einem Bild</translation>
+    </message>
+    <message>
+        <source>Watch the expert</source>
+        <translation>Dem Experten zusehen</translation>
+    </message>
+    <message>
+        <source>Your own scan is played and rests at its marks</source>
+        <translation>Die eigene Untersuchung läuft ab und hält an ihren Marken</translation>
+    </message>
+    <message>
+        <source>Set a plane</source>
+        <translation>Ebene einstellen</translation>
+    </message>
+    <message>
+        <source>A target plane of the case is to be set</source>
+        <translation>Eine Zielebene des Falls ist einzustellen</translation>
+    </message>
+    <message>
+        <source>Sweep through</source>
+        <translation>Durchfahren</translation>
+    </message>
+    <message>
+        <source>A structure is to be seen from end to end</source>
+        <translation>Eine Struktur ist von einem Ende zum anderen zu zeigen</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>A measurement that the case expects is to be taken</source>
+        <translation>Eine Messung, die der Fall erwartet, ist vorzunehmen</translation>
+    </message>
+    <message>
+        <source>Point at it</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>A point or a structure is to be clicked in the image</source>
+        <translation>Ein Punkt oder eine Struktur ist im Bild anzuklicken</translation>
+    </message>
+    <message>
+        <source>Set the machine</source>
+        <translation>Gerät einstellen</translation>
+    </message>
+    <message>
+        <source>Transducer and settings are to be right</source>
+        <translation>Schallkopf und Einstellungen sollen stimmen</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>A question with answers to choose from, or a number</source>
+        <translation>Eine Frage mit Antworten zur Auswahl, oder mit einer Zahl</translation>
+    </message>
+    <message>
+        <source>Scan freely</source>
+        <translation>Frei untersuchen</translation>
+    </message>
+    <message>
+        <source>The trainee scans at will; what is to be shown is ticked off</source>
+        <translation>Lernende untersuchen nach eigenem Ermessen; was zu zeigen ist, wird abgehakt</translation>
+    </message>
+</context>
+<context>
+    <name>ew::lessons::LessonPage</name>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>Back to the lessons of the case</source>
+        <translation>Zurück zu den Lektionen des Falls</translation>
+    </message>
+    <message>
+        <source>Try this lesson</source>
+        <translation>Lektion erproben</translation>
+    </message>
+    <message>
+        <source>Work through it as a trainee does; no attempt is kept</source>
+        <translation>Sie durcharbeiten wie Lernende; kein Versuch wird behalten</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>A lesson is a list of steps. Add the first one.</source>
+        <translation>Eine Lektion ist eine Liste von Schritten. Den ersten hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Enter edits a step, Alt+Up and Alt+Down move it, Del removes it</source>
+        <translation>Eingabe bearbeitet einen Schritt, Alt+Auf und Alt+Ab verschieben ihn, Entf entfernt ihn</translation>
+    </message>
+    <message>
+        <source>Add a step</source>
+        <translation>Schritt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Behind the chosen one; choose what the trainee does</source>
+        <translation>Hinter dem gewählten; auswählen, was Lernende tun</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edit the chosen step</source>
+        <translation>Den gewählten Schritt bearbeiten</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Put a copy behind the chosen step</source>
+        <translation>Eine Kopie hinter den gewählten Schritt setzen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen step; undo brings it back</source>
+        <translation>Den gewählten Schritt entfernen; Rückgängig holt ihn zurück</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Move the chosen step up (Alt+Up)</source>
+        <translation>Den gewählten Schritt nach oben schieben (Alt+Auf)</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Move the chosen step down (Alt+Down)</source>
+        <translation>Den gewählten Schritt nach unten schieben (Alt+Ab)</translation>
+    </message>
+    <message>
+        <source>Remove a step</source>
+        <translation>Schritt entfernen</translation>
+    </message>
+    <message>
+        <source>%1 (copy)</source>
+        <translation>%1 (Kopie)</translation>
+    </message>
+    <message>
+        <source>Duplicate a step</source>
+        <translation>Schritt duplizieren</translation>
+    </message>
+    <message>
+        <source>Move a step</source>
+        <translation>Schritt verschieben</translation>
+    </message>
+    <message>
+        <source>About the lesson</source>
+        <translation>Zur Lektion</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Change a lesson's title</source>
+        <translation>Titel einer Lektion ändern</translation>
+    </message>
+    <message>
+        <source>It is read before the examination: name no finding in it.</source>
+        <translation>Er wird vor der Untersuchung gelesen: keinen Befund darin nennen.</translation>
+    </message>
+    <message>
+        <source>Aim</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Change a lesson's aim</source>
+        <translation>Ziel einer Lektion ändern</translation>
+    </message>
+    <message>
+        <source>what one can do afterwards</source>
+        <translation>was man danach kann</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Change a lesson's level</source>
+        <translation>Stufe einer Lektion ändern</translation>
+    </message>
+    <message>
+        <source>Takes about</source>
+        <translation>Dauert etwa</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message>
+        <source>Change how long a lesson takes</source>
+        <translation>Dauer einer Lektion ändern</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Schlagwörter</translation>
+    </message>
+    <message>
+        <source>Change a lesson's tags</source>
+        <translation>Schlagwörter einer Lektion ändern</translation>
+    </message>
+    <message>
+        <source>one a line</source>
+        <translation>eines je Zeile</translation>
+    </message>
+    <message>
+        <source>Sources</source>
+        <translation>Quellen</translation>
+    </message>
+    <message>
+        <source>Change a lesson's sources</source>
+        <translation>Quellen einer Lektion ändern</translation>
+    </message>
+    <message>
+        <source>what it teaches after, one a line</source>
+        <translation>wonach sie lehrt, eine je Zeile</translation>
+    </message>
+    <message>
+        <source>Written in</source>
+        <translation>Verfasst auf</translation>
+    </message>
+    <message>
+        <source>English</source>
+        <translation>Englisch</translation>
+    </message>
+    <message>
+        <source>German</source>
+        <translation>Deutsch</translation>
+    </message>
+    <message>
+        <source>French</source>
+        <translation>Französisch</translation>
+    </message>
+    <message>
+        <source>Spanish</source>
+        <translation>Spanisch</translation>
+    </message>
+    <message>
+        <source>Change a lesson's language</source>
+        <translation>Sprache einer Lektion ändern</translation>
+    </message>
+    <message>
+        <source>Add a step first</source>
+        <translation>Zuerst einen Schritt hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>ew::lessons::LessonsPage</name>
+    <message>
+        <source>From a template</source>
+        <translation>Aus einer Vorlage</translation>
+    </message>
+    <message>
+        <source>Lessons of this case</source>
+        <translation>Lektionen dieses Falls</translation>
+    </message>
+    <message>
+        <source>There is none yet. Begin with the usual outline, or with an empty lesson.</source>
+        <translation>Es gibt noch keine. Mit den üblichen Schritten oder mit einer leeren Lektion beginnen.</translation>
+    </message>
+    <message>
+        <source>Enter edits a lesson, Alt+Up and Alt+Down move it, Del removes it</source>
+        <translation>Eingabe bearbeitet eine Lektion, Alt+Auf und Alt+Ab verschieben sie, Entf entfernt sie</translation>
+    </message>
+    <message>
+        <source>New lesson</source>
+        <translation>Neue Lektion</translation>
+    </message>
+    <message>
+        <source>Make a lesson: empty, or with the steps that a lesson usually has</source>
+        <translation>Eine Lektion anlegen: leer, oder mit den Schritten, die eine Lektion meist hat</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edit the chosen lesson and its steps</source>
+        <translation>Die gewählte Lektion und ihre Schritte bearbeiten</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Put a copy behind the chosen lesson</source>
+        <translation>Eine Kopie hinter die gewählte Lektion setzen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen lesson; undo brings it back</source>
+        <translation>Die gewählte Lektion entfernen; Rückgängig holt sie zurück</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Move the chosen lesson up (Alt+Up)</source>
+        <translation>Die gewählte Lektion nach oben schieben (Alt+Auf)</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Move the chosen lesson down (Alt+Down)</source>
+        <translation>Die gewählte Lektion nach unten schieben (Alt+Ab)</translation>
+    </message>
+    <message>
+        <source>Write what trainees read in another language</source>
+        <translation>Was Lernende lesen, in einer anderen Sprache schreiben</translation>
+    </message>
+    <message>
+        <source>Remove them</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove scans and pictures that no lesson names; undo cannot bring them back</source>
+        <translation>Untersuchungen und Bilder entfernen, die keine Lektion nennt; Rückgängig holt sie nicht zurück</translation>
+    </message>
+    <message>
+        <source>%1 (copy)</source>
+        <translation>%1 (Kopie)</translation>
+    </message>
+    <message>
+        <source>Duplicate a lesson</source>
+        <translation>Lektion duplizieren</translation>
+    </message>
+    <message>
+        <source>Remove a lesson</source>
+        <translation>Lektion entfernen</translation>
+    </message>
+    <message>
+        <source>Move a lesson</source>
+        <translation>Lektion verschieben</translation>
+    </message>
+    <message>
+        <source>Empty</source>
+        <translation>Leer</translation>
+    </message>
+    <message>
+        <source>With the usual steps</source>
+        <translation>Mit den üblichen Schritten</translation>
+    </message>
+    <message>
+        <source>Before you begin</source>
+        <translation>Vor dem Beginn</translation>
+    </message>
+    <message>
+        <source>Set up the machine</source>
+        <translation>Das Gerät einstellen</translation>
+    </message>
+    <message>
+        <source>Watch the expert</source>
+        <translation>Dem Experten zusehen</translation>
+    </message>
+    <message>
+        <source>Find the plane</source>
+        <translation>Die Ebene finden</translation>
+    </message>
+    <message>
+        <source>Sweep through the organ</source>
+        <translation>Das Organ durchfahren</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>What do you see?</source>
+        <translation>Was ist zu sehen?</translation>
+    </message>
+    <message>
+        <source>Scan on your own</source>
+        <translation>Selbst untersuchen</translation>
+    </message>
+    <message>
+        <source>Add a lesson</source>
+        <translation>Lektion hinzufügen</translation>
+    </message>
+    <message>
+        <source>1 step</source>
+        <translation>1 Schritt</translation>
+    </message>
+    <message>
+        <source>%1 steps</source>
+        <translation>%1 Schritte</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>1 thing missing</source>
+        <translation>1 Angabe fehlt</translation>
+    </message>
+    <message>
+        <source>%1 things missing</source>
+        <translation>%1 Angaben fehlen</translation>
+    </message>
+    <message>
+        <source>Translations…</source>
+        <translation>Übersetzungen…</translation>
+    </message>
+    <message>
+        <source>One file of the lessons, %1, is named by none of them.</source>
+        <translation>Eine Datei der Lektionen, %1, wird von keiner genannt.</translation>
+    </message>
+    <message>
+        <source>%1 files of the lessons are named by none of them.</source>
+        <translation>%1 Dateien der Lektionen werden von keiner genannt.</translation>
+    </message>
+    <message>
+        <source>Remove files</source>
+        <translation>Dateien entfernen</translation>
+    </message>
+    <message>
+        <source>Scans and pictures that no lesson names are removed from the case folder. Undoing an earlier edit cannot bring them back.</source>
+        <translation>Untersuchungen und Bilder, die keine Lektion nennt, werden aus dem Ordner des Falls entfernt. Eine frühere Änderung rückgängig zu machen holt sie nicht zurück.</translation>
+    </message>
+    <message>
+        <source>Not every file could be removed (%1).</source>
+        <translation>Nicht jede Datei konnte entfernt werden (%1).</translation>
+    </message>
+</context>
+<context>
+    <name>ew::lessons::ReadForm</name>
+    <message>
+        <source>Choose a picture…</source>
+        <translation>Bild wählen…</translation>
+    </message>
+    <message>
+        <source>PNG or JPEG; it is kept without what is written in the file about patient, place and time</source>
+        <translation>PNG oder JPEG; es wird ohne das behalten, was in der Datei über Patient, Ort und Zeit steht</translation>
+    </message>
+    <message>
+        <source>Remove it</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>The step goes without a picture; undo brings it back</source>
+        <translation>Der Schritt kommt ohne Bild aus; Rückgängig holt es zurück</translation>
+    </message>
+    <message>
+        <source>Choose a picture</source>
+        <translation>Bild wählen</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>Remove a picture</source>
+        <translation>Bild entfernen</translation>
+    </message>
+    <message>
+        <source>No picture.</source>
+        <translation>Kein Bild.</translation>
+    </message>
+    <message>
+        <source>The picture '%1' cannot be shown.</source>
+        <translation>Das Bild „%1“ kann nicht gezeigt werden.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::lessons::SettingsForm</name>
+    <message>
+        <source>Take the present settings</source>
+        <translation>Jetzige Einstellungen übernehmen</translation>
+    </message>
+    <message>
+        <source>The transducer and the settings of the console, each within what still gives a good image</source>
+        <translation>Der Schallkopf und die Einstellungen der Konsole, jede in dem Bereich, der noch ein gutes Bild gibt</translation>
+    </message>
+    <message>
+        <source>Right transducers; none chosen: any</source>
+        <translation>Richtige Schallköpfe; keiner gewählt: jeder</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Dynamic range</source>
+        <translation>Dynamikbereich</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>Settings that are right</source>
+        <translation>Richtige Einstellungen</translation>
+    </message>
+    <message>
+        <source>lowest that is right</source>
+        <translation>kleinster richtiger Wert</translation>
+    </message>
+    <message>
+        <source>highest that is right</source>
+        <translation>größter richtiger Wert</translation>
+    </message>
+    <message>
+        <source>%1 (not there any more)</source>
+        <translation>%1 (nicht mehr vorhanden)</translation>
+    </message>
+    <message>
+        <source>Choose the right transducers</source>
+        <translation>Richtige Schallköpfe wählen</translation>
+    </message>
+    <message>
+        <source>Choose a setting</source>
+        <translation>Einstellung wählen</translation>
+    </message>
+    <message>
+        <source>Change a range of settings</source>
+        <translation>Bereich einer Einstellung ändern</translation>
+    </message>
+    <message>
+        <source>Nothing is scanned; open a case that has a volume first.</source>
+        <translation>Es wird nichts untersucht; zuerst einen Fall mit Volumen öffnen.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::lessons::StepEditor</name>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Back to the steps of the lesson</source>
+        <translation>Zurück zu den Schritten der Lektion</translation>
+    </message>
+    <message>
+        <source>The step before</source>
+        <translation>Der Schritt davor</translation>
+    </message>
+    <message>
+        <source>The step after</source>
+        <translation>Der Schritt danach</translation>
+    </message>
+    <message>
+        <source>Try this step</source>
+        <translation>Schritt erproben</translation>
+    </message>
+    <message>
+        <source>Work through it as a trainee does; no attempt is kept</source>
+        <translation>Sie durcharbeiten wie Lernende; kein Versuch wird behalten</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Change a step's title</source>
+        <translation>Titel eines Schritts ändern</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Frage</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Was zu tun ist</translation>
+    </message>
+    <message>
+        <source>Change what a step says</source>
+        <translation>Text eines Schritts ändern</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Look for</source>
+        <translation>Achten auf</translation>
+    </message>
+    <message>
+        <source>Change what to look for</source>
+        <translation>Ändern, worauf zu achten ist</translation>
+    </message>
+    <message>
+        <source>Hints</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>Change the hints</source>
+        <translation>Hinweise ändern</translation>
+    </message>
+    <message>
+        <source>one a line, in the order in which they are asked for</source>
+        <translation>einer je Zeile, in der Reihenfolge, in der nach ihnen gefragt wird</translation>
+    </message>
+    <message>
+        <source>Judging</source>
+        <translation>Beurteilung</translation>
+    </message>
+    <message>
+        <source>Passed from</source>
+        <translation>Bestanden ab</translation>
+    </message>
+    <message>
+        <source>Change from when on a step is passed</source>
+        <translation>Ändern, ab wann ein Schritt bestanden ist</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>Innerhalb von</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>any time</source>
+        <translation>beliebiger Zeit</translation>
+    </message>
+    <message>
+        <source>Change the time of a step</source>
+        <translation>Zeit eines Schritts ändern</translation>
+    </message>
+    <message>
+        <source>Said after</source>
+        <translation>Danach gesagt</translation>
+    </message>
+    <message>
+        <source>Change what is said after a step</source>
+        <translation>Ändern, was nach einem Schritt gesagt wird</translation>
+    </message>
+    <message>
+        <source>May be switched on:</source>
+        <translation>Darf eingeschaltet werden:</translation>
+    </message>
+    <message>
+        <source>Choose the aids of a step</source>
+        <translation>Hilfen eines Schritts wählen</translation>
+    </message>
+    <message>
+        <source>Say while scanning how far off one is</source>
+        <translation>Beim Untersuchen sagen, wie weit man daneben ist</translation>
+    </message>
+    <message>
+        <source>Choose whether a step gives feedback</source>
+        <translation>Rückmeldung eines Schritts wählen</translation>
+    </message>
+    <message>
+        <source>Scans</source>
+        <translation>Untersucht</translation>
+    </message>
+    <message>
+        <source>this case</source>
+        <translation>diesen Fall</translation>
+    </message>
+    <message>
+        <source>Choose which case a step scans</source>
+        <translation>Wählen, welchen Fall ein Schritt untersucht</translation>
+    </message>
+</context>
+<context>
+    <name>ew::lessons::TargetForm</name>
+    <message>
+        <source>Choose…</source>
+        <translation>Auswählen…</translation>
+    </message>
+    <message>
+        <source>Choose a target</source>
+        <translation>Ziel wählen</translation>
+    </message>
+    <message>
+        <source>Change a tolerance</source>
+        <translation>Toleranz ändern</translation>
+    </message>
+    <message>
+        <source>At least</source>
+        <translation>Mindestens</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Change how long is scanned</source>
+        <translation>Dauer der Untersuchung ändern</translation>
+    </message>
+    <message>
+        <source>To be shown meanwhile:</source>
+        <translation>Dabei zu zeigen:</translation>
+    </message>
+    <message>
+        <source>The case has neither planes nor structures; make them on the page Targets.</source>
+        <translation>Der Fall hat weder Ebenen noch Strukturen; sie auf der Seite Ziele anlegen.</translation>
+    </message>
+    <message>
+        <source>%1 (not there any more)</source>
+        <translation>%1 (nicht mehr vorhanden)</translation>
+    </message>
+    <message>
+        <source>Choose what is to be shown</source>
+        <translation>Wählen, was zu zeigen ist</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>The case has no planes</source>
+        <translation>Der Fall hat keine Ebenen</translation>
+    </message>
+    <message>
+        <source>as the plane says</source>
+        <translation>wie die Ebene sagt</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>Innerhalb von</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>and within</source>
+        <translation>und innerhalb von</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>The case has no structures</source>
+        <translation>Der Fall hat keine Strukturen</translation>
+    </message>
+    <message>
+        <source>To be seen</source>
+        <translation>Zu zeigen</translation>
+    </message>
+    <message>
+        <source>Change how much is to be seen</source>
+        <translation>Ändern, wie viel zu zeigen ist</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>The case expects none</source>
+        <translation>Der Fall erwartet keine</translation>
+    </message>
+    <message>
+        <source>Choose a measurement</source>
+        <translation>Messung wählen</translation>
+    </message>
+    <message>
+        <source>Off by at most</source>
+        <translation>Höchstens daneben</translation>
+    </message>
+    <message>
+        <source>as the case says</source>
+        <translation>wie der Fall sagt</translation>
+    </message>
+    <message>
+        <source>In the unit of the measurement.</source>
+        <translation>In der Einheit der Messung.</translation>
+    </message>
+    <message>
+        <source>Point or structure</source>
+        <translation>Punkt oder Struktur</translation>
+    </message>
+    <message>
+        <source>The case has neither</source>
+        <translation>Der Fall hat beides nicht</translation>
+    </message>
+</context>
+<context>
+    <name>ew::lessons::TimeLine</name>
+    <message>
+        <source>Drag the ends to show a part, drag marks to move them, click to look. Keys: arrows, Home, End, [ and ]</source>
+        <translation>Die Enden ziehen, um einen Teil zu zeigen, Marken ziehen, um sie zu verschieben, klicken, um hinzusehen. Tasten: Pfeile, Pos1, Ende, [ und ]</translation>
+    </message>
+    <message>
+        <source>The recording along its time</source>
+        <translation>Die Aufnahme entlang ihrer Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>ew::lessons::WatchForm</name>
+    <message>
+        <source>The expert's scan</source>
+        <translation>Die Untersuchung des Experten</translation>
+    </message>
+    <message>
+        <source>Then scan as the trainee is to see it, with mouse or keys</source>
+        <translation>Dann so untersuchen, wie Lernende es sehen sollen, mit Maus oder Tasten</translation>
+    </message>
+    <message>
+        <source>Choose a recording…</source>
+        <translation>Aufnahme wählen…</translation>
+    </message>
+    <message>
+        <source>One that was saved from this body before (.seq.mha)</source>
+        <translation>Eine, die von diesem Körper schon gespeichert ist (.seq.mha)</translation>
+    </message>
+    <message>
+        <source>Choose a recording</source>
+        <translation>Aufnahme wählen</translation>
+    </message>
+    <message>
+        <source>Recordings of a scan (*.seq.mha *.igs.mha *.mha)</source>
+        <translation>Aufnahmen einer Untersuchung (*.seq.mha *.igs.mha *.mha)</translation>
+    </message>
+    <message>
+        <source>The recording is as long as it may be, %1 min; stop it here.</source>
+        <translation>Die Aufnahme ist so lang, wie sie sein darf, %1 min; sie hier beenden.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>End the recording and keep it in the case</source>
+        <translation>Die Aufnahme beenden und im Fall behalten</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>End the recording without keeping it</source>
+        <translation>Die Aufnahme beenden, ohne sie zu behalten</translation>
+    </message>
+    <message>
+        <source>Mark this moment</source>
+        <translation>Diesen Moment markieren</translation>
+    </message>
+    <message>
+        <source>It is described afterwards; the trainee's view rests there</source>
+        <translation>Er wird danach beschrieben; die Sicht der Lernenden hält dort an</translation>
+    </message>
+    <message>
+        <source>Keeping the recording…</source>
+        <translation>Die Aufnahme wird behalten…</translation>
+    </message>
+    <message>
+        <source>Keeping the expert's scan</source>
+        <translation>Untersuchung des Experten behalten</translation>
+    </message>
+    <message>
+        <source>Record the expert's scan</source>
+        <translation>Untersuchung des Experten aufnehmen</translation>
+    </message>
+    <message>
+        <source>Mark %1</source>
+        <translation>Marke %1</translation>
+    </message>
+    <message>
+        <source>Paused at %1 of at most %2</source>
+        <translation>Pause bei %1 von höchstens %2</translation>
+    </message>
+    <message>
+        <source>● Recording: %1 of at most %2</source>
+        <translation>● Aufnahme: %1 von höchstens %2</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Mark this moment (%1)</source>
+        <translation>Diesen Moment markieren (%1)</translation>
+    </message>
+    <message>
+        <source>Record here</source>
+        <translation>Hier aufnehmen</translation>
+    </message>
+    <message>
+        <source>Record again</source>
+        <translation>Neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>Another step's scan is being recorded; end that first.</source>
+        <translation>Für einen anderen Schritt wird gerade aufgenommen; zuerst diese Aufnahme beenden.</translation>
+    </message>
+    <message>
+        <source>Scan now, as the trainee is to see it.</source>
+        <translation>Jetzt so untersuchen, wie Lernende es sehen sollen.</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded yet.</source>
+        <translation>Noch ist nichts aufgenommen.</translation>
+    </message>
+    <message>
+        <source>This step scans another case. Record the scan there, save it, and choose it here.</source>
+        <translation>Dieser Schritt untersucht einen anderen Fall. Dort aufnehmen, speichern und die Aufnahme hier wählen.</translation>
+    </message>
+    <message>
+        <source>Reading the expert's scan</source>
+        <translation>Untersuchung des Experten lesen</translation>
+    </message>
+    <message>
+        <source>%1 recorded, %2 images; trainees see %3.</source>
+        <translation>%1 aufgenommen, %2 Bilder; Lernende sehen %3.</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Play the part that trainees see; the probe follows it</source>
+        <translation>Den Teil abspielen, den Lernende sehen; der Schallkopf folgt ihm</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Begin here</source>
+        <translation>Hier beginnen</translation>
+    </message>
+    <message>
+        <source>Trainees see the scan from here on ([)</source>
+        <translation>Lernende sehen die Untersuchung von hier an ([)</translation>
+    </message>
+    <message>
+        <source>End here</source>
+        <translation>Hier enden</translation>
+    </message>
+    <message>
+        <source>Trainees see the scan up to here (])</source>
+        <translation>Lernende sehen die Untersuchung bis hierher (])</translation>
+    </message>
+    <message>
+        <source>Marks: the trainee's view rests there and shows the sentence.</source>
+        <translation>Marken: Die Sicht der Lernenden hält dort an und zeigt den Satz.</translation>
+    </message>
+    <message>
+        <source>Put a mark where the time line stands</source>
+        <translation>Eine Marke setzen, wo die Zeitleiste steht</translation>
+    </message>
+    <message>
+        <source>Move a mark</source>
+        <translation>Marke verschieben</translation>
+    </message>
+    <message>
+        <source>Look at this moment</source>
+        <translation>Diesen Moment ansehen</translation>
+    </message>
+    <message>
+        <source>Move here</source>
+        <translation>Hierher</translation>
+    </message>
+    <message>
+        <source>Move the mark to where the time line stands</source>
+        <translation>Die Marke dorthin verschieben, wo die Zeitleiste steht</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove this mark</source>
+        <translation>Diese Marke entfernen</translation>
+    </message>
+    <message>
+        <source>Change a mark</source>
+        <translation>Marke ändern</translation>
+    </message>
+    <message>
+        <source>Remove a mark</source>
+        <translation>Marke entfernen</translation>
+    </message>
+    <message>
+        <source>Rest</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Choose the part that is shown</source>
+        <translation>Gezeigten Teil wählen</translation>
+    </message>
+    <message>
+        <source>Mark a moment</source>
+        <translation>Moment markieren</translation>
+    </message>
+</context>
+<context>
+    <name>ew::lessons::WordsPage</name>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>Back to the lessons of the case</source>
+        <translation>Zurück zu den Lektionen des Falls</translation>
+    </message>
+    <message>
+        <source>Language of the translation</source>
+        <translation>Sprache der Übersetzung</translation>
+    </message>
+    <message>
+        <source>German</source>
+        <translation>Deutsch</translation>
+    </message>
+    <message>
+        <source>English</source>
+        <translation>Englisch</translation>
+    </message>
+    <message>
+        <source>French</source>
+        <translation>Französisch</translation>
+    </message>
+    <message>
+        <source>Spanish</source>
+        <translation>Spanisch</translation>
+    </message>
+    <message>
+        <source>Translations</source>
+        <translation>Übersetzungen</translation>
+    </message>
+    <message>
+        <source>Only texts that have none yet</source>
+        <translation>Nur Texte, die noch keine haben</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>what is shown in its place</source>
+        <translation>was an seiner Stelle gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Translation</source>
+        <translation>Übersetzung</translation>
+    </message>
+    <message>
+        <source>Keep and go to the next</source>
+        <translation>Behalten und weiter</translation>
+    </message>
+    <message>
+        <source>Written into the case folder at once</source>
+        <translation>Wird sofort in den Ordner des Falls geschrieben</translation>
+    </message>
+    <message>
+        <source>Every text has a translation.</source>
+        <translation>Jeder Text hat eine Übersetzung.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 texts have none yet.</source>
+        <translation>%1 von %2 Texten haben noch keine.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::Tour</name>
+    <message>
+        <source>Tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Leave the tour (Escape). Help, Tour begins it again.</source>
+        <translation>Den Rundgang verlassen (Esc). Hilfe, Rundgang beginnt ihn wieder.</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>ew::case_authoring::PaintWork</name>
+    <message>
+        <source>What was painted is not kept in the case yet.</source>
+        <translation>Das Gemalte ist noch nicht im Fall aufgehoben.</translation>
+    </message>
+    <message>
+        <source>The volume of this case is not what is scanned at the moment; choose View, Scan the case&apos;s volume.</source>
+        <translation>Das Volumen dieses Falls ist nicht das, was gerade geschallt wird; Ansicht, Volumen des Falls schallen wählen.</translation>
+    </message>
+    <message>
+        <source>Click inside the structure; it grows from there to its edges. Escape ends.</source>
+        <translation>In die Struktur klicken; sie wächst von dort bis zu ihren Rändern. Escape beendet.</translation>
+    </message>
+    <message>
+        <source>Draw around the structure with the button held. The wheel still moves the probe. Escape ends.</source>
+        <translation>Die Struktur mit gehaltener Taste umfahren. Das Rad bewegt weiter den Schallkopf. Escape beendet.</translation>
+    </message>
+    <message>
+        <source>Erase with the button held. The wheel still moves the probe. Escape ends.</source>
+        <translation>Mit gehaltener Taste löschen. Das Rad bewegt weiter den Schallkopf. Escape beendet.</translation>
+    </message>
+    <message>
+        <source>Paint with the button held. The wheel still moves the probe. Escape ends.</source>
+        <translation>Mit gehaltener Taste malen. Das Rad bewegt weiter den Schallkopf. Escape beendet.</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Malen</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Umfahren</translation>
+    </message>
+    <message>
+        <source>Growing the structure</source>
+        <translation>Struktur wächst</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>Wachsen lassen</translation>
+    </message>
+    <message>
+        <source>%1 ml grew, up to the farthest distance; it may go on beyond it.</source>
+        <translation>%1 ml sind gewachsen, bis zur größten Entfernung; dahinter kann es weitergehen.</translation>
+    </message>
+    <message>
+        <source>More than %1 ml are like this place, so it would have run out of the structure; nothing was labelled. Click elsewhere, allow more, or paint a border first.</source>
+        <translation>Mehr als %1 ml gleichen dieser Stelle, es wäre also aus der Struktur ausgelaufen; nichts wurde markiert. Anderswo klicken, mehr zulassen oder erst eine Grenze malen.</translation>
+    </message>
+    <message>
+        <source>Nothing grows from here: the place is an edge, or no echo was recorded there. Click inside the structure.</source>
+        <translation>Von hier wächst nichts: Die Stelle ist ein Rand, oder dort wurde kein Echo aufgenommen. In die Struktur klicken.</translation>
+    </message>
+    <message>
+        <source>Fill between outlines</source>
+        <translation>Zwischen Umrissen füllen</translation>
+    </message>
+    <message>
+        <source>Keep the largest piece</source>
+        <translation>Größtes Stück behalten</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Keeping what is painted</source>
+        <translation>Gemaltes wird gesichert</translation>
+    </message>
+    <message>
+        <source>Keeping the structures in the case</source>
+        <translation>Strukturen werden im Fall aufgehoben</translation>
+    </message>
+    <message>
+        <source>Paint structures</source>
+        <translation>Strukturen malen</translation>
+    </message>
+    <message>
+        <source>Preparing labels</source>
+        <translation>Markierungen werden vorbereitet</translation>
+    </message>
+    <message>
+        <source>What was painted was not kept in its case; it is offered when that is opened again.</source>
+        <translation>Das Gemalte wurde nicht in seinem Fall aufgehoben; es wird angeboten, wenn der Fall wieder geöffnet wird.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::case_authoring::StructurePage</name>
+    <message>
+        <source>An organ of the virtual patient:</source>
+        <translation>Ein Organ des virtuellen Patienten:</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Organ</translation>
+    </message>
+    <message>
+        <source>Choose the organ</source>
+        <translation>Organ wählen</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Malen</translation>
+    </message>
+    <message>
+        <source>Paint the structure into the scan with the button held</source>
+        <translation>Die Struktur mit gehaltener Taste ins Schallbild malen</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Take voxels out of the structure</source>
+        <translation>Voxel aus der Struktur nehmen</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Umfahren</translation>
+    </message>
+    <message>
+        <source>Draw around the structure in several image planes; what lies between is filled</source>
+        <translation>Die Struktur in mehreren Bildebenen umfahren; was dazwischen liegt, wird gefüllt</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>Wachsen lassen</translation>
+    </message>
+    <message>
+        <source>Click inside; the structure grows to where its echoes end</source>
+        <translation>Hineinklicken; die Struktur wächst, bis ihre Echos enden</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>a ball</source>
+        <translation>eine Kugel</translation>
+    </message>
+    <message>
+        <source>flat, in the image plane</source>
+        <translation>flach, in der Bildebene</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>At most from the click</source>
+        <translation>Höchstens vom Klick</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Höchstens</translation>
+    </message>
+    <message>
+        <source>Leave other structures as they are</source>
+        <translation>Andere Strukturen lassen, wie sie sind</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>What the structure consists of: stone, bone and gas throw shadows, fluid brightens what lies behind it</source>
+        <translation>Woraus die Struktur besteht: Stein, Knochen und Gas werfen Schatten, Flüssigkeit hellt auf, was dahinter liegt</translation>
+    </message>
+    <message>
+        <source>Tissue</source>
+        <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>Choose the tissue</source>
+        <translation>Gewebe wählen</translation>
+    </message>
+    <message>
+        <source>Fill between the outlines that were traced in several image planes</source>
+        <translation>Zwischen den Umrissen füllen, die in mehreren Bildebenen gezogen wurden</translation>
+    </message>
+    <message>
+        <source>Largest piece</source>
+        <translation>Größtes Stück</translation>
+    </message>
+    <message>
+        <source>Keep the largest connected piece of the structure alone</source>
+        <translation>Nur das größte zusammenhängende Stück der Struktur behalten</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Round the structure off</source>
+        <translation>Die Struktur abrunden</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Give up everything that was painted since it was kept last</source>
+        <translation>Alles aufgeben, was seit dem letzten Aufheben gemalt wurde</translation>
+    </message>
+    <message>
+        <source>Keep in the case</source>
+        <translation>Im Fall aufheben</translation>
+    </message>
+    <message>
+        <source>Put what was painted into the case, as one step that can be undone</source>
+        <translation>Das Gemalte in den Fall übernehmen, als ein Schritt, der sich zurücknehmen lässt</translation>
+    </message>
+    <message>
+        <source>Choose an organ</source>
+        <translation>Ein Organ wählen</translation>
+    </message>
+    <message>
+        <source>numbers of its own</source>
+        <translation>eigene Zahlen</translation>
+    </message>
+    <message>
+        <source>Label %1, %2 ml</source>
+        <translation>Markierung %1, %2 ml</translation>
+    </message>
+    <message>
+        <source>Label %1, nothing is labelled yet: choose a tool and work in the scan.</source>
+        <translation>Markierung %1, noch ist nichts markiert: ein Werkzeug wählen und im Schallbild arbeiten.</translation>
+    </message>
+    <message>
+        <source>Fill between (trace two planes at least)</source>
+        <translation>Dazwischen füllen (mindestens zwei Ebenen umfahren)</translation>
+    </message>
+    <message>
+        <source>Fill between %1 outlines</source>
+        <translation>Zwischen %1 Umrissen füllen</translation>
+    </message>
+    <message>
+        <source>No stroke to take back</source>
+        <translation>Kein Strich, der zurückzunehmen wäre</translation>
+    </message>
+    <message>
+        <source>Take back: %1 (Ctrl+Z)</source>
+        <translation>Zurücknehmen: %1 (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>No stroke to bring back</source>
+        <translation>Kein Strich, der wiederzuholen wäre</translation>
+    </message>
+    <message>
+        <source>Bring back: %1 (Ctrl+Y)</source>
+        <translation>Wiederholen: %1 (Strg+Y)</translation>
+    </message>
+    <message>
+        <source>Working…</source>
+        <translation>Es wird gearbeitet …</translation>
+    </message>
+    <message>
+        <source>● painted, not kept in the case yet</source>
+        <translation>● gemalt, noch nicht im Fall aufgehoben</translation>
+    </message>
+    <message>
+        <source>The case holds what is shown.</source>
+        <translation>Der Fall enthält, was zu sehen ist.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::case_authoring::PointPage</name>
+    <message>
+        <source>Click in the scan</source>
+        <translation>Ins Schallbild klicken</translation>
+    </message>
+    <message>
+        <source>The next clicks into the image put the point there</source>
+        <translation>Die nächsten Klicks ins Bild setzen den Punkt dorthin</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Near enough</source>
+        <translation>Nah genug</translation>
+    </message>
+    <message>
+        <source>Change the tolerance</source>
+        <translation>Toleranz ändern</translation>
+    </message>
+    <message>
+        <source>At %1, %2, %3 mm of the volume</source>
+        <translation>Bei %1, %2, %3 mm im Volumen</translation>
+    </message>
+    <message>
+        <source>It lies nowhere yet: click it in the scan.</source>
+        <translation>Er liegt noch nirgends: ihn ins Schallbild klicken.</translation>
+    </message>
+    <message>
+        <source>Click the point. Arrows and Enter do the same, Escape ends.</source>
+        <translation>Auf den Punkt klicken. Pfeile und Eingabetaste tun dasselbe, Escape beendet.</translation>
+    </message>
+    <message>
+        <source>Move the point</source>
+        <translation>Punkt verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>ew::case_authoring::PlanePage</name>
+    <message>
+        <source>Use the present image plane</source>
+        <translation>Die jetzige Bildebene nehmen</translation>
+    </message>
+    <message>
+        <source>The plane becomes the one that the probe images now</source>
+        <translation>Die Ebene wird die, die der Schallkopf jetzt abbildet</translation>
+    </message>
+    <message>
+        <source>The volume of this case is not what is scanned at the moment; choose View, Scan the case&apos;s volume.</source>
+        <translation>Das Volumen dieses Falls ist nicht das, was gerade geschallt wird; Ansicht, Volumen des Falls schallen wählen.</translation>
+    </message>
+    <message>
+        <source>Take the plane</source>
+        <translation>Ebene übernehmen</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>Dorthin gehen</translation>
+    </message>
+    <message>
+        <source>Put the probe where the plane was taken</source>
+        <translation>Den Schallkopf dorthin setzen, wo die Ebene aufgenommen wurde</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>Höchstens entfernt</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Tilted at most</source>
+        <translation>Höchstens gekippt</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Change the tolerance</source>
+        <translation>Toleranz ändern</translation>
+    </message>
+    <message>
+        <source>The patient&apos;s own plane of this name is kept by the patient</source>
+        <translation>Die eigene Ebene des Patienten mit diesem Namen kennt der Patient</translation>
+    </message>
+    <message>
+        <source>The standard plane of that name, as the patient has it.</source>
+        <translation>Die Standardebene dieses Namens, wie der Patient sie hat.</translation>
+    </message>
+    <message>
+        <source>%1 mm and %2° away</source>
+        <translation>%1 mm und %2° entfernt</translation>
+    </message>
+    <message>
+        <source>%1: within the tolerance</source>
+        <translation>%1: innerhalb der Toleranz</translation>
+    </message>
+</context>
+<context>
+    <name>ew::case_authoring::TargetsPanel</name>
+    <message>
+        <source>No case is open</source>
+        <translation>Kein Fall ist offen</translation>
+    </message>
+    <message>
+        <source>Open a case from the start page or the File menu. Then what a trainee is to find in it can be pointed out here.</source>
+        <translation>Einen Fall von der Startseite oder aus dem Menü Datei öffnen. Dann lässt sich hier zeigen, was Lernende darin finden sollen.</translation>
+    </message>
+    <message>
+        <source>Something was painted in this case before, and not kept in it.</source>
+        <translation>In diesem Fall wurde schon etwas gemalt und nicht aufgehoben.</translation>
+    </message>
+    <message>
+        <source>Go on with it</source>
+        <translation>Damit weitermachen</translation>
+    </message>
+    <message>
+        <source>Show what was painted; it is kept in the case when you say so</source>
+        <translation>Das Gemalte zeigen; in den Fall kommt es erst mit „Im Fall aufheben“</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Give up what was painted then</source>
+        <translation>Das damals Gemalte aufgeben</translation>
+    </message>
+    <message>
+        <source>What is to be found</source>
+        <translation>Was zu finden ist</translation>
+    </message>
+    <message>
+        <source>Nothing yet. Put the probe where something is to be seen, then add a point, a plane or a structure.</source>
+        <translation>Noch nichts. Den Schallkopf dorthin halten, wo etwas zu sehen ist, dann einen Punkt, eine Ebene oder eine Struktur hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Ziele</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Add a point, in the middle of the image</source>
+        <translation>Einen Punkt hinzufügen, in der Mitte des Bildes</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Add the present image plane</source>
+        <translation>Die jetzige Bildebene hinzufügen</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>Add a structure, which is painted or grown in the scan</source>
+        <translation>Eine Struktur hinzufügen, die im Schallbild gemalt wird oder wächst</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Move the target up</source>
+        <translation>Ziel nach oben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Move the target down</source>
+        <translation>Ziel nach unten</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the target</source>
+        <translation>Ziel entfernen</translation>
+    </message>
+    <message>
+        <source>Name of the target</source>
+        <translation>Name des Ziels</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Its name gives the finding away</source>
+        <translation>Der Name verrät den Befund</translation>
+    </message>
+    <message>
+        <source>A trainee sees it with the findings, not before</source>
+        <translation>Lernende sehen es mit den Befunden, nicht vorher</translation>
+    </message>
+    <message>
+        <source>Change what gives the finding away</source>
+        <translation>Ändern, was den Befund verrät</translation>
+    </message>
+    <message>
+        <source>The volume of this case is not what is scanned at the moment; choose View, Scan the case&apos;s volume.</source>
+        <translation>Das Volumen dieses Falls ist nicht das, was gerade geschallt wird; Ansicht, Volumen des Falls schallen wählen.</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a plane</source>
+        <translation>Ebene hinzufügen</translation>
+    </message>
+    <message>
+        <source>The patient&apos;s organs are known once the volume is scanned; choose View, Scan the case&apos;s volume.</source>
+        <translation>Die Organe des Patienten sind bekannt, sobald das Volumen geschallt wird; Ansicht, Volumen des Falls schallen wählen.</translation>
+    </message>
+    <message>
+        <source>Add a structure</source>
+        <translation>Struktur hinzufügen</translation>
+    </message>
+    <message>
+        <source>All 255 labels are taken; remove a structure first.</source>
+        <translation>Alle 255 Markierungen sind vergeben; zuerst eine Struktur entfernen.</translation>
+    </message>
+    <message>
+        <source>Move the target</source>
+        <translation>Ziel verschieben</translation>
+    </message>
+    <message>
+        <source>A target needs a name.</source>
+        <translation>Ein Ziel braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>Rename the target</source>
+        <translation>Ziel umbenennen</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>Steps of lessons that ask for it: %1. They follow when it is renamed.</source>
+        <translation>Schritte von Lektionen, die danach fragen: %1. Beim Umbenennen ziehen sie mit.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::case_authoring::NamedTissue</name>
+    <message>
+        <source>Soft tissue</source>
+        <translation>Weichgewebe</translation>
+    </message>
+    <message>
+        <source>Fluid (bile, urine)</source>
+        <translation>Flüssigkeit (Galle, Urin)</translation>
+    </message>
+    <message>
+        <source>Blood</source>
+        <translation>Blut</translation>
+    </message>
+    <message>
+        <source>Fat</source>
+        <translation>Fett</translation>
+    </message>
+    <message>
+        <source>Muscle</source>
+        <translation>Muskel</translation>
+    </message>
+    <message>
+        <source>Stone</source>
+        <translation>Stein</translation>
+    </message>
+    <message>
+        <source>Calcification</source>
+        <translation>Verkalkung</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Gas</source>
+        <translation>Gas</translation>
     </message>
 </context>
 </TS>
