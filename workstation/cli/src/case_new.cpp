@@ -31,6 +31,7 @@ struct NewCaseArguments {
   std::optional<double> spacing_mm;
   std::optional<std::vector<double>> place;  // x y z (mm), about x y z (degrees)
   bool isListing = false;
+  bool withoutLevel = false;
 };
 
 /// Rotations about x, then y, then z of the world, then the way.
@@ -100,6 +101,7 @@ Result<NewCase> wantedOf(const NewCaseArguments& arguments, Run& run) {
   wanted.mannequin = arguments.mannequin;
   wanted.attribution = arguments.attribution;
   wanted.licence = arguments.licence;
+  wanted.makesLevel = !arguments.withoutLevel;
   auto source = sourceOf(arguments);
   if (!source) return withOption(source.error());
   wanted.source = *std::move(source);
@@ -203,6 +205,7 @@ void addCaseNew(CLI::App& group, Selection& selection) {
   addNumber(app, "--spacing", arguments->spacing_mm, {0.1, 10.0},
             "Size of a voxel in mm: of a recording as fine as its frames carry; of a volume that does not know its own");
   app.add_option("--calibration", arguments->calibration, "Device set of the recording")->type_name("XML");
+  app.add_flag("--no-level", arguments->withoutLevel, "No level for live echoes: the picture stays the recorded one");
   app.add_option("--attribution", arguments->attribution, "Whom to name for the recording")->type_name("TEXT");
   app.add_option("--licence", arguments->licence, "Under which licence the recording may be passed on")->type_name("TEXT");
 }

@@ -127,7 +127,7 @@ Result<MadeCase> makeCase(const NewCase& wanted, const fs::path& folder, Progres
     const fs::path aside = outputs.staged(target);
     MadeCase made{*std::move(draft), {}};
     if (!std::holds_alternative<std::monostate>(wanted.source)) {
-      const auto put = putSource(wanted.source, aside, aside.parent_path() / kScratch, progress);
+      const auto put = putSource(wanted.source, wanted.makesLevel, aside, aside.parent_path() / kScratch, progress);
       if (!put) return passOn(outputs.inGivenNames(put.error()));
       takeIn(made.made, *put);
       const ChosenPlace place = choosePlace(put->shape, made.made.mannequin, {}, made.made.region, wanted.fileToWorld);
@@ -154,7 +154,7 @@ Result<GivenVolume> giveVolume(const Case& opened, const CaseSource& source, Pro
     OutputSet outputs;  // never committed: what is only needed meanwhile goes with it
     const fs::path scratch = opened.folder / kScratch;
     if (auto announced = outputs.announceNewFolder(scratch); !announced) return passOn(announced.error());
-    const auto put = putSource(source, opened.folder, outputs.staged(scratch), progress);
+    const auto put = putSource(source, true, opened.folder, outputs.staged(scratch), progress);
     if (!put) return passOn(put.error());
     GivenVolume given{opened};
     const bool hadNone = hasNoVolume(opened);

@@ -201,13 +201,14 @@ Result<CaseSource> sourceOf(const fs::path& file) {
   return CaseSource(VolumeFile{.file = file});
 }
 
-Result<SourceInCase> putSource(const CaseSource& source, const fs::path& caseFolder, const fs::path& scratch, Progress& progress) {
+Result<SourceInCase> putSource(const CaseSource& source, bool makesLevel, const fs::path& caseFolder, const fs::path& scratch,
+                               Progress& progress) {
   PartOfProgress making(progress, 0.0, 0.6), writing(progress, 0.6, 0.75), levelling(progress, 0.75, 1.0);
   auto made = std::visit([&](const auto& given) { return madeOf(given, scratch, making); }, source);
   if (!made) return passOn(made.error());
   const auto file = addVolume(made->volume, caseFolder, writing);
   if (!file) return passOn(file.error());
-  const auto level = addLevel(*made, caseFolder, levelling);
+  const auto level = makesLevel ? addLevel(*made, caseFolder, levelling) : Result<std::string>(std::string());
   if (!level) return passOn(level.error());
   SourceInCase put{*file, *level, made->axes, {}, made->frames, std::move(made->notes)};
   put.shape = placingShapeOf(made->volume, made->axes.value_or(SweepAxes{}));

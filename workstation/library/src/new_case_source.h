@@ -12,7 +12,7 @@ namespace ew {
 /// A source as it lies in a case folder.
 struct SourceInCase {
   std::string file;   ///< "volumes/….mha"
-  std::string level;  ///< the same of its level
+  std::string level;  ///< the same of its level; empty: none was wanted
   std::optional<SweepAxes> axes = {};
   PlacingShape shape = {};
   std::optional<SweepCounts> frames = {};
@@ -23,7 +23,7 @@ struct SourceInCase {
 /// @param scratch a folder for what is only needed meanwhile; made when it is needed, left to the caller
 /// @param source not monostate
 /// @error as makeCase
-[[nodiscard]] Result<SourceInCase> putSource(const CaseSource& source, const std::filesystem::path& caseFolder,
+[[nodiscard]] Result<SourceInCase> putSource(const CaseSource& source, bool makesLevel, const std::filesystem::path& caseFolder,
                                              const std::filesystem::path& scratch, Progress& progress);
 
 /// What putSource will take. @error as putSource, as far as it goes

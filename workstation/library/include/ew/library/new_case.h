@@ -56,6 +56,7 @@ struct NewCase {
   std::string mannequin;  ///< empty: the template's, or the default
   std::string attribution;
   std::string licence;
+  bool makesLevel = true;  ///< for live echoes; false: the picture stays the recorded one
 };
 
 struct NewCasePlan {
