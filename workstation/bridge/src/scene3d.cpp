@@ -1,6 +1,7 @@
 #include "ew/bridge/scene3d.h"
 
 #include <vtkActor.h>
+#include <vtkAnnotatedCubeActor.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkLight.h>
@@ -23,9 +24,11 @@
 
 #include "camera.h"
 #include "ew/bridge/convert.h"
+#include "ew/bridge/handles.h"
 #include "ew/bridge/organ_surfaces.h"
 #include "ew/core/contract.h"
 #include "fan_picture.h"
+#include "handles_model.h"
 #include "orientation_cube.h"
 #include "probe_model.h"
 
@@ -83,6 +86,8 @@ SceneColours lightColours() {
   colours.covered = {0.72, 0.80, 0.76};
   colours.cube = {0.97, 0.975, 0.98};
   colours.letter = {0.13, 0.15, 0.18};
+  colours.axes = {glm::dvec3(0.80, 0.38, 0.02), glm::dvec3(0.03, 0.50, 0.55), glm::dvec3(0.16, 0.36, 0.80)};
+  colours.used = {0.10, 0.11, 0.13};
   return colours;
 }
 
@@ -110,6 +115,13 @@ struct Scene3D::Parts {
   vtkNew<vtkActor> organActor;
   vtkNew<vtkPolyDataMapper> organMapper;
 
+  HandlesModel handlesModel;
+  struct Handles {
+    HandlesToWorld toWorld;
+    glm::dvec3 halfSize_mm{0.0};
+  };
+  std::optional<Handles> handles;
+
   vtkNew<vtkActor> housing;
   vtkNew<vtkPolyDataMapper> housingMapper;
   FanPicture fan;
@@ -131,6 +143,7 @@ struct Scene3D::Parts {
     setColour(*box->GetProperty(), colours.box);
     colourBody();
     updateRim();
+    handlesModel.setColours(colours.axes, colours.used);
     cube.setColours(colours.cube, colours.letter, colours.box);
     fan.setAccent(colours.accent);
     rebuildHousing();
@@ -219,7 +232,7 @@ struct Scene3D::Parts {
 Scene3D::Scene3D(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(window)) {
   Parts& p = *parts_;
   window.SetMultiSamples(0);
-  window.SetNumberOfLayers(2);
+  window.SetNumberOfLayers(3);
   p.bodyLayer->SetLayer(0);
   p.bodyLayer->GradientBackgroundOn();
   p.overlay->SetLayer(1);
@@ -233,6 +246,10 @@ Scene3D::Scene3D(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(windo
     for (const auto& light : lights) layer->AddLight(light);
     window.AddRenderer(layer);
   }
+  p.handlesModel.layer().SetLayer(2);
+  p.handlesModel.layer().SetActiveCamera(p.vtkView);
+  p.handlesModel.layer().AutomaticLightCreationOff();
+  for (const auto& light : lights) p.handlesModel.layer().AddLight(light);
   p.cube.addTo(window, 1);
   p.body->SetMapper(p.bodyMapper);
   p.bodyMapper->SetColorModeToDirectScalars();
@@ -285,6 +302,7 @@ Scene3D::Scene3D(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(windo
 
 Scene3D::~Scene3D() {
   parts_->cube.removeFrom(*parts_->window);
+  clearHandles();
   parts_->window->RemoveRenderer(parts_->overlay);
   parts_->window->RemoveRenderer(parts_->bodyLayer);
 }
@@ -348,6 +366,35 @@ void Scene3D::setOrgans(std::shared_ptr<const OrganSurfaces> organs) {
   const bool any = p.organs != nullptr && !p.organs->labels().empty();
   if (any) p.organMapper->SetInputData(p.organs->mesh());
   p.organActor->SetVisibility(any);
+}
+
+void Scene3D::setHandles(const HandlesToWorld& toWorld, const glm::dvec3& halfSize_mm) {
+  Parts& p = *parts_;
+  if (!p.handles) p.window->AddRenderer(&p.handlesModel.layer());
+  p.handles = Parts::Handles{toWorld, halfSize_mm};
+}
+
+void Scene3D::clearHandles() {
+  Parts& p = *parts_;
+  if (p.handles) p.window->RemoveRenderer(&p.handlesModel.layer());
+  p.handles.reset();
+  p.handlesModel.setUsed(std::nullopt);
+}
+
+void Scene3D::setUsedHandle(const Handle* used) { parts_->handlesModel.setUsed(used != nullptr ? std::optional(*used) : std::nullopt); }
+
+std::optional<HandlesPlace> Scene3D::handles() const {
+  const Parts& p = *parts_;
+  if (!p.handles) return std::nullopt;
+  const double mmPerPixel = mmPerPixelAt(glm::dvec3(p.handles->toWorld.matrix[3]));
+  return HandlesPlace{p.handles->toWorld, handlesReach_mm(mmPerPixel, p.handles->halfSize_mm)};
+}
+
+std::optional<Handle> Scene3D::handleAt(glm::dvec2 at_px, double near_px) const {
+  const auto place = handles();
+  if (!place) return std::nullopt;
+  return bridge::handleAt(
+      *place, eye_mm(), at_px, [this](const glm::dvec3& p_mm) { return pixelOf(p_mm); }, near_px);
 }
 
 void Scene3D::clearVolumeBox() {
@@ -469,12 +516,16 @@ int Scene3D::cubeSide_px() const {
 
 glm::dvec3 Scene3D::cameraRight() const { return parts_->camera.right(); }
 glm::dvec3 Scene3D::cameraUp() const { return parts_->camera.up(); }
+glm::dvec3 Scene3D::eye_mm() const { return parts_->camera.eye_mm(); }
 
 void Scene3D::render(Edges edges) {
   Parts& p = *parts_;
-  p.overlay->SetUseFXAA(edges == Edges::smooth);  // on the last layer it smooths the whole picture
+  vtkRenderer& last = p.handles ? p.handlesModel.layer() : *p.overlay;
+  p.overlay->SetUseFXAA(false);
+  last.SetUseFXAA(edges == Edges::smooth);  // on the last layer it smooths the whole picture
   p.cube.setSmooth(edges == Edges::smooth);
   p.syncCamera();
+  if (const auto place = handles()) p.handlesModel.setPlace(*place, p.camera.eye_mm());
   if (p.housing->GetVisibility()) p.housing->GetProperty()->SetOpacity(0.22 + 0.78 * p.seenPart());
   p.window->Render();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
@@ -20,6 +21,9 @@ class vtkRenderer;
 namespace ew::bridge {
 
 class OrganSurfaces;
+struct Handle;
+struct HandlesFrame;
+struct HandlesPlace;
 
 /// Seen from the patient's front, back, right, left and head; `overview` is from the front and above, from the side that shows the fan
 /// best, and what the scene begins with once mannequin and pose are there.
@@ -42,6 +46,8 @@ struct SceneColours {
   glm::dvec3 covered{0.65, 0.71, 0.68};  ///< skin with data below it
   glm::dvec3 cube{0.30, 0.315, 0.345};   ///< which names the sides
   glm::dvec3 letter{0.93, 0.94, 0.96};
+  std::array<glm::dvec3, 3> axes{glm::dvec3(0.94, 0.63, 0.30), glm::dvec3(0.31, 0.71, 0.75), glm::dvec3(0.50, 0.66, 0.98)};  ///< of handles
+  glm::dvec3 used{1.0, 1.0, 1.0};  ///< of the handle under the pointer
 };
 [[nodiscard]] SceneColours darkColours();
 [[nodiscard]] SceneColours lightColours();
@@ -72,6 +78,15 @@ class Scene3D {
   /// Inside the body, seen where it is translucent; null: none.
   void setOrgans(std::shared_ptr<const OrganSurfaces> organs);
 
+  /// Handles (ew/bridge/handles.h) before all else, as large as suits the view. @param halfSize_mm of the box about the origin
+  void setHandles(const Transform<frame::World, HandlesFrame>& toWorld, const glm::dvec3& halfSize_mm);
+  void clearHandles();
+  /// The one under the pointer, or in the hand; null: none.
+  void setUsedHandle(const Handle* used);
+  /// Where they stand as they are seen now; empty: there are none.
+  [[nodiscard]] std::optional<HandlesPlace> handles() const;
+  [[nodiscard]] std::optional<Handle> handleAt(glm::dvec2 at_px, double near_px) const;
+
   /// Housing and fan of a probe, the fan down to `depth_mm` and leaning as the knobs steer it; nothing is shown before the first pose.
   void setProbe(const Probe& probe, double depth_mm, const Knobs& knobs = {});
   void setPose(const Pose& pose);  ///< one that is not ok hides probe and fan
@@ -99,6 +114,7 @@ class Scene3D {
   [[nodiscard]] int cubeSide_px() const;
   [[nodiscard]] glm::dvec3 cameraRight() const;  ///< unit, world
   [[nodiscard]] glm::dvec3 cameraUp() const;     ///< unit, world
+  [[nodiscard]] glm::dvec3 eye_mm() const;
 
   /// Smooth edges cost two thirds more (42 against 72 ms of one core for 97 000 triangles at 760 x 800 on software GL): a moving picture
   /// does without.
