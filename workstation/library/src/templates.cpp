@@ -5,6 +5,7 @@
 
 #include "ew/core/json_fields.h"
 #include "ew/io/json_files.h"
+#include "ew/library/case_start.h"
 #include "manifest.h"
 
 namespace ew {
@@ -115,6 +116,7 @@ Case withTemplate(Case edited, const CaseTemplate& from) {
     edited.scene = has.scene;
     if (has.otherFields.contains("scene")) edited.otherFields["scene"] = has.otherFields["scene"];
   }
+  if (!from.preset.empty() && presetsOf(edited).empty()) edited = withPresets(std::move(edited), {from.preset});
   if (!from.lessons.empty() && !hasLessons(edited)) edited.otherFields["parts"][std::string(kLessonsPart)] = jsonOf(from.lessons);
   return edited;
 }

@@ -2,8 +2,10 @@
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QLineEdit>
+#include <algorithm>
 
 #include "ew/library/case.h"
+#include "ew/library/case_start.h"
 #include "main_window_parts.h"
 #include "words.h"
 
@@ -48,7 +50,32 @@ void MainWindow::showRegion() {
   const std::string mannequin =
       showsCase && !opened->mannequin.empty() ? std::filesystem::path(opened->mannequin).stem().string() : "adult";
   p.annotated.setRegion(region);
+  p.bodyMark.setFirst(showsCase ? bodyMarksOf(*opened) : std::vector<std::string>());
   p.bodyMark.setBody({region, mannequin});
+}
+
+std::vector<Preset> MainWindow::presetsOfCase() const {
+  const Parts& p = *parts_;
+  std::vector<Preset> offered;
+  const auto& opened = p.document.current();
+  if (!opened || !p.opener->showsCase()) return offered;
+  const std::vector<std::string> ids = presetsOf(*opened);
+  if (ids.empty()) return offered;
+  const std::vector<Preset> own = readOwnPresets(ownPresetsFolder()).presets;
+  for (const std::string& id : ids)
+    for (const std::vector<Preset>* all : {&p.presets, &own}) {
+      const auto found = std::find_if(all->begin(), all->end(), [&](const Preset& each) { return each.id == id; });
+      if (found == all->end()) continue;
+      offered.push_back(*found);
+      break;
+    }
+  return offered;
+}
+
+void MainWindow::takePresetOfCase() {
+  const std::vector<Preset> offered = presetsOfCase();
+  if (offered.empty() || !checkPreset(offered.front(), parts_->session.probes())) return;
+  takePreset(offered.front());
 }
 
 void MainWindow::addAnnotateMenu(QMenu& annotate) {
@@ -137,20 +164,23 @@ void MainWindow::showPresets(QMenu& menu) {
     action->setEnabled(checkPreset(preset, probes).has_value());
     action->setToolTip(QString::fromStdString(preset.source));
   };
+  const auto nameOf = [&](const std::string& id) {
+    const auto probe = std::find_if(probes.begin(), probes.end(), [&](const Probe& each) { return each.id == id; });
+    return probe != probes.end() ? words(probe->name) : QString::fromStdString(id);
+  };
+  const auto nameWithProbe = [&](const Preset& preset) {
+    return preset.probe == present
+               ? words(preset.title)
+               : tr("%1 (%2)", "a preset and its probe").arg(words(preset.title), nameOf(preset.probe));
+  };
+  for (const Preset& preset : presetsOfCase()) add(menu, nameWithProbe(preset), preset);
+  if (!menu.isEmpty()) menu.addSeparator();
   for (const Preset& preset : p.presets)
     if (preset.probe == present) add(menu, words(preset.title), preset);
   const OwnPresets own = readOwnPresets(ownPresetsFolder());
   for (const Error& problem : own.problems) p.messages->showError(problem, kPreset);
   if (!own.presets.empty()) menu.addSeparator();
-  const auto nameOf = [&](const std::string& id) {
-    const auto probe = std::find_if(probes.begin(), probes.end(), [&](const Probe& each) { return each.id == id; });
-    return probe != probes.end() ? words(probe->name) : QString::fromStdString(id);
-  };
-  for (const Preset& preset : own.presets)
-    add(menu,
-        preset.probe == present ? words(preset.title)
-                                : tr("%1 (%2)", "a preset and its probe").arg(words(preset.title), nameOf(preset.probe)),
-        preset);
+  for (const Preset& preset : own.presets) add(menu, nameWithProbe(preset), preset);
   menu.addSeparator();
   for (const Probe& probe : probes) {
     if (probe.id == present) continue;

@@ -49,6 +49,7 @@ void ShownMark::beginLike(const ShownMark& other) {
   mark_ = nullptr;
   marks_ = other.marks_;
   body_ = other.body_;
+  first_ = other.first_;
   chosen_ = other.chosen_;
   variant_ = other.variant_;
   isShown_ = other.isShown_;
@@ -70,8 +71,12 @@ std::vector<const BodyMark*> ShownMark::offered() const {
   std::vector<const BodyMark*> all = marksFor(marks_, body_);
   for (const BodyMark& mark : marks_)
     if (std::find(all.begin(), all.end(), &mark) == all.end()) all.push_back(&mark);
+  const auto place = [this](const BodyMark* mark) { return std::find(first_.begin(), first_.end(), mark->id) - first_.begin(); };
+  std::stable_sort(all.begin(), all.end(), [&](const BodyMark* a, const BodyMark* b) { return place(a) < place(b); });
   return all;
 }
+
+void ShownMark::setFirst(std::vector<std::string> ids) { first_ = std::move(ids); }
 
 annotation::MarkChoice ShownMark::choice() const { return {isShown_, chosen_, variant_, byHand_.now()}; }
 

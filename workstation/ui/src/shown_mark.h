@@ -23,6 +23,8 @@ class ShownMark final : public QObject {
 
   void setMarks(std::vector<annotation::BodyMark> marks);
   void setBody(const annotation::MarkedBody& body);
+  /// Ids of marks that are offered before all others, in that order.
+  void setFirst(std::vector<std::string> ids);
   /// The same marks and body as another one; of a picture that was not made yet, the same choice.
   void beginLike(const ShownMark& other);
   /// Which drawing was chosen and where the probe was put changes places with that of another one, as Calipers::exchange has it.
@@ -56,6 +58,7 @@ class ShownMark final : public QObject {
   Session& session_;
   std::vector<annotation::BodyMark> marks_;
   annotation::MarkedBody body_;
+  std::vector<std::string> first_;
   bool isShown_ = true;
   std::string chosen_, variant_;
   OfPictures<std::optional<annotation::ProbeGlyph>> byHand_;

@@ -1,0 +1,32 @@
+#include "ew/library/case_start.h"
+
+#include <utility>
+
+namespace ew {
+namespace {
+
+constexpr const char* kPresets = "presets";
+constexpr const char* kBodyMarks = "body_marks";
+
+std::vector<std::string> idsIn(const Case& opened, const char* field) {
+  std::vector<std::string> ids;
+  if (!opened.otherFields.is_object() || !opened.otherFields.contains(field)) return ids;
+  for (const auto& each : opened.otherFields[field])
+    if (each.is_string()) ids.push_back(each.get<std::string>());
+  return ids;
+}
+
+}  // namespace
+
+std::vector<std::string> presetsOf(const Case& opened) { return idsIn(opened, kPresets); }
+std::vector<std::string> bodyMarksOf(const Case& opened) { return idsIn(opened, kBodyMarks); }
+
+Case withPresets(Case edited, const std::vector<std::string>& ids) {
+  if (ids.empty())
+    edited.otherFields.erase(kPresets);
+  else
+    edited.otherFields[kPresets] = ids;
+  return edited;
+}
+
+}  // namespace ew
