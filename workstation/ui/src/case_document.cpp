@@ -2,8 +2,9 @@
 
 #include <QCoreApplication>
 #include <QUndoCommand>
-#include "ew/library/published.h"
+#include <chrono>
 
+#include "ew/library/published.h"
 #include "words.h"
 
 namespace ew::ui {
@@ -11,6 +12,7 @@ namespace {
 
 /// QUndoStack merges neighbours of the same id and asks the command whether it agrees; the id only says that both replace a case.
 constexpr int kReplaceCaseId = 1;
+constexpr std::chrono::seconds kRefreshEvery{30};
 
 }  // namespace
 
@@ -27,6 +29,7 @@ class ReplaceCase final : public QUndoCommand {
     if (other->mergeKey_ != mergeKey_) return false;
     after_ = other->after_;
     setText(other->text());
+    setObsolete(after_ == before_);  // a drag that was given back is no step
     return true;
   }
 
@@ -38,12 +41,46 @@ class ReplaceCase final : public QUndoCommand {
 
 CaseDocument::CaseDocument(QObject* parent) : QObject(parent) {
   connect(&history_, &QUndoStack::cleanChanged, this, &CaseDocument::changed);
+  refreshing_.setInterval(kRefreshEvery);
+  connect(&refreshing_, &QTimer::timeout, this, &CaseDocument::refreshLease);
+}
+
+void CaseDocument::release() {
+  refreshing_.stop();
+  lease_.reset();
+  lost_.reset();
+}
+
+Result<void> CaseDocument::reserve() {
+  if (lost_) return passOn(*lost_);
+  if (!current_ || lease_ || isShipped_ || isPublished_) return {};
+  auto taken = FolderLease::take(current_->folder);
+  if (taken) {
+    lease_ = std::move(*taken);
+    refreshing_.start();
+    return {};
+  }
+  // Where nothing can be written nobody edits; such a case is looked at, changed and saved elsewhere.
+  if (FolderLease::holderOf(current_->folder)) return passOn(taken.error());
+  return {};
+}
+
+void CaseDocument::refreshLease() {
+  if (!lease_) return;
+  auto still = lease_->refresh();
+  if (still) return;
+  release();
+  lost_ = std::move(still.error());
+  Q_EMIT leaseLost(*lost_);
+  Q_EMIT changed();
 }
 
 void CaseDocument::open(Case opened, std::optional<Fingerprint> asRead) {
+  release();
   current_ = std::move(opened);
   asRead_ = asRead;
-  isShipped_ = isShipped(current_->folder) || isPublished(current_->folder);
+  isShipped_ = isShipped(current_->folder);
+  isPublished_ = isPublished(current_->folder);
   history_.clear();
   history_.setClean();
   Q_EMIT changed();
@@ -52,6 +89,7 @@ void CaseDocument::open(Case opened, std::optional<Fingerprint> asRead) {
 
 void CaseDocument::close() {
   const bool wasOpen = current_.has_value();
+  release();
   current_.reset();
   history_.clear();
   Q_EMIT changed();
@@ -72,6 +110,9 @@ Result<void> CaseDocument::edit(const nlohmann::json& manifest, const std::strin
   if (!next) return passOn(next.error());
   next->folder = current_->folder;
   if (*next == *current_) return {};
+  // What was edited before the folder was lost may be finished, to be saved elsewhere.
+  if (!lost_)
+    if (auto reserved = reserve(); !reserved) return reserved;
   history_.push(new ReplaceCase(*this, *current_, std::move(*next), words(what), mergeKey));
   return {};
 }
@@ -87,10 +128,19 @@ Result<void> CaseDocument::save(const std::filesystem::path& folder, const CaseO
   if (!current_) return failure(ErrorCode::badUsage, say<"No case is open; open one first.">());
   const std::filesystem::path target = folder.empty() ? current_->folder : folder;
   const bool isElsewhere = target != current_->folder;
-  if (!decided.shipped && (isElsewhere ? isShipped(target) || isPublished(target) : isShipped_))
+  if (isElsewhere ? isPublished(target) : isPublished_)
+    return failure(ErrorCode::notWritable,
+                   say<"Published cases are not edited in place, for attempts of trainees refer to them; save '%1' as a case of your own.">(
+                       current_->title),
+                   {{"file", target.string()}});
+  if (!decided.shipped && (isElsewhere ? isShipped(target) : isShipped_))
     return failure(ErrorCode::notWritable,
                    say<"'%1' belongs to the program, and the next version replaces it; save the case as a copy of your own.">(target),
                    {{"file", target.string()}});
+  if (!isElsewhere) {
+    refreshLease();
+    if (auto reserved = reserve(); !reserved) return reserved;
+  }
   if (!isElsewhere && !decided.changedOnDisk && isChangedOnDisk())
     return failure(ErrorCode::notWritable,
                    say<"The case in '%1' was saved by another program since it was opened here; save it with File, Save case, which asks "

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 #include <QUndoStack>
 #include <functional>
 #include <memory>
@@ -8,6 +9,7 @@
 #include <optional>
 
 #include "ew/library/case.h"
+#include "ew/library/folder_lease.h"
 
 namespace ew::ui {
 
@@ -19,7 +21,9 @@ struct CaseOverwrite {
 
 /// The open case and its undo history. Everything that edits a case goes through edit(); the console's knobs are not edits.
 /// What saving would destroy is refused until somebody has decided: changes that another program made in the folder meanwhile, and the
-/// shipped cases, which belong to the program.
+/// shipped cases, which belong to the program. A published revision never changes: it can only be saved elsewhere.
+/// With its first edit the document takes the folder of a case of one's own for itself (FolderLease), until it is closed; whoever only looks
+/// keeps nobody from editing.
 class CaseDocument final : public QObject {
   Q_OBJECT
 
@@ -38,28 +42,44 @@ class CaseDocument final : public QObject {
   [[nodiscard]] nlohmann::json manifest() const;  ///< of the open case; null when none is open
 
   /// Replaces the manifest as one step named `what`; steps with the same non-empty mergeKey in a row become one.
-  /// @error badUsage (no case is open), and what the case's schema refuses; then nothing changed
+  /// @error badUsage (no case is open), notWritable (somebody else is editing it: who and since when), and what the case's schema refuses;
+  /// then nothing changed
   [[nodiscard]] Result<void> edit(const nlohmann::json& manifest, const std::string& what, const std::string& mergeKey);
   /// @param folder empty: where the case was opened. Another folder gives the case an id of its own, so that a library can hold both
-  /// @error badUsage (no case is open), notWritable (see CaseOverwrite), as saveCase; then the case stays unsaved
+  /// @error badUsage (no case is open), notWritable (see CaseOverwrite; also when the folder is somebody else's by now), as saveCase; then
+  /// the case stays unsaved
   [[nodiscard]] Result<void> save(const std::filesystem::path& folder = {}, const CaseOverwrite& decided = {});
   [[nodiscard]] bool hasUnsavedChanges() const { return current_.has_value() && !history_.isClean(); }
   /// Whether somebody else has saved the case since it was opened or saved here.
   [[nodiscard]] bool isChangedOnDisk() const;
   [[nodiscard]] bool isShippedCase() const { return current_.has_value() && isShipped_; }
+  [[nodiscard]] bool isPublishedCase() const { return current_.has_value() && isPublished_; }
+  /// Takes the folder for this document, if it is one of the user's own that can be written to and it has it not yet.
+  /// @error notWritable: somebody else is editing the case, or has taken it over since this document had it
+  [[nodiscard]] Result<void> reserve();
+  /// Why the case can only be saved elsewhere although it was edited here; empty: it can be saved where it is.
+  [[nodiscard]] const std::optional<Error>& lost() const { return lost_; }
+  /// Looks whether the folder is still this document's; done every 30 s by itself.
+  void refreshLease();
   [[nodiscard]] QUndoStack& history() { return history_; }
 
  Q_SIGNALS:
   void changed();  ///< the case or its saved state
   void opened();   ///< another case, or this one under another name
   void closed();   ///< none is open any more
+  void leaseLost(const ew::Error& why);  ///< somebody else has taken the folder over: what is edited here can only be saved elsewhere
 
  private:
   friend class ReplaceCase;
+  void release();
   void replace(const Case& next);
   std::optional<Case> current_;
   std::optional<Fingerprint> asRead_;
   bool isShipped_ = false;
+  bool isPublished_ = false;
+  std::optional<FolderLease> lease_;  ///< of the folder; empty: not edited yet, or not to be had
+  std::optional<Error> lost_;
+  QTimer refreshing_;
   QUndoStack history_;
 };
 

@@ -100,7 +100,9 @@ void CaseFolderDialog::look() {
     problem = tr("Choose the folder of your own cases.");
   } else if (name.isEmpty() || name.contains(QLatin1Char('/')) || name.startsWith(QLatin1Char('.'))) {
     problem = tr("Type a name for the new folder, without '/' and not beginning with '.'.");
-  } else if (isShipped(folder()) || isPublished(folder())) {
+  } else if (isPublished(folder())) {
+    problem = tr("Cases in this folder are published and stay as they are; choose the folder of your own cases.");
+  } else if (isShipped(folder())) {
     problem = tr("This folder belongs to the program, and the next version replaces it; choose one of your own.");
   } else if (isTaken(folder())) {
     problem = tr("'%1' is there already, and nothing in it is replaced; type another name.").arg(name);

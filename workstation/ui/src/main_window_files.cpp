@@ -59,6 +59,11 @@ Keep askWhichToKeep(QWidget* parent, const QString& title) {
   return question.clickedButton() == ours ? Keep::ours : Keep::nothing;
 }
 
+QString whyPublishedIsCopied(const QString& title) {
+  return MainWindow::tr("Published cases are not edited in place, for attempts of trainees refer to them. Save '%1' as a case of your own.")
+      .arg(title);
+}
+
 }  // namespace
 
 void MainWindow::open(const QString& path) { parts_->opener->open(path); }
@@ -78,9 +83,9 @@ void MainWindow::openDefaultCase() {
 void MainWindow::chooseFile() {
   const QString file = QFileDialog::getOpenFileName(
       this, tr("Open a case, a volume or a sweep"), QString(),
-      tr("All that EchoWeave reads (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw "
+      tr("All that EchoWeave reads (case.json *.ewcase *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw "
          "*.png *.jpg *.pgm *.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff);;"
-         "Cases (case.json);;"
+         "Cases (case.json *.ewcase);;"
          "Sweeps (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;"
          "Volumes (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;"
          "Films and recorded screens (*.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff *.dcm);;"
@@ -334,6 +339,9 @@ Result<void> MainWindow::saveCaseInPlace() {
   const auto unsaved = failure(ErrorCode::cancelled, say<"The case is not saved.">());
   const QString title = words(document.current()->title);
   CaseOverwrite decided;
+  if (document.isPublishedCase()) return saveCaseCopy(whyPublishedIsCopied(title));
+  document.refreshLease();
+  if (document.lost()) return saveCaseCopy(words(document.lost()->message));
   if (document.isShippedCase()) {
     QMessageBox question(this);
     question.setObjectName(QStringLiteral("shippedQuestion"));
@@ -389,9 +397,14 @@ Result<void> MainWindow::saveCaseFor(const std::filesystem::path& folder) {
 }
 
 Result<void> MainWindow::makeCaseOwn() {
-  if (!parts_->document.isShippedCase()) return {};
-  return saveCaseCopy(tr("The case '%1' belongs to the program. It is copied to a folder of your own first, and changed there.")
-                          .arg(words(parts_->document.current()->title)));
+  CaseDocument& document = parts_->document;
+  if (!document.current()) return failure(ErrorCode::badUsage, say<"No case is open; open one first.">());
+  const QString title = words(document.current()->title);
+  if (document.isPublishedCase()) return saveCaseCopy(whyPublishedIsCopied(title));
+  if (document.isShippedCase())
+    return saveCaseCopy(tr("The case '%1' belongs to the program. It is copied to a folder of your own first, and changed there.").arg(title));
+  if (const auto taken = document.reserve(); !taken) return saveCaseCopy(words(taken.error().message));
+  return {};
 }
 
 void MainWindow::reloadCase() {
