@@ -13,9 +13,11 @@
 #include <algorithm>
 #include <vector>
 
+#include "case_pictures.h"
 #include "ew/library/case.h"
 #include "ew/library/case_words.h"
 #include "icons.h"
+#include "theme.h"
 #include "words.h"
 
 namespace ew::ui {
@@ -89,7 +91,7 @@ CaseInfo::CaseInfo(QWidget* parent) : QWidget(parent) {
   head_ = new QPushButton(tr("Case"));
   head_->setObjectName(QStringLiteral("caseInfoHead"));
   head_->setProperty("fold", true);
-  head_->setFixedHeight(kHead_px);
+  holdFixedHeight(*head_, kHead_px);
   head_->setFocusPolicy(Qt::TabFocus);
   head_->setToolTip(tr("Patient, history, indication, and what is to be shown"));
   rows->addWidget(head_);
@@ -116,7 +118,7 @@ void CaseInfo::setOpen(bool open) {
 
 void CaseInfo::refreshIcons() { head_->setIcon(icon(isOpen_ ? QStringLiteral("unfolded") : QStringLiteral("folded"))); }
 
-int CaseInfo::headHeight_px() const { return kHead_px + 1; }
+int CaseInfo::headHeight_px() const { return scaled(kHead_px) + 1; }
 
 int CaseInfo::wantedHeight_px() const {
   if (!isOpen_ || body_ == nullptr) return headHeight_px();
@@ -166,7 +168,10 @@ void CaseInfo::fill(const Case& shown) {
   }
   if (!shown.previousExaminations.empty()) {
     addHeading(tr("Previous examinations"));
-    for (const CaseExamination& examination : shown.previousExaminations) addText(examinationOf(examination));
+    for (const CaseExamination& examination : shown.previousExaminations) {
+      addText(examinationOf(examination));
+      if (!examination.pictures.empty()) rows_->addWidget(casePictures(shown.folder, examination.pictures, examinationOf(examination)));
+    }
   }
   if (!shown.laboratory.empty()) {
     addHeading(tr("Laboratory"));

@@ -119,6 +119,7 @@ const Row kActions[] = {
     {"search", KeyGroup::window, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Sea&rch the cases"), "Ctrl+F"},
     {"open", KeyGroup::window, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "&Open…"), "Ctrl+O"},
     {"open.folder", KeyGroup::window, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Open case &folder…"), "Ctrl+Shift+O"},
+    {"import.case", KeyGroup::window, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "&Import a case bundle…"), "Ctrl+I"},
     {"save.picture", KeyGroup::window, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Save &image as…"), "Ctrl+P"},
     {"picture.store", KeyGroup::window, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "S&tore image"), "Ins | Ctrl+Shift+P"},
     {"examination", KeyGroup::window, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "&Examination and archive…"), "Ctrl+Shift+E"},
@@ -129,6 +130,9 @@ const Row kActions[] = {
     {"theme.system", KeyGroup::window, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "System default"), ""},
     {"theme.dark", KeyGroup::window, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "&Dark"), ""},
     {"theme.light", KeyGroup::window, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "L&ight"), ""},
+    {"words.larger", KeyGroup::window, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "&Larger text"), "Ctrl++ | Ctrl+="},
+    {"words.smaller", KeyGroup::window, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "&Smaller text"), "Ctrl+-"},
+    {"tour", KeyGroup::window, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "&Tour"), ""},
     {"keys", KeyGroup::window, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "&Keys and mouse"), "F1"},
     {"keys.edit", KeyGroup::window, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Keys and &controls…"), ""},
     {"plugins", KeyGroup::window, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "&Plugins…"), ""},
@@ -176,6 +180,21 @@ const ViewRow kOfViews[] = {
      Qt::ShiftModifier | Qt::ControlModifier},
     {{"cross.set", KeyGroup::measure, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Set a point"), "Return", kWithTool}},
     {{"cross.takeBack", KeyGroup::measure, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Take a point back"), "Backspace | Del", kWithTool}},
+    {{"handles.left", KeyGroup::view3d, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Handles: move to the left"), "Left", kWithHandles}},
+    {{"handles.right", KeyGroup::view3d, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Handles: move to the right"), "Right", kWithHandles}},
+    {{"handles.up", KeyGroup::view3d, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Handles: move up"), "Up", kWithHandles}},
+    {{"handles.down", KeyGroup::view3d, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Handles: move down"), "Down", kWithHandles}},
+    {{"handles.nearer", KeyGroup::view3d, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Handles: move nearer"), "PgUp", kWithHandles}},
+    {{"handles.farther", KeyGroup::view3d, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Handles: move away"), "PgDown", kWithHandles}},
+    {{"handles.turnLeft", KeyGroup::view3d, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Handles: turn to the left"), "Alt+Left",
+      kWithHandles}},
+    {{"handles.turnRight", KeyGroup::view3d, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Handles: turn to the right"), "Alt+Right",
+      kWithHandles}},
+    {{"handles.turnUp", KeyGroup::view3d, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Handles: turn up"), "Alt+Up", kWithHandles}},
+    {{"handles.turnDown", KeyGroup::view3d, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Handles: turn down"), "Alt+Down", kWithHandles}},
+    {{"handles.turnBack", KeyGroup::view3d, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Handles: turn anticlockwise"), "Alt+PgUp",
+      kWithHandles}},
+    {{"handles.turnOn", KeyGroup::view3d, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Handles: turn clockwise"), "Alt+PgDown", kWithHandles}},
     {{"chosen.delete", KeyGroup::annotate, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Delete the chosen text or arrow"), "Del", kWithChosen}},
     {{"chosen.deleteWord", KeyGroup::annotate, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Delete the last word of the chosen text"),
       "Backspace", kWithChosen}},
@@ -297,6 +316,8 @@ QString wordsOfStates(unsigned when) {
       return MainWindow::tr("with a tool in the hand");
     case kWithChosen:
       return MainWindow::tr("with a text or an arrow chosen");
+    case kWithHandles:
+      return MainWindow::tr("in the 3D view, with handles");
     case kWhileWriting:
       return MainWindow::tr("while writing");
     default:

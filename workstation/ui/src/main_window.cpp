@@ -10,16 +10,19 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <utility>
 
 #include "body_aids.h"
 #include "case_folder_dialog.h"
+#include "ew/library/new_case.h"
 #include "host_overlays.h"
 #include "host_scan.h"
 #include "key_tips.h"
 #include "main_window_parts.h"
 #include "picture_buttons.h"
 #include "theme.h"
+#include "time_line_access.h"
 #include "words.h"
 
 /// A static library's resources are known to Qt once this has run; outside of any namespace, as the macro demands.
@@ -32,6 +35,7 @@ constexpr int kConsoleWidth_px = 248;
 constexpr int kHandle_px = 7;  ///< wide enough to be seen and taken
 constexpr int kPanelWidth_px = 400;
 constexpr int kExplorePanelWidth_px = 304;  ///< beside a scan that is worked with, which wants the room
+constexpr int kWidthForAll_px = 1440;       ///< of the window, for panels, views and console
 constexpr int kStagedPanelWidth_px = 296;   ///< beside a stage, which has columns of its own
 
 /// The probes and the mannequins of the program.
@@ -45,6 +49,27 @@ sdk::Cases::Choices choicesForCases(const std::vector<Probe>& probes, const std:
   return choices;
 }
 
+/// ... with the presets, the user's own as well, the body marks, and where cases are kept, in the window's language.
+sdk::Cases::Choices withConsole(sdk::Cases::Choices choices, const std::vector<Preset>& presets,
+                                const std::vector<const annotation::BodyMark*>& marks) {
+  const OwnPresets own = readOwnPresets(ownPresetsFolder());
+  for (const std::vector<Preset>* all : {&presets, &own.presets})
+    for (const Preset& preset : *all) {
+      const auto probe =
+          std::find_if(choices.probes.begin(), choices.probes.end(), [&](const auto& each) { return each.first == preset.probe; });
+      choices.presets.emplace_back(preset.id, words(preset.title).toStdString() + ", " +
+                                                  (probe != choices.probes.end() ? probe->second : preset.probe));
+    }
+  std::set<std::string> regions;
+  for (const annotation::BodyMark* mark : marks) {
+    choices.bodyMarks.emplace_back(mark->id, words(mark->title).toStdString());
+    regions.insert(mark->regions.begin(), mark->regions.end());
+  }
+  choices.regions.assign(regions.begin(), regions.end());
+  choices.ownCases = CaseFolderDialog::library();
+  return choices;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), parts_(std::make_unique<Parts>()) {
@@ -54,6 +79,9 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), parts_(std::make_
   setMinimumSize(1024, 640);
   rememberSystemTheme();
   const QSettings settings;
+  describePaintedWidgets();
+  qApp->installEventFilter(&parts_->focusKeys);
+  setTextSize(keptTextSize_percent());
   applyTheme(themeCalled(settings.value(QStringLiteral("theme"), QStringLiteral("dark")).toString()));
   makeViews();
   makeActions();
@@ -69,7 +97,9 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), parts_(std::make_
   } else {
     auto probes = readProbes(*resources / "probes");
     if (probes) {
-      parts_->host->setChoices([choices = choicesForCases(*probes, *resources / "mannequin")] { return choices; });
+      parts_->host->setChoices([this, choices = choicesForCases(*probes, *resources / "mannequin")] {
+        return withConsole(choices, parts_->presets, parts_->bodyMark.offered());
+      });
       parts_->session.setProbes(std::move(*probes));
     } else {
       parts_->messages->showError(probes.error());
@@ -134,7 +164,7 @@ void MainWindow::makeViews() {
   p.scanView = new ScanView(p.session);
   p.pictures = new PictureGrid({p.session, p.calipers, p.annotated, p.bodyMark, p.jobs, *p.scanView});
   p.console = new ConsolePanel(p.session);
-  p.console->setFixedWidth(kConsoleWidth_px);
+  holdFixedWidth(*p.console, kConsoleWidth_px);
   p.measurePage = new MeasurePage(p.session, p.calipers, p.worksheets);
   p.console->addPage(p.measurePage, tr("Measure"), tipWithKeys(tr("Calipers, and what they measured (%1)"), "console.nextPage"));
   p.console->addBelow(new PictureButtons(*p.pictures));
@@ -228,11 +258,17 @@ void MainWindow::watchViews() {
     overlays.paintOverScan(painter, [this](const Point<frame::Probe>& at) { return parts_->scanView->positionOf(at); });
   };
   connect(&overlays, &HostOverlays::scanChanged, p.scanView, QOverload<>::of(&QWidget::update));
-  connect(&overlays, &HostOverlays::bodyChanged, p.view3d, [this, &overlays] {
-    if (!overlays.isBodyDrawnOver()) return parts_->view3d->setOver({});
-    parts_->view3d->setOver([this, &overlays](QPainter& painter) {
-      overlays.paintOverBody(painter, [this](const Point<frame::World>& at) { return parts_->view3d->pixelOf(at.at); });
-    });
+  p.bodyTools = new BodyTools(overlays, *p.view3d, this);  // after the hand: it looks at a press first
+  connect(&overlays, &HostOverlays::bodyChanged, this, &MainWindow::paintOverBody);
+  connect(p.bodyTools, &BodyTools::overChanged, this, &MainWindow::paintOverBody);
+}
+
+void MainWindow::paintOverBody() {
+  const HostOverlays& overlays = parts_->host->hostOverlays();
+  if (!overlays.isBodyDrawnOver() && !parts_->bodyTools->isDrawnOver()) return parts_->view3d->setOver({});
+  parts_->view3d->setOver([this, &overlays](QPainter& painter) {
+    overlays.paintOverBody(painter, [this](const Point<frame::World>& at) { return parts_->view3d->pixelOf(at.at); });
+    parts_->bodyTools->paintOver(painter);
   });
 }
 
@@ -275,7 +311,7 @@ void MainWindow::showWorkspace(const std::string& id) {
   showRecent();
   showStage();
   // Scanning needs something to scan; authoring may begin with nothing.
-  const bool needsSubject = !author && p.keepsScan();
+  const bool needsSubject = !author && p.keepsScan() && !(p.document.current() && p.opener->showsCase());
   p.pages->setCurrentWidget(needsSubject && !p.session.subject() ? static_cast<QWidget*>(p.startPage) : p.workspacePage);
   placeOverlays();
   showTitle();
@@ -294,7 +330,9 @@ void MainWindow::showPanels() {
 }
 
 int MainWindow::Parts::panelWidth_px() const {
-  return staged ? kStagedPanelWidth_px : workspace == kExplore ? kExplorePanelWidth_px : kPanelWidth_px;
+  const int usual_px = staged ? kStagedPanelWidth_px : workspace == kExplore ? kExplorePanelWidth_px : kPanelWidth_px;
+  // Large words may have half of the window, but the views keep the other half.
+  return std::max(usual_px, std::min(scaled(usual_px), central->width() / 2));
 }
 
 const sdk::Workspace* MainWindow::Parts::ownWorkspace() const {
@@ -329,7 +367,7 @@ void MainWindow::showStage() {
 void MainWindow::showConsole() {
   const Parts& p = *parts_;
   const bool isKept = p.keepsScan() && (p.ownWorkspace() == nullptr || p.ownWorkspace()->keepsConsole);
-  const bool hasRoom = !p.panels->isVisibleTo(p.columns) || width() >= 1440;
+  const bool hasRoom = !p.panels->isVisibleTo(p.columns) || width() >= scaled(kWidthForAll_px);
   p.console->setVisible(isKept && !p.staged && !p.viewColumns->isScanOnly() && hasRoom);
 }
 
@@ -414,6 +452,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && parts_->tour != nullptr) return parts_->tour->leave();
   if (event->key() == Qt::Key_Escape && parts_->wide.state() == WideScan::State::growing) return parts_->wide.cancel();
   // Before any message goes: the one that tells to press it is a message itself.
   if (event->key() == Qt::Key_Escape && parts_->session.isFollowing() && parts_->pages->currentWidget() == parts_->workspacePage)
@@ -445,8 +484,9 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
 bool MainWindow::isSettled() const {
   const Parts& p = *parts_;
   if (p.jobs.isRunning() || p.opener->isBusy()) return false;
-  if (p.pages->currentWidget() == p.startPage) return !p.library.isRefreshing() && !p.details.isBusy();
+  if (p.pages->currentWidget() == p.startPage) return !p.library.isRefreshing() && !p.details.isBusy() && !p.learning.isBusy();
   if (p.staged) return true;
+  if (p.document.current() && p.opener->showsCase() && hasNoVolume(*p.document.current())) return true;
   return p.session.subject() && !p.session.picture().isEmpty();
 }
 

@@ -13,7 +13,7 @@
 
 #include "effect_words.h"
 #include "ew/core/version.h"
-#include "ew/library/case_words.h"
+#include "ew/library/new_case.h"
 #include "icons.h"
 #include "main_window_parts.h"
 #include "plugins_dialog.h"
@@ -65,11 +65,13 @@ QAction* MainWindow::addConsoleAction(QMenu& menu, const std::string& command, c
 
 void MainWindow::addFileMenu(QMenu& file) {
   Parts& p = *parts_;
-  addMenuAction(file, "open", [this] { chooseFile(); });
+  p.fileMenu = &file;
+  p.beforeOpening = addMenuAction(file, "open", [this] { chooseFile(); });
   addMenuAction(file, "open.folder", [this] {
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Open case folder"));
     if (!folder.isEmpty()) open(folder);
   });
+  addMenuAction(file, "import.case", [this] { chooseBundle(); });
   p.recentMenu = file.addMenu(tr("Open &recent"));
   p.startPageAction = addMenuAction(file, "start", [this] { showStartPage(); });
   addMenuAction(file, "search", [this] {
@@ -137,6 +139,7 @@ void MainWindow::addViewMenu(QMenu& view) {
   p.madeVolumeAction = addMenuAction(view, "volume.made", [this] { showWaitingVolume(); });
   view.addSeparator();
   addThemeMenu(*view.addMenu(tr("&Theme")));
+  addTextSizeMenu(*view.addMenu(tr("Te&xt size")));
   addLanguageMenu(*view.addMenu(tr("La&nguage")));
   p.scanOnlyAction = addMenuAction(view, "scanOnly", [this] {
     const bool isThere = parts_->pages->currentWidget() == parts_->workspacePage && parts_->workspace == kExplore;
@@ -316,6 +319,7 @@ void MainWindow::addQualityMenu(QMenu& quality) {
 }
 
 void MainWindow::addHelpMenu(QMenu& help) {
+  addMenuAction(help, "tour", [this] { beginTour(); });
   addMenuAction(help, "keys", [this] { showKeys(); });
   addMenuAction(help, "keys.edit", [this] { editKeys(); });
   addMenuAction(help, "plugins",
@@ -401,15 +405,21 @@ void MainWindow::showTitle() {
   QString title = subject ? words(subject->title) : QString();
   QString remark;
   if (subject && !p.opener->showsCase()) remark = tr("a volume without a case");
+  p.caseInfo->showCase(showsCase ? &*opened : nullptr);
   if (showsCase) {
-    title = words(p.isAuthor() ? opened->title : ew::wordsOf(opened->folder, QLocale().name().toStdString()).of(titleForTrainees(*opened)));
+    title = words(p.isAuthor() ? opened->title : p.caseInfo->caseWords().of(titleForTrainees(*opened)));
     remark = words(opened->patient.name);
     const auto add = [&remark](const QString& more) { remark += (remark.isEmpty() ? QString() : QStringLiteral("   ")) + more; };
     // Who explores need not know whose folder a case lies in.
     if (p.document.isShippedCase() && p.isAuthor()) add(tr("shipped case"));
+    if (p.document.isPublishedCase() && p.isAuthor()) add(tr("published case"));
+    if (p.document.lost() && p.isAuthor()) add(tr("edited by somebody else"));
     if (p.document.hasUnsavedChanges()) add(tr("● unsaved changes"));
   }
-  p.caseInfo->showCase(showsCase ? &*opened : nullptr);
+  p.scanView->setNothing(!showsCase || !hasNoVolume(*opened) ? QString()
+                         : p.isAuthor()
+                             ? tr("This case has no volume yet. Choose 'Give the case a volume…' in the Case panel.")
+                             : tr("This case has no volume yet, so there is nothing to scan. An author gives it one in Author."));
   const auto document = panelDocument();
   if (document != nullptr) {
     title = words(document->title());

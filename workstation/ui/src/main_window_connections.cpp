@@ -13,6 +13,12 @@
 #include "words.h"
 
 namespace ew::ui {
+namespace {
+
+const auto kEditing = QStringLiteral("edit case");
+constexpr int kHandRests_ms = 150;
+
+}  // namespace
 
 void MainWindow::connectParts() {
   connectSession();
@@ -38,9 +44,12 @@ void MainWindow::connectSession() {
       parts_->view3d->clearVolumeBox();
       parts_->view3d->setProbeVisible(false);
     }
-    showCoverage();
+    showCoverageSoon();
     showTitle();
   });
+  p.coverageSoon.setSingleShot(true);
+  p.coverageSoon.setInterval(kHandRests_ms);
+  connect(&p.coverageSoon, &QTimer::timeout, this, &MainWindow::showCoverage);
   connect(p.view3d, &View3D::mannequinChanged, this, &MainWindow::showCoverage);
   connect(&p.session, &Session::frozenChanged, this, [this](bool frozen) {
     parts_->freezeAction->setChecked(frozen);
@@ -71,7 +80,17 @@ void MainWindow::connectSession() {
   connect(p.sourcePicker, &PickLayer::pickingChanged, p.sourceAction, &QAction::setChecked);
 }
 
+/// What is placed elsewhere by a hand is tinted when the hand rests: every corner of the skin is looked at for it.
+void MainWindow::showCoverageSoon() {
+  const auto& subject = parts_->session.subject();
+  const auto voxels = subject ? subject->voxels.volume() : nullptr;
+  if (voxels && voxels == parts_->coverageOf.lock()) return parts_->coverageSoon.start();
+  parts_->coverageOf = voxels;
+  showCoverage();
+}
+
 void MainWindow::showCoverage() {
+  parts_->coverageSoon.stop();
   const auto mannequin = parts_->view3d->scene().mannequin();
   if (!mannequin) return;
   if (!parts_->session.subject()) return parts_->view3d->setCoverage({});
@@ -85,6 +104,7 @@ void MainWindow::connectDocument() {
   connect(&p.document, &CaseDocument::changed, this, [this] {
     if (!parts_->keepSoon.isActive()) parts_->keepSoon.start();
   });
+  connect(&p.document, &CaseDocument::leaseLost, this, [this](const Error& why) { parts_->messages->showError(why, kEditing); });
   connect(&p.keepSoon, &QTimer::timeout, this, &MainWindow::keepEdits);
   connect(&p.document.history(), &QUndoStack::indexChanged, this, &MainWindow::showHistory);
   connect(p.host, &WorkstationHost::panelDocumentChanged, this, [this] {
@@ -135,6 +155,7 @@ void MainWindow::connectOpener() {
     parts_->pages->setCurrentWidget(parts_->workspacePage);
     parts_->scanView->setFocus();
     if (const auto waiting = std::exchange(parts_->waitingRecording, {}); waiting.recording) takeRecording(waiting.path, waiting.recording);
+    takePresetOfCase();
     if (parts_->restoring) return restoreKeptEdits();
     if (const auto& current = parts_->document.current()) offerKeptEditsOf(current->folder);
   });
@@ -167,6 +188,7 @@ void MainWindow::connectImports() {
     dialog->open();
   });
   connect(p.opener, &Opener::recordingOpened, this, &MainWindow::takeRecording);
+  connect(p.opener, &Opener::bundleChosen, this, &MainWindow::importCase);
   const auto askAboutScreen = [this](const QString& path) { (new ScreenDialog(path, parts_->jobs, *parts_->messages, this))->open(); };
   connect(p.opener, &Opener::answersNeeded, this, [this, askAboutScreen](const QString& path, FileKind kind, const QString& question) {
     if (kind == FileKind::film) return askAboutScreen(path);

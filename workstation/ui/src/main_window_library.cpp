@@ -1,5 +1,11 @@
+#include <QFileDialog>
+#include <QFileInfo>
 #include <cmath>
+#include <utility>
 
+#include "ew/library/bundle.h"
+#include "ew/library/case_words.h"
+#include "ew/library/lesson.h"
 #include "main_window_parts.h"
 #include "words.h"
 
@@ -25,11 +31,59 @@ void MainWindow::connectLibrary() {
   connect(p.startPage, &StartPage::problem, this, [this](const Error& error) { parts_->messages->showError(error); });
   connect(&p.library, &LibraryBrowser::opened, this, [this] { parts_->startPage->setIndex(parts_->library.index()); });
   connect(&p.library, &LibraryBrowser::changed, this, [this] { parts_->startPage->showFound(); });
-  connect(&p.library, &LibraryBrowser::refreshed, this, [this] { parts_->startPage->setReading(false); });
+  connect(&p.library, &LibraryBrowser::refreshed, this, [this] {
+    parts_->startPage->setReading(false);
+    if (const QString imported = std::exchange(parts_->imported, {}); !imported.isEmpty()) parts_->startPage->choose(imported);
+  });
   connect(&p.library, &LibraryBrowser::noted, this, [this](const QString& note) { parts_->messages->showNote(note); });
   connect(&p.library, &LibraryBrowser::failed, this, [this](const Error& error) { parts_->messages->showError(error); });
+  connect(&p.learning, &Learning::changed, this, [this] { parts_->startPage->showLearning(parts_->learning.shared()); });
+  connect(&p.learning, &Learning::failed, this, [this](const Error& error) { parts_->messages->showError(error); });
+  connect(p.startPage, &StartPage::lessonChosen, this, &MainWindow::openLesson);
   connect(&p.details, &CaseDetails::pictureRead, p.startPage, &StartPage::setThumbnail);
   connect(&p.details, &CaseDetails::caseRead, this, &MainWindow::showPreparation);
+}
+
+void MainWindow::chooseBundle() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Import a case bundle"), QString(), tr("Case bundles (*.ewcase)"));
+  if (!file.isEmpty()) importCase(file);
+}
+
+void MainWindow::importCase(const QString& bundle) {
+  if (!parts_->session.subject()) showStartPage();
+  auto taken = std::make_shared<PublishedCase>();
+  const QString name = QFileInfo(bundle).fileName();
+  parts_->jobs.start(
+      tr("Importing %1").arg(name),
+      [taken, bundle](Progress& progress) -> Result<void> {
+        auto imported = importBundle(pathOf(bundle), libraryFolder(), {}, progress);
+        if (!imported) return passOn(imported.error());
+        *taken = std::move(*imported);
+        return {};
+      },
+      [this, taken, name](const Result<void>& outcome) {
+        const QString topic = QStringLiteral("import ") + name;
+        if (!outcome) {
+          if (outcome.error().code != ErrorCode::cancelled) parts_->messages->showError(outcome.error(), topic);
+          return;
+        }
+        const auto opened = loadCase(taken->folder);
+        const QString title = opened ? words(parts_->isAuthor() ? opened->title : titleForTrainees(*opened)) : words(taken->id);
+        parts_->messages->showNote(taken->wasThere ? tr("'%1' is in the library already, as revision %2.").arg(title).arg(taken->revision)
+                                                   : tr("'%1' was taken into the library as revision %2.").arg(title).arg(taken->revision),
+                                   topic);
+        parts_->imported = wordsOf(taken->folder);
+        showStartPage();
+      });
+}
+
+void MainWindow::openLesson(const QString& folder, const QString& lessonId) {
+  Parts& p = *parts_;
+  setWorkspace(Workspace::explore);
+  p.host->askFor(pathOf(folder), std::string(kLessonsPart), lessonId.toStdString());
+  const auto& present = p.document.current();
+  if (present && p.opener->showsCase() && present->folder == pathOf(folder)) return backToWork();
+  open(folder);
 }
 
 void MainWindow::prepareCases() {
@@ -72,6 +126,7 @@ void MainWindow::fillStartPage() {
   parts_->startPage->setReading(true);
   parts_->details.forget();
   parts_->library.refresh();
+  parts_->learning.refresh();
   if (parts_->library.index() == nullptr) parts_->startPage->setReading(false);
   showRecent();
   parts_->startPage->setOpenCase(parts_->session.subject() ? words(parts_->session.subject()->title) : QString());

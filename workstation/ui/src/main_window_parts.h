@@ -13,6 +13,7 @@
 
 #include "annotation_layer.h"
 #include "body_mark_view.h"
+#include "body_tools.h"
 #include "box_zoom.h"
 #include "caliper_layer.h"
 #include "calipers.h"
@@ -30,12 +31,14 @@
 #include "ew/scanning/preset.h"
 #include "ew/ui/main_window.h"
 #include "examination_dialog.h"
+#include "focus_keys.h"
 #include "hand_input.h"
 #include "job_cards.h"
 #include "jobs.h"
 #include "key_map.h"
 #include "key_tips.h"
 #include "keys_dialog.h"
+#include "learning.h"
 #include "library_browser.h"
 #include "measure_page.h"
 #include "message_bar.h"
@@ -53,6 +56,7 @@
 #include "status_line.h"
 #include "stored_examination.h"
 #include "top_bar.h"
+#include "tour.h"
 #include "view3d.h"
 #include "view_columns.h"
 #include "wide_layer.h"
@@ -86,6 +90,7 @@ struct MainWindow::Parts {
   CasePreparation preparation{jobs};
   LibraryBrowser library{jobs};
   CaseDetails details;
+  Learning learning;
   QTimer detailsSoon;
   std::vector<MadeVolume> made;  ///< never saved: the one that is shown, and those that wait
   KeptEdits keptEdits;           ///< of the open case, against a crash
@@ -94,6 +99,7 @@ struct MainWindow::Parts {
   std::optional<KeptEdits::Left> restoring;        ///< edits that are taken over once their case is open
   bool dropsEdits = false;                         ///< the case is being opened again, and the user gave up the changes made here
   QString preparing;                               ///< the case that is opened and has to be made first
+  QString imported;                                ///< folder of the case that was taken into the library and is to be shown there
   KeyMap keys;
   KeyTips keyTips{keys};
   ControlSurface surface;
@@ -131,6 +137,8 @@ struct MainWindow::Parts {
   bool staged = false;
   QSplitter* columns = nullptr;
   View3D* view3d = nullptr;
+  QTimer coverageSoon;                     ///< runs out when what is scanned is not moved any more
+  std::weak_ptr<const Volume> coverageOf;  ///< whose tint the skin has
   CaseInfo* caseInfo = nullptr;
   BodyColumn* body = nullptr;  ///< 3D view and case
   ViewColumns* viewColumns = nullptr;
@@ -138,6 +146,7 @@ struct MainWindow::Parts {
   ScanView* scanView = nullptr;
   PictureGrid* pictures = nullptr;  ///< with the scan view, and what stands beside it
   PickLayer* pointing = nullptr;    ///< for plugins that ask for a point
+  BodyTools* bodyTools = nullptr;   ///< for plugins that move something in the body or ask for a place on it
   SourcePicker* sourcePicker = nullptr;
   CaliperLayer* caliperLayer = nullptr;
   CaliperLayer* stripCaliperLayer = nullptr;
@@ -156,6 +165,8 @@ struct MainWindow::Parts {
   std::optional<door::PluginList> plugins;
   QPointer<ShortcutsOverlay> shortcuts;
   QPointer<KeysDialog> keysDialog;
+  QPointer<Tour> tour;
+  FocusKeys focusKeys;
   QPointer<CostPanel> cost;
   QPointer<SourceDialog> source;
   QPointer<WorksheetDialog> worksheet;
@@ -178,9 +189,12 @@ struct MainWindow::Parts {
   QMenu* viewMenu = nullptr;
   QAction* beforeLooks = nullptr;  ///< in the view menu, behind the workspaces
   QMenu* toolsMenu = nullptr;      ///< of plugins; seen once it has an entry
+  QMenu* fileMenu = nullptr;
+  QAction* beforeOpening = nullptr;  ///< in the menu of files: before it stands what plugins begin a case with
   QAction* systemThemeAction = nullptr;
   QAction* darkAction = nullptr;
   QAction* lightAction = nullptr;
+  QActionGroup* textSizes = nullptr;
   QMenu* scanMenu = nullptr;
   QAction* freezeAction = nullptr;
   std::vector<QAction*> cineActions;    ///< while there is a loop to look through

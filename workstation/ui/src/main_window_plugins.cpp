@@ -77,8 +77,12 @@ sdk::Ticket MainWindow::addTool(const sdk::MenuEntry& entry, std::function<void(
   p.keys.add(command);
   action->setEnabled(entry.workspace.empty() || entry.workspace == p.workspace);
   connect(action, &QAction::triggered, this, [run = std::move(run)] { run(); });
-  p.toolsMenu->addAction(action);
-  p.toolsMenu->menuAction()->setVisible(true);
+  if (entry.place == sdk::MenuPlace::tools)
+    p.toolsMenu->addAction(action);
+  else
+    p.fileMenu->insertAction(p.beforeOpening, action);
+  if (entry.place == sdk::MenuPlace::start) p.startPage->addBeginning(action);
+  p.toolsMenu->menuAction()->setVisible(!p.toolsMenu->isEmpty());
   p.tools.push_back({action, entry.workspace});
   return {action, [window = QPointer<MainWindow>(this), action = QPointer<QAction>(action), id = command.id](void*) {
             if (!window || !action) return;
@@ -86,8 +90,8 @@ sdk::Ticket MainWindow::addTool(const sdk::MenuEntry& entry, std::function<void(
             std::erase_if(of.tools, [&](const auto& each) { return each.action == action; });
             std::erase_if(of.keyedActions, [&](const auto& each) { return each.action == action; });
             of.keys.remove(id);
-            of.toolsMenu->menuAction()->setVisible(!of.tools.empty());
             delete action;
+            of.toolsMenu->menuAction()->setVisible(!of.toolsMenu->isEmpty());
           }};
 }
 

@@ -7,6 +7,8 @@
 #include "ew/io/image_stack.h"
 #include "ew/io/sequence.h"
 #include "ew/io/volume_file.h"
+#include "ew/library/bundle.h"
+#include "ew/library/new_case.h"
 #include "ew/scanning/contact.h"
 #include "hand_input.h"
 #include "message_bar.h"
@@ -181,6 +183,10 @@ void Opener::open(const QString& path) {
     Q_EMIT failed(error);
     return;
   }
+  if (info.isFile() && info.fileName().endsWith(QLatin1String(kBundleEnding))) {
+    Q_EMIT bundleChosen(info.absoluteFilePath());
+    return;
+  }
   // The second click of a double click asks for what is already on its way.
   if (info.absoluteFilePath() == openingPath_) return;
   const bool isCaseFolder = info.isDir() && (QFileInfo::exists(path + QStringLiteral("/case.json")) || !stackFiles(pathOf(path)));
@@ -236,10 +242,13 @@ Result<void> Opener::load(Loading& into, const fs::path& presentMannequin, Progr
   const Case& opened = *into.opened;
   auto body = mannequinFileOf(opened);
   if (!body) return passOn(body.error());
-  PartOfProgress most(progress, 0.0, 0.9);
-  auto read = readContents(opened, most);
-  if (!read) return passOn(read.error());
-  into.contents = {sourcesOf(opened), std::move(*read)};
+  into.contents.sources = sourcesOf(opened);
+  if (!hasNoVolume(opened)) {
+    PartOfProgress most(progress, 0.0, 0.9);
+    auto read = readContents(opened, most);
+    if (!read) return passOn(read.error());
+    into.contents.read = std::move(*read);
+  }
   if (*body != presentMannequin) {
     PartOfProgress rest(progress, 0.9, 1.0);
     auto mannequin = readMannequin(*body, rest);
@@ -355,6 +364,7 @@ void Opener::showCaseVolume() {
   }
   showsCase_ = true;
   startTaken_ = false;
+  if (hasNoVolume(*opened)) return session_.clear();
   session_.show(subjectOf(*opened, contents_->read));
   // A case may ask for them without naming the level of its volume.
   if (Scene scene = session_.scene(); opened->scene.liveEchoes && !scene.liveEchoes) {
@@ -493,7 +503,7 @@ void Opener::followDocument() {
 }
 
 void Opener::followEdits(const Case& edited) {
-  if (!showsCase_) return;
+  if (!showsCase_ || !session_.subject()) return;
   session_.setTitle(titleForTrainees(edited));
   session_.setCaseScene(sceneWithTissues(edited.scene, contents_->read.tissues));
   session_.place(ownToWorldOf(edited, contents_->read));

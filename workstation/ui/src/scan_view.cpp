@@ -9,6 +9,7 @@
 #include "dgc_column.h"
 #include "ew/imaging/beam_grid.h"
 #include "figures.h"
+#include "focus_ring.h"
 #include "focus_scale.h"
 #include "picture_image.h"
 #include "theme.h"
@@ -17,19 +18,21 @@
 namespace ew::ui {
 namespace {
 
-constexpr int kLeft_px = DgcColumn::kWidth_px;
-constexpr int kRight_px = 64;        // depth scale
 constexpr int kLeastMargin_px = 8;   // beside a fan whose corners hold sliders and scale
 constexpr int kMostOverPicture = 2;  // sliders that may reach over the fan's widest place; a rectangle keeps all of them beside it
 constexpr int kHint_px = 220;        // what a drag does
 constexpr int kSaidLong_ms = 3000;
-constexpr int kTop_px = 56;     // probe name and marker
-constexpr int kBottom_px = 40;  // what the picture is
-constexpr int kTime_px = 24;    // time ticks under the strip
+
+int leftRoom_px() { return DgcColumn::wanted_px(); }
+int rightRoom_px() { return 26 + scaled(38); }  // depth scale
+int topRoom_px() { return 32 + scaled(24); }    // probe name and marker
+int lineHeight_px() { return scaled(24); }
+int bottomRoom_px() { return 16 + lineHeight_px(); }  // what the picture is
+int timeRoom_px() { return 8 + scaled(16); }          // time ticks under the strip
 
 /// Distance of labelled ticks so that about 4 to 8 of them fit, from the 1-2-5 series, in mm.
 int labelStep_mm(double depth_mm, double height_px) {
-  const double most = std::clamp(height_px / 48.0, 2.0, 6.0);
+  const double most = std::clamp(height_px / scaled(48.0), 2.0, 6.0);
   for (const int step : {10, 20, 50, 100}) {
     if (depth_mm / step <= most) return step;
   }
@@ -41,12 +44,14 @@ int labelStep_mm(double depth_mm, double height_px) {
 ScanView::ScanView(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
   setObjectName(QStringLiteral("scanView"));
   setAttribute(Qt::WA_OpaquePaintEvent);
+  setLayoutDirection(Qt::LeftToRight);  // an image has its sides, whatever is read
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAccessibleName(tr("Scan"));
   dgc_ = new DgcColumn(session_, this);
   scale_ = new FocusScale(
       session_, [this](double y) { return depthAt_mm(y); }, this);
+  new FocusRing(*this, *this);
   saidLong_.setSingleShot(true);
   saidLong_.setInterval(kSaidLong_ms);
   connect(&saidLong_, &QTimer::timeout, this, [this] {
@@ -94,13 +99,13 @@ void ScanView::setLabel(const QString& label) {
 
 QRect ScanView::wholeRect() const {
   const bool isAlone = mode() == DisplayMode::bMode;
-  const int left_px = isAlone ? left_px_ : kLeft_px;
-  const int right_px = isAlone ? right_px_ : kRight_px;
-  const QRect whole(left_px, kTop_px, std::max(1, width() - left_px - right_px), std::max(1, height() - kTop_px - kBottom_px));
+  const int left_px = isAlone ? left_px_ : leftRoom_px();
+  const int right_px = isAlone ? right_px_ : rightRoom_px();
+  const QRect whole(left_px, topRoom_px(), std::max(1, width() - left_px - right_px), std::max(1, height() - topRoom_px() - bottomRoom_px()));
   if (isAlone) return whole;
-  if (mode() == DisplayMode::mMode) return whole.adjusted(0, 0, 0, -std::min(kTime_px, whole.height() - 1));
+  if (mode() == DisplayMode::mMode) return whole.adjusted(0, 0, 0, -std::min(timeRoom_px(), whole.height() - 1));
   // Picture and strip have the same size; between them there is room for the picture's lower edge to be seen as one.
-  return {whole.left(), whole.top(), whole.width(), std::max(1, (whole.height() - kTime_px - 16) / 2)};
+  return {whole.left(), whole.top(), whole.width(), std::max(1, (whole.height() - timeRoom_px() - 16) / 2)};
 }
 
 QRect ScanView::stripRect() const {
@@ -162,8 +167,8 @@ void ScanView::say(const QString& sentence) {
 /// The narrowest margins at which sliders and scale stand in the corners beside the fan.
 void ScanView::fitMargins() {
   if (!session_.subject()) {
-    left_px_ = kLeft_px;
-    right_px_ = kRight_px;
+    left_px_ = leftRoom_px();
+    right_px_ = rightRoom_px();
     fitted_ = {};
     return;
   }
@@ -180,10 +185,10 @@ void ScanView::fitMargins() {
   fitted_ = wanted;
   constexpr int kSteps = 10;
   for (int step = 0; step <= kSteps; ++step) {
-    left_px_ = kLeastMargin_px + (kLeft_px - kLeastMargin_px) * step / kSteps;
-    right_px_ = kLeastMargin_px + (kRight_px - kLeastMargin_px) * step / kSteps;
+    left_px_ = kLeastMargin_px + (leftRoom_px() - kLeastMargin_px) * step / kSteps;
+    right_px_ = kLeastMargin_px + (rightRoom_px() - kLeastMargin_px) * step / kSteps;
     const int width_px = width() - left_px_ - right_px_;
-    const int height_px = height() - kTop_px - kBottom_px;
+    const int height_px = height() - topRoom_px() - bottomRoom_px();
     if (width_px < 1 || height_px < 1) continue;
     const DisplayGeometry geometry = fitDisplay(session_.pictureProbe(), whole, width_px, height_px);
     const Spans fan = fanSpans(session_.pictureProbe(), whole, geometry);
@@ -194,8 +199,8 @@ void ScanView::fitMargins() {
       const auto row = static_cast<int>(geometry.face_px.y + (geometry.upsideDown ? -1.0 : 1.0) * depth_mm / geometry.pixel_mm);
       if (row < 0 || row >= height_px || fan[static_cast<std::size_t>(row)].empty()) continue;
       const auto& runs = fan[static_cast<std::size_t>(row)];
-      atLeft += left_px_ + runs[0].begin < kLeft_px ? 1 : 0;
-      atRight += right_px_ + width_px - runs[runs.size() - 1].end < kRight_px ? 1 : 0;
+      atLeft += left_px_ + runs[0].begin < leftRoom_px() ? 1 : 0;
+      atRight += right_px_ + width_px - runs[runs.size() - 1].end < rightRoom_px() ? 1 : 0;
     }
     if (atLeft <= kMostOverPicture && atRight <= kMostOverPicture) return;
   }
@@ -207,10 +212,16 @@ void ScanView::arrange() {
   const QRect box = pictureRect();
   session_.setPictureSize(static_cast<int>(std::lround(box.width() * devicePixelRatioF())),
                           static_cast<int>(std::lround(box.height() * devicePixelRatioF())));
-  const int head = DgcColumn::kHead_px;
-  dgc_->setGeometry(0, box.top() - head, kLeft_px, box.height() + head);
+  const int head = DgcColumn::head_px();
+  dgc_->setGeometry(0, box.top() - head, leftRoom_px(), box.height() + head);
   dgc_->place(yOfDepth(0.0) - dgc_->y(), yOfDepth(session_.geometry().depth_mm) - dgc_->y());
-  scale_->setGeometry(width() - kRight_px, box.top(), kRight_px, box.height());
+  scale_->setGeometry(width() - rightRoom_px(), box.top(), rightRoom_px(), box.height());
+}
+
+void ScanView::setNothing(const QString& sentence) {
+  if (nothing_ == sentence) return;
+  nothing_ = sentence;
+  update();
 }
 
 void ScanView::paintEvent(QPaintEvent*) {
@@ -221,7 +232,7 @@ void ScanView::paintEvent(QPaintEvent*) {
     painter.setFont(textFont());
     painter.setPen(scanTheme().quiet);
     painter.drawText(rect().adjusted(40, 40, -40, -40), Qt::AlignCenter | Qt::TextWordWrap,
-                     tr("Nothing to scan yet. Open a case, a volume or a sweep, or drop one here."));
+                     nothing_.isEmpty() ? tr("Nothing to scan yet. Open a case, a volume or a sweep, or drop one here.") : nothing_);
     return;
   }
   if (mode() != DisplayMode::mMode) {
@@ -415,7 +426,7 @@ void ScanView::paintDepthScale(QPainter& painter) {
     const QRect strip = stripRect();
     paintScale(strip, [&](double mm) { return strip.top() + strip.height() * mm / depth_mm; });
   }
-  if (pictureRect().height() > 0) drawFigures(painter, QRect(x - 56, height() - 32, 56, 24), Qt::AlignRight, tr("cm"));
+  if (pictureRect().height() > 0) drawFigures(painter, QRect(x - 56, height() - 8 - lineHeight_px(), 56, lineHeight_px()), Qt::AlignRight, tr("cm"));
 }
 
 void ScanView::paintFoci(QPainter& painter) {
@@ -493,7 +504,7 @@ void ScanView::paintStrip(QPainter& painter) {
   }
   // Seconds across the strip; labels stay apart.
   const double sweep_s = std::max(1.0, session_.pictureKnobs().mSweep_s);
-  const int labelled_s = box.width() / sweep_s < 40.0 ? (box.width() / sweep_s < 20.0 ? 4 : 2) : 1;
+  const int labelled_s = box.width() / sweep_s < scaled(40.0) ? (box.width() / sweep_s < scaled(20.0) ? 4 : 2) : 1;
   painter.setFont(smallFont());
   painter.setPen(QPen(theme.quiet, 1.0));
   for (int second = 0; second <= static_cast<int>(sweep_s + 1e-9); ++second) {
@@ -501,7 +512,7 @@ void ScanView::paintStrip(QPainter& painter) {
     const bool labelled = second % labelled_s == 0;
     painter.drawLine(x, box.bottom() + 2, x, box.bottom() + (labelled ? 8 : 5));
     if (labelled && second > 0) {
-      drawFigures(painter, QRect(x - 40, box.bottom() + 8, 44, 16), Qt::AlignRight, tr("%1 s").arg(second));
+      drawFigures(painter, QRect(x - 40, box.bottom() + 8, 44, scaled(16)), Qt::AlignRight, tr("%1 s").arg(second));
     }
   }
 }
@@ -511,8 +522,8 @@ void ScanView::paintWords(QPainter& painter) {
   painter.setFont(smallFont());
   painter.setPen(theme.quiet);
   const QFontMetrics metrics = painter.fontMetrics();
-  const int right = session_.isFrozen() ? width() - 144 : width() - (recorded_s_ ? 96 : 24);
-  painter.drawText(QRect(20, 8, right - 20, 24), Qt::AlignLeft | Qt::AlignVCenter,
+  const int right = width() - 24 - scaled(session_.isFrozen() ? 120 : recorded_s_ ? 72 : 0);
+  painter.drawText(QRect(20, 8, right - 20, lineHeight_px()), Qt::AlignLeft | Qt::AlignVCenter,
                    metrics.elidedText(label_.isEmpty() ? words(session_.pictureProbe().name)
                                                        : label_ + QStringLiteral("   ") + words(session_.pictureProbe().name),
                                       Qt::ElideRight, right - 20));
@@ -522,12 +533,13 @@ void ScanView::paintWords(QPainter& painter) {
                      ? tr("depth %1 cm   gain %2 dB").arg(depth_cm, signedFigure(knobs.gain_db, 1))
                      : tr("depth %1 cm   gain %2 %").arg(depth_cm).arg(static_cast<int>(std::lround(knobs.gain * 100.0)));
   if (knobs.zoom > 1.0) line += tr("   zoom %1").arg(figure(knobs.zoom, 1));
-  drawFigures(painter, QRect(20, height() - 32, width() - 100, 24), Qt::AlignLeft, line);
+  const int lineTop = height() - 8 - lineHeight_px(), lineRoom_px = width() - 24 - scaled(76);
+  drawFigures(painter, QRect(20, lineTop, lineRoom_px, lineHeight_px()), Qt::AlignLeft, line);
   // What a drag would do, as long as the pointer is here and there is room beside the figures.
-  const int hint_px = width() - 100 - figuresWidth_px(metrics, line) - 48;
+  const int hint_px = lineRoom_px - figuresWidth_px(metrics, line) - 48;
   const bool looksBack = session_.isFrozen() && session_.cineFrame() && session_.cine().frameCount() > 1;
-  if (underMouse() && (!session_.isFrozen() || looksBack || knobs.zoom > 1.0) && !session_.isPlaying() && hint_px >= kHint_px) {
-    painter.drawText(QRect(width() - 80 - hint_px, height() - 32, hint_px, 24), Qt::AlignRight | Qt::AlignVCenter,
+  if (underMouse() && (!session_.isFrozen() || looksBack || knobs.zoom > 1.0) && !session_.isPlaying() && hint_px >= scaled(kHint_px)) {
+    painter.drawText(QRect(20 + lineRoom_px - hint_px, lineTop, hint_px, lineHeight_px()), Qt::AlignRight | Qt::AlignVCenter,
                      knobs.zoom > 1.0 ? tr("drag: move the detail")
                      : looksBack      ? tr("wheel: step through what was scanned")
                                       : tr("drag: slide the probe"));
@@ -541,7 +553,7 @@ void ScanView::paintFrozen(QPainter& painter) {
   painter.setFont(font);
   const QString word = tr("Frozen");
   const int width_px = painter.fontMetrics().horizontalAdvance(word) + 24;
-  const QRect badge(width() - 16 - width_px, 8, width_px, 26);
+  const QRect badge(width() - 16 - width_px, 8, width_px, scaled(26));
   painter.setPen(Qt::NoPen);
   painter.setBrush(theme.accent);
   painter.drawRoundedRect(badge, 4.0, 4.0);
@@ -567,14 +579,14 @@ void ScanView::paintRecording(QPainter& painter) {
   const int whole_s = static_cast<int>(*recorded_s_);
   const QString length = QStringLiteral("%1:%2").arg(whole_s / 60).arg(whole_s % 60, 2, 10, QLatin1Char('0'));
   const int length_px = figuresWidth_px(painter.fontMetrics(), length);
-  const int top = session_.isFrozen() ? 40 : 8;  // below the word "Frozen" when it is there
+  const int top = session_.isFrozen() ? 14 + scaled(26) : 8;  // below the word "Frozen" when it is there
   const int left = width() - 24 - length_px;
   painter.setPen(Qt::NoPen);
   painter.setBrush(theme.danger);
-  painter.drawEllipse(QPointF(left - 14.0, top + 12.0), 6.0, 6.0);
+  painter.drawEllipse(QPointF(left - 14.0, top + scaled(12.0)), 6.0, 6.0);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(theme.text);
-  drawFigures(painter, QRect(left, top, length_px + 8, 24), Qt::AlignLeft, length);
+  drawFigures(painter, QRect(left, top, length_px + 8, lineHeight_px()), Qt::AlignLeft, length);
 }
 
 void ScanView::paintSaid(QPainter& painter) {

@@ -39,6 +39,8 @@ class ScanView final : public QWidget {
   /// Paints over the image, clipped to it. Not on the strip of the M-mode.
   std::function<void(QPainter&)> paintOver;
   void refreshIcons();
+  /// What is said while there is no picture; empty: the usual.
+  void setNothing(const QString& sentence);
   /// A sentence over the picture for a few seconds.
   void say(const QString& sentence);
   [[nodiscard]] QString said() const { return said_; }
@@ -111,6 +113,7 @@ class ScanView final : public QWidget {
   double leastPixel_mm_ = 0.0;
   double share_ = 1.0;  ///< of the room that the image takes
   QString said_;
+  QString nothing_;
   QTimer saidLong_;
 };
 

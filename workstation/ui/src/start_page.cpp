@@ -1,5 +1,6 @@
 #include "start_page.h"
 
+#include <QAction>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -9,6 +10,8 @@
 
 #include "card_view.h"
 #include "case_filters.h"
+#include "case_lessons.h"
+#include "course_strip.h"
 #include "icons.h"
 #include "key_tips.h"
 #include "recent_strip.h"
@@ -39,6 +42,8 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   makeHead();
   filters_ = new CaseFilters;
   rows->addWidget(filters_);
+  course_ = new CourseStrip;
+  rows->addWidget(course_);
   makeList();
   recent_ = new RecentStrip;
   rows->addWidget(recent_);
@@ -48,8 +53,13 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   connect(filters_, &CaseFilters::changed, this, &StartPage::find);
   connect(filters_, &CaseFilters::clearRequested, this, &StartPage::clearSearch);
   connect(recent_, &RecentStrip::chosen, this, &StartPage::fileChosen);
+  connect(course_, &CourseStrip::lessonChosen, this, &StartPage::lessonChosen);
   QWidget* before = search_;
   for (QWidget* next : filters_->inOrder()) {
+    setTabOrder(before, next);
+    before = next;
+  }
+  for (QWidget* next : course_->inOrder()) {
     setTabOrder(before, next);
     before = next;
   }
@@ -59,7 +69,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
 }
 
 void StartPage::makeHead() {
-  auto* head = new QHBoxLayout;
+  auto* head = head_ = new QHBoxLayout;
   head->setSpacing(kGrid_px);
   static_cast<QVBoxLayout*>(layout())->addLayout(head);
   auto* title = new QLabel(tr("Cases"));
@@ -72,7 +82,7 @@ void StartPage::makeHead() {
   search_->setToolTip(tipWithKeys(tr("Each word is looked for at the beginning of the words of a case (%1)"), "search"));
   search_->setClearButtonEnabled(true);
   search_->setMinimumWidth(200);
-  search_->setMaximumWidth(560);
+  search_->setMaximumWidth(scaled(560));
   search_->setMaxLength(10000);
   search_->installEventFilter(this);
   head->addWidget(search_, 3);
@@ -105,11 +115,17 @@ void StartPage::makeList() {
   emptyButton_->setObjectName(QStringLiteral("startEmptyButton"));
   rows->addStretch(2);
   rows->addWidget(empty_);
-  rows->addWidget(emptyButton_, 0, Qt::AlignCenter);
+  emptyButtons_ = new QHBoxLayout;
+  emptyButtons_->setSpacing(kGrid_px);
+  emptyButtons_->addStretch(1);
+  emptyButtons_->addWidget(emptyButton_);
+  emptyButtons_->addStretch(1);
+  rows->addLayout(emptyButtons_);
   rows->addStretch(3);
   pages_->addWidget(emptyPage);
   static_cast<QVBoxLayout*>(layout())->addWidget(pages_, 1);
   connect(cards_, &CardView::chosen, this, &StartPage::caseChosen);
+  connect(cards_, &CardView::lessonsAsked, this, &StartPage::showLessonsOf);
   connect(cards_, &CardView::sightChanged, this, &StartPage::sightChanged);
   connect(cards_, &CardView::leftUpwards, this, &StartPage::focusSearch);
   connect(cards_, &CardView::typed, this, [this](const QString& text) {
@@ -121,6 +137,35 @@ void StartPage::makeList() {
     clearSearch();
     focusSearch();
   });
+}
+
+void StartPage::addBeginning(QAction* action) {
+  const auto make = [this, action](QHBoxLayout& into, int at) {
+    auto* button = new QPushButton(action->text().remove(QLatin1Char('&')));
+    button->setObjectName(QStringLiteral("startBeginning"));
+    into.insertWidget(at, button);
+    connect(button, &QPushButton::clicked, action, &QAction::trigger);
+    connect(action, &QObject::destroyed, button, &QObject::deleteLater);
+    return QPointer<QPushButton>(button);
+  };
+  beginnings_.push_back(make(*head_, head_->indexOf(open_)));
+  emptyBeginnings_.push_back(make(*emptyButtons_, emptyButtons_->indexOf(emptyButton_)));
+  setTabOrder(back_, beginnings_.back());
+  setForAuthors(forAuthors_);
+  showEmpty();
+}
+
+bool StartPage::choose(const QString& folder) {
+  if (!search_->text().isEmpty() || filters_->isNarrowing()) clearSearch();
+  for (int n = 0; n < list_.rowCount(); ++n) {
+    const CaseRow* row = list_.row(n);
+    if (row == nullptr || wordsOf(row->folder) != folder) continue;
+    cards_->setCurrentIndex(list_.index(n));
+    cards_->scrollTo(list_.index(n));
+    cards_->setFocus(Qt::OtherFocusReason);
+    return true;
+  }
+  return false;
 }
 
 void StartPage::setIndex(LibraryIndex* index) {
@@ -155,8 +200,11 @@ void StartPage::showEmpty() {
   filters_->setClearable(isNarrowed && count > 0);  // else the empty page has the button
   filters_->setCount(count == 0 ? QString() : count == 1 ? tr("1 case") : tr("%1 cases").arg(locale().toString(count)));
   pages_->setCurrentIndex(count > 0 ? 0 : 1);
+  showCourse();
   if (count > 0) return;
   emptyButton_->setVisible(isNarrowed || !reading_);
+  for (const auto& button : emptyBeginnings_)
+    if (button) button->setVisible(!isNarrowed && !reading_);
   if (isNarrowed) {
     empty_->setText(tr("No case has all of this. Leave out a word or a filter."));
     emptyButton_->setText(tr("Show all cases"));
@@ -166,6 +214,27 @@ void StartPage::showEmpty() {
   empty_->setText(!problem_.isEmpty() ? problem_
                   : reading_          ? tr("The cases of the library are being read.")
                                       : tr("There are no cases here yet. Open a case folder, a volume or a sweep to begin."));
+}
+
+void StartPage::showLearning(std::shared_ptr<const Learning::Known> known) {
+  known_ = std::move(known);
+  list_.setStandings({known_, &known_->standings});
+  showCourse();
+}
+
+/// For trainees, as long as nothing is searched for.
+void StartPage::showCourse() {
+  if (forAuthors_ || !search_->text().isEmpty() || filters_->isNarrowing()) return course_->hide();
+  course_->show(*known_);
+}
+
+void StartPage::showLessonsOf(int row, const QRect& card_global) {
+  const CaseRow* shown = list_.row(row);
+  if (shown == nullptr) return;
+  auto* lessons = new CaseLessons(*shown, list_.standings(), this);
+  connect(lessons, &CaseLessons::lessonChosen, this, &StartPage::lessonChosen);
+  connect(lessons, &CaseLessons::caseChosen, this, &StartPage::caseChosen);
+  lessons->showAt(card_global);
 }
 
 void StartPage::clearSearch() {
@@ -191,7 +260,10 @@ void StartPage::setForAuthors(bool forAuthors) {
   hint_->setText(forAuthors
                      ? tr("A sweep (.igs.mha), a volume (.mha, .mhd, .nrrd, .nii) or a case folder can also be dropped on this window.")
                      : tr("A case folder can also be dropped on this window."));
+  for (const auto& button : beginnings_)
+    if (button) button->setVisible(forAuthors);
   if (changes) find();
+  showCourse();
 }
 
 void StartPage::setOpenCase(const QString& name) {

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <QPointer>
 #include <QWidget>
 #include <vector>
 
 #include "case_catalogue.h"
+#include "learning.h"
 #include "recent_files.h"
 
+class QAction;
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -15,6 +19,7 @@ namespace ew::ui {
 
 class CaseFilters;
 class CardView;
+class CourseStrip;
 class RecentStrip;
 
 /// The library: cases as cards, found by words and filters, *Open*, and what was open recently. Says what to do when there is nothing.
@@ -37,11 +42,17 @@ class StartPage final : public QWidget {
   void setForAuthors(bool forAuthors);
   /// @param name of what is open, which the page leads back to; empty: nothing is open
   void setOpenCase(const QString& name);
+  /// Shows how far the person who learns has got: on the cards, in the course, and what was stopped in the middle.
+  void showLearning(std::shared_ptr<const Learning::Known> known);
   /// Says on the case's card how its preparation stands; empty when it is ready. @param fraction 0..1; 0: no bar
   void setState(const QString& folder, const QString& state, double fraction);
   /// Puts a picture of the case's volume on its card.
   void setThumbnail(const QString& folder, const QImage& picture);
   void focusSearch();
+  /// A button for what begins a case, as long as `action` is there: for authors in the head, for everybody where there is no case yet.
+  void addBeginning(QAction* action);
+  /// Puts the keys on the card of a case, whatever is searched for. @return false: the list does not have it
+  bool choose(const QString& folder);
 
   [[nodiscard]] const CaseCatalogue& cases() const { return list_; }
   [[nodiscard]] QStringList foldersInSight() const;
@@ -50,6 +61,8 @@ class StartPage final : public QWidget {
 
  Q_SIGNALS:
   void caseChosen(const QString& folder);
+  /// The case is to be opened, and this lesson of it begun or gone on with.
+  void lessonChosen(const QString& folder, const QString& lessonId);
   void fileChosen(const QString& file);
   void openRequested();
   void backRequested();
@@ -66,10 +79,13 @@ class StartPage final : public QWidget {
   void find();
   void showEmpty();
   void clearSearch();
+  void showCourse();
+  void showLessonsOf(int row, const QRect& card_global);
   [[nodiscard]] CaseQuery query() const;
   CaseCatalogue list_;
   QLineEdit* search_ = nullptr;
   CaseFilters* filters_ = nullptr;
+  CourseStrip* course_ = nullptr;
   CardView* cards_ = nullptr;
   QStackedWidget* pages_ = nullptr;
   QLabel* empty_ = nullptr;
@@ -78,7 +94,12 @@ class StartPage final : public QWidget {
   QLabel* hint_ = nullptr;
   QPushButton* open_ = nullptr;
   QPushButton* back_ = nullptr;
+  QHBoxLayout* head_ = nullptr;
+  QHBoxLayout* emptyButtons_ = nullptr;
+  std::vector<QPointer<QPushButton>> beginnings_;       ///< in the head
+  std::vector<QPointer<QPushButton>> emptyBeginnings_;  ///< on the empty page
   LibraryIndex* index_ = nullptr;
+  std::shared_ptr<const Learning::Known> known_ = std::make_shared<const Learning::Known>();
   QString problem_;
   bool reading_ = false;
   bool forAuthors_ = false;

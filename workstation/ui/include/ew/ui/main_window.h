@@ -56,6 +56,7 @@ class View3D;
 struct MadeVolume;
 struct SavedPart;
 
+enum class TourPlace;
 enum class Workspace { explore, author };
 
 /// The window of the workstation. It opens nothing by itself; run() or a test says what.
@@ -80,6 +81,9 @@ class MainWindow final : public QMainWindow {
   void setDarkTheme(bool dark);
   /// Finds and opens the plugins; their panels become tabs of their workspaces.
   void openPlugins();
+
+  /// Shows the tour when nobody has seen it yet; it asks nothing and can be left at any moment.
+  void offerTour();
 
   /// Nothing is being loaded, and the picture and the 3D view are drawn.
   [[nodiscard]] bool isSettled() const;
@@ -130,6 +134,12 @@ class MainWindow final : public QMainWindow {
   void addEditMenu(QMenu& edit);
   void addViewMenu(QMenu& view);
   void addThemeMenu(QMenu& theme);
+  void addTextSizeMenu(QMenu& sizes);
+  void chooseTextSize(int percent);
+  void stepTextSize(int steps);
+  [[nodiscard]] static int keptTextSize_percent();
+  void beginTour();
+  [[nodiscard]] bool goToForTour(TourPlace place);
   void addLanguageMenu(QMenu& language);
   void addScanMenu(QMenu& scan);
   void addCineMenu(QMenu& cine);
@@ -174,6 +184,8 @@ class MainWindow final : public QMainWindow {
   bool doCommand(const std::string& command);
   void placeOverlays();
   void chooseFile();
+  void chooseBundle();
+  void importCase(const QString& bundle);  ///< into the user's library, as a job; then the start page shows it
   void save(bool elsewhere);      ///< the case, or the document of the panel whose stage is shown
   bool saveCase(bool elsewhere);  ///< shows what went wrong. @return whether it is saved
   /// Asks first when the case is shipped or was saved by another program. @error cancelled: the user wants it unsaved for now
@@ -191,6 +203,8 @@ class MainWindow final : public QMainWindow {
   void showRegion();                                                ///< whose words and body marks are offered
   void showPresets(QMenu& menu);
   void takePreset(const Preset& preset);
+  [[nodiscard]] std::vector<Preset> presetsOfCase() const;  ///< that the case on show offers, the one it starts with first
+  void takePresetOfCase();
   void savePreset();
   void importPreset();
   void takeMade(const MadeVolume& made);  ///< shows what was just made, or lets it wait
@@ -207,6 +221,7 @@ class MainWindow final : public QMainWindow {
   void showKeys();
   void showSource(const QPoint& pixel);
   void showCoverage();
+  void showCoverageSoon();
   void showTitle();
   void showHistory();
   void showPanels();  ///< of the workspace in front, when it has any
@@ -217,8 +232,11 @@ class MainWindow final : public QMainWindow {
   void setScanOnly(bool scanOnly);
   /// From the start page to what is open.
   void backToWork();
+  /// Opens a case, or goes back to it, and begins or goes on with a lesson of it.
+  void openLesson(const QString& folder, const QString& lessonId);
   void showRecent();
   void showPicture();
+  void paintOverBody();
   /// @param choice "dark", "light" or "system"
   void chooseTheme(const QString& choice);
   void refreshTheme();
