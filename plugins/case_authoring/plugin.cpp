@@ -1,17 +1,43 @@
 #include "ew/sdk/plugin.h"
 
-#include <QCoreApplication>
+#include <QApplication>
 
+#include "ew/sdk/case_parts.h"
+#include "ew/sdk/window.h"
+#include "logic/landmark_pairs.h"
 #include "panel/case_panel.h"
+#include "panel/new_case_dialog.h"
+#include "panel/place_panel.h"
+#include "panel/targets_panel.h"
 
 namespace {
 
 class CaseAuthoringPlugin final : public ew::sdk::Plugin {
  public:
   explicit CaseAuthoringPlugin(ew::sdk::Host& host) {
+    newCase_ = host.window().addEntry({.title = QCoreApplication::translate("ew::case_authoring", "&New case…").toStdString(),
+                                       .keys = "Ctrl+N",
+                                       .place = ew::sdk::MenuPlace::start},
+                                      [&host] {
+                                        auto* dialog = new ew::case_authoring::NewCaseDialog(host, QApplication::activeWindow());
+                                        QObject::connect(dialog, &QDialog::rejected, dialog, &QObject::deleteLater);
+                                        dialog->open();
+                                      });
     host.panels().add("case_authoring", QCoreApplication::translate("ew::case_authoring", "Case").toStdString(),
                       [&host](QWidget* parent) -> QWidget* { return new ew::case_authoring::CasePanel(host, parent); });
+    if (auto section = host.caseParts().add(ew::case_authoring::kPlacingPart, ew::case_authoring::placingSchema()))
+      placing_ = std::move(*section);
+    else
+      host.log().warn(section.error().sentence());
+    host.panels().add("placing", QCoreApplication::translate("ew::case_authoring", "Place").toStdString(),
+                      [&host](QWidget* parent) -> QWidget* { return new ew::case_authoring::PlacePanel(host, parent); });
+    host.panels().add("targets", QCoreApplication::translate("ew::case_authoring", "Targets").toStdString(),
+                      [&host](QWidget* parent) -> QWidget* { return new ew::case_authoring::TargetsPanel(host, parent); });
   }
+
+ private:
+  ew::sdk::Ticket newCase_;
+  ew::sdk::Ticket placing_;  ///< the section of places
 };
 
 }  // namespace

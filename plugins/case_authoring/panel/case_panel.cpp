@@ -10,10 +10,13 @@
 #include <QScrollArea>
 #include <QSpinBox>
 #include <QStackedWidget>
+#include <algorithm>
 
 #include "ew/imaging/effect_info.h"
+#include "ew/library/case.h"
 #include "logic/edits.h"
 #include "panel/fields.h"
+#include "panel/section.h"
 
 namespace ew::case_authoring {
 namespace {
@@ -21,7 +24,12 @@ namespace {
 using sdk::kGap_px;
 
 constexpr int kAgeUnknown = -1;
-constexpr const char* kPlacePath = "volume.file_to_world";
+constexpr int kMissingAfter_ms = 300;  // of rest: what is typed is not looked through letter by letter
+
+/// Whether somebody else has the folder of the case: such an error names who.
+bool isHeldByOther(const Error& problem) {
+  return std::any_of(problem.context.begin(), problem.context.end(), [](const auto& each) { return each.first == "user"; });
+}
 
 /// Like NumberField: scrolling the form past it must not change it.
 class AgeField final : public sdk::WithHostUndo<QSpinBox> {
@@ -48,6 +56,9 @@ CasePanel::CasePanel(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(
                                                 "window. Then its patient, texts and volume can be edited here.")));
   pages_->addWidget(makeForm());
   column->addWidget(pages_, 1);
+  missingSoon_.setSingleShot(true);
+  missingSoon_.setInterval(kMissingAfter_ms);
+  connect(&missingSoon_, &QTimer::timeout, this, &CasePanel::showMissing);
   ticket_ = host_.cases().onChanged([this] { showCase(); });
   showCase();
 }
@@ -57,52 +68,105 @@ QWidget* CasePanel::makeForm() {
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  column->addWidget(makeTakenRow());
+  scroll_ = new QScrollArea;
+  scroll_->setWidgetResizable(true);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* body = new QWidget;
-  auto* form = new QFormLayout(body);
-  form->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
-  form->setSpacing(kGap_px);
-  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
-  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  sectionColumn_ = new QVBoxLayout(body);
+  sectionColumn_->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
+  sectionColumn_->setSpacing(kGap_px);
+  addCaseSection();
+  addPatientSection();
+  addBeforeSection();
+  addFindingsSection();
+  addMeasurements();
+  addScanSection();
+  addScene(&addSection(QStringLiteral("scene"), tr("Scene"))->form());
+  addVolumeSection();
+  sectionColumn_->addStretch(1);
+  scroll_->setWidget(body);
+  column->addWidget(scroll_, 1);
+  column->addWidget(makeSaveRow());
+  return page;
+}
 
-  form->addRow(sdk::headingLabel(tr("Case")));
+QWidget* CasePanel::makeTakenRow() {
+  takenRow_ = new QWidget;
+  takenRow_->setObjectName(QStringLiteral("takenRow"));
+  auto* column = new QVBoxLayout(takenRow_);
+  column->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 0);
+  column->setSpacing(kGap_px);
+  takenWhy_ = sdk::problemLabel();
+  takenWhy_->setObjectName(QStringLiteral("takenWhy"));
+  column->addWidget(takenWhy_);
+  auto* copy = new QPushButton(tr("Open a copy…"));
+  copy->setObjectName(QStringLiteral("openCopy"));
+  copy->setToolTip(tr("Save the case as a case of your own, and go on there"));
+  column->addWidget(copy, 0, Qt::AlignLeft);
+  connect(copy, &QPushButton::clicked, this, [this] {
+    const auto own = host_.cases().makeOwn();
+    if (!own && own.error().code != ErrorCode::cancelled) say(own.error());
+    if (own) takenRow_->hide();
+  });
+  takenRow_->hide();
+  return takenRow_;
+}
+
+Section* CasePanel::addSection(const QString& id, const QString& title) {
+  auto* section = new Section(id, title);
+  sections_.push_back(section);
+  sectionColumn_->addWidget(section);
+  return section;
+}
+
+void CasePanel::addCaseSection() {
+  QFormLayout* form = &addSection(QStringLiteral("case"), tr("Case"))->form();
   addLine(form, "title", tr("Title"), tr("Change the title"));
   addLine(form, "title_for_trainees", tr("For trainees"), tr("Change the title for trainees"));
   addLine(form, "region", tr("Region"), tr("Change the region"));
   addDifficulty(form);
   addLines(form, "tags", tr("Tags"), tr("Change the tags"));
-  form->addRow(sdk::headingLabel(tr("Patient")));
-  addLine(form, "patient.name", tr("Name"), tr("Change the patient's name"));
+}
+
+void CasePanel::addPatientSection() {
+  QFormLayout* form = &addSection(QStringLiteral("patient"), tr("Patient"))->form();
+  addName(form);
   addSex(form);
   addAge(form);
-  form->addRow(sdk::headingLabel(tr("Before the examination")));
+}
+
+void CasePanel::addBeforeSection() {
+  QFormLayout* form = &addSection(QStringLiteral("before"), tr("Before the examination"))->form();
   addText(form, "complaint", tr("Complaint"), tr("Change the complaint"));
   addText(form, "history", tr("History"), tr("Change the history"));
   addText(form, "indication", tr("Indication"), tr("Change the indication"));
   addExaminations(form);
   addLaboratory(form);
-  form->addRow(sdk::headingLabel(tr("Findings")));
+}
+
+void CasePanel::addFindingsSection() {
+  QFormLayout* form = &addSection(QStringLiteral("findings"), tr("Findings"))->form();
   addLines(form, "findings", tr("Findings"), tr("Change the findings"));
   addText(form, "diagnosis", tr("Diagnosis"), tr("Change the diagnosis"));
   addLines(form, "differential", tr("Differential"), tr("Change the differential diagnoses"));
-  form->addRow(sdk::headingLabel(tr("Scan")));
+}
+
+void CasePanel::addScanSection() {
+  QFormLayout* form = &addSection(QStringLiteral("scan"), tr("Scan"))->form();
   addStartPose(form);
   addProbes(form);
+  const auto choices = host_.cases().choices();
+  addIds(form, "presets", tr("Presets"), tr("None is ticked: the console stays as it is."), tr("At the start: %1"), choices.presets);
+  addIds(form, "body_marks", tr("Body marks"), tr("None is ticked: those of the region come first."), {}, choices.bodyMarks);
   addMannequin(form);
-  form->addRow(sdk::headingLabel(tr("Scene")));
-  addScene(form);
-  form->addRow(sdk::headingLabel(tr("Volume in the body")));
-  addPlace(form);
-  form->addRow(sdk::headingLabel(tr("Recording")));
+}
+
+void CasePanel::addVolumeSection() {
+  QFormLayout* form = &addSection(QStringLiteral("volume"), tr("Volume"))->form();
+  addVolume(form);
   addLine(form, "volume.attribution", tr("Attribution"), tr("Change the attribution"));
   addLine(form, "volume.licence", tr("Licence"), tr("Change the licence"));
-
-  scroll->setWidget(body);
-  column->addWidget(scroll, 1);
-  column->addWidget(makeSaveRow());
-  return page;
 }
 
 QWidget* CasePanel::makeSaveRow() {
@@ -120,16 +184,22 @@ QWidget* CasePanel::makeSaveRow() {
   where_ = sdk::quietLabel({});
   where_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   column->addWidget(where_);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(kGap_px);
   saved_ = new QLabel;
   saved_->setObjectName(QStringLiteral("savedMark"));
-  buttons->addWidget(saved_, 1);
+  column->addWidget(saved_);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(kGap_px);
   auto* check = new QPushButton(tr("Check"));
   check->setObjectName(QStringLiteral("checkCase"));
   check->setToolTip(tr("Look for everything that is wrong with this case"));
   connect(check, &QPushButton::clicked, this, &CasePanel::checkCase);
   buttons->addWidget(check);
+  auto* publishing = new QPushButton(tr("Publish…"));
+  publishing->setObjectName(QStringLiteral("publishCase"));
+  publishing->setToolTip(tr("See what is missing, then hand the case to trainees or to another workstation"));
+  connect(publishing, &QPushButton::clicked, this, &CasePanel::publish);
+  buttons->addWidget(publishing);
+  buttons->addStretch(1);
   auto* saveAs = new QPushButton(tr("Save as…"));
   saveAs->setObjectName(QStringLiteral("saveAs"));
   saveAs->setToolTip(tr("Copy the whole case into a new folder and go on there"));
@@ -158,6 +228,11 @@ QLabel* CasePanel::addRow(QFormLayout* form, const QString& label, QWidget* edit
   auto* problem = sdk::problemLabel();
   problem->setObjectName(nameOf(path) + QStringLiteral("_problem"));
   column->addWidget(problem);
+  auto* warning = sdk::quietLabel({});
+  warning->setObjectName(nameOf(path) + QStringLiteral("_warning"));
+  warning->hide();
+  column->addWidget(warning);
+  rows_[path] = {qobject_cast<Section*>(form->parentWidget()->parentWidget()), editor, label, warning};
   if (label.isEmpty()) {
     form->addRow(cell);
   } else {
@@ -171,8 +246,19 @@ QLabel* CasePanel::addRow(QFormLayout* form, const QString& label, QWidget* edit
   return problem;
 }
 
-void CasePanel::addLine(QFormLayout* form, const std::string& path, const QString& label, const QString& what) {
+void CasePanel::addLine(QFormLayout* form, const std::string& path, const QString& label, const QString& what, QWidget* beside) {
   auto* line = new sdk::WithHostUndo<QLineEdit>;
+  QWidget* editor = line;
+  if (beside != nullptr) {
+    editor = new QWidget;
+    auto* both = new QHBoxLayout(editor);
+    both->setContentsMargins(0, 0, 0, 0);
+    both->setSpacing(kGap_px);
+    both->addWidget(line, 1);
+    both->addWidget(beside);
+    editor->setFocusProxy(line);
+    line->setAccessibleName(label);
+  }
   line->setObjectName(nameOf(path));
   connect(line, &QLineEdit::textEdited, this, [this, path, what](const QString& text) {
     change(path, what, [&](nlohmann::json manifest) { return withText(std::move(manifest), path, text.toStdString()); });
@@ -181,7 +267,7 @@ void CasePanel::addLine(QFormLayout* form, const std::string& path, const QStrin
                      const QString text = sdk::words(textOf(manifest, path));
                      if (line->text() != text) line->setText(text);
                    },
-                   addRow(form, label, line, path)};
+                   addRow(form, label, editor, path)};
 }
 
 void CasePanel::addText(QFormLayout* form, const std::string& path, const QString& label, const QString& what) {
@@ -267,20 +353,6 @@ void CasePanel::addScene(QFormLayout* form) {
   }
 }
 
-void CasePanel::addPlace(QFormLayout* form) {
-  auto* place = new sdk::PlacementFields<frame::World, frame::File>;
-  place->setObjectName(QStringLiteral("placement"));
-  place->onChanged = [this](const Transform<frame::World, frame::File>& fileToWorld, const std::string& axis) {
-    change(
-        kPlacePath, tr("Move the volume, %1").arg(sdk::words(axis)),
-        [&](nlohmann::json manifest) { return withPlace(std::move(manifest), fileToWorld); }, axis);
-  };
-  fields_[kPlacePath] = {[place](const nlohmann::json& manifest) {
-                           if (const auto fileToWorld = placeOf(manifest)) place->setTransform(*fileToWorld);
-                         },
-                         addRow(form, {}, place, kPlacePath)};
-}
-
 void CasePanel::change(const std::string& path, const QString& what, const std::function<nlohmann::json(nlohmann::json)>& edit,
                        const std::string& part) {
   auto manifest = host_.cases().current();
@@ -304,7 +376,14 @@ void CasePanel::change(const std::string& path, const QString& what, const std::
   changing_ = false;
   showSaved();
   showStartRemark();
+  showWarnings();
+  missingSoon_.start();
   if (done) return;
+  if (isHeldByOther(done.error())) {
+    showCase();  // the fields are what the case is, not what could not be written
+    takenRow_->show();
+    return sdk::setProblem(takenWhy_, sdk::words(done.error()));
+  }
   if (fieldOf(done.error()) == path)
     sdk::setProblem(fields_[path].problem, sdk::words(done.error().message));
   else
@@ -335,6 +414,8 @@ void CasePanel::showCase() {
   pages_->setCurrentIndex(manifest ? 1 : 0);
   sdk::setProblem(problem_, {});
   checked_->hide();
+  if (host_.cases().currentFolder() != shownFolder_) takenRow_->hide();
+  shownFolder_ = host_.cases().currentFolder();
   if (!manifest) return;
   const auto problems = host_.cases().check(*manifest);
   for (auto& [path, field] : fields_) {
@@ -346,6 +427,8 @@ void CasePanel::showCase() {
   }
   showSaved();
   showStartRemark();
+  showWarnings();
+  missingSoon_.start();
 }
 
 void CasePanel::showSaved() {

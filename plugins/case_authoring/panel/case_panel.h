@@ -1,10 +1,14 @@
 #pragma once
 
+#include <QPointer>
+#include <QTimer>
 #include <QWidget>
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "ew/sdk/host.h"
 #include "ew/sdk/panel.h"
@@ -13,12 +17,22 @@ class QComboBox;
 class QFormLayout;
 class QLabel;
 class QSpinBox;
+class QScrollArea;
 class QStackedWidget;
+class QVBoxLayout;
+
+namespace ew {
+struct Case;
+}
 
 namespace ew::case_authoring {
 
-/// The open case as a form. Every change goes to the host as one undoable step; what the schema refuses is said beside its field and
-/// changes nothing. The case and its undo history are the host's.
+class ExaminationsField;
+class PublishDialog;
+class Section;
+
+/// The open case as a form in sections. Every change goes to the host as one undoable step; what the schema refuses is said beside its
+/// field and changes nothing. The case and its undo history are the host's.
 class CasePanel final : public QWidget {
   Q_OBJECT
 
@@ -27,6 +41,9 @@ class CasePanel final : public QWidget {
 
   /// Saves where the case is, or into a new folder.
   void save(const std::filesystem::path& folder = {});
+  /// Brings what a problem or a line of the list before publishing is about into sight: a field of the form, or the panel that edits it.
+  /// @param path as CheckItem::field
+  void showField(const std::string& path);
 
  private:
   /// A form field: how to show the manifest in it, and where its problem is said.
@@ -35,13 +52,41 @@ class CasePanel final : public QWidget {
     QLabel* problem = nullptr;
   };
 
+  /// Where a field stands.
+  struct Row {
+    Section* section = nullptr;
+    QWidget* editor = nullptr;
+    QString label;
+    QLabel* warning = nullptr;
+  };
+
   QWidget* makeForm();
+  QWidget* makeTakenRow();
+  Section* addSection(const QString& id, const QString& title);
+  void addCaseSection();
+  void addPatientSection();
+  void addBeforeSection();
+  void addFindingsSection();
+  void addMeasurements();
+  void addScanSection();
+  void addVolumeSection();
+  void addName(QFormLayout* form);
+  void addVolume(QFormLayout* form);
+  /// A list of ids that are ticked; the first one counts more than the others.
+  /// @param atStart what is said of the first: "At the start: %1"; empty: nothing
+  void addIds(QFormLayout* form, const std::string& path, const QString& label, const QString& none, const QString& atStart,
+              const std::vector<std::pair<std::string, std::string>>& known);
+  void addPicturesTo(ExaminationsField& field, std::size_t number);
+  [[nodiscard]] nlohmann::json takeCaliper(const nlohmann::json& expected);
+  void showWarnings();  ///< what looks real, beside its fields
+  void showMissing();   ///< what a published case needs, in the heads of the sections
+  [[nodiscard]] std::optional<Case> presentCase() const;
+  void publish();
   QWidget* makeSaveRow();
-  void addLine(QFormLayout* form, const std::string& path, const QString& label, const QString& what);
+  void addLine(QFormLayout* form, const std::string& path, const QString& label, const QString& what, QWidget* beside = nullptr);
   void addText(QFormLayout* form, const std::string& path, const QString& label, const QString& what);
   void addSex(QFormLayout* form);
   void addAge(QFormLayout* form);
-  void addPlace(QFormLayout* form);
   void addLaboratory(QFormLayout* form);
   void addDifficulty(QFormLayout* form);
   void addLines(QFormLayout* form, const std::string& path, const QString& label, const QString& what);
@@ -62,9 +107,18 @@ class CasePanel final : public QWidget {
 
   sdk::Host& host_;
   std::map<std::string, Field> fields_;
+  std::map<std::string, Row> rows_;
+  std::vector<Section*> sections_;
+  QVBoxLayout* sectionColumn_ = nullptr;
+  QScrollArea* scroll_ = nullptr;
+  QTimer missingSoon_;
+  QWidget* takenRow_ = nullptr;  ///< somebody else edits the case
+  QLabel* takenWhy_ = nullptr;
+  QPointer<PublishDialog> publishing_;
   std::string typedIn_;          ///< path of the field whose changes are one step of undo
   nlohmann::json beforeTyping_;  ///< what it held before that step
-  bool changing_ = false;        ///< this panel is the one that edits: its fields are already as the user typed them
+  std::filesystem::path shownFolder_;
+  bool changing_ = false;  ///< this panel is the one that edits: its fields are already as the user typed them
   QStackedWidget* pages_ = nullptr;
   QLabel* saved_ = nullptr;
   QLabel* where_ = nullptr;

@@ -3,6 +3,9 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <algorithm>
+
+#include "panel/pictures_field.h"
 
 namespace ew::case_authoring {
 namespace {
@@ -90,6 +93,42 @@ void ExaminationsField::addOne(std::size_t number) {
   findings->setPlainText(textIn(one, "findings"));
   connect(findings, &QPlainTextEdit::textChanged, this, [this, number, findings] { edit(number, "findings", findings->toPlainText()); });
   rows->addWidget(findings);
+  if (what_ == Of::examinations) addPicturesOf(number, *rows);
+}
+
+void ExaminationsField::addPicturesOf(std::size_t number, QVBoxLayout& rows) {
+  std::vector<std::string> pictures;
+  if (list_[number].contains("pictures"))
+    for (const auto& each : list_[number]["pictures"])
+      if (each.is_string()) pictures.push_back(each.get<std::string>());
+  auto* shown = new PicturesField(namePrefix(number), folder_, pictures);
+  shown->onAdd = [this, number] {
+    if (onPicturesAsked) onPicturesAsked(number);
+  };
+  shown->onRemove = [this, number](std::size_t picture) {
+    auto& list = list_[number]["pictures"];
+    list.erase(picture);
+    if (list.empty()) list_[number].erase("pictures");
+    remake();
+    tell();
+  };
+  rows.addWidget(shown);
+}
+
+void ExaminationsField::setFolder(const std::filesystem::path& folder) {
+  if (folder == folder_) return;
+  folder_ = folder;
+  remake();
+}
+
+void ExaminationsField::addPictures(std::size_t number, const std::vector<std::string>& files) {
+  if (number >= list_.size() || files.empty()) return;
+  nlohmann::json pictures = list_[number].value("pictures", nlohmann::json::array());
+  for (const std::string& file : files)
+    if (std::find(pictures.begin(), pictures.end(), file) == pictures.end()) pictures.push_back(file);
+  list_[number]["pictures"] = std::move(pictures);
+  remake();
+  tell();
 }
 
 QString ExaminationsField::namePrefix(std::size_t number) const {

@@ -2,10 +2,14 @@
 
 #include <QComboBox>
 #include <QString>
+#include <QStringList>
 #include <QWheelEvent>
+#include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "ew/sdk/panel.h"
 
@@ -30,8 +34,8 @@ class ChoiceField final : public QComboBox {
   }
 };
 
-/// Earlier examinations, one below the other: when, what kind, and what it said. Fields of an examination that it does not show stay as
-/// they are.
+/// Earlier examinations, one below the other: when, what kind, what it said, and its pictures. Fields of an examination that it does not
+/// show stay as they are.
 class ExaminationsField final : public QWidget {
   Q_OBJECT
 
@@ -42,15 +46,22 @@ class ExaminationsField final : public QWidget {
 
   void setValue(const nlohmann::json& list);                  ///< an array of objects, or null
   std::function<void(const nlohmann::json& list)> onChanged;  ///< called when the user edits; null: none are left
+  void setFolder(const std::filesystem::path& folder);        ///< of the case, where its pictures lie
+  /// The user wants pictures in an examination; answered by addPictures.
+  std::function<void(std::size_t number)> onPicturesAsked;
+  /// @param files in the case folder, as it names them ("media/….png"); those that are there already stay once
+  void addPictures(std::size_t number, const std::vector<std::string>& files);
 
  private:
   void remake();
   void addOne(std::size_t number);
+  void addPicturesOf(std::size_t number, QVBoxLayout& rows);
   void tell();
   [[nodiscard]] QString namePrefix(std::size_t number) const;
   void edit(std::size_t number, const char* key, const QString& text);
 
   Of what_;
+  std::filesystem::path folder_;
   nlohmann::json list_ = nlohmann::json::array();
   QVBoxLayout* column_ = nullptr;
   QWidget* entries_ = nullptr;

@@ -42,12 +42,16 @@ void CasePanel::addLines(QFormLayout* form, const std::string& path, const QStri
 void CasePanel::addExaminations(QFormLayout* form) {
   const std::string path = "previous_examinations";
   auto* field = new ExaminationsField;
+  field->onPicturesAsked = [this, field](std::size_t number) { addPicturesTo(*field, number); };
   field->onChanged = [this, path](const nlohmann::json& list) {
     change(path, tr("Change the earlier examinations"), [&](nlohmann::json manifest) {
       return withField(std::move(manifest), path, list.is_null() ? std::nullopt : std::optional<nlohmann::json>(list));
     });
   };
-  fields_[path] = {[field, path](const nlohmann::json& manifest) { field->setValue(fieldOf(manifest, path)); },
+  fields_[path] = {[this, field, path](const nlohmann::json& manifest) {
+                     field->setFolder(host_.cases().currentFolder());
+                     field->setValue(fieldOf(manifest, path));
+                   },
                    addRow(form, tr("Earlier"), field, path)};
 }
 

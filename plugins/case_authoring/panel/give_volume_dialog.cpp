@@ -1,0 +1,147 @@
+#include "panel/give_volume_dialog.h"
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPointer>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <memory>
+
+#include "ew/library/new_case.h"
+#include "ew/sdk/panel.h"
+#include "ew/sdk/window.h"
+#include "logic/edits.h"
+#include "panel/source_field.h"
+
+namespace ew::case_authoring {
+namespace {
+
+using sdk::kGap_px;
+using sdk::words;
+
+/// What giving a volume changes, on the case as it is by now.
+nlohmann::json withGiven(nlohmann::json present, const GivenVolume& given) {
+  const nlohmann::json made = manifestOf(given.edited);
+  for (const char* field : {"volume", "targets", "measurements"})
+    present = withField(std::move(present), field, made.contains(field) ? std::optional<nlohmann::json>(made[field]) : std::nullopt);
+  return present;
+}
+
+}  // namespace
+
+GiveVolumeDialog::GiveVolumeDialog(sdk::Host& host, QWidget* parent) : QDialog(parent), host_(host) {
+  setObjectName(QStringLiteral("giveVolumeDialog"));
+  const auto manifest = host_.cases().current();
+  const auto opened = manifest ? caseFromManifest(*manifest, {}) : Result<Case>(Case{});
+  const bool hasOne = opened && !hasNoVolume(*opened);
+  setWindowTitle(hasOne ? tr("Another volume for the case") : tr("Give the case a volume"));
+  setMinimumWidth(72 * kGap_px);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * kGap_px, 3 * kGap_px, 3 * kGap_px, 3 * kGap_px);
+  column->setSpacing(2 * kGap_px);
+  if (hasOne)
+    column->addWidget(sdk::quietLabel(
+        tr("The volume keeps its place in the body. Targets and measurements that only the present volume knows are left out; undo brings "
+           "everything back.")));
+  source_ = new SourceField(false);
+  column->addWidget(source_);
+  auto* form = new QFormLayout;
+  form->setHorizontalSpacing(2 * kGap_px);
+  form->setVerticalSpacing(kGap_px);
+  attribution_ = new QLineEdit;
+  attribution_->setObjectName(QStringLiteral("givenAttribution"));
+  attribution_->setMaxLength(1000);
+  form->addRow(tr("Attribution"), attribution_);
+  licence_ = new QLineEdit;
+  licence_->setObjectName(QStringLiteral("givenLicence"));
+  licence_->setMaxLength(200);
+  licence_->setPlaceholderText(QStringLiteral("CC BY 4.0"));
+  form->addRow(tr("Licence"), licence_);
+  column->addLayout(form);
+  problem_ = sdk::problemLabel();
+  problem_->setObjectName(QStringLiteral("giveVolumeProblem"));
+  column->addWidget(problem_);
+  column->addStretch(1);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(kGap_px);
+  buttons->addStretch(1);
+  auto* cancel = new QPushButton(tr("Cancel"));
+  cancel->setAutoDefault(false);
+  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+  buttons->addWidget(cancel);
+  give_ = new QPushButton(hasOne ? tr("Replace the volume") : tr("Give the volume"));
+  give_->setObjectName(QStringLiteral("giveVolumeNow"));
+  give_->setProperty("primary", true);
+  give_->setDefault(true);
+  connect(give_, &QPushButton::clicked, this, &GiveVolumeDialog::give);
+  buttons->addWidget(give_);
+  column->addLayout(buttons);
+  connect(source_, &SourceField::changed, this, &GiveVolumeDialog::look);
+  look();
+}
+
+void GiveVolumeDialog::look() {
+  give_->setEnabled(source_->source().has_value());
+  sdk::setProblem(problem_, {});
+}
+
+void GiveVolumeDialog::give() {
+  const auto source = source_->source();
+  if (!source) return look();
+  // Before anything is put into the folder, and before the job, for it may ask.
+  if (const auto own = host_.cases().makeOwn(); !own) {
+    if (own.error().code != ErrorCode::cancelled) sdk::setProblem(problem_, words(own.error()));
+    return;
+  }
+  const auto manifest = host_.cases().current();
+  const auto folder = host_.cases().currentFolder();
+  if (!manifest) return;
+  auto opened = caseFromManifest(*manifest, folder);
+  if (!opened) return sdk::setProblem(problem_, words(opened.error()));
+  opened->folder = folder;
+  const RecordingRights rights{attribution_->text().trimmed().toStdString(), licence_->text().trimmed().toStdString()};
+  auto given = std::make_shared<GivenVolume>();
+  hide();
+  host_.jobs().startSaving(
+      tr("Putting the volume into the case").toStdString(),
+      [given, opened = std::move(*opened), source = *source, rights](Progress& progress) -> Result<void> {
+        auto made = giveVolume(opened, source, progress);
+        if (!made) return passOn(made.error());
+        *given = std::move(*made);
+        if (rights != RecordingRights{}) given->edited = withRights(std::move(given->edited), rights);
+        return {};
+      },
+      [this, alive = QPointer<GiveVolumeDialog>(this), &host = host_, given, folder](const Result<void>& outcome) {
+        Result<void> done = outcome;
+        if (outcome) {
+          const auto now = host.cases().current();
+          if (!now || host.cases().currentFolder() != folder) {
+            // Another case is open by now: the volume lies in the folder, and nothing names it.
+            done = failure(ErrorCode::badUsage,
+                           say<"Another case was opened meanwhile; open the case again and give it the volume once more.">());
+          } else {
+            done = host.cases().edit(withGiven(*now, *given), tr("Give the case a volume").toStdString(), {});
+          }
+        }
+        if (done) {
+          for (const Message& note : given->notes) host.window().info(words(note).toStdString());
+          if (given->lostTargets + given->lostMeasurements > 0)
+            host.window().info(tr("Left out with the old volume: targets %1, measurements %2.")
+                                   .arg(given->lostTargets)
+                                   .arg(given->lostMeasurements)
+                                   .toStdString());
+          if (alive) deleteLater();
+          return;
+        }
+        if (!alive) {
+          if (done.error().code != ErrorCode::cancelled) host.window().error(words(done.error()).toStdString());
+          return;
+        }
+        open();
+        if (done.error().code != ErrorCode::cancelled) sdk::setProblem(problem_, words(done.error()));
+      });
+}
+
+}  // namespace ew::case_authoring

@@ -1,0 +1,183 @@
+#include "panel/measurements_field.h"
+
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <array>
+
+#include "logic/measurements.h"
+#include "panel/fields.h"
+
+namespace ew::case_authoring {
+namespace {
+
+using sdk::kGap_px;
+
+constexpr double kMostValue = 1e6;
+
+struct KindOfMeasurement {
+  const char* kind;
+  const char* unit;
+};
+constexpr std::array<KindOfMeasurement, 4> kKinds = {{{"distance", "mm"}, {"circumference", "mm"}, {"area", "cm2"}, {"angle", "deg"}}};
+
+QString unitWords(const std::string& unit) {
+  if (unit == "cm2") return QStringLiteral("cm²");
+  return unit == "deg" ? QStringLiteral("°") : QStringLiteral("mm");
+}
+
+double numberIn(const nlohmann::json& object, const char* key) {
+  return object.contains(key) && object[key].is_number() ? object[key].get<double>() : 0.0;
+}
+
+}  // namespace
+
+MeasurementsField::MeasurementsField(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("measurements"));
+  column_ = new QVBoxLayout(this);
+  column_->setContentsMargins(0, 0, 0, 0);
+  column_->setSpacing(kGap_px);
+  entries_ = new QWidget;
+  column_->addWidget(entries_);
+  auto* add = new QPushButton(tr("Add a measurement"));
+  add->setObjectName(QStringLiteral("addMeasurement"));
+  column_->addWidget(add, 0, Qt::AlignLeft);
+  connect(add, &QPushButton::clicked, this, [this] {
+    list_.push_back({{"name", tr("measurement %1").arg(list_.size() + 1).toStdString()}});
+    remake();
+    tell();
+    const QString name = QStringLiteral("measurement_%1_name").arg(list_.size() - 1);
+    if (auto* first = findChild<QLineEdit*>(name)) {
+      first->setFocus();
+      first->selectAll();
+    }
+  });
+}
+
+void MeasurementsField::setValue(const nlohmann::json& list) {
+  const nlohmann::json next = list.is_array() ? list : nlohmann::json::array();
+  if (next == list_) return;
+  list_ = next;
+  remake();
+}
+
+void MeasurementsField::remake() {
+  column_->removeWidget(entries_);
+  entries_->hide();
+  entries_->setParent(nullptr);
+  entries_->deleteLater();
+  entries_ = new QWidget;
+  auto* rows = new QVBoxLayout(entries_);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(2 * kGap_px);
+  column_->insertWidget(0, entries_);
+  for (std::size_t n = 0; n < list_.size(); ++n) addOne(n);
+}
+
+void MeasurementsField::addOne(std::size_t number) {
+  const nlohmann::json& one = list_[number];
+  const QString prefix = QStringLiteral("measurement_%1_").arg(number);
+  auto* grid = new QGridLayout;
+  grid->setSpacing(kGap_px);
+  auto* name = new sdk::WithHostUndo<QLineEdit>;
+  name->setObjectName(prefix + QStringLiteral("name"));
+  name->setAccessibleName(tr("what is measured"));
+  name->setPlaceholderText(tr("what is measured"));
+  name->setText(sdk::words(one.value("name", std::string())));
+  connect(name, &QLineEdit::textEdited, this, [this, number](const QString& text) { set(number, "name", text.toStdString()); });
+  grid->addWidget(name, 0, 0, 1, 2);
+  auto* away = new QPushButton(tr("Remove"));
+  away->setObjectName(prefix + QStringLiteral("remove"));
+  connect(away, &QPushButton::clicked, this, [this, number] {
+    list_.erase(number);
+    remake();
+    tell();
+  });
+  grid->addWidget(away, 0, 2);
+
+  auto* kind = new ChoiceField;
+  kind->setObjectName(prefix + QStringLiteral("kind"));
+  kind->setFocusPolicy(Qt::StrongFocus);
+  kind->setAccessibleName(tr("kind"));
+  kind->addItem(tr("known by the patient"), QString());
+  const std::array<QString, 4> names = {tr("distance"), tr("circumference"), tr("area"), tr("angle")};
+  for (std::size_t n = 0; n < kKinds.size(); ++n) kind->addItem(names[n], QLatin1String(kKinds[n].kind));
+  kind->setCurrentIndex(std::max(0, kind->findData(sdk::words(one.value("kind", std::string())))));
+  grid->addWidget(kind, 1, 0);
+  auto* value = new sdk::NumberField(0.0, kMostValue, 2, unitWords(one.value("unit", std::string("mm"))));
+  value->setObjectName(prefix + QStringLiteral("value"));
+  value->setAccessibleName(tr("value"));
+  value->setValue(numberIn(one, "value"));
+  value->setEnabled(hasValue(one));
+  if (!hasValue(one)) value->setToolTip(tr("The value is the virtual patient's; choose a kind to give one"));
+  grid->addWidget(value, 1, 1);
+  auto* take = new QPushButton(tr("Take caliper"));
+  take->setObjectName(prefix + QStringLiteral("take"));
+  take->setToolTip(tr("Take the caliper I have drawn: value, kind and where it stands"));
+  grid->addWidget(take, 1, 2);
+
+  auto* tolerance = new sdk::NumberField(0.0, kMostValue, 2, unitWords(one.value("unit", std::string("mm"))));
+  tolerance->setObjectName(prefix + QStringLiteral("tolerance"));
+  tolerance->setAccessibleName(tr("tolerance"));
+  tolerance->setPrefix(QStringLiteral("± "));
+  tolerance->setSpecialValueText(tr("usual tolerance"));
+  tolerance->setValue(numberIn(one, "tolerance"));
+  grid->addWidget(tolerance, 2, 0, 1, 2);
+  auto* reveals = new QCheckBox(tr("Gives the finding away"));
+  reveals->setObjectName(prefix + QStringLiteral("reveals"));
+  reveals->setToolTip(tr("A trainee sees the name with the findings only"));
+  reveals->setChecked(one.value("reveals_finding", false));
+  grid->addWidget(reveals, 3, 0, 1, 3);
+  grid->setColumnStretch(0, 1);
+  grid->setColumnStretch(1, 1);
+
+  connect(kind, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, number](int chosen) {
+    nlohmann::json& edited = list_[number];
+    edited.erase("points_mm");  // of another kind of caliper
+    if (chosen == 0) {
+      for (const char* key : {"kind", "unit", "value"}) edited.erase(key);
+    } else {
+      const KindOfMeasurement& chosenKind = kKinds[static_cast<std::size_t>(chosen - 1)];
+      edited["kind"] = chosenKind.kind;
+      edited["unit"] = chosenKind.unit;
+      if (!edited.contains("value")) edited["value"] = 0.0;
+    }
+    remake();
+    tell();
+  });
+  connect(value, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this, number](double now) {
+    list_[number].erase("points_mm");  // a typed value is no longer what the calipers stand at
+    set(number, "value", now);
+  });
+  connect(tolerance, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
+          [this, number](double now) { set(number, "tolerance", now > 0.0 ? nlohmann::json(now) : nlohmann::json()); });
+  connect(reveals, &QCheckBox::toggled, this,
+          [this, number](bool on) { set(number, "reveals_finding", on ? nlohmann::json(true) : nlohmann::json()); });
+  connect(take, &QPushButton::clicked, this, [this, number] {
+    if (!onTake) return;
+    nlohmann::json taken = onTake(list_[number]);
+    if (taken.is_null()) return;
+    list_[number] = std::move(taken);
+    remake();
+    tell();
+  });
+  static_cast<QVBoxLayout*>(entries_->layout())->addLayout(grid);
+}
+
+void MeasurementsField::set(std::size_t number, const char* key, const nlohmann::json& value) {
+  if (number >= list_.size()) return;
+  if (value.is_null())
+    list_[number].erase(key);
+  else
+    list_[number][key] = value;
+  tell();
+}
+
+void MeasurementsField::tell() {
+  if (onChanged) onChanged(list_.empty() ? nlohmann::json() : list_);
+}
+
+}  // namespace ew::case_authoring

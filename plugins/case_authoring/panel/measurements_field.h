@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QWidget>
+#include <cstddef>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+class QVBoxLayout;
+
+namespace ew::case_authoring {
+
+/// What a trainee is to measure: name, kind, value, tolerance, whether the name gives the finding away. Fields that it does not show stay
+/// as they are.
+class MeasurementsField final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit MeasurementsField(QWidget* parent = nullptr);
+
+  void setValue(const nlohmann::json& list);                  ///< an array of objects, or null
+  std::function<void(const nlohmann::json& list)> onChanged;  ///< called when the user edits; null: none are left
+  /// What the calipers in the image say, as the measurement of that number; null: it was said why not.
+  std::function<nlohmann::json(const nlohmann::json& expected)> onTake;
+
+ private:
+  void remake();
+  void addOne(std::size_t number);
+  void tell();
+  void set(std::size_t number, const char* key, const nlohmann::json& value);
+
+  nlohmann::json list_ = nlohmann::json::array();
+  QVBoxLayout* column_ = nullptr;
+  QWidget* entries_ = nullptr;
+};
+
+}  // namespace ew::case_authoring

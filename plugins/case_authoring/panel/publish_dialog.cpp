@@ -1,0 +1,252 @@
+#include "panel/publish_dialog.h"
+
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPointer>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ew/library/bundle.h"
+#include "ew/library/published.h"
+#include "ew/sdk/panel.h"
+
+namespace ew::case_authoring {
+namespace {
+
+using sdk::kGap_px;
+using sdk::words;
+using State = CheckItem::State;
+
+/// Shape and word, not colour alone.
+QString signOf(State state) {
+  switch (state) {
+    case State::missing:
+      return QStringLiteral("✕");
+    case State::warning:
+      return QStringLiteral("!");
+    case State::done:
+      return QStringLiteral("✓");
+  }
+  return {};
+}
+
+}  // namespace
+
+PublishDialog::PublishDialog(sdk::Host& host, QWidget* parent) : QDialog(parent), host_(host) {
+  setObjectName(QStringLiteral("publishDialog"));
+  setWindowTitle(tr("Publish the case"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * kGap_px, 3 * kGap_px, 3 * kGap_px, 3 * kGap_px);
+  column->setSpacing(2 * kGap_px);
+  summary_ = sdk::headingLabel({});
+  summary_->setObjectName(QStringLiteral("publishSummary"));
+  column->addWidget(summary_);
+  column->addWidget(sdk::quietLabel(tr("A click on a line leads to where it is written.")));
+  scroll_ = new QScrollArea;
+  scroll_->setWidgetResizable(true);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  column->addWidget(scroll_, 1);
+  problem_ = sdk::problemLabel();
+  problem_->setObjectName(QStringLiteral("publishProblem"));
+  column->addWidget(problem_);
+  result_ = new QLabel;
+  result_->setObjectName(QStringLiteral("publishResult"));
+  result_->setWordWrap(true);
+  result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  result_->hide();
+  column->addWidget(result_);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(kGap_px);
+  export_ = new QPushButton(tr("Export…"));
+  export_->setObjectName(QStringLiteral("exportCase"));
+  export_->setToolTip(tr("Write the case into one file, for another workstation"));
+  export_->setAutoDefault(false);
+  buttons->addWidget(export_);
+  buttons->addStretch(1);
+  auto* close = new QPushButton(tr("Close"));
+  close->setAutoDefault(false);
+  connect(close, &QPushButton::clicked, this, &QDialog::close);
+  buttons->addWidget(close);
+  publish_ = new QPushButton(tr("Publish"));
+  publish_->setObjectName(QStringLiteral("publishNow"));
+  publish_->setProperty("primary", true);
+  publish_->setDefault(true);
+  buttons->addWidget(publish_);
+  column->addLayout(buttons);
+  connect(export_, &QPushButton::clicked, this, &PublishDialog::exportCase);
+  connect(publish_, &QPushButton::clicked, this, &PublishDialog::publish);
+  resize(70 * kGap_px, 66 * kGap_px);
+  ticket_ = host_.cases().onChanged([this] { check(); });
+  check();
+}
+
+void PublishDialog::check() {
+  if (checking_ != 0) {
+    again_ = true;
+    return;
+  }
+  const auto manifest = host_.cases().current();
+  if (!manifest) {
+    close();
+    return;
+  }
+  auto present = caseFromManifest(*manifest, {});
+  if (!present) return tell(words(present.error()), true);
+  present->folder = host_.cases().currentFolder();
+  static int number = 0;
+  const int mine = checking_ = ++number;
+  showButtons();
+  if (scroll_->widget() == nullptr) summary_->setText(tr("The case is being checked."));
+  auto found = std::make_shared<std::vector<CheckItem>>();
+  host_.jobs().start(
+      tr("Checking the case").toStdString(),
+      [found, present = std::move(*present)](Progress& progress) -> Result<void> {
+        auto list = publishingList(present, {}, progress);
+        if (!list) return passOn(list.error());
+        *found = std::move(*list);
+        return {};
+      },
+      [this, alive = QPointer<PublishDialog>(this), found, mine](const Result<void>& outcome) {
+        if (!alive || checking_ != mine) return;
+        checking_ = 0;
+        if (outcome)
+          showList(*found);
+        else if (outcome.error().code != ErrorCode::cancelled)
+          tell(words(outcome.error()), true);
+        showButtons();
+        if (std::exchange(again_, false)) check();
+      });
+}
+
+void PublishDialog::showList(const std::vector<CheckItem>& list) {
+  missing_ = countOf(list, State::missing);
+  const std::size_t warnings = countOf(list, State::warning);
+  summary_->setText(missing_ > 0   ? tr("Missing: %1   To look at: %2").arg(missing_).arg(warnings)
+                    : warnings > 0 ? tr("Can be published. To look at: %1").arg(warnings)
+                                   : tr("Ready to be published"));
+  auto* page = new QWidget;
+  auto* rows = new QVBoxLayout(page);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(kGap_px / 2);
+  int number = 0;
+  for (const State state : {State::missing, State::warning, State::done})
+    for (const CheckItem& item : list)
+      if (item.state == state) addItem(*rows, item, number++);
+  rows->addStretch(1);
+  const int at = scroll_->verticalScrollBar() != nullptr ? scroll_->verticalScrollBar()->value() : 0;
+  scroll_->setWidget(page);
+  scroll_->verticalScrollBar()->setValue(at);
+}
+
+void PublishDialog::addItem(QVBoxLayout& rows, const CheckItem& item, int number) {
+  auto* row = new QToolButton;
+  row->setObjectName(QStringLiteral("checkItem_%1").arg(number));
+  row->setProperty("field", words(item.field));
+  row->setProperty("checkState", static_cast<int>(item.state));
+  row->setAutoRaise(true);
+  row->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  row->setEnabled(!item.field.empty());
+  row->setAccessibleName(words(item.what));
+  auto* inside = new QHBoxLayout(row);
+  inside->setContentsMargins(kGap_px, kGap_px / 2, kGap_px, kGap_px / 2);
+  inside->setSpacing(kGap_px);
+  auto* sign = new QLabel(signOf(item.state));
+  sign->setFixedWidth(2 * kGap_px);
+  sign->setAlignment(Qt::AlignTop | Qt::AlignHCenter);
+  sign->setProperty("heading", true);
+  if (item.state == State::missing) sign->setForegroundRole(QPalette::BrightText);
+  if (item.state == State::done) sign->setProperty("quiet", true);
+  inside->addWidget(sign);
+  auto* what = new QLabel(words(item.what));
+  what->setWordWrap(true);
+  if (item.state == State::done) what->setProperty("quiet", true);
+  inside->addWidget(what, 1);
+  for (QLabel* label : {sign, what}) label->setAttribute(Qt::WA_TransparentForMouseEvents);
+  row->setMinimumHeight(inside->sizeHint().height());
+  connect(row, &QToolButton::clicked, this, [this, field = words(item.field)] { Q_EMIT fieldAsked(field); });
+  rows.addWidget(row);
+}
+
+void PublishDialog::showButtons() {
+  const bool isIdle = checking_ == 0 && !working_;
+  publish_->setEnabled(isIdle && missing_ == 0);
+  publish_->setToolTip(missing_ == 0 ? tr("Trainees see the case as it is now; later edits wait for the next revision")
+                                     : tr("Something is still missing, see the list"));
+  export_->setEnabled(!working_);
+}
+
+bool PublishDialog::saved() {
+  if (!host_.cases().hasUnsavedChanges()) return true;
+  const auto done = host_.cases().save();
+  if (!done && done.error().code != ErrorCode::cancelled) tell(words(done.error()), true);
+  return done.has_value();
+}
+
+void PublishDialog::publish() {
+  if (!saved()) return;
+  auto published = std::make_shared<PublishedCase>();
+  working_ = true;
+  showButtons();
+  host_.jobs().startSaving(
+      tr("Publishing the case").toStdString(),
+      [published, folder = host_.cases().currentFolder()](Progress& progress) -> Result<void> {
+        auto done = publishCase(folder, libraryFolder(), progress);
+        if (!done) return passOn(done.error());
+        *published = std::move(*done);
+        return {};
+      },
+      [this, alive = QPointer<PublishDialog>(this), published](const Result<void>& outcome) {
+        if (!alive) return;
+        working_ = false;
+        showButtons();
+        if (outcome)
+          tell(published->wasThere
+                   ? tr("Nothing has changed since revision %1; it stays the one that trainees see.").arg(published->revision)
+                   : tr("Published as revision %1. Trainees find it on the start page.").arg(published->revision),
+               false);
+        else if (outcome.error().code != ErrorCode::cancelled)
+          tell(words(outcome.error()), true);
+      });
+}
+
+void PublishDialog::exportCase() {
+  if (!saved()) return;
+  const auto manifest = host_.cases().current();
+  if (!manifest) return;
+  QString file = QFileDialog::getSaveFileName(this, tr("Export the case"),
+                                              words(manifest->value("id", std::string("case"))) + QLatin1String(kBundleEnding),
+                                              tr("Case bundles (*.ewcase)"));
+  if (file.isEmpty()) return;
+  if (!file.endsWith(QLatin1String(kBundleEnding))) file += QLatin1String(kBundleEnding);
+  working_ = true;
+  showButtons();
+  host_.jobs().startSaving(
+      tr("Exporting the case").toStdString(),
+      [folder = host_.cases().currentFolder(), file](Progress& progress) -> Result<void> {
+        auto done = exportBundle(folder, std::filesystem::path(file.toStdString()), progress);
+        return done ? Result<void>() : passOn(done.error());
+      },
+      [this, alive = QPointer<PublishDialog>(this), file](const Result<void>& outcome) {
+        if (!alive) return;
+        working_ = false;
+        showButtons();
+        if (outcome)
+          tell(tr("Exported to %1. Another workstation takes it with File, Import a case bundle.").arg(file), false);
+        else if (outcome.error().code != ErrorCode::cancelled)
+          tell(words(outcome.error()), true);
+      });
+}
+
+void PublishDialog::tell(const QString& sentence, bool isProblem) {
+  sdk::setProblem(problem_, isProblem ? sentence : QString());
+  result_->setText(isProblem ? QString() : sentence);
+  result_->setVisible(!isProblem);
+}
+
+}  // namespace ew::case_authoring

@@ -1,0 +1,278 @@
+// The rows of the case panel that lead to publishing: what looks real, what is missing, what is measured, where the volume comes from.
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QLocale>
+#include <QPushButton>
+#include <QRandomGenerator>
+#include <QScrollArea>
+#include <algorithm>
+#include <set>
+
+#include "ew/library/new_case.h"
+#include "ew/library/publishing.h"
+#include "ew/library/real_looking.h"
+#include "ew/sdk/scan.h"
+#include "logic/edits.h"
+#include "logic/measurements.h"
+#include "panel/case_panel.h"
+#include "panel/fields.h"
+#include "panel/give_volume_dialog.h"
+#include "panel/measurements_field.h"
+#include "panel/pictures_field.h"
+#include "panel/publish_dialog.h"
+#include "panel/section.h"
+
+namespace ew::case_authoring {
+namespace {
+
+using sdk::kGap_px;
+
+constexpr int kRowsOfIds = 6;
+
+std::vector<std::string> idsIn(const nlohmann::json& manifest, const std::string& path) {
+  std::vector<std::string> ids;
+  const auto listed = fieldOf(manifest, path);
+  if (listed.is_array())
+    for (const auto& each : listed)
+      if (each.is_string()) ids.push_back(each.get<std::string>());
+  return ids;
+}
+
+nlohmann::json withId(nlohmann::json manifest, const std::string& path, const std::string& id, bool listed) {
+  auto ids = idsIn(manifest, path);
+  std::erase(ids, id);
+  if (listed) ids.push_back(id);
+  return withField(std::move(manifest), path, ids.empty() ? std::nullopt : std::optional<nlohmann::json>(ids));
+}
+
+/// The field of the form that a path is about: "previous_examinations[0].findings" stands in "previous_examinations".
+std::string rowOf(const std::string& path) { return path.substr(0, path.find('[')); }
+
+}  // namespace
+
+std::optional<Case> CasePanel::presentCase() const {
+  const auto manifest = host_.cases().current();
+  if (!manifest) return std::nullopt;
+  auto present = caseFromManifest(*manifest, {});
+  if (!present) return std::nullopt;
+  present->folder = host_.cases().currentFolder();
+  return std::move(*present);
+}
+
+void CasePanel::addName(QFormLayout* form) {
+  auto* invent = new QPushButton(tr("Invent"));
+  invent->setObjectName(QStringLiteral("inventName"));
+  invent->setToolTip(tr("Invent a name: one that nobody has"));
+  addLine(form, "patient.name", tr("Name"), tr("Change the patient's name"), invent);
+  connect(invent, &QPushButton::clicked, this, [this] {
+    const auto present = presentCase();
+    if (!present) return;
+    const std::string name =
+        inventedName(QRandomGenerator::global()->generate64(), QLocale().name().toStdString().substr(0, 2), present->patient.sex);
+    change("patient.name", tr("Invent a name"),
+           [&](nlohmann::json manifest) { return withText(std::move(manifest), "patient.name", name); });
+    if (const auto manifest = host_.cases().current()) fields_["patient.name"].show(*manifest);
+  });
+}
+
+void CasePanel::addVolume(QFormLayout* form) {
+  auto* cell = new QWidget;
+  auto* column = new QVBoxLayout(cell);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kGap_px);
+  auto* what = new QLabel;
+  what->setObjectName(QStringLiteral("volumeOfCase"));
+  what->setWordWrap(true);
+  column->addWidget(what);
+  auto* give = new QPushButton;
+  give->setObjectName(QStringLiteral("giveVolume"));
+  column->addWidget(give, 0, Qt::AlignLeft);
+  connect(give, &QPushButton::clicked, this, [this] {
+    auto* dialog = new GiveVolumeDialog(host_, window());
+    connect(dialog, &QDialog::rejected, dialog, &QObject::deleteLater);
+    dialog->open();
+  });
+  cell->setFocusProxy(give);
+  const std::string path = "volume.file";
+  fields_[path] = {[what, give](const nlohmann::json& manifest) {
+                     const std::string file = textOf(manifest, "volume.file"), recipe = textOf(manifest, "volume.recipe");
+                     const bool hasNone = file.empty() && recipe.empty();
+                     what->setText(hasNone        ? tr("none yet")
+                                   : file.empty() ? tr("made from the virtual patient %1").arg(sdk::words(recipe))
+                                                  : sdk::words(file));
+                     give->setText(hasNone ? tr("Give the case a volume…") : tr("Another volume…"));
+                     give->setProperty("primary", hasNone);
+                   },
+                   addRow(form, tr("Volume"), cell, path)};
+}
+
+void CasePanel::addMeasurements() {
+  const std::string path = "measurements";
+  QFormLayout* form = &addSection(QStringLiteral("measurements"), tr("Expected measurements"))->form();
+  auto* field = new MeasurementsField;
+  field->onChanged = [this, path](const nlohmann::json& list) {
+    change(path, tr("Change the expected measurements"), [&](nlohmann::json manifest) {
+      return withField(std::move(manifest), path, list.is_null() ? std::nullopt : std::optional<nlohmann::json>(list));
+    });
+  };
+  field->onTake = [this](const nlohmann::json& expected) { return takeCaliper(expected); };
+  fields_[path] = {[field, path](const nlohmann::json& manifest) { field->setValue(fieldOf(manifest, path)); },
+                   addRow(form, {}, field, path)};
+}
+
+nlohmann::json CasePanel::takeCaliper(const nlohmann::json& expected) {
+  const auto manifest = host_.cases().current();
+  const auto state = host_.scan().state();
+  if (!manifest || !state || !host_.cases().scan()) {
+    sdk::setProblem(problem_, tr("The volume of this case is not what is scanned at the moment; choose View, Scan the case's volume."));
+    return nullptr;
+  }
+  const auto fileToWorld = placeOf(*manifest);
+  if (!fileToWorld) {
+    say(fileToWorld.error());
+    return nullptr;
+  }
+  auto taken = withCaliper(expected, host_.scan().measurements(), inverse(*fileToWorld) * state->pose.probeToWorld);
+  if (taken) return std::move(*taken);
+  say(taken.error());
+  return nullptr;
+}
+
+void CasePanel::addIds(QFormLayout* form, const std::string& path, const QString& label, const QString& none, const QString& atStart,
+                       const std::vector<std::pair<std::string, std::string>>& known) {
+  auto* cell = new QWidget;
+  auto* column = new QVBoxLayout(cell);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kGap_px / 2);
+  auto* hint = sdk::quietLabel({});
+  hint->setObjectName(nameOf(path) + QStringLiteral("_hint"));
+  column->addWidget(hint);
+  auto* list = new QListWidget;
+  list->setObjectName(nameOf(path));
+  list->setAccessibleName(label);
+  list->setSelectionMode(QAbstractItemView::SingleSelection);
+  const auto add = [list](const std::string& id, const QString& name) {
+    auto* item = new QListWidgetItem(name, list);
+    item->setData(Qt::UserRole, sdk::words(id));
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+    item->setCheckState(Qt::Unchecked);
+  };
+  for (const auto& [id, name] : known) add(id, sdk::words(name));
+  const int rows = std::clamp(static_cast<int>(known.size()), 1, kRowsOfIds);
+  list->setFixedHeight(rows * (list->fontMetrics().lineSpacing() + kGap_px) + 2 * list->frameWidth());
+  column->addWidget(list);
+  cell->setFocusProxy(list);
+  connect(list, &QListWidget::itemChanged, this, [this, path](QListWidgetItem* item) {
+    const std::string id = item->data(Qt::UserRole).toString().toStdString();
+    const bool on = item->checkState() == Qt::Checked;
+    change(path, on ? tr("Offer: %1").arg(item->text()) : tr("Take out: %1").arg(item->text()),
+           [&](nlohmann::json manifest) { return withId(std::move(manifest), path, id, on); });
+    if (const auto manifest = host_.cases().current()) fields_[path].show(*manifest);
+  });
+  fields_[path] = {[list, hint, path, none, atStart, add](const nlohmann::json& manifest) {
+                     const QSignalBlocker quiet(list);
+                     const auto ids = idsIn(manifest, path);
+                     const auto itemOf = [list](const std::string& id) -> QListWidgetItem* {
+                       for (int n = 0; n < list->count(); ++n)
+                         if (list->item(n)->data(Qt::UserRole).toString().toStdString() == id) return list->item(n);
+                       return nullptr;
+                     };
+                     for (const std::string& id : ids)
+                       if (itemOf(id) == nullptr) add(id, tr("%1 (unknown)").arg(sdk::words(id)));
+                     for (int n = 0; n < list->count(); ++n) {
+                       const std::string id = list->item(n)->data(Qt::UserRole).toString().toStdString();
+                       list->item(n)->setCheckState(std::find(ids.begin(), ids.end(), id) != ids.end() ? Qt::Checked : Qt::Unchecked);
+                     }
+                     hint->setText(ids.empty() ? none : atStart.isEmpty() ? QString() : atStart.arg(itemOf(ids.front())->text()));
+                     hint->setVisible(!hint->text().isEmpty());
+                   },
+                   addRow(form, label, cell, path)};
+}
+
+void CasePanel::addPicturesTo(ExaminationsField& field, std::size_t number) {
+  const QStringList chosen =
+      QFileDialog::getOpenFileNames(window(), tr("Pictures of an earlier examination"), QString(), tr("Pictures (*.png *.jpg *.jpeg)"));
+  if (chosen.isEmpty()) return;
+  if (const auto own = host_.cases().makeOwn(); !own) {
+    if (own.error().code != ErrorCode::cancelled) say(own.error());
+    return;
+  }
+  const std::filesystem::path folder = host_.cases().currentFolder();
+  std::vector<std::string> added;
+  QStringList problems;
+  for (const QString& file : chosen) {
+    const auto picture = cleanPicture(file.toStdString());
+    if (!picture) {
+      problems << sdk::words(picture.error());
+      continue;
+    }
+    const std::string name = pictureName(*picture);
+    std::error_code failed;
+    std::filesystem::create_directories((folder / name).parent_path(), failed);
+    if (const auto written = host_.files().writeText(folder / name, picture->bytes); !written)
+      problems << sdk::words(written.error());
+    else
+      added.push_back(name);
+  }
+  field.addPictures(number, added);
+  if (!problems.isEmpty()) sdk::setProblem(fields_["previous_examinations"].problem, problems.join(QLatin1Char('\n')));
+}
+
+void CasePanel::showWarnings() {
+  std::map<std::string, QStringList> warnings;
+  if (const auto present = presentCase())
+    for (const RealLooking& each : realLooking(*present)) warnings[rowOf(each.field)] << sdk::words(each.text);
+  for (auto& [path, row] : rows_) {
+    QStringList& sentences = warnings[path];
+    sentences.removeDuplicates();
+    row.warning->setText(sentences.isEmpty() ? QString() : QStringLiteral("⚠ ") + sentences.join(QLatin1Char('\n')));
+    row.warning->setVisible(!sentences.isEmpty());
+  }
+}
+
+void CasePanel::showMissing() {
+  const auto present = presentCase();
+  std::map<Section*, QStringList> missing;
+  std::set<Section*> needed;
+  // What a case needs in any event; the marks stand where it is written, whether it is there or not.
+  for (const char* path : {"title_for_trainees", "region", "indication", "findings", "diagnosis", "start_pose", "volume.file"})
+    if (const auto row = rows_.find(path); row != rows_.end()) needed.insert(row->second.section);
+  if (present)
+    for (const CheckItem& each : missingForPublishing(*present))
+      if (const auto row = rows_.find(rowOf(each.field)); row != rows_.end() && row->second.section != nullptr)
+        missing[row->second.section] << (row->second.label.isEmpty() ? sdk::words(each.what) : row->second.label);
+  for (Section* section : sections_) section->setMissing(missing[section], needed.count(section) > 0 || !missing[section].isEmpty());
+}
+
+void CasePanel::showField(const std::string& path) {
+  host_.panels().bringToFront("case_authoring");
+  if (path == "volume.file_to_world") return host_.panels().bringToFront("placing");
+  if (path.starts_with("targets")) return host_.panels().bringToFront("targets");
+  if (path.starts_with("parts.lessons")) return host_.panels().bringToFront("lesson_editor");
+  const auto row = rows_.find(rowOf(path));
+  if (row == rows_.end()) return;
+  if (row->second.section != nullptr) row->second.section->setOpen(true);
+  scroll_->widget()->layout()->activate();
+  // Once the opened section has its place.
+  QTimer::singleShot(0, this, [this, editor = QPointer<QWidget>(row->second.editor)] {
+    if (!editor) return;
+    scroll_->ensureWidgetVisible(editor, 0, 10 * kGap_px);
+    editor->setFocus(Qt::OtherFocusReason);
+  });
+}
+
+void CasePanel::publish() {
+  if (!host_.cases().current()) return;
+  if (!publishing_) {
+    publishing_ = new PublishDialog(host_, window());
+    publishing_->setAttribute(Qt::WA_DeleteOnClose);
+    connect(publishing_, &PublishDialog::fieldAsked, this, [this](const QString& path) { showField(path.toStdString()); });
+  }
+  publishing_->show();
+  publishing_->raise();
+  publishing_->activateWindow();
+}
+
+}  // namespace ew::case_authoring
