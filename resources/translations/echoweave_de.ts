@@ -8259,6 +8259,58 @@
         <source>What is painted cannot be kept in &apos;%1&apos;, so a crash would lose it; keep it in the case often.</source>
         <translation>Das Gemalte lässt sich nicht in „%1“ sichern, ein Absturz würde es verlieren; es oft im Fall aufheben.</translation>
     </message>
+    <message>
+        <source>Published cases are not edited in place, for attempts of trainees refer to them; save &apos;%1&apos; as a case of your own.</source>
+        <translation>Veröffentlichte Fälle werden nicht an Ort und Stelle bearbeitet, denn Versuche von Lernenden beziehen sich auf sie; &apos;%1&apos; als eigenen Fall sichern.</translation>
+    </message>
+    <message>
+        <source>Nothing is measured in the image; draw a caliper first (Scan, Measure), then take it.</source>
+        <translation>Im Bild ist nichts gemessen; erst eine Messung zeichnen (Schall, Messen), dann übernehmen.</translation>
+    </message>
+    <message>
+        <source>No caliper in the image measures this kind of figure; draw one that does, or choose another kind.</source>
+        <translation>Keine Messung im Bild misst diese Art; eine solche zeichnen oder eine andere Art wählen.</translation>
+    </message>
+    <message>
+        <source>Choose a file.</source>
+        <translation>Eine Datei wählen.</translation>
+    </message>
+    <message>
+        <source>Another case was opened meanwhile; open the case again and give it the volume once more.</source>
+        <translation>Inzwischen wurde ein anderer Fall geöffnet; den Fall wieder öffnen und ihm das Volumen noch einmal geben.</translation>
+    </message>
+    <message>
+        <source>There is no picture &apos;%1&apos;; choose it again.</source>
+        <translation>Es gibt kein Bild &apos;%1&apos;; noch einmal wählen.</translation>
+    </message>
+    <message>
+        <source>The picture &apos;%1&apos; is larger than 20 MB; make it smaller first.</source>
+        <translation>Das Bild &apos;%1&apos; ist größer als 20 MB; erst verkleinern.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a PNG or JPEG picture; save it as one of these first.</source>
+        <translation>&apos;%1&apos; ist kein PNG- oder JPEG-Bild; erst als eines von beiden sichern.</translation>
+    </message>
+    <message>
+        <source>The picture &apos;%1&apos; is damaged; choose another.</source>
+        <translation>Das Bild &apos;%1&apos; ist beschädigt; ein anderes wählen.</translation>
+    </message>
+    <message>
+        <source>a list of at most 20 ids of console presets, such as &quot;abdomen-convex-3.5&quot;: the case starts with the first and offers all</source>
+        <translation>eine Liste von höchstens 20 Kennungen von Voreinstellungen der Konsole, etwa &quot;abdomen-convex-3.5&quot;: Der Fall beginnt mit der ersten und bietet alle an</translation>
+    </message>
+    <message>
+        <source>the id of a console preset, such as &quot;abdomen-convex-3.5&quot;</source>
+        <translation>die Kennung einer Voreinstellung der Konsole, etwa &quot;abdomen-convex-3.5&quot;</translation>
+    </message>
+    <message>
+        <source>a list of at most 20 ids of body marks, such as &quot;abdomen&quot;, which are offered first</source>
+        <translation>eine Liste von höchstens 20 Kennungen von Körpermarken, etwa &quot;abdomen&quot;, die zuerst angeboten werden</translation>
+    </message>
+    <message>
+        <source>the id of a body mark, such as &quot;abdomen&quot;</source>
+        <translation>die Kennung einer Körpermarke, etwa &quot;abdomen&quot;</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
@@ -8535,6 +8587,10 @@
     <message>
         <source>Targets</source>
         <translation>Ziele</translation>
+    </message>
+    <message>
+        <source>&amp;New case…</source>
+        <translation>&amp;Neuer Fall…</translation>
     </message>
 </context>
 <context>
@@ -8922,6 +8978,90 @@
     <message>
         <source>5, examination</source>
         <translation>5, Prüfung</translation>
+    </message>
+    <message>
+        <source>Open a copy…</source>
+        <translation>Kopie öffnen…</translation>
+    </message>
+    <message>
+        <source>Save the case as a case of your own, and go on there</source>
+        <translation>Den Fall als eigenen Fall sichern und dort weitermachen</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Voreinstellungen</translation>
+    </message>
+    <message>
+        <source>None is ticked: the console stays as it is.</source>
+        <translation>Keine ist angehakt: Die Konsole bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Body marks</source>
+        <translation>Körpermarken</translation>
+    </message>
+    <message>
+        <source>None is ticked: those of the region come first.</source>
+        <translation>Keine ist angehakt: Die der Region kommen zuerst.</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Publish…</source>
+        <translation>Veröffentlichen…</translation>
+    </message>
+    <message>
+        <source>See what is missing, then hand the case to trainees or to another workstation</source>
+        <translation>Sehen, was fehlt, dann den Fall an Lernende oder an einen anderen Arbeitsplatz geben</translation>
+    </message>
+    <message>
+        <source>Invent</source>
+        <translation>Erfinden</translation>
+    </message>
+    <message>
+        <source>Invent a name: one that nobody has</source>
+        <translation>Einen Namen erfinden, den niemand hat</translation>
+    </message>
+    <message>
+        <source>Invent a name</source>
+        <translation>Einen Namen erfinden</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>noch keines</translation>
+    </message>
+    <message>
+        <source>made from the virtual patient %1</source>
+        <translation>aus dem virtuellen Patienten %1</translation>
+    </message>
+    <message>
+        <source>Give the case a volume…</source>
+        <translation>Dem Fall ein Volumen geben…</translation>
+    </message>
+    <message>
+        <source>Another volume…</source>
+        <translation>Anderes Volumen…</translation>
+    </message>
+    <message>
+        <source>Expected measurements</source>
+        <translation>Erwartete Messungen</translation>
+    </message>
+    <message>
+        <source>Change the expected measurements</source>
+        <translation>Erwartete Messungen ändern</translation>
+    </message>
+    <message>
+        <source>Offer: %1</source>
+        <translation>Anbieten: %1</translation>
+    </message>
+    <message>
+        <source>Pictures of an earlier examination</source>
+        <translation>Bilder einer früheren Untersuchung</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg)</translation>
     </message>
 </context>
 <context>
@@ -10781,6 +10921,10 @@
         <source>The case will be saved in %1.</source>
         <translation>Der Fall wird in %1 gespeichert.</translation>
     </message>
+    <message>
+        <source>Cases in this folder are published and stay as they are; choose the folder of your own cases.</source>
+        <translation>Fälle in diesem Ordner sind veröffentlicht und bleiben, wie sie sind; den Ordner der eigenen Fälle wählen.</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::CaseInfo</name>
@@ -10870,6 +11014,10 @@
     <message>
         <source>Differential diagnosis</source>
         <translation>Differentialdiagnose</translation>
+    </message>
+    <message>
+        <source>Show this picture large</source>
+        <translation>Dieses Bild groß zeigen</translation>
     </message>
 </context>
 <context>
@@ -12578,8 +12726,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Linearsonde schwenken, Trapez</translation>
     </message>
     <message>
-        <source>All that EchoWeave reads (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw *.png *.jpg *.pgm *.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff);;Cases (case.json);;Sweeps (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumes (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;Films and recorded screens (*.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff *.dcm);;DICOM, Kretz, raw samples, images (*)</source>
-        <translation>Alles, was EchoWeave liest (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw *.png *.jpg *.pgm *.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff);;Fälle (case.json);;Schwenks (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumen (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;Filme und Bildschirmaufnahmen (*.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff *.dcm);;DICOM, Kretz, Rohdaten, Bilder (*)</translation>
+        <source>All that EchoWeave reads (case.json *.ewcase *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw *.png *.jpg *.pgm *.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff);;Cases (case.json *.ewcase);;Sweeps (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumes (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;Films and recorded screens (*.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff *.dcm);;DICOM, Kretz, raw samples, images (*)</source>
+        <translation>Alles, was EchoWeave liest (case.json *.ewcase *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw *.png *.jpg *.pgm *.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff);;Fälle (case.json *.ewcase);;Schwenks (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumen (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;Filme und Bildschirmaufnahmen (*.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff *.dcm);;DICOM, Kretz, Rohdaten, Bilder (*)</translation>
     </message>
     <message>
         <source>Show source &amp;frame</source>
@@ -13815,6 +13963,50 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Making cases</source>
         <translation>Fälle gestalten</translation>
+    </message>
+    <message>
+        <source>Published cases are not edited in place, for attempts of trainees refer to them. Save &apos;%1&apos; as a case of your own.</source>
+        <translation>Veröffentlichte Fälle werden nicht an Ort und Stelle bearbeitet, denn Versuche von Lernenden beziehen sich auf sie. &apos;%1&apos; als eigenen Fall sichern.</translation>
+    </message>
+    <message>
+        <source>published case</source>
+        <translation>veröffentlichter Fall</translation>
+    </message>
+    <message>
+        <source>edited by somebody else</source>
+        <translation>von jemand anderem bearbeitet</translation>
+    </message>
+    <message>
+        <source>This case has no volume yet. Choose &apos;Give the case a volume…&apos; in the Case panel.</source>
+        <translation>Dieser Fall hat noch kein Volumen. Im Bereich Fall &apos;Dem Fall ein Volumen geben…&apos; wählen.</translation>
+    </message>
+    <message>
+        <source>This case has no volume yet, so there is nothing to scan. An author gives it one in Author.</source>
+        <translation>Dieser Fall hat noch kein Volumen, also gibt es nichts zu schallen. Ein Autor gibt ihm unter Autor eines.</translation>
+    </message>
+    <message>
+        <source>&amp;Import a case bundle…</source>
+        <translation>Fallpaket &amp;importieren…</translation>
+    </message>
+    <message>
+        <source>Import a case bundle</source>
+        <translation>Fallpaket importieren</translation>
+    </message>
+    <message>
+        <source>Case bundles (*.ewcase)</source>
+        <translation>Fallpakete (*.ewcase)</translation>
+    </message>
+    <message>
+        <source>Importing %1</source>
+        <translation>%1 wird importiert</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is in the library already, as revision %2.</source>
+        <translation>&apos;%1&apos; ist schon in der Bibliothek, als Fassung %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was taken into the library as revision %2.</source>
+        <translation>&apos;%1&apos; wurde als Fassung %2 in die Bibliothek übernommen.</translation>
     </message>
 </context>
 <context>
@@ -18169,6 +18361,14 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>What was painted was not kept in its case; it is offered when that is opened again.</source>
         <translation>Das Gemalte wurde nicht in seinem Fall aufgehoben; es wird angeboten, wenn der Fall wieder geöffnet wird.</translation>
     </message>
+    <message>
+        <source>Remove the structure</source>
+        <translation>Struktur entfernen</translation>
+    </message>
+    <message>
+        <source>Removing the structure</source>
+        <translation>Struktur wird entfernt</translation>
+    </message>
 </context>
 <context>
     <name>ew::case_authoring::StructurePage</name>
@@ -18671,6 +18871,479 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Gas</source>
         <translation>Gas</translation>
+    </message>
+</context>
+<context>
+    <name>ew::case_authoring::Section</name>
+    <message>
+        <source>complete</source>
+        <translation>vollständig</translation>
+    </message>
+    <message>
+        <source>1 missing</source>
+        <translation>1 fehlt</translation>
+    </message>
+    <message>
+        <source>%1 missing</source>
+        <translation>%1 fehlen</translation>
+    </message>
+    <message>
+        <source>Before the case can be published: %1</source>
+        <translation>Bevor der Fall veröffentlicht werden kann: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ew::case_authoring::SourceField</name>
+    <message>
+        <source>A volume</source>
+        <translation>Ein Volumen</translation>
+    </message>
+    <message>
+        <source>MetaImage, NRRD, NIfTI, DICOM or a Kretz file.</source>
+        <translation>MetaImage, NRRD, NIfTI, DICOM oder eine Kretz-Datei.</translation>
+    </message>
+    <message>
+        <source>A recorded sweep</source>
+        <translation>Ein aufgenommener Schwenk</translation>
+    </message>
+    <message>
+        <source>Images with the probe&apos;s poses; the volume is made from them.</source>
+        <translation>Bilder mit den Lagen der Sonde; daraus wird das Volumen gemacht.</translation>
+    </message>
+    <message>
+        <source>A stitched result</source>
+        <translation>Ein zusammengefügtes Ergebnis</translation>
+    </message>
+    <message>
+        <source>A project of the Stitching panel, or the folder it was saved to.</source>
+        <translation>Ein Projekt aus dem Bereich Zusammenfügen oder der Ordner, in den es gesichert wurde.</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>Noch nichts</translation>
+    </message>
+    <message>
+        <source>Texts and lessons first; the volume can be given later.</source>
+        <translation>Erst Texte und Lektionen; das Volumen kann später gegeben werden.</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>no file chosen</source>
+        <translation>keine Datei gewählt</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Spacing of the volume</source>
+        <translation>Abstand im Volumen</translation>
+    </message>
+    <message>
+        <source>as fine as the images</source>
+        <translation>so fein wie die Bilder</translation>
+    </message>
+    <message>
+        <source>Choose a stitched result</source>
+        <translation>Ein zusammengefügtes Ergebnis wählen</translation>
+    </message>
+    <message>
+        <source>Stitch projects and results (*.json volume.mha);;All files (*)</source>
+        <translation>Projekte und Ergebnisse (*.json volume.mha);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Choose a volume or a sweep</source>
+        <translation>Ein Volumen oder einen Schwenk wählen</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>ew::case_authoring::NewCaseDialog</name>
+    <message>
+        <source>about %1 s</source>
+        <translation>etwa %1 s</translation>
+    </message>
+    <message>
+        <source>about %1 min</source>
+        <translation>etwa %1 min</translation>
+    </message>
+    <message>
+        <source>New case</source>
+        <translation>Neuer Fall</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>for authors; may name the finding</source>
+        <translation>für Autoren; darf den Befund nennen</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>gives no finding away; can be written later</source>
+        <translation>verrät keinen Befund; kann später geschrieben werden</translation>
+    </message>
+    <message>
+        <source>For trainees</source>
+        <translation>Für Lernende</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Region</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>Whom to name, and under which licence it may be passed on. Needed before the case is published.</source>
+        <translation>Wer zu nennen ist und unter welcher Lizenz sie weitergegeben werden darf. Nötig, bevor der Fall veröffentlicht wird.</translation>
+    </message>
+    <message>
+        <source>Attribution</source>
+        <translation>Urheber</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>Lizenz</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Folder of your own cases</source>
+        <translation>Ordner der eigenen Fälle</translation>
+    </message>
+    <message>
+        <source>Name of the new folder</source>
+        <translation>Name des neuen Ordners</translation>
+    </message>
+    <message>
+        <source>What will be made</source>
+        <translation>Was gemacht wird</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>What the case is made from</source>
+        <translation>Woraus der Fall gemacht wird</translation>
+    </message>
+    <message>
+        <source>What it is about</source>
+        <translation>Worum es geht</translation>
+    </message>
+    <message>
+        <source>Where it is kept</source>
+        <translation>Wo er liegt</translation>
+    </message>
+    <message>
+        <source>%1 of %2: %3</source>
+        <translation>%1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>Make the case</source>
+        <translation>Fall anlegen</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>This file cannot become a case.</source>
+        <translation>Aus dieser Datei kann kein Fall werden.</translation>
+    </message>
+    <message>
+        <source>Give the case a title.</source>
+        <translation>Dem Fall einen Titel geben.</translation>
+    </message>
+    <message>
+        <source>Choose the folder of your own cases.</source>
+        <translation>Den Ordner der eigenen Fälle wählen.</translation>
+    </message>
+    <message>
+        <source>Type a name for the new folder, without &apos;/&apos; and not beginning with &apos;.&apos;.</source>
+        <translation>Einen Namen für den neuen Ordner eingeben, ohne &apos;/&apos; und nicht mit &apos;.&apos; am Anfang.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is there already, and nothing in it is replaced; type another name.</source>
+        <translation>&apos;%1&apos; gibt es schon, und nichts darin wird ersetzt; einen anderen Namen eingeben.</translation>
+    </message>
+    <message>
+        <source>An empty form.</source>
+        <translation>Ein leeres Formular.</translation>
+    </message>
+    <message>
+        <source>The file is being looked at.</source>
+        <translation>Die Datei wird angesehen.</translation>
+    </message>
+    <message>
+        <source>Looking at what the case needs</source>
+        <translation>Ansehen, was der Fall braucht</translation>
+    </message>
+    <message>
+        <source>A case without a volume. It opens, and says how to give it one.</source>
+        <translation>Ein Fall ohne Volumen. Er öffnet sich und sagt, wie er eines bekommt.</translation>
+    </message>
+    <message>
+        <source>A volume of %1 × %2 × %3 voxels, %4 × %5 × %6 mm each.</source>
+        <translation>Ein Volumen von %1 × %2 × %3 Voxeln, je %4 × %5 × %6 mm.</translation>
+    </message>
+    <message>
+        <source>A volume that is stitched first; its size shows then.</source>
+        <translation>Ein Volumen, das erst zusammengefügt wird; seine Größe zeigt sich dann.</translation>
+    </message>
+    <message>
+        <source>Memory: %1
+Disk: at most %2
+Time: %3</source>
+        <translation>Speicher: %1
+Platte: höchstens %2
+Zeit: %3</translation>
+    </message>
+    <message>
+        <source>Making the case %1</source>
+        <translation>Fall %1 wird angelegt</translation>
+    </message>
+</context>
+<context>
+    <name>ew::case_authoring::GiveVolumeDialog</name>
+    <message>
+        <source>Another volume for the case</source>
+        <translation>Ein anderes Volumen für den Fall</translation>
+    </message>
+    <message>
+        <source>Give the case a volume</source>
+        <translation>Dem Fall ein Volumen geben</translation>
+    </message>
+    <message>
+        <source>The volume keeps its place in the body. Targets and measurements that only the present volume knows are left out; undo brings everything back.</source>
+        <translation>Das Volumen behält seinen Platz im Körper. Ziele und Messungen, die nur das jetzige Volumen kennt, fallen weg; Rückgängig bringt alles zurück.</translation>
+    </message>
+    <message>
+        <source>Attribution</source>
+        <translation>Urheber</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>Lizenz</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Replace the volume</source>
+        <translation>Volumen ersetzen</translation>
+    </message>
+    <message>
+        <source>Give the volume</source>
+        <translation>Volumen geben</translation>
+    </message>
+    <message>
+        <source>Putting the volume into the case</source>
+        <translation>Volumen wird in den Fall gelegt</translation>
+    </message>
+    <message>
+        <source>Left out with the old volume: targets %1, measurements %2.</source>
+        <translation>Mit dem alten Volumen weggefallen: Ziele %1, Messungen %2.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::case_authoring::PicturesField</name>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>Take this picture out of the case</source>
+        <translation>Dieses Bild aus dem Fall nehmen</translation>
+    </message>
+    <message>
+        <source>Add pictures…</source>
+        <translation>Bilder hinzufügen…</translation>
+    </message>
+    <message>
+        <source>PNG or JPEG; kept without what their files say of patient and device. Look that no name stands in the picture itself.</source>
+        <translation>PNG oder JPEG; ohne das, was ihre Dateien über Patient und Gerät sagen. Darauf achten, dass im Bild selbst kein Name steht.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::case_authoring::MeasurementsField</name>
+    <message>
+        <source>Add a measurement</source>
+        <translation>Messung hinzufügen</translation>
+    </message>
+    <message>
+        <source>measurement %1</source>
+        <translation>Messung %1</translation>
+    </message>
+    <message>
+        <source>what is measured</source>
+        <translation>was gemessen wird</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>known by the patient</source>
+        <translation>kennt der Patient</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>circumference</source>
+        <translation>Umfang</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>The value is the virtual patient&apos;s; choose a kind to give one</source>
+        <translation>Der Wert ist der des virtuellen Patienten; eine Art wählen, um einen anzugeben</translation>
+    </message>
+    <message>
+        <source>Take caliper</source>
+        <translation>Messung holen</translation>
+    </message>
+    <message>
+        <source>Take the caliper I have drawn: value, kind and where it stands</source>
+        <translation>Die gezeichnete Messung übernehmen: Wert, Art und wo sie steht</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>usual tolerance</source>
+        <translation>übliche Toleranz</translation>
+    </message>
+    <message>
+        <source>Gives the finding away</source>
+        <translation>Verrät den Befund</translation>
+    </message>
+    <message>
+        <source>A trainee sees the name with the findings only</source>
+        <translation>Lernende sehen den Namen erst mit den Befunden</translation>
+    </message>
+</context>
+<context>
+    <name>ew::case_authoring::PublishDialog</name>
+    <message>
+        <source>Publish the case</source>
+        <translation>Fall veröffentlichen</translation>
+    </message>
+    <message>
+        <source>A click on a line leads to where it is written.</source>
+        <translation>Ein Klick auf eine Zeile führt dorthin, wo es steht.</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>Write the case into one file, for another workstation</source>
+        <translation>Den Fall in eine Datei schreiben, für einen anderen Arbeitsplatz</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Publish</source>
+        <translation>Veröffentlichen</translation>
+    </message>
+    <message>
+        <source>The case is being checked.</source>
+        <translation>Der Fall wird geprüft.</translation>
+    </message>
+    <message>
+        <source>Checking the case</source>
+        <translation>Fall wird geprüft</translation>
+    </message>
+    <message>
+        <source>Missing: %1   To look at: %2</source>
+        <translation>Fehlt: %1   Anzusehen: %2</translation>
+    </message>
+    <message>
+        <source>Can be published. To look at: %1</source>
+        <translation>Kann veröffentlicht werden. Anzusehen: %1</translation>
+    </message>
+    <message>
+        <source>Ready to be published</source>
+        <translation>Bereit zum Veröffentlichen</translation>
+    </message>
+    <message>
+        <source>Trainees see the case as it is now; later edits wait for the next revision</source>
+        <translation>Lernende sehen den Fall, wie er jetzt ist; spätere Änderungen warten auf die nächste Fassung</translation>
+    </message>
+    <message>
+        <source>Something is still missing, see the list</source>
+        <translation>Es fehlt noch etwas, siehe Liste</translation>
+    </message>
+    <message>
+        <source>Publishing the case</source>
+        <translation>Fall wird veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Nothing has changed since revision %1; it stays the one that trainees see.</source>
+        <translation>Seit Fassung %1 hat sich nichts geändert; sie bleibt die, die Lernende sehen.</translation>
+    </message>
+    <message>
+        <source>Published as revision %1. Trainees find it on the start page.</source>
+        <translation>Als Fassung %1 veröffentlicht. Lernende finden sie auf der Startseite.</translation>
+    </message>
+    <message>
+        <source>Export the case</source>
+        <translation>Fall exportieren</translation>
+    </message>
+    <message>
+        <source>Case bundles (*.ewcase)</source>
+        <translation>Fallpakete (*.ewcase)</translation>
+    </message>
+    <message>
+        <source>Exporting the case</source>
+        <translation>Fall wird exportiert</translation>
+    </message>
+    <message>
+        <source>Exported to %1. Another workstation takes it with File, Import a case bundle.</source>
+        <translation>Nach %1 exportiert. Ein anderer Arbeitsplatz übernimmt ihn mit Datei, Fallpaket importieren.</translation>
     </message>
 </context>
 </TS>
