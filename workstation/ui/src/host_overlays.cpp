@@ -137,6 +137,29 @@ class HostOverlays::Shown final : public sdk::Overlay<Drawing> {
   Drawing drawing_;
 };
 
+/// Handles; when it goes, they go.
+class HostOverlays::ShownHandles final : public sdk::HandlesOverlay {
+ public:
+  ShownHandles(HostOverlays& host, std::shared_ptr<Handles> handles) : host_(&host), handles_(std::move(handles)) {
+    host_->handles_.push_back(handles_);
+    Q_EMIT host_->handlesChanged();
+  }
+  ~ShownHandles() override {
+    if (host_ && std::erase(host_->handles_, handles_) > 0) Q_EMIT host_->handlesChanged();
+  }
+  ShownHandles(const ShownHandles&) = delete;
+  ShownHandles& operator=(const ShownHandles&) = delete;
+  void show(sdk::BodyHandles handles) override {
+    if (handles_->shown == handles) return;
+    handles_->shown = std::move(handles);
+    if (host_) Q_EMIT host_->handlesChanged();
+  }
+
+ private:
+  QPointer<HostOverlays> host_;
+  std::shared_ptr<Handles> handles_;
+};
+
 HostOverlays::HostOverlays(QObject* parent) : QObject(parent) {}
 
 template <class Drawing>
@@ -160,6 +183,28 @@ sdk::Ticket HostOverlays::showInBody(const sdk::BodyAids& aids) {
   return sdk::Ticket(nullptr, [host = QPointer<HostOverlays>(this), kept](void*) {
     if (host && std::erase(host->aids_, kept) > 0) Q_EMIT host->aidsChanged();
   });
+}
+
+std::shared_ptr<sdk::HandlesOverlay> HostOverlays::showHandles(const sdk::BodyHandles& handles, sdk::HandlesMoved moved) {
+  return std::make_shared<ShownHandles>(*this, std::make_shared<Handles>(Handles{handles, std::move(moved)}));
+}
+
+sdk::Ticket HostOverlays::askForBodyPoint(const std::string& hint, std::function<void(const Point<frame::World>&)> pointed,
+                                          std::function<void()> stopped) {
+  auto kept = std::make_shared<const Asking>(Asking{words(hint), std::move(pointed), std::move(stopped)});
+  askings_.push_back(kept);
+  Q_EMIT askingChanged();
+  return sdk::Ticket(nullptr, [host = QPointer<HostOverlays>(this), kept](void*) {
+    if (host && std::erase(host->askings_, kept) > 0) Q_EMIT host->askingChanged();
+  });
+}
+
+void HostOverlays::stopAsking() {
+  const auto all = std::exchange(askings_, {});
+  if (all.empty()) return;
+  Q_EMIT askingChanged();
+  for (const auto& each : all)
+    if (each->stopped) each->stopped();
 }
 
 bool HostOverlays::isBodyDrawnOver() const {

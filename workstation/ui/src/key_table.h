@@ -18,6 +18,7 @@ enum KeyState : unsigned {
   kWithTool = 4,       ///< calipers, an arrow or the question for the source frame are in the hand; they go before the states above
   kWithChosen = 8,     ///< a text or an arrow is chosen; goes before the states above
   kWhileWriting = 16,  ///< a text is being typed; goes before all others
+  kWithHandles = 32,   ///< in the 3D view while something in it has handles; goes before the states of the image
   kAlways = kWhileRunning | kWhileStill
 };
 

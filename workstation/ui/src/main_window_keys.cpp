@@ -64,6 +64,7 @@ void MainWindow::connectKeys() {
   p.annotationLayer->setKeys(p.keys);
   p.sourcePicker->setKeys(p.keys);
   p.pointing->setKeys(p.keys);
+  p.bodyTools->setKeys(p.keys);
   connect(&p.keys, &KeyMap::changed, this, [this] {
     showOwnKeys();
     parts_->console->showKeys(parts_->keyTips);
