@@ -10,6 +10,7 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QSlider>
+#include <QTabWidget>
 #include <QTimer>
 #include <QTranslator>
 #include <algorithm>
@@ -278,7 +279,8 @@ class WindowTest : public WindowFixture {
     window_->openPlugins();
     window_->setWorkspace(Workspace::author);
     QTest::qWait(50);
-    QWidget* panel = window_->findChild<QWidget*>(QStringLiteral("casePanel"));
+    if (auto* tab = find<QWidget>("panel_placing")) find<QTabWidget>("authorPanel")->setCurrentWidget(tab);
+    QWidget* panel = window_->findChild<QWidget*>(QStringLiteral("placePanel"));
 #ifdef EW_WITH_CASE_AUTHORING
     QVERIFY2(panel != nullptr, "the case authoring plugin is part of this build and brought no panel");
 #else

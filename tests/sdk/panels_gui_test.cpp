@@ -131,11 +131,12 @@ class PanelsTest final : public QObject {
 
   void undoInAFieldIsTheCasesOwn() {
     const auto panel = open(host_, "case_authoring");
+    const auto place = open(host_, "placing");
     auto* title = child<QLineEdit>(panel, "title");
     title->setFocus();
     QTest::keyClicks(title, QStringLiteral("abc"));
     for (QWidget* field : {static_cast<QWidget*>(title), static_cast<QWidget*>(child<QSpinBox>(panel, "patient_age_years")),
-                           static_cast<QWidget*>(child<QDoubleSpinBox>(panel, "placement_x"))}) {
+                           static_cast<QWidget*>(child<QDoubleSpinBox>(place, "placement_x"))}) {
       for (const int key : {Qt::Key_Z, Qt::Key_C}) {
         QKeyEvent claim(QEvent::ShortcutOverride, key, Qt::ControlModifier);
         claim.ignore();
@@ -147,12 +148,12 @@ class PanelsTest final : public QObject {
   }
 
   void thePlaceOfTheVolumeIsEditedAsSixNumbers() {
-    const auto panel = open(host_, "case_authoring");
+    const auto panel = open(host_, "placing");
     child<QDoubleSpinBox>(panel, "placement_x")->setValue(12.5);
     child<QDoubleSpinBox>(panel, "placement_rz")->setValue(90);
     const std::vector<double> expected = {0, -1, 0, 12.5, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     QVERIFY((*host_.theCase.manifest)["volume"]["file_to_world"].get<std::vector<double>>() == expected);
-    keepPicture(panel, "case-form.png");
+    keepPicture(panel, "place-form.png");
   }
 
   void theStartPoseIsTakenFromTheScanAndSaidWhenItSeesNothing() {

@@ -1,0 +1,169 @@
+#include "logic/placing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+
+#include "logic/edits.h"
+
+namespace ew::case_authoring {
+namespace {
+
+constexpr double kSquare = 0.9994;      // cosine of 2 degrees
+constexpr double kGoodShare = 0.6;      // of the near face
+constexpr double kMostOutside = 0.1;    // of the volume
+constexpr double kDeepBelow_mm = 15.0;  // further in, the skin that a probe would press is passed through
+
+glm::dvec3 placedAlong(const FilePlace& fileToWorld, const glm::dvec3& along) {
+  return (fileToWorld * Direction<frame::File>{along}).along;
+}
+
+glm::dvec3 meanOf(const std::vector<glm::dvec3>& points_mm) {
+  glm::dvec3 sum(0.0);
+  for (const glm::dvec3& each : points_mm) sum += each;
+  return points_mm.empty() ? sum : sum / static_cast<double>(points_mm.size());
+}
+
+glm::dvec3 inwardOf(const Grid& own, std::size_t face) {
+  return (face % 2 == 0 ? 1.0 : -1.0) * glm::normalize(own.directions[static_cast<int>(face / 2)]);
+}
+
+/// Half of the box of all voxels along a direction, mm.
+double halfAlong_mm(const Grid& own, const glm::dvec3& direction) {
+  double half_mm = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+    half_mm += 0.5 * own.dims[axis] * own.spacing_mm[axis] * std::abs(glm::dot(own.directions[axis], direction));
+  return half_mm;
+}
+
+glm::dmat3 rotationOf(const SweepAxes& axes) { return {axes.lateral, axes.depth, glm::cross(axes.lateral, axes.depth)}; }
+
+}  // namespace
+
+std::optional<SweepAxes> axesOf(const nlohmann::json& manifest) {
+  Case read;
+  read.otherFields = manifest;
+  return sweepAxesOf(read);
+}
+
+nlohmann::json withAxes(nlohmann::json manifest, const SweepAxes& axes) {
+  Case edited;
+  edited.otherFields = std::move(manifest);
+  return withSweepAxes(std::move(edited), axes).otherFields;
+}
+
+std::array<SweepAxes, 6> axesOfFaces(const Grid& own, const glm::dvec3& lateral) {
+  std::array<SweepAxes, 6> all;
+  for (std::size_t face = 0; face < all.size(); ++face) {
+    all[face].depth = inwardOf(own, face);
+    double most = -1.0;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (axis == static_cast<int>(face / 2)) continue;
+      const glm::dvec3 direction = glm::normalize(own.directions[axis]);
+      const double along = glm::dot(direction, lateral);
+      if (std::abs(along) <= most) continue;
+      most = std::abs(along);
+      all[face].lateral = along < 0.0 ? -direction : direction;
+    }
+  }
+  return all;
+}
+
+std::optional<std::size_t> faceOf(const Grid& own, const SweepAxes& axes) {
+  for (std::size_t face = 0; face < 6; ++face)
+    if (glm::dot(inwardOf(own, face), axes.depth) > kSquare) return face;
+  return std::nullopt;
+}
+
+std::size_t faceNearestToSkin(const Grid& own, const FilePlace& fileToWorld, const Skin& skin) {
+  std::size_t best = 0;
+  double least_mm = std::numeric_limits<double>::infinity();
+  for (std::size_t face = 0; face < 6; ++face) {
+    const glm::dvec3 inward = inwardOf(own, face);
+    const glm::dvec3 middle_mm = carried(fileToWorld, middleOf(own) - halfAlong_mm(own, inward) * inward);
+    const Skin::Contact contact = skin.nearest(middle_mm);
+    // Beams that would leave the body are worse than any distance.
+    const double facing = -glm::dot(placedAlong(fileToWorld, inward), contact.outward);
+    const double badness_mm = glm::distance(middle_mm, contact.point_mm) + 200.0 * (1.0 - facing);
+    if (badness_mm >= least_mm) continue;
+    least_mm = badness_mm;
+    best = face;
+  }
+  return best;
+}
+
+PlacingShape shapeOf(const Volume& voxels, const Grid& own, const SweepAxes& axes) {
+  // Only a grid can be moved without copying voxels: the shape is read where they lay, and carried into the file.
+  const auto thereToFile = renamed<frame::File, frame::World>(own.voxelToWorld() * voxels.grid.worldToVoxel());
+  const auto fileToThere = rigidInverse(thereToFile);
+  const auto there = [&](const glm::dvec3& along) { return (fileToThere * Direction<frame::File>{along}).along; };
+  PlacingShape shape = placingShapeOf(voxels, {there(axes.depth), there(axes.lateral)});
+  shape.axes = axes;
+  for (auto* points_mm : {&shape.face_mm, &shape.inside_mm})
+    for (glm::dvec3& each : *points_mm) each = carried(thereToFile, each);
+  return shape;
+}
+
+sdk::BodyHandles handlesOf(const Grid& own, const SweepAxes& axes, const FilePlace& fileToWorld) {
+  glm::dmat4 handlesToFile(rotationOf(axes));
+  handlesToFile[3] = glm::dvec4(middleOf(own), 1.0);
+  sdk::BodyHandles handles;
+  handles.toWorld = {fileToWorld.matrix * handlesToFile};
+  const glm::dmat3 rotation = rotationOf(axes);
+  handles.halfSize_mm = {halfAlong_mm(own, rotation[0]), halfAlong_mm(own, rotation[1]), halfAlong_mm(own, rotation[2])};
+  return handles;
+}
+
+FilePlace movedWith(const FilePlace& fileToWorld, const HandlesPose& before, const HandlesPose& now) {
+  if (now == before) return fileToWorld;
+  return {now.matrix * rigidInverse(before).matrix * fileToWorld.matrix};
+}
+
+FilePlace turnedAboutBeam(const PlacingShape& shape, const FilePlace& fileToWorld, double angle_rad) {
+  const glm::dvec3 middle_mm = meanOf(shape.face_mm);
+  glm::dmat4 turned = glm::translate(fileToWorld.matrix, middle_mm);
+  turned = glm::rotate(turned, angle_rad, shape.axes.depth);
+  return {glm::translate(turned, -middle_mm)};
+}
+
+FilePlace putOnSkin(const PlacingShape& shape, const FilePlace& fileToWorld, const Skin& skin, const Point<frame::World>& at) {
+  const Skin::Contact contact = skin.nearest(at.at);
+  PlacingSite site;
+  site.at_mm = contact.point_mm;
+  site.towards_mm = contact.point_mm - 100.0 * contact.outward;
+  site.lateralHint = placedAlong(fileToWorld, shape.axes.lateral);
+  return firstPlacement(shape, skin, site);
+}
+
+std::vector<FaceMark> faceMarksOf(const PlacingShape& shape, const FilePlace& fileToWorld, const Skin& skin, std::size_t most) {
+  std::vector<FaceMark> marks;
+  const std::size_t stride = std::max<std::size_t>(1, (shape.face_mm.size() + most - 1) / std::max<std::size_t>(1, most));
+  for (std::size_t n = stride / 2; n < shape.face_mm.size(); n += stride) {
+    const Point<frame::World> at = fileToWorld * Point<frame::File>{shape.face_mm[n]};
+    const Skin::Contact contact = skin.nearest(at.at);
+    const double gap_mm = glm::distance(at.at, contact.point_mm);
+    const bool isAbove = glm::dot(at.at - contact.point_mm, contact.outward) > 0.0;
+    marks.push_back({at, gap_mm <= kGel_mm ? FaceMark::Kind::touching : isAbove ? FaceMark::Kind::above : FaceMark::Kind::below});
+  }
+  return marks;
+}
+
+std::array<Point<frame::World>, 4> nearSideOf(const Grid& own, const SweepAxes& axes, const FilePlace& fileToWorld) {
+  const glm::dmat3 rotation = rotationOf(axes);
+  const double x_mm = halfAlong_mm(own, rotation[0]), y_mm = halfAlong_mm(own, rotation[1]), z_mm = halfAlong_mm(own, rotation[2]);
+  const auto corner = [&](double x, double z) {
+    return fileToWorld * Point<frame::File>{middleOf(own) + x * x_mm * rotation[0] - y_mm * rotation[1] + z * z_mm * rotation[2]};
+  };
+  return {corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)};
+}
+
+ContactVerdict verdictOf(const Contact& contact) {
+  if (contact.outsideShare > kMostOutside) return ContactVerdict::outside;
+  if (contact.faceShare >= kGoodShare) return ContactVerdict::good;
+  return contact.deepestIntrusion_mm > std::max(kDeepBelow_mm, contact.deepestGap_mm) ? ContactVerdict::liesBelow
+                                                                                      : ContactVerdict::standsOff;
+}
+
+}  // namespace ew::case_authoring
