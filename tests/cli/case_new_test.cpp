@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include "../even_sweep.h"
+#include "cli/cli_world.h"
+#include "ew/io/sequence.h"
+#include "ew/io/volume_file.h"
+
+namespace ew::test::case_new_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+void makeSweep(const std::string& file) {
+  const Sequence sweep = evenSweep({.width = 30, .height = 20, .frames = 25, .from = "Image"}, [](int n, int) { return 20 + 8 * n; });
+  ASSERT_TRUE(writeSequence(sweep, file));
+}
+
+TEST(CaseNew, MakesACaseOfASweepAndSaysHowItLies) {
+  const TemporaryFolder folder;
+  makeSweep(folder / "s.igs.mha");
+  const auto made =
+      run({"case", "new", folder / "s.igs.mha", "-o", folder / "cases/liver", "--title", "Liver", "--trainee-title", "Abdomen", "--region",
+           "right upper quadrant", "--spacing", "1", "--attribution", "Nobody", "--licence", "CC0", "--report", folder / "r.json"});
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_NE(made.out.find("Used 25 of 25 frames"), std::string::npos) << made.out;
+  EXPECT_NE(made.err.find("MiB of memory"), std::string::npos) << "said before it is made: " << made.err;
+  const auto report = readJson(folder / "r.json");
+  EXPECT_GT(report["quality"]["contact_share"].get<double>(), 0.5);
+  EXPECT_EQ(report["quality"]["frames_used"], 25);
+  EXPECT_EQ(report["outputs"][0], folder / "cases/liver");
+  EXPECT_EQ(report["case"]["id"], "liver");
+  const auto manifest = readJson(folder / "cases/liver/case.json");
+  EXPECT_EQ(manifest["title_for_trainees"], "Abdomen");
+  EXPECT_EQ(manifest["volume"]["licence"], "CC0");
+  EXPECT_TRUE(manifest["volume"].contains("level"));
+  EXPECT_EQ(run({"case", "validate", folder / "cases/liver"}).status, 0);
+  EXPECT_EQ(run({"case", "verify", folder / "cases/liver"}).status, 0);
+  const auto again = run({"case", "new", folder / "s.igs.mha", "-o", folder / "cases/liver"});
+  EXPECT_EQ(again.status, 1);
+  EXPECT_NE(again.err.find("there already"), std::string::npos) << again.err;
+  EXPECT_EQ(readJson(folder / "cases/liver/case.json"), manifest);
+}
+
+TEST(CaseNew, PutsItWhereItIsTold) {
+  const TemporaryFolder folder;
+  makeSweep(folder / "s.igs.mha");
+  ASSERT_EQ(
+      run({"case", "new", folder / "s.igs.mha", "-o", folder / "a", "--place", "10", "-90", "5", "0", "0", "90", "--no-level"}).status, 0);
+  const auto placed = readJson(folder / "a/case.json")["volume"];
+  EXPECT_FALSE(placed.contains("level"));
+  const std::vector<double> expected = {0, -1, 0, 10, 1, 0, 0, -90, 0, 0, 1, 5, 0, 0, 0, 1};
+  for (std::size_t n = 0; n < 16; ++n) EXPECT_NEAR(placed["file_to_world"][n].get<double>(), expected[n], 1e-9) << n;
+
+  // 20 mm to the left, by three places; one of them a landmark of the mannequin.
+  writeText(folder / "pairs.json", R"({"format": 1, "pairs": [
+    {"landmark": "xiphoid", "file_mm": [20, -106, 4]},
+    {"name": "b", "file_mm": [120, 0, 0], "world_mm": [100, 0, 0]},
+    {"name": "c", "file_mm": [20, 0, 80], "world_mm": [0, 0, 80]}]})");
+  const auto fitted =
+      run({"case", "new", folder / "s.igs.mha", "-o", folder / "b", "--landmarks", folder / "pairs.json", "--report", folder / "r.json"});
+  ASSERT_EQ(fitted.status, 0) << fitted.err;
+  EXPECT_NEAR(readJson(folder / "b/case.json")["volume"]["file_to_world"][3].get<double>(), -20.0, 0.6);
+  EXPECT_LT(readJson(folder / "r.json")["quality"]["landmarks_rms_mm"].get<double>(), 1.5);
+  EXPECT_EQ(run({"case", "new", folder / "s.igs.mha", "-o", folder / "c", "--landmarks", folder / "pairs.json", "--place", "0", "0", "0",
+                 "0", "0", "0"})
+                .status,
+            2);
+}
+
+TEST(CaseNew, OfNothingOrATemplateWaitsForItsVolumeAndIsNotPublished) {
+  const TemporaryFolder folder;
+  const auto made = run({"case", "new", "-o", folder / "later", "--template", "thyroid-and-neck"});
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_NE(made.out.find("no volume yet"), std::string::npos) << made.out;
+  EXPECT_EQ(readJson(folder / "later/case.json")["mannequin"], "neck-extended.json");
+  EXPECT_EQ(run({"case", "validate", folder / "later"}).status, 0);
+  const auto published = run({"case", "publish", folder / "later", "--library", folder / "library"});
+  EXPECT_EQ(published.status, 1);
+  EXPECT_NE(published.out.find("missing: Give the case a volume."), std::string::npos) << published.out;
+  EXPECT_NE(published.err.find("not ready to be published"), std::string::npos) << published.err;
+  EXPECT_FALSE(fs::exists(folder / "library"));
+  const auto list = run({"case", "new", "--list-templates"});
+  EXPECT_EQ(list.status, 0);
+  EXPECT_NE(list.out.find("obstetric-biometry"), std::string::npos) << list.out;
+  EXPECT_EQ(run({"case", "new", "-o", folder / "x", "--template", "nothing"}).status, 1);
+  EXPECT_EQ(run({"case", "new"}).status, 2) << "no folder is named";
+  EXPECT_EQ(run({"case", "new", folder / "nowhere.mha", "-o", folder / "x"}).status, 1);
+  EXPECT_FALSE(fs::exists(folder / "x"));
+}
+
+}  // namespace
+}  // namespace ew::test::case_new_test
