@@ -12,14 +12,6 @@
 #include "words.h"
 
 namespace ew::ui {
-namespace {
-
-constexpr int kLeastCardWidth_px = 280;
-constexpr int kMostCardWidth_px = 440;
-constexpr int kGap_px = 16;
-
-}  // namespace
-
 CardView::CardView(CaseCatalogue& list, QWidget* parent) : QListView(parent), list_(list) {
   setObjectName(QStringLiteral("caseCards"));
   setAccessibleName(tr("Cases"));
@@ -28,7 +20,7 @@ CardView::CardView(CaseCatalogue& list, QWidget* parent) : QListView(parent), li
   setEditTriggers(NoEditTriggers);
   setVerticalScrollMode(ScrollPerPixel);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setViewportMargins(0, 0, kGap_px / 2, 0);  // between the cards and the bar
+  setViewportMargins(0, 0, kCardGap_px / 2, 0);  // between the cards and the bar
   setMouseTracking(true);
   setTabKeyNavigation(false);
   connect(&list, &QAbstractItemModel::modelAboutToBeReset, this, &CardView::keepPlace);
@@ -36,78 +28,12 @@ CardView::CardView(CaseCatalogue& list, QWidget* parent) : QListView(parent), li
   setModel(&list);
 }
 
-int CardView::columns() const { return std::max(1, (viewport()->width() + kGap_px) / (kLeastCardWidth_px + kGap_px)); }
-
-int CardView::cardWidth_px() const {
-  const int columns = this->columns();
-  return std::min(kMostCardWidth_px, (viewport()->width() - (columns - 1) * kGap_px) / columns);
-}
-
-int CardView::headHeight_px() const { return list_.sections().size() < 2 ? 0 : fontMetrics().lineSpacing() + kGap_px; }
-
-/// Rows of cards above a section.
-int CardView::rowsBefore(std::size_t section) const {
-  int rows = 0;
-  for (std::size_t n = 0; n < section; ++n) rows += (list_.sections()[n].count + columns() - 1) / columns();
-  return rows;
-}
-
-int CardView::contentHeight_px() const {
-  const std::size_t sections = list_.sections().size();
-  return static_cast<int>(sections) * headHeight_px() + rowsBefore(sections) * (cardHeight_px() + kGap_px);
-}
-
-QRect CardView::contentRect(int row) const {
-  const auto& sections = list_.sections();
-  for (std::size_t n = 0; n < sections.size(); ++n) {
-    const int within = row - sections[n].first;
-    if (within >= sections[n].count) continue;
-    const int y = static_cast<int>(n + 1) * headHeight_px() + (rowsBefore(n) + within / columns()) * (cardHeight_px() + kGap_px);
-    return {(within % columns()) * (cardWidth_px() + kGap_px), y, cardWidth_px(), cardHeight_px()};
-  }
-  return {};
-}
-
-QRect CardView::visualRect(const QModelIndex& index) const {
-  if (!index.isValid()) return {};
-  return QStyle::visualRect(layoutDirection(), viewport()->rect(), contentRect(index.row()).translated(0, -verticalOffset()));
-}
-
-QModelIndex CardView::indexAt(const QPoint& point) const {
-  const QPoint at = QStyle::visualPos(layoutDirection(), viewport()->rect(), point) + QPoint(0, verticalOffset());
-  const int column = at.x() / (cardWidth_px() + kGap_px);
-  if (at.x() < 0 || column >= columns()) return {};
-  const auto& sections = list_.sections();
-  for (std::size_t n = 0; n < sections.size(); ++n) {
-    const int top = static_cast<int>(n + 1) * headHeight_px() + rowsBefore(n) * (cardHeight_px() + kGap_px);
-    const int within = at.y() < top ? -1 : (at.y() - top) / (cardHeight_px() + kGap_px) * columns() + column;
-    if (within < 0 || within >= sections[n].count) continue;
-    const int row = sections[n].first + within;
-    return contentRect(row).contains(at) ? list_.index(row) : QModelIndex();
-  }
-  return {};
-}
-
-int CardView::verticalOffset() const { return verticalScrollBar()->value(); }
-
-void CardView::scrollTo(const QModelIndex& index, ScrollHint hint) {
-  if (!index.isValid()) return;
-  const QRect card = contentRect(index.row());
-  // The heading comes with the first row below it.
-  const int top = card.top() - (headHeight_px() > 0 ? headHeight_px() : 0), seen = viewport()->height();
-  QScrollBar& bar = *verticalScrollBar();
-  if (hint == PositionAtTop || top < bar.value())
-    bar.setValue(top);
-  else if (card.bottom() + kGap_px > bar.value() + seen)
-    bar.setValue(std::min(top, card.bottom() + kGap_px - seen));
-}
-
 void CardView::doItemsLayout() { QAbstractItemView::doItemsLayout(); }
 
 void CardView::updateGeometries() {
   QScrollBar& bar = *verticalScrollBar();
   bar.setPageStep(viewport()->height());
-  bar.setSingleStep(std::max(1, (cardHeight_px() + kGap_px) / 6));
+  bar.setSingleStep(std::max(1, (cardHeight_px() + kCardGap_px) / 6));
   bar.setRange(0, std::max(0, contentHeight_px() - viewport()->height()));
   QAbstractItemView::updateGeometries();
 }
@@ -116,7 +42,7 @@ void CardView::keepPlace() {
   topNumber_ = currentNumber_ = -1;
   if (currentIndex().isValid() && currentIndex().row() < list_.rowCount()) currentNumber_ = list_.numberOf(currentIndex().row());
   if (verticalOffset() == 0) return;
-  for (const QPoint& at : {QPoint(1, 1), QPoint(1, kGap_px + 1), QPoint(1, kGap_px + headHeight_px() + 1)}) {
+  for (const QPoint& at : {QPoint(1, 1), QPoint(1, kCardGap_px + 1), QPoint(1, kCardGap_px + headHeight_px() + 1)}) {
     const QModelIndex top = indexAt(at);
     if (!top.isValid()) continue;
     topNumber_ = list_.numberOf(top.row());
@@ -144,74 +70,11 @@ void CardView::dataChanged(const QModelIndex& topLeft, const QModelIndex& bottom
   viewport()->update();
 }
 
-QModelIndex CardView::moveCursor(CursorAction action, Qt::KeyboardModifiers) {
-  const int count = list_.rowCount();
-  if (count == 0) return {};
-  const int row = currentIndex().isValid() ? currentIndex().row() : -1;
-  if (row < 0) return list_.index(0);
-  const bool isMirrored = layoutDirection() == Qt::RightToLeft;
-  const auto to = [&](int wanted) { return list_.index(std::clamp(wanted, 0, count - 1)); };
-  /// The card nearest below or above in the same column, across sections.
-  const auto vertically = [&](int rows) {
-    const QRect from = contentRect(row);
-    QModelIndex best;
-    for (int next = row + (rows > 0 ? 1 : -1), crossed = 0, line = from.top(); next >= 0 && next<count; next += rows> 0 ? 1 : -1) {
-      const QRect card = contentRect(next);
-      if (card.top() != line) {
-        if (crossed == std::abs(rows)) break;
-        line = card.top();
-        ++crossed;
-        best = {};
-      }
-      if (crossed == 0) continue;
-      // The last of a shorter row stands for columns it does not have.
-      if (!best.isValid() || std::abs(card.left() - from.left()) < std::abs(contentRect(best.row()).left() - from.left()))
-        best = list_.index(next);
-    }
-    return best.isValid() ? best : list_.index(row);
-  };
-  const int pageRows = std::max(1, viewport()->height() / (cardHeight_px() + kGap_px));
-  switch (action) {
-    case MoveLeft:
-      return to(row + (isMirrored ? 1 : -1));
-    case MoveRight:
-      return to(row + (isMirrored ? -1 : 1));
-    case MovePrevious:
-      return to(row - 1);
-    case MoveNext:
-      return to(row + 1);
-    case MoveUp:
-      return vertically(-1);
-    case MoveDown:
-      return vertically(1);
-    case MovePageUp:
-      return vertically(-pageRows);
-    case MovePageDown:
-      return vertically(pageRows);
-    case MoveHome:
-      return list_.index(0);
-    case MoveEnd:
-      return list_.index(count - 1);
-  }
-  return {};
-}
-
-void CardView::setSelection(const QRect& rect, QItemSelectionModel::SelectionFlags command) {
-  const QModelIndex index = indexAt(rect.center());
-  selectionModel()->select(index.isValid() ? QItemSelection(index, index) : QItemSelection(), command);
-}
-
-QRegion CardView::visualRegionForSelection(const QItemSelection& selection) const {
-  QRegion region;
-  for (const QModelIndex& index : selection.indexes()) region += visualRect(index);
-  return region;
-}
-
 void CardView::paintEvent(QPaintEvent* event) {
   QPainter painter(viewport());
   const int top = verticalOffset();
   const auto& sections = list_.sections();
-  const int step = cardHeight_px() + kGap_px;
+  const int step = cardHeight_px() + kCardGap_px;
   for (std::size_t n = 0; n < sections.size(); ++n) {
     const int y = static_cast<int>(n) * headHeight_px() + rowsBefore(n) * step - top;
     const int first_y = y + headHeight_px();
@@ -236,6 +99,7 @@ void CardView::paintEvent(QPaintEvent* event) {
       }
       look.isCurrent = hasFocus() && currentIndex().row() == row;
       look.isUnderMouse = row == underMouse_;
+      look.isLessonsUnderMouse = look.isUnderMouse && lessonsUnderMouse_;
       look.direction = layoutDirection();
       paintCard(painter, visualRect(list_.index(row)), look);
     }
@@ -276,18 +140,41 @@ void CardView::scrollContentsBy(int, int) {
 void CardView::mouseMoveEvent(QMouseEvent* event) {
   const QModelIndex under = indexAt(event->pos());
   viewport()->setCursor(under.isValid() ? Qt::PointingHandCursor : Qt::ArrowCursor);
-  if (std::exchange(underMouse_, under.row()) != under.row()) viewport()->update();
+  const bool isOther = std::exchange(underMouse_, under.row()) != under.row();
+  const bool onLessons = isOnLessons(event->pos());
+  if (std::exchange(lessonsUnderMouse_, onLessons) != onLessons || isOther) viewport()->update();
 }
 
 void CardView::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   pressed_ = indexAt(event->pos()).row();
+  pressedLessons_ = isOnLessons(event->pos());
   if (pressed_ >= 0) selectionModel()->setCurrentIndex(list_.index(pressed_), QItemSelectionModel::ClearAndSelect);
 }
 
 void CardView::mouseReleaseEvent(QMouseEvent* event) {
   const QModelIndex released = indexAt(event->pos());
-  if (event->button() == Qt::LeftButton && released.isValid() && std::exchange(pressed_, -1) == released.row()) choose(released);
+  if (event->button() != Qt::LeftButton || !released.isValid() || std::exchange(pressed_, -1) != released.row()) return;
+  const bool onLessons = isOnLessons(event->pos());
+  if (onLessons && pressedLessons_) return askForLessons(released);
+  if (!onLessons && !pressedLessons_) choose(released);
+}
+
+void CardView::contextMenuEvent(QContextMenuEvent* event) {
+  askForLessons(event->reason() == QContextMenuEvent::Keyboard ? currentIndex() : indexAt(event->pos()));
+}
+
+bool CardView::isOnLessons(const QPoint& point) const {
+  const QModelIndex index = indexAt(point);
+  const CaseRow* row = index.isValid() ? list_.row(index.row()) : nullptr;
+  return row != nullptr && lessonsRect(visualRect(index), *row, layoutDirection()).contains(point);
+}
+
+void CardView::askForLessons(const QModelIndex& index) {
+  const CaseRow* row = index.isValid() ? list_.row(index.row()) : nullptr;
+  if (row == nullptr || row->lessons.empty()) return;
+  const QRect card = visualRect(index);
+  Q_EMIT lessonsAsked(index.row(), QRect(viewport()->mapToGlobal(card.topLeft()), card.size()));
 }
 
 /// Letters, digits and the keys that move mean this list while it has the focus, not the console.
@@ -307,6 +194,9 @@ bool CardView::event(QEvent* event) {
 
 void CardView::keyPressEvent(QKeyEvent* event) {
   const bool isPlain = (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
+  // Enter opens the case, with Shift what it teaches.
+  if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && event->modifiers().testFlag(Qt::ShiftModifier))
+    return askForLessons(currentIndex());
   if (isPlain && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter || event->key() == Qt::Key_Space))
     return choose(currentIndex());
   if (isPlain && event->key() == Qt::Key_Up && (!currentIndex().isValid() || currentIndex().row() < columns())) return Q_EMIT leftUpwards();
@@ -320,7 +210,7 @@ void CardView::keyboardSearch(const QString& text) {
 void CardView::focusInEvent(QFocusEvent* event) {
   QAbstractItemView::focusInEvent(event);
   if (!currentIndex().isValid() && list_.rowCount() > 0 && event->reason() != Qt::MouseFocusReason) {
-    const QModelIndex first = indexAt(QPoint(kGap_px, headHeight_px() + kGap_px));
+    const QModelIndex first = indexAt(QPoint(kCardGap_px, headHeight_px() + kCardGap_px));
     selectionModel()->setCurrentIndex(first.isValid() ? first : list_.index(0), QItemSelectionModel::ClearAndSelect);
   }
   viewport()->update();

@@ -26,6 +26,7 @@ class CardView final : public QListView {
 
  Q_SIGNALS:
   void chosen(const QString& folder);
+  void lessonsAsked(int row, const QRect& card_global);  ///< what the case of a row teaches
   void sightChanged();              ///< other cards are in sight
   void typed(const QString& text);  ///< letters, which mean the field of the search
   void leftUpwards();               ///< the arrow up in the first row
@@ -47,6 +48,7 @@ class CardView final : public QListView {
   void keyPressEvent(QKeyEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
   void changeEvent(QEvent* event) override;
   void scrollContentsBy(int dx, int dy) override;
 
@@ -57,10 +59,15 @@ class CardView final : public QListView {
   [[nodiscard]] QRect contentRect(int row) const;  ///< of a card, not scrolled
   [[nodiscard]] int rowsBefore(std::size_t section) const;
   void choose(const QModelIndex& index);
+  void askForLessons(const QModelIndex& index);
+  /// Whether a point of the viewport is where the lessons of its card are asked for.
+  [[nodiscard]] bool isOnLessons(const QPoint& point) const;
   void keepPlace();
   CaseCatalogue& list_;
   int pressed_ = -1;
   int underMouse_ = -1;
+  bool lessonsUnderMouse_ = false;
+  bool pressedLessons_ = false;
   // Where the view stood before the list became another one.
   std::int64_t topNumber_ = -1, currentNumber_ = -1;
   int topOffset_px_ = 0;

@@ -82,11 +82,26 @@ int paintText(QPainter& painter, const QRect& box, int lines, const QString& tex
   return y;
 }
 
-/// The one line below the title: region, level, lessons.
+/// The one line below the title: region, level, how far one has got.
 QString factsOf(const CaseRow& row) {
-  QStringList facts{words(row.region), row.level ? levelWords(*row.level) : QString(), lessonWords(row.lessons.size())};
+  QStringList facts{words(row.region), row.level ? levelWords(*row.level) : QString(), progressWords(row)};
   facts.removeAll(QString());
   return facts.join(QStringLiteral(" · "));
+}
+
+QString lessonsText(const CaseRow& row) { return lessonWords(row.lessons.size()) + QStringLiteral(" \u25be"); }
+
+/// On the picture, which is black in both themes.
+void paintLessons(QPainter& painter, const QRect& box, const QString& text, bool isUnderMouse) {
+  const Theme theme = scanTheme();
+  painter.setPen(QPen(isUnderMouse ? theme.accent : theme.line, 1.0));
+  QColor ground = theme.panel;
+  ground.setAlphaF(0.88);
+  painter.setBrush(ground);
+  painter.drawRoundedRect(QRectF(box).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+  painter.setFont(smallFont());
+  painter.setPen(isUnderMouse ? theme.accent : theme.text);
+  painter.drawText(box, Qt::AlignCenter, text);
 }
 
 void paintBar(QPainter& painter, const QRect& box, double fraction, Qt::LayoutDirection direction) {
@@ -99,6 +114,15 @@ void paintBar(QPainter& painter, const QRect& box, double fraction, Qt::LayoutDi
 }
 
 }  // namespace
+
+QRect lessonsRect(const QRect& box, const CaseRow& row, Qt::LayoutDirection direction) {
+  if (row.lessons.empty()) return {};
+  const QFontMetrics metrics(smallFont());
+  const int inset_px = kCardMargin_px + 8;
+  const QSize size(metrics.horizontalAdvance(lessonsText(row)) + 16, metrics.height() + 8);
+  const int left = direction == Qt::RightToLeft ? box.left() + inset_px : box.right() + 1 - inset_px - size.width();
+  return {QPoint(left, box.top() + inset_px), size};
+}
 
 int cardHeight_px() {
   const QFontMetrics title(titleFont()), small(smallFont());
@@ -115,6 +139,8 @@ void paintCard(QPainter& painter, const QRect& box, const CardLook& look) {
   const QRect inside = box.adjusted(kCardMargin_px, kCardMargin_px, -kCardMargin_px, -kCardMargin_px);
   paintPicture(painter, QRect(inside.topLeft(), QSize(inside.width(), kCardPicture_px)), look.picture);
   if (look.row == nullptr) return painter.restore();
+  if (const QRect lessons = lessonsRect(box, *look.row, look.direction); !lessons.isEmpty())
+    paintLessons(painter, lessons, lessonsText(*look.row), look.isLessonsUnderMouse);
   int y = inside.top() + kCardPicture_px + 8;
   painter.setFont(titleFont());
   painter.setPen(theme.text);

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "words.h"
@@ -10,6 +11,20 @@ namespace ew::ui {
 namespace {
 
 constexpr int kPageRows = 32;
+
+/// Lessons passed of all; empty while none was begun.
+std::optional<double> progressOf(const CaseRow& row, const Standings& standings) {
+  if (row.lessons.empty() || standings.empty()) return std::nullopt;
+  int passed = 0;
+  bool isBegun = false;
+  for (const LessonRow& lesson : row.lessons) {
+    const LessonStanding standing = standings.of(row.id, lesson.id);
+    isBegun = isBegun || standing.last.has_value();
+    passed += standing.isPassed(static_cast<std::size_t>(std::max(0, lesson.steps))) ? 1 : 0;
+  }
+  if (!isBegun) return std::nullopt;
+  return static_cast<double>(passed) / static_cast<double>(row.lessons.size());
+}
 
 }  // namespace
 
@@ -56,8 +71,10 @@ const CaseRow* CaseCatalogue::row(int row) const {
     for (int n = first; n < end; ++n) numbers.push_back(numberOf(n));
     std::vector<std::optional<CaseRow>> rows(numbers.size());
     if (auto read = index_->rows(numbers, query_.forTrainees))
-      for (CaseRow& each : *read)
+      for (CaseRow& each : *read) {
+        each.progress = progressOf(each, *standings_);
         rows[static_cast<std::size_t>(std::find(numbers.begin(), numbers.end(), each.number) - numbers.begin())] = std::move(each);
+      }
     kept = pages_.insert(page, std::move(rows));
   }
   const auto& found = (*kept)[static_cast<std::size_t>(row % kPageRows)];
@@ -74,8 +91,9 @@ QVariant CaseCatalogue::data(const QModelIndex& index, int role) const {
   if (shown == nullptr) return {};
   if (role == Qt::DisplayRole) return words(shown->title);
   if (role != Qt::AccessibleTextRole) return {};
-  QStringList parts{words(shown->title), words(shown->region), shown->level ? levelWords(*shown->level) : QString(),
-                    lessonWords(shown->lessons.size()), state(*shown).text};
+  QStringList parts{
+      words(shown->title),   words(shown->region), shown->level ? levelWords(*shown->level) : QString(), lessonWords(shown->lessons.size()),
+      progressWords(*shown), state(*shown).text};
   parts.removeAll(QString());
   return parts.join(QStringLiteral(", "));
 }
@@ -89,6 +107,12 @@ void CaseCatalogue::setPicture(const QString& folder, const QImage& picture) {
 
 void CaseCatalogue::setState(const QString& folder, const State& state) {
   states_.insert(folder, state);
+  Q_EMIT looksChanged();
+}
+
+void CaseCatalogue::setStandings(std::shared_ptr<const Standings> standings) {
+  standings_ = std::move(standings);
+  pages_.clear();
   Q_EMIT looksChanged();
 }
 
@@ -124,6 +148,12 @@ QString kindWords(LibraryKind kind) {
 QString lessonWords(std::size_t count) {
   if (count == 0) return {};
   return count == 1 ? CaseCatalogue::tr("1 lesson") : CaseCatalogue::tr("%1 lessons").arg(count);
+}
+
+QString progressWords(const CaseRow& row) {
+  if (!row.progress) return {};
+  const auto passed = static_cast<int>(std::lround(*row.progress * static_cast<double>(row.lessons.size())));
+  return CaseCatalogue::tr("%1 of %2 lessons passed").arg(passed).arg(row.lessons.size());
 }
 
 }  // namespace ew::ui

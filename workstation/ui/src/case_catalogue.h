@@ -4,10 +4,12 @@
 #include <QCache>
 #include <QHash>
 #include <QImage>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "ew/library/index.h"
+#include "ew/library/learning.h"
 
 namespace ew::ui {
 
@@ -48,6 +50,9 @@ class CaseCatalogue final : public QAbstractListModel {
   [[nodiscard]] State state(const CaseRow& row) const { return states_.value(QString::fromStdString(row.folder.string())); }
   void setPicture(const QString& folder, const QImage& picture);
   void setState(const QString& folder, const State& state);
+  /// How far the person who learns has got with the lessons of the cases; sets `progress` of the rows.
+  void setStandings(std::shared_ptr<const Standings> standings);
+  [[nodiscard]] const Standings& standings() const { return *standings_; }
 
  Q_SIGNALS:
   void looksChanged();  ///< a picture or a state
@@ -60,6 +65,7 @@ class CaseCatalogue final : public QAbstractListModel {
   mutable QHash<int, std::vector<std::optional<CaseRow>>> pages_;
   mutable QCache<QString, QImage> pictures_{64 << 10};  // KiB
   QHash<QString, State> states_;
+  std::shared_ptr<const Standings> standings_ = std::make_shared<const Standings>();
 };
 
 /// "First steps" to "Examination" for 1 to 5; empty for others.
@@ -68,5 +74,7 @@ class CaseCatalogue final : public QAbstractListModel {
 [[nodiscard]] QString kindWords(LibraryKind kind);
 /// "2 lessons"; empty for none.
 [[nodiscard]] QString lessonWords(std::size_t count);
+/// "1 of 2 lessons passed"; empty where nobody has begun.
+[[nodiscard]] QString progressWords(const CaseRow& row);
 
 }  // namespace ew::ui

@@ -29,6 +29,8 @@ class CaseInfo final : public QWidget {
 
   /// @param shown the open case, or null: nothing is shown
   void showCase(const Case* shown);
+  /// Its texts in the window's language, as they were when it was shown or edited last.
+  [[nodiscard]] const CaseWords& caseWords() const { return words_; }
   [[nodiscard]] bool isOpen() const { return isOpen_; }
   void setOpen(bool open);
   /// Of all of its words at the present width, and of the head alone.

@@ -33,7 +33,8 @@ void MainWindow::connectLibrary() {
   connect(&p.library, &LibraryBrowser::changed, this, [this] { parts_->startPage->showFound(); });
   connect(&p.library, &LibraryBrowser::refreshed, this, [this] {
     parts_->startPage->setReading(false);
-    if (const QString imported = std::exchange(parts_->imported, {}); !imported.isEmpty()) parts_->startPage->choose(imported);
+    // A refresh that began before the import does not know the case yet; another one follows.
+    if (!parts_->imported.isEmpty() && parts_->startPage->choose(parts_->imported)) parts_->imported.clear();
   });
   connect(&p.library, &LibraryBrowser::noted, this, [this](const QString& note) { parts_->messages->showNote(note); });
   connect(&p.library, &LibraryBrowser::failed, this, [this](const Error& error) { parts_->messages->showError(error); });

@@ -4,6 +4,7 @@
 #include <QScrollArea>
 #include <QShowEvent>
 #include <QTabWidget>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <map>
 #include <utility>
@@ -95,12 +96,14 @@ class TicketedCalls {
     calls_.push_back(kept);
     return kept;
   }
-  void tell(const What&... what) {
+  /// @return whether anybody listens
+  bool tell(const What&... what) {
     std::erase_if(calls_, [](const auto& one) { return one.expired(); });
     const auto now = calls_;  // a callback may register another
     for (const auto& weak : now) {
       if (const auto call = weak.lock()) (*call)(what...);
     }
+    return !now.empty();
   }
 
  private:
@@ -184,16 +187,20 @@ class HostCaseParts final : public sdk::CaseParts {
   [[nodiscard]] sdk::Ticket onOpened(OpenCallback callback) override { return callbacks_.add(std::move(callback)); }
   void tellOpened() {
     callbacks_.tell(document_.current() ? document_.current()->folder : std::filesystem::path());
-    if (!document_.current() || !waiting_ || waiting_->folder != document_.current()->folder) return;
-    const auto asked = *std::exchange(waiting_, std::nullopt);
-    tellAsked(asked.name, asked.item);
+    if (!document_.current() || !waiting_) return;
+    const auto asked = *std::exchange(waiting_, std::nullopt);  // whoever opens another case wants something else
+    if (asked.folder == document_.current()->folder) tellAsked(asked.name, asked.item);
   }
   [[nodiscard]] sdk::Ticket onAsked(const std::string& name, AskCallback callback) override {
-    return asked_[name].add(std::move(callback));
+    sdk::Ticket ticket = asked_[name].add(std::move(callback));
+    // A panel is made when it is first seen, so it may be asked before it listens; it is told once it is whole.
+    if (unheard_ && unheard_->name == name) QTimer::singleShot(0, &here_, [this] { tellUnheard(); });
+    return ticket;
   }
   /// Of the open case at once, of another when it is opened.
   void ask(const std::filesystem::path& folder, const std::string& name, const std::string& item) {
     waiting_.reset();
+    unheard_.reset();
     if (document_.current() && document_.current()->folder == folder) return tellAsked(name, item);
     waiting_ = Asked{folder, name, item};
   }
@@ -204,14 +211,22 @@ class HostCaseParts final : public sdk::CaseParts {
     std::string name, item;
   };
   void tellAsked(const std::string& name, const std::string& item) {
-    if (const auto calls = asked_.find(name); calls != asked_.end()) calls->second.tell(item);
+    const auto calls = asked_.find(name);
+    if (calls != asked_.end() && calls->second.tell(item)) return;
+    unheard_ = Asked{document_.current()->folder, name, item};
+  }
+  void tellUnheard() {
+    const auto asked = std::exchange(unheard_, std::nullopt);
+    if (asked && document_.current() && document_.current()->folder == asked->folder) tellAsked(asked->name, asked->item);
   }
 
   CaseDocument& document_;
   door::PartSchemas& schemas_;
+  QObject here_;  ///< what is told later is told only while this is there
   TicketedCalls<std::filesystem::path> callbacks_;
   std::map<std::string, TicketedCalls<std::string>> asked_;
-  std::optional<Asked> waiting_;
+  std::optional<Asked> waiting_;  ///< until its case is open
+  std::optional<Asked> unheard_;  ///< of the open case, until somebody listens
 };
 
 class HostJobs final : public sdk::Jobs {
@@ -248,6 +263,12 @@ class HostPanels final : public sdk::Panels {
       for (int i = 0; i < tabs->count(); ++i)
         if (const auto* panel = dynamic_cast<const LazyPanel*>(tabs->widget(i)); panel != nullptr && panel->panel().id == id)
           return columns_.setTabShown(*tabs, i, shown);
+  }
+  void bringToFront(const std::string& id) override {
+    for (const auto& [workspace, tabs] : columns_.all())
+      for (int i = 0; i < tabs->count(); ++i)
+        if (const auto* panel = dynamic_cast<const LazyPanel*>(tabs->widget(i)); panel != nullptr && panel->panel().id == id)
+          tabs->setCurrentIndex(i);
   }
   [[nodiscard]] LazyPanel* inFront() const {
     const QTabWidget* tabs = columns_.inFront();
@@ -363,6 +384,7 @@ void WorkstationHost::setOpening(std::function<Result<void>(const std::filesyste
   parts_->cases.openCase = std::move(open);
 }
 void WorkstationHost::askFor(const std::filesystem::path& caseFolder, const std::string& part, const std::string& item) {
+  parts_->panels.bringToFront(part);
   parts_->caseParts.ask(caseFolder, part, item);
 }
 void WorkstationHost::setChoices(std::function<sdk::Cases::Choices()> choices) { parts_->cases.askChoices = std::move(choices); }

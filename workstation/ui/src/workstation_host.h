@@ -57,7 +57,7 @@ class WorkstationHost final : public QObject, public sdk::Host {
   void setChoices(std::function<sdk::Cases::Choices()> choices);
   /// How the window opens a case.
   void setOpening(std::function<Result<void>(const std::filesystem::path&)> open);
-  /// Tells whoever waits for it (CaseParts::onAsked), when the case is open.
+  /// Tells whoever waits for it (CaseParts::onAsked), when the case is open, and brings the panel with the section's name to the front.
   void askFor(const std::filesystem::path& caseFolder, const std::string& part, const std::string& item);
   /// Workspaces that plugins bring: how the window adds one (false: its id is taken), shows one and says which is in front.
   struct WorkspaceSwitch {
