@@ -56,12 +56,17 @@ double LessonRun::passedShare() const {
 }
 
 Result<void> LessonRun::startStep(StepScene scene, double now_s) {
-  EW_EXPECTS(!isOver() && !isRunning());
+  EW_EXPECTS(!isOver());
   auto work = workOf(step(), std::move(scene));
   if (!work) return passOn(work.error());
+  return startStep(std::move(*work), now_s);
+}
+
+Result<void> LessonRun::startStep(std::unique_ptr<StepWork> work, double now_s) {
+  EW_EXPECTS(!isOver() && !isRunning());
   if (attempt_)
     if (auto begun = attempt_->beginStep(step().id); !begun) return begun;
-  work_ = std::move(*work);
+  work_ = std::move(work);
   log_ = {};
   usedBefore_s_ = 0.0;
   runningSince_s_ = now_s;

@@ -39,6 +39,8 @@ class LessonRun {
 
   /// Begins the step it stands at. @error as workOf, as KeptAttempt::beginStep
   [[nodiscard]] Result<void> startStep(StepScene scene, double now_s);
+  /// Begins it with work that is judged in another way than the step's own. @error as KeptAttempt::beginStep
+  [[nodiscard]] Result<void> startStep(std::unique_ptr<StepWork> work, double now_s);
   void pause(double now_s);
   void goOn(double now_s);
   /// Every image of the scan and what happens in it, while a step runs. Nothing is taken while it is paused.

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <QTimer>
 #include <QWidget>
-#include <memory>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,20 +16,20 @@ class QStackedWidget;
 
 namespace ew::lessons {
 
+class ExerciseCard;
+class ExercisePlayer;
 class LessonList;
-class OutcomePage;
-class StepPage;
+class LessonPlayer;
 
-/// The lessons of the open case in Explore: choosing one, working through it step by step, seeing how it went. A lesson is left by leaving
-/// it, and gone on with at the step it was left at, also after a crash.
+/// The lessons of the open case in Explore: choosing one, working through it step by step, seeing how it went; and exercises. A lesson is
+/// left by leaving it, and gone on with at the step it was left at, also after a crash.
 class PlayerPanel final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit PlayerPanel(sdk::Host& host, QWidget* parent = nullptr);
+  /// @param working told when a lesson or exercises begin, and when they are left; may be empty
+  explicit PlayerPanel(sdk::Host& host, std::function<void(bool)> working = {}, QWidget* parent = nullptr);
   ~PlayerPanel() override;
-
-  [[nodiscard]] const LessonRun* run() const { return run_ ? &*run_ : nullptr; }
 
  private:
   void showCase();
@@ -38,41 +37,25 @@ class PlayerPanel final : public QWidget {
   void begin(const std::string& lessonId);
   void goOn(const std::string& lessonId);
   void take(Result<LessonRun> run);
-  void take(const ScanEvent& event);
-  void openStep();  ///< makes ready what the step scans, and starts it
-  void loadTruth();
-  void startStep(std::shared_ptr<const CaseTruth> truth);
-  void endStep();
-  void skipStep();
-  void nextStep();
-  void leave();
-  void leaveForAnotherCase();
+  void beginExercises();
+  void stop();
   void fail(const Error& problem);
-  void tick();
+  [[nodiscard]] bool isAtWork() const;
   [[nodiscard]] const Lesson* lessonOf(const std::string& id) const;
-  [[nodiscard]] std::vector<std::string> keepPicture(const KeptAttempt& attempt) const;
 
   sdk::Host& host_;
+  std::function<void(bool)> working_;
   std::optional<Case> case_;     ///< the open one
   CaseWords words_;              ///< of the case that holds the lesson
   std::vector<Lesson> lessons_;  ///< of the open case, as they were written
-  std::string homeCase_;         ///< id of the case whose lesson runs
-  std::filesystem::path homeFolder_;
-  std::optional<LessonRun> run_;
-  std::shared_ptr<const CaseTruth> truth_;  ///< of the open case
-  int loads_ = 0;                           ///< truths asked for so far; an older one that arrives late is not taken
   std::vector<sdk::Ticket> tickets_;
-  QTimer timer_;
 
   QStackedWidget* pages_ = nullptr;
   QLabel* problem_ = nullptr;
-  QLabel* waiting_ = nullptr;
   LessonList* list_ = nullptr;
-  StepPage* step_ = nullptr;
-  OutcomePage* outcome_ = nullptr;
+  ExerciseCard* card_ = nullptr;
+  LessonPlayer* player_ = nullptr;
+  ExercisePlayer* exercises_ = nullptr;
 };
-
-/// The folder of a case by its id, among the shipped ones and the user's own. @error notFound
-[[nodiscard]] Result<std::filesystem::path> folderOfCase(const std::string& id);
 
 }  // namespace ew::lessons
