@@ -52,7 +52,7 @@ void BodyMarkView::showOrHide() {
 void BodyMarkView::arrange() {
   if (movedFrom_) return;
   // Beside the sliders and the depth scale, which keep their room.
-  const QRect room = scan_.rect().adjusted(DgcColumn::kWidth_px + kMarkMargin_px, 56, -72, -40 - kMarkMargin_px);
+  const QRect room = scan_.rect().adjusted(DgcColumn::wanted_px() + kMarkMargin_px, 56, -72, -40 - kMarkMargin_px);
   const bool isRight = (corner_ & 1) != 0, isLow = (corner_ & 2) != 0;
   move(isRight ? room.right() - width() : room.left(), isLow ? room.bottom() - height() : room.top());
 }

@@ -262,7 +262,7 @@ void CaliperLayer::paintEvent(QPaintEvent*) {
   painter.setClipRect(rect());
   paintCalipers(
       painter, calipers_, where_, [this](const glm::dvec2& at) { return placeOf(at); }, colours);
-  const int left = std::max(8, DgcColumn::kWidth_px + 8 - x());  // beside the sliders
+  const int left = std::max(8, DgcColumn::wanted_px() + 8 - x());  // beside the sliders
   paintResults(painter, calipers_, where_, QRect(left, 8, width() - left, height() - 16), colours);
   if (cross_ && hasFocus()) {
     for (const auto& [colour, thick] : {std::pair{QColor(Qt::black), 3.0}, std::pair{theme.accent, 1.5}}) {

@@ -34,6 +34,7 @@ QPushButton* smallButton(const char* name, const QString& tip) {
 
 CineBar::CineBar(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
   setObjectName(QStringLiteral("cineBar"));
+  setLayoutDirection(Qt::LeftToRight);  // as on every player: what comes later stands to the right
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(8);

@@ -1,5 +1,6 @@
 #include "console_panel.h"
 
+#include <QApplication>
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QComboBox>
@@ -22,6 +23,7 @@
 #include "figures.h"
 #include "icons.h"
 #include "key_tips.h"
+#include "theme.h"
 
 namespace ew::ui {
 
@@ -152,7 +154,7 @@ QSlider* ConsolePanel::addSlider(QBoxLayout* rows, SliderParts parts) {
   slider->setObjectName(parts.objectName);
   slider->setRange(parts.lowest, parts.highest);
   slider->setPageStep(parts.page);
-  slider->setFixedHeight(22);
+  holdFixedHeight(*slider, 22);
   slider->setMinimumWidth(96);
   slider->setToolTip(parts.tip);
   slider->setAccessibleName(parts.name);
@@ -224,7 +226,8 @@ void ConsolePanel::addSegments(QBoxLayout* rows, ChoiceParts parts) {
     button->setFocusPolicy(Qt::TabFocus);  // a click must not take the arrow keys away from the probe
     const bool isFirst = i % parts.perLine == 0;
     const bool isLast = i + 1 == parts.choices.size() || (i + 1) % parts.perLine == 0;
-    button->setProperty("segment", isFirst ? QStringLiteral("first") : isLast ? QStringLiteral("last") : QStringLiteral("true"));
+    const bool isAtLeft = QApplication::isRightToLeft() ? isLast : isFirst, isAtRight = QApplication::isRightToLeft() ? isFirst : isLast;
+    button->setProperty("segment", isAtLeft ? QStringLiteral("first") : isAtRight ? QStringLiteral("last") : QStringLiteral("true"));
     if (isFirst && i > 0) {
       column->addLayout(line);
       line = new QHBoxLayout;
@@ -292,7 +295,7 @@ QCheckBox* ConsolePanel::addSwitch(QBoxLayout* rows, const QString& name, const 
   made->setToolTip(tip);
   made->setAccessibleName(name);
   made->setFocusPolicy(Qt::TabFocus);
-  made->setMinimumHeight(24);
+  holdLeastHeight(*made, 24);
   rows->addWidget(made);
   return made;
 }

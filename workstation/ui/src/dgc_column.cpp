@@ -21,9 +21,13 @@ namespace {
 constexpr int kColumnLeft_px = 8;
 constexpr int kSlider_px = 72;
 constexpr int kSliderHeight_px = 20;
-constexpr int kHandle_px = 14;  // with its edge, as the style sheet draws it
+
+double handle_px() { return scaled(12.0) + 2.0; }  // with its edge, as the style sheet draws it
 
 }  // namespace
+
+int DgcColumn::wanted_px() { return 2 * kColumnLeft_px + scaled(kSlider_px); }
+int DgcColumn::head_px() { return scaled(20) + 4; }
 
 DgcColumn::DgcColumn(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
   setObjectName(QStringLiteral("dgcColumn"));
@@ -80,18 +84,18 @@ void DgcColumn::showHeld(QSlider* slider) {
 double DgcColumn::xOf(double value) const {
   const Scale on = scale();
   const double share = std::clamp((value * on.perUnit - on.lowest) / (on.highest - on.lowest), 0.0, 1.0);
-  return kColumnLeft_px + kHandle_px / 2.0 + share * (kSlider_px - kHandle_px);
+  return kColumnLeft_px + handle_px() / 2.0 + share * (scaled(kSlider_px) - handle_px());
 }
 
 void DgcColumn::place(double top, double bottom) {
   top_ = top;
   bottom_ = bottom;
-  reset_->setGeometry(kColumnLeft_px, 0, kSlider_px, kHead_px - 4);
+  reset_->setGeometry(kColumnLeft_px, 0, scaled(kSlider_px), head_px() - 4);
   for (int i = 0; i < kDgcSliders; ++i) {
     QSlider* slider = sliders_[static_cast<std::size_t>(i)];
-    const int y = static_cast<int>(std::lround(top_ + (bottom_ - top_) * (i + 0.5) / kDgcSliders)) - kSliderHeight_px / 2;
-    slider->setGeometry(kColumnLeft_px, y, kSlider_px, kSliderHeight_px);
-    slider->setVisible(session_.subject() && y >= kHead_px && y + kSliderHeight_px <= height());
+    const int y = static_cast<int>(std::lround(top_ + (bottom_ - top_) * (i + 0.5) / kDgcSliders)) - scaled(kSliderHeight_px) / 2;
+    slider->setGeometry(kColumnLeft_px, y, scaled(kSlider_px), scaled(kSliderHeight_px));
+    slider->setVisible(session_.subject() && y >= head_px() && y + scaled(kSliderHeight_px) <= height());
   }
   reset_->setVisible(session_.subject().has_value());
   update();
@@ -123,8 +127,8 @@ void DgcColumn::paintEvent(QPaintEvent*) {
   const Theme theme = scanTheme();
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setClipRect(QRect(0, kHead_px, width(), height() - kHead_px));
-  painter.setPen(QPen(theme.line, 1.0, Qt::DotLine));
+  painter.setClipRect(QRect(0, head_px(), width(), height() - head_px()));
+  painter.setPen(QPen(theme.edge, 1.0, Qt::DotLine));
   const double neutral = scale().neutral / scale().perUnit;
   painter.drawLine(QPointF(xOf(neutral), top_), QPointF(xOf(neutral), bottom_));
   QPainterPath curve;

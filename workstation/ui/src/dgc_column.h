@@ -21,8 +21,8 @@ class DgcColumn final : public QWidget {
   void place(double top, double bottom);
   void refreshIcons();
 
-  static constexpr int kWidth_px = 88;
-  static constexpr int kHead_px = 24;  ///< above the picture's top: the name and the reset button
+  [[nodiscard]] static int wanted_px();  ///< its width
+  [[nodiscard]] static int head_px();    ///< above the picture's top: the name and the reset button
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -12,6 +12,7 @@
 #include <set>
 
 #include "figures.h"
+#include "theme.h"
 
 namespace ew::ui {
 namespace {
@@ -37,7 +38,7 @@ struct JobCards::Card final : QFrame {
 
   explicit Card(QWidget* parent) : QFrame(parent) {
     setObjectName(QStringLiteral("jobCard"));
-    setFixedWidth(kWidth_px);
+    setFixedWidth(scaled(kWidth_px));
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(16, 12, 16, 16);
     rows->setSpacing(4);
@@ -96,7 +97,7 @@ JobCards::JobCards(Jobs& jobs, QWidget* parent) : QWidget(parent), jobs_(jobs) {
 
 void JobCards::placeIn(const QRect& area) {
   area_ = area;
-  const int width_px = std::min(kWidth_px, area.width() - 2 * kAround_px);
+  const int width_px = std::min(scaled(kWidth_px), area.width() - 2 * kAround_px);
   for (const auto& [id, card] : cards_) card->setFixedWidth(width_px);
   layout()->activate();
   const QSize size = sizeHint();
@@ -117,7 +118,7 @@ void JobCards::refresh() {
     if (at == cards_.end()) {
       if (job.age_s < kShowAfter_s) continue;
       auto* card = new Card(this);
-      card->setFixedWidth(std::min(kWidth_px, area_.width() - 2 * kAround_px));
+      card->setFixedWidth(std::min(scaled(kWidth_px), area_.width() - 2 * kAround_px));
       connect(card->cancel, &QPushButton::clicked, &jobs_, [this, id = job.id] { jobs_.cancel(id); });
       layout()->addWidget(card);
       at = cards_.emplace(job.id, card).first;

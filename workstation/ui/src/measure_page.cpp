@@ -30,7 +30,8 @@ namespace {
 
 constexpr int kLineSide_px = 6;
 constexpr int kNumber_px = 12;
-constexpr int kLineWidth_px = 208;  // of the console's page, less a scroll bar
+constexpr int kLineWidth_px = 208;     // of the console's page, less a scroll bar
+constexpr int kConsoleEdges_px = 40;  // of the console, beside it
 
 }  // namespace
 
@@ -46,7 +47,7 @@ class MeasuredLine final : public QPushButton {
     auto* head = new QHBoxLayout;
     head->setSpacing(8);
     number_ = new QLabel;
-    number_->setMinimumWidth(kNumber_px);
+    number_->setMinimumWidth(scaled(kNumber_px));
     name_ = new QLabel;
     value_ = new FigureLabel;
     value_->setObjectName(QStringLiteral("measuredValue"));
@@ -80,9 +81,9 @@ class MeasuredLine final : public QPushButton {
     name_->setText(name);
     // A long name leaves its value no room: then it stands below, at the same side.
     const QFontMetrics metrics(value_->font());
-    const int needed_px = 2 * kLineSide_px + std::max(kNumber_px, metrics.horizontalAdvance(shownNumber)) + 16 +
+    const int needed_px = 2 * kLineSide_px + std::max(scaled(kNumber_px), metrics.horizontalAdvance(shownNumber)) + 16 +
                           metrics.horizontalAdvance(name) + figuresWidth_px(metrics, value);
-    const bool isBelow = needed_px > kLineWidth_px;
+    const bool isBelow = needed_px > scaled(kLineWidth_px + kConsoleEdges_px) - kConsoleEdges_px;
     value_->setText(isBelow ? QString() : value);
     below_->setText(isBelow ? value : QString());
     below_->setVisible(isBelow);

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "icons.h"
+#include "theme.h"
 #include "words.h"
 
 namespace ew::ui {
@@ -47,7 +48,8 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
   close_->setProperty("flat", true);
   close_->setToolTip(tr("Dismiss (Esc)"));
   close_->setAccessibleName(tr("Dismiss"));
-  close_->setFixedSize(32, 32);
+  holdFixedWidth(*close_, 32);
+  holdFixedHeight(*close_, 32);
   close_->setFocusPolicy(Qt::TabFocus);  // it vanishes with its message; the focus had better stay where it was
   row->addWidget(sentence_, 1);
   row->addWidget(more_);
@@ -135,7 +137,7 @@ void MessageBar::refresh() {
     sentence_->setToolTip(first->tip);
     details_->setText(first->details);
     fold_->setFixedHeight(
-        std::min(kMostDetails_px, (static_cast<int>(first->details.count(QLatin1Char('\n'))) + 2) * details_->fontMetrics().lineSpacing()));
+        std::min(scaled(kMostDetails_px), (static_cast<int>(first->details.count(QLatin1Char('\n'))) + 2) * details_->fontMetrics().lineSpacing()));
     unfold_->setVisible(!first->details.isEmpty());
     if (!same || first->details.isEmpty()) unfold_->setChecked(false);
     fold_->setVisible(unfold_->isChecked());

@@ -38,6 +38,7 @@ QPushButton* smallButton(const char* name, const QString& tip) {
 
 ReplayBar::ReplayBar(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
   setObjectName(QStringLiteral("replayBar"));
+  setLayoutDirection(Qt::LeftToRight);  // as on every player: what comes later stands to the right
   setAttribute(Qt::WA_StyledBackground);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(16, 4, 16, 4);

@@ -11,6 +11,7 @@
 #include "figures.h"
 #include "finding_words.h"
 #include "key_tips.h"
+#include "theme.h"
 
 namespace ew::ui {
 namespace {
@@ -103,7 +104,7 @@ void ResultsList::showAll() {
   if (chosen == nullptr) chosen_ = 0;
   how_->setVisible(chosen != nullptr);
   if (chosen != nullptr) how_->setText(FindingWords::howItCameAbout(findings, *chosen));
-  holdHeight(*how_, kPage_px);
+  holdHeight(*how_, scaled(kPage_px));
   remove_->setVisible(chosen != nullptr);
   save_->setVisible(!findings.isEmpty() && chosen == nullptr);
   setVisible(!findings.isEmpty());

@@ -7,42 +7,26 @@
 #include <QElapsedTimer>
 #include <QFileInfo>
 #include <QLabel>
-#include <QLibraryInfo>
-#include <QLocale>
 #include <QPushButton>
 #include <QSettings>
 #include <QSurfaceFormat>
 #include <QTimer>
-#include <QTranslator>
 #include <iostream>
 
 #include "ew/core/version.h"
 #include "ew/ui/main_window.h"
 #include "guarded_application.h"
 #include "jobs.h"
+#include "language.h"
 #include "message_bar.h"
 #include "session.h"
 #include "theme.h"
 #include "view3d.h"
 
-/// The translations are wanted before the first window; outside of any namespace, as the macro demands.
-static void initTranslations() { Q_INIT_RESOURCE(translations); }
-
 namespace ew::ui {
 namespace {
 
 constexpr int kScreenshotPatience_s = 600;  // a case is prepared on its first start
-
-void installLanguage(QApplication& app, QTranslator& ours, QTranslator& qts) {
-  const QString chosen = QSettings().value(QStringLiteral("language")).toString();
-  const QLocale locale = chosen.isEmpty() ? QLocale::system() : QLocale(chosen);
-  QLocale::setDefault(locale);  // so that 3.5 is written as the words around it are
-  if (ours.load(locale, QStringLiteral("echoweave"), QStringLiteral("_"), QStringLiteral(":/ew/translations")))
-    app.installTranslator(&ours);
-  if (qts.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"), QLibraryInfo::location(QLibraryInfo::TranslationsPath))) {
-    app.installTranslator(&qts);
-  }
-}
 
 /// Waits until nothing loads and everything is drawn, saves the picture of the window, and ends the program.
 class Screenshot final : public QObject {
@@ -107,9 +91,7 @@ int runWorkstation(int argc, char** argv, const WindowOptions& options) {
   QApplication::setOrganizationName(QStringLiteral("EchoWeave"));
   QApplication::setApplicationName(QStringLiteral("EchoWeave"));
   QApplication::setApplicationVersion(QLatin1String(kVersion));
-  initTranslations();
-  QTranslator ours, qts;
-  installLanguage(app, ours, qts);
+  const auto spoken = speak(app);
 
   MainWindow window;
   const bool isScreenshot = !options.screenshot.empty();
@@ -144,6 +126,7 @@ int runWorkstation(int argc, char** argv, const WindowOptions& options) {
     if (!isScreenshot) {
       window.prepareCases();
       QTimer::singleShot(0, &window, &MainWindow::offerKeptEdits);
+      QTimer::singleShot(0, &window, &MainWindow::offerTour);
     }
     if (options.workspace == "author") window.setWorkspace(Workspace::author);
   });

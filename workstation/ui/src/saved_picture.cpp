@@ -146,6 +146,7 @@ Shown shownBy(const Session& session) {
 
 /// Of a picture that is saved by itself. @param width_px of all of it
 SavedPlace placeOf(const Session& session, const Shown& shown, int width_px) {
+  const UsualTextSize usual;
   const QPoint corner((width_px - kScale_px - shown.width()) / 2, kHead_px);
   return {&session, QRect(corner, shown.picture.size()), QRect(corner + QPoint(0, shown.stripTop_px()), shown.strip.size())};
 }
@@ -153,6 +154,7 @@ SavedPlace placeOf(const Session& session, const Shown& shown, int width_px) {
 }  // namespace
 
 QImage savedPicture(const Session& session, const QDateTime& at, const OnPicture& on, const QString& name) {
+  const UsualTextSize usual;
   if (!session.subject() || session.picture().isEmpty()) return {};
   const Shown shown = shownBy(session);
   const int measured_px = on.calipers != nullptr ? kLine_px * linesOf(*on.calipers) : 0;
@@ -187,6 +189,7 @@ QImage savedPicture(const Session& session, const QDateTime& at, const OnPicture
 }
 
 SavedTogether savedPictures(const std::vector<SavedPart>& parts, int columns, const QDateTime& at) {
+  const UsualTextSize usual;
   SavedTogether saved;
   std::vector<QImage> each;
   for (const SavedPart& part : parts)

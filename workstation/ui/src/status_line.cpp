@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "elided_label.h"
 #include "figures.h"
 #include "theme.h"
 
@@ -31,14 +32,14 @@ QString nameOfQuality(Quality quality) {
 StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
   setObjectName(QStringLiteral("statusLine"));
   setAttribute(Qt::WA_StyledBackground);
-  setFixedHeight(40);
+  holdFixedHeight(*this, 40);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(16, 0, 16, 0);
   row->setSpacing(32);
   position_ = new FigureLabel(QStringLiteral("x -888.8  y -888.8  z -888.8 mm"));
   plan_ = new FigureLabel;
   contact_ = new FigureLabel(tr("contact %1 %").arg(888));
-  edit_ = new QLabel;
+  edit_ = new ElidedLabel;
   lowered_ = new QLabel;
   position_->setObjectName(QStringLiteral("position"));
   plan_->setObjectName(QStringLiteral("plan"));
@@ -61,7 +62,7 @@ StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), ses
   row->addWidget(lowered_);
   row->addWidget(edit_);
   row->addWidget(contact_);
-  note_ = new QLabel;
+  note_ = new ElidedLabel;
   note_->setObjectName(QStringLiteral("panelNote"));
   note_->setProperty("small", true);
   note_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

@@ -6,6 +6,10 @@
 #include <QProxyStyle>
 #include <QRegularExpression>
 #include <QStyleFactory>
+#include <QVariant>
+#include <QWidget>
+#include <cmath>
+#include <cstdlib>
 #include <map>
 
 #include "ew/core/contract.h"
@@ -21,6 +25,36 @@ Theme& theTheme() {
   return theme;
 }
 
+int& theTextSize_percent() {
+  static int percent = kTextSizes_percent.front();
+  return percent;
+}
+
+/// What a held size is called among a widget's properties, and what it sets.
+struct HeldSize {
+  const char* property;
+  void (QWidget::*set)(int);
+};
+
+constexpr HeldSize kWidth{"heldWidth_px", &QWidget::setFixedWidth};
+constexpr HeldSize kHeight{"heldHeight_px", &QWidget::setFixedHeight};
+constexpr HeldSize kLeastWidth{"heldLeastWidth_px", &QWidget::setMinimumWidth};
+constexpr HeldSize kLeastHeight{"heldLeastHeight_px", &QWidget::setMinimumHeight};
+
+void hold(QWidget& widget, const HeldSize& size, int px) {
+  widget.setProperty(size.property, px);
+  (widget.*size.set)(scaled(px));
+}
+
+void setHeldSizes() {
+  for (QWidget* each : QApplication::allWidgets()) {
+    for (const HeldSize& size : {kWidth, kHeight, kLeastWidth, kLeastHeight}) {
+      const QVariant px = each->property(size.property);
+      if (px.isValid()) (each->*size.set)(scaled(px.toInt()));
+    }
+  }
+}
+
 QString family() {
   const QFontDatabase fonts;
   const QStringList installed = fonts.families();
@@ -33,7 +67,7 @@ QString family() {
 QFont fontOf(int size_px) {
   static const QString name = family();
   QFont font(name);
-  font.setPixelSize(size_px);
+  font.setPixelSize(scaled(size_px));
   font.setStyleStrategy(QFont::PreferAntialias);
   return font;
 }
@@ -79,6 +113,7 @@ std::map<QString, QString> namedColours(const Theme& t) {
           {"ground", t.ground.name()},
           {"raised", t.raised.name()},
           {"line", t.line.name()},
+          {"edge", t.edge.name()},
           {"text", t.text.name()},
           {"quiet", t.quiet.name()},
           {"hint", t.quiet.name()},
@@ -90,12 +125,14 @@ std::map<QString, QString> namedColours(const Theme& t) {
           {"veil", t.dark ? "rgba(18, 19, 21, 200)" : "rgba(255, 255, 255, 210)"},
           {"scheme", t.dark ? "dark" : "light"},
           {"scanLine", scan.line.name()},
+          {"scanEdge", scan.edge.name()},
           {"scanText", scan.text.name()},
           {"scanQuiet", scan.quiet.name()},
           {"scanAccent", scan.accent.name()}};
 }
 
-/// resources/style/window.qss, which names colours as @panel, @ground ... so that it reads the same for both themes.
+/// resources/style/window.qss, which names colours as @panel, @ground ... so that it reads the same for both themes, and sizes that hold
+/// text as @px(13).
 QString sheetOf(const Theme& theme) {
   initStyle();
   QFile file(QStringLiteral(":/ew/style/window.qss"));
@@ -103,14 +140,19 @@ QString sheetOf(const Theme& theme) {
   EW_EXPECTS(isThere);
   const QString source = QString::fromUtf8(file.readAll());
   const std::map<QString, QString> colours = namedColours(theme);
-  static const QRegularExpression name(QStringLiteral("@([A-Za-z]+)"));
+  static const QRegularExpression name(QStringLiteral("@([A-Za-z]+)(?:\\((\\d+)\\))?"));
   QString sheet;
   int from = 0;
   for (auto found = name.globalMatch(source); found.hasNext();) {
     const QRegularExpressionMatch match = found.next();
-    const auto colour = colours.find(match.captured(1));
-    EW_EXPECTS(colour != colours.end());
-    sheet += source.mid(from, match.capturedStart() - from) + colour->second;
+    sheet += source.mid(from, match.capturedStart() - from);
+    if (match.captured(1) == QLatin1String("px")) {
+      sheet += QStringLiteral("%1px").arg(scaled(match.captured(2).toInt()));
+    } else {
+      const auto colour = colours.find(match.captured(1));
+      EW_EXPECTS(colour != colours.end());
+      sheet += colour->second;
+    }
     from = match.capturedEnd();
   }
   return sheet + source.mid(from);
@@ -131,11 +173,12 @@ Theme darkTheme() {
   t.ground = QColor(0x1b, 0x1c, 0x1f);
   t.raised = QColor(0x30, 0x35, 0x3a);
   t.line = QColor(0x36, 0x3a, 0x3f);
+  t.edge = QColor(0x78, 0x7e, 0x86);
   t.text = QColor(0xe9, 0xeb, 0xed);
   t.quiet = QColor(0x9b, 0xa1, 0xa8);
   t.accent = QColor(0x4f, 0xb3, 0xbf);
   t.onAccent = QColor(0x0d, 0x1a, 0x1c);
-  t.danger = QColor(0xe0, 0x5a, 0x4e);
+  t.danger = QColor(0xe8, 0x68, 0x5d);
   return t;
 }
 
@@ -146,9 +189,10 @@ Theme lightTheme() {
   t.ground = QColor(0xee, 0xf0, 0xf2);
   t.raised = QColor(0xe2, 0xe5, 0xe8);
   t.line = QColor(0xd0, 0xd5, 0xd9);
+  t.edge = QColor(0x79, 0x80, 0x87);
   t.text = QColor(0x1d, 0x20, 0x23);
   t.quiet = QColor(0x5c, 0x64, 0x6c);
-  t.accent = QColor(0x0f, 0x7d, 0x8a);
+  t.accent = QColor(0x0b, 0x6d, 0x79);
   t.onAccent = QColor(0xff, 0xff, 0xff);
   t.danger = QColor(0xc2, 0x35, 0x2b);
   return t;
@@ -175,7 +219,27 @@ void applyTheme(const Theme& theme) {
   QApplication::setPalette(paletteOf(theme));
   QApplication::setFont(textFont());
   qApp->setStyleSheet(sheetOf(theme));
+  setHeldSizes();
 }
+
+void setTextSize(int percent) {
+  int& size = theTextSize_percent();
+  size = kTextSizes_percent.front();
+  for (const int offered : kTextSizes_percent)
+    if (std::abs(offered - percent) < std::abs(size - percent)) size = offered;
+}
+
+int textSize_percent() { return theTextSize_percent(); }
+int scaled(int px) { return static_cast<int>(std::lround(scaled(static_cast<double>(px)))); }
+double scaled(double px) { return px * theTextSize_percent() / 100.0; }
+
+void holdFixedWidth(QWidget& widget, int px) { hold(widget, kWidth, px); }
+void holdFixedHeight(QWidget& widget, int px) { hold(widget, kHeight, px); }
+void holdLeastWidth(QWidget& widget, int px) { hold(widget, kLeastWidth, px); }
+void holdLeastHeight(QWidget& widget, int px) { hold(widget, kLeastHeight, px); }
+
+UsualTextSize::UsualTextSize() : before_percent_(theTextSize_percent()) { theTextSize_percent() = kTextSizes_percent.front(); }
+UsualTextSize::~UsualTextSize() { theTextSize_percent() = before_percent_; }
 
 QFont textFont() { return fontOf(kTextSize_px); }
 QFont smallFont() { return fontOf(kSmallSize_px); }

@@ -4,6 +4,9 @@
 #include <QColor>
 #include <QFont>
 #include <QString>
+#include <array>
+
+class QWidget;
 
 namespace ew::ui {
 
@@ -13,7 +16,8 @@ struct Theme {
   QColor panel;     ///< bars, console, cards
   QColor ground;    ///< behind the 3D view, fields, the start page
   QColor raised;    ///< buttons, the chosen workspace
-  QColor line;      ///< hairlines and empty tracks
+  QColor line;      ///< hairlines between parts, which nobody needs to tell them apart
+  QColor edge;      ///< of what can be written into or moved: fields, boxes, empty tracks
   QColor text;      ///< what is to be read
   QColor quiet;     ///< labels, hints, secondary words
   QColor accent;    ///< what is on, where the hand is
@@ -37,9 +41,35 @@ void rememberSystemTheme();
 void applyTheme(const Theme& theme);
 
 inline constexpr int kGrid_px = 8;        ///< every distance is a multiple of it, or its half
-inline constexpr int kTextSize_px = 13;   ///< the larger of the two text sizes
+inline constexpr int kTextSize_px = 13;   ///< the larger of the two text sizes, at 100 %
 inline constexpr int kSmallSize_px = 12;  ///< the smaller one
 [[nodiscard]] QFont textFont();
 [[nodiscard]] QFont smallFont();
+
+inline constexpr std::array<int, 5> kTextSizes_percent{100, 125, 150, 175, 200};
+/// @param percent is brought to the nearest of kTextSizes_percent; the next applyTheme shows it
+void setTextSize(int percent);
+[[nodiscard]] int textSize_percent();
+/// A size that holds text: so many pixels at 100 %.
+[[nodiscard]] int scaled(int px);
+[[nodiscard]] double scaled(double px);
+
+/// A fixed or least size that holds text and follows its size, also when that changes while the widget is there.
+void holdFixedWidth(QWidget& widget, int px);
+void holdFixedHeight(QWidget& widget, int px);
+void holdLeastWidth(QWidget& widget, int px);
+void holdLeastHeight(QWidget& widget, int px);
+
+/// While one lives fonts and sizes are those of 100 %: for pictures that leave the program, which are the same for every reader.
+class UsualTextSize {
+ public:
+  UsualTextSize();
+  ~UsualTextSize();
+  UsualTextSize(const UsualTextSize&) = delete;
+  UsualTextSize& operator=(const UsualTextSize&) = delete;
+
+ private:
+  int before_percent_;
+};
 
 }  // namespace ew::ui

@@ -1,5 +1,6 @@
 #include "time_line.h"
 
+#include <QAccessible>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -19,6 +20,7 @@ constexpr double kHandle_px = 7.0;
 TimeLine::TimeLine(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  setLayoutDirection(Qt::LeftToRight);  // time runs to the right in every language, as it does on the strip of an M-mode
   setAccessibleName(tr("Time line of the recording"));
   setToolTip(tr("Click or drag to another moment (arrows: a second, with Shift five; Home and End)"));
 }
@@ -54,6 +56,8 @@ double TimeLine::positionAt(double x) const {
 
 void TimeLine::goTo(double position_s) {
   setPosition(position_s);
+  QAccessibleValueChangeEvent told(this, position_s_);
+  QAccessible::updateAccessibility(&told);
   Q_EMIT moved(position_s_);
 }
 
@@ -90,7 +94,7 @@ void TimeLine::paintEvent(QPaintEvent*) {
     painter.setPen(QPen(colour, width_px, Qt::SolidLine, Qt::FlatCap));
     painter.drawLine(QPointF(xOf(from_s), y), QPointF(xOf(to_s), y));
   };
-  stroke(0.0, length_s_, theme.line, 2.0);
+  stroke(0.0, length_s_, theme.edge, 2.0);
   for (const Span& span : frozen_) stroke(span.begin_s, span.end_s, theme.quiet, 6.0);
   if (in_s_ || out_s_) stroke(in_s_.value_or(0.0), out_s_.value_or(length_s_), theme.quiet, 6.0);
   stroke(in_s_.value_or(0.0), std::max(position_s_, in_s_.value_or(0.0)), theme.accent, 2.0);

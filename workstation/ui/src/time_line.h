@@ -22,6 +22,8 @@ class TimeLine final : public QWidget {
   /// The part that runs, where its ends are marked.
   void setRange(std::optional<double> in_s, std::optional<double> out_s);
   [[nodiscard]] double position_s() const { return position_s_; }
+  [[nodiscard]] double length_s() const { return length_s_; }
+  void moveTo(double position_s) { goTo(position_s); }  ///< as a person would
   [[nodiscard]] QSize sizeHint() const override { return {320, 32}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {96, 32}; }
 

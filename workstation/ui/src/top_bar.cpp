@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QStyle>
 #include <QVariant>
 #include <algorithm>
 
@@ -17,19 +18,19 @@ namespace ew::ui {
 TopBar::TopBar(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("topBar"));
   setAttribute(Qt::WA_StyledBackground);
-  setFixedHeight(44);
+  holdFixedHeight(*this, 44);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(16, 0, 16, 0);
   row->setSpacing(0);
-  auto* brand = new QLabel(QStringLiteral("EchoWeave"));
-  brand->setObjectName(QStringLiteral("brand"));
+  brand_ = new QLabel(QStringLiteral("EchoWeave"));
+  brand_->setObjectName(QStringLiteral("brand"));
   menus_ = new QMenuBar;
   menus_->setNativeMenuBar(false);
   menus_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
   group_ = new QButtonGroup(this);
   switch_ = new QHBoxLayout;
   switch_->setSpacing(8);
-  row->addWidget(brand);
+  row->addWidget(brand_);
   row->addSpacing(16);
   row->addLayout(switch_);
   row->addSpacing(16);
@@ -88,10 +89,16 @@ void TopBar::resizeEvent(QResizeEvent* event) {
 }
 
 void TopBar::placeTitle() {
+  // In a narrow window with large words the name gives way: the window's title has it as well.
+  int needed_px = layout()->contentsMargins().left() + layout()->contentsMargins().right() + menus_->minimumSizeHint().width();
+  for (const Button& each : workspaces_) needed_px += each.button->sizeHint().width() + kGrid_px;
+  needed_px += disclaimer_->sizeHint().width() + brand_->sizeHint().width() + 4 * kGrid_px;
+  brand_->setVisible(needed_px <= width());
   layout()->activate();
   constexpr int kGap_px = 24;
-  const int left = menus_->geometry().right() + kGap_px;
-  const int right = disclaimer_->geometry().left() - kGap_px;
+  const auto placed = [this](const QRect& rect) { return QStyle::visualRect(layoutDirection(), this->rect(), rect); };
+  const int left = placed(menus_->geometry()).right() + kGap_px;
+  const int right = placed(disclaimer_->geometry()).left() - kGap_px;
   const int room = std::max(0, right - left);
   const int remarkWidth = remark_->text().isEmpty() ? 0 : remark_->sizeHint().width() + kGap_px;
   const QFontMetrics metrics = title_->fontMetrics();
@@ -99,8 +106,8 @@ void TopBar::placeTitle() {
   title_->setText(metrics.elidedText(fullTitle_, Qt::ElideRight, titleWidth));
   const int all = titleWidth + remarkWidth;
   const int x = std::clamp((width() - all) / 2, left, std::max(left, right - all));
-  title_->setGeometry(x, 0, titleWidth, height() - 1);
-  remark_->setGeometry(x + titleWidth + kGap_px, 0, std::max(0, remarkWidth - kGap_px), height() - 1);
+  title_->setGeometry(placed(QRect(x, 0, titleWidth, height() - 1)));
+  remark_->setGeometry(placed(QRect(x + titleWidth + kGap_px, 0, std::max(0, remarkWidth - kGap_px), height() - 1)));
   remark_->setVisible(remarkWidth > 0);
 }
 

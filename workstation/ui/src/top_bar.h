@@ -42,6 +42,7 @@ class TopBar final : public QWidget {
   std::vector<Button> workspaces_;
   QButtonGroup* group_ = nullptr;
   QHBoxLayout* switch_ = nullptr;
+  QLabel* brand_ = nullptr;
   QLabel* disclaimer_ = nullptr;
   QLabel* title_ = nullptr;
   QLabel* remark_ = nullptr;

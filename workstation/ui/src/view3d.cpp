@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "ew/core/contract.h"
+#include "focus_ring.h"
 
 namespace ew::ui {
 namespace {
@@ -149,6 +150,7 @@ View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts
   setMinimumSize(240, 240);
   setFocusPolicy(Qt::StrongFocus);
   parts_->canvas->setFocusPolicy(Qt::StrongFocus);
+  parts_->canvas->setObjectName(QStringLiteral("view3dCanvas"));
   setFocusProxy(parts_->canvas);
   parts_->canvas->setMouseTracking(true);
   parts_->canvas->grabGesture(Qt::PinchGesture);
@@ -163,7 +165,7 @@ View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts
   const auto addButton = [&](const char* name, auto action) {
     auto* button = new QToolButton(parts_->buttons);
     button->setObjectName(QString::fromLatin1(name));
-    button->setFocusPolicy(Qt::NoFocus);
+    button->setFocusPolicy(Qt::TabFocus);  // a click must not take the arrow keys away from the probe
     button->setAutoRaise(true);
     button->setProperty("small", true);
     connect(button, &QToolButton::clicked, this, action);
@@ -177,12 +179,13 @@ View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts
   addButton("viewFit", [this] { fitToVolume(); });
   auto* skinButton = new QToolButton(parts_->buttons);
   skinButton->setObjectName(QStringLiteral("viewThrough"));
-  skinButton->setFocusPolicy(Qt::NoFocus);
+  skinButton->setFocusPolicy(Qt::TabFocus);
   skinButton->setAutoRaise(true);
   skinButton->setCheckable(true);
   skinButton->setProperty("small", true);
   connect(skinButton, &QToolButton::toggled, this, [this](bool through) { setBodyOpacity(through ? kTranslucent : 1.0); });
   parts_->viewButtons.push_back(skinButton);
+  new FocusRing(*this, *parts_->canvas);
   parts_->still.setSingleShot(true);
   parts_->still.setInterval(250);
   connect(&parts_->still, &QTimer::timeout, this, &View3D::renderNow);
@@ -209,6 +212,8 @@ void View3D::retranslate() {
   name("viewFit", tr("Fit"), tr("Show the whole volume"));
   name("viewThrough", tr("Translucent"), tr("Make the body translucent"));
   parts_->hint->setText(defaultHint());
+  parts_->canvas->setAccessibleName(tr("Body with probe"));
+  parts_->canvas->setAccessibleDescription(defaultHint());
   placeOverlays();
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "case_info.h"
+#include "theme.h"
 
 namespace ew::ui {
 namespace {
@@ -58,7 +59,7 @@ ViewColumns::ViewColumns(QSplitter& columns, QWidget& panel, QWidget& body, QWid
 
 void ViewColumns::watch(QWidget& view) { view.installEventFilter(this); }
 
-bool ViewColumns::isNarrow() const { return columns_.window()->width() < kNarrow_px; }
+bool ViewColumns::isNarrow() const { return columns_.window()->width() < scaled(kNarrow_px); }
 
 double ViewColumns::share() const {
   const double kept =

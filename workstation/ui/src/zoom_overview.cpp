@@ -98,7 +98,7 @@ void ZoomOverview::place() {
       {static_cast<double>(kWidestOverview_px) / picture.width(), static_cast<double>(kHighestOverview_px) / picture.height(), 0.3});
   const int wide = std::max(1, static_cast<int>(std::lround(share * picture.width())));
   const int high = std::max(1, static_cast<int>(std::lround(share * picture.height())));
-  const int right = std::min(picture.right() + 1, scan_.width() - kBesideScale_px) - kFromCorner_px;
+  const int right = std::min(picture.right() + 1, scan_.width() - scaled(kBesideScale_px)) - kFromCorner_px;
   const QRect there(right - wide, picture.bottom() + 1 - kFromCorner_px - high, wide, high);
   if (geometry() != there) setGeometry(there);
 }
