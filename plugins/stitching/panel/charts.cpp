@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panel/look.h"
+
 namespace ew::stitching {
 namespace {
 
@@ -22,7 +24,7 @@ void paintCard(QPainter& painter, const QWidget& on) {
   painter.setBrush(on.palette().color(QPalette::Base));
   painter.drawRoundedRect(on.rect(), 4, 4);
   QFont font = on.font();
-  font.setPixelSize(11);
+  font.setPixelSize(withText(11, font));
   painter.setFont(font);
 }
 
@@ -48,7 +50,7 @@ LevelChart::LevelChart(StitchSession& session, QWidget* parent) : QWidget(parent
   setObjectName(QStringLiteral("levelChart"));
   const auto look = [this] {
     const bool nothing = session_.levels().empty() && session_.warpLevels().empty();
-    setFixedHeight(nothing ? 48 : 104);  // a chart of nothing takes no room from what can be done about it
+    setFixedHeight(withText(nothing ? 48 : 104, font()));  // a chart of nothing takes no room from what can be done about it
     update();
   };
   connect(&session_, &StitchSession::levelsChanged, this, look);

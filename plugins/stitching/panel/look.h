@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QColor>
+#include <QFont>
 #include <QPalette>
 #include <QString>
 #include <QWidget>
@@ -15,6 +16,9 @@
 namespace ew::stitching {
 
 inline QColor colourOf(const std::array<std::uint8_t, 3>& rgb) { return {rgb[0], rgb[1], rgb[2]}; }
+
+/// A size that holds text, so many pixels at the window's usual 13: what is painted grows with the words around it.
+[[nodiscard]] inline int withText(int px, const QFont& font) { return font.pixelSize() > 0 ? px * font.pixelSize() / 13 : px; }
 
 [[nodiscard]] inline QColor colourOfMark(StitchSession::Mark mark, const QPalette& palette) {
   const bool dark = palette.color(QPalette::Window).lightness() < 128;

@@ -223,13 +223,14 @@ QWidget* StitchStage::makeFrame(QLabel*& title, QWidget* content, const std::vec
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   auto* head = new QWidget;
-  head->setFixedHeight(36);
+  head->setFixedHeight(kGap_px + withText(28, font()));
   head->setAutoFillBackground(true);
   auto* row = new QHBoxLayout(head);
   row->setContentsMargins(kGap_px, 3, kGap_px / 2, 3);
   row->setSpacing(kGap_px / 2);
   title = new ElidedLabel;
   title->setProperty("small", true);
+  title->setBuddy(content);  // and so its name for who has it read aloud
   row->addWidget(title, 1);
   for (QWidget* control : controls) row->addWidget(control);
   column->addWidget(head);

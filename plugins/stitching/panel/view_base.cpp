@@ -3,11 +3,14 @@
 #include <QKeyEvent>
 #include <QPainter>
 
+#include "panel/look.h"
+
 namespace ew::stitching {
 
 ViewBase::ViewBase(StitchSession& session, QWidget* parent) : QWidget(parent), session_(session) {
   setMinimumSize(160, 120);
   setFocusPolicy(Qt::StrongFocus);
+  setLayoutDirection(Qt::LeftToRight);  // an image has its sides, whatever is read
   setAttribute(Qt::WA_OpaquePaintEvent);
 }
 
@@ -23,7 +26,7 @@ void ViewBase::beginPainting(QPainter& painter, const QColor& ground) const {
   painter.fillRect(rect(), ground);
   painter.setRenderHint(QPainter::Antialiasing);
   QFont small = font();
-  small.setPixelSize(12);
+  small.setPixelSize(withText(12, small));
   painter.setFont(small);
 }
 

@@ -9,6 +9,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPushButton>
+#include <QStyle>
 #include <QStyledItemDelegate>
 #include <algorithm>
 #include <utility>
@@ -32,7 +33,9 @@ enum Role { kLine = Qt::UserRole, kMark, kBroken };
 class VolumeDelegate final : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
-  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {200, kRow_px}; }
+  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override {
+    return {200, withText(kRow_px, option.font)};
+  }
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
@@ -48,27 +51,29 @@ class VolumeDelegate final : public QStyledItemDelegate {
       painter->setBrush(Qt::NoBrush);
       painter->drawRoundedRect(QRectF(box).adjusted(2.5, 1.5, -2.5, -1.5), 4, 4);
     }
-    const QRectF badge(box.left() + 10, box.top() + 11, 22, 22);
+    const auto px = [&option](int size) { return withText(size, option.font); };
+    const auto placed = [&](const QRect& rect) { return QStyle::visualRect(option.direction, box, rect); };
+    const QRectF badge(placed(QRect(box.left() + 10, box.top() + px(11), px(22), px(22))));
     painter->setPen(QPen(colourOf(colourOfView(static_cast<std::size_t>(index.row()))), 2.0));
     painter->setBrush(Qt::NoBrush);
     painter->drawEllipse(badge.adjusted(1, 1, -1, -1));
     QFont font = option.font;
-    font.setPixelSize(12);
+    font.setPixelSize(px(12));
     painter->setFont(font);
     painter->setPen(colours.color(QPalette::WindowText));
     painter->drawText(badge, Qt::AlignCenter, words(letterOf(static_cast<std::size_t>(index.row()))));
-    const int left = box.left() + 42;
-    const int wide = box.right() - 32 - left;
-    font.setPixelSize(13);
+    const int left = box.left() + 20 + px(22);
+    const int wide = box.right() - 18 - px(14) - left;
+    font.setPixelSize(px(13));
     painter->setFont(font);
-    painter->drawText(QRect(left, box.top() + 4, wide, 18), Qt::AlignLeft | Qt::AlignVCenter,
+    painter->drawText(placed(QRect(left, box.top() + 4, wide, px(18))), Qt::AlignLeft | Qt::AlignVCenter,
                       QFontMetrics(font).elidedText(index.data(Qt::EditRole).toString(), Qt::ElideMiddle, wide));
-    font.setPixelSize(12);
+    font.setPixelSize(px(12));
     painter->setFont(font);
     painter->setPen(colours.color(index.data(kBroken).toBool() ? QPalette::BrightText : QPalette::PlaceholderText));
-    painter->drawText(QRect(left, box.top() + 22, wide, 18), Qt::AlignLeft | Qt::AlignVCenter,
+    painter->drawText(placed(QRect(left, box.top() + 4 + px(18), wide, px(18))), Qt::AlignLeft | Qt::AlignVCenter,
                       QFontMetrics(font).elidedText(index.data(kLine).toString(), Qt::ElideRight, wide));
-    drawMark(*painter, QRectF(box.right() - 27, box.top() + 15, 14, 14), static_cast<StitchSession::Mark>(index.data(kMark).toInt()),
+    drawMark(*painter, QRectF(placed(QRect(box.right() - 13 - px(14), box.top() + px(15), px(14), px(14)))), static_cast<StitchSession::Mark>(index.data(kMark).toInt()),
              colours);
     painter->restore();
   }
@@ -90,7 +95,7 @@ VolumeList::VolumeList(StitchSession& session, QWidget* parent) : QWidget(parent
   list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   list_->setDragDropMode(QAbstractItemView::InternalMove);
   list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
-  list_->setMinimumHeight(2 * kRow_px + 4);
+  list_->setMinimumHeight(2 * withText(kRow_px, list_->font()) + 4);
   list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   list_->installEventFilter(this);
   connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
@@ -223,8 +228,8 @@ void VolumeList::refresh() {
   const bool was = std::exchange(showing_, true);
   const auto& volumes = session_.project().volumes;
   const int rows = static_cast<int>(volumes.size());
-  list_->setMinimumHeight(std::clamp(rows, 2, 4) * kRow_px + 4);
-  list_->setMaximumHeight(std::max(2, rows) * kRow_px + 4);
+  list_->setMinimumHeight(std::clamp(rows, 2, 4) * withText(kRow_px, list_->font()) + 4);
+  list_->setMaximumHeight(std::max(2, rows) * withText(kRow_px, list_->font()) + 4);
   while (list_->count() > static_cast<int>(volumes.size())) delete list_->takeItem(list_->count() - 1);
   for (std::size_t n = 0; n < volumes.size(); ++n) {
     QListWidgetItem* item = list_->item(static_cast<int>(n));
