@@ -42,7 +42,9 @@ void Scanner::place(const Transform<frame::World, frame::World>& ownToWorld) {
 void Scanner::setLabels(std::shared_ptr<const Volume> labels) {
   if (!subject_) return;
   subject_->labels = std::move(labels);
-  subject_->place(subject_->placedGrid.voxelToWorld() * inverse(subject_->voxels.grid().voxelToWorld()));
+  if (!subject_->labels) return;
+  // The voxels stay where they are, to the last bit.
+  subject_->placedLabels = placed(subject_->labels->grid, subject_->placedGrid.voxelToWorld() * subject_->voxels.grid().worldToVoxel());
 }
 
 void Scanner::prepare(const ScanState& state, int width_px, int height_px) {
