@@ -1,0 +1,194 @@
+// How what was painted gets into the case, and how it outlives a crash.
+#include <QPointer>
+#include <algorithm>
+#include <utility>
+
+#include "ew/io/volume_file.h"
+#include "ew/library/content_name.h"
+#include "ew/sdk/case_parts.h"
+#include "ew/sdk/panel.h"
+#include "ew/sdk/window.h"
+#include "logic/edits.h"
+#include "panel/paint_work.h"
+
+namespace ew::case_authoring {
+
+void PaintWork::keepAside() {
+  if (!hasUnkept()) return;
+  if (isKeepingAside_ || isBusy_) return keepSoon_.start();
+  startKeepingAside();
+}
+
+void PaintWork::startKeepingAside() {
+  isKeepingAside_ = true;
+  const auto manifest = host_.cases().current();
+  const std::string before = manifest ? textOf(*manifest, "volume.labels") : std::string();
+  host_.jobs().start(
+      tr("Keeping what is painted").toStdString(),
+      [kept = kept_, labels = painting_->labels(), folder = caseFolder_, before](Progress& progress) {
+        return kept->keep(labels, folder, before, progress);
+      },
+      [self = QPointer<PaintWork>(this), kept = kept_](const Result<void>& outcome) {
+        if (!self) return;
+        if (self->kept_ != kept) return kept->leave();  // another case is open
+        self->isKeepingAside_ = false;
+        if (!self->painting_) kept->forget();  // decided meanwhile
+        if (!outcome) return self->say(outcome.error());
+        if (self->takenOver_) KeptPainting::remove(*std::exchange(self->takenOver_, std::nullopt));
+      });
+}
+
+/// Nothing is painted any more.
+void PaintWork::end() {
+  keepSoon_.stop();
+  take({});
+  painting_.reset();
+  voxels_.reset();
+  if (!isKeepingAside_) kept_->forget();
+  if (takenOver_) KeptPainting::remove(*std::exchange(takenOver_, std::nullopt));
+  if (onChanged) onChanged();
+}
+
+void PaintWork::discard() {
+  if (isBusy_ || !painting_) return;
+  end();
+  say(QString());
+  if (const auto shown = host_.scan().showLabels({}); !shown) say(shown.error());
+}
+
+void PaintWork::keep() {
+  if (isBusy_ || !hasUnkept()) return;
+  take({});
+  if (auto own = host_.cases().makeOwn(); !own) return say(own.error());
+  addLabels(
+      tr("Keeping the structures in the case"), [labels = painting_->labels()](Progress&) -> Result<Volume> { return labels; },
+      [this](const std::string& file) {
+        const auto manifest = host_.cases().current();
+        if (!manifest) return;
+        if (const auto done = host_.cases().edit(withField(*manifest, "volume.labels", file), tr("Paint structures").toStdString(), {});
+            !done)
+          return say(done.error());
+        say(QString());
+        end();
+      });
+}
+
+void PaintWork::withLabelFile(std::function<void(const std::string& file)> done) {
+  const auto manifest = host_.cases().current();
+  if (!manifest || isBusy_) return;
+  if (const std::string file = textOf(*manifest, "volume.labels"); !file.empty()) return done(file);
+  const auto scanned = host_.scan().scanned();
+  const auto place = fileToWorld();
+  if (!scanned || !place || !host_.cases().scan())
+    return say(tr("The volume of this case is not what is scanned at the moment; choose View, Scan the case's volume."));
+  auto empty = Painting::begin(*scanned, *place);
+  if (!empty) return say(empty.error());
+  if (auto own = host_.cases().makeOwn(); !own) return say(own.error());
+  addLabels(
+      tr("Preparing labels"), [labels = (*empty)->labels()](Progress&) -> Result<Volume> { return labels; }, std::move(done));
+}
+
+void PaintWork::withoutLabel(int label, std::function<void(const std::string& file)> done) {
+  const auto manifest = host_.cases().current();
+  if (!manifest || isBusy_) return;
+  const auto erase = [label](Volume& labels) {
+    const auto number = static_cast<std::uint8_t>(label);
+    const auto box = labelling::boxOf(labels, number);
+    std::replace(labels.echo.begin(), labels.echo.end(), number, std::uint8_t{0});
+    return box;
+  };
+  const std::string file = textOf(*manifest, "volume.labels");
+  if (auto own = host_.cases().makeOwn(); !own) return say(own.error());
+  if (painting_) {
+    painting_->edits().edit(tr("Remove the structure").toStdString(), erase);
+    painted();
+  }
+  addLabels(
+      tr("Removing the structure"),
+      [erase, from = host_.cases().currentFolder() / file](Progress& progress) -> Result<Volume> {
+        auto read = readLabelVolume(from, progress);
+        if (!read) return passOn(read.error());
+        erase(read->volume);
+        return std::move(read->volume);
+      },
+      std::move(done));
+}
+
+void PaintWork::addLabels(const QString& title, std::function<Result<Volume>(Progress&)> make,
+                          std::function<void(const std::string& file)> done) {
+  isBusy_ = true;
+  if (onChanged) onChanged();
+  auto file = std::make_shared<std::string>();
+  const auto folder = host_.cases().currentFolder();
+  host_.jobs().startSaving(
+      title.toStdString(),
+      [file, folder, make = std::move(make)](Progress& progress) -> Result<void> {
+        PartOfProgress first(progress, 0.0, 0.5), second(progress, 0.5, 1.0);
+        auto labels = make(first);
+        if (!labels) return passOn(labels.error());
+        auto added = addVolume(*labels, folder, second);
+        if (!added) return passOn(added.error());
+        *file = *added;
+        return {};
+      },
+      [self = QPointer<PaintWork>(this), file, folder, done = std::move(done)](const Result<void>& outcome) {
+        if (!self) return;
+        self->isBusy_ = false;
+        if (!outcome) self->say(outcome.error());
+        if (outcome && self->host_.cases().currentFolder() == folder) done(*file);
+        if (self->onChanged) self->onChanged();
+      });
+}
+
+void PaintWork::followCase() {
+  const auto folder = host_.cases().currentFolder();
+  const auto scanned = host_.scan().scanned();
+  if (painting_ && scanned && scanned->voxels == voxels_) {
+    caseFolder_ = folder;  // the same case under another name
+    keepSoon_.start();
+    return;
+  }
+  if (painting_) {
+    const bool wasUnkept = hasUnkept();
+    take({});
+    // It is kept aside for whoever opens that case again.
+    if (wasUnkept) startKeepingAside();
+    isKeepingAside_ = false;
+    keepSoon_.stop();
+    painting_.reset();
+    voxels_.reset();
+    takenOver_.reset();
+    kept_ = std::make_shared<KeptPainting>(kept_->root());
+    if (wasUnkept)
+      host_.window().warn(tr("What was painted was not kept in its case; it is offered when that is opened again.").toStdString(),
+                          "painting");
+  }
+  left_ = folder.empty() ? std::nullopt : kept_->leftFor(folder);
+  if (onChanged) onChanged();
+}
+
+void PaintWork::goOnWithLeft() {
+  const auto scanned = host_.scan().scanned();
+  const auto place = fileToWorld();
+  if (!left_ || isBusy_ || painting_) return;
+  if (!scanned || !place || !host_.cases().scan())
+    return say(tr("The volume of this case is not what is scanned at the moment; choose View, Scan the case's volume."));
+  auto labels = KeptPainting::read(*left_, noProgress());
+  if (!labels) return say(labels.error());
+  auto begun = Painting::goOn(std::move(*labels), *scanned, *place);
+  if (!begun) return say(begun.error());
+  painting_ = std::move(*begun);
+  voxels_ = scanned->voxels;
+  caseFolder_ = host_.cases().currentFolder();
+  takenOver_ = std::exchange(left_, std::nullopt);  // until it is kept aside by this program
+  painted();
+  keepAside();
+}
+
+void PaintWork::discardLeft() {
+  if (left_) KeptPainting::remove(*left_);
+  left_.reset();
+  if (onChanged) onChanged();
+}
+
+}  // namespace ew::case_authoring

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QWidget>
+#include <nlohmann/json.hpp>
+
+#include "ew/sdk/host.h"
+#include "ew/sdk/scan.h"
+#include "panel/structure_page.h"
+
+namespace ew::case_authoring {
+
+/// A point among the targets: where it lies, clicked in the scan, and how near is near enough.
+class PointPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PointPage(sdk::Host& host, QWidget* parent = nullptr);
+  void setTarget(const nlohmann::json& target);
+  /// Nobody asks for a click any more.
+  void rest();
+
+  TargetChange change;
+
+ private:
+  void ask(bool on);
+
+  sdk::Host& host_;
+  QLabel* where_ = nullptr;
+  QPushButton* click_ = nullptr;
+  QDoubleSpinBox* tolerance_ = nullptr;
+  sdk::Ticket asking_;
+};
+
+/// A plane among the targets: taken from the probe, with tolerances, and how far the probe is from it now, as a trainee is judged.
+class PlanePage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PlanePage(sdk::Host& host, QWidget* parent = nullptr);
+  void setTarget(const nlohmann::json& manifest, const nlohmann::json& target);
+  void see(const ScanState& image);
+
+  TargetChange change;
+  std::function<void(const QString& sentence)> onSaid;
+
+ private:
+  QDoubleSpinBox* addTolerance(class QFormLayout* form, const QString& text, const char* key, double highest, const QString& unit,
+                               const char* name);
+
+  sdk::Host& host_;
+  nlohmann::json manifest_, target_;
+  QLabel* away_ = nullptr;
+  QPushButton* go_ = nullptr;
+  QDoubleSpinBox *position_ = nullptr, *angle_ = nullptr;
+};
+
+/// Where the image plane of an image lies in the frame of the case's file.
+[[nodiscard]] std::optional<Transform<frame::File, frame::Probe>> planeInFile(const nlohmann::json& manifest, const ScanState& image);
+
+}  // namespace ew::case_authoring

@@ -1,0 +1,384 @@
+#include "panel/targets_panel.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPointer>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QTimer>
+#include <algorithm>
+
+#include "ew/sdk/panel.h"
+#include "logic/edits.h"
+#include "logic/targets.h"
+#include "logic/tissues.h"
+#include "panel/paint_work.h"
+#include "panel/place_pages.h"
+#include "panel/structure_page.h"
+
+namespace ew::case_authoring {
+namespace {
+
+using sdk::kGap_px;
+
+QPushButton* targetButton(const QString& text, const QString& tip, const char* name, QHBoxLayout* row) {
+  auto* button = new QPushButton(text);
+  button->setObjectName(QLatin1String(name));
+  button->setToolTip(tip);
+  button->setAccessibleName(tip);
+  row->addWidget(button);
+  return button;
+}
+
+}  // namespace
+
+TargetsPanel::TargetsPanel(sdk::Host& host, QWidget* parent)
+    : QWidget(parent), host_(host), work_(new PaintWork(host, this)), drawer_(host) {
+  setObjectName(QStringLiteral("targetsPanel"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  pages_ = new QStackedWidget;
+  pages_->addWidget(sdk::emptyState(tr("No case is open"), tr("Open a case from the start page or the File menu. Then what a trainee is to "
+                                                              "find in it can be pointed out here.")));
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* body = new QWidget;
+  auto* parts = new QVBoxLayout(body);
+  parts->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
+  parts->setSpacing(kGap_px);
+  parts->addWidget(makeLeft());
+  parts->addWidget(makeList());
+  problem_ = sdk::problemLabel();
+  problem_->setObjectName(QStringLiteral("targetsProblem"));
+  parts->addWidget(problem_);
+  parts->addWidget(makeEditor());
+  parts->addStretch(1);
+  scroll->setWidget(body);
+  pages_->addWidget(scroll);
+  column->addWidget(pages_);
+
+  work_->onChanged = [this] { followWork(); };
+  work_->onSaid = [this](const QString& sentence) { say(sentence); };
+  changed_ = host_.cases().onChanged([this] { showCase(); });
+  // What is scanned changes right after the case does.
+  opened_ =
+      host_.caseParts().onOpened([this](const std::filesystem::path&) { QTimer::singleShot(0, work_, [this] { work_->followCase(); }); });
+  qApp->installEventFilter(this);
+  showCase();
+  work_->followCase();
+}
+
+TargetsPanel::~TargetsPanel() {
+  work_->onChanged = {};
+  work_->onSaid = {};
+}
+
+QWidget* TargetsPanel::makeLeft() {
+  left_ = new QWidget;
+  left_->setObjectName(QStringLiteral("paintLeft"));
+  auto* column = new QVBoxLayout(left_);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(sdk::quietLabel(tr("Something was painted in this case before, and not kept in it.")));
+  auto* row = new QHBoxLayout;
+  row->setSpacing(kGap_px);
+  connect(targetButton(tr("Go on with it"), tr("Show what was painted; it is kept in the case when you say so"), "paintGoOn", row),
+          &QPushButton::clicked, this, [this] { work_->goOnWithLeft(); });
+  connect(targetButton(tr("Discard"), tr("Give up what was painted then"), "paintDiscardLeft", row), &QPushButton::clicked, this,
+          [this] { work_->discardLeft(); });
+  column->addLayout(row);
+  return left_;
+}
+
+QWidget* TargetsPanel::makeList() {
+  auto* part = new QWidget;
+  auto* column = new QVBoxLayout(part);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kGap_px);
+  column->addWidget(sdk::headingLabel(tr("What is to be found")));
+  empty_ = sdk::quietLabel(tr("Nothing yet. Put the probe where something is to be seen, then add a point, a plane or a structure."));
+  empty_->setObjectName(QStringLiteral("targetsEmpty"));
+  column->addWidget(empty_);
+  list_ = new QListWidget;
+  list_->setObjectName(QStringLiteral("targetsList"));
+  list_->setAccessibleName(tr("Targets"));
+  list_->setMaximumHeight(22 * kGap_px);
+  connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
+    if (row >= 0) choose(static_cast<std::size_t>(row));
+  });
+  column->addWidget(list_);
+  auto* adding = new QHBoxLayout;
+  adding->setSpacing(kGap_px);
+  connect(targetButton(tr("Point"), tr("Add a point, in the middle of the image"), "addPoint", adding), &QPushButton::clicked, this,
+          &TargetsPanel::addPoint);
+  connect(targetButton(tr("Plane"), tr("Add the present image plane"), "addPlane", adding), &QPushButton::clicked, this,
+          &TargetsPanel::addPlane);
+  connect(targetButton(tr("Structure"), tr("Add a structure, which is painted or grown in the scan"), "addStructure", adding),
+          &QPushButton::clicked, this, &TargetsPanel::addStructure);
+  column->addLayout(adding);
+  auto* order = new QHBoxLayout;
+  order->setSpacing(kGap_px);
+  up_ = targetButton(tr("Up"), tr("Move the target up"), "targetUp", order);
+  connect(up_, &QPushButton::clicked, this, [this] { move(-1); });
+  down_ = targetButton(tr("Down"), tr("Move the target down"), "targetDown", order);
+  connect(down_, &QPushButton::clicked, this, [this] { move(1); });
+  remove_ = targetButton(tr("Remove"), tr("Remove the target"), "removeTarget", order);
+  connect(remove_, &QPushButton::clicked, this, &TargetsPanel::remove);
+  column->addLayout(order);
+  return part;
+}
+
+QWidget* TargetsPanel::makeEditor() {
+  editor_ = new QWidget;
+  auto* column = new QVBoxLayout(editor_);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kGap_px);
+  name_ = new sdk::WithHostUndo<QLineEdit>;
+  name_->setObjectName(QStringLiteral("targetName"));
+  name_->setAccessibleName(tr("Name of the target"));
+  name_->setPlaceholderText(tr("Name"));
+  connect(name_, &QLineEdit::textEdited, this, &TargetsPanel::rename);
+  column->addWidget(name_);
+  lessons_ = sdk::quietLabel({});
+  lessons_->setObjectName(QStringLiteral("targetLessons"));
+  column->addWidget(lessons_);
+  reveals_ = new QCheckBox(tr("Its name gives the finding away"));
+  reveals_->setObjectName(QStringLiteral("targetReveals"));
+  reveals_->setToolTip(tr("A trainee sees it with the findings, not before"));
+  connect(reveals_, &QCheckBox::toggled, this, [this](bool on) {
+    change(tr("Change what gives the finding away"), "reveals", [on](const nlohmann::json& manifest, std::size_t n) {
+      return withTarget(manifest, n,
+                        withField(targetAt(manifest, n), "reveals_finding", on ? std::optional<nlohmann::json>(true) : std::nullopt));
+    });
+  });
+  column->addWidget(reveals_);
+  kinds_ = new QStackedWidget;
+  point_ = new PointPage(host_);
+  plane_ = new PlanePage(host_);
+  structure_ = new StructurePage(host_, *work_);
+  const auto changing = [this](const auto& what, const auto& part, const auto& edit) { change(what, part, edit); };
+  point_->change = plane_->change = structure_->change = changing;
+  plane_->onSaid = [this](const QString& sentence) { say(sentence); };
+  for (QWidget* page : std::initializer_list<QWidget*>{point_, plane_, structure_}) kinds_->addWidget(page);
+  column->addWidget(kinds_);
+  return editor_;
+}
+
+void TargetsPanel::say(const QString& sentence) { sdk::setProblem(problem_, sentence); }
+
+void TargetsPanel::change(const QString& what, const std::string& part,
+                          const std::function<nlohmann::json(nlohmann::json, std::size_t)>& edit) {
+  const auto manifest = host_.cases().current();
+  if (!manifest || targetAt(*manifest, chosen_).is_null()) return;
+  const auto done = host_.cases().edit(edit(*manifest, chosen_), what.toStdString(), "targets " + std::to_string(chosen_) + " " + part);
+  say(done ? QString() : sdk::words(done.error().message));
+}
+
+void TargetsPanel::add(const QString& what, const nlohmann::json& target) {
+  const auto manifest = host_.cases().current();
+  if (!manifest) return;
+  const std::size_t number = targetCount(*manifest);
+  const auto done = host_.cases().edit(withTargetAdded(*manifest, target), what.toStdString(), {});
+  say(done ? QString() : sdk::words(done.error().message));
+  if (!done) return;
+  choose(number);
+  name_->setFocus();
+  name_->selectAll();
+}
+
+void TargetsPanel::addPoint() {
+  const auto manifest = host_.cases().current();
+  const auto image = host_.scan().state();
+  const auto plane = manifest && image && host_.cases().scan() ? planeInFile(*manifest, *image) : std::nullopt;
+  if (!plane) return say(tr("The volume of this case is not what is scanned at the moment; choose View, Scan the case's volume."));
+  add(tr("Add a point"),
+      pointTarget(freeTargetName(*manifest, tr("Point").toStdString()), carried(*plane, {0.0, 0.5 * seenSize_mm(*image).y, 0.0})));
+}
+
+void TargetsPanel::addPlane() {
+  const auto manifest = host_.cases().current();
+  const auto image = host_.scan().state();
+  const auto plane = manifest && image && host_.cases().scan() ? planeInFile(*manifest, *image) : std::nullopt;
+  if (!plane) return say(tr("The volume of this case is not what is scanned at the moment; choose View, Scan the case's volume."));
+  add(tr("Add a plane"), planeTarget(freeTargetName(*manifest, tr("Plane").toStdString()), *plane));
+}
+
+void TargetsPanel::addStructure() {
+  const auto manifest = host_.cases().current();
+  if (!manifest) return;
+  const std::string name = freeTargetName(*manifest, tr("Structure").toStdString());
+  if (hasPatient(*manifest)) {
+    std::string organ;
+    if (const auto image = host_.scan().state())
+      for (const TissueAcoustics& tissue : image->scene.tissues)
+        if (organ.empty() && tissue.label > 0) organ = tissue.name;
+    if (organ.empty()) return say(tr("The patient's organs are known once the volume is scanned; choose View, Scan the case's volume."));
+    return add(tr("Add a structure"), organTarget(name, organ));
+  }
+  work_->withLabelFile([this](const std::string& file) {
+    const auto now = host_.cases().current();
+    if (!now) return;
+    const auto scanned = host_.scan().scanned();
+    const Volume* labels = work_->painting() != nullptr ? &work_->painting()->labels() : scanned ? scanned->labels.get() : nullptr;
+    const int label = freeLabel(*now, labels);
+    if (label == 0) return say(tr("All 255 labels are taken; remove a structure first."));
+    const auto target = structureTarget(freeTargetName(*now, tr("Structure").toStdString()), label);
+    const std::size_t number = targetCount(*now);
+    const auto done =
+        host_.cases().edit(withTargetAdded(withField(*now, "volume.labels", file), target), tr("Add a structure").toStdString(), {});
+    say(done ? QString() : sdk::words(done.error().message));
+    if (done) choose(number);
+  });
+}
+
+void TargetsPanel::remove() {
+  const auto manifest = host_.cases().current();
+  if (!manifest) return;
+  const auto target = targetAt(*manifest, chosen_);
+  const int label = labelOf(target).value_or(0);
+  const auto edit = [this](const nlohmann::json& edited) {
+    const auto done = host_.cases().edit(edited, tr("Remove the target").toStdString(), {});
+    say(done ? QString() : sdk::words(done.error().message));
+  };
+  const nlohmann::json without = withoutTarget(*manifest, chosen_);
+  if (label == 0 || isLabelled(without, label)) return edit(without);
+  // Its voxels and its tissue go with it: what nobody can see or name any more must not throw a shadow.
+  work_->withoutLabel(label, [this, target, label, edit](const std::string& file) {
+    const auto now = host_.cases().current();
+    for (std::size_t n = 0; now && n < targetCount(*now); ++n)
+      if (targetAt(*now, n) == target) return edit(withField(withTissue(withoutTarget(*now, n), label, {}, {}), "volume.labels", file));
+  });
+}
+
+void TargetsPanel::move(int by) {
+  const auto manifest = host_.cases().current();
+  const std::size_t to = chosen_ + static_cast<std::size_t>(by);  // below 0 it is past the end
+  if (!manifest || to >= targetCount(*manifest)) return;
+  const std::size_t from = std::exchange(chosen_, to);
+  const auto done = host_.cases().edit(withTargetMoved(*manifest, from, to), tr("Move the target").toStdString(), "targets order");
+  if (!done) chosen_ = from;
+  say(done ? QString() : sdk::words(done.error().message));
+}
+
+void TargetsPanel::rename(const QString& name) {
+  // A field without words is on its way to have some.
+  if (name.trimmed().isEmpty()) return say(tr("A target needs a name."));
+  change(tr("Rename the target"), "name",
+         [text = name.toStdString()](const nlohmann::json& manifest, std::size_t n) { return withTargetRenamed(manifest, n, text); });
+}
+
+void TargetsPanel::choose(std::size_t number) {
+  if (number != chosen_) {
+    point_->rest();
+    work_->take({});
+    say({});
+  }
+  chosen_ = number;
+  showChosen();
+}
+
+QString TargetsPanel::lineOf(const nlohmann::json& target) const {
+  const std::string kind = kindOf(target);
+  const QString word = kind == "point" ? tr("point") : kind == "plane" ? tr("plane") : tr("structure");
+  return QStringLiteral("%1 · %2").arg(sdk::words(textOf(target, "name")), word);
+}
+
+void TargetsPanel::showCase() {
+  const auto manifest = host_.cases().current();
+  manifest_ = manifest ? *manifest : nlohmann::json();
+  pages_->setCurrentIndex(manifest ? 1 : 0);
+  const std::size_t count = targetCount(manifest_);
+  chosen_ = count == 0 ? 0 : std::min(chosen_, count - 1);
+  {
+    const QSignalBlocker quiet(list_);
+    while (list_->count() > static_cast<int>(count)) delete list_->takeItem(list_->count() - 1);
+    for (std::size_t n = 0; n < count; ++n) {
+      if (static_cast<int>(n) >= list_->count()) list_->addItem(QString());
+      list_->item(static_cast<int>(n))->setText(lineOf(targetAt(manifest_, n)));
+    }
+  }
+  list_->setVisible(count > 0);
+  empty_->setVisible(count == 0);
+  showChosen();
+}
+
+void TargetsPanel::showChosen() {
+  const auto target = targetAt(manifest_, chosen_);
+  const std::size_t count = targetCount(manifest_);
+  editor_->setVisible(!target.is_null());
+  up_->setEnabled(count > 1 && chosen_ > 0);
+  down_->setEnabled(count > 1 && chosen_ + 1 < count);
+  remove_->setEnabled(count > 0);
+  drawer_.setTargets(manifest_, chosen_);
+  if (target.is_null()) return work_->setLabel(0);
+  {
+    const QSignalBlocker quietList(list_), quietReveals(reveals_);
+    list_->setCurrentRow(static_cast<int>(chosen_));
+    reveals_->setChecked(fieldOf(target, "reveals_finding") == true);
+  }
+  const QString name = sdk::words(textOf(target, "name"));
+  if (name_->text() != name && !(name_->hasFocus() && name_->text().trimmed().isEmpty())) name_->setText(name);
+  const std::size_t steps = stepsNaming(manifest_, textOf(target, "name"));
+  lessons_->setText(tr("Steps of lessons that ask for it: %1. They follow when it is renamed.").arg(steps));
+  lessons_->setVisible(steps > 0);
+  const std::string kind = kindOf(target);
+  kinds_->setCurrentIndex(kind == "point" ? 0 : kind == "plane" ? 1 : 2);
+  // A page that is not seen must not hold the height of the largest.
+  for (int n = 0; n < kinds_->count(); ++n)
+    kinds_->widget(n)->setSizePolicy(QSizePolicy::Preferred, n == kinds_->currentIndex() ? QSizePolicy::Preferred : QSizePolicy::Ignored);
+  if (kind == "point") point_->setTarget(target);
+  if (kind == "plane") plane_->setTarget(manifest_, target);
+  if (kind == "structure")
+    structure_->setTarget(manifest_, target);
+  else
+    work_->setLabel(0);
+}
+
+void TargetsPanel::followWork() {
+  left_->setVisible(work_->hasLeft());
+  drawer_.setPainting(work_->painting());
+  if (kindOf(targetAt(manifest_, chosen_)) == "structure") structure_->followWork();
+  if (const auto image = host_.scan().state()) drawer_.see(*image);
+}
+
+void TargetsPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  images_ = host_.scan().onEvent([this](const ScanEvent& told) {
+    if (!std::holds_alternative<FrameMade>(told.what)) return;
+    const auto image = host_.scan().state();
+    if (!image) return;
+    drawer_.see(*image);
+    plane_->see(*image);
+  });
+  drawer_.setShown(true);
+  showCase();
+  followWork();
+}
+
+void TargetsPanel::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  images_.reset();
+  point_->rest();
+  work_->take({});
+  drawer_.setShown(false);
+}
+
+bool TargetsPanel::eventFilter(QObject* watched, QEvent* event) {
+  const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+  if (!isKey || !isVisible() || work_->painting() == nullptr) return QWidget::eventFilter(watched, event);
+  auto* key = static_cast<QKeyEvent*>(event);
+  const bool isUndo = key->matches(QKeySequence::Undo) && !work_->undoText().isEmpty();
+  const bool isRedo = key->matches(QKeySequence::Redo) && !work_->redoText().isEmpty();
+  if (!isUndo && !isRedo) return QWidget::eventFilter(watched, event);
+  key->accept();
+  if (event->type() == QEvent::KeyPress) isUndo ? work_->undo() : work_->redo();
+  return true;
+}
+
+}  // namespace ew::case_authoring
