@@ -11,9 +11,10 @@ struct ExpertPlayer::Path final : public PoseSource {
   double at_s = 0.0;                  ///< where it rests, or where it was at `since_s`
   double since_s = 0.0;               ///< on the scan's clock
   bool running = false;
+  double speed = 1.0;
 
   [[nodiscard]] double recordedTime(double time_s) const {
-    return running ? std::min(end_s, at_s + std::max(0.0, time_s - since_s)) : at_s;
+    return running ? std::min(end_s, at_s + speed * std::max(0.0, time_s - since_s)) : at_s;
   }
   [[nodiscard]] Pose poseAt(double time_s) const override { return log->frame(log->frameAt(recordedTime(time_s))).pose; }
   [[nodiscard]] bool movesAfter(double time_s) const override { return running && recordedTime(time_s) < end_s; }
@@ -67,6 +68,28 @@ const ExpertMark* ExpertPlayer::mark() const { return atMark_ ? &task_.marks[*at
 double ExpertPlayer::fraction() const {
   const double length_s = path_->end_s - path_->begin_s;
   return length_s > 0.0 ? (path_->recordedTime(host_.scan().now_s()) - path_->begin_s) / length_s : 1.0;
+}
+
+double ExpertPlayer::at_s() const { return path_->recordedTime(host_.scan().now_s()); }
+
+void ExpertPlayer::jumpTo(double time_s) {
+  path_->running = false;
+  playing_ = false;
+  timer_.stop();
+  path_->at_s = std::clamp(time_s, path_->begin_s, path_->end_s);
+  ended_ = false;
+  atMark_.reset();
+  nextMark_ = 0;
+  while (nextMark_ < task_.marks.size() && task_.marks[nextMark_].time_s < path_->at_s) ++nextMark_;
+  applySettings();
+  Q_EMIT changed();
+}
+
+void ExpertPlayer::setSpeed(double speed) {
+  const double now_s = host_.scan().now_s();
+  path_->at_s = path_->recordedTime(now_s);
+  path_->since_s = now_s;
+  path_->speed = speed;
 }
 
 void ExpertPlayer::tick() {

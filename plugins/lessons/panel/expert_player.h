@@ -30,6 +30,11 @@ class ExpertPlayer final : public QObject {
   [[nodiscard]] const ExpertMark* mark() const;
   /// Of the shown part, 0 to 1.
   [[nodiscard]] double fraction() const;
+  [[nodiscard]] double at_s() const;  ///< on the recording's clock
+  /// Shows a moment of the shown part and rests there.
+  void jumpTo(double time_s);
+  /// @param speed 1: as it was recorded
+  void setSpeed(double speed);
 
  Q_SIGNALS:
   void changed();

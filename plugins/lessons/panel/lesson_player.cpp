@@ -245,6 +245,7 @@ void LessonPlayer::leaveForAnotherCase() {
   if (run_->attempt())
     host_.window().info(tr("The lesson was left because another case was opened; it can be gone on with in its own case.").toStdString(),
                         "lesson left");
+  Q_EMIT drivenOut();
   finish();
 }
 

@@ -36,7 +36,8 @@ class LessonPlayer final : public QWidget {
   void leave();
 
  Q_SIGNALS:
-  void ended();  ///< left, or the summary was read: there is no run any more
+  void ended();      ///< left, or the summary was read: there is no run any more
+  void drivenOut();  ///< before ended(): left, because the user has opened another case
   void failed(const QString& problem);
   void problemGone();
 

@@ -161,6 +161,13 @@ Result<int> check(const LessonArguments& arguments, Run& run) {
       run.out() << lesson.id << (problem.stepId.empty() ? "" : ", step " + problem.stepId) << ": " << sentence << "\n";
       run.report.details["problems"].push_back({{"lesson", lesson.id}, {"step", problem.stepId}, {"sentence", sentence}});
     }
+  if (arguments.lesson.empty()) {
+    run.report.details["unused"] = nlohmann::json::array();
+    for (const std::string& file : unusedLessonFiles(home->opened)) {
+      run.say("No lesson names the file " + file + "; it may go.");
+      run.report.details["unused"].push_back(file);
+    }
+  }
   run.report.quality = {{"lessons", lessons.size()}, {"problems", problems}};
   if (problems == 0) {
     run.say(counted(lessons.size(), "lesson") + " of " + home->opened.id + " can be worked through.");

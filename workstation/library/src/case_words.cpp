@@ -81,6 +81,29 @@ Result<CaseWords> readCaseWords(const fs::path& file) {
   return CaseWords(std::move(words));
 }
 
+Result<void> setCaseWord(const fs::path& caseFolder, const std::string& language, const std::string& text, const std::string& translation) {
+  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_-";
+  if (language.empty() || language.find_first_not_of(kLetters) != std::string::npos)
+    return failure(ErrorCode::badUsage, say<"'%1' is not a language such as \"de\".">(language));
+  const fs::path file = caseFolder / "words" / (language + ".json");
+  nlohmann::json document = {{"format", kWordsFormat}, {"words", nlohmann::json::object()}};
+  std::error_code problem;
+  if (fs::exists(file, problem)) {
+    if (auto known = readCaseWords(file); !known) return passOn(known.error());  // what cannot be read is not written over
+    auto there = readTextFile(file, kLargestWords_bytes);
+    if (!there) return passOn(there.error());
+    auto parsed = parseJsonObject(*there, verbatim(file.filename().string()));
+    if (!parsed) return passOn(parsed.error());
+    document = std::move(*parsed);
+  }
+  if (translation.empty())
+    document["words"].erase(text);
+  else
+    document["words"][text] = translation;
+  fs::create_directories(file.parent_path(), problem);  // writing says what is wrong when this did not help
+  return writeFileSafely(file, document.dump(2) + "\n");
+}
+
 CaseWords wordsOf(const fs::path& caseFolder, const std::string& language) {
   const std::string alone = language.substr(0, language.find_first_of("_-"));
   for (const std::string& name : {language, alone}) {

@@ -1,6 +1,7 @@
 #include "ew/library/lesson_links.h"
 
 #include <algorithm>
+#include <set>
 
 #include "ew/core/message.h"
 
@@ -116,6 +117,31 @@ std::vector<LessonProblem> problemsOf(const Lesson& lesson, const Case& home, co
       problems.push_back({step.id, say<"The case '%1' is not in the library; import it, or choose another.">(step.caseId)});
   }
   return problems;
+}
+
+std::vector<std::string> unusedLessonFiles(const Case& home) {
+  if (home.folder.empty()) return {};
+  const auto lessons = lessonsOf(home);
+  if (!lessons) return {};  // nobody knows what they name
+  std::set<std::string> named;
+  for (const Lesson& lesson : *lessons)
+    for (const LessonStep& step : lesson.steps) {
+      if (const auto* read = std::get_if<ReadTask>(&step.task)) named.insert(fs::path(read->picture).lexically_normal().generic_string());
+      if (const auto* watch = std::get_if<WatchTask>(&step.task))
+        named.insert(fs::path(watch->recording).lexically_normal().generic_string());
+    }
+  std::vector<std::string> unused;
+  const fs::path part = home.folder / "parts" / std::string(kLessonsPart);
+  std::error_code ignored;
+  for (const auto& [folder, ending] : {std::pair<const char*, std::string_view>{"scans", ".mha"}, {"media", ""}})
+    for (const auto& each : fs::directory_iterator(part / folder, ignored)) {
+      const std::string name = std::string(folder) + "/" + each.path().filename().string();
+      if (each.is_regular_file(ignored) && !each.path().filename().string().starts_with(".") && name.ends_with(ending) &&
+          named.count(name) == 0)
+        unused.push_back(name);
+    }
+  std::sort(unused.begin(), unused.end());
+  return unused;
 }
 
 }  // namespace ew

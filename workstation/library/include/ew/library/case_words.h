@@ -31,6 +31,11 @@ class CaseWords {
 [[nodiscard]] CaseWords wordsOf(const std::filesystem::path& caseFolder, const std::string& language);
 /// @error notFound, badHeader, badField, newerFormat
 [[nodiscard]] Result<CaseWords> readCaseWords(const std::filesystem::path& file);
+/// Writes what stands in place of a text into words/LANGUAGE.json of a case, whole or not at all; everything else in the file stays. An empty
+/// translation takes it away. Words of texts that the case has no longer stay, too: undo may bring the text back.
+/// @error badUsage (not a language), as readCaseWords but for notFound, notWritable
+[[nodiscard]] Result<void> setCaseWord(const std::filesystem::path& caseFolder, const std::string& language, const std::string& text,
+                                       const std::string& translation);
 
 /// What people read, in the language; names by which things refer to each other (of targets and measurements) stay.
 [[nodiscard]] Case translated(Case shown, const CaseWords& words);

@@ -1,0 +1,101 @@
+#include "editor/expert_take.h"
+
+#include "ew/sdk/case_parts.h"
+#include "ew/sdk/scan.h"
+#include "ew/sdk/window.h"
+
+namespace ew::lessons {
+
+ExpertTake::ExpertTake(sdk::Host& host, QObject* parent) : QObject(parent), host_(host) {
+  timer_.setInterval(200);
+  connect(&timer_, &QTimer::timeout, this, &ExpertTake::tick);
+  tickets_ = {
+      host_.scan().onEvent([this](const ScanEvent& event) {
+        if (!recorder_.isRecording()) return;
+        const Picture picture = host_.scan().picture();
+        recorder_.see(event, host_.scan().state(), {picture.width(), picture.height()});
+      }),
+      host_.caseParts().onOpened([this](const std::filesystem::path& folder) {
+        if (!recorder_.isRecording() || recorder_.isPaused() || folder == folder_) return;
+        pause();
+        host_.window().info(
+            tr("The recording of the expert's scan is paused, because another case was opened; it goes on in its own case.").toStdString(),
+            "expert scan");
+      }),
+      host_.window().onClosing([this] {
+        return recorder_.isRecording() ? tr("An expert's scan is being recorded and not kept yet.").toStdString() : std::string();
+      })};
+}
+
+Result<void> ExpertTake::start(const std::string& lessonId, const std::string& stepId, const std::string& caseId,
+                               const std::string& title) {
+  const auto image = host_.scan().state();
+  if (!image) return failure(ErrorCode::badUsage, say<"Nothing is scanned; wait until the volume of the case is shown.">());
+  if (auto live = host_.scan().setFrozen(false); !live) return live;
+  folder_ = host_.cases().currentFolder();
+  lessonId_ = lessonId;
+  stepId_ = stepId;
+  const double now_s = host_.scan().now_s();
+  recorder_.start(caseId, title, now_s);
+  // A probe that rests makes no image by itself: the scan begins with what is shown.
+  const Picture picture = host_.scan().picture();
+  recorder_.see({now_s, FrameMade{image->pose, image->gaps_mm, image->number, image->body}}, image, {picture.width(), picture.height()});
+  timer_.start();
+  Q_EMIT changed();
+  return {};
+}
+
+bool ExpertTake::isFor(const std::string& lessonId, const std::string& stepId) const {
+  return recorder_.isRecording() && lessonId == lessonId_ && stepId == stepId_ && host_.cases().currentFolder() == folder_;
+}
+
+double ExpertTake::length_s() const { return recorder_.length_s(host_.scan().now_s()); }
+
+void ExpertTake::pause() {
+  recorder_.pause(host_.scan().now_s());
+  timer_.stop();
+  Q_EMIT changed();
+}
+
+void ExpertTake::goOn() {
+  if (recorder_.isFull(host_.scan().now_s())) return;
+  recorder_.goOn(host_.scan().now_s());
+  timer_.start();
+  Q_EMIT changed();
+}
+
+void ExpertTake::mark() {
+  recorder_.mark(host_.scan().now_s());
+  Q_EMIT changed();
+}
+
+Result<ScanRecording> ExpertTake::stop(std::vector<double>& marks_s) {
+  timer_.stop();
+  const auto image = host_.scan().state();
+  if (image && !recorder_.isPaused()) {  // a hand that has come to rest is seen until the end
+    const Picture picture = host_.scan().picture();
+    recorder_.see({host_.scan().now_s(), FrameMade{image->pose, image->gaps_mm, image->number, image->body}}, image,
+                  {picture.width(), picture.height()});
+  }
+  auto made = recorder_.stop();
+  marks_s = recorder_.marks_s();
+  Q_EMIT changed();
+  return made;
+}
+
+void ExpertTake::discard() {
+  timer_.stop();
+  recorder_.discard();
+  Q_EMIT changed();
+}
+
+void ExpertTake::tick() {
+  if (!recorder_.isPaused() && recorder_.isFull(host_.scan().now_s())) {
+    pause();
+    Q_EMIT full();
+    return;
+  }
+  Q_EMIT changed();
+}
+
+}  // namespace ew::lessons

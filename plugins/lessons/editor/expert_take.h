@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "ew/sdk/host.h"
+#include "logic/expert_recorder.h"
+
+namespace ew::lessons {
+
+/// The expert's scan that is being recorded for one step of the open case. When another case is opened it pauses, and goes on in its own.
+class ExpertTake final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ExpertTake(sdk::Host& host, QObject* parent = nullptr);
+
+  /// @param title of what is scanned, as trainees may read it @error badUsage (nothing is scanned)
+  [[nodiscard]] Result<void> start(const std::string& lessonId, const std::string& stepId, const std::string& caseId,
+                                   const std::string& title);
+  [[nodiscard]] bool isRecording() const { return recorder_.isRecording(); }
+  [[nodiscard]] bool isPaused() const { return recorder_.isPaused(); }
+  /// Whether what is recorded is for this step of the case that is open.
+  [[nodiscard]] bool isFor(const std::string& lessonId, const std::string& stepId) const;
+  [[nodiscard]] const std::string& lessonId() const { return lessonId_; }
+  [[nodiscard]] const std::string& stepId() const { return stepId_; }
+  [[nodiscard]] double length_s() const;
+  [[nodiscard]] std::size_t markCount() const { return recorder_.marks_s().size(); }
+  void pause();
+  void goOn();
+  void mark();
+  /// Ends it. @param marks_s moments that were marked, on the recording's clock @error as ExpertRecorder::stop
+  [[nodiscard]] Result<ScanRecording> stop(std::vector<double>& marks_s);
+  void discard();
+
+ Q_SIGNALS:
+  void changed();  ///< begun, paused, ended, or some time longer
+  void full();     ///< it is as long as it may be: it has been paused
+
+ private:
+  void tick();
+
+  sdk::Host& host_;
+  ExpertRecorder recorder_;
+  std::filesystem::path folder_;  ///< of the case it is for
+  std::string lessonId_, stepId_;
+  QTimer timer_;
+  std::vector<sdk::Ticket> tickets_;
+};
+
+}  // namespace ew::lessons

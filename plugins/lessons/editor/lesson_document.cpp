@@ -1,0 +1,166 @@
+#include "editor/lesson_document.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <array>
+
+#include "ew/library/published.h"
+#include "ew/sdk/case_parts.h"
+#include "ew/sdk/words.h"
+
+namespace ew::lessons {
+namespace {
+
+const std::string kPart(kLessonsPart);
+
+struct KindWords {
+  std::string_view word;
+  const char* title;
+  const char* tip;
+};
+constexpr std::array<KindWords, std::variant_size_v<LessonTask>> kKindWords = {{
+    {"read", QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "Read"),
+     QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "A text to read, perhaps with a picture")},
+    {"watch", QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "Watch the expert"),
+     QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "Your own scan is played and rests at its marks")},
+    {"plane", QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "Set a plane"),
+     QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "A target plane of the case is to be set")},
+    {"sweep", QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "Sweep through"),
+     QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "A structure is to be seen from end to end")},
+    {"measure", QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "Measure"),
+     QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "A measurement that the case expects is to be taken")},
+    {"point", QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "Point at it"),
+     QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "A point or a structure is to be clicked in the image")},
+    {"settings", QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "Set the machine"),
+     QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "Transducer and settings are to be right")},
+    {"answer", QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "Answer"),
+     QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "A question with answers to choose from, or a number")},
+    {"free", QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "Scan freely"),
+     QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "The trainee scans at will; what is to be shown is ticked off")},
+}};
+
+const KindWords& wordsOfKind(std::string_view word) {
+  for (const KindWords& kind : kKindWords)
+    if (kind.word == word) return kind;
+  return kKindWords.front();
+}
+
+}  // namespace
+
+QString kindTitle(std::string_view taskWord) { return LessonDocument::tr(wordsOfKind(taskWord).title); }
+QString kindTip(std::string_view taskWord) { return LessonDocument::tr(wordsOfKind(taskWord).tip); }
+
+const std::vector<std::string_view>& kindWords() {
+  static const std::vector<std::string_view> words = [] {
+    std::vector<std::string_view> made;
+    for (const KindWords& kind : kKindWords) made.push_back(kind.word);
+    return made;
+  }();
+  return words;
+}
+
+LessonDocument::LessonDocument(sdk::Host& host, QObject* parent) : QObject(parent), host_(host) {
+  tickets_ = {host_.cases().onChanged([this] {
+                read();
+                Q_EMIT changed();
+              }),
+              host_.caseParts().onOpened([this](const std::filesystem::path&) {
+                library_.reset();
+                typedIn_.clear();
+                read();
+                Q_EMIT opened();
+              })};
+  read();
+}
+
+void LessonDocument::read() {
+  home_.reset();
+  lessons_.clear();
+  problem_.reset();
+  if (!editing_) typedIn_.clear();
+  const auto manifest = host_.cases().current();
+  if (!manifest) return;
+  auto opened = caseFromManifest(*manifest, host_.cases().currentFolder());
+  if (!opened) {
+    problem_ = opened.error();
+    return;
+  }
+  home_ = std::move(*opened);
+  auto lessons = lessonsOf(*home_);
+  if (lessons)
+    lessons_ = std::move(*lessons);
+  else
+    problem_ = lessons.error();
+}
+
+std::filesystem::path LessonDocument::folder() const { return host_.caseParts().folderOf(kPart); }
+
+Result<void> LessonDocument::edit(const QString& what, const std::string& mergeKey, const Edit& edit) {
+  if (problem_) return passOn(*problem_);
+  if (!home_) return failure(ErrorCode::notFound, say<"No case is open; open one first.">());
+  if (mergeKey.empty() || mergeKey != typedIn_) beforeTyping_ = lessons_;
+  typedIn_ = mergeKey;
+  const Lessons next = edit(lessons_);
+  if (next == lessons_) return {};
+  const nlohmann::json section = host_.caseParts().read(kPart).value_or(nullptr);
+  const nlohmann::json changedSection = withLessons(section, next);
+  // The section's schema says less than its reader: a trim that ends before it begins, for instance.
+  const auto readable = lessonsFromJson(changedSection);
+  editing_ = true;
+  auto done = readable ? host_.caseParts().edit(kPart, changedSection, what.toStdString(), mergeKey)
+                       : Result<void>(tl::unexpected(readable.error()));
+  // What is fit to be used only on the way to something that is not must not stay in the case: nobody meant it.
+  if (!done && !mergeKey.empty() && lessons_ != beforeTyping_)
+    static_cast<void>(host_.caseParts().edit(kPart, withLessons(section, beforeTyping_), what.toStdString(), mergeKey));
+  editing_ = false;
+  return done;
+}
+
+const std::vector<Case>& LessonDocument::library() const {
+  if (library_) return *library_;
+  library_.emplace();
+  const auto add = [&](Case found) {
+    const bool isKnown = (home_ && found.id == home_->id) ||
+                         std::any_of(library_->begin(), library_->end(), [&](const Case& one) { return one.id == found.id; });
+    if (!isKnown) library_->push_back(std::move(found));
+  };
+  std::vector<std::filesystem::path> roots = {ownCasesFolder()};
+  if (auto shipped = shippedCasesFolder()) roots.push_back(*shipped);
+  for (const auto& root : roots)
+    for (Case& each : listCases(root).cases) add(std::move(each));
+  for (const PublishedCase& each : listPublished(libraryFolder()))
+    if (auto opened = loadCase(each.folder)) add(std::move(*opened));
+  return *library_;
+}
+
+const Case* LessonDocument::caseById(const std::string& id) const {
+  for (const Case& each : library())
+    if (each.id == id) return &each;
+  return nullptr;
+}
+
+const Case* LessonDocument::scannedBy(const LessonStep& step) const {
+  if (!home_) return nullptr;
+  return step.caseId.empty() || step.caseId == home_->id ? &*home_ : caseById(step.caseId);
+}
+
+std::vector<LessonProblem> LessonDocument::problemsOf(const Lesson& lesson) const {
+  if (!home_) return {};
+  return ew::problemsOf(lesson, *home_, [this](const std::string& id) { return caseById(id); });
+}
+
+Result<void> LessonDocument::makeOwn() { return host_.cases().makeOwn(); }
+
+const LessonStep* EditedStep::step() const {
+  const Lesson* in = lesson();
+  return in == nullptr ? nullptr : stepIn(*in, stepId);
+}
+
+Result<void> EditedStep::change(const QString& what, const std::string& field, const std::function<void(LessonStep&)>& change) const {
+  const std::string key = field.empty() ? std::string() : lessonId + "/" + stepId + "/" + field;
+  return document.edit(what, key, [&](Lessons lessons) {
+    return withChanged(std::move(lessons), lessonId, [&](Lesson& one) { one = withStepChanged(std::move(one), stepId, change); });
+  });
+}
+
+}  // namespace ew::lessons

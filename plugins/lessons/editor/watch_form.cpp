@@ -1,0 +1,237 @@
+#include "editor/watch_form.h"
+
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPointer>
+#include <QPushButton>
+#include <cmath>
+
+#include "editor/expert_take.h"
+#include "editor/order_list.h"
+#include "editor/time_line.h"
+#include "ew/sdk/panel.h"
+#include "panel/expert_player.h"
+
+namespace ew::lessons {
+
+using sdk::kGap_px;
+using sdk::words;
+
+WatchForm::WatchForm(const EditedStep& edited, ExpertTake& take, QWidget* parent) : TaskForm(edited, parent), take_(take) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kGap_px);
+  column->addWidget(sdk::headingLabel(tr("The expert's scan")));
+  state_ = sdk::quietLabel({});
+  state_->setObjectName(QStringLiteral("recordingState"));
+  column->addWidget(state_);
+  column->addWidget(makeTakePart());
+  auto* row = new QHBoxLayout;
+  row->setSpacing(kGap_px);
+  record_ = smallButton({}, "recordExpert", tr("Then scan as the trainee is to see it, with mouse or keys"));
+  choose_ = smallButton(tr("Choose a recording…"), "chooseRecording", tr("One that was saved from this body before (.seq.mha)"));
+  row->addWidget(record_);
+  row->addWidget(choose_);
+  row->addStretch(1);
+  column->addLayout(row);
+  problem_ = sdk::problemLabel();
+  problem_->setObjectName(QStringLiteral("recording_problem"));
+  column->addWidget(problem_);
+  playPart_ = makePlayPart();
+  column->addWidget(playPart_);
+  connect(record_, &QPushButton::clicked, this, &WatchForm::start);
+  connect(choose_, &QPushButton::clicked, this, [this] {
+    const QString file =
+        QFileDialog::getOpenFileName(this, tr("Choose a recording"), {}, tr("Recordings of a scan (*.seq.mha *.igs.mha *.mha)"));
+    if (!file.isEmpty()) choose(file.toStdString());
+  });
+  connect(&take_, &ExpertTake::changed, this, &WatchForm::showTake);
+  connect(&take_, &ExpertTake::full, this, [this] {
+    sdk::setProblem(problem_,
+                    tr("The recording is as long as it may be, %1 min; stop it here.").arg(std::lround(kLongestExpertScan_s / 60.0)));
+  });
+}
+
+WatchForm::~WatchForm() = default;
+
+QWidget* WatchForm::makeTakePart() {
+  takePart_ = new QWidget;
+  auto* column = new QVBoxLayout(takePart_);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kGap_px);
+  length_ = new QLabel;
+  length_->setObjectName(QStringLiteral("takeLength"));
+  column->addWidget(length_);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(kGap_px);
+  auto* stopButton = smallButton(tr("Stop"), "stopRecording", tr("End the recording and keep it in the case"));
+  stopButton->setProperty("primary", true);
+  pause_ = smallButton({}, "pauseRecording", {});
+  auto* discard = smallButton(tr("Discard"), "discardRecording", tr("End the recording without keeping it"));
+  row->addWidget(stopButton);
+  row->addWidget(pause_);
+  row->addWidget(discard);
+  row->addStretch(1);
+  column->addLayout(row);
+  takeMark_ = smallButton(tr("Mark this moment"), "markWhileRecording", tr("It is described afterwards; the trainee's view rests there"));
+  column->addWidget(takeMark_, 0, Qt::AlignLeft);
+  connect(stopButton, &QPushButton::clicked, this, &WatchForm::stop);
+  connect(pause_, &QPushButton::clicked, this, [this] { take_.isPaused() ? take_.goOn() : take_.pause(); });
+  connect(discard, &QPushButton::clicked, this, [this] {
+    take_.discard();
+    say({});
+    showTask(false);
+  });
+  connect(takeMark_, &QPushButton::clicked, this, [this] { take_.mark(); });
+  return takePart_;
+}
+
+bool WatchForm::isHome() const {
+  const LessonStep* step = edited().step();
+  const auto& home = edited().document.home();
+  return step != nullptr && home && (step->caseId.empty() || step->caseId == home->id);
+}
+
+void WatchForm::hideEvent(QHideEvent* event) {
+  release();
+  TaskForm::hideEvent(event);
+}
+
+void WatchForm::start() {
+  release();
+  if (auto own = edited().document.makeOwn(); !own) return say(own);
+  const auto& home = edited().document.home();
+  if (!home) return;
+  say(take_.start(edited().lessonId, edited().stepId, home->id, home->titleForTrainees.empty() ? home->region : home->titleForTrainees));
+}
+
+void WatchForm::stop() {
+  std::vector<double> marks_s;
+  auto made = take_.stop(marks_s);
+  if (!made) return say(tl::unexpected(made.error()));
+  keep(std::move(*made), marks_s);
+}
+
+void WatchForm::keep(ScanRecording made, const std::vector<double>& marks_s) {
+  struct Kept {
+    ScanRecording recording;
+    std::filesystem::path folder;
+    std::string name;
+  };
+  auto kept = std::make_shared<Kept>(Kept{std::move(made), edited().document.folder(), {}});
+  state_->setText(tr("Keeping the recording…"));
+  edited().document.host().jobs().startSaving(
+      tr("Keeping the expert's scan").toStdString(),
+      [kept](Progress& progress) -> Result<void> {
+        auto name = keepRecording(kept->recording, kept->folder, progress);
+        if (!name) return passOn(name.error());
+        kept->name = std::move(*name);
+        return {};
+      },
+      [form = QPointer<WatchForm>(this), document = QPointer<LessonDocument>(&edited().document), at = edited(), kept,
+       marks_s](const Result<void>& done) {
+        Result<void> named = done;
+        if (done && document && document->folder() == kept->folder)
+          named = at.changeTask<WatchTask>(tr("Record the expert's scan"), {}, [&](WatchTask& task) {
+            task = {kept->name, {}, {}, {}};
+            for (const double mark_s : marks_s)
+              task = withMark(std::move(task), {mark_s, tr("Mark %1").arg(task.marks.size() + 1).toStdString()});
+          });
+        if (!form) return;
+        form->say(named);
+        form->showTask(false);
+      });
+}
+
+void WatchForm::choose(const std::filesystem::path& file) {
+  auto read = readRecording(file);
+  if (!read) return say(tl::unexpected(read.error()));
+  if (auto own = edited().document.makeOwn(); !own) return say(own);
+  keep(std::move(*read), {});
+}
+
+void WatchForm::showTake() {
+  const bool isMine = take_.isFor(edited().lessonId, edited().stepId);
+  if (takePart_->isHidden() == isMine) showTask(true);
+  if (!isMine) return;
+  length_->setText((take_.isPaused() ? tr("Paused at %1 of at most %2") : tr("\u25cf Recording: %1 of at most %2"))
+                       .arg(clockText(take_.length_s()), clockText(kLongestExpertScan_s)));
+  pause_->setText(take_.isPaused() ? tr("Go on") : tr("Pause"));
+  takeMark_->setText(take_.markCount() == 0 ? tr("Mark this moment") : tr("Mark this moment (%1)").arg(take_.markCount()));
+}
+
+void WatchForm::showTask(bool typed) {
+  const WatchTask task = edited().task<WatchTask>();
+  const bool isMine = take_.isFor(edited().lessonId, edited().stepId);
+  const bool elsewhere = take_.isRecording() && !isMine;
+  takePart_->setVisible(isMine);
+  record_->setVisible(!isMine && isHome());
+  record_->setEnabled(!elsewhere);
+  record_->setText(task.recording.empty() ? tr("Record here") : tr("Record again"));
+  record_->setProperty("primary", task.recording.empty());
+  choose_->setVisible(!isMine);
+  if (elsewhere)
+    state_->setText(tr("Another step's scan is being recorded; end that first."));
+  else if (isMine)
+    state_->setText(tr("Scan now, as the trainee is to see it."));
+  else if (task.recording.empty())
+    state_->setText(isHome() ? tr("Nothing is recorded yet.")
+                             : tr("This step scans another case. Record the scan there, save it, and choose it here."));
+  if (isMine) showTake();
+  if (shown_ != task.recording) load();
+  showRecording();
+  if (!typed) showMarks(task);
+}
+
+void WatchForm::load() {
+  release();
+  recording_.reset();
+  shown_ = edited().task<WatchTask>().recording;
+  const int load = ++loads_;
+  if (shown_.empty()) return;
+  auto read = std::make_shared<ScanRecording>();
+  edited().document.host().jobs().start(
+      tr("Reading the expert's scan").toStdString(),
+      [read, file = edited().document.folder() / shown_](Progress& progress) -> Result<void> {
+        auto recording = readRecording(file, progress);
+        if (!recording) return passOn(recording.error());
+        *read = std::move(*recording);
+        return {};
+      },
+      [form = QPointer<WatchForm>(this), read, load](const Result<void>& done) {
+        if (!form || form->loads_ != load) return;
+        if (done) form->recording_ = read;
+        if (!done) form->say(done);
+        form->showRecording();
+      });
+}
+
+void WatchForm::showRecording() {
+  const WatchTask task = edited().task<WatchTask>();
+  const bool isMine = take_.isFor(edited().lessonId, edited().stepId);
+  playPart_->setVisible(recording_ != nullptr && !isMine && isHome());
+  if (!recording_) return;
+  const double first_s = recording_->log.begin_s(), last_s = recording_->log.end_s();
+  line_->setRecording(first_s, last_s);
+  line_->setPart(task.begin_s.value_or(first_s), task.end_s.value_or(last_s));
+  std::vector<double> marks_s;
+  for (const ExpertMark& mark : task.marks) marks_s.push_back(mark.time_s);
+  line_->setMarks(marks_s);
+  if (!isMine && !take_.isRecording())
+    state_->setText(tr("%1 recorded, %2 images; trainees see %3.")
+                        .arg(clockText(last_s - first_s))
+                        .arg(recording_->log.frameCount())
+                        .arg(clockText(task.end_s.value_or(last_s) - task.begin_s.value_or(first_s))));
+  showPlace();
+}
+
+void WatchForm::change(const QString& what, const std::string& field, const std::function<void(WatchTask&)>& edit) {
+  say(edited().changeTask<WatchTask>(what, field, edit));
+}
+
+void WatchForm::say(const Result<void>& done) { sdk::setProblem(problem_, done ? QString() : words(done.error())); }
+
+TaskForm* makeWatchForm(const EditedStep& edited, ExpertTake& take, QWidget* parent) { return new WatchForm(edited, take, parent); }
+
+}  // namespace ew::lessons
