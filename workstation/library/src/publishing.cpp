@@ -43,8 +43,11 @@ void checkTexts(const Case& opened, CheckList& list) {
             say<"Write a title for trainees that gives no finding away.">(), "title_for_trainees");
   list.need(!opened.region.empty(), say<"The region is given.">(), say<"Give the region of the body.">(), "region");
   list.need(!opened.indication.empty(), say<"The indication is given.">(), say<"Write the indication: what is asked.">(), "indication");
-  list.need(!opened.findings.empty(), say<"The findings are written.">(), say<"Write the findings, a sentence each.">(), "findings");
   list.need(!opened.diagnosis.empty(), say<"The diagnosis is written.">(), say<"Write the diagnosis.">(), "diagnosis");
+  if (opened.findings.empty())
+    list.warn(say<"Write the findings, a sentence each.">(), "findings");
+  else
+    list.done(say<"The findings are written.">(), "findings");
   if (opened.difficulty)
     list.done(say<"The difficulty is given.">(), "difficulty");
   else
