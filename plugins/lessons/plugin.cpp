@@ -1,7 +1,9 @@
 #include "ew/sdk/plugin.h"
 
 #include <QCoreApplication>
+#include <nlohmann/json.hpp>
 
+#include "editor/editor_panel.h"
 #include "ew/library/lesson.h"
 #include "ew/sdk/case_parts.h"
 #include "panel/player_panel.h"
@@ -18,11 +20,37 @@ class LessonsPlugin final : public ew::sdk::Plugin {
       host.log().warn(section.error().sentence());
     host.panels().add(
         "lessons", QCoreApplication::translate("ew::lessons", "Lessons").toStdString(),
-        [&host](QWidget* parent) -> QWidget* { return new ew::lessons::PlayerPanel(host, parent); }, "explore");
+        [this, &host](QWidget* parent) -> QWidget* {
+          return new ew::lessons::PlayerPanel(
+              host,
+              [this, &host](bool working) {
+                isWorking_ = working;
+                showPanel(host);
+              },
+              parent);
+        },
+        "explore");
+    host.panels().add("lesson_editor", QCoreApplication::translate("ew::lessons", "Lessons").toStdString(),
+                      [&host](QWidget* parent) -> QWidget* { return new ew::lessons::EditorPanel(host, parent); });
+    changed_ = host.cases().onChanged([this, &host] { showPanel(host); });
+    opened_ = host.caseParts().onOpened([this, &host](const std::filesystem::path&) { showPanel(host); });
+    showPanel(host);
   }
 
  private:
-  ew::sdk::Ticket section_;
+  /// A case that teaches nothing leaves its room to the scan; a lesson may lead through such a case.
+  void showPanel(ew::sdk::Host& host) const {
+    const auto manifest = host.cases().current();
+    host.panels().setShown("lessons", isWorking_ || (manifest && teaches(*manifest)));
+  }
+  static bool teaches(const nlohmann::json& manifest) {
+    const auto filled = [](const nlohmann::json& in, const char* key) { return in.is_object() && in.contains(key) && !in[key].empty(); };
+    if (filled(manifest, "targets") || filled(manifest, "measurements")) return true;
+    return filled(manifest, "parts") && filled(manifest["parts"], "lessons") && filled(manifest["parts"]["lessons"], "lessons");
+  }
+
+  ew::sdk::Ticket section_, changed_, opened_;
+  bool isWorking_ = false;
 };
 
 }  // namespace
