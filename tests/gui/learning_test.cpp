@@ -261,7 +261,7 @@ class LearningTest final : public LearnerFixture {
     std::filesystem::create_directories(file.parent_path());
     QVERIFY(writeFileSafely(file, std::string("{ broken")));
     beginExercises();
-    QVERIFY2(window_->messages().text().contains(QStringLiteral("repetition-unreadable.json")), qPrintable(window_->messages().text()));
+    QVERIFY(said("repetition-unreadable.json"));
     keepScreenshot(*window_, "learning-13-damaged");
     failIt();
     waitForOutcome(QStringLiteral("Not right yet"));

@@ -75,6 +75,14 @@ class LearnerFixture : public WindowFixture {
     QVERIFY2(waitUntil([&] { return seen(name) != nullptr && seen(name)->isEnabled(); }), name);
     QTest::mouseClick(seen(name), Qt::LeftButton);
   }
+  /// Whether the window said so, perhaps below other messages, which are dismissed.
+  [[nodiscard]] bool said(const char* words) const {
+    while (window_->messages().count() > 0) {
+      if (window_->messages().text().contains(QLatin1String(words))) return true;
+      window_->messages().dismiss();
+    }
+    return false;
+  }
   void waitForStep(const char* id) {
     QVERIFY2(waitUntil([&] { return text("stepTitle") == QStringLiteral("Title of ") + QLatin1String(id); }),
              qPrintable(QLatin1String(id) + QStringLiteral(" is not shown but ") + text("stepTitle") + window_->messages().text()));

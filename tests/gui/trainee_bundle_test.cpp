@@ -134,7 +134,7 @@ class TraineeBundleTest final : public LearnerFixture {
     press("goOnWithStopped");
     waitForStep("answer");
     QCOMPARE(text("stepNumber"), QStringLiteral("Step 2 of 3"));
-    QVERIFY2(window_->messages().text().contains(QStringLiteral("begins anew")), qPrintable(window_->messages().text()));
+    QVERIFY(said("begins anew"));
     keepScreenshot(*window_, "bundle-07-gone-on");
     answer(0);
     waitForOutcome(QStringLiteral("Passed"));
@@ -146,7 +146,7 @@ class TraineeBundleTest final : public LearnerFixture {
     press("nextStep");
     window_->showStartPage();
     QVERIFY(waitUntil([this] { return spokenOf(kTitle).contains(QStringLiteral("2 of 3 lessons passed")); }));
-    QVERIFY(find<QLabel>("stoppedLesson")->isHidden() || !find<QLabel>("stoppedLesson")->isVisible());
+    QVERIFY(!find<QLabel>("stoppedLesson")->isVisible());
     keepScreenshot(*window_, "bundle-08-end");
     QCOMPARE(listAttempts(attemptsFolder(libraryFolder())).attempts.size(), std::size_t(3));
   }

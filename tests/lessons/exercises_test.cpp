@@ -62,7 +62,13 @@ TEST(Exercises, AreStepsWithTheTolerancesAidsAndTimeOfTheirLevel) {
     const auto plane = stepOf(exercise(ExerciseKind::findPlane, "middle"), ground, level);
     ASSERT_TRUE(plane);
     EXPECT_EQ(std::get<PlaneTask>(plane->task), (PlaneTask{"middle", 5.0 * difficulty.toleranceFactor, 10.0 * difficulty.toleranceFactor}));
-    EXPECT_EQ(plane->aids, difficulty.aids);
+    EXPECT_EQ(plane->aids.compass, difficulty.aids.compass);
+    EXPECT_EQ(plane->aids.expertProbe, difficulty.aids.expertProbe);
+    EXPECT_FALSE(plane->aids.outline) << "of a plane there is none";
+    const auto point = stepOf(exercise(ExerciseKind::pointAtOrgan, "ball"), ground, level);
+    ASSERT_TRUE(point);
+    EXPECT_EQ(point->aids.outline, difficulty.aids.outline);
+    EXPECT_FALSE(point->aids.compass);
     EXPECT_EQ(plane->time_s, difficulty.time_s);
     const auto measure = stepOf(exercise(ExerciseKind::measure, "ball, across"), ground, level);
     ASSERT_TRUE(measure);

@@ -96,6 +96,11 @@ Result<LessonStep> stepOf(const Exercise& exercise, const ExerciseGround& ground
   step.text = taskOf(exercise).english();
   step.aids = difficulty.aids;
   step.feedback = difficulty.aids.compass;
+  // Those that say something of such an exercise.
+  const bool isPlane = exercise.kind == ExerciseKind::findPlane;
+  step.aids.compass = step.aids.compass && isPlane;
+  step.aids.expertProbe = step.aids.expertProbe && isPlane;
+  step.aids.outline = step.aids.outline && exercise.kind == ExerciseKind::pointAtOrgan;
   step.passLevel = kPassScore;
   step.time_s = difficulty.time_s;
   if (exercise.kind == ExerciseKind::findPlane) {

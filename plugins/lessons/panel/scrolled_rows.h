@@ -22,6 +22,8 @@ class ScrolledRows final : public QScrollArea {
     setWidget(body);
   }
 
+  /// Its rows ask for no height: what is around them stays in sight, and they are scrolled.
+  [[nodiscard]] QSize sizeHint() const override { return {QScrollArea::sizeHint().width(), minimumSizeHint().height()}; }
   [[nodiscard]] QVBoxLayout* rows() const { return rows_; }
   /// Takes away all of them; the one whose button asked for it goes when its event has ended.
   void clear() {

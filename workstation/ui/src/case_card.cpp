@@ -82,9 +82,9 @@ int paintText(QPainter& painter, const QRect& box, int lines, const QString& tex
   return y;
 }
 
-/// The one line below the title: region, level, how far one has got.
+/// The one line below the title: region, level.
 QString factsOf(const CaseRow& row) {
-  QStringList facts{words(row.region), row.level ? levelWords(*row.level) : QString(), progressWords(row)};
+  QStringList facts{words(row.region), row.level ? levelWords(*row.level) : QString()};
   facts.removeAll(QString());
   return facts.join(QStringLiteral(" · "));
 }
@@ -154,10 +154,10 @@ void paintCard(QPainter& painter, const QRect& box, const CardLook& look) {
   if (look.state.fraction > 0.0 || isLearnt)
     paintBar(painter, QRect(inside.left(), bottom - kBar_px, inside.width(), kBar_px), isLearnt ? *look.row->progress : look.state.fraction,
              look.direction);
-  if (!look.state.text.isEmpty()) {
+  if (const QString text = isLearnt ? progressWords(*look.row) : look.state.text; !text.isEmpty()) {
     const int line_px = QFontMetrics(smallFont()).lineSpacing();
     painter.setPen(theme.text);
-    paintText(painter, QRect(inside.left(), bottom - kBar_px - 3 - line_px, inside.width(), 0), 1, look.state.text, look.direction);
+    paintText(painter, QRect(inside.left(), bottom - kBar_px - 3 - line_px, inside.width(), 0), 1, text, look.direction);
   }
   painter.restore();
 }

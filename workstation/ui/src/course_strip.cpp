@@ -158,7 +158,14 @@ void CourseStrip::listLessons(const CourseStanding& course) {
   const std::size_t next = course.next();
   for (std::size_t n = 0; n < course.steps.size(); ++n) lessons_->addWidget(lessonRow(course.steps[n], static_cast<int>(n) + 1, n == next));
   lessons_->addStretch(1);
-  scroll_->setFixedHeight(std::min(kMostListed_px, scroll_->widget()->sizeHint().height()));
+  fitList();
+}
+
+/// As high as the lessons, and no higher than leaves room for the cases below.
+void CourseStrip::fitList() {
+  const int bar_px = 2 * kGrid_px;
+  const int wanted_px = scroll_->widget()->layout()->heightForWidth(std::max(1, width() - 24 - bar_px));
+  scroll_->setFixedHeight(std::min({wanted_px, kMostListed_px, 2 * window()->height() / 5}));
 }
 
 QWidget* CourseStrip::lessonRow(const CourseStep& step, int number, bool isNext) {
@@ -200,6 +207,7 @@ QWidget* CourseStrip::lessonRow(const CourseStep& step, int number, bool isNext)
 void CourseStrip::resizeEvent(QResizeEvent* event) {
   QFrame::resizeEvent(event);
   bar_->setVisible(width() > 720);  // words say the same
+  fitList();
 }
 
 }  // namespace ew::ui

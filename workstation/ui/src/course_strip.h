@@ -34,6 +34,7 @@ class CourseStrip final : public QFrame {
   void showStopped(const std::optional<StoppedLesson>& stopped);
   void showCourse(const std::optional<CourseStanding>& course);
   void listLessons(const CourseStanding& course);
+  void fitList();
   QWidget* lessonRow(const CourseStep& step, int number, bool isNext);
 
   std::optional<StoppedLesson> stoppedLesson_;
