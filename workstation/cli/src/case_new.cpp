@@ -29,6 +29,7 @@ struct NewCaseArguments {
   std::string attribution;
   std::string licence;
   std::optional<double> spacing_mm;
+  std::optional<std::vector<double>> fan;    // left right (degrees), apex x y, start stop radius (pixels)
   std::optional<std::vector<double>> place;  // x y z (mm), about x y z (degrees)
   bool isListing = false;
   bool withoutLevel = false;
@@ -77,6 +78,16 @@ Result<std::vector<PlacingPair>> readPairs(const fs::path& file, const std::stri
   return pairs;
 }
 
+Clip clipOf(const std::vector<double>& six) {
+  Clip clip;
+  clip.fan = ClipFan{.origin_px = {six[2], six[3]},
+                     .leftAngle_rad = glm::radians(six[0]),
+                     .rightAngle_rad = glm::radians(six[1]),
+                     .startRadius_px = six[4],
+                     .stopRadius_px = six[5]};
+  return clip;
+}
+
 Result<CaseSource> sourceOf(const NewCaseArguments& arguments) {
   if (arguments.source.empty()) return CaseSource{};
   auto source = ew::sourceOf(arguments.source);
@@ -84,6 +95,7 @@ Result<CaseSource> sourceOf(const NewCaseArguments& arguments) {
   if (auto* sweep = std::get_if<SweepFile>(&*source)) {
     sweep->spacing_mm = arguments.spacing_mm;
     sweep->calibration = arguments.calibration;
+    if (arguments.fan) sweep->clip = clipOf(*arguments.fan);
   } else if (auto* volume = std::get_if<VolumeFile>(&*source)) {
     if (arguments.spacing_mm) volume->answers.spacing_mm = glm::dvec3(*arguments.spacing_mm);
   }
@@ -204,6 +216,8 @@ void addCaseNew(CLI::App& group, Selection& selection) {
       ->type_name("JSON");
   addNumber(app, "--spacing", arguments->spacing_mm, {0.1, 10.0},
             "Size of a voxel in mm: of a recording as fine as its frames carry; of a volume that does not know its own");
+  addNumberList(app, "--fan", arguments->fan, 6, "LEFT RIGHT X Y START STOP",
+                "Which part of a recording's pictures is image: angles (degrees from down), apex and radii of its fan (pixels)");
   app.add_option("--calibration", arguments->calibration, "Device set of the recording")->type_name("XML");
   app.add_flag("--no-level", arguments->withoutLevel, "No level for live echoes: the picture stays the recorded one");
   app.add_option("--attribution", arguments->attribution, "Whom to name for the recording")->type_name("TEXT");

@@ -31,6 +31,8 @@ SweepImportOptions importOptionsFor(const SweepFile& sweep) {
   options.usual = {.spacing = !sweep.spacing_mm, .interpolation = true, .compounding = false, .fillReach = true};
   options.reconstruct.compounding = Compounding::weighted;
   if (sweep.spacing_mm) options.reconstruct.spacing_mm = *sweep.spacing_mm;
+  options.clipFromCalibration = !sweep.clip;
+  if (sweep.clip) options.reconstruct.clip = *sweep.clip;
   return options;
 }
 
