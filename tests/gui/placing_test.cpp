@@ -114,7 +114,7 @@ class PlacingTest : public WindowFixture {
   }
 
   void whatStandsOffTheSkinIsSaidAndWhatIsPutOnItToo() {
-    QVERIFY2(in<QLabel>("contactVerdict").text().contains(QStringLiteral("outside the body")),
+    QVERIFY2(in<QLabel>("contactVerdict").text().contains(QStringLiteral("stands off the skin")),
              qPrintable(in<QLabel>("contactVerdict").text()));
     QCOMPARE(in<QProgressBar>("contactShare").value(), 0);
     keepScreenshot(*window_, "placing-01-off-the-skin");
@@ -243,15 +243,19 @@ class PlacingTest : public WindowFixture {
     QCOMPARE(steps(), 5);
     press("placeUsual");
     waitForContact();
-    QVERIFY2(in<QProgressBar>("contactShare").value() >= 50, qPrintable(in<QLabel>("contactFigures").text()));
-    QVERIFY(place().matrix[3].x < -20.0);  // the right upper quadrant
+    // The beams are tipped up under the ribs there, so the flat face of a block touches in its middle.
+    const int usual = in<QProgressBar>("contactShare").value();
+    QVERIFY2(usual > 10, qPrintable(in<QLabel>("contactFigures").text()));
+    const auto known = landmarksOf({});
+    QVERIFY(known && siteFor(*known, "right upper quadrant") != nullptr);
+    QVERIFY(glm::distance(carried(place(), glm::dvec3(0.0, -0.75, 0.0)), siteFor(*known, "right upper quadrant")->at_mm) < 12.0);
     auto& face = in<QComboBox>("nearFace");
     QCOMPARE(face.count(), 6);
     const int guessed = face.currentIndex();
     QTest::keyClick(&face, guessed == 5 ? Qt::Key_Up : Qt::Key_Down);
     QVERIFY(sweepAxesOf(*document().current()).has_value());
     waitForContact();
-    QVERIFY2(in<QProgressBar>("contactShare").value() < 50, "another face is not on the skin");
+    QVERIFY2(in<QProgressBar>("contactShare").value() < usual, "another face is not on the skin");
     while (document().history().canUndo()) document().history().undo();
     QCOMPARE(place().matrix[3].z, -60.0);
     QCOMPARE(in<QDoubleSpinBox>("placement_z").value(), -60.0);

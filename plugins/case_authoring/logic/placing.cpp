@@ -5,25 +5,21 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "logic/edits.h"
 
 namespace ew::case_authoring {
 namespace {
 
-constexpr double kSquare = 0.9994;      // cosine of 2 degrees
-constexpr double kGoodShare = 0.6;      // of the near face
-constexpr double kMostOutside = 0.1;    // of the volume
-constexpr double kDeepBelow_mm = 15.0;  // further in, the skin that a probe would press is passed through
+constexpr double kSquare = 0.9994;    // cosine of 2 degrees
+constexpr double kGoodShare = 0.6;    // of the near face
+constexpr double kMostOutside = 0.1;  // of the volume
+constexpr double kFarOff_mm = 8.0;    // from the skin: more than gel bridges and a hand presses in
 
 glm::dvec3 placedAlong(const FilePlace& fileToWorld, const glm::dvec3& along) {
   return (fileToWorld * Direction<frame::File>{along}).along;
-}
-
-glm::dvec3 meanOf(const std::vector<glm::dvec3>& points_mm) {
-  glm::dvec3 sum(0.0);
-  for (const glm::dvec3& each : points_mm) sum += each;
-  return points_mm.empty() ? sum : sum / static_cast<double>(points_mm.size());
 }
 
 glm::dvec3 inwardOf(const Grid& own, std::size_t face) {
@@ -39,6 +35,30 @@ double halfAlong_mm(const Grid& own, const glm::dvec3& direction) {
 }
 
 glm::dmat3 rotationOf(const SweepAxes& axes) { return {axes.lateral, axes.depth, glm::cross(axes.lateral, axes.depth)}; }
+
+/// Of each cell of a lattice over the near face the point that lies nearest to its middle.
+std::vector<glm::dvec3> spreadOver(const PlacingShape& shape, std::size_t most) {
+  if (shape.face_mm.empty() || most == 0) return {};
+  const glm::dmat3 fileToAxes = glm::transpose(rotationOf(shape.axes));
+  glm::dvec3 lowest_mm(std::numeric_limits<double>::infinity()), highest_mm(-std::numeric_limits<double>::infinity());
+  for (const glm::dvec3& each : shape.face_mm) {
+    lowest_mm = glm::min(lowest_mm, fileToAxes * each);
+    highest_mm = glm::max(highest_mm, fileToAxes * each);
+  }
+  const int across = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(most))));
+  const glm::dvec3 cell_mm = glm::max((highest_mm - lowest_mm) / static_cast<double>(across), glm::dvec3(1e-6));
+  std::map<std::pair<int, int>, std::pair<double, glm::dvec3>> nearest;
+  for (const glm::dvec3& each : shape.face_mm) {
+    const glm::dvec3 at = (fileToAxes * each - lowest_mm) / cell_mm;
+    const int x = std::min(across - 1, static_cast<int>(at.x)), z = std::min(across - 1, static_cast<int>(at.z));
+    const double apart = glm::length(glm::dvec2(at.x - x - 0.5, at.z - z - 0.5));
+    const auto found = nearest.find({x, z});
+    if (found == nearest.end() || apart < found->second.first) nearest[{x, z}] = {apart, each};
+  }
+  std::vector<glm::dvec3> spread;
+  for (const auto& [cell, point] : nearest) spread.push_back(point.second);
+  return spread;
+}
 
 }  // namespace
 
@@ -121,10 +141,9 @@ FilePlace movedWith(const FilePlace& fileToWorld, const HandlesPose& before, con
   return {now.matrix * rigidInverse(before).matrix * fileToWorld.matrix};
 }
 
-FilePlace turnedAboutBeam(const PlacingShape& shape, const FilePlace& fileToWorld, double angle_rad) {
-  const glm::dvec3 middle_mm = meanOf(shape.face_mm);
-  glm::dmat4 turned = glm::translate(fileToWorld.matrix, middle_mm);
-  turned = glm::rotate(turned, angle_rad, shape.axes.depth);
+FilePlace turnedAboutBeam(const Grid& own, const SweepAxes& axes, const FilePlace& fileToWorld, double angle_rad) {
+  const glm::dvec3 middle_mm = middleOf(own);
+  const glm::dmat4 turned = glm::rotate(glm::translate(fileToWorld.matrix, middle_mm), angle_rad, axes.depth);
   return {glm::translate(turned, -middle_mm)};
 }
 
@@ -139,9 +158,8 @@ FilePlace putOnSkin(const PlacingShape& shape, const FilePlace& fileToWorld, con
 
 std::vector<FaceMark> faceMarksOf(const PlacingShape& shape, const FilePlace& fileToWorld, const Skin& skin, std::size_t most) {
   std::vector<FaceMark> marks;
-  const std::size_t stride = std::max<std::size_t>(1, (shape.face_mm.size() + most - 1) / std::max<std::size_t>(1, most));
-  for (std::size_t n = stride / 2; n < shape.face_mm.size(); n += stride) {
-    const Point<frame::World> at = fileToWorld * Point<frame::File>{shape.face_mm[n]};
+  for (const glm::dvec3& each : spreadOver(shape, most)) {
+    const Point<frame::World> at = fileToWorld * Point<frame::File>{each};
     const Skin::Contact contact = skin.nearest(at.at);
     const double gap_mm = glm::distance(at.at, contact.point_mm);
     const bool isAbove = glm::dot(at.at - contact.point_mm, contact.outward) > 0.0;
@@ -160,10 +178,11 @@ std::array<Point<frame::World>, 4> nearSideOf(const Grid& own, const SweepAxes& 
 }
 
 ContactVerdict verdictOf(const Contact& contact) {
-  if (contact.outsideShare > kMostOutside) return ContactVerdict::outside;
-  if (contact.faceShare >= kGoodShare) return ContactVerdict::good;
-  return contact.deepestIntrusion_mm > std::max(kDeepBelow_mm, contact.deepestGap_mm) ? ContactVerdict::liesBelow
-                                                                                      : ContactVerdict::standsOff;
+  const bool standsOff = contact.deepestGap_mm > kFarOff_mm, liesBelow = contact.deepestIntrusion_mm > kFarOff_mm;
+  if (contact.outsideShare > kMostOutside && !standsOff) return ContactVerdict::outside;
+  if (contact.outsideShare <= kMostOutside && contact.faceShare >= kGoodShare) return ContactVerdict::good;
+  if (standsOff && liesBelow) return ContactVerdict::tipped;
+  return contact.deepestIntrusion_mm > contact.deepestGap_mm ? ContactVerdict::liesBelow : ContactVerdict::standsOff;
 }
 
 }  // namespace ew::case_authoring

@@ -35,8 +35,8 @@ using HandlesPose = Transform<frame::World, sdk::BodyHandles::Frame>;
 /// The placement after handles that stood at `before` have come to stand at `now`. The same when they have not moved.
 [[nodiscard]] FilePlace movedWith(const FilePlace& fileToWorld, const HandlesPose& before, const HandlesPose& now);
 
-/// Turned about the beam through the middle of the near face.
-[[nodiscard]] FilePlace turnedAboutBeam(const PlacingShape& shape, const FilePlace& fileToWorld, double angle_rad);
+/// Turned about the beam through the volume's middle.
+[[nodiscard]] FilePlace turnedAboutBeam(const Grid& own, const SweepAxes& axes, const FilePlace& fileToWorld, double angle_rad);
 /// The near face flush on the skin at a point of it, the beams straight in; the marker points where it pointed, as far as that can be.
 [[nodiscard]] FilePlace putOnSkin(const PlacingShape& shape, const FilePlace& fileToWorld, const Skin& skin, const Point<frame::World>& at);
 
@@ -53,7 +53,7 @@ struct FaceMark {
 [[nodiscard]] std::array<Point<frame::World>, 4> nearSideOf(const Grid& own, const SweepAxes& axes, const FilePlace& fileToWorld);
 
 /// What there is to say of a contact.
-enum class ContactVerdict { good, standsOff, liesBelow, outside };
+enum class ContactVerdict { good, standsOff, liesBelow, tipped, outside };
 [[nodiscard]] ContactVerdict verdictOf(const Contact& contact);
 
 }  // namespace ew::case_authoring

@@ -282,18 +282,22 @@ void PlacePanel::showContact() {
         return tr("The near face stands off the skin; move the volume in, or turn it flush.");
       case ContactVerdict::liesBelow:
         return tr("The near face lies below the skin; move the volume out.");
+      case ContactVerdict::tipped:
+        return tr("The near face is tipped: one side stands off the skin, another lies below it; turn it flush.");
       case ContactVerdict::outside:
-        return tr("Part of the volume lies outside the body; turn it so that the beams look inwards.");
+        return tr("Part of the volume lies outside the body; turn it round, so that the beams look inwards.");
     }
     return QString();
   };
   verdict_->setText(words());
   share_->setValue(static_cast<int>(std::lround(100.0 * contact.faceShare)));
-  figures_->setText(
+  QString figures =
       tr("%1 % of the near face touch the skin (within %2 mm). Largest gap %3 mm, deepest below %4 mm. %5 % of the volume lie outside "
          "the body.")
           .arg(placingPercent(contact.faceShare), placingNumber(kGel_mm, 0), placingNumber(contact.deepestGap_mm),
-               placingNumber(contact.deepestIntrusion_mm), placingPercent(contact.outsideShare)));
+               placingNumber(contact.deepestIntrusion_mm), placingPercent(contact.outsideShare));
+  for (const char* unit : {"%", "mm"}) figures.replace(QLatin1Char(' ') + QLatin1String(unit), QChar(QChar::Nbsp) + QLatin1String(unit));
+  figures_->setText(figures);
   drawFace(*now, shape);
   contactCost_ms_ = static_cast<double>(clock.elapsed());
 }
@@ -308,7 +312,7 @@ void PlacePanel::place(const FilePlace& fileToWorld, const QString& what, const 
 }
 
 void PlacePanel::turn(double angle_rad, const QString& what) {
-  if (const auto now = placed()) place(turnedAboutBeam(shapeNow(*now), now->fileToWorld, angle_rad), what, {});
+  if (const auto now = placed()) place(turnedAboutBeam(now->own, now->axes, now->fileToWorld, angle_rad), what, {});
 }
 
 void PlacePanel::putAtUsualPlace() {

@@ -7,7 +7,7 @@
 namespace ew::case_authoring {
 namespace {
 
-constexpr std::size_t kMostMarks = 130;  // of the near face: more are no clearer, and are drawn with every image
+constexpr std::size_t kMostMarks = 81;  // of the near face: more are no clearer, and are drawn with every image
 
 }  // namespace
 
@@ -24,12 +24,13 @@ void PlacePanel::drawFace(const Placed& now, const PlacingShape& shape) {
   // Contact is a filled square, a gap a cross, below the skin a dash: told apart without their colours.
   const glm::dvec3 x = (now.fileToWorld * Direction<frame::File>{now.axes.lateral}).along;
   const glm::dvec3 z = (now.fileToWorld * Direction<frame::File>{glm::cross(now.axes.lateral, now.axes.depth)}).along;
-  const double r_mm = std::clamp(0.012 * glm::distance(corners[0].at, corners[2].at), 0.8, 3.0);
+  const double r_mm = std::clamp(0.018 * glm::distance(corners[0].at, corners[2].at), 0.8, 3.0);
   for (const FaceMark& mark : faceMarksOf(shape, now.fileToWorld, *now.skin, kMostMarks)) {
     const auto line = [&](std::initializer_list<glm::dvec2> points, sdk::OverlayRole role, bool isFilled) {
       sdk::OverlayLine<frame::World> made;
       for (const glm::dvec2& p : points) made.points.push_back({mark.at.at + r_mm * (p.x * x + p.y * z)});
       made.role = role;
+      made.width_px = 1.2;
       made.isClosed = made.isFilled = isFilled;
       drawing.lines.push_back(std::move(made));
     };
