@@ -16938,10 +16938,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Die nahe Fläche liegt unter der Haut; das Volumen herausschieben.</translation>
     </message>
     <message>
-        <source>Part of the volume lies outside the body; turn it so that the beams look inwards.</source>
-        <translation>Ein Teil des Volumens liegt außerhalb des Körpers; so drehen, dass die Schallstrahlen nach innen zeigen.</translation>
-    </message>
-    <message>
         <source>%1 % of the near face touch the skin (within %2 mm). Largest gap %3 mm, deepest below %4 mm. %5 % of the volume lie outside the body.</source>
         <translation>%1 % der nahen Fläche berühren die Haut (auf %2 mm). Größter Spalt %3 mm, tiefste Stelle darunter %4 mm. %5 % des Volumens liegen außerhalb des Körpers.</translation>
     </message>
@@ -17016,6 +17012,14 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Point at a place on the body</source>
         <translation>Stelle am Körper zeigen</translation>
+    </message>
+    <message>
+        <source>Part of the volume lies outside the body; turn it round, so that the beams look inwards.</source>
+        <translation>Ein Teil des Volumens liegt außerhalb des Körpers; umdrehen, sodass die Schallstrahlen nach innen zeigen.</translation>
+    </message>
+    <message>
+        <source>The near face is tipped: one side stands off the skin, another lies below it; turn it flush.</source>
+        <translation>Die nahe Fläche ist gekippt: Eine Seite steht von der Haut ab, eine andere liegt darunter; bündig drehen.</translation>
     </message>
 </context>
 <context>
