@@ -308,7 +308,12 @@ void PlacePanel::place(const FilePlace& fileToWorld, const QString& what, const 
   sdk::setProblem(problem_, {});
   const nlohmann::json next = withPlace(*manifest, fileToWorld);
   if (next == *manifest) return;
-  if (const auto done = host_.cases().edit(next, what.toStdString(), mergeKey); !done) say(done.error());
+  const auto done = host_.cases().edit(next, what.toStdString(), mergeKey);
+  if (done) return;
+  // Numbers and handles are where the author put them; the volume is not.
+  if (const auto still = placeOf(*manifest)) numbers_->setTransform(*still);
+  showHandles();
+  say(done.error());
 }
 
 void PlacePanel::turn(double angle_rad, const QString& what) {
