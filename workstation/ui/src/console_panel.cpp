@@ -137,7 +137,6 @@ QWidget* ConsolePanel::makePage(const std::function<void(QVBoxLayout*)>& fill) {
   auto* scroll = new QScrollArea;
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setFocusPolicy(Qt::NoFocus);
   scroll->setWidget(body);
   return scroll;

@@ -13,6 +13,14 @@ int digitWidth_px(const QFontMetrics& metrics) {
   return widest;
 }
 
+/// Words that are read from the right hang together; they cannot be set letter by letter.
+bool isFromTheRight(const QString& text) {
+  return std::any_of(text.begin(), text.end(), [](QChar c) {
+    return c.direction() == QChar::DirR || c.direction() == QChar::DirAL || c.direction() == QChar::DirRLE ||
+           c.direction() == QChar::DirRLO;
+  });
+}
+
 bool isFigure(QChar c) { return c >= QLatin1Char('0') && c <= QLatin1Char('9'); }
 
 }  // namespace
@@ -30,6 +38,7 @@ QString signedFigure(double value, int decimals) {
 }
 
 int figuresWidth_px(const QFontMetrics& metrics, const QString& text) {
+  if (isFromTheRight(text)) return metrics.horizontalAdvance(text);
   const int digit = digitWidth_px(metrics);
   int width = 0;
   for (const QChar c : text) width += isFigure(c) ? digit : metrics.horizontalAdvance(c);
@@ -44,6 +53,7 @@ void drawFigures(QPainter& painter, const QRect& box, Qt::Alignment alignment, c
   if (alignment & Qt::AlignRight) x = box.right() + 1 - width;
   if (alignment & Qt::AlignHCenter) x = box.left() + (box.width() - width) / 2;
   const int baseline = box.top() + (box.height() + metrics.ascent() - metrics.descent()) / 2;
+  if (isFromTheRight(text)) return painter.drawText(x, baseline, text);
   for (const QChar c : text) {
     const int advance = metrics.horizontalAdvance(c);
     const int cell = isFigure(c) ? digit : advance;

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QStyle>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
@@ -101,7 +102,8 @@ void JobCards::placeIn(const QRect& area) {
   for (const auto& [id, card] : cards_) card->setFixedWidth(width_px);
   layout()->activate();
   const QSize size = sizeHint();
-  setGeometry(area.right() - kAround_px - size.width(), area.bottom() - kAround_px - size.height(), size.width(), size.height());
+  const QRect corner(area.right() - kAround_px - size.width(), area.bottom() - kAround_px - size.height(), size.width(), size.height());
+  setGeometry(QStyle::visualRect(layoutDirection(), area, corner));
   raise();
 }
 

@@ -186,7 +186,7 @@ QWidget* KeysDialog::makeChosen() {
   field_->setPlaceholderText(tr("Click here, then press a key"));
   field_->setAccessibleName(tr("New key"));
   field_->setToolTip(tr("Takes the next key, also F13 to F24, media keys and a foot pedal; Escape leaves it"));
-  field_->setFixedWidth(232);
+  holdFixedWidth(*field_, 232);
   reset_ = button(tr("Usual keys"), "resetKey", tr("Give this action its usual keys again"));
   line->addWidget(field_);
   line->addLayout(present_);

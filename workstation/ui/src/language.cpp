@@ -13,7 +13,7 @@ static void initTranslations() { Q_INIT_RESOURCE(translations); }
 namespace ew::ui {
 namespace {
 
-constexpr QChar kFromTheRight(0x202b), kEndOfEmbedding(0x202c);
+constexpr QChar kReadFromTheRight(0x200f), kEmbedded(0x202b), kEndOfEmbedding(0x202c);  // U+200F decides where a paragraph begins
 
 /// Keeps the translator and has the program speak it, when it holds any words.
 void speakIt(QApplication& app, std::vector<std::unique_ptr<QTranslator>>& spoken, std::unique_ptr<QTranslator> words, bool isLoaded) {
@@ -26,8 +26,8 @@ void speakIt(QApplication& app, std::vector<std::unique_ptr<QTranslator>>& spoke
 
 QString pseudoWords(const QString& source) {
   if (source.trimmed().isEmpty()) return source;
-  const int longer = std::max(1, source.size() / 3);
-  return kFromTheRight + (QLatin1Char('[') + source + QLatin1Char(' ') + QString(longer, QLatin1Char('~')) + QLatin1Char(']')) +
+  const QString longer(std::max(1, source.size() / 3), QLatin1Char('~'));
+  return QString(kReadFromTheRight) + kEmbedded + QLatin1Char('[') + source + QLatin1Char(' ') + longer + QLatin1Char(']') +
          kEndOfEmbedding;
 }
 

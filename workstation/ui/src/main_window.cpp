@@ -57,8 +57,8 @@ sdk::Cases::Choices withConsole(sdk::Cases::Choices choices, const std::vector<P
     for (const Preset& preset : *all) {
       const auto probe =
           std::find_if(choices.probes.begin(), choices.probes.end(), [&](const auto& each) { return each.first == preset.probe; });
-      choices.presets.emplace_back(preset.id, words(preset.title).toStdString() + ", " +
-                                                  (probe != choices.probes.end() ? probe->second : preset.probe));
+      choices.presets.emplace_back(
+          preset.id, words(preset.title).toStdString() + ", " + (probe != choices.probes.end() ? probe->second : preset.probe));
     }
   std::set<std::string> regions;
   for (const annotation::BodyMark* mark : marks) {
@@ -331,8 +331,8 @@ void MainWindow::showPanels() {
 
 int MainWindow::Parts::panelWidth_px() const {
   const int usual_px = staged ? kStagedPanelWidth_px : workspace == kExplore ? kExplorePanelWidth_px : kPanelWidth_px;
-  // Large words may have half of the window, but the views keep the other half.
-  return std::max(usual_px, std::min(scaled(usual_px), central->width() / 2));
+  // Large words may have two fifths of the window; the rest is the views'.
+  return std::max(usual_px, std::min(scaled(usual_px), central->width() * 2 / 5));
 }
 
 const sdk::Workspace* MainWindow::Parts::ownWorkspace() const {
@@ -415,7 +415,10 @@ void MainWindow::placeOverlays() {
   // Over the views, not over the console: a card must not hide a slider in use.
   QRect area = parts_->pages->geometry();
   if (parts_->pages->currentWidget() == parts_->workspacePage && parts_->console->isVisible()) {
-    area.setRight(area.right() - parts_->console->width());
+    if (isRightToLeft())
+      area.setLeft(area.left() + parts_->console->width());
+    else
+      area.setRight(area.right() - parts_->console->width());
   }
   // Beside a stage below the panel; a stage has pictures in every corner.
   QWidget* column = parts_->panels;

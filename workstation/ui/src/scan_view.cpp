@@ -25,7 +25,7 @@ constexpr int kSaidLong_ms = 3000;
 
 int leftRoom_px() { return DgcColumn::wanted_px(); }
 int rightRoom_px() { return 26 + scaled(38); }  // depth scale
-int topRoom_px() { return 32 + scaled(24); }    // probe name and marker
+int topRoom_px() { return 12 + scaled(44); }    // probe name, reset of the TGC, marker
 int lineHeight_px() { return scaled(24); }
 int bottomRoom_px() { return 16 + lineHeight_px(); }  // what the picture is
 int timeRoom_px() { return 8 + scaled(16); }          // time ticks under the strip
@@ -101,7 +101,8 @@ QRect ScanView::wholeRect() const {
   const bool isAlone = mode() == DisplayMode::bMode;
   const int left_px = isAlone ? left_px_ : leftRoom_px();
   const int right_px = isAlone ? right_px_ : rightRoom_px();
-  const QRect whole(left_px, topRoom_px(), std::max(1, width() - left_px - right_px), std::max(1, height() - topRoom_px() - bottomRoom_px()));
+  const QRect whole(left_px, topRoom_px(), std::max(1, width() - left_px - right_px),
+                    std::max(1, height() - topRoom_px() - bottomRoom_px()));
   if (isAlone) return whole;
   if (mode() == DisplayMode::mMode) return whole.adjusted(0, 0, 0, -std::min(timeRoom_px(), whole.height() - 1));
   // Picture and strip have the same size; between them there is room for the picture's lower edge to be seen as one.
@@ -426,7 +427,8 @@ void ScanView::paintDepthScale(QPainter& painter) {
     const QRect strip = stripRect();
     paintScale(strip, [&](double mm) { return strip.top() + strip.height() * mm / depth_mm; });
   }
-  if (pictureRect().height() > 0) drawFigures(painter, QRect(x - 56, height() - 8 - lineHeight_px(), 56, lineHeight_px()), Qt::AlignRight, tr("cm"));
+  if (pictureRect().height() > 0)
+    drawFigures(painter, QRect(x - 56, height() - 8 - lineHeight_px(), 56, lineHeight_px()), Qt::AlignRight, tr("cm"));
 }
 
 void ScanView::paintFoci(QPainter& painter) {

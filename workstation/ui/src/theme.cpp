@@ -2,6 +2,7 @@
 
 #include <QFile>
 #include <QFontDatabase>
+#include <QPainter>
 #include <QPalette>
 #include <QProxyStyle>
 #include <QRegularExpression>
@@ -76,6 +77,18 @@ QFont fontOf(int size_px) {
 class QuietFusion final : public QProxyStyle {
  public:
   QuietFusion() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
+  int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
+    const int px = QProxyStyle::pixelMetric(metric, option, widget);
+    return metric == PM_SmallIconSize || metric == PM_ButtonIconSize || metric == PM_TabBarScrollButtonWidth ? scaled(px) : px;
+  }
+  /// Beside an icon a style sheet asks for words at the left, and means the side of the icon.
+  void drawItemText(QPainter* painter, const QRect& box, int flags, const QPalette& palette, bool enabled, const QString& text,
+                    QPalette::ColorRole role) const override {
+    const bool isMirrored =
+        painter->layoutDirection() == Qt::RightToLeft && (flags & Qt::AlignLeft) != 0 && (flags & Qt::AlignAbsolute) == 0;
+    const int own = isMirrored ? (flags & ~Qt::AlignLeft) | Qt::AlignRight | Qt::AlignAbsolute : flags;
+    QProxyStyle::drawItemText(painter, box, own, palette, enabled, text, role);
+  }
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget, QStyleHintReturn* answer) const override {
     return hint == SH_UnderlineShortcut ? 0 : QProxyStyle::styleHint(hint, option, widget, answer);
   }
@@ -107,7 +120,7 @@ QPalette paletteOf(const Theme& t) {
 }
 
 /// What the names in the style sheet stand for.
-std::map<QString, QString> namedColours(const Theme& t) {
+std::map<QString, QString> namedValues(const Theme& t) {
   const Theme scan = scanTheme();
   return {{"panel", t.panel.name()},
           {"ground", t.ground.name()},
@@ -122,6 +135,8 @@ std::map<QString, QString> namedColours(const Theme& t) {
           {"danger", t.danger.name()},
           {"handle", t.dark ? "#e9ebed" : "#ffffff"},
           {"handleEdge", t.dark ? t.panel.name() : t.quiet.name()},
+          {"handleRadius", QStringLiteral("%1px").arg(scaled(12) / 2 + 1)},  // half of its side; more is drawn as a square
+          {"dotRadius", QStringLiteral("%1px").arg(scaled(14) / 2 + 1)},
           {"veil", t.dark ? "rgba(18, 19, 21, 200)" : "rgba(255, 255, 255, 210)"},
           {"scheme", t.dark ? "dark" : "light"},
           {"scanLine", scan.line.name()},
@@ -139,7 +154,7 @@ QString sheetOf(const Theme& theme) {
   [[maybe_unused]] const bool isThere = file.open(QIODevice::ReadOnly);
   EW_EXPECTS(isThere);
   const QString source = QString::fromUtf8(file.readAll());
-  const std::map<QString, QString> colours = namedColours(theme);
+  const std::map<QString, QString> values = namedValues(theme);
   static const QRegularExpression name(QStringLiteral("@([A-Za-z]+)(?:\\((\\d+)\\))?"));
   QString sheet;
   int from = 0;
@@ -149,9 +164,9 @@ QString sheetOf(const Theme& theme) {
     if (match.captured(1) == QLatin1String("px")) {
       sheet += QStringLiteral("%1px").arg(scaled(match.captured(2).toInt()));
     } else {
-      const auto colour = colours.find(match.captured(1));
-      EW_EXPECTS(colour != colours.end());
-      sheet += colour->second;
+      const auto value = values.find(match.captured(1));
+      EW_EXPECTS(value != values.end());
+      sheet += value->second;
     }
     from = match.capturedEnd();
   }

@@ -1,11 +1,13 @@
 #include "top_bar.h"
 
+#include <QAction>
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenuBar>
 #include <QPushButton>
 #include <QStyle>
+#include <QStyleOption>
 #include <QVariant>
 #include <algorithm>
 
@@ -14,6 +16,38 @@
 #include "theme.h"
 
 namespace ew::ui {
+
+namespace {
+
+/// Asked for its size in a window read from the right, Qt's own puts its entries where the window ends and not where the bar does.
+class MenuBar final : public QMenuBar {
+ public:
+  [[nodiscard]] QSize sizeHint() const override { return isRightToLeft() ? sizeOf(true) : QMenuBar::sizeHint(); }
+  [[nodiscard]] QSize minimumSizeHint() const override { return isRightToLeft() ? sizeOf(false) : QMenuBar::minimumSizeHint(); }
+
+ private:
+  [[nodiscard]] QSize sizeOf(bool all) const {
+    const QStyle& by = *style();
+    const int spacing_px = by.pixelMetric(QStyle::PM_MenuBarItemSpacing, nullptr, this);
+    QSize size(0, 0);
+    for (QAction* entry : actions()) {
+      if (!entry->isVisible()) continue;
+      QStyleOptionMenuItem option;
+      initStyleOption(&option, entry);
+      const QSize words = fontMetrics().size(Qt::TextShowMnemonic, entry->text());
+      const QSize its = by.sizeFromContents(QStyle::CT_MenuBarItem, &option, words, this);
+      size = {size.width() + its.width() + spacing_px, std::max(size.height(), its.height())};
+      if (!all) break;
+    }
+    const int across_px =
+        by.pixelMetric(QStyle::PM_MenuBarHMargin, nullptr, this) + by.pixelMetric(QStyle::PM_MenuBarPanelWidth, nullptr, this);
+    const int down_px =
+        by.pixelMetric(QStyle::PM_MenuBarVMargin, nullptr, this) + by.pixelMetric(QStyle::PM_MenuBarPanelWidth, nullptr, this);
+    return size + QSize(2 * across_px + (all ? 0 : 2 * kGrid_px), 2 * down_px);
+  }
+};
+
+}  // namespace
 
 TopBar::TopBar(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("topBar"));
@@ -24,7 +58,7 @@ TopBar::TopBar(QWidget* parent) : QWidget(parent) {
   row->setSpacing(0);
   brand_ = new QLabel(QStringLiteral("EchoWeave"));
   brand_->setObjectName(QStringLiteral("brand"));
-  menus_ = new QMenuBar;
+  menus_ = new MenuBar;
   menus_->setNativeMenuBar(false);
   menus_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
   group_ = new QButtonGroup(this);
@@ -100,7 +134,8 @@ void TopBar::placeTitle() {
   const int left = placed(menus_->geometry()).right() + kGap_px;
   const int right = placed(disclaimer_->geometry()).left() - kGap_px;
   const int room = std::max(0, right - left);
-  const int remarkWidth = remark_->text().isEmpty() ? 0 : remark_->sizeHint().width() + kGap_px;
+  const int wanted = remark_->text().isEmpty() ? 0 : remark_->sizeHint().width() + kGap_px;
+  const int remarkWidth = wanted <= room ? wanted : 0;
   const QFontMetrics metrics = title_->fontMetrics();
   const int titleWidth = std::min(metrics.horizontalAdvance(fullTitle_) + 4, std::max(0, room - remarkWidth));
   title_->setText(metrics.elidedText(fullTitle_, Qt::ElideRight, titleWidth));

@@ -83,6 +83,7 @@ void Tour::makeRows() {
   rows->addWidget(name_);
   rows->addWidget(text_);
   rows->addLayout(line);
+  line_ = line;
   connect(leaves, &QPushButton::clicked, this, &Tour::leave);
   connect(back_, &QPushButton::clicked, this, &Tour::back);
   connect(next_, &QPushButton::clicked, this, &Tour::next);
@@ -208,7 +209,9 @@ QRect Tour::bestPlace(const QRect& thing, const QSize& size, QPoint& points) con
 }
 
 void Tour::place() {
-  const int width_px = std::min(scaled(kBubble_px), parentWidget()->width() - 2 * kFromEdge_px);
+  const QMargins edges = layout()->contentsMargins() + contentsMargins();
+  const int wanted_px = std::max(scaled(kBubble_px), line_->sizeHint().width() + edges.left() + edges.right());
+  const int width_px = std::min(wanted_px, parentWidget()->width() - 2 * kFromEdge_px);
   setFixedWidth(width_px);
   const int height_px = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width_px) : sizeHint().height();
   const QSize size(width_px, std::min(height_px, parentWidget()->height() - 2 * kFromEdge_px));

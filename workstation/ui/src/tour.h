@@ -62,6 +62,7 @@ class Tour final : public QFrame {
   QLabel* count_ = nullptr;
   QPushButton* back_ = nullptr;
   QPushButton* next_ = nullptr;
+  QLayout* line_ = nullptr;     ///< of the buttons
   QWidget* ring_ = nullptr;     ///< around the thing
   QWidget* pointer_ = nullptr;  ///< from the bubble to it
   QPointer<QWidget> before_;    ///< had the focus, and gets it back

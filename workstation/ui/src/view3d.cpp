@@ -127,11 +127,27 @@ struct View3D::Parts {
   std::vector<QToolButton*> viewButtons;
 
   /// As many columns as fit: longer words or a narrow view make more rows, never cut ones.
-  void arrangeButtons(int room_px) {
+  /// Where they would cover the body only those stay that no key has: looking from a side is in the menu, too.
+  void arrangeButtons(int room_px, int most_px) {
+    for (const bool all : {true, false}) {
+      for (QToolButton* each : viewButtons) each->setVisible(all || !looksFromSide(*each));
+      gridButtons(room_px);
+      if (buttons->height() <= most_px) return;
+    }
+  }
+  [[nodiscard]] static bool looksFromSide(const QToolButton& button) {
+    const QString name = button.objectName();
+    return name == QLatin1String("viewFront") || name == QLatin1String("viewRight") || name == QLatin1String("viewLeft") ||
+           name == QLatin1String("viewTop");
+  }
+  void gridButtons(int room_px) {
     auto* grid = static_cast<QGridLayout*>(buttons->layout());
-    const int count = static_cast<int>(viewButtons.size());
+    std::vector<QToolButton*> shown;
+    for (QToolButton* each : viewButtons)
+      if (!each->isHidden()) shown.push_back(each);
+    const int count = static_cast<int>(shown.size());
     for (int columns = count; columns >= 1; columns = (columns + 1) / 2) {
-      for (int i = 0; i < count; ++i) grid->addWidget(viewButtons[static_cast<std::size_t>(i)], i / columns, i % columns);
+      for (int i = 0; i < count; ++i) grid->addWidget(shown[static_cast<std::size_t>(i)], i / columns, i % columns);
       grid->invalidate();
       if (grid->sizeHint().width() <= room_px || columns == 1) break;
     }
@@ -380,7 +396,7 @@ void View3D::placeOverlays() {
     hint.resize(beside, hint.heightForWidth(beside));
   }
   hint.move(kOverlayMargin_px, height() - kOverlayMargin_px - hint.height());
-  parts_->arrangeButtons(room);
+  parts_->arrangeButtons(room, height() * 2 / 5);
   parts_->buttons->move(std::max(0, width() - kOverlayMargin_px - parts_->buttons->width()), kOverlayMargin_px - 4);
   hint.raise();
   parts_->buttons->raise();

@@ -1,0 +1,181 @@
+#pragma once
+
+#include <QMenuBar>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QTabWidget>
+#include <QTranslator>
+
+#include "cost_panel.h"
+#include "ew/library/case.h"
+#include "ew/library/lesson.h"
+#include "language.h"
+#include "screenshots.h"
+#include "usability_walk.h"
+#include "window_fixture.h"
+#include "worksheets.h"
+
+/// Outside of any namespace, as the macro demands.
+inline void initUsabilityTranslations() { Q_INIT_RESOURCE(translations); }
+
+namespace ew::ui::testing {
+
+/// A window in a language and a size of text, which is led through its pages and dialogs.
+class UsabilityFixture : public WindowFixture {
+ protected:
+  QString case_;
+  std::unique_ptr<QTranslator> words_;
+
+  /// The usual test case with a lesson, so that trainees have a panel.
+  [[nodiscard]] QString writeTaught() const {
+    const QString folder = files_.writeCase(QStringLiteral("taught"));
+    auto opened = loadCase(folder.toStdString());
+    if (!opened) return {};
+    Lesson lesson;
+    lesson.id = "first";
+    lesson.title = "The ball";
+    lesson.aim = "A ball is found and measured.";
+    for (const char* id : {"read", "free"}) {
+      LessonStep step;
+      step.id = id;
+      step.title = std::string("Title of ") + id;
+      step.text = "What to do in this step.";
+      if (std::string_view(id) == "read")
+        step.task = ReadTask{};
+      else
+        step.task = FreeTask{0.0, {}};
+      lesson.steps.push_back(step);
+    }
+    opened->otherFields["parts"]["lessons"] = jsonOf(std::vector<Lesson>{lesson});
+    return saveCase(*opened, folder.toStdString()) ? folder : QString();
+  }
+
+  void speak(const QString& language) {
+    QLocale::setDefault(language == QLatin1String("de") ? QLocale(QStringLiteral("de_DE")) : QLocale::c());
+    if (language == kPseudoLanguage) {
+      words_ = std::make_unique<PseudoTranslator>();
+      QApplication::setLayoutDirection(Qt::RightToLeft);
+    } else if (language == QLatin1String("de")) {
+      words_ = std::make_unique<QTranslator>();
+      QVERIFY(words_->load(QStringLiteral(":/ew/translations/echoweave_de.qm")));
+    }
+    if (words_) QVERIFY(QApplication::installTranslator(words_.get()));
+  }
+  void beSilent() {
+    window_.reset();
+    if (words_) QApplication::removeTranslator(words_.get());
+    words_.reset();
+    QLocale::setDefault(QLocale::c());
+    QApplication::setLayoutDirection(Qt::LeftToRight);
+    QSettings().clear();
+    setTextSize(100);
+  }
+
+  void showWindow(const QString& language, int text_percent = 100, const QSize& size = {1440, 900}) {
+    speak(language);
+    QSettings().setValue(QStringLiteral("textSize"), text_percent);
+    if (case_.isEmpty()) case_ = writeTaught();
+    QVERIFY(!case_.isEmpty());
+    showWindowWithCase(case_);
+    window_->openPlugins();
+    window_->resize(size);
+    window_->setWorkspace(Workspace::explore);
+    QVERIFY(waitUntil([this] { return window_->isSettled(); }));
+    QTest::qWait(50);
+  }
+
+  [[nodiscard]] QAction* action(const char* source) const {
+    for (QAction* each : window_->findChildren<QAction*>())
+      if (each->text() == MainWindow::tr(source)) return each;
+    return nullptr;
+  }
+  void showTab(const QString& panel) {
+    auto* page = window_->findChild<QWidget*>(panel);
+    QVERIFY2(page, qPrintable(panel));
+    for (QWidget* up = page; up != nullptr; up = up->parentWidget())
+      if (auto* tabs = qobject_cast<QTabWidget*>(up)) tabs->setCurrentWidget(page);
+    QTest::qWait(50);
+  }
+
+  /// Calls `look` with each page of the window in front.
+  void walkPages(const std::function<void(const QString&)>& look) {
+    auto* consolePages = find<QTabWidget>("consolePages");
+    for (int n = 0; n < consolePages->count(); ++n) {
+      consolePages->setCurrentIndex(n);
+      QTest::qWait(20);
+      look(QStringLiteral("explore, page %1 of the console").arg(n + 1));
+    }
+    consolePages->setCurrentIndex(0);
+    if (auto* start = find<QPushButton>("startLesson"); start != nullptr && start->isVisible()) {
+      start->click();
+      QVERIFY(waitUntil([this] { return window_->isSettled(); }));
+      QTest::qWait(100);
+      look(QStringLiteral("explore, in a lesson"));
+      if (auto* leaves = find<QPushButton>("leaveLesson"); leaves != nullptr && leaves->isVisible()) leaves->click();
+    }
+    session().setFrozen(true);
+    QTest::qWait(50);
+    look(QStringLiteral("explore, frozen"));
+    session().setFrozen(false);
+    window_->setWorkspace(Workspace::author);
+    for (QTabWidget* tabs : window_->findChildren<QTabWidget*>()) {
+      if (!tabs->property("panels").toBool() || !tabs->isVisible()) continue;
+      for (int n = 0; n < tabs->count(); ++n) {
+        if (!tabs->isTabVisible(n)) continue;
+        tabs->setCurrentIndex(n);
+        QTest::qWait(400);  // panels look at the case when events have been handled
+        look(QStringLiteral("author, %1").arg(tabs->widget(n)->objectName()));
+      }
+      tabs->setCurrentIndex(0);
+      break;
+    }
+    window_->setWorkspace(Workspace::explore);
+    window_->showStartPage();
+    QVERIFY(waitUntil([this] { return window_->isSettled(); }));
+    look(QStringLiteral("start page"));
+    find<QLineEdit>("caseSearch")->setText(QStringLiteral("nothing is called so"));
+    QTest::qWait(50);
+    look(QStringLiteral("start page, nothing found"));
+    find<QLineEdit>("caseSearch")->clear();
+    window_->setWorkspace(Workspace::explore);
+  }
+
+  /// Calls `look` with each dialog that the menus open without asking for a file.
+  void walkDialogs(const std::function<void(const QString&, QWidget&)>& look) {
+    window_->setWorkspace(Workspace::explore);
+    QVERIFY(!window_->worksheets().packages().empty());
+    window_->worksheets().choose(window_->worksheets().packages().front()->id);
+    const std::pair<const char*, const char*> menus[] = {{"Keys and &controls…", "keysDialog"},
+                                                         {"&Performance…", "costPanel"},
+                                                         {"&Worksheet…", "worksheetDialog"},
+                                                         {"&Examination and archive…", "examinationDialog"}};
+    for (const auto& [text, name] : menus) {
+      QAction* entry = action(text);
+      QVERIFY2(entry, text);
+      entry->trigger();
+      QTest::qWait(50);
+      QDialog* shown = nullptr;
+      for (QDialog* each : window_->findChildren<QDialog*>())
+        if (each->isVisible()) shown = each;
+      QVERIFY2(shown, text);
+      QTest::qWait(80);
+      look(QString::fromLatin1(name), *shown);
+      shown->close();
+      QTest::qWait(20);
+      QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+      QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }));
+    }
+    window_->open(files_.writeSweep(QStringLiteral("sweep.igs.mha")));
+    QDialog* import = nullptr;
+    QVERIFY(waitUntil([&] {
+      import = find<QDialog>("importDialog");
+      return import != nullptr && import->isVisible() && !window_->jobs().isRunning();
+    }));
+    QTest::qWait(50);
+    look(QStringLiteral("importDialog"), *import);
+    import->reject();
+    QTest::qWait(20);
+  }
+};
+
+}  // namespace ew::ui::testing
