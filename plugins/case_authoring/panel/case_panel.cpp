@@ -71,7 +71,6 @@ QWidget* CasePanel::makeForm() {
   column->addWidget(makeTakenRow());
   scroll_ = new QScrollArea;
   scroll_->setWidgetResizable(true);
-  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* body = new QWidget;
   sectionColumn_ = new QVBoxLayout(body);
   sectionColumn_->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);

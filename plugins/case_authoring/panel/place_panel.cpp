@@ -49,7 +49,6 @@ PlacePanel::PlacePanel(sdk::Host& host, QWidget* parent) : QWidget(parent), host
 QWidget* PlacePanel::makeForm() {
   auto* scroll = new QScrollArea;
   scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* body = new QWidget;
   auto* column = new QVBoxLayout(body);
   column->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);

@@ -48,7 +48,6 @@ TargetsPanel::TargetsPanel(sdk::Host& host, QWidget* parent)
                                                               "find in it can be pointed out here.")));
   auto* scroll = new QScrollArea;
   scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* body = new QWidget;
   auto* parts = new QVBoxLayout(body);
   parts->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
