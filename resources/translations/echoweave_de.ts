@@ -16606,6 +16606,14 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
 <context>
     <name>ew::lessons::ExercisePlayer</name>
     <message>
+        <source>Back to the lessons; what was judged is kept</source>
+        <translation>Zurück zu den Lektionen; was beurteilt wurde, bleibt</translation>
+    </message>
+    <message>
+        <source>Take another one; this one does not count</source>
+        <translation>Eine andere nehmen; diese zählt nicht</translation>
+    </message>
+    <message>
         <source>Then a little easier: level %1.</source>
         <translation>Dann etwas leichter: Stufe %1.</translation>
     </message>

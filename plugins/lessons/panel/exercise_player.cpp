@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <QPointer>
+#include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -41,6 +42,10 @@ ExercisePlayer::ExercisePlayer(sdk::Host& host, QWidget* parent) : QWidget(paren
   pages_->addWidget(outcome_);
   column->addWidget(pages_);
 
+  if (auto* skip = step_->findChild<QPushButton*>(QStringLiteral("skipStep")))
+    skip->setToolTip(tr("Take another one; this one does not count"));
+  if (auto* leave = step_->findChild<QPushButton*>(QStringLiteral("leaveLesson")))
+    leave->setToolTip(tr("Back to the lessons; what was judged is kept"));
   connect(step_, &StepPage::doneAsked, this, &ExercisePlayer::endExercise);
   connect(step_, &StepPage::skipAsked, this, &ExercisePlayer::skip);
   connect(step_, &StepPage::leaveAsked, this, &ExercisePlayer::leave);

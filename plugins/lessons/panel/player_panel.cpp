@@ -129,7 +129,8 @@ void PlayerPanel::showLessons() {
   }
   list_->showLessons(shown, stands);
   const auto kept =
-      readRepetition(repetitionFile(libraryFolder(), sdk::personWhoLearns()));  // what is wrong with it is told when they begin
+      readRepetition(repetitionFile(libraryFolder(), sdk::personWhoLearns()));  // what it cannot be read for is told when they begin
+  if (kept && kept->note) host_.window().warn(words(*kept->note).toStdString(), "exercises");
   card_->showCase(*case_, words_, kept ? kept->states : std::vector<RepetitionState>(), allFinished && !lessons_.empty());
   pages_->setCurrentIndex(kList);
 }
