@@ -107,7 +107,7 @@ void checkContact(const Case& opened, const CheckSources& sources, CheckList& li
   if (opened.volume.file.empty()) return;
   const auto contact = contactOfCase(opened, sources, progress);
   if (!contact) return list.warn(contact.error().message, "volume.file_to_world");
-  constexpr double kEnough = 0.4;
+  constexpr double kEnough = 0.25;  // of a fan that rocked by 40 degrees a third lies on the skin at best
   constexpr double kMostOutside = 0.1;
   if (contact->faceShare < kEnough || contact->outsideShare > kMostOutside)
     list.warn(say<"%1 % of the volume's near face touch the skin (gap up to %2 mm), and %3 % of it lie outside the body; place it "
