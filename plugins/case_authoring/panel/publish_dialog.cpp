@@ -11,9 +11,11 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ew/io/volume_file.h"
 #include "ew/library/bundle.h"
 #include "ew/library/published.h"
 #include "ew/sdk/panel.h"
+#include "ew/sdk/scan.h"
 
 namespace ew::case_authoring {
 namespace {
@@ -21,6 +23,17 @@ namespace {
 using sdk::kGap_px;
 using sdk::words;
 using State = CheckItem::State;
+
+constexpr int kCheckAfter_ms = 500;
+
+/// The volume of a case with a file; null when there is none, or when it cannot be read: then the list says so.
+std::shared_ptr<const Volume> volumeOf(const Case& checked, Progress& progress) {
+  if (checked.volume.file.empty()) return nullptr;
+  const auto file = fileOfCase(checked.folder, checked.volume.file, "volume.file");
+  if (!file) return nullptr;
+  auto read = readVolume(*file, progress);
+  return read ? std::make_shared<const Volume>(std::move(read->volume)) : nullptr;
+}
 
 /// Shape and word, not colour alone.
 QString signOf(State state) {
@@ -82,7 +95,10 @@ PublishDialog::PublishDialog(sdk::Host& host, QWidget* parent) : QDialog(parent)
   connect(export_, &QPushButton::clicked, this, &PublishDialog::exportCase);
   connect(publish_, &QPushButton::clicked, this, &PublishDialog::publish);
   resize(70 * kGap_px, 66 * kGap_px);
-  ticket_ = host_.cases().onChanged([this] { check(); });
+  soon_.setSingleShot(true);
+  soon_.setInterval(kCheckAfter_ms);
+  connect(&soon_, &QTimer::timeout, this, &PublishDialog::check);
+  ticket_ = host_.cases().onChanged([this] { soon_.start(); });
   check();
 }
 
@@ -103,20 +119,32 @@ void PublishDialog::check() {
   const int mine = checking_ = ++number;
   showButtons();
   if (scroll_->widget() == nullptr) summary_->setText(tr("The case is being checked."));
-  auto found = std::make_shared<std::vector<CheckItem>>();
+  struct Checked {
+    std::vector<CheckItem> list;
+    std::shared_ptr<const Volume> volume;
+  };
+  auto found = std::make_shared<Checked>();
+  const std::string file = present->volume.file;
+  if (file == volumeFile_) found->volume = volume_;  // volumes are named by their content
+  CheckSources sources;
+  if (const auto scanned = host_.scan().scanned(); scanned && host_.cases().scan()) sources.skin = scanned->skin;
   host_.jobs().start(
       tr("Checking the case").toStdString(),
-      [found, present = std::move(*present)](Progress& progress) -> Result<void> {
-        auto list = publishingList(present, {}, progress);
+      [found, present = std::move(*present), sources](Progress& progress) mutable -> Result<void> {
+        if (!found->volume) found->volume = volumeOf(present, progress);
+        sources.volume = found->volume;
+        auto list = publishingList(present, sources, progress);
         if (!list) return passOn(list.error());
-        *found = std::move(*list);
+        found->list = std::move(*list);
         return {};
       },
-      [this, alive = QPointer<PublishDialog>(this), found, mine](const Result<void>& outcome) {
+      [this, alive = QPointer<PublishDialog>(this), found, file, mine](const Result<void>& outcome) {
         if (!alive || checking_ != mine) return;
         checking_ = 0;
+        volume_ = found->volume;
+        volumeFile_ = file;
         if (outcome)
-          showList(*found);
+          showList(found->list);
         else if (outcome.error().code != ErrorCode::cancelled)
           tell(words(outcome.error()), true);
         showButtons();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QTimer>
 #include <memory>
 #include <vector>
 
@@ -47,6 +48,9 @@ class PublishDialog final : public QDialog {
   int checking_ = 0;    ///< number of the check that is waited for; 0: none
   bool again_ = false;  ///< the case changed meanwhile
   bool working_ = false;
+  std::shared_ptr<const Volume> volume_;  ///< that was checked last
+  std::string volumeFile_;
+  QTimer soon_;  ///< of rest: what is typed is not checked letter by letter
   sdk::Cases::Ticket ticket_;
 };
 

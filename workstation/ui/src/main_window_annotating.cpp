@@ -73,6 +73,7 @@ std::vector<Preset> MainWindow::presetsOfCase() const {
 }
 
 void MainWindow::takePresetOfCase() {
+  if (parts_->session.isFrozen() || parts_->session.isPlaying()) return;
   const std::vector<Preset> offered = presetsOfCase();
   if (offered.empty() || !checkPreset(offered.front(), parts_->session.probes())) return;
   takePreset(offered.front());

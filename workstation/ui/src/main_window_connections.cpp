@@ -155,6 +155,7 @@ void MainWindow::connectOpener() {
     parts_->pages->setCurrentWidget(parts_->workspacePage);
     parts_->scanView->setFocus();
     if (const auto waiting = std::exchange(parts_->waitingRecording, {}); waiting.recording) takeRecording(waiting.path, waiting.recording);
+    parts_->imported.clear();
     takePresetOfCase();
     if (parts_->restoring) return restoreKeptEdits();
     if (const auto& current = parts_->document.current()) offerKeptEditsOf(current->folder);
