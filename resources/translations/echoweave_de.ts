@@ -8204,8 +8204,8 @@
         <translation>%1 hat über seinen Daten keine Haut, um dort zu beginnen; seinen Quader ansehen.</translation>
     </message>
     <message>
-        <source>%1 has no virtual patient; only cases with one are measured here.</source>
-        <translation>%1 hat keinen virtuellen Patienten; nur Fälle mit einem werden hier gemessen.</translation>
+        <source>%1 has no volume, so that nobody can be taught with it yet.</source>
+        <translation>%1 hat kein Volumen, deshalb kann noch niemand damit unterrichtet werden.</translation>
     </message>
     <message>
         <source>There is no probe &quot;%1&quot;; see resources/probes.</source>
@@ -18844,6 +18844,18 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Steps of lessons that ask for it: %1. They follow when it is renamed.</source>
         <translation>Schritte von Lektionen, die danach fragen: %1. Beim Umbenennen ziehen sie mit.</translation>
+    </message>
+    <message>
+        <source>+ Point</source>
+        <translation>+ Punkt</translation>
+    </message>
+    <message>
+        <source>+ Plane</source>
+        <translation>+ Ebene</translation>
+    </message>
+    <message>
+        <source>+ Structure</source>
+        <translation>+ Struktur</translation>
     </message>
 </context>
 <context>

@@ -18,7 +18,7 @@ struct TeachingArguments {
   std::uint64_t seed = 1;
 };
 
-/// The shipped cases with a virtual patient, or those that were named.
+/// The shipped cases, or those that were named.
 Result<std::vector<Case>> casesOf(const TeachingArguments& arguments) {
   std::vector<Case> cases;
   for (const std::string& name : arguments.cases) {
@@ -29,8 +29,7 @@ Result<std::vector<Case>> casesOf(const TeachingArguments& arguments) {
   if (!arguments.cases.empty()) return cases;
   const auto shipped = shippedCasesFolder();
   if (!shipped) return passOn(shipped.error());
-  for (Case& each : listCases(*shipped).cases)
-    if (!each.volume.recipe.empty()) cases.push_back(std::move(each));
+  for (Case& each : listCases(*shipped).cases) cases.push_back(std::move(each));
   return cases;
 }
 

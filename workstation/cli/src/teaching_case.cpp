@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "ew/io/volume_file.h"
 #include "ew/library/body_skin.h"
+#include "ew/library/new_case.h"
 #include "ew/phantom/label_grid.h"
 
 namespace ew {
@@ -10,8 +12,15 @@ namespace {
 
 constexpr double kLabels_mm = 1.6;  // as cases have theirs
 
-/// The box of the data on a grid of labels, in the case's own frame.
+/// The file's own grid, or the box of a patient on a grid of labels; in the case's own frame.
 Result<Grid> ownGridOf(const Case& opened, const std::filesystem::path& mannequins) {
+  if (opened.volume.recipe.empty()) {
+    const auto file = fileOfCase(opened.folder, opened.volume.file, "volume.file");
+    if (!file) return passOn(file.error());
+    const auto header = readVolumeHeader(*file);
+    if (!header) return passOn(header.error());
+    return header->grid;
+  }
   const auto box = readPatientBox(opened.folder / opened.volume.recipe, mannequins);
   if (!box) return passOn(box.error());
   Grid grid;
@@ -21,6 +30,23 @@ Result<Grid> ownGridOf(const Case& opened, const std::filesystem::path& mannequi
   return grid;
 }
 
+/// Of a patient at rest, or those that stand beside a recorded volume; null where there are none.
+Result<std::shared_ptr<const Volume>> labelsOf(const Case& opened, const Grid& own, const std::filesystem::path& mannequins, int threads,
+                                               Progress& progress) {
+  if (opened.volume.recipe.empty()) {
+    if (opened.volume.labels.empty()) return std::shared_ptr<const Volume>();
+    auto read = readLabelVolume(opened.folder / opened.volume.labels, progress);
+    if (!read) return passOn(read.error());
+    read->volume.grid = placed(read->volume.grid, opened.volume.fileToWorld);
+    return std::make_shared<const Volume>(std::move(read->volume));
+  }
+  const auto patient = readPatient(opened.folder / opened.volume.recipe, mannequins, {}, progress);
+  if (!patient) return passOn(patient.error());
+  auto labels = labelsOn(**patient, own, threads, progress);
+  if (!labels) return passOn(labels.error());
+  return std::make_shared<const Volume>(Volume{placed(own, opened.volume.fileToWorld), *std::move(labels), {}});
+}
+
 }  // namespace
 
 Result<TeachingCase> teachingCaseOf(const Case& opened, bool withLabels, int threads, Progress& progress) {
@@ -28,8 +54,8 @@ Result<TeachingCase> teachingCaseOf(const Case& opened, bool withLabels, int thr
   made.opened = opened;
   const auto resources = resourceFolder();
   if (!resources) return passOn(resources.error());
-  if (opened.volume.recipe.empty())
-    return failure(ErrorCode::unsupported, say<"%1 has no virtual patient; only cases with one are measured here.">(opened.id),
+  if (hasNoVolume(opened))
+    return failure(ErrorCode::unsupported, say<"%1 has no volume, so that nobody can be taught with it yet.">(opened.id),
                    {{"case", opened.id}});
   auto truth = loadCaseTruth(opened, progress);
   if (!truth) return passOn(truth.error());
@@ -57,14 +83,9 @@ Result<TeachingCase> teachingCaseOf(const Case& opened, bool withLabels, int thr
   made.region.placedGrid = placed(*grid, opened.volume.fileToWorld);
   made.region.below_mm = std::min(30.0, 0.5 * made.probe.defaultDepth_mm);
   if (!withLabels) return made;
-  const auto patient = readPatient(opened.folder / opened.volume.recipe, mannequins, {}, progress);
-  if (!patient) return passOn(patient.error());
-  auto labels = labelsOn(**patient, *grid, threads, progress);
+  auto labels = labelsOf(opened, *grid, mannequins, threads, progress);
   if (!labels) return passOn(labels.error());
-  Volume volume;
-  volume.grid = made.region.placedGrid;
-  volume.echo = *std::move(labels);
-  made.labels = std::make_shared<const Volume>(std::move(volume));
+  made.labels = *std::move(labels);
   return made;
 }
 

@@ -16,11 +16,12 @@ struct TeachingCase {
   std::shared_ptr<const Skin> skin;
   Probe probe;  ///< the case's first
   ScannableRegion region;
-  std::shared_ptr<const Volume> labels;  ///< of the patient at rest, on the region's grid; null unless asked for
+  std::shared_ptr<const Volume> labels;  ///< of the patient at rest, or of the recorded volume; null unless asked for
 };
 
 /// @param withLabels takes some seconds
-/// @error as loadCaseTruth, readBodySkin, readProbes, readPatientBox, labelsOn; notFound (the probe)
+/// @error as loadCaseTruth, readBodySkin, readProbes, readPatientBox, labelsOn, readVolumeHeader; notFound (the probe); unsupported (no
+///        volume)
 [[nodiscard]] Result<TeachingCase> teachingCaseOf(const Case& opened, bool withLabels, int threads, Progress& progress);
 
 }  // namespace ew
