@@ -8261,11 +8261,11 @@
     </message>
     <message>
         <source>Published cases are not edited in place, for attempts of trainees refer to them; save &apos;%1&apos; as a case of your own.</source>
-        <translation>Veröffentlichte Fälle werden nicht an Ort und Stelle bearbeitet, denn Versuche von Lernenden beziehen sich auf sie; &apos;%1&apos; als eigenen Fall sichern.</translation>
+        <translation>Veröffentlichte Fälle werden nicht an Ort und Stelle bearbeitet, denn Versuche von Lernenden beziehen sich auf sie; „%1“ als eigenen Fall speichern.</translation>
     </message>
     <message>
         <source>Nothing is measured in the image; draw a caliper first (Scan, Measure), then take it.</source>
-        <translation>Im Bild ist nichts gemessen; erst eine Messung zeichnen (Schall, Messen), dann übernehmen.</translation>
+        <translation>Im Bild ist nichts gemessen; erst eine Messung zeichnen (Scan, Messen), dann übernehmen.</translation>
     </message>
     <message>
         <source>No caliper in the image measures this kind of figure; draw one that does, or choose another kind.</source>
@@ -8281,19 +8281,19 @@
     </message>
     <message>
         <source>There is no picture &apos;%1&apos;; choose it again.</source>
-        <translation>Es gibt kein Bild &apos;%1&apos;; noch einmal wählen.</translation>
+        <translation>Es gibt kein Bild „%1“; noch einmal wählen.</translation>
     </message>
     <message>
         <source>The picture &apos;%1&apos; is larger than 20 MB; make it smaller first.</source>
-        <translation>Das Bild &apos;%1&apos; ist größer als 20 MB; erst verkleinern.</translation>
+        <translation>Das Bild „%1“ ist größer als 20 MB; erst verkleinern.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a PNG or JPEG picture; save it as one of these first.</source>
-        <translation>&apos;%1&apos; ist kein PNG- oder JPEG-Bild; erst als eines von beiden sichern.</translation>
+        <translation>„%1“ ist kein PNG- oder JPEG-Bild; erst als eines von beiden speichern.</translation>
     </message>
     <message>
         <source>The picture &apos;%1&apos; is damaged; choose another.</source>
-        <translation>Das Bild &apos;%1&apos; ist beschädigt; ein anderes wählen.</translation>
+        <translation>Das Bild „%1“ ist beschädigt; ein anderes wählen.</translation>
     </message>
     <message>
         <source>a list of at most 20 ids of console presets, such as &quot;abdomen-convex-3.5&quot;: the case starts with the first and offers all</source>
@@ -8817,7 +8817,7 @@
     </message>
     <message>
         <source>one a line</source>
-        <translation>eine Zeile je Befund</translation>
+        <translation>je Zeile eins</translation>
     </message>
     <message>
         <source>Change the earlier examinations</source>
@@ -8985,7 +8985,7 @@
     </message>
     <message>
         <source>Save the case as a case of your own, and go on there</source>
-        <translation>Den Fall als eigenen Fall sichern und dort weitermachen</translation>
+        <translation>Den Fall als eigenen Fall speichern und dort weitermachen</translation>
     </message>
     <message>
         <source>Presets</source>
@@ -9062,6 +9062,10 @@
     <message>
         <source>Pictures (*.png *.jpg *.jpeg)</source>
         <translation>Bilder (*.png *.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>This case has no volume yet, so nothing can be scanned.</source>
+        <translation>Dieser Fall hat noch kein Volumen, also lässt sich nichts schallen.</translation>
     </message>
 </context>
 <context>
@@ -13966,7 +13970,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>Published cases are not edited in place, for attempts of trainees refer to them. Save &apos;%1&apos; as a case of your own.</source>
-        <translation>Veröffentlichte Fälle werden nicht an Ort und Stelle bearbeitet, denn Versuche von Lernenden beziehen sich auf sie. &apos;%1&apos; als eigenen Fall sichern.</translation>
+        <translation>Veröffentlichte Fälle werden nicht an Ort und Stelle bearbeitet, denn Versuche von Lernenden beziehen sich auf sie. „%1“ als eigenen Fall speichern.</translation>
     </message>
     <message>
         <source>published case</source>
@@ -13978,11 +13982,11 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>This case has no volume yet. Choose &apos;Give the case a volume…&apos; in the Case panel.</source>
-        <translation>Dieser Fall hat noch kein Volumen. Im Bereich Fall &apos;Dem Fall ein Volumen geben…&apos; wählen.</translation>
+        <translation>Dieser Fall hat noch kein Volumen. Unter Fall „Dem Fall ein Volumen geben…“ wählen.</translation>
     </message>
     <message>
         <source>This case has no volume yet, so there is nothing to scan. An author gives it one in Author.</source>
-        <translation>Dieser Fall hat noch kein Volumen, also gibt es nichts zu schallen. Ein Autor gibt ihm unter Autor eines.</translation>
+        <translation>Dieser Fall hat noch kein Volumen, also gibt es nichts zu schallen. Unter Gestalten lässt sich eines geben.</translation>
     </message>
     <message>
         <source>&amp;Import a case bundle…</source>
@@ -14002,11 +14006,11 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>&apos;%1&apos; is in the library already, as revision %2.</source>
-        <translation>&apos;%1&apos; ist schon in der Bibliothek, als Fassung %2.</translation>
+        <translation>„%1“ ist schon in der Bibliothek, als Fassung %2.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; was taken into the library as revision %2.</source>
-        <translation>&apos;%1&apos; wurde als Fassung %2 in die Bibliothek übernommen.</translation>
+        <translation>„%1“ wurde als Fassung %2 in die Bibliothek übernommen.</translation>
     </message>
 </context>
 <context>
@@ -17300,16 +17304,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Den gewählten Schritt entfernen; Rückgängig holt ihn zurück</translation>
     </message>
     <message>
-        <source>Up</source>
-        <translation>Nach oben</translation>
-    </message>
-    <message>
         <source>Move the chosen step up (Alt+Up)</source>
         <translation>Den gewählten Schritt nach oben schieben (Alt+Auf)</translation>
-    </message>
-    <message>
-        <source>Down</source>
-        <translation>Nach unten</translation>
     </message>
     <message>
         <source>Move the chosen step down (Alt+Down)</source>
@@ -17483,16 +17479,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Die gewählte Lektion entfernen; Rückgängig holt sie zurück</translation>
     </message>
     <message>
-        <source>Up</source>
-        <translation>Nach oben</translation>
-    </message>
-    <message>
         <source>Move the chosen lesson up (Alt+Up)</source>
         <translation>Die gewählte Lektion nach oben schieben (Alt+Auf)</translation>
-    </message>
-    <message>
-        <source>Down</source>
-        <translation>Nach unten</translation>
     </message>
     <message>
         <source>Move the chosen lesson down (Alt+Down)</source>
@@ -18545,10 +18533,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Markierung %1, noch ist nichts markiert: ein Werkzeug wählen und im Schallbild arbeiten.</translation>
     </message>
     <message>
-        <source>Fill between (trace two planes at least)</source>
-        <translation>Dazwischen füllen (mindestens zwei Ebenen umfahren)</translation>
-    </message>
-    <message>
         <source>Fill between %1 outlines</source>
         <translation>Zwischen %1 Umrissen füllen</translation>
     </message>
@@ -18579,6 +18563,14 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>The case holds what is shown.</source>
         <translation>Der Fall enthält, was zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Fill between outlines</source>
+        <translation>Zwischen Umrissen füllen</translation>
+    </message>
+    <message>
+        <source>Draw around the structure in two image planes at least; then the shape between them can be filled</source>
+        <translation>Die Struktur in mindestens zwei Bildebenen umfahren; dann lässt sich die Form dazwischen füllen</translation>
     </message>
 </context>
 <context>
@@ -18936,11 +18928,11 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>A stitched result</source>
-        <translation>Ein zusammengefügtes Ergebnis</translation>
+        <translation>Ein verbundenes Ergebnis</translation>
     </message>
     <message>
         <source>A project of the Stitching panel, or the folder it was saved to.</source>
-        <translation>Ein Projekt aus dem Bereich Zusammenfügen oder der Ordner, in den es gesichert wurde.</translation>
+        <translation>Ein Projekt aus „Verbinden“ oder der Ordner, in den es gespeichert wurde.</translation>
     </message>
     <message>
         <source>Nothing yet</source>
@@ -18972,7 +18964,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>Choose a stitched result</source>
-        <translation>Ein zusammengefügtes Ergebnis wählen</translation>
+        <translation>Ein verbundenes Ergebnis wählen</translation>
     </message>
     <message>
         <source>Stitch projects and results (*.json volume.mha);;All files (*)</source>
@@ -19039,7 +19031,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>Attribution</source>
-        <translation>Urheber</translation>
+        <translation>Nennung</translation>
     </message>
     <message>
         <source>Licence</source>
@@ -19107,11 +19099,11 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>Type a name for the new folder, without &apos;/&apos; and not beginning with &apos;.&apos;.</source>
-        <translation>Einen Namen für den neuen Ordner eingeben, ohne &apos;/&apos; und nicht mit &apos;.&apos; am Anfang.</translation>
+        <translation>Einen Namen für den neuen Ordner eingeben, ohne „/“ und nicht mit „.“ am Anfang.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is there already, and nothing in it is replaced; type another name.</source>
-        <translation>&apos;%1&apos; gibt es schon, und nichts darin wird ersetzt; einen anderen Namen eingeben.</translation>
+        <translation>„%1“ gibt es schon, und nichts darin wird ersetzt; einen anderen Namen eingeben.</translation>
     </message>
     <message>
         <source>An empty form.</source>
@@ -19135,7 +19127,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>A volume that is stitched first; its size shows then.</source>
-        <translation>Ein Volumen, das erst zusammengefügt wird; seine Größe zeigt sich dann.</translation>
+        <translation>Ein Volumen, das erst verbunden wird; seine Größe zeigt sich dann.</translation>
     </message>
     <message>
         <source>Memory: %1
@@ -19166,7 +19158,7 @@ Zeit: %3</translation>
     </message>
     <message>
         <source>Attribution</source>
-        <translation>Urheber</translation>
+        <translation>Nennung</translation>
     </message>
     <message>
         <source>Licence</source>

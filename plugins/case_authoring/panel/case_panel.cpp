@@ -69,6 +69,7 @@ QWidget* CasePanel::makeForm() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(makeTakenRow());
+  column->addWidget(makeNoVolumeRow());
   scroll_ = new QScrollArea;
   scroll_->setWidgetResizable(true);
   auto* body = new QWidget;
@@ -98,6 +99,7 @@ QWidget* CasePanel::makeTakenRow() {
   column->setSpacing(kGap_px);
   takenWhy_ = sdk::problemLabel();
   takenWhy_->setObjectName(QStringLiteral("takenWhy"));
+  takenWhy_->setMinimumWidth(30 * kGap_px);  // else its height is reckoned for a word a line
   column->addWidget(takenWhy_);
   auto* copy = new QPushButton(tr("Open a copy…"));
   copy->setObjectName(QStringLiteral("openCopy"));
@@ -110,6 +112,24 @@ QWidget* CasePanel::makeTakenRow() {
   });
   takenRow_->hide();
   return takenRow_;
+}
+
+QWidget* CasePanel::makeNoVolumeRow() {
+  noVolumeRow_ = new QWidget;
+  noVolumeRow_->setObjectName(QStringLiteral("noVolumeRow"));
+  auto* column = new QVBoxLayout(noVolumeRow_);
+  column->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 0);
+  column->setSpacing(kGap_px);
+  auto* sentence = new QLabel(tr("This case has no volume yet, so nothing can be scanned."));
+  sentence->setWordWrap(true);
+  column->addWidget(sentence);
+  auto* give = new QPushButton(tr("Give the case a volume…"));
+  give->setObjectName(QStringLiteral("giveVolumeFirst"));
+  give->setProperty("primary", true);
+  connect(give, &QPushButton::clicked, this, &CasePanel::giveVolume);
+  column->addWidget(give, 0, Qt::AlignLeft);
+  noVolumeRow_->hide();
+  return noVolumeRow_;
 }
 
 Section* CasePanel::addSection(const QString& id, const QString& title) {
@@ -198,6 +218,10 @@ QWidget* CasePanel::makeSaveRow() {
   publishing->setToolTip(tr("See what is missing, then hand the case to trainees or to another workstation"));
   connect(publishing, &QPushButton::clicked, this, &CasePanel::publish);
   buttons->addWidget(publishing);
+  buttons->addStretch(1);
+  column->addLayout(buttons);
+  buttons = new QHBoxLayout;
+  buttons->setSpacing(kGap_px);
   buttons->addStretch(1);
   auto* saveAs = new QPushButton(tr("Save as…"));
   saveAs->setObjectName(QStringLiteral("saveAs"));
@@ -416,6 +440,7 @@ void CasePanel::showCase() {
   if (host_.cases().currentFolder() != shownFolder_) takenRow_->hide();
   shownFolder_ = host_.cases().currentFolder();
   if (!manifest) return;
+  noVolumeRow_->setVisible(textOf(*manifest, "volume.file").empty() && textOf(*manifest, "volume.recipe").empty());
   const auto problems = host_.cases().check(*manifest);
   for (auto& [path, field] : fields_) {
     field.show(*manifest);

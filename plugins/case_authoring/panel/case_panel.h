@@ -62,6 +62,8 @@ class CasePanel final : public QWidget {
 
   QWidget* makeForm();
   QWidget* makeTakenRow();
+  QWidget* makeNoVolumeRow();
+  void giveVolume();
   Section* addSection(const QString& id, const QString& title);
   void addCaseSection();
   void addPatientSection();
@@ -114,6 +116,7 @@ class CasePanel final : public QWidget {
   QTimer missingSoon_;
   QWidget* takenRow_ = nullptr;  ///< somebody else edits the case
   QLabel* takenWhy_ = nullptr;
+  QWidget* noVolumeRow_ = nullptr;
   QPointer<PublishDialog> publishing_;
   std::string typedIn_;          ///< path of the field whose changes are one step of undo
   nlohmann::json beforeTyping_;  ///< what it held before that step

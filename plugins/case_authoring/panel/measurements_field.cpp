@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <array>
 
 #include "logic/measurements.h"
@@ -46,7 +47,9 @@ MeasurementsField::MeasurementsField(QWidget* parent) : QWidget(parent) {
   add->setObjectName(QStringLiteral("addMeasurement"));
   column_->addWidget(add, 0, Qt::AlignLeft);
   connect(add, &QPushButton::clicked, this, [this] {
-    list_.push_back({{"name", tr("measurement %1").arg(list_.size() + 1).toStdString()}});
+    nlohmann::json fresh = {{"name", tr("measurement %1").arg(list_.size() + 1).toStdString()}};
+    if (!patientKnows_) fresh.update({{"kind", kKinds[0].kind}, {"unit", kKinds[0].unit}, {"value", 0.0}});
+    list_.push_back(std::move(fresh));
     remake();
     tell();
     const QString name = QStringLiteral("measurement_%1_name").arg(list_.size() - 1);
@@ -55,6 +58,12 @@ MeasurementsField::MeasurementsField(QWidget* parent) : QWidget(parent) {
       first->selectAll();
     }
   });
+}
+
+void MeasurementsField::setPatientKnows(bool knows) {
+  if (knows == patientKnows_) return;
+  patientKnows_ = knows;
+  remake();
 }
 
 void MeasurementsField::setValue(const nlohmann::json& list) {
@@ -102,7 +111,7 @@ void MeasurementsField::addOne(std::size_t number) {
   kind->setObjectName(prefix + QStringLiteral("kind"));
   kind->setFocusPolicy(Qt::StrongFocus);
   kind->setAccessibleName(tr("kind"));
-  kind->addItem(tr("known by the patient"), QString());
+  if (patientKnows_ || !hasValue(one)) kind->addItem(tr("known by the patient"), QString());
   const std::array<QString, 4> names = {tr("distance"), tr("circumference"), tr("area"), tr("angle")};
   for (std::size_t n = 0; n < kKinds.size(); ++n) kind->addItem(names[n], QLatin1String(kKinds[n].kind));
   kind->setCurrentIndex(std::max(0, kind->findData(sdk::words(one.value("kind", std::string())))));
@@ -134,15 +143,17 @@ void MeasurementsField::addOne(std::size_t number) {
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);
 
-  connect(kind, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, number](int chosen) {
+  connect(kind, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, number, kind] {
     nlohmann::json& edited = list_[number];
+    const std::string chosen = kind->currentData().toString().toStdString();
     edited.erase("points_mm");  // of another kind of caliper
-    if (chosen == 0) {
-      for (const char* key : {"kind", "unit", "value"}) edited.erase(key);
+    for (const char* key : {"kind", "unit"}) edited.erase(key);
+    const auto known = std::find_if(kKinds.begin(), kKinds.end(), [&](const KindOfMeasurement& each) { return each.kind == chosen; });
+    if (known == kKinds.end()) {
+      edited.erase("value");
     } else {
-      const KindOfMeasurement& chosenKind = kKinds[static_cast<std::size_t>(chosen - 1)];
-      edited["kind"] = chosenKind.kind;
-      edited["unit"] = chosenKind.unit;
+      edited["kind"] = known->kind;
+      edited["unit"] = known->unit;
       if (!edited.contains("value")) edited["value"] = 0.0;
     }
     remake();

@@ -17,6 +17,8 @@ class MeasurementsField final : public QWidget {
  public:
   explicit MeasurementsField(QWidget* parent = nullptr);
 
+  /// Whether a virtual patient may know values: else every measurement has its own.
+  void setPatientKnows(bool knows);
   void setValue(const nlohmann::json& list);                  ///< an array of objects, or null
   std::function<void(const nlohmann::json& list)> onChanged;  ///< called when the user edits; null: none are left
   /// What the calipers in the image say, as the measurement of that number; null: it was said why not.
@@ -29,6 +31,7 @@ class MeasurementsField final : public QWidget {
   void set(std::size_t number, const char* key, const nlohmann::json& value);
 
   nlohmann::json list_ = nlohmann::json::array();
+  bool patientKnows_ = false;
   QVBoxLayout* column_ = nullptr;
   QWidget* entries_ = nullptr;
 };

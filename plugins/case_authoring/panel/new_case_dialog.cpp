@@ -57,6 +57,18 @@ QFormLayout* formOf(QWidget* page) {
   return form;
 }
 
+/// Labels of one width, so that the fields of several forms of a page stand below each other.
+void alignLabels(const std::vector<QFormLayout*>& forms) {
+  int widest_px = 0;
+  std::vector<QWidget*> labels;
+  for (QFormLayout* form : forms)
+    for (int row = 0; row < form->rowCount(); ++row)
+      if (QLayoutItem* item = form->itemAt(row, QFormLayout::LabelRole); item != nullptr && item->widget() != nullptr)
+        labels.push_back(item->widget());
+  for (const QWidget* label : labels) widest_px = std::max(widest_px, label->sizeHint().width());
+  for (QWidget* label : labels) label->setMinimumWidth(widest_px);
+}
+
 QString timeWords(double seconds) {
   if (seconds < 90.0) return NewCaseDialog::tr("about %1 s").arg(std::max(1, static_cast<int>(std::ceil(seconds))));
   return NewCaseDialog::tr("about %1 min").arg(static_cast<int>(std::ceil(seconds / 60.0)));
@@ -148,6 +160,7 @@ QWidget* NewCaseDialog::makeAbout() {
   licence_->setPlaceholderText(QStringLiteral("CC BY 4.0"));
   rights->addRow(tr("Licence"), licence_);
   column->addWidget(rights_);
+  alignLabels({form, rights});
   column->addStretch(1);
   connect(template_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &NewCaseDialog::takeTemplate);
   connect(title_, &QLineEdit::textChanged, this, [this](const QString& title) {
@@ -232,7 +245,10 @@ void NewCaseDialog::goTo(int step) {
   next_->setText(step == where ? tr("Make the case") : tr("Next"));
   rights_->setVisible(source_->kind() != SourceField::Kind::nothing);
   if (step == about) title_->setFocus();
-  if (step == where) plan();
+  if (step == where) {
+    name_->setFocus();
+    plan();
+  }
   look();
 }
 

@@ -63,6 +63,7 @@ PublishDialog::PublishDialog(sdk::Host& host, QWidget* parent) : QDialog(parent)
   scroll_ = new QScrollArea;
   scroll_->setWidgetResizable(true);
   scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setFocusPolicy(Qt::NoFocus);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   column->addWidget(scroll_, 1);
   problem_ = sdk::problemLabel();
@@ -193,6 +194,7 @@ void PublishDialog::addItem(QVBoxLayout& rows, const CheckItem& item, int number
   inside->addWidget(sign);
   auto* what = new QLabel(words(item.what));
   what->setWordWrap(true);
+  what->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   if (item.state == State::done) what->setProperty("quiet", true);
   inside->addWidget(what, 1);
   for (QLabel* label : {sign, what}) label->setAttribute(Qt::WA_TransparentForMouseEvents);

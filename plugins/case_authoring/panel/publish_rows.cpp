@@ -89,11 +89,7 @@ void CasePanel::addVolume(QFormLayout* form) {
   auto* give = new QPushButton;
   give->setObjectName(QStringLiteral("giveVolume"));
   column->addWidget(give, 0, Qt::AlignLeft);
-  connect(give, &QPushButton::clicked, this, [this] {
-    auto* dialog = new GiveVolumeDialog(host_, window());
-    connect(dialog, &QDialog::rejected, dialog, &QObject::deleteLater);
-    dialog->open();
-  });
+  connect(give, &QPushButton::clicked, this, &CasePanel::giveVolume);
   cell->setFocusProxy(give);
   const std::string path = "volume.file";
   fields_[path] = {[what, give](const nlohmann::json& manifest) {
@@ -103,9 +99,14 @@ void CasePanel::addVolume(QFormLayout* form) {
                                    : file.empty() ? tr("made from the virtual patient %1").arg(sdk::words(recipe))
                                                   : sdk::words(file));
                      give->setText(hasNone ? tr("Give the case a volume…") : tr("Another volume…"));
-                     give->setProperty("primary", hasNone);
                    },
                    addRow(form, tr("Volume"), cell, path)};
+}
+
+void CasePanel::giveVolume() {
+  auto* dialog = new GiveVolumeDialog(host_, window());
+  connect(dialog, &QDialog::rejected, dialog, &QObject::deleteLater);
+  dialog->open();
 }
 
 void CasePanel::addMeasurements() {
@@ -118,7 +119,10 @@ void CasePanel::addMeasurements() {
     });
   };
   field->onTake = [this](const nlohmann::json& expected) { return takeCaliper(expected); };
-  fields_[path] = {[field, path](const nlohmann::json& manifest) { field->setValue(fieldOf(manifest, path)); },
+  fields_[path] = {[field, path](const nlohmann::json& manifest) {
+                     field->setPatientKnows(!textOf(manifest, "volume.recipe").empty());
+                     field->setValue(fieldOf(manifest, path));
+                   },
                    addRow(form, {}, field, path)};
 }
 

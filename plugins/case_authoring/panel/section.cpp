@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSettings>
+#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -36,6 +37,7 @@ Section::Section(const QString& id, const QString& title, QWidget* parent) : QWi
   row->addStretch(1);
   mark_ = new QLabel;
   mark_->setObjectName(QStringLiteral("missing_") + id);
+  mark_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Preferred);
   row->addWidget(mark_);
   column->addLayout(row);
   body_ = new QWidget;
@@ -68,6 +70,9 @@ void Section::setMissing(const QStringList& names, bool isNeeded) {
   mark_->setProperty("quiet", isComplete);
   mark_->setForegroundRole(isComplete ? QPalette::WindowText : QPalette::BrightText);
   mark_->setText(isComplete ? tr("complete") : names.size() == 1 ? tr("1 missing") : tr("%1 missing").arg(names.size()));
+  mark_->style()->unpolish(mark_);
+  mark_->style()->polish(mark_);
+  mark_->updateGeometry();
   mark_->setToolTip(isComplete ? QString() : tr("Before the case can be published: %1").arg(names.join(QStringLiteral(", "))));
 }
 
