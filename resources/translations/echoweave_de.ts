@@ -4,6 +4,10 @@
 <context>
     <name>ew::Message</name>
     <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
         <source>A placement needs at least three pairs of places, not on one line, and there are %1; add some.</source>
         <translation>Eine Platzierung braucht mindestens drei Paare von Orten, die nicht auf einer Linie liegen, und es gibt %1; weitere hinzufügen.</translation>
     </message>
