@@ -8,7 +8,6 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QTabWidget>
-#include <QToolButton>
 #include <QTranslator>
 #include <random>
 
@@ -189,7 +188,7 @@ class TargetsTest : public WindowFixture {
     QVERIFY(!opened().volume.labels.empty());
     name("ball");
     in<QDoubleSpinBox>("growReach").setValue(30.0);
-    press<QToolButton>("toolGrow");
+    press("toolGrow");
     clickAt(0.0, kDepth_mm);
     const double ball_ml = 4.0 / 3.0 * 3.14159265 * kRadius_mm * kRadius_mm * kRadius_mm * 1e-3;
     QVERIFY2(std::abs(ml(1) - ball_ml) < 0.15 * ball_ml, qPrintable(QString::number(ml(1))));
@@ -219,7 +218,7 @@ class TargetsTest : public WindowFixture {
   void aLessonAsksForTheStructureThatWasGrown() {
     press("addStructure");
     name("ball");
-    press<QToolButton>("toolGrow");
+    press("toolGrow");
     clickAt(0.0, kDepth_mm);
     keep();
     LessonStep step;
@@ -265,7 +264,7 @@ class TargetsTest : public WindowFixture {
     const double before = meanEcho(-3.0, 3.0, 62.0, 90.0), beside = meanEcho(22.0, 30.0, 62.0, 90.0);
     press("addStructure");
     name("stone");
-    press<QToolButton>("toolPaint");
+    press("toolPaint");
     in<QDoubleSpinBox>("paintRadius").setValue(5.0);
     strokeTo({{-5.0, kDepth_mm}, {0.0, kDepth_mm}, {5.0, kDepth_mm}});
     QVERIFY(ml(1) > 0.5);
@@ -280,7 +279,7 @@ class TargetsTest : public WindowFixture {
     QVERIFY2(waitUntil([this] { return ml(1) == 0.0; }), "Ctrl+Z takes the stroke back first");
     QVERIFY(meanEcho(-3.0, 3.0, 62.0, 90.0) > 0.9 * before);
     QTest::keyClick(&layer(), Qt::Key_Y, Qt::ControlModifier);
-    press<QToolButton>("toolErase");
+    press("toolErase");
     strokeTo({{6.0, kDepth_mm - 6.0}, {6.0, kDepth_mm + 6.0}});
     press("largestPiece");
     press("smoothLabel");
@@ -302,7 +301,7 @@ class TargetsTest : public WindowFixture {
 
   void outlinesOfSeveralPlanesBecomeOneShape() {
     press("addStructure");
-    press<QToolButton>("toolTrace");
+    press("toolTrace");
     for (const double along_mm : {-8.0, 8.0, 8.0}) {
       session().setHold(slid(session().hold(), *session().skin(), 0.0, along_mm));
       session().makePictureNow();
@@ -321,7 +320,7 @@ class TargetsTest : public WindowFixture {
   void whatWasPaintedIsOfferedWhenTheCaseIsOpenedAgain() {
     press("addStructure");
     QVERIFY(window_->document().save());
-    press<QToolButton>("toolPaint");
+    press("toolPaint");
     strokeTo({{0.0, 40.0}});
     const double painted_ml = ml(1);
     QVERIFY(painted_ml > 0.05);
@@ -342,9 +341,9 @@ class TargetsTest : public WindowFixture {
       press("addPoint");
       press("addPlane");
       press("addStructure");
-      press<QToolButton>("toolGrow");
+      press("toolGrow");
       clickAt(0.0, kDepth_mm);
-      press<QToolButton>("toolPaint");
+      press("toolPaint");
     };
     fill();
     for (const bool dark : {true, false}) {
@@ -365,10 +364,10 @@ class TargetsTest : public WindowFixture {
     showWindowWithCase(folder_);
     openPanel();
     fill();
-    press<QToolButton>("toolTrace");
+    press("toolTrace");
     keepScreenshot(*window_, "targets-12-german");
     window_->resize(1024, 640);
-    press<QToolButton>("toolGrow");
+    press("toolGrow");
     keepScreenshot(*window_, "targets-13-german-small");
     window_.reset();
     QApplication::removeTranslator(&german);

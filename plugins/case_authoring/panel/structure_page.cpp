@@ -9,7 +9,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QToolButton>
 #include <algorithm>
 
 #include "ew/sdk/panel.h"
@@ -73,14 +72,14 @@ StructurePage::StructurePage(sdk::Host& host, PaintWork& work, QWidget* parent) 
   column->addWidget(labelPart_);
 }
 
-QToolButton* StructurePage::addTool(PaintTool tool, const QString& text, const QString& tip, const char* name) {
-  auto* button = new QToolButton;
+QPushButton* StructurePage::addTool(PaintTool tool, const QString& text, const QString& tip, const char* name) {
+  auto* button = new QPushButton;
   button->setText(text);
   button->setToolTip(tip);
   button->setObjectName(QLatin1String(name));
   button->setCheckable(true);
   button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  connect(button, &QToolButton::clicked, this, [this, tool](bool on) { takeTool(tool, on); });
+  connect(button, &QPushButton::clicked, this, [this, tool](bool on) { takeTool(tool, on); });
   tools_[static_cast<std::size_t>(tool)] = button;
   return button;
 }
@@ -167,7 +166,7 @@ QWidget* StructurePage::makeSettings() {
 QWidget* StructurePage::makeShaping() {
   auto* row = new QWidget;
   auto* column = structureColumn(row);
-  between_ = structureButton({}, tr("Fill between the outlines that were traced in several image planes"), "fillBetween");
+  between_ = structureButton({}, {}, "fillBetween");
   connect(between_, &QPushButton::clicked, this, [this] { work_.fillBetween(); });
   column->addWidget(between_);
   auto* pair = new QHBoxLayout;
@@ -293,7 +292,10 @@ void StructurePage::followWork() {
   label_->setText(ml > 0.0 ? tr("Label %1, %2 ml").arg(label).arg(QLocale().toString(ml, 'f', ml < 10.0 ? 2 : 1))
                            : tr("Label %1, nothing is labelled yet: choose a tool and work in the scan.").arg(label));
   const std::size_t outlines = work_.painting() != nullptr ? work_.painting()->traced().size() : 0;
-  between_->setText(outlines < 2 ? tr("Fill between (trace two planes at least)") : tr("Fill between %1 outlines").arg(outlines));
+  between_->setText(outlines < 2 ? tr("Fill between outlines") : tr("Fill between %1 outlines").arg(outlines));
+  between_->setToolTip(outlines < 2
+                           ? tr("Draw around the structure in two image planes at least; then the shape between them can be filled")
+                           : tr("Fill between the outlines that were traced in several image planes"));
   between_->setEnabled(outlines >= 2 && !work_.isBusy());
   largestPiece_->setEnabled(ml > 0.0 && !work_.isBusy());
   smooth_->setEnabled(ml > 0.0 && !work_.isBusy());

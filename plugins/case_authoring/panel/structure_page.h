@@ -15,7 +15,6 @@ class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
 class QPushButton;
-class QToolButton;
 class QVBoxLayout;
 
 namespace ew::case_authoring {
@@ -47,7 +46,7 @@ class StructurePage final : public QWidget {
   QWidget* makeSettings();
   QWidget* makeShaping();
   QWidget* makeKeeping();
-  QToolButton* addTool(PaintTool tool, const QString& text, const QString& tip, const char* name);
+  QPushButton* addTool(PaintTool tool, const QString& text, const QString& tip, const char* name);
   QWidget* addSetting(QFormLayout* form, const QString& text, QWidget* field, const char* name);
   void takeTool(PaintTool tool, bool on);
   void showOrgans();
@@ -62,7 +61,7 @@ class StructurePage final : public QWidget {
   QWidget *organPart_ = nullptr, *labelPart_ = nullptr;
   QComboBox *organ_ = nullptr, *tissue_ = nullptr, *shape_ = nullptr;
   QLabel *label_ = nullptr, *state_ = nullptr;
-  std::array<QToolButton*, 4> tools_{};
+  std::array<QPushButton*, 4> tools_{};
   QDoubleSpinBox *radius_ = nullptr, *thickness_ = nullptr, *reach_ = nullptr, *largest_ = nullptr;
   QCheckBox* onlyUnlabelled_ = nullptr;
   QFormLayout* settingRows_ = nullptr;

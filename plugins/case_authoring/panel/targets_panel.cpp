@@ -107,18 +107,17 @@ QWidget* TargetsPanel::makeList() {
   list_ = new QListWidget;
   list_->setObjectName(QStringLiteral("targetsList"));
   list_->setAccessibleName(tr("Targets"));
-  list_->setMaximumHeight(22 * kGap_px);
   connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
     if (row >= 0) choose(static_cast<std::size_t>(row));
   });
   column->addWidget(list_);
   auto* adding = new QHBoxLayout;
   adding->setSpacing(kGap_px);
-  connect(targetButton(tr("Point"), tr("Add a point, in the middle of the image"), "addPoint", adding), &QPushButton::clicked, this,
+  connect(targetButton(tr("+ Point"), tr("Add a point, in the middle of the image"), "addPoint", adding), &QPushButton::clicked, this,
           &TargetsPanel::addPoint);
-  connect(targetButton(tr("Plane"), tr("Add the present image plane"), "addPlane", adding), &QPushButton::clicked, this,
+  connect(targetButton(tr("+ Plane"), tr("Add the present image plane"), "addPlane", adding), &QPushButton::clicked, this,
           &TargetsPanel::addPlane);
-  connect(targetButton(tr("Structure"), tr("Add a structure, which is painted or grown in the scan"), "addStructure", adding),
+  connect(targetButton(tr("+ Structure"), tr("Add a structure, which is painted or grown in the scan"), "addStructure", adding),
           &QPushButton::clicked, this, &TargetsPanel::addStructure);
   column->addLayout(adding);
   auto* order = new QHBoxLayout;
@@ -157,15 +156,13 @@ QWidget* TargetsPanel::makeEditor() {
     });
   });
   column->addWidget(reveals_);
-  kinds_ = new QStackedWidget;
   point_ = new PointPage(host_);
   plane_ = new PlanePage(host_);
   structure_ = new StructurePage(host_, *work_);
   const auto changing = [this](const auto& what, const auto& part, const auto& edit) { change(what, part, edit); };
   point_->change = plane_->change = structure_->change = changing;
   plane_->onSaid = [this](const QString& sentence) { say(sentence); };
-  for (QWidget* page : std::initializer_list<QWidget*>{point_, plane_, structure_}) kinds_->addWidget(page);
-  column->addWidget(kinds_);
+  for (QWidget* page : std::initializer_list<QWidget*>{point_, plane_, structure_}) column->addWidget(page);
   return editor_;
 }
 
@@ -303,6 +300,8 @@ void TargetsPanel::showCase() {
     }
   }
   list_->setVisible(count > 0);
+  const int rows = std::clamp(static_cast<int>(count), 1, 6);
+  list_->setFixedHeight(count == 0 ? 0 : rows * list_->sizeHintForRow(0) + 2 * list_->frameWidth() + kGap_px);
   empty_->setVisible(count == 0);
   showChosen();
 }
@@ -311,6 +310,7 @@ void TargetsPanel::showChosen() {
   const auto target = targetAt(manifest_, chosen_);
   const std::size_t count = targetCount(manifest_);
   editor_->setVisible(!target.is_null());
+  for (QPushButton* each : {up_, down_, remove_}) each->setVisible(count > 0);
   up_->setEnabled(count > 1 && chosen_ > 0);
   down_->setEnabled(count > 1 && chosen_ + 1 < count);
   remove_->setEnabled(count > 0);
@@ -327,10 +327,9 @@ void TargetsPanel::showChosen() {
   lessons_->setText(tr("Steps of lessons that ask for it: %1. They follow when it is renamed.").arg(steps));
   lessons_->setVisible(steps > 0);
   const std::string kind = kindOf(target);
-  kinds_->setCurrentIndex(kind == "point" ? 0 : kind == "plane" ? 1 : 2);
-  // A page that is not seen must not hold the height of the largest.
-  for (int n = 0; n < kinds_->count(); ++n)
-    kinds_->widget(n)->setSizePolicy(QSizePolicy::Preferred, n == kinds_->currentIndex() ? QSizePolicy::Preferred : QSizePolicy::Ignored);
+  point_->setVisible(kind == "point");
+  plane_->setVisible(kind == "plane");
+  structure_->setVisible(kind == "structure");
   if (kind == "point") point_->setTarget(target);
   if (kind == "plane") plane_->setTarget(manifest_, target);
   if (kind == "structure")

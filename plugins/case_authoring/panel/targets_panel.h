@@ -61,7 +61,7 @@ class TargetsPanel final : public QWidget {
   std::size_t chosen_ = 0;
   PaintWork* work_ = nullptr;
   TargetDrawer drawer_;
-  QStackedWidget *pages_ = nullptr, *kinds_ = nullptr;
+  QStackedWidget* pages_ = nullptr;
   QListWidget* list_ = nullptr;
   QPushButton *up_ = nullptr, *down_ = nullptr, *remove_ = nullptr;
   QWidget *editor_ = nullptr, *left_ = nullptr;

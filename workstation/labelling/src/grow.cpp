@@ -288,7 +288,8 @@ class Growing {
         if (!grown.contains(to)) continue;
         const std::size_t there = grown.indexOf(to);
         if (grown.values()[there] != 0 || near.values()[there] == 0 || !present_[there]) continue;
-        if (sign * level_.values()[there] > sign * half || fromSeed_mm(to) > options_.reach_mm) continue;
+        const double level = level_.values()[there];
+        if (sign * level > sign * half || fromSeed_mm(to) > options_.reach_mm) continue;
         grown.values()[there] = 1;
         front.push_back(to);
       }

@@ -220,7 +220,13 @@ void Session::previewLabels(std::optional<Volume> labels) {
 void Session::takeLabels(std::shared_ptr<const Volume> labels) {
   if (subject()->labels == labels) return;
   scanner_.setLabels(std::move(labels));
-  if (!frozen_) forgetCine();  // its images cannot be formed again with tissues that lie elsewhere
+  if (frozen_) {  // the image that is painted in is formed again, with the shadows of what is painted
+    formOn_.stop();
+    forming_.reset();
+    isProcessedAnew_ = true;
+  } else {
+    forgetCine();  // its images cannot be formed again with tissues that lie elsewhere
+  }
   due();
   Q_EMIT subjectChanged();
 }
