@@ -28,11 +28,18 @@ class LessonEditorTest : public WindowFixture {
 
   QString folder_;
 
-  /// The usual test case with a plane, a structure and a measurement to ask for.
-  void openAuthor(const QString& name) {
+  /// The usual test case with a plane, a labelled structure and a measurement to ask for. @return whether its editor is in front
+  [[nodiscard]] bool openAuthor(const QString& name) {
     folder_ = files_.writeCase(name);
+    Volume labels;
+    labels.grid.dims = {24, 20, 22};
+    labels.grid.spacing_mm = glm::dvec3(8.0);
+    labels.grid.origin_mm = {-92.0, -107.0, -97.0};
+    labels.echo.assign(labels.grid.voxelCount(), 0);
+    for (int n = 0; n < 400; ++n) labels.echo[labels.grid.indexOf(n % 20, n / 20 % 20, 11)] = 3;
     auto opened = loadCase(folder_.toStdString());
-    QVERIFY(opened);
+    if (!opened || !writeVolume(labels, folder_.toStdString() + "/labels.mha")) return false;
+    opened->volume.labels = "labels.mha";
     opened->titleForTrainees = "An upper abdomen";
     opened->targets = {{.kind = CaseTarget::Kind::plane,
                         .name = "liver lengthwise",
@@ -41,15 +48,19 @@ class LessonEditorTest : public WindowFixture {
                         .angleTolerance_deg = 10.0},
                        {.kind = CaseTarget::Kind::structure, .name = "liver", .label = 3}};
     opened->measurements = {{.name = "aorta, across", .tolerance = 2.0, .value = 18.0, .kind = "distance", .unit = "mm"}};
-    QVERIFY(saveCase(*opened, folder_.toStdString()));
+    if (const auto saved = saveCase(*opened, folder_.toStdString()); !saved) {
+      qWarning("%s", saved.error().sentence().c_str());
+      return false;
+    }
     showWindowWithCase(folder_);
+    if (QTest::currentTestFailed()) return false;
     window_->openPlugins();
     window_->showWorkspace("author");
     auto* panel = find<QWidget>("panel_lesson_editor");
-    QVERIFY2(panel, "the plugin is there");
+    if (panel == nullptr) return false;
     for (QWidget* up = panel; up != nullptr; up = up->parentWidget())
       if (auto* tabs = qobject_cast<QTabWidget*>(up)) tabs->setCurrentWidget(panel);
-    QVERIFY(waitUntil([this] { return editor() != nullptr && editor()->isVisible(); }));
+    return waitUntil([this] { return editor() != nullptr && editor()->isVisible(); });
   }
 
   [[nodiscard]] QWidget* editor() const { return find<QWidget>("lessonEditor"); }
@@ -120,8 +131,9 @@ class LessonEditorTest : public WindowFixture {
     const auto read = lessonsOf(*window_->document().current());
     return read ? *read : std::vector<Lesson>{};
   }
-  [[nodiscard]] const LessonStep stepOf(const char* kind) const {
-    for (const LessonStep& step : lessons().front().steps)
+  [[nodiscard]] LessonStep stepOf(const char* kind) const {
+    const std::vector<Lesson> all = lessons();
+    for (const LessonStep& step : all.front().steps)
       if (taskWord(step.task) == kind) return step;
     return {};
   }
@@ -150,7 +162,7 @@ class LessonEditorTest : public WindowFixture {
   void cleanup() { window_.reset(); }
 
   void aLessonWithAStepOfEachKindIsMadeSavedAndFoundAgain() {
-    openAuthor(QStringLiteral("authored"));
+    QVERIFY(openAuthor(QStringLiteral("authored")));
     keepScreenshot(*window_, "lesson-editor-01-empty");
     addLesson(0);
     QVERIFY(waitUntil([this] { return seen<QLineEdit>(QStringLiteral("lessonTitle")) != nullptr; }));
@@ -265,7 +277,7 @@ class LessonEditorTest : public WindowFixture {
   }
 
   void editsAreStepsOfUndoAndWhatIsRefusedChangesNothing() {
-    openAuthor(QStringLiteral("undone"));
+    QVERIFY(openAuthor(QStringLiteral("undone")));
     addLesson(1);  // with the usual steps
     const std::size_t steps = lessons().front().steps.size();
     QVERIFY(steps >= 6);
@@ -302,7 +314,7 @@ class LessonEditorTest : public WindowFixture {
   }
 
   void aTargetThatIsGoneIsShownAsSuch() {
-    openAuthor(QStringLiteral("gone"));
+    QVERIFY(openAuthor(QStringLiteral("gone")));
     addLesson(0);
     addStep("plane");
     choose("stepTarget", QStringLiteral("liver lengthwise"));
@@ -316,7 +328,7 @@ class LessonEditorTest : public WindowFixture {
   }
 
   void recordingAgainKeepsTheEarlierScanUntilItIsNotNeeded() {
-    openAuthor(QStringLiteral("again"));
+    QVERIFY(openAuthor(QStringLiteral("again")));
     addLesson(0);
     addStep("watch");
     record(4);
@@ -340,7 +352,7 @@ class LessonEditorTest : public WindowFixture {
   }
 
   void anotherCaseInTheMiddleOfARecordingPausesIt() {
-    openAuthor(QStringLiteral("paused"));
+    QVERIFY(openAuthor(QStringLiteral("paused")));
     addLesson(0);
     addStep("watch");
     QVERIFY(window_->document().save());
@@ -357,7 +369,7 @@ class LessonEditorTest : public WindowFixture {
   }
 
   void aStepIsTriedAsATraineeSeesItAndNothingIsKept() {
-    openAuthor(QStringLiteral("tried"));
+    QVERIFY(openAuthor(QStringLiteral("tried")));
     addLesson(0);
     addStep("answer");
     type("stepText", QStringLiteral("What is it?"));
@@ -376,7 +388,7 @@ class LessonEditorTest : public WindowFixture {
   }
 
   void aPictureIsKeptWithoutWhatIsWrittenInItsFile() {
-    openAuthor(QStringLiteral("pictured"));
+    QVERIFY(openAuthor(QStringLiteral("pictured")));
     QImage photo(300, 200, QImage::Format_RGB32);
     photo.fill(Qt::darkCyan);
     photo.setText(QStringLiteral("Patient"), QStringLiteral("Somebody Real"));
@@ -400,7 +412,7 @@ class LessonEditorTest : public WindowFixture {
   }
 
   void textsWithoutTranslationAreListedAndTranslated() {
-    openAuthor(QStringLiteral("translated"));
+    QVERIFY(openAuthor(QStringLiteral("translated")));
     addLesson(0);
     type("lessonTitle", QStringLiteral("The liver"));
     press("backToLessons");

@@ -10,6 +10,7 @@
 #include <random>
 #include <thread>
 
+#include "ew/io/volume_file.h"
 #include "ew/library/case.h"
 #include "ew/library/lesson_links.h"
 #include "lessons/made_scene.h"
@@ -107,10 +108,12 @@ TEST(ExpertScanKilled, WhileItIsWrittenLeavesACaseThatOpensAndNoHalfRecording) {
   const TemporaryFolder folder;
   const fs::path home = folder.path() / "case";
   fs::create_directories(home);
-  {
-    std::ofstream(home / "case.json") << R"({"format": 1, "id": "home", "title": "Home",
-      "volume": {"recipe": "none.json"}})";
-  }
+  Volume volume;
+  volume.grid.dims = glm::ivec3(4);
+  volume.echo.assign(volume.grid.voxelCount(), 7);
+  ASSERT_TRUE(writeVolume(volume, home / "volume.mha"));
+  std::ofstream(home / "case.json") << R"({"format": 1, "id": "home", "title": "Home", "region": "abdomen",
+    "volume": {"file": "volume.mha", "file_to_world": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]}, "probes": ["convex-3.5"]})";
   const auto prepared = loadCase(home);
   ASSERT_TRUE(prepared) << prepared.error();
   const auto work = [&](int n) {

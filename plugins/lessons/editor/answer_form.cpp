@@ -132,6 +132,7 @@ class AnswerForm final : public TaskForm {
       made->setPlaceholderText(hint);
       made->setAccessibleName(QStringLiteral("%1, %2").arg(tr("Answer %1").arg(n + 1), hint));
       made->setText(words(value));
+      made->setCursorPosition(0);
       column->addWidget(made);
       connect(made, &QLineEdit::textEdited, this, [this, n, member, key = std::string(name) + std::to_string(n)](const QString& typed) {
         change(n, tr("Change an answer"), key, [&](AnswerOption& one) { one.*member = typed.toStdString(); });

@@ -58,6 +58,7 @@ QWidget* EditorPanel::makePreview() {
   column->setSpacing(0);
   auto* top = new QHBoxLayout;
   top->setContentsMargins(2 * kGap_px, kGap_px, 2 * kGap_px, kGap_px);
+  top->setSpacing(kGap_px);
   auto* back = smallButton(tr("Back to editing"), "endTry", tr("Leave the trial; nothing of it is kept"));
   top->addWidget(back);
   auto* remark = sdk::quietLabel(tr("As a trainee sees it; nothing is kept."));

@@ -92,7 +92,9 @@ void FieldForm::addLine(const char* name, const QString& label, TextAccess acces
   QObject::connect(line, &QLineEdit::textEdited, line, [access, problem](const QString& text) { tell(problem, access.set(text)); });
   add([line, get = access.get] {
     const QString now = get();
-    if (line->text() != now) line->setText(now);
+    if (line->text() == now) return;
+    line->setText(now);
+    line->setCursorPosition(0);  // a long text shows its beginning
   });
 }
 

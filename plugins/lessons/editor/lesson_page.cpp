@@ -75,8 +75,8 @@ QWidget* LessonPage::makeStepButtons() {
   open->setProperty("primary", true);
   auto* copy = smallButton(tr("Duplicate"), "copyStep", tr("Put a copy behind the chosen step"));
   auto* remove = smallButton(tr("Remove"), "removeStep", tr("Remove the chosen step; undo brings it back"));
-  auto* up = smallButton(tr("Up"), "stepUp", tr("Move the chosen step up (Alt+Up)"));
-  auto* down = smallButton(tr("Down"), "stepDown", tr("Move the chosen step down (Alt+Down)"));
+  auto* up = smallButton(QStringLiteral("\u2191"), "stepUp", tr("Move the chosen step up (Alt+Up)"));
+  auto* down = smallButton(QStringLiteral("\u2193"), "stepDown", tr("Move the chosen step down (Alt+Down)"));
   first->addWidget(add);
   first->addWidget(open);
   first->addStretch(1);

@@ -61,8 +61,8 @@ LessonsPage::LessonsPage(LessonDocument& document, QWidget* parent) : QWidget(pa
   some->addLayout(row);
   auto* order = new QHBoxLayout;
   order->setSpacing(kGap_px);
-  auto* up = smallButton(tr("Up"), "lessonUp", tr("Move the chosen lesson up (Alt+Up)"));
-  auto* down = smallButton(tr("Down"), "lessonDown", tr("Move the chosen lesson down (Alt+Down)"));
+  auto* up = smallButton(QStringLiteral("\u2191"), "lessonUp", tr("Move the chosen lesson up (Alt+Up)"));
+  auto* down = smallButton(QStringLiteral("\u2193"), "lessonDown", tr("Move the chosen lesson down (Alt+Down)"));
   order->addWidget(up);
   order->addWidget(down);
   order->addStretch(1);

@@ -65,18 +65,18 @@ QWidget* WatchForm::makeTakePart() {
   column->addWidget(length_);
   auto* row = new QHBoxLayout;
   row->setSpacing(kGap_px);
-  auto* stopButton = smallButton(tr("Stop"), "stopRecording", tr("End the recording and keep it in the case"));
-  stopButton->setProperty("primary", true);
+  stop_ = smallButton(tr("Stop"), "stopRecording", tr("End the recording and keep it in the case"));
+  stop_->setProperty("primary", true);
   pause_ = smallButton({}, "pauseRecording", {});
   auto* discard = smallButton(tr("Discard"), "discardRecording", tr("End the recording without keeping it"));
-  row->addWidget(stopButton);
+  row->addWidget(stop_);
   row->addWidget(pause_);
   row->addWidget(discard);
   row->addStretch(1);
   column->addLayout(row);
   takeMark_ = smallButton(tr("Mark this moment"), "markWhileRecording", tr("It is described afterwards; the trainee's view rests there"));
   column->addWidget(takeMark_, 0, Qt::AlignLeft);
-  connect(stopButton, &QPushButton::clicked, this, &WatchForm::stop);
+  connect(stop_, &QPushButton::clicked, this, &WatchForm::stop);
   connect(pause_, &QPushButton::clicked, this, [this] { take_.isPaused() ? take_.goOn() : take_.pause(); });
   connect(discard, &QPushButton::clicked, this, [this] {
     take_.discard();
@@ -166,6 +166,7 @@ void WatchForm::showTask(bool typed) {
   const bool isMine = take_.isFor(edited().lessonId, edited().stepId);
   const bool elsewhere = take_.isRecording() && !isMine;
   takePart_->setVisible(isMine);
+  if (isMine && record_->hasFocus()) stop_->setFocus();  // else the focus would go on by itself, and the form scroll to it
   record_->setVisible(!isMine && isHome());
   record_->setEnabled(!elsewhere);
   record_->setText(task.recording.empty() ? tr("Record here") : tr("Record again"));
@@ -201,7 +202,10 @@ void WatchForm::load() {
       },
       [form = QPointer<WatchForm>(this), read, load](const Result<void>& done) {
         if (!form || form->loads_ != load) return;
-        if (done) form->recording_ = read;
+        if (done) {
+          form->recording_ = read;
+          form->line_->setAt(form->edited().task<WatchTask>().begin_s.value_or(read->log.begin_s()));
+        }
         if (!done) form->say(done);
         form->showRecording();
       });

@@ -63,6 +63,7 @@ class WatchForm final : public TaskForm {
   QPushButton* choose_ = nullptr;
   QWidget* takePart_ = nullptr;
   QLabel* length_ = nullptr;
+  QPushButton* stop_ = nullptr;
   QPushButton* pause_ = nullptr;
   QPushButton* takeMark_ = nullptr;
   QWidget* playPart_ = nullptr;
