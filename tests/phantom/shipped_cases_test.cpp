@@ -67,9 +67,26 @@ INSTANTIATE_TEST_SUITE_P(Cases, ShippedCase, ::testing::Values("upper-abdomen-ga
   return name;
 });
 
+TEST(ShippedMannequins, AndTemplatesOfCasesHaveDataThatFollowTheirSchemas) {
+  const std::filesystem::path resources = EW_SOURCE_DIR "/resources";
+  for (const auto& [folder, kind, count] : {std::tuple{"mannequin/landmarks", "landmarks", 4}, std::tuple{"templates", "template", 6}}) {
+    int found = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(resources / folder)) {
+      std::string why;
+      EXPECT_TRUE(conforms(jsonOf(entry.path()), &why, kind)) << entry.path() << ": " << why;
+      ++found;
+    }
+    EXPECT_GE(found, count);
+  }
+  nlohmann::json wrong = jsonOf(resources / "templates/upper-abdomen.json");
+  wrong["difficulty"] = 9;
+  EXPECT_FALSE(conforms(wrong, nullptr, "template"));
+}
+
 TEST(ShippedMannequins, FollowTheirSchemaAndCanBeRead) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(testing::shippedMannequin().parent_path())) {
+    if (entry.is_directory()) continue;  // their landmarks
     std::string why;
     EXPECT_TRUE(conforms(jsonOf(entry.path()), &why, "mannequin")) << entry.path() << ": " << why;
     EXPECT_TRUE(readBodyShape(entry.path())) << entry.path();
