@@ -25,6 +25,7 @@
 #include "ew/library/published.h"
 #include "ew/library/publishing.h"
 #include "screenshots.h"
+#include "shown_mark.h"
 #include "start_page.h"
 #include "window_fixture.h"
 
@@ -297,6 +298,7 @@ class AuthoringTest : public WindowFixture {
     QVERIFY(openCase(QString::fromStdString(document().current()->folder.string())));
     QVERIFY(waitForRest());
     QVERIFY(!(session().knobs() == before));
+    QCOMPARE(window_->bodyMark().offered().front()->id, document().manifest()["body_marks"][0].get<std::string>());
   }
 
   void theListBeforePublishingLeadsToItsFieldsAndTheCaseIsPublishedExportedAndImported() {
