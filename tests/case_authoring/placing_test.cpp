@@ -132,13 +132,18 @@ RC_GTEST_PROP(PuttingOnTheSkin, LaysTheFaceFlushWithTheBeamsStraightIn, ()) {
   RC_ASSERT(glm::distance(sum / static_cast<double>(shape.face_mm.size()), at.at) < 0.2);
 }
 
-TEST(NearFace, IsTheOneAtTheSkinThatLooksIn) {
+TEST(NearFace, IsTheOneAtTheSkinThatLooksInAndWhereTheProbeIsAtTheStart) {
   const PlaneSkin skin;
   FilePlace low;  // 10 mm below the skin of the plane z = 0: the greatest k lies next to it
   low.matrix[3] = {0.0, 0.0, -35.0, 1.0};
-  EXPECT_EQ(faceNearestToSkin(smallGrid(), low, skin), 5u);
+  EXPECT_EQ(likelyFace(smallGrid(), low, skin, std::nullopt), 5u);
   FilePlace turned{glm::rotate(low.matrix, glm::half_pi<double>(), glm::dvec3(1.0, 0.0, 0.0))};  // j looks up
-  EXPECT_EQ(faceNearestToSkin(smallGrid(), turned, skin), 3u);
+  EXPECT_EQ(likelyFace(smallGrid(), turned, skin, std::nullopt), 3u);
+  // A slab from skin to skin of a body of its own thickness: nobody can tell but by the start.
+  const test::SphereSkin body(40.0);
+  EXPECT_EQ(likelyFace(smallGrid(), {}, body, std::nullopt), 2u) << "from the front";
+  EXPECT_EQ(likelyFace(smallGrid(), {}, body, glm::dvec3(0.0, -1.0, 0.0)), 3u) << "from the back";
+  EXPECT_EQ(likelyFace(smallGrid(), {}, body, glm::dvec3(-1.0, 0.0, 0.0)), 1u) << "from the side";
 }
 
 TEST(FaceMarks, TellContactGapAndBelowApart) {

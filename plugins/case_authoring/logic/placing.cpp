@@ -97,7 +97,10 @@ std::optional<std::size_t> faceOf(const Grid& own, const SweepAxes& axes) {
   return std::nullopt;
 }
 
-std::size_t faceNearestToSkin(const Grid& own, const FilePlace& fileToWorld, const Skin& skin) {
+std::size_t likelyFace(const Grid& own, const FilePlace& fileToWorld, const Skin& skin, const std::optional<glm::dvec3>& beam) {
+  // Of a volume that reaches from skin to skin the side of the start counts; in general the front is likelier than the back.
+  const glm::dvec3 looks = beam.value_or(glm::dvec3(0.0, 1.0, 0.0));
+  const double weight_mm = beam ? 100.0 : 30.0;
   std::size_t best = 0;
   double least_mm = std::numeric_limits<double>::infinity();
   for (std::size_t face = 0; face < 6; ++face) {
@@ -106,7 +109,8 @@ std::size_t faceNearestToSkin(const Grid& own, const FilePlace& fileToWorld, con
     const Skin::Contact contact = skin.nearest(middle_mm);
     // Beams that would leave the body are worse than any distance.
     const double facing = -glm::dot(placedAlong(fileToWorld, inward), contact.outward);
-    const double badness_mm = glm::distance(middle_mm, contact.point_mm) + 200.0 * (1.0 - facing);
+    const double badness_mm = glm::distance(middle_mm, contact.point_mm) + 200.0 * (1.0 - facing) +
+                              weight_mm * (1.0 - glm::dot(placedAlong(fileToWorld, inward), looks));
     if (badness_mm >= least_mm) continue;
     least_mm = badness_mm;
     best = face;

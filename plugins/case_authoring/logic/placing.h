@@ -24,8 +24,10 @@ using HandlesPose = Transform<frame::World, sdk::BodyHandles::Frame>;
 [[nodiscard]] std::array<SweepAxes, 6> axesOfFaces(const Grid& own, const glm::dvec3& lateral);
 /// Which of the six faces the beams of `axes` enter squarely, within 2 degrees; nothing when they are oblique to all.
 [[nodiscard]] std::optional<std::size_t> faceOf(const Grid& own, const SweepAxes& axes);
-/// The face that lies nearest to the skin where the volume is, looking inwards: what is taken when nobody has said.
-[[nodiscard]] std::size_t faceNearestToSkin(const Grid& own, const FilePlace& fileToWorld, const Skin& skin);
+/// The face on which the probe was, as far as it can be guessed: near to the skin, looking inwards, and best along `beam`, the direction in
+/// which the case's probe looks at its start. Without one probes are taken to look in from the front.
+[[nodiscard]] std::size_t likelyFace(const Grid& own, const FilePlace& fileToWorld, const Skin& skin,
+                                     const std::optional<glm::dvec3>& beam);
 
 /// The shape of voxels whose grid says where they lay once. @param own where they lie in the volume's file
 [[nodiscard]] PlacingShape shapeOf(const Volume& voxels, const Grid& own, const SweepAxes& axes);

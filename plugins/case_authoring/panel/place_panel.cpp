@@ -186,7 +186,9 @@ std::optional<PlacePanel::Placed> PlacePanel::placed() const {
   const auto said = axesOf(*manifest);
   now.isFaceSaid = said.has_value();
   const glm::dvec3 patientsRight = (inverse(*fileToWorld) * Direction<frame::World>{{-1.0, 0.0, 0.0}}).along;
-  now.axes = said.value_or(axesOfFaces(now.own, patientsRight)[faceNearestToSkin(now.own, *fileToWorld, *now.skin)]);
+  const auto start = startPoseOf(*manifest);
+  const auto beam = start ? std::optional(glm::dvec3(start->matrix[1])) : std::nullopt;
+  now.axes = said.value_or(axesOfFaces(now.own, patientsRight)[likelyFace(now.own, *fileToWorld, *now.skin, beam)]);
   return now;
 }
 
