@@ -1,6 +1,8 @@
 #pragma once
 
+#include <QDropEvent>
 #include <QMenuBar>
+#include <QMimeData>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QTabWidget>
@@ -78,8 +80,12 @@ class UsabilityFixture : public WindowFixture {
     QVERIFY(!case_.isEmpty());
     showWindowWithCase(case_);
     window_->openPlugins();
+    for (const char* panel : {"panel_case_authoring", "panel_stitching", "panel_lessons"}) QVERIFY2(find<QWidget>(panel) != nullptr, panel);
     window_->resize(size);
     window_->setWorkspace(Workspace::explore);
+    nlohmann::json manifest = window_->document().manifest();
+    manifest["history"] = "Pain.";
+    QVERIFY(window_->document().edit(manifest, "Edit the history of the patient and all that belongs to it", "history").has_value());
     QVERIFY(waitUntil([this] { return window_->isSettled(); }));
     QTest::qWait(50);
   }
@@ -95,6 +101,26 @@ class UsabilityFixture : public WindowFixture {
     for (QWidget* up = page; up != nullptr; up = up->parentWidget())
       if (auto* tabs = qobject_cast<QTabWidget*>(up)) tabs->setCurrentWidget(page);
     QTest::qWait(50);
+  }
+
+  /// Two volumes, so that list, graph, views and inspector have something to show.
+  void addToStitch() {
+    auto* panel = window_->findChild<QWidget*>(QStringLiteral("stitchPanel"));
+    QVERIFY(panel);
+    QMimeData data;
+    QList<QUrl> urls;
+    for (const char* name : {"/one with a long name.mha", "/two.mha"}) {
+      QFile::copy(case_ + QStringLiteral("/volume.mha"), case_ + QLatin1String(name));
+      urls << QUrl::fromLocalFile(case_ + QLatin1String(name));
+    }
+    data.setUrls(urls);
+    QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(panel, &enter);
+    QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(panel, &event);
+    QTest::qWait(300);
+    QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }));
+    QTest::qWait(200);
   }
 
   /// Calls `look` with each page of the window in front.
@@ -125,6 +151,9 @@ class UsabilityFixture : public WindowFixture {
         tabs->setCurrentIndex(n);
         QTest::qWait(400);  // panels look at the case when events have been handled
         look(QStringLiteral("author, %1").arg(tabs->widget(n)->objectName()));
+        if (tabs->widget(n)->objectName() != QLatin1String("panel_stitching")) continue;
+        addToStitch();
+        look(QStringLiteral("author, two volumes to be stitched"));
       }
       tabs->setCurrentIndex(0);
       break;
@@ -132,6 +161,7 @@ class UsabilityFixture : public WindowFixture {
     window_->setWorkspace(Workspace::explore);
     window_->showStartPage();
     QVERIFY(waitUntil([this] { return window_->isSettled(); }));
+    QTest::qWait(400);
     look(QStringLiteral("start page"));
     find<QLineEdit>("caseSearch")->setText(QStringLiteral("nothing is called so"));
     QTest::qWait(50);

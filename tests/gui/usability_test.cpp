@@ -108,12 +108,30 @@ class UsabilityTest : public UsabilityFixture {
     QStringList wrong;
     // Names of this test's own case, of languages, units and keys are the same in every language.
     const QRegularExpression words(QStringLiteral("[A-Za-z]{4,}"));
-    const QStringList data{
-        "Window test",      "upper abdomen", "Test Person", "window-test", "The ball",     "A ball is found and measured.",
-        "English",          "Deutsch",       "EchoWeave",   "Title of ",   "What to do",   "Healthy.",
-        "To be looked at.", "volume.mha",    "case.json",   "None.",       "window-test-", "sweep.igs.mha"};
-    const QStringList lists{QStringLiteral("/probe"), QStringLiteral("probe_"),
-                            QStringLiteral("worksheetChoice")};  // of data that have names
+    const QStringList data{"Window test",
+                           "upper abdomen",
+                           "Test Person",
+                           "window-test",
+                           "The ball",
+                           "A ball is found and measured.",
+                           "English",
+                           "Deutsch",
+                           "EchoWeave",
+                           "Title of ",
+                           "What to do",
+                           "Healthy.",
+                           "To be looked at.",
+                           "volume.mha",
+                           "case.json",
+                           "Pain.",
+                           "window-test-",
+                           "sweep.igs.mha",
+                           "one with a long name"};
+    const QStringList lists{QStringLiteral("/probe"),       QStringLiteral("/mannequin"),
+                            QStringLiteral("probe_"),       QStringLiteral("worksheetChoice"),
+                            QStringLiteral("regionFilter"), QStringLiteral("tagFilter"),
+                            QStringLiteral("courseTitle"),  QStringLiteral("worksheetDialog/QLabel"),
+                            QStringLiteral("QWidget/frame")};  // of data that have names
     const auto look = [&](const QString& page, QWidget& root) {
       for (const auto& [where, text] : textsIn(root)) {
         const QString shown = plain(text);

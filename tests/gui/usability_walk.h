@@ -79,6 +79,7 @@ inline QStringList cutTexts(QWidget& root) {
       } else {
         const QMargins edges = label->contentsMargins();
         const int wanted = widestLine_px(label->fontMetrics(), plain(label->text())) + edges.left() + edges.right();
+        if (label->minimumSizeHint().width() + 1 < wanted) continue;  // a kind of its own, which ends in an ellipsis
         if (label->width() + 1 < wanted) say(*each, label->text(), wanted, label->width());
         if (label->height() + 2 < label->fontMetrics().height()) say(*each, label->text(), label->fontMetrics().height(), label->height());
       }
@@ -122,6 +123,7 @@ inline QStringList namelessControls(QWidget& root) {
                            qobject_cast<QComboBox*>(each) != nullptr || qobject_cast<QAbstractSlider*>(each) != nullptr;
     const bool isPartOfAnother = qobject_cast<QScrollBar*>(each) != nullptr || each->objectName().startsWith(QStringLiteral("qt_")) ||
                                  qobject_cast<QAbstractSpinBox*>(each->parentWidget()) != nullptr ||
+                                 qobject_cast<QLineEdit*>(each->parentWidget()) != nullptr ||
                                  qobject_cast<QComboBox*>(each->parentWidget()) != nullptr;
     // A page that scrolls is read by what is on it.
     if (!isControl || isPartOfAnother || each->focusProxy() != nullptr || qobject_cast<QScrollArea*>(each) != nullptr) continue;

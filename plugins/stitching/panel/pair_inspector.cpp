@@ -74,7 +74,6 @@ PairInspector::PairInspector(StitchSession& session, Tools& tools, QWidget* pare
   auto* scroll = new QScrollArea;
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   body_ = new QWidget;
   auto* column = new QVBoxLayout(body_);
   column->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);

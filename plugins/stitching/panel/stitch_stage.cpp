@@ -18,6 +18,7 @@ using sdk::kGap_px;
 using sdk::words;
 
 constexpr int kInspectorWidth_px = 312;
+constexpr int kMostInspectorWidth_px = 420;  // with large words it scrolls to the side, and the views keep their room
 
 /// A title that gives way: with too little room it ends in dots and tells the rest in its tooltip.
 class ElidedLabel final : public QLabel {
@@ -79,7 +80,7 @@ StitchStage::StitchStage(StitchSession& session, QWidget* parent) : QWidget(pare
   makeFourthChoice();
   makeBrush();
   inspector_ = new PairInspector(session_, tools_);
-  inspector_->setFixedWidth(kInspectorWidth_px);
+  inspector_->setFixedWidth(std::min(withText(kInspectorWidth_px, font()), kMostInspectorWidth_px));
   connect(inspector_, &PairInspector::handChosen, this, [this] { toolsChanged(); });
   row->addWidget(makeGrid(), 1);
   auto* line = new QWidget;

@@ -12,10 +12,10 @@
 namespace ew::ui {
 namespace {
 
-constexpr int kChartLeft_px = 56;
-constexpr int kChartRight_px = 56;
-constexpr int kChartTop_px = 32;
-constexpr int kChartBottom_px = 48;
+// Around the curve, for words.
+int chartSide_px() { return 12 + scaled(44); }
+int chartTop_px() { return 12 + scaled(20); }
+int chartBottom_px() { return 10 + scaled(38); }
 
 /// Where values are drawn, while one picture of the chart is painted.
 struct Plot {
@@ -36,9 +36,8 @@ Plot plotOf(const std::vector<CostChart::Point>& points, double wished_db, const
     times_ms.push_back(kRoomForNames * point.frame_ms);
     if (point.psnr_db < CostOfAccuracy::kExact_db) accuracies_db.push_back(point.psnr_db);
   }
-  return {
-      QRectF(kChartLeft_px, kChartTop_px, size.width() - kChartLeft_px - kChartRight_px, size.height() - kChartTop_px - kChartBottom_px),
-      linearAxis(times_ms, {.steps = 5}), linearAxis(accuracies_db, {.steps = 8, .smallestStep = 5.0, .below = 0.4, .above = 0.8})};
+  return {QRectF(chartSide_px(), chartTop_px(), size.width() - 2 * chartSide_px(), size.height() - chartTop_px() - chartBottom_px()),
+          linearAxis(times_ms, {.steps = 5}), linearAxis(accuracies_db, {.steps = 8, .smallestStep = 5.0, .below = 0.4, .above = 0.8})};
 }
 
 void paintGrid(QPainter& painter, const Plot& plot, const Theme& theme) {
@@ -47,7 +46,7 @@ void paintGrid(QPainter& painter, const Plot& plot, const Theme& theme) {
     painter.setPen(QPen(theme.line, 1.0));
     painter.drawLine(QPointF(x, plot.box.top()), QPointF(x, plot.box.bottom()));
     painter.setPen(theme.quiet);
-    drawFigures(painter, QRect(static_cast<int>(x) - 30, static_cast<int>(plot.box.bottom()) + 4, 60, 18), Qt::AlignHCenter,
+    drawFigures(painter, QRect(static_cast<int>(x) - 30, static_cast<int>(plot.box.bottom()) + 4, 60, scaled(18)), Qt::AlignHCenter,
                 figure(tick.value, tick.decimals));
   }
   for (const ChartTick& tick : plot.accuracy_db.ticks) {
@@ -56,9 +55,9 @@ void paintGrid(QPainter& painter, const Plot& plot, const Theme& theme) {
     painter.setPen(QPen(theme.line, 1.0));
     painter.drawLine(QPointF(plot.box.left(), y), QPointF(plot.box.right(), y));
     painter.setPen(theme.quiet);
-    drawFigures(painter, QRect(4, middle - 9, kChartLeft_px - 12, 18), Qt::AlignRight, figure(tick.value, tick.decimals));
+    drawFigures(painter, QRect(4, middle - 9, chartSide_px() - 12, 18), Qt::AlignRight, figure(tick.value, tick.decimals));
     const double grey = 255.0 * std::pow(10.0, -tick.value / 20.0);
-    drawFigures(painter, QRect(static_cast<int>(plot.box.right()) + 8, middle - 9, kChartRight_px - 12, 18), Qt::AlignLeft,
+    drawFigures(painter, QRect(static_cast<int>(plot.box.right()) + 8, middle - 9, chartSide_px() - 12, 18), Qt::AlignLeft,
                 figure(grey, grey < 1.0    ? 2
                              : grey < 10.0 ? 1
                                            : 0));
@@ -67,9 +66,10 @@ void paintGrid(QPainter& painter, const Plot& plot, const Theme& theme) {
 
 void paintTitles(QPainter& painter, const Plot& plot, int width, const Theme& theme) {
   painter.setPen(theme.quiet);
-  painter.drawText(QRectF(8, 4, width / 2.0 - 8, 20), Qt::AlignLeft | Qt::AlignVCenter, CostChart::tr("PSNR, dB"));
-  painter.drawText(QRectF(width / 2.0, 4, width / 2.0 - 8, 20), Qt::AlignRight | Qt::AlignVCenter, CostChart::tr("RMS error, grey levels"));
-  painter.drawText(QRectF(plot.box.left(), plot.box.bottom() + 24, plot.box.width(), 20), Qt::AlignCenter,
+  painter.drawText(QRectF(8, 4, width / 2.0 - 8, scaled(20)), Qt::AlignLeft | Qt::AlignVCenter, CostChart::tr("PSNR, dB"));
+  painter.drawText(QRectF(width / 2.0, 4, width / 2.0 - 8, scaled(20)), Qt::AlignRight | Qt::AlignVCenter,
+                   CostChart::tr("RMS error, grey levels"));
+  painter.drawText(QRectF(plot.box.left(), plot.box.bottom() + 6 + scaled(18), plot.box.width(), scaled(20)), Qt::AlignCenter,
                    CostChart::tr("time of a whole frame, ms"));
 }
 
@@ -96,9 +96,9 @@ void paintPoints(QPainter& painter, const Plot& plot, const std::vector<CostChar
     if (point.inUse) text += QStringLiteral("  ") + CostChart::tr("in use");
     const double wide = figuresWidth_px(painter.fontMetrics(), text);
     const double x = at.x() + 14.0 + wide > width - 4.0 ? at.x() - 14.0 - wide : at.x() + 14.0;
-    QRectF label(x, std::max(at.y() - 20.0, plot.box.top() + 2.0), wide, 18.0);
+    QRectF label(x, std::max(at.y() - 2.0 - scaled(18.0), plot.box.top() + 2.0), wide, scaled(18.0));
     while (std::any_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(label); }))
-      label.translate(0.0, 18.0);
+      label.translate(0.0, scaled(18.0));
     taken.push_back(label);
     painter.fillRect(label.adjusted(-4.0, 0.0, 4.0, 0.0), theme.ground);  // lines must not strike it through
     painter.setPen(point.inUse ? theme.text : theme.quiet);
@@ -110,8 +110,11 @@ void paintPoints(QPainter& painter, const Plot& plot, const std::vector<CostChar
 
 CostChart::CostChart(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("costChart"));
+  setLayoutDirection(Qt::LeftToRight);  // time and accuracy grow where they do on every chart
   setAccessibleName(tr("Accuracy over time"));
 }
+
+QSize CostChart::sizeHint() const { return {scaled(560) + 80, scaled(240) + 80}; }
 
 void CostChart::show(std::vector<Point> points, double wished_db, const QString& empty) {
   points_ = std::move(points);

@@ -25,7 +25,7 @@ class CostChart final : public QWidget {
   /// @param empty what is said while there are no points
   void show(std::vector<Point> points, double wished_db, const QString& empty);
   [[nodiscard]] const std::vector<Point>& points() const { return points_; }
-  [[nodiscard]] QSize sizeHint() const override { return {640, 320}; }
+  [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override { return {440, 240}; }
 
  protected:

@@ -164,7 +164,7 @@ void CourseStrip::listLessons(const CourseStanding& course) {
 /// As high as the lessons, and no higher than leaves room for the cases below.
 void CourseStrip::fitList() {
   const int bar_px = 2 * kGrid_px;
-  const int wanted_px = scroll_->widget()->layout()->heightForWidth(std::max(1, width() - 24 - bar_px));
+  const int wanted_px = std::max(0, scroll_->widget()->layout()->heightForWidth(std::max(1, width() - 24 - bar_px)));  // -1: no lessons
   scroll_->setFixedHeight(std::min({wanted_px, kMostListed_px, 2 * window()->height() / 5}));
 }
 

@@ -119,6 +119,10 @@ void ExaminationDialog::addArchive(QVBoxLayout& rows) {
     each->setMaxLength(16);
     each->setToolTip(tr("Application entity title: 1 to 16 letters without blanks"));
   }
+  // In a row of several a form names none of them.
+  host_->setAccessibleName(tr("Host"));
+  title_->setAccessibleName(tr("AE title"));
+  ownTitle_->setAccessibleName(tr("knows this program as"));
   auto* place = new QHBoxLayout;
   place->addWidget(host_, 1);
   place->addWidget(new QLabel(tr("Port")));

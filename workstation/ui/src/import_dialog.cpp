@@ -98,7 +98,7 @@ QLabel* valueLabel(const char* name) {
   auto* label = new QLabel(QStringLiteral("–"));
   label->setObjectName(QLatin1String(name));
   label->setWordWrap(true);
-  label->setMinimumWidth(kValueWidth_px);
+  label->setMinimumWidth(scaled(kValueWidth_px));
   return label;
 }
 
@@ -210,6 +210,7 @@ void ImportDialog::addRows() {
 void ImportDialog::addPoseRows(QFormLayout& form) {
   calibration_ = new QLineEdit;
   calibration_->setObjectName(QStringLiteral("calibration"));
+  calibration_->setAccessibleName(tr("Calibration"));
   calibration_->setPlaceholderText(tr("none given"));
   calibration_->setToolTip(
       tr("Device set of the recording (.xml); several with ; between them, the earlier counts where two say the same"));

@@ -32,7 +32,6 @@ class LazyPanel final : public QScrollArea {
   explicit LazyPanel(sdk::StagedPanel panel) : panel_(std::move(panel)) {
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setProperty(kPanelId, words(panel_.id));
   }
 
@@ -69,8 +68,6 @@ class LazyPanel final : public QScrollArea {
     setWidget(content);
     viewport()->setAutoFillBackground(false);
     content->setAutoFillBackground(false);
-    // A panel never scrolls sideways: the column is at least as wide as its content asks for.
-    setMinimumWidth(content->minimumSizeHint().width() + 8);
   }
   /// @return null when the plugin made none; then nothing is left of what it had begun
   [[nodiscard]] static QWidget* make(const sdk::StagedPanel::Make& how, QWidget* parent) {
