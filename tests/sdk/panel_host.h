@@ -35,7 +35,12 @@ class OneCase final : public sdk::Cases {
   }
   bool hasUnsavedChanges() const override { return unsaved; }
   std::optional<Scan> scan() const override { return present; }
-  Choices choices() const override { return {{{"convex-3.5", "Convex"}, {"linear-12", "Linear"}}, {"adult.json", "gravid.json"}}; }
+  Choices choices() const override {
+    Choices all;
+    all.probes = {{"convex-3.5", "Convex"}, {"linear-12", "Linear"}};
+    all.mannequins = {"adult.json", "gravid.json"};
+    return all;
+  }
   Ticket onChanged(std::function<void()> callback) override {
     const int key = next_++;
     callbacks_[key] = std::move(callback);
