@@ -1,6 +1,7 @@
 #include "ew/sdk/plugin.h"
 
 #include <QApplication>
+#include <QPointer>
 
 #include "ew/sdk/case_parts.h"
 #include "ew/sdk/window.h"
@@ -14,15 +15,12 @@ namespace {
 
 class CaseAuthoringPlugin final : public ew::sdk::Plugin {
  public:
+  ~CaseAuthoringPlugin() override { delete asking_; }  // it uses the host, which goes next
   explicit CaseAuthoringPlugin(ew::sdk::Host& host) {
     newCase_ = host.window().addEntry({.title = QCoreApplication::translate("ew::case_authoring", "&New case…").toStdString(),
                                        .keys = "Ctrl+N",
                                        .place = ew::sdk::MenuPlace::start},
-                                      [&host] {
-                                        auto* dialog = new ew::case_authoring::NewCaseDialog(host, QApplication::activeWindow());
-                                        QObject::connect(dialog, &QDialog::rejected, dialog, &QObject::deleteLater);
-                                        dialog->open();
-                                      });
+                                      [this, &host] { askForCase(host); });
     host.panels().add("case_authoring", QCoreApplication::translate("ew::case_authoring", "Case").toStdString(),
                       [&host](QWidget* parent) -> QWidget* { return new ew::case_authoring::CasePanel(host, parent); });
     if (auto section = host.caseParts().add(ew::case_authoring::kPlacingPart, ew::case_authoring::placingSchema()))
@@ -36,6 +34,16 @@ class CaseAuthoringPlugin final : public ew::sdk::Plugin {
   }
 
  private:
+  void askForCase(ew::sdk::Host& host) {
+    if (!asking_) {
+      asking_ = new ew::case_authoring::NewCaseDialog(host, QApplication::activeWindow());
+      QObject::connect(asking_, &QDialog::rejected, asking_, &QObject::deleteLater);
+    }
+    asking_->open();
+    asking_->raise();
+  }
+
+  QPointer<ew::case_authoring::NewCaseDialog> asking_;
   ew::sdk::Ticket newCase_;
   ew::sdk::Ticket placing_;  ///< the section of places
 };

@@ -54,6 +54,7 @@ CasePanel::CasePanel(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(
   pages_->addWidget(
       sdk::emptyState(tr("No case is open"), tr("Open a case from the start page, from the File menu, or by dropping its folder on the "
                                                 "window. Then its patient, texts and volume can be edited here.")));
+  pages_->widget(0)->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);  // its sentence must not make the form taller
   pages_->addWidget(makeForm());
   column->addWidget(pages_, 1);
   missingSoon_.setSingleShot(true);
@@ -122,6 +123,7 @@ QWidget* CasePanel::makeNoVolumeRow() {
   column->setSpacing(kGap_px);
   auto* sentence = new QLabel(tr("This case has no volume yet, so nothing can be scanned."));
   sentence->setWordWrap(true);
+  sentence->setMinimumWidth(30 * kGap_px);
   column->addWidget(sentence);
   auto* give = new QPushButton(tr("Give the case a volume…"));
   give->setObjectName(QStringLiteral("giveVolumeFirst"));
@@ -205,7 +207,6 @@ QWidget* CasePanel::makeSaveRow() {
   column->addWidget(where_);
   saved_ = new QLabel;
   saved_->setObjectName(QStringLiteral("savedMark"));
-  column->addWidget(saved_);
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(kGap_px);
   auto* check = new QPushButton(tr("Check"));
@@ -222,7 +223,7 @@ QWidget* CasePanel::makeSaveRow() {
   column->addLayout(buttons);
   buttons = new QHBoxLayout;
   buttons->setSpacing(kGap_px);
-  buttons->addStretch(1);
+  buttons->addWidget(saved_, 1);
   auto* saveAs = new QPushButton(tr("Save as…"));
   saveAs->setObjectName(QStringLiteral("saveAs"));
   saveAs->setToolTip(tr("Copy the whole case into a new folder and go on there"));

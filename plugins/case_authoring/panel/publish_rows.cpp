@@ -104,7 +104,7 @@ void CasePanel::addVolume(QFormLayout* form) {
 }
 
 void CasePanel::giveVolume() {
-  auto* dialog = new GiveVolumeDialog(host_, window());
+  auto* dialog = new GiveVolumeDialog(host_, this);
   connect(dialog, &QDialog::rejected, dialog, &QObject::deleteLater);
   dialog->open();
 }
@@ -270,7 +270,7 @@ void CasePanel::showField(const std::string& path) {
 void CasePanel::publish() {
   if (!host_.cases().current()) return;
   if (!publishing_) {
-    publishing_ = new PublishDialog(host_, window());
+    publishing_ = new PublishDialog(host_, this);
     publishing_->setAttribute(Qt::WA_DeleteOnClose);
     connect(publishing_, &PublishDialog::fieldAsked, this, [this](const QString& path) { showField(path.toStdString()); });
   }
