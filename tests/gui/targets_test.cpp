@@ -268,7 +268,8 @@ class TargetsTest : public WindowFixture {
     in<QDoubleSpinBox>("paintRadius").setValue(5.0);
     strokeTo({{-5.0, kDepth_mm}, {0.0, kDepth_mm}, {5.0, kDepth_mm}});
     QVERIFY(ml(1) > 0.5);
-    QCOMPARE(meanEcho(-3.0, 3.0, 62.0, 90.0), before);
+    // The image has another size by now, for the column beside it has grown.
+    QVERIFY(std::abs(meanEcho(-3.0, 3.0, 62.0, 90.0) - before) < 0.02 * before);
     choose(in<QComboBox>("structureTissue"), QStringLiteral("Stone"));
     QVERIFY(opened().scene.attenuation.has_value());
     const double behind = meanEcho(-3.0, 3.0, 62.0, 90.0);
