@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPointer>
 #include <QPushButton>
+#include <QStyle>
 #include <cmath>
 
 #include "editor/expert_take.h"
@@ -171,6 +172,8 @@ void WatchForm::showTask(bool typed) {
   record_->setEnabled(!elsewhere);
   record_->setText(task.recording.empty() ? tr("Record here") : tr("Record again"));
   record_->setProperty("primary", task.recording.empty());
+  record_->style()->unpolish(record_);  // the look follows a property that has changed
+  record_->style()->polish(record_);
   choose_->setVisible(!isMine);
   if (elsewhere)
     state_->setText(tr("Another step's scan is being recorded; end that first."));
