@@ -300,8 +300,8 @@
         <translation>Während der Aufnahme wurde nichts untersucht; den Schallkopf auf den Körper setzen und neu aufnehmen.</translation>
     </message>
     <message>
-        <source>What was known of your exercises cannot be read (%1). It was put aside as &apos;%2&apos;, and the exercises begin anew.</source>
-        <translation>Was über die Übungen bekannt war, kann nicht gelesen werden (%1). Es wurde als „%2“ beiseitegelegt, und die Übungen beginnen von vorn.</translation>
+        <source>What was known of your exercises cannot be read; it was put aside as &apos;%1&apos;, and the exercises begin anew. %2</source>
+        <translation>Was über die Übungen bekannt war, kann nicht gelesen werden; es wurde als „%1“ beiseitegelegt, und die Übungen beginnen von vorn. %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; cannot be read, nor be put aside (%2); move it away.</source>

@@ -159,8 +159,11 @@ void PlayerPanel::goOn(const std::string& lessonId) {
   LessonRun run(*lesson, std::move(*kept));
   const bool isLost = !run.lostStep().empty();
   take(std::move(run));
-  if (isChanged) host_.window().info(tr("The lesson was changed since this attempt began; its steps are those of today.").toStdString());
-  if (isLost) host_.window().info(tr("The step that was running when the program ended was not kept; it begins anew.").toStdString());
+  if (isChanged)
+    host_.window().info(tr("The lesson was changed since this attempt began; its steps are those of today.").toStdString(),
+                        "lesson changed");
+  if (isLost)
+    host_.window().info(tr("The step that was running when the program ended was not kept; it begins anew.").toStdString(), "step lost");
 }
 
 void PlayerPanel::take(Result<LessonRun> run) {

@@ -65,10 +65,9 @@ Result<KeptRepetition> readLocked(const fs::path& file) {
     return failure(ErrorCode::notWritable,
                    say<"'%1' cannot be read, nor be put aside (%2); move it away.">(file, verbatim(error.message())),
                    {{"file", file.string()}});
-  return KeptRepetition{
-      {},
-      say<"What was known of your exercises cannot be read (%1). It was put aside as '%2', and the exercises begin anew.">(
-          states.error().message, aside.filename())};
+  return KeptRepetition{{},
+                        say<"What was known of your exercises cannot be read; it was put aside as '%1', and the exercises begin anew. %2">(
+                            aside.filename(), states.error().message)};
 }
 
 }  // namespace
