@@ -10476,6 +10476,10 @@
         <source>undo, redo, save the project</source>
         <translation>zurück, wieder, Projekt speichern</translation>
     </message>
+    <message>
+        <source>Views of the volumes</source>
+        <translation>Ansichten der Volumen</translation>
+    </message>
 </context>
 <context>
     <name>ew::stitching::VolumeList</name>
@@ -10590,6 +10594,10 @@
     <message>
         <source>sweep, not yet a volume</source>
         <translation>Schwenk, noch kein Volumen</translation>
+    </message>
+    <message>
+        <source>Volumes</source>
+        <translation>Volumen</translation>
     </message>
 </context>
 <context>

@@ -67,6 +67,7 @@ QPushButton* smallToggle(const QString& text, const QString& hint, const char* n
 
 StitchStage::StitchStage(StitchSession& session, QWidget* parent) : QWidget(parent), session_(session) {
   setObjectName(QStringLiteral("stitchStage"));
+  setAccessibleName(tr("Views of the volumes"));
   setAcceptDrops(true);
   setProperty("session", QVariant::fromValue<QObject*>(&session_));
   setFocusPolicy(Qt::ClickFocus);
@@ -278,6 +279,8 @@ void StitchStage::showTitles() {
     brushView_->setCurrentIndex(static_cast<int>(tools_.brushView));
   }
   showing_ = was;
+  for (const QLabel* each : findChildren<QLabel*>())
+    if (each->buddy() != nullptr) each->buddy()->setAccessibleName(each->text());
 }
 
 void StitchStage::toolsChanged() {

@@ -90,6 +90,7 @@ VolumeList::VolumeList(StitchSession& session, QWidget* parent) : QWidget(parent
   column->setSpacing(kGap_px);
   list_ = new QListWidget;
   list_->setObjectName(QStringLiteral("volumes"));
+  list_->setAccessibleName(tr("Volumes"));
   list_->setItemDelegate(new VolumeDelegate(list_));
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
