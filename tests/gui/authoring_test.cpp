@@ -333,8 +333,9 @@ class AuthoringTest : public WindowFixture {
     QVERIFY(waitUntil([&] { return result->text().startsWith(QStringLiteral("Nothing has changed")); }));
 
     const QString bundle = files_.path(QStringLiteral("out.ewcase"));
-    Answers answers({{QStringLiteral("fileDialog"), type(bundle)}});
+    auto answers = std::make_unique<Answers>(std::map<QString, Answers::Answer>{{QStringLiteral("fileDialog"), type(bundle)}});
     dialog->findChild<QPushButton*>(QStringLiteral("exportCase"))->click();
+    answers.reset();  // it would turn down the questions that follow
     QVERIFY(waitUntil([&] { return result->text().startsWith(QStringLiteral("Exported")); }));
     QVERIFY(verifyBundle(bundle.toStdString()).has_value());
     dialog->close();
