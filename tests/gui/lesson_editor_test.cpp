@@ -384,6 +384,7 @@ class LessonEditorTest : public WindowFixture {
     keepScreenshot(*window_, "lesson-editor-18-tried");
     const auto options = editor()->findChildren<QAbstractButton*>(QStringLiteral("answerOption"));
     options.back()->click();
+    QVERIFY(waitUntil([this] { return seen<QPushButton>(QStringLiteral("stepDone"))->isEnabled(); }));
     press("stepDone");
     QVERIFY(text("outcomeHeading").startsWith(QStringLiteral("Passed")));
     press("endTry");
