@@ -119,6 +119,8 @@ class AuthorJourneyTest : public WindowFixture {
     QVERIFY(belly.has_value());
     QTest::mouseClick(view.canvas(), Qt::LeftButton, Qt::NoModifier, view.pixelOf(belly->point_mm).toPoint());
     QVERIFY(!(opened().volume.fileToWorld == before));
+    session().setHold(movedTo(session().hold(), *belly));  // where the recording is now
+    session().makePictureNow();
     QTest::qWait(500);
     keepScreenshot(*window_, "author-07-placed");
     QVERIFY2(hand.seen<QProgressBar>("contactShare")->value() >= 20, qPrintable(hand.text("contactFigures")));
@@ -212,6 +214,8 @@ class AuthorJourneyTest : public WindowFixture {
     step("settings", [&] { hand.press("takeSettings"); });
     step("answer", [&] {
       hand.type("stepText", QStringLiteral("What bounds the liver above?"));
+      hand.press("addAnswer");
+      hand.press("addAnswer");
       hand.type("optionText_0", QStringLiteral("The diaphragm"));
       hand.type("optionText_1", QStringLiteral("The stomach"));
       hand.press("optionRight_0");
