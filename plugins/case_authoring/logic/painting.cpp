@@ -20,8 +20,9 @@ Grid inFile(const Grid& inWorld, const Transform<frame::World, frame::File>& fil
 Result<std::unique_ptr<Painting>> Painting::goOn(Volume labels, const sdk::Scanned& scanned,
                                                  const Transform<frame::World, frame::File>& fileToWorld) {
   if (!scanned.voxels)
-    return failure(ErrorCode::badUsage,
-                   say<"The volume of this case stays in its file, so nothing can be painted in it; take a case whose volume fits into memory.">());
+    return failure(
+        ErrorCode::badUsage,
+        say<"The volume of this case stays in its file, so nothing can be painted in it; take a case whose volume fits into memory.">());
   return std::unique_ptr<Painting>(new Painting(std::move(labels), scanned.voxels, inFile(scanned.volume, fileToWorld), true));
 }
 

@@ -21,9 +21,7 @@ std::optional<double> settingOf(const ScanState& state, const std::string& setti
 StepWork::~StepWork() = default;
 std::optional<Message> StepWork::missing(const Handed&) const { return std::nullopt; }
 
-std::string rounded(double value, int decimals) {
-  return textOf(std::round(value * std::pow(10.0, decimals)) / std::pow(10.0, decimals));
-}
+std::string rounded(double value, int decimals) { return textOf(std::round(value * std::pow(10.0, decimals)) / std::pow(10.0, decimals)); }
 
 Message noImage() { return say<"There is no image yet; put the probe on the body.">(); }
 

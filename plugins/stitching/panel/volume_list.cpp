@@ -73,8 +73,8 @@ class VolumeDelegate final : public QStyledItemDelegate {
     painter->setPen(colours.color(index.data(kBroken).toBool() ? QPalette::BrightText : QPalette::PlaceholderText));
     painter->drawText(placed(QRect(left, box.top() + 4 + px(18), wide, px(18))), Qt::AlignLeft | Qt::AlignVCenter,
                       QFontMetrics(font).elidedText(index.data(kLine).toString(), Qt::ElideRight, wide));
-    drawMark(*painter, QRectF(placed(QRect(box.right() - 13 - px(14), box.top() + px(15), px(14), px(14)))), static_cast<StitchSession::Mark>(index.data(kMark).toInt()),
-             colours);
+    drawMark(*painter, QRectF(placed(QRect(box.right() - 13 - px(14), box.top() + px(15), px(14), px(14)))),
+             static_cast<StitchSession::Mark>(index.data(kMark).toInt()), colours);
     painter->restore();
   }
   void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex&) const override {

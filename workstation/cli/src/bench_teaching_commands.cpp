@@ -86,8 +86,7 @@ Result<int> exercises(const TeachingArguments& arguments, Run& run) {
 }
 
 void addOptions(CLI::App& app, TeachingArguments& arguments, const char* count, const char* description) {
-  app.add_option("--case", arguments.cases, "A case; may be given several times (every shipped one)")
-      ->type_name("CASE");
+  app.add_option("--case", arguments.cases, "A case; may be given several times (every shipped one)")->type_name("CASE");
   addCount(app, count, arguments.starts, 1, 10000, description);
   addCount(app, "--threads", arguments.threads, 0, 256, "Threads; 0: one per processor (0)");
   addSeed(app, "--seed", arguments.seed, "Which starts, and which hands (1)");

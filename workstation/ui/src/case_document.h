@@ -22,8 +22,8 @@ struct CaseOverwrite {
 /// The open case and its undo history. Everything that edits a case goes through edit(); the console's knobs are not edits.
 /// What saving would destroy is refused until somebody has decided: changes that another program made in the folder meanwhile, and the
 /// shipped cases, which belong to the program. A published revision never changes: it can only be saved elsewhere.
-/// With its first edit the document takes the folder of a case of one's own for itself (FolderLease), until it is closed; whoever only looks
-/// keeps nobody from editing.
+/// With its first edit the document takes the folder of a case of one's own for itself (FolderLease), until it is closed; whoever only
+/// looks keeps nobody from editing.
 class CaseDocument final : public QObject {
   Q_OBJECT
 
@@ -64,9 +64,9 @@ class CaseDocument final : public QObject {
   [[nodiscard]] QUndoStack& history() { return history_; }
 
  Q_SIGNALS:
-  void changed();  ///< the case or its saved state
-  void opened();   ///< another case, or this one under another name
-  void closed();   ///< none is open any more
+  void changed();                        ///< the case or its saved state
+  void opened();                         ///< another case, or this one under another name
+  void closed();                         ///< none is open any more
   void leaseLost(const ew::Error& why);  ///< somebody else has taken the folder over: what is edited here can only be saved elsewhere
 
  private:

@@ -170,9 +170,8 @@ void MainWindow::showPresets(QMenu& menu) {
     return probe != probes.end() ? words(probe->name) : QString::fromStdString(id);
   };
   const auto nameWithProbe = [&](const Preset& preset) {
-    return preset.probe == present
-               ? words(preset.title)
-               : tr("%1 (%2)", "a preset and its probe").arg(words(preset.title), nameOf(preset.probe));
+    return preset.probe == present ? words(preset.title)
+                                   : tr("%1 (%2)", "a preset and its probe").arg(words(preset.title), nameOf(preset.probe));
   };
   for (const Preset& preset : presetsOfCase()) add(menu, nameWithProbe(preset), preset);
   if (!menu.isEmpty()) menu.addSeparator();

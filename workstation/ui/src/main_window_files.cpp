@@ -402,7 +402,8 @@ Result<void> MainWindow::makeCaseOwn() {
   const QString title = words(document.current()->title);
   if (document.isPublishedCase()) return saveCaseCopy(whyPublishedIsCopied(title));
   if (document.isShippedCase())
-    return saveCaseCopy(tr("The case '%1' belongs to the program. It is copied to a folder of your own first, and changed there.").arg(title));
+    return saveCaseCopy(
+        tr("The case '%1' belongs to the program. It is copied to a folder of your own first, and changed there.").arg(title));
   if (const auto taken = document.reserve(); !taken) return saveCaseCopy(words(taken.error().message));
   return {};
 }

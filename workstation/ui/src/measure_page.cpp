@@ -30,7 +30,7 @@ namespace {
 
 constexpr int kLineSide_px = 6;
 constexpr int kNumber_px = 12;
-constexpr int kLineWidth_px = 208;     // of the console's page, less a scroll bar
+constexpr int kLineWidth_px = 208;    // of the console's page, less a scroll bar
 constexpr int kConsoleEdges_px = 40;  // of the console, beside it
 
 }  // namespace

@@ -136,8 +136,8 @@ void MessageBar::refresh() {
     sentence_->setText(first->sentence);
     sentence_->setToolTip(first->tip);
     details_->setText(first->details);
-    fold_->setFixedHeight(
-        std::min(scaled(kMostDetails_px), (static_cast<int>(first->details.count(QLatin1Char('\n'))) + 2) * details_->fontMetrics().lineSpacing()));
+    fold_->setFixedHeight(std::min(
+        scaled(kMostDetails_px), (static_cast<int>(first->details.count(QLatin1Char('\n'))) + 2) * details_->fontMetrics().lineSpacing()));
     unfold_->setVisible(!first->details.isEmpty());
     if (!same || first->details.isEmpty()) unfold_->setChecked(false);
     fold_->setVisible(unfold_->isChecked());

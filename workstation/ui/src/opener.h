@@ -53,7 +53,7 @@ class Opener final : public QObject {
   void preparing(const QString& path);  ///< a case is being opened whose volume has to be made first
   void ended();                         ///< nothing is being opened any more, whatever came of it; another opening may follow
   void opened(const QString& path);
-  void sweepChosen(const QString& path);  ///< a sweep needs answers before it becomes a volume
+  void sweepChosen(const QString& path);   ///< a sweep needs answers before it becomes a volume
   void bundleChosen(const QString& path);  ///< a case of another workstation, which goes into the library before it is opened
   /// A file of another kind leaves something open, or holds pictures that are no volume.
   void answersNeeded(const QString& path, ew::FileKind kind, const QString& question);

@@ -180,7 +180,9 @@ class PluginPanels final : public sdk::Panels {
   void setShown(const std::string& id, bool shown) override {
     if (has(id)) calls_->whenMade([this, id, shown] { inner_.setShown(id, shown); });
   }
-  void bringToFront(const std::string& id) override { calls_->whenMade([this, id] { inner_.bringToFront(id); }); }
+  void bringToFront(const std::string& id) override {
+    calls_->whenMade([this, id] { inner_.bringToFront(id); });
+  }
   [[nodiscard]] bool has(const std::string& id) const { return std::find(ids_.begin(), ids_.end(), id) != ids_.end(); }
 
  private:

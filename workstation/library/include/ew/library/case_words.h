@@ -31,8 +31,8 @@ class CaseWords {
 [[nodiscard]] CaseWords wordsOf(const std::filesystem::path& caseFolder, const std::string& language);
 /// @error notFound, badHeader, badField, newerFormat
 [[nodiscard]] Result<CaseWords> readCaseWords(const std::filesystem::path& file);
-/// Writes what stands in place of a text into words/LANGUAGE.json of a case, whole or not at all; everything else in the file stays. An empty
-/// translation takes it away. Words of texts that the case has no longer stay, too: undo may bring the text back.
+/// Writes what stands in place of a text into words/LANGUAGE.json of a case, whole or not at all; everything else in the file stays. An
+/// empty translation takes it away. Words of texts that the case has no longer stay, too: undo may bring the text back.
 /// @error badUsage (not a language), as readCaseWords but for notFound, notWritable
 [[nodiscard]] Result<void> setCaseWord(const std::filesystem::path& caseFolder, const std::string& language, const std::string& text,
                                        const std::string& translation);

@@ -27,8 +27,8 @@ using CaseById = std::function<const Case*(const std::string& id)>;
 /// @param home the case that holds it, with its folder: files are looked for in its parts/lessons
 [[nodiscard]] std::vector<LessonProblem> problemsOf(const Lesson& lesson, const Case& home, const CaseById& caseById);
 
-/// Recordings and pictures in parts/lessons that no lesson of the case names, relative to it, sorted: earlier takes, mostly. They stay until
-/// somebody decides, for a step of undo or an edit that a crash has interrupted may name them again.
+/// Recordings and pictures in parts/lessons that no lesson of the case names, relative to it, sorted: earlier takes, mostly. They stay
+/// until somebody decides, for a step of undo or an edit that a crash has interrupted may name them again.
 [[nodiscard]] std::vector<std::string> unusedLessonFiles(const Case& home);
 
 }  // namespace ew

@@ -186,8 +186,8 @@ class MainWindow final : public QMainWindow {
   void chooseFile();
   void chooseBundle();
   void importCase(const QString& bundle);  ///< into the user's library, as a job; then the start page shows it
-  void save(bool elsewhere);      ///< the case, or the document of the panel whose stage is shown
-  bool saveCase(bool elsewhere);  ///< shows what went wrong. @return whether it is saved
+  void save(bool elsewhere);               ///< the case, or the document of the panel whose stage is shown
+  bool saveCase(bool elsewhere);           ///< shows what went wrong. @return whether it is saved
   /// Asks first when the case is shipped or was saved by another program. @error cancelled: the user wants it unsaved for now
   [[nodiscard]] Result<void> saveCaseInPlace();
   /// Asks for a new folder. @param why it is asked for; may be empty
