@@ -18561,8 +18561,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Kein Strich, der wiederzuholen wäre</translation>
     </message>
     <message>
-        <source>Bring back: %1 (Ctrl+Y)</source>
-        <translation>Wiederholen: %1 (Strg+Y)</translation>
+        <source>Bring back: %1 (Ctrl+Shift+Z)</source>
+        <translation>Wiederholen: %1 (Strg+Umschalt+Z)</translation>
     </message>
     <message>
         <source>Working…</source>

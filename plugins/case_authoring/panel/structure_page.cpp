@@ -302,7 +302,7 @@ void StructurePage::followWork() {
   undo_->setEnabled(!work_.undoText().isEmpty() && !work_.isBusy());
   undo_->setToolTip(work_.undoText().isEmpty() ? tr("No stroke to take back") : tr("Take back: %1 (Ctrl+Z)").arg(work_.undoText()));
   redo_->setEnabled(!work_.redoText().isEmpty() && !work_.isBusy());
-  redo_->setToolTip(work_.redoText().isEmpty() ? tr("No stroke to bring back") : tr("Bring back: %1 (Ctrl+Y)").arg(work_.redoText()));
+  redo_->setToolTip(work_.redoText().isEmpty() ? tr("No stroke to bring back") : tr("Bring back: %1 (Ctrl+Shift+Z)").arg(work_.redoText()));
   keep_->setEnabled(work_.hasUnkept() && !work_.isBusy());
   discard_->setEnabled(work_.hasUnkept() && !work_.isBusy());
   state_->setText(work_.isBusy()      ? tr("Working…")
