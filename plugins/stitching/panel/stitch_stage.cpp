@@ -279,8 +279,12 @@ void StitchStage::showTitles() {
     brushView_->setCurrentIndex(static_cast<int>(tools_.brushView));
   }
   showing_ = was;
-  for (const QLabel* each : findChildren<QLabel*>())
-    if (each->buddy() != nullptr) each->buddy()->setAccessibleName(each->text());
+  for (const QLabel* each : findChildren<QLabel*>()) {
+    if (each->buddy() == nullptr) continue;
+    each->buddy()->setAccessibleName(each->text());
+    if (auto* views = qobject_cast<QStackedWidget*>(each->buddy()))
+      for (int n = 0; n < views->count(); ++n) views->widget(n)->setAccessibleName(each->text());
+  }
 }
 
 void StitchStage::toolsChanged() {
