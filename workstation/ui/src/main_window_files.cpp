@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScopedValueRollback>
 #include <QSettings>
 #include <QStandardPaths>
 #include <algorithm>
@@ -268,6 +269,8 @@ void MainWindow::offerKeptEdits() { offerKeptEditsOf({}); }
 
 void MainWindow::offerKeptEditsOf(const std::filesystem::path& caseFolder) {
   Parts& p = *parts_;
+  if (p.asksAboutKept) return;  // a case that came while somebody thinks about its edits
+  const QScopedValueRollback<bool> asks(p.asksAboutKept, true);
   for (const KeptEdits::Left& left : p.keptEdits.left()) {
     const bool isLater = std::find(p.decideLater.begin(), p.decideLater.end(), left.kept) != p.decideLater.end();
     if (isLater || p.restoring || (!caseFolder.empty() && left.caseFolder != caseFolder)) continue;

@@ -97,6 +97,7 @@ struct MainWindow::Parts {
   QTimer keepSoon;
   std::vector<std::filesystem::path> decideLater;  ///< kept edits that the user wants to decide about another time
   std::optional<KeptEdits::Left> restoring;        ///< edits that are taken over once their case is open
+  bool asksAboutKept = false;                      ///< the question about kept edits is open: none is asked in the middle of it
   bool dropsEdits = false;                         ///< the case is being opened again, and the user gave up the changes made here
   QString preparing;                               ///< the case that is opened and has to be made first
   QString imported;                                ///< folder of the case that was taken into the library and is to be shown there
