@@ -108,7 +108,7 @@ void PlacementView::paintEvent(QPaintEvent*) {
   beginPainting(painter, QColor(0x12, 0x13, 0x15));
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   const std::size_t count = session_.project().volumes.size();
-  if (count == 0) return;
+  if (count == 0) return drawFocus(painter);
   if (!fitted_) fit();
   struct Seen {
     std::size_t volume;

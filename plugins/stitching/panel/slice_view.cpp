@@ -318,7 +318,7 @@ void SliceView::paintEvent(QPaintEvent*) {
   if (picture_.isNull()) {
     painter.setPen(kViewQuiet);
     painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, nothing_);
-    return;
+    return drawFocus(painter);
   }
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   painter.drawImage(rect(), picture_);

@@ -213,6 +213,8 @@ void Tour::place() {
   const int wanted_px = std::max(scaled(kBubble_px), line_->sizeHint().width() + edges.left() + edges.right());
   const int width_px = std::min(wanted_px, parentWidget()->width() - 2 * kFromEdge_px);
   setFixedWidth(width_px);
+  // A box layout asks a label once; embedded words may then take a line more.
+  for (QLabel* each : {name_, text_}) each->setMinimumHeight(each->heightForWidth(width_px - edges.left() - edges.right()));
   const int height_px = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width_px) : sizeHint().height();
   const QSize size(width_px, std::min(height_px, parentWidget()->height() - 2 * kFromEdge_px));
   const QWidget* thing = thingOf(now_);
