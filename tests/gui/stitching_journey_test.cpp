@@ -100,7 +100,7 @@ class StitchingJourneyTest : public StitchingFixture {
     QVERIFY(jobsEnd());
     QVERIFY2(problem().isEmpty(), qPrintable(problem()));
     choose("fourthChoice", 3);
-    choose("overlay", 3);
+    choose("overlayKind", 3);
     keepPicture("10-result");
 
     // Saved, closed, opened again.

@@ -125,7 +125,7 @@ void StitchStage::makeCutControls() {
 }
 
 void StitchStage::makeOverlayControls() {
-  overlay_ = smallCombo("overlay", tr("How both are laid over each other (C)"));
+  overlay_ = smallCombo("overlayKind", tr("How both are laid over each other (C)"));
   overlay_->addItem(tr("checkerboard"), static_cast<int>(Overlay::checkerboard));
   overlay_->addItem(tr("difference"), static_cast<int>(Overlay::difference));
   overlay_->addItem(tr("flicker"), static_cast<int>(Overlay::flicker));
