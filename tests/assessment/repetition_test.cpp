@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "ew/assessment/kept_repetition.h"
+
 namespace ew {
 namespace {
 
@@ -156,6 +158,18 @@ TEST(Repetition, DoesNotAskTheSameTwiceInARowUnlessThereIsNoOther) {
     now += seconds(60);
   }
   EXPECT_TRUE(nextExercise(states, exercises(1), now, 1));
+}
+
+TEST(Repetition, OfTwoTriesInOneSecondTheLaterWasLast) {
+  for (const auto& [first, second] : {std::pair("case/plane/0", "case/plane/1"), std::pair("case/plane/1", "case/plane/0")}) {
+    auto states = withTry({}, first, 1, kNow);
+    states = withTry(std::move(states), second, 5, kNow);
+    const auto planned = nextExercise(states, exercises(2), kNow, 1);
+    ASSERT_TRUE(planned);
+    EXPECT_EQ(planned->exerciseId, first);
+    states = withTry(std::move(states), first, 5, kNow);
+    EXPECT_EQ(nextExercise(states, exercises(2), kNow, 1)->exerciseId, second);
+  }
 }
 
 TEST(Repetition, SurvivesItsFile) {

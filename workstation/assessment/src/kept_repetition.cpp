@@ -96,6 +96,7 @@ std::vector<RepetitionState> withTry(std::vector<RepetitionState> states, const 
     state = states.end() - 1;
   }
   *state = afterwards(*state, grade, when);
+  std::rotate(state, state + 1, states.end());
   return states;
 }
 

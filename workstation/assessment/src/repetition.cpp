@@ -49,11 +49,12 @@ struct Choice {
   std::vector<const Exercise*> fresh;
 };
 
-const RepetitionState* triedLast(const std::vector<const RepetitionState*>& known) {
-  const auto last = std::max_element(known.begin(), known.end(), [](const auto* a, const auto* b) {
-    return std::tie(a->last, a->exerciseId) < std::tie(b->last, b->exerciseId);
-  });
-  return last == known.end() ? nullptr : *last;
+/// Times are whole seconds: of two tries in one second the later stands further back in the list (withTry).
+const RepetitionState* triedLast(const std::vector<RepetitionState>& states, const std::vector<const RepetitionState*>& known) {
+  const RepetitionState* last = nullptr;
+  for (const RepetitionState& state : states)
+    if (std::find(known.begin(), known.end(), &state) != known.end() && (last == nullptr || state.last >= last->last)) last = &state;
+  return last;
 }
 
 Choice choiceOf(const std::vector<RepetitionState>& states, const std::vector<Exercise>& exercises, sys_seconds now, int& tries) {
@@ -67,7 +68,7 @@ Choice choiceOf(const std::vector<RepetitionState>& states, const std::vector<Ex
     else
       known.push_back(&*state);
   }
-  const RepetitionState* last = triedLast(known);
+  const RepetitionState* last = triedLast(states, known);
   tries = 0;
   for (const RepetitionState* state : known) {
     tries += state->tries;

@@ -29,7 +29,7 @@ struct KeptRepetition {
 [[nodiscard]] Result<KeptRepetition> keepTry(const std::filesystem::path& file, const std::string& exerciseId, int grade,
                                              std::chrono::sys_seconds when);
 
-/// `states` with one try more.
+/// `states` with one try more; its exercise comes to stand last.
 [[nodiscard]] std::vector<RepetitionState> withTry(std::vector<RepetitionState> states, const std::string& exerciseId, int grade,
                                                    std::chrono::sys_seconds when);
 
