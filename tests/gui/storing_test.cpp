@@ -32,6 +32,7 @@ class StoringTest : public WindowFixture {
     type(Qt::Key_Insert, Qt::NoModifier);
   }
   [[nodiscard]] ExaminationDialog* dialog() const {
+    QApplication::setActiveWindow(window_.get());  // back from a question
     type(Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
     return window_->findChild<ExaminationDialog*>();
   }
