@@ -14,8 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kBlock_bytes = 256 << 10;
-
 /// A tar in zstd that is written entry by entry.
 class BundleWriter {
  public:
@@ -33,7 +31,7 @@ class BundleWriter {
     const bool ready = names_.good() && archive_write_set_format_pax_restricted(archive_) == ARCHIVE_OK &&
                        archive_write_set_options(archive_, "hdrcharset=UTF-8") == ARCHIVE_OK &&
                        archive_write_add_filter_zstd(archive_) == ARCHIVE_OK &&
-                       archive_write_set_bytes_per_block(archive_, kBlock_bytes) == ARCHIVE_OK &&
+                       archive_write_set_bytes_per_block(archive_, 0) == ARCHIVE_OK &&  // in the compressor's pieces
                        archive_write_set_bytes_in_last_block(archive_, 1) == ARCHIVE_OK &&
                        archive_write_open(archive_, this, nullptr, &BundleWriter::put, nullptr) == ARCHIVE_OK;
     return ready ? Result<void>() : problemNow();
