@@ -58,6 +58,23 @@ TEST(PublishCase, OfAnUnchangedCaseDoesNothing) {
   EXPECT_EQ(treeOf(folder / "library"), before);
 }
 
+TEST(PublishedAsItIs, IsTheLatestRevisionUntilTheCaseIsEdited) {
+  const TemporaryFolder folder;
+  makeVolumeCase(folder / "mine", "knee");
+  const auto asItIs = [&] { return publishedAsItIs(folder / "mine", folder / "library"); };
+  ASSERT_TRUE(asItIs());
+  EXPECT_FALSE(*asItIs());
+  const auto one = publishCase(folder / "mine", folder / "library");
+  ASSERT_TRUE(one && asItIs() && *asItIs());
+  EXPECT_EQ((*asItIs())->folder, one->folder);
+  const std::string first = textOf(folder / "mine/scans/expert.txt");
+  writeText(folder / "mine/scans/expert.txt", "changed");
+  EXPECT_FALSE(*asItIs());
+  ASSERT_TRUE(publishCase(folder / "mine", folder / "library"));
+  writeText(folder / "mine/scans/expert.txt", first);
+  EXPECT_FALSE(*asItIs()) << "as an earlier one had it, but trainees see the latest";
+}
+
 TEST(PublishCase, SharesUnchangedVolumesWithTheRevisionBeforeAndNeverWithTheAuthor) {
   const TemporaryFolder folder;
   makeVolumeCase(folder / "mine", "knee");

@@ -256,18 +256,32 @@ void PublishDialog::exportCase() {
   if (!file.endsWith(QLatin1String(kBundleEnding))) file += QLatin1String(kBundleEnding);
   working_ = true;
   showButtons();
+  auto header = std::make_shared<BundleHeader>();
   host_.jobs().startSaving(
       tr("Exporting the case").toStdString(),
-      [folder = host_.cases().currentFolder(), file](Progress& progress) -> Result<void> {
-        auto done = exportBundle(folder, std::filesystem::path(file.toStdString()), progress);
-        return done ? Result<void>() : passOn(done.error());
+      [header, folder = host_.cases().currentFolder(), file](Progress& progress) -> Result<void> {
+        PartOfProgress comparing(progress, 0.0, 0.3), writing(progress, 0.3, 1.0);
+        // As trainees have it, where it is what they have: it then bears its revision.
+        const auto published = publishedAsItIs(folder, libraryFolder(), comparing);
+        if (!published) return passOn(published.error());
+        auto done = exportBundle(*published ? (*published)->folder : folder, std::filesystem::path(file.toStdString()), writing);
+        if (!done) return passOn(done.error());
+        *header = std::move(*done);
+        return {};
       },
-      [this, alive = QPointer<PublishDialog>(this), file](const Result<void>& outcome) {
+      [this, alive = QPointer<PublishDialog>(this), header, file](const Result<void>& outcome) {
         if (!alive) return;
         working_ = false;
         showButtons();
         if (outcome)
-          tell(tr("Exported to %1. Another workstation takes it with File, Import a case bundle.").arg(file), false);
+          tell((header->revision > 0 ? tr("Revision %1 was exported to %2. Another workstation takes it with File, Import a case bundle.")
+                                           .arg(header->revision)
+                                           .arg(file)
+                                     : tr("Exported to %1, as it is now; trainees here see another revision, or none. Another workstation "
+                                          "takes it with File, "
+                                          "Import a case bundle.")
+                                           .arg(file)),
+               false);
         else if (outcome.error().code != ErrorCode::cancelled)
           tell(words(outcome.error()), true);
       });

@@ -91,6 +91,12 @@ std::vector<Case> casesAround(const fs::path& caseFolder, const fs::path& librar
   return all;
 }
 
+std::optional<PublishedCase> sameAsLatest(const CaseToHandOn& from, const fs::path& library, const std::optional<PublishedCase>& latest) {
+  if (!latest) return std::nullopt;
+  auto same = revisionWith(library, from.opened.id, from.files);
+  return same && same->revision == latest->revision ? same : std::nullopt;
+}
+
 /// @error badField: the first thing that is missing, and how many there are
 Result<void> checkReady(const Case& opened, const fs::path& library) {
   std::optional<std::vector<Case>> around;
@@ -198,13 +204,20 @@ Result<PublishedCase> publishCase(const fs::path& caseFolder, const fs::path& li
     if (auto ready = checkReady(from->opened, library); !ready) return passOn(ready.error());
     const std::string& id = from->opened.id;
     const auto latest = latestPublished(library, id);
-    if (latest)
-      if (auto same = revisionWith(library, id, from->files); same && same->revision == latest->revision) return *same;
+    if (auto same = sameAsLatest(*from, library, latest)) return *same;
     if (auto room = checkRoom(library, bytesOf(from->files)); !room) return passOn(room.error());
     return makeRevision(library, id, 0, from->files, [&](const fs::path& aside) {
       ByteCount count(say<"Publishing the case">(), bytesOf(from->files), copying);
       return copyFiles(*from, latest, aside, count);
     });
+  });
+}
+
+Result<std::optional<PublishedCase>> publishedAsItIs(const fs::path& caseFolder, const fs::path& library, Progress& progress) {
+  return guardedCase(caseFolder, [&]() -> Result<std::optional<PublishedCase>> {
+    const auto from = caseToHandOn(caseFolder, progress);
+    if (!from) return passOn(from.error());
+    return sameAsLatest(*from, library, latestPublished(library, from->opened.id));
   });
 }
 

@@ -36,6 +36,12 @@ struct PublishedCase {
 [[nodiscard]] Result<PublishedCase> publishCase(const std::filesystem::path& caseFolder, const std::filesystem::path& library,
                                                 Progress& progress = noProgress());
 
+/// The latest revision, when it holds what the case folder holds now.
+/// @error as loadCase and sumsOfCase; cancelled (within 0.5 s)
+[[nodiscard]] Result<std::optional<PublishedCase>> publishedAsItIs(const std::filesystem::path& caseFolder,
+                                                                   const std::filesystem::path& library,
+                                                                   Progress& progress = noProgress());
+
 /// The complete revisions of a case, the lowest first. Complete: sums.json can be read, and every file it names is there with its size
 /// (verifyCase reads them, too).
 [[nodiscard]] std::vector<PublishedCase> publishedRevisions(const std::filesystem::path& library, const std::string& id);
