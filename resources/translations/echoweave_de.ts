@@ -3896,8 +3896,8 @@
         <translation>Das Volumen ist schon kartesisch, %1 mm in jeder Richtung; sein Ursprung ist sein erster Voxel, und wie es im Patienten liegt, steht nicht in der Datei.</translation>
     </message>
     <message>
-        <source>The volume is placed in the recording&apos;s frame %1.</source>
-        <translation>Das Volumen liegt im Bezugssystem %1 der Aufnahme.</translation>
+        <source>The poses of the images are those in the recording&apos;s frame %1.</source>
+        <translation>Die Posen der Bilder sind die im Bezugssystem %1 der Aufnahme.</translation>
     </message>
     <message>
         <source>The volume needs at least one sample along each axis; give its dimensions.</source>
@@ -8314,6 +8314,10 @@
     <message>
         <source>the id of a body mark, such as &quot;abdomen&quot;</source>
         <translation>die Kennung einer Körpermarke, etwa &quot;abdomen&quot;</translation>
+    </message>
+    <message>
+        <source>The images show a fan of %1 degrees; what lies around it is not taken.</source>
+        <translation>Die Bilder zeigen einen Fächer von %1 Grad; was um ihn liegt, wird nicht genommen.</translation>
     </message>
 </context>
 <context>
@@ -18921,6 +18925,25 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
 </context>
 <context>
+    <name>ew::case_authoring::RightsForm</name>
+    <message>
+        <source>Recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>Whom to name, and under which licence it may be passed on. Needed before the case is published.</source>
+        <translation>Wer zu nennen ist und unter welcher Lizenz sie weitergegeben werden darf. Nötig, bevor der Fall veröffentlicht wird.</translation>
+    </message>
+    <message>
+        <source>Attribution</source>
+        <translation>Nennung</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>Lizenz</translation>
+    </message>
+</context>
+<context>
     <name>ew::case_authoring::SourceField</name>
     <message>
         <source>A volume</source>
@@ -18990,6 +19013,14 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
     </message>
+    <message>
+        <source>Leave out what lies around the fan</source>
+        <translation>Weglassen, was um den Fächer liegt</translation>
+    </message>
+    <message>
+        <source>The fan is the device set&apos;s, or is found in the images. Without this the black around it counts as tissue without echoes.</source>
+        <translation>Der Fächer steht in der Kalibrierung oder wird in den Bildern gefunden. Ohne dies gilt das Schwarz um ihn als Gewebe ohne Echos.</translation>
+    </message>
 </context>
 <context>
     <name>ew::case_authoring::NewCaseDialog</name>
@@ -19032,22 +19063,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Region</source>
         <translation>Region</translation>
-    </message>
-    <message>
-        <source>Recording</source>
-        <translation>Aufnahme</translation>
-    </message>
-    <message>
-        <source>Whom to name, and under which licence it may be passed on. Needed before the case is published.</source>
-        <translation>Wer zu nennen ist und unter welcher Lizenz sie weitergegeben werden darf. Nötig, bevor der Fall veröffentlicht wird.</translation>
-    </message>
-    <message>
-        <source>Attribution</source>
-        <translation>Nennung</translation>
-    </message>
-    <message>
-        <source>Licence</source>
-        <translation>Lizenz</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -19167,14 +19182,6 @@ Zeit: %3</translation>
     <message>
         <source>The volume keeps its place in the body. Targets and measurements that only the present volume knows are left out; undo brings everything back.</source>
         <translation>Das Volumen behält seinen Platz im Körper. Ziele und Messungen, die nur das jetzige Volumen kennt, fallen weg; Rückgängig bringt alles zurück.</translation>
-    </message>
-    <message>
-        <source>Attribution</source>
-        <translation>Nennung</translation>
-    </message>
-    <message>
-        <source>Licence</source>
-        <translation>Lizenz</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -19370,8 +19377,12 @@ Zeit: %3</translation>
         <translation>Fall wird exportiert</translation>
     </message>
     <message>
-        <source>Exported to %1. Another workstation takes it with File, Import a case bundle.</source>
-        <translation>Nach %1 exportiert. Ein anderer Arbeitsplatz übernimmt ihn mit Datei, Fallpaket importieren.</translation>
+        <source>Exported to %1, as it is now; trainees here see another revision, or none. Another workstation takes it with File, Import a case bundle.</source>
+        <translation>Nach %1 exportiert, wie er jetzt ist; Lernende hier sehen eine andere Revision oder keine. Ein anderer Arbeitsplatz übernimmt ihn mit Datei, Fallpaket importieren.</translation>
+    </message>
+    <message>
+        <source>Revision %1 was exported to %2. Another workstation takes it with File, Import a case bundle.</source>
+        <translation>Revision %1 wurde nach %2 exportiert. Ein anderer Arbeitsplatz übernimmt ihn mit Datei, Fallpaket importieren.</translation>
     </message>
 </context>
 </TS>

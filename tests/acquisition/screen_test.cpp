@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <random>
 
 #include "acquisition/screens.h"
+#include "ew/acquisition/import.h"
 #include "ew/acquisition/line_data.h"
 #include "ew/acquisition/screen.h"
 #include "ew/acquisition/screen_recording.h"
@@ -146,6 +148,74 @@ TEST(ScreenOfRecordings, ConvexLiverSweep) {
   const auto sweep = readSequence(recording("liver-sweep/liver_sweep.igs.mha"));
   ASSERT_TRUE(sweep) << sweep.error();
   compareWithRecording("liver sweep", *sweep, liverSweepOutline(), kLiverSweepPixel_mm);
+}
+
+TEST(FanOfARecording, IsFoundInALiverSweepAndInNoLinearOne) {
+  EW_NEEDS_RECORDING("liver-sweep/liver_sweep.igs.mha");
+  const auto liver = readSequence(recording("liver-sweep/liver_sweep.igs.mha"));
+  ASSERT_TRUE(liver) << liver.error();
+  const auto fan = fanOf(*liver);
+  ASSERT_TRUE(fan && *fan);
+  FanOutline found = liverSweepOutline();
+  found.apex_px = (*fan)->origin_px;
+  found.left_rad = (*fan)->leftAngle_rad;
+  found.right_rad = (*fan)->rightAngle_rad;
+  found.near_px = (*fan)->startRadius_px;
+  found.far_px = (*fan)->stopRadius_px;
+  EXPECT_GT(overlapOf(found, liverSweepOutline(), liver->width, liver->height), 0.98);
+  for (const char* linear : {"simulated-liver-pair/liver_sim_l2.igs.mha", "spine-phantom-sweep/SpinePhantomFreehand.igs.mha"}) {
+    EW_NEEDS_RECORDING(linear);
+    const auto sweep = readSequence(recording(linear));
+    ASSERT_TRUE(sweep) << sweep.error();
+    const auto none = fanOf(*sweep);
+    ASSERT_TRUE(none);
+    EXPECT_FALSE(*none) << linear;
+  }
+}
+
+class StopsAtOnce final : public Progress {
+ public:
+  void report(const Message&, double) override {}
+  [[nodiscard]] bool cancelRequested() const override { return true; }
+};
+
+/// Grain that moves inside a fan; nothing around it.
+Sequence movingFan(const FanOutline& outline, int width_px, int height_px, int frames) {
+  Sequence sequence;
+  sequence.width = width_px;
+  sequence.height = height_px;
+  sequence.frames.resize(static_cast<std::size_t>(frames));
+  const GreyImage mask = maskOf(outline, width_px, height_px);
+  std::mt19937 random(5);
+  for (int n = 0; n < frames; ++n)
+    for (const std::uint8_t inside : mask.pixels) sequence.pixels.push_back(inside ? static_cast<std::uint8_t>(40 + random() % 120) : 0);
+  return sequence;
+}
+
+TEST(FanOfARecording, IsFoundWhereItWasDrawnAndNotWhereThereIsNone) {
+  FanOutline drawn;
+  drawn.shape = FanShape::convex;
+  drawn.apex_px = {160.0, -40.0};
+  drawn.left_rad = -0.5;
+  drawn.right_rad = 0.5;
+  drawn.near_px = 60.0;
+  drawn.far_px = 260.0;
+  const Sequence sweep = movingFan(drawn, 320, 240, 8);
+  const auto fan = fanOf(sweep);
+  ASSERT_TRUE(fan && *fan);
+  EXPECT_NEAR((*fan)->leftAngle_rad, drawn.left_rad, 0.01);
+  EXPECT_NEAR((*fan)->rightAngle_rad, drawn.right_rad, 0.01);
+  EXPECT_NEAR((*fan)->startRadius_px, drawn.near_px, 2.0);
+  EXPECT_NEAR((*fan)->stopRadius_px, drawn.far_px, 2.0);
+  EXPECT_FALSE(*fanOf(movingFan(rectangleOf(-0.5, -0.5, 319.5, 239.5), 320, 240, 8))) << "images that fill their frames";
+  Sequence black = sweep;
+  std::fill(black.pixels.begin(), black.pixels.end(), std::uint8_t{0});
+  EXPECT_FALSE(*fanOf(black));
+  EXPECT_FALSE(*fanOf(Sequence{}));
+  StopsAtOnce stopped;
+  const auto none = fanOf(sweep, stopped);
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().code, ErrorCode::cancelled);
 }
 
 TEST(ScreenOfRecordings, WideCurvilinearScanLines) {

@@ -90,8 +90,8 @@ class AuthorJourneyTest : public WindowFixture {
     hand.type("newCaseTraineeTitle", QStringLiteral("Right upper abdomen"));
     auto* templates = hand.seen<QComboBox>("newCaseTemplate");
     templates->setCurrentIndex(templates->findData(QStringLiteral("right-upper-quadrant")));
-    hand.type("newCaseAttribution", QStringLiteral("ImFusion GmbH, public-ultrasound-demos"));
-    hand.type("newCaseLicence", QStringLiteral("CC BY 4.0"));
+    hand.type("sourceAttribution", QStringLiteral("ImFusion GmbH, public-ultrasound-demos"));
+    hand.type("sourceLicence", QStringLiteral("CC BY 4.0"));
     keepScreenshot(*shown, "author-03-about");
     hand.press("newCaseNext");
     QVERIFY(waitUntil([&] { return hand.seen<QPushButton>("newCaseNext")->isEnabled(); }));
@@ -216,8 +216,6 @@ class AuthorJourneyTest : public WindowFixture {
     step("settings", [&] { hand.press("takeSettings"); });
     step("answer", [&] {
       hand.type("stepText", QStringLiteral("What bounds the liver above?"));
-      hand.press("addAnswer");
-      hand.press("addAnswer");
       hand.type("optionText_0", QStringLiteral("The diaphragm"));
       hand.type("optionText_1", QStringLiteral("The stomach"));
       hand.press("optionRight_0");
@@ -247,12 +245,13 @@ class AuthorJourneyTest : public WindowFixture {
     const QString bundle = files_.path(QStringLiteral("liver.ewcase"));
     Answers answers({{QStringLiteral("fileDialog"), type(bundle)}});
     hand.press("exportCase");
-    QVERIFY(waitUntil([&] { return hand.text("publishResult").startsWith(QStringLiteral("Exported")); }));
+    QVERIFY(waitUntil([&] { return hand.text("publishResult").startsWith(QStringLiteral("Revision 1 was exported")); }));
     keepScreenshot(*shown, "author-18-exported");
     shown->close();
     const auto header = verifyBundle(bundle.toStdString());
     QVERIFY2(header, header ? "" : header.error().sentence().c_str());
     QCOMPARE(header->id, opened().id);
+    QCOMPARE(header->revision, 1);
   }
 
  private Q_SLOTS:

@@ -137,8 +137,8 @@ class AuthoringTest : public WindowFixture {
     QVERIFY(!dialog->findChild<QComboBox*>(QStringLiteral("newCaseRegion"))->currentText().isEmpty());
     dialog->findChild<QLineEdit*>(QStringLiteral("newCaseTitle"))->setText(QStringLiteral("Liver, a sweep"));
     dialog->findChild<QLineEdit*>(QStringLiteral("newCaseTraineeTitle"))->setText(QStringLiteral("Right upper abdomen"));
-    dialog->findChild<QLineEdit*>(QStringLiteral("newCaseAttribution"))->setText(QStringLiteral("Recorded by a test."));
-    dialog->findChild<QLineEdit*>(QStringLiteral("newCaseLicence"))->setText(QStringLiteral("CC0 1.0"));
+    dialog->findChild<QLineEdit*>(QStringLiteral("sourceAttribution"))->setText(QStringLiteral("Recorded by a test."));
+    dialog->findChild<QLineEdit*>(QStringLiteral("sourceLicence"))->setText(QStringLiteral("CC0 1.0"));
     keepScreenshot(*dialog, "new-case-2");
     next->click();
     auto* plan = dialog->findChild<QLabel*>(QStringLiteral("newCasePlan"));
@@ -209,7 +209,7 @@ class AuthoringTest : public WindowFixture {
     auto* now = give->findChild<QPushButton*>(QStringLiteral("giveVolumeNow"));
     QVERIFY(!now->isEnabled());
     give->findChild<QLineEdit*>(QStringLiteral("sourceFile"))->setText(other + QStringLiteral("/volume.mha"));
-    give->findChild<QLineEdit*>(QStringLiteral("givenLicence"))->setText(QStringLiteral("CC0 1.0"));
+    give->findChild<QLineEdit*>(QStringLiteral("sourceLicence"))->setText(QStringLiteral("CC0 1.0"));
     keepScreenshot(*give, "give-volume");
     QVERIFY(now->isEnabled());
     now->click();
@@ -336,7 +336,7 @@ class AuthoringTest : public WindowFixture {
     auto answers = std::make_unique<Answers>(std::map<QString, Answers::Answer>{{QStringLiteral("fileDialog"), type(bundle)}});
     dialog->findChild<QPushButton*>(QStringLiteral("exportCase"))->click();
     answers.reset();  // it would turn down the questions that follow
-    QVERIFY(waitUntil([&] { return result->text().startsWith(QStringLiteral("Exported")); }));
+    QVERIFY(waitUntil([&] { return result->text().startsWith(QStringLiteral("Revision 1 was exported")); }));
     QVERIFY(verifyBundle(bundle.toStdString()).has_value());
     dialog->close();
     window_.reset();

@@ -31,19 +31,8 @@ bool isHeldByOther(const Error& problem) {
   return std::any_of(problem.context.begin(), problem.context.end(), [](const auto& each) { return each.first == "user"; });
 }
 
-/// Like NumberField: scrolling the form past it must not change it.
-class AgeField final : public sdk::WithHostUndo<QSpinBox> {
- public:
-  using WithHostUndo::WithHostUndo;
+using AgeField = sdk::WheelWithFocus<sdk::WithHostUndo<QSpinBox>>;
 
- protected:
-  void wheelEvent(QWheelEvent* event) override {
-    if (hasFocus())
-      QSpinBox::wheelEvent(event);
-    else
-      event->ignore();
-  }
-};
 }  // namespace
 
 CasePanel::CasePanel(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(host) {

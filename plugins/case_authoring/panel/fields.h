@@ -3,7 +3,6 @@
 #include <QComboBox>
 #include <QString>
 #include <QStringList>
-#include <QWheelEvent>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -20,19 +19,7 @@ namespace ew::case_authoring {
 /// The name of the widget that edits a dotted field of the manifest: "patient_name".
 inline QString nameOf(const std::string& path) { return sdk::words(path).replace(QLatin1Char('.'), QLatin1Char('_')); }
 
-/// A choice that the wheel changes only when it has the focus, as NumberField.
-class ChoiceField final : public QComboBox {
- public:
-  using QComboBox::QComboBox;
-
- protected:
-  void wheelEvent(QWheelEvent* event) override {
-    if (hasFocus())
-      QComboBox::wheelEvent(event);
-    else
-      event->ignore();
-  }
-};
+using ChoiceField = sdk::WheelWithFocus<QComboBox>;
 
 /// Earlier examinations, one below the other: when, what kind, what it said, and its pictures. Fields of an examination that it does not
 /// show stay as they are.

@@ -1,9 +1,7 @@
 #include "panel/give_volume_dialog.h"
 
-#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPointer>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -13,6 +11,7 @@
 #include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
 #include "logic/edits.h"
+#include "panel/rights_form.h"
 #include "panel/source_field.h"
 
 namespace ew::case_authoring {
@@ -47,19 +46,8 @@ GiveVolumeDialog::GiveVolumeDialog(sdk::Host& host, QWidget* parent) : QDialog(p
            "everything back.")));
   source_ = new SourceField(false);
   column->addWidget(source_);
-  auto* form = new QFormLayout;
-  form->setHorizontalSpacing(2 * kGap_px);
-  form->setVerticalSpacing(kGap_px);
-  attribution_ = new QLineEdit;
-  attribution_->setObjectName(QStringLiteral("givenAttribution"));
-  attribution_->setMaxLength(1000);
-  form->addRow(tr("Attribution"), attribution_);
-  licence_ = new QLineEdit;
-  licence_->setObjectName(QStringLiteral("givenLicence"));
-  licence_->setMaxLength(200);
-  licence_->setPlaceholderText(QStringLiteral("CC BY 4.0"));
-  form->addRow(tr("Licence"), licence_);
-  column->addLayout(form);
+  rights_ = new RightsForm;
+  column->addWidget(rights_);
   problem_ = sdk::problemLabel();
   problem_->setObjectName(QStringLiteral("giveVolumeProblem"));
   column->addWidget(problem_);
@@ -101,7 +89,7 @@ void GiveVolumeDialog::give() {
   auto opened = caseFromManifest(*manifest, folder);
   if (!opened) return sdk::setProblem(problem_, words(opened.error()));
   opened->folder = folder;
-  const RecordingRights rights{attribution_->text().trimmed().toStdString(), licence_->text().trimmed().toStdString()};
+  const RecordingRights rights = rights_->rights();
   auto given = std::make_shared<GivenVolume>();
   hide();
   host_.jobs().startSaving(

@@ -5,11 +5,11 @@
 #include "ew/sdk/host.h"
 
 class QLabel;
-class QLineEdit;
 class QPushButton;
 
 namespace ew::case_authoring {
 
+class RightsForm;
 class SourceField;
 
 /// Gives the open case a volume, or another one. The volume goes into the folder as a job; then the case is edited, as one step that can be
@@ -26,8 +26,7 @@ class GiveVolumeDialog final : public QDialog {
 
   sdk::Host& host_;
   SourceField* source_ = nullptr;
-  QLineEdit* attribution_ = nullptr;
-  QLineEdit* licence_ = nullptr;
+  RightsForm* rights_ = nullptr;
   QLabel* problem_ = nullptr;
   QPushButton* give_ = nullptr;
 };

@@ -19,6 +19,7 @@
 #include "ew/sdk/window.h"
 #include "ew/sdk/workspaces.h"
 #include "panel/fields.h"
+#include "panel/rights_form.h"
 #include "panel/source_field.h"
 
 namespace ew::case_authoring {
@@ -146,21 +147,9 @@ QWidget* NewCaseDialog::makeAbout() {
   region_->setCurrentText({});
   form->addRow(tr("Region"), region_);
   column->addWidget(fields);
-  rights_ = new QWidget;
-  auto* rights = formOf(rights_);
-  rights->addRow(sdk::headingLabel(tr("Recording")));
-  rights->addRow(sdk::quietLabel(tr("Whom to name, and under which licence it may be passed on. Needed before the case is published.")));
-  attribution_ = new QLineEdit;
-  attribution_->setObjectName(QStringLiteral("newCaseAttribution"));
-  attribution_->setMaxLength(1000);
-  rights->addRow(tr("Attribution"), attribution_);
-  licence_ = new QLineEdit;
-  licence_->setObjectName(QStringLiteral("newCaseLicence"));
-  licence_->setMaxLength(200);
-  licence_->setPlaceholderText(QStringLiteral("CC BY 4.0"));
-  rights->addRow(tr("Licence"), licence_);
+  rights_ = new RightsForm;
   column->addWidget(rights_);
-  alignLabels({form, rights});
+  alignLabels({form, rights_->form()});
   column->addStretch(1);
   connect(template_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &NewCaseDialog::takeTemplate);
   connect(title_, &QLineEdit::textChanged, this, [this](const QString& title) {
@@ -302,8 +291,9 @@ NewCase NewCaseDialog::wanted() const {
   made.templateId = template_->currentData().toString().toStdString();
   if (auto source = source_->source()) made.source = std::move(*source);
   if (source_->kind() != SourceField::Kind::nothing) {
-    made.attribution = attribution_->text().trimmed().toStdString();
-    made.licence = licence_->text().trimmed().toStdString();
+    const RecordingRights rights = rights_->rights();
+    made.attribution = rights.attribution;
+    made.licence = rights.licence;
   }
   return made;
 }

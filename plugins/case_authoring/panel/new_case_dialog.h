@@ -16,6 +16,7 @@ class QStackedWidget;
 
 namespace ew::case_authoring {
 
+class RightsForm;
 class SourceField;
 
 /// Makes a case in three steps: from what, what it is about, where it is kept and what that takes. Making is a job with progress and
@@ -52,9 +53,7 @@ class NewCaseDialog final : public QDialog {
   QLineEdit* title_ = nullptr;
   QLineEdit* titleForTrainees_ = nullptr;
   QComboBox* region_ = nullptr;
-  QWidget* rights_ = nullptr;
-  QLineEdit* attribution_ = nullptr;
-  QLineEdit* licence_ = nullptr;
+  RightsForm* rights_ = nullptr;
   QLineEdit* library_ = nullptr;
   QLineEdit* name_ = nullptr;
   QLabel* summary_ = nullptr;

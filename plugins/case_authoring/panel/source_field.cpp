@@ -1,6 +1,7 @@
 #include "panel/source_field.h"
 
 #include <QButtonGroup>
+#include <QCheckBox>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -71,6 +72,12 @@ SourceField::SourceField(bool offersNothing, QWidget* parent) : QWidget(parent) 
   spacing->addWidget(spacing_);
   spacing->addStretch(1);
   column->addWidget(sweepRow_);
+  fan_ = new QCheckBox(tr("Leave out what lies around the fan"));
+  fan_->setObjectName(QStringLiteral("sourceFan"));
+  fan_->setToolTip(
+      tr("The fan is the device set's, or is found in the images. Without this the black around it counts as tissue without echoes."));
+  fan_->setChecked(true);
+  column->addWidget(fan_);
   remark_ = sdk::problemLabel();
   remark_->setObjectName(QStringLiteral("sourceProblem"));
   column->addWidget(remark_);
@@ -81,6 +88,7 @@ SourceField::SourceField(bool offersNothing, QWidget* parent) : QWidget(parent) 
     if (on) look();
   });
   connect(spacing_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &SourceField::changed);
+  connect(fan_, &QCheckBox::toggled, this, &SourceField::changed);
   look();
 }
 
@@ -103,7 +111,10 @@ Result<CaseSource> SourceField::source() const {
   if (file().isEmpty()) return failure(ErrorCode::badUsage, say<"Choose a file.">());
   auto found = sourceOf(std::filesystem::path(file().toStdString()));
   if (!found) return found;
-  if (auto* sweep = std::get_if<SweepFile>(&*found); sweep != nullptr && spacing_->value() > 0.0) sweep->spacing_mm = spacing_->value();
+  if (auto* sweep = std::get_if<SweepFile>(&*found)) {
+    if (spacing_->value() > 0.0) sweep->spacing_mm = spacing_->value();
+    sweep->looksForFan = fan_->isChecked();
+  }
   return found;
 }
 
@@ -133,6 +144,7 @@ void SourceField::look() {
     }
   }
   sweepRow_->setVisible(kind() == Kind::sweep);
+  fan_->setVisible(kind() == Kind::sweep);
   Q_EMIT changed();
 }
 

@@ -8,6 +8,7 @@
 #include "ew/library/new_case.h"
 
 class QButtonGroup;
+class QCheckBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -48,6 +49,7 @@ class SourceField final : public QWidget {
   QPushButton* choose_ = nullptr;
   QWidget* sweepRow_ = nullptr;
   sdk::NumberField* spacing_ = nullptr;
+  QCheckBox* fan_ = nullptr;
   QLabel* remark_ = nullptr;
 };
 

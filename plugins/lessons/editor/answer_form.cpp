@@ -34,7 +34,7 @@ class AnswerForm final : public TaskForm {
                              if (chosen == "number")
                                task.number = 0.0;
                              else
-                               task.options = {newOption(0), newOption(1)};
+                               task.options = twoAnswers();
                            });
                        showTask(false);
                        return done;
@@ -53,7 +53,7 @@ class AnswerForm final : public TaskForm {
     optionsColumn->addWidget(add, 0, Qt::AlignLeft);
     connect(add, &QPushButton::clicked, this, [this] {
       say(this->edited().changeTask<AnswerTask>(tr("Add an answer"), {},
-                                                [](AnswerTask& task) { task.options.push_back(newOption(task.options.size())); }));
+                                                [](AnswerTask& task) { task.options.push_back(newAnswer(task.options.size())); }));
       showTask(false);
     });
     column->addWidget(optionsPart_);
@@ -63,6 +63,8 @@ class AnswerForm final : public TaskForm {
     problem_->setObjectName(QStringLiteral("answer_problem"));
     column->addWidget(problem_);
   }
+
+  static AnswerOption newAnswer(std::size_t number) { return {tr("Answer %1").arg(number + 1).toStdString(), false, {}}; }
 
   void showTask(bool typed) override {
     if (typed) return;
@@ -80,7 +82,6 @@ class AnswerForm final : public TaskForm {
 
  private:
   static QString tr(const char* text) { return QCoreApplication::translate("ew::lessons::AnswerForm", text); }
-  static AnswerOption newOption(std::size_t number) { return {tr("Answer %1").arg(number + 1).toStdString(), false, {}}; }
 
   [[nodiscard]] bool asksForNumber() const { return edited().task<AnswerTask>().number.has_value(); }
 
@@ -167,6 +168,8 @@ class AnswerForm final : public TaskForm {
 };
 
 }  // namespace
+
+std::vector<AnswerOption> twoAnswers() { return {AnswerForm::newAnswer(0), AnswerForm::newAnswer(1)}; }
 
 TaskForm* makeAnswerForm(const EditedStep& edited, QWidget* parent) { return new AnswerForm(edited, parent); }
 

@@ -19,20 +19,6 @@ namespace {
 
 void tell(QLabel* problem, const Result<void>& done) { sdk::setProblem(problem, done ? QString() : words(done.error())); }
 
-/// Changed by the wheel only when it has the focus: who scrolls past it changes nothing.
-class QuietChoice final : public QComboBox {
- public:
-  using QComboBox::QComboBox;
-
- protected:
-  void wheelEvent(QWheelEvent* event) override {
-    if (hasFocus())
-      QComboBox::wheelEvent(event);
-    else
-      event->ignore();
-  }
-};
-
 }  // namespace
 
 FieldForm::FieldForm(QWidget* parent) : QWidget(parent) {
@@ -148,7 +134,7 @@ void FieldForm::addNumber(const char* name, const QString& label, const NumberRa
 }
 
 void FieldForm::addChoice(const char* name, const QString& label, std::function<Options()> options, Access<std::string> access) {
-  auto* choice = new QuietChoice;
+  auto* choice = new sdk::WheelWithFocus<QComboBox>;
   choice->setObjectName(QLatin1String(name));
   choice->setFocusPolicy(Qt::StrongFocus);
   choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // a long name must not widen the column

@@ -171,7 +171,11 @@ void LessonPage::addStep(std::string_view kind) {
   std::vector<std::string> ids;
   for (const LessonStep& step : before->steps) ids.push_back(step.id);
   const std::string after = steps_->chosen();
-  edit(tr("Add a step"), [&](Lesson one) { return withStep(std::move(one), newStep(kind, kindTitle(kind).toStdString()), after); });
+  edit(tr("Add a step"), [&](Lesson one) {
+    LessonStep fresh = newStep(kind, kindTitle(kind).toStdString());
+    if (auto* question = std::get_if<AnswerTask>(&fresh.task)) question->options = twoAnswers();
+    return withStep(std::move(one), std::move(fresh), after);
+  });
   if (lesson() == nullptr) return;
   for (const LessonStep& step : lesson()->steps)
     if (std::find(ids.begin(), ids.end(), step.id) == ids.end()) {

@@ -36,6 +36,8 @@ class TaskForm : public QWidget {
 [[nodiscard]] TaskForm* makePointForm(const EditedStep& edited, QWidget* parent);
 [[nodiscard]] TaskForm* makeSettingsForm(const EditedStep& edited, QWidget* parent);
 [[nodiscard]] TaskForm* makeAnswerForm(const EditedStep& edited, QWidget* parent);
+/// What a question begins with.
+[[nodiscard]] std::vector<AnswerOption> twoAnswers();
 [[nodiscard]] TaskForm* makeFreeForm(const EditedStep& edited, QWidget* parent);
 
 }  // namespace ew::lessons

@@ -345,6 +345,15 @@ Result<void> arrange(OpenedSweep& opened, const DeviceSet* calibration, const Sw
     plan.reconstruct.clip = *sector;
     plan.notes.insert(plan.notes.end(), sectorNotes.begin(), sectorNotes.end());
   }
+  if (options.looksForFan && plan.reconstruct.clip == Clip{}) {
+    auto fan = fanOf(opened.sequence, progress);
+    if (!fan) return passOn(fan.error());
+    if (*fan) {
+      plan.reconstruct.clip.fan = **fan;
+      plan.notes.push_back(say<"The images show a fan of %1 degrees; what lies around it is not taken.">(
+          textOf(std::round(10.0 * glm::degrees((*fan)->rightAngle_rad - (*fan)->leftAngle_rad)) / 10.0)));
+    }
+  }
   if (options.fillReach_voxels) plan.reconstruct.fillReach_mm = *options.fillReach_voxels * plan.reconstruct.spacing_mm;
   plan.toFrame = opened.poses.toFrame;
   plan.frames = {opened.sequence.frames.size(), opened.poses.usable, opened.poses.invalid, opened.poses.missing};

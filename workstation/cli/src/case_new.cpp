@@ -33,6 +33,7 @@ struct NewCaseArguments {
   std::optional<std::vector<double>> place;  // x y z (mm), about x y z (degrees)
   bool isListing = false;
   bool withoutLevel = false;
+  bool takesWholeFrames = false;
 };
 
 /// Rotations about x, then y, then z of the world, then the way.
@@ -96,6 +97,7 @@ Result<CaseSource> sourceOf(const NewCaseArguments& arguments) {
     sweep->spacing_mm = arguments.spacing_mm;
     sweep->calibration = arguments.calibration;
     if (arguments.fan) sweep->clip = clipOf(*arguments.fan);
+    sweep->looksForFan = !arguments.takesWholeFrames;
   } else if (auto* volume = std::get_if<VolumeFile>(&*source)) {
     if (arguments.spacing_mm) volume->answers.spacing_mm = glm::dvec3(*arguments.spacing_mm);
   }
@@ -217,7 +219,9 @@ void addCaseNew(CLI::App& group, Selection& selection) {
   addNumber(app, "--spacing", arguments->spacing_mm, {0.1, 10.0},
             "Size of a voxel in mm: of a recording as fine as its frames carry; of a volume that does not know its own");
   addNumberList(app, "--fan", arguments->fan, 6, "LEFT RIGHT X Y START STOP",
-                "Which part of a recording's pictures is image: angles (degrees from down), apex and radii of its fan (pixels)");
+                "Which part of a recording's pictures is image: angles (degrees from down), apex and radii of its fan (pixels; as its "
+                "device set says, else found in the pictures)");
+  app.add_flag("--whole-frames", arguments->takesWholeFrames, "Look for no fan in a recording's pictures: all of them is image");
   app.add_option("--calibration", arguments->calibration, "Device set of the recording")->type_name("XML");
   app.add_flag("--no-level", arguments->withoutLevel, "No level for live echoes: the picture stays the recorded one");
   app.add_option("--attribution", arguments->attribution, "Whom to name for the recording")->type_name("TEXT");

@@ -220,7 +220,7 @@ Result<SweepPoses> sweepPoses(const Sequence& sequence, const DeviceSet* calibra
             detail::counted<"%1 is INVALID and %2 missing", "%1 are INVALID and %2 missing">(best->invalid, best->missing)),
         {{"to", best->toFrame}, {"invalid", std::to_string(best->invalid)}, {"missing", std::to_string(best->missing)}});
   best->notes = std::move(notes);
-  if (toFrame.empty()) best->notes.push_back(say<"The volume is placed in the recording's frame %1.">(best->toFrame));
+  if (toFrame.empty()) best->notes.push_back(say<"The poses of the images are those in the recording's frame %1.">(best->toFrame));
   if (best->invalid + best->missing > 0)
     best->notes.push_back(detail::counted<"%1 frame with an INVALID and %2 with a missing pose were left out; %3.",
                                           "%1 frames with an INVALID and %2 with a missing pose were left out; %3.">(

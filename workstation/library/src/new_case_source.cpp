@@ -33,6 +33,7 @@ SweepImportOptions importOptionsFor(const SweepFile& sweep) {
   if (sweep.spacing_mm) options.reconstruct.spacing_mm = *sweep.spacing_mm;
   options.clipFromCalibration = !sweep.clip;
   if (sweep.clip) options.reconstruct.clip = *sweep.clip;
+  options.looksForFan = !sweep.clip && sweep.looksForFan;
   return options;
 }
 

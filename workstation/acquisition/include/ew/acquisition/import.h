@@ -39,6 +39,7 @@ struct SweepImportOptions {
   std::string toFrame;                              ///< the file's name of the frame that becomes the world; empty: see sweepPoses
   ReconstructOptions reconstruct = {};              ///< its clip is replaced when the device set has one and clipFromCalibration is on
   bool clipFromCalibration = true;                  ///< clip rectangle and fan of the device set
+  bool looksForFan = false;                         ///< in the images themselves, when nobody says which part of them is image
   SweepDefaults usual = {};                         ///< what is taken from defaultsFor instead of from `reconstruct`
   std::optional<int> fillReach_voxels;              ///< voxels of the spacing that will be used; replaces reconstruct.fillReach_mm
   ConfidenceOptions confidence = {};                ///< with Compounding::weighted: how the weight of each pixel is found
@@ -86,6 +87,12 @@ struct ImportedSweep {
   double readSeconds = 0.0;
   double totalSeconds = 0.0;  ///< reading, planning and reconstructing
 };
+
+/// The fan that the images of a recording fill, found in them (see findScreen); nothing where they fill their frames, or are too dark or
+/// too still to tell. Looks at 60 frames at most.
+/// @param sequence turned to MF, with pixels
+/// @error cancelled (within 0.5 s)
+[[nodiscard]] Result<std::optional<ClipFan>> fanOf(const Sequence& sequence, Progress& progress = noProgress());
 
 /// Reads a sweep, its poses and, where given, its device set, and works out grid and memory.
 /// Images recorded mirrored or upside down (UN, MN, ...) are turned to MF, with a note; clip and calibration count pixels in MF.

@@ -29,7 +29,8 @@ struct SweepFile {
   std::filesystem::path file;
   std::optional<double> spacing_mm = {};   ///< of a voxel, 0.1 to 10; absent: as fine as the frames carry
   std::filesystem::path calibration = {};  ///< device set; empty: the recording says everything itself
-  std::optional<Clip> clip = {};           ///< which pixels are image; absent: the device set's, else whole frames
+  std::optional<Clip> clip = {};           ///< which pixels are image; absent: as device set or recording say
+  bool looksForFan = true;                 ///< when nobody says it: the fan that is found in the images (fanOf); else whole frames
 };
 
 /// A stitch project (.json), which is stitched, or what stitching made of one: its folder, or the volume.mha in it.

@@ -71,10 +71,24 @@ class WithHostUndo : public Editor {
   }
 };
 
-/// A number field that the wheel changes only when it has the focus, so that scrolling past it changes nothing.
-class NumberField final : public WithHostUndo<QDoubleSpinBox> {
+/// An editor that the wheel changes only when it has the focus, so that scrolling past it changes nothing.
+template <class Editor>
+class WheelWithFocus : public Editor {
  public:
-  NumberField(double lowest, double highest, int decimals, const QString& unit, QWidget* parent = nullptr) : WithHostUndo(parent) {
+  using Editor::Editor;
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override {
+    if (Editor::hasFocus())
+      Editor::wheelEvent(event);
+    else
+      event->ignore();
+  }
+};
+
+class NumberField final : public WheelWithFocus<WithHostUndo<QDoubleSpinBox>> {
+ public:
+  NumberField(double lowest, double highest, int decimals, const QString& unit, QWidget* parent = nullptr) : WheelWithFocus(parent) {
     setRange(lowest, highest);
     setDecimals(decimals);
     if (!unit.isEmpty()) setSuffix(QStringLiteral(" ") + unit);
@@ -82,14 +96,6 @@ class NumberField final : public WithHostUndo<QDoubleSpinBox> {
     setFocusPolicy(Qt::StrongFocus);
     setKeyboardTracking(true);
     setMinimumWidth(11 * kGap_px);
-  }
-
- protected:
-  void wheelEvent(QWheelEvent* event) override {
-    if (hasFocus())
-      QDoubleSpinBox::wheelEvent(event);
-    else
-      event->ignore();
   }
 };
 
