@@ -39,8 +39,7 @@ struct PublishedCase {
 /// The latest revision, when it holds what the case folder holds now.
 /// @error as loadCase and sumsOfCase; cancelled (within 0.5 s)
 [[nodiscard]] Result<std::optional<PublishedCase>> publishedAsItIs(const std::filesystem::path& caseFolder,
-                                                                   const std::filesystem::path& library,
-                                                                   Progress& progress = noProgress());
+                                                                   const std::filesystem::path& library, Progress& progress = noProgress());
 
 /// The complete revisions of a case, the lowest first. Complete: sums.json can be read, and every file it names is there with its size
 /// (verifyCase reads them, too).
