@@ -8319,6 +8319,18 @@
         <source>The images show a fan of %1 degrees; what lies around it is not taken.</source>
         <translation>Die Bilder zeigen einen Fächer von %1 Grad; was um ihn liegt, wird nicht genommen.</translation>
     </message>
+    <message>
+        <source>A scan without a valid pose cannot be compared; choose another one.</source>
+        <translation>Ein Scan ohne gültige Pose lässt sich nicht vergleichen; einen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>Putting scans of %1 and %2 poses on one clock takes %3 MiB of memory; compare shorter parts of them.</source>
+        <translation>Scans von %1 und %2 Posen auf eine Uhr zu bringen braucht %3 MiB Speicher; kürzere Teile von ihnen vergleichen.</translation>
+    </message>
+    <message>
+        <source>Putting scans on one clock</source>
+        <translation>Scans auf eine Uhr bringen</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
