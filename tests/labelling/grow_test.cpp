@@ -59,7 +59,7 @@ TEST(Grow, DoesNotLeakThroughAPassageNarrowerThanItsNeck) {
   Volume labels = emptyLabels({80, 50, 50}, glm::dvec3(0.6));
   const auto isDark = [](const glm::dvec3& p) {
     return glm::distance(p, {-11.0, 0.0, 0.0}) < 9.0 || glm::distance(p, {12.0, 0.0, 0.0}) < 10.0 ||
-           (std::abs(p.x) < 12.0 && std::hypot(p.y, p.z) < 1.6);
+           (std::abs(p.x) < 12.0 && std::hypot(p.y, p.z) < 2.0);  // 4 mm wide
   };
   Volume echo = emptyLabels({80, 50, 50}, glm::dvec3(0.6));
   const auto toFile = echo.grid.voxelTo<frame::File>();
@@ -76,6 +76,26 @@ TEST(Grow, DoesNotLeakThroughAPassageNarrowerThanItsNeck) {
   const double one_ml = 4.0 / 3.0 * std::numbers::pi * 0.729, other_ml = 4.0 / 3.0 * std::numbers::pi;
   EXPECT_NEAR(volume_ml(labels, 1), one_ml, 0.06 * one_ml);
   EXPECT_GT(volume_ml(both, 1), one_ml + 0.9 * other_ml);
+}
+
+TEST(Grow, KeepsToItsBandOnASlopeThatIsNoEdge) {
+  Volume labels = emptyLabels({60, 20, 20}, glm::dvec3(1.0));
+  Volume echo = labels;
+  const auto toFile = echo.grid.voxelTo<frame::File>();
+  const auto xOf = [&](std::size_t n) { return carried(toFile, {static_cast<int>(n) % 60, 0, 0}).x; };
+  for (std::size_t n = 0; n < echo.echo.size(); ++n) echo.echo[n] = static_cast<std::uint8_t>(std::lround(100.0 + xOf(n)));
+  const GrowResult result = grown(labels, echo, {0.5, 0.5, 0.5}, {.smoothing_mm = 0.0, .neck_mm = 0.0});
+  ASSERT_EQ(result.stop, GrowStop::done);
+  EXPECT_NEAR(result.lowest_level, 92.5, 1.0);  // 8 levels about the seed's
+  EXPECT_NEAR(result.highest_level, 108.5, 1.0);
+  double lowest_mm = 0.0, highest_mm = 0.0;
+  for (std::size_t n = 0; n < labels.echo.size(); ++n) {
+    if (labels.echo[n] == 0) continue;
+    lowest_mm = std::min(lowest_mm, xOf(n));
+    highest_mm = std::max(highest_mm, xOf(n));
+  }
+  EXPECT_NEAR(lowest_mm, -7.5, 1.5);
+  EXPECT_NEAR(highest_mm, 8.5, 1.5);
 }
 
 TEST(Grow, SaysThatItWasALeakAndLabelsNothing) {

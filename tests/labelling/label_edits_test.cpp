@@ -58,6 +58,18 @@ TEST(LabelEdits, ForgetTheOldestStepsBeyondTheirBound) {
   EXPECT_TRUE(edits.undoText().empty());
 }
 
+TEST(LabelEdits, DoNotCountStepsThatWereUndoneAndReplaced) {
+  LabelEdits edits(emptyLabels({60, 60, 60}, glm::dvec3(1.0)), 9000);
+  edits.edit("first", [](Volume& labels) { return ballAt(labels, glm::dvec3(-20.0), 3.0, 1); });
+  for (int n = 0; n < 200; ++n) {
+    edits.edit("ball", [](Volume& labels) { return ballAt(labels, glm::dvec3(0.0), 9.0, 2); });
+    edits.undo();
+  }
+  EXPECT_EQ(edits.forgotten(), 0u);
+  EXPECT_LE(edits.bytes(), 9000u);
+  EXPECT_EQ(edits.undoText(), "first");
+}
+
 RC_GTEST_PROP(LabelEditsProperty, UndoingAllIsTheBeginningAndRedoingAllTheEnd, ()) {
   Volume begin = emptyLabels({12, 11, 13}, glm::dvec3(1.0));
   for (std::size_t n = 0; n < begin.echo.size(); ++n) begin.echo[n] = static_cast<std::uint8_t>(n * 7 % 4);
