@@ -65,6 +65,18 @@ TEST(PlaceByLandmarks, NamesTheWrongPairAndFitsTheOthers) {
   }
 }
 
+TEST(PlaceByLandmarks, BlamesNoPairWhereAllAreInexact) {
+  // Off by 8 mm each, to all sides: leaving any one out makes the others little better.
+  const glm::dvec3 off[] = {{8, 0, 0}, {-4.6, 6.5, 0}, {0, -6.5, 4.6}, {4.6, 0, -6.5}, {-4, 2, 6.6}};
+  auto pairs = fivePairs();
+  for (std::size_t n = 0; n < pairs.size(); ++n) pairs[n].world_mm += off[n];
+  const auto fit = placeByLandmarks(pairs);
+  ASSERT_TRUE(fit) << fit.error();
+  EXPECT_FALSE(fit->wrong);
+  EXPECT_GT(fit->rms_mm, 3.0);
+  EXPECT_LT(fit->rms_mm, 8.0);
+}
+
 TEST(PlaceByLandmarks, RefusesWhatLeavesTheVolumeFreeToTurn) {
   EXPECT_EQ(placeByLandmarks(std::vector<PlacingPair>(2)).error().code, ErrorCode::badField);
   std::vector<PlacingPair> onALine;
