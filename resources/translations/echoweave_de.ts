@@ -19030,8 +19030,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Weglassen, was um den Fächer liegt</translation>
     </message>
     <message>
-        <source>The fan is the device set&apos;s, or is found in the images. Without this the black around it counts as tissue without echoes.</source>
-        <translation>Der Fächer steht in der Kalibrierung oder wird in den Bildern gefunden. Ohne dies gilt das Schwarz um ihn als Gewebe ohne Echos.</translation>
+        <source>Where the recording does not say it, the fan is found in its images. Without this the black around it counts as tissue without echoes.</source>
+        <translation>Wo die Aufnahme ihn nicht nennt, wird der Fächer in ihren Bildern gefunden. Ohne dies gilt das Schwarz um ihn als Gewebe ohne Echos.</translation>
     </message>
 </context>
 <context>

@@ -75,7 +75,8 @@ SourceField::SourceField(bool offersNothing, QWidget* parent) : QWidget(parent) 
   fan_ = new QCheckBox(tr("Leave out what lies around the fan"));
   fan_->setObjectName(QStringLiteral("sourceFan"));
   fan_->setToolTip(
-      tr("The fan is the device set's, or is found in the images. Without this the black around it counts as tissue without echoes."));
+      tr("Where the recording does not say it, the fan is found in its images. Without this the black around it counts as tissue without "
+         "echoes."));
   fan_->setChecked(true);
   column->addWidget(fan_);
   remark_ = sdk::problemLabel();

@@ -221,7 +221,8 @@ void addCaseNew(CLI::App& group, Selection& selection) {
   addNumberList(app, "--fan", arguments->fan, 6, "LEFT RIGHT X Y START STOP",
                 "Which part of a recording's pictures is image: angles (degrees from down), apex and radii of its fan (pixels; as its "
                 "device set says, else found in the pictures)");
-  app.add_flag("--whole-frames", arguments->takesWholeFrames, "Look for no fan in a recording's pictures: all of them is image");
+  app.add_flag("--whole-frames", arguments->takesWholeFrames,
+               "Look for no fan in a recording's pictures; what its device set says still holds");
   app.add_option("--calibration", arguments->calibration, "Device set of the recording")->type_name("XML");
   app.add_flag("--no-level", arguments->withoutLevel, "No level for live echoes: the picture stays the recorded one");
   app.add_option("--attribution", arguments->attribution, "Whom to name for the recording")->type_name("TEXT");
