@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ew/imaging/probe.h"
-#include "logic/step_work.h"
+#include "logic/step_scene.h"
 
 namespace ew::lessons::test {
 
@@ -63,10 +63,10 @@ inline LessonStep step(LessonTask task) {
   return made;
 }
 
-inline sdk::ScanMeasurement length(double value_mm) {
-  sdk::ScanMeasurement made;
+inline HandedMeasurement length(double value_mm) {
+  HandedMeasurement made;
   made.kind = "distance";
-  made.figures.push_back({"length", value_mm, 0.0, "mm"});
+  made.figures.push_back({"length", value_mm, "mm"});
   return made;
 }
 

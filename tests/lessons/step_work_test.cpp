@@ -1,4 +1,4 @@
-#include "logic/step_work.h"
+#include "ew/assessment/step_work.h"
 
 #include <gtest/gtest.h>
 
@@ -12,11 +12,11 @@ using test::image;
 using test::scene;
 
 StepOutcome judged(const LessonTask& task, const std::vector<ScanState>& images, const Handed& handed = {}) {
-  auto work = workOf(test::step(task), scene());
+  auto work = workOf(test::step(task), scene().ground());
   EXPECT_TRUE(work) << work.error();
   for (const ScanState& each : images) (*work)->see(each);
   StepOutcome outcome;
-  (*work)->judge(handed, outcome);
+  (*work)->hand(handed, outcome);
   return outcome;
 }
 
@@ -66,9 +66,9 @@ TEST(MeasureStep, ComparesTheLastFittingMeasurement) {
   EXPECT_DOUBLE_EQ(judged(task, {image(held())}, {.measurements = {test::length(90.0), test::length(40.0)}}).score, 1.0);
   const StepOutcome off = judged(task, {image(held())}, {.measurements = {test::length(43.0)}});
   EXPECT_LT(off.score, 0.7);
-  auto work = workOf(test::step(task), scene());
-  sdk::ScanMeasurement angle;
-  angle.figures.push_back({"angle", 40.0, 0.0, "deg"});
+  auto work = workOf(test::step(task), scene().ground());
+  HandedMeasurement angle;
+  angle.figures.push_back({"angle", 40.0, "deg"});
   EXPECT_TRUE((*work)->missing({.measurements = {angle}})) << "an angle is no length";
   EXPECT_FALSE((*work)->missing({.measurements = {test::length(1.0)}}));
 }
@@ -103,20 +103,20 @@ TEST(AnswerStep, GivesNothingForChoosingEverything) {
 
 TEST(FreeStep, TicksWhatWasShown) {
   const FreeTask task{10.0, {"middle", "ball"}};
-  auto work = workOf(test::step(task), scene());
+  auto work = workOf(test::step(task), scene().ground());
   (*work)->see(image(held(60.0), 0.0));
   EXPECT_TRUE((*work)->missing({}));
   (*work)->see(image(held(1.0), 11.0));
   EXPECT_FALSE((*work)->missing({}));
   StepOutcome outcome;
-  (*work)->judge({}, outcome);
+  (*work)->hand({}, outcome);
   EXPECT_DOUBLE_EQ(outcome.score, 0.5) << "one image shows the plane, and little of the ball";
 }
 
 TEST(WorkOf, SaysWhatTheCaseDoesNotHave) {
   for (const LessonTask& task : {LessonTask(PlaneTask{"none", {}, {}}), LessonTask(SweepTask{"none", 0.9}), LessonTask(PointTask{"none"}),
                                  LessonTask(MeasureTask{"none", {}})}) {
-    const auto work = workOf(test::step(task), scene());
+    const auto work = workOf(test::step(task), scene().ground());
     ASSERT_FALSE(work);
     EXPECT_NE(work.error().sentence().find("none"), std::string::npos);
   }

@@ -8,7 +8,7 @@
 #include "editor/task_form.h"
 #include "ew/sdk/panel.h"
 #include "ew/sdk/scan.h"
-#include "logic/step_work.h"
+#include "ew/assessment/step_work.h"
 
 namespace ew::lessons {
 

@@ -26,15 +26,16 @@ class ExerciseWork final : public StepWork {
   [[nodiscard]] std::vector<LiveFigure> live() const override { return inner_->live(); }
   [[nodiscard]] std::optional<Message> missing(const Handed& handed) const override { return inner_->missing(handed); }
 
-  void judge(const Handed& handed, StepOutcome& outcome) const override {
+  [[nodiscard]] nlohmann::json answerOf(const Handed& handed) const override { return inner_->answerOf(handed); }
+  void judge(const nlohmann::json& given, StepOutcome& outcome) const override {
     // Calipers are read by what they are and not by their points alone, which the step's own work does with the same judgement.
-    if (exercise_.kind == ExerciseKind::measure || !last()) return inner_->judge(handed, outcome);
+    if (exercise_.kind == ExerciseKind::measure || !last()) return inner_->judge(given, outcome);
     ExerciseGround ground = plan_->ground;
     ground.probe = last()->probe;
     ground.depth_mm = resolvedDepth_mm(last()->probe, last()->knobs);
     ExerciseAnswer answer;
     answer.pose = last()->pose;
-    if (handed.point) answer.points_mm = {(last()->pose.probeToWorld * *handed.point).at};
+    if (const auto at_mm = pointIn(given)) answer.points_mm = {*at_mm};
     Judgement judged = judgeExercise(exercise_, ground, level_, answer);
     outcome.score = judged.score;
     outcome.figures = std::move(judged.figures);
@@ -145,8 +146,8 @@ Message taskOf(const Exercise& exercise) {
 }
 
 Result<std::unique_ptr<StepWork>> exerciseWork(const Exercise& exercise, std::shared_ptr<const ExercisePlan> plan, int level,
-                                               const LessonStep& step, StepScene scene) {
-  auto inner = workOf(step, std::move(scene));
+                                               const LessonStep& step, const StepScene& scene) {
+  auto inner = workOf(step, scene.ground());
   if (!inner) return inner;
   return std::make_unique<ExerciseWork>(exercise, std::move(plan), level, std::move(*inner));
 }

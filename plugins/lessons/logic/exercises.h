@@ -10,7 +10,7 @@
 #include "ew/assessment/exercise.h"
 #include "ew/assessment/repetition.h"
 #include "ew/core/progress.h"
-#include "logic/step_work.h"
+#include "logic/step_scene.h"
 
 namespace ew::lessons {
 
@@ -44,7 +44,7 @@ struct ExercisePlan {
 /// The work of an exercise: it sees and asks for what the step of its kind does, and is judged by judgeExercise.
 /// @error as workOf
 [[nodiscard]] Result<std::unique_ptr<StepWork>> exerciseWork(const Exercise& exercise, std::shared_ptr<const ExercisePlan> plan, int level,
-                                                             const LessonStep& step, StepScene scene);
+                                                             const LessonStep& step, const StepScene& scene);
 
 /// How one person stands with the exercises of a case.
 struct ExerciseOverview {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "ew/core/version.h"
-#include "ew/io/content_key.h"
 #include "ew/scanning/recording.h"
 
 namespace ew::lessons {
@@ -12,8 +11,6 @@ namespace {
 std::chrono::sys_seconds now() { return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()); }
 
 }  // namespace
-
-std::string contentOf(const Lesson& lesson) { return ContentKey().add(jsonOf(std::vector<Lesson>{lesson}).dump()).text(); }
 
 LessonRun::LessonRun(Lesson lesson, std::optional<KeptAttempt> attempt) : lesson_(std::move(lesson)), attempt_(std::move(attempt)) {
   if (!attempt_) return;
@@ -55,9 +52,9 @@ double LessonRun::passedShare() const {
          static_cast<double>(lesson_.steps.size());
 }
 
-Result<void> LessonRun::startStep(StepScene scene, double now_s) {
+Result<void> LessonRun::startStep(const StepScene& scene, double now_s) {
   EW_EXPECTS(!isOver());
-  auto work = workOf(step(), std::move(scene));
+  auto work = workOf(step(), scene.ground());
   if (!work) return passOn(work.error());
   return startStep(std::move(*work), now_s);
 }
@@ -79,10 +76,17 @@ void LessonRun::pause(double now_s) {
   if (!isRunning() || isPaused()) return;
   usedBefore_s_ = used_s(now_s);
   runningSince_s_.reset();
+  note("pause", now_s);
 }
 
 void LessonRun::goOn(double now_s) {
-  if (isPaused()) runningSince_s_ = now_s;
+  if (!isPaused()) return;
+  runningSince_s_ = now_s;
+  note("resume", now_s);
+}
+
+void LessonRun::note(const char* kind, double now_s) {
+  if (log_.frameCount() > 0) log_.addNote(now_s, kind, {});
 }
 
 void LessonRun::see(const ScanEvent& event, const std::optional<ScanState>& image) {
@@ -143,10 +147,9 @@ Result<StepOutcome> LessonRun::endStep(const Handed& handed, double now_s, const
   EW_EXPECTS(isRunning());
   StepOutcome outcome;
   outcome.seconds = used_s(now_s);
-  work_->judge(handed, outcome);
-  const bool inTime = !step().time_s || outcome.seconds <= *step().time_s + 0.5;  // the timer that ends it ticks twice a second
-  if (!inTime) outcome.remarks.push_back({false, say<"The time was over before the step was handed in.">()});
-  outcome.verdict = inTime && outcome.score >= step().passLevel ? StepVerdict::passed : StepVerdict::failed;
+  work_->hand(handed, outcome);
+  if (!isPaused()) note("handed in", now_s);
+  conclude(step(), step().passLevel, outcome);
   return keep(std::move(outcome), keepFiles);
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ew/scanning/events.h"
-#include "logic/step_work.h"
+#include "logic/step_scene.h"
 
 namespace ew::lessons {
 
@@ -38,7 +38,7 @@ class LessonRun {
   [[nodiscard]] const std::optional<KeptAttempt>& attempt() const { return attempt_; }
 
   /// Begins the step it stands at. @error as workOf, as KeptAttempt::beginStep
-  [[nodiscard]] Result<void> startStep(StepScene scene, double now_s);
+  [[nodiscard]] Result<void> startStep(const StepScene& scene, double now_s);
   /// Begins it with work that is judged in another way than the step's own. @error as KeptAttempt::beginStep
   [[nodiscard]] Result<void> startStep(std::unique_ptr<StepWork> work, double now_s);
   void pause(double now_s);
@@ -69,6 +69,8 @@ class LessonRun {
 
  private:
   [[nodiscard]] Result<StepOutcome> keep(StepOutcome outcome, const KeepFiles& keepFiles);
+  /// A moment of the scan that its recording keeps, once there is an image: whoever measures motion has to know when nobody scanned.
+  void note(const char* kind, double now_s);
   void stop();
 
   Lesson lesson_;
@@ -82,8 +84,5 @@ class LessonRun {
   double usedBefore_s_ = 0.0;
   int hints_ = 0;
 };
-
-/// What an attempt is compared with to tell whether a lesson has changed since: a name of its content.
-[[nodiscard]] std::string contentOf(const Lesson& lesson);
 
 }  // namespace ew::lessons

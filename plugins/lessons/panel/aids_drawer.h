@@ -6,7 +6,7 @@
 #include "ew/library/lesson.h"
 #include "ew/sdk/host.h"
 #include "ew/sdk/overlays.h"
-#include "logic/step_work.h"
+#include "logic/step_scene.h"
 
 namespace ew::lessons {
 

@@ -174,7 +174,7 @@ Handed StepPage::handed() const {
       if (option->isChecked()) made.chosen.push_back(static_cast<std::size_t>(options_->id(option)));
   if (number_ != nullptr && number_->value() > number_->minimum()) made.number = number_->value();
   made.point = point_;
-  made.measurements = host_.scan().measurements();
+  made.measurements = handedOf(host_.scan().measurements());
   made.watched = watched_;
   return made;
 }

@@ -79,8 +79,8 @@ std::optional<double> placeInFan(const Fan& fan, const glm::dvec2& p_mm) {
   return probe.halfAngle_rad > 0.0 ? angle_rad / probe.halfAngle_rad : 0.0;
 }
 
-OrganVoxels::OrganVoxels(const Volume& labels, int label) : grid_(labels.grid) {
-  EW_EXPECTS(labels.echo.size() == labels.grid.voxelCount());
+OrganVoxels::OrganVoxels(const Volume& labels, const Grid& placed, int label) : grid_(placed) {
+  EW_EXPECTS(labels.echo.size() == labels.grid.voxelCount() && placed.dims == labels.grid.dims);
   const auto voxelToWorld = grid_.voxelToWorld();
   const glm::ivec3 dims = grid_.dims;
   glm::dvec3 sum(0.0);

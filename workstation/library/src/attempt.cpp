@@ -10,6 +10,7 @@
 #include "ew/core/message_json.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/lesson.h"
+#include "ew/library/moment.h"
 #include "json_rest.h"
 
 namespace ew {
@@ -31,33 +32,6 @@ constexpr std::array<std::string_view, 12> kAttemptFields = {"format",  "id",   
                                                              "running", "outcomes"};
 constexpr std::array<std::string_view, 11> kOutcomeFields = {"step",    "verdict",   "score",    "seconds", "hints", "figures",
                                                              "remarks", "recording", "pictures", "answer",  "at"};
-
-std::string momentText(sys_seconds moment) {
-  const auto day = std::chrono::floor<std::chrono::days>(moment);
-  const std::chrono::year_month_day date(day);
-  const std::chrono::hh_mm_ss time(moment - day);
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%04d-%02u-%02uT%02d:%02d:%02dZ", static_cast<int>(date.year()),
-                static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()), static_cast<int>(time.hours().count()),
-                static_cast<int>(time.minutes().count()), static_cast<int>(time.seconds().count()));
-  return text.data();
-}
-
-std::optional<sys_seconds> momentOf(const std::string& text) {
-  int year = 0, hour = 0, minute = 0, second = 0, end = 0;
-  unsigned month = 0, day = 0;
-  if (std::sscanf(text.c_str(), "%4d-%2u-%2uT%2d:%2d:%2dZ%n", &year, &month, &day, &hour, &minute, &second, &end) != 6) return std::nullopt;
-  const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(month), std::chrono::day(day)};
-  if (end != static_cast<int>(text.size()) || !date.ok() || hour > 23 || minute > 59 || second > 60) return std::nullopt;
-  return std::chrono::sys_days(date) + std::chrono::hours(hour) + std::chrono::minutes(minute) + std::chrono::seconds(second);
-}
-
-std::optional<sys_seconds> moment(const JsonFields& fields, std::string_view key, bool needed) {
-  if (!needed && !fields.has(key)) return std::nullopt;
-  const auto found = momentOf(fields.text(key));
-  if (!found) fields.refuse(key, say<"a moment such as \"2026-11-26T09:30:00Z\"">());
-  return found;
-}
 
 /// A file of the attempt's own folder.
 std::string ownFile(const JsonFields& fields, std::string_view key, const std::string& name) {
@@ -88,7 +62,7 @@ StepOutcome readOutcome(const JsonFields& fields) {
   outcome.recording = ownFile(fields, "recording", fields.text("recording", std::string(), 0, kLongestFileName));
   for (const std::string& picture : fields.texts("pictures", 0, kMostRemarks))
     outcome.pictures.push_back(ownFile(fields, "pictures", picture));
-  outcome.at = moment(fields, "at", true).value_or(sys_seconds{});
+  outcome.at = readMoment(fields, "at", true).value_or(sys_seconds{});
   outcome.otherFields = without(fields.value(), kOutcomeFields);
   return outcome;
 }
@@ -147,8 +121,8 @@ Result<Attempt> attemptFromJson(const json& document) {
   made.lessonContent = fields.text("lesson_content", std::string(), 0);
   made.person = fields.text("person", std::string(), 0, kLongestPerson);
   made.program = fields.text("program", std::string(), 0);
-  made.startedAt = moment(fields, "started_at", true).value_or(sys_seconds{});
-  made.finishedAt = moment(fields, "finished_at", false);
+  made.startedAt = readMoment(fields, "started_at", true).value_or(sys_seconds{});
+  made.finishedAt = readMoment(fields, "finished_at", false);
   made.runningStep = fields.text("running", std::string(), 0, 100);
   for (const JsonFields& each : fields.objects("outcomes", 0, kMostOutcomes)) made.outcomes.push_back(readOutcome(each));
   made.otherFields = without(fields.value(), kAttemptFields);

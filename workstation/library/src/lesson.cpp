@@ -6,6 +6,7 @@
 
 #include "ew/core/json_fields.h"
 #include "ew/core/message.h"
+#include "ew/io/content_key.h"
 #include "json_rest.h"
 #include "schema_text.h"
 
@@ -361,5 +362,7 @@ std::string idFor(std::string_view name, const std::vector<std::string>& taken, 
   for (int number = 2; std::find(taken.begin(), taken.end(), found) != taken.end(); ++number) found = id + "-" + std::to_string(number);
   return found;
 }
+
+std::string contentOf(const Lesson& lesson) { return ContentKey().add(jsonOf(std::vector<Lesson>{lesson}).dump()).text(); }
 
 }  // namespace ew

@@ -34,7 +34,9 @@ class OrganVoxels {
 
   OrganVoxels() = default;
   /// @param labels `echo` holds a label for each voxel; the grid is placed in the world
-  OrganVoxels(const Volume& labels, int label);
+  OrganVoxels(const Volume& labels, int label) : OrganVoxels(labels, labels.grid, label) {}
+  /// The same where the labels were placed elsewhere. @param placed of the labels' own dims
+  OrganVoxels(const Volume& labels, const Grid& placed, int label);
 
   [[nodiscard]] bool empty() const { return centres_mm_.empty(); }
   [[nodiscard]] std::size_t count() const { return centres_mm_.size(); }

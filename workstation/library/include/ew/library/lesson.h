@@ -163,6 +163,9 @@ struct Lesson {
 /// lessonsFromJson(jsonOf(lessons)) == lessons.
 [[nodiscard]] nlohmann::json jsonOf(const std::vector<Lesson>& lessons);
 
+/// A name of a lesson's content (ContentKey of its JSON): attempts keep it, to tell whether the lesson has changed since.
+[[nodiscard]] std::string contentOf(const Lesson& lesson);
+
 /// JSON Schema, draft 7, of the section: what CaseParts and editors of other programs check it with. lessonsFromJson refuses what it
 /// refuses.
 [[nodiscard]] const std::string& lessonsSchema();

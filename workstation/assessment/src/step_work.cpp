@@ -1,13 +1,14 @@
-#include "logic/step_work.h"
+#include "ew/assessment/step_work.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "ew/core/contract.h"
 #include "ew/core/numbers.h"
 #include "ew/imaging/display.h"
-#include "logic/step_works.h"
+#include "step_works.h"
 
-namespace ew::lessons {
+namespace ew {
 
 std::optional<double> settingOf(const ScanState& state, const std::string& setting) {
   if (setting == "depth_mm") return resolvedDepth_mm(state.probe, state.knobs);
@@ -20,8 +21,23 @@ std::optional<double> settingOf(const ScanState& state, const std::string& setti
 
 StepWork::~StepWork() = default;
 std::optional<Message> StepWork::missing(const Handed&) const { return std::nullopt; }
+nlohmann::json StepWork::answerOf(const Handed&) const { return nullptr; }
 
-std::string rounded(double value, int decimals) { return textOf(std::round(value * std::pow(10.0, decimals)) / std::pow(10.0, decimals)); }
+void StepWork::hand(const Handed& handed, StepOutcome& outcome) const {
+  outcome.answer = answerOf(handed);
+  judge(outcome.answer, outcome);
+}
+
+void conclude(const LessonStep& step, double passLevel, StepOutcome& outcome) {
+  constexpr double kTimer_s = 0.5;  // the timer that ends a step ticks more often than this
+  const bool inTime = !step.time_s || outcome.seconds <= *step.time_s + kTimer_s;
+  if (!inTime) outcome.remarks.push_back({false, say<"The time was over before the step was handed in.">()});
+  outcome.verdict = inTime && outcome.score >= passLevel ? StepVerdict::passed : StepVerdict::failed;
+}
+
+std::string roundedText(double value, int decimals) {
+  return textOf(std::round(value * std::pow(10.0, decimals)) / std::pow(10.0, decimals));
+}
 
 Message noImage() { return say<"There is no image yet; put the probe on the body.">(); }
 
@@ -29,13 +45,6 @@ void take(Judgement judgement, StepOutcome& outcome) {
   outcome.score = judgement.score;
   outcome.figures = std::move(judgement.figures);
   outcome.remarks = std::move(judgement.remarks);
-}
-
-std::shared_ptr<const OrganVoxels> voxelsOf(const sdk::Scanned& scanned, int label) {
-  if (!scanned.labels) return std::make_shared<const OrganVoxels>();
-  Volume placed = *scanned.labels;
-  placed.grid = scanned.placedLabels;
-  return std::make_shared<const OrganVoxels>(placed, label);
 }
 
 namespace {
@@ -52,43 +61,44 @@ Result<std::unique_ptr<StepWork>> notThere(const std::string& name) {
 
 struct MakeWork {
   const LessonStep& step;
-  StepScene scene;
+  std::shared_ptr<const CaseGround> ground;
   using Made = Result<std::unique_ptr<StepWork>>;
 
   Made operator()(const ReadTask&) const { return readWork(); }
   Made operator()(const WatchTask&) const { return watchWork(); }
   Made operator()(const PlaneTask& task) const {
-    const ExpectedPlane* plane = named(scene.truth->planes, task.target);
+    const ExpectedPlane* plane = named(ground->truth().planes, task.target);
     if (plane == nullptr) return notThere(task.target);
-    return planeWork(task, *plane, scene.truth);
+    return planeWork(task, *plane, ground);
   }
   Made operator()(const SweepTask& task) const {
-    const ExpectedStructure* structure = named(scene.truth->structures, task.target);
-    if (structure == nullptr || !scene.scanned.labels) return notThere(task.target);
-    return sweepWork(task, scene.scanned, structure->label);
+    const ExpectedStructure* structure = named(ground->truth().structures, task.target);
+    if (structure == nullptr || !ground->hasLabels()) return notThere(task.target);
+    return sweepWork(task, ground->organ(structure->label));
   }
   Made operator()(const MeasureTask& task) const {
-    const ExpectedMeasurement* expected = named(scene.truth->measurements, task.measurement);
+    const ExpectedMeasurement* expected = named(ground->truth().measurements, task.measurement);
     if (expected == nullptr) return notThere(task.measurement);
     const auto tolerance = task.tolerance ? task.tolerance : expected->tolerance;
     if (!tolerance) return notThere(task.measurement);
     return measureWork(*expected, *tolerance);
   }
   Made operator()(const PointTask& task) const {
-    if (const ExpectedPoint* point = named(scene.truth->points, task.target)) return pointWork(*point);
-    const ExpectedStructure* structure = named(scene.truth->structures, task.target);
-    if (structure == nullptr || !scene.scanned.labels) return notThere(task.target);
-    return pointWork(scene.scanned, structure->label);
+    if (const ExpectedPoint* point = named(ground->truth().points, task.target)) return pointWork(*point);
+    const ExpectedStructure* structure = named(ground->truth().structures, task.target);
+    if (structure == nullptr || !ground->hasLabels()) return notThere(task.target);
+    return pointWork(ground->organ(structure->label));
   }
   Made operator()(const SettingsTask& task) const { return settingsWork(task); }
   Made operator()(const AnswerTask& task) const { return answerWork(task); }
-  Made operator()(const FreeTask& task) const { return freeWork(task, scene); }
+  Made operator()(const FreeTask& task) const { return freeWork(task, ground); }
 };
 
 }  // namespace
 
-Result<std::unique_ptr<StepWork>> workOf(const LessonStep& step, StepScene scene) {
-  return std::visit(MakeWork{step, std::move(scene)}, step.task);
+Result<std::unique_ptr<StepWork>> workOf(const LessonStep& step, std::shared_ptr<const CaseGround> ground) {
+  EW_EXPECTS(ground != nullptr);
+  return std::visit(MakeWork{step, std::move(ground)}, step.task);
 }
 
-}  // namespace ew::lessons
+}  // namespace ew

@@ -1,9 +1,12 @@
-#include "logic/step_works.h"
-
 #include <algorithm>
+#include <array>
 
-namespace ew::lessons {
+#include "step_works.h"
+
+namespace ew {
 namespace {
+
+using nlohmann::json;
 
 /// Which figure of a caliper is compared with an expected value of a kind.
 std::vector<std::string> figuresFor(const std::string& kind) {
@@ -14,6 +17,22 @@ std::vector<std::string> figuresFor(const std::string& kind) {
   return {"length", "long_axis"};
 }
 
+json pointJson(const glm::dvec3& p_mm) { return {p_mm.x, p_mm.y, p_mm.z}; }
+
+std::optional<glm::dvec3> pointOf(const json& value) {
+  if (!value.is_array() || value.size() != 3) return std::nullopt;
+  for (const json& each : value)
+    if (!each.is_number()) return std::nullopt;
+  return glm::dvec3(value[0].get<double>(), value[1].get<double>(), value[2].get<double>());
+}
+
+const json& memberOf(const json& answer, const char* key) {
+  static const json kNone;
+  if (!answer.is_object()) return kNone;
+  const auto found = answer.find(key);
+  return found == answer.end() ? kNone : *found;
+}
+
 class MeasureWork final : public StepWork {
  public:
   MeasureWork(const ExpectedMeasurement& expected, double tolerance) : expected_(expected), tolerance_(tolerance) {}
@@ -22,18 +41,26 @@ class MeasureWork final : public StepWork {
     if (fitting(handed)) return std::nullopt;
     return say<"Nothing that fits is measured in this image yet; freeze the image and set the calipers.">();
   }
-  void judge(const Handed& handed, StepOutcome& outcome) const override {
+  [[nodiscard]] json answerOf(const Handed& handed) const override {
     const auto found = fitting(handed);
-    if (!found || !last()) return;
+    if (!found || !last()) return nullptr;
+    json answer = {{"value", found->value}, {"unit", expected_.unit}, {"caliper", found->kind}};
+    for (const auto& point : found->points) answer["points_mm"].push_back(pointJson((last()->pose.probeToWorld * point).at));
+    return answer;
+  }
+  void judge(const json& answer, StepOutcome& outcome) const override {
+    const json& value = memberOf(answer, "value");
+    if (!value.is_number() || memberOf(answer, "unit") != json(expected_.unit)) return;
     std::vector<glm::dvec3> points_mm;
-    for (const auto& point : found->points) points_mm.push_back((last()->pose.probeToWorld * point).at);
-    take(judgeMeasurement(expected_, found->value, points_mm, tolerance_), outcome);
-    outcome.answer = {{"value", found->value}, {"unit", expected_.unit}};
+    for (const json& each : memberOf(answer, "points_mm"))
+      if (const auto point = pointOf(each)) points_mm.push_back(*point);
+    take(judgeMeasurement(expected_, value.get<double>(), points_mm, tolerance_), outcome);
   }
 
  private:
   struct Fitting {
     double value = 0.0;
+    std::string kind;
     std::vector<Point<frame::Probe>> points;
   };
   /// The last measurement that has such a figure, in that unit. Points of other calipers than two ends are not compared: they mean
@@ -45,7 +72,7 @@ class MeasureWork final : public StepWork {
         if (std::find(names.begin(), names.end(), figure.name) == names.end()) continue;
         const double factor = figure.unit == expected_.unit ? 1.0 : figure.unit == "mm2" && expected_.unit == "cm2" ? 0.01 : 0.0;
         if (factor == 0.0) continue;
-        return Fitting{factor * figure.value, one->kind == "distance" ? one->points : std::vector<Point<frame::Probe>>{}};
+        return Fitting{factor * figure.value, one->kind, one->kind == "distance" ? one->points : std::vector<Point<frame::Probe>>{}};
       }
     return std::nullopt;
   }
@@ -57,18 +84,20 @@ class MeasureWork final : public StepWork {
 class PointWork final : public StepWork {
  public:
   explicit PointWork(ExpectedPoint point) : point_(std::move(point)) {}
-  PointWork(const sdk::Scanned& scanned, int label) : organ_(voxelsOf(scanned, label)) {}
+  explicit PointWork(std::shared_ptr<const OrganVoxels> organ) : organ_(std::move(organ)) {}
 
   [[nodiscard]] std::optional<Message> missing(const Handed& handed) const override {
     if (handed.point && last()) return std::nullopt;
     return say<"Nothing was pointed at yet; click it in the image.">();
   }
-  void judge(const Handed& handed, StepOutcome& outcome) const override {
-    if (!handed.point || !last()) return;
+  [[nodiscard]] json answerOf(const Handed& handed) const override {
+    if (!handed.point || !last()) return nullptr;
+    return {{"at_mm", pointJson((last()->pose.probeToWorld * *handed.point).at)}};
+  }
+  void judge(const json& answer, StepOutcome& outcome) const override {
     constexpr double kMargin_mm = 3.0;  // as far as a hand misses a border that it sees
-    const glm::dvec3 at_mm = (last()->pose.probeToWorld * *handed.point).at;
-    take(point_ ? judgePointing(*point_, at_mm) : judgePointing(*organ_, at_mm, kMargin_mm), outcome);
-    outcome.answer = {{"at_mm", {at_mm.x, at_mm.y, at_mm.z}}};
+    const auto at_mm = pointIn(answer);
+    if (at_mm) take(point_ ? judgePointing(*point_, *at_mm) : judgePointing(*organ_, *at_mm, kMargin_mm), outcome);
   }
 
  private:
@@ -78,10 +107,12 @@ class PointWork final : public StepWork {
 
 }  // namespace
 
+std::optional<glm::dvec3> pointIn(const json& answer) { return pointOf(memberOf(answer, "at_mm")); }
+
 Work measureWork(const ExpectedMeasurement& expected, double tolerance) { return std::make_unique<MeasureWork>(expected, tolerance); }
 
 Work pointWork(const ExpectedPoint& point) { return std::make_unique<PointWork>(point); }
 
-Work pointWork(const sdk::Scanned& scanned, int label) { return std::make_unique<PointWork>(scanned, label); }
+Work pointWork(std::shared_ptr<const OrganVoxels> organ) { return std::make_unique<PointWork>(std::move(organ)); }
 
-}  // namespace ew::lessons
+}  // namespace ew

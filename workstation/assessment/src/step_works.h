@@ -2,24 +2,24 @@
 
 #include "ew/assessment/judging.h"
 #include "ew/assessment/organ_coverage.h"
+#include "ew/assessment/step_work.h"
 #include "ew/library/case_truth.h"
-#include "logic/step_work.h"
 
-namespace ew::lessons {
+namespace ew {
 
 // The work of the kinds of steps, for workOf(), which has looked whether the case has what they ask for.
 using Work = std::unique_ptr<StepWork>;
 
 // Of the probe on the body, judged against what the case knows (scan_works.cpp).
-[[nodiscard]] Work planeWork(const PlaneTask& task, const ExpectedPlane& target, std::shared_ptr<const CaseTruth> truth);
-[[nodiscard]] Work sweepWork(const SweepTask& task, const sdk::Scanned& scanned, int label);
-[[nodiscard]] Work freeWork(const FreeTask& task, const StepScene& scene);
+[[nodiscard]] Work planeWork(const PlaneTask& task, const ExpectedPlane& target, std::shared_ptr<const CaseGround> ground);
+[[nodiscard]] Work sweepWork(const SweepTask& task, std::shared_ptr<const OrganVoxels> organ);
+[[nodiscard]] Work freeWork(const FreeTask& task, std::shared_ptr<const CaseGround> ground);
 
 // Of the frozen image (image_works.cpp).
 /// @param tolerance in the unit of what is expected
 [[nodiscard]] Work measureWork(const ExpectedMeasurement& expected, double tolerance);
 [[nodiscard]] Work pointWork(const ExpectedPoint& point);
-[[nodiscard]] Work pointWork(const sdk::Scanned& scanned, int label);
+[[nodiscard]] Work pointWork(std::shared_ptr<const OrganVoxels> organ);
 
 // Without the body's truth (desk_works.cpp).
 [[nodiscard]] Work readWork();
@@ -28,11 +28,9 @@ using Work = std::unique_ptr<StepWork>;
 [[nodiscard]] Work answerWork(const AnswerTask& task);
 
 // What several of them share.
-[[nodiscard]] std::string rounded(double value, int decimals = 0);
+[[nodiscard]] std::string roundedText(double value, int decimals = 0);
 [[nodiscard]] Message noImage();
 /// What stands in an outcome of a judgement.
 void take(Judgement judgement, StepOutcome& outcome);
-/// The voxels of a structure where they lie in the world.
-[[nodiscard]] std::shared_ptr<const OrganVoxels> voxelsOf(const sdk::Scanned& scanned, int label);
 
-}  // namespace ew::lessons
+}  // namespace ew

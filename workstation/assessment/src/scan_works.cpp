@@ -1,4 +1,4 @@
-#include "logic/step_works.h"
+#include "step_works.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,15 +6,15 @@
 #include "ew/assessment/plane_error.h"
 #include "ew/imaging/display.h"
 
-namespace ew::lessons {
+namespace ew {
 namespace {
 
-Fan fanOf(const ScanState& image) { return {image.probe, resolvedDepth_mm(image.probe, image.knobs)}; }
+Fan fanOfImage(const ScanState& image) { return {image.probe, resolvedDepth_mm(image.probe, image.knobs)}; }
 
 class PlaneWork final : public StepWork {
  public:
-  PlaneWork(const PlaneTask& task, ExpectedPlane target, std::shared_ptr<const CaseTruth> truth)
-      : target_(std::move(target)), truth_(std::move(truth)), tolerance_(toleranceOf(target_)) {
+  PlaneWork(const PlaneTask& task, ExpectedPlane target, std::shared_ptr<const CaseGround> ground)
+      : target_(std::move(target)), ground_(std::move(ground)), tolerance_(toleranceOf(target_)) {
     tolerance_.position_mm = task.positionTolerance_mm.value_or(tolerance_.position_mm);
     tolerance_.angle_deg = task.angleTolerance_deg.value_or(tolerance_.angle_deg);
   }
@@ -22,14 +22,14 @@ class PlaneWork final : public StepWork {
   [[nodiscard]] std::vector<LiveFigure> live() const override {
     const auto error = errorNow();
     if (!error) return {};
-    return {{say<"Angle to the plane %1°">(rounded(error->angle_deg)), error->angle_deg <= tolerance_.angle_deg},
-            {say<"Distance from the plane %1 mm">(rounded(error->distance_mm)), error->distance_mm <= tolerance_.position_mm}};
+    return {{say<"Angle to the plane %1°">(roundedText(error->angle_deg)), error->angle_deg <= tolerance_.angle_deg},
+            {say<"Distance from the plane %1 mm">(roundedText(error->distance_mm)), error->distance_mm <= tolerance_.position_mm}};
   }
   [[nodiscard]] std::optional<Message> missing(const Handed&) const override {
     if (last()) return std::nullopt;
     return noImage();
   }
-  void judge(const Handed&, StepOutcome& outcome) const override {
+  void judge(const nlohmann::json&, StepOutcome& outcome) const override {
     if (last()) take(judgePlane(targetNow(), tolerance_, last()->pose), outcome);
   }
 
@@ -38,26 +38,28 @@ class PlaneWork final : public StepWork {
     if (!last() || last()->pose.status != PoseStatus::ok) return std::nullopt;
     return planeError(targetNow(), last()->pose.probeToWorld);
   }
-  [[nodiscard]] PlaneTarget targetNow() const { return targetOf(target_, *truth_, resolvedDepth_mm(last()->probe, last()->knobs)); }
+  [[nodiscard]] PlaneTarget targetNow() const {
+    return targetOf(target_, ground_->truth(), resolvedDepth_mm(last()->probe, last()->knobs));
+  }
 
   ExpectedPlane target_;
-  std::shared_ptr<const CaseTruth> truth_;
+  std::shared_ptr<const CaseGround> ground_;
   PlaneTolerance tolerance_;
 };
 
 class SweepWork final : public StepWork {
  public:
-  SweepWork(const SweepTask& task, const sdk::Scanned& scanned, int label) : task_(task), cover_(voxelsOf(scanned, label)) {}
+  SweepWork(const SweepTask& task, std::shared_ptr<const OrganVoxels> organ) : task_(task), cover_(std::move(organ)) {}
 
   void see(const ScanState& image) override {
     StepWork::see(image);
-    cover_.add(fanOf(image), image.pose, image.gaps_mm);
+    cover_.add(fanOfImage(image), image.pose, image.gaps_mm);
   }
   [[nodiscard]] std::vector<LiveFigure> live() const override {
     const double share = cover_.share();
-    return {{say<"Seen so far: %1 %">(rounded(100.0 * share)), share >= task_.share}};
+    return {{say<"Seen so far: %1 %">(roundedText(100.0 * share)), share >= task_.share}};
   }
-  void judge(const Handed&, StepOutcome& outcome) const override { take(judgeSweep(cover_.share(), task_.share), outcome); }
+  void judge(const nlohmann::json&, StepOutcome& outcome) const override { take(judgeSweep(cover_.share(), task_.share), outcome); }
 
  private:
   SweepTask task_;
@@ -66,13 +68,13 @@ class SweepWork final : public StepWork {
 
 class FreeWork final : public StepWork {
  public:
-  FreeWork(const FreeTask& task, const StepScene& scene) : truth_(scene.truth), shortest_s_(task.shortest_s) {
+  FreeWork(const FreeTask& task, std::shared_ptr<const CaseGround> ground) : ground_(std::move(ground)), shortest_s_(task.shortest_s) {
     for (const std::string& name : task.targets) {
       Sought one{name, std::nullopt, std::nullopt, 3.0};
-      for (const ExpectedPlane& plane : scene.truth->planes)
+      for (const ExpectedPlane& plane : ground_->truth().planes)
         if (plane.name == name) one.plane = plane;
-      for (const ExpectedStructure& structure : scene.truth->structures)
-        if (structure.name == name) one.cover.emplace(voxelsOf(scene.scanned, structure.label));
+      for (const ExpectedStructure& structure : ground_->truth().structures)
+        if (structure.name == name) one.cover.emplace(ground_->organ(structure.label));
       sought_.push_back(std::move(one));
     }
   }
@@ -81,9 +83,9 @@ class FreeWork final : public StepWork {
     if (!begin_s_) begin_s_ = image.time_s;
     end_s_ = image.time_s;
     for (Sought& one : sought_) {
-      if (one.cover) one.cover->add(fanOf(image), image.pose, image.gaps_mm);
+      if (one.cover) one.cover->add(fanOfImage(image), image.pose, image.gaps_mm);
       if (!one.plane || image.pose.status != PoseStatus::ok) continue;
-      const PlaneTarget target = targetOf(*one.plane, *truth_, resolvedDepth_mm(image.probe, image.knobs));
+      const PlaneTarget target = targetOf(*one.plane, ground_->truth(), resolvedDepth_mm(image.probe, image.knobs));
       one.leastErrors = std::min(one.leastErrors, shareOfTolerance(planeError(target, image.pose.probeToWorld), toleranceOf(*one.plane)));
     }
     StepWork::see(image);
@@ -91,9 +93,9 @@ class FreeWork final : public StepWork {
   [[nodiscard]] std::optional<Message> missing(const Handed&) const override {
     const double left_s = shortest_s_ - (begin_s_ ? end_s_ - *begin_s_ : 0.0);
     if (left_s <= 0.0) return std::nullopt;
-    return say<"Scan for at least %1 s more.">(rounded(std::ceil(left_s)));
+    return say<"Scan for at least %1 s more.">(roundedText(std::ceil(left_s)));
   }
-  void judge(const Handed&, StepOutcome& outcome) const override {
+  void judge(const nlohmann::json&, StepOutcome& outcome) const override {
     constexpr double kSeen = 0.3;  // of a structure: enough to have looked at it
     int found = 0;
     for (const Sought& one : sought_) {
@@ -111,7 +113,7 @@ class FreeWork final : public StepWork {
     std::optional<OrganCoverage> cover;
     double leastErrors;
   };
-  std::shared_ptr<const CaseTruth> truth_;
+  std::shared_ptr<const CaseGround> ground_;
   double shortest_s_;
   std::optional<double> begin_s_;
   double end_s_ = 0.0;
@@ -120,12 +122,16 @@ class FreeWork final : public StepWork {
 
 }  // namespace
 
-Work planeWork(const PlaneTask& task, const ExpectedPlane& target, std::shared_ptr<const CaseTruth> truth) {
-  return std::make_unique<PlaneWork>(task, target, std::move(truth));
+Work planeWork(const PlaneTask& task, const ExpectedPlane& target, std::shared_ptr<const CaseGround> ground) {
+  return std::make_unique<PlaneWork>(task, target, std::move(ground));
 }
 
-Work sweepWork(const SweepTask& task, const sdk::Scanned& scanned, int label) { return std::make_unique<SweepWork>(task, scanned, label); }
+Work sweepWork(const SweepTask& task, std::shared_ptr<const OrganVoxels> organ) {
+  return std::make_unique<SweepWork>(task, std::move(organ));
+}
 
-Work freeWork(const FreeTask& task, const StepScene& scene) { return std::make_unique<FreeWork>(task, scene); }
+Work freeWork(const FreeTask& task, std::shared_ptr<const CaseGround> ground) {
+  return std::make_unique<FreeWork>(task, std::move(ground));
+}
 
-}  // namespace ew::lessons
+}  // namespace ew

@@ -1,14 +1,15 @@
-#include "logic/step_works.h"
-
 #include <algorithm>
 #include <cmath>
+#include <set>
 
-namespace ew::lessons {
+#include "step_works.h"
+
+namespace ew {
 namespace {
 
 class ReadWork final : public StepWork {
  public:
-  void judge(const Handed&, StepOutcome& outcome) const override { outcome.score = 1.0; }
+  void judge(const nlohmann::json&, StepOutcome& outcome) const override { outcome.score = 1.0; }
 };
 
 class WatchWork final : public StepWork {
@@ -17,7 +18,10 @@ class WatchWork final : public StepWork {
     if (handed.watched) return std::nullopt;
     return say<"The expert's scan has not been shown to its end yet.">();
   }
-  void judge(const Handed& handed, StepOutcome& outcome) const override { outcome.score = handed.watched ? 1.0 : 0.0; }
+  [[nodiscard]] nlohmann::json answerOf(const Handed& handed) const override { return {{"watched", handed.watched}}; }
+  void judge(const nlohmann::json& answer, StepOutcome& outcome) const override {
+    outcome.score = answer.is_object() && answer.value("watched", nlohmann::json()) == nlohmann::json(true) ? 1.0 : 0.0;
+  }
 };
 
 class SettingsWork final : public StepWork {
@@ -35,7 +39,7 @@ class SettingsWork final : public StepWork {
     if (last()) return std::nullopt;
     return noImage();
   }
-  void judge(const Handed&, StepOutcome& outcome) const override {
+  void judge(const nlohmann::json&, StepOutcome& outcome) const override {
     if (!last()) return;
     int right = 0, all = 0;
     const auto count = [&](bool good, Message goodText, Message badText) {
@@ -79,32 +83,43 @@ class AnswerWork final : public StepWork {
     if (task_.options.empty() ? handed.number.has_value() : !handed.chosen.empty()) return std::nullopt;
     return task_.options.empty() ? say<"No number was entered yet.">() : say<"No answer was chosen yet.">();
   }
-  void judge(const Handed& handed, StepOutcome& outcome) const override {
-    if (task_.options.empty()) return judgeNumber(handed, outcome);
+  [[nodiscard]] nlohmann::json answerOf(const Handed& handed) const override {
+    if (!task_.options.empty()) return {{"chosen", handed.chosen}};
+    if (handed.number) return {{"number", *handed.number}};
+    return nullptr;
+  }
+  void judge(const nlohmann::json& answer, StepOutcome& outcome) const override {
+    if (task_.options.empty()) return judgeNumber(answer, outcome);
     // Every right answer counts, and every wrong one takes one away: choosing all earns nothing.
+    const std::set<std::size_t> chosenOnes = chosenIn(answer);
     int right = 0, wrong = 0, all = 0;
     for (std::size_t n = 0; n < task_.options.size(); ++n) {
       const AnswerOption& option = task_.options[n];
-      const bool chosen = std::find(handed.chosen.begin(), handed.chosen.end(), n) != handed.chosen.end();
+      const bool chosen = chosenOnes.contains(n);
       all += option.right ? 1 : 0;
       right += option.right && chosen ? 1 : 0;
       wrong += !option.right && chosen ? 1 : 0;
       if (chosen && !option.why.empty()) outcome.remarks.push_back({option.right, verbatim(option.why)});
       if (!chosen && option.right) outcome.remarks.push_back({false, say<"Right would have been: %1">(verbatim(option.text))});
     }
-    outcome.answer = {{"chosen", handed.chosen}};
     outcome.score = all > 0 ? std::max(0.0, static_cast<double>(right - wrong) / all) : 0.0;
   }
 
  private:
-  void judgeNumber(const Handed& handed, StepOutcome& outcome) const {
-    if (!handed.number || !task_.number) return;
-    const double error = *handed.number - *task_.number;
-    outcome.answer = {{"number", *handed.number}};
+  static std::set<std::size_t> chosenIn(const nlohmann::json& answer) {
+    std::set<std::size_t> chosen;
+    if (!answer.is_object() || !answer.contains("chosen") || !answer["chosen"].is_array()) return chosen;
+    for (const nlohmann::json& each : answer["chosen"])
+      if (each.is_number_unsigned()) chosen.insert(each.get<std::size_t>());
+    return chosen;
+  }
+  void judgeNumber(const nlohmann::json& answer, StepOutcome& outcome) const {
+    if (!task_.number || !answer.is_object() || !answer.contains("number") || !answer["number"].is_number()) return;
+    const double error = answer["number"].get<double>() - *task_.number;
     outcome.figures = {{"error", error, task_.unit}};
     const bool good = std::abs(error) <= task_.tolerance;
     outcome.score = good ? 1.0 : 0.0;
-    outcome.remarks.push_back({good, good ? say<"That is right.">() : say<"It is %1 %2.">(rounded(*task_.number, 2), task_.unit)});
+    outcome.remarks.push_back({good, good ? say<"That is right.">() : say<"It is %1 %2.">(roundedText(*task_.number, 2), task_.unit)});
   }
   AnswerTask task_;
 };
@@ -119,4 +134,4 @@ Work settingsWork(const SettingsTask& task) { return std::make_unique<SettingsWo
 
 Work answerWork(const AnswerTask& task) { return std::make_unique<AnswerWork>(task); }
 
-}  // namespace ew::lessons
+}  // namespace ew

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ew/assessment/case_ground.h"
+#include "ew/library/attempt.h"
+#include "ew/library/lesson.h"
+#include "ew/scanning/state.h"
+
+namespace ew {
+
+/// What was measured with calipers in the image that is shown.
+struct HandedMeasurement {
+  struct Figure {
+    std::string name;  ///< "length", "circumference", "area", "angle" ...
+    double value = 0.0;
+    std::string unit;  ///< "mm", "cm2", "deg" ...
+  };
+  std::string kind;  ///< of the caliper: "distance", "ellipse" ...
+  std::vector<Point<frame::Probe>> points;
+  std::vector<Figure> figures;
+};
+
+/// What a trainee has handed in when a step ends, beside the scan itself. Only what the step's kind asks for is looked at.
+struct Handed {
+  std::vector<std::size_t> chosen = {};              ///< answers, by their place
+  std::optional<double> number = {};                 ///< in the step's unit
+  std::optional<Point<frame::Probe>> point = {};     ///< that was pointed at, in the image that is shown
+  std::vector<HandedMeasurement> measurements = {};  ///< in the image that is shown; the last one counts
+  bool watched = false;                              ///< the expert's scan to its end
+};
+
+/// One figure that is shown while a step runs, and whether it is good enough by now.
+struct LiveFigure {
+  Message text;
+  bool good = false;
+};
+
+/// The work of one step as it goes on: it sees every image, says how things stand, and judges at the end. No clock, no window. What is
+/// handed in becomes an answer, raw data in the world that an attempt keeps: images and answer are all that judging takes, so that it can
+/// be done again from the recording.
+class StepWork {
+ public:
+  virtual ~StepWork();
+  virtual void see(const ScanState& image) { last_ = image; }
+  /// How it stands now; empty when there is nothing to say.
+  [[nodiscard]] virtual std::vector<LiveFigure> live() const { return {}; }
+  /// Whether a step can be judged with this; else a sentence about what is missing.
+  [[nodiscard]] virtual std::optional<Message> missing(const Handed& handed) const;
+  /// {"chosen": [2]}, {"number": 12.5}, {"watched": true}, {"at_mm": [x, y, z]} in the world, or {"value": 40.1, "unit": "mm", "caliper":
+  /// "distance", "points_mm": [[x, y, z], …]} with the ends of a distance in the world; null: the step's kind asks for nothing, or nothing
+  /// that fits was handed in.
+  [[nodiscard]] virtual nlohmann::json answerOf(const Handed& handed) const;
+  /// Fills score, figures and remarks of an outcome, by what was seen and answered. @param answer as answerOf; anything else counts as null
+  virtual void judge(const nlohmann::json& answer, StepOutcome& outcome) const = 0;
+
+  /// The same of what is handed in now; the outcome keeps the answer.
+  void hand(const Handed& handed, StepOutcome& outcome) const;
+  [[nodiscard]] const std::optional<ScanState>& last() const { return last_; }
+
+ private:
+  std::optional<ScanState> last_;
+};
+
+/// The place that was pointed at, in the world, of such an answer; empty: it holds none.
+[[nodiscard]] std::optional<glm::dvec3> pointIn(const nlohmann::json& answer);
+
+/// @param ground of the case that the step scans, not null
+/// @error badField: the case does not have what the step asks for (ew/library/lesson_links.h says so beforehand)
+[[nodiscard]] Result<std::unique_ptr<StepWork>> workOf(const LessonStep& step, std::shared_ptr<const CaseGround> ground);
+
+/// The verdict of an outcome that was judged: passed from the step's pass level on and within its time; too late is remarked.
+/// @param passLevel 0..1
+void conclude(const LessonStep& step, double passLevel, StepOutcome& outcome);
+
+/// A knob by the name that lessons give it (kLessonSettings), as it acts: with its default resolved. Empty: no such setting.
+[[nodiscard]] std::optional<double> settingOf(const ScanState& state, const std::string& setting);
+
+}  // namespace ew
