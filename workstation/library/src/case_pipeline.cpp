@@ -431,4 +431,34 @@ Result<Prepared> makePrepared(const Case& opened, const CasePlan& plan, const Pr
   return Preparation(opened, plan, aside->path(), *store, options, progress, notes).run();
 }
 
+Result<Volume> makeLabels(const Case& opened, const CasePlan& plan, const PreparationOptions& options, Progress& progress) {
+  const auto cache = StepStore::share(cacheFolder(), preparationSteps());
+  const StepStore store = StepStore::peek(cacheFolder(), preparationSteps());
+  const auto kept = [&](const char* step, const std::string& key) -> std::optional<Result<Volume>> {
+    if (!isWhole(store, step, key, {kLabelsFile})) return std::nullopt;
+    return readKeptLabels(store, step, key, progress);
+  };
+  if (auto read = kept(kLabels, plan.labels)) return std::move(*read);
+  if (plan.sweeps.empty())
+    if (auto read = kept(kVolumes, plan.volume)) return std::move(*read);
+  if (!plan.sweeps.empty()) {
+    std::vector<Message> notes;
+    auto made = makePrepared(opened, plan, options, progress, notes);
+    if (!made) return passOn(made.error());
+    return std::move(made->labels);
+  }
+  PartOfProgress reading(progress, 0.0, 0.2), labelling(progress, 0.2, 0.95), saving(progress, 0.95, 1.0);
+  const auto patient = readPatient(plan.patientFile, plan.mannequins, {}, reading);
+  if (!patient) return passOn(patient.error());
+  const Grid grid = voxelGridOf(**patient, opened.volume.recipeSpacing_mm);
+  auto labels = labelsOn(**patient, grid, options.threads, labelling, options.maxBytes);
+  if (!labels) return passOn(labels.error());
+  Prepared made{{}, {grid, std::move(*labels), {}}};
+  if (cache) {  // what cannot be kept is made again next time
+    const auto lock = cache->lock(kLabels, plan.labels, waiting(), saving);
+    if (lock) static_cast<void>(keepPrepared(*cache, kLabels, plan.labels, made, saving));
+  }
+  return std::move(made.labels);
+}
+
 }  // namespace ew

@@ -16,4 +16,8 @@ namespace ew {
 [[nodiscard]] Result<Prepared> makePrepared(const Case& opened, const CasePlan& plan, const PreparationOptions& options, Progress& progress,
                                             std::vector<Message>& notes);
 
+/// The labels alone: those that are kept, else made now; of sweeps only with the volume. On the labels' own grid, not placed.
+/// @error as makePrepared
+[[nodiscard]] Result<Volume> makeLabels(const Case& opened, const CasePlan& plan, const PreparationOptions& options, Progress& progress);
+
 }  // namespace ew

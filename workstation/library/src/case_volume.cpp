@@ -95,6 +95,27 @@ Result<CaseEcho> loadCaseVolume(const Case& opened, Progress& progress, const Pr
   return found;
 }
 
+Result<std::optional<Volume>> loadCaseLabels(const Case& opened, Progress& progress, const PreparationOptions& options) {
+  Result<std::optional<Volume>> found = [&]() -> Result<std::optional<Volume>> {
+    if (!opened.volume.recipe.empty()) {
+      const auto plan = planOf(opened);
+      if (!plan) return passOn(plan.error());
+      auto made = makeLabels(opened, *plan, options, progress);
+      if (!made) return passOn(made.error());
+      return std::optional<Volume>(std::move(*made));
+    }
+    if (opened.volume.labels.empty()) return std::optional<Volume>();
+    std::vector<Message> notes;
+    auto read = readBeside(opened, opened.volume.labels, "volume.labels", progress, notes);
+    if (!read) return passOn(read.error());
+    return std::optional<Volume>(std::move(*read));
+  }();
+  if (!found || !*found) return found;
+  if (auto rigid = checkRigid(opened.volume.fileToWorld); !rigid) return passOn(rigid.error());
+  (*found)->grid = placed((*found)->grid, opened.volume.fileToWorld);
+  return found;
+}
+
 Scene sceneWithTissues(const Scene& manifest, const std::vector<TissueAcoustics>& recipe) {
   Scene scene = manifest;
   for (const TissueAcoustics& each : recipe) {

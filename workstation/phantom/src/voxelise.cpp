@@ -181,17 +181,6 @@ class MapPainter {
 
 tl::unexpected<Error> stoppedByUser() { return failure(ErrorCode::cancelled, say<"Building the virtual patient was stopped.">()); }
 
-Grid gridOf(const Patient& patient, double spacing_mm) {
-  Grid grid;
-  grid.spacing_mm = glm::dvec3(spacing_mm);
-  grid.origin_mm = patient.box.lowest_mm;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double steps = std::floor((patient.box.highest_mm[axis] - patient.box.lowest_mm[axis]) / spacing_mm + 1e-9);
-    grid.dims[axis] = static_cast<int>(std::min(steps, 1e6)) + 1;
-  }
-  return grid;
-}
-
 tl::unexpected<Error> tooLargeAt(const VoxeliseOptions& options, double forecast_bytes) {
   const auto mebibytes = [](double bytes) { return textOf(std::ceil(bytes / 1048576.0)) + " MiB"; };
   return failure(ErrorCode::tooLarge,
@@ -324,8 +313,19 @@ void VolumePainter::map(const glm::ivec3& voxel, const glm::dvec3& p_mm, double 
 
 }  // namespace
 
+Grid voxelGridOf(const Patient& patient, double spacing_mm) {
+  Grid grid;
+  grid.spacing_mm = glm::dvec3(spacing_mm);
+  grid.origin_mm = patient.box.lowest_mm;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double steps = std::floor((patient.box.highest_mm[axis] - patient.box.lowest_mm[axis]) / spacing_mm + 1e-9);
+    grid.dims[axis] = static_cast<int>(std::min(steps, 1e6)) + 1;
+  }
+  return grid;
+}
+
 double voxeliseForecast_bytes(const Patient& patient, double spacing_mm, bool maps) {
-  const Grid grid = gridOf(patient, spacing_mm);
+  const Grid grid = voxelGridOf(patient, spacing_mm);
   const double slice = static_cast<double>(grid.dims.x) * grid.dims.y;
   const double perThread = static_cast<double>(grid.dims.x) * kStrip * (kBlock * 4.0 + (kBlock + 4.0) * 8.0 + 8.0);
   const double bytes = slice * grid.dims.z * 3.0 + perThread * threadCount(0);
@@ -342,7 +342,7 @@ Result<VoxelisedPatient> voxelise(const Patient& patient, const VoxeliseOptions&
 
   VoxelisedPatient made;
   Volume& volume = made.volume;
-  volume.grid = gridOf(patient, options.spacing_mm);
+  volume.grid = voxelGridOf(patient, options.spacing_mm);
   if (const auto usable = checkGrid(volume.grid); !usable) return passOn(usable.error());
   if (options.maps) made.maps.emplace().grid = volume.grid;
   try {

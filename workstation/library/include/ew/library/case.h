@@ -21,8 +21,10 @@
 namespace ew {
 
 /// `format` of case.json. A file with a larger one is refused with newerFormat; one with a smaller is read as if it had been written today,
-/// and saved so. 2: laboratory findings are a list of their own (1: examinations of the kind "laboratory").
-inline constexpr int kCaseFormat = 2;
+/// and saved so. 2: laboratory findings are a list of their own (1: examinations of the kind "laboratory"). 3: examinations, whose answers
+/// are sealed; other cases are saved with 2, so that programs that know no examinations go on reading them.
+inline constexpr int kCaseFormat = 3;
+inline constexpr int kOpenCaseFormat = 2;
 
 struct CasePatient {
   std::string name;  ///< invented, never a real patient's
@@ -106,6 +108,13 @@ struct CaseMeasurement {
   bool operator==(const CaseMeasurement&) const = default;
 };
 
+/// Of an examination: where everything is that its trainees may not read (sealed_answers.h).
+struct SealedReference {
+  std::string file;    ///< in the case folder: "answers.sealed"
+  std::string sha256;  ///< of that file, 64 hexadecimal digits
+  bool operator==(const SealedReference&) const = default;
+};
+
 /// The manifest of a case folder: case.json, checked against resources/schemas/case.schema.json.
 struct Case {
   std::string id;                ///< UUID or slug, unique in a library
@@ -131,6 +140,7 @@ struct Case {
   Scene scene;
   std::optional<Pose> startPose;                          ///< where a trainee begins; gives no finding away
   std::optional<Pose> expertPose;                         ///< where an expert would have the finding in the picture
+  std::optional<SealedReference> sealed = {};             ///< of an examination: nothing that trainees may not read is in the other fields
   nlohmann::json otherFields = nlohmann::json::object();  ///< kept as they are
 
   std::filesystem::path folder;  ///< where it was read from; not saved
@@ -214,6 +224,11 @@ struct PreparationOptions {
 /// cancelled (within 0.5 s);
 ///        notWritable for the cache is recovered (noted), not an error
 [[nodiscard]] Result<CaseEcho> loadCaseVolume(const Case& opened, Progress& progress, const PreparationOptions& options = {});
+
+/// The labels alone, as loadCaseVolume has them: of a recipe without sweeps they are made without its echoes, in seconds, and kept in the
+/// cache; of one with sweeps the volume is made first. Empty: the case has none.
+/// @error as loadCaseVolume
+[[nodiscard]] Result<std::optional<Volume>> loadCaseLabels(const Case& opened, Progress& progress, const PreparationOptions& options = {});
 
 /// The scene a case is scanned with: what its manifest says, and of each label the recipe's tissue unless the manifest has its own.
 [[nodiscard]] Scene sceneWithTissues(const Scene& manifest, const std::vector<TissueAcoustics>& recipe);

@@ -139,6 +139,9 @@ struct VoxelisedPatient {
 /// @error badField (spacing), tooLarge (with the forecast), cancelled (within 0.1 s)
 [[nodiscard]] Result<VoxelisedPatient> voxelise(const Patient& patient, const VoxeliseOptions& options, Progress& progress);
 
+/// The grid that voxelise makes of a patient: over its whole box.
+[[nodiscard]] Grid voxelGridOf(const Patient& patient, double spacing_mm);
+
 /// Bytes that voxelise holds at its peak at this spacing.
 [[nodiscard]] double voxeliseForecast_bytes(const Patient& patient, double spacing_mm, bool maps = false);
 
