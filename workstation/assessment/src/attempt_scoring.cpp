@@ -1,0 +1,155 @@
+#include "ew/assessment/attempt_scoring.h"
+
+#include <algorithm>
+
+#include "ew/assessment/step_metrics.h"
+#include "ew/core/version.h"
+#include "ew/io/content_key.h"
+
+namespace ew {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Judging a watched step takes its answer, which older attempts do not hold.
+bool hasAnswer(const LessonStep& step, const StepOutcome& outcome) {
+  return !std::holds_alternative<WatchTask>(step.task) || !outcome.answer.is_null();
+}
+
+/// What judging a step stands on beside its answer.
+bool needsScan(const LessonTask& task) {
+  return std::holds_alternative<PlaneTask>(task) || std::holds_alternative<SweepTask>(task) || std::holds_alternative<SettingsTask>(task) ||
+         std::holds_alternative<FreeTask>(task);
+}
+
+/// One attempt's way through all that counts.
+class Scoring {
+ public:
+  Scoring(const fs::path& folder, const Attempt& attempt, const LessonGround& ground, Progress& progress)
+      : folder_(folder), attempt_(attempt), ground_(ground), progress_(progress) {}
+
+  Result<AttemptScore> run() {
+    score_.attemptId = attempt_.id;
+    score_.caseId = attempt_.caseId;
+    score_.lessonId = attempt_.lessonId;
+    score_.program = kVersion;
+    score_.planRevision = ground_.plan.revision;
+    score_.expertAttempt = ground_.plan.expertAttempt;
+    score_.notes = ground_.notes;
+    for (const LessonStep& step : ground_.lesson.steps) {
+      if (progress_.cancelRequested()) return failure(ErrorCode::cancelled, say<"Scoring was stopped.">());
+      auto scored = scoreStep(step);
+      if (!scored) return passOn(scored.error());
+      score_.steps.push_back(std::move(*scored));
+    }
+    conclude();
+    return std::move(score_);
+  }
+
+ private:
+  Result<StepScore> scoreStep(const LessonStep& step) {
+    StepScore made;
+    made.stepId = step.id;
+    made.title = step.title;
+    made.kind = taskWord(step.task);
+    made.weight = weightOf(step, ground_.plan);
+    made.passLevel = passLevelOf(step, ground_.plan);
+    const StepOutcome* kept = attempt_.outcomeOf(step.id);
+    if (kept == nullptr) return made;
+    const auto scan = scanOf(step, *kept);
+    if (!scan) return passOn(scan.error());
+    StepOutcome outcome = *kept;
+    made.isJudgedAnew = kept->verdict != StepVerdict::skipped && judgeAnew(step, *scan ? &(*scan)->log : nullptr, outcome);
+    made.task = outcome.score;
+    made.figures = outcome.figures;
+    const auto ground = ground_.caseOf(step);
+    if (ground) {
+      const ScanLog* log = *scan ? &(*scan)->log : nullptr;
+      if (log != nullptr) made.validShare = validShareOf(*log);
+      auto metrics = metricsOf({step, outcome, log}, *ground, expertOf(step), progress_);
+      if (!metrics) return passOn(metrics.error());
+      made.metrics = std::move(*metrics);
+    }
+    made.score = weighted(step, made);
+    if (outcome.verdict != StepVerdict::skipped) {
+      outcome.score = made.score;
+      ew::conclude(step, made.passLevel, outcome);
+    }
+    made.verdict = outcome.verdict;
+    made.remarks = std::move(outcome.remarks);
+    return made;
+  }
+
+  Result<std::optional<ScanRecording>> scanOf(const LessonStep& step, const StepOutcome& outcome) {
+    if (outcome.recording.empty()) return std::optional<ScanRecording>();
+    auto read = readRecording(folder_ / outcome.recording, progress_);
+    if (read) return std::optional<ScanRecording>(std::move(*read));
+    if (read.error().code == ErrorCode::cancelled) return passOn(read.error());
+    score_.notes.push_back(say<"The recording of the step '%1' cannot be read: %2">(step.id, read.error().message));
+    return std::optional<ScanRecording>();
+  }
+
+  /// @return false: as it was judged in the lesson
+  bool judgeAnew(const LessonStep& step, const ScanLog* scan, StepOutcome& outcome) {
+    const auto ground = ground_.caseOf(step);
+    if (!ground || !hasAnswer(step, outcome) || (scan == nullptr && needsScan(step.task))) return false;
+    const auto work = workOf(step, ground);
+    if (!work) {
+      score_.notes.push_back(say<"The step '%1' keeps the verdict it had: %2">(step.id, work.error().message));
+      return false;
+    }
+    for (std::size_t n = 0; scan != nullptr && n < scan->frameCount(); ++n) (*work)->see(scan->frame(n));
+    outcome.score = 0.0;
+    outcome.figures.clear();
+    outcome.remarks.clear();
+    (*work)->judge(outcome.answer, outcome);
+    return true;
+  }
+
+  [[nodiscard]] ExpertStep expertOf(const LessonStep& step) const {
+    ExpertStep expert;
+    if (attempt_.id == ground_.plan.expertAttempt) return expert;  // nobody is compared with themselves
+    if (const auto scan = ground_.expertScans.find(step.id); scan != ground_.expertScans.end()) expert.scan = &scan->second->log;
+    if (const auto image = ground_.expertImages.find(step.id); image != ground_.expertImages.end()) expert.image = image->second;
+    return expert;
+  }
+
+  /// The task's score and the metrics that the plan weighs; a metric that could not be worked out does not count.
+  [[nodiscard]] double weighted(const LessonStep& step, const StepScore& scored) const {
+    const StepPlan* plan = ground_.plan.of(step.id);
+    if (plan == nullptr || plan->metrics.empty()) return scored.task;
+    double sum = plan->taskWeight * scored.task, weights = plan->taskWeight;
+    for (const MetricWeight& each : plan->metrics)
+      if (const auto value = valueOf(scored.metrics, each.metric)) {
+        sum += each.weight * shareOf(each, *value);
+        weights += each.weight;
+      }
+    return weights > 0.0 ? std::clamp(sum / weights, 0.0, 1.0) : scored.task;
+  }
+
+  void conclude() {
+    double sum = 0.0, weights = 0.0;
+    bool allPassed = true;
+    for (const StepScore& step : score_.steps) {
+      sum += step.weight * step.score;
+      weights += step.weight;
+      allPassed = allPassed && (step.weight <= 0.0 || step.verdict == StepVerdict::passed);
+    }
+    score_.score = weights > 0.0 ? std::clamp(sum / weights, 0.0, 1.0) : 0.0;
+    score_.passed = ground_.plan.passLevel ? score_.score >= *ground_.plan.passLevel : allPassed && attempt_.finishedAt.has_value();
+  }
+
+  const fs::path& folder_;
+  const Attempt& attempt_;
+  const LessonGround& ground_;
+  Progress& progress_;
+  AttemptScore score_;
+};
+
+}  // namespace
+
+Result<AttemptScore> scoreAttempt(const fs::path& folder, const Attempt& attempt, const LessonGround& ground, Progress& progress) {
+  return Scoring(folder, attempt, ground, progress).run();
+}
+
+}  // namespace ew
