@@ -8331,6 +8331,158 @@
         <source>Putting scans on one clock</source>
         <translation>Scans auf eine Uhr bringen</translation>
     </message>
+    <message>
+        <source>an id that no entry before it has</source>
+        <translation>eine Kennung, die kein Eintrag davor hat</translation>
+    </message>
+    <message>
+        <source>a whole number of the scale, %1 to %2, above that of the anchor before it</source>
+        <translation>eine ganze Zahl der Skala, %1 bis %2, größer als die des Ankers davor</translation>
+    </message>
+    <message>
+        <source>without one for an end of the scale</source>
+        <translation>ohne einen Eintrag für ein Ende der Skala</translation>
+    </message>
+    <message>
+        <source>a list that says what the scores %1 and %2 look like</source>
+        <translation>eine Liste, die sagt, wie die Punktzahlen %1 und %2 aussehen</translation>
+    </message>
+    <message>
+        <source>The rating form &apos;%1&apos; is left out: %2</source>
+        <translation>Der Bewertungsbogen „%1“ wird ausgelassen: %2</translation>
+    </message>
+    <message>
+        <source>rating forms</source>
+        <translation>Bewertungsbögen</translation>
+    </message>
+    <message>
+        <source>there is a form &apos;%1&apos; of version %2 already; give yours another id, or a higher version if it is yours.</source>
+        <translation>einen Bogen „%1“ der Version %2 gibt es schon; dem eigenen eine andere Kennung geben, oder eine höhere Version, wenn es der eigene ist.</translation>
+    </message>
+    <message>
+        <source>an object with the fields lowest and highest</source>
+        <translation>ein Objekt mit den Feldern lowest und highest</translation>
+    </message>
+    <message>
+        <source>the rating form %1</source>
+        <translation>Bewertungsbogen %1</translation>
+    </message>
+    <message>
+        <source>a name of 1 to %1 bytes on one line, without blanks at its ends</source>
+        <translation>ein Name von 1 bis %1 Byte in einer Zeile, ohne Leerzeichen an den Enden</translation>
+    </message>
+    <message>
+        <source>an item that was not answered before</source>
+        <translation>eine Frage, die davor nicht beantwortet ist</translation>
+    </message>
+    <message>
+        <source>missing, since the item is not applicable</source>
+        <translation>nicht vorhanden, da die Frage nicht anwendbar ist</translation>
+    </message>
+    <message>
+        <source>32 hexadecimal digits</source>
+        <translation>32 hexadezimale Ziffern</translation>
+    </message>
+    <message>
+        <source>the rating</source>
+        <translation>Bewertung</translation>
+    </message>
+    <message>
+        <source>an item of the form &apos;%1&apos;</source>
+        <translation>eine Frage des Bogens „%1“</translation>
+    </message>
+    <message>
+        <source>not applicable</source>
+        <translation>nicht anwendbar</translation>
+    </message>
+    <message>
+        <source>a score from %1 to %2: the form asks for it always</source>
+        <translation>eine Punktzahl von %1 bis %2: der Bogen fragt immer danach</translation>
+    </message>
+    <message>
+        <source>a score from %1 to %2</source>
+        <translation>eine Punktzahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>answered twice</source>
+        <translation>zweimal beantwortet</translation>
+    </message>
+    <message>
+        <source>answered once</source>
+        <translation>einmal beantwortet</translation>
+    </message>
+    <message>
+        <source>not answered</source>
+        <translation>nicht beantwortet</translation>
+    </message>
+    <message>
+        <source>a pass level of the form &apos;%1&apos;</source>
+        <translation>eine Bestehensgrenze des Bogens „%1“</translation>
+    </message>
+    <message>
+        <source>answered before the rating is finished</source>
+        <translation>beantwortet, bevor die Bewertung abgeschlossen wird</translation>
+    </message>
+    <message>
+        <source>without a score</source>
+        <translation>ohne Punktzahl</translation>
+    </message>
+    <message>
+        <source>a list with a score for one item at least</source>
+        <translation>eine Liste mit einer Punktzahl für mindestens eine Frage</translation>
+    </message>
+    <message>
+        <source>an object with the fields id, version and content</source>
+        <translation>ein Objekt mit den Feldern id, version und content</translation>
+    </message>
+    <message>
+        <source>The ratings in &apos;%1&apos; cannot be read (%2); check that you may read the folder.</source>
+        <translation>Die Bewertungen in „%1“ können nicht gelesen werden (%2); prüfen Sie, ob Sie den Ordner lesen dürfen.</translation>
+    </message>
+    <message>
+        <source>The rating &apos;%1&apos; is left out: %2</source>
+        <translation>Die Bewertung „%1“ wird ausgelassen: %2</translation>
+    </message>
+    <message>
+        <source>its name is not that of what it holds; a copy of another rating counts for nothing.</source>
+        <translation>ihr Name passt nicht zum Inhalt; die Kopie einer anderen Bewertung zählt nicht.</translation>
+    </message>
+    <message>
+        <source>it is of the attempt &apos;%1&apos;; move it to the folder of that attempt.</source>
+        <translation>sie gehört zum Versuch „%1“; in den Ordner jenes Versuchs verschieben.</translation>
+    </message>
+    <message>
+        <source>the form that was kept with it is not the one that was answered; restore the folder from a copy.</source>
+        <translation>der dabei aufbewahrte Bogen ist nicht der beantwortete; den Ordner aus einer Kopie wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>The rating has a text that is not UTF-8; write it again.</source>
+        <translation>Die Bewertung enthält einen Text, der nicht UTF-8 ist; neu schreiben.</translation>
+    </message>
+    <message>
+        <source>There are %1 ratings of &apos;%2&apos; already; that is as many as are kept.</source>
+        <translation>Es gibt schon %1 Bewertungen von „%2“; mehr werden nicht aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>The system gives no random numbers for the key of the pseudonyms; try again.</source>
+        <translation>Das System liefert keine Zufallszahlen für den Schlüssel der Pseudonyme; noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not the key of the pseudonyms; restore it from a copy, or move it away: everybody then gets other codes.</source>
+        <translation>„%1“ ist nicht der Schlüssel der Pseudonyme; aus einer Kopie wiederherstellen oder wegräumen: dann erhalten alle andere Codes.</translation>
+    </message>
+    <message>
+        <source>1 to %1 small letters, digits and hyphens, the first no hyphen</source>
+        <translation>1 bis %1 Kleinbuchstaben, Ziffern und Bindestriche, am Anfang kein Bindestrich</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; cannot be made (%2); free some space, or choose a library you may write to.</source>
+        <translation>Der Ordner „%1“ kann nicht angelegt werden (%2); Platz schaffen, oder eine Bibliothek wählen, in die geschrieben werden darf.</translation>
+    </message>
+    <message>
+        <source>Another window is writing into &apos;%1&apos;; try again in a moment.</source>
+        <translation>Ein anderes Fenster schreibt gerade in „%1“; gleich noch einmal versuchen.</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
