@@ -9,13 +9,12 @@
 namespace ew::review {
 namespace {
 
+using test::allOf;
 using test::at;
 using test::logOf;
 
 /// Along a curve that nowhere comes back, where `place` (0 to 1) says.
 Pose along(double place) { return at({200.0 * place, 0.0, 40.0 * std::sin(3.0 * place)}); }
-
-Part allOf(const ScanLog& log) { return {log.begin_s(), log.end_s()}; }
 
 /// The expert goes evenly in 20 s; the trainee slowly first, in 30 s, and begins at 100 s of their own clock.
 ScanLog expert() {

@@ -4,6 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "ew/scanning/events.h"
+#include "logic/review_clock.h"
 
 namespace ew::review::test {
 
@@ -22,6 +23,8 @@ inline Pose at(const glm::dvec3& face_mm) {
   pose.probeToWorld.matrix = glm::translate(glm::dmat4(1.0), face_mm);
   return pose;
 }
+
+inline Part allOf(const ScanLog& log) { return {log.begin_s(), log.end_s()}; }
 
 /// `frames` images, `step_s` apart from `begin_s` on; `change` makes each what it is.
 inline ScanLog logOf(int frames, double step_s, const std::function<void(int, ScanState&)>& change, double begin_s = 0.0) {

@@ -8,10 +8,10 @@
 namespace ew::review {
 namespace {
 
+using test::allOf;
 using test::logOf;
 
 const Track& of(const std::vector<Track>& tracks, TrackKind kind) { return tracks[static_cast<std::size_t>(kind)]; }
-Part allOf(const ScanLog& log) { return {log.begin_s(), log.end_s()}; }
 
 TEST(ReviewTracks, SayWhenThePoseWasKnown) {
   const ScanLog log = logOf(11, 1.0, [](int n, ScanState& state) {
@@ -27,7 +27,8 @@ TEST(ReviewTracks, SayHowMuchOfTheFaceTouched) {
   std::vector<float> half(kPointsOfFace, 0.0F), none(kPointsOfFace, 20.0F);
   for (int n = 0; n < 8; ++n) half[static_cast<std::size_t>(n)] = 20.0F;
   const ScanLog log = logOf(7, 1.0, [&](int n, ScanState& state) { state.gaps_mm = n < 2 ? half : n < 4 ? none : std::vector<float>{}; });
-  const auto& spans = of(tracksOf(log, allOf(log)), TrackKind::contact).spans;
+  const auto tracks = tracksOf(log, allOf(log));
+  const auto& spans = of(tracks, TrackKind::contact).spans;
   EXPECT_EQ(spans, (std::vector<TrackSpan>{{0.0, 2.0, contactShare(half)}, {4.0, 6.0, 1.0}}));
 }
 
@@ -36,7 +37,8 @@ TEST(ReviewTracks, SayWhichSettingWasChangedAndFromWhat) {
     state.knobs.depth_mm = n < 2 ? 60.0 : 85.0;
     state.knobs.zoom = n < 3 ? 1.0 : 2.0;
   });
-  const auto& marks = of(tracksOf(log, allOf(log)), TrackKind::settings).marks;
+  const auto tracks = tracksOf(log, allOf(log));
+  const auto& marks = of(tracks, TrackKind::settings).marks;
   ASSERT_EQ(marks.size(), 2U);
   EXPECT_EQ(marks[0].time_s, 2.0);
   EXPECT_EQ(marks[0].what.english(), "depth 8.5 cm, was 6.0 cm; focus 4.2 cm, was 3.0 cm");

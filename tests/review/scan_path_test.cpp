@@ -8,10 +8,9 @@
 namespace ew::review {
 namespace {
 
+using test::allOf;
 using test::at;
 using test::logOf;
-
-Part allOf(const ScanLog& log) { return {log.begin_s(), log.end_s()}; }
 
 TEST(SkinPath, FollowsTheFaceAndBreaksWhereNothingTouches) {
   const ScanLog log = logOf(10, 0.1, [](int n, ScanState& state) {

@@ -8,6 +8,7 @@
 namespace ew::review {
 namespace {
 
+using test::allOf;
 using test::at;
 using test::logOf;
 
@@ -20,8 +21,6 @@ Volume box() {
   volume.echo.assign(volume.grid.voxelCount(), 100);
   return volume;
 }
-
-Part allOf(const ScanLog& log) { return {log.begin_s(), log.end_s()}; }
 
 TEST(VolumeRegions, FillAVolumeWithCubes) {
   const VolumeRegions regions(box(), box().grid);

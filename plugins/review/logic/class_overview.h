@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ew/assessment/statistics.h"
+
+namespace ew::review {
+
+/// What one attempt has of one step, for the overview of a class.
+struct StepResult {
+  std::string stepId;
+  double score = 0.0;  ///< 0 to 1
+  bool isPassed = false;
+  bool isSkipped = false;  ///< counts as not passed, and has no figures
+  struct Figure {
+    std::string name;
+    double value = 0.0;
+    std::string unit;
+  };
+  std::vector<Figure> figures;
+};
+struct AttemptResult {
+  std::string attemptId;
+  std::vector<StepResult> steps;  ///< one of each step that was ended
+};
+
+/// Five numbers of many: quartiles by linear interpolation between the values in order (Hyndman & Fan, Am Stat 50:361, 1996, type 7).
+struct Distribution {
+  std::vector<double> values;  ///< rising
+  double lowest = 0.0, lowerQuartile = 0.0, median = 0.0, upperQuartile = 0.0, highest = 0.0, mean = 0.0;
+};
+/// @return all 0 of no values; values that are not finite are left out
+[[nodiscard]] Distribution distributionOf(std::vector<double> values);
+/// How many values lie in each of `bins` even parts from lowest to highest; a value on an inner border counts above it, what lies outside
+/// not at all. @param bins > 0
+[[nodiscard]] std::vector<std::size_t> histogramOf(std::span<const double> values, double lowest, double highest, int bins);
+
+struct FigureOverview {
+  std::string name;
+  std::string unit;
+  Distribution values;
+};
+struct StepOverview {
+  std::string stepId;
+  std::size_t ended = 0;  ///< attempts that ended it
+  std::size_t passed = 0;
+  std::size_t skipped = 0;
+  Distribution scores;                  ///< skipped ones left out
+  std::vector<FigureOverview> figures;  ///< by name, in the order they first came
+  [[nodiscard]] double failedShare() const { return ended == 0 ? 0.0 : static_cast<double>(ended - passed) / static_cast<double>(ended); }
+};
+struct ClassOverview {
+  std::size_t attempts = 0;
+  std::vector<StepOverview> steps;  ///< as they were asked for, also those that nobody ended
+  /// The step that the largest share of those who ended it did not pass; the first of several. Empty: nobody failed.
+  std::optional<std::size_t> hardest;
+};
+/// @param steps ids in the order of the lesson
+[[nodiscard]] ClassOverview overviewOf(std::span<const AttemptResult> attempts, std::span<const std::string> steps);
+
+/// How an attempt's author stands by another judgement than the score: what contrasting groups compare.
+enum class Standing { unknown, notYet, competent };
+/// The pass level that the scores of a step suggest (contrastingGroups). @param standings one of each attempt
+[[nodiscard]] std::optional<Estimate> suggestedPassLevel(std::span<const AttemptResult> attempts, std::span<const Standing> standings,
+                                                         const std::string& stepId);
+
+}  // namespace ew::review
