@@ -257,7 +257,7 @@ TEST(LoadCase, ReadsTheFormerFormatAndSavesTheOneOfToday) {
   EXPECT_EQ(opened->laboratory[0].findings, "Lipase 40 U/l.");
   EXPECT_EQ(opened->laboratory[0].otherFields["by"], "x");
   ASSERT_TRUE(saveCase(*opened, folder.path()));
-  EXPECT_EQ(json::parse(textOf(folder / "case.json"))["format"], kCaseFormat);
+  EXPECT_EQ(json::parse(textOf(folder / "case.json"))["format"], kOpenCaseFormat);
   EXPECT_EQ(*loadCase(folder.path()), *opened);
 }
 

@@ -17,12 +17,13 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 24> kTopFields = {"format",       "id",           "title",       "title_for_trainees",
+constexpr std::array<std::string_view, 25> kTopFields = {"format",       "id",           "title",       "title_for_trainees",
                                                          "region",       "patient",      "complaint",   "history",
                                                          "indication",   "laboratory",   "findings",    "diagnosis",
                                                          "targets",      "differential", "difficulty",  "tags",
                                                          "measurements", "volume",       "mannequin",   "probes",
-                                                         "scene",        "start_pose",   "expert_pose", "previous_examinations"};
+                                                         "scene",        "start_pose",   "expert_pose", "previous_examinations",
+                                                         "sealed"};
 constexpr std::array<std::string_view, 3> kPatientFields = {"name", "sex", "age_years"};
 constexpr std::array<std::string_view, 8> kVolumeFields = {"file",   "labels",      "level",        "recipe", "recipe_spacing_mm",
                                                            "sweeps", "reconstruct", "file_to_world"};
@@ -226,6 +227,7 @@ std::vector<Error> checkManifest(const json& given, const std::filesystem::path&
     problems.push_back(
         wrongField("volume.reconstruct", say<"given without sweeps">(), say<"left out, or beside the sweeps it is about">()));
   }
+  if (manifest.contains("sealed")) checkFile(folder, manifest["sealed"], "file", "sealed.file", problems);
   checkTargets(manifest, problems);
   checkMeasurements(manifest, problems);
   checkPictures(folder, manifest, problems);
@@ -420,6 +422,7 @@ Result<Case> caseFromManifest(const json& given, const std::filesystem::path& fo
   }
   made.startPose = poseIn(manifest, "start_pose");
   made.expertPose = poseIn(manifest, "expert_pose");
+  if (manifest.contains("sealed")) made.sealed = {manifest["sealed"]["file"].get<std::string>(), manifest["sealed"]["sha256"].get<std::string>()};
   made.otherFields = unknownFields(manifest);
   made.folder = folder;
   return made;
@@ -430,7 +433,7 @@ ordered_json orderedManifestOf(const Case& edited) {
   const auto text = [&](const char* field, const std::string& value) {
     if (!value.empty()) manifest[field] = value;
   };
-  manifest["format"] = kCaseFormat;
+  manifest["format"] = edited.sealed ? kCaseFormat : kOpenCaseFormat;
   manifest["id"] = edited.id;
   manifest["title"] = edited.title;
   text("title_for_trainees", edited.titleForTrainees);
@@ -469,6 +472,8 @@ ordered_json orderedManifestOf(const Case& edited) {
   manifest["scene"] = ordered_json(toJson(edited.scene, edited.otherFields.contains("scene") ? &edited.otherFields["scene"] : nullptr));
   if (edited.startPose) manifest["start_pose"] = rowsOf(edited.startPose->probeToWorld.matrix);
   if (edited.expertPose) manifest["expert_pose"] = rowsOf(edited.expertPose->probeToWorld.matrix);
+
+  if (edited.sealed) manifest["sealed"] = {{"file", edited.sealed->file}, {"sha256", edited.sealed->sha256}};
 
   for (const char* nested : {"patient", "volume"})
     if (manifest.contains(nested) && edited.otherFields.contains(nested)) add(manifest[nested], edited.otherFields[nested]);
