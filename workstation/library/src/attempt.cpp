@@ -8,6 +8,7 @@
 #include "ew/core/json_fields.h"
 #include "ew/core/message.h"
 #include "ew/core/message_json.h"
+#include "ew/io/private_file.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/lesson.h"
 #include "ew/library/moment.h"
@@ -88,6 +89,15 @@ json jsonOf(const StepOutcome& outcome) {
   return made;
 }
 
+/// The folder of all attempts. One that several accounts share on purpose has the sticky bit, as /tmp has, and stays as it is: what lies in
+/// it is each account's own.
+Result<void> makeAttemptsFolder(const fs::path& root) {
+  std::error_code problem;
+  const auto status = fs::status(root, problem);
+  const bool isShared = fs::is_directory(status) && (status.permissions() & fs::perms::sticky_bit) != fs::perms::none;
+  return isShared ? Result<void>() : makePrivateFolder(root);
+}
+
 }  // namespace
 
 const StepOutcome* Attempt::outcomeOf(const std::string& stepId) const {
@@ -154,11 +164,13 @@ json jsonOf(const Attempt& attempt) {
 Result<KeptAttempt> KeptAttempt::begin(const fs::path& root, Attempt attempt) {
   const fs::path folder = root / attempt.id;
   std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
+  fs::create_directories(root.parent_path(), error);
+  auto closed = error ? Result<void>() : makeAttemptsFolder(root);
+  if (closed && !error) closed = makePrivateFolder(folder);
+  if (error || !closed)
     return failure(ErrorCode::notWritable,
                    say<"The folder '%1' for this attempt cannot be made (%2); free some space, or choose a library you may write to.">(
-                       folder, verbatim(error.message())),
+                       folder, error ? verbatim(error.message()) : closed.error().message),
                    {{"file", folder.string()}});
   KeptAttempt kept(folder, {});
   if (auto written = kept.keep(std::move(attempt)); !written) return passOn(written.error());
@@ -183,6 +195,8 @@ Result<void> KeptAttempt::keep(Attempt next) {
     return failure(ErrorCode::badField, say<"A text of the attempt is not valid UTF-8 and cannot be saved; type it again.">());
   }
   if (auto written = writeFileSafely(folder_ / kAttemptFile, text); !written) return written;
+  // Recordings and pictures come from writers that ask the umask; the folder has kept them from others until here.
+  if (auto closed = closeToOthers(folder_); !closed) return closed;
   attempt_ = std::move(next);
   return {};
 }

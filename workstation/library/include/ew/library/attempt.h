@@ -81,7 +81,7 @@ struct Attempt {
 
 /// An attempt on disk: ROOT/ID/attempt.json and the files that it names. attempt.json is written whole or not at all whenever a step begins
 /// or ends; files of a step lie there before they are named. So a crash at any moment loses at most the step that was running, and
-/// `runningStep` says which.
+/// `runningStep` says which. Folders are 0700 and files 0600 whatever the umask: another account reads nothing of it.
 class KeptAttempt {
  public:
   /// Makes the folder. @param root need not be there yet. @error notWritable
