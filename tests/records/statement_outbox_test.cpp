@@ -1,0 +1,165 @@
+#include "ew/records/statement_outbox.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "library/temporary_folder.h"
+#include "records/record_world.h"
+
+namespace ew::test::statement_outbox_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+StatementOutbox opened(const fs::path& folder) {
+  auto outbox = StatementOutbox::open(folder);
+  EXPECT_TRUE(outbox) << outbox.error();
+  return std::move(*outbox);
+}
+
+int filesIn(const fs::path& folder) {
+  int count = 0;
+  for (const auto& each : fs::directory_iterator(folder)) count += each.path().extension() == ".json" ? 1 : 0;
+  return count;
+}
+
+TEST(StatementOutbox, KeepsWhatItWasGivenInTheOrderItWasGiven) {
+  const TemporaryFolder folder;
+  {
+    StatementOutbox outbox = opened(folder / "o");
+    fill(outbox, 12);
+  }
+  const StatementOutbox again = opened(folder / "o");
+  ASSERT_EQ(again.entries().size(), 12u);
+  for (int n = 0; n < 12; ++n) {
+    EXPECT_EQ(again.entries()[static_cast<std::size_t>(n)].id, idNumbered(n));
+    EXPECT_EQ(nlohmann::json::parse(*again.textOf(idNumbered(n))), statementNumbered(n));
+  }
+}
+
+TEST(StatementOutbox, DoesNotTakeAnIdTwiceNeitherWhileItWaitsNorAfterItWasSent) {
+  const TemporaryFolder folder;
+  StatementOutbox outbox = opened(folder / "o");
+  EXPECT_EQ(outbox.add(statementNumbered(1)), true);
+  auto other = statementNumbered(1);
+  other["result"]["success"] = false;
+  EXPECT_EQ(outbox.add(other), false);
+  EXPECT_EQ(nlohmann::json::parse(*outbox.textOf(idNumbered(1))), statementNumbered(1)) << "the first word stands";
+  ASSERT_TRUE(outbox.keepSent({idNumbered(1)}));
+  EXPECT_EQ(outbox.add(statementNumbered(1)), false);
+  auto shouted = statementNumbered(1);
+  for (char& letter : shouted["id"].get_ref<std::string&>()) letter = static_cast<char>(std::toupper(letter));
+  EXPECT_EQ(outbox.add(shouted), false) << "an id is the same in capitals";
+  EXPECT_EQ(filesIn(folder / "o"), 0);
+}
+
+TEST(StatementOutbox, RemembersWhatWasSentInTheNextRun) {
+  const TemporaryFolder folder;
+  {
+    StatementOutbox outbox = opened(folder / "o");
+    fill(outbox, 3);
+    ASSERT_TRUE(outbox.keepSent({idNumbered(0), idNumbered(2)}));
+  }
+  StatementOutbox again = opened(folder / "o");
+  EXPECT_EQ(again.sentCount(), 2u);
+  EXPECT_TRUE(again.wasSent(idNumbered(2)));
+  ASSERT_EQ(again.entries().size(), 1u);
+  EXPECT_EQ(again.add(statementNumbered(0)), false);
+}
+
+TEST(StatementOutbox, OvercomesALineOfSentThatACrashCutOff) {
+  const TemporaryFolder folder;
+  {
+    StatementOutbox outbox = opened(folder / "o");
+    fill(outbox, 3);
+    ASSERT_TRUE(outbox.keepSent({idNumbered(0)}));
+  }
+  std::ofstream(folder / "o/sent", std::ios::app) << idNumbered(1).substr(0, 20);
+  StatementOutbox again = opened(folder / "o");
+  EXPECT_EQ(again.sentCount(), 1u);
+  EXPECT_EQ(again.entries().size(), 2u) << "what is not known to have arrived is still here";
+  ASSERT_TRUE(again.keepSent({idNumbered(1), idNumbered(2)}));
+  EXPECT_EQ(textOf(folder / "o/sent"), idNumbered(0) + "\n" + idNumbered(1) + "\n" + idNumbered(2) + "\n");
+}
+
+TEST(StatementOutbox, RemovesWhatACrashLeftBetweenTheLineAndTheRemoval) {
+  const TemporaryFolder folder;
+  std::string text, name;
+  {
+    StatementOutbox outbox = opened(folder / "o");
+    fill(outbox, 1);
+    for (const auto& each : fs::directory_iterator(folder / "o"))
+      if (each.path().extension() == ".json") name = each.path().string();
+    text = textOf(name);
+    ASSERT_TRUE(outbox.keepSent({idNumbered(0)}));
+  }
+  writeText(name, text);
+  EXPECT_TRUE(opened(folder / "o").entries().empty());
+  EXPECT_EQ(filesIn(folder / "o"), 0);
+}
+
+TEST(StatementOutbox, KnowsAfterACrashWhatWasBeingSent) {
+  const TemporaryFolder folder;
+  {
+    StatementOutbox outbox = opened(folder / "o");
+    fill(outbox, 3);
+    ASSERT_TRUE(outbox.announce({idNumbered(1)}));
+  }
+  StatementOutbox again = opened(folder / "o");
+  EXPECT_EQ(again.count(StatementStatus::doubtful), 1u);
+  EXPECT_EQ(again.entries()[1].status, StatementStatus::doubtful);
+  again.withdraw({idNumbered(1)});
+  EXPECT_EQ(again.count(StatementStatus::waiting), 3u);
+}
+
+TEST(StatementOutbox, KeepsWhyOneWasRefusedUntilItIsTriedAgain) {
+  const TemporaryFolder folder;
+  {
+    StatementOutbox outbox = opened(folder / "o");
+    fill(outbox, 2);
+    ASSERT_TRUE(outbox.keepRefused(idNumbered(0), "400 The verb\nis not known here."));
+  }
+  StatementOutbox again = opened(folder / "o");
+  EXPECT_EQ(again.entries()[0].status, StatementStatus::refused);
+  EXPECT_EQ(again.entries()[0].problem, "400 The verb is not known here");
+  ASSERT_TRUE(again.retryRefused());
+  EXPECT_EQ(again.count(StatementStatus::waiting), 2u);
+}
+
+TEST(StatementOutbox, IsOneProgramsAtATimeAndOnlyItsOwnersToRead) {
+  const TemporaryFolder folder;
+  const StatementOutbox outbox = opened(folder / "o");
+  const auto second = StatementOutbox::open(folder / "o");
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error().code, ErrorCode::notWritable);
+  EXPECT_NE(second.error().sentence().find("wait until it has finished"), std::string::npos) << second.error();
+  struct stat found {};
+  ASSERT_EQ(::stat((folder / "o").c_str(), &found), 0);
+  EXPECT_EQ(found.st_mode & 0777, 0700u);
+}
+
+TEST(StatementOutbox, RefusesWhatIsNoStatement) {
+  const TemporaryFolder folder;
+  StatementOutbox outbox = opened(folder / "o");
+  for (const char* part : {"id", "actor", "verb", "object"}) {
+    auto broken = statementNumbered(1);
+    broken.erase(part);
+    const auto added = outbox.add(broken);
+    ASSERT_FALSE(added) << part;
+    EXPECT_NE(added.error().sentence().find(std::string("'") + part + "'"), std::string::npos) << added.error();
+  }
+  auto odd = statementNumbered(1);
+  odd["id"] = "../../etc/passwd";
+  EXPECT_FALSE(outbox.add(odd));
+  odd = statementNumbered(1);
+  odd["object"]["id"] = "\xff\xfe";
+  EXPECT_FALSE(outbox.add(odd));
+  odd = statementNumbered(1);
+  odd["object"]["id"] = std::string(1 << 20, 'x');
+  EXPECT_EQ(outbox.add(odd).error().code, ErrorCode::tooLarge);
+  EXPECT_FALSE(outbox.add(nlohmann::json::array()));
+  EXPECT_EQ(filesIn(folder / "o"), 0);
+}
+
+}  // namespace
+}  // namespace ew::test::statement_outbox_test
