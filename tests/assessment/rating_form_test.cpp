@@ -163,6 +163,15 @@ TEST(ShippedRatingForms, AreTheSevenElementsAndAGlobalRating) {
   }
 }
 
+TEST(RatingForm, IsWhatTheManualShowsAsOne) {
+  const std::string manual = test::textOf(kResources / "docs" / "rating.md");
+  const std::string fence = "```json\n";
+  const auto begin = manual.find(fence) + fence.size();
+  const auto form = read(json::parse(manual.substr(begin, manual.find("```", begin) - begin)));
+  ASSERT_TRUE(form) << form.error();
+  EXPECT_EQ(form->id, "our-first-form");
+}
+
 class FormSchema : public ::testing::Test {
  protected:
   void SetUp() override {
