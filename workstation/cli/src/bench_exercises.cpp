@@ -8,7 +8,7 @@
 #include "ew/assessment/simulated_hand.h"
 #include "ew/core/parallel.h"
 #include "ew/scanning/contact.h"
-#include "teaching_case.h"
+#include "ew/assessment/teaching_case.h"
 
 namespace ew {
 namespace {

@@ -1,4 +1,4 @@
-#include "teaching_case.h"
+#include "ew/assessment/teaching_case.h"
 
 #include <algorithm>
 
