@@ -7,7 +7,10 @@
 #include "arguments.h"
 #include "ew/core/numbers.h"
 #include "ew/library/bundle.h"
+#include "ew/library/instructor_log.h"
+#include "ew/library/preparation.h"
 #include "ew/library/publishing.h"
+#include "ew/library/sealed_answers.h"
 #include "volume_input.h"
 
 namespace ew::cli {
@@ -21,6 +24,9 @@ struct LibraryArguments {
   std::vector<std::string> several;
   std::string output;
   std::string library;
+  bool isExamination = false;
+  std::vector<std::string> forWhom;
+  std::string examinationId;
 };
 
 fs::path libraryOf(const LibraryArguments& arguments) { return arguments.library.empty() ? libraryFolder() : fs::path(arguments.library); }
@@ -57,21 +63,95 @@ std::string sizeText(const std::vector<FileSum>& files) {
   return counted(files.size(), "file") + ", " + rounded(static_cast<double>(bytes) / 1048576.0, 1) + " MiB";
 }
 
+/// What goes into the bundle, and what is to be told about it.
+struct ToExport {
+  fs::path folder;
+  std::optional<Examination> examination;
+};
+
+Result<ToExport> makeExaminationOf(const fs::path& folder, const LibraryArguments& arguments, const fs::path& aside, Run& run) {
+  ExaminationOptions options{.instructors = {}, .id = arguments.examinationId, .preparation = {}};
+  for (const std::string& file : arguments.forWhom) {
+    if (auto kept = run.input(file); !kept) return passOn(kept.error());
+    const auto key = readPublicKey(file);
+    if (!key) return passOn(key.error());
+    options.instructors.push_back(*key);
+  }
+  if (const auto opened = loadCase(folder); opened && caseNeedsPreparation(*opened))
+    if (const auto estimate = estimatePreparation(*opened))
+      run.remark(say<"The volume of the case is made first, in about %1 s; an examination carries it instead of the patient's recipe.">(
+          numeral(rounded(estimate->seconds, 0))));
+  const StepClock clock(run.report, "seal");
+  PartOfProgress part(run.progress, 0.0, 0.8);
+  auto made = makeExamination(folder, aside, options, part);
+  if (!made) return passOn(made.error());
+  for (const Message& note : made->notes) run.remark(note);
+  return ToExport{aside, std::move(*made)};
+}
+
+/// A folder of this run's own that is gone afterwards.
+class ScratchFolder {
+ public:
+  explicit ScratchFolder(const fs::path& beside) {
+    std::string name = (fs::absolute(beside).parent_path() / ".ew-examination-XXXXXX").string();
+    if (::mkdtemp(name.data()) != nullptr) path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+void tellExport(const BundleHeader& header, const std::optional<Examination>& examination, const LibraryArguments& arguments, Run& run) {
+  run.say("Exported " + header.id + (header.revision > 0 ? ", revision " + std::to_string(header.revision) : "") + " (" +
+          sizeText(header.files) + ") to " + arguments.output + ".");
+  if (!examination) {
+    if (arguments.isExamination) return;
+    run.say(
+        "For practice: whoever opens the bundle can read the answers in its files. For an examination add --examination --for KEY.pub.");
+    return;
+  }
+  run.report.details["examination"] = {
+      {"id", examination->id}, {"sealed_sha256", examination->sealedSha256}, {"steps", examination->steps}};
+  run.say("An examination: " + counted(examination->steps, "step") + ", answers sealed. Keep this bundle: attempts at " + examination->id +
+          " are judged with it alone.");
+  if (examination->leftOut > 0)
+    run.say("Left out: " + counted(examination->leftOut, "step") + " that show the expert or come after the first question.");
+  if (auto logged = logChange(libraryFolder(), "examination made", examination->id, {}, examination->sealedSha256); !logged)
+    run.remark(logged.error().message);
+}
+
 Result<int> exportCase(const LibraryArguments& arguments, Run& run) {
+  if (arguments.isExamination != !arguments.forWhom.empty())
+    return failure(ErrorCode::badUsage,
+                   say<"--examination and --for go together: answers are sealed for somebody who can judge with them.">());
   const auto folder = folderOfCase(arguments.chosen);
   if (!folder) return passOn(folder.error());
   if (auto kept = readsCase(*folder, run); !kept) return passOn(kept.error());
   if (auto announced = run.output(arguments.output, kBundleEnding); !announced) return passOn(announced.error());
+  const ScratchFolder scratch(arguments.output);
+  ToExport from{*folder, {}};
+  if (arguments.isExamination) {
+    auto made = makeExaminationOf(*folder, arguments, scratch.path() / "examination", run);
+    if (!made) return passOn(made.error());
+    from = std::move(*made);
+  }
+  PartOfProgress exporting(run.progress, arguments.isExamination ? 0.8 : 0.0, 1.0);
   const auto header = [&] {
     const StepClock clock(run.report, "export");
-    return exportBundle(*folder, run.outputs.staged(arguments.output), run.progress);
+    return exportBundle(from.folder, run.outputs.staged(arguments.output), exporting);
   }();
   if (!header) return passOn(header.error());
   std::error_code ignored;
   const auto bytes = fs::file_size(run.outputs.staged(arguments.output), ignored);
   run.report.quality = {{"files", header->files.size()}, {"revision", header->revision}, {"bundle_bytes", bytes}};
-  run.say("Exported " + header->id + (header->revision > 0 ? ", revision " + std::to_string(header->revision) : "") + " (" +
-          sizeText(header->files) + ") to " + arguments.output + ".");
+  tellExport(*header, from.examination, arguments, run);
   return kDone;
 }
 
@@ -219,10 +299,19 @@ void addCaseLibrary(CLI::App& group, Selection& selection) {
   constexpr const char* kCaseText = "A case folder, its case.json, or the id of a published or shipped case";
   constexpr const char* kLibraryText = "The library's folder (ECHOWEAVE_LIBRARY, else ~/EchoWeave)";
 
-  auto& exported = addCommand(group, selection, "export", "Write a case into one file that another workstation can import",
-                              {"case export my-cases/knee -o knee.ewcase"}, [arguments](Run& run) { return exportCase(*arguments, run); });
+  auto& exported =
+      addCommand(group, selection, "export", "Write a case into one file that another workstation can import",
+                 {"case export my-cases/knee -o knee.ewcase", "case export my-cases/knee -o friday.ewcase --examination --for anna.pub"},
+                 [arguments](Run& run) { return exportCase(*arguments, run); });
   exported.add_option("CASE", arguments->chosen, kCaseText)->required()->type_name("");
   exported.add_option("-o,--output", arguments->output, "The bundle to write, X.ewcase")->required()->type_name("X.ewcase");
+
+  exported.add_flag("--examination", arguments->isExamination,
+                    "Only what trainees may read; the answers are sealed, and attempts are judged afterwards with the instructor's key");
+  exported.add_option("--for", arguments->forWhom, "Public keys of the instructors who judge ('key show'); several are possible")
+      ->type_name("KEY.pub");
+  exported.add_option("--examination-id", arguments->examinationId, "Its id (a random one: a case's own often names the finding)")
+      ->type_name("ID");
 
   auto& imported = addCommand(group, selection, "import", "Take a bundle into the library, checked to its last byte, or not at all",
                               {"case import knee.ewcase", "case import knee.ewcase --library /srv/echoweave"},

@@ -73,7 +73,8 @@ struct Selection {
   std::string command;  ///< "reconstruct", "case show" …
   Work work;
   std::string reportFile;
-  std::string simd;  ///< as useSimd; empty: what the environment asks for
+  std::string simd;        ///< as useSimd; empty: what the environment asks for
+  std::string unlockFrom;  ///< as readPassphrase; empty: nobody gives an instructor's passphrase
   bool quiet = false;
   bool verbose = false;
 };
@@ -96,6 +97,8 @@ void addSend(CLI::App& root, Selection& selection);
 void addPhantom(CLI::App& root, Selection& selection);
 void addCase(CLI::App& root, Selection& selection);
 void addLesson(CLI::App& root, Selection& selection);
+void addKey(CLI::App& root, Selection& selection);
+void addAccess(CLI::App& root, Selection& selection);
 void addPreset(CLI::App& root, Selection& selection);
 void addPlugins(CLI::App& root, Selection& selection);
 void addBench(CLI::App& root, Selection& selection);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <ostream>
 
+#include "access_gate.h"
 #include "arguments.h"
 #include "command.h"
 #include "ew/core/guarded.h"
@@ -12,6 +13,7 @@
 #include "ew/core/version.h"
 #include "ew/io/safe_file.h"
 #include "input_files.h"
+#include "passphrase_input.h"
 #include "plugin_commands.h"
 
 namespace ew::cli {
@@ -31,8 +33,8 @@ constexpr const char* kFooter =
     "Exit status: 0 done, 1 it could not be done, 2 wrong usage, 3 done with the answer 'no' or 'cannot tell'.";
 
 std::vector<std::string> builtInNames() {
-  return {"import",  "screen", "reconstruct", "register", "slice",  "level", "scan",    "replay",
-          "phantom", "case",   "lesson",      "measure",  "preset", "send",  "plugins", "bench"};
+  return {"import", "screen", "reconstruct", "register", "slice",   "level",  "scan", "replay",  "phantom",
+          "case",   "lesson", "key",         "access",   "measure", "preset", "send", "plugins", "bench"};
 }
 
 /// CLI11's messages, as one sentence with a full stop.
@@ -88,6 +90,8 @@ Result<int> execute(const Selection& selection, Run& run) {
   if (auto chosen = useSimd(asked ? selection.simd : simdOfEnvironment()); !chosen)
     return failure(chosen.error().code, asked ? say<"--simd cannot be used. %1">(chosen.error().message)
                                               : say<"ECHOWEAVE_SIMD cannot be used. %1">(chosen.error().message));
+  AccessPolicy policy = AccessPolicy::of(libraryFolder());
+  if (auto passed = passGate(selection.command, selection.unlockFrom, policy); !passed) return passOn(passed.error());
   const bool wantsReport = !selection.reportFile.empty();
   if (wantsReport)
     if (auto announced = run.outputs.announce(selection.reportFile); !announced) return passOn(announced.error());
@@ -169,6 +173,8 @@ CLI::App& addCommand(CLI::App& parent, Selection& selection, const std::string& 
          "Instruction set of the kernels: best, avx3 (AVX-512), avx2, sse4 or scalar; the same results, to measure what others get. "
          "Without it ECHOWEAVE_SIMD is asked")
       ->type_name("SET");
+  app.add_option("--unlock", selection.unlockFrom, "Where an instructor's passphrase comes from while the library is locked for trainees")
+      ->type_name(kPassphraseSource);
   app.add_flag("--verbose", selection.verbose, "After an error, a second line with its particulars");
   std::string footer;
   for (const auto& example : examples) footer += (footer.empty() ? "Examples:\n  echoweave " : "\n  echoweave ") + example;
@@ -211,6 +217,8 @@ int runCommand(std::span<const std::string> args, const Surroundings& surroundin
   addPhantom(root, selection);
   addCase(root, selection);
   addLesson(root, selection);
+  addKey(root, selection);
+  addAccess(root, selection);
   addMeasure(root, selection);
   addPreset(root, selection);
   addSend(root, selection);
