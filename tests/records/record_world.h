@@ -84,7 +84,7 @@ inline Lesson someLesson() {
 inline XapiOptions someOptions() {
   XapiOptions options;
   options.homePage = "https://school.example/";
-  options.pseudonymKey = "a key of this school";
+  options.pseudonym = "T-9DC4-XB0M";
   return options;
 }
 

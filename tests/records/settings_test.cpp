@@ -115,15 +115,6 @@ TEST(Secrets, RefuseNamesAndContentsThatCannotBe) {
   EXPECT_FALSE(fs::exists(folder / "c"));
 }
 
-TEST(Secrets, ThePseudonymKeyIsMadeOnce) {
-  const TemporaryFolder folder;
-  const auto key = pseudonymKey(folder / "c", kNoKeyring);
-  ASSERT_TRUE(key);
-  EXPECT_EQ(key->size(), 64u);
-  EXPECT_EQ(pseudonymKey(folder / "c", kNoKeyring), key);
-  EXPECT_NE(pseudonymKey(folder / "d", kNoKeyring), key);
-}
-
 TEST(RecordStoreOf, JoinsSettingsAndSecret) {
   const TemporaryFolder folder;
   ASSERT_TRUE(writeRecordStoreSettings(someSettings(), folder / "c"));

@@ -1,10 +1,12 @@
 #include "http.h"
 
-#include <openssl/evp.h>
+#include <pthread.h>
 
 #include <algorithm>
 #include <cctype>
 #include <chrono>
+#include <csignal>
+#include <ctime>
 #include <mutex>
 #include <nlohmann/json.hpp>
 
@@ -95,6 +97,31 @@ HttpTrouble troubleOf(CURLcode code, CURL* easy) {
   }
 }
 
+/// No SIGPIPE in this thread: OpenSSL writes to a connection that the other side may have closed, and the signal would end the program.
+class NoPipeSignal {
+ public:
+  NoPipeSignal() {
+    sigset_t pending;
+    sigpending(&pending);
+    wasPending_ = sigismember(&pending, SIGPIPE) == 1;
+    sigemptyset(&pipe_);
+    sigaddset(&pipe_, SIGPIPE);
+    pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+  }
+  ~NoPipeSignal() {
+    const timespec atOnce{0, 0};
+    while (!wasPending_ && sigtimedwait(&pipe_, nullptr, &atOnce) == SIGPIPE) {
+    }
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  NoPipeSignal(const NoPipeSignal&) = delete;
+  NoPipeSignal& operator=(const NoPipeSignal&) = delete;
+
+ private:
+  sigset_t pipe_{}, before_{};
+  bool wasPending_ = false;
+};
+
 /// Polled, for curl's own progress call comes once a second. Empty: cancelled.
 std::optional<CURLcode> perform(CURLM* multi, const Progress& progress) {
   for (int running = 1; running > 0;) {
@@ -117,6 +144,7 @@ HttpClient::HttpClient(const RecordStore& store)
 HttpResult HttpClient::ask(const HttpQuestion& question, const Progress& progress) {
   if (const auto safe = safeAddress(question.url, allowsHttp_, say<"the address">()); !safe)
     return tl::unexpected(HttpFailure{HttpTrouble::unreachable, safe.error().sentence()});
+  const NoPipeSignal noSignal;
   // What a question needs outlives the handles, which are closed in the reverse order.
   Reading reading;
   std::vector<std::string> headers = question.headers;

@@ -35,21 +35,21 @@ Result<void> checkSettings(const RecordStoreSettings& settings) {
   return {};
 }
 
-Result<fs::path> ownFolder(const char* variable, const char* below) {
-  if (const char* given = std::getenv(variable); given != nullptr && given[0] == '/') return fs::path(given) / "echoweave";
-  if (const char* home = std::getenv("HOME"); home != nullptr && home[0] == '/') return fs::path(home) / below / "echoweave";
-  return failure(ErrorCode::notFound, say<"It is not known where your home folder is; set HOME, or name the folder.">());
-}
-
 }  // namespace
 
-Result<fs::path> recordSettingsFolder() { return ownFolder("XDG_CONFIG_HOME", ".config"); }
-
-Result<fs::path> recordOutboxFolder() {
-  auto folder = ownFolder("XDG_DATA_HOME", ".local/share");
-  if (folder) *folder /= "records";
-  return folder;
+Result<fs::path> recordSettingsFolder() {
+  if (const char* given = std::getenv("XDG_CONFIG_HOME"); given != nullptr && given[0] == '/') return fs::path(given) / "echoweave";
+  if (const char* home = std::getenv("HOME"); home != nullptr && home[0] == '/') return fs::path(home) / ".config" / "echoweave";
+  return failure(ErrorCode::notFound, say<"It is not known where your home folder is; set HOME, or name a folder with --settings.">());
 }
+
+std::string homePageOf(const RecordStoreSettings& settings) {
+  if (!settings.homePage.empty()) return settings.homePage;
+  const std::string origin = records::originOf(settings.endpoint);
+  return origin.empty() ? origin : origin + "/";
+}
+
+fs::path recordOutboxFolder(const fs::path& library) { return library / "records"; }
 
 Result<RecordStoreSettings> readRecordStoreSettings(const fs::path& folder) {
   const fs::path file = folder / kSettingsFile;

@@ -1,5 +1,4 @@
 #include <fcntl.h>
-#include <openssl/rand.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -154,20 +153,6 @@ Result<void> forgetSecret(const fs::path& folder, const std::string& name, const
   if (auto named = checkName(name); !named) return named;
   if (options.usesKeyring) (void)records::forgetInKeyring(folder, name, options.keyringTimeout_s);
   return removeFile(folder, name);
-}
-
-Result<std::string> pseudonymKey(const fs::path& folder, const SecretOptions& options) {
-  if (auto found = readSecret(folder, kPseudonymSecret, options); found || found.error().code != ErrorCode::notFound) return found;
-  std::array<unsigned char, 32> bytes{};
-  if (RAND_bytes(bytes.data(), static_cast<int>(bytes.size())) != 1)
-    return failure(ErrorCode::internal, say<"The system gives no random numbers for a key; try again later.">());
-  std::string key;
-  for (const unsigned char byte : bytes) {
-    key += "0123456789abcdef"[byte >> 4];
-    key += "0123456789abcdef"[byte & 15];
-  }
-  if (auto kept = keepSecret(folder, kPseudonymSecret, key, options); !kept) return passOn(kept.error());
-  return key;
 }
 
 }  // namespace ew

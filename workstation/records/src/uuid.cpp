@@ -1,5 +1,4 @@
 #include <openssl/evp.h>
-#include <openssl/hmac.h>
 
 #include <array>
 #include <cctype>
@@ -54,14 +53,6 @@ std::string uuidOfName(std::string_view space, std::string_view name) {
   std::string text = hexOf(sum.data(), 16);
   for (const std::size_t dash : {8u, 13u, 18u, 23u}) text.insert(dash, "-");
   return text;
-}
-
-std::string pseudonymOf(std::string_view person, std::string_view key) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> sum{};
-  unsigned size = 0;
-  HMAC(EVP_sha256(), key.data(), static_cast<int>(key.size()), reinterpret_cast<const unsigned char*>(person.data()), person.size(),
-       sum.data(), &size);
-  return hexOf(sum.data(), 12);
 }
 
 }  // namespace ew

@@ -53,8 +53,7 @@ const LessonStep* AttemptStatements::stepOf(const std::string& id) const {
 
 json AttemptStatements::actor() const {
   if (!options_.actor.is_null()) return options_.actor;
-  json made = {{"objectType", "Agent"},
-               {"account", {{"homePage", options_.homePage}, {"name", pseudonymOf(attempt_.person, options_.pseudonymKey)}}}};
+  json made = {{"objectType", "Agent"}, {"account", {{"homePage", options_.homePage}, {"name", options_.pseudonym}}}};
   if (options_.names && !attempt_.person.empty()) made["name"] = attempt_.person;
   return made;
 }
@@ -127,11 +126,11 @@ json AttemptStatements::statement(XapiVerb verb, const std::string& event, sys_s
 
 XapiVerb verbOf(const StepOutcome& outcome, const LessonStep* step) {
   if (outcome.verdict == StepVerdict::skipped) return XapiVerb::skipped;
-  const std::string type = typeOfTask(step);
+  const std::string_view type = typeOfTask(step);
   if (type == "question") return XapiVerb::answered;
-  const bool isPassed = outcome.verdict == StepVerdict::passed;
-  if (type == "media" && isPassed) return XapiVerb::completed;
-  return isPassed ? XapiVerb::passed : XapiVerb::failed;
+  if (outcome.verdict == StepVerdict::handedIn) return XapiVerb::completed;  // nobody has judged it yet
+  if (type == "media" && outcome.verdict == StepVerdict::passed) return XapiVerb::completed;
+  return outcome.verdict == StepVerdict::passed ? XapiVerb::passed : XapiVerb::failed;
 }
 
 /// What was entered, as xAPI wants it: a text.
@@ -142,10 +141,11 @@ std::string responseOf(const json& answer) {
 
 json AttemptStatements::ofOutcome(const StepOutcome& outcome, int repetition) {
   const XapiVerb verb = verbOf(outcome, stepOf(outcome.stepId));
-  const bool isSkipped = outcome.verdict == StepVerdict::skipped;
+  const bool isSkipped = outcome.verdict == StepVerdict::skipped, isHandedIn = outcome.verdict == StepVerdict::handedIn;
   json result = {
       {"success", outcome.verdict == StepVerdict::passed}, {"completion", !isSkipped}, {"duration", durationText(outcome.seconds)}};
-  if (!isSkipped) result["score"] = scoreOf(outcome.score);
+  if (isHandedIn) result.erase("success");  // nobody has judged it yet
+  if (!isSkipped && !isHandedIn) result["score"] = scoreOf(outcome.score);
   if (verb == XapiVerb::answered && !outcome.answer.is_null())
     if (std::string response = responseOf(outcome.answer); !response.empty()) result["response"] = std::move(response);
   result["extensions"] = {{iri("extension/hints"), outcome.hints}};
@@ -156,8 +156,9 @@ json AttemptStatements::ofOutcome(const StepOutcome& outcome, int repetition) {
     result["extensions"][iri("extension/figures")] = std::move(figures);
   }
   if (json metrics = metricsOf(outcome.stepId); !metrics.empty()) result["extensions"][iri("extension/metrics")] = std::move(metrics);
-  return statement(verb, "step\n" + outcome.stepId + "\n" + std::to_string(repetition), outcome.at, stepActivity(outcome.stepId),
-                   std::move(result), outcome.stepId);
+  // Its judgement is another event, which comes later.
+  const std::string event = (isHandedIn ? "handed in\n" : "step\n") + outcome.stepId + "\n" + std::to_string(repetition);
+  return statement(verb, event, outcome.at, stepActivity(outcome.stepId), std::move(result), outcome.stepId);
 }
 
 /// Completed, and passed or failed: the latest outcome of each step counts, and a step of the lesson that has none counts as 0.
@@ -184,7 +185,8 @@ void AttemptStatements::sayHowItEnded(std::vector<json>& said) {
   json result = {{"completion", true}, {"duration", durationText(seconds)}, {"extensions", {{iri("extension/hints"), hints}}}};
   if (json metrics = metricsOf({}); !metrics.empty()) result["extensions"][iri("extension/metrics")] = std::move(metrics);
   said.push_back(statement(XapiVerb::completed, "completed", *attempt_.finishedAt, lessonActivity(), result, {}));
-  if (counted.empty()) return;
+  const auto isOpen = [](const auto& each) { return each.second != nullptr && each.second->verdict == StepVerdict::handedIn; };
+  if (counted.empty() || std::any_of(counted.begin(), counted.end(), isOpen)) return;
   result["success"] = isPassed;
   result["score"] = scoreOf(sum / static_cast<double>(counted.size()));
   said.push_back(statement(isPassed ? XapiVerb::passed : XapiVerb::failed, "judged", *attempt_.finishedAt, lessonActivity(), result, {}));
@@ -206,9 +208,7 @@ Result<void> checkOptions(const XapiOptions& options) {
   };
   if (options.actor.is_null() && !records::isWebAddress(options.homePage))
     return refused("home_page", options.homePage, say<"an address of your site, such as https://school.example/">());
-  if (options.actor.is_null() && options.pseudonymKey.empty())
-    return failure(ErrorCode::badField,
-                   say<"Statements cannot be made without a key for pseudonyms; 'echoweave records settings' makes one.">());
+  if (options.actor.is_null() && options.pseudonym.empty()) return refused("pseudonym", {}, say<"a word that stands for the person">());
   if (!records::isIri(options.activityBase)) return refused("activity_base", options.activityBase, say<"an address or a urn">());
   if (!options.registration.empty() && !isUuid(options.registration)) return refused("registration", options.registration, say<"a UUID">());
   if (!records::isLanguageTag(options.language)) return refused("language", options.language, say<"a language such as en or de-AT">());

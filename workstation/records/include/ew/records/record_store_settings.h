@@ -23,6 +23,9 @@ struct RecordStoreSettings {
   bool operator==(const RecordStoreSettings&) const = default;
 };
 
+/// Where people have accounts: the home page, else the machine of the endpoint ("https://records.example/"); empty when there is neither.
+[[nodiscard]] std::string homePageOf(const RecordStoreSettings& settings);
+
 /// FOLDER/record-store.json. @error notFound, notReadable, badHeader, badField (field name, value found, value expected), newerFormat
 [[nodiscard]] Result<RecordStoreSettings> readRecordStoreSettings(const std::filesystem::path& folder);
 /// Makes the folder when it is not there. @error badField (an endpoint that passwords may not be sent to), notWritable
@@ -30,8 +33,8 @@ struct RecordStoreSettings {
 
 /// $XDG_CONFIG_HOME/echoweave, else ~/.config/echoweave. @error notFound (the user has no home folder)
 [[nodiscard]] Result<std::filesystem::path> recordSettingsFolder();
-/// $XDG_DATA_HOME/echoweave/records, else ~/.local/share/echoweave/records: the outbox, when nothing else is asked for.
-[[nodiscard]] Result<std::filesystem::path> recordOutboxFolder();
+/// LIBRARY/records: the outbox, when nothing else is asked for.
+[[nodiscard]] std::filesystem::path recordOutboxFolder(const std::filesystem::path& library);
 
 /// What must not be seen: kept in the system's keyring (Secret Service, by libsecret) where there is one, else in the file
 /// FOLDER/secrets/NAME, which only its owner reads. A file or a folder that others may read is not used.
@@ -43,7 +46,7 @@ struct SecretOptions {
 [[nodiscard]] bool hasKeyring();  ///< whether this build knows of keyrings; the system may still have none
 
 /// Keeps a secret; one that was kept before under this name is gone, wherever it was.
-/// @param name   [a-z0-9-]+ of what: "record-store" @param secret any bytes without a zero, at most 64 KiB
+/// @param name   [a-z0-9-]+: "record-store" @param secret any bytes without a zero, at most 64 KiB
 /// @error badField, notWritable
 [[nodiscard]] Result<SecretPlace> keepSecret(const std::filesystem::path& folder, const std::string& name, const std::string& secret,
                                              const SecretOptions& options = {});
@@ -54,11 +57,6 @@ struct SecretOptions {
 [[nodiscard]] Result<void> forgetSecret(const std::filesystem::path& folder, const std::string& name, const SecretOptions& options = {});
 
 inline constexpr const char* kRecordStoreSecret = "record-store";  ///< the password or the token
-inline constexpr const char* kPseudonymSecret = "pseudonym-key";   ///< what pseudonyms are made with, 64 hexadecimal digits
-
-/// The key for pseudonyms of this folder; made, of 32 random bytes, when there is none. @error as readSecret and keepSecret
-[[nodiscard]] Result<std::string> pseudonymKey(const std::filesystem::path& folder, const SecretOptions& options = {});
-
 /// The settings of a folder with their secret. @error as readRecordStoreSettings and readSecret, badField
 [[nodiscard]] Result<RecordStore> recordStoreOf(const std::filesystem::path& folder, const SecretOptions& options = {});
 

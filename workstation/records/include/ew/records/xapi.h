@@ -35,9 +35,8 @@ struct XapiMetric {
 struct XapiOptions {
   /// Of the system in which people have accounts: an address of the site ("https://school.example/"). Has to be given unless `actor` is.
   std::string homePage;
-  /// What pseudonyms are made with, any bytes; whoever does not have them cannot work a name out by trying. Machines with the same key call
-  /// a person the same. Has to be given unless `actor` is.
-  std::string pseudonymKey;
+  /// What the person is called instead of a name, the same in all their attempts (Pseudonyms::ofPerson). Has to be given unless `actor` is.
+  std::string pseudonym;
   bool names = false;  ///< say the person's name beside the pseudonym
   /// An agent that somebody else has named, as a learning management system does at a launch; null: account with a pseudonym.
   nlohmann::json actor;
@@ -53,17 +52,16 @@ struct XapiOptions {
   std::vector<XapiMetric> metrics;
 };
 
-/// The name under which a person is spoken of: 24 hexadecimal digits of HMAC-SHA-256 (RFC 2104) of the name with the key.
-[[nodiscard]] std::string pseudonymOf(std::string_view person, std::string_view key);
-
 /// What an attempt says, in the order in which it happened: attempted; for each outcome answered, completed, passed, failed or skipped; and
 /// when it has ended completed, and passed or failed. Ids come from the attempt's id and from which of its events it is, so an event has
 /// one id however often, wherever and with whatever options it is told; who wants it told differently has to void the statement.
 ///
+/// What was handed in and is not judged yet is said without a score, and judged by a statement of its own afterwards.
+///
 /// Scores are those of the outcomes: scaled 0 to 1, raw 0 to 100. That of the attempt is the mean over its steps (of the lesson, when it is
 /// known), the latest outcome of each; passed is an attempt whose steps all are. Durations leave pauses out. Remarks and recordings
 /// stay here.
-/// @error badField (home page, key, registration, base or language that cannot be used; a metric that is not finite; text that is not
+/// @error badField (home page, pseudonym, registration, base or language that cannot be used; a metric that is not finite; text that is not
 /// UTF-8)
 [[nodiscard]] Result<std::vector<nlohmann::json>> statementsOf(const Attempt& attempt, const XapiOptions& options);
 
