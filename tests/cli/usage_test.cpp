@@ -21,7 +21,7 @@ TEST(Usage, VersionAndHelpGoToTheOutputAndSucceed) {
   const auto help = run({"--help"});
   EXPECT_EQ(help.status, 0);
   for (const char* command : {"import", "screen", "reconstruct", "register", "slice", "level", "scan", "phantom", "case", "measure",
-                              "preset", "send", "plugins", "bench"})
+                              "preset", "send", "records", "plugins", "bench"})
     EXPECT_NE(help.out.find(command), std::string::npos) << command;
   EXPECT_EQ(help.err, "");
 }
@@ -42,6 +42,10 @@ TEST(Usage, EveryCommandExplainsItselfWithAnExampleAndTheSharedOptions) {
                                                        {"case", "publish"},
                                                        {"case", "verify"},
                                                        {"preset", "list"},
+                                                       {"records", "add"},
+                                                       {"records", "send"},
+                                                       {"records", "list"},
+                                                       {"records", "settings"},
                                                        {"preset", "check"},
                                                        {"send"},
                                                        {"plugins", "list"},
@@ -50,7 +54,8 @@ TEST(Usage, EveryCommandExplainsItselfWithAnExampleAndTheSharedOptions) {
                                                        {"lesson", "show"},
                                                        {"lesson", "check"},
                                                        {"lesson", "record"},
-                                                       {"lesson", "course"}};
+                                                       {"lesson", "course"},
+                                                       {"assess"}};
   for (auto words : commands) {
     words.push_back("--help");
     const auto help = run(words);

@@ -97,9 +97,11 @@ void addSend(CLI::App& root, Selection& selection);
 void addPhantom(CLI::App& root, Selection& selection);
 void addCase(CLI::App& root, Selection& selection);
 void addLesson(CLI::App& root, Selection& selection);
+void addAssess(CLI::App& root, Selection& selection);
 void addKey(CLI::App& root, Selection& selection);
 void addAccess(CLI::App& root, Selection& selection);
 void addPreset(CLI::App& root, Selection& selection);
+void addRecords(CLI::App& root, Selection& selection);
 void addPlugins(CLI::App& root, Selection& selection);
 void addBench(CLI::App& root, Selection& selection);
 

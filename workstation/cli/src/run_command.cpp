@@ -33,8 +33,8 @@ constexpr const char* kFooter =
     "Exit status: 0 done, 1 it could not be done, 2 wrong usage, 3 done with the answer 'no' or 'cannot tell'.";
 
 std::vector<std::string> builtInNames() {
-  return {"import", "screen", "reconstruct", "register", "slice",   "level",  "scan", "replay",  "phantom",
-          "case",   "lesson", "key",         "access",   "measure", "preset", "send", "plugins", "bench"};
+  return {"import", "screen", "reconstruct", "register", "slice",   "level",  "scan", "replay",  "phantom", "case",
+          "lesson", "assess", "key",         "access",   "measure", "preset", "send", "records", "plugins", "bench"};
 }
 
 /// CLI11's messages, as one sentence with a full stop.
@@ -217,11 +217,13 @@ int runCommand(std::span<const std::string> args, const Surroundings& surroundin
   addPhantom(root, selection);
   addCase(root, selection);
   addLesson(root, selection);
+  addAssess(root, selection);
   addKey(root, selection);
   addAccess(root, selection);
   addMeasure(root, selection);
   addPreset(root, selection);
   addSend(root, selection);
+  addRecords(root, selection);
   addPlugins(root, selection);
   addBench(root, selection);
   root.footer(kFooter);  // last, because groups of commands inherit what the root has when they are made
