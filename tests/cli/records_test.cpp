@@ -1,0 +1,131 @@
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "cli/cli_world.h"
+#include "ew/library/attempt.h"
+#include "records/record_server.h"
+#include "records/record_world.h"
+
+namespace ew::test::records_command_test {
+namespace {
+
+class RecordsCommand : public ::testing::Test {
+ protected:
+  RecordsCommand() {
+    auto kept = KeptAttempt::begin(folder_.path() / "library/attempts", someAttempt());
+    EXPECT_TRUE(kept) << kept.error();
+  }
+  Outcome records(std::vector<std::string> words) {
+    words.insert(words.begin(), "records");
+    const std::string command = words[1];
+    words.insert(words.end(), {"--report", folder_ / "report.json"});
+    if (command != "settings") words.insert(words.end(), {"--library", folder_ / "library"});
+    if (command != "list") words.insert(words.end(), {"--settings", folder_ / "settings", "--no-keyring"});
+    return run(words);
+  }
+  void setUp(const std::string& endpoint) {
+    writeText(folder_ / "password", "secret-word\n");
+    const auto set = records({"settings", "--endpoint", endpoint, "--user", "mona", "--secret-from", folder_ / "password"});
+    ASSERT_EQ(set.status, 0) << set.err;
+  }
+  EnvironmentValue resources_{"ECHOWEAVE_RESOURCES", std::string(EW_SOURCE_DIR) + "/resources"};
+  EnvironmentValue cases_{"ECHOWEAVE_CASES", std::string(EW_SOURCE_DIR) + "/cases"};
+  const TemporaryFolder folder_;
+  EnvironmentValue library_{"ECHOWEAVE_LIBRARY", folder_ / "library"};
+  RecordServer server_;
+};
+
+TEST_F(RecordsCommand, BringsAnAttemptToARecordStoreOnce) {
+  server_.authorization = "Basic bW9uYTpzZWNyZXQtd29yZA==";
+  setUp(server_.endpoint());
+  const auto added = records({"add"});
+  ASSERT_EQ(added.status, 0) << added.err;
+  EXPECT_NE(added.out.find("Took 8 statements of 1 attempt"), std::string::npos) << added.out;
+  EXPECT_NE(records({"add"}).out.find("Took 0 statements of 1 attempt; 8 were in the outbox"), std::string::npos);
+  EXPECT_NE(records({"list"}).out.find("8 statements to send, 0 refused, 0 sent"), std::string::npos);
+  const auto sent = records({"send"});
+  ASSERT_EQ(sent.status, 0) << sent.err;
+  EXPECT_NE(sent.out.find("8 statements more"), std::string::npos) << sent.out;
+  EXPECT_EQ(readJson(folder_ / "report.json")["quality"]["sent"], 8);
+  EXPECT_EQ(server_.arrivals().size(), 8u);
+  EXPECT_NE(records({"add"}).out.find("Took 0 statements"), std::string::npos);
+  EXPECT_EQ(records({"send"}).status, 0);
+  for (const auto& [id, count] : server_.arrivals()) EXPECT_EQ(count, 1) << id;
+}
+
+TEST_F(RecordsCommand, SaysNamesOnlyWhenAsked) {
+  setUp(server_.endpoint());
+  const auto plain = records({"add", "--dry-run"});
+  ASSERT_EQ(plain.status, 0) << plain.err;
+  EXPECT_EQ(plain.out.find("Lovelace"), std::string::npos);
+  EXPECT_NE(plain.out.find("\"T-"), std::string::npos) << "the library's code stands for the person";
+  EXPECT_NE(records({"add", "--dry-run", "--names"}).out.find("\"name\": \"Ada Lovelace\""), std::string::npos);
+  EXPECT_NE(records({"list"}).out.find("0 statements to send"), std::string::npos) << "a dry run takes nothing";
+}
+
+TEST_F(RecordsCommand, KeepsThePasswordOutOfSettingsReportsAndWords) {
+  setUp(server_.endpoint());
+  const auto shown = records({"settings"});
+  EXPECT_NE(shown.out.find("secret:            kept"), std::string::npos) << shown.out;
+  for (const std::string& text :
+       {shown.out, shown.err, readText(folder_ / "settings/record-store.json"), readText(folder_ / "report.json")})
+    EXPECT_EQ(text.find("secret-word"), std::string::npos) << text;
+  struct stat found {};
+  ASSERT_EQ(::stat((folder_ / "settings/secrets/record-store").c_str(), &found), 0);
+  EXPECT_EQ(found.st_mode & 0777, 0600u);
+  EXPECT_EQ(records({"settings", "--forget-secret"}).status, 0);
+  const auto without = records({"send"});
+  EXPECT_EQ(without.status, 1);
+  EXPECT_NE(without.err.find("no secret"), std::string::npos) << without.err;
+}
+
+TEST_F(RecordsCommand, AsksTheRecordStoreAndSaysWhatItAnswers) {
+  server_.authorization = "Basic bW9uYTpzZWNyZXQtd29yZA==";
+  setUp(server_.endpoint());
+  EXPECT_EQ(records({"settings", "--ask"}).status, 0);
+  const auto wrong = records({"settings", "--user", "lisa", "--ask"});
+  EXPECT_EQ(wrong.status, 1);
+  EXPECT_NE(wrong.err.find("does not accept user and password (401)"), std::string::npos) << wrong.err;
+}
+
+TEST_F(RecordsCommand, SaysWhatIsMissingAndWhatToDo) {
+  const auto unset = records({"add"});
+  EXPECT_EQ(unset.status, 1);
+  EXPECT_NE(unset.err.find("records settings --endpoint"), std::string::npos) << unset.err;
+  EXPECT_NE(records({"settings", "--endpoint", "http://records.example/"}).err.find("use https"), std::string::npos);
+  setUp(server_.endpoint());
+  EXPECT_NE(records({"add", folder_ / "nowhere"}).err.find("There is no attempt"), std::string::npos);
+  EXPECT_EQ(run({"records"}).status, 2);
+}
+
+TEST_F(RecordsCommand, WhatIsRefusedIsSaidAndTriedAgainOnlyWhenAsked) {
+  setUp(server_.endpoint());
+  ASSERT_EQ(records({"add"}).status, 0);
+  const auto all = statementsOf(someAttempt(), [] {
+    XapiOptions options = someOptions();
+    return options;
+  }());
+  server_.bad = {(*all)[1]["id"].get<std::string>()};
+  const auto sent = records({"send"});
+  EXPECT_EQ(sent.status, 1);
+  EXPECT_NE(sent.err.find("is not known here"), std::string::npos) << sent.err;
+  EXPECT_NE(sent.err.find("--retry"), std::string::npos) << sent.err;
+  EXPECT_NE(records({"list"}).out.find("1 refused, 7 sent"), std::string::npos);
+  server_.bad.clear();
+  EXPECT_EQ(records({"send", "--retry"}).status, 0);
+  EXPECT_EQ(server_.arrivals().size(), 8u);
+}
+
+TEST_F(RecordsCommand, WithoutANetworkEverythingWaits) {
+  setUp(server_.endpoint());
+  ASSERT_EQ(records({"add"}).status, 0);
+  server_.goAway();
+  const auto away = records({"send", "--rounds", "1"});
+  EXPECT_EQ(away.status, 1);
+  EXPECT_NE(away.err.find("safe in the outbox: 8"), std::string::npos) << away.err;
+  server_.comeBack();
+  EXPECT_EQ(records({"send"}).status, 0);
+}
+
+}  // namespace
+}  // namespace ew::test::records_command_test

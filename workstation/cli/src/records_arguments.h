@@ -1,0 +1,55 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command.h"
+#include "ew/library/case.h"
+#include "ew/records/record_store_settings.h"
+#include "ew/records/statement_outbox.h"
+
+namespace ew::cli {
+
+/// What the commands of `records` can be given.
+struct RecordsArguments {
+  std::vector<std::string> attempts;
+  std::string library, outbox, settings;
+  std::string language = "en";
+  bool names = false;
+  bool dryRun = false;
+  // send
+  int rounds = 8;
+  double timeout_s = 60.0;
+  bool retriesRefused = false;
+  // settings
+  std::optional<std::string> endpoint, user, homePage, activityBase, certificates;
+  std::string login, secretFrom;
+  bool allowsHttp = false, forbidsHttp = false, asks = false, forgets = false, noKeyring = false;
+  // launch
+  std::string url;
+
+  [[nodiscard]] std::filesystem::path libraryPlace() const { return library.empty() ? libraryFolder() : std::filesystem::path(library); }
+  [[nodiscard]] std::filesystem::path outboxPlace() const {
+    return outbox.empty() ? recordOutboxFolder(libraryPlace()) : std::filesystem::path(outbox);
+  }
+  [[nodiscard]] Result<std::filesystem::path> settingsPlace() const {
+    return settings.empty() ? recordSettingsFolder() : Result<std::filesystem::path>(settings);
+  }
+  [[nodiscard]] SecretOptions secrets() const { return {!noKeyring, 60.0}; }
+};
+
+/// What was taken, sent or set stays, whatever happens next.
+inline void staysDone(Run& run) {
+  run.isPublished = true;
+  run.stopped = {};
+}
+
+/// --settings and --no-keyring.
+void addSettingsPlace(CLI::App& app, RecordsArguments& arguments);
+/// `records settings`.
+void addRecordSettings(CLI::App& group, Selection& selection, const std::shared_ptr<RecordsArguments>& arguments);
+
+}  // namespace ew::cli
