@@ -1,0 +1,127 @@
+#include "ew/reports/attempt_report.h"
+
+#include "reports/reports_world.h"
+
+namespace ew {
+namespace {
+
+using test::holds;
+using test::madeAttempt;
+using test::madeLesson;
+using test::plainTextOf;
+using test::someCodes;
+
+TEST(ReportOfAnAttempt, SaysWhoWhatWhenAndWhatItIsWorth) {
+  const std::string text = plainTextOf(attemptReport(madeAttempt(3, 0.85, 0.4), madeLesson(), someCodes()));
+  const std::string code = someCodes().ofPerson("Ana Gomez");
+  for (const std::string& part :
+       {std::string("About balls: ") + code, std::string("A ball, said to hurt"), std::string("Began: 2026-11-01 10:03 UTC"),
+        std::string("Ended: 2026-11-01 10:08 UTC"), std::string("Time on steps: 3 min 45 s"), std::string("Score: 62 %"),
+        std::string("Verdict: not passed"), std::string("Score number: 2"), std::string("0123456789abcdef")})
+    EXPECT_TRUE(holds(text, part)) << part << "\n" << text;
+  EXPECT_TRUE(holds(text, "Step plane | Find a plane | passed | 85 % | 70 % | 1 | 1 min 15 s | 0"));
+  EXPECT_TRUE(holds(text, "Step answer | Answer a question | not passed | 40 %"));
+  EXPECT_TRUE(holds(text, "Angle | 4.25 °"));
+  EXPECT_TRUE(holds(text, "Path length | 203 mm | – | 1 | does not count"));
+  EXPECT_TRUE(holds(text, "The plane is found: 4.2 degrees and 1.0 mm from the expert's."));
+  EXPECT_TRUE(holds(text, validitySentence().english()));
+}
+
+TEST(ReportOfAnAttempt, NamesNobodyUnlessAsked) {
+  ReportedAttempt one = madeAttempt(1, 0.9, 0.9, "Ana Gomez");
+  one.ratings.ratings = {test::ratedBy("Dr. Rateress", 4, 3)};
+  one.comments.files = {{"Prof. Comment", {ReviewComment{"a", "plane", "", 2.5, "Look here.", {}, {}, {}, {}}}, {}}};
+  const std::string coded = htmlOf(attemptReport(one, madeLesson(), someCodes()), {});
+  for (const char* name : {"Ana", "Gomez", "Rateress", "Prof. Comment"}) EXPECT_FALSE(holds(coded, name)) << name;
+  EXPECT_TRUE(holds(coded, someCodes().ofPerson("Dr. Rateress")));
+  EXPECT_TRUE(holds(coded, "Look here."));
+  const ReportOptions named{.names = true};
+  const std::string text = htmlOf(attemptReport(one, madeLesson(), someCodes(), named), named);
+  for (const char* name : {"Ana Gomez", "Dr. Rateress", "Prof. Comment, at 2.50 s of the scan: Look here."})
+    EXPECT_TRUE(holds(text, name)) << name;
+}
+
+TEST(ReportOfAnAttempt, HasMetricsBesideTheExpertsOfTheSameVersion) {
+  ReportedLesson lesson = madeLesson();
+  lesson.expert = madeAttempt(99, 1.0, 1.0).score;
+  lesson.expert->steps[1].metrics = {{"path_length", 1, 120.0}, {"hints", 2, 0.0}};
+  lesson.plan.at("plane").metrics = {{"path_length", 2.0, 500.0, 100.0}};
+  lesson.offByDefault = {"hints"};
+  const std::string text = plainTextOf(attemptReport(madeAttempt(1, 0.9, 0.9), lesson, someCodes()));
+  EXPECT_TRUE(holds(text, "Path length | 201 mm | 120 mm | 1 | counts with weight 2")) << text;
+  EXPECT_TRUE(holds(text, "Hints | 2 | – | 1 | does not count; off by default")) << text;
+}
+
+TEST(ReportOfAnAttempt, SaysNothingOfWeightsThatAnotherPlanHad) {
+  ReportedLesson lesson = madeLesson();
+  lesson.plan.revision = 4;
+  lesson.plan.at("plane").metrics = {{"path_length", 2.0, 500.0, 100.0}};
+  EXPECT_FALSE(holds(plainTextOf(attemptReport(madeAttempt(1, 0.9, 0.9), lesson, someCodes())), "counts with weight"));
+}
+
+TEST(ReportOfAnAttempt, ListsEarlierScoresAndRatings) {
+  ReportedAttempt one = madeAttempt(1, 0.9, 0.9);
+  one.earlier = {*one.score};
+  one.earlier[0].number = 1;
+  one.earlier[0].score = 0.33;
+  one.earlier[0].passed = false;
+  one.ratings.ratings = {test::ratedBy("R", 2, 3), test::ratedBy("R", 4, 3)};
+  one.ratings.ratings[1].rating.revision = 2;
+  const std::string text = plainTextOf(attemptReport(one, madeLesson(), someCodes()));
+  EXPECT_TRUE(holds(text, "1 | 2026-11-01 11:01 UTC | 33 % | not passed | 0 | 0.1.0")) << text;
+  EXPECT_TRUE(holds(text, "Total: 3.50 of 5")) << text;
+  EXPECT_FALSE(holds(text, "Total: 2.50 of 5")) << "an earlier revision no longer counts";
+  EXPECT_TRUE(holds(text, "Item plan | 4 of 5"));
+}
+
+TEST(ReportOfAnAttempt, WithoutAScoreHasWhatTheLessonSaid) {
+  ReportedAttempt one = madeAttempt(1, 0.9, 0.2);
+  one.score.reset();
+  one.attempt.finishedAt.reset();
+  const std::string text = plainTextOf(attemptReport(one, madeLesson(), someCodes()));
+  EXPECT_TRUE(holds(text, "Score: not scored yet"));
+  EXPECT_TRUE(holds(text, "Ended: not finished"));
+  EXPECT_TRUE(holds(text, "3. answer"));
+}
+
+TEST(ReportOfAnAttempt, TellsFilesWithoutTheFoldersOfSomebodysComputer) {
+  ReportedAttempt one = madeAttempt(1, 0.9, 0.9);
+  one.score->notes = {
+      say<"The recording of the step '%1' cannot be read: %2">(std::string("plane"), verbatim("'/home/ana gomez/Library/x.mha' is torn."))};
+  const std::string text = plainTextOf(attemptReport(one, madeLesson(), someCodes()));
+  EXPECT_FALSE(holds(text, "ana gomez")) << text;
+  EXPECT_TRUE(holds(text, "'x.mha' is torn."));
+}
+
+TEST(ReportOfAnAttempt, HasTheCasesOwnWordsInTheReportsLanguage) {
+  ReportedLesson lesson = madeLesson();
+  lesson.words = CaseWords({{"Step plane", "Die Ebene"}, {"Because it is round.", "Weil sie rund ist."}});
+  ReportedAttempt one = madeAttempt(1, 0.9, 0.9);
+  one.score->steps[2].remarks = {{false, verbatim("Because it is round.")}};
+  const std::string text = plainTextOf(attemptReport(one, lesson, someCodes()));
+  EXPECT_TRUE(holds(text, "2. Die Ebene")) << text;
+  EXPECT_TRUE(holds(text, "Weil sie rund ist."));
+  EXPECT_FALSE(holds(text, "Step plane"));
+}
+
+TEST(PathOfAProbe, IsSeenFromTheFrontAndBrokenWhereNoPoseIsKnown) {
+  ScanLog log;
+  for (int n = 0; n < 8; ++n) {
+    ScanState state = test::imageAt(test::heldAt(10.0 * n, 0.0, 2.0 * n), 0.1 * n);
+    if (n == 4) state.pose.status = PoseStatus::invalid;
+    log.addFrame(state);
+  }
+  const auto path = pathOf(log);
+  ASSERT_EQ(path.size(), 2u);
+  EXPECT_EQ(path[0].size(), 4u);
+  EXPECT_EQ(path[0][1], glm::dvec2(2.0, 10.0)) << "x is the patient's left, z towards the head";
+  EXPECT_EQ(path[1].front(), glm::dvec2(10.0, 50.0));
+}
+
+TEST(PathOfAProbe, IsEmptyWhileItRests) {
+  EXPECT_TRUE(pathOf(test::scanAlong([](double) { return test::heldAt(); }, 2.0)).empty());
+  EXPECT_TRUE(pathOf(ScanLog()).empty());
+}
+
+}  // namespace
+}  // namespace ew

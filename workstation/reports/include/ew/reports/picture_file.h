@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "ew/core/result.h"
+
+namespace ew {
+
+struct PictureFile {
+  std::string mediaType;  ///< "image/png" or "image/jpeg"
+  std::string bytes;
+};
+/// A stored picture as it lies there, up to 16 MiB. What its first bytes do not say is a PNG or JPEG is none; a link is not followed, for
+/// it may lead to what is not the attempt's.
+/// @error notFound, notReadable, tooLarge, unsupported: the sentence names the file without its folder
+[[nodiscard]] Result<PictureFile> readPicture(const std::filesystem::path& file);
+
+/// RFC 4648, with padding.
+[[nodiscard]] std::string base64Of(std::string_view bytes);
+
+}  // namespace ew

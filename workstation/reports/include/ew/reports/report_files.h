@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ew/core/progress.h"
+#include "ew/core/result.h"
+#include "ew/reports/report_document.h"
+
+namespace ew {
+
+/// What is to be written about attempts.
+struct ReportRequest {
+  std::vector<std::filesystem::path> attempts = {};  ///< folders, of any lessons
+  std::filesystem::path library = {};
+  std::filesystem::path html = {};  ///< folder of pages; empty: none
+  std::filesystem::path csv = {};   ///< file; empty: none
+  ReportOptions options = {};
+  int threads = 0;  ///< 0: one per processor
+};
+
+/// The files that writeReports will write, to be announced beforehand: HTML/index.html, HTML/lesson-N.html where attempts are of several
+/// lessons (index.html then lists these, else it is the class page itself), HTML/ATTEMPT.html for each attempt, CSV.
+/// @error as readReportedAttempt; badUsage (no attempt)
+[[nodiscard]] Result<std::vector<std::filesystem::path>> reportFiles(const ReportRequest& request);
+
+/// Writes the pages of attempts and of each lesson's class, which link each other by relative names, and the table. Scores are read as they
+/// are kept: assess() comes first. Names are left out unless options.names.
+/// @param staged where to write one of reportFiles() now (OutputSet::staged); empty: where it shall lie
+/// @error as readReportedAttempt, Pseudonyms::ofLibrary; notWritable, cancelled; badUsage (no attempt)
+[[nodiscard]] Result<void> writeReports(const ReportRequest& request,
+                                        const std::function<std::filesystem::path(const std::filesystem::path&)>& staged = {},
+                                        Progress& progress = noProgress());
+
+}  // namespace ew

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ew/assessment/assessment_plan.h"
+#include "ew/assessment/attempt_score.h"
+#include "ew/assessment/rating.h"
+#include "ew/assessment/review_comment.h"
+#include "ew/library/attempt.h"
+#include "ew/library/case_words.h"
+#include "ew/reports/report_document.h"
+#include "ew/scanning/events.h"
+
+namespace ew {
+
+/// An attempt with everything that people and the program have said about it.
+struct ReportedAttempt {
+  std::filesystem::path folder;
+  Attempt attempt;
+  std::optional<AttemptScore> score;  ///< the one that counts; empty: it was never scored
+  std::vector<AttemptScore> earlier;  ///< that no longer count, the first one first
+  KeptRatings ratings;                ///< of everybody; drafts are left out of reports
+  CommentList comments;
+};
+/// What lies in an attempt's folder now. @error notFound, badHeader, badField, newerFormat (attempt.json)
+[[nodiscard]] Result<ReportedAttempt> readReportedAttempt(const std::filesystem::path& folder);
+
+/// What the reports of a lesson's attempts have in common.
+struct ReportedLesson {
+  std::string caseId;
+  std::string lessonId;
+  std::string caseTitle;    ///< as a trainee may read it; the id of a case that is not in the library
+  std::string lessonTitle;  ///< as the lesson has it now; the id where it is gone
+  CaseWords words;          ///< of the case, in the report's language
+  std::optional<Lesson> lesson;
+  AssessmentPlan plan;
+  std::optional<AttemptScore> expert;                                       ///< of the plan's expert attempt
+  std::map<std::string, std::vector<std::vector<glm::dvec2>>> expertPaths;  ///< by step, as PathPlot
+  std::set<std::string, std::less<>> offByDefault = {};                     ///< metrics that are off unless an instructor weighs them
+};
+/// Reads as much of it as there is in the library: a report is written though its case is gone.
+[[nodiscard]] ReportedLesson readReportedLesson(const std::string& caseId, const std::string& lessonId,
+                                                const std::filesystem::path& library, const ReportOptions& options);
+
+/// The way of the middle of the probe's face over the body, in pieces between poses that cannot be used; a piece has two points at least,
+/// half a millimetre apart. Empty: no such piece.
+[[nodiscard]] std::vector<std::vector<glm::dvec2>> pathOf(const ScanLog& log);
+
+}  // namespace ew

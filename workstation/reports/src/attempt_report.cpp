@@ -1,0 +1,139 @@
+#include "ew/reports/attempt_report.h"
+
+#include <algorithm>
+
+#include "attempt_parts.h"
+#include "report_words.h"
+
+namespace ew {
+
+using namespace reports;
+
+namespace {
+
+/// Time from the start at which a step ended; of attempts whose clock nobody set, by the time that the steps took.
+struct StepTime {
+  double begin_s = 0.0, end_s = 0.0;
+};
+std::vector<StepTime> timesOf(const Attempt& attempt) {
+  std::vector<StepTime> times;
+  double sum_s = 0.0;
+  for (const StepOutcome& outcome : attempt.outcomes) {
+    const double byClock_s = std::chrono::duration<double>(outcome.at - attempt.startedAt).count();
+    const bool hasClock = outcome.at != std::chrono::sys_seconds{} && byClock_s >= sum_s + outcome.seconds - 1.0;
+    const double end_s = hasClock ? byClock_s : sum_s + outcome.seconds;
+    times.push_back({std::max(0.0, end_s - outcome.seconds), end_s});
+    sum_s = end_s;
+  }
+  return times;
+}
+
+ReportPlot timeLineOf(const ReportedAttempt& one, const ReportedLesson& lesson) {
+  TimeLinePlot plot;
+  const auto times = timesOf(one.attempt);
+  std::vector<std::string> rows;
+  for (std::size_t n = 0; n < times.size(); ++n) {
+    const StepOutcome& outcome = one.attempt.outcomes[n];
+    const auto known = std::find(rows.begin(), rows.end(), outcome.stepId);
+    const auto row = static_cast<std::size_t>(known - rows.begin());
+    if (known == rows.end()) {
+      rows.push_back(outcome.stepId);
+      const StepScore* scored = one.score ? one.score->of(outcome.stepId) : nullptr;
+      plot.rows.push_back({verbatim(stepTitle(lesson.words, outcome.stepId, scored == nullptr ? "" : scored->title)), {}});
+    }
+    plot.rows[row].spans.push_back({times[n].begin_s, times[n].end_s, outcome.verdict == StepVerdict::passed});
+    plot.end_s = std::max(plot.end_s, times[n].end_s);
+  }
+  return {say<"When the steps were worked on; hollow: not passed then">(), std::move(plot)};
+}
+
+ReportPlot barsOf(const AttemptScore& score, const ReportedLesson& lesson) {
+  BarsPlot plot;
+  for (const StepScore& step : score.steps) {
+    if (step.weight <= 0.0) continue;
+    const Message says = joined({percentText(step.score), verdictText(step.verdict)}, ", ");
+    plot.bars.push_back({verbatim(stepTitle(lesson.words, step.stepId, step.title)), step.score, step.passLevel,
+                         step.verdict == StepVerdict::passed, says});
+  }
+  return {say<"Score of each step that counts; dashed: what passes">(), std::move(plot)};
+}
+
+ReportTable stepsTable(const ReportedAttempt& one, const ReportedLesson& lesson) {
+  ReportTable table{say<"Steps">(),
+                    {{say<"Step">()},
+                     {say<"Task">()},
+                     {say<"Verdict">()},
+                     {say<"Score">(), true},
+                     {say<"Passes from">(), true},
+                     {say<"Weight">(), true},
+                     {say<"Time">(), true},
+                     {say<"Hints">(), true}},
+                    {}};
+  for (const StepScore& step : one.score->steps) {
+    const StepOutcome* outcome = one.attempt.outcomeOf(step.stepId);
+    const Message none = verbatim("–");
+    table.rows.push_back({{verbatim(stepTitle(lesson.words, step.stepId, step.title))},
+                          {kindText(step.kind)},
+                          {outcome == nullptr ? say<"not reached">() : verdictText(step.verdict), toneOf(step.verdict)},
+                          {percentText(step.score)},
+                          {step.weight > 0.0 ? percentText(step.passLevel) : none},
+                          {figureText(step.weight, "")},
+                          {outcome == nullptr ? none : durationText(outcome->seconds)},
+                          {outcome == nullptr ? none : figureText(outcome->hints, "")}});
+  }
+  return table;
+}
+
+double secondsOf(const Attempt& attempt) {
+  double sum_s = 0.0;
+  for (const StepOutcome& outcome : attempt.outcomes) sum_s += outcome.seconds;
+  return sum_s;
+}
+
+ReportFacts factsOf(const ReportedAttempt& one, const ReportedLesson& lesson, const std::string& who) {
+  ReportFacts facts;
+  facts.rows = {{say<"Trainee">(), verbatim(who)},
+                {say<"Case">(), verbatim(lesson.caseTitle)},
+                {say<"Lesson">(), verbatim(lessonName(one.attempt, lesson))},
+                {say<"Began">(), momentWords(one.attempt.startedAt)},
+                {say<"Ended">(), one.attempt.finishedAt ? momentWords(*one.attempt.finishedAt) : say<"not finished">()},
+                {say<"Time on steps">(), durationText(secondsOf(one.attempt))}};
+  if (!one.score) {
+    facts.rows.push_back({say<"Score">(), say<"not scored yet">(), ReportTone::caution});
+    return facts;
+  }
+  facts.rows.push_back({say<"Score">(), percentText(one.score->score)});
+  facts.rows.push_back({say<"Verdict">(), passedText(one.score->passed), one.score->passed ? ReportTone::good : ReportTone::bad});
+  return facts;
+}
+
+}  // namespace
+
+std::string calledIn(const ReportOptions& options, const Pseudonyms& codes, const std::string& person) {
+  if (!options.names) return codes.ofPerson(person);
+  return person.empty() ? options.say(say<"without a name">()) : person;
+}
+
+ReportDocument attemptReport(const ReportedAttempt& one, const ReportedLesson& lesson, const Pseudonyms& codes,
+                             const ReportOptions& options) {
+  const std::string who = calledIn(options, codes, one.attempt.person);
+  ReportDocument document;
+  document.title = say<"%1: %2">(lessonName(one.attempt, lesson), who);
+  document.subtitle = joined({verbatim(lesson.caseTitle), momentWords(one.attempt.startedAt)}, " · ");
+  auto& blocks = document.blocks;
+  blocks.emplace_back(factsOf(one, lesson, who));
+  if (one.score) {
+    blocks.emplace_back(barsOf(*one.score, lesson));
+    blocks.emplace_back(stepsTable(one, lesson));
+  }
+  if (!one.attempt.outcomes.empty()) blocks.emplace_back(timeLineOf(one, lesson));
+  const PartOf part{one, lesson, codes, options};
+  addSteps(part, blocks);
+  addRatings(part, blocks);
+  addEarlierScores(part, blocks);
+  addOrigin(part, blocks);
+  addMeaning(part, blocks);
+  return document;
+}
+
+}  // namespace ew

@@ -1,0 +1,155 @@
+#include <algorithm>
+
+#include "attempt_parts.h"
+#include "ew/scanning/recording.h"
+#include "report_words.h"
+
+namespace ew::reports {
+namespace {
+
+ReportFacts stepFacts(const StepScore& step, const StepOutcome* outcome, std::size_t tries) {
+  ReportFacts facts;
+  facts.rows.push_back({say<"Task">(), kindText(step.kind)});
+  facts.rows.push_back({say<"Verdict">(), outcome == nullptr ? say<"not reached">() : verdictText(step.verdict), toneOf(step.verdict)});
+  if (outcome == nullptr) return facts;
+  facts.rows.push_back({say<"Score">(), step.weight > 0.0 ? say<"%1 (passes from %2)">(percentText(step.score), percentText(step.passLevel))
+                                                          : say<"%1 (does not count)">(percentText(step.score))});
+  if (step.task != step.score) facts.rows.push_back({say<"Of the task itself">(), percentText(step.task)});
+  facts.rows.push_back({say<"Time">(), durationText(outcome->seconds)});
+  if (outcome->hints > 0) facts.rows.push_back({say<"Hints">(), figureText(outcome->hints, "")});
+  if (tries > 1) facts.rows.push_back({say<"Tries">(), say<"%1, of which the last one counts">(tries)});
+  if (step.validShare < 1.0) facts.rows.push_back({say<"Images with a usable pose">(), percentText(step.validShare)});
+  if (!step.isJudgedAnew && outcome->verdict != StepVerdict::skipped)
+    facts.rows.push_back({say<"Judged">(), say<"as in the lesson; its raw data are not there">(), ReportTone::caution});
+  return facts;
+}
+
+/// Whether a plan weighs a metric; empty where nobody knows any more.
+Message countsText(const PartOf& of, const StepScore& step, const std::string& metric) {
+  if (of.lesson.plan.revision != of.one.score->planRevision) return {};
+  if (const StepPlan* plan = of.lesson.plan.of(step.stepId))
+    for (const MetricWeight& weight : plan->metrics)
+      if (weight.metric == metric) return say<"counts with weight %1">(figureText(weight.weight, ""));
+  return of.lesson.offByDefault.contains(metric) ? say<"does not count; off by default">() : say<"does not count">();
+}
+
+ReportTable metricsTable(const PartOf& of, const StepScore& step) {
+  ReportTable table{say<"Metrics">(),
+                    {{say<"Metric">()}, {say<"Value">(), true}, {say<"Expert">(), true}, {say<"Version">(), true}, {say<"In the score">()}},
+                    {}};
+  const StepScore* expert = of.lesson.expert ? of.lesson.expert->of(step.stepId) : nullptr;
+  for (const MetricValue& value : step.metrics) {
+    const auto isSame = [&](const MetricValue& other) { return other.id == value.id && other.version == value.version; };
+    Message experts = verbatim("–");
+    if (expert != nullptr && of.lesson.expert->attemptId != of.one.attempt.id)
+      if (const auto found = std::find_if(expert->metrics.begin(), expert->metrics.end(), isSame); found != expert->metrics.end())
+        experts = figureText(found->value, metricUnit(value.id));
+    table.rows.push_back({{metricName(value.id)},
+                          {figureText(value.value, metricUnit(value.id))},
+                          {std::move(experts)},
+                          {verbatim(std::to_string(value.version))},
+                          {countsText(of, step, value.id)}});
+  }
+  return table;
+}
+
+void addFigures(const std::vector<AttemptFigure>& figures, Blocks& blocks) {
+  if (figures.empty()) return;
+  ReportTable table{say<"What the task was judged by">(), {{say<"Figure">()}, {say<"Value">(), true}}, {}};
+  for (const AttemptFigure& figure : figures) table.rows.push_back({{figureName(figure.name)}, {figureText(figure.value, figure.unit)}});
+  blocks.emplace_back(std::move(table));
+}
+
+void addRemarks(const PartOf& of, const std::vector<AttemptRemark>& remarks, Blocks& blocks) {
+  ReportList list;
+  for (const AttemptRemark& remark : remarks)
+    list.items.push_back({inWordsOf(of.lesson.words, remark.text), remark.good ? ReportTone::good : ReportTone::bad});
+  if (!list.items.empty()) blocks.emplace_back(std::move(list));
+}
+
+void addComments(const PartOf& of, const std::string& stepId, Blocks& blocks) {
+  ReportList list;
+  for (const CommentFile& file : of.one.comments.files)
+    for (const ReviewComment& comment : file.comments) {
+      if (comment.stepId != stepId) continue;
+      const std::string author = calledIn(of.options, of.codes, file.author);
+      const Message said = comment.text.empty() ? say<"(a drawing on the picture)">() : verbatim(comment.text);
+      list.items.push_back({say<"%1, at %2 of the scan: %3">(author, durationText(std::max(0.0, comment.time_s)), said)});
+    }
+  if (list.items.empty()) return;
+  blocks.emplace_back(ReportHeading{4, say<"Comments">()});
+  blocks.emplace_back(std::move(list));
+}
+
+void addPictures(const PartOf& of, const StepOutcome& outcome, const std::string& title, Blocks& blocks) {
+  if (!of.options.pictures) return;
+  for (std::size_t n = 0; n < outcome.pictures.size(); ++n)
+    blocks.emplace_back(
+        ReportPicture{of.one.folder / std::filesystem::path(outcome.pictures[n]).filename(),
+                      outcome.pictures.size() == 1 ? say<"Stored picture: %1">(title) : say<"Stored picture %1: %2">(n + 1, title)});
+}
+
+void addPath(const PartOf& of, const StepOutcome& outcome, Blocks& blocks) {
+  if (!of.options.pictures || outcome.recording.empty()) return;
+  const auto recording = readRecording(of.one.folder / std::filesystem::path(outcome.recording).filename());
+  if (!recording) {
+    blocks.emplace_back(ReportParagraph{inWordsOf(of.lesson.words, recording.error().message), ReportTone::caution});
+    return;
+  }
+  PathPlot plot;
+  if (const auto expert = of.lesson.expertPaths.find(outcome.stepId);
+      expert != of.lesson.expertPaths.end() && of.lesson.plan.expertAttempt != of.one.attempt.id && !expert->second.empty())
+    plot.paths.push_back({say<"the expert">(), true, expert->second});
+  if (auto own = pathOf(recording->log); !own.empty()) plot.paths.push_back({say<"this attempt">(), false, std::move(own)});
+  if (!plot.paths.empty()) blocks.emplace_back(ReportPlot{say<"Way of the probe over the skin">(), std::move(plot)});
+}
+
+void addStep(const PartOf& of, const StepScore& step, std::size_t number, Blocks& blocks) {
+  const std::string title = stepTitle(of.lesson.words, step.stepId, step.title);
+  blocks.emplace_back(ReportHeading{3, verbatim(std::to_string(number) + ". " + title)});
+  const StepOutcome* outcome = of.one.attempt.outcomeOf(step.stepId);
+  const auto& all = of.one.attempt.outcomes;
+  const auto tries = std::count_if(all.begin(), all.end(), [&](const StepOutcome& each) { return each.stepId == step.stepId; });
+  blocks.emplace_back(stepFacts(step, outcome, static_cast<std::size_t>(tries)));
+  addRemarks(of, step.remarks, blocks);
+  addFigures(step.figures, blocks);
+  if (!step.metrics.empty()) blocks.emplace_back(metricsTable(of, step));
+  if (outcome != nullptr) {
+    addPictures(of, *outcome, title, blocks);
+    addPath(of, *outcome, blocks);
+  }
+  addComments(of, step.stepId, blocks);
+}
+
+/// As the lesson judged it, of an attempt that was never scored.
+StepScore asJudged(const StepOutcome& outcome, const ReportedLesson& lesson) {
+  StepScore step;
+  step.stepId = outcome.stepId;
+  step.verdict = outcome.verdict;
+  step.score = step.task = outcome.score;
+  step.figures = outcome.figures;
+  step.remarks = outcome.remarks;
+  if (!lesson.lesson) return step;
+  for (const LessonStep& known : lesson.lesson->steps) {
+    if (known.id != outcome.stepId) continue;
+    step.title = known.title;
+    step.kind = taskWord(known.task);
+    step.passLevel = passLevelOf(known, lesson.plan);
+    step.weight = weightOf(known, lesson.plan);
+  }
+  return step;
+}
+
+}  // namespace
+
+void addSteps(const PartOf& of, Blocks& blocks) {
+  std::vector<StepScore> steps;
+  if (of.one.score) steps = of.one.score->steps;
+  for (const StepOutcome& outcome : of.one.attempt.outcomes)
+    if (!of.one.score && of.one.attempt.outcomeOf(outcome.stepId) == &outcome) steps.push_back(asJudged(outcome, of.lesson));
+  if (steps.empty()) return;
+  blocks.emplace_back(ReportHeading{2, say<"Step by step">()});
+  for (std::size_t n = 0; n < steps.size(); ++n) addStep(of, steps[n], n + 1, blocks);
+}
+
+}  // namespace ew::reports

@@ -1,0 +1,135 @@
+#include "ew/reports/csv.h"
+
+#include <algorithm>
+
+#include "ew/core/numbers.h"
+#include "ew/library/moment.h"
+
+namespace ew {
+namespace {
+
+/// One metric of one version, wherever it was worked out.
+struct MetricColumn {
+  std::string id;
+  int version = 1;
+  bool operator==(const MetricColumn&) const = default;
+};
+
+std::size_t placeOf(const std::string& id) {
+  const auto& all = metrics();
+  return static_cast<std::size_t>(std::find_if(all.begin(), all.end(), [&](const Metric& one) { return one.id == id; }) - all.begin());
+}
+
+/// In the order of the registry; of those it does not know any more, by name.
+std::vector<MetricColumn> columnsOf(const std::vector<ReportedAttempt>& attempts) {
+  std::vector<MetricColumn> columns;
+  for (const ReportedAttempt& one : attempts)
+    if (one.score)
+      for (const StepScore& step : one.score->steps)
+        for (const MetricValue& value : step.metrics)
+          if (const MetricColumn column{value.id, value.version}; std::find(columns.begin(), columns.end(), column) == columns.end())
+            columns.push_back(column);
+  std::sort(columns.begin(), columns.end(), [](const MetricColumn& a, const MetricColumn& b) {
+    return std::tuple(placeOf(a.id), a.id, a.version) < std::tuple(placeOf(b.id), b.id, b.version);
+  });
+  return columns;
+}
+
+std::string titleOf(const MetricColumn& column) {
+  const Metric* known = metricOf(column.id);
+  const std::string unit = known == nullptr || known->unit.empty() ? "" : " [" + std::string(known->unit) + "]";
+  return column.id + " v" + std::to_string(column.version) + unit;
+}
+
+const char* verdictWord(StepVerdict verdict) {
+  const char* words[] = {"passed", "failed", "skipped"};
+  return words[static_cast<int>(verdict)];
+}
+
+const char* yes(bool is) { return is ? "yes" : "no"; }
+
+class CsvLine {
+ public:
+  CsvLine& add(std::string_view text) { return put(csvText(text)); }
+  CsvLine& add(double number) { return put(textOf(number)); }
+  CsvLine& add(int number) { return put(std::to_string(number)); }
+  CsvLine& skip(std::size_t fields = 1) {
+    for (std::size_t n = 0; n < fields; ++n) put({});
+    return *this;
+  }
+  [[nodiscard]] std::string text() const { return line_ + "\r\n"; }
+
+ private:
+  CsvLine& put(const std::string& field) {
+    line_ += isFirst_ ? field : "," + field;
+    isFirst_ = false;
+    return *this;
+  }
+  std::string line_;
+  bool isFirst_ = true;
+};
+
+constexpr std::string_view kColumns[] = {
+    "attempt",      "person",        "case",          "lesson",          "started",    "finished",   "scored",
+    "lesson_score", "lesson_passed", "plan_revision", "scoring_version", "program",    "score_made", "step",
+    "step_title",   "kind",          "verdict",       "score",           "task_score", "pass_level", "weight",
+    "seconds [s]",  "hints",         "judged_anew",   "valid_poses [%]"};
+
+CsvLine begun(const ReportedAttempt& one, const Pseudonyms& codes, bool names) {
+  CsvLine line;
+  const Attempt& attempt = one.attempt;
+  line.add(attempt.id).add(names ? attempt.person : codes.ofPerson(attempt.person)).add(attempt.caseId).add(attempt.lessonId);
+  line.add(momentText(attempt.startedAt)).add(attempt.finishedAt ? momentText(*attempt.finishedAt) : "").add(yes(one.score.has_value()));
+  if (!one.score) return line.skip(6);
+  line.add(one.score->score).add(yes(one.score->passed)).add(one.score->planRevision).add(one.score->scoring).add(one.score->program);
+  return line.add(momentText(one.score->madeAt));
+}
+
+std::string scoredLine(CsvLine line, const StepScore& step, const StepOutcome* outcome, const std::vector<MetricColumn>& columns) {
+  line.add(step.stepId).add(step.title).add(step.kind).add(verdictWord(step.verdict)).add(step.score).add(step.task).add(step.passLevel);
+  line.add(step.weight);
+  outcome == nullptr ? line.skip(2) : line.add(outcome->seconds).add(outcome->hints);
+  line.add(yes(step.isJudgedAnew)).add(100.0 * step.validShare);
+  for (const MetricColumn& column : columns) {
+    const auto value = std::find_if(step.metrics.begin(), step.metrics.end(), [&](const MetricValue& one) {
+      return MetricColumn{one.id, one.version} == column;
+    });
+    value == step.metrics.end() ? line.skip() : line.add(value->value);
+  }
+  return line.text();
+}
+
+std::string unscoredLine(CsvLine line, const StepOutcome& outcome, std::size_t columns) {
+  line.add(outcome.stepId).skip(2).add(verdictWord(outcome.verdict)).add(outcome.score).add(outcome.score).skip(2);
+  return line.add(outcome.seconds).add(outcome.hints).add(yes(false)).skip(1 + columns).text();
+}
+
+}  // namespace
+
+std::string csvText(std::string_view text) {
+  std::string made(text);
+  if (!made.empty() && std::string_view("=+-@\t\r").find(made.front()) != std::string_view::npos) made.insert(0, 1, '\'');
+  if (made.find_first_of("\",\r\n") == std::string::npos) return made;
+  std::string quoted = "\"";
+  for (const char letter : made) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+  return quoted + "\"";
+}
+
+std::string csvOf(const std::vector<ReportedAttempt>& attempts, const Pseudonyms& codes, bool names) {
+  const std::vector<MetricColumn> columns = columnsOf(attempts);
+  CsvLine heads;
+  for (const std::string_view name : kColumns) heads.add(name);
+  for (const MetricColumn& column : columns) heads.add(titleOf(column));
+  std::string table = heads.text();
+  for (const ReportedAttempt& one : attempts) {
+    const CsvLine begin = begun(one, codes, names);
+    if (one.score)
+      for (const StepScore& step : one.score->steps) table += scoredLine(begin, step, one.attempt.outcomeOf(step.stepId), columns);
+    else
+      for (const StepOutcome& outcome : one.attempt.outcomes)
+        if (one.attempt.outcomeOf(outcome.stepId) == &outcome) table += unscoredLine(begin, outcome, columns.size());
+  }
+  return table;
+}
+
+}  // namespace ew

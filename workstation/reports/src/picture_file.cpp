@@ -1,0 +1,43 @@
+#include "ew/reports/picture_file.h"
+
+#include "ew/io/safe_file.h"
+
+namespace ew {
+namespace {
+
+constexpr std::size_t kLargestPicture_bytes = 16u << 20;
+
+bool isRegularFile(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored));
+}
+
+}  // namespace
+
+Result<PictureFile> readPicture(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  if (!isRegularFile(file)) return failure(ErrorCode::notFound, say<"The picture '%1' is not in the attempt's folder.">(name));
+  auto bytes = readTextFile(file, kLargestPicture_bytes);
+  if (!bytes) return failure(bytes.error().code, say<"The picture '%1' cannot be read, or is too large.">(name));
+  constexpr std::string_view kPng("\x89PNG\r\n\x1a\n", 8), kJpeg("\xff\xd8\xff", 3);
+  if (bytes->starts_with(kPng)) return PictureFile{"image/png", std::move(*bytes)};
+  if (bytes->starts_with(kJpeg)) return PictureFile{"image/jpeg", std::move(*bytes)};
+  return failure(ErrorCode::unsupported, say<"The picture '%1' is neither a PNG nor a JPEG file.">(name));
+}
+
+std::string base64Of(std::string_view bytes) {
+  constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const auto byteAt = [&](std::size_t n) { return n < bytes.size() ? static_cast<unsigned char>(bytes[n]) : 0u; };
+  std::string made;
+  made.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t n = 0; n < bytes.size(); n += 3) {
+    const unsigned three = byteAt(n) << 16 | byteAt(n + 1) << 8 | byteAt(n + 2);
+    made += kLetters[three >> 18];
+    made += kLetters[three >> 12 & 63u];
+    made += n + 1 < bytes.size() ? kLetters[three >> 6 & 63u] : '=';
+    made += n + 2 < bytes.size() ? kLetters[three & 63u] : '=';
+  }
+  return made;
+}
+
+}  // namespace ew

@@ -1,0 +1,166 @@
+#include "ew/reports/report_files.h"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <set>
+
+#include "ew/core/parallel.h"
+#include "ew/io/safe_file.h"
+#include "ew/reports/attempt_report.h"
+#include "ew/reports/class_report.h"
+#include "ew/reports/csv.h"
+#include "ew/reports/html.h"
+#include "page_names.h"
+#include "report_words.h"
+
+namespace ew {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr const char* kIndex = "index.html";
+
+/// The attempts of one lesson and their pages.
+struct Class {
+  std::string caseId, lessonId;
+  std::string page;                       ///< of the class
+  std::vector<ReportedAttempt> attempts;  ///< by their beginning
+  std::vector<std::string> pages;
+};
+
+std::string pageOf(const Attempt& attempt, std::set<std::string>& taken) {
+  const std::string name = "attempt-" + reports::plainName(attempt.id);
+  std::string page = name + ".html";
+  for (int n = 2; !taken.insert(page).second; ++n) page = name + "-" + std::to_string(n) + ".html";
+  return page;
+}
+
+Result<std::vector<Class>> readClasses(const ReportRequest& request, Progress& progress) {
+  if (request.attempts.empty()) return failure(ErrorCode::badUsage, say<"There are no attempts to report on.">());
+  std::map<std::pair<std::string, std::string>, Class> byLesson;
+  for (std::size_t n = 0; n < request.attempts.size(); ++n) {
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Writing reports was stopped.">());
+    progress.report(say<"Reading attempts">(), static_cast<double>(n) / static_cast<double>(request.attempts.size()));
+    auto read = readReportedAttempt(request.attempts[n]);
+    if (!read) return passOn(read.error());
+    byLesson[{read->attempt.caseId, read->attempt.lessonId}].attempts.push_back(std::move(*read));
+  }
+  std::vector<Class> classes;
+  std::set<std::string> taken;
+  for (auto& [name, one] : byLesson) {
+    std::tie(one.caseId, one.lessonId) = name;
+    one.page = byLesson.size() == 1 ? kIndex : "lesson-" + std::to_string(classes.size() + 1) + ".html";
+    std::stable_sort(one.attempts.begin(), one.attempts.end(),
+                     [](const ReportedAttempt& a, const ReportedAttempt& b) { return a.attempt.startedAt < b.attempt.startedAt; });
+    for (const ReportedAttempt& each : one.attempts) one.pages.push_back(pageOf(each.attempt, taken));
+    classes.push_back(std::move(one));
+  }
+  return classes;
+}
+
+/// The lessons, each with its page.
+ReportDocument indexOf(const std::vector<Class>& classes, const std::vector<ReportedLesson>& lessons) {
+  ReportDocument document;
+  document.title = say<"Reports of lessons">();
+  ReportTable table{
+      say<"Lessons">(),
+      {{say<"Lesson">()}, {say<"Case">()}, {say<"Attempts">(), true}, {say<"Passed">(), true}, {say<"Not scored yet">(), true}},
+      {}};
+  for (std::size_t n = 0; n < classes.size(); ++n) {
+    const auto& attempts = classes[n].attempts;
+    const auto count = [&](auto is) { return verbatim(std::to_string(std::count_if(attempts.begin(), attempts.end(), is))); };
+    table.rows.push_back({{verbatim(reports::lessonName(attempts.front().attempt, lessons[n])), ReportTone::plain, classes[n].page},
+                          {verbatim(lessons[n].caseTitle)},
+                          {verbatim(std::to_string(attempts.size()))},
+                          {count([](const ReportedAttempt& one) { return one.score && one.score->passed; })},
+                          {count([](const ReportedAttempt& one) { return !one.score; })}});
+  }
+  document.blocks.emplace_back(std::move(table));
+  document.blocks.emplace_back(ReportParagraph{validitySentence()});
+  return document;
+}
+
+/// Writes what was asked for, file by file.
+class Writing {
+ public:
+  Writing(const ReportRequest& request, const std::function<fs::path(const fs::path&)>& staged, Progress& progress)
+      : request_(request), staged_(staged), progress_(progress) {}
+
+  Result<void> all(const std::vector<Class>& classes) {
+    auto codes = Pseudonyms::ofLibrary(request_.library);
+    if (!codes) return passOn(codes.error());
+    if (!request_.html.empty())
+      if (auto written = pages(classes, *codes); !written) return written;
+    if (request_.csv.empty()) return {};
+    std::vector<ReportedAttempt> attempts;
+    for (const Class& one : classes) attempts.insert(attempts.end(), one.attempts.begin(), one.attempts.end());
+    return write(request_.csv, csvOf(attempts, *codes, request_.options.names));
+  }
+
+ private:
+  Result<void> write(const fs::path& file, const std::string& text) const {
+    if (staged_) return writeFileSafely(staged_(file), text);
+    std::error_code ignored;  // writing says what is wrong
+    if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
+    return writeFileSafely(file, text);
+  }
+
+  Result<void> pages(const std::vector<Class>& classes, const Pseudonyms& codes) {
+    std::vector<ReportedLesson> lessons;
+    for (const Class& one : classes) {
+      lessons.push_back(readReportedLesson(one.caseId, one.lessonId, request_.library, request_.options));
+      auto document = classReport(one.attempts, lessons.back(), codes, one.pages, request_.options);
+      if (classes.size() > 1) document.links = {{say<"All lessons">(), kIndex}};
+      if (auto written = write(request_.html / one.page, htmlOf(document, request_.options)); !written) return written;
+      if (auto written = attemptPages(one, lessons.back(), codes); !written) return written;
+    }
+    if (classes.size() == 1) return {};
+    return write(request_.html / kIndex, htmlOf(indexOf(classes, lessons), request_.options));
+  }
+
+  Result<void> attemptPages(const Class& one, const ReportedLesson& lesson, const Pseudonyms& codes) {
+    std::mutex guard;
+    std::optional<Error> problem;
+    const bool isDone =
+        forEachTask(static_cast<int>(one.attempts.size()), request_.threads, progress_, say<"Writing reports">(), [&](int task) {
+          const auto n = static_cast<std::size_t>(task);
+          auto document = attemptReport(one.attempts[n], lesson, codes, request_.options);
+          document.links = {{say<"The whole class">(), one.page}};
+          const auto written = write(request_.html / one.pages[n], htmlOf(document, request_.options));
+          const std::lock_guard lock(guard);
+          if (!written && !problem) problem = written.error();
+        });
+    if (problem) return passOn(*problem);
+    if (!isDone) return failure(ErrorCode::cancelled, say<"Writing reports was stopped.">());
+    return {};
+  }
+
+  const ReportRequest& request_;
+  const std::function<fs::path(const fs::path&)>& staged_;
+  Progress& progress_;
+};
+
+}  // namespace
+
+Result<std::vector<fs::path>> reportFiles(const ReportRequest& request) {
+  const auto classes = readClasses(request, noProgress());
+  if (!classes) return passOn(classes.error());
+  std::vector<fs::path> files;
+  if (!request.html.empty()) {
+    files.push_back(request.html / kIndex);
+    for (const Class& one : *classes) {
+      if (one.page != kIndex) files.push_back(request.html / one.page);
+      for (const std::string& page : one.pages) files.push_back(request.html / page);
+    }
+  }
+  if (!request.csv.empty()) files.push_back(request.csv);
+  return files;
+}
+
+Result<void> writeReports(const ReportRequest& request, const std::function<fs::path(const fs::path&)>& staged, Progress& progress) {
+  const auto classes = readClasses(request, progress);
+  if (!classes) return passOn(classes.error());
+  return Writing(request, staged, progress).all(*classes);
+}
+
+}  // namespace ew

@@ -1,0 +1,62 @@
+#include "report_numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "ew/reports/report_document.h"
+
+namespace ew {
+namespace reports {
+
+std::string fixedText(double value, int decimals) {
+  if (!std::isfinite(value)) return std::isnan(value) ? "nan" : value > 0.0 ? "inf" : "-inf";
+  std::array<char, 400> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
+  std::string made(text.data(), end.ptr);
+  if (made.starts_with('-') && made.find_first_not_of("-0.") == std::string::npos) made.erase(0, 1);
+  return made;
+}
+
+std::string coordinate(double value) {
+  std::string made = fixedText(value, 1);
+  if (made.ends_with(".0")) made.erase(made.size() - 2);
+  return made;
+}
+
+}  // namespace reports
+
+namespace {
+
+Message decimals(double value, int count) { return numeral(reports::fixedText(value, count)); }
+
+}  // namespace
+
+Message percentText(double share) { return joined({decimals(100.0 * share, 0), verbatim("%")}); }
+
+Message figureText(double value, std::string_view unit) {
+  const double size = std::abs(value);
+  const bool isWhole = unit.empty() && value == std::round(value);
+  Message number = decimals(value, isWhole || size >= 99.95 ? 0 : size >= 9.995 ? 1 : 2);
+  if (unit.empty()) return number;
+  return joined({std::move(number), verbatim(unit == "deg" ? "°" : std::string(unit))});
+}
+
+Message durationText(double seconds) {
+  if (seconds < 59.95) return figureText(seconds, "s");
+  const auto whole = static_cast<long long>(std::llround(seconds));
+  const long long minutes = whole / 60;
+  if (minutes < 60) return say<"%1 min %2 s">(minutes, whole % 60);
+  return say<"%1 h %2 min">(minutes / 60, minutes % 60);
+}
+
+Message simulationSentence() { return say<"Simulation, training only: not for diagnosis.">(); }
+
+Message validitySentence() {
+  return say<
+      "Scores say how near the work came to the case's own truth. Metrics are figures of one attempt in one simulation: most of them "
+      "have not been shown to tell skilled people from beginners, and none of them decides alone about a person.">();
+}
+
+}  // namespace ew

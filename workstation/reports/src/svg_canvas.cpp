@@ -1,0 +1,87 @@
+#include "svg_canvas.h"
+
+#include <algorithm>
+
+#include "ew/reports/html.h"
+#include "report_numbers.h"
+
+namespace ew {
+namespace reports {
+namespace {
+
+constexpr double kLetterWidth = 0.56 * kTextSize;  // of a sans serif, as a mean; a little more than it takes
+
+bool beginsLetter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0u) != 0x80u; }
+
+std::string attribute(const char* name, double value) { return " " + std::string(name) + "='" + coordinate(value) + "'"; }
+
+std::string attribute(const char* name, std::string_view value) { return " " + std::string(name) + "='" + std::string(value) + "'"; }
+
+std::string dashing(std::string_view dashes) { return dashes.empty() ? std::string() : attribute("stroke-dasharray", dashes); }
+
+std::string painting(const std::string& colour, bool isFilled) {
+  return attribute("fill", isFilled ? std::string_view(colour) : "none") + attribute("stroke", colour) + attribute("stroke-width", "1.5");
+}
+
+}  // namespace
+
+double widthOf(std::string_view text) {
+  return kLetterWidth * static_cast<double>(std::count_if(text.begin(), text.end(), [](char byte) { return beginsLetter(byte); }));
+}
+
+void SvgCanvas::text(double x, double y, Anchor anchor, const std::string& said, bool isSoft) {
+  const char* anchors[] = {"start", "middle", "end"};
+  shapes_ += "<text" + attribute("x", x) + attribute("y", y) + attribute("text-anchor", anchors[static_cast<int>(anchor)]) +
+             attribute("fill", isSoft ? colours.soft : colours.text) + ">" + htmlEscaped(said) + "</text>";
+}
+
+void SvgCanvas::fitted(double x, double y, double right, const Message& message) {
+  std::string said = words(message);
+  if (widthOf(said) > right - x) {
+    auto letters = static_cast<int>((right - x) / kLetterWidth) - 1;
+    std::size_t end = 0;
+    while (end < said.size() && (letters > 0 || !beginsLetter(said[end]))) letters -= beginsLetter(said[end++]) ? 1 : 0;
+    said = said.substr(0, end) + "…";
+  }
+  text(x, y, Anchor::start, said);
+}
+
+void SvgCanvas::line(double x1, double y1, double x2, double y2, const std::string& colour, double width, std::string_view dashes) {
+  shapes_ += "<line" + attribute("x1", x1) + attribute("y1", y1) + attribute("x2", x2) + attribute("y2", y2) + attribute("stroke", colour) +
+             attribute("stroke-width", width) + dashing(dashes) + "/>";
+}
+
+void SvgCanvas::rectangle(double x, double y, double width, double height, const std::string& colour, bool isFilled) {
+  shapes_ += "<rect" + attribute("x", x) + attribute("y", y) + attribute("width", std::max(0.0, width)) +
+             attribute("height", std::max(0.0, height)) + painting(colour, isFilled) + "/>";
+}
+
+void SvgCanvas::circle(double x, double y, double radius, const std::string& colour, bool isFilled) {
+  shapes_ += "<circle" + attribute("cx", x) + attribute("cy", y) + attribute("r", radius) + painting(colour, isFilled) + "/>";
+}
+
+void SvgCanvas::path(const std::string& d, const std::string& colour, double width, std::string_view dashes) {
+  shapes_ += "<path" + attribute("d", d) + attribute("fill", "none") + attribute("stroke", colour) + attribute("stroke-width", width) +
+             attribute("stroke-linejoin", "round") + attribute("stroke-linecap", "round") + dashing(dashes) + "/>";
+}
+
+std::string SvgCanvas::picture(const Message& title, double height) const {
+  const std::string name = htmlEscaped(words(title));
+  return "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " + coordinate(kPlotWidth) + " " + coordinate(height) +
+         "' role='img' aria-label='" + name + "' font-family='system-ui, DejaVu Sans, sans-serif' font-size='" + coordinate(kTextSize) +
+         "'><title>" + name + "</title>" + shapes_ + "</svg>";
+}
+
+}  // namespace reports
+
+PlotColours pageColours() { return {"var(--text)", "var(--soft)", "var(--line)", "var(--own)", "var(--reference)", "var(--panel)"}; }
+
+PlotColours paperColours() { return {"#1d2329", "#4d565f", "#c9cfd6", "#a34700", "#0b5d8f", "#ffffff"}; }
+
+std::string svgOf(const ReportPlot& plot, const PlotColours& colours, const std::function<std::string(const Message&)>& words) {
+  reports::SvgCanvas canvas(colours, words);
+  const double height = std::visit([&](const auto& data) { return reports::draw(canvas, data); }, plot.data);
+  return canvas.picture(plot.title, height);
+}
+
+}  // namespace ew
