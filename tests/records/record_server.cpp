@@ -59,11 +59,11 @@ void sendAll(int connection, const std::string& text) {
   }
 }
 
-std::string textOf(const ServerAnswer& answer) {
+std::string textOf(const ServerAnswer& answer, bool closes = true) {
   std::string text = "HTTP/1.1 " + std::to_string(answer.status) + " Said\r\nX-Experience-API-Version: 1.0.3\r\n";
   for (const std::string& header : answer.headers) text += header + "\r\n";
   if (answer.status != 204) text += "Content-Length: " + std::to_string(answer.body.size()) + "\r\n";
-  return text + "Connection: close\r\n\r\n" + answer.body;
+  return text + (closes ? "Connection: close" : "Connection: keep-alive") + "\r\n\r\n" + answer.body;
 }
 
 void waitUntilTheyGiveUp(int connection) {
@@ -113,7 +113,9 @@ void RecordServer::serve() {
     if (::poll(&waiting, 1, 10) <= 0) continue;
     const int connection = ::accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
     if (connection < 0) continue;
-    talk(connection);
+    ++connections_;
+    while (talk(connection)) {
+    }
     ::shutdown(connection, SHUT_WR);
     ::close(connection);
   }
@@ -123,9 +125,10 @@ void RecordServer::serve() {
   }
 }
 
-void RecordServer::talk(int connection) {
+/// @return whether there may be another question
+bool RecordServer::talk(int connection) {
   const auto question = readQuestion(connection);
-  if (!question) return;
+  if (!question) return false;
   Fault what = Fault::none;
   {
     const std::lock_guard lock(mutex_);
@@ -135,20 +138,28 @@ void RecordServer::talk(int connection) {
   std::vector<std::string> busy;
   if (!retryAfter.empty()) busy.push_back("Retry-After: " + retryAfter);
   if (what == Fault::goAway) isAway_ = true;
-  if (what == Fault::closeBeforeTaking || what == Fault::goAway) return;
-  if (what == Fault::silence) return waitUntilTheyGiveUp(connection);
-  if (what == Fault::busy429) return sendAll(connection, textOf({429, "slow down", busy}));
-  if (what == Fault::busy503) return sendAll(connection, textOf({503, "{\"message\": \"maintenance\"}", busy}));
-  if (what == Fault::failBefore) return sendAll(connection, textOf({500, "oops", {}}));
-  if (what == Fault::otherPage) return sendAll(connection, textOf({200, "<html><h1>Log in</h1></html>", {}}));
+  if (what == Fault::closeBeforeTaking || what == Fault::goAway) return false;
+  const auto only = [&](const ServerAnswer& answer) {
+    sendAll(connection, textOf(answer));
+    return false;
+  };
+  if (what == Fault::silence) {
+    waitUntilTheyGiveUp(connection);
+    return false;
+  }
+  if (what == Fault::busy429) return only({429, "slow down", busy});
+  if (what == Fault::busy503) return only({503, "{\"message\": \"maintenance\"}", busy});
+  if (what == Fault::failBefore) return only({500, "oops", {}});
+  if (what == Fault::otherPage) return only({200, "<html><h1>Log in</h1></html>", {}});
   bool tookSomething = false;
   ServerAnswer answer = answerTo(*question, tookSomething);
   if (tookSomething && taken) taken();
-  if (what == Fault::closeAfterTaking) return;
+  if (what == Fault::closeAfterTaking) return false;
   if (what == Fault::failAfter) answer = {500, "oops", {}};
-  const std::string text = textOf(answer);
+  const std::string text = textOf(answer, !keepsConnections);
   sendAll(connection, what == Fault::halfAnswer ? text.substr(0, text.size() / 2) : text);
   if (what == Fault::answerTwice) sendAll(connection, text);
+  return keepsConnections && what == Fault::none;
 }
 
 ServerAnswer RecordServer::answerTo(const ServerQuestion& question, bool& tookSomething) {

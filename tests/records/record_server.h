@@ -60,6 +60,7 @@ class RecordServer {
   bool knowsIds = false;            ///< as the standard asks: what is there already is not stored again
   bool refusesWhatIsThere = false;  ///< 409 also when it is the same
   bool mayBeRead = true;            ///< else GET is 403
+  bool keepsConnections = false;    ///< open after an answer, as most servers do
   bool namesWhatItTook = true;      ///< else POST answers []
   std::string authorization;        ///< asked for when not empty
   std::string retryAfter = "7";     ///< of 429 and 503; empty: not said
@@ -77,11 +78,12 @@ class RecordServer {
   void voidStatement(const std::string& id);
   [[nodiscard]] std::vector<ServerQuestion> questions() const;
   [[nodiscard]] int writes() const;
+  [[nodiscard]] int connections() const { return connections_; }
 
  private:
   void listen();
   void serve();
-  void talk(int connection);
+  bool talk(int connection);
   ServerAnswer answerTo(const ServerQuestion& question, bool& tookSomething);
   ServerAnswer take(const nlohmann::json& list, bool isPut);
   ServerAnswer find(const std::string& target) const;
@@ -90,6 +92,7 @@ class RecordServer {
   int listener_ = -1;
   std::atomic<bool> stops_{false};
   std::atomic<bool> isAway_{false};
+  std::atomic<int> connections_{0};
   std::thread thread_;
   mutable std::mutex mutex_;
   std::map<std::string, nlohmann::json> statements_;

@@ -139,6 +139,16 @@ TEST_F(StatementSending, AsksForWhatItLostTheAnswerOfBeforeSendingItAgain) {
   }
 }
 
+TEST_F(StatementSending, NothingIsSentAgainBehindOurBackOverAConnectionThatWasKept) {
+  server_.keepsConnections = true;
+  options_.mostTogether = 1;
+  goesWrong({{2, Fault::closeAfterTaking}});
+  fill(*outbox_, 3);
+  EXPECT_EQ(send().sent, 3u);
+  expectEachOnce(3);
+  EXPECT_EQ(server_.connections(), static_cast<int>(server_.questions().size()));
+}
+
 TEST_F(StatementSending, AServerThatIsSilentIsGivenUpAndAskedAgain) {
   store_.timeout_s = 0.2;
   goesWrong({{1, Fault::silence}});

@@ -5,7 +5,7 @@
 
 #include "ew/core/json_fields.h"
 #include "ew/io/json_files.h"
-#include "ew/io/safe_file.h"
+#include "ew/io/private_file.h"
 #include "iri.h"
 
 namespace ew {
@@ -84,8 +84,8 @@ Result<RecordStoreSettings> readRecordStoreSettings(const fs::path& folder) {
 
 Result<void> writeRecordStoreSettings(const RecordStoreSettings& settings, const fs::path& folder) {
   if (auto usable = checkSettings(settings); !usable) return usable;
-  std::error_code problem;
-  if (fs::create_directories(folder, problem)) fs::permissions(folder, fs::perms::owner_all, problem);
+  if (std::error_code ignored; !fs::exists(folder, ignored))
+    if (auto made = makePrivateFolder(folder); !made) return made;
   nlohmann::ordered_json made = {{"format", kRecordStoreFormat}, {"endpoint", settings.endpoint}};
   for (const auto& [word, login] : kLogins)
     if (login == settings.login) made["login"] = word;
@@ -97,7 +97,7 @@ Result<void> writeRecordStoreSettings(const RecordStoreSettings& settings, const
   text("certificates", settings.certificates);
   text("home_page", settings.homePage);
   made["activity_base"] = settings.activityBase;
-  return writeFileSafely(folder / kSettingsFile, made.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
+  return writePrivateFile(folder / kSettingsFile, made.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
 }
 
 Result<RecordStore> recordStoreOf(const fs::path& folder, const SecretOptions& options) {

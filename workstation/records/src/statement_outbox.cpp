@@ -12,6 +12,7 @@
 #include <set>
 #include <system_error>
 
+#include "ew/io/private_file.h"
 #include "ew/io/safe_file.h"
 #include "ew/records/xapi.h"
 #include "iri.h"
@@ -119,9 +120,8 @@ struct StatementOutbox::Parts {
 };
 
 Result<void> StatementOutbox::Parts::lockFolder() {
-  std::error_code problem;
-  const bool isNew = fs::create_directories(folder, problem);
-  if (isNew) fs::permissions(folder, fs::perms::owner_all, problem);
+  if (std::error_code ignored; !fs::exists(folder, ignored))
+    if (auto made = makePrivateFolder(folder); !made) return made;
   lock = ::open((folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   if (lock < 0) return cannotWrite(folder);
   if (::flock(lock, LOCK_EX | LOCK_NB) != 0)
@@ -178,7 +178,7 @@ Result<void> StatementOutbox::Parts::keepSending() {
   std::string lines;
   for (const StatementEntry& entry : entries)
     if (entry.status == StatementStatus::doubtful) lines += entry.id + "\n";
-  return writeFileSafely(sendingFile(), lines);
+  return writePrivateFile(sendingFile(), lines);
 }
 
 StatementOutbox::StatementOutbox(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -218,7 +218,7 @@ Result<bool> StatementOutbox::add(const json& statement) {
   std::string number = std::to_string(parts_->nextNumber);
   number.insert(0, kNumberLetters - std::min(kNumberLetters, number.size()), '0');
   const fs::path file = parts_->folder / (number + "-" + name + ".json");
-  if (auto written = writeFileSafely(file, text); !written) return passOn(written.error());
+  if (auto written = writePrivateFile(file, text); !written) return passOn(written.error());
   ++parts_->nextNumber;
   parts_->files[name] = file;
   parts_->entries.push_back({name, StatementStatus::waiting, {}});
@@ -276,7 +276,7 @@ Result<void> StatementOutbox::keepSent(const std::vector<std::string>& ids) {
 Result<void> StatementOutbox::keepRefused(const std::string& id, const std::string& problem) {
   StatementEntry* entry = parts_->find(id);
   if (entry == nullptr) return {};
-  if (auto written = writeFileSafely(parts_->noteOf(id), problem + "\n"); !written) return written;
+  if (auto written = writePrivateFile(parts_->noteOf(id), problem + "\n"); !written) return written;
   entry->status = StatementStatus::refused;
   entry->problem = records::tamed(problem);
   return {};
