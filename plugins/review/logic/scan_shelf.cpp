@@ -82,6 +82,19 @@ std::optional<ScanChoice> scanOfStep(const fs::path& folder, const Attempt& atte
                     .caseId = step.caseId.empty() ? attempt.caseId : step.caseId};
 }
 
+ScanLog logOfPart(const ScanLog& log, const Part& part) {
+  ScanLog made;
+  std::size_t frame = 0;
+  for (const ScanEvent& event : log.events()) {
+    const bool isFrame = std::holds_alternative<FrameMade>(event.what);
+    const bool isWithin = event.time_s >= part.begin_s && event.time_s <= part.end_s;
+    if (isFrame && isWithin) made.addFrame(log.frame(frame));  // with probe, settings and scene, whenever they were chosen
+    if (isFrame) ++frame;
+    if (isWithin && (std::holds_alternative<Note>(event.what) || std::holds_alternative<FreezeChanged>(event.what))) made.add(event);
+  }
+  return made;
+}
+
 Result<ScanShelf> readShelf(const fs::path& library, const fs::path& openCase, Progress& progress) {
   progress.report(say<"Looking for attempts">(), 0.0);
   ScanShelf shelf;

@@ -49,6 +49,9 @@ struct ReviewedScan {
 /// What an attempt has of a step: the outcome that counts. Empty: it was not recorded, or its file is gone.
 [[nodiscard]] std::optional<ScanChoice> scanOfStep(const std::filesystem::path& folder, const Attempt& attempt, const LessonStep& step);
 
+/// What a recording holds of a part: the frames within it and what happened meanwhile.
+[[nodiscard]] ScanLog logOfPart(const ScanLog& log, const Part& part);
+
 /// What can be reviewed: lessons and what was tried of them.
 struct ShelvedLesson {
   Case home;

@@ -1,0 +1,369 @@
+#include "panel/body_view.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkRenderWindowInteractor.h>
+
+#include <QEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QTimer>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+#include "ew/bridge/scene3d.h"
+#include "ew/imaging/display.h"
+#include "ew/sdk/panel.h"
+#include "panel/look.h"
+
+namespace ew::review {
+
+using sdk::kGap_px;
+
+namespace {
+
+constexpr double kTranslucent = 0.4;
+constexpr double kLeastShare = 0.12;  // of what was seen shortest, so that it is seen at all
+
+}  // namespace
+
+/// Above the drawn scene, and through it goes every click.
+class BodyView::Glass final : public QWidget {
+ public:
+  explicit Glass(BodyView* view) : QWidget(view), view_(view) { setAttribute(Qt::WA_TransparentForMouseEvents); }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    view_->paintOver(painter);
+  }
+
+ private:
+  BodyView* view_;
+};
+
+QString titleOf(Heat heat) {
+  switch (heat) {
+    case Heat::none:
+      return BodyView::tr("Regions: off");
+    case Heat::trainee:
+      return BodyView::tr("Seen by the trainee");
+    case Heat::expert:
+      return BodyView::tr("Seen by the expert");
+    case Heat::missed:
+      return BodyView::tr("Missed by the trainee");
+    case Heat::neverSeen:
+      return BodyView::tr("Seen by neither");
+  }
+  return {};
+}
+
+BodyView::BodyView(ReviewSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+  setObjectName(QStringLiteral("reviewBody"));
+  setAccessibleName(tr("Both scans on the body"));
+  setMinimumSize(160, 160);
+  canvas_ = new QVTKOpenGLNativeWidget(this);
+  canvas_->setObjectName(QStringLiteral("reviewBodyCanvas"));
+  canvas_->setFocusPolicy(Qt::ClickFocus);
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  canvas_->setRenderWindow(window);
+  canvas_->setEnableHiDPI(true);
+  window->SetMultiSamples(0);
+  if (auto* interactor = canvas_->interactor()) interactor->SetInteractorStyle(nullptr);
+  scene_ = std::make_unique<bridge::Scene3D>(*window);
+  scene_->setColours(isDark(palette()) ? bridge::darkColours() : bridge::lightColours());
+  scene_->setBodyOpacity(kTranslucent);
+  scene_->setProbeVisible(false);
+  canvas_->installEventFilter(this);
+  glass_ = new Glass(this);
+  connect(&session_, &ReviewSession::scansChanged, this, &BodyView::takeScans);
+  connect(&session_, &ReviewSession::timeChanged, this, [this] { glass_->update(); });
+  takeScans();
+}
+
+BodyView::~BodyView() {
+  scene_.reset();
+  delete canvas_;
+}
+
+QColor BodyView::colour(Side side) const { return colourOf(session_.whoOf(side), isDark(palette())); }
+
+void BodyView::takeScans() {
+  if (session_.mannequin() && scene_->mannequin() != session_.mannequin()) scene_->setMannequin(session_.mannequin());
+  const OpenedScan* scan = session_.opened(kReviewed) != nullptr ? session_.opened(kReviewed) : session_.opened(kCompared);
+  if (scan == nullptr) {
+    scene_->clearVolumeBox();
+    framedFor_ = nullptr;
+  } else {
+    scene_->setVolumeBox(scan->subject.placedGrid);
+    scene_->setBoxVisible(true);
+    const void* about = scan->subject.voxels.volume().get();
+    if (framedFor_ != about) {
+      scene_->showFrom(bridge::CameraPreset::front);
+      scene_->fitToVolume();
+      scene_->orbit(0.45, 0.3);
+    }
+    framedFor_ = about;
+  }
+  makeRegions();
+  moved();
+}
+
+void BodyView::setHeat(Heat heat) {
+  heat_ = heat;
+  makeRegions();
+  still_.reset();
+  glass_->update();
+  Q_EMIT heatChanged();
+}
+
+void BodyView::setPlanesShown(bool shown) {
+  showsPlanes_ = shown;
+  still_.reset();
+  glass_->update();
+}
+
+void BodyView::makeRegions() {
+  regions_.clear();
+  const OpenedScan* first = session_.opened(kReviewed);
+  const OpenedScan* second = session_.opened(kCompared);
+  const OpenedScan* base = heat_ == Heat::expert ? second : first;
+  if (heat_ == Heat::none || base == nullptr || base->regions == nullptr) return;
+  const bool isShared = first != nullptr && second != nullptr && first->regions == second->regions;
+  if (heat_ == Heat::missed && !isShared) return;
+  const double longest = std::max(1e-6, static_cast<double>(base->seen.longest_s()));
+  for (std::size_t n = 0; n < base->regions->count(); ++n) {
+    const bool isSeen = base->seen.frames[n] > 0;
+    const bool isSeenByOther = isShared && second->seen.frames[n] > 0;
+    const bool isShown = heat_ == Heat::missed ? !isSeen && isSeenByOther : heat_ == Heat::neverSeen ? !isSeen && !isSeenByOther : isSeen;
+    if (!isShown) continue;
+    // A second more tells little where there were many: the square root spreads the short ones.
+    const bool isTime = heat_ == Heat::trainee || heat_ == Heat::expert;
+    regions_.push_back({glm::dvec3(base->regions->middles_mm()[n]),
+                        isTime ? std::max(kLeastShare, std::sqrt(static_cast<double>(base->seen.seconds[n]) / longest)) : 1.0});
+  }
+}
+
+QString BodyView::heatWords() const {
+  const OpenedScan* base = session_.opened(heat_ == Heat::expert ? kCompared : kReviewed);
+  if (heat_ == Heat::none || base == nullptr) return {};
+  if (base->regions == nullptr) return tr("The volume is too large to be kept in memory; its regions are not counted.");
+  const OpenedScan* other = session_.opened(kCompared);
+  if (heat_ == Heat::missed && (other == nullptr || other->regions != base->regions))
+    return tr("Both scans have to be of one case for this.");
+  const QLocale locale;
+  const double share = 100.0 * static_cast<double>(regions_.size()) / static_cast<double>(std::max<std::size_t>(1, base->regions->count()));
+  QString text = tr("%1 % of the volume").arg(locale.toString(share, 'f', 1));
+  if (heat_ == Heat::trainee || heat_ == Heat::expert)
+    text += QStringLiteral("  ·  ") + tr("longest %1 s").arg(locale.toString(static_cast<double>(base->seen.longest_s()), 'f', 1));
+  return text;
+}
+
+void BodyView::showFrom(bridge::CameraPreset preset) {
+  scene_->showFrom(preset);
+  moved();
+}
+
+void BodyView::moved() {
+  still_.reset();
+  render();
+}
+
+void BodyView::render() {
+  if (renderAsked_ || !isVisible()) return;
+  renderAsked_ = true;
+  QTimer::singleShot(0, this, [this] {
+    renderAsked_ = false;
+    scene_->render(bridge::Scene3D::Edges::smooth);
+    still_.reset();
+    glass_->update();
+  });
+}
+
+void BodyView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  canvas_->setGeometry(rect());
+  glass_->setGeometry(rect());
+  glass_->raise();
+  moved();
+}
+
+void BodyView::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  moved();
+}
+
+void BodyView::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange || !scene_) return;
+  scene_->setColours(isDark(palette()) ? bridge::darkColours() : bridge::lightColours());
+  moved();
+}
+
+bool BodyView::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != canvas_) return QWidget::eventFilter(watched, event);
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+      last_ = static_cast<QMouseEvent*>(event)->localPos();
+      canvas_->setFocus(Qt::MouseFocusReason);
+      return true;
+    case QEvent::MouseMove: {
+      const auto* mouse = static_cast<QMouseEvent*>(event);
+      if (mouse->buttons() == Qt::NoButton) return true;
+      const QPointF way = mouse->localPos() - last_;
+      last_ = mouse->localPos();
+      if (mouse->buttons().testFlag(Qt::LeftButton))
+        scene_->orbit(-0.01 * way.x(), 0.01 * way.y());
+      else
+        scene_->pan(canvas_->devicePixelRatioF() * glm::dvec2(way.x(), way.y()));
+      moved();
+      return true;
+    }
+    case QEvent::MouseButtonRelease:
+    case QEvent::MouseButtonDblClick:
+      return true;
+    case QEvent::Wheel:
+      scene_->zoom(std::pow(1.001, static_cast<QWheelEvent*>(event)->angleDelta().y()));
+      moved();
+      return true;
+    default:
+      return QWidget::eventFilter(watched, event);
+  }
+}
+
+QPointF BodyView::pixelOf(const glm::dvec3& p_world_mm) const {
+  const glm::dvec2 at = scene_->pixelOf(p_world_mm) / canvas_->devicePixelRatioF();
+  return {at.x, at.y};
+}
+
+void BodyView::paintOver(QPainter& painter) {
+  if (!still_) makeStill();
+  painter.drawPixmap(0, 0, *still_);
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (const Side side : {kCompared, kReviewed}) paintProbe(painter, side);
+}
+
+/// Thousands of regions are not painted again for every image.
+void BodyView::makeStill() {
+  const double ratio = devicePixelRatioF();
+  QPixmap made(size() * ratio);
+  made.setDevicePixelRatio(ratio);
+  made.fill(Qt::transparent);
+  QPainter painter(&made);
+  painter.setRenderHint(QPainter::Antialiasing);
+  paintRegions(painter);
+  for (const Side side : {kCompared, kReviewed}) {
+    if (showsPlanes_) paintPlanes(painter, side);
+    paintPath(painter, side);
+  }
+  painter.setFont(smaller(*this));
+  const QString text = heatWords();
+  if (!text.isEmpty()) {
+    const QRectF room = QRectF(rect()).adjusted(kGap_px, 0, -kGap_px, -kGap_px);
+    const QRectF box = painter.boundingRect(room, Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, text);
+    QColor veil = palette().color(QPalette::Window);
+    veil.setAlpha(215);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(veil);
+    painter.drawRoundedRect(box.adjusted(-4, -2, 4, 2), 3, 3);
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(box, Qt::AlignLeft | Qt::TextWordWrap, text);
+  }
+  painter.end();
+  still_ = std::move(made);
+}
+
+void BodyView::paintRegions(QPainter& painter) const {
+  if (regions_.empty()) return;
+  const OpenedScan* base = session_.opened(heat_ == Heat::expert ? kCompared : kReviewed);
+  const glm::dvec3 eye = scene_->eye_mm();
+  std::vector<std::pair<double, const Region*>> order;
+  for (const Region& each : regions_) order.emplace_back(glm::distance(eye, each.middle_mm), &each);
+  std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  const bool isTime = heat_ == Heat::trainee || heat_ == Heat::expert;
+  QColor hue = isTime ? colour(heat_ == Heat::expert ? kCompared : kReviewed) : palette().color(QPalette::WindowText);
+  for (const auto& [distance, region] : order) {
+    const QPointF at = pixelOf(region->middle_mm);
+    const double side = std::max(1.5, base->regions->side_mm() / scene_->mmPerPixelAt(region->middle_mm) / canvas_->devicePixelRatioF());
+    hue.setAlphaF(isTime ? 0.55 * region->share : 0.35);
+    if (isTime) {
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(hue);
+      painter.drawEllipse(at, 0.5 * side, 0.5 * side);
+    } else {  // hollow: nothing was seen there
+      painter.setPen(QPen(hue, 1.0));
+      painter.setBrush(Qt::NoBrush);
+      painter.drawRect(QRectF(at - QPointF(0.35 * side, 0.35 * side), QSizeF(0.7 * side, 0.7 * side)));
+    }
+  }
+}
+
+void BodyView::paintPath(QPainter& painter, Side side) const {
+  const OpenedScan* scan = session_.opened(side);
+  if (scan == nullptr) return;
+  for (const auto& line : scan->path) {
+    QPainterPath path;
+    bool isBegun = false;
+    for (const PathPoint& point : line) {
+      const QPointF at = pixelOf(point.at_mm);
+      if (isBegun)
+        path.lineTo(at);
+      else
+        path.moveTo(at);
+      isBegun = true;
+    }
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(0, 0, 0, isDark(palette()) ? 120 : 50), 4.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(path);
+    QPen pen(colour(side), 2.0, session_.whoOf(side) == Who::expert ? Qt::SolidLine : Qt::CustomDashLine, Qt::FlatCap, Qt::RoundJoin);
+    if (session_.whoOf(side) == Who::trainee) pen.setDashPattern({4.0, 1.5});
+    painter.setPen(pen);
+    painter.drawPath(path);
+  }
+}
+
+void BodyView::paintPlanes(QPainter& painter, Side side) const {
+  const OpenedScan* scan = session_.opened(side);
+  if (scan == nullptr) return;
+  for (const VisitedPlane& plane : scan->planes) {
+    QPolygonF outline;
+    for (const glm::dvec2& p : fanOutline_mm(plane.probe, {}, plane.depth_mm, 12))
+      outline << pixelOf(carried(plane.probeToWorld, glm::dvec3(p, 0.0)));
+    QColor line = colour(side);
+    line.setAlpha(110);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(line, 1.0, plane.isFrozen ? Qt::SolidLine : Qt::DotLine));
+    painter.drawPolygon(outline);
+  }
+}
+
+/// Where the probe is now: its fan, the face as a thick line, and the sign of whose it is.
+void BodyView::paintProbe(QPainter& painter, Side side) const {
+  const OpenedScan* scan = session_.opened(side);
+  if (scan == nullptr) return;
+  const ScanState state = scan->scan->recording.log.frame(session_.frame(side));
+  if (state.pose.status != PoseStatus::ok) return;
+  const auto pixel = [&](const glm::dvec3& p) { return pixelOf(carried(state.pose.probeToWorld, p)); };
+  QPolygonF outline;
+  for (const glm::dvec2& p : fanOutline_mm(state.probe, state.knobs, resolvedDepth_mm(state.probe, state.knobs), 24))
+    outline << pixel(glm::dvec3(p, 0.0));
+  QColor inside = colour(side);
+  inside.setAlpha(46);
+  painter.setPen(QPen(colour(side), 1.5));
+  painter.setBrush(inside);
+  painter.drawPolygon(outline);
+  QPolygonF face;
+  for (const glm::dvec3& p : facePoints_mm(state.probe, 12)) face << pixel(p);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(colour(side), 4.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPolyline(face);
+  painter.setPen(QPen(palette().color(QPalette::Window), 1.0));
+  painter.setBrush(colour(side));
+  drawMarkOf(painter, session_.whoOf(side), pixel(glm::dvec3(0.0, -8.0, 0.0)), withText(5, font()));
+}
+
+}  // namespace ew::review

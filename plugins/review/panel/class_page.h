@@ -1,0 +1,87 @@
+#pragma once
+
+#include <QWidget>
+#include <map>
+#include <vector>
+
+#include "logic/class_overview.h"
+#include "panel/review_session.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTreeWidget;
+
+namespace ew::sdk {
+class NumberField;
+}
+
+namespace ew::review {
+
+/// The values of a class along an axis: how many lie where, the box of the middle half with the median, and a level that has to be reached.
+class DistributionChart final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit DistributionChart(QWidget* parent = nullptr);
+  /// @param level is marked; empty: none
+  void show(const Distribution& values, const QString& unit, double lowest, double highest, std::optional<double> level);
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void paintBars(QPainter& painter, const QRectF& box) const;
+  void paintBox(QPainter& painter, const QRectF& box) const;
+  [[nodiscard]] double xOf(double value, const QRectF& box) const;
+
+  Distribution values_;
+  QString unit_;
+  double lowest_ = 0.0, highest_ = 1.0;
+  std::optional<double> level_;
+};
+
+/// The overview of everybody who tried a lesson: each step with how many passed, and the distribution of its score and figures; the step
+/// that most fail is marked. Beside it the pass level, and what two groups of known standing suggest for it.
+class ClassPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ClassPage(ReviewSession& session, QWidget* parent = nullptr);
+
+ private:
+  QWidget* makeSteps();
+  QWidget* makeDetails();
+  void refresh();
+  void showStep();
+  void showAttempts();
+  void showSuggestion();
+  void keepLevel(double level);
+  [[nodiscard]] std::vector<AttemptResult> results() const;
+  [[nodiscard]] const StepOverview* shownStep() const;
+  [[nodiscard]] const LessonStep* lessonStep(const std::string& id) const;
+
+  ReviewSession& session_;
+  ClassOverview overview_;
+  std::map<std::string, Standing> standings_;  ///< by the attempt's id
+  std::string stepId_;
+  QLabel* heading_ = nullptr;
+  QLabel* hardest_ = nullptr;
+  QTreeWidget* steps_ = nullptr;
+  QLabel* stepTitle_ = nullptr;
+  QComboBox* figure_ = nullptr;
+  DistributionChart* chart_ = nullptr;
+  QLabel* numbers_ = nullptr;
+  sdk::NumberField* level_ = nullptr;
+  QTreeWidget* attempts_ = nullptr;
+  QLabel* suggestion_ = nullptr;
+  QPushButton* take_ = nullptr;
+  QPushButton* back_ = nullptr;
+  QPushButton* print_ = nullptr;
+  std::optional<double> suggested_;
+  bool showing_ = false;
+};
+
+}  // namespace ew::review

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QWidget>
+
+#include "panel/review_session.h"
+
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPlainTextEdit;
+class QPushButton;
+
+namespace ew::review {
+
+/// The comments on the attempt that is reviewed: one's own, which can be edited, and everybody else's. A click goes to the moment.
+class CommentsPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CommentsPage(ReviewSession& session, QWidget* parent = nullptr);
+
+ private:
+  void refresh();
+  void showChosen();
+  void goTo(int row);
+  [[nodiscard]] const ReviewComment* chosen() const;
+
+  struct Row {
+    ReviewComment comment;
+    QString author;  ///< empty: one's own
+  };
+  ReviewSession& session_;
+  std::vector<Row> rows_;
+  QLineEdit* reviewer_ = nullptr;
+  QListWidget* list_ = nullptr;
+  QPlainTextEdit* text_ = nullptr;
+  QPushButton* remove_ = nullptr;
+  QPushButton* save_ = nullptr;
+  QLabel* hint_ = nullptr;
+  std::shared_ptr<void> ticket_;
+  bool showing_ = false;
+};
+
+}  // namespace ew::review

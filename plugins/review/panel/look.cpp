@@ -1,0 +1,113 @@
+#include "panel/look.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QIconEngine>
+#include <QLocale>
+#include <QPainter>
+#include <QPixmap>
+#include <QSvgRenderer>
+#include <cmath>
+
+namespace ew::review {
+namespace {
+
+/// Drawn at whatever size is asked for.
+class SvgIcon final : public QIconEngine {
+ public:
+  SvgIcon(QByteArray svg, QColor colour) : svg_(std::move(svg)), colour_(std::move(colour)) {}
+  void paint(QPainter* painter, const QRect& box, QIcon::Mode mode, QIcon::State) override {
+    QByteArray coloured = svg_;
+    coloured.replace("currentColor", colour_.name().toLatin1());
+    QSvgRenderer renderer(coloured);
+    painter->save();
+    painter->setOpacity(mode == QIcon::Disabled ? 0.4 : 1.0);
+    renderer.render(painter, box);
+    painter->restore();
+  }
+  QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+    QPixmap picture(size);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    paint(&painter, QRect(QPoint(0, 0), size), mode, state);
+    return picture;
+  }
+  [[nodiscard]] QIconEngine* clone() const override { return new SvgIcon(svg_, colour_); }
+
+ private:
+  QByteArray svg_;
+  QColor colour_;
+};
+
+}  // namespace
+
+QColor colourOf(Who who, bool onDark) {
+  if (who == Who::expert) return onDark ? QColor(110, 165, 245) : QColor(25, 95, 190);
+  return onDark ? QColor(240, 160, 70) : QColor(185, 90, 0);
+}
+
+QFont smaller(const QWidget& of) {
+  QFont font = of.font();
+  font.setPixelSize(withText(12, font));
+  return font;
+}
+
+QIcon lineIconOf(const QByteArray& svg, const QColor& colour) { return QIcon(new SvgIcon(svg, colour)); }
+
+QIcon lineIcon(const QString& name, const QColor& colour) {
+  QFile file(QStringLiteral(":/ew/icons/%1.svg").arg(name));
+  return file.open(QIODevice::ReadOnly) ? lineIconOf(file.readAll(), colour) : QIcon();
+}
+
+const char* workspaceIcon() {
+  return R"(<svg xmlns="http://www.w3.org/2000/svg" width="24" height="24" viewBox="0 0 24 24" fill="none" stroke="currentColor" stroke-width="1.75" stroke-linecap="round" stroke-linejoin="round"><path d="M7 4.5 3.5 14h7zM17 4.5 13.5 14h7zM3.5 19h17M9 17.5v3"/></svg>)";
+}
+
+QString clockText(double time_s) {
+  const auto tenths = std::lround(10.0 * std::abs(time_s));
+  return QStringLiteral("%1%2:%3.%4")
+      .arg(time_s < 0.0 && tenths > 0 ? QStringLiteral("-") : QString())
+      .arg(tenths / 600)
+      .arg(tenths / 10 % 60, 2, 10, QLatin1Char('0'))
+      .arg(tenths % 10);
+}
+
+QString percent(double share) { return QLocale().toString(100.0 * share, 'f', 0) + QStringLiteral(" %"); }
+
+QString titleOf(TrackKind kind) {
+  const auto in = [](const char* text) { return QCoreApplication::translate("ew::review", text); };
+  switch (kind) {
+    case TrackKind::pose:
+      return in(QT_TRANSLATE_NOOP("ew::review", "Valid pose"));
+    case TrackKind::contact:
+      return in(QT_TRANSLATE_NOOP("ew::review", "Contact"));
+    case TrackKind::settings:
+      return in(QT_TRANSLATE_NOOP("ew::review", "Settings"));
+    case TrackKind::freeze:
+      return in(QT_TRANSLATE_NOOP("ew::review", "Freeze"));
+    case TrackKind::measurement:
+      return in(QT_TRANSLATE_NOOP("ew::review", "Measurements"));
+    case TrackKind::answer:
+      return in(QT_TRANSLATE_NOOP("ew::review", "Answers"));
+    case TrackKind::mark:
+      return in(QT_TRANSLATE_NOOP("ew::review", "Marks"));
+    case TrackKind::comment:
+      return in(QT_TRANSLATE_NOOP("ew::review", "Comments"));
+  }
+  return {};
+}
+
+QString wordOf(Who who) {
+  return who == Who::expert ? QCoreApplication::translate("ew::review", "Expert") : QCoreApplication::translate("ew::review", "Trainee");
+}
+
+void drawMarkOf(QPainter& painter, Who who, const QPointF& at, double radius_px) {
+  if (who == Who::trainee) {
+    painter.drawEllipse(at, radius_px, radius_px);
+    return;
+  }
+  const double r = 1.3 * radius_px;
+  painter.drawPolygon(QPolygonF({at + QPointF(0, -r), at + QPointF(r, 0), at + QPointF(0, r), at + QPointF(-r, 0)}));
+}
+
+}  // namespace ew::review

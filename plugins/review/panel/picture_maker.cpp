@@ -1,0 +1,100 @@
+#include "panel/picture_maker.h"
+
+#include <QMetaObject>
+#include <utility>
+
+#include "ew/scanning/replay.h"
+
+namespace ew::review {
+namespace {
+
+QImage imageOf(const Picture& picture) {
+  QImage image(picture.width(), picture.height(), QImage::Format_RGB32);
+  for (int y = 0; y < picture.height(); ++y) {
+    auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+    const std::uint8_t* grey = picture.grey.row(y);
+    for (int x = 0; x < picture.width(); ++x) {
+      const Rgb below(grey[x]);
+      const Rgb seen = picture.hasColour() ? over(picture.colour.row(y)[x], below) : below;
+      line[x] = qRgb(seen.r, seen.g, seen.b);
+    }
+  }
+  return image;
+}
+
+}  // namespace
+
+PictureMaker::PictureMaker(QObject* parent) : QObject(parent), thread_([this] { run(); }) {}
+
+PictureMaker::~PictureMaker() {
+  {
+    const std::lock_guard lock(mutex_);
+    ends_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void PictureMaker::show(std::shared_ptr<const ReviewedScan> scan, std::optional<ScanSubject> subject) {
+  const std::lock_guard lock(mutex_);
+  ++sourceNumber_;
+  wish_.reset();
+  latest_.reset();
+  source_ = scan && subject ? std::make_shared<const Source>(Source{std::move(scan), std::move(*subject)}) : nullptr;
+}
+
+void PictureMaker::want(std::size_t frame, const QSize& size_px) {
+  const std::lock_guard lock(mutex_);
+  const Wish wish{frame, size_px};
+  if (!source_ || size_px.isEmpty() || latest_ == wish) return;
+  wish_ = latest_ = wish;
+  changed_.notify_all();
+}
+
+bool PictureMaker::isIdle() const {
+  const std::lock_guard lock(mutex_);
+  return !wish_ && !isWorking_;
+}
+
+void PictureMaker::run() {
+  std::shared_ptr<const Source> at;
+  std::unique_ptr<Replay> replay;
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    changed_.wait(lock, [this] { return ends_ || wish_.has_value(); });
+    if (ends_) return;
+    const Wish wish = *std::exchange(wish_, std::nullopt);
+    const std::shared_ptr<const Source> source = source_;
+    const std::uint64_t number = sourceNumber_;
+    isWorking_ = true;
+    lock.unlock();
+    auto made = std::make_shared<MadePicture>();
+    if (source) {
+      const ScanLog& log = source->scan->recording.log;
+      if (source != at) replay = std::make_unique<Replay>(log, source->subject);
+      at = source;
+      made->image = imageOf(replay->make(wish.frame, wish.size_px.width(), wish.size_px.height()));
+      made->geometry = replay->scanner().geometry();
+      made->frame = wish.frame;
+      made->state = log.frame(wish.frame);
+    }
+    lock.lock();
+    isWorking_ = false;
+    if (source) tell(number, std::move(made));
+  }
+}
+
+void PictureMaker::tell(std::uint64_t source, std::shared_ptr<const MadePicture> picture) {
+  QMetaObject::invokeMethod(
+      this,
+      [this, source, picture = std::move(picture)] {
+        {
+          const std::lock_guard lock(mutex_);
+          if (source != sourceNumber_) return;  // of what is not shown any more
+        }
+        Q_EMIT made(picture);
+      },
+      Qt::QueuedConnection);
+}
+
+}  // namespace ew::review

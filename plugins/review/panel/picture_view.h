@@ -1,0 +1,74 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "ew/assessment/review_comment.h"
+#include "panel/picture_maker.h"
+#include "panel/review_session.h"
+
+namespace ew::review {
+
+/// One scan as it was seen: the image of the moment, what it was made with, and what was drawn on it. Settings that differ from the other
+/// scan's are marked. On the reviewed one a stroke is drawn with the mouse while a tool is chosen.
+class PictureView final : public QWidget {
+  Q_OBJECT
+  Q_PROPERTY(bool isIdle READ isIdle)
+
+ public:
+  PictureView(Side side, ReviewSession& session, QWidget* parent = nullptr);
+  ~PictureView() override;
+
+  /// The image that is shown; null: none yet.
+  [[nodiscard]] const MadePicture* picture() const { return picture_.get(); }
+  /// Whose settings are compared with; may be null.
+  void setOther(PictureView* other) { other_ = other; }
+  /// Nothing is drawn by hand while it is empty.
+  void setTool(std::optional<CommentStroke::Kind> tool);
+  /// What was drawn and belongs to no comment yet.
+  [[nodiscard]] const std::vector<CommentStroke>& drawn() const { return drawn_; }
+  void setDrawn(std::vector<CommentStroke> strokes);
+  /// Nothing that was asked for is still to come.
+  [[nodiscard]] bool isIdle() const;
+  /// Where a point of the image plane is, in pixels of the widget, and back.
+  [[nodiscard]] QPointF pixelOf(const glm::dvec2& p_mm) const;
+  [[nodiscard]] glm::dvec2 pointAt(const QPointF& at) const;
+  Q_INVOKABLE QPointF pixelOfPoint(double lateral_mm, double axial_mm) const { return pixelOf({lateral_mm, axial_mm}); }
+  Q_INVOKABLE QStringList shownSettings() const;  ///< "depth 12.0 cm", the differing ones with a leading "≠ "
+
+ Q_SIGNALS:
+  void shown();
+  void drawnChanged();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+
+ private:
+  void show(const std::shared_ptr<const MadePicture>& picture);
+  void ask();
+  [[nodiscard]] QRectF imageRect() const;
+  void paintImage(QPainter& painter);
+  void paintStroke(QPainter& painter, const CommentStroke& stroke, const QColor& colour) const;
+  void paintHead(QPainter& painter) const;
+  void paintSettings(QPainter& painter) const;
+  void paintEmpty(QPainter& painter) const;
+  [[nodiscard]] int headHeight() const;
+  [[nodiscard]] int settingsHeight() const;
+
+  Side side_;
+  ReviewSession& session_;
+  PictureView* other_ = nullptr;
+  PictureMaker maker_;
+  std::shared_ptr<const MadePicture> picture_;
+  std::optional<CommentStroke::Kind> tool_;
+  std::vector<CommentStroke> drawn_;
+  std::optional<CommentStroke> drawing_;
+};
+
+}  // namespace ew::review

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QWidget>
+#include <map>
+
+#include "ew/assessment/rating.h"
+#include "panel/review_session.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QPushButton;
+class QVBoxLayout;
+
+namespace ew::review {
+
+/// A rating form that is filled in beside the scan. Until one's own is finished neither names nor others' ratings are seen, unless names
+/// are shown.
+class RatingPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit RatingPage(ReviewSession& session, QWidget* parent = nullptr);
+
+ private:
+  void refresh();
+  void makeItems();
+  void readRating();
+  void showOthers();
+  void showTotal();
+  [[nodiscard]] const RatingForm* form() const;
+  [[nodiscard]] Rating rating(bool finished) const;
+  void keep(bool finished);
+
+  ReviewSession& session_;
+  RatingFormList forms_;
+  std::filesystem::path attempt_;  ///< whose rating is shown
+  std::string madeFor_;            ///< form id that the rows are of
+  std::map<std::string, QComboBox*> scores_;
+  std::map<std::string, QLineEdit*> remarks_;
+  QComboBox* form_ = nullptr;
+  QComboBox* level_ = nullptr;
+  QLabel* blind_ = nullptr;
+  QLabel* problem_ = nullptr;
+  QVBoxLayout* items_ = nullptr;
+  QPlainTextEdit* remark_ = nullptr;
+  QLabel* total_ = nullptr;
+  QLabel* kept_ = nullptr;
+  QLabel* others_ = nullptr;
+  QPushButton* draft_ = nullptr;
+  QPushButton* finish_ = nullptr;
+  QWidget* body_ = nullptr;
+  bool showing_ = false;
+};
+
+}  // namespace ew::review

@@ -1,0 +1,230 @@
+#include "panel/review_column.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDateTime>
+#include <QFileDialog>
+#include <QLabel>
+#include <QListWidget>
+#include <QLocale>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QTimeZone>
+#include <algorithm>
+#include <set>
+
+#include "ew/sdk/panel.h"
+#include "panel/comments_page.h"
+#include "panel/look.h"
+#include "panel/rating_page.h"
+#include "panel/scores_page.h"
+
+namespace ew::review {
+
+using sdk::kGap_px;
+using sdk::words;
+
+namespace {
+
+constexpr int kFileEntry = -2, kNothingEntry = -1;
+
+QString when(std::chrono::sys_seconds moment) {
+  return QLocale().toString(QDateTime::fromSecsSinceEpoch(moment.time_since_epoch().count()), QLocale::ShortFormat);
+}
+
+QComboBox* choice(const char* name, const QString& spoken) {
+  auto* made = new QComboBox;
+  made->setObjectName(QLatin1String(name));
+  made->setAccessibleName(spoken);
+  made->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  made->setMinimumContentsLength(12);
+  return made;
+}
+
+/// Of the steps that have a verdict: passed ones are counted once.
+QString passedOf(const ShelvedLesson& lesson, const Attempt& tried, const AttemptScore* score) {
+  int passed = 0, counted = 0;
+  for (const LessonStep& step : lesson.lesson.steps) {
+    if (std::holds_alternative<ReadTask>(step.task) || std::holds_alternative<WatchTask>(step.task)) continue;
+    ++counted;
+    const StepScore* scored = score != nullptr ? score->of(step.id) : nullptr;
+    const StepOutcome* outcome = tried.outcomeOf(step.id);
+    passed += (scored != nullptr ? scored->verdict == StepVerdict::passed : outcome != nullptr && outcome->verdict == StepVerdict::passed);
+  }
+  return ReviewColumn::tr("%1 of %2 passed").arg(passed).arg(counted);
+}
+
+}  // namespace
+
+ScansPage::ScansPage(ReviewSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+  setObjectName(QStringLiteral("reviewScans"));
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
+  rows->setSpacing(kGap_px / 2);
+  const auto field = [&](const QString& title, QWidget* editor, int stretch = 0) {
+    auto* label = sdk::quietLabel(title);
+    label->setBuddy(editor);
+    rows->addWidget(label);
+    rows->addWidget(editor, stretch);
+    rows->addSpacing(kGap_px / 2);
+  };
+  lesson_ = choice("reviewLesson", tr("Lesson"));
+  connect(lesson_, qOverload<int>(&QComboBox::activated), this, [this](int n) { session_.chooseLesson(static_cast<std::size_t>(n)); });
+  field(tr("Lesson"), lesson_);
+  attempts_ = new QListWidget;
+  attempts_->setObjectName(QStringLiteral("reviewAttempts"));
+  attempts_->setAccessibleName(tr("Attempts"));
+  attempts_->setMinimumHeight(withText(96, font()));
+  connect(attempts_, &QListWidget::currentRowChanged, this, [this](int row) {
+    if (!showing_ && row >= 0) session_.chooseAttempt(static_cast<std::size_t>(row));
+  });
+  field(tr("Attempts"), attempts_, 1);
+  names_ = new QCheckBox(tr("Show names"));
+  names_->setObjectName(QStringLiteral("reviewNames"));
+  names_->setToolTip(tr("Off: people are called by codes, so that you judge what you see and not whom you know"));
+  connect(names_, &QCheckBox::toggled, this, [this](bool on) {
+    if (!showing_) session_.setShowsNames(on);
+  });
+  rows->addWidget(names_);
+  rows->addSpacing(kGap_px / 2);
+  step_ = choice("reviewStep", tr("Step"));
+  connect(step_, qOverload<int>(&QComboBox::activated), this,
+          [this](int n) { session_.chooseStep(step_->itemData(n).toString().toStdString()); });
+  field(tr("Step"), step_);
+  compared_ = choice("reviewCompared", tr("Compared with"));
+  connect(compared_, qOverload<int>(&QComboBox::activated), this, [this](int n) {
+    const int entry = compared_->itemData(n).toInt();
+    if (entry == kFileEntry) {
+      askForFile(kCompared);
+      showComparisons();
+    } else {
+      session_.compareWith(entry == kNothingEntry ? std::nullopt : std::optional(static_cast<std::size_t>(entry)));
+    }
+  });
+  field(tr("Compared with"), compared_);
+  note_ = sdk::quietLabel({});
+  note_->setObjectName(QStringLiteral("reviewNote"));
+  rows->addWidget(note_);
+  auto* buttons = new QHBoxLayout;
+  class_ = new QPushButton(tr("Class overview"));
+  class_->setObjectName(QStringLiteral("reviewClass"));
+  class_->setCheckable(true);
+  class_->setToolTip(tr("How all attempts at this lesson went, step by step"));
+  connect(class_, &QPushButton::clicked, this, [this](bool on) { session_.setShowsClass(on); });
+  buttons->addWidget(class_, 1);
+  auto* again = new QPushButton(tr("Look again"));
+  again->setObjectName(QStringLiteral("reviewRefresh"));
+  again->setToolTip(tr("Looks for attempts that were made meanwhile"));
+  connect(again, &QPushButton::clicked, this, [this] { session_.readShelf(); });
+  buttons->addWidget(again);
+  rows->addLayout(buttons);
+  connect(&session_, &ReviewSession::shelfChanged, this, &ScansPage::refresh);
+  connect(&session_, &ReviewSession::choiceChanged, this, &ScansPage::refresh);
+  connect(&session_, &ReviewSession::scoresChanged, this, &ScansPage::refresh);
+  connect(&session_, &ReviewSession::pageChanged, this, [this] { class_->setChecked(session_.showsClass()); });
+  refresh();
+}
+
+void ScansPage::refresh() {
+  showing_ = true;
+  lesson_->clear();
+  const ScanShelf& shelf = session_.shelf();
+  std::set<std::string> cases;
+  for (const ShelvedLesson& each : shelf.lessons) cases.insert(each.home.id);
+  for (const ShelvedLesson& each : shelf.lessons) {
+    const QString lesson = words(each.lesson.title);
+    lesson_->addItem(cases.size() < 2 ? lesson : tr("%1 – %2", "case – lesson").arg(words(each.home.title), lesson));
+    lesson_->setItemData(lesson_->count() - 1, words(each.home.title) + QStringLiteral(" – ") + lesson, Qt::ToolTipRole);
+  }
+  lesson_->setCurrentIndex(session_.lessonNumber() ? static_cast<int>(*session_.lessonNumber()) : -1);
+  lesson_->setEnabled(lesson_->count() > 0);
+  names_->setChecked(session_.showsNames());
+  showAttempts();
+  showSteps();
+  showComparisons();
+  class_->setEnabled(session_.lesson() != nullptr);
+  note_->setVisible(shelf.strayAttempts > 0);
+  note_->setText(shelf.strayAttempts == 1 ? tr("One attempt belongs to a lesson that is not in this library.")
+                                          : tr("%1 attempts belong to lessons that are not in this library.").arg(shelf.strayAttempts));
+  showing_ = false;
+}
+
+void ScansPage::showAttempts() {
+  attempts_->clear();
+  const ShelvedLesson* of = session_.lesson();
+  if (of == nullptr || of->attempts.empty()) {
+    auto* none = new QListWidgetItem(session_.isReading() ? tr("Looking …") : tr("Nobody has tried it yet"), attempts_);
+    none->setFlags(Qt::NoItemFlags);
+    return;
+  }
+  for (std::size_t n = 0; n < of->attempts.size(); ++n) {
+    const Attempt& tried = of->attempts[n].second;
+    const AttemptScore* score = session_.scoreOf(n);
+    QString state = tried.finishedAt ? passedOf(*of, tried, score) : tr("not finished");
+    if (score != nullptr) state += QStringLiteral(" · ") + QLocale().toString(100.0 * score->score, 'f', 0) + QStringLiteral(" %");
+    auto* item = new QListWidgetItem(session_.personOf(tried) + QLatin1Char('\n') + when(tried.startedAt) + QStringLiteral(" · ") + state,
+                                     attempts_);
+    item->setToolTip(item->text());
+  }
+  attempts_->setCurrentRow(session_.attemptNumber() ? static_cast<int>(*session_.attemptNumber()) : -1);
+}
+
+void ScansPage::showSteps() {
+  step_->clear();
+  const ShelvedLesson* of = session_.lesson();
+  step_->setEnabled(of != nullptr);
+  if (of == nullptr) return;
+  for (const LessonStep& step : of->lesson.steps) {
+    const auto* tried = session_.attempt();
+    const bool isRecorded = tried != nullptr && scanOfStep(tried->first, tried->second, step).has_value();
+    step_->addItem(isRecorded ? words(step.title) : tr("%1 (not recorded)").arg(words(step.title)), words(step.id));
+  }
+  step_->setCurrentIndex(session_.step() != nullptr ? step_->findData(words(session_.step()->id)) : -1);
+}
+
+void ScansPage::showComparisons() {
+  compared_->clear();
+  compared_->addItem(tr("nothing"), kNothingEntry);
+  const ShelvedLesson* of = session_.lesson();
+  for (std::size_t n = 0; n < session_.comparisons().size(); ++n) {
+    const ScanChoice& scan = session_.comparisons()[n];
+    QString text = words(scan.title);
+    if (scan.watch) text = tr("Expert: %1").arg(text);
+    for (std::size_t a = 0; of != nullptr && a < of->attempts.size(); ++a)
+      if (of->attempts[a].first == scan.attempt)
+        text = tr("%1, %2", "person, when").arg(session_.personOf(of->attempts[a].second), when(of->attempts[a].second.startedAt));
+    compared_->addItem(text, static_cast<int>(n));
+  }
+  compared_->addItem(tr("A recording …"), kFileEntry);
+  compared_->setCurrentIndex(session_.comparison() ? compared_->findData(static_cast<int>(*session_.comparison())) : 0);
+}
+
+void ScansPage::askForFile(Side side) {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open a recording of a scan"), {},
+                                                    tr("Recordings of scans (*.seq.mha *.igs.mha *.mha);;All files (*)"));
+  if (!file.isEmpty()) session_.openFile(side, file.toStdString());
+}
+
+ReviewColumn::ReviewColumn(ReviewSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+  setObjectName(QStringLiteral("reviewColumn"));
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(0, 0, 0, 0);
+  tabs_ = new QTabWidget;
+  tabs_->setObjectName(QStringLiteral("reviewTabs"));
+  tabs_->setProperty("panels", true);
+  tabs_->setDocumentMode(true);
+  tabs_->addTab(new ScansPage(session_), tr("Scans"));
+  tabs_->addTab(new CommentsPage(session_), tr("Comments"));
+  tabs_->addTab(new ScoresPage(session_), tr("Scores"));
+  tabs_->addTab(new RatingPage(session_), tr("Rating"));
+  tabs_->tabBar()->setUsesScrollButtons(false);
+  tabs_->tabBar()->setElideMode(Qt::ElideRight);
+  rows->addWidget(tabs_);
+}
+
+void ReviewColumn::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (!session_.hasShelf() && !session_.isReading()) session_.readShelf();
+}
+
+}  // namespace ew::review

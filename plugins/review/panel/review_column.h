@@ -1,0 +1,56 @@
+#pragma once
+
+#include <QWidget>
+
+#include "panel/review_session.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QPushButton;
+class QTabWidget;
+
+namespace ew::review {
+
+/// Which attempt and step is reviewed, and what it is compared with.
+class ScansPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ScansPage(ReviewSession& session, QWidget* parent = nullptr);
+
+ private:
+  void refresh();
+  void showAttempts();
+  void showSteps();
+  void showComparisons();
+  void askForFile(Side side);
+
+  ReviewSession& session_;
+  QComboBox* lesson_ = nullptr;
+  QListWidget* attempts_ = nullptr;
+  QComboBox* step_ = nullptr;
+  QComboBox* compared_ = nullptr;
+  QCheckBox* names_ = nullptr;
+  QLabel* note_ = nullptr;
+  QPushButton* class_ = nullptr;
+  bool showing_ = false;
+};
+
+/// The column of the workspace Review: scans, comments, scores and ratings.
+class ReviewColumn final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ReviewColumn(ReviewSession& session, QWidget* parent = nullptr);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  ReviewSession& session_;
+  QTabWidget* tabs_ = nullptr;
+};
+
+}  // namespace ew::review

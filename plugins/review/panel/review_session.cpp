@@ -1,0 +1,403 @@
+#include "panel/review_session.h"
+
+#include <QLocale>
+#include <QSettings>
+#include <algorithm>
+
+#include "ew/assessment/pseudonym.h"
+#include "ew/assessment/step_metrics.h"
+#include "ew/library/learning.h"
+#include "ew/sdk/case_parts.h"
+#include "ew/sdk/person.h"
+#include "ew/sdk/window.h"
+#include "ew/sdk/words.h"
+#include "panel/look.h"
+
+namespace ew::review {
+namespace {
+
+namespace fs = std::filesystem;
+using sdk::words;
+
+const QString kReviewerSetting = QStringLiteral("review/reviewer");
+const QString kNamesSetting = QStringLiteral("review/names");
+
+/// Work that somebody no longer waits for ends like one that was stopped.
+class NewestOnly final : public Progress {
+ public:
+  NewestOnly(Progress& whole, std::shared_ptr<const std::atomic<int>> wish, int number)
+      : whole_(whole), wish_(std::move(wish)), number_(number) {}
+  void report(const Message& what, double fraction) override { whole_.report(what, fraction); }
+  [[nodiscard]] bool cancelRequested() const override { return whole_.cancelRequested() || *wish_ != number_; }
+
+ private:
+  Progress& whole_;
+  std::shared_ptr<const std::atomic<int>> wish_;
+  int number_;
+};
+
+Result<fs::path> mannequinFileOf(const Case& opened) {
+  auto resources = resourceFolder();
+  if (!resources) return passOn(resources.error());
+  const std::string name = opened.mannequin.empty() ? std::string("adult.json") : opened.mannequin;
+  std::error_code ignored;
+  return fs::exists(opened.folder / name, ignored) ? opened.folder / name : *resources / "mannequin" / name;
+}
+
+std::optional<Scene> liveSceneOf(const ScanLog& log) {
+  for (const ScanEvent& event : log.events())
+    if (const auto* changed = std::get_if<SceneChanged>(&event.what); changed != nullptr && changed->scene.liveEchoes)
+      return changed->scene;
+  return std::nullopt;
+}
+
+}  // namespace
+
+/// What one job opens, from choices to all that is shown.
+struct ReviewSession::Opening {
+  std::array<std::optional<ScanChoice>, 2> choices;
+  std::shared_ptr<const ScanShelf> shelf;
+  std::map<fs::path, std::pair<Case, CaseContents>> contents;  ///< known already, and what was read
+  fs::path mannequinFile;
+  std::shared_ptr<const bridge::Mannequin> mannequin;
+  std::array<std::shared_ptr<const OpenedScan>, 2> opened;
+  std::optional<LessonStep> step;  ///< that metrics are of
+
+  Result<void> run(Progress& progress) {
+    std::map<fs::path, std::pair<Case, CaseContents>> used;
+    for (const Side side : kSides) {
+      if (!choices[side]) continue;
+      PartOfProgress part(progress, side == kReviewed ? 0.0 : 0.5, side == kReviewed ? 0.5 : 1.0);
+      if (auto done = open(side, used, part); !done) return done;
+    }
+    contents = std::move(used);
+    return {};
+  }
+
+ private:
+  Result<void> open(Side side, std::map<fs::path, std::pair<Case, CaseContents>>& used, Progress& progress) {
+    PartOfProgress reading(progress, 0.0, 0.1), preparing(progress, 0.1, 0.8), looking(progress, 0.8, 1.0);
+    auto scan = openScan(*choices[side], reading);
+    if (!scan) return passOn(scan.error());
+    const auto folder = caseOf(*scan, *shelf, libraryFolder());
+    if (!folder) return passOn(folder.error());
+    if (auto known = contents.find(*folder); known != contents.end() && used.count(*folder) == 0) used.insert(*known);
+    if (used.count(*folder) == 0) {
+      auto named = loadCase(*folder);
+      if (!named) return passOn(named.error());
+      auto read = readContents(*named, preparing);
+      if (!read) return passOn(read.error());
+      used.emplace(*folder, std::pair(std::move(*named), std::move(*read)));
+    }
+    const auto& [home, held] = used.at(*folder);
+    OpenedScan made{std::make_shared<const ReviewedScan>(std::move(*scan)), subjectOf(home, held), {}, {}, nullptr, {}, {}};
+    const ScanLog& log = made.scan->recording.log;
+    if (const auto live = liveSceneOf(log); live && made.subject.tissue == nullptr && made.subject.canFormEchoes()) {
+      auto tissue = recordedTissueOf(made.subject.voxels, *live, 0, preparing);
+      if (!tissue) return passOn(tissue.error());
+      made.subject.know(std::move(*tissue));
+    }
+    if (side == kReviewed || mannequin == nullptr)
+      if (auto body = readMannequin(home, progress); !body) return body;
+    made.path = skinPathOf(log, made.scan->part);
+    made.planes = visitedPlanesOf(log, made.scan->part);
+    if (const auto& volume = made.subject.voxels.volume()) {
+      const auto& other = opened[kReviewed];
+      const bool isShared = side == kCompared && other && other->subject.voxels.volume() == volume;
+      made.regions = isShared ? other->regions : std::make_shared<const VolumeRegions>(*volume, made.subject.placedGrid);
+      auto seen = seenIn(*made.regions, log, made.scan->part, looking);
+      if (!seen) return passOn(seen.error());
+      made.seen = std::move(*seen);
+    }
+    if (auto measured = measure(home, held, made, progress); !measured) return measured;
+    opened[side] = std::make_shared<const OpenedScan>(std::move(made));
+    return {};
+  }
+
+  Result<void> measure(const Case& home, const CaseContents& held, OpenedScan& made, Progress& progress) const {
+    if (!step) return {};
+    PartOfProgress silent(progress, 0.8, 0.8);
+    auto truth = loadCaseTruth(home, silent);
+    if (!truth && truth.error().code == ErrorCode::cancelled) return passOn(truth.error());
+    const CaseGround ground(std::make_shared<const CaseTruth>(truth ? std::move(*truth) : CaseTruth{}), held.labels,
+                            made.subject.placedLabels);
+    const ScanLog log = logOfPart(made.scan->recording.log, made.scan->part);
+    StepOutcome outcome = made.scan->choice.outcome.value_or(StepOutcome{});
+    if (!made.scan->choice.outcome) {  // an expert's scan was judged by nobody
+      outcome.stepId = step->id;
+      outcome.seconds = made.scan->part.length_s();
+    }
+    auto metrics = ew::metricsOf({*step, outcome, &log}, ground, {}, silent);
+    if (!metrics) return passOn(metrics.error());
+    made.metrics = std::move(*metrics);
+    return {};
+  }
+
+  Result<void> readMannequin(const Case& home, Progress& progress) {
+    const auto file = mannequinFileOf(home);
+    if (!file) return passOn(file.error());
+    if (mannequin && *file == mannequinFile) return {};
+    PartOfProgress silent(progress, 0.8, 0.8);
+    auto loaded = bridge::loadMannequin(*file, {}, silent);
+    if (!loaded) return passOn(loaded.error());
+    mannequin = std::make_shared<const bridge::Mannequin>(std::move(*loaded));
+    mannequinFile = *file;
+    return {};
+  }
+};
+
+ReviewSession::ReviewSession(sdk::Host& host) : host_(host), shelf_(std::make_shared<const ScanShelf>()) {
+  reviewer_ = QSettings().value(kReviewerSetting).toString();
+  showsNames_ = QSettings().value(kNamesSetting, false).toBool();
+  timer_.setInterval(33);
+  timer_.setTimerType(Qt::PreciseTimer);
+  connect(&timer_, &QTimer::timeout, this, &ReviewSession::tick);
+}
+
+ReviewSession::~ReviewSession() { ++*wish_; }
+
+void ReviewSession::readShelf() {
+  if (reading_) return;
+  reading_ = true;
+  Q_EMIT shelfChanged();
+  auto made = std::make_shared<ScanShelf>();
+  host_.jobs().start(
+      tr("Looking for attempts").toStdString(),
+      [made, open = host_.cases().currentFolder()](Progress& progress) -> Result<void> {
+        auto read = review::readShelf(libraryFolder(), open, progress);
+        if (!read) return passOn(read.error());
+        *made = std::move(*read);
+        return {};
+      },
+      [this, made, alive = std::weak_ptr(alive_)](const Result<void>& done) {
+        if (alive.expired()) return;
+        reading_ = false;
+        if (done) {
+          const std::string lessonId = lesson() ? lesson()->lesson.id : std::string(),
+                            caseId = lesson() ? lesson()->home.id : std::string();
+          const std::string attemptId = attempt() ? attempt()->second.id : std::string();
+          shelf_ = made;
+          hasShelf_ = true;
+          lesson_.reset();
+          attempt_.reset();
+          for (std::size_t n = 0; n < shelf_->lessons.size(); ++n)
+            if (shelf_->lessons[n].lesson.id == lessonId && shelf_->lessons[n].home.id == caseId) lesson_ = n;
+          if (lesson())
+            for (std::size_t n = 0; n < lesson()->attempts.size(); ++n)
+              if (lesson()->attempts[n].second.id == attemptId) attempt_ = n;
+          if (!shelf_->problems.empty()) host_.window().warn(words(shelf_->problems.front()).toStdString(), "review shelf");
+          readPlan();
+          readScores();
+        } else if (done.error().code != ErrorCode::cancelled) {
+          host_.window().error(words(done.error()).toStdString(), "review shelf");
+        }
+        Q_EMIT shelfChanged();
+        if (!lesson_ && !shelf_->lessons.empty()) chooseLesson(0);
+      });
+}
+
+const ShelvedLesson* ReviewSession::lesson() const {
+  return lesson_ && *lesson_ < shelf_->lessons.size() ? &shelf_->lessons[*lesson_] : nullptr;
+}
+
+const std::pair<fs::path, Attempt>* ReviewSession::attempt() const {
+  const ShelvedLesson* of = lesson();
+  return of != nullptr && attempt_ && *attempt_ < of->attempts.size() ? &of->attempts[*attempt_] : nullptr;
+}
+
+const LessonStep* ReviewSession::step() const {
+  if (lesson() == nullptr) return nullptr;
+  for (const LessonStep& each : lesson()->lesson.steps)
+    if (each.id == stepId_) return &each;
+  return nullptr;
+}
+
+void ReviewSession::chooseLesson(std::size_t number) {
+  if (number >= shelf_->lessons.size() || !saveComments()) return;
+  lesson_ = number;
+  attempt_.reset();
+  stepId_.clear();
+  readPlan();
+  readScores();
+  Q_EMIT scoresChanged();
+  if (lesson()->attempts.empty()) {
+    openChosen();
+    return;
+  }
+  chooseAttempt(0);
+}
+
+void ReviewSession::chooseAttempt(std::size_t number) {
+  if (lesson() == nullptr || number >= lesson()->attempts.size() || !saveComments()) return;
+  attempt_ = number;
+  const auto& [folder, tried] = *attempt();
+  const auto isRecorded = [&, &folder = folder, &tried = tried](const LessonStep& each) {
+    return scanOfStep(folder, tried, each).has_value();
+  };
+  const auto& steps = lesson()->lesson.steps;
+  if (step() == nullptr || !isRecorded(*step())) {
+    const auto first = std::find_if(steps.begin(), steps.end(), isRecorded);
+    stepId_ = first != steps.end() ? first->id : steps.empty() ? std::string() : steps.front().id;
+  }
+  openChosen();
+}
+
+void ReviewSession::chooseStep(const std::string& stepId) {
+  if (lesson() == nullptr || stepId == stepId_ || !saveComments()) return;
+  stepId_ = stepId;
+  openChosen();
+}
+
+void ReviewSession::compareWith(std::optional<std::size_t> comparison) {
+  if (comparison && *comparison >= comparisons_.size()) return;
+  comparison_ = comparison;
+  const OpenedScan* first = opened(kReviewed);
+  start({first != nullptr ? std::optional(first->scan->choice) : std::nullopt,
+         comparison_ ? std::optional(comparisons_[*comparison_]) : std::nullopt});
+  Q_EMIT choiceChanged();
+}
+
+void ReviewSession::openFile(Side side, const fs::path& file) {
+  if (side == kReviewed && !saveComments()) return;
+  ScanChoice choice;
+  choice.title = file.filename().string();
+  choice.file = file;
+  std::array<std::optional<ScanChoice>, 2> choices;
+  for (const Side each : kSides)
+    if (opened(each) != nullptr) choices[each] = opened(each)->scan->choice;
+  choices[side] = choice;
+  if (side == kCompared) {
+    comparisons_.push_back(choice);
+    comparison_ = comparisons_.size() - 1;
+  }
+  start(std::move(choices));
+  Q_EMIT choiceChanged();
+}
+
+/// What is chosen in the column: the attempt's step, beside what it is usually compared with.
+void ReviewSession::openChosen() {
+  comparisons_.clear();
+  comparison_.reset();
+  std::array<std::optional<ScanChoice>, 2> choices;
+  if (const ShelvedLesson* of = lesson(); of != nullptr) {
+    comparisons_ = expertScansOf(of->home, of->lesson);
+    if (!comparisons_.empty()) comparison_ = usualExpertFor(of->lesson, stepId_, comparisons_);
+    for (std::size_t n = 0; step() != nullptr && n < of->attempts.size(); ++n) {
+      const auto& [folder, tried] = of->attempts[n];
+      auto scan = scanOfStep(folder, tried, *step());
+      if (!scan) continue;
+      if (attempt_ == n)
+        choices[kReviewed] = std::move(scan);
+      else
+        comparisons_.push_back(std::move(*scan));
+    }
+    if (!comparison_ && !comparisons_.empty()) comparison_ = 0;
+    if (comparison_) choices[kCompared] = comparisons_[*comparison_];
+  }
+  start(std::move(choices));
+  Q_EMIT choiceChanged();
+}
+
+void ReviewSession::start(std::array<std::optional<ScanChoice>, 2> choices) {
+  pause();
+  const int number = ++*wish_;
+  problem_.clear();
+  auto made = std::make_shared<Opening>();
+  made->choices = std::move(choices);
+  made->shelf = shelf_;
+  made->contents = contents_;
+  made->mannequin = mannequin_;
+  made->mannequinFile = mannequinFile_;
+  if (step() != nullptr) made->step = *step();
+  if (!made->choices[kReviewed] && !made->choices[kCompared]) {
+    take(*made);
+    return;
+  }
+  ++opening_;
+  Q_EMIT scansChanged();
+  host_.jobs().start(
+      tr("Opening the scans").toStdString(),
+      [made, wish = wish_, number](Progress& progress) {
+        NewestOnly newest(progress, wish, number);
+        return made->run(newest);
+      },
+      [this, made, number, alive = std::weak_ptr(alive_)](const Result<void>& done) {
+        if (alive.expired()) return;
+        --opening_;
+        if (number != *wish_) return;  // a newer choice is on its way
+        if (!done) {
+          made->opened = {};
+          problem_ = done.error().code == ErrorCode::cancelled ? tr("Opening was stopped; choose the step again.") : words(done.error());
+        }
+        take(*made);
+      });
+}
+
+void ReviewSession::take(Opening& made) {
+  opened_ = made.opened;
+  contents_ = std::move(made.contents);
+  if (made.mannequin) {
+    mannequin_ = made.mannequin;
+    mannequinFile_ = made.mannequinFile;
+  }
+  alignment_.reset();
+  offset_s_ = 0.0;
+  scans_ =
+      TwoScans(opened_[kReviewed] ? opened_[kReviewed]->scan->part : Part{}, opened_[kCompared] ? opened_[kCompared]->scan->part : Part{});
+  clock_ = ReviewClock();
+  chosenComment_.clear();
+  if (!openComments()) comments_.reset();
+  setTracks();
+  setRange();
+  clock_.seek(0.0);
+  Q_EMIT scansChanged();
+  Q_EMIT commentsChanged();
+  Q_EMIT clockChanged();
+  Q_EMIT timeChanged();
+  tellDocument();
+}
+
+Who ReviewSession::whoOf(Side side) const {
+  // The one that is reviewed is always the trainee's, so that two attempts are told apart.
+  return side == kReviewed ? Who::trainee : Who::expert;
+}
+
+QString ReviewSession::titleOfScan(Side side) const {
+  const OpenedScan* scan = opened(side);
+  if (scan == nullptr) return {};
+  const ScanChoice& choice = scan->scan->choice;
+  if (choice.attempt.empty()) return words(choice.title);
+  if (lesson() != nullptr)
+    for (const auto& [folder, tried] : lesson()->attempts)
+      if (folder == choice.attempt) return tr("%1: %2", "person: step").arg(personOf(tried), words(choice.title));
+  return words(choice.title);
+}
+
+void ReviewSession::setShowsNames(bool names) {
+  if (names == showsNames_) return;
+  showsNames_ = names;
+  QSettings().setValue(kNamesSetting, names);
+  Q_EMIT shelfChanged();
+  Q_EMIT choiceChanged();
+  Q_EMIT scansChanged();
+}
+
+QString ReviewSession::personOf(const Attempt& tried) const {
+  if (showsNames_) return tried.person.empty() ? tr("without a name") : words(tried.person);
+  const auto codes = Pseudonyms::ofLibrary(libraryFolder());
+  return codes ? words(codes->ofAttempt(tried.id)) : tr("without a code");
+}
+
+void ReviewSession::setReviewer(const QString& name) {
+  const QString tidy = name.simplified().left(sdk::kLongestPersonName);
+  if (tidy == reviewer_ || !saveComments()) return;
+  reviewer_ = tidy;
+  QSettings().setValue(kReviewerSetting, tidy);
+  if (!openComments()) comments_.reset();
+  setTracks();
+  Q_EMIT reviewerChanged();
+  Q_EMIT commentsChanged();
+  tellDocument();
+}
+
+}  // namespace ew::review

@@ -1,0 +1,409 @@
+#include "panel/review_stage.h"
+
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QToolButton>
+
+#include "ew/bridge/scene3d.h"
+#include "ew/sdk/panel.h"
+#include "panel/class_page.h"
+#include "panel/look.h"
+
+namespace ew::review {
+
+using sdk::kGap_px;
+
+namespace {
+
+constexpr double kSpeeds[] = {0.25, 0.5, 1.0, 2.0, 4.0};
+constexpr double kStep_s = 0.5;
+constexpr double kMostOffset_s = 600.0;
+enum Page { kScansPage, kClassPage, kEmptyPage };
+
+QPushButton* segment(const QString& text, const QString& tip, const char* name, const char* place) {
+  auto* button = new QPushButton(text);
+  button->setObjectName(QLatin1String(name));
+  button->setCheckable(true);
+  button->setProperty("small", true);
+  button->setProperty("segment", QLatin1String(place));
+  button->setToolTip(tip);
+  button->setFocusPolicy(Qt::TabFocus);
+  return button;
+}
+
+QPushButton* smallButton(const QString& text, const QString& tip, const char* name) {
+  auto* button = new QPushButton(text);
+  button->setObjectName(QLatin1String(name));
+  button->setProperty("small", true);
+  button->setProperty("compact", true);
+  button->setToolTip(tip);
+  button->setFocusPolicy(Qt::TabFocus);
+  return button;
+}
+
+QWidget* hairline() {
+  auto* line = new QWidget;
+  line->setFixedHeight(1);
+  line->setAutoFillBackground(true);
+  line->setBackgroundRole(QPalette::Mid);
+  return line;
+}
+
+}  // namespace
+
+ReviewStage::ReviewStage(ReviewSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+  setObjectName(QStringLiteral("reviewStage"));
+  setAccessibleName(tr("Both scans"));
+  setFocusPolicy(Qt::ClickFocus);
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(0, 0, 0, 0);
+  pages_ = new QStackedWidget;
+  auto* scans = new QWidget;
+  auto* column = new QVBoxLayout(scans);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(makeViews(), 1);
+  column->addWidget(makeDrawing());
+  column->addWidget(hairline());
+  column->addWidget(makeTransport());
+  tracks_ = new TrackView(session_);
+  column->addWidget(tracks_);
+  pages_->addWidget(scans);
+  pages_->addWidget(new ClassPage(session_));
+  auto* look = new QPushButton(tr("Look again"));
+  look->setObjectName(QStringLiteral("reviewLookAgain"));
+  connect(look, &QPushButton::clicked, this, [this] { session_.readShelf(); });
+  pages_->addWidget(sdk::emptyState(tr("Nothing to review yet"),
+                                    tr("When trainees have worked through lessons at this library, their attempts are listed at the left. "
+                                       "Open a case with lessons to see its expert's scans."),
+                                    look));
+  rows->addWidget(pages_);
+  for (QWidget* each :
+       std::initializer_list<QWidget*>{reviewed_, compared_, tracks_, body_->findChild<QWidget*>(QStringLiteral("reviewBodyCanvas"))})
+    each->installEventFilter(this);
+  connect(&session_, &ReviewSession::clockChanged, this, &ReviewStage::showClock);
+  connect(&session_, &ReviewSession::timeChanged, this, &ReviewStage::showClock);
+  connect(&session_, &ReviewSession::scansChanged, this, [this] {
+    showClock();
+    showTools();
+  });
+  connect(&session_, &ReviewSession::commentsChanged, this, &ReviewStage::showTools);
+  const auto page = [this] {
+    const bool isEmpty = session_.hasShelf() && session_.shelf().lessons.empty() && session_.opened(kReviewed) == nullptr &&
+                         session_.opened(kCompared) == nullptr && !session_.isOpening();
+    pages_->setCurrentIndex(session_.showsClass() ? kClassPage : isEmpty ? kEmptyPage : kScansPage);
+  };
+  connect(&session_, &ReviewSession::pageChanged, this, page);
+  connect(&session_, &ReviewSession::shelfChanged, this, page);
+  connect(&session_, &ReviewSession::scansChanged, this, page);
+  page();
+  showIcons();
+  showClock();
+  showTools();
+}
+
+QWidget* ReviewStage::makeViews() {
+  auto* splitter = new QSplitter(Qt::Horizontal);
+  splitter->setChildrenCollapsible(false);
+  splitter->setHandleWidth(2);
+  compared_ = new PictureView(kCompared, session_);
+  reviewed_ = new PictureView(kReviewed, session_);
+  compared_->setOther(reviewed_);
+  reviewed_->setOther(compared_);
+  connect(reviewed_, &PictureView::drawnChanged, this, &ReviewStage::showTools);
+  splitter->addWidget(compared_);
+  splitter->addWidget(reviewed_);
+  splitter->addWidget(makeBodyFrame());
+  for (int n = 0; n < 3; ++n) splitter->setStretchFactor(n, 1);
+  splitter->setSizes({340, 340, 280});
+  return splitter;
+}
+
+QWidget* ReviewStage::makeBodyFrame() {
+  auto* frame = new QWidget;
+  auto* rows = new QVBoxLayout(frame);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(0);
+  body_ = new BodyView(session_);
+  heat_ = new QComboBox;
+  heat_->setObjectName(QStringLiteral("reviewHeat"));
+  heat_->setProperty("small", true);
+  heat_->setFocusPolicy(Qt::TabFocus);
+  heat_->setAccessibleName(tr("Regions of the volume"));
+  heat_->setToolTip(tr("Which regions of the volume were seen, and which were not (H)"));
+  heat_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  heat_->setMinimumContentsLength(10);
+  for (int n = 0; n < kHeats; ++n) heat_->addItem(titleOf(static_cast<Heat>(n)));
+  connect(heat_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this](int n) { body_->setHeat(static_cast<Heat>(n)); });
+  auto* planes = smallButton(tr("Planes"), tr("The planes where the probe rested or the image was frozen"), "reviewPlanes");
+  planes->setCheckable(true);
+  planes->setChecked(true);
+  connect(planes, &QPushButton::toggled, this, [this](bool on) { body_->setPlanesShown(on); });
+  auto* front = smallButton(tr("Front"), tr("Look from the front"), "reviewFront");
+  connect(front, &QPushButton::clicked, this, [this] { body_->showFrom(bridge::CameraPreset::front); });
+  auto* head = new QHBoxLayout;
+  head->setContentsMargins(kGap_px / 2, kGap_px / 2, kGap_px / 2, kGap_px / 2);
+  head->setSpacing(kGap_px / 2);
+  head->addWidget(heat_, 1);
+  head->addWidget(planes);
+  head->addWidget(front);
+  rows->addLayout(head);
+  rows->addWidget(body_, 1);
+  return frame;
+}
+
+QToolButton* ReviewStage::iconButton(const char* name, const char* icon, const QString& tip) {
+  auto* button = new QToolButton;
+  button->setObjectName(QLatin1String(name));
+  button->setToolTip(tip);
+  button->setAccessibleName(tip);
+  button->setFocusPolicy(Qt::TabFocus);
+  button->setIconSize({withText(18, font()), withText(18, font())});
+  icons_.emplace_back(button, QLatin1String(icon));
+  return button;
+}
+
+QWidget* ReviewStage::makeTransport() {
+  auto* bar = new QWidget;
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(kGap_px, kGap_px / 2, kGap_px, kGap_px / 2);
+  row->setSpacing(kGap_px / 2);
+  const auto button = [&](const char* name, const char* icon, const QString& tip, auto does) {
+    auto* made = iconButton(name, icon, tip);
+    connect(made, &QToolButton::clicked, this, does);
+    row->addWidget(made);
+    return made;
+  };
+  button("reviewPrevious", "step-back", tr("To the event before (P)"), [this] { session_.jump(false); });
+  play_ = button("reviewPlay", "play", tr("Play or rest (Space)"),
+                 [this] { session_.clock().isPlaying() ? session_.pause() : session_.play(); });
+  button("reviewNext", "step-on", tr("To the next event (N)"), [this] { session_.jump(true); });
+  time_ = new QLabel;
+  time_->setObjectName(QStringLiteral("reviewTime"));
+  time_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-00:00.0 / 00:00.0 ")));
+  row->addWidget(time_);
+  speed_ = new QComboBox;
+  speed_->setObjectName(QStringLiteral("reviewSpeed"));
+  speed_->setProperty("small", true);
+  speed_->setFocusPolicy(Qt::TabFocus);
+  speed_->setAccessibleName(tr("Speed"));
+  speed_->setToolTip(tr("Speed (- and +)"));
+  for (const double speed : kSpeeds) speed_->addItem(QStringLiteral("× ") + QLocale().toString(speed), speed);
+  speed_->setCurrentIndex(2);
+  connect(speed_, qOverload<int>(&QComboBox::activated), this, [this] { session_.setSpeed(speed_->currentData().toDouble()); });
+  row->addWidget(speed_);
+  button("reviewLoopBegin", "mark-in", tr("The loop begins here; again: no longer ([)"), [this] { session_.markLoop(true); });
+  button("reviewLoopEnd", "mark-out", tr("The loop ends here; again: no longer (])"), [this] { session_.markLoop(false); });
+  atEnd_ = smallButton(tr("Repeat"), tr("Goes on from the beginning at the end"), "reviewRepeat");
+  atEnd_->setCheckable(true);
+  connect(atEnd_, &QPushButton::clicked, this, [this](bool on) { session_.setAtEnd(on ? AtEnd::beginAnew : AtEnd::rest); });
+  row->addWidget(atEnd_);
+  row->addStretch(1);
+  oneClock_ = segment(tr("One clock"), tr("Both scans go on in the same seconds, each from its beginning"), "reviewOneClock", "first");
+  aligned_ = segment(tr("Aligned"), tr("The expert's scan follows the trainee's probe: the same places at the same time (T)"),
+                     "reviewAligned", "last");
+  connect(oneClock_, &QPushButton::clicked, this, [this] { session_.setAligned(false); });
+  connect(aligned_, &QPushButton::clicked, this, [this] { session_.setAligned(true); });
+  auto* modes = new QHBoxLayout;
+  modes->setSpacing(0);
+  modes->addWidget(oneClock_);
+  modes->addWidget(aligned_);
+  row->addLayout(modes);
+  offset_ = new sdk::NumberField(-kMostOffset_s, kMostOffset_s, 1, QStringLiteral("s"));
+  offset_->setObjectName(QStringLiteral("reviewOffset"));
+  offset_->setProperty("small", true);
+  offset_->setSingleStep(0.5);
+  offset_->setAccessibleName(tr("The expert's scan begins later by"));
+  offset_->setToolTip(tr("The expert's scan begins so much later than the trainee's"));
+  connect(offset_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double value) {
+    if (!showing_) session_.setOffset(value);
+  });
+  row->addWidget(offset_);
+  return bar;
+}
+
+QWidget* ReviewStage::makeDrawing() {
+  drawing_ = new QWidget;
+  auto* row = new QHBoxLayout(drawing_);
+  row->setContentsMargins(kGap_px, kGap_px / 2, kGap_px, kGap_px / 2);
+  row->setSpacing(kGap_px / 2);
+  const auto tool = [&](const QString& text, const QString& tip, const char* name, const char* place, CommentStroke::Kind kind) {
+    auto* made = segment(text, tip, name, place);
+    connect(made, &QPushButton::clicked, this, [this, kind](bool on) { chooseTool(on ? std::optional(kind) : std::nullopt); });
+    row->addWidget(made);
+    tools_.push_back(made);
+  };
+  row->setSpacing(0);
+  tool(tr("Line"), tr("Draw a line on the trainee's image (D)"), "reviewLine", "first", CommentStroke::Kind::line);
+  tool(tr("Arrow"), tr("Draw an arrow on the trainee's image"), "reviewArrow", "true", CommentStroke::Kind::arrow);
+  tool(tr("Circle"), tr("Draw a circle on the trainee's image, from its middle"), "reviewCircle", "last", CommentStroke::Kind::circle);
+  dropDrawing_ = smallButton(tr("Clear"), tr("Take away what was drawn (Escape)"), "reviewDropDrawing");
+  connect(dropDrawing_, &QPushButton::clicked, this, [this] { reviewed_->setDrawn({}); });
+  row->addSpacing(kGap_px / 2);
+  row->addWidget(dropDrawing_);
+  commentText_ = new QLineEdit;
+  commentText_->setObjectName(QStringLiteral("reviewCommentText"));
+  commentText_->setMaxLength(2000);
+  commentText_->setPlaceholderText(tr("What do you see at this moment?"));
+  commentText_->setAccessibleName(tr("Comment at this moment"));
+  row->addSpacing(kGap_px);
+  row->addWidget(commentText_, 1);
+  addComment_ = smallButton(tr("Comment"), tr("Keep text and drawing as a comment at this moment (Enter)"), "reviewAddComment");
+  row->addSpacing(kGap_px / 2);
+  row->addWidget(addComment_);
+  connect(commentText_, &QLineEdit::returnPressed, this, &ReviewStage::writeComment);
+  connect(commentText_, &QLineEdit::textEdited, this, [this] {
+    session_.pause();
+    showTools();
+  });
+  connect(addComment_, &QPushButton::clicked, this, &ReviewStage::writeComment);
+  return drawing_;
+}
+
+void ReviewStage::writeComment() {
+  const QString text = commentText_->text().trimmed();
+  if (text.isEmpty() && reviewed_->drawn().empty()) return;
+  if (session_.addComment(text, reviewed_->drawn()).empty()) return;
+  commentText_->clear();
+  reviewed_->setDrawn({});
+  chooseTool(std::nullopt);
+}
+
+void ReviewStage::chooseTool(std::optional<CommentStroke::Kind> tool) {
+  for (std::size_t n = 0; n < tools_.size(); ++n) tools_[n]->setChecked(tool && static_cast<std::size_t>(*tool) == n);
+  if (tool) session_.pause();
+  reviewed_->setTool(tool);
+}
+
+void ReviewStage::showTools() {
+  // Without an attempt there is nowhere to keep what is said: the row is not there.
+  drawing_->setVisible(session_.comments() != nullptr && session_.opened(kReviewed) != nullptr);
+  dropDrawing_->setVisible(!reviewed_->drawn().empty());
+}
+
+void ReviewStage::showIcons() {
+  for (const auto& [button, name] : icons_) {
+    const bool isPlaying = button == play_ && session_.clock().isPlaying();
+    button->setIcon(lineIcon(isPlaying ? QStringLiteral("pause") : name, palette().color(QPalette::WindowText)));
+  }
+}
+
+void ReviewStage::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) showIcons();
+}
+
+void ReviewStage::showClock() {
+  showing_ = true;
+  const ReviewClock& clock = session_.clock();
+  time_->setText(QStringLiteral("%1 / %2").arg(clockText(clock.at_s()), clockText(clock.last_s())));
+  if (play_->property("playing").toBool() != clock.isPlaying()) {
+    play_->setProperty("playing", clock.isPlaying());
+    showIcons();
+  }
+  speed_->setCurrentIndex(speed_->findData(clock.speed()));
+  atEnd_->setChecked(clock.atEnd() == AtEnd::beginAnew);
+  const bool areTwo = session_.opened(kReviewed) != nullptr && session_.opened(kCompared) != nullptr;
+  const bool isAligned = session_.scans().isAligned();
+  for (QWidget* each : std::initializer_list<QWidget*>{oneClock_, aligned_}) each->setVisible(areTwo);
+  oneClock_->setChecked(!isAligned && !session_.isAligning());
+  aligned_->setChecked(isAligned || session_.isAligning());
+  offset_->setVisible(areTwo && !isAligned);
+  if (offset_->value() != session_.scans().offset_s() && !offset_->hasFocus()) offset_->setValue(session_.scans().offset_s());
+  showing_ = false;
+}
+
+std::vector<std::pair<std::string, std::string>> ReviewStage::keyLines() {
+  const auto line = [](const char* keys, const QString& does) { return std::pair(std::string(keys), does.toStdString()); };
+  return {line("Space", tr("play both scans, or rest")),
+          line("← →", tr("half a second back or on; with Shift one image")),
+          line("Home, End", tr("to the beginning or the end")),
+          line("[ ]", tr("the loop begins or ends here; again: no longer")),
+          line("N, P", tr("to the next event, or the one before")),
+          line("- +", tr("slower or faster")),
+          line("T", tr("aligned, or on one clock")),
+          line("H", tr("which regions are shown in the body")),
+          line("D", tr("draw on the trainee's image")),
+          line("C", tr("write a comment at this moment"))};
+}
+
+bool ReviewStage::handleKey(const QKeyEvent& event, bool act) {
+  if (pages_->currentIndex() != kScansPage) return false;
+  if ((event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) != Qt::NoModifier) return false;
+  const auto run = [act](auto&& does) {
+    if (act) does();
+    return true;
+  };
+  const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
+  const ReviewClock& clock = session_.clock();
+  const auto go = [&](int way) { shift ? session_.stepFrame(way) : session_.seek(clock.at_s() + way * kStep_s); };
+  const auto speed = [&](int way) {
+    const int n = std::clamp(speed_->currentIndex() + way, 0, speed_->count() - 1);
+    session_.setSpeed(speed_->itemData(n).toDouble());
+  };
+  switch (event.key()) {
+    case Qt::Key_Space:
+      return run([&] { clock.isPlaying() ? session_.pause() : session_.play(); });
+    case Qt::Key_Left:
+      return run([&] { go(-1); });
+    case Qt::Key_Right:
+      return run([&] { go(1); });
+    case Qt::Key_Home:
+      return run([&] { session_.seek(clock.first_s()); });
+    case Qt::Key_End:
+      return run([&] { session_.seek(clock.last_s()); });
+    case Qt::Key_BracketLeft:
+    case Qt::Key_BracketRight:
+      return run([&] { session_.markLoop(event.key() == Qt::Key_BracketLeft); });
+    case Qt::Key_N:
+    case Qt::Key_P:
+      return run([&] { session_.jump(event.key() == Qt::Key_N); });
+    case Qt::Key_Minus:
+      return run([&] { speed(-1); });
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+      return run([&] { speed(1); });
+    case Qt::Key_T:
+      return run([&] { session_.setAligned(!session_.scans().isAligned()); });
+    case Qt::Key_H:
+      return run([&] { heat_->setCurrentIndex((heat_->currentIndex() + 1) % kHeats); });
+    case Qt::Key_D:
+      return run([&] { chooseTool(tools_.front()->isChecked() ? std::nullopt : std::optional(CommentStroke::Kind::line)); });
+    case Qt::Key_C:
+      return run([&] { commentText_->setFocus(Qt::ShortcutFocusReason); });
+    case Qt::Key_Escape:
+      if (reviewed_->drawn().empty()) return false;
+      return run([&] { reviewed_->setDrawn({}); });
+    default:
+      return false;
+  }
+}
+
+void ReviewStage::keyPressEvent(QKeyEvent* event) {
+  if (!handleKey(*event, true)) QWidget::keyPressEvent(event);
+}
+
+bool ReviewStage::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && hasFocus() && handleKey(*static_cast<QKeyEvent*>(event), false)) {
+    event->accept();
+    return true;
+  }
+  return QWidget::event(event);
+}
+
+/// The views have the focus; the keys are the stage's.
+bool ReviewStage::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && handleKey(*static_cast<QKeyEvent*>(event), false)) {
+    event->accept();
+    return true;
+  }
+  if (event->type() == QEvent::KeyPress && handleKey(*static_cast<QKeyEvent*>(event), true)) return true;
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace ew::review

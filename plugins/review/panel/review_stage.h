@@ -1,0 +1,82 @@
+#pragma once
+
+#include <QWidget>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "panel/body_view.h"
+#include "panel/picture_view.h"
+#include "panel/track_view.h"
+
+class QButtonGroup;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QStackedWidget;
+class QToolButton;
+
+namespace ew::sdk {
+class NumberField;
+}
+
+namespace ew::review {
+
+class ClassPage;
+
+/// Both images side by side and both scans on the body; below them the clock and both scans along it. Or, in their place, the overview of
+/// a class.
+class ReviewStage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ReviewStage(ReviewSession& session, QWidget* parent = nullptr);
+
+  /// What the keys do, for the window's page of keys.
+  [[nodiscard]] static std::vector<std::pair<std::string, std::string>> keyLines();
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  QWidget* makeViews();
+  QWidget* makeBodyFrame();
+  QWidget* makeTransport();
+  QWidget* makeDrawing();
+  QToolButton* iconButton(const char* name, const char* icon, const QString& tip);
+  void showIcons();
+  void showClock();
+  void showTools();
+  void writeComment();
+  /// @param act false: only asked whether the key is one of the stage's. @return whether it is
+  bool handleKey(const QKeyEvent& event, bool act);
+  void chooseTool(std::optional<CommentStroke::Kind> tool);
+
+  ReviewSession& session_;
+  QStackedWidget* pages_ = nullptr;
+  PictureView* reviewed_ = nullptr;
+  PictureView* compared_ = nullptr;
+  BodyView* body_ = nullptr;
+  TrackView* tracks_ = nullptr;
+  QToolButton* play_ = nullptr;
+  QLabel* time_ = nullptr;
+  QComboBox* speed_ = nullptr;
+  QComboBox* heat_ = nullptr;
+  QPushButton* oneClock_ = nullptr;
+  QPushButton* aligned_ = nullptr;
+  sdk::NumberField* offset_ = nullptr;
+  QPushButton* atEnd_ = nullptr;
+  QWidget* drawing_ = nullptr;
+  std::vector<QPushButton*> tools_;
+  QPushButton* addComment_ = nullptr;
+  QLineEdit* commentText_ = nullptr;
+  QPushButton* dropDrawing_ = nullptr;
+  std::vector<std::pair<QToolButton*, QString>> icons_;
+  bool showing_ = false;
+};
+
+}  // namespace ew::review

@@ -1,0 +1,279 @@
+#include "panel/scores_page.h"
+
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTableWidget>
+#include <algorithm>
+#include <cmath>
+
+#include "ew/assessment/metric.h"
+#include "ew/sdk/panel.h"
+#include "panel/look.h"
+
+namespace ew::review {
+
+using sdk::kGap_px;
+using sdk::words;
+
+namespace {
+
+enum Column { kName, kValue, kExpert, kColumns };
+constexpr double kMostWeight = 1000.0;
+
+/// Three digits and the unit: "142 mm", "-1.84".
+QString withUnit(double value, std::string_view unit) {
+  const double size = std::abs(value);
+  const int decimals = size >= 100.0 ? 0 : size >= 10.0 ? 1 : 2;
+  QString text = QLocale().toString(value, 'f', decimals);
+  if (!unit.empty()) text += QLatin1Char(' ') + (unit == "deg" ? QStringLiteral("°") : words(std::string(unit)));
+  return text;
+}
+
+QString tipOf(const Metric& metric) {
+  return QStringLiteral("<p style='white-space:pre-wrap'><b>%1</b> (%2)<br>%3<br><i>%4</i><br>%5</p>")
+      .arg(words(metric.name).toHtmlEscaped(), ScoresPage::tr("version %1").arg(metric.version), words(metric.definition).toHtmlEscaped(),
+           words(metric.source).toHtmlEscaped(), words(metric.validity).toHtmlEscaped());
+}
+
+}  // namespace
+
+ScoresPage::ScoresPage(ReviewSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+  setObjectName(QStringLiteral("reviewScores"));
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  auto* body = new QWidget;
+  auto* rows = new QVBoxLayout(body);
+  rows->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
+  rows->setSpacing(kGap_px);
+  verdict_ = sdk::headingLabel({});
+  verdict_->setObjectName(QStringLiteral("reviewVerdict"));
+  verdict_->setWordWrap(true);
+  rows->addWidget(verdict_);
+  made_ = sdk::quietLabel({});
+  rows->addWidget(made_);
+  table_ = new QTableWidget(0, kColumns);
+  table_->setObjectName(QStringLiteral("reviewMetrics"));
+  table_->setAccessibleName(tr("Figures of this step"));
+  table_->verticalHeader()->hide();
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setShowGrid(false);
+  table_->setTabKeyNavigation(false);
+  table_->setMinimumHeight(withText(180, font()));
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(kName, QHeaderView::Stretch);
+  connect(table_, &QTableWidget::itemSelectionChanged, this, [this] {
+    if (!showing_) showMetricPlan();
+  });
+  rows->addWidget(table_, 1);
+  rows->addWidget(makeMetricPlan());
+  rows->addWidget(makePlan());
+  score_ = new QPushButton(tr("Score the attempts"));
+  score_->setObjectName(QStringLiteral("reviewScore"));
+  score_->setToolTip(tr("Works out all scores of this lesson from what was recorded; earlier scores are kept"));
+  connect(score_, &QPushButton::clicked, this, [this] { session_.scoreAll(); });
+  rows->addWidget(score_);
+  scroll->setWidget(body);
+  outer->addWidget(scroll);
+  connect(&session_, &ReviewSession::scansChanged, this, &ScoresPage::refresh);
+  connect(&session_, &ReviewSession::choiceChanged, this, &ScoresPage::refresh);
+  connect(&session_, &ReviewSession::scoresChanged, this, &ScoresPage::refresh);
+  refresh();
+}
+
+QWidget* ScoresPage::makePlan() {
+  plan_ = new QWidget;
+  auto* form = new QFormLayout(plan_);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setSpacing(kGap_px);
+  form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
+  const auto field = [&](const char* name, const QString& title, const QString& tip, double most, const QString& unit) {
+    auto* made = new sdk::NumberField(0.0, most, unit.isEmpty() ? 1 : 0, unit);
+    made->setObjectName(QLatin1String(name));
+    made->setToolTip(tip);
+    made->setAccessibleName(title);
+    made->setKeyboardTracking(false);
+    form->addRow(title, made);
+    return made;
+  };
+  level_ = field("reviewLevel", tr("Pass level"), tr("The least score that passes this step"), 100.0, QStringLiteral("%"));
+  weight_ = field("reviewWeight", tr("Weight in the lesson"), tr("How much this step counts in the score of the lesson, beside the others"),
+                  kMostWeight, {});
+  taskWeight_ = field("reviewTaskWeight", tr("Weight of the task"),
+                      tr("How much the task itself counts in the score of the step, beside the figures that count"), kMostWeight, {});
+  connect(level_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+          [this](double value) { changeStep([=](StepPlan& step) { step.passLevel = value / 100.0; }); });
+  connect(weight_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+          [this](double value) { changeStep([=](StepPlan& step) { step.weight = value; }); });
+  connect(taskWeight_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+          [this](double value) { changeStep([=](StepPlan& step) { step.taskWeight = value; }); });
+  return plan_;
+}
+
+/// How the chosen figure counts; a weight of 0: not at all.
+QWidget* ScoresPage::makeMetricPlan() {
+  metricPlan_ = new QWidget;
+  auto* form = new QFormLayout(metricPlan_);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setSpacing(kGap_px);
+  form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
+  metricName_ = sdk::headingLabel({});
+  metricName_->setWordWrap(true);
+  form->addRow(metricName_);
+  const auto field = [&](const char* name, const QString& title, const QString& tip, double least, double most) {
+    auto* made = new sdk::NumberField(least, most, 2, {});
+    made->setObjectName(QLatin1String(name));
+    made->setToolTip(tip);
+    made->setAccessibleName(title);
+    made->setKeyboardTracking(false);
+    form->addRow(title, made);
+    connect(made, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this] {
+      const std::string id = chosenMetric();
+      if (showing_ || id.empty()) return;
+      changeStep([this, id](StepPlan& step) {
+        std::erase_if(step.metrics, [&](const MetricWeight& each) { return each.metric == id; });
+        if (metricWeight_->value() > 0.0 && worst_->value() != best_->value())
+          step.metrics.push_back({id, metricWeight_->value(), worst_->value(), best_->value()});
+      });
+    });
+    return made;
+  };
+  metricWeight_ = field("reviewMetricWeight", tr("Counts with weight"), tr("0: this figure does not count"), 0.0, kMostWeight);
+  worst_ = field("reviewWorst", tr("Worth nothing at"), tr("A figure like this, or worse, gives nothing"), -1e6, 1e6);
+  best_ = field("reviewBest", tr("Worth all at"), tr("A figure like this, or better, gives everything"), -1e6, 1e6);
+  return metricPlan_;
+}
+
+std::string ScoresPage::chosenMetric() const {
+  const auto rows = table_->selectionModel()->selectedRows();
+  return rows.isEmpty() ? std::string() : table_->item(rows.front().row(), kName)->data(Qt::UserRole).toString().toStdString();
+}
+
+void ScoresPage::changeStep(const std::function<void(StepPlan&)>& change) {
+  if (showing_ || session_.step() == nullptr || session_.lesson() == nullptr) return;
+  AssessmentPlan plan = session_.plan();
+  change(plan.at(session_.step()->id));
+  session_.keepPlan(std::move(plan));
+}
+
+void ScoresPage::refresh() {
+  showing_ = true;
+  showVerdict();
+  showTable();
+  showPlan();
+  showing_ = false;
+  showMetricPlan();
+}
+
+void ScoresPage::showVerdict() {
+  const LessonStep* step = session_.step();
+  made_->setText({});
+  if (step == nullptr) return verdict_->setText(tr("No step is chosen"));
+  const AttemptScore* score = session_.attemptNumber() ? session_.scoreOf(*session_.attemptNumber()) : nullptr;
+  const StepScore* scored = score != nullptr ? score->of(step->id) : nullptr;
+  const StepOutcome* outcome = session_.attempt() != nullptr ? session_.attempt()->second.outcomeOf(step->id) : nullptr;
+  const auto verdictWords = [](StepVerdict verdict) {
+    switch (verdict) {
+      case StepVerdict::passed:
+        return tr("passed");
+      case StepVerdict::skipped:
+        return tr("left out");
+      default:
+        return tr("not passed");
+    }
+  };
+  if (scored != nullptr) {
+    verdict_->setText(tr("%1 of %2 that pass: %3").arg(percent(scored->score), percent(scored->passLevel), verdictWords(scored->verdict)));
+    made_->setText(tr("The task alone %1. Poses known in %2 of the images. Scored with revision %3 of what counts.")
+                       .arg(percent(scored->task), percent(scored->validShare))
+                       .arg(score->planRevision));
+  } else if (outcome != nullptr) {
+    verdict_->setText(tr("%1: %2").arg(percent(outcome->score), verdictWords(outcome->verdict)));
+    made_->setText(tr("As it was judged in the lesson; it was not scored since."));
+  } else {
+    verdict_->setText(tr("This attempt has not ended this step"));
+  }
+}
+
+void ScoresPage::showTable() {
+  const std::string before = chosenMetric();
+  const std::vector<MetricValue> own = session_.metricsOf(kReviewed), others = session_.metricsOf(kCompared);
+  const StepPlan* plan = session_.step() != nullptr ? session_.plan().of(session_.step()->id) : nullptr;
+  table_->setHorizontalHeaderLabels({tr("Figure"), wordOf(Who::trainee), wordOf(Who::expert)});
+  table_->setRowCount(0);
+  for (const Metric& metric : metrics()) {
+    const auto value = valueOf(own, metric.id), other = valueOf(others, metric.id);
+    if (!value && !other) continue;
+    const int row = table_->rowCount();
+    table_->insertRow(row);
+    const bool counts = plan != nullptr && std::any_of(plan->metrics.begin(), plan->metrics.end(),
+                                                       [&](const MetricWeight& each) { return each.metric == metric.id; });
+    auto* name = new QTableWidgetItem(counts ? tr("%1 (counts)").arg(words(metric.name)) : words(metric.name));
+    name->setData(Qt::UserRole, words(std::string(metric.id)));
+    name->setToolTip(tipOf(metric));
+    table_->setItem(row, kName, name);
+    const auto put = [&](int column, const std::optional<double>& figure) {
+      auto* item = new QTableWidgetItem(figure ? withUnit(*figure, metric.unit) : QStringLiteral("–"));
+      item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      item->setToolTip(tipOf(metric));
+      table_->setItem(row, column, item);
+    };
+    put(kValue, value);
+    put(kExpert, other);
+    if (before == metric.id) table_->selectRow(row);
+  }
+  table_->setVisible(table_->rowCount() > 0);
+}
+
+void ScoresPage::showPlan() {
+  const LessonStep* step = session_.step();
+  plan_->setVisible(step != nullptr && session_.lesson() != nullptr);
+  score_->setVisible(session_.lesson() != nullptr && !session_.lesson()->attempts.empty());
+  score_->setEnabled(!session_.isScoring());
+  score_->setText(session_.isScoring() ? tr("Scoring …") : tr("Score the attempts"));
+  if (step == nullptr) return;
+  const StepPlan* plan = session_.plan().of(step->id);
+  level_->setValue(100.0 * passLevelOf(*step, session_.plan()));
+  weight_->setValue(weightOf(*step, session_.plan()));
+  taskWeight_->setValue(plan != nullptr ? plan->taskWeight : 1.0);
+}
+
+void ScoresPage::showMetricPlan() {
+  const std::string id = chosenMetric();
+  const Metric* metric = metricOf(id);
+  metricPlan_->setVisible(metric != nullptr && session_.step() != nullptr);
+  if (metric == nullptr || session_.step() == nullptr) return;
+  showing_ = true;
+  const StepPlan* plan = session_.plan().of(session_.step()->id);
+  MetricWeight shown{id, 0.0, 0.0, 0.0};
+  bool isKnown = false;
+  for (const MetricWeight& each : plan != nullptr ? plan->metrics : std::vector<MetricWeight>{})
+    if (each.metric == id) {
+      shown = each;
+      isKnown = true;
+    }
+  if (!isKnown) {  // a beginning that can be mended: the expert's figure is worth all, half or twice as much nothing
+    const double best = valueOf(session_.metricsOf(kCompared), id).value_or(0.0);
+    shown.best = best;
+    shown.worst = metric->better == Better::less ? best + std::max(1.0, std::abs(best)) : best - std::max(1.0, std::abs(best));
+  }
+  const QString unit = metric->unit.empty() ? QString() : QLatin1Char(' ') + words(std::string(metric->unit));
+  metricName_->setText(words(metric->name));
+  metricWeight_->setValue(shown.weight);
+  for (auto* each : {worst_, best_}) each->setSuffix(unit);
+  worst_->setValue(shown.worst);
+  best_->setValue(shown.best);
+  showing_ = false;
+}
+
+}  // namespace ew::review

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QWidget>
+
+#include "panel/review_session.h"
+
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace ew::sdk {
+class NumberField;
+}
+
+namespace ew::review {
+
+/// What the step is worth and what it is made of: figures beside the expert's, and what an instructor decides about it: pass level,
+/// weights, and which figures count. A change is kept and the lesson's attempts are scored anew.
+class ScoresPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ScoresPage(ReviewSession& session, QWidget* parent = nullptr);
+
+ private:
+  QWidget* makePlan();
+  QWidget* makeMetricPlan();
+  void refresh();
+  void showVerdict();
+  void showTable();
+  void showPlan();
+  void showMetricPlan();
+  void changeStep(const std::function<void(StepPlan&)>& change);
+  [[nodiscard]] std::string chosenMetric() const;
+
+  ReviewSession& session_;
+  QLabel* verdict_ = nullptr;
+  QLabel* made_ = nullptr;
+  QTableWidget* table_ = nullptr;
+  QWidget* plan_ = nullptr;
+  sdk::NumberField* level_ = nullptr;
+  sdk::NumberField* weight_ = nullptr;
+  sdk::NumberField* taskWeight_ = nullptr;
+  QWidget* metricPlan_ = nullptr;
+  QLabel* metricName_ = nullptr;
+  sdk::NumberField* metricWeight_ = nullptr;
+  sdk::NumberField* worst_ = nullptr;
+  sdk::NumberField* best_ = nullptr;
+  QPushButton* score_ = nullptr;
+  bool showing_ = false;
+};
+
+}  // namespace ew::review

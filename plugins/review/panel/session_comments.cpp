@@ -1,0 +1,216 @@
+// Comments as the document of the panel, and what counts.
+#include <algorithm>
+#include <chrono>
+
+#include "ew/assessment/attempt_scoring.h"
+#include "ew/core/json_fields.h"
+#include "ew/sdk/window.h"
+#include "ew/sdk/words.h"
+#include "panel/review_session.h"
+
+namespace ew::review {
+
+using sdk::words;
+
+namespace {
+
+std::chrono::sys_seconds now() { return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()); }
+
+}  // namespace
+
+std::string ReviewSession::title() const { return tr("Review").toStdString(); }
+
+std::string ReviewSession::remark() const { return comments_ && !comments_->isSaved() ? tr("not saved").toStdString() : std::string(); }
+
+std::string ReviewSession::unsaved() const {
+  return comments_ && !comments_->isSaved() ? tr("Comments on an attempt are not saved.").toStdString() : std::string();
+}
+
+std::shared_ptr<void> ReviewSession::onChanged(std::function<void()> callback) {
+  auto kept = std::make_shared<std::function<void()>>(std::move(callback));
+  listeners_.push_back(kept);
+  return kept;
+}
+
+void ReviewSession::tellDocument() {
+  std::erase_if(listeners_, [](const auto& each) { return each.expired(); });
+  const auto all = listeners_;
+  for (const auto& each : all)
+    if (const auto callback = each.lock()) (*callback)();
+}
+
+bool ReviewSession::openComments() {
+  others_.clear();
+  comments_.reset();
+  const OpenedScan* scan = opened(kReviewed);
+  if (scan == nullptr || scan->scan->choice.attempt.empty()) return false;
+  const auto& folder = scan->scan->choice.attempt;
+  for (CommentFile& file : listComments(folder).files)
+    if (file.author != reviewer_.toStdString()) others_.push_back(std::move(file));
+  auto opened = CommentHistory::open(folder, reviewer_.toStdString());
+  if (!opened) {
+    host_.window().error(words(opened.error()).toStdString(), "review comments");
+    return false;
+  }
+  comments_ = std::move(*opened);
+  return true;
+}
+
+/// Before something else is reviewed nothing that was said is lost. @return false: it could not be kept, and nothing else is opened
+bool ReviewSession::saveComments() {
+  if (!comments_ || comments_->isSaved()) return true;
+  const auto saved = comments_->save();
+  if (!saved) host_.window().error(words(saved.error()).toStdString(), "review comments");
+  tellDocument();
+  return saved.has_value();
+}
+
+void ReviewSession::save(bool) { static_cast<void>(saveComments()); }
+
+void ReviewSession::undo() {
+  if (!comments_) return;
+  comments_->undo();
+  setTracks();
+  Q_EMIT commentsChanged();
+  tellDocument();
+}
+
+void ReviewSession::redo() {
+  if (!comments_) return;
+  comments_->redo();
+  setTracks();
+  Q_EMIT commentsChanged();
+  tellDocument();
+}
+
+std::vector<ReviewComment> ReviewSession::commentsHere() const {
+  std::vector<ReviewComment> here;
+  const OpenedScan* scan = opened(kReviewed);
+  if (!comments_ || scan == nullptr || !scan->scan->choice.outcome) return here;
+  for (const ReviewComment& each : comments_->comments())
+    if (each.stepId == scan->scan->choice.stepId && each.recording == scan->scan->choice.outcome->recording) here.push_back(each);
+  return here;
+}
+
+std::string ReviewSession::addComment(const QString& text, std::vector<CommentStroke> strokes) {
+  const OpenedScan* scan = opened(kReviewed);
+  if (!comments_ || scan == nullptr || !scan->scan->choice.outcome) return {};
+  ReviewComment made;
+  made.stepId = scan->scan->choice.stepId;
+  made.recording = scan->scan->choice.outcome->recording;
+  made.time_s = std::max(0.0, time_s(kReviewed));
+  made.text = text.toStdString();
+  made.strokes = std::move(strokes);
+  const Pose pose = scan->scan->recording.log.frame(frame(kReviewed)).pose;
+  if (pose.status == PoseStatus::ok) made.probeToWorld = pose.probeToWorld;
+  made.at = now();
+  chosenComment_ = comments_->add(std::move(made), tr("comment").toStdString());
+  setTracks();
+  Q_EMIT commentsChanged();
+  tellDocument();
+  return chosenComment_;
+}
+
+void ReviewSession::editComment(const ReviewComment& comment, const QString& what, const std::string& mergeKey) {
+  if (!comments_) return;
+  comments_->replace(comment, what.toStdString(), mergeKey);
+  setTracks();
+  Q_EMIT commentsChanged();
+  tellDocument();
+}
+
+void ReviewSession::removeComment(const std::string& id) {
+  if (!comments_) return;
+  comments_->remove(id, tr("remove the comment").toStdString());
+  if (chosenComment_ == id) chosenComment_.clear();
+  setTracks();
+  Q_EMIT commentsChanged();
+  tellDocument();
+}
+
+void ReviewSession::chooseComment(const std::string& id) {
+  if (id == chosenComment_) return;
+  chosenComment_ = id;
+  if (comments_) comments_->endMerging();
+  Q_EMIT commentsChanged();
+}
+
+void ReviewSession::showComment(const ReviewComment& comment) {
+  pause();
+  seek(onClock_s(kReviewed, comment.time_s));
+  chooseComment(comment.id);
+}
+
+void ReviewSession::setShowsClass(bool shown) {
+  if (shown == showsClass_) return;
+  pause();
+  showsClass_ = shown;
+  Q_EMIT pageChanged();
+}
+
+void ReviewSession::readPlan() {
+  plan_ = {};
+  if (lesson() == nullptr) return;
+  auto read = ew::readPlan(libraryFolder(), lesson()->home.id, lesson()->lesson.id);
+  if (!read) return host_.window().error(words(read.error()).toStdString(), "review plan");
+  plan_ = std::move(*read);
+  plan_.caseId = lesson()->home.id;
+  plan_.lessonId = lesson()->lesson.id;
+}
+
+void ReviewSession::readScores() {
+  scores_.clear();
+  if (lesson() == nullptr) return;
+  for (const auto& [folder, tried] : lesson()->attempts) scores_.push_back(latestScore(folder));
+}
+
+const AttemptScore* ReviewSession::scoreOf(std::size_t attempt) const {
+  return attempt < scores_.size() && scores_[attempt] ? &*scores_[attempt] : nullptr;
+}
+
+std::vector<MetricValue> ReviewSession::metricsOf(Side side) const {
+  const OpenedScan* scan = opened(side);
+  if (scan == nullptr) return {};
+  const auto& folder = scan->scan->choice.attempt;
+  for (std::size_t n = 0; lesson() != nullptr && !folder.empty() && n < lesson()->attempts.size(); ++n)
+    if (const AttemptScore* score = scoreOf(n); score != nullptr && lesson()->attempts[n].first == folder)
+      if (const StepScore* scored = score->of(stepId_); scored != nullptr && score->planRevision == plan_.revision) return scored->metrics;
+  return scan->metrics;
+}
+
+void ReviewSession::keepPlan(AssessmentPlan plan) {
+  plan.changedBy = reviewer_.toStdString();
+  plan.changedAt = now();
+  auto kept = ew::keepPlan(libraryFolder(), std::move(plan));
+  if (!kept) return host_.window().error(words(kept.error()).toStdString(), "review plan");
+  plan_ = std::move(*kept);
+  Q_EMIT scoresChanged();
+  scoreAll();
+}
+
+void ReviewSession::scoreAll() {
+  if (scoring_ || lesson() == nullptr) return;
+  std::vector<std::filesystem::path> folders;
+  for (const auto& [folder, tried] : lesson()->attempts) folders.push_back(folder);
+  if (folders.empty()) return;
+  scoring_ = true;
+  Q_EMIT scoresChanged();
+  auto scored = std::make_shared<std::vector<AssessedAttempt>>();
+  host_.jobs().start(
+      tr("Scoring the attempts").toStdString(),
+      [scored, folders](Progress& progress) -> Result<void> {
+        *scored = assess(folders, libraryFolder(), {.threads = 1}, progress);
+        for (const AssessedAttempt& each : *scored)
+          if (each.problem) return passOn(*each.problem);
+        return {};
+      },
+      [this, scored, alive = std::weak_ptr(alive_)](const Result<void>& done) {
+        if (alive.expired()) return;
+        scoring_ = false;
+        readScores();
+        if (!done && done.error().code != ErrorCode::cancelled) host_.window().warn(words(done.error()).toStdString(), "review scores");
+        Q_EMIT scoresChanged();
+      });
+}
+
+}  // namespace ew::review
