@@ -46,7 +46,7 @@ TEST(ReportOfAnAttempt, HasMetricsBesideTheExpertsOfTheSameVersion) {
   lesson.expert = madeAttempt(99, 1.0, 1.0).score;
   lesson.expert->steps[1].metrics = {{"path_length", 1, 120.0}, {"hints", 2, 0.0}};
   lesson.plan.at("plane").metrics = {{"path_length", 2.0, 500.0, 100.0}};
-  lesson.offByDefault = {"hints"};
+  lesson.offByDefault = {{"plane", "hints"}};
   const std::string text = plainTextOf(attemptReport(madeAttempt(1, 0.9, 0.9), lesson, someCodes()));
   EXPECT_TRUE(holds(text, "Path length | 201 mm | 120 mm | 1 | counts with weight 2")) << text;
   EXPECT_TRUE(holds(text, "Hints | 2 | – | 1 | does not count; off by default")) << text;

@@ -86,7 +86,7 @@ TEST(FiguresOfAClass, SuggestThePassLevelWhereTheGroupsCross) {
 
 TEST(ReportOfAClass, HasEveryAttemptTheHardestStepAndMarksWhatIsOff) {
   ReportedLesson lesson = madeLesson();
-  lesson.offByDefault = {"hints"};
+  lesson.offByDefault = {{"plane", "hints"}};
   const std::vector<std::string> pages = {"a.html", "b.html", "c.html", "d.html"};
   const ReportDocument document = classReport(someClass(), lesson, someCodes(), pages);
   const std::string text = plainTextOf(document);

@@ -85,20 +85,25 @@ TEST(Page, SaysInPlaceOfAPictureThatItIsNotThere) {
 
 TEST(Page, SaysThatItIsASimulation) { EXPECT_TRUE(holds(htmlOf({}, {}), "Simulation, training only: not for diagnosis.")); }
 
+/// As a window's words, with every text that a translator has to know in brackets.
+std::string bracketed(const Message& message) {
+  if (message.text() != nullptr) return "[" + std::string(message.text()) + "]";
+  if (message.arguments().empty()) return message.verbatim();
+  std::string all = bracketed(message.arguments().front());
+  for (std::size_t n = 1; n < message.arguments().size(); ++n) all += message.verbatim() + bracketed(message.arguments()[n]);
+  return all;
+}
+
 TEST(Page, AsksForEveryWordInTheReadersLanguage) {
   ReportOptions options;
-  // Every text that is not verbatim is put in brackets.
-  options.words = [](const Message& message) {
-    return message.text() == nullptr ? message.english() : "[" + std::string(message.text()) + "]";
-  };
+  options.words = bracketed;
   ReportedAttempt one = test::madeAttempt(1, 0.9, 0.2);
   one.ratings.ratings = {test::ratedBy("R", 3, 4)};
   one.earlier = {*one.score};
   for (const std::string& page : {htmlOf(attemptReport(one, test::madeLesson(), test::someCodes(), options), options),
                                   htmlOf(classReport({one}, test::madeLesson(), test::someCodes(), {}, options), options)}) {
-    // What stands outside of brackets, once styles, tags, our data's own words, codes and numbers are gone.
+    // What stands outside of brackets once tags are gone: the attempt's own words, codes and numbers.
     std::string rest = page.substr(page.find("<body>"));
-    // Joined messages are said part by part by a window's words; english() of them does not ask.
     rest = std::regex_replace(rest, std::regex("<[^>]*>"), " ");
     rest = std::regex_replace(rest, std::regex("\\[[^\\]]*\\]"), " ");
     for (const std::string word :

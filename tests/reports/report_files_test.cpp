@@ -2,7 +2,7 @@
 
 #include "ew/core/output_set.h"
 #include "export/export_world.h"
-#include "reports/reports_world.h"
+#include "reports/example_class.h"
 
 namespace ew {
 namespace {
@@ -95,7 +95,7 @@ TEST(ReportFiles, OfSeveralLessonsHaveAnIndexOfTheirClasses) {
   folders.push_back(kept->folder());
   ASSERT_TRUE(test::succeeded(writeReports({.attempts = folders, .library = world.library(), .html = out / "pages"})));
   EXPECT_EQ(test::namesIn(out / "pages"),
-            (std::set<std::string>{"index.html", "lesson-1.html", "lesson-2.html", "attempt-------odd-.html",
+            (std::set<std::string>{"index.html", "lesson-1.html", "lesson-2.html", "attempt--------odd-.html",
                                    "attempt-20261101-100000-aaaaaaaa.html", "attempt-20261101-110000-bbbbbbbb.html"}));
   const std::string index = textOf(out / "pages" / "index.html");
   EXPECT_TRUE(holds(index, "<a href='./lesson-2.html'>A lesson that is gone</a>")) << index;
@@ -121,6 +121,25 @@ TEST(ReportFiles, AreAllOrNoneThroughACommandsOutputs) {
   ASSERT_TRUE(test::succeeded(writeReports(request, [&](const fs::path& file) { return outputs.staged(file); })));
   ASSERT_TRUE(test::succeeded(outputs.commit()));
   for (const fs::path& file : *files) EXPECT_TRUE(fs::exists(file)) << file;
+}
+
+TEST(ReportFiles, OfAWholeClassHaveItsRatingsCommentsPicturesAndTheExpert) {
+  const AssessedWorld world;
+  const test::TemporaryFolder out;
+  const fs::path pages = test::lookedAt().empty() ? out / "pages" : test::lookedAt() / "reports";
+  ASSERT_TRUE(test::succeeded(
+      writeReports({.attempts = test::exampleClass(world), .library = world.library(), .html = pages, .csv = pages / "all.csv"})));
+  const std::string index = textOf(pages / "index.html"), page = textOf(pages / "attempt-20261101-140000-aaaaaaaa.html");
+  for (const char* part :
+       {"Most did not pass the step", "How far raters agree", "Weighted kappa", "attempts should pass", "counts with weight 1"})
+    EXPECT_TRUE(holds(index, part)) << part;
+  for (const char* part : {"src='data:image/png;base64,", "Earlier scores", "&lt;wait&gt; &amp; look.", ">the expert</text>",
+                           "Two items, by T-", "counts with weight 1"})
+    EXPECT_TRUE(holds(page, part)) << part;
+  for (const char* name : {"Rita", "Sven", "Somebody"}) {
+    EXPECT_FALSE(holds(index, name)) << name;
+    EXPECT_FALSE(holds(page, name)) << name;
+  }
 }
 
 TEST(ReportFiles, OfNothingAreRefusedWithASentence) {

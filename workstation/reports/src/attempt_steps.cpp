@@ -30,7 +30,7 @@ Message countsText(const PartOf& of, const StepScore& step, const std::string& m
   if (const StepPlan* plan = of.lesson.plan.of(step.stepId))
     for (const MetricWeight& weight : plan->metrics)
       if (weight.metric == metric) return say<"counts with weight %1">(figureText(weight.weight, ""));
-  return of.lesson.offByDefault.contains(metric) ? say<"does not count; off by default">() : say<"does not count">();
+  return of.lesson.offByDefault.contains({step.kind, metric}) ? say<"does not count; off by default">() : say<"does not count">();
 }
 
 ReportTable metricsTable(const PartOf& of, const StepScore& step) {

@@ -20,7 +20,7 @@ Message standingText(const ClassOf& of, const ClassStep& step, const std::string
   if (const StepPlan* plan = of.lesson.plan.of(step.stepId))
     for (const MetricWeight& weight : plan->metrics)
       if (weight.metric == metric) return say<"counts with weight %1">(figureText(weight.weight, ""));
-  return of.lesson.offByDefault.contains(metric) ? say<"does not count; off by default">() : say<"does not count">();
+  return of.lesson.offByDefault.contains({step.kind, metric}) ? say<"does not count; off by default">() : say<"does not count">();
 }
 
 ReportTable metricsOfClass(const ClassOf& of, const ClassStep& step) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ew/assessment/metric_defaults.h"
 #include "ew/library/case.h"
 #include "ew/library/learning.h"
 #include "ew/library/lesson_links.h"
@@ -42,6 +43,18 @@ void readCase(ReportedLesson& lesson, const fs::path& library, const ReportOptio
   lesson.lessonTitle = lesson.words.of(found->title);
 }
 
+/// Those that the study found wanting; none where it cannot be read.
+std::set<std::pair<std::string, std::string>> metricsOff() {
+  const auto resources = resourceFolder();
+  const auto defaults = resources ? MetricDefaults::read(*resources) : passOn(resources.error());
+  std::set<std::pair<std::string, std::string>> off;
+  if (!defaults) return off;
+  for (const Metric& metric : metrics())
+    for (const std::string_view kind : metric.stepKinds)
+      if (!defaults->isOn(metric.id, kind)) off.emplace(kind, metric.id);
+  return off;
+}
+
 }  // namespace
 
 Result<ReportedAttempt> readReportedAttempt(const fs::path& folder) {
@@ -69,6 +82,7 @@ ReportedLesson readReportedLesson(const std::string& caseId, const std::string& 
   readCase(made, library, options);
   if (auto plan = readPlan(library, caseId, lessonId)) made.plan = std::move(*plan);
   readExpert(made, library, options);
+  made.offByDefault = metricsOff();
   return made;
 }
 

@@ -41,7 +41,7 @@ struct ReportedLesson {
   AssessmentPlan plan;
   std::optional<AttemptScore> expert;                                       ///< of the plan's expert attempt
   std::map<std::string, std::vector<std::vector<glm::dvec2>>> expertPaths;  ///< by step, as PathPlot
-  std::set<std::string, std::less<>> offByDefault = {};                     ///< metrics that are off unless an instructor weighs them
+  std::set<std::pair<std::string, std::string>> offByDefault = {};          ///< kind of step and metric (metric_defaults.h)
 };
 /// Reads as much of it as there is in the library: a report is written though its case is gone.
 [[nodiscard]] ReportedLesson readReportedLesson(const std::string& caseId, const std::string& lessonId,
