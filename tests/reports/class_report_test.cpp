@@ -84,16 +84,29 @@ TEST(FiguresOfAClass, SuggestThePassLevelWhereTheGroupsCross) {
   EXPECT_TRUE(holds(plainTextOf(classReport(attempts, madeLesson(), someCodes())), "6 attempts should pass, 6 should not"));
 }
 
+TEST(FiguresOfAClass, SuggestNothingFromAGroupOfOneAndTheSameScore) {
+  std::vector<ReportedAttempt> attempts;
+  for (int n = 0; n < 8; ++n) {
+    const double score = n < 4 ? 0.0 : 0.8 + 0.01 * n;
+    attempts.push_back(madeAttempt(n, score, score));
+    attempts.back().ratings.ratings = {n < 4 ? ratedBy("R", 1, 2) : ratedBy("R", 4, 5)};
+  }
+  const ClassFigures figures = classFiguresOf(attempts);
+  EXPECT_EQ(figures.shouldFail, 4u);
+  EXPECT_FALSE(figures.suggested);
+  EXPECT_FALSE(figures.steps[1].suggested);
+}
+
 TEST(ReportOfAClass, HasEveryAttemptTheHardestStepAndMarksWhatIsOff) {
   ReportedLesson lesson = madeLesson();
   lesson.offByDefault = {{"plane", "hints"}};
   const std::vector<std::string> pages = {"a.html", "b.html", "c.html", "d.html"};
   const ReportDocument document = classReport(someClass(), lesson, someCodes(), pages);
   const std::string text = plainTextOf(document);
-  EXPECT_TRUE(holds(text, "Most did not pass the step 'Step answer': 3 of 4.")) << text;
+  EXPECT_TRUE(holds(text, "Hardest step: 'Step answer', which 3 of 4 did not pass.")) << text;
   EXPECT_TRUE(holds(text, "Passed: 1 of 4"));
   EXPECT_TRUE(holds(text, "Step answer (most fail here) | Answer a question | 1 | 3 | 0 | 0"));
-  EXPECT_TRUE(holds(text, "Hints | 4 | 2 | 2 | 2 | 2 | 2 | – | does not count; off by default"));
+  EXPECT_TRUE(holds(text, "Hints | 4 | 2 | 2 | 2 | 2 | 2 | – | no; off by default"));
   EXPECT_TRUE(holds(text, "Path length | 4 | 201 mm | 202 mm | 202 mm | 203 mm | 204 mm"));
   for (const std::string person : {"A", "B", "C", "D"}) EXPECT_TRUE(holds(text, someCodes().ofPerson(person)));
   for (const std::string& page : pages) EXPECT_TRUE(holds(htmlOf(document, {}), "href='./" + page + "'"));

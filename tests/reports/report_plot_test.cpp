@@ -16,8 +16,8 @@ std::string drawn(const ReportPlot& plot) {
 TEST(PlotOfBars, FillsWhatIsReachedAndLeavesTheRestHollow) {
   const std::string svg = drawn(
       {verbatim("t"), BarsPlot{{{verbatim("a"), 1.0, 0.7, true, verbatim("100 %")}, {verbatim("b"), 0.5, 0.7, false, verbatim("50 %")}}}});
-  EXPECT_TRUE(holds(svg, "width='520'")) << "1 is as long as the axis: " << svg;
-  EXPECT_TRUE(holds(svg, "width='260' height='13' fill='none'")) << svg;
+  EXPECT_TRUE(holds(svg, "width='380'")) << "1 is as long as the axis: " << svg;
+  EXPECT_TRUE(holds(svg, "width='190' height='13' fill='none'")) << svg;
   EXPECT_EQ(countOf(svg, "stroke-dasharray='5 3'"), 2u) << "a pass level each";
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kResolution_dpi = 300;
 constexpr double kText_pt = 9.5, kTable_pt = 8.0, kGap_mm = 2.5, kCellEdge_mm = 1.2;
-constexpr double kPlot_mm = 132.0, kWidestPicture_mm = 130.0, kHighestPicture_mm = 90.0;
+constexpr double kPlot_mm = 104.0, kWidestPicture_mm = 130.0, kHighestPicture_mm = 90.0;
 const QColor kInk(0x1d, 0x23, 0x29), kSoftText(0x4d, 0x56, 0x5f), kRule(0xc9, 0xcf, 0xd6);
 
 QColor inkOf(ReportTone tone) {
@@ -215,6 +215,7 @@ class PaperWriter {
       pages_.line(one, font, kInk, x, y, width);
       y += pages_.lineHeight(font);
     }
+    pages_.painter().setFont(PaperPages::font(kText_pt));  // what the drawing does not say it takes from the painter
     drawing.render(&pages_.painter(), QRectF(x, y, width * shrink, high * shrink));
     rowOfPlots_ = std::max(rowOfPlots_, height);
     isSecondOfRow_ = plot.isSmall && !isSecondOfRow_;
@@ -238,7 +239,9 @@ class PaperWriter {
     const QFont font = PaperPages::font(kTable_pt);
     const QStringList caption = pages_.linesOf(said(picture.caption), font, pages_.width());
     const QSizeF most(std::min(pages_.mm(kWidestPicture_mm), pages_.width()), pages_.mm(kHighestPicture_mm));
-    const QSizeF size = QSizeF(image.size()).scaled(most, Qt::KeepAspectRatio);
+    constexpr double kPixel_mm = 25.4 / 96.0;  // small pictures stay small
+    QSizeF size = QSizeF(image.size()) * pages_.mm(kPixel_mm);
+    if (size.width() > most.width() || size.height() > most.height()) size.scale(most, Qt::KeepAspectRatio);
     pages_.makeRoom(size.height() + pages_.mm(1.0) + pages_.lineHeight(font) * caption.size());
     pages_.painter().drawImage(QRectF(QPointF(0.0, pages_.y()), size), image);
     pages_.moveOn(size.height() + pages_.mm(1.0));

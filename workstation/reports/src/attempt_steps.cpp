@@ -29,8 +29,8 @@ Message countsText(const PartOf& of, const StepScore& step, const std::string& m
   if (of.lesson.plan.revision != of.one.score->planRevision) return {};
   if (const StepPlan* plan = of.lesson.plan.of(step.stepId))
     for (const MetricWeight& weight : plan->metrics)
-      if (weight.metric == metric) return say<"counts with weight %1">(figureText(weight.weight, ""));
-  return of.lesson.offByDefault.contains({step.kind, metric}) ? say<"does not count; off by default">() : say<"does not count">();
+      if (weight.metric == metric) return say<"weight %1">(figureText(weight.weight, ""));
+  return of.lesson.offByDefault.contains({step.kind, metric}) ? say<"no; off by default">() : say<"no">();
 }
 
 ReportTable metricsTable(const PartOf& of, const StepScore& step) {

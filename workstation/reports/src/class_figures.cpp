@@ -58,9 +58,17 @@ void addStepScore(ClassStep& step, const StepScore& score, bool isReached) {
   for (const MetricValue& value : score.metrics) addMetric(step, value);
 }
 
+bool vary(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [&](double value) { return value != values.front(); });
+}
+
 /// Scores of the two groups that raters told apart.
 struct Groups {
   std::vector<double> shouldFail, shouldPass;
+  /// Of a group that is one and the same score the normal curve is none, and where it crosses the other means nothing.
+  [[nodiscard]] std::optional<Estimate> passLevel() const {
+    return vary(shouldFail) && vary(shouldPass) ? contrastingGroups(shouldFail, shouldPass) : std::nullopt;
+  }
   void add(Standing standing, double score) {
     if (standing != Standing::unknown) (standing == Standing::shouldPass ? shouldPass : shouldFail).push_back(score);
   }
@@ -80,9 +88,9 @@ void suggest(ClassFigures& figures, const std::vector<ReportedAttempt>& attempts
         steps[step.stepId].add(standing, step.score);
   }
   if (figures.shouldPass < 2 || figures.shouldFail < 2) return;
-  figures.suggested = contrastingGroups(lesson.shouldFail, lesson.shouldPass);
+  figures.suggested = lesson.passLevel();
   for (ClassStep& step : figures.steps)
-    if (step.weight > 0.0) step.suggested = contrastingGroups(steps[step.stepId].shouldFail, steps[step.stepId].shouldPass);
+    if (step.weight > 0.0) step.suggested = steps[step.stepId].passLevel();
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ std::optional<double> expertsValue(const ClassOf& of, const ClassStep& step, con
 Message standingText(const ClassOf& of, const ClassStep& step, const std::string& metric) {
   if (const StepPlan* plan = of.lesson.plan.of(step.stepId))
     for (const MetricWeight& weight : plan->metrics)
-      if (weight.metric == metric) return say<"counts with weight %1">(figureText(weight.weight, ""));
-  return of.lesson.offByDefault.contains({step.kind, metric}) ? say<"does not count; off by default">() : say<"does not count">();
+      if (weight.metric == metric) return say<"weight %1">(figureText(weight.weight, ""));
+  return of.lesson.offByDefault.contains({step.kind, metric}) ? say<"no; off by default">() : say<"no">();
 }
 
 ReportTable metricsOfClass(const ClassOf& of, const ClassStep& step) {
@@ -113,8 +113,8 @@ void addForm(const ClassOf& of, const RatingForm& form, std::vector<ReportBlock>
                 {say<"Attempts that were rated">(), verbatim(std::to_string(statistics.attempts))},
                 {say<"Of these by every rater">(), verbatim(std::to_string(statistics.complete))}};
   if (statistics.totals) {
-    facts.rows.push_back({say<"One rater can be relied upon (ICC)">(), estimateText(statistics.totals->single)});
-    facts.rows.push_back({say<"Their mean can be relied upon (ICC)">(), estimateText(statistics.totals->mean)});
+    facts.rows.push_back({say<"Reliability of one rater, ICC(2,1)">(), estimateText(statistics.totals->single)});
+    facts.rows.push_back({say<"Reliability of their mean, ICC(2,k)">(), estimateText(statistics.totals->mean)});
   } else {
     facts.rows.push_back({say<"Agreement">(), say<"needs two raters and two attempts that both rated, with ratings that differ">()});
   }

@@ -47,7 +47,7 @@ std::optional<ReportParagraph> mixedScores(const ClassOf& of) {
 ReportParagraph hardestOf(const ClassOf& of) {
   if (!of.figures.hardest) return {say<"Nobody failed a step that counts.">(), ReportTone::good};
   const ClassStep& step = of.figures.steps[*of.figures.hardest];
-  return {say<"Most did not pass the step '%1': %2 of %3.">(titleOf(of, step), step.failed + step.skipped, step.reached()),
+  return {say<"Hardest step: '%1', which %2 of %3 did not pass.">(titleOf(of, step), step.failed + step.skipped, step.reached()),
           ReportTone::bad};
 }
 

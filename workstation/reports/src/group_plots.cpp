@@ -101,14 +101,14 @@ double draw(SvgCanvas& canvas, const BarsPlot& plot) {
 }
 
 double draw(SvgCanvas& canvas, const HistogramPlot& plot) {
-  constexpr double kBottom = 130.0, kTop = 8.0;
+  constexpr double kBottom = 140.0, kTop = 22.0;
   Across across = shareAxis();
   if (!plot.isShare) across = {linearAxis(std::vector<double>{plot.low, plot.high}, {.steps = 5})};
   drawAxis(canvas, across, plot.axis, kTop, kBottom);
   if (!plot.counts.empty()) drawHistogram(canvas, plot.counts, across.x(plot.low), across.x(plot.high), kTop, kBottom);
   if (plot.level) drawLevel(canvas, across.x(*plot.level), kTop, kBottom);
   const std::size_t most = plot.counts.empty() ? 0 : *std::max_element(plot.counts.begin(), plot.counts.end());
-  canvas.text(across.left + 2.0, kTop + 12.0, Anchor::start, say<"highest bar: %1">(most), true);
+  canvas.text(across.left + 2.0, kTop - 8.0, Anchor::start, say<"highest bar: %1">(most), true);
   return kBottom + heightBelowAxis(plot.axis);
 }
 

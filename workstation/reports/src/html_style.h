@@ -21,16 +21,16 @@ ul { list-style: none; padding: 0; margin: 8px 0; } li { padding-left: 1.6em; te
 .wide { overflow-x: auto; } .wide:focus-visible { outline: 2px solid var(--link); outline-offset: 2px; }
 table { border-collapse: collapse; width: 100%; background: var(--panel); border: 1px solid var(--line); font-size: 14px; font-variant-numeric: tabular-nums; margin: 8px 0; }
 caption { text-align: left; color: var(--soft); padding: 4px 0; } th, td { border-top: 1px solid var(--line); padding: 4px 10px; text-align: left; vertical-align: top; font-weight: 400; }
-thead th { color: var(--soft); font-weight: 600; vertical-align: bottom; } .number { text-align: right; white-space: nowrap; }
-figure { margin: 16px 0; } figcaption { color: var(--soft); font-size: 14px; } .plot svg { display: block; width: 100%; min-width: 460px; max-width: 640px; height: auto; }
+thead th { color: var(--soft); font-weight: 600; vertical-align: bottom; } .number { text-align: right; } td.number { white-space: nowrap; }
+figure { margin: 16px 0; } figcaption { color: var(--soft); font-size: 14px; } .plot svg { display: block; width: 100%; min-width: 330px; max-width: 540px; height: auto; }
 .plot figcaption { color: var(--text); font-weight: 600; font-size: 15px; margin-bottom: 4px; }
-.small { display: inline-block; width: 48%; margin: 8px 1% 8px 0; vertical-align: top; } .small svg { min-width: 0; } @media screen and (max-width: 760px) { .small { display: block; width: 100%; } .small svg { min-width: 460px; } }
+.small { display: inline-block; width: 48%; margin: 8px 1% 8px 0; vertical-align: top; } @media screen and (max-width: 760px) { .small { display: block; width: 100%; } }
 figure img { display: block; max-width: 100%; max-height: 480px; background: #000000; border-radius: 4px; }
 @media (max-width: 520px) { dl { grid-template-columns: 1fr; gap: 0; } dd { margin-bottom: 8px; } }
 @page { size: A4; margin: 16mm 14mm; }
 @media print { body { background: none; font-size: 10pt; } main { max-width: none; padding: 0; } h1 { font-size: 18pt; } h2 { font-size: 14pt; } h3 { font-size: 12pt; }
   h2, h3, h4, caption, figcaption { break-after: avoid; } tr, figure, li, dl > *, .simulation { break-inside: avoid; } thead { display: table-header-group; } .wide { overflow: visible; }
-  table { font-size: 8.5pt; } th, td { padding: 2px 6px; } .plot svg { min-width: 0; max-width: 130mm; } figure img { max-height: 90mm; } nav { display: none; } a { color: inherit; text-decoration: none; } }
+  table { font-size: 8.5pt; } th, td { padding: 2px 6px; } .plot svg { min-width: 0; max-width: 105mm; } figure img { max-height: 90mm; } nav { display: none; } a { color: inherit; text-decoration: none; } }
 )";
 
 }  // namespace ew::reports

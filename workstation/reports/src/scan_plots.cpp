@@ -11,7 +11,7 @@ namespace ew::reports {
 namespace {
 
 constexpr double kEdge = 18.0;
-constexpr double kHighestPath = 380.0;
+constexpr double kHighestPath = 300.0;
 
 struct Extent {
   glm::dvec2 low{std::numeric_limits<double>::max()}, high{std::numeric_limits<double>::lowest()};
@@ -35,7 +35,7 @@ struct BodyScale {
   BodyScale(const Extent& extent, double top, double bottom) {
     constexpr double kSmallest_mm = 20.0;  // a probe that rests is no picture of a tremor
     const glm::dvec2 size = glm::max(extent.high - extent.low, glm::dvec2(kSmallest_mm));
-    perMm = std::min((kPlotWidth - 2.0 * kEdge - 60.0) / size.x, (bottom - top) / size.y);
+    perMm = std::min((kPlotWidth - 2.0 * kEdge - 30.0) / size.x, (bottom - top) / size.y);
     centre_mm = 0.5 * (extent.low + extent.high);
     centre = {0.5 * kPlotWidth, 0.5 * (top + bottom)};
   }
@@ -66,7 +66,7 @@ void drawScaleBar(SvgCanvas& canvas, double perMm, double y) {
   const auto fits = std::find_if(kLengths_mm.begin(), kLengths_mm.end(), [&](double length) { return length * perMm <= 130.0; });
   const double length_mm = fits == kLengths_mm.end() ? kLengths_mm.back() : *fits;
   canvas.line(kEdge, y, kEdge + length_mm * perMm, y, canvas.colours.text, 3.0);
-  canvas.text(kEdge + length_mm * perMm + 8.0, y + 4.0, Anchor::start, figureText(length_mm, "mm"));
+  canvas.text(kEdge + length_mm * perMm + 8.0, y + 4.0, Anchor::start, joined({numeral(fixedText(length_mm, 0)), verbatim("mm")}));
 }
 
 void drawPath(SvgCanvas& canvas, const PathPlot::Path& path, const BodyScale& scale) {
@@ -85,7 +85,7 @@ double drawLegend(SvgCanvas& canvas, const PathPlot& plot, double y) {
     canvas.fitted(kEdge + 38.0, y, kPlotWidth - kEdge, path.label);
     y += 20.0;
   }
-  canvas.text(kEdge, y, Anchor::start, say<"Seen from the front; the ring is where it began, the square where it ended.">(), true);
+  canvas.text(kEdge, y, Anchor::start, say<"Seen from the front; ring: beginning, square: end.">(), true);
   return y + 8.0;
 }
 
@@ -95,7 +95,7 @@ double draw(SvgCanvas& canvas, const PathPlot& plot) {
   const Extent extent = extentOf(plot);
   if (extent.empty()) return drawLegend(canvas, plot, 20.0);
   const glm::dvec2 size = extent.high - extent.low;
-  const double wanted = size.x > 0.0 ? size.y / size.x * (kPlotWidth - 2.0 * kEdge - 60.0) : kHighestPath;
+  const double wanted = size.x > 0.0 ? size.y / size.x * (kPlotWidth - 2.0 * kEdge - 30.0) : kHighestPath;
   const double top = 34.0, bottom = top + std::clamp(wanted, 120.0, kHighestPath);
   const BodyScale scale(extent, top, bottom);
   canvas.text(0.5 * kPlotWidth, 16.0, Anchor::middle, say<"head">(), true);

@@ -9,7 +9,7 @@
 
 namespace ew::reports {
 
-inline constexpr double kPlotWidth = 560.0, kTextSize = 13.0;
+inline constexpr double kPlotWidth = 420.0, kTextSize = 13.0;
 
 enum class Anchor { start, middle, end };
 

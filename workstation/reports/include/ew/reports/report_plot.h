@@ -86,7 +86,7 @@ struct PlotColours {
 /// For white paper.
 [[nodiscard]] PlotColours paperColours();
 
-/// A picture of it: one `svg` element, texts escaped, 560 units wide and as high as it needs. No style sheet, no script, no links: what
+/// A picture of it: one `svg` element, texts escaped, 420 units wide and as high as it needs. No style sheet, no script, no links: what
 /// SVG Tiny 1.2 has, so that browsers and Qt draw the same.
 [[nodiscard]] std::string svgOf(const ReportPlot& plot, const PlotColours& colours,
                                 const std::function<std::string(const Message&)>& words);
