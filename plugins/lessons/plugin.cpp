@@ -6,6 +6,7 @@
 #include "editor/editor_panel.h"
 #include "ew/library/lesson.h"
 #include "ew/sdk/case_parts.h"
+#include "logic/case_at_hand.h"
 #include "panel/player_panel.h"
 
 namespace {
@@ -40,8 +41,8 @@ class LessonsPlugin final : public ew::sdk::Plugin {
  private:
   /// A case that teaches nothing leaves its room to the scan; a lesson may lead through such a case.
   void showPanel(ew::sdk::Host& host) const {
-    const auto manifest = host.cases().current();
-    host.panels().setShown("lessons", isWorking_ || (manifest && teaches(*manifest)));
+    const auto opened = ew::lessons::caseAtHand(host);
+    host.panels().setShown("lessons", isWorking_ || (opened && teaches(ew::manifestOf(*opened))));
   }
   static bool teaches(const nlohmann::json& manifest) {
     const auto filled = [](const nlohmann::json& in, const char* key) { return in.is_object() && in.contains(key) && !in[key].empty(); };

@@ -8483,6 +8483,282 @@
         <source>Another window is writing into &apos;%1&apos;; try again in a moment.</source>
         <translation>Ein anderes Fenster schreibt gerade in „%1“; gleich noch einmal versuchen.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; cannot be kept for yourself alone (%2); choose a place of your own.</source>
+        <translation>„%1“ lässt sich nicht für Sie allein aufbewahren (%2); einen eigenen Ort wählen.</translation>
+    </message>
+    <message>
+        <source>it is no file</source>
+        <translation>es ist keine Datei</translation>
+    </message>
+    <message>
+        <source>it belongs to another account</source>
+        <translation>es gehört einem anderen Konto</translation>
+    </message>
+    <message>
+        <source>it names no folder</source>
+        <translation>es nennt keinen Ordner</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not there; check the name and the folder.</source>
+        <translation>„%1“ ist nicht da; Namen und Ordner prüfen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is a link, and a private file is not read through one; put the file itself there.</source>
+        <translation>„%1“ ist eine Verknüpfung, und durch eine solche wird keine private Datei gelesen; die Datei selbst dorthin legen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be opened (%2); check its permissions.</source>
+        <translation>„%1“ lässt sich nicht öffnen (%2); die Zugriffsrechte prüfen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not read, because %2; use a file of your own.</source>
+        <translation>„%1“ wird nicht gelesen (%2); eine eigene Datei verwenden.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; can be read or changed by other accounts, so it is not trusted; close it with &apos;chmod 600&apos;, and replace what it keeps secret.</source>
+        <translation>„%1“ kann von anderen Konten gelesen oder geändert werden, daher wird ihr nicht vertraut; sie mit „chmod 600“ schließen und ersetzen, was sie geheim hält.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has more than the %2 bytes allowed here; check that it is the right file.</source>
+        <translation>„%1“ hat mehr als die hier erlaubten %2 Bytes; prüfen, ob es die richtige Datei ist.</translation>
+    </message>
+    <message>
+        <source>answers are not shown</source>
+        <translation>werden keine Antworten gezeigt</translation>
+    </message>
+    <message>
+        <source>cases are not edited</source>
+        <translation>werden keine Fälle bearbeitet</translation>
+    </message>
+    <message>
+        <source>cases are not handed on</source>
+        <translation>werden keine Fälle weitergegeben</translation>
+    </message>
+    <message>
+        <source>other people&apos;s attempts are not shown</source>
+        <translation>werden keine Versuche anderer gezeigt</translation>
+    </message>
+    <message>
+        <source>attempts are not judged</source>
+        <translation>werden keine Versuche bewertet</translation>
+    </message>
+    <message>
+        <source>the lock is not changed</source>
+        <translation>wird die Sperre nicht geändert</translation>
+    </message>
+    <message>
+        <source>This library is locked for trainees, so %1; an instructor unlocks it with the passphrase (in the window, or with --unlock).</source>
+        <translation>Diese Bibliothek ist für Lernende gesperrt, darum %1; eine Lehrkraft entsperrt sie mit dem Kennwort (im Fenster oder mit --unlock).</translation>
+    </message>
+    <message>
+        <source>The lock of this library cannot be opened: %1 Whoever looks after this machine can take &quot;%2&quot; away.</source>
+        <translation>Die Sperre dieser Bibliothek lässt sich nicht öffnen: %1 Wer diesen Rechner betreut, kann „%2“ entfernen.</translation>
+    </message>
+    <message>
+        <source>That is not the passphrase of this library; type it again.</source>
+        <translation>Das ist nicht das Kennwort dieser Bibliothek; noch einmal eingeben.</translation>
+    </message>
+    <message>
+        <source>The lock &quot;%1&quot; cannot be taken away (%2); check the folder&apos;s permissions.</source>
+        <translation>Die Sperre „%1“ lässt sich nicht entfernen (%2); die Zugriffsrechte des Ordners prüfen.</translation>
+    </message>
+    <message>
+        <source>a line of the instructors&apos; log</source>
+        <translation>einer Zeile im Protokoll der Lehrkräfte</translation>
+    </message>
+    <message>
+        <source>%1 bytes in base64</source>
+        <translation>%1 Bytes in Base64</translation>
+    </message>
+    <message>
+        <source>This is no public key; it is one line that begins with %1, from &apos;echoweave key show&apos;.</source>
+        <translation>Das ist kein öffentlicher Schlüssel; er ist eine Zeile, die mit %1 beginnt, von „echoweave key show“.</translation>
+    </message>
+    <message>
+        <source>This public key is of another kind (%1); use it with a newer EchoWeave.</source>
+        <translation>Dieser öffentliche Schlüssel ist von anderer Art (%1); ihn mit einem neueren EchoWeave verwenden.</translation>
+    </message>
+    <message>
+        <source>The public key was not copied right: its checksum does not fit; copy the whole line again.</source>
+        <translation>Der öffentliche Schlüssel wurde nicht richtig kopiert: Seine Prüfsumme passt nicht; die ganze Zeile noch einmal kopieren.</translation>
+    </message>
+    <message>
+        <source>In &quot;%1&quot;: %2</source>
+        <translation>In „%1“: %2</translation>
+    </message>
+    <message>
+        <source>There is no memory that can be locked for the secret key; close other programs and try again.</source>
+        <translation>Es gibt keinen Speicher, der sich für den geheimen Schlüssel sperren lässt; andere Programme schließen und es noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>There is a key in &quot;%1&quot; already, and without it no examination that was made for it can be judged; keep it, or move it away first.</source>
+        <translation>In „%1“ liegt schon ein Schlüssel, und ohne ihn kann keine Prüfung bewertet werden, die für ihn gemacht wurde; ihn behalten oder zuerst anderswohin legen.</translation>
+    </message>
+    <message>
+        <source>The passphrase does not open &quot;%1&quot;, or the file was changed; type it again.</source>
+        <translation>Das Kennwort öffnet „%1“ nicht, oder die Datei wurde geändert; noch einmal eingeben.</translation>
+    </message>
+    <message>
+        <source>The system gives no random numbers to make keys from; restart it, and please report it.</source>
+        <translation>Das System gibt keine Zufallszahlen für Schlüssel her; es neu starten und das bitte melden.</translation>
+    </message>
+    <message>
+        <source>There are not the %1 MiB of memory that a passphrase needs; close other programs and try again.</source>
+        <translation>Die %1 MiB Speicher, die ein Kennwort braucht, sind nicht da; andere Programme schließen und es noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>The passphrase is too short; take at least %1 characters, best several words.</source>
+        <translation>Das Kennwort ist zu kurz; mindestens %1 Zeichen nehmen, am besten mehrere Wörter.</translation>
+    </message>
+    <message>
+        <source>The passphrase is longer than %1 bytes or holds characters that cannot be typed; take another one.</source>
+        <translation>Das Kennwort ist länger als %1 Bytes oder enthält Zeichen, die sich nicht tippen lassen; ein anderes nehmen.</translation>
+    </message>
+    <message>
+        <source>The picture is damaged; save it anew as a PNG.</source>
+        <translation>Das Bild ist beschädigt; es neu als PNG speichern.</translation>
+    </message>
+    <message>
+        <source>Pictures of an examination are PNG or JPEG, of which it is known where words may hide; save it as one.</source>
+        <translation>Bilder einer Prüfung sind PNG oder JPEG, von denen bekannt ist, wo Wörter stecken können; es als ein solches speichern.</translation>
+    </message>
+    <message>
+        <source>The picture &quot;%1&quot;: %2</source>
+        <translation>Das Bild „%1“: %2</translation>
+    </message>
+    <message>
+        <source>Sealing the answers</source>
+        <translation>Antworten versiegeln</translation>
+    </message>
+    <message>
+        <source>Say for whom the answers are sealed, with a public key from &apos;echoweave key show&apos;; without one nobody could judge the examination.</source>
+        <translation>Angeben, für wen die Antworten versiegelt werden, mit einem öffentlichen Schlüssel von „echoweave key show“; ohne ihn könnte niemand die Prüfung bewerten.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be the id of an examination; take letters, digits, &apos;-&apos;, &apos;_&apos; and &apos;.&apos;, at most 100.</source>
+        <translation>„%1“ kann keine Kennung einer Prüfung sein; Buchstaben, Ziffern, „-“, „_“ und „.“ nehmen, höchstens 100.</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; is no examination: its answers are not sealed.</source>
+        <translation>Der Fall „%1“ ist keine Prüfung: Seine Antworten sind nicht versiegelt.</translation>
+    </message>
+    <message>
+        <source>The examination &apos;%1&apos; and its sealed answers do not belong together, or one of them was changed; use the bundle as it was exported.</source>
+        <translation>Die Prüfung „%1“ und ihre versiegelten Antworten gehören nicht zusammen, oder eines davon wurde geändert; das Bündel so verwenden, wie es exportiert wurde.</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; is an examination already; hand on its bundle as it is.</source>
+        <translation>Der Fall „%1“ ist schon eine Prüfung; sein Bündel so weitergeben, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Opening the sealed answers</source>
+        <translation>Versiegelte Antworten öffnen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was changed, damaged or cut off since the examination was made; use the bundle as it was exported.</source>
+        <translation>„%1“ wurde geändert, beschädigt oder abgeschnitten, seit die Prüfung gemacht wurde; das Bündel so verwenden, wie es exportiert wurde.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; holds no sealed answers; use the bundle as it was exported.</source>
+        <translation>„%1“ enthält keine versiegelten Antworten; das Bündel so verwenden, wie es exportiert wurde.</translation>
+    </message>
+    <message>
+        <source>the header of %1</source>
+        <translation>dem Kopf von %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not there; use the bundle as it was exported.</source>
+        <translation>„%1“ ist nicht da; das Bündel so verwenden, wie es exportiert wurde.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be opened; check its permissions.</source>
+        <translation>„%1“ lässt sich nicht öffnen; die Zugriffsrechte prüfen.</translation>
+    </message>
+    <message>
+        <source>Say for whom the answers are sealed, with 1 to %1 public keys; without one nobody could judge the examination.</source>
+        <translation>Angeben, für wen die Antworten versiegelt werden, mit 1 bis %1 öffentlichen Schlüsseln; ohne einen könnte niemand die Prüfung bewerten.</translation>
+    </message>
+    <message>
+        <source>The public key %1 cannot be used; make a new one with &apos;echoweave key new&apos;.</source>
+        <translation>Der öffentliche Schlüssel %1 ist nicht brauchbar; mit „echoweave key new“ einen neuen machen.</translation>
+    </message>
+    <message>
+        <source>The key %1 does not open the answers of the examination &apos;%2&apos;, which were sealed for %3; use that one.</source>
+        <translation>Der Schlüssel %1 öffnet die Antworten der Prüfung „%2“ nicht, die für %3 versiegelt wurden; jenen verwenden.</translation>
+    </message>
+    <message>
+        <source>the index of %1</source>
+        <translation>dem Verzeichnis von %1</translation>
+    </message>
+    <message>
+        <source>%1 names a file, &quot;%2&quot;, that is none of the case; do not use the examination.</source>
+        <translation>%1 nennt eine Datei, „%2“, die keine des Falles ist; die Prüfung nicht verwenden.</translation>
+    </message>
+    <message>
+        <source>The sealed answers do not hold what they list; use the bundle as it was exported.</source>
+        <translation>Die versiegelten Antworten enthalten nicht, was sie aufführen; das Bündel so verwenden, wie es exportiert wurde.</translation>
+    </message>
+    <message>
+        <source>The step &apos;%1&apos; of the lesson &apos;%2&apos; scans another case, &apos;%3&apos;, and an examination carries one case; let it scan its own.</source>
+        <translation>Der Schritt „%1“ der Lektion „%2“ untersucht einen anderen Fall, „%3“, und eine Prüfung trägt einen einzigen; ihn den eigenen untersuchen lassen.</translation>
+    </message>
+    <message>
+        <source>The case has no title for trainees, and its own may name the finding; give it one in the Author workspace.</source>
+        <translation>Der Fall hat keinen Titel für Lernende, und sein eigener kann den Befund nennen; ihm unter Autor einen geben.</translation>
+    </message>
+    <message>
+        <source>The case has a mannequin of its own, &apos;%1&apos;, whose file may say more than trainees should read; choose one of the program&apos;s for an examination.</source>
+        <translation>Der Fall hat einen eigenen Übungskörper, „%1“, dessen Datei mehr sagen kann, als Lernende lesen sollen; für eine Prüfung einen des Programms wählen.</translation>
+    </message>
+    <message>
+        <source>No lesson of the case asks for anything, so there is nothing to examine; give it a lesson with steps first.</source>
+        <translation>Keine Lektion des Falles fragt nach etwas, darum gibt es nichts zu prüfen; ihm zuerst eine Lektion mit Schritten geben.</translation>
+    </message>
+    <message>
+        <source>The attempt &apos;%1&apos; is at &apos;%2&apos; and not at the examination &apos;%3&apos;; judge it with its own.</source>
+        <translation>Der Versuch „%1“ gehört zu „%2“ und nicht zur Prüfung „%3“; ihn mit seiner eigenen bewerten.</translation>
+    </message>
+    <message>
+        <source>The attempt &apos;%1&apos; was made with other sealed answers than these; judge it with the bundle that its trainee had.</source>
+        <translation>Der Versuch „%1“ wurde mit anderen versiegelten Antworten gemacht als diesen; ihn mit dem Bündel bewerten, das die Lernenden hatten.</translation>
+    </message>
+    <message>
+        <source>The attempt &apos;%1&apos; is at the lesson &apos;%2&apos;, which the examination does not have.</source>
+        <translation>Der Versuch „%1“ gehört zur Lektion „%2“, die es in der Prüfung nicht gibt.</translation>
+    </message>
+    <message>
+        <source>The attempt &apos;%1&apos; names the step &apos;%2&apos;, which the examination does not have.</source>
+        <translation>Der Versuch „%1“ nennt den Schritt „%2“, den es in der Prüfung nicht gibt.</translation>
+    </message>
+    <message>
+        <source>The attempt &apos;%1&apos; is there twice; give each folder once.</source>
+        <translation>Der Versuch „%1“ ist zweimal da; jeden Ordner einmal angeben.</translation>
+    </message>
+    <message>
+        <source>Copying the attempts</source>
+        <translation>Versuche kopieren</translation>
+    </message>
+    <message>
+        <source>Nothing is measured in this image yet; freeze the image and set the calipers.</source>
+        <translation>In diesem Bild ist noch nichts gemessen; das Bild einfrieren und die Messpunkte setzen.</translation>
+    </message>
+    <message>
+        <source>The attempt &apos;%1&apos; is at an examination, whose answers are sealed; open them with &apos;echoweave case unseal&apos; and your key, and score what that makes.</source>
+        <translation>Der Versuch „%1“ gehört zu einer Prüfung, deren Antworten versiegelt sind; sie mit „echoweave case unseal“ und dem eigenen Schlüssel öffnen und bewerten, was daraus wird.</translation>
+    </message>
+    <message>
+        <source>an object with file and sha256: where the answers of an examination are</source>
+        <translation>ein Objekt mit file und sha256: wo die Antworten einer Prüfung sind</translation>
+    </message>
+    <message>
+        <source>&quot;answers.sealed&quot;</source>
+        <translation>„answers.sealed“</translation>
+    </message>
+    <message>
+        <source>Nothing can be written beside &quot;%1&quot;; choose another folder.</source>
+        <translation>Neben „%1“ lässt sich nichts schreiben; einen anderen Ordner wählen.</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
@@ -14192,6 +14468,50 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>&apos;%1&apos; was taken into the library as revision %2.</source>
         <translation>„%1“ wurde als Fassung %2 in die Bibliothek übernommen.</translation>
     </message>
+    <message>
+        <source>Lock for trainees…</source>
+        <translation>Für Lernende sperren…</translation>
+    </message>
+    <message>
+        <source>Unlock for instructors…</source>
+        <translation>Für Lehrkräfte entsperren…</translation>
+    </message>
+    <message>
+        <source>Take the lock away</source>
+        <translation>Sperre entfernen</translation>
+    </message>
+    <message>
+        <source>Lock again</source>
+        <translation>Wieder sperren</translation>
+    </message>
+    <message>
+        <source>The lock is gone: everybody at this account sees everything.</source>
+        <translation>Die Sperre ist fort: Alle an diesem Konto sehen alles.</translation>
+    </message>
+    <message>
+        <source>Lock for trainees</source>
+        <translation>Für Lernende sperren</translation>
+    </message>
+    <message>
+        <source>Until this passphrase is given again the window shows Explore alone: no Author, no answers, nobody else&apos;s attempts. The lock does not stop who reads this account&apos;s files with other programs: for examinations export cases with sealed answers.</source>
+        <translation>Bis dieses Kennwort wieder eingegeben wird, zeigt das Fenster nur Erkunden: keinen Autor, keine Antworten, keine Versuche anderer. Wer die Dateien dieses Kontos mit anderen Programmen liest, wird nicht aufgehalten: für Prüfungen Fälle mit versiegelten Antworten exportieren.</translation>
+    </message>
+    <message>
+        <source>Locked for trainees.</source>
+        <translation>Für Lernende gesperrt.</translation>
+    </message>
+    <message>
+        <source>Unlock for instructors</source>
+        <translation>Für Lehrkräfte entsperren</translation>
+    </message>
+    <message>
+        <source>The passphrase that locked this library for trainees.</source>
+        <translation>Das Kennwort, mit dem diese Bibliothek für Lernende gesperrt wurde.</translation>
+    </message>
+    <message>
+        <source>Unlocked until you lock it again or close the window.</source>
+        <translation>Entsperrt, bis wieder gesperrt oder das Fenster geschlossen wird.</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::MeasurePage</name>
@@ -16444,6 +16764,22 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Back to the lessons</source>
         <translation>Zurück zu den Lektionen</translation>
+    </message>
+    <message>
+        <source>Handed in: %1</source>
+        <translation>Abgegeben: %1</translation>
+    </message>
+    <message>
+        <source>An instructor judges it afterwards.</source>
+        <translation>Eine Lehrkraft bewertet es hinterher.</translation>
+    </message>
+    <message>
+        <source>Examination handed in: %1</source>
+        <translation>Prüfung abgegeben: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps handed in; an instructor judges them afterwards.</source>
+        <translation>%1 von %2 Schritten abgegeben; eine Lehrkraft bewertet sie hinterher.</translation>
     </message>
 </context>
 <context>
@@ -19547,6 +19883,69 @@ Zeit: %3</translation>
     <message>
         <source>Revision %1 was exported to %2. Another workstation takes it with File, Import a case bundle.</source>
         <translation>Revision %1 wurde nach %2 exportiert. Ein anderer Arbeitsplatz übernimmt ihn mit Datei, Fallpaket importieren.</translation>
+    </message>
+    <message>
+        <source>Examination…</source>
+        <translation>Prüfung…</translation>
+    </message>
+    <message>
+        <source>Write what trainees may read into one file, and the answers so that an instructor&apos;s key alone opens them</source>
+        <translation>Was Lernende lesen dürfen, in eine Datei schreiben, und die Antworten so, dass nur der Schlüssel einer Lehrkraft sie öffnet</translation>
+    </message>
+    <message>
+        <source>Export is for practice: whoever opens the file can read the answers in it. An examination carries them sealed, and is judged afterwards.</source>
+        <translation>Exportieren ist zum Üben: Wer die Datei öffnet, kann die Antworten darin lesen. Eine Prüfung trägt sie versiegelt und wird hinterher bewertet.</translation>
+    </message>
+    <message>
+        <source>The public key of whoever judges the examination</source>
+        <translation>Der öffentliche Schlüssel derer, die die Prüfung bewerten</translation>
+    </message>
+    <message>
+        <source>Public keys (*.pub);;All files (*)</source>
+        <translation>Öffentliche Schlüssel (*.pub);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Export an examination</source>
+        <translation>Eine Prüfung exportieren</translation>
+    </message>
+    <message>
+        <source>examination</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Exporting an examination</source>
+        <translation>Prüfung exportieren</translation>
+    </message>
+    <message>
+        <source>Exported to %1, the answers sealed for the key %2. Keep this file: attempts at it are judged with it alone.</source>
+        <translation>Nach %1 exportiert, die Antworten für den Schlüssel %2 versiegelt. Diese Datei behalten: Versuche daran werden nur mit ihr bewertet.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::AccessDialog</name>
+    <message>
+        <source>Passphrase</source>
+        <translation>Kennwort</translation>
+    </message>
+    <message>
+        <source>Once more</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Sperren</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Entsperren</translation>
+    </message>
+    <message>
+        <source>The two passphrases differ; type them again.</source>
+        <translation>Die beiden Kennwörter sind verschieden; noch einmal eingeben.</translation>
     </message>
 </context>
 </TS>

@@ -13,7 +13,9 @@
 
 #include "ew/io/volume_file.h"
 #include "ew/library/bundle.h"
+#include "ew/library/instructor_log.h"
 #include "ew/library/published.h"
+#include "ew/library/sealed_answers.h"
 #include "ew/sdk/panel.h"
 #include "ew/sdk/scan.h"
 
@@ -75,6 +77,12 @@ PublishDialog::PublishDialog(sdk::Host& host, QWidget* parent) : QDialog(parent)
   result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   result_->hide();
   column->addWidget(result_);
+  auto* warning = sdk::quietLabel(
+      tr("Export is for practice: whoever opens the file can read the answers in it. An examination carries them sealed, and is judged "
+         "afterwards."));
+  warning->setObjectName(QStringLiteral("exportWarning"));
+  warning->setWordWrap(true);
+  column->addWidget(warning);
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(kGap_px);
   export_ = new QPushButton(tr("Export…"));
@@ -82,6 +90,11 @@ PublishDialog::PublishDialog(sdk::Host& host, QWidget* parent) : QDialog(parent)
   export_->setToolTip(tr("Write the case into one file, for another workstation"));
   export_->setAutoDefault(false);
   buttons->addWidget(export_);
+  examination_ = new QPushButton(tr("Examination…"));
+  examination_->setObjectName(QStringLiteral("exportExamination"));
+  examination_->setToolTip(tr("Write what trainees may read into one file, and the answers so that an instructor's key alone opens them"));
+  examination_->setAutoDefault(false);
+  buttons->addWidget(examination_);
   buttons->addStretch(1);
   auto* close = new QPushButton(tr("Close"));
   close->setAutoDefault(false);
@@ -94,6 +107,7 @@ PublishDialog::PublishDialog(sdk::Host& host, QWidget* parent) : QDialog(parent)
   buttons->addWidget(publish_);
   column->addLayout(buttons);
   connect(export_, &QPushButton::clicked, this, &PublishDialog::exportCase);
+  connect(examination_, &QPushButton::clicked, this, &PublishDialog::exportExamination);
   connect(publish_, &QPushButton::clicked, this, &PublishDialog::publish);
   resize(70 * kGap_px, 66 * kGap_px);
   soon_.setSingleShot(true);
@@ -209,6 +223,7 @@ void PublishDialog::showButtons() {
   publish_->setToolTip(missing_ == 0 ? tr("Trainees see the case as it is now; later edits wait for the next revision")
                                      : tr("Something is still missing, see the list"));
   export_->setEnabled(!working_);
+  examination_->setEnabled(!working_);
 }
 
 bool PublishDialog::saved() {
@@ -281,6 +296,50 @@ void PublishDialog::exportCase() {
                                           "takes it with File, "
                                           "Import a case bundle.")
                                            .arg(file)),
+               false);
+        else if (outcome.error().code != ErrorCode::cancelled)
+          tell(words(outcome.error()), true);
+      });
+}
+
+/// The key of this account, else one from a file.
+std::optional<PublicKey> PublishDialog::instructorsKey() {
+  if (auto own = publicKeyKeptIn(instructorKeyFile())) return *own;
+  const QString file = QFileDialog::getOpenFileName(this, tr("The public key of whoever judges the examination"), QString(),
+                                                    tr("Public keys (*.pub);;All files (*)"));
+  if (file.isEmpty()) return std::nullopt;
+  const auto key = readPublicKey(file.toStdString());
+  if (key) return *key;
+  tell(words(key.error()), true);
+  return std::nullopt;
+}
+
+void PublishDialog::exportExamination() {
+  if (!saved()) return;
+  const auto key = instructorsKey();
+  if (!key) return;
+  QString file = QFileDialog::getSaveFileName(this, tr("Export an examination"), tr("examination") + QLatin1String(kBundleEnding),
+                                              tr("Case bundles (*.ewcase)"));
+  if (file.isEmpty()) return;
+  if (!file.endsWith(QLatin1String(kBundleEnding))) file += QLatin1String(kBundleEnding);
+  working_ = true;
+  showButtons();
+  auto made = std::make_shared<Examination>();
+  host_.jobs().startSaving(
+      tr("Exporting an examination").toStdString(),
+      [made, key = *key, folder = host_.cases().currentFolder(), file](Progress& progress) -> Result<void> {
+        auto done = ew::exportExamination(folder, file.toStdString(), {.instructors = {key}}, progress);
+        if (!done) return passOn(done.error());
+        *made = std::move(*done);
+        return logChange(libraryFolder(), "examination made", made->id, {}, made->sealedSha256);
+      },
+      [this, alive = QPointer<PublishDialog>(this), made, key = *key, file](const Result<void>& outcome) {
+        if (!alive) return;
+        working_ = false;
+        showButtons();
+        if (outcome)
+          tell(tr("Exported to %1, the answers sealed for the key %2. Keep this file: attempts at it are judged with it alone.")
+                   .arg(file, words(shortNameOf(key))),
                false);
         else if (outcome.error().code != ErrorCode::cancelled)
           tell(words(outcome.error()), true);

@@ -3,8 +3,10 @@
 #include <QDialog>
 #include <QTimer>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "ew/library/instructor_key.h"
 #include "ew/library/publishing.h"
 #include "ew/sdk/host.h"
 
@@ -35,6 +37,8 @@ class PublishDialog final : public QDialog {
   [[nodiscard]] bool saved();
   void publish();
   void exportCase();
+  void exportExamination();
+  [[nodiscard]] std::optional<PublicKey> instructorsKey();
   void tell(const QString& sentence, bool isProblem);
 
   sdk::Host& host_;
@@ -44,6 +48,7 @@ class PublishDialog final : public QDialog {
   QLabel* problem_ = nullptr;
   QPushButton* publish_ = nullptr;
   QPushButton* export_ = nullptr;
+  QPushButton* examination_ = nullptr;
   std::size_t missing_ = 0;
   int checking_ = 0;    ///< number of the check that is waited for; 0: none
   bool again_ = false;  ///< the case changed meanwhile

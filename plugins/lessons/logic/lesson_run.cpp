@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ew/core/version.h"
+#include "ew/library/sealed_answers.h"
 #include "ew/scanning/recording.h"
 
 namespace ew::lessons {
@@ -21,7 +22,7 @@ LessonRun::LessonRun(Lesson lesson, std::optional<KeptAttempt> attempt) : lesson
 }
 
 Result<LessonRun> LessonRun::begin(Lesson lesson, const std::string& caseId, const std::string& person,
-                                   const std::filesystem::path& attempts) {
+                                   const std::filesystem::path& attempts, const std::string& sealedAnswers) {
   Attempt attempt;
   attempt.startedAt = now();
   attempt.id = idOfAttempt(attempt.startedAt);
@@ -31,6 +32,7 @@ Result<LessonRun> LessonRun::begin(Lesson lesson, const std::string& caseId, con
   attempt.lessonContent = contentOf(lesson);
   attempt.person = person;
   attempt.program = kVersion;
+  if (!sealedAnswers.empty()) attempt = withSealedAnswers(std::move(attempt), sealedAnswers);
   auto kept = KeptAttempt::begin(attempts, std::move(attempt));
   if (!kept) return passOn(kept.error());
   return LessonRun(std::move(lesson), std::move(*kept));
@@ -54,9 +56,11 @@ double LessonRun::passedShare() const {
 
 Result<void> LessonRun::startStep(const StepScene& scene, double now_s) {
   EW_EXPECTS(!isOver());
-  auto work = workOf(step(), scene.ground());
+  auto work = scene.isSealed ? Result<std::unique_ptr<StepWork>>(handedInWork(step())) : workOf(step(), scene.ground());
   if (!work) return passOn(work.error());
-  return startStep(std::move(*work), now_s);
+  if (auto started = startStep(std::move(*work), now_s); !started) return started;
+  isHandedIn_ = scene.isSealed && !std::holds_alternative<ReadTask>(step().task);
+  return {};
 }
 
 Result<void> LessonRun::startStep(std::unique_ptr<StepWork> work, double now_s) {
@@ -64,6 +68,7 @@ Result<void> LessonRun::startStep(std::unique_ptr<StepWork> work, double now_s) 
   if (attempt_)
     if (auto begun = attempt_->beginStep(step().id); !begun) return begun;
   work_ = std::move(work);
+  isHandedIn_ = false;
   log_ = {};
   usedBefore_s_ = 0.0;
   runningSince_s_ = now_s;
@@ -149,7 +154,10 @@ Result<StepOutcome> LessonRun::endStep(const Handed& handed, double now_s, const
   outcome.seconds = used_s(now_s);
   work_->hand(handed, outcome);
   if (!isPaused()) note("handed in", now_s);
-  conclude(step(), step().passLevel, outcome);
+  if (isHandedIn_)
+    outcome.verdict = StepVerdict::handedIn;
+  else
+    conclude(step(), step().passLevel, outcome);
   return keep(std::move(outcome), keepFiles);
 }
 

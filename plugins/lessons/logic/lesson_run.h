@@ -19,8 +19,9 @@ class LessonRun {
   LessonRun(Lesson lesson, std::optional<KeptAttempt> attempt);
 
   /// An attempt of this lesson, begun now. @error as KeptAttempt::begin
+  /// @param sealedAnswers of an examination: SHA-256 of the answers it is to be judged by (Case::sealed); empty: judged at once
   [[nodiscard]] static Result<LessonRun> begin(Lesson lesson, const std::string& caseId, const std::string& person,
-                                               const std::filesystem::path& attempts);
+                                               const std::filesystem::path& attempts, const std::string& sealedAnswers = {});
 
   [[nodiscard]] const Lesson& lesson() const { return lesson_; }
   /// Which step is next or runs; as many as there are steps: the lesson is over.
@@ -55,8 +56,9 @@ class LessonRun {
   /// What is missing before the step can be handed in; empty: nothing.
   [[nodiscard]] std::optional<Message> missing(const Handed& handed) const { return work_ ? work_->missing(handed) : std::nullopt; }
 
-  /// Ends the step, judges it and keeps its outcome, with a recording of the scan when there was one. The run stands at the same step until
-  /// next() or again(). @param keepFiles writes pictures into the attempt's folder and returns their names
+  /// Ends the step, judges it, or hands it in when its answers are sealed, and keeps its outcome, with a recording of the scan when there
+  /// was one. The run stands at the same step until next() or again(). @param keepFiles writes pictures into the attempt's folder and
+  /// returns their names
   /// @error as KeptAttempt::endStep, as writeRecording: then the step goes on
   using KeepFiles = std::function<std::vector<std::string>(const KeptAttempt&)>;
   [[nodiscard]] Result<StepOutcome> endStep(const Handed& handed, double now_s, const KeepFiles& keepFiles = {});
@@ -79,6 +81,7 @@ class LessonRun {
   std::string lostStep_;
   std::size_t at_ = 0;
   std::unique_ptr<StepWork> work_;
+  bool isHandedIn_ = false;  ///< the step that runs is judged later, by somebody else
   ScanLog log_;
   std::optional<double> runningSince_s_;
   double usedBefore_s_ = 0.0;

@@ -12,6 +12,7 @@ namespace ew::lessons {
 struct StepScene {
   std::shared_ptr<const CaseTruth> truth;
   sdk::Scanned scanned;
+  bool isSealed = false;  ///< of an examination: nobody here knows what is right, and steps are handed in
   /// What its work is judged against.
   [[nodiscard]] std::shared_ptr<const CaseGround> ground() const {
     return std::make_shared<const CaseGround>(truth, scanned.labels, scanned.placedLabels);

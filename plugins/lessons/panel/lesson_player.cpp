@@ -10,6 +10,7 @@
 #include "ew/sdk/case_parts.h"
 #include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
+#include "logic/case_at_hand.h"
 #include "panel/outcome_page.h"
 #include "panel/step_page.h"
 
@@ -71,13 +72,7 @@ LessonPlayer::~LessonPlayer() {
   if (run_ && run_->isRunning()) static_cast<void>(run_->leave());  // the window closes: the step begins anew next time
 }
 
-std::optional<Case> LessonPlayer::openCase() const {
-  const auto manifest = host_.cases().current();
-  if (!manifest) return std::nullopt;
-  auto opened = caseFromManifest(*manifest, host_.cases().currentFolder());
-  if (!opened) return std::nullopt;
-  return std::move(*opened);
-}
+std::optional<Case> LessonPlayer::openCase() const { return caseAtHand(host_); }
 
 void LessonPlayer::play(LessonRun run, const Case& home, CaseWords words) {
   Q_EMIT problemGone();
@@ -153,7 +148,8 @@ void LessonPlayer::startStep(std::shared_ptr<const CaseTruth> truth) {
   if (const auto* read = std::get_if<ReadTask>(&step.task); read != nullptr && !read->picture.empty())
     picture = partFolder(homeFolder_) / read->picture;
   if (auto frozen = host_.scan().setFrozen(false); !frozen) return fail(frozen.error());
-  StepScene scene{std::move(truth), *scanned};
+  const auto opened = openCase();
+  StepScene scene{std::move(truth), *scanned, opened && opened->sealed};
   if (auto started = run_->startStep(scene, host_.scan().now_s()); !started) return fail(started.error());
   Lesson one;
   one.steps = {step};

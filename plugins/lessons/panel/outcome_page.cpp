@@ -54,14 +54,15 @@ void OutcomePage::addRemark(bool good, const QString& text) {
 
 void OutcomePage::showStep(const LessonStep& step, const StepOutcome& outcome, bool isLast) {
   remarks_->clear();
-  const bool passed = outcome.verdict == StepVerdict::passed;
-  heading_->setText(passed                                    ? tr("Passed: %1").arg(words(step.title))
+  const bool passed = outcome.verdict == StepVerdict::passed, handedIn = outcome.verdict == StepVerdict::handedIn;
+  heading_->setText(handedIn                                  ? tr("Handed in: %1").arg(words(step.title))
+                    : passed                                  ? tr("Passed: %1").arg(words(step.title))
                     : outcome.verdict == StepVerdict::skipped ? tr("Skipped: %1").arg(words(step.title))
                                                               : tr("Not passed yet: %1").arg(words(step.title)));
   figure_->setText(
-      outcome.verdict == StepVerdict::skipped
-          ? QString()
-          : tr("%1 of 100 points, %2 needed").arg(std::lround(100.0 * outcome.score)).arg(std::lround(100.0 * step.passLevel)));
+      outcome.verdict == StepVerdict::skipped ? QString()
+      : handedIn                              ? tr("An instructor judges it afterwards.")
+                 : tr("%1 of 100 points, %2 needed").arg(std::lround(100.0 * outcome.score)).arg(std::lround(100.0 * step.passLevel)));
   for (const AttemptRemark& remark : outcome.remarks) addRemark(remark.good, words(remark.text));
   if (!step.after.empty()) {
     auto* after = new QLabel(words(step.after));
@@ -71,7 +72,7 @@ void OutcomePage::showStep(const LessonStep& step, const StepOutcome& outcome, b
     remarks_->rows()->addWidget(after);
   }
   remarks_->rows()->addStretch(1);
-  again_->setVisible(true);
+  again_->setVisible(!handedIn);  // what was handed in is handed in
   again_->setText(tr("Try again"));
   next_->setText(isLast ? tr("Finish") : tr("Next step"));
   next_->setFocus();
@@ -91,17 +92,23 @@ void OutcomePage::showExercise(const LessonStep& step, const StepOutcome& outcom
 void OutcomePage::showLesson(const LessonRun& run) {
   remarks_->clear();
   const auto& steps = run.lesson().steps;
-  std::size_t passed = 0;
+  std::size_t passed = 0, handedIn = 0;
   for (const LessonStep& step : steps) {
     const StepOutcome* outcome = run.outcomeOf(step.id);
     const bool good = outcome != nullptr && outcome->verdict == StepVerdict::passed;
+    const bool isHandedIn = outcome != nullptr && outcome->verdict == StepVerdict::handedIn;
     passed += good ? 1 : 0;
-    addRemark(good, words(step.title));
+    handedIn += isHandedIn ? 1 : 0;
+    addRemark(good || isHandedIn, words(step.title));
   }
   remarks_->rows()->addStretch(1);
   heading_->setText(passed == steps.size() ? tr("Lesson passed: %1").arg(words(run.lesson().title))
                                            : tr("Lesson finished: %1").arg(words(run.lesson().title)));
   figure_->setText(tr("%1 of %2 steps passed").arg(passed).arg(steps.size()));
+  if (handedIn > 0) {
+    heading_->setText(tr("Examination handed in: %1").arg(words(run.lesson().title)));
+    figure_->setText(tr("%1 of %2 steps handed in; an instructor judges them afterwards.").arg(handedIn + passed).arg(steps.size()));
+  }
   again_->setVisible(false);
   next_->setText(tr("Back to the lessons"));
   next_->setFocus();

@@ -12,6 +12,7 @@
 #include "ew/sdk/panel.h"
 #include "ew/sdk/person.h"
 #include "ew/sdk/window.h"
+#include "logic/case_at_hand.h"
 #include "panel/exercise_card.h"
 #include "panel/exercise_player.h"
 #include "panel/lesson_list.h"
@@ -87,14 +88,10 @@ const Lesson* PlayerPanel::lessonOf(const std::string& id) const {
 }
 
 void PlayerPanel::showCase() {
-  const auto manifest = host_.cases().current();
   const std::vector<Lesson> before = std::move(lessons_);
   const std::filesystem::path folderBefore = case_ ? case_->folder : std::filesystem::path();
-  case_.reset();
+  case_ = caseAtHand(host_);
   lessons_.clear();
-  if (manifest) {
-    if (auto opened = caseFromManifest(*manifest, host_.cases().currentFolder())) case_ = std::move(*opened);
-  }
   if (case_) {
     auto lessons = lessonsOf(*case_);
     if (lessons)
@@ -145,7 +142,7 @@ void PlayerPanel::beginExercises() {
 void PlayerPanel::begin(const std::string& lessonId) {
   const Lesson* lesson = lessonOf(lessonId);
   if (lesson == nullptr || !case_) return;
-  take(LessonRun::begin(*lesson, case_->id, sdk::personWhoLearns(), ownAttempts()));
+  take(LessonRun::begin(*lesson, case_->id, sdk::personWhoLearns(), ownAttempts(), case_->sealed ? case_->sealed->sha256 : std::string()));
 }
 
 void PlayerPanel::goOn(const std::string& lessonId) {

@@ -21,8 +21,10 @@ using nlohmann::json;
 constexpr std::size_t kLargestScore_bytes = 16u << 20;
 constexpr std::size_t kMostOfAScore = 10'000;
 constexpr double kFarthestValue = 1e300;
-constexpr std::array<std::pair<std::string_view, StepVerdict>, 3> kScoreVerdicts = {
-    {{"passed", StepVerdict::passed}, {"failed", StepVerdict::failed}, {"skipped", StepVerdict::skipped}}};
+constexpr std::array<std::pair<std::string_view, StepVerdict>, 4> kScoreVerdicts = {{{"passed", StepVerdict::passed},
+                                                                                     {"failed", StepVerdict::failed},
+                                                                                     {"skipped", StepVerdict::skipped},
+                                                                                     {"handed_in", StepVerdict::handedIn}}};
 
 Message readSentence(const JsonFields& fields, std::string_view key) {
   try {

@@ -5,6 +5,7 @@
 #include "ew/assessment/step_metrics.h"
 #include "ew/core/version.h"
 #include "ew/io/content_key.h"
+#include "ew/library/sealed_answers.h"
 
 namespace ew {
 namespace {
@@ -149,6 +150,12 @@ class Scoring {
 }  // namespace
 
 Result<AttemptScore> scoreAttempt(const fs::path& folder, const Attempt& attempt, const LessonGround& ground, Progress& progress) {
+  if (!sealedAnswersOf(attempt).empty())
+    return failure(
+        ErrorCode::badUsage,
+        say<"The attempt '%1' is at an examination, whose answers are sealed; open them with 'echoweave case unseal' and your key, "
+            "and score what that makes.">(attempt.id),
+        {{"attempt", attempt.id}});
   return Scoring(folder, attempt, ground, progress).run();
 }
 

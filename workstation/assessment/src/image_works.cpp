@@ -48,7 +48,8 @@ class MeasureWork final : public StepWork {
     for (const auto& point : found->points) answer["points_mm"].push_back(pointJson((last()->pose.probeToWorld * point).at));
     return answer;
   }
-  void judge(const json& answer, StepOutcome& outcome) const override {
+  void judge(const json& given, StepOutcome& outcome) const override {
+    const json answer = memberOf(given, "measurements").is_array() ? fittingAmong(given["measurements"]) : given;
     const json& value = memberOf(answer, "value");
     if (!value.is_number() || memberOf(answer, "unit") != json(expected_.unit)) return;
     std::vector<glm::dvec3> points_mm;
@@ -63,6 +64,24 @@ class MeasureWork final : public StepWork {
     std::string kind;
     std::vector<Point<frame::Probe>> points;
   };
+  /// The same of an examination, which keeps all that was measured: nobody knew there which would fit.
+  [[nodiscard]] json fittingAmong(const json& all) const {
+    Handed handed;
+    for (const json& each : all) {
+      HandedMeasurement& made = handed.measurements.emplace_back();
+      if (memberOf(each, "caliper").is_string()) made.kind = each["caliper"].get<std::string>();
+      for (const json& figure : memberOf(each, "figures"))
+        if (memberOf(figure, "name").is_string() && memberOf(figure, "unit").is_string() && memberOf(figure, "value").is_number())
+          made.figures.push_back({figure["name"].get<std::string>(), figure["value"].get<double>(), figure["unit"].get<std::string>()});
+      for (const json& point : memberOf(each, "points_mm"))
+        if (const auto at_mm = pointOf(point)) made.points.push_back(Point<frame::Probe>{*at_mm});  // in the world already
+    }
+    const auto found = fitting(handed);
+    if (!found) return nullptr;
+    json answer = {{"value", found->value}, {"unit", expected_.unit}, {"caliper", found->kind}};
+    for (const auto& point : found->points) answer["points_mm"].push_back(pointJson(point.at));
+    return answer;
+  }
   /// The last measurement that has such a figure, in that unit. Points of other calipers than two ends are not compared: they mean
   /// something else in each kind.
   [[nodiscard]] std::optional<Fitting> fitting(const Handed& handed) const {

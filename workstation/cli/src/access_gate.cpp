@@ -16,8 +16,9 @@ constexpr std::array<std::string_view, 22> kForAnybody = {
     "send",        "plugins list",  "plugins check", "preset list",   "preset show", "case import",  "case verify", "case prepare",
     "lesson list", "lesson course", "key show",      "access status", "access lock", "access unlock"};
 
-constexpr std::array<std::pair<std::string_view, Permission>, 12> kNeeds = {{{"case export", Permission::exportCases},
+constexpr std::array<std::pair<std::string_view, Permission>, 13> kNeeds = {{{"case export", Permission::exportCases},
                                                                              {"case publish", Permission::exportCases},
+                                                                             {"case unseal", Permission::judge},
                                                                              {"case new", Permission::editCases},
                                                                              {"lesson record", Permission::editCases},
                                                                              {"assess", Permission::judge},

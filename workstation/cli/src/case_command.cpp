@@ -323,6 +323,7 @@ void addCase(CLI::App& root, Selection& selection) {
 
   addCaseNew(group, selection);
   addCaseLibrary(group, selection);
+  addCaseUnseal(group, selection);
 }
 
 }  // namespace ew::cli

@@ -63,13 +63,8 @@ std::string sizeText(const std::vector<FileSum>& files) {
   return counted(files.size(), "file") + ", " + rounded(static_cast<double>(bytes) / 1048576.0, 1) + " MiB";
 }
 
-/// What goes into the bundle, and what is to be told about it.
-struct ToExport {
-  fs::path folder;
-  std::optional<Examination> examination;
-};
-
-Result<ToExport> makeExaminationOf(const fs::path& folder, const LibraryArguments& arguments, const fs::path& aside, Run& run) {
+/// @param to where the bundle is written
+Result<Examination> exportAsExamination(const fs::path& folder, const LibraryArguments& arguments, const fs::path& to, Run& run) {
   ExaminationOptions options{.instructors = {}, .id = arguments.examinationId, .preparation = {}};
   for (const std::string& file : arguments.forWhom) {
     if (auto kept = run.input(file); !kept) return passOn(kept.error());
@@ -81,32 +76,12 @@ Result<ToExport> makeExaminationOf(const fs::path& folder, const LibraryArgument
     if (const auto estimate = estimatePreparation(*opened))
       run.remark(say<"The volume of the case is made first, in about %1 s; an examination carries it instead of the patient's recipe.">(
           numeral(rounded(estimate->seconds, 0))));
-  const StepClock clock(run.report, "seal");
-  PartOfProgress part(run.progress, 0.0, 0.8);
-  auto made = makeExamination(folder, aside, options, part);
-  if (!made) return passOn(made.error());
-  for (const Message& note : made->notes) run.remark(note);
-  return ToExport{aside, std::move(*made)};
+  const StepClock clock(run.report, "export");
+  auto made = exportExamination(folder, to, options, run.progress);
+  if (made)
+    for (const Message& note : made->notes) run.remark(note);
+  return made;
 }
-
-/// A folder of this run's own that is gone afterwards.
-class ScratchFolder {
- public:
-  explicit ScratchFolder(const fs::path& beside) {
-    std::string name = (fs::absolute(beside).parent_path() / ".ew-examination-XXXXXX").string();
-    if (::mkdtemp(name.data()) != nullptr) path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 void tellExport(const BundleHeader& header, const std::optional<Examination>& examination, const LibraryArguments& arguments, Run& run) {
   run.say("Exported " + header.id + (header.revision > 0 ? ", revision " + std::to_string(header.revision) : "") + " (" +
@@ -135,23 +110,23 @@ Result<int> exportCase(const LibraryArguments& arguments, Run& run) {
   if (!folder) return passOn(folder.error());
   if (auto kept = readsCase(*folder, run); !kept) return passOn(kept.error());
   if (auto announced = run.output(arguments.output, kBundleEnding); !announced) return passOn(announced.error());
-  const ScratchFolder scratch(arguments.output);
-  ToExport from{*folder, {}};
+  const fs::path to = run.outputs.staged(arguments.output);
+  std::optional<Examination> examination;
+  Result<BundleHeader> header = BundleHeader();
   if (arguments.isExamination) {
-    auto made = makeExaminationOf(*folder, arguments, scratch.path() / "examination", run);
+    auto made = exportAsExamination(*folder, arguments, to, run);
     if (!made) return passOn(made.error());
-    from = std::move(*made);
-  }
-  PartOfProgress exporting(run.progress, arguments.isExamination ? 0.8 : 0.0, 1.0);
-  const auto header = [&] {
+    header = made->bundle;
+    examination = std::move(*made);
+  } else {
     const StepClock clock(run.report, "export");
-    return exportBundle(from.folder, run.outputs.staged(arguments.output), exporting);
-  }();
+    header = exportBundle(*folder, to, run.progress);
+  }
   if (!header) return passOn(header.error());
   std::error_code ignored;
   const auto bytes = fs::file_size(run.outputs.staged(arguments.output), ignored);
   run.report.quality = {{"files", header->files.size()}, {"revision", header->revision}, {"bundle_bytes", bytes}};
-  tellExport(*header, from.examination, arguments, run);
+  tellExport(*header, examination, arguments, run);
   return kDone;
 }
 

@@ -4,6 +4,7 @@
 #include "ew/library/access.h"
 #include "ew/library/instructor_key.h"
 #include "ew/library/instructor_log.h"
+#include "ew/library/moment.h"
 #include "passphrase_input.h"
 
 namespace ew::cli {
@@ -87,8 +88,7 @@ Result<int> changes(Run& run) {
   const auto log = readInstructorLog(libraryFolder());
   if (!log) return passOn(log.error());
   for (const InstructorChange& each : log->changes) {
-    run.out() << std::chrono::duration_cast<std::chrono::seconds>(each.at.time_since_epoch()).count() << "  " << each.who << "  "
-              << each.what;
+    run.out() << momentText(each.at) << "  " << each.who << "  " << each.what;
     if (!each.of.empty()) run.out() << "  " << each.of;
     if (!each.before.is_null() || !each.after.is_null()) run.out() << "  " << each.before.dump() << " -> " << each.after.dump();
     run.out() << "\n";

@@ -153,6 +153,9 @@ Case shownCase(const Case& opened, const AccessPolicy& policy) {
   shown.targets.clear();
   shown.measurements.clear();
   shown.expertPose.reset();
+  for (TissueAcoustics& tissue : shown.scene.tissues) tissue.name.clear();
+  for (CaseExamination& each : shown.previousExaminations) each.otherFields = json::object();
+  for (CaseLaboratory& each : shown.laboratory) each.otherFields = json::object();
   shown.otherFields = json::object();
   return shown;
 }

@@ -26,8 +26,10 @@ constexpr std::size_t kLargestAttempt_bytes = 64u << 20;
 constexpr std::size_t kMostOutcomes = 10'000, kMostRemarks = 1000;
 constexpr std::size_t kLongestPerson = 20'000, kLongestFileName = 240;
 
-constexpr std::array<std::pair<std::string_view, StepVerdict>, 3> kVerdicts = {
-    {{"passed", StepVerdict::passed}, {"failed", StepVerdict::failed}, {"skipped", StepVerdict::skipped}}};
+constexpr std::array<std::pair<std::string_view, StepVerdict>, 4> kVerdicts = {{{"passed", StepVerdict::passed},
+                                                                                {"failed", StepVerdict::failed},
+                                                                                {"skipped", StepVerdict::skipped},
+                                                                                {"handed_in", StepVerdict::handedIn}}};
 constexpr std::array<std::string_view, 12> kAttemptFields = {"format",  "id",      "case",       "lesson",      "lesson_title",
                                                              "person",  "program", "started_at", "finished_at", "lesson_content",
                                                              "running", "outcomes"};

@@ -18,10 +18,10 @@ using nlohmann::json;
 
 constexpr const char* kKeyWord = "echoweave-key-";
 constexpr std::size_t kChecksum_bytes = 4;
-constexpr std::size_t kKey_bytes = crypto_box_SECRETKEYBYTES;
+constexpr std::size_t kSecretKey_bytes = crypto_box_SECRETKEYBYTES;
 // A file that was tampered with may not make the program work for hours or take all memory.
 constexpr std::uint64_t kMostPasses = 20, kMostMemory_bytes = 2ull << 30;
-static_assert(kKey_bytes == 32 && crypto_box_PUBLICKEYBYTES == 32);
+static_assert(kSecretKey_bytes == 32 && crypto_box_PUBLICKEYBYTES == 32);
 
 std::string hexOf(std::span<const std::uint8_t> bytes) {
   std::string text(2 * bytes.size() + 1, '\0');
@@ -42,7 +42,7 @@ struct KeptKey {
   PassphraseCost cost;
   std::array<std::uint8_t, crypto_pwhash_SALTBYTES> salt{};
   std::array<std::uint8_t, crypto_secretbox_NONCEBYTES> nonce{};
-  std::array<std::uint8_t, kKey_bytes + crypto_secretbox_MACBYTES> box{};
+  std::array<std::uint8_t, kSecretKey_bytes + crypto_secretbox_MACBYTES> box{};
 };
 
 template <std::size_t N>
@@ -157,7 +157,7 @@ Result<void> writePublicKey(const PublicKey& key, const fs::path& file) {
 
 Result<SecretKey> SecretKey::make() {
   if (auto ready = readySodium(); !ready) return passOn(ready.error());
-  std::array<std::uint8_t, kKey_bytes> bytes{};
+  std::array<std::uint8_t, kSecretKey_bytes> bytes{};
   ::randombytes_buf(bytes.data(), bytes.size());
   auto made = of(bytes.data());
   ::sodium_memzero(bytes.data(), bytes.size());
@@ -167,12 +167,12 @@ Result<SecretKey> SecretKey::make() {
 Result<SecretKey> SecretKey::of(const std::uint8_t* bytes) {
   if (auto ready = readySodium(); !ready) return passOn(ready.error());
   SecretKey key;
-  key.bytes_ =
-      std::shared_ptr<std::uint8_t>(static_cast<std::uint8_t*>(::sodium_malloc(kKey_bytes)), [](std::uint8_t* p) { ::sodium_free(p); });
+  key.bytes_ = std::shared_ptr<std::uint8_t>(static_cast<std::uint8_t*>(::sodium_malloc(kSecretKey_bytes)),
+                                             [](std::uint8_t* p) { ::sodium_free(p); });
   if (key.bytes_ == nullptr)
     return failure(ErrorCode::tooLarge,
                    say<"There is no memory that can be locked for the secret key; close other programs and try again.">());
-  std::copy(bytes, bytes + kKey_bytes, key.bytes_.get());
+  std::copy(bytes, bytes + kSecretKey_bytes, key.bytes_.get());
   ::crypto_scalarmult_base(key.public_.bytes.data(), key.bytes_.get());
   return key;
 }
@@ -206,7 +206,7 @@ Result<void> keepSecretKey(const SecretKey& key, const Passphrase& passphrase, c
   ::randombytes_buf(kept.nonce.data(), kept.nonce.size());
   StretchedKey stretched;
   if (auto good = stretched.make(passphrase, kept.salt.data(), cost); !good) return good;
-  ::crypto_secretbox_easy(kept.box.data(), key.bytes(), kKey_bytes, kept.nonce.data(), stretched.get());
+  ::crypto_secretbox_easy(kept.box.data(), key.bytes(), kSecretKey_bytes, kept.nonce.data(), stretched.get());
   const json document = {{"format", kInstructorKeyFormat},    {"public", textOf(key.publicKey())}, {"passes", cost.passes},
                          {"memory_bytes", cost.memory_bytes}, {"salt", base64Of(kept.salt)},       {"nonce", base64Of(kept.nonce)},
                          {"sealed", base64Of(kept.box)}};
@@ -224,7 +224,7 @@ Result<SecretKey> openSecretKey(const fs::path& file, const Passphrase& passphra
   if (!kept) return passOn(kept.error());
   StretchedKey stretched;
   if (auto good = stretched.make(passphrase, kept->salt.data(), kept->cost); !good) return passOn(good.error());
-  std::array<std::uint8_t, kKey_bytes> bytes{};
+  std::array<std::uint8_t, kSecretKey_bytes> bytes{};
   const bool opened =
       ::crypto_secretbox_open_easy(bytes.data(), kept->box.data(), kept->box.size(), kept->nonce.data(), stretched.get()) == 0;
   auto key = opened ? SecretKey::of(bytes.data()) : Result<SecretKey>(passOn({}));

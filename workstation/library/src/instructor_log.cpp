@@ -4,40 +4,19 @@
 #include <unistd.h>
 
 #include <array>
-#include <cstdio>
 #include <sstream>
 
 #include "ew/core/json_fields.h"
 #include "ew/io/private_file.h"
+#include "ew/library/moment.h"
 
 namespace ew {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using std::chrono::sys_seconds;
 
 constexpr std::size_t kLargestLog_bytes = 256u << 20;
-
-std::string timeText(sys_seconds at) {
-  const auto day = std::chrono::floor<std::chrono::days>(at);
-  const std::chrono::year_month_day date(day);
-  const std::chrono::hh_mm_ss time(at - day);
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), "%04d-%02u-%02uT%02d:%02d:%02dZ", static_cast<int>(date.year()),
-                static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()), static_cast<int>(time.hours().count()),
-                static_cast<int>(time.minutes().count()), static_cast<int>(time.seconds().count()));
-  return text.data();
-}
-
-std::optional<sys_seconds> timeOf(const std::string& text) {
-  int year = 0, hour = 0, minute = 0, second = 0;
-  unsigned month = 0, day = 0;
-  if (std::sscanf(text.c_str(), "%4d-%2u-%2uT%2d:%2d:%2dZ", &year, &month, &day, &hour, &minute, &second) != 6) return std::nullopt;
-  const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(month), std::chrono::day(day)};
-  if (!date.ok()) return std::nullopt;
-  return std::chrono::sys_days(date) + std::chrono::hours(hour) + std::chrono::minutes(minute) + std::chrono::seconds(second);
-}
 
 std::optional<InstructorChange> changeIn(const std::string& line) {
   const Message where = say<"a line of the instructors' log">();
@@ -46,7 +25,7 @@ std::optional<InstructorChange> changeIn(const std::string& line) {
   JsonReading reading(where);
   const JsonFields fields(*document, reading);
   InstructorChange change;
-  const auto at = timeOf(fields.text("at"));
+  const auto at = readMoment(fields, "at", true);
   change.who = fields.text("who", std::string(), 0);
   change.what = fields.text("what");
   change.of = fields.text("of", std::string(), 0, 1000);
@@ -73,7 +52,7 @@ std::string accountName(const std::string& person) {
 
 Result<void> logChange(const fs::path& library, const InstructorChange& change) {
   if (auto made = makePrivateFolder(assessmentFolder(library)); !made) return made;
-  json line = {{"at", timeText(change.at)}, {"who", change.who}, {"what", change.what}};
+  json line = {{"at", momentText(change.at)}, {"who", change.who}, {"what", change.what}};
   if (!change.of.empty()) line["of"] = change.of;
   if (!change.before.is_null()) line["before"] = change.before;
   if (!change.after.is_null()) line["after"] = change.after;

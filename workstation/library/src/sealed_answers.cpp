@@ -28,7 +28,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr const char* kAttemptField = "sealed_answers";
 constexpr std::size_t kLargestPicture_bytes = 64u << 20;
 
 /// Everything trainees may read, as one sum; what case.json says of answers.sealed is left out, for that is made afterwards.
@@ -285,45 +284,6 @@ Result<OpenedExamination> openExamination(const fs::path& examinationFolder, con
     const SealedIndex& index = content.index();
     return OpenedExamination{folder, index.caseId, examination->id, examination->sealed->sha256, index.lessons};
   });
-}
-
-std::string sealedAnswersOf(const Attempt& attempt) {
-  if (!attempt.otherFields.is_object() || !attempt.otherFields.contains(kAttemptField)) return {};
-  const json& value = attempt.otherFields[kAttemptField];
-  return value.is_string() ? value.get<std::string>() : std::string();
-}
-
-Attempt withSealedAnswers(Attempt attempt, const std::string& sha256) {
-  attempt.otherFields[kAttemptField] = sha256;
-  return attempt;
-}
-
-Result<Attempt> asAttemptAtTheCase(const Attempt& attempt, const OpenedExamination& opened) {
-  const auto refuse = [&](Message sentence) { return failure(ErrorCode::badField, std::move(sentence), {{"attempt", attempt.id}}); };
-  if (attempt.caseId != opened.examinationId)
-    return refuse(say<"The attempt '%1' is at '%2' and not at the examination '%3'; judge it with its own.">(attempt.id, attempt.caseId,
-                                                                                                             opened.examinationId));
-  if (sealedAnswersOf(attempt) != opened.sealedSha256)
-    return refuse(
-        say<"The attempt '%1' was made with other sealed answers than these; judge it with the bundle that its trainee had.">(attempt.id));
-  const auto lesson = opened.lessons.find(attempt.lessonId);
-  if (lesson == opened.lessons.end())
-    return refuse(say<"The attempt '%1' is at the lesson '%2', which the examination does not have.">(attempt.id, attempt.lessonId));
-  Attempt made = attempt;
-  made.caseId = opened.caseId;
-  made.lessonId = lesson->second.id;
-  const auto rename = [&](std::string& step) {
-    const auto original = lesson->second.steps.find(step);
-    if (original == lesson->second.steps.end()) return false;
-    step = original->second;
-    return true;
-  };
-  for (StepOutcome& outcome : made.outcomes)
-    if (const std::string id = outcome.stepId; !rename(outcome.stepId))
-      return refuse(say<"The attempt '%1' names the step '%2', which the examination does not have.">(attempt.id, id));
-  if (!made.runningStep.empty() && !rename(made.runningStep))
-    return refuse(say<"The attempt '%1' names the step '%2', which the examination does not have.">(attempt.id, attempt.runningStep));
-  return made;
 }
 
 }  // namespace ew

@@ -16,14 +16,14 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr std::string_view kMagic = "EWSEALED";
-constexpr std::size_t kPiece_bytes = 64u << 10;
+constexpr std::size_t kStreamPiece_bytes = 64u << 10;
 constexpr std::size_t kLongestHeader_bytes = 64u << 10;
 constexpr std::size_t kMostInstructors = 20;
-constexpr std::size_t kKey_bytes = crypto_secretstream_xchacha20poly1305_KEYBYTES;
+constexpr std::size_t kStreamKey_bytes = crypto_secretstream_xchacha20poly1305_KEYBYTES;
 constexpr std::size_t kMore_bytes = crypto_secretstream_xchacha20poly1305_ABYTES;
-using Key = std::array<std::uint8_t, kKey_bytes>;
-using Box = std::array<std::uint8_t, kKey_bytes + crypto_box_SEALBYTES>;
-using Sum = std::array<std::uint8_t, crypto_generichash_BYTES>;
+using StreamKey = std::array<std::uint8_t, kStreamKey_bytes>;
+using SealedBox = std::array<std::uint8_t, kStreamKey_bytes + crypto_box_SEALBYTES>;
+using PrefixSum = std::array<std::uint8_t, crypto_generichash_BYTES>;
 
 class WipedKey {
  public:
@@ -31,7 +31,7 @@ class WipedKey {
   ~WipedKey() { ::sodium_memzero(bytes.data(), bytes.size()); }
   WipedKey(const WipedKey&) = delete;
   WipedKey& operator=(const WipedKey&) = delete;
-  Key bytes{};
+  StreamKey bytes{};
 };
 
 std::string fourBytes(std::size_t number) {
@@ -46,13 +46,13 @@ std::size_t numberOf(std::string_view bytes) {
   return number;
 }
 
-Sum sumOf(const std::string& before) {
-  Sum sum{};
+PrefixSum sumOf(const std::string& before) {
+  PrefixSum sum{};
   ::crypto_generichash(sum.data(), sum.size(), reinterpret_cast<const std::uint8_t*>(before.data()), before.size(), nullptr, 0);
   return sum;
 }
 
-tl::unexpected<Error> changed(const fs::path& file) {
+tl::unexpected<Error> sealedFileChanged(const fs::path& file) {
   return failure(ErrorCode::badField,
                  say<"\"%1\" was changed, damaged or cut off since the examination was made; use the bundle as it was exported.">(file),
                  {{"file", file.string()}});
@@ -70,7 +70,7 @@ class StreamWriter {
   ~StreamWriter() { ::sodium_memzero(&state_, sizeof state_); }
   StreamWriter(const StreamWriter&) = delete;
   StreamWriter& operator=(const StreamWriter&) = delete;
-  Result<void> begin(const Key& key, const Sum& before) {
+  Result<void> begin(const StreamKey& key, const PrefixSum& before) {
     before_ = before;
     std::array<std::uint8_t, crypto_secretstream_xchacha20poly1305_HEADERBYTES> header{};
     ::crypto_secretstream_xchacha20poly1305_init_push(&state_, header.data(), key.data());
@@ -78,9 +78,9 @@ class StreamWriter {
   }
   Result<void> write(std::span<const std::byte> piece) {
     while (!piece.empty()) {
-      if (held_.size() == kPiece_bytes)
+      if (held_.size() == kStreamPiece_bytes)
         if (auto written = push(0); !written) return written;
-      const auto count = std::min(piece.size(), kPiece_bytes - held_.size());
+      const auto count = std::min(piece.size(), kStreamPiece_bytes - held_.size());
       held_.insert(held_.end(), piece.begin(), piece.begin() + static_cast<std::ptrdiff_t>(count));
       piece = piece.subspan(count);
     }
@@ -99,14 +99,14 @@ class StreamWriter {
 
   PieceWriter& out_;
   crypto_secretstream_xchacha20poly1305_state state_{};
-  Sum before_{};
+  PrefixSum before_{};
   std::vector<std::byte> held_;
 };
 
 struct OpenedHeader {
   SealedHeader header;
   std::string before;  ///< the bytes before the stream
-  std::vector<Box> boxes;
+  std::vector<SealedBox> boxes;
 };
 
 Result<OpenedHeader> headerIn(std::ifstream& in, const fs::path& file) {
@@ -124,7 +124,7 @@ Result<OpenedHeader> headerIn(std::ifstream& in, const fs::path& file) {
   if (format == 0 || length > kLongestHeader_bytes) return noSealedFile(file);
   std::string text(length, '\0');
   in.read(text.data(), static_cast<std::streamsize>(length));
-  if (!in) return changed(file);
+  if (!in) return sealedFileChanged(file);
   const Message where = say<"the header of %1">(std::string(kSealedName));
   const auto document = parseJsonObject(text, where);
   if (!document) return passOn(document.error());
@@ -136,7 +136,7 @@ Result<OpenedHeader> headerIn(std::ifstream& in, const fs::path& file) {
   opened.header.view = fields.text("view", {}, 64, 64);
   for (const JsonFields& slot : fields.objects("slots", 1, kMostInstructors)) {
     opened.header.forWhom.push_back(slot.text("for", {}, 1, 40));
-    Box box{};
+    SealedBox box{};
     if (!fromBase64(slot.text("box"), box)) slot.refuse("box", say<"%1 bytes in base64">(box.size()));
     opened.boxes.push_back(box);
   }
@@ -154,20 +154,20 @@ Result<std::ifstream> streamOf(const fs::path& file) {
   return in;
 }
 
-bool openSlot(const OpenedHeader& opened, const SecretKey& key, Key& streamKey) {
-  for (const Box& box : opened.boxes)
+bool openSlot(const OpenedHeader& opened, const SecretKey& key, StreamKey& streamKey) {
+  for (const SealedBox& box : opened.boxes)
     if (::crypto_box_seal_open(streamKey.data(), box.data(), box.size(), key.publicKey().bytes.data(), key.bytes()) == 0) return true;
   return false;
 }
 
-Result<void> pullPieces(std::ifstream& in, const fs::path& file, const OpenedHeader& opened, const Key& key, ByteCount& count,
+Result<void> pullPieces(std::ifstream& in, const fs::path& file, const OpenedHeader& opened, const StreamKey& key, ByteCount& count,
                         const TakePiece& take) {
   crypto_secretstream_xchacha20poly1305_state state{};
   std::array<std::uint8_t, crypto_secretstream_xchacha20poly1305_HEADERBYTES> header{};
   in.read(reinterpret_cast<char*>(header.data()), static_cast<std::streamsize>(header.size()));
-  if (!in || ::crypto_secretstream_xchacha20poly1305_init_pull(&state, header.data(), key.data()) != 0) return changed(file);
-  const Sum before = sumOf(opened.before);
-  std::vector<std::uint8_t> sealed(kPiece_bytes + kMore_bytes), plain(kPiece_bytes);
+  if (!in || ::crypto_secretstream_xchacha20poly1305_init_pull(&state, header.data(), key.data()) != 0) return sealedFileChanged(file);
+  const PrefixSum before = sumOf(opened.before);
+  std::vector<std::uint8_t> sealed(kStreamPiece_bytes + kMore_bytes), plain(kStreamPiece_bytes);
   for (;;) {
     in.read(reinterpret_cast<char*>(sealed.data()), static_cast<std::streamsize>(sealed.size()));
     const auto got = static_cast<std::size_t>(in.gcount());
@@ -175,12 +175,12 @@ Result<void> pullPieces(std::ifstream& in, const fs::path& file, const OpenedHea
     unsigned long long length = 0;
     if (got < kMore_bytes || ::crypto_secretstream_xchacha20poly1305_pull(&state, plain.data(), &length, &tag, sealed.data(), got,
                                                                           before.data(), before.size()) != 0)
-      return changed(file);
+      return sealedFileChanged(file);
     if (auto counted = count.add(length); !counted) return counted;
     if (auto taken = take(std::as_bytes(std::span(plain).first(length))); !taken) return taken;
     if (tag != crypto_secretstream_xchacha20poly1305_TAG_FINAL) continue;
     ::sodium_memzero(plain.data(), plain.size());
-    return in.peek() == std::ifstream::traits_type::eof() ? Result<void>() : changed(file);
+    return in.peek() == std::ifstream::traits_type::eof() ? Result<void>() : sealedFileChanged(file);
   }
 }
 
@@ -197,7 +197,7 @@ Result<void> sealFile(const fs::path& file, const std::string& caseId, const std
   ::crypto_secretstream_xchacha20poly1305_keygen(key.bytes.data());
   json slots = json::array();
   for (const PublicKey& each : instructors) {
-    Box box{};
+    SealedBox box{};
     if (::crypto_box_seal(box.data(), key.bytes.data(), key.bytes.size(), each.bytes.data()) != 0)
       return failure(ErrorCode::badField,
                      say<"The public key %1 cannot be used; make a new one with 'echoweave key new'.">(shortNameOf(each)));

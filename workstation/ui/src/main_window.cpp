@@ -113,6 +113,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), parts_(std::make_
   }
   showRecent();
   showTitle();
+  showAccess();
 }
 
 MainWindow::~MainWindow() {
@@ -247,6 +248,7 @@ void MainWindow::watchViews() {
   p.sourcePicker = new SourcePicker(p.session, *p.scanView);  // after the hand: it looks at a click first
   p.opener = new Opener(p.session, p.document, p.jobs, *p.messages, *p.view3d, p.hand, this);
   p.host = new WorkstationHost(p.document, p.jobs, p.session, *p.panels, *p.messages, this);
+  p.host->setAccess(p.access);
   HostOverlays& overlays = p.host->hostOverlays();
   new BodyAidsView(overlays, p.session, *p.view3d, p.jobs, this);
   p.pointing = new PickLayer(p.session, *p.scanView);
@@ -298,6 +300,7 @@ void MainWindow::showWorkspace(const std::string& id) {
   Parts& p = *parts_;
   const auto own = std::find_if(p.ownWorkspaces.begin(), p.ownWorkspaces.end(), [&](const auto& each) { return each.what.id == id; });
   if (id != kExplore && id != kAuthor && own == p.ownWorkspaces.end()) return;
+  if (id != kExplore && !may(Permission::editCases)) return;
   p.workspace = id;
   const bool author = p.isAuthor();
   p.topBar->setWorkspace(words(id));

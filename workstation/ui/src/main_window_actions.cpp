@@ -85,6 +85,8 @@ void MainWindow::addFileMenu(QMenu& file) {
   p.savePictureAction = addMenuAction(file, "save.picture", [this] { savePicture(); });
   addStoringMenu(file);
   file.addSeparator();
+  addAccessMenu(file);
+  file.addSeparator();
   addMenuAction(file, "quit", [this] { close(); });
 }
 
@@ -428,8 +430,9 @@ void MainWindow::showTitle() {
   p.topBar->setTitle(isStart ? QString() : title, isStart ? QString() : remark);
   p.saveAction->setText(document != nullptr ? tr("&Save project") : tr("&Save case"));
   p.saveAsAction->setText(document != nullptr ? tr("Save project &as…") : tr("Save case &as…"));
-  p.saveAction->setEnabled(document != nullptr || opened.has_value());
-  p.saveAsAction->setEnabled(document != nullptr || opened.has_value());
+  const bool canSave = (document != nullptr || opened.has_value()) && p.access.may(Permission::editCases);
+  p.saveAction->setEnabled(canSave);
+  p.saveAsAction->setEnabled(canSave);
   p.saveVolumeAction->setEnabled(subject.has_value());
   p.savePictureAction->setEnabled(subject.has_value());
   p.storeAction->setEnabled(subject.has_value());

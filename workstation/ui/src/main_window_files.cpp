@@ -67,7 +67,9 @@ QString whyPublishedIsCopied(const QString& title) {
 
 }  // namespace
 
-void MainWindow::open(const QString& path) { parts_->opener->open(path); }
+void MainWindow::open(const QString& path) {
+  if (mayOpenPath(path)) parts_->opener->open(path);
+}
 
 void MainWindow::openDefaultCase() {
   auto folder = shippedCasesFolder();
@@ -268,6 +270,7 @@ void MainWindow::keepEdits() {
 void MainWindow::offerKeptEdits() { offerKeptEditsOf({}); }
 
 void MainWindow::offerKeptEditsOf(const std::filesystem::path& caseFolder) {
+  if (parts_->access.isLocked()) return;  // they are an author's, and wait
   Parts& p = *parts_;
   if (p.asksAboutKept) return;  // a case that came while somebody thinks about its edits
   const QScopedValueRollback<bool> asks(p.asksAboutKept, true);
@@ -337,6 +340,7 @@ bool MainWindow::saveCase(bool elsewhere) {
 }
 
 Result<void> MainWindow::saveCaseInPlace() {
+  if (auto allowed = parts_->access.require(Permission::editCases); !allowed) return allowed;
   CaseDocument& document = parts_->document;
   if (!document.current()) return failure(ErrorCode::badUsage, say<"No case is open; open one first.">());
   const auto unsaved = failure(ErrorCode::cancelled, say<"The case is not saved.">());
@@ -379,6 +383,7 @@ Result<void> MainWindow::saveCaseInPlace() {
 }
 
 Result<void> MainWindow::saveCaseCopy(const QString& why) {
+  if (auto allowed = parts_->access.require(Permission::editCases); !allowed) return allowed;
   CaseDocument& document = parts_->document;
   if (!document.current()) return failure(ErrorCode::badUsage, say<"No case is open; open one first.">());
   std::filesystem::path present = document.current()->folder;
@@ -393,6 +398,7 @@ Result<void> MainWindow::saveCaseCopy(const QString& why) {
 }
 
 Result<void> MainWindow::saveCaseFor(const std::filesystem::path& folder) {
+  if (auto allowed = parts_->access.require(Permission::editCases); !allowed) return allowed;
   if (folder.empty()) return saveCaseInPlace();
   auto saved = parts_->document.save(folder);
   if (saved) remember(wordsOf(folder));
@@ -400,6 +406,7 @@ Result<void> MainWindow::saveCaseFor(const std::filesystem::path& folder) {
 }
 
 Result<void> MainWindow::makeCaseOwn() {
+  if (auto allowed = parts_->access.require(Permission::editCases); !allowed) return allowed;
   CaseDocument& document = parts_->document;
   if (!document.current()) return failure(ErrorCode::badUsage, say<"No case is open; open one first.">());
   const QString title = words(document.current()->title);

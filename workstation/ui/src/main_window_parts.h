@@ -27,6 +27,7 @@
 #include "control_surface.h"
 #include "cost_panel.h"
 #include "ew/door/door.h"
+#include "ew/library/access.h"
 #include "ew/library/kept_edits.h"
 #include "ew/scanning/preset.h"
 #include "ew/ui/main_window.h"
@@ -91,6 +92,7 @@ struct MainWindow::Parts {
   LibraryBrowser library{jobs};
   CaseDetails details;
   Learning learning;
+  AccessPolicy access = AccessPolicy::of(libraryFolder());
   QTimer detailsSoon;
   std::vector<MadeVolume> made;  ///< never saved: the one that is shown, and those that wait
   KeptEdits keptEdits;           ///< of the open case, against a crash
@@ -217,6 +219,9 @@ struct MainWindow::Parts {
   std::vector<QAction*> pictureCounts;  ///< 1, 2, 4
   QAction* nextPictureAction = nullptr;
   QAction* sameScaleAction = nullptr;
+  QAction* lockAction = nullptr;
+  QAction* unlockAction = nullptr;
+  QAction* removeLockAction = nullptr;
   QAction* transducerAction = nullptr;  ///< shares its key with texts: of a picture that moves
   QMenu* recentMenu = nullptr;
   std::string workspace = kExplore;

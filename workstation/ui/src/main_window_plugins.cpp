@@ -76,6 +76,7 @@ sdk::Ticket MainWindow::addTool(const sdk::MenuEntry& entry, std::function<void(
   p.keyedActions.push_back({action, command.id});
   p.keys.add(command);
   action->setEnabled(entry.workspace.empty() || entry.workspace == p.workspace);
+  action->setVisible(!p.access.isLocked() || entry.workspace == kExplore);
   connect(action, &QAction::triggered, this, [run = std::move(run)] { run(); });
   if (entry.place == sdk::MenuPlace::tools)
     p.toolsMenu->addAction(action);
@@ -110,6 +111,7 @@ void MainWindow::openPlugins() {
       p.messages->showError(words(plugin.message));
   }
   showPanels();
+  showAccess();
 }
 
 void MainWindow::showThrown(const QObject* receiver, const Thrown& thrown) {

@@ -105,6 +105,12 @@ void TopBar::setWorkspace(const QString& id) {
     if (each.id == id) each.button->setChecked(true);
 }
 
+void TopBar::setShown(const QString& id, bool shown) {
+  for (const Button& each : workspaces_)
+    if (each.id == id) each.button->setVisible(shown);
+  placeTitle();
+}
+
 void TopBar::refreshIcons() {
   for (const Button& each : workspaces_)
     if (!each.icon.isEmpty()) each.button->setIcon(iconOf(each.icon, currentTheme().text));
@@ -125,7 +131,8 @@ void TopBar::resizeEvent(QResizeEvent* event) {
 void TopBar::placeTitle() {
   // In a narrow window with large words the name gives way: the window's title has it as well.
   int needed_px = layout()->contentsMargins().left() + layout()->contentsMargins().right() + menus_->minimumSizeHint().width();
-  for (const Button& each : workspaces_) needed_px += each.button->sizeHint().width() + kGrid_px;
+  for (const Button& each : workspaces_)
+    if (!each.button->isHidden()) needed_px += each.button->sizeHint().width() + kGrid_px;
   needed_px += disclaimer_->sizeHint().width() + brand_->sizeHint().width() + 4 * kGrid_px;
   brand_->setVisible(needed_px <= width());
   layout()->activate();

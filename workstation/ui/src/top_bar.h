@@ -23,6 +23,7 @@ class TopBar final : public QWidget {
   /// A button behind those that are there. @param icon the text of an SVG; empty: none
   void addWorkspace(const QString& id, const QString& title, const QString& tip, const QByteArray& icon);
   void setWorkspace(const QString& id);
+  void setShown(const QString& id, bool shown);
   void refreshIcons();
 
  Q_SIGNALS:

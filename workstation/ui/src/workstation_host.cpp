@@ -13,6 +13,7 @@
 #include <spdlog/spdlog.h>
 
 #include "ew/door/host_parts.h"
+#include "ew/library/access.h"
 #include "ew/library/case.h"
 #include "ew/sdk/case_parts.h"
 #include "host_overlays.h"
@@ -124,7 +125,7 @@ class HostCases final : public sdk::Cases {
 
   [[nodiscard]] std::optional<nlohmann::json> current() const override {
     if (!document_.current()) return std::nullopt;
-    return document_.manifest();
+    return isLocked() ? manifestOf(shownCase(*document_.current(), *access)) : document_.manifest();
   }
   [[nodiscard]] std::filesystem::path currentFolder() const override {
     return document_.current() ? document_.current()->folder : std::filesystem::path();
@@ -135,7 +136,10 @@ class HostCases final : public sdk::Cases {
     std::move(more.begin(), more.end(), std::back_inserter(problems));
     return problems;
   }
+  [[nodiscard]] bool isLocked() const override { return access != nullptr && access->isLocked(); }
   Result<void> edit(const nlohmann::json& manifest, const std::string& what, const std::string& mergeKey) override {
+    if (access != nullptr)
+      if (auto allowed = access->require(Permission::editCases); !allowed) return allowed;
     return document_.edit(manifest, what, mergeKey);
   }
   Result<void> save(const std::filesystem::path& folder) override { return saving.save ? saving.save(folder) : document_.save(folder); }
@@ -150,6 +154,7 @@ class HostCases final : public sdk::Cases {
   Ticket onChanged(std::function<void()> callback) override { return callbacks_.add(std::move(callback)); }
   void tellChanged() { callbacks_.tell(); }
 
+  const AccessPolicy* access = nullptr;
   std::function<std::optional<Scan>()> askScan;
   std::function<Choices()> askChoices;
   std::function<Result<void>(const std::filesystem::path&)> openCase;
@@ -168,11 +173,14 @@ class HostCaseParts final : public sdk::CaseParts {
 
   [[nodiscard]] Result<sdk::Ticket> add(const std::string& name, const std::string& schema) override { return schemas_.add(name, schema); }
   [[nodiscard]] std::optional<nlohmann::json> read(const std::string& name) const override {
+    if (access != nullptr && access->isLocked() && !(document_.current() && document_.current()->sealed)) return std::nullopt;
     return door::partOf(document_.manifest(), name);
   }
   Result<void> edit(const std::string& name, const std::optional<nlohmann::json>& section, const std::string& what,
                     const std::string& mergeKey) override {
     if (!document_.current()) return failure(ErrorCode::notFound, say<"No case is open; open one first.">());
+    if (access != nullptr)
+      if (auto allowed = access->require(Permission::editCases); !allowed) return allowed;
     if (!schemas_.knows(name)) return failure(ErrorCode::badUsage, say<"The section '%1' of a case has no schema; add it first.">(name));
     if (section)
       if (auto problems = schemas_.problems(name, *section); !problems.empty()) return passOn(std::move(problems.front()));
@@ -194,6 +202,8 @@ class HostCaseParts final : public sdk::CaseParts {
     if (unheard_ && unheard_->name == name) QTimer::singleShot(0, &here_, [this] { tellUnheard(); });
     return ticket;
   }
+  const AccessPolicy* access = nullptr;
+
   /// Of the open case at once, of another when it is opened.
   void ask(const std::filesystem::path& folder, const std::string& name, const std::string& item) {
     waiting_.reset();
@@ -377,6 +387,11 @@ WorkstationHost::~WorkstationHost() = default;
 
 void WorkstationHost::setCaseSaving(CaseSaving saving) { parts_->cases.saving = std::move(saving); }
 void WorkstationHost::setScan(std::function<std::optional<sdk::Cases::Scan>()> scan) { parts_->cases.askScan = std::move(scan); }
+void WorkstationHost::setAccess(const AccessPolicy& access) { parts_->cases.access = parts_->caseParts.access = &access; }
+void WorkstationHost::tellAccessChanged() {
+  parts_->cases.tellChanged();
+  parts_->caseParts.tellOpened();
+}
 void WorkstationHost::setOpening(std::function<Result<void>(const std::filesystem::path&)> open) {
   parts_->cases.openCase = std::move(open);
 }

@@ -14,6 +14,10 @@
 #include "ew/sdk/workspaces.h"
 #include "jobs.h"
 
+namespace ew {
+class AccessPolicy;
+}
+
 namespace ew::ui {
 
 class HostOverlays;
@@ -55,6 +59,9 @@ class WorkstationHost final : public QObject, public sdk::Host {
   /// How the open case is scanned, and what a case may choose from: the window knows.
   void setScan(std::function<std::optional<sdk::Cases::Scan>()> scan);
   void setChoices(std::function<sdk::Cases::Choices()> choices);
+  /// What the lock for trainees lets plugins read and change; it outlives the host. Without one they may everything.
+  void setAccess(const AccessPolicy& access);
+  void tellAccessChanged();
   /// How the window opens a case.
   void setOpening(std::function<Result<void>(const std::filesystem::path&)> open);
   /// Tells whoever waits for it (CaseParts::onAsked), when the case is open, and brings the panel with the section's name to the front.

@@ -88,6 +88,7 @@ class PluginCases final : public sdk::Cases {
   PluginCases(Calls calls, sdk::Cases& inner) : calls_(std::move(calls)), inner_(inner) {}
   [[nodiscard]] std::optional<nlohmann::json> current() const override { return inner_.current(); }
   [[nodiscard]] std::filesystem::path currentFolder() const override { return inner_.currentFolder(); }
+  [[nodiscard]] bool isLocked() const override { return inner_.isLocked(); }
   [[nodiscard]] std::vector<Error> check(const nlohmann::json& manifest) const override { return inner_.check(manifest); }
   Result<void> edit(const nlohmann::json& manifest, const std::string& what, const std::string& mergeKey) override {
     return inner_.edit(manifest, what, mergeKey);

@@ -73,6 +73,10 @@ class StepWork {
 /// @error badField: the case does not have what the step asks for (ew/library/lesson_links.h says so beforehand)
 [[nodiscard]] Result<std::unique_ptr<StepWork>> workOf(const LessonStep& step, std::shared_ptr<const CaseGround> ground);
 
+/// The work of a step of an examination, whose answers are sealed: what is handed in is kept as answer, in a form that the work of the same
+/// step can judge once the answers are open (a list of all measurements in place of the one that fits). It judges nothing.
+[[nodiscard]] std::unique_ptr<StepWork> handedInWork(const LessonStep& step);
+
 /// The verdict of an outcome that was judged: passed from the step's pass level on and within its time; too late is remarked.
 /// @param passLevel 0..1
 void conclude(const LessonStep& step, double passLevel, StepOutcome& outcome);

@@ -17,7 +17,8 @@ inline constexpr int kAttemptFormat = 1;  ///< `format` of attempt.json; a large
 enum class StepVerdict {
   passed,
   failed,
-  skipped  ///< left without trying: counts as not passed
+  skipped,  ///< left without trying: counts as not passed
+  handedIn  ///< of an examination: kept, and judged afterwards by who can open its answers; counts as not passed until then
 };
 
 /// A figure of a step, as it was measured: "angle", 4.2, "deg".

@@ -9,6 +9,7 @@
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/library/attempt.h"
+#include "ew/library/bundle.h"
 #include "ew/library/case.h"
 #include "ew/library/instructor_key.h"
 
@@ -33,6 +34,7 @@ struct Examination {
   std::size_t steps = 0;     ///< that trainees work on
   std::size_t leftOut = 0;   ///< experts' scans, and texts that come after the first question: trainees of an examination have none
   std::vector<Message> notes;
+  BundleHeader bundle = {};  ///< of exportExamination
 };
 
 /// Makes the trainees' folder of a case, with its sealed answers. It appears complete or not at all.
@@ -42,6 +44,11 @@ struct Examination {
 ///        already, a picture that is neither PNG nor JPEG); notWritable, cancelled
 [[nodiscard]] Result<Examination> makeExamination(const std::filesystem::path& caseFolder, const std::filesystem::path& folder,
                                                   const ExaminationOptions& options, Progress& progress = noProgress());
+
+/// The same into a bundle, which keeps nothing beside itself.
+/// @param file as exportBundle has it @error as makeExamination and exportBundle
+[[nodiscard]] Result<Examination> exportExamination(const std::filesystem::path& caseFolder, const std::filesystem::path& file,
+                                                    const ExaminationOptions& options, Progress& progress = noProgress());
 
 /// What answers.sealed says without a key.
 struct SealedHeader {
@@ -78,6 +85,12 @@ struct OpenedExamination {
 /// An attempt at an examination as one at the case itself: its ids are the case's, so that it can be judged. Raw data stay as they are.
 /// @error badField (it is an attempt at something else, at another revision of the answers, or names a step that there is not)
 [[nodiscard]] Result<Attempt> asAttemptAtTheCase(const Attempt& attempt, const OpenedExamination& opened);
+
+/// Copies an attempt, with the files its steps name, as one at the case itself. The trainee's own stays as it is.
+/// @param attempts a folder of attempts; the copy is ATTEMPTS/ID
+/// @return the copy @error as KeptAttempt::open, asAttemptAtTheCase, KeptAttempt::begin; notWritable, cancelled
+[[nodiscard]] Result<std::filesystem::path> takeExamined(const std::filesystem::path& attemptFolder, const OpenedExamination& opened,
+                                                         const std::filesystem::path& attempts, Progress& progress = noProgress());
 
 /// "sealed_answers" of an attempt's otherFields: the SHA-256 of the answers it is to be judged by; empty: an attempt at no examination.
 [[nodiscard]] std::string sealedAnswersOf(const Attempt& attempt);

@@ -21,7 +21,8 @@ class CaseParts {
   /// @error badUsage (the name is taken, or is none), badHeader (not a schema)
   [[nodiscard]] virtual Result<Ticket> add(const std::string& name, const std::string& schema) = 0;
 
-  /// The section of the open case; empty: it has none, or no case is open.
+  /// The section of the open case; empty: it has none, or no case is open, or the library is locked for trainees (Cases::isLocked) and the
+  /// case is no examination, of which there is nothing else.
   [[nodiscard]] virtual std::optional<nlohmann::json> read(const std::string& name) const = 0;
   /// Replaces the section as one undoable step named `what`; steps with the same non-empty mergeKey in a row become one. Nothing takes the
   /// section away.

@@ -111,9 +111,11 @@ class Files {
 class Cases {
  public:
   virtual ~Cases();
-  /// Manifest of the open case; empty when none is open.
+  /// Manifest of the open case; empty when none is open. While an instructor has locked the library for trainees (isLocked) it is what
+  /// trainees may read: no finding, no target, no section of any plugin; then nothing can be edited or saved either.
   [[nodiscard]] virtual std::optional<nlohmann::json> current() const = 0;
   [[nodiscard]] virtual std::filesystem::path currentFolder() const = 0;
+  [[nodiscard]] virtual bool isLocked() const { return false; }
   /// Everything that is wrong with a manifest, one sentence each; `context` names the "field" ("patient.age_years"). Empty: it is valid.
   [[nodiscard]] virtual std::vector<Error> check(const nlohmann::json& manifest) const = 0;
   /// Replaces the manifest as one undoable step named `what`; checked against the schema first. Steps with the same non-empty mergeKey

@@ -13,6 +13,7 @@
 
 namespace ew {
 enum class BreathingRequest;
+enum class Permission;
 struct DicomStudy;
 struct Preset;
 struct ScanRecording;
@@ -235,6 +236,14 @@ class MainWindow final : public QMainWindow {
   /// Opens a case, or goes back to it, and begins or goes on with a lesson of it.
   void openLesson(const QString& folder, const QString& lessonId);
   void showRecent();
+  void addAccessMenu(QMenu& file);
+  void lockForTrainees();
+  void unlockForInstructors();
+  void showAccess();  ///< as the lock is now: rooms, tools, menus
+  /// Whether something may be done; says why not.
+  [[nodiscard]] bool may(Permission permission);
+  /// Whether a file may be opened: not while it is in somebody else's attempt and the library is locked.
+  [[nodiscard]] bool mayOpenPath(const QString& path);
   void showPicture();
   void paintOverBody();
   /// @param choice "dark", "light" or "system"
