@@ -4,6 +4,118 @@
 <context>
     <name>ew::Message</name>
     <message>
+        <source>%1 %2, was %3</source>
+        <translation>%1 %2, vorher %3</translation>
+    </message>
+    <message>
+        <source>%1 cannot be made (%2); check that you may write there.</source>
+        <translation>%1 kann nicht angelegt werden (%2); prüfen Sie, ob Sie dort schreiben dürfen.</translation>
+    </message>
+    <message>
+        <source>%1 has no image; choose another recording.</source>
+        <translation>%1 hat kein Bild; wählen Sie eine andere Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>A drawing</source>
+        <translation>Eine Zeichnung</translation>
+    </message>
+    <message>
+        <source>B and M-mode</source>
+        <translation>B- und M-Mode</translation>
+    </message>
+    <message>
+        <source>B-mode</source>
+        <translation>B-Mode</translation>
+    </message>
+    <message>
+        <source>Handed in a measurement</source>
+        <translation>Eine Messung abgegeben</translation>
+    </message>
+    <message>
+        <source>Handed in an answer</source>
+        <translation>Eine Antwort abgegeben</translation>
+    </message>
+    <message>
+        <source>Looking at what was seen</source>
+        <translation>Betrachten, was gesehen wurde</translation>
+    </message>
+    <message>
+        <source>Looking for attempts</source>
+        <translation>Suche nach Versuchen</translation>
+    </message>
+    <message>
+        <source>One of the scans has no valid pose of the probe; look at both on one clock.</source>
+        <translation>Einer der Scans hat keine gültige Pose des Schallkopfs; sehen Sie beide auf einer Uhr an.</translation>
+    </message>
+    <message>
+        <source>TGC</source>
+        <translation>TGC</translation>
+    </message>
+    <message>
+        <source>The case that %1 was recorded in is not in the library; import it, or open it, and choose the scan again.</source>
+        <translation>Der Fall, in dem %1 aufgezeichnet wurde, ist nicht in der Bibliothek; importieren oder öffnen Sie ihn und wählen Sie den Scan noch einmal.</translation>
+    </message>
+    <message>
+        <source>The comments have format %1, and this program reads formats up to %2; open them with a newer EchoWeave.</source>
+        <translation>Die Kommentare haben Format %1, und dieses Programm liest Formate bis %2; öffnen Sie sie mit einem neueren EchoWeave.</translation>
+    </message>
+    <message>
+        <source>an id that no other comment has</source>
+        <translation>eine Kennung, die kein anderer Kommentar hat</translation>
+    </message>
+    <message>
+        <source>as recorded</source>
+        <translation>wie aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>dynamic range</source>
+        <translation>Dynamikbereich</translation>
+    </message>
+    <message>
+        <source>focus</source>
+        <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>neutral</source>
+        <translation>neutral</translation>
+    </message>
+    <message>
+        <source>points, each lateral and axial</source>
+        <translation>Punkte, jeder lateral und axial</translation>
+    </message>
+    <message>
+        <source>probe</source>
+        <translation>Schallkopf</translation>
+    </message>
+    <message>
+        <source>the comments</source>
+        <translation>den Kommentaren</translation>
+    </message>
+    <message>
+        <source>two points, each lateral and axial</source>
+        <translation>zwei Punkte, jeder lateral und axial</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
         <source>Cancelled.</source>
         <translation>Abgebrochen.</translation>
     </message>
@@ -8758,6 +8870,754 @@
     <message>
         <source>Nothing can be written beside &quot;%1&quot;; choose another folder.</source>
         <translation>Neben „%1“ lässt sich nichts schreiben; einen anderen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>The picture &apos;%1&apos; is damaged.</source>
+        <translation>Das Bild „%1“ ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>The answer to the step &apos;%1&apos; is no measurement with a value and a unit.</source>
+        <translation>Die Antwort auf den Schritt „%1“ ist keine Messung mit Wert und Einheit.</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; is not in the library; import it, for a report of measurements names its patient.</source>
+        <translation>Der Fall „%1“ ist nicht in der Bibliothek; importieren Sie ihn, denn ein Messbericht nennt seinen Patienten.</translation>
+    </message>
+    <message>
+        <source>knew neither whose attempt it was nor other ratings</source>
+        <translation>wusste weder, wessen Versuch es war, noch, wie andere bewerteten</translation>
+    </message>
+    <message>
+        <source>knew whose attempt it was and could see other ratings</source>
+        <translation>wusste, wessen Versuch es war, und konnte andere Bewertungen sehen</translation>
+    </message>
+    <message>
+        <source>knew whose attempt it was</source>
+        <translation>wusste, wessen Versuch es war</translation>
+    </message>
+    <message>
+        <source>could see other ratings</source>
+        <translation>konnte andere Bewertungen sehen</translation>
+    </message>
+    <message>
+        <source>Items</source>
+        <translation>Fragen</translation>
+    </message>
+    <message>
+        <source>Item</source>
+        <translation>Frage</translation>
+    </message>
+    <message>
+        <source>Rating</source>
+        <translation>Bewertung</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Bemerkung</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1, by %2</source>
+        <translation>%1, von %2</translation>
+    </message>
+    <message>
+        <source>Given</source>
+        <translation>Abgegeben</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Gesamtwert</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Rater</source>
+        <translation>Bewertende Person</translation>
+    </message>
+    <message>
+        <source>Ratings</source>
+        <translation>Bewertungen</translation>
+    </message>
+    <message>
+        <source>Earlier scores</source>
+        <translation>Frühere Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Kept as they were; they no longer count</source>
+        <translation>Aufbewahrt, wie sie waren; sie zählen nicht mehr</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Scored</source>
+        <translation>Ausgewertet</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>What the score was made of</source>
+        <translation>Woraus das Ergebnis entstand</translation>
+    </message>
+    <message>
+        <source>Attempt</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Case and lesson</source>
+        <translation>Fall und Lektion</translation>
+    </message>
+    <message>
+        <source>Judged in the lesson by</source>
+        <translation>In der Lektion beurteilt von</translation>
+    </message>
+    <message>
+        <source>%1 by EchoWeave %2</source>
+        <translation>%1 mit EchoWeave %2</translation>
+    </message>
+    <message>
+        <source>Score number</source>
+        <translation>Nummer des Ergebnisses</translation>
+    </message>
+    <message>
+        <source>Version of scoring</source>
+        <translation>Version der Auswertung</translation>
+    </message>
+    <message>
+        <source>none: tasks alone, at the lesson&apos;s pass levels</source>
+        <translation>keiner: nur die Aufgaben, mit den Bestehensgrenzen der Lektion</translation>
+    </message>
+    <message>
+        <source>revision %1</source>
+        <translation>Fassung %1</translation>
+    </message>
+    <message>
+        <source>Compared with</source>
+        <translation>Verglichen mit</translation>
+    </message>
+    <message>
+        <source>no expert&apos;s attempt</source>
+        <translation>keinem Versuch eines Experten</translation>
+    </message>
+    <message>
+        <source>Key of all that went in</source>
+        <translation>Schlüssel von allem, was einging</translation>
+    </message>
+    <message>
+        <source>What the metrics are</source>
+        <translation>Was die Messgrößen sind</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Messgröße</translation>
+    </message>
+    <message>
+        <source>Definition</source>
+        <translation>Definition</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>What is known of it</source>
+        <translation>Was davon bekannt ist</translation>
+    </message>
+    <message>
+        <source>What this is worth</source>
+        <translation>Was das aussagt</translation>
+    </message>
+    <message>
+        <source>When the steps were worked on; hollow: not passed then</source>
+        <translation>Wann an den Schritten gearbeitet wurde; hohl: damals nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Score of each step that counts; dashed: what passes</source>
+        <translation>Ergebnis jedes Schrittes, der zählt; gestrichelt: Bestehensgrenze</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Passes from</source>
+        <translation>Bestanden ab</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Hints</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>not reached</source>
+        <translation>nicht erreicht</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation>Lernende Person</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Fall</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Began</source>
+        <translation>Begonnen</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>Beendet</translation>
+    </message>
+    <message>
+        <source>not finished</source>
+        <translation>nicht beendet</translation>
+    </message>
+    <message>
+        <source>Time on steps</source>
+        <translation>Zeit an den Schritten</translation>
+    </message>
+    <message>
+        <source>not scored yet</source>
+        <translation>noch nicht ausgewertet</translation>
+    </message>
+    <message>
+        <source>without a name</source>
+        <translation>ohne Namen</translation>
+    </message>
+    <message>
+        <source>%1 (passes from %2)</source>
+        <translation>%1 (bestanden ab %2)</translation>
+    </message>
+    <message>
+        <source>%1 (does not count)</source>
+        <translation>%1 (zählt nicht)</translation>
+    </message>
+    <message>
+        <source>Of the task itself</source>
+        <translation>Von der Aufgabe selbst</translation>
+    </message>
+    <message>
+        <source>Tries</source>
+        <translation>Anläufe</translation>
+    </message>
+    <message>
+        <source>%1, of which the last one counts</source>
+        <translation>%1, von denen der letzte zählt</translation>
+    </message>
+    <message>
+        <source>Images with a usable pose</source>
+        <translation>Bilder mit brauchbarer Lage</translation>
+    </message>
+    <message>
+        <source>Judged</source>
+        <translation>Beurteilt</translation>
+    </message>
+    <message>
+        <source>as in the lesson; its raw data are not there</source>
+        <translation>wie in der Lektion; ihre Rohdaten sind nicht da</translation>
+    </message>
+    <message>
+        <source>weight %1</source>
+        <translation>Gewicht %1</translation>
+    </message>
+    <message>
+        <source>no; off by default</source>
+        <translation>nein; anfangs aus</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Messgrößen</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Expert</source>
+        <translation>Experte</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>In the score</source>
+        <translation>Im Ergebnis</translation>
+    </message>
+    <message>
+        <source>What the task was judged by</source>
+        <translation>Wonach die Aufgabe beurteilt wurde</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>(a drawing on the picture)</source>
+        <translation>(eine Zeichnung auf dem Bild)</translation>
+    </message>
+    <message>
+        <source>%1, at %2 of the scan: %3</source>
+        <translation>%1, bei %2 der Untersuchung: %3</translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Kommentare</translation>
+    </message>
+    <message>
+        <source>Stored picture: %1</source>
+        <translation>Gespeichertes Bild: %1</translation>
+    </message>
+    <message>
+        <source>Stored picture %1: %2</source>
+        <translation>Gespeichertes Bild %1: %2</translation>
+    </message>
+    <message>
+        <source>the expert</source>
+        <translation>der Experte</translation>
+    </message>
+    <message>
+        <source>this attempt</source>
+        <translation>dieser Versuch</translation>
+    </message>
+    <message>
+        <source>Way of the probe over the skin</source>
+        <translation>Weg des Schallkopfs über die Haut</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>Metrics of all attempts</source>
+        <translation>Messgrößen aller Versuche</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Lowest</source>
+        <translation>Kleinster Wert</translation>
+    </message>
+    <message>
+        <source>Lower quartile</source>
+        <translation>Unteres Quartil</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Upper quartile</source>
+        <translation>Oberes Quartil</translation>
+    </message>
+    <message>
+        <source>Highest</source>
+        <translation>Größter Wert</translation>
+    </message>
+    <message>
+        <source>%1 (95 % interval %2 to %3)</source>
+        <translation>%1 (95-%-Intervall %2 bis %3)</translation>
+    </message>
+    <message>
+        <source>Agreement of two raters on each item</source>
+        <translation>Übereinstimmung zweier Bewertender je Frage</translation>
+    </message>
+    <message>
+        <source>Raters</source>
+        <translation>Bewertende</translation>
+    </message>
+    <message>
+        <source>Weighted kappa</source>
+        <translation>Gewichtetes Kappa</translation>
+    </message>
+    <message>
+        <source>Attempts that were rated</source>
+        <translation>Bewertete Versuche</translation>
+    </message>
+    <message>
+        <source>Of these by every rater</source>
+        <translation>Davon von allen bewertet</translation>
+    </message>
+    <message>
+        <source>Reliability of one rater, ICC(2,1)</source>
+        <translation>Zuverlässigkeit einer bewertenden Person, ICC(2,1)</translation>
+    </message>
+    <message>
+        <source>Reliability of their mean, ICC(2,k)</source>
+        <translation>Zuverlässigkeit ihres Mittels, ICC(2,k)</translation>
+    </message>
+    <message>
+        <source>Agreement</source>
+        <translation>Übereinstimmung</translation>
+    </message>
+    <message>
+        <source>needs two raters and two attempts that both rated, with ratings that differ</source>
+        <translation>braucht zwei Bewertende und zwei Versuche, die beide bewertet haben, mit verschiedenen Bewertungen</translation>
+    </message>
+    <message>
+        <source>%1 rates above the others by</source>
+        <translation>%1 bewertet höher als die anderen um</translation>
+    </message>
+    <message>
+        <source>Metrics, step by step</source>
+        <translation>Messgrößen, Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>The thick line is the expert&apos;s value.</source>
+        <translation>Die dicke Linie ist der Wert des Experten.</translation>
+    </message>
+    <message>
+        <source>How far raters agree</source>
+        <translation>Wie weit die Bewertenden übereinstimmen</translation>
+    </message>
+    <message>
+        <source>Ratings count that were given before the rater could see those of others. An ICC or kappa of 1 is full agreement, 0 is chance.</source>
+        <translation>Es zählen Bewertungen, die abgegeben wurden, bevor die der anderen zu sehen waren. Ein ICC oder Kappa von 1 ist volle Übereinstimmung, 0 ist Zufall.</translation>
+    </message>
+    <message>
+        <source>Pass levels by contrasting groups</source>
+        <translation>Bestehensgrenzen aus gegensätzlichen Gruppen</translation>
+    </message>
+    <message>
+        <source>Where the scores of those who should pass and of those who should not cross. Who should pass is what raters say with a form that has a pass level, where all of them say the same: their judgement, which does not know the score.</source>
+        <translation>Wo sich die Ergebnisse derer, die bestehen sollen, und derer, die es nicht sollen, kreuzen. Wer bestehen soll, sagen Bewertende mit einem Bogen, der eine Bestehensgrenze hat, wo alle dasselbe sagen: ihr Urteil, das vom Ergebnis nichts weiß.</translation>
+    </message>
+    <message>
+        <source>No level can be suggested: %1 attempts should pass and %2 should not; each group needs two or more with scores that differ, and those who should pass have to score higher.</source>
+        <translation>Es kann keine Grenze vorgeschlagen werden: %1 Versuche sollen bestehen und %2 nicht; jede Gruppe braucht zwei oder mehr mit verschiedenen Ergebnissen, und wer bestehen soll, muss bessere haben.</translation>
+    </message>
+    <message>
+        <source>%1 attempts should pass, %2 should not</source>
+        <translation>%1 Versuche sollen bestehen, %2 nicht</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Passes from now</source>
+        <translation>Jetzt bestanden ab</translation>
+    </message>
+    <message>
+        <source>Suggested</source>
+        <translation>Vorschlag</translation>
+    </message>
+    <message>
+        <source>How sure</source>
+        <translation>Wie sicher</translation>
+    </message>
+    <message>
+        <source>every step</source>
+        <translation>jeder Schritt</translation>
+    </message>
+    <message>
+        <source>the groups do not differ as they should</source>
+        <translation>die Gruppen unterscheiden sich nicht, wie sie sollten</translation>
+    </message>
+    <message>
+        <source>The whole lesson</source>
+        <translation>Die ganze Lektion</translation>
+    </message>
+    <message>
+        <source>All attempts</source>
+        <translation>Alle Versuche</translation>
+    </message>
+    <message>
+        <source>Steps passed</source>
+        <translation>Bestandene Schritte</translation>
+    </message>
+    <message>
+        <source>%1 (half of them from %2 to %3)</source>
+        <translation>%1 (die Hälfte von %2 bis %3)</translation>
+    </message>
+    <message>
+        <source>Not scored yet</source>
+        <translation>Noch nicht ausgewertet</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Middle score</source>
+        <translation>Mittleres Ergebnis</translation>
+    </message>
+    <message>
+        <source>These scores were made by different plans or versions of scoring; score all attempts again before comparing them.</source>
+        <translation>Diese Ergebnisse stammen von verschiedenen Plänen oder Versionen der Auswertung; werten Sie alle Versuche neu aus, bevor Sie sie vergleichen.</translation>
+    </message>
+    <message>
+        <source>Nobody failed a step that counts.</source>
+        <translation>An keinem Schritt, der zählt, ist jemand gescheitert.</translation>
+    </message>
+    <message>
+        <source>Hardest step: &apos;%1&apos;, which %2 of %3 did not pass.</source>
+        <translation>Schwerster Schritt: „%1“, den %2 von %3 nicht bestanden.</translation>
+    </message>
+    <message>
+        <source>Scores of the lesson; dashed: what passes</source>
+        <translation>Ergebnisse der Lektion; gestrichelt: Bestehensgrenze</translation>
+    </message>
+    <message>
+        <source>score</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Scores of each step: attempts, quartiles as a box; dashed: what passes</source>
+        <translation>Ergebnisse jedes Schrittes: Versuche, Quartile als Kasten; gestrichelt: Bestehensgrenze</translation>
+    </message>
+    <message>
+        <source>Not passed</source>
+        <translation>Nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Skipped</source>
+        <translation>Übersprungen</translation>
+    </message>
+    <message>
+        <source>Not reached</source>
+        <translation>Nicht erreicht</translation>
+    </message>
+    <message>
+        <source>%1 (most fail here)</source>
+        <translation>%1 (hier scheitern die meisten)</translation>
+    </message>
+    <message>
+        <source>does not count</source>
+        <translation>zählt nicht</translation>
+    </message>
+    <message>
+        <source>%1: class</source>
+        <translation>%1: Kurs</translation>
+    </message>
+    <message>
+        <source>Nobody has tried this lesson yet.</source>
+        <translation>Diese Lektion hat noch niemand versucht.</translation>
+    </message>
+    <message>
+        <source>No attempt has a score yet; score them first (echoweave assess).</source>
+        <translation>Noch kein Versuch ist ausgewertet; werten Sie sie zuerst aus (echoweave assess).</translation>
+    </message>
+    <message>
+        <source>highest bar: %1</source>
+        <translation>höchster Balken: %1</translation>
+    </message>
+    <message>
+        <source>The picture &apos;%1&apos; is not in the attempt&apos;s folder.</source>
+        <translation>Das Bild „%1“ ist nicht im Ordner des Versuchs.</translation>
+    </message>
+    <message>
+        <source>The picture &apos;%1&apos; cannot be read, or is too large.</source>
+        <translation>Das Bild „%1“ kann nicht gelesen werden oder ist zu groß.</translation>
+    </message>
+    <message>
+        <source>The picture &apos;%1&apos; is neither a PNG nor a JPEG file.</source>
+        <translation>Das Bild „%1“ ist weder eine PNG- noch eine JPEG-Datei.</translation>
+    </message>
+    <message>
+        <source>There are no attempts to report on.</source>
+        <translation>Es gibt keine Versuche, über die zu berichten wäre.</translation>
+    </message>
+    <message>
+        <source>Writing reports was stopped.</source>
+        <translation>Das Schreiben der Berichte wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>Reading attempts</source>
+        <translation>Versuche werden gelesen</translation>
+    </message>
+    <message>
+        <source>Reports of lessons</source>
+        <translation>Berichte über Lektionen</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>All lessons</source>
+        <translation>Alle Lektionen</translation>
+    </message>
+    <message>
+        <source>Writing reports</source>
+        <translation>Berichte werden geschrieben</translation>
+    </message>
+    <message>
+        <source>The whole class</source>
+        <translation>Der ganze Kurs</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>Simulation, training only: not for diagnosis.</source>
+        <translation>Simulation, nur zur Ausbildung: nicht zur Diagnose.</translation>
+    </message>
+    <message>
+        <source>Scores say how near the work came to the case&apos;s own truth. Metrics are figures of one attempt in one simulation: most of them have not been shown to tell skilled people from beginners, and none of them decides alone about a person.</source>
+        <translation>Ergebnisse sagen, wie nahe die Arbeit der Wahrheit des Falles kam. Messgrößen sind Zahlen eines Versuchs in einer Simulation: Für die meisten ist nicht gezeigt, dass sie Geübte von Anfängern unterscheiden, und keine entscheidet allein über einen Menschen.</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>not passed</source>
+        <translation>nicht bestanden</translation>
+    </message>
+    <message>
+        <source>skipped</source>
+        <translation>übersprungen</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Watch the expert</source>
+        <translation>Dem Experten zusehen</translation>
+    </message>
+    <message>
+        <source>Find a plane</source>
+        <translation>Eine Ebene finden</translation>
+    </message>
+    <message>
+        <source>Sweep through a structure</source>
+        <translation>Eine Struktur durchfahren</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Point at something</source>
+        <translation>Auf etwas zeigen</translation>
+    </message>
+    <message>
+        <source>Set the machine</source>
+        <translation>Das Gerät einstellen</translation>
+    </message>
+    <message>
+        <source>Answer a question</source>
+        <translation>Eine Frage beantworten</translation>
+    </message>
+    <message>
+        <source>Scan freely</source>
+        <translation>Frei untersuchen</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rollwinkel</translation>
+    </message>
+    <message>
+        <source>Shift in the picture</source>
+        <translation>Verschiebung im Bild</translation>
+    </message>
+    <message>
+        <source>Place of the probe</source>
+        <translation>Ort des Schallkopfs</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Abdeckung</translation>
+    </message>
+    <message>
+        <source>Value that was measured</source>
+        <translation>Gemessener Wert</translation>
+    </message>
+    <message>
+        <source>Off the expected value by</source>
+        <translation>Abweichung vom erwarteten Wert</translation>
+    </message>
+    <message>
+        <source>Calipers beside their place</source>
+        <translation>Messpunkte neben ihrem Ort</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>95 % interval %1 to %2</source>
+        <translation>95-%-Intervall %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Seen from the front; ring: beginning, square: end.</source>
+        <translation>Von vorn gesehen; Ring: Anfang, Quadrat: Ende.</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>minutes since the start</source>
+        <translation>Minuten seit dem Beginn</translation>
+    </message>
+    <message>
+        <source>seconds since the start</source>
+        <translation>Sekunden seit dem Beginn</translation>
     </message>
 </context>
 <context>
@@ -19946,6 +20806,1016 @@ Zeit: %3</translation>
     <message>
         <source>The two passphrases differ; type them again.</source>
         <translation>Die beiden Kennwörter sind verschieden; noch einmal eingeben.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::review</name>
+    <message>
+        <source>Valid pose</source>
+        <translation>Gültige Pose</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Freeze</source>
+        <translation>Standbild</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>Marken</translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Kommentare</translation>
+    </message>
+    <message>
+        <source>Expert</source>
+        <translation>Experte</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation>Lernende</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Durchsicht</translation>
+    </message>
+    <message>
+        <source>Compare trainees' scans with the expert's</source>
+        <translation>Scans von Lernenden mit dem des Experten vergleichen</translation>
+    </message>
+</context>
+<context>
+    <name>ew::review::BodyView</name>
+    <message>
+        <source>Regions: off</source>
+        <translation>Regionen: aus</translation>
+    </message>
+    <message>
+        <source>Seen by the trainee</source>
+        <translation>Von Lernenden gesehen</translation>
+    </message>
+    <message>
+        <source>Seen by the expert</source>
+        <translation>Vom Experten gesehen</translation>
+    </message>
+    <message>
+        <source>Missed by the trainee</source>
+        <translation>Von Lernenden verpasst</translation>
+    </message>
+    <message>
+        <source>Seen by neither</source>
+        <translation>Von niemandem gesehen</translation>
+    </message>
+    <message>
+        <source>Both scans on the body</source>
+        <translation>Beide Scans am Körper</translation>
+    </message>
+    <message>
+        <source>The volume is too large to be kept in memory; its regions are not counted.</source>
+        <translation>Das Volumen ist zu groß für den Arbeitsspeicher; seine Regionen werden nicht gezählt.</translation>
+    </message>
+    <message>
+        <source>Both scans have to be of one case for this.</source>
+        <translation>Dafür müssen beide Scans denselben Fall zeigen.</translation>
+    </message>
+    <message>
+        <source>%1 % of the volume</source>
+        <translation>%1 % des Volumens</translation>
+    </message>
+    <message>
+        <source>longest %1 s</source>
+        <translation>längstens %1 s</translation>
+    </message>
+</context>
+<context>
+    <name>ew::review::ClassPage</name>
+    <message>
+        <source>Back to the scans</source>
+        <translation>Zurück zu den Scans</translation>
+    </message>
+    <message>
+        <source>Steps of the lesson</source>
+        <translation>Schritte der Lektion</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>Beendet</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>Middle half</source>
+        <translation>Mittlere Hälfte</translation>
+    </message>
+    <message>
+        <source>Click a heading to sort; the scores of the middle half of all attempts lie between the two last figures</source>
+        <translation>Eine Überschrift anklicken, um zu sortieren; zwischen den beiden letzten Werten liegt die mittlere Hälfte aller Versuche</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Kennzahl</translation>
+    </message>
+    <message>
+        <source>Pass level of this step</source>
+        <translation>Bestehensgrenze dieses Schritts</translation>
+    </message>
+    <message>
+        <source>To find a pass level, say of people you know how they stand; the level then lies where both groups part.</source>
+        <translation>Um eine Bestehensgrenze zu finden, geben Sie an, wie bekannte Personen stehen; die Grenze liegt dann dort, wo sich beide Gruppen trennen.</translation>
+    </message>
+    <message>
+        <source>Attempts at this step</source>
+        <translation>Versuche an diesem Schritt</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Wer</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Stands</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>Use this level</source>
+        <translation>Diese Grenze verwenden</translation>
+    </message>
+    <message>
+        <source>No lesson is chosen</source>
+        <translation>Keine Lektion gewählt</translation>
+    </message>
+    <message>
+        <source>%1: one attempt</source>
+        <translation>%1: ein Versuch</translation>
+    </message>
+    <message>
+        <source>%1: %2 attempts</source>
+        <translation>%1: %2 Versuche</translation>
+    </message>
+    <message>
+        <source>Every step that was ended was passed.</source>
+        <translation>Jeder beendete Schritt wurde bestanden.</translation>
+    </message>
+    <message>
+        <source>Most fail at “%1”: %2 of %3 who ended it did not pass.</source>
+        <translation>Die meisten scheitern bei „%1“: %2 von %3, die ihn beendeten, haben nicht bestanden.</translation>
+    </message>
+    <message>
+        <source>Most fail here</source>
+        <translation>Hier scheitern die meisten</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Median %1, mean %2; %3 of %4 passed, %5 left the step out.</source>
+        <translation>Median %1, Mittel %2; %3 von %4 bestanden, %5 ließen den Schritt aus.</translation>
+    </message>
+    <message>
+        <source>Median %1, mean %2, from %3 to %4 %5</source>
+        <translation>Median %1, Mittel %2, von %3 bis %4 %5</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>ausgelassen</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>not passed</source>
+        <translation>nicht bestanden</translation>
+    </message>
+    <message>
+        <source>How %1 stands</source>
+        <translation>Wie %1 steht</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>noch nicht</translation>
+    </message>
+    <message>
+        <source>competent</source>
+        <translation>sicher</translation>
+    </message>
+    <message>
+        <source>The two groups part at %1 (95 % interval %2 to %3).</source>
+        <translation>Die beiden Gruppen trennen sich bei %1 (95-%-Intervall %2 bis %3).</translation>
+    </message>
+    <message>
+        <source>These two groups do not suggest a level: those who should pass do not score higher, or no score differs.</source>
+        <translation>Diese beiden Gruppen legen keine Grenze nahe: Wer bestehen sollte, hat nicht mehr Punkte, oder die Punkte sind alle gleich.</translation>
+    </message>
+    <message>
+        <source>Two of each group at least are needed: %1 competent, %2 not yet.</source>
+        <translation>Von jeder Gruppe sind mindestens zwei nötig: %1 sicher, %2 noch nicht.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::review::CommentsPage</name>
+    <message>
+        <source>You are</source>
+        <translation>Sie sind</translation>
+    </message>
+    <message>
+        <source>your name, as others read it</source>
+        <translation>Ihr Name, wie andere ihn lesen</translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation>Ihr Name</translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Kommentare</translation>
+    </message>
+    <message>
+        <source>Text of the comment</source>
+        <translation>Text des Kommentars</translation>
+    </message>
+    <message>
+        <source>type a comment</source>
+        <translation>Kommentar schreiben</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Undo brings it back</source>
+        <translation>Rückgängig bringt ihn zurück</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Keeps your comments beside the attempt (Ctrl+S); they are also kept when another scan is chosen</source>
+        <translation>Legt Ihre Kommentare beim Versuch ab (Strg+S); das geschieht auch, wenn ein anderer Scan gewählt wird</translation>
+    </message>
+    <message>
+        <source>somebody</source>
+        <translation>jemand</translation>
+    </message>
+    <message>
+        <source>(drawing)</source>
+        <translation>(Zeichnung)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>author: comment</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>No comments yet: write below the images what you see at a moment, and draw on the image.</source>
+        <translation>Noch keine Kommentare: Schreiben Sie unter den Bildern, was Sie in einem Moment sehen, und zeichnen Sie ins Bild.</translation>
+    </message>
+    <message>
+        <source>Comments are kept beside an attempt; choose a step that was recorded.</source>
+        <translation>Kommentare liegen bei einem Versuch; wählen Sie einen Schritt, der aufgezeichnet wurde.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::review::DistributionChart</name>
+    <message>
+        <source>No values</source>
+        <translation>Keine Werte</translation>
+    </message>
+    <message>
+        <source>%1 values from %2 to %3, median %4</source>
+        <translation>%1 Werte von %2 bis %3, Median %4</translation>
+    </message>
+    <message>
+        <source>Nobody has a value here yet</source>
+        <translation>Hier hat noch niemand einen Wert</translation>
+    </message>
+    <message>
+        <source>pass level</source>
+        <translation>Bestehensgrenze</translation>
+    </message>
+</context>
+<context>
+    <name>ew::review::PictureView</name>
+    <message>
+        <source>The trainee's image</source>
+        <translation>Das Bild der Lernenden</translation>
+    </message>
+    <message>
+        <source>The expert's image</source>
+        <translation>Das Bild des Experten</translation>
+    </message>
+    <message>
+        <source>Opening …</source>
+        <translation>Wird geöffnet …</translation>
+    </message>
+    <message>
+        <source>This step was not recorded in this attempt.</source>
+        <translation>Dieser Schritt wurde in diesem Versuch nicht aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Nothing to compare with is chosen.</source>
+        <translation>Es ist nichts zum Vergleichen gewählt.</translation>
+    </message>
+    <message>
+        <source>The pose of the probe is not known here</source>
+        <translation>Die Pose des Schallkopfs ist hier nicht bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>ew::review::RatingPage</name>
+    <message>
+        <source>Rating form</source>
+        <translation>Bewertungsbogen</translation>
+    </message>
+    <message>
+        <source>On the whole</source>
+        <translation>Insgesamt</translation>
+    </message>
+    <message>
+        <source>Remark on the whole</source>
+        <translation>Bemerkung insgesamt</translation>
+    </message>
+    <message>
+        <source>Kind of examination</source>
+        <translation>Art der Untersuchung</translation>
+    </message>
+    <message>
+        <source>Keep as a draft</source>
+        <translation>Als Entwurf behalten</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Abschließen</translation>
+    </message>
+    <message>
+        <source>Counts from now on; another one by you would be the next revision, and this one is kept</source>
+        <translation>Zählt ab jetzt; eine weitere von Ihnen wäre die nächste Revision, und diese bleibt erhalten</translation>
+    </message>
+    <message>
+        <source>No rating form was found.</source>
+        <translation>Kein Bewertungsbogen gefunden.</translation>
+    </message>
+    <message>
+        <source>Choose an attempt to rate it.</source>
+        <translation>Wählen Sie einen Versuch, um ihn zu bewerten.</translation>
+    </message>
+    <message>
+        <source>Say who you are, on the page of comments; ratings are kept by their raters.</source>
+        <translation>Sagen Sie auf der Seite der Kommentare, wer Sie sind; Bewertungen werden nach ihren Verfassern abgelegt.</translation>
+    </message>
+    <message>
+        <source>Names are shown: this rating does not count as blinded.</source>
+        <translation>Namen werden gezeigt: Diese Bewertung gilt nicht als verblindet.</translation>
+    </message>
+    <message>
+        <source>Blinded: names are not shown, and others' ratings only when yours is finished.</source>
+        <translation>Verblindet: Namen werden nicht gezeigt, und andere Bewertungen erst, wenn Ihre abgeschlossen ist.</translation>
+    </message>
+    <message>
+        <source>not applicable</source>
+        <translation>nicht anwendbar</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Bemerkung</translation>
+    </message>
+    <message>
+        <source>Remark on %1</source>
+        <translation>Bemerkung zu %1</translation>
+    </message>
+    <message>
+        <source>Finished, revision %1</source>
+        <translation>Abgeschlossen, Revision %1</translation>
+    </message>
+    <message>
+        <source>A draft, which does not count yet</source>
+        <translation>Ein Entwurf, der noch nicht zählt</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <comment>rater, form: total</comment>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message>
+        <source>Another rater has finished; you see it when you have.</source>
+        <translation>Eine andere Person hat bewertet; Sie sehen es, wenn Sie fertig sind.</translation>
+    </message>
+    <message>
+        <source>%1 other raters have finished; you see it when you have.</source>
+        <translation>%1 andere Personen haben bewertet; Sie sehen es, wenn Sie fertig sind.</translation>
+    </message>
+    <message>
+        <source>Total %1 of %2</source>
+        <translation>Gesamt %1 von %2</translation>
+    </message>
+    <message>
+        <source>No item is rated yet</source>
+        <translation>Noch kein Punkt bewertet</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>not passed</source>
+        <translation>nicht bestanden</translation>
+    </message>
+</context>
+<context>
+    <name>ew::review::ReportButton</name>
+    <message>
+        <source>Report on the class …</source>
+        <translation>Bericht über die Klasse …</translation>
+    </message>
+    <message>
+        <source>Report …</source>
+        <translation>Bericht …</translation>
+    </message>
+    <message>
+        <source>Writes a page or a PDF about all attempts at this lesson; names are in it only while they are shown</source>
+        <translation>Schreibt eine Seite oder ein PDF über alle Versuche an dieser Lektion; Namen stehen nur darin, während sie gezeigt werden</translation>
+    </message>
+    <message>
+        <source>Writes a page or a PDF about this attempt; the name is in it only while names are shown</source>
+        <translation>Schreibt eine Seite oder ein PDF über diesen Versuch; der Name steht nur darin, während Namen gezeigt werden</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Page for browsers (*.html)</source>
+        <translation>Seite für Browser (*.html)</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>class.pdf</source>
+        <translation>Klasse.pdf</translation>
+    </message>
+    <message>
+        <source>attempt.pdf</source>
+        <translation>Versuch.pdf</translation>
+    </message>
+</context>
+<context>
+    <name>ew::review::ReviewColumn</name>
+    <message>
+        <source>%1 of %2 passed</source>
+        <translation>%1 von %2 bestanden</translation>
+    </message>
+    <message>
+        <source>Scans</source>
+        <translation>Scans</translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Kommentare</translation>
+    </message>
+    <message>
+        <source>Scores</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Rating</source>
+        <translation>Bewertung</translation>
+    </message>
+</context>
+<context>
+    <name>ew::review::ReviewSession</name>
+    <message>
+        <source>Looking for attempts</source>
+        <translation>Suche nach Versuchen</translation>
+    </message>
+    <message>
+        <source>Opening the scans</source>
+        <translation>Öffnen der Scans</translation>
+    </message>
+    <message>
+        <source>Opening was stopped; choose the step again.</source>
+        <translation>Das Öffnen wurde abgebrochen; wählen Sie den Schritt noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>person: step</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>without a name</source>
+        <translation>ohne Namen</translation>
+    </message>
+    <message>
+        <source>without a code</source>
+        <translation>ohne Kürzel</translation>
+    </message>
+    <message>
+        <source>Aligning the scans</source>
+        <translation>Angleichen der Scans</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Durchsicht</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <translation>nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>Comments on an attempt are not saved.</source>
+        <translation>Kommentare zu einem Versuch sind nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>remove the comment</source>
+        <translation>Kommentar entfernen</translation>
+    </message>
+    <message>
+        <source>Scoring the attempts</source>
+        <translation>Auswerten der Versuche</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>Schreiben des Berichts</translation>
+    </message>
+    <message>
+        <source>The report is in %1.</source>
+        <translation>Der Bericht liegt in %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::review::ReviewStage</name>
+    <message>
+        <source>Both scans</source>
+        <translation>Beide Scans</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Neu suchen</translation>
+    </message>
+    <message>
+        <source>Nothing to review yet</source>
+        <translation>Noch nichts durchzusehen</translation>
+    </message>
+    <message>
+        <source>When trainees have worked through lessons at this library, their attempts are listed at the left. Open a case with lessons to see its expert's scans.</source>
+        <translation>Wenn Lernende in dieser Bibliothek Lektionen bearbeitet haben, stehen ihre Versuche links. Öffnen Sie einen Fall mit Lektionen, um die Scans des Experten zu sehen.</translation>
+    </message>
+    <message>
+        <source>Regions of the volume</source>
+        <translation>Regionen des Volumens</translation>
+    </message>
+    <message>
+        <source>Which regions of the volume were seen, and which were not (H)</source>
+        <translation>Welche Regionen des Volumens gesehen wurden und welche nicht (H)</translation>
+    </message>
+    <message>
+        <source>Planes</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>The planes where the probe rested or the image was frozen</source>
+        <translation>Die Ebenen, in denen der Schallkopf ruhte oder das Bild stand</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation>Von vorn ansehen</translation>
+    </message>
+    <message>
+        <source>To the event before (P)</source>
+        <translation>Zum Ereignis davor (P)</translation>
+    </message>
+    <message>
+        <source>Play or rest (Space)</source>
+        <translation>Abspielen oder anhalten (Leertaste)</translation>
+    </message>
+    <message>
+        <source>To the next event (N)</source>
+        <translation>Zum nächsten Ereignis (N)</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Speed (- and +)</source>
+        <translation>Tempo (- und +)</translation>
+    </message>
+    <message>
+        <source>The loop begins here; again: no longer ([)</source>
+        <translation>Die Schleife beginnt hier; noch einmal: nicht mehr ([)</translation>
+    </message>
+    <message>
+        <source>The loop ends here; again: no longer (])</source>
+        <translation>Die Schleife endet hier; noch einmal: nicht mehr (])</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Goes on from the beginning at the end</source>
+        <translation>Geht am Ende von vorn weiter</translation>
+    </message>
+    <message>
+        <source>One clock</source>
+        <translation>Eine Uhr</translation>
+    </message>
+    <message>
+        <source>Both scans go on in the same seconds, each from its beginning</source>
+        <translation>Beide Scans laufen in denselben Sekunden, jeder von seinem Anfang an</translation>
+    </message>
+    <message>
+        <source>Aligned</source>
+        <translation>Angeglichen</translation>
+    </message>
+    <message>
+        <source>The expert's scan follows the trainee's probe: the same places at the same time (T)</source>
+        <translation>Der Scan des Experten folgt dem Schallkopf der Lernenden: dieselben Orte zur selben Zeit (T)</translation>
+    </message>
+    <message>
+        <source>The expert's scan begins later by</source>
+        <translation>Der Scan des Experten beginnt später um</translation>
+    </message>
+    <message>
+        <source>The expert's scan begins so much later than the trainee's</source>
+        <translation>So viel später als der Scan der Lernenden beginnt der des Experten</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>Draw a line on the trainee's image (D)</source>
+        <translation>Eine Linie ins Bild der Lernenden zeichnen (D)</translation>
+    </message>
+    <message>
+        <source>Arrow</source>
+        <translation>Pfeil</translation>
+    </message>
+    <message>
+        <source>Draw an arrow on the trainee's image</source>
+        <translation>Einen Pfeil ins Bild der Lernenden zeichnen</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>Draw a circle on the trainee's image, from its middle</source>
+        <translation>Einen Kreis ins Bild der Lernenden zeichnen, von seiner Mitte aus</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Take away what was drawn (Escape)</source>
+        <translation>Das Gezeichnete wegnehmen (Escape)</translation>
+    </message>
+    <message>
+        <source>What do you see at this moment?</source>
+        <translation>Was sehen Sie in diesem Moment?</translation>
+    </message>
+    <message>
+        <source>Comment at this moment</source>
+        <translation>Kommentar zu diesem Moment</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>Keep text and drawing as a comment at this moment (Enter)</source>
+        <translation>Text und Zeichnung als Kommentar zu diesem Moment behalten (Eingabe)</translation>
+    </message>
+    <message>
+        <source>play both scans, or rest</source>
+        <translation>beide Scans abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>half a second back or on; with Shift one image</source>
+        <translation>eine halbe Sekunde zurück oder weiter; mit Umschalt ein Bild</translation>
+    </message>
+    <message>
+        <source>to the beginning or the end</source>
+        <translation>zum Anfang oder zum Ende</translation>
+    </message>
+    <message>
+        <source>the loop begins or ends here; again: no longer</source>
+        <translation>die Schleife beginnt oder endet hier; noch einmal: nicht mehr</translation>
+    </message>
+    <message>
+        <source>to the next event, or the one before</source>
+        <translation>zum nächsten Ereignis oder zu dem davor</translation>
+    </message>
+    <message>
+        <source>slower or faster</source>
+        <translation>langsamer oder schneller</translation>
+    </message>
+    <message>
+        <source>aligned, or on one clock</source>
+        <translation>angeglichen oder auf einer Uhr</translation>
+    </message>
+    <message>
+        <source>which regions are shown in the body</source>
+        <translation>welche Regionen im Körper gezeigt werden</translation>
+    </message>
+    <message>
+        <source>draw on the trainee's image</source>
+        <translation>ins Bild der Lernenden zeichnen</translation>
+    </message>
+    <message>
+        <source>write a comment at this moment</source>
+        <translation>einen Kommentar zu diesem Moment schreiben</translation>
+    </message>
+</context>
+<context>
+    <name>ew::review::ScansPage</name>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Show names</source>
+        <translation>Namen zeigen</translation>
+    </message>
+    <message>
+        <source>Off: people are called by codes, so that you judge what you see and not whom you know</source>
+        <translation>Aus: Personen heißen nach Kürzeln, damit Sie beurteilen, was Sie sehen, und nicht, wen Sie kennen</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Compared with</source>
+        <translation>Verglichen mit</translation>
+    </message>
+    <message>
+        <source>Class overview</source>
+        <translation>Klassenübersicht</translation>
+    </message>
+    <message>
+        <source>How all attempts at this lesson went, step by step</source>
+        <translation>Wie alle Versuche an dieser Lektion verliefen, Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Neu suchen</translation>
+    </message>
+    <message>
+        <source>Looks for attempts that were made meanwhile</source>
+        <translation>Sucht nach Versuchen, die inzwischen gemacht wurden</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <comment>case – lesson</comment>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>One attempt belongs to a lesson that is not in this library.</source>
+        <translation>Ein Versuch gehört zu einer Lektion, die nicht in dieser Bibliothek ist.</translation>
+    </message>
+    <message>
+        <source>%1 attempts belong to lessons that are not in this library.</source>
+        <translation>%1 Versuche gehören zu Lektionen, die nicht in dieser Bibliothek sind.</translation>
+    </message>
+    <message>
+        <source>Looking …</source>
+        <translation>Suche …</translation>
+    </message>
+    <message>
+        <source>Nobody has tried it yet</source>
+        <translation>Noch hat es niemand versucht</translation>
+    </message>
+    <message>
+        <source>not finished</source>
+        <translation>nicht beendet</translation>
+    </message>
+    <message>
+        <source>%1 (not recorded)</source>
+        <translation>%1 (nicht aufgezeichnet)</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>Expert: %1</source>
+        <translation>Experte: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>person, when</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>A recording …</source>
+        <translation>Eine Aufzeichnung …</translation>
+    </message>
+    <message>
+        <source>Open a recording of a scan</source>
+        <translation>Aufzeichnung eines Scans öffnen</translation>
+    </message>
+    <message>
+        <source>Recordings of scans (*.seq.mha *.igs.mha *.mha);;All files (*)</source>
+        <translation>Aufzeichnungen von Scans (*.seq.mha *.igs.mha *.mha);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>ew::review::ScoresPage</name>
+    <message>
+        <source>version %1</source>
+        <translation>Version %1</translation>
+    </message>
+    <message>
+        <source>Figures of this step</source>
+        <translation>Kennzahlen dieses Schritts</translation>
+    </message>
+    <message>
+        <source>Score the attempts</source>
+        <translation>Versuche auswerten</translation>
+    </message>
+    <message>
+        <source>Works out all scores of this lesson from what was recorded; earlier scores are kept</source>
+        <translation>Berechnet alle Punkte dieser Lektion aus den Aufzeichnungen; frühere Punkte bleiben erhalten</translation>
+    </message>
+    <message>
+        <source>Pass level</source>
+        <translation>Bestehensgrenze</translation>
+    </message>
+    <message>
+        <source>The least score that passes this step</source>
+        <translation>Die kleinste Punktzahl, mit der dieser Schritt bestanden ist</translation>
+    </message>
+    <message>
+        <source>Weight in the lesson</source>
+        <translation>Gewicht in der Lektion</translation>
+    </message>
+    <message>
+        <source>How much this step counts in the score of the lesson, beside the others</source>
+        <translation>Wie viel dieser Schritt in den Punkten der Lektion zählt, neben den anderen</translation>
+    </message>
+    <message>
+        <source>Weight of the task</source>
+        <translation>Gewicht der Aufgabe</translation>
+    </message>
+    <message>
+        <source>How much the task itself counts in the score of the step, beside the figures that count</source>
+        <translation>Wie viel die Aufgabe selbst in den Punkten des Schritts zählt, neben den Kennzahlen, die zählen</translation>
+    </message>
+    <message>
+        <source>Counts with weight</source>
+        <translation>Zählt mit Gewicht</translation>
+    </message>
+    <message>
+        <source>0: this figure does not count</source>
+        <translation>0: Diese Kennzahl zählt nicht</translation>
+    </message>
+    <message>
+        <source>Worth nothing at</source>
+        <translation>Nichts wert bei</translation>
+    </message>
+    <message>
+        <source>A figure like this, or worse, gives nothing</source>
+        <translation>Ein solcher Wert oder ein schlechterer gibt nichts</translation>
+    </message>
+    <message>
+        <source>Worth all at</source>
+        <translation>Alles wert bei</translation>
+    </message>
+    <message>
+        <source>A figure like this, or better, gives everything</source>
+        <translation>Ein solcher Wert oder ein besserer gibt alles</translation>
+    </message>
+    <message>
+        <source>No step is chosen</source>
+        <translation>Kein Schritt gewählt</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>ausgelassen</translation>
+    </message>
+    <message>
+        <source>not passed</source>
+        <translation>nicht bestanden</translation>
+    </message>
+    <message>
+        <source>%1, pass level %2: %3</source>
+        <translation>%1, Bestehensgrenze %2: %3</translation>
+    </message>
+    <message>
+        <source>The task alone %1. Poses known in %2 of the images. Scored with revision %3 of what counts.</source>
+        <translation>Die Aufgabe allein %1. Posen in %2 der Bilder bekannt. Ausgewertet nach Revision %3 dessen, was zählt.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>As it was judged in the lesson; it was not scored since.</source>
+        <translation>Wie es in der Lektion beurteilt wurde; seither nicht ausgewertet.</translation>
+    </message>
+    <message>
+        <source>This attempt has not ended this step</source>
+        <translation>Dieser Versuch hat diesen Schritt nicht beendet</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Kennzahl</translation>
+    </message>
+    <message>
+        <source>%1 (counts)</source>
+        <translation>%1 (zählt)</translation>
+    </message>
+    <message>
+        <source>Scoring …</source>
+        <translation>Wird ausgewertet …</translation>
+    </message>
+</context>
+<context>
+    <name>ew::review::TrackView</name>
+    <message>
+        <source>Both scans along the time</source>
+        <translation>Beide Scans entlang der Zeit</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <comment>who, when: what</comment>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 % of the face touches</source>
+        <translation>%1: %2 % der Kopffläche berühren</translation>
+    </message>
+    <message>
+        <source>%1, %2: from %3 to %4</source>
+        <comment>who, what</comment>
+        <translation>%1, %2: von %3 bis %4</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>who: what track</comment>
+        <translation>%1: %2</translation>
     </message>
 </context>
 </TS>

@@ -140,7 +140,8 @@ TEST_F(ReportOnPaper, KeepsAHeadingWithWhatFollows) {
   for (int before = 40; before < 62; ++before) {
     ReportDocument document{verbatim("Headings"), {}, {}, {}};
     for (int n = 0; n < before; ++n) document.blocks.emplace_back(ReportList{{{verbatim("line"), ReportTone::plain}}});
-    document.blocks.emplace_back(ReportHeading{3, verbatim("THEHEADING")});
+    document.blocks.emplace_back(ReportHeading{2, verbatim("THEHEADING")});
+    document.blocks.emplace_back(ReportHeading{3, verbatim("heading below")});
     document.blocks.emplace_back(ReportParagraph{verbatim("thefollowing")});
     (void)textOf(document);
     for (int page = 1; page <= pages(); ++page) EXPECT_EQ(has(pageOf(page), "THEHEADING"), has(pageOf(page), "thefollowing")) << before;

@@ -57,8 +57,10 @@ class PaperWriter {
     text(document.title, PaperPages::font(16.0, true), kInk);
     if (!document.subtitle.empty()) text(document.subtitle, PaperPages::font(kText_pt), kSoftText);
     text(simulationSentence(), PaperPages::font(kText_pt, true), inkOf(ReportTone::caution));
-    for (const ReportBlock& block : document.blocks) {
+    for (std::size_t n = 0; n < document.blocks.size(); ++n) {
+      const ReportBlock& block = document.blocks[n];
       if (!std::holds_alternative<ReportPlot>(block)) endRowOfPlots();
+      if (std::holds_alternative<ReportHeading>(block)) keepWithWhatItHeads(document.blocks, n);
       std::visit([this](const auto& one) { put(one); }, block);
     }
     endRowOfPlots();
@@ -81,11 +83,23 @@ class PaperWriter {
     gap();
   }
 
+  /// Headings and words that follow each other stand with the first thing after them, or its beginning.
+  void keepWithWhatItHeads(const std::vector<ReportBlock>& blocks, std::size_t n) {
+    constexpr double kHeading_mm = 13.0, kWords_mm = 9.0, kBeginning_mm = 20.0;
+    double room_mm = kBeginning_mm;
+    for (; n < blocks.size(); ++n) {
+      if (std::holds_alternative<ReportHeading>(blocks[n]))
+        room_mm += kHeading_mm;
+      else if (std::holds_alternative<ReportParagraph>(blocks[n]))
+        room_mm += kWords_mm;
+      else
+        break;
+    }
+    pages_.makeRoom(std::min(pages_.mm(room_mm), pages_.roomOfAPage()));
+  }
   void put(const ReportHeading& heading) {
-    constexpr double kFollowing_mm = 28.0;  // of what it heads
     const QFont font = PaperPages::font(heading.level <= 2 ? 13.0 : heading.level == 3 ? 11.0 : 9.5, true);
     gap(heading.level <= 2 ? 2.0 : 1.0);
-    pages_.makeRoom(pages_.mm(kFollowing_mm));
     text(heading.text, font, kInk);
   }
   void put(const ReportParagraph& paragraph) { text(paragraph.text, PaperPages::font(kText_pt), inkOf(paragraph.tone)); }

@@ -47,11 +47,16 @@ ReportPlot timeLineOf(const ReportedAttempt& one, const ReportedLesson& lesson) 
   return {say<"When the steps were worked on; hollow: not passed then">(), std::move(plot)};
 }
 
-ReportPlot barsOf(const AttemptScore& score, const ReportedLesson& lesson) {
+/// Of a step as it counts in this attempt.
+Message verdictIn(const Attempt& attempt, const StepScore& step) {
+  return attempt.outcomeOf(step.stepId) == nullptr ? say<"not reached">() : verdictText(step.verdict);
+}
+
+ReportPlot barsOf(const ReportedAttempt& one, const ReportedLesson& lesson) {
   BarsPlot plot;
-  for (const StepScore& step : score.steps) {
+  for (const StepScore& step : one.score->steps) {
     if (step.weight <= 0.0) continue;
-    const Message says = joined({percentText(step.score), verdictText(step.verdict)}, ", ");
+    const Message says = joined({percentText(step.score), verdictIn(one.attempt, step)}, ", ");
     plot.bars.push_back({verbatim(stepTitle(lesson.words, step.stepId, step.title)), step.score, step.passLevel,
                          step.verdict == StepVerdict::passed, says});
   }
@@ -74,7 +79,7 @@ ReportTable stepsTable(const ReportedAttempt& one, const ReportedLesson& lesson)
     const Message none = verbatim("–");
     table.rows.push_back({{verbatim(stepTitle(lesson.words, step.stepId, step.title))},
                           {kindText(step.kind)},
-                          {outcome == nullptr ? say<"not reached">() : verdictText(step.verdict), toneOf(step.verdict)},
+                          {verdictIn(one.attempt, step), toneOf(step.verdict)},
                           {percentText(step.score)},
                           {step.weight > 0.0 ? percentText(step.passLevel) : none},
                           {figureText(step.weight, "")},
@@ -123,7 +128,7 @@ ReportDocument attemptReport(const ReportedAttempt& one, const ReportedLesson& l
   auto& blocks = document.blocks;
   blocks.emplace_back(factsOf(one, lesson, who));
   if (one.score) {
-    blocks.emplace_back(barsOf(*one.score, lesson));
+    blocks.emplace_back(barsOf(one, lesson));
     blocks.emplace_back(stepsTable(one, lesson));
   }
   if (!one.attempt.outcomes.empty()) blocks.emplace_back(timeLineOf(one, lesson));
