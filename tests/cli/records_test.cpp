@@ -116,6 +116,42 @@ TEST_F(RecordsCommand, WhatIsRefusedIsSaidAndTriedAgainOnlyWhenAsked) {
   EXPECT_EQ(server_.arrivals().size(), 8u);
 }
 
+TEST_F(RecordsCommand, TellsAnAttemptToTheSystemThatLaunchedIt) {
+  int fetched = 0;
+  server_.authorization = "Basic dG9rZW4tMTc=";
+  server_.other = [&](const ServerQuestion& question) -> std::optional<ServerAnswer> {
+    if (question.target == "/fetch")
+      return ++fetched == 1 ? ServerAnswer{200, R"({"auth-token": "dG9rZW4tMTc="})", {}}
+                            : ServerAnswer{200, R"({"error-code": "1", "error-text": "given already"})", {}};
+    if (question.target.starts_with("/xapi/activities/state"))
+      return ServerAnswer{
+          200,
+          R"({"contextTemplate": {"extensions": {"urn:s": "42"}}, "launchMode": "Normal", "moveOn": "Passed", "masteryScore": 0.3})",
+          {}};
+    if (question.target.starts_with("/xapi/agents/profile")) return ServerAnswer{404, "", {}};
+    return std::nullopt;
+  };
+  const std::string url =
+      "echoweave-cmi5:?endpoint=" + server_.endpoint() + "&fetch=http://127.0.0.1:" + std::to_string(server_.port()) +
+      "/fetch&actor=%7B%22account%22%3A%7B%22homePage%22%3A%22https%3A%2F%2Flms.example%2F%22%2C%22name%22%3A%22l%22%7D%7D"
+      "&registration=886313e1-3b8a-5372-9b90-0c9aee199e5d&activityId=https://lms.example/au/1";
+  const std::string attempt = folder_ / ("library/attempts/" + someAttempt().id);
+  const auto told = run({"records", "launch", url, attempt, "--rounds", "1"});
+  ASSERT_EQ(told.status, 0) << told.err;
+  EXPECT_EQ(told.out, "127.0.0.1 knows of the attempt now.\n");
+  const auto order = server_.order();
+  ASSERT_EQ(order.size(), 4u);
+  std::vector<std::string> verbs;
+  for (const std::string& id : order) verbs.push_back(server_.stored(id)["verb"]["display"]["en"]);
+  EXPECT_EQ(verbs, (std::vector<std::string>{"initialized", "completed", "passed", "terminated"}));
+  EXPECT_EQ(server_.stored(order[2])["result"]["score"]["scaled"], (1.0 + 0.75) / 4.0) << "above the mastery score of the course";
+  EXPECT_EQ(server_.stored(order[1])["result"]["duration"], "PT2M55.92S");
+  const auto again = run({"records", "launch", url, attempt, "--rounds", "1"});
+  EXPECT_EQ(again.status, 1);
+  EXPECT_NE(again.err.find("given already"), std::string::npos) << again.err;
+  EXPECT_TRUE(std::filesystem::is_empty(folder_ / "library/records")) << "nothing of a session stays";
+}
+
 TEST_F(RecordsCommand, WithoutANetworkEverythingWaits) {
   setUp(server_.endpoint());
   ASSERT_EQ(records({"add"}).status, 0);

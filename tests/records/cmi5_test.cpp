@@ -201,6 +201,14 @@ TEST_F(Cmi5, TellsASessionAsTheProfileWantsIt) {
   EXPECT_FALSE(session.isOpen());
 }
 
+TEST_F(Cmi5, SaysHowLongALessonTookThatWasWorkedOnBefore) {
+  Cmi5Session session = begun();
+  ASSERT_TRUE(session.initialized(at(0)));
+  EXPECT_EQ((*session.completed(at(1), 754.0))["result"]["duration"], "PT12M34S");
+  EXPECT_EQ((*session.judged(0.9, true, at(1), 754.0))["result"]["duration"], "PT12M34S");
+  EXPECT_EQ((*session.terminated(at(2)))["result"]["duration"], "PT2S") << "the session took what it took";
+}
+
 TEST_F(Cmi5, KeepsTheOrder) {
   Cmi5Session session = begun();
   EXPECT_FALSE(session.completed(at(1)));

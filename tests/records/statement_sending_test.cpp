@@ -271,6 +271,13 @@ TEST_F(StatementSending, AWrongPasswordEndsTheCallAndIsInNoSentence) {
   EXPECT_EQ(said.find(store_.authorization.substr(6)), std::string::npos) << said;
 }
 
+TEST_F(StatementSending, AVeryShortPasswordDoesNotSpoilWhatTheServerSays) {
+  server_.other = [](const ServerQuestion&) -> std::optional<ServerAnswer> { return ServerAnswer{401, "this is not so", {}}; };
+  store_.authorization = *basicAuthorization("mona", "s");
+  fill(*outbox_, 1);
+  EXPECT_NE(send().problem.english().find("this is not so"), std::string::npos);
+}
+
 TEST_F(StatementSending, PasswordsAreNotSentOnToAnotherServer) {
   RecordServer elsewhere;
   server_.other = [&](const ServerQuestion&) -> std::optional<ServerAnswer> {

@@ -10,6 +10,7 @@
 #include "ew/library/case.h"
 #include "ew/records/record_store_settings.h"
 #include "ew/records/statement_outbox.h"
+#include "ew/records/xapi.h"
 
 namespace ew::cli {
 
@@ -49,6 +50,10 @@ inline void staysDone(Run& run) {
 
 /// --settings and --no-keyring.
 void addSettingsPlace(CLI::App& app, RecordsArguments& arguments);
+/// What the library knows of an attempt's lesson; without it statements name steps by their ids.
+void addLessonTo(XapiOptions& options, const Attempt& attempt, const std::filesystem::path& library, const std::string& language);
+/// `records launch`.
+void addRecordLaunch(CLI::App& group, Selection& selection, const std::shared_ptr<RecordsArguments>& arguments);
 /// `records settings`.
 void addRecordSettings(CLI::App& group, Selection& selection, const std::shared_ptr<RecordsArguments>& arguments);
 

@@ -37,20 +37,6 @@ Result<std::vector<fs::path>> attemptsNamed(const RecordsArguments& arguments) {
   return std::vector<fs::path>(found.begin(), found.end());
 }
 
-/// What the library knows of an attempt's lesson; without it statements name steps by their ids.
-void addLessonTo(XapiOptions& options, const Attempt& attempt, const fs::path& library, const std::string& language) {
-  const auto folder = ew::findCase(attempt.caseId, library);
-  if (!folder) return;
-  const auto opened = loadCase(*folder / "case.json");
-  if (!opened) return;
-  const CaseWords words = wordsOf(*folder, language);
-  options.caseTitle = words.of(opened->title);
-  const auto lessons = lessonsOf(*opened);
-  if (!lessons) return;
-  for (const Lesson& each : *lessons)
-    if (each.id == attempt.lessonId && contentOf(each) == attempt.lessonContent) options.lesson = translated(each, words);
-}
-
 std::string courseWith(const Attempt& attempt) {
   const auto file = shippedCourseFile();
   const auto course = file ? readCourse(*file) : passOn(file.error());
@@ -142,8 +128,12 @@ Result<int> takeRecords(const RecordsArguments& arguments, Run& run) {
 
 Result<int> tellSent(const SendStatementsResult& sent, const StatementOutbox& outbox, Run& run) {
   run.progress.clear();
+  constexpr std::size_t kMostRemarks = 5;
+  std::size_t told = 0;
   for (const StatementEntry& each : outbox.entries())
-    if (each.status == StatementStatus::refused) run.remark(say<"The record store refuses %1: %2.">(each.id, verbatim(each.problem)));
+    if (each.status == StatementStatus::refused && told++ < kMostRemarks)
+      run.remark(say<"The record store refuses %1: %2.">(each.id, verbatim(each.problem)));
+  if (told > kMostRemarks) run.remark(say<"... and %1 more; 'echoweave records list' shows all.">(told - kMostRemarks));
   run.report.quality = {{"sent", sent.sent}, {"refused", sent.refused}, {"left", sent.left}, {"rounds", sent.rounds}};
   run.say("The record store has " + counted(sent.sent, "statement") + " more now.");
   const std::size_t refused = outbox.count(StatementStatus::refused);
@@ -211,6 +201,19 @@ void addPlaces(CLI::App& app, RecordsArguments& arguments) {
 
 }  // namespace
 
+void addLessonTo(XapiOptions& options, const Attempt& attempt, const fs::path& library, const std::string& language) {
+  const auto folder = ew::findCase(attempt.caseId, library);
+  if (!folder) return;
+  const auto opened = loadCase(*folder / "case.json");
+  if (!opened) return;
+  const CaseWords words = wordsOf(*folder, language);
+  options.caseTitle = words.of(opened->title);
+  const auto lessons = lessonsOf(*opened);
+  if (!lessons) return;
+  for (const Lesson& each : *lessons)
+    if (each.id == attempt.lessonId && contentOf(each) == attempt.lessonContent) options.lesson = translated(each, words);
+}
+
 void addRecords(CLI::App& root, Selection& selection) {
   auto& group = *root.add_subcommand("records", "Tell attempts to a learning record store (xAPI), through an outbox");
   group.require_subcommand(1);
@@ -241,6 +244,7 @@ void addRecords(CLI::App& root, Selection& selection) {
   addPlaces(listed, *arguments);
 
   addRecordSettings(group, selection, arguments);
+  addRecordLaunch(group, selection, arguments);
 }
 
 }  // namespace ew::cli

@@ -8,6 +8,8 @@
 namespace ew {
 namespace {
 
+constexpr std::size_t kShortestHidden = 4;
+
 bool hasControls(const std::string& text) {
   return std::any_of(text.begin(), text.end(), [](char letter) { return static_cast<unsigned char>(letter) < 32 || letter == 127; });
 }
@@ -38,7 +40,9 @@ std::vector<std::string> secretsIn(const std::string& authorization) {
   if (size < 0) return found;
   bytes.resize(static_cast<std::size_t>(size));
   while (!bytes.empty() && bytes.back() == '\0') bytes.pop_back();  // what the '=' at its end stands for
-  if (const auto colon = bytes.find(':'); colon != std::string::npos && colon + 1 < bytes.size()) found.push_back(bytes.substr(colon + 1));
+  // A password of a letter or two would take every such letter out of what a server says.
+  if (const auto colon = bytes.find(':'); colon != std::string::npos && bytes.size() - colon > kShortestHidden)
+    found.push_back(bytes.substr(colon + 1));
   return found;
 }
 

@@ -74,10 +74,11 @@ class Cmi5Session {
   using Moment = std::chrono::sys_time<std::chrono::milliseconds>;
   /// Statements, to be put into an outbox in this order. `now` does not run backwards. @error badUsage (against the order)
   [[nodiscard]] Result<nlohmann::json> initialized(Moment now);
-  [[nodiscard]] Result<nlohmann::json> completed(Moment now);
+  /// @param worked_s what the learner needed, when that is not the time since the session began (of a lesson that was worked on before)
+  [[nodiscard]] Result<nlohmann::json> completed(Moment now, std::optional<double> worked_s = {});
   /// Passed or failed. @param score 0 to 1, or none @param success what we think; a mastery score of the launch decides instead, when there
   /// is a score
-  [[nodiscard]] Result<nlohmann::json> judged(std::optional<double> score, bool success, Moment now);
+  [[nodiscard]] Result<nlohmann::json> judged(std::optional<double> score, bool success, Moment now, std::optional<double> worked_s = {});
   [[nodiscard]] Result<nlohmann::json> terminated(Moment now);
   /// Makes a statement of ours (an outcome of a step) part of the session ("allowed", 9.1): its actor, registration and the template; the
   /// lesson's own words about completion and passing are not such, use those above.
