@@ -45,6 +45,7 @@ TEST(Usage, EveryCommandExplainsItselfWithAnExampleAndTheSharedOptions) {
                                                        {"records", "add"},
                                                        {"records", "send"},
                                                        {"records", "list"},
+                                                       {"records", "launch"},
                                                        {"records", "settings"},
                                                        {"preset", "check"},
                                                        {"send"},

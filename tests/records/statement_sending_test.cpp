@@ -302,6 +302,19 @@ TEST_F(StatementSending, AnAnswerWithoutEndIsCutOff) {
   expectEachOnce(1);
 }
 
+TEST_F(StatementSending, WhereTheReceiptCannotBeWrittenNothingIsSentTwiceAfterwards) {
+  fill(*outbox_, 4);
+  std::filesystem::create_directory(folder_ / "o/sent");
+  const auto sent = sendStatements(*outbox_, store_, options_);
+  ASSERT_FALSE(sent);
+  EXPECT_EQ(sent.error().code, ErrorCode::notWritable);
+  std::filesystem::remove(folder_ / "o/sent");
+  reopen();
+  EXPECT_EQ(outbox_->entries().size(), 4u);
+  EXPECT_EQ(send().sent, 4u);
+  expectEachOnce(4);
+}
+
 TEST_F(StatementSending, ADamagedFileIsRefusedAndTheOthersGo) {
   fill(*outbox_, 3);
   for (const auto& each : std::filesystem::directory_iterator(folder_ / "o"))
