@@ -10,6 +10,7 @@
 #include "ew/io/safe_file.h"
 #include "ew/library/case.h"
 #include "ew/library/learning.h"
+#include "ew/reports/report_files.h"
 
 namespace ew::cli {
 namespace {
@@ -21,6 +22,8 @@ struct AssessArguments {
   std::string library;
   std::string lesson;
   std::string output;
+  std::string html;
+  std::string csv;
   AssessOptions options;
   bool names = false;
 };
@@ -113,6 +116,43 @@ Result<void> writeScores(const std::vector<AssessedAttempt>& all, const fs::path
   return {};
 }
 
+ReportRequest requestOf(const AssessArguments& arguments, const std::vector<fs::path>& folders, const fs::path& library) {
+  ReportRequest request;
+  request.attempts = folders;
+  request.library = library;
+  request.html = arguments.html;
+  request.csv = arguments.csv;
+  request.options.names = arguments.names;
+  request.threads = arguments.options.threads;
+  return request;
+}
+
+/// Every file that will be written beside the scores.
+Result<void> announce(const AssessArguments& arguments, const std::vector<fs::path>& folders, const fs::path& library, Run& run) {
+  for (const std::string& folder : {arguments.output, arguments.html})
+    if (!folder.empty())
+      if (auto made = run.outputs.announceFolder(folder); !made) return made;
+  if (!arguments.output.empty())
+    for (const fs::path& folder : folders)
+      if (auto announced = run.output(fs::path(arguments.output) / (folder.filename().string() + ".json")); !announced) return announced;
+  if (arguments.html.empty() && arguments.csv.empty()) return {};
+  const auto files = reportFiles(requestOf(arguments, folders, library));
+  if (!files) return passOn(files.error());
+  for (const fs::path& file : *files)
+    if (auto announced = run.output(file); !announced) return announced;
+  return {};
+}
+
+Result<void> writeOutputs(const AssessArguments& arguments, const std::vector<AssessedAttempt>& all, const std::vector<fs::path>& folders,
+                          const fs::path& library, Run& run) {
+  if (!arguments.output.empty())
+    if (auto written = writeScores(all, arguments.output, run); !written) return written;
+  if (arguments.html.empty() && arguments.csv.empty()) return {};
+  const StepClock clock(run.report, "report");
+  return writeReports(
+      requestOf(arguments, folders, library), [&run](const fs::path& file) { return run.outputs.staged(file); }, run.progress);
+}
+
 Result<int> assessAll(const AssessArguments& arguments, Run& run) {
   run.stopped = say<"Stopped as asked; what was scored by then is kept, and the same command goes on after it.">();
   const fs::path library = arguments.library.empty() ? libraryFolder() : fs::path(arguments.library);
@@ -123,12 +163,7 @@ Result<int> assessAll(const AssessArguments& arguments, Run& run) {
       const auto kept = KeptAttempt::open(folder);
       return kept && kept->attempt().lessonId != arguments.lesson;
     });
-  if (!arguments.output.empty()) {
-    if (auto made = run.outputs.announceFolder(arguments.output); !made) return passOn(made.error());
-    for (const fs::path& folder : *folders)
-      if (auto announced = run.output(fs::path(arguments.output) / (folder.filename().string() + ".json")); !announced)
-        return passOn(announced.error());
-  }
+  if (auto announced = announce(arguments, *folders, library, run); !announced) return passOn(announced.error());
   const auto who = Who::of(library, arguments.names);
   if (!who) return passOn(who.error());
   const auto all = [&] {
@@ -148,8 +183,7 @@ Result<int> assessAll(const AssessArguments& arguments, Run& run) {
     if (one.score)
       for (const Message& note : one.score->notes) run.remark(say<"%1: %2">(one.folder.filename(), note));
   }
-  if (!arguments.output.empty())
-    if (auto written = writeScores(all, arguments.output, run); !written) return passOn(written.error());
+  if (auto written = writeOutputs(arguments, all, *folders, library, run); !written) return passOn(written.error());
   run.report.options = {{"threads", arguments.options.threads}, {"again", arguments.options.again}, {"names", arguments.names}};
   run.report.quality = {
       {"attempts", all.size()}, {"scored_now", fresh}, {"up_to_date", all.size() - fresh - problems}, {"not_scored", problems}};
@@ -166,16 +200,19 @@ Result<int> assessAll(const AssessArguments& arguments, Run& run) {
 
 void addAssess(CLI::App& root, Selection& selection) {
   auto arguments = std::make_shared<AssessArguments>();
-  auto& app = addCommand(
-      root, selection, "assess", "Score attempts from their raw data, as the instructors' plans say",
-      {"assess", "assess ~/EchoWeave/attempts --lesson four-windows -o scores", "assess carried/20261126-093000-4f2a91c7 --again"},
-      [arguments](Run& run) { return assessAll(*arguments, run); });
+  auto& app = addCommand(root, selection, "assess", "Score attempts from their raw data, as the instructors' plans say",
+                         {"assess", "assess ~/EchoWeave/attempts --lesson four-windows --html class --csv class.csv",
+                          "assess carried/20261126-093000-4f2a91c7 --again"},
+                         [arguments](Run& run) { return assessAll(*arguments, run); });
   app.add_option("ATTEMPT", arguments->attempts, "Folders of attempts, or folders that hold some (those of the library)")->type_name("");
   app.add_option("--library", arguments->library, "The library with cases and plans (the user's own)")->type_name("DIR");
   app.add_option("--lesson", arguments->lesson, "Only attempts of this lesson")->type_name("ID");
   app.add_option("-o,--output", arguments->output,
                  "A folder for a copy of every score that counts, ATTEMPT.json; the scores themselves stay with the attempts")
       ->type_name("DIR");
+  app.add_option("--html", arguments->html, "A folder for pages to read without a network: index.html, and one of each attempt")
+      ->type_name("DIR");
+  app.add_option("--csv", arguments->csv, "A table of every step and metric")->type_name("FILE.csv");
   addCount(app, "--threads", arguments->options.threads, 0, 256, "Attempts at once; 0: as many as processors; no score depends on it (0)");
   app.add_flag("--again", arguments->options.again, "Also what is up to date: a new score is kept only where it differs");
   app.add_flag("--names", arguments->names, "Say who tried by name; else by a code that stays the same in this library");
