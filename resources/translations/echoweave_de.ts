@@ -9619,6 +9619,10 @@
         <source>seconds since the start</source>
         <translation>Sekunden seit dem Beginn</translation>
     </message>
+    <message>
+        <source>The attempt &apos;%1&apos; is left out: %2</source>
+        <translation>Der Versuch „%1“ fehlt hier: %2</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>

@@ -101,6 +101,21 @@ TEST(ReportFiles, OfSeveralLessonsHaveAnIndexOfTheirClasses) {
   EXPECT_TRUE(holds(index, "<a href='./lesson-2.html'>A lesson that is gone</a>")) << index;
 }
 
+TEST(ReportFiles, LeaveOutAnAttemptThatCannotBeReadAndSaySo) {
+  const AssessedWorld world;
+  const test::TemporaryFolder out;
+  auto folders = keptAttempts(world);
+  test::writeText(out / "torn" / "attempt.json", "{\"format\": 1,");
+  folders.push_back(out / "torn");
+  const ReportRequest request{.attempts = folders, .library = world.library(), .html = out / "pages"};
+  ASSERT_TRUE(test::succeeded(writeReports(request)));
+  EXPECT_EQ(test::namesIn(out / "pages").size(), 3u);
+  const std::string index = textOf(out / "pages" / "index.html");
+  EXPECT_TRUE(holds(index, "The attempt &#39;torn&#39; is left out: "));
+  EXPECT_FALSE(holds(index, out.path().string()));
+  EXPECT_TRUE(holds(index, "<dt>Attempts</dt><dd>2</dd>"));
+}
+
 TEST(ReportFiles, AreAllOrNoneThroughACommandsOutputs) {
   const AssessedWorld world;
   const test::TemporaryFolder out;

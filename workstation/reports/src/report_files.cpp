@@ -28,6 +28,12 @@ struct Class {
   std::vector<std::string> pages;
 };
 
+/// All that reports are on.
+struct Read {
+  std::vector<Class> classes;
+  std::vector<ReportBlock> leftOut;  ///< a sentence for each attempt that cannot be read
+};
+
 std::string pageOf(const Attempt& attempt, std::set<std::string>& taken) {
   const std::string name = "attempt-" + reports::plainName(attempt.id);
   std::string page = name + ".html";
@@ -35,17 +41,26 @@ std::string pageOf(const Attempt& attempt, std::set<std::string>& taken) {
   return page;
 }
 
-Result<std::vector<Class>> readClasses(const ReportRequest& request, Progress& progress) {
+Result<Read> readClasses(const ReportRequest& request, Progress& progress) {
   if (request.attempts.empty()) return failure(ErrorCode::badUsage, say<"There are no attempts to report on.">());
   std::map<std::pair<std::string, std::string>, Class> byLesson;
+  Read all;
+  std::optional<Error> problem;
   for (std::size_t n = 0; n < request.attempts.size(); ++n) {
     if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Writing reports was stopped.">());
     progress.report(say<"Reading attempts">(), static_cast<double>(n) / static_cast<double>(request.attempts.size()));
     auto read = readReportedAttempt(request.attempts[n]);
-    if (!read) return passOn(read.error());
+    if (!read) {
+      problem = read.error();
+      const Message why = reports::inWordsOf({}, read.error().message);
+      all.leftOut.emplace_back(
+          ReportParagraph{say<"The attempt '%1' is left out: %2">(request.attempts[n].filename(), why), ReportTone::caution});
+      continue;
+    }
     byLesson[{read->attempt.caseId, read->attempt.lessonId}].attempts.push_back(std::move(*read));
   }
-  std::vector<Class> classes;
+  if (byLesson.empty()) return passOn(*problem);
+  std::vector<Class>& classes = all.classes;
   std::set<std::string> taken;
   for (auto& [name, one] : byLesson) {
     std::tie(one.caseId, one.lessonId) = name;
@@ -55,7 +70,7 @@ Result<std::vector<Class>> readClasses(const ReportRequest& request, Progress& p
     for (const ReportedAttempt& each : one.attempts) one.pages.push_back(pageOf(each.attempt, taken));
     classes.push_back(std::move(one));
   }
-  return classes;
+  return all;
 }
 
 /// The lessons, each with its page.
@@ -86,14 +101,14 @@ class Writing {
   Writing(const ReportRequest& request, const std::function<fs::path(const fs::path&)>& staged, Progress& progress)
       : request_(request), staged_(staged), progress_(progress) {}
 
-  Result<void> all(const std::vector<Class>& classes) {
+  Result<void> all(const Read& read) {
     auto codes = Pseudonyms::ofLibrary(request_.library);
     if (!codes) return passOn(codes.error());
     if (!request_.html.empty())
-      if (auto written = pages(classes, *codes); !written) return written;
+      if (auto written = pages(read, *codes); !written) return written;
     if (request_.csv.empty()) return {};
     std::vector<ReportedAttempt> attempts;
-    for (const Class& one : classes) attempts.insert(attempts.end(), one.attempts.begin(), one.attempts.end());
+    for (const Class& one : read.classes) attempts.insert(attempts.end(), one.attempts.begin(), one.attempts.end());
     return write(request_.csv, csvOf(attempts, *codes, request_.options.names));
   }
 
@@ -105,17 +120,23 @@ class Writing {
     return writeFileSafely(file, text);
   }
 
-  Result<void> pages(const std::vector<Class>& classes, const Pseudonyms& codes) {
+  Result<void> pages(const Read& read, const Pseudonyms& codes) {
+    const auto& classes = read.classes;
     std::vector<ReportedLesson> lessons;
     for (const Class& one : classes) {
       lessons.push_back(readReportedLesson(one.caseId, one.lessonId, request_.library, request_.options));
       auto document = classReport(one.attempts, lessons.back(), codes, one.pages, request_.options);
-      if (classes.size() > 1) document.links = {{say<"All lessons">(), kIndex}};
+      if (classes.size() > 1)
+        document.links = {{say<"All lessons">(), kIndex}};
+      else
+        document.blocks.insert(document.blocks.begin(), read.leftOut.begin(), read.leftOut.end());
       if (auto written = write(request_.html / one.page, htmlOf(document, request_.options)); !written) return written;
       if (auto written = attemptPages(one, lessons.back(), codes); !written) return written;
     }
     if (classes.size() == 1) return {};
-    return write(request_.html / kIndex, htmlOf(indexOf(classes, lessons), request_.options));
+    ReportDocument index = indexOf(classes, lessons);
+    index.blocks.insert(index.blocks.begin(), read.leftOut.begin(), read.leftOut.end());
+    return write(request_.html / kIndex, htmlOf(index, request_.options));
   }
 
   Result<void> attemptPages(const Class& one, const ReportedLesson& lesson, const Pseudonyms& codes) {
@@ -143,12 +164,12 @@ class Writing {
 }  // namespace
 
 Result<std::vector<fs::path>> reportFiles(const ReportRequest& request) {
-  const auto classes = readClasses(request, noProgress());
-  if (!classes) return passOn(classes.error());
+  const auto read = readClasses(request, noProgress());
+  if (!read) return passOn(read.error());
   std::vector<fs::path> files;
   if (!request.html.empty()) {
     files.push_back(request.html / kIndex);
-    for (const Class& one : *classes) {
+    for (const Class& one : read->classes) {
       if (one.page != kIndex) files.push_back(request.html / one.page);
       for (const std::string& page : one.pages) files.push_back(request.html / page);
     }
@@ -158,9 +179,9 @@ Result<std::vector<fs::path>> reportFiles(const ReportRequest& request) {
 }
 
 Result<void> writeReports(const ReportRequest& request, const std::function<fs::path(const fs::path&)>& staged, Progress& progress) {
-  const auto classes = readClasses(request, progress);
-  if (!classes) return passOn(classes.error());
-  return Writing(request, staged, progress).all(*classes);
+  const auto read = readClasses(request, progress);
+  if (!read) return passOn(read.error());
+  return Writing(request, staged, progress).all(*read);
 }
 
 }  // namespace ew

@@ -22,14 +22,15 @@ struct ReportRequest {
 };
 
 /// The files that writeReports will write, to be announced beforehand: HTML/index.html, HTML/lesson-N.html where attempts are of several
-/// lessons (index.html then lists these, else it is the class page itself), HTML/ATTEMPT.html for each attempt, CSV.
-/// @error as readReportedAttempt; badUsage (no attempt)
+/// lessons (index.html then lists these, else it is the class page itself), HTML/attempt-ID.html for each attempt, CSV.
+/// @error badUsage (no attempt); as readReportedAttempt, when none can be read
 [[nodiscard]] Result<std::vector<std::filesystem::path>> reportFiles(const ReportRequest& request);
 
 /// Writes the pages of attempts and of each lesson's class, which link each other by relative names, and the table. Scores are read as they
-/// are kept: assess() comes first. Names are left out unless options.names.
+/// are kept: assess() comes first. An attempt that cannot be read is left out, and index.html says so. Names are left out unless
+/// options.names.
 /// @param staged where to write one of reportFiles() now (OutputSet::staged); empty: where it shall lie
-/// @error as readReportedAttempt, Pseudonyms::ofLibrary; notWritable, cancelled; badUsage (no attempt)
+/// @error as reportFiles and Pseudonyms::ofLibrary; notWritable, cancelled
 [[nodiscard]] Result<void> writeReports(const ReportRequest& request,
                                         const std::function<std::filesystem::path(const std::filesystem::path&)>& staged = {},
                                         Progress& progress = noProgress());
