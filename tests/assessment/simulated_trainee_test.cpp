@@ -117,7 +117,7 @@ class Trunk {
   Lesson lesson_;
 };
 
-StepOutcome judged(const LessonStep& step, const SimulatedStep& made, const TraineeCase& on) {
+StepOutcome judgedOf(const LessonStep& step, const SimulatedStep& made, const TraineeCase& on) {
   auto work = workOf(step, on.ground());
   EXPECT_TRUE(work) << work.error().sentence();
   StepOutcome outcome;
@@ -175,6 +175,17 @@ TEST(TraineeHabits, AreAllVariedByTheModel) {
   EXPECT_EQ(habitRanges().size() * sizeof(double), sizeof(TraineeHabits));
 }
 
+TEST(TraineeHabits, AreWrittenDown) {
+  const std::string page = bytesOf(fs::path(EW_SOURCE_DIR) / "resources/docs/simulated-trainees.md");
+  for (const HabitRange& each : habitRanges()) {
+    std::ostringstream numbers;
+    numbers << " | " << each.novice << " | " << each.expert << " | " << each.personSpread << " | ";
+    const std::size_t row = page.find("| " + std::string(each.name) + " | ");
+    ASSERT_NE(row, std::string::npos) << each.name;
+    EXPECT_NE(page.substr(row, page.find('\n', row) - row).find(numbers.str()), std::string::npos) << each.name << numbers.str();
+  }
+}
+
 TEST(SimulatedTrainee, LeavesTheSameBytesForTheSameSeed) {
   Trunk trunk;
   const TraineeCase on = trunk.made();
@@ -221,7 +232,7 @@ TEST(SimulatedTrainee, IsKeptAsTheWindowWouldAndReadBackAsItWas) {
     SCOPED_TRACE(outcome.stepId);
     EXPECT_EQ(outcome.answer, steps[n].answer);
     EXPECT_EQ(outcome.recording.empty(), steps[n].log.frameCount() == 0);
-    EXPECT_NEAR(outcome.score, judged(trunk.lesson().steps[n], steps[n], on).score, 1e-12);
+    EXPECT_NEAR(outcome.score, judgedOf(trunk.lesson().steps[n], steps[n], on).score, 1e-12);
     if (outcome.recording.empty()) continue;
     const auto recording = readRecording(*made / outcome.recording);
     ASSERT_TRUE(recording) << recording.error().sentence();
@@ -291,7 +302,7 @@ TEST(SimulatedTrainee, WithoutErrorsFollowsTheMovementOfLeastJerkAndIsRight) {
   const auto figures = figuresOf(motionOf(posesOf(log, 0.0, 5.0)));
   EXPECT_NEAR(figures.path_mm, std::hypot(150.0, 1.0), 0.15);
   EXPECT_NEAR(figures.angularPath_deg, 90.0, 0.09);
-  EXPECT_NEAR(judged(trunk.lesson().steps[0], steps[0], on).score, 1.0, 1e-6);
+  EXPECT_NEAR(judgedOf(trunk.lesson().steps[0], steps[0], on).score, 1.0, 1e-6);
   EXPECT_TRUE(log.isFrozenAt(log.end_s()));
 }
 
@@ -301,7 +312,7 @@ TEST(SimulatedTrainee, WithoutErrorsPassesEveryKindOfStep) {
   const auto steps = simulateAttempt(trunk.lesson(), on, TraineeHabits{}, 1);
   ASSERT_EQ(steps.size(), trunk.lesson().steps.size());
   for (std::size_t n = 0; n < steps.size(); ++n) {
-    const StepOutcome outcome = judged(trunk.lesson().steps[n], steps[n], on);
+    const StepOutcome outcome = judgedOf(trunk.lesson().steps[n], steps[n], on);
     EXPECT_GE(outcome.score, 0.97) << steps[n].stepId << ": " << steps[n].answer;
     for (const AttemptRemark& remark : outcome.remarks) EXPECT_TRUE(remark.good) << steps[n].stepId << ": " << remark.text.english();
   }
@@ -332,7 +343,7 @@ TEST(SimulatedTrainee, OfHigherLevelIsNearerFasterAndMoreOftenRight) {
       const ScanState last = log.frame(log.frameCount() - 1);
       errors.push_back(std::abs(glm::dot(glm::dvec3(-30.0, -70.0, 20.0) - faceOf(last), glm::dvec3(last.pose.probeToWorld.matrix[2]))));
       times.push_back(std::accumulate(steps.begin(), steps.end(), 0.0, [](double sum, const auto& step) { return sum + step.seconds; }));
-      rights.push_back(judged(trunk.lesson().steps[9], steps[9], on).score);
+      rights.push_back(judgedOf(trunk.lesson().steps[9], steps[9], on).score);
     }
     path_mm.push_back(meanOf(paths));
     error_mm.push_back(meanOf(errors));

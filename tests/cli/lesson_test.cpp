@@ -82,6 +82,19 @@ TEST_F(LessonCommand, RefusesLessonsThatCannotBeRead) {
   EXPECT_NE(bad.err.find("task"), std::string::npos) << bad.err;
 }
 
+TEST_F(LessonCommand, RecordsAShippedPathAgainAsItWasRecorded) {
+  for (const std::string scan : {"fetal-biometry/parts/lessons/scans/three-planes", "liver-sweep-recorded/parts/lessons/scans/landmarks"}) {
+    const std::string opened = (cases_ / scan.substr(0, scan.find('/'))).string();
+    const auto made =
+        run({"lesson", "record", opened, "--path", (cases_ / scan).string() + ".path.json", "-o", folder_ / "again.seq.mha"});
+    ASSERT_EQ(made.status, 0) << made.err;
+    const auto shipped = readRecording((cases_ / scan).string() + ".seq.mha"), again = readRecording(folder_ / "again.seq.mha");
+    ASSERT_TRUE(shipped && again);
+    EXPECT_TRUE(shipped->log.events() == again->log.events()) << scan << ": every pose and gap, to the bit";
+    fs::remove(folder_ / "again.seq.mha");
+  }
+}
+
 TEST_F(LessonCommand, RecordsTheSameScanTwiceAlongTheStationsOfAPath) {
   const std::string path = pathFile({{{"plane", "transthalamic"}, {"stay_s", 1.0}},
                                      {{"plane", "femur"}, {"travel_s", 2.0}, {"stay_s", 1.0}, {"knobs", {{"depth_mm", 120}}}}});

@@ -67,6 +67,15 @@ Hold holdShowing(const TeachingCase& teaching, const Hold& start, const glm::dve
   return holdFor(pose, *teaching.skin);
 }
 
+/// Whether calipers can be set to the points in a plane. An organ's longest diameter may leave its standard plane.
+bool holds(const ExpectedPlane& plane, const std::vector<glm::dvec3>& points_mm) {
+  constexpr double kBeside_mm = 2.0;
+  const glm::dmat4& matrix = plane.probeToWorld.matrix;
+  return std::all_of(points_mm.begin(), points_mm.end(), [&](const glm::dvec3& p_mm) {
+    return std::abs(glm::dot(p_mm - glm::dvec3(matrix[3]), glm::dvec3(matrix[2]))) <= kBeside_mm;
+  });
+}
+
 TargetView viewOfStructure(const Hold& hold, const OrganVoxels& organ) {
   TargetView view{hold};
   if (organ.empty()) return view;
@@ -150,7 +159,8 @@ std::optional<TargetView> TraineeCase::found(TargetKind kind, const std::string&
   if (kind == TargetKind::measurement) {
     const auto* measurement = byName(truth.measurements, name);
     if (measurement == nullptr) return std::nullopt;
-    if (const auto* plane = byName(truth.planes, measurement->plane)) return viewOfPlane(*plane);
+    const auto* plane = byName(truth.planes, measurement->plane);
+    if (plane != nullptr && (measurement->points_mm.size() != 2 || holds(*plane, measurement->points_mm))) return viewOfPlane(*plane);
     if (measurement->points_mm.size() < 2) return std::nullopt;
     return TargetView{holdShowing(teaching_, start_, measurement->points_mm[0], measurement->points_mm[1])};
   }

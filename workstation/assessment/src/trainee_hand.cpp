@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "ew/scanning/contact.h"
 
@@ -124,9 +125,7 @@ void TraineeHand::pass(const Hold& from, const Hold& to) {
   pause(0.5);
 }
 
-void TraineeHand::sweep(const TargetView& view, double halfWidth_mm) {
-  const Hold middle = pressed(view.hold);
-  find(middle);
+void TraineeHand::sweepAlong(const Hold& middle, const TargetView& view, double halfWidth_mm) {
   const double kept = 0.5 * (1.0 - habits_.sweepShort);
   const double centre_mm = 0.5 * (view.front_mm + view.back_mm);
   const double half_mm = kept * (view.back_mm - view.front_mm) + (habits_.sweepShort > 0.0 ? 0.0 : kMargin_mm);
@@ -138,6 +137,21 @@ void TraineeHand::sweep(const TargetView& view, double halfWidth_mm) {
     const double side = n % 2 == 0 ? -1.0 : 1.0;
     pass(slid(middle, skin_, x_mm, centre_mm + side * half_mm), slid(middle, skin_, x_mm, centre_mm - side * half_mm));
   }
+}
+
+void TraineeHand::sweep(const TargetView& view, double halfWidth_mm) {
+  const Hold middle = pressed(view.hold);
+  find(middle);
+  sweepAlong(middle, view, halfWidth_mm);
+  if (happens(habits_.missedTarget)) return;  // one is taught to look at everything in two directions
+  TargetView across = view;                   // the probe's lateral axis now points against its elevational one, that along its lateral one
+  across.left_mm = -view.back_mm;
+  across.right_mm = -view.front_mm;
+  across.front_mm = view.left_mm;
+  across.back_mm = view.right_mm;
+  const Hold turnedRound = turned(middle, 0.5 * std::numbers::pi, 0.0, 0.0);
+  reach(turnedRound);
+  sweepAlong(turnedRound, across, halfWidth_mm);
 }
 
 void TraineeHand::lookThrough(const TargetView& view) {

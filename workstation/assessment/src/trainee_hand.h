@@ -18,7 +18,7 @@ class TraineeHand {
   void find(const Hold& target);
   /// The hold as this person presses it on.
   [[nodiscard]] Hold pressed(const Hold& target);
-  /// Sweeps a structure from the view of it, in as many passes as it is wide.
+  /// Sweeps a structure from the view of it, in as many passes as it is wide, then once more across.
   /// @param halfWidth_mm of the picture at the structure's depth
   void sweep(const TargetView& view, double halfWidth_mm);
   /// One pass through the middle.
@@ -39,6 +39,7 @@ class TraineeHand {
   void move(const Hold& to, double slowest_mmPerS = 0.0);
   void setOutWrongly(const Hold& target);
   void pass(const Hold& from, const Hold& to);
+  void sweepAlong(const Hold& middle, const TargetView& view, double halfWidth_mm);
 
   const TraineeHabits& habits_;
   const Skin& skin_;

@@ -2,6 +2,7 @@
 #include <ostream>
 
 #include "arguments.h"
+#include "bench_metrics.h"
 #include "bench_teaching.h"
 #include "bench_teaching_commands.h"
 #include "volume_input.h"
@@ -18,23 +19,8 @@ struct TeachingArguments {
   std::uint64_t seed = 1;
 };
 
-/// The shipped cases, or those that were named.
-Result<std::vector<Case>> casesOf(const TeachingArguments& arguments) {
-  std::vector<Case> cases;
-  for (const std::string& name : arguments.cases) {
-    auto found = findCase(name);
-    if (!found) return passOn(found.error());
-    cases.push_back(*std::move(found));
-  }
-  if (!arguments.cases.empty()) return cases;
-  const auto shipped = shippedCasesFolder();
-  if (!shipped) return passOn(shipped.error());
-  for (Case& each : listCases(*shipped).cases) cases.push_back(std::move(each));
-  return cases;
-}
-
 Result<int> compass(const TeachingArguments& arguments, Run& run) {
-  auto cases = casesOf(arguments);
+  auto cases = namedOrShipped(arguments.cases);
   if (!cases) return passOn(cases.error());
   run.report.options = {{"starts", arguments.starts}, {"seed", arguments.seed}};
   run.report.seed = arguments.seed;
@@ -61,7 +47,7 @@ Result<int> compass(const TeachingArguments& arguments, Run& run) {
 }
 
 Result<int> exercises(const TeachingArguments& arguments, Run& run) {
-  auto cases = casesOf(arguments);
+  auto cases = namedOrShipped(arguments.cases);
   if (!cases) return passOn(cases.error());
   run.report.options = {{"draws", arguments.starts}, {"seed", arguments.seed}};
   run.report.seed = arguments.seed;
@@ -94,6 +80,20 @@ void addOptions(CLI::App& app, TeachingArguments& arguments, const char* count, 
 
 }  // namespace
 
+Result<std::vector<Case>> namedOrShipped(const std::vector<std::string>& names) {
+  std::vector<Case> cases;
+  for (const std::string& name : names) {
+    auto found = findCase(name);
+    if (!found) return passOn(found.error());
+    cases.push_back(*std::move(found));
+  }
+  if (!names.empty()) return cases;
+  const auto shipped = shippedCasesFolder();
+  if (!shipped) return passOn(shipped.error());
+  for (Case& each : listCases(*shipped).cases) cases.push_back(std::move(each));
+  return cases;
+}
+
 void addTeachingBenches(CLI::App& group, Selection& selection) {
   const auto arguments = std::make_shared<TeachingArguments>();
   auto& app =
@@ -108,6 +108,7 @@ void addTeachingBenches(CLI::App& group, Selection& selection) {
                  {"bench exercises", "bench exercises --draws 5 --case focused-trauma", "bench exercises --report exercises.json"},
                  [others](Run& run) { return exercises(*others, run); });
   addOptions(tried, *others, "--draws", "Tries of each exercise and level (20)");
+  addMetricBenches(group, selection);
 }
 
 }  // namespace ew::cli
