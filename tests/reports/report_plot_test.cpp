@@ -68,6 +68,10 @@ TEST(FigureTexts, HaveTheDecimalsTheyDeserve) {
   EXPECT_EQ(figureText(3.0, "").english(), "3");
   EXPECT_EQ(figureText(-0.001, "mm").english(), "0.00 mm");
   EXPECT_EQ(percentText(0.825).english(), "82 %");
+  EXPECT_EQ(scoreText(0.698, 0.7).english(), "69.8 %") << "not passed, and it shows";
+  EXPECT_EQ(scoreText(0.6999999, 0.7).english(), "69.9 %");
+  EXPECT_EQ(scoreText(0.7, 0.7).english(), "70 %");
+  EXPECT_EQ(scoreText(0.41, 0.7).english(), "41 %");
   EXPECT_EQ(durationText(12.5).english(), "12.5 s");
   EXPECT_EQ(durationText(185.2).english(), "3 min 5 s");
   EXPECT_EQ(durationText(7325.0).english(), "2 h 2 min");

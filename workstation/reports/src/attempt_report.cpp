@@ -56,7 +56,7 @@ ReportPlot barsOf(const ReportedAttempt& one, const ReportedLesson& lesson) {
   BarsPlot plot;
   for (const StepScore& step : one.score->steps) {
     if (step.weight <= 0.0) continue;
-    const Message says = joined({percentText(step.score), verdictIn(one.attempt, step)}, ", ");
+    const Message says = joined({scoreText(step.score, step.passLevel), verdictIn(one.attempt, step)}, ", ");
     plot.bars.push_back({verbatim(stepTitle(lesson.words, step.stepId, step.title)), step.score, step.passLevel,
                          step.verdict == StepVerdict::passed, says});
   }
@@ -80,7 +80,7 @@ ReportTable stepsTable(const ReportedAttempt& one, const ReportedLesson& lesson)
     table.rows.push_back({{verbatim(stepTitle(lesson.words, step.stepId, step.title))},
                           {kindText(step.kind)},
                           {verdictIn(one.attempt, step), toneOf(step.verdict)},
-                          {percentText(step.score)},
+                          {scoreText(step.score, step.passLevel)},
                           {step.weight > 0.0 ? percentText(step.passLevel) : none},
                           {figureText(step.weight, "")},
                           {outcome == nullptr ? none : durationText(outcome->seconds)},

@@ -12,8 +12,9 @@ ReportFacts stepFacts(const StepScore& step, const StepOutcome* outcome, std::si
   facts.rows.push_back({say<"Task">(), kindText(step.kind)});
   facts.rows.push_back({say<"Verdict">(), outcome == nullptr ? say<"not reached">() : verdictText(step.verdict), toneOf(step.verdict)});
   if (outcome == nullptr) return facts;
-  facts.rows.push_back({say<"Score">(), step.weight > 0.0 ? say<"%1 (passes from %2)">(percentText(step.score), percentText(step.passLevel))
-                                                          : say<"%1 (does not count)">(percentText(step.score))});
+  facts.rows.push_back({say<"Score">(), step.weight > 0.0
+                                            ? say<"%1 (passes from %2)">(scoreText(step.score, step.passLevel), percentText(step.passLevel))
+                                            : say<"%1 (does not count)">(percentText(step.score))});
   if (step.task != step.score) facts.rows.push_back({say<"Of the task itself">(), percentText(step.task)});
   facts.rows.push_back({say<"Time">(), durationText(outcome->seconds)});
   if (outcome->hints > 0) facts.rows.push_back({say<"Hints">(), figureText(outcome->hints, "")});

@@ -35,6 +35,11 @@ Message decimals(double value, int count) { return numeral(reports::fixedText(va
 
 Message percentText(double share) { return joined({decimals(100.0 * share, 0), verbatim("%")}); }
 
+Message scoreText(double score, double passLevel) {
+  if (score >= passLevel || std::round(100.0 * score) < std::round(100.0 * passLevel)) return percentText(score);
+  return joined({decimals(std::floor(1000.0 * score) / 10.0, 1), verbatim("%")});
+}
+
 Message figureText(double value, std::string_view unit) {
   const double size = std::abs(value);
   const bool isWhole = unit.empty() && value == std::round(value);

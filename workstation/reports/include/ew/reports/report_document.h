@@ -89,6 +89,8 @@ struct ReportOptions {
 
 /// "82 %". @param share 0..1
 [[nodiscard]] Message percentText(double share);
+/// A score beside the level that it has to reach, 0..1: "70 %", but "69.8 %" where it would seem to reach what it does not.
+[[nodiscard]] Message scoreText(double score, double passLevel);
 /// A figure with its unit and as many decimals as it deserves: "4.23 mm", "12.5 °", "310 ml".
 [[nodiscard]] Message figureText(double value, std::string_view unit);
 /// "3 min 05 s" or "12.5 s". @param seconds >= 0
