@@ -20925,10 +20925,6 @@ Zeit: %3</translation>
         <translation>Schritt</translation>
     </message>
     <message>
-        <source>Ended</source>
-        <translation>Beendet</translation>
-    </message>
-    <message>
         <source>Passed</source>
         <translation>Bestanden</translation>
     </message>
@@ -21001,8 +20997,12 @@ Zeit: %3</translation>
         <translation>Die meisten scheitern bei „%1“: %2 von %3, die ihn beendeten, haben nicht bestanden.</translation>
     </message>
     <message>
-        <source>Most fail here</source>
-        <translation>Hier scheitern die meisten</translation>
+        <source>%1: most fail here</source>
+        <translation>%1: Hier scheitern die meisten</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -21642,6 +21642,10 @@ Zeit: %3</translation>
     <message>
         <source>Looking …</source>
         <translation>Suche …</translation>
+    </message>
+    <message>
+        <source>No attempts yet</source>
+        <translation>Noch keine Versuche</translation>
     </message>
     <message>
         <source>Nobody has tried it yet</source>

@@ -59,6 +59,16 @@ TEST(Alignment, LeavesOutPosesThatNobodyKnows) {
   const auto found = Alignment::of(first, allOf(first), second, allOf(second));
   ASSERT_TRUE(found);
   for (double time_s = 1.0; time_s < 29.0; time_s += 0.5) EXPECT_NEAR(found->inSecond_s(time_s), time_s / 1.5, 0.15) << time_s;
+  EXPECT_LT(found->mean_mm(), 1.0);
+}
+
+TEST(Alignment, EndsWithAnExpertWhoRestsAtTheEnd) {
+  const ScanLog first = logOf(101, 0.1, [](int n, ScanState& state) { state.pose = along(n / 100.0); });
+  const ScanLog second = logOf(201, 0.1, [](int n, ScanState& state) { state.pose = along(std::min(1.0, n / 100.0)); });
+  const auto found = Alignment::of(first, allOf(first), second, allOf(second));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->inSecond_s(10.0), 20.0);
+  EXPECT_NEAR(found->inSecond_s(5.0), 5.0, 0.1);
 }
 
 TEST(Alignment, SaysWhenThereIsNoPoseAtAll) {

@@ -106,6 +106,7 @@ void BodyView::takeScans() {
       scene_->showFrom(bridge::CameraPreset::front);
       scene_->fitToVolume();
       scene_->orbit(0.45, 0.3);
+      scene_->zoom(1.3);
     }
     framedFor_ = about;
   }
@@ -289,7 +290,8 @@ void BodyView::paintRegions(QPainter& painter) const {
   for (const auto& [distance, region] : order) {
     const QPointF at = pixelOf(region->middle_mm);
     const double side = std::max(1.5, base->regions->side_mm() / scene_->mmPerPixelAt(region->middle_mm) / canvas_->devicePixelRatioF());
-    hue.setAlphaF(isTime ? 0.55 * region->share : 0.35);
+    // Many lie behind each other: what is thin stays light.
+    hue.setAlphaF(isTime ? 0.015 + 0.22 * region->share * region->share : 0.14);
     if (isTime) {
       painter.setPen(Qt::NoPen);
       painter.setBrush(hue);

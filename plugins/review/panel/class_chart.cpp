@@ -66,13 +66,12 @@ void DistributionChart::paintEvent(QPaintEvent*) {
   const ChartAxis axis = linearAxis(std::vector<double>{lowest_, highest_}, {.steps = 4});
   for (const ChartTick& tick : axis.ticks) {
     if (tick.value < lowest_ - 1e-9 || tick.value > highest_ + 1e-9) continue;
+    const bool isLast = &tick == &axis.ticks.back() || (&tick)[1].value > highest_ + 1e-9;
     const double x = xOf(tick.value, box);
     painter.drawLine(QPointF(x, box.bottom() + 2), QPointF(x, box.bottom() + 5));
     painter.drawText(QRectF(x - 40, box.bottom() + 5, 80, words), Qt::AlignHCenter | Qt::AlignTop,
-                     QLocale().toString(tick.value, 'f', tick.decimals));
+                     QLocale().toString(tick.value, 'f', tick.decimals) + (isLast ? QLatin1Char(' ') + unit_ : QString()));
   }
-  if (!unit_.isEmpty())
-    painter.drawText(QRectF(box.right() - 80, box.top() - 2 * kGap_px, 80, 2 * kGap_px), Qt::AlignRight | Qt::AlignVCenter, unit_);
   if (!level_ || *level_ < lowest_ || *level_ > highest_) return;
   const double x = xOf(*level_, box);
   painter.setPen(QPen(palette().color(QPalette::WindowText), 1.5, Qt::DashLine));

@@ -13,6 +13,7 @@
 #include "ew/assessment/metric.h"
 #include "ew/sdk/panel.h"
 #include "panel/look.h"
+#include "panel/report_button.h"
 
 namespace ew::review {
 
@@ -21,7 +22,7 @@ using sdk::words;
 
 namespace {
 
-enum StepColumn { kStep, kEnded, kPassed, kMedian, kSpread };
+enum StepColumn { kStep, kPassed, kMedian, kSpread };
 enum AttemptColumn { kWho, kScore, kVerdict, kStanding };
 constexpr int kSortRole = Qt::UserRole + 1;
 
@@ -90,6 +91,7 @@ ClassPage::ClassPage(ReviewSession& session, QWidget* parent) : QWidget(parent),
   heading_->setObjectName(QStringLiteral("classHeading"));
   heading_->setWordWrap(true);
   head->addWidget(heading_, 1);
+  head->addWidget(new ReportButton(session_, true));
   back_ = new QPushButton(tr("Back to the scans"));
   back_->setObjectName(QStringLiteral("classBack"));
   connect(back_, &QPushButton::clicked, this, [this] { session_.setShowsClass(false); });
@@ -101,8 +103,8 @@ ClassPage::ClassPage(ReviewSession& session, QWidget* parent) : QWidget(parent),
   rows->addWidget(hardest_);
   auto* halves = new QHBoxLayout;
   halves->setSpacing(2 * kGap_px);
-  halves->addWidget(makeSteps(), 1);
-  halves->addWidget(makeDetails(), 1);
+  halves->addWidget(makeSteps(), 5);
+  halves->addWidget(makeDetails(), 4);
   rows->addLayout(halves, 1);
   connect(&session_, &ReviewSession::pageChanged, this, &ClassPage::refresh);
   connect(&session_, &ReviewSession::shelfChanged, this, &ClassPage::refresh);
@@ -111,7 +113,7 @@ ClassPage::ClassPage(ReviewSession& session, QWidget* parent) : QWidget(parent),
 }
 
 QWidget* ClassPage::makeSteps() {
-  steps_ = table("classSteps", tr("Steps of the lesson"), {tr("Step"), tr("Ended"), tr("Passed"), tr("Median"), tr("Middle half")});
+  steps_ = table("classSteps", tr("Steps of the lesson"), {tr("Step"), tr("Passed"), tr("Median"), tr("Middle half")});
   steps_->header()->setToolTip(
       tr("Click a heading to sort; the scores of the middle half of all attempts lie between the two last figures"));
   steps_->sortByColumn(-1, Qt::AscendingOrder);  // as in the lesson, until a heading is clicked
@@ -236,12 +238,12 @@ void ClassPage::refresh() {
     const StepOverview& step = overview_.steps[n];
     auto* item = new SortedItem(steps_);
     const bool isHardest = overview_.hardest == n;
+    item->setToolTip(kStep, words(lessonStep(step.stepId)->title));
     item->setText(kStep, (isHardest ? QStringLiteral("▲ ") : QString()) + words(lessonStep(step.stepId)->title));
-    if (isHardest) item->setToolTip(kStep, tr("Most fail here"));
+    if (isHardest) item->setToolTip(kStep, tr("%1: most fail here").arg(item->toolTip(kStep)));
     item->setData(kStep, Qt::UserRole, words(step.stepId));
     item->setData(kStep, kSortRole, static_cast<double>(n));
-    item->set(kEnded, QString::number(step.ended), static_cast<double>(step.ended));
-    item->set(kPassed, step.ended == 0 ? QStringLiteral("–") : percent(1.0 - step.failedShare()),
+    item->set(kPassed, step.ended == 0 ? QStringLiteral("–") : tr("%1 of %2").arg(step.passed).arg(step.ended),
               step.ended == 0 ? -1.0 : 1.0 - step.failedShare());
     const bool isEmpty = step.scores.values.empty();
     item->set(kMedian, isEmpty ? QStringLiteral("–") : percent(step.scores.median), isEmpty ? -1.0 : step.scores.median);
@@ -316,6 +318,7 @@ void ClassPage::showAttempts() {
     item->setTextAlignment(kVerdict, Qt::AlignRight | Qt::AlignVCenter);
     auto* stands = new QComboBox;
     stands->setProperty("small", true);
+    stands->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     stands->setObjectName(QStringLiteral("classStanding"));
     stands->setAccessibleName(tr("How %1 stands").arg(who));
     stands->addItem(tr("unknown"));
@@ -326,6 +329,7 @@ void ClassPage::showAttempts() {
       standings_[id] = static_cast<Standing>(chosen);
       showSuggestion();
     });
+    item->setSizeHint(kStanding, stands->sizeHint() + QSize(kGap_px, kGap_px));
     attempts_->setItemWidget(item, kStanding, stands);
   }
   showSuggestion();

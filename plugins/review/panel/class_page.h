@@ -79,7 +79,6 @@ class ClassPage final : public QWidget {
   QLabel* suggestion_ = nullptr;
   QPushButton* take_ = nullptr;
   QPushButton* back_ = nullptr;
-  QPushButton* print_ = nullptr;
   std::optional<double> suggested_;
   bool showing_ = false;
 };

@@ -29,7 +29,8 @@ namespace {
 constexpr int kFileEntry = -2, kNothingEntry = -1;
 
 QString when(std::chrono::sys_seconds moment) {
-  return QLocale().toString(QDateTime::fromSecsSinceEpoch(moment.time_since_epoch().count()), QLocale::ShortFormat);
+  const QDateTime local = QDateTime::fromSecsSinceEpoch(moment.time_since_epoch().count());
+  return QLocale().toString(local.date(), QLocale::ShortFormat) + local.time().toString(QStringLiteral(" HH:mm"));
 }
 
 QComboBox* choice(const char* name, const QString& spoken) {
@@ -74,6 +75,7 @@ ScansPage::ScansPage(ReviewSession& session, QWidget* parent) : QWidget(parent),
   attempts_ = new QListWidget;
   attempts_->setObjectName(QStringLiteral("reviewAttempts"));
   attempts_->setAccessibleName(tr("Attempts"));
+  attempts_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   attempts_->setMinimumHeight(withText(96, font()));
   connect(attempts_, &QListWidget::currentRowChanged, this, [this](int row) {
     if (!showing_ && row >= 0) session_.chooseAttempt(static_cast<std::size_t>(row));
@@ -153,7 +155,10 @@ void ScansPage::showAttempts() {
   attempts_->clear();
   const ShelvedLesson* of = session_.lesson();
   if (of == nullptr || of->attempts.empty()) {
-    auto* none = new QListWidgetItem(session_.isReading() ? tr("Looking …") : tr("Nobody has tried it yet"), attempts_);
+    auto* none = new QListWidgetItem(session_.isReading() ? tr("Looking …")
+                                     : of == nullptr      ? tr("No attempts yet")
+                                                          : tr("Nobody has tried it yet"),
+                                     attempts_);
     none->setFlags(Qt::NoItemFlags);
     return;
   }
@@ -161,9 +166,9 @@ void ScansPage::showAttempts() {
     const Attempt& tried = of->attempts[n].second;
     const AttemptScore* score = session_.scoreOf(n);
     QString state = tried.finishedAt ? passedOf(*of, tried, score) : tr("not finished");
-    if (score != nullptr) state += QStringLiteral(" · ") + QLocale().toString(100.0 * score->score, 'f', 0) + QStringLiteral(" %");
-    auto* item = new QListWidgetItem(session_.personOf(tried) + QLatin1Char('\n') + when(tried.startedAt) + QStringLiteral(" · ") + state,
-                                     attempts_);
+    QString who = session_.personOf(tried);
+    if (score != nullptr) who += QStringLiteral(" · ") + percent(score->score);
+    auto* item = new QListWidgetItem(who + QLatin1Char('\n') + when(tried.startedAt) + QStringLiteral(" · ") + state, attempts_);
     item->setToolTip(item->text());
   }
   attempts_->setCurrentRow(session_.attemptNumber() ? static_cast<int>(*session_.attemptNumber()) : -1);

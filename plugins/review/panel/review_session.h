@@ -145,6 +145,10 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   void keepPlan(AssessmentPlan plan);  ///< and scores all attempts of the lesson anew
   void scoreAll();                     ///< in a job, those whose score is out of date
   [[nodiscard]] bool isScoring() const { return scoring_; }
+  /// Writes a report in a job: on the attempt that is chosen, or on all attempts of the lesson. Names are in it when they are shown.
+  /// @param file ending in .pdf or .html
+  void writeReport(const std::filesystem::path& file, bool isOfClass);
+  Q_INVOKABLE void writeReportFile(const QString& file, bool isOfClass) { writeReport(file.toStdString(), isOfClass); }
 
  Q_SIGNALS:
   void shelfChanged();

@@ -13,6 +13,7 @@
 #include "ew/assessment/metric.h"
 #include "ew/sdk/panel.h"
 #include "panel/look.h"
+#include "panel/report_button.h"
 
 namespace ew::review {
 
@@ -68,6 +69,7 @@ ScoresPage::ScoresPage(ReviewSession& session, QWidget* parent) : QWidget(parent
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setShowGrid(false);
+  table_->setWordWrap(true);
   table_->setTabKeyNavigation(false);
   table_->setMinimumHeight(withText(180, font()));
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -82,7 +84,11 @@ ScoresPage::ScoresPage(ReviewSession& session, QWidget* parent) : QWidget(parent
   score_->setObjectName(QStringLiteral("reviewScore"));
   score_->setToolTip(tr("Works out all scores of this lesson from what was recorded; earlier scores are kept"));
   connect(score_, &QPushButton::clicked, this, [this] { session_.scoreAll(); });
-  rows->addWidget(score_);
+  auto* buttons = new QHBoxLayout;
+  report_ = new ReportButton(session_, false);
+  buttons->addWidget(score_, 1);
+  buttons->addWidget(report_, 1);
+  rows->addLayout(buttons);
   scroll->setWidget(body);
   outer->addWidget(scroll);
   connect(&session_, &ReviewSession::scansChanged, this, &ScoresPage::refresh);
@@ -193,7 +199,7 @@ void ScoresPage::showVerdict() {
     }
   };
   if (scored != nullptr) {
-    verdict_->setText(tr("%1 of %2 that pass: %3").arg(percent(scored->score), percent(scored->passLevel), verdictWords(scored->verdict)));
+    verdict_->setText(tr("%1, pass level %2: %3").arg(percent(scored->score), percent(scored->passLevel), verdictWords(scored->verdict)));
     made_->setText(tr("The task alone %1. Poses known in %2 of the images. Scored with revision %3 of what counts.")
                        .arg(percent(scored->task), percent(scored->validShare))
                        .arg(score->planRevision));
@@ -232,6 +238,7 @@ void ScoresPage::showTable() {
     put(kExpert, other);
     if (before == metric.id) table_->selectRow(row);
   }
+  table_->resizeRowsToContents();
   table_->setVisible(table_->rowCount() > 0);
 }
 
@@ -239,6 +246,7 @@ void ScoresPage::showPlan() {
   const LessonStep* step = session_.step();
   plan_->setVisible(step != nullptr && session_.lesson() != nullptr);
   score_->setVisible(session_.lesson() != nullptr && !session_.lesson()->attempts.empty());
+  report_->setVisible(session_.attempt() != nullptr);
   score_->setEnabled(!session_.isScoring());
   score_->setText(session_.isScoring() ? tr("Scoring …") : tr("Score the attempts"));
   if (step == nullptr) return;

@@ -47,6 +47,7 @@ class ScoresPage final : public QWidget {
   sdk::NumberField* worst_ = nullptr;
   sdk::NumberField* best_ = nullptr;
   QPushButton* score_ = nullptr;
+  QPushButton* report_ = nullptr;
   bool showing_ = false;
 };
 

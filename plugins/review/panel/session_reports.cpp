@@ -1,0 +1,79 @@
+// Reports on one attempt and on a class, as the window's language has them.
+#include <QLocale>
+
+#include "ew/assessment/pseudonym.h"
+#include "ew/io/safe_file.h"
+#include "ew/reports/attempt_report.h"
+#include "ew/reports/class_report.h"
+#include "ew/reports/html.h"
+#include "ew/sdk/window.h"
+#include "ew/sdk/words.h"
+#include "panel/report_pdf.h"
+#include "panel/review_session.h"
+
+namespace ew::review {
+
+using sdk::words;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The attempts that a report is on, and how it is told.
+struct ReportWork {
+  std::vector<fs::path> attempts;
+  bool isOfClass = false;
+  ReportOptions options;
+
+  Result<void> run(const fs::path& file, Progress& progress) const {
+    auto document = made(progress);
+    if (!document) return passOn(document.error());
+    const bool isPaper = words(file.string()).endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive);
+    return isPaper ? writeReportPdf(*document, options, usualPaper(), file) : writeFileSafely(file, htmlOf(*document, options));
+  }
+
+ private:
+  Result<ReportDocument> made(Progress& progress) const {
+    std::vector<ReportedAttempt> read;
+    for (const fs::path& folder : attempts) {
+      if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Stopped as asked.">());
+      progress.report(say<"Reading attempts">(), static_cast<double>(read.size()) / static_cast<double>(attempts.size()));
+      auto one = readReportedAttempt(folder);
+      if (!one) return passOn(one.error());
+      read.push_back(std::move(*one));
+    }
+    const fs::path library = libraryFolder();
+    auto codes = Pseudonyms::ofLibrary(library);
+    if (!codes) return passOn(codes.error());
+    const Attempt& first = read.front().attempt;
+    const ReportedLesson lesson = readReportedLesson(first.caseId, first.lessonId, library, options);
+    if (isOfClass) return classReport(read, lesson, *codes, {}, options);
+    return attemptReport(read.front(), lesson, *codes, options);
+  }
+};
+
+}  // namespace
+
+void ReviewSession::writeReport(const fs::path& file, bool isOfClass) {
+  auto work = std::make_shared<ReportWork>();
+  work->isOfClass = isOfClass;
+  work->options.names = showsNames_;
+  work->options.language = QLocale().name().toStdString();
+  work->options.words = [](const Message& message) { return words(message).toStdString(); };
+  if (isOfClass && lesson() != nullptr)
+    for (const auto& [folder, tried] : lesson()->attempts) work->attempts.push_back(folder);
+  else if (!isOfClass && attempt() != nullptr)
+    work->attempts.push_back(attempt()->first);
+  if (work->attempts.empty() || !saveComments()) return;
+  host_.jobs().startSaving(
+      tr("Writing the report").toStdString(), [work, file](Progress& progress) { return work->run(file, progress); },
+      [this, file, alive = std::weak_ptr(alive_)](const Result<void>& done) {
+        if (alive.expired()) return;
+        if (done)
+          host_.window().info(tr("The report is in %1.").arg(words(file.string())).toStdString(), "review report");
+        else if (done.error().code != ErrorCode::cancelled)
+          host_.window().error(words(done.error()).toStdString(), "review report");
+      });
+}
+
+}  // namespace ew::review
