@@ -169,6 +169,56 @@ TEST_F(AccessCommand, MakesAKeyAndAnExaminationForIt) {
   EXPECT_TRUE(openExamination(imported->folder, *key, folder_ / "again"));
 }
 
+TEST_F(AccessCommand, OpensAnExaminationWithTheKeyAndScoresWhatWasHandedIn) {
+  ASSERT_EQ(run({"key", "new", "--passphrase", folder_ / "words"}).status, 0);
+  ASSERT_EQ(run({"key", "show", "-o", folder_ / "anna.pub"}).status, 0);
+  ASSERT_EQ(run({"case", "export", caseFolder(), "-o", folder_ / "friday.ewcase", "--examination", "--for", folder_ / "anna.pub",
+                 "--examination-id", "friday"})
+                .status,
+            0);
+  const auto imported = importBundle(folder_ / "friday.ewcase", libraryFolder());
+  ASSERT_TRUE(imported);
+  std::vector<std::string> words = {
+      "case", "unseal", folder_ / "friday.ewcase", "-o", folder_ / "opened", "--passphrase", folder_ / "words", "--attempts"};
+  for (const int option : {0, 1}) {
+    Attempt attempt;
+    attempt.id = "20261126-09300" + std::to_string(option) + "-4f2a91c7";
+    attempt.caseId = "friday";
+    attempt.lessonId = "lesson-1";
+    attempt.startedAt = std::chrono::sys_seconds(std::chrono::seconds(1'800'000'000));
+    attempt = withSealedAnswers(attempt, loadCase(imported->folder)->sealed->sha256);
+    auto kept = KeptAttempt::begin(folder_.path() / "handed", attempt);
+    ASSERT_TRUE(kept) << kept.error();
+    StepOutcome outcome;
+    outcome.stepId = "step-1";
+    outcome.verdict = StepVerdict::handedIn;
+    outcome.answer = {{"chosen", {option}}};
+    ASSERT_TRUE(kept->endStep(outcome));
+    ASSERT_TRUE(kept->finish(attempt.startedAt));
+    words.push_back(kept->folder().string());
+  }
+  const Outcome sealed = run({"assess", words.back()});
+  EXPECT_NE(sealed.status, 0) << "as long as the answers are sealed it has no score";
+  EXPECT_NE((sealed.out + sealed.err).find("unseal"), std::string::npos) << sealed.out << sealed.err;
+
+  writePassphrase("wrong", "correct horse batterz");
+  auto wrong = words;
+  wrong[6] = folder_ / "wrong";
+  EXPECT_NE(run(wrong).status, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "opened"));
+  const Outcome opened = run(words);
+  ASSERT_EQ(opened.status, 0) << opened.err;
+  EXPECT_TRUE(loadCase(folder_ / "opened/cases/secretid"));
+  const Outcome scored = run({"assess", "--library", folder_ / "opened", "--report", folder_ / "r.json"});
+  ASSERT_EQ(scored.status, 0) << scored.err << scored.out;
+  const json attempts = readJson(folder_ / "r.json")["attempts"];
+  ASSERT_EQ(attempts.size(), 2u);
+  EXPECT_EQ(attempts[0]["score"], 1.0);
+  EXPECT_EQ(attempts[0]["passed"], true);
+  EXPECT_EQ(attempts[1]["score"], 0.0);
+  EXPECT_EQ(attempts[1]["passed"], false);
+}
+
 TEST_F(AccessCommand, SaysThatAnOrdinaryBundleIsForPractice) {
   const Outcome made = run({"case", "export", caseFolder(), "-o", folder_ / "p.ewcase"});
   ASSERT_EQ(made.status, 0) << made.err;

@@ -8,6 +8,7 @@
 #include "ew/core/data_file.h"
 #include "ew/core/json_fields.h"
 #include "ew/io/safe_file.h"
+#include "ew/library/instructor_log.h"
 #include "ew/library/moment.h"
 #include "numbered_files.h"
 
@@ -158,8 +159,15 @@ Result<AssessmentPlan> readPlan(const fs::path& library, const std::string& case
 Result<AssessmentPlan> keepPlan(const fs::path& library, AssessmentPlan plan) {
   if (auto good = planFromJson(jsonOf(plan)); !good) return passOn(good.error());
   const fs::path folder = planFolder(library, plan.caseId, plan.lessonId);
+  nlohmann::json before;
   if (const auto files = assessment::numberedFiles(folder); !files.empty())
-    if (auto last = readPlanFile(files.back()); last && decisionsOf(*last) == decisionsOf(plan)) return last;
+    if (auto last = readPlanFile(files.back()); last) {
+      if (decisionsOf(*last) == decisionsOf(plan)) return last;
+      before = decisionsOf(*last);
+    }
+  // What is not written down is not decided.
+  if (auto logged = logChange(library, "plan changed", plan.caseId + "/" + plan.lessonId, std::move(before), decisionsOf(plan)); !logged)
+    return passOn(logged.error());
   const auto added = assessment::addNumbered(folder, jsonOf(plan).dump(1) + "\n");
   if (!added) return passOn(added.error());
   plan.revision = added->number;

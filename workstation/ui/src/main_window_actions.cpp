@@ -407,7 +407,8 @@ void MainWindow::showTitle() {
   QString title = subject ? words(subject->title) : QString();
   QString remark;
   if (subject && !p.opener->showsCase()) remark = tr("a volume without a case");
-  p.caseInfo->showCase(showsCase ? &*opened : nullptr);
+  const std::optional<Case> seen = showsCase ? std::optional(shownCase(*opened, p.access)) : std::nullopt;
+  p.caseInfo->showCase(seen ? &*seen : nullptr);
   if (showsCase) {
     title = words(p.isAuthor() ? opened->title : p.caseInfo->caseWords().of(titleForTrainees(*opened)));
     remark = words(opened->patient.name);
