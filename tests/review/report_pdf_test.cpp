@@ -137,7 +137,7 @@ TEST_F(ReportOnPaper, NeverCutsAPictureOrTakesItFromItsCaption) {
 
 TEST_F(ReportOnPaper, KeepsAHeadingWithWhatFollows) {
   EW_NEEDS_PROGRAM("pdftotext");
-  for (int before = 40; before < 62; ++before) {
+  for (int before = 25; before < 45; ++before) {
     ReportDocument document{verbatim("Headings"), {}, {}, {}};
     for (int n = 0; n < before; ++n) document.blocks.emplace_back(ReportList{{{verbatim("line"), ReportTone::plain}}});
     document.blocks.emplace_back(ReportHeading{2, verbatim("THEHEADING")});
