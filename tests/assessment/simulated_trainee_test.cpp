@@ -14,6 +14,7 @@
 #include "../tracking/skins.h"
 #include "ew/assessment/hand_path.h"
 #include "ew/assessment/motion.h"
+#include "ew/assessment/skin_distance.h"
 #include "ew/assessment/step_work.h"
 #include "ew/scanning/contact.h"
 
@@ -145,6 +146,17 @@ bool areSame(const std::vector<SimulatedStep>& a, const std::vector<SimulatedSte
 
 double meanOf(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+TEST(SkinDistance, IsThatOfTheSkinWithinHundredthsOfAMillimetre) {
+  const auto skin = std::make_shared<const test::SphereSkin>(25.0);
+  const SkinDistance distance(skin);
+  for (int n = 0; n < 500; ++n) {
+    const double height_mm = -15.0 + 0.06 * n, turn = 0.7 * n, fall = std::cos(0.3 * n);
+    const glm::dvec3 direction(std::sqrt(1.0 - fall * fall) * glm::dvec2(std::cos(turn), std::sin(turn)), fall);
+    EXPECT_NEAR(distance.at_mm((25.0 + height_mm) * direction), height_mm, height_mm > -5.0 ? 0.08 : 0.2) << n;
+  }
+  EXPECT_NEAR(SkinDistance(std::make_shared<const test::PlaneSkin>()).at_mm({3.3, -1234.5, 7.1}), 7.1, 1e-5);
 }
 
 TEST(TraineeHabits, StandBetweenNovicesAndExpertsAndOverlap) {

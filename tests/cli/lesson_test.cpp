@@ -85,8 +85,7 @@ TEST_F(LessonCommand, RefusesLessonsThatCannotBeRead) {
 TEST_F(LessonCommand, RecordsAShippedPathAgainAsItWasRecorded) {
   for (const std::string scan : {"fetal-biometry/parts/lessons/scans/three-planes", "liver-sweep-recorded/parts/lessons/scans/landmarks"}) {
     const std::string opened = (cases_ / scan.substr(0, scan.find('/'))).string();
-    const auto made =
-        run({"lesson", "record", opened, "--path", (cases_ / scan).string() + ".path.json", "-o", folder_ / "again.seq.mha"});
+    const auto made = run({"lesson", "record", opened, "--path", (cases_ / scan).string() + ".path.json", "-o", folder_ / "again.seq.mha"});
     ASSERT_EQ(made.status, 0) << made.err;
     const auto shipped = readRecording((cases_ / scan).string() + ".seq.mha"), again = readRecording(folder_ / "again.seq.mha");
     ASSERT_TRUE(shipped && again);

@@ -176,7 +176,8 @@ class Working {
     lookOn(hand, plan);
     const double until_s = std::min(plan.end_s(), limit_s_);
     const assessment::Liftings liftings(habits_.contactLoss, plan.begin_s(), until_s, random_);
-    assessment::Filming(*on_.teaching().skin, options_.rate_hz, noise_).film(plan, habits_, liftings, until_s, state_, made.log);
+    assessment::Filming(*on_.teaching().skin, on_.skinDistance(), options_.rate_hz, noise_)
+        .film(plan, habits_, liftings, until_s, state_, made.log);
     if (made.log.frameCount() > 0) now_ = plan.end_s() <= limit_s_ ? plan.now() : holdFor(state_.pose, *on_.teaching().skin);
     time_s_ = until_s;
     scanned_s_ += until_s - plan.begin_s();

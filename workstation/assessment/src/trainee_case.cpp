@@ -103,6 +103,7 @@ Result<TraineeCase> TraineeCase::of(TeachingCase teaching, Progress& progress) {
   auto lessons = lessonsOf(opened);
   if (!lessons) return passOn(lessons.error());
   made.lessons_ = *std::move(lessons);
+  made.distance_ = std::make_shared<const SkinDistance>(made.teaching_.skin);
   const auto& labels = made.teaching_.labels;
   made.ground_ =
       std::make_shared<const CaseGround>(std::make_shared<const CaseTruth>(made.teaching_.truth), labels, labels ? labels->grid : Grid{});

@@ -151,7 +151,7 @@ Pose Filming::disturbed(const Pose& meant, double speed_mmPerS, double time_s, c
 
 Pose Filming::lifted(const Probe& probe, const Pose& pose, double lifting) const {
   if (lifting <= 0.0) return pose;
-  auto gaps_mm = gapsToSkin_mm(probe, pose, skin_);
+  auto gaps_mm = distance_.gaps_mm(probe, pose);
   const auto half = gaps_mm.begin() + static_cast<std::ptrdiff_t>(gaps_mm.size() / 2);
   std::nth_element(gaps_mm.begin(), half, gaps_mm.end());
   const double off_mm = std::max(0.0, kGelFills_mm + kBeyondGel_mm - static_cast<double>(*half));
@@ -183,7 +183,7 @@ void Filming::film(const HandPlan& plan, const TraineeHabits& habits, const Lift
     state.pose = lifted(state.probe, disturbed(meant, speed_mmPerS, state.time_s, habits), liftings.at(state.time_s));
     state.pose.time_s = state.time_s;
     state.gaps_mm.clear();
-    if (state.scene.contact) state.gaps_mm = shortened(gapsToSkin_mm(state.probe, state.pose, skin_));
+    if (state.scene.contact) state.gaps_mm = shortened(distance_.gaps_mm(state.probe, state.pose));
     log.addFrame(state);
   }
 }

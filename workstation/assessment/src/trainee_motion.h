@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ew/assessment/hand_path.h"
+#include "ew/assessment/skin_distance.h"
 #include "ew/assessment/trainee_habits.h"
 #include "ew/scanning/events.h"
 #include "random_numbers.h"
@@ -110,7 +111,8 @@ class Liftings {
 /// The frames of a plan at an even rate, as the window would make them.
 class Filming {
  public:
-  Filming(const Skin& skin, double rate_hz, const HandNoise& noise) : skin_(skin), rate_hz_(rate_hz), noise_(noise) {}
+  Filming(const Skin& skin, const SkinDistance& distance, double rate_hz, const HandNoise& noise)
+      : skin_(skin), distance_(distance), rate_hz_(rate_hz), noise_(noise) {}
   /// @param state probe, knobs, scene and number of the images; afterwards as of the last image
   /// @param until_s no frame from there on
   void film(const HandPlan& plan, const TraineeHabits& habits, const Liftings& liftings, double until_s, ScanState& state,
@@ -121,6 +123,7 @@ class Filming {
   [[nodiscard]] Pose lifted(const Probe& probe, const Pose& pose, double lifting) const;
 
   const Skin& skin_;
+  const SkinDistance& distance_;
   double rate_hz_;
   const HandNoise& noise_;
 };

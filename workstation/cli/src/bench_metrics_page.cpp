@@ -91,20 +91,15 @@ std::string withMetricsSection(const std::string& page, const std::string& secti
 }
 
 json defaultMetrics(const json& measured) {
-  const auto entry = [](const json& row) {
-    json made = {{"on", row["on"]}};
-    if (!row["auc"].is_null()) {
-      const auto places = [](const json& value) { return std::round(1000.0 * value.get<double>()) / 1000.0; };
-      made["auc"] = places(row["auc"]["value"]);
-      made["low"] = places(row["auc"]["low"]);
-      made["high"] = places(row["auc"]["high"]);
-    }
-    return made;
+  const auto places = [](const json& value) { return std::round(1000.0 * value.get<double>()) / 1000.0; };
+  const auto entry = [&](const json& row) {
+    const json& area = row["auc"];
+    return json{{"on", row["on"]}, {"auc", places(area["value"])}, {"low", places(area["low"])}, {"high", places(area["high"])}};
   };
   json metrics = json::object();
   for (const json& row : measured["rows"]) {
     const std::string id = text(row, "metric"), scope = text(row, "scope");
-    if (id == "task_score" || scope == "lesson") continue;
+    if (id == "task_score" || scope == "lesson" || row["auc"].is_null()) continue;
     json& metric = metrics[id];
     if (scope == "kind") {
       metric["kinds"][text(row, "name")] = entry(row);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ew/assessment/case_ground.h"
+#include "ew/assessment/skin_distance.h"
 #include "ew/assessment/teaching_case.h"
 #include "ew/library/lesson.h"
 #include "ew/scanning/recording.h"
@@ -44,6 +45,7 @@ class TraineeCase {
   [[nodiscard]] const std::shared_ptr<const CaseGround>& ground() const { return ground_; }
   /// Of the case, the first its default; at least one.
   [[nodiscard]] const std::vector<Probe>& probes() const { return probes_; }
+  [[nodiscard]] const SkinDistance& skinDistance() const { return *distance_; }
   /// Where trainees begin.
   [[nodiscard]] const Hold& start() const { return start_; }
   /// Null: it is seen from nowhere on the skin, or the case has none of that name.
@@ -66,6 +68,7 @@ class TraineeCase {
   TeachingCase teaching_;
   std::vector<Lesson> lessons_;
   std::shared_ptr<const CaseGround> ground_;
+  std::shared_ptr<const SkinDistance> distance_;
   std::vector<Probe> probes_;
   Hold start_;
   std::map<std::pair<TargetKind, std::string>, TargetView> views_;
