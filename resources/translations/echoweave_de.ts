@@ -9623,6 +9623,330 @@
         <source>The attempt &apos;%1&apos; is left out: %2</source>
         <translation>Der Versuch „%1“ fehlt hier: %2</translation>
     </message>
+    <message>
+        <source>Scoring was stopped before this attempt.</source>
+        <translation>Die Auswertung wurde vor diesem Versuch angehalten.</translation>
+    </message>
+    <message>
+        <source>Reading the lesson &apos;%1&apos;</source>
+        <translation>Die Lektion „%1“ wird gelesen</translation>
+    </message>
+    <message>
+        <source>Scoring attempts</source>
+        <translation>Versuche werden ausgewertet</translation>
+    </message>
+    <message>
+        <source>one of the metrics that this program knows</source>
+        <translation>eine der Messgrößen, die dieses Programm kennt</translation>
+    </message>
+    <message>
+        <source>another number than the worst</source>
+        <translation>eine andere Zahl als die schlechteste</translation>
+    </message>
+    <message>
+        <source>above 0 where no metric counts</source>
+        <translation>über 0, wo keine Messgröße zählt</translation>
+    </message>
+    <message>
+        <source>the assessment plan</source>
+        <translation>der Bewertungsplan</translation>
+    </message>
+    <message>
+        <source>a step that is not in the list yet</source>
+        <translation>ein Schritt, der noch nicht in der Liste ist</translation>
+    </message>
+    <message>
+        <source>the score</source>
+        <translation>das Ergebnis</translation>
+    </message>
+    <message>
+        <source>Scoring was stopped.</source>
+        <translation>Die Auswertung wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>The recording of the step &apos;%1&apos; cannot be read: %2</source>
+        <translation>Die Aufzeichnung des Schrittes „%1“ kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>The step &apos;%1&apos; keeps the verdict it had: %2</source>
+        <translation>Der Schritt „%1“ behält das Urteil, das er hatte: %2</translation>
+    </message>
+    <message>
+        <source>The lesson &apos;%1&apos; of the case &apos;%2&apos; is not in the library; import the case.</source>
+        <translation>Die Lektion „%1“ des Falles „%2“ ist nicht in der Bibliothek; importieren Sie den Fall.</translation>
+    </message>
+    <message>
+        <source>The lesson has changed since it was tried, and how it was is not in the library; it is scored as it is now.</source>
+        <translation>Die Lektion hat sich seit dem Versuch geändert, und wie sie war, ist nicht in der Bibliothek; sie wird ausgewertet, wie sie jetzt ist.</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; is not in the library; its steps keep the verdicts they had.</source>
+        <translation>Der Fall „%1“ ist nicht in der Bibliothek; seine Schritte behalten die Urteile, die sie hatten.</translation>
+    </message>
+    <message>
+        <source>The expert&apos;s attempt cannot be read; nothing is compared with it. %1</source>
+        <translation>Der Versuch des Experten kann nicht gelesen werden; nichts wird damit verglichen. %1</translation>
+    </message>
+    <message>
+        <source>Of 153 figures of one simulator 48 told novices from consultants; what this one says of skill has to be shown for each task.</source>
+        <translation>Von 153 Größen eines Simulators unterschieden 48 Anfänger von Fachärzten; was diese über Können sagt, muss für jede Aufgabe gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>Ours; no published standard states it.</source>
+        <translation>Unsere; kein veröffentlichter Standard nennt sie.</translation>
+    </message>
+    <message>
+        <source>Common in studies of dexterity; integrated from polynomials through the poses, so that noise does not lengthen it.</source>
+        <translation>Üblich in Untersuchungen der Handfertigkeit; aus Polynomen durch die Lagen integriert, damit Rauschen sie nicht verlängert.</translation>
+    </message>
+    <message>
+        <source>From the first contact with the skin to handing in, pauses left out.</source>
+        <translation>Vom ersten Kontakt mit der Haut bis zum Abgeben, ohne Pausen.</translation>
+    </message>
+    <message>
+        <source>Time on task.</source>
+        <translation>Zeit an der Aufgabe.</translation>
+    </message>
+    <message>
+        <source>Told novices from experts in brain and spine tasks; says nothing where a step asks for a time.</source>
+        <translation>Unterschied Anfänger von Experten in Aufgaben an Gehirn und Wirbelsäule; sagt nichts, wo ein Schritt eine Zeit verlangt.</translation>
+    </message>
+    <message>
+        <source>Path length</source>
+        <translation>Weglänge</translation>
+    </message>
+    <message>
+        <source>Way of the middle of the probe&apos;s face.</source>
+        <translation>Weg der Mitte der Schallkopffläche.</translation>
+    </message>
+    <message>
+        <source>Told novices from experts in one of three tasks of one study.</source>
+        <translation>Unterschied Anfänger von Experten in einer von drei Aufgaben einer Untersuchung.</translation>
+    </message>
+    <message>
+        <source>Angular path</source>
+        <translation>Winkelweg</translation>
+    </message>
+    <message>
+        <source>Sum of all turns of the probe about any axis.</source>
+        <translation>Summe aller Drehungen des Schallkopfs um beliebige Achsen.</translation>
+    </message>
+    <message>
+        <source>Smoothness (spectral arc length)</source>
+        <translation>Glätte (spektrale Bogenlänge)</translation>
+    </message>
+    <message>
+        <source>Length of the curve of the speed&apos;s normalised spectrum up to 10 Hz, negative; nearer to 0 is smoother.</source>
+        <translation>Länge der Kurve des normierten Spektrums der Geschwindigkeit bis 10 Hz, negativ; näher an 0 ist glatter.</translation>
+    </message>
+    <message>
+        <source>Balasubramanian et al., J NeuroEng Rehabil 12:112, 2015, eq. 9.</source>
+        <translation>Balasubramanian et al., J NeuroEng Rehabil 12:112, 2015, Gl. 9.</translation>
+    </message>
+    <message>
+        <source>Smoothness (log dimensionless jerk)</source>
+        <translation>Glätte (Logarithmus des dimensionslosen Rucks)</translation>
+    </message>
+    <message>
+        <source>Jerk of the movements between two rests, made independent of their length and time; nearer to 0 is smoother.</source>
+        <translation>Ruck der Bewegungen zwischen zwei Ruhen, unabhängig von ihrer Länge und Dauer gemacht; näher an 0 ist glatter.</translation>
+    </message>
+    <message>
+        <source>Balasubramanian et al., J NeuroEng Rehabil 12:112, 2015, eq. 3.</source>
+        <translation>Balasubramanian et al., J NeuroEng Rehabil 12:112, 2015, Gl. 3.</translation>
+    </message>
+    <message>
+        <source>Jerk told novices from experts in brain and spine tasks.</source>
+        <translation>Ruck unterschied Anfänger von Experten in Aufgaben an Gehirn und Wirbelsäule.</translation>
+    </message>
+    <message>
+        <source>Working volume</source>
+        <translation>Arbeitsraum</translation>
+    </message>
+    <message>
+        <source>Volume of the convex hull of the places of the face, by its outermost points in 1024 directions.</source>
+        <translation>Volumen der konvexen Hülle der Orte der Schallkopffläche, aus den äußersten Punkten in 1024 Richtungen.</translation>
+    </message>
+    <message>
+        <source>Hulls of positions are common in studies of dexterity.</source>
+        <translation>Hüllen von Orten sind in Untersuchungen der Handfertigkeit üblich.</translation>
+    </message>
+    <message>
+        <source>Told novices from experts in brain and heart tasks.</source>
+        <translation>Unterschied Anfänger von Experten in Aufgaben an Gehirn und Herz.</translation>
+    </message>
+    <message>
+        <source>Idle share</source>
+        <translation>Ruheanteil</translation>
+    </message>
+    <message>
+        <source>Part of the time in which the probe moves slower than 2 mm/s and turns slower than 2 degrees/s.</source>
+        <translation>Teil der Zeit, in dem sich der Schallkopf langsamer als 2 mm/s bewegt und langsamer als 2 Grad/s dreht.</translation>
+    </message>
+    <message>
+        <source>Lost contact</source>
+        <translation>Verlorener Kontakt</translation>
+    </message>
+    <message>
+        <source>Part of the time after the first contact in which less than half of the face touches (gel fills 3 mm).</source>
+        <translation>Teil der Zeit nach dem ersten Kontakt, in dem weniger als die Hälfte der Fläche anliegt (Gel füllt 3 mm).</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>How deep the face is pressed into the skin at its deepest point, as a mean over the time of contact. No force is measured.</source>
+        <translation>Wie tief die Fläche an ihrem tiefsten Punkt in die Haut gedrückt wird, gemittelt über die Zeit des Kontakts. Eine Kraft wird nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>A mouse presses as firmly as the program says; only a tracked probe tells how firmly a hand presses.</source>
+        <translation>Eine Maus drückt so fest, wie das Programm sagt; nur ein verfolgter Schallkopf sagt, wie fest eine Hand drückt.</translation>
+    </message>
+    <message>
+        <source>As evaluations of plane finding state it (Di Vece et al., arXiv 2301.08317, 2023).</source>
+        <translation>Wie es Untersuchungen der Ebenensuche angeben (Di Vece et al., arXiv 2301.08317, 2023).</translation>
+    </message>
+    <message>
+        <source>It is the task itself, by the target that the case&apos;s author set.</source>
+        <translation>Es ist die Aufgabe selbst, nach dem Ziel, das der Autor des Falles gesetzt hat.</translation>
+    </message>
+    <message>
+        <source>Part of the voxels of the structures asked for that images passed through below a touching part of the face; shadows are not looked at.</source>
+        <translation>Teil der Voxel der verlangten Strukturen, durch die Bilder unter einem anliegenden Teil der Fläche gingen; Schatten bleiben außer Betracht.</translation>
+    </message>
+    <message>
+        <source>Plane: angle</source>
+        <translation>Ebene: Winkel</translation>
+    </message>
+    <message>
+        <source>Between the normals of the last image and of the target plane.</source>
+        <translation>Zwischen den Normalen des letzten Bildes und der Zielebene.</translation>
+    </message>
+    <message>
+        <source>Plane: roll</source>
+        <translation>Ebene: Rollwinkel</translation>
+    </message>
+    <message>
+        <source>Rotation within the plane that is left after the shortest turn of normal to normal.</source>
+        <translation>Drehung in der Ebene, die nach der kürzesten Drehung von Normale zu Normale bleibt.</translation>
+    </message>
+    <message>
+        <source>Plane: distance</source>
+        <translation>Ebene: Abstand</translation>
+    </message>
+    <message>
+        <source>Of the target&apos;s point of interest from the plane of the last image.</source>
+        <translation>Des Punktes, auf den es ankommt, von der Ebene des letzten Bildes.</translation>
+    </message>
+    <message>
+        <source>Plane: shift in the picture</source>
+        <translation>Ebene: Verschiebung im Bild</translation>
+    </message>
+    <message>
+        <source>How far the point of interest lies from where the target&apos;s picture has it, seen along the normal.</source>
+        <translation>Wie weit der Punkt, auf den es ankommt, von seinem Ort im Bild des Ziels liegt, entlang der Normalen gesehen.</translation>
+    </message>
+    <message>
+        <source>Landmark</source>
+        <translation>Landmarke</translation>
+    </message>
+    <message>
+        <source>Of the click from the point, or from the nearest voxel of the structure.</source>
+        <translation>Des Klicks vom Punkt oder vom nächsten Voxel der Struktur.</translation>
+    </message>
+    <message>
+        <source>Trainees&apos; landmarks against the author&apos;s.</source>
+        <translation>Landmarken der Lernenden gegen die des Autors.</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>Difference from the expected value, of that value.</source>
+        <translation>Abweichung vom erwarteten Wert, bezogen auf diesen Wert.</translation>
+    </message>
+    <message>
+        <source>Percent error against the author&apos;s reference.</source>
+        <translation>Prozentualer Fehler gegen die Referenz des Autors.</translation>
+    </message>
+    <message>
+        <source>Calipers</source>
+        <translation>Messpunkte</translation>
+    </message>
+    <message>
+        <source>Of the calipers from where they belong, in the better order; the farther of the two.</source>
+        <translation>Der Messpunkte von ihrem Ort, in der besseren Reihenfolge; der weitere von beiden.</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>What is missing to all right options and no wrong one; of a number 0 within its tolerance, else 100.</source>
+        <translation>Was zu allen richtigen Möglichkeiten und keiner falschen fehlt; bei einer Zahl 0 innerhalb ihrer Toleranz, sonst 100.</translation>
+    </message>
+    <message>
+        <source>That were asked for.</source>
+        <translation>Um die gebeten wurde.</translation>
+    </message>
+    <message>
+        <source>Item 3 of OSAUS, image optimisation, as figures; ours.</source>
+        <translation>Punkt 3 von OSAUS, Bildoptimierung, als Größen; unsere.</translation>
+    </message>
+    <message>
+        <source>Gain beside the expert&apos;s</source>
+        <translation>Verstärkung neben der des Experten</translation>
+    </message>
+    <message>
+        <source>Of the last image, without its sign.</source>
+        <translation>Des letzten Bildes, ohne Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>Depth beside the expert&apos;s</source>
+        <translation>Tiefe neben der des Experten</translation>
+    </message>
+    <message>
+        <source>Focus beside the expert&apos;s</source>
+        <translation>Fokus neben dem des Experten</translation>
+    </message>
+    <message>
+        <source>Distance from the expert&apos;s scan</source>
+        <translation>Abstand von der Untersuchung des Experten</translation>
+    </message>
+    <message>
+        <source>Mean distance of the poses of both scans, aligned by dynamic time warping; a turn counts with a lever of 60 mm.</source>
+        <translation>Mittlerer Abstand der Lagen beider Untersuchungen, durch dynamische Zeitverzerrung zugeordnet; eine Drehung zählt mit einem Hebel von 60 mm.</translation>
+    </message>
+    <message>
+        <source>Dynamic time warping: Sakoe and Chiba 1978; the lever is ours.</source>
+        <translation>Dynamische Zeitverzerrung: Sakoe und Chiba 1978; der Hebel ist unserer.</translation>
+    </message>
+    <message>
+        <source>No published threshold was found.</source>
+        <translation>Keine veröffentlichte Grenze wurde gefunden.</translation>
+    </message>
+    <message>
+        <source>Planes the expert visited</source>
+        <translation>Ebenen, die der Experte besuchte</translation>
+    </message>
+    <message>
+        <source>Part of the expert&apos;s planes that the trainee visited as well, within 10 mm and 15 degrees.</source>
+        <translation>Teil der Ebenen des Experten, die auch besucht wurden, innerhalb von 10 mm und 15 Grad.</translation>
+    </message>
+    <message>
+        <source>Nothing can be written to the folder &apos;%1&apos; (%2); check that you may write there.</source>
+        <translation>In den Ordner „%1“ kann nichts geschrieben werden (%2); prüfen Sie, ob Sie dort schreiben dürfen.</translation>
+    </message>
+    <message>
+        <source>No skin of %1 can be scanned, so that nobody can begin there.</source>
+        <translation>Keine Haut von %1 kann untersucht werden, also kann dort niemand beginnen.</translation>
+    </message>
+    <message>
+        <source>Looking for views of targets</source>
+        <translation>Ansichten von Zielen werden gesucht</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
@@ -21187,7 +21511,7 @@ Zeit: %3</translation>
     </message>
     <message>
         <source>Keep as a draft</source>
-        <translation>Als Entwurf behalten</translation>
+        <translation>Entwurf behalten</translation>
     </message>
     <message>
         <source>Finish</source>
@@ -21619,6 +21943,14 @@ Zeit: %3</translation>
         <translation>Wie alle Versuche an dieser Lektion verliefen, Schritt für Schritt</translation>
     </message>
     <message>
+        <source>Recording …</source>
+        <translation>Aufzeichnung …</translation>
+    </message>
+    <message>
+        <source>Reviews the recording of a scan from a file, in place of an attempt's</source>
+        <translation>Sieht die Aufzeichnung eines Scans aus einer Datei durch, an Stelle der eines Versuchs</translation>
+    </message>
+    <message>
         <source>Look again</source>
         <translation>Neu suchen</translation>
     </message>
@@ -21762,6 +22094,10 @@ Zeit: %3</translation>
     <message>
         <source>left out</source>
         <translation>ausgelassen</translation>
+    </message>
+    <message>
+        <source>handed in, not judged yet</source>
+        <translation>abgegeben, noch nicht beurteilt</translation>
     </message>
     <message>
         <source>not passed</source>
