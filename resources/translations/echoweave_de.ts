@@ -8316,6 +8316,22 @@
         <translation>Übungen werden versucht: %1</translation>
     </message>
     <message>
+        <source>Simulated people work through %1</source>
+        <translation>Simulierte Personen arbeiten %1 durch</translation>
+    </message>
+    <message>
+        <source>These cases have no lessons to work through; name others.</source>
+        <translation>Diese Fälle haben keine Lektionen zum Durcharbeiten; andere nennen.</translation>
+    </message>
+    <message>
+        <source>Attempts are written</source>
+        <translation>Versuche werden geschrieben</translation>
+    </message>
+    <message>
+        <source>The benchmark was stopped.</source>
+        <translation>Die Messung wurde abgebrochen.</translation>
+    </message>
+    <message>
         <source>%1 has no skin over its data to start on; look at its box.</source>
         <translation>%1 hat über seinen Daten keine Haut, um dort zu beginnen; seinen Quader ansehen.</translation>
     </message>
