@@ -7,6 +7,7 @@
 #include <QPlainTextEdit>
 #include <QTabWidget>
 #include <QTableWidget>
+#include <QTranslator>
 #include <QTreeWidget>
 
 #include "ew/assessment/attempt_scoring.h"
@@ -16,6 +17,7 @@
 #include "reviewed_case.h"
 #include "screenshots.h"
 #include "theme.h"
+#include "usability_walk.h"
 #include "window_fixture.h"
 
 namespace ew::ui::testing {
@@ -318,6 +320,55 @@ class ReviewTest final : public WindowFixture {
     }
     stage().press("classBack");
     QVERIFY(stage().seen<QWidget>("reviewedPicture"));
+  }
+
+  void everyPageFitsHasNamesAndIsReachedInBothLanguages_data() {
+    QTest::addColumn<QString>("language");
+    QTest::newRow("English") << QStringLiteral("en");
+    QTest::newRow("German") << QStringLiteral("de");
+  }
+  void everyPageFitsHasNamesAndIsReachedInBothLanguages() {
+    QFETCH(QString, language);
+    QTranslator german;
+    if (language == QLatin1String("de")) {
+      QVERIFY(german.load(QStringLiteral(":/ew/translations/echoweave_de.qm")));
+      QVERIFY(QApplication::installTranslator(&german));
+      QLocale::setDefault(QLocale(QStringLiteral("de_DE")));
+    }
+    openReview();
+    if (QTest::currentTestFailed()) return;
+    chooseAnn();
+    showTab(1);
+    column().type("reviewReviewer", QStringLiteral("Dr. Weiss"));
+    QTest::keyClick(column().seen<QLineEdit>("reviewReviewer"), Qt::Key_Return);
+    stage().type("reviewCommentText", QStringLiteral("Look here."));
+    stage().press("reviewAddComment");
+    QStringList wrong;
+    const auto look = [&](const char* page) {
+      settle();
+      if (window_->width() > 1280 || window_->height() > 720)
+        wrong << QLatin1String(page) + QStringLiteral(" makes the window larger") << wideWidgets(*window_, 1280);
+      for (const QString& each : cutTexts(*window_)) wrong << QLatin1String(page) + QStringLiteral(", cut: ") + each;
+      for (const QString& each : namelessControls(*window_)) wrong << QLatin1String(page) + QStringLiteral(", without a name: ") + each;
+      const std::string name = "review-" + language.toStdString() + "-" + page;
+      keep(name.c_str());
+    };
+    const char* pages[] = {"scans", "comments", "scores", "rating"};
+    for (int n = 0; n < 4; ++n) {
+      showTab(n);
+      if (n == 2) column().seen<QTableWidget>("reviewMetrics")->selectRow(1);
+      look(pages[n]);
+    }
+    showTab(0);
+    column().press("reviewClass");
+    look("class");
+    stage().press("classBack");
+    QTest::keyClick(window_.get(), Qt::Key_S, Qt::ControlModifier);
+    window_.reset();
+    if (language == QLatin1String("de")) QApplication::removeTranslator(&german);
+    QLocale::setDefault(QLocale::c());
+    wrong.removeDuplicates();
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
   }
 
   void nothingToReviewSaysSo() {

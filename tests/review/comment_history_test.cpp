@@ -52,6 +52,21 @@ TEST_F(CommentHistoryTest, TakesEveryEditBackAndDoesItAgain) {
   EXPECT_NE(history->add(said("third", 3.0), "comment"), second);
 }
 
+TEST_F(CommentHistoryTest, AnEditAfterUndoLeavesNothingToDoAgain) {
+  auto history = CommentHistory::open(folder_, "Ana");
+  ASSERT_TRUE(history);
+  history->add(said("first", 1.0), "comment");
+  history->add(said("second", 2.0), "comment");
+  history->undo();
+  history->undo();
+  history->add(said("other", 3.0), "another");
+  ASSERT_EQ(history->comments().size(), 1U);
+  EXPECT_EQ(history->comments()[0].text, "other");
+  EXPECT_EQ(history->redoName(), "");
+  history->undo();
+  EXPECT_TRUE(history->comments().empty());
+}
+
 TEST_F(CommentHistoryTest, CountsWhatIsTypedInARowAsOneStep) {
   auto history = CommentHistory::open(folder_, "Ana");
   ASSERT_TRUE(history);

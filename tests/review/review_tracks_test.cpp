@@ -61,6 +61,14 @@ TEST(ReviewTracks, SayWhenItWasFrozenAndGoOnToTheEnd) {
   EXPECT_EQ(freezesOf(log, {3.0, 6.5}), (std::vector<TrackSpan>{{3.0, 4.0, 1.0}, {6.0, 6.5, 1.0}}));
 }
 
+TEST(ReviewTracks, AFreezeThatIsToldTwiceBeganAtTheFirst) {
+  ScanLog log = logOf(1, 1.0, [](int, ScanState&) {});
+  log.add({1.0, FreezeChanged{true}});
+  log.add({2.0, FreezeChanged{true}});
+  log.add({3.0, FreezeChanged{false}});
+  EXPECT_EQ(freezesOf(log, {0.0, 5.0}), (std::vector<TrackSpan>{{1.0, 3.0, 1.0}}));
+}
+
 TEST(ReviewTracks, HoldNotesMarksAnswersAndComments) {
   ScanLog log = logOf(3, 1.0, [](int, ScanState&) {});
   log.addNote(2.0, "measurement", {{"name", "aorta, across"}});

@@ -68,6 +68,7 @@ BodyView::BodyView(ReviewSession& session, QWidget* parent) : QWidget(parent), s
   setMinimumSize(160, 160);
   canvas_ = new QVTKOpenGLNativeWidget(this);
   canvas_->setObjectName(QStringLiteral("reviewBodyCanvas"));
+  canvas_->setAccessibleName(accessibleName());
   canvas_->setFocusPolicy(Qt::ClickFocus);
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   canvas_->setRenderWindow(window);

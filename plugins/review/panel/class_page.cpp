@@ -165,6 +165,8 @@ QWidget* ClassPage::makeDetails() {
   rows->addWidget(
       sdk::quietLabel(tr("To find a pass level, say of people you know how they stand; the level then lies where both groups part.")));
   attempts_ = table("classAttempts", tr("Attempts at this step"), {tr("Who"), tr("Score"), tr("Verdict"), tr("Stands")});
+  attempts_->header()->setSectionResizeMode(kWho, QHeaderView::ResizeToContents);
+  attempts_->header()->setSectionResizeMode(kVerdict, QHeaderView::Stretch);
   attempts_->setMinimumHeight(withText(150, font()));
   rows->addWidget(attempts_, 1);
   suggestion_ = sdk::quietLabel({});
@@ -192,6 +194,8 @@ std::vector<AttemptResult> ClassPage::results() const {
       const StepOutcome* outcome = tried.outcomeOf(step.id);
       if (outcome == nullptr) continue;  // a step that was never reached says nothing about the step
       const StepScore* scored = score != nullptr ? score->of(step.id) : nullptr;
+      const StepVerdict verdict = scored != nullptr ? scored->verdict : outcome->verdict;
+      if (verdict == StepVerdict::handedIn) continue;  // nobody has judged it yet
       made.steps.push_back(scored != nullptr ? resultOf(*scored) : resultOf(*outcome));
     }
     all.push_back(std::move(made));

@@ -42,7 +42,7 @@ RatingPage::RatingPage(ReviewSession& session, QWidget* parent) : QWidget(parent
     made->setObjectName(QLatin1String(name));
     made->setAccessibleName(spoken);
     made->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    made->setMinimumContentsLength(12);
+    made->setMinimumContentsLength(8);
     return made;
   };
   form_ = combo("ratingForm", tr("Rating form"));
@@ -150,7 +150,7 @@ void RatingPage::makeItems() {
     score->setAccessibleName(in(item.title));
     score->setAccessibleDescription(in(item.description));
     score->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    score->setMinimumContentsLength(12);
+    score->setMinimumContentsLength(8);
     score->setFocusPolicy(Qt::StrongFocus);
     score->addItem(QStringLiteral("–"), kOpen);
     for (int n = form()->lowest; n <= form()->highest; ++n) {

@@ -4,7 +4,6 @@
 #include <QSettings>
 #include <algorithm>
 
-#include "ew/assessment/pseudonym.h"
 #include "ew/assessment/step_metrics.h"
 #include "ew/library/learning.h"
 #include "ew/sdk/case_parts.h"
@@ -161,15 +160,21 @@ void ReviewSession::readShelf() {
   reading_ = true;
   Q_EMIT shelfChanged();
   auto made = std::make_shared<ScanShelf>();
+  auto scores = std::make_shared<std::map<fs::path, AttemptScore>>();
   host_.jobs().start(
       tr("Looking for attempts").toStdString(),
-      [made, open = host_.cases().currentFolder()](Progress& progress) -> Result<void> {
+      [made, scores, open = host_.cases().currentFolder()](Progress& progress) -> Result<void> {
         auto read = review::readShelf(libraryFolder(), open, progress);
         if (!read) return passOn(read.error());
         *made = std::move(*read);
+        for (const ShelvedLesson& each : made->lessons)
+          for (const auto& [folder, tried] : each.attempts) {
+            if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Stopped as asked.">());
+            if (auto score = latestScore(folder)) scores->emplace(folder, std::move(*score));
+          }
         return {};
       },
-      [this, made, alive = std::weak_ptr(alive_)](const Result<void>& done) {
+      [this, made, scores, alive = std::weak_ptr(alive_)](const Result<void>& done) {
         if (alive.expired()) return;
         reading_ = false;
         if (done) {
@@ -177,6 +182,7 @@ void ReviewSession::readShelf() {
                             caseId = lesson() ? lesson()->home.id : std::string();
           const std::string attemptId = attempt() ? attempt()->second.id : std::string();
           shelf_ = made;
+          scores_ = std::move(*scores);
           hasShelf_ = true;
           lesson_.reset();
           attempt_.reset();
@@ -187,7 +193,6 @@ void ReviewSession::readShelf() {
               if (lesson()->attempts[n].second.id == attemptId) attempt_ = n;
           if (!shelf_->problems.empty()) host_.window().warn(words(shelf_->problems.front()).toStdString(), "review shelf");
           readPlan();
-          readScores();
         } else if (done.error().code != ErrorCode::cancelled) {
           host_.window().error(words(done.error()).toStdString(), "review shelf");
         }
@@ -218,7 +223,6 @@ void ReviewSession::chooseLesson(std::size_t number) {
   attempt_.reset();
   stepId_.clear();
   readPlan();
-  readScores();
   Q_EMIT scoresChanged();
   if (lesson()->attempts.empty()) {
     openChosen();
@@ -384,8 +388,9 @@ void ReviewSession::setShowsNames(bool names) {
 
 QString ReviewSession::personOf(const Attempt& tried) const {
   if (showsNames_) return tried.person.empty() ? tr("without a name") : words(tried.person);
-  const auto codes = Pseudonyms::ofLibrary(libraryFolder());
-  return codes ? words(codes->ofAttempt(tried.id)) : tr("without a code");
+  if (!codes_)
+    if (auto read = Pseudonyms::ofLibrary(libraryFolder())) codes_ = std::move(*read);
+  return codes_ ? words(codes_->ofAttempt(tried.id)) : tr("without a code");
 }
 
 void ReviewSession::setReviewer(const QString& name) {

@@ -12,6 +12,7 @@
 
 #include "ew/assessment/assessment_plan.h"
 #include "ew/assessment/attempt_score.h"
+#include "ew/assessment/pseudonym.h"
 #include "ew/bridge/mannequin.h"
 #include "ew/scanning/subject.h"
 #include "ew/sdk/host.h"
@@ -173,7 +174,6 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   [[nodiscard]] bool saveComments();
   void tellDocument();
   void readPlan();
-  void readScores();
   void tick();
 
   sdk::Host& host_;
@@ -200,7 +200,8 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   std::vector<CommentFile> others_;
   std::string chosenComment_;
   AssessmentPlan plan_;
-  std::vector<std::optional<AttemptScore>> scores_;  ///< of the lesson's attempts
+  std::map<std::filesystem::path, AttemptScore> scores_;  ///< that count, by the attempt's folder
+  mutable std::optional<Pseudonyms> codes_;               ///< of the library, read when they are first asked for
   std::vector<std::weak_ptr<std::function<void()>>> listeners_;
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
 };

@@ -65,6 +65,8 @@ ScoresPage::ScoresPage(ReviewSession& session, QWidget* parent) : QWidget(parent
   table_->setObjectName(QStringLiteral("reviewMetrics"));
   table_->setAccessibleName(tr("Figures of this step"));
   table_->verticalHeader()->hide();
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);  // long names take two lines
+  table_->setProperty("small", true);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -194,9 +196,12 @@ void ScoresPage::showVerdict() {
         return tr("passed");
       case StepVerdict::skipped:
         return tr("left out");
-      default:
-        return tr("not passed");
+      case StepVerdict::handedIn:
+        return tr("handed in, not judged yet");
+      case StepVerdict::failed:
+        break;
     }
+    return tr("not passed");
   };
   if (scored != nullptr) {
     verdict_->setText(tr("%1, pass level %2: %3").arg(percent(scored->score), percent(scored->passLevel), verdictWords(scored->verdict)));
@@ -238,7 +243,6 @@ void ScoresPage::showTable() {
     put(kExpert, other);
     if (before == metric.id) table_->selectRow(row);
   }
-  table_->resizeRowsToContents();
   table_->setVisible(table_->rowCount() > 0);
 }
 

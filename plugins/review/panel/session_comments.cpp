@@ -158,14 +158,10 @@ void ReviewSession::readPlan() {
   plan_.lessonId = lesson()->lesson.id;
 }
 
-void ReviewSession::readScores() {
-  scores_.clear();
-  if (lesson() == nullptr) return;
-  for (const auto& [folder, tried] : lesson()->attempts) scores_.push_back(latestScore(folder));
-}
-
-const AttemptScore* ReviewSession::scoreOf(std::size_t attempt) const {
-  return attempt < scores_.size() && scores_[attempt] ? &*scores_[attempt] : nullptr;
+const AttemptScore* ReviewSession::scoreOf(std::size_t number) const {
+  if (lesson() == nullptr || number >= lesson()->attempts.size()) return nullptr;
+  const auto score = scores_.find(lesson()->attempts[number].first);
+  return score == scores_.end() ? nullptr : &score->second;
 }
 
 std::vector<MetricValue> ReviewSession::metricsOf(Side side) const {
@@ -207,7 +203,8 @@ void ReviewSession::scoreAll() {
       [this, scored, alive = std::weak_ptr(alive_)](const Result<void>& done) {
         if (alive.expired()) return;
         scoring_ = false;
-        readScores();
+        for (AssessedAttempt& each : *scored)
+          if (each.score) scores_.insert_or_assign(each.folder, std::move(*each.score));
         if (!done && done.error().code != ErrorCode::cancelled) host_.window().warn(words(done.error()).toStdString(), "review scores");
         Q_EMIT scoresChanged();
       });

@@ -33,7 +33,7 @@ double tickOf(double length_s, double room_px) {
 TrackView::TrackView(ReviewSession& session, QWidget* parent) : QWidget(parent), session_(session) {
   setObjectName(QStringLiteral("reviewTracks"));
   setAccessibleName(tr("Both scans along the time"));
-  setFocusPolicy(Qt::ClickFocus);
+  setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setLayoutDirection(Qt::LeftToRight);
   const auto look = [this] {
