@@ -174,6 +174,46 @@ class ReviewTest final : public WindowFixture {
     QVERIFY(stage().seen<QComboBox>("reviewHeat")->currentIndex() == 1);
   }
 
+  void anyTwoScansAreCompared() {
+    openReview();
+    if (QTest::currentTestFailed()) return;
+    chooseAnn();
+    auto* compared = column().seen<QComboBox>("reviewCompared");
+    const int other = compared->findText(QStringLiteral("A-"), Qt::MatchStartsWith);  // Ben's attempt, by its code
+    QVERIFY(other > 0);
+    compared->setCurrentIndex(other);
+    Q_EMIT compared->activated(other);
+    settle();
+    press(Qt::Key_End);
+    QCOMPARE(time(), QStringLiteral("0:14.0"));
+    showTab(2);
+    auto* figures = column().seen<QTableWidget>("reviewMetrics");
+    QVERIFY2(figures->item(0, 1)->text().startsWith(QStringLiteral("14")) && figures->item(0, 2)->text().startsWith(QStringLiteral("11")),
+             qPrintable(figures->item(0, 1)->text() + figures->item(0, 2)->text()));
+    // Nothing at all, and then the trainee's scan alone.
+    showTab(0);
+    compared->setCurrentIndex(0);
+    Q_EMIT compared->activated(0);
+    settle();
+    QVERIFY(stage().seen<QAbstractButton>("reviewAligned") == nullptr);
+    press(Qt::Key_Home);
+    press(Qt::Key_End);
+    QCOMPARE(time(), QStringLiteral("0:14.0"));
+    // Another step of the attempt is another recording.
+    auto* steps = column().seen<QComboBox>("reviewStep");
+    const int cover = steps->findText(QStringLiteral("Sweep through all of it"));
+    steps->setCurrentIndex(cover);
+    Q_EMIT steps->activated(cover);
+    settle();
+    QCOMPARE(time(), QStringLiteral("0:00.0"));
+    const int question = steps->findText(QStringLiteral("What is it? (not recorded)"));
+    QVERIFY(question >= 0);
+    steps->setCurrentIndex(question);
+    Q_EMIT steps->activated(question);
+    settle();
+    QVERIFY2(stage().seen<QWidget>("reviewCommentText") == nullptr, "nothing to comment on");
+  }
+
   void regionsSaySeenAndMissed() {
     openReview();
     if (QTest::currentTestFailed()) return;
@@ -296,6 +336,13 @@ class ReviewTest final : public WindowFixture {
     auto* steps = stage().seen<QTreeWidget>("classSteps");
     QCOMPARE(steps->topLevelItemCount(), 3);
     keep("review-15-class");
+    // Two groups of known standing suggest a level: two of each are needed.
+    QVERIFY(stage().text("classSuggestion").contains(QStringLiteral("Two of each")));
+    for (QComboBox* each : find<QTreeWidget>("classAttempts")->findChildren<QComboBox*>(QStringLiteral("classStanding")))
+      each->setCurrentIndex(2);
+    QVERIFY(stage().text("classSuggestion").contains(QStringLiteral("2 competent")));
+    stage().set("classLevel", 60.0);
+    QVERIFY(waitUntil([this] { return isSettled() && latestScore(ben_)->of("find")->passLevel == 0.6; }));
     const QString page = files_.path(QStringLiteral("class.html")), own = files_.path(QStringLiteral("attempt.html")),
                   paper = files_.path(QStringLiteral("attempt.pdf"));
     auto* report = stage().seen<QPushButton>("classReport");
