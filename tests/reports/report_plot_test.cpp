@@ -30,6 +30,16 @@ TEST(PlotOfValues, HasADotForEachOfFewAndBarsForMany) {
   EXPECT_LT(many.size(), 5000u);
 }
 
+TEST(PlotOfValues, HidesNoDotBehindAnother) {
+  StripPlot plot{{{verbatim("a"), std::vector<double>(8, 0.5), {}, {}}}, true, {}};
+  const std::string svg = drawn({verbatim("t"), plot});
+  std::set<std::string> places;
+  for (std::size_t at = svg.find("cy='"); at != std::string::npos; at = svg.find("cy='", at + 1)) places.insert(svg.substr(at, 10));
+  EXPECT_EQ(places.size(), 8u);
+  plot.rows[0].values.assign(9, 0.5);
+  EXPECT_EQ(countOf(drawn({verbatim("t"), plot}), "<circle"), 0u) << "a bar says it better";
+}
+
 TEST(PlotOfPaths, KeepsBothAxesAlikeWithTheHeadUpAndTheLeftToTheRight) {
   const PathPlot plot{{{verbatim("a"), false, {{{0.0, 0.0}, {40.0, 0.0}, {40.0, 40.0}}}}}};
   const std::string svg = drawn({verbatim("t"), plot});

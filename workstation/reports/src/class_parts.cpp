@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ew/reports/attempt_report.h"
 #include "report_words.h"
 
 namespace ew::reports {

@@ -4,6 +4,7 @@
 
 #include "ew/core/chart_axis.h"
 #include "ew/reports/distribution.h"
+#include "ew/reports/report_document.h"
 #include "report_numbers.h"
 #include "svg_canvas.h"
 
@@ -12,6 +13,8 @@ namespace {
 
 constexpr double kLeft = 12.0, kRight = 16.0, kRow = 46.0;
 constexpr std::size_t kMostDots = 60;
+constexpr int kHighestDot = 7;
+constexpr double kDotRadius = 3.0;
 constexpr std::size_t kStripParts = 40;
 
 /// Where values are drawn across a picture, with its ticks below.
@@ -49,17 +52,32 @@ void drawHistogram(SvgCanvas& canvas, const std::vector<std::size_t>& counts, do
   }
 }
 
-/// Each value as a dot; those that would lie on each other are stacked.
-void drawDots(SvgCanvas& canvas, const Across& across, std::vector<double> values, double bottom) {
-  constexpr double kRadius = 3.0, kHighest = 4.0;
+/// A value as a dot: those that would lie on each other stand above each other.
+struct Dot {
+  double x = 0.0;
+  int level = 0;
+};
+std::vector<Dot> dotsOf(const Across& across, std::vector<double> values) {
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
   std::sort(values.begin(), values.end());
-  double lastX = -100.0, level = 0.0;
+  std::vector<Dot> dots;
+  double foot = -100.0;
   for (const double value : values) {
     const double x = across.x(value);
-    level = x - lastX < 2.0 * kRadius ? std::fmod(level + 1.0, kHighest) : 0.0;
-    lastX = level == 0.0 ? x : lastX;
-    canvas.circle(x, bottom - kRadius - level * 5.0, kRadius, canvas.colours.own);
+    const bool isOnTheLast = x - foot < 2.0 * kDotRadius;
+    foot = isOnTheLast ? foot : x;
+    dots.push_back({x, isOnTheLast ? dots.back().level + 1 : 0});
   }
+  return dots;
+}
+int highestOf(const std::vector<Dot>& dots) {
+  int highest = 0;
+  for (const Dot& dot : dots) highest = std::max(highest, dot.level);
+  return highest;
+}
+void drawDots(SvgCanvas& canvas, const std::vector<Dot>& dots, double top, double bottom) {
+  const double apart = std::min(5.0, (bottom - top - 2.0 * kDotRadius) / std::max(1, highestOf(dots)));
+  for (const Dot& dot : dots) canvas.circle(dot.x, bottom - kDotRadius - dot.level * apart, kDotRadius, canvas.colours.own);
 }
 
 void drawBox(SvgCanvas& canvas, const Across& across, const FiveNumbers& numbers, double y) {
@@ -121,11 +139,12 @@ double draw(SvgCanvas& canvas, const StripPlot& plot) {
   for (const StripPlot::Row& row : plot.rows) {
     const FiveNumbers numbers = fiveNumbersOf(row.values);
     canvas.fitted(across.left, y + 13.0, across.right, row.label);
-    if (numbers.count > kMostDots) {
+    const auto dots = dotsOf(across, row.values);
+    if (numbers.count > kMostDots || highestOf(dots) > kHighestDot) {
       const auto counts = countsIn(row.values, across.axis.low, across.axis.high, kStripParts);
       drawHistogram(canvas, counts, across.left, across.right, y + 18.0, y + 42.0);
     } else {
-      drawDots(canvas, across, row.values, y + 42.0);
+      drawDots(canvas, dots, y + 18.0, y + 42.0);
     }
     if (numbers.count > 0) drawBox(canvas, across, numbers, y + 50.0);
     if (row.level) drawLevel(canvas, across.x(*row.level), y + 18.0, y + 58.0);

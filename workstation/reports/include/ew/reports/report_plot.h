@@ -33,7 +33,7 @@ struct HistogramPlot {
   std::optional<double> level;  ///< a line across
 };
 
-/// Values of several groups along one axis: each one as a dot, or as a histogram where there are many; quartiles as a box.
+/// Values of several groups along one axis: each one as a dot, or as a histogram where there are many (in one place); quartiles as a box.
 struct StripPlot {
   struct Row {
     Message label;
