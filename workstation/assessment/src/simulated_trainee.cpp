@@ -32,11 +32,10 @@ const typename All::value_type* nameIn(const All& all, const std::string& name) 
 
 /// Half of a picture's width at a depth.
 double halfWidthAt_mm(const Fan& fan, double depth_mm) {
-  constexpr double kStep_mm = 1.0;
-  double half_mm = 0.5 * faceLength_mm(fan.probe);
+  constexpr double kStep_mm = 1.0, kWidest_mm = 300.0;
   const double within_mm = std::clamp(depth_mm, 1.0, 0.95 * fan.depth_mm);
-  for (half_mm = kStep_mm; half_mm < 300.0 && placeInFan(fan, {half_mm, within_mm}); half_mm += kStep_mm) {
-  }
+  double half_mm = kStep_mm;
+  while (half_mm < kWidest_mm && placeInFan(fan, {half_mm, within_mm})) half_mm += kStep_mm;
   return half_mm;
 }
 
@@ -49,7 +48,9 @@ class Working {
     state_.scene = on.teaching().opened.scene;
   }
 
-  SimulatedStep work(const LessonStep& step, std::size_t number) {
+  /// @param number of the step; @param isLastScan no step after it is scanned
+  SimulatedStep work(const LessonStep& step, std::size_t number, bool isLastScan) {
+    isLastScan_ = isLastScan;
     random_ = RandomNumbers(assessment::seedOf(seed_, number));
     SimulatedStep made;
     made.stepId = step.id;
@@ -191,10 +192,6 @@ class Working {
     if (missing_s > 0.0) hand.wanderUntil(plan.end_s() + missing_s);
   }
 
- public:
-  void isLastScan(bool yes) { isLastScan_ = yes; }
-
- private:
   const TraineeCase& on_;
   const TraineeHabits& habits_;
   std::uint64_t seed_;
@@ -220,8 +217,8 @@ std::vector<SimulatedStep> simulateAttempt(const Lesson& lesson, const TraineeCa
   Working working(on, habits, seed, options);
   const auto lastScan = std::find_if(lesson.steps.rbegin(), lesson.steps.rend(), [](const LessonStep& s) { return isScanned(s.task); });
   for (std::size_t n = 0; n < lesson.steps.size(); ++n) {
-    working.isLastScan(lastScan != lesson.steps.rend() && &lesson.steps[n] == &*lastScan);
-    steps.push_back(working.work(lesson.steps[n], n));
+    const LessonStep& step = lesson.steps[n];
+    steps.push_back(working.work(step, n, lastScan != lesson.steps.rend() && &step == &*lastScan));
   }
   return steps;
 }
