@@ -29,7 +29,7 @@ figure img { display: block; max-width: 100%; max-height: 480px; background: #00
 @media (max-width: 520px) { dl { grid-template-columns: 1fr; gap: 0; } dd { margin-bottom: 8px; } }
 @page { size: A4; margin: 16mm 14mm; }
 @media print { body { background: none; font-size: 10pt; } main { max-width: none; padding: 0; } h1 { font-size: 18pt; } h2 { font-size: 14pt; } h3 { font-size: 12pt; }
-  h2, h3, h4, caption, figcaption { break-after: avoid; } tr, figure, li, dl > *, .simulation { break-inside: avoid; } thead { display: table-header-group; } .wide { overflow: visible; }
+  h2, h3, h4, caption, figcaption { break-after: avoid; } tr, figure, li, dl > *, .simulation { break-inside: avoid; } thead { display: table-header-group; break-after: avoid; } tbody tr:nth-child(-n+2) { break-before: avoid; } .wide { overflow: visible; }
   table { font-size: 8.5pt; } th, td { padding: 2px 6px; } .plot svg { min-width: 0; max-width: 105mm; } figure img { max-height: 90mm; } nav { display: none; } a { color: inherit; text-decoration: none; } }
 )";
 
