@@ -74,6 +74,8 @@ TEST_F(AccessCommand, ShowsNoAnswerAndChangesNothingWhileLocked) {
                                                        {"phantom", folder_ / "case/case.json", "--labels", folder_ / "l.mha"},
                                                        {"replay", caseFolder(), "--scan", "s.seq.mha", "-o", folder_ / "clip"},
                                                        {"bench", "exercises"},
+                                                       {"case", "prepare", caseFolder()},
+                                                       {"lesson", "course"},
                                                        {"access", "changes"},
                                                        {"key", "new", "--passphrase", folder_ / "words"}};
   lock();

@@ -15,6 +15,7 @@
 #include "ew/library/access.h"
 #include "ew/library/sealed_answers.h"
 #include "ew/sdk/case_parts.h"
+#include "screenshots.h"
 #include "taught_case.h"
 #include "workstation_host.h"
 
@@ -56,6 +57,7 @@ class AccessTest final : public LearnerFixture {
       if (dialog == nullptr) return;
       const QStringList names = {QStringLiteral("passphrase"), QStringLiteral("passphraseAgain")};
       for (int n = 0; n < words.size(); ++n) dialog->findChild<QLineEdit*>(names[n])->setText(words[n]);
+      keepScreenshot(*dialog, words.size() > 1 ? "access-lock" : "access-unlock");
       dialog->findChild<QPushButton*>(QStringLiteral("accept"))->click();
       if (dialog->isVisible()) static_cast<QDialog*>(dialog)->reject();
     });
@@ -157,6 +159,7 @@ class AccessTest final : public LearnerFixture {
     QVERIFY(details != nullptr);
     for (auto* each : details->findChildren<QAbstractButton*>())
       if (each->isVisible()) each->click();
+    keepScreenshot(*window_, "access-locked");
     QCOMPARE(answersInSight(), QString());
   }
 
@@ -293,6 +296,7 @@ class AccessTest final : public LearnerFixture {
     waitForStep("answer");
     answer(1);
     waitForOutcome(QStringLiteral("Handed in"));
+    keepScreenshot(*window_, "access-handed-in");
     QVERIFY(!allTexts().contains(QLatin1String("It is round")));
     QVERIFY(!allTexts().contains(QLatin1String("no corners")));
     press("nextStep");

@@ -51,6 +51,8 @@ std::string accountName(const std::string& person) {
 }
 
 Result<void> logChange(const fs::path& library, const InstructorChange& change) {
+  std::error_code ignored;
+  fs::create_directories(library, ignored);  // the library itself may be for several
   if (auto made = makePrivateFolder(assessmentFolder(library)); !made) return made;
   json line = {{"at", momentText(change.at)}, {"who", change.who}, {"what", change.what}};
   if (!change.of.empty()) line["of"] = change.of;

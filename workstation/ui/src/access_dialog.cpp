@@ -8,9 +8,15 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "theme.h"
 #include "words.h"
 
 namespace ew::ui {
+namespace {
+
+constexpr int kAccessWidth_px = 440;
+
+}  // namespace
 
 AccessDialog::AccessDialog(Asks asks, const QString& heading, const QString& sentence, std::function<Result<void>(const Passphrase&)> take,
                            QWidget* parent)
@@ -20,9 +26,13 @@ AccessDialog::AccessDialog(Asks asks, const QString& heading, const QString& sen
   say(sentence, false);
   words_ = addField(tr("Passphrase"), QStringLiteral("passphrase"));
   if (asks == Asks::fresh) again_ = addField(tr("Once more"), QStringLiteral("passphraseAgain"));
+  rows().addStretch(1);
+  setMinimumWidth(scaled(kAccessWidth_px));
+  words_->setFocus();
   auto* cancel = new QPushButton(tr("Cancel"));
   accept_ = new QPushButton(asks == Asks::fresh ? tr("Lock") : tr("Unlock"));
   accept_->setObjectName(QStringLiteral("accept"));
+  accept_->setProperty("primary", true);
   accept_->setDefault(true);
   buttons().addWidget(cancel);
   buttons().addWidget(accept_);

@@ -280,7 +280,7 @@ void Opener::openCase(const QString& path) {
         return load(*loaded, present, progress);
       },
       [this, loaded, path] {
-        if (!mayReplace_(words(loaded->opened->title))) return;
+        if (!mayReplace_(words(titleForTrainees(*loaded->opened)))) return;
         messages_.forgetWhatIsPast();
         takeContents(*loaded);
         document_.open(*loaded->opened, loaded->asRead);
