@@ -214,6 +214,19 @@ class ReviewTest final : public WindowFixture {
     QVERIFY2(stage().seen<QWidget>("reviewCommentText") == nullptr, "nothing to comment on");
   }
 
+  void whatCannotBeOpenedIsSaidAndTheRestIsShown() {
+    openReview();
+    if (QTest::currentTestFailed()) return;
+    QFile::remove(case_->folder() + QStringLiteral("/parts/lessons/scans/expert.seq.mha"));
+    QVERIFY(writeFileSafely(case_->folder().toStdString() + "/parts/lessons/scans/expert.seq.mha", "no recording").has_value());
+    chooseAnn();
+    QVERIFY2(!settingsOf("reviewedPicture").isEmpty(), "the trainee's scan is there");
+    QVERIFY2(settingsOf("comparedPicture").isEmpty(), "and the expert's is not");
+    press(Qt::Key_End);
+    QCOMPARE(time(), QStringLiteral("0:14.0"));
+    keep("review-18-no-expert");
+  }
+
   void regionsSaySeenAndMissed() {
     openReview();
     if (QTest::currentTestFailed()) return;

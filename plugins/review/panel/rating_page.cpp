@@ -22,6 +22,15 @@ constexpr int kNotApplicable = -1, kOpen = -2;
 
 QString in(const Words& text) { return words(text.in(QLocale().name().toStdString())); }
 
+QComboBox* combo(const char* name, const QString& spoken) {
+  auto* made = new QComboBox;
+  made->setObjectName(QLatin1String(name));
+  made->setAccessibleName(spoken);
+  made->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  made->setMinimumContentsLength(8);
+  return made;
+}
+
 }  // namespace
 
 RatingPage::RatingPage(ReviewSession& session, QWidget* parent) : QWidget(parent), session_(session) {
@@ -37,14 +46,6 @@ RatingPage::RatingPage(ReviewSession& session, QWidget* parent) : QWidget(parent
   auto* rows = new QVBoxLayout(page);
   rows->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
   rows->setSpacing(kGap_px);
-  const auto combo = [](const char* name, const QString& spoken) {
-    auto* made = new QComboBox;
-    made->setObjectName(QLatin1String(name));
-    made->setAccessibleName(spoken);
-    made->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    made->setMinimumContentsLength(8);
-    return made;
-  };
   form_ = combo("ratingForm", tr("Rating form"));
   if (const auto resources = resourceFolder()) forms_ = listRatingForms(*resources, libraryFolder());
   for (const RatingForm& each : forms_.forms)
@@ -57,6 +58,21 @@ RatingPage::RatingPage(ReviewSession& session, QWidget* parent) : QWidget(parent
   problem_ = sdk::problemLabel();
   problem_->setObjectName(QStringLiteral("ratingProblem"));
   rows->addWidget(problem_);
+  makeBody();
+  rows->addWidget(body_);
+  rows->addStretch(1);
+  scroll->setWidget(page);
+  outer->addWidget(scroll);
+  connect(&session_, &ReviewSession::choiceChanged, this, &RatingPage::refresh);
+  connect(&session_, &ReviewSession::reviewerChanged, this, [this] {
+    attempt_.clear();
+    refresh();
+  });
+  refresh();
+}
+
+/// All that is filled in, and what becomes of it.
+void RatingPage::makeBody() {
   body_ = new QWidget;
   auto* inner = new QVBoxLayout(body_);
   inner->setContentsMargins(0, 0, 0, 0);
@@ -97,16 +113,6 @@ RatingPage::RatingPage(ReviewSession& session, QWidget* parent) : QWidget(parent
   others_ = sdk::quietLabel({});
   others_->setObjectName(QStringLiteral("ratingOthers"));
   inner->addWidget(others_);
-  rows->addWidget(body_);
-  rows->addStretch(1);
-  scroll->setWidget(page);
-  outer->addWidget(scroll);
-  connect(&session_, &ReviewSession::choiceChanged, this, &RatingPage::refresh);
-  connect(&session_, &ReviewSession::reviewerChanged, this, [this] {
-    attempt_.clear();
-    refresh();
-  });
-  refresh();
 }
 
 const RatingForm* RatingPage::form() const { return forms_.find(form_->currentData().toString().toStdString()); }

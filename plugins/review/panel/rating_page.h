@@ -24,6 +24,7 @@ class RatingPage final : public QWidget {
   explicit RatingPage(ReviewSession& session, QWidget* parent = nullptr);
 
  private:
+  void makeBody();
   void refresh();
   void makeItems();
   void readRating();

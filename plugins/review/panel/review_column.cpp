@@ -104,9 +104,18 @@ ScansPage::ScansPage(ReviewSession& session, QWidget* parent) : QWidget(parent),
     }
   });
   field(tr("Compared with"), compared_);
+  makeButtons(*rows);
+  connect(&session_, &ReviewSession::shelfChanged, this, &ScansPage::refresh);
+  connect(&session_, &ReviewSession::choiceChanged, this, &ScansPage::refresh);
+  connect(&session_, &ReviewSession::scoresChanged, this, &ScansPage::refresh);
+  connect(&session_, &ReviewSession::pageChanged, this, [this] { class_->setChecked(session_.showsClass()); });
+  refresh();
+}
+
+void ScansPage::makeButtons(QVBoxLayout& rows) {
   note_ = sdk::quietLabel({});
   note_->setObjectName(QStringLiteral("reviewNote"));
-  rows->addWidget(note_);
+  rows.addWidget(note_);
   auto* buttons = new QHBoxLayout;
   class_ = new QPushButton(tr("Class overview"));
   class_->setObjectName(QStringLiteral("reviewClass"));
@@ -122,16 +131,11 @@ ScansPage::ScansPage(ReviewSession& session, QWidget* parent) : QWidget(parent),
   again->setObjectName(QStringLiteral("reviewRefresh"));
   again->setToolTip(tr("Looks for attempts that were made meanwhile"));
   connect(again, &QPushButton::clicked, this, [this] { session_.readShelf(); });
-  rows->addLayout(buttons);
+  rows.addLayout(buttons);
   auto* more = new QHBoxLayout;
   more->addWidget(file, 1);
   more->addWidget(again, 1);
-  rows->addLayout(more);
-  connect(&session_, &ReviewSession::shelfChanged, this, &ScansPage::refresh);
-  connect(&session_, &ReviewSession::choiceChanged, this, &ScansPage::refresh);
-  connect(&session_, &ReviewSession::scoresChanged, this, &ScansPage::refresh);
-  connect(&session_, &ReviewSession::pageChanged, this, [this] { class_->setChecked(session_.showsClass()); });
-  refresh();
+  rows.addLayout(more);
 }
 
 void ScansPage::refresh() {

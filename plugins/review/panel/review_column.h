@@ -10,6 +10,7 @@ class QLabel;
 class QListWidget;
 class QPushButton;
 class QTabWidget;
+class QVBoxLayout;
 
 namespace ew::review {
 
@@ -21,6 +22,7 @@ class ScansPage final : public QWidget {
   explicit ScansPage(ReviewSession& session, QWidget* parent = nullptr);
 
  private:
+  void makeButtons(QVBoxLayout& rows);
   void refresh();
   void showAttempts();
   void showSteps();

@@ -40,6 +40,8 @@ struct OpenedScan {
   std::vector<MetricValue> metrics;              ///< of the step that is chosen, of the part that is reviewed
 };
 
+struct Opening;
+
 /// What column and stage share: what can be reviewed, what is, and where it stands. On the window's thread; long work runs in the host's
 /// jobs on copies.
 class ReviewSession final : public QObject, public sdk::PanelDocument {
@@ -163,7 +165,6 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   void pageChanged();
 
  private:
-  struct Opening;
   void openChosen();
   void start(std::array<std::optional<ScanChoice>, 2> choices);
   void take(Opening& made);

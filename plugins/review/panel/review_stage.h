@@ -43,6 +43,7 @@ class ReviewStage final : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
+  enum Page { kScansPage, kClassPage, kEmptyPage };
   QWidget* makeViews();
   QWidget* makeBodyFrame();
   QWidget* makeTransport();
