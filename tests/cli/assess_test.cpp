@@ -75,5 +75,27 @@ TEST_F(AssessCommand, RefusesAFolderWithoutAttempts) {
   EXPECT_NE(empty.err.find("There are no attempts in"), std::string::npos) << empty.err;
 }
 
+TEST_F(AssessCommand, WritesPagesATableAndDicomReports) {
+  auto measured = tries(0.0);
+  measured.push_back({.step = "measure",
+                      .scan = scanAlong([](double) { return heldAt(); }, 2.0),
+                      .answer = {{"value", 40.5}, {"unit", "mm"}, {"caliper", "distance"}, {"points_mm", {{-20, 0, 0}, {20.5, 0, 0}}}}});
+  world_.keep("20261101-100000-aaaaaaaa", measured);
+  world_.keep("20261101-100001-bbbbbbbb", tries(4.0));
+  const Said said = run({"assess", "--html", (outputs_ / "pages").string(), "--csv", (outputs_ / "t.csv").string(), "--dicom",
+                         (outputs_ / "reports").string()});
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_NE(textOf(outputs_ / "pages" / "index.html").find("About balls"), std::string::npos);
+  EXPECT_NE(textOf(outputs_ / "t.csv").find("20261101-100001-bbbbbbbb"), std::string::npos);
+  EXPECT_EQ(textOf(outputs_ / "t.csv").find("Somebody"), std::string::npos);
+  std::size_t reports = 0;
+  for (const auto& entry : fs::directory_iterator(outputs_ / "reports")) {
+    ++reports;
+    EXPECT_EQ(entry.path().filename().string(), "20261101-100000-aaaaaaaa-ball.dcm") << "only what measured something";
+    EXPECT_EQ(textOf(entry.path()).substr(128, 4), "DICM");
+  }
+  EXPECT_EQ(reports, 1u);
+}
+
 }  // namespace
 }  // namespace ew::test::assess_command_test

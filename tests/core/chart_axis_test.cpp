@@ -101,5 +101,17 @@ RC_GTEST_PROP(ChartAxis, HoldsEveryValueInFewSteps, ()) {
   for (const double value : values) RC_ASSERT(value == 0.0 || (-1e-6 <= decades.share(value) && decades.share(value) <= 1.0 + 1e-6));
 }
 
+TEST(LinearAxis, TakesValuesThatRoundingAlonePartsForOne) {
+  for (const double value : {-1.6, 31.7, 1e6, 1e-12}) {
+    const double beside = value * (1.0 + 4e-16);
+    const ChartAxis axis = linearAxis(std::vector<double>{value, beside});
+    for (const double each : {value, beside}) {
+      EXPECT_GE(axis.share(each), 0.0) << value;
+      EXPECT_LE(axis.share(each), 1.0) << value;
+    }
+    EXPECT_LE(axis.ticks.size(), 12u) << value;
+  }
+}
+
 }  // namespace
 }  // namespace ew::chart_axis_test

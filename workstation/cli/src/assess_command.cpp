@@ -10,6 +10,7 @@
 #include "ew/io/safe_file.h"
 #include "ew/library/case.h"
 #include "ew/library/learning.h"
+#include "ew/reports/attempt_measurements.h"
 #include "ew/reports/report_files.h"
 
 namespace ew::cli {
@@ -24,6 +25,7 @@ struct AssessArguments {
   std::string output;
   std::string html;
   std::string csv;
+  std::string dicom;
   AssessOptions options;
   bool names = false;
 };
@@ -127,8 +129,27 @@ ReportRequest requestOf(const AssessArguments& arguments, const std::vector<fs::
   return request;
 }
 
+/// The measurements of attempts as DICOM reports. @return how many
+Result<std::size_t> writeDicom(const AssessArguments& arguments, const std::vector<fs::path>& folders, const fs::path& library, Run& run) {
+  const auto codes = Pseudonyms::ofLibrary(library);
+  if (!codes) return passOn(codes.error());
+  std::size_t count = 0;
+  for (const fs::path& folder : folders) {
+    if (run.progress.cancelRequested()) return failure(ErrorCode::cancelled, run.stopped);
+    const auto attempt = readReportedAttempt(folder);
+    if (!attempt) continue;  // said where it is scored
+    const ReportedLesson lesson = readReportedLesson(attempt->attempt.caseId, attempt->attempt.lessonId, library, {});
+    const auto files = writeAttemptMeasurements(*attempt, lesson, *codes, arguments.names, library, run.outputs.staged(arguments.dicom));
+    if (!files) return passOn(files.error());
+    count += files->size();
+  }
+  return count;
+}
+
 /// Every file that will be written beside the scores.
 Result<void> announce(const AssessArguments& arguments, const std::vector<fs::path>& folders, const fs::path& library, Run& run) {
+  if (!arguments.dicom.empty())
+    if (auto made = run.outputs.announceNewFolder(arguments.dicom); !made) return made;
   for (const std::string& folder : {arguments.output, arguments.html})
     if (!folder.empty())
       if (auto made = run.outputs.announceFolder(folder); !made) return made;
@@ -147,6 +168,11 @@ Result<void> writeOutputs(const AssessArguments& arguments, const std::vector<As
                           const fs::path& library, Run& run) {
   if (!arguments.output.empty())
     if (auto written = writeScores(all, arguments.output, run); !written) return written;
+  if (!arguments.dicom.empty()) {
+    const auto count = writeDicom(arguments, folders, library, run);
+    if (!count) return passOn(count.error());
+    run.report.quality["dicom_reports"] = *count;
+  }
   if (arguments.html.empty() && arguments.csv.empty()) return {};
   const StepClock clock(run.report, "report");
   return writeReports(
@@ -183,10 +209,10 @@ Result<int> assessAll(const AssessArguments& arguments, Run& run) {
     if (one.score)
       for (const Message& note : one.score->notes) run.remark(say<"%1: %2">(one.folder.filename(), note));
   }
-  if (auto written = writeOutputs(arguments, all, *folders, library, run); !written) return passOn(written.error());
   run.report.options = {{"threads", arguments.options.threads}, {"again", arguments.options.again}, {"names", arguments.names}};
   run.report.quality = {
       {"attempts", all.size()}, {"scored_now", fresh}, {"up_to_date", all.size() - fresh - problems}, {"not_scored", problems}};
+  if (auto written = writeOutputs(arguments, all, *folders, library, run); !written) return passOn(written.error());
   run.say("Scored " + counted(fresh, "attempt") + " now; " + std::to_string(all.size() - fresh - problems) + " were up to date.");
   if (problems == 0) return kDone;
   run.out() << std::flush;
@@ -213,6 +239,8 @@ void addAssess(CLI::App& root, Selection& selection) {
   app.add_option("--html", arguments->html, "A folder for pages to read without a network: index.html, and one of each attempt")
       ->type_name("DIR");
   app.add_option("--csv", arguments->csv, "A table of every step and metric")->type_name("FILE.csv");
+  app.add_option("--dicom", arguments->dicom, "A new folder for what was measured, as DICOM structured reports: ATTEMPT-CASE.dcm")
+      ->type_name("DIR");
   addCount(app, "--threads", arguments->options.threads, 0, 256, "Attempts at once; 0: as many as processors; no score depends on it (0)");
   app.add_flag("--again", arguments->options.again, "Also what is up to date: a new score is kept only where it differs");
   app.add_flag("--names", arguments->names, "Say who tried by name; else by a code that stays the same in this library");

@@ -67,7 +67,9 @@ double ChartAxis::share(double value) const {
 
 ChartAxis linearAxis(std::span<const double> values, const LinearAxisOptions& options) {
   EW_EXPECTS(options.steps >= 1);
-  const Ends ends = endsOf(values, -std::numeric_limits<double>::infinity()).value_or(Ends{0.0, 1.0});
+  Ends ends = endsOf(values, -std::numeric_limits<double>::infinity()).value_or(Ends{0.0, 1.0});
+  // Apart by rounding alone they are one value: steps between them could not be told apart either.
+  if (ends.high - ends.low <= kRounding * std::max(std::abs(ends.low), std::abs(ends.high))) ends.high = ends.low;
   double least = std::max(ends.high / options.steps - ends.low / options.steps, options.smallestStep);
   if (!(least > 0.0)) least = ends.low != 0.0 ? std::abs(ends.low) / options.steps : 1.0;
   const RoundNumber step = roundAtLeast(least);

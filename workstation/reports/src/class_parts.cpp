@@ -30,7 +30,7 @@ ReportTable metricsOfClass(const ClassOf& of, const ClassStep& step) {
                      {say<"Attempts">(), true},
                      {say<"Lowest">(), true},
                      {say<"Lower quartile">(), true},
-                     {say<"Middle">(), true},
+                     {say<"Median">(), true},
                      {say<"Upper quartile">(), true},
                      {say<"Highest">(), true},
                      {say<"Expert">(), true},

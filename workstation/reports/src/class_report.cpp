@@ -27,7 +27,7 @@ ReportFacts summaryOf(const ClassOf& of) {
     facts.rows.push_back({say<"Not scored yet">(), verbatim(std::to_string(figures.unscored)), ReportTone::caution});
   if (figures.scored == 0) return facts;
   facts.rows.push_back({say<"Passed">(), say<"%1 of %2">(figures.passed, figures.scored)});
-  facts.rows.push_back({say<"Middle score">(), quartilesText(fiveNumbersOf(figures.scores))});
+  facts.rows.push_back({say<"Median score">(), quartilesText(fiveNumbersOf(figures.scores))});
   facts.rows.push_back({say<"Plan">(), of.lesson.plan.revision == 0 ? say<"none: tasks alone, at the lesson's pass levels">()
                                                                     : say<"revision %1">(of.lesson.plan.revision)});
   return facts;
@@ -73,7 +73,7 @@ ReportTable stepsTableOf(const ClassOf& of) {
                      {say<"Not passed">(), true},
                      {say<"Skipped">(), true},
                      {say<"Not reached">(), true},
-                     {say<"Middle score">(), true},
+                     {say<"Median score">(), true},
                      {say<"Passes from">(), true}},
                     {}};
   for (std::size_t n = 0; n < of.figures.steps.size(); ++n) {

@@ -61,11 +61,11 @@ std::vector<Dot> dotsOf(const Across& across, std::vector<double> values) {
   std::erase_if(values, [](double value) { return !std::isfinite(value); });
   std::sort(values.begin(), values.end());
   std::vector<Dot> dots;
-  double foot = -100.0;
+  double foot = 0.0;
   for (const double value : values) {
     const double x = across.x(value);
-    const bool isOnTheLast = x - foot < 2.0 * kDotRadius;
-    foot = isOnTheLast ? foot : x;
+    const bool isOnTheLast = !dots.empty() && x - foot < 2.0 * kDotRadius;
+    if (!isOnTheLast) foot = x;
     dots.push_back({x, isOnTheLast ? dots.back().level + 1 : 0});
   }
   return dots;
