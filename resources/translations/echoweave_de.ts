@@ -21253,6 +21253,54 @@ Zeit: %3</translation>
 <context>
     <name>ew::review::ClassPage</name>
     <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>ausgelassen</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>not passed</source>
+        <translation>nicht bestanden</translation>
+    </message>
+    <message>
+        <source>How %1 stands</source>
+        <translation>Wie %1 steht</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>noch nicht</translation>
+    </message>
+    <message>
+        <source>competent</source>
+        <translation>sicher</translation>
+    </message>
+    <message>
+        <source>The two groups part at %1 (95 % interval %2 to %3).</source>
+        <translation>Die beiden Gruppen trennen sich bei %1 (95-%-Intervall %2 bis %3).</translation>
+    </message>
+    <message>
+        <source>These two groups do not suggest a level: those who should pass do not score higher, or no score differs.</source>
+        <translation>Diese beiden Gruppen legen keine Grenze nahe: Wer bestehen sollte, hat nicht mehr Punkte, oder die Punkte sind alle gleich.</translation>
+    </message>
+    <message>
+        <source>Two of each group at least are needed: %1 competent, %2 not yet.</source>
+        <translation>Von jeder Gruppe sind mindestens zwei nötig: %1 sicher, %2 noch nicht.</translation>
+    </message>
+    <message>
         <source>Back to the scans</source>
         <translation>Zurück zu den Scans</translation>
     </message>
@@ -21305,10 +21353,6 @@ Zeit: %3</translation>
         <translation>Punkte</translation>
     </message>
     <message>
-        <source>Verdict</source>
-        <translation>Urteil</translation>
-    </message>
-    <message>
         <source>Stands</source>
         <translation>Stand</translation>
     </message>
@@ -21355,46 +21399,6 @@ Zeit: %3</translation>
     <message>
         <source>Median %1, mean %2, from %3 to %4 %5</source>
         <translation>Median %1, Mittel %2, von %3 bis %4 %5</translation>
-    </message>
-    <message>
-        <source>left out</source>
-        <translation>ausgelassen</translation>
-    </message>
-    <message>
-        <source>passed</source>
-        <translation>bestanden</translation>
-    </message>
-    <message>
-        <source>not passed</source>
-        <translation>nicht bestanden</translation>
-    </message>
-    <message>
-        <source>How %1 stands</source>
-        <translation>Wie %1 steht</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
-    </message>
-    <message>
-        <source>not yet</source>
-        <translation>noch nicht</translation>
-    </message>
-    <message>
-        <source>competent</source>
-        <translation>sicher</translation>
-    </message>
-    <message>
-        <source>The two groups part at %1 (95 % interval %2 to %3).</source>
-        <translation>Die beiden Gruppen trennen sich bei %1 (95-%-Intervall %2 bis %3).</translation>
-    </message>
-    <message>
-        <source>These two groups do not suggest a level: those who should pass do not score higher, or no score differs.</source>
-        <translation>Diese beiden Gruppen legen keine Grenze nahe: Wer bestehen sollte, hat nicht mehr Punkte, oder die Punkte sind alle gleich.</translation>
-    </message>
-    <message>
-        <source>Two of each group at least are needed: %1 competent, %2 not yet.</source>
-        <translation>Von jeder Gruppe sind mindestens zwei nötig: %1 sicher, %2 noch nicht.</translation>
     </message>
 </context>
 <context>

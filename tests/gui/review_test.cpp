@@ -440,6 +440,25 @@ class ReviewTest final : public WindowFixture {
     keep("review-16-empty");
   }
 
+  void aShippedCasesExpertIsSeenBeforeAnybodyTried() {
+    beginAnew();
+    const auto shipped = shippedCasesFolder();
+    QVERIFY(shipped);
+    showWindowWithCase(QString::fromStdString((*shipped / "liver-sweep-recorded").string()));
+    window_->openPlugins();
+    window_->showWorkspace("review");
+    QVERIFY(waitUntil([this] {
+      return column().seen<QComboBox>("reviewLesson") != nullptr && isSettled() && column().seen<QComboBox>("reviewLesson")->count() > 0;
+    }));
+    QVERIFY(waitUntil([this] { return isSettled() && !settingsOf("comparedPicture").isEmpty(); }));
+    QVERIFY2(settingsOf("reviewedPicture").isEmpty(), "nobody has tried it");
+    press(Qt::Key_N);
+    settle();
+    QVERIFY2(time() > QStringLiteral("0:00.0"), "to what the expert marked");
+    stage().seen<QComboBox>("reviewHeat")->setCurrentIndex(2);
+    keep("review-19-shipped");
+  }
+
   void aLargeAndALightWindowFit() {
     openReview({1920, 1080});
     if (QTest::currentTestFailed()) return;

@@ -18,6 +18,8 @@ void ClassPage::showAttempts() {
   const ShelvedLesson* of = session_.lesson();
   if (of == nullptr) return;
   const std::vector<AttemptResult> all = results();
+  const LessonStep* told = lessonStep(stepId_);
+  const double level = told != nullptr ? passLevelOf(*told, session_.plan()) : 0.0;
   for (std::size_t n = 0; n < all.size(); ++n) {
     const auto here =
         std::find_if(all[n].steps.begin(), all[n].steps.end(), [&](const StepResult& each) { return each.stepId == stepId_; });
@@ -25,8 +27,9 @@ void ClassPage::showAttempts() {
     auto* item = new SortedItem(attempts_);
     const QString who = session_.personOf(of->attempts[n].second);
     item->setText(kWho, who);
-    item->set(kScore, here->isSkipped ? QStringLiteral("–") : percent(here->score), here->isSkipped ? -1.0 : here->score);
-    item->setText(kVerdict, here->isSkipped ? tr("left out") : here->isPassed ? tr("passed") : tr("not passed"));
+    item->set(kScore, here->isSkipped ? QStringLiteral("–") : percentBeside(here->score, level), here->isSkipped ? -1.0 : here->score);
+    item->setText(kVerdict, here->isSkipped ? QStringLiteral("–") : here->isPassed ? tr("yes") : tr("no"));
+    item->setToolTip(kVerdict, here->isSkipped ? tr("left out") : here->isPassed ? tr("passed") : tr("not passed"));
     item->setTextAlignment(kVerdict, Qt::AlignRight | Qt::AlignVCenter);
     auto* stands = new QComboBox;
     stands->setProperty("small", true);

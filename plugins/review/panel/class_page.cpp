@@ -130,7 +130,7 @@ QWidget* ClassPage::makeDetails() {
   rows->addLayout(levelRow);
   rows->addWidget(
       sdk::quietLabel(tr("To find a pass level, say of people you know how they stand; the level then lies where both groups part.")));
-  attempts_ = table("classAttempts", tr("Attempts at this step"), {tr("Who"), tr("Score"), tr("Verdict"), tr("Stands")});
+  attempts_ = table("classAttempts", tr("Attempts at this step"), {tr("Who"), tr("Score"), tr("Passed"), tr("Stands")});
   attempts_->header()->setSectionResizeMode(kWho, QHeaderView::ResizeToContents);
   attempts_->header()->setSectionResizeMode(kVerdict, QHeaderView::Stretch);
   attempts_->setMinimumHeight(withText(150, font()));

@@ -31,6 +31,8 @@ namespace ew::review {
 [[nodiscard]] QString clockText(double time_s);
 /// A share of 0.67 as "67 %".
 [[nodiscard]] QString percent(double share);
+/// The same beside a level: with a decimal where whole numbers would hide on which side of it the share lies.
+[[nodiscard]] QString percentBeside(double share, double level);
 [[nodiscard]] QString titleOf(TrackKind kind);
 [[nodiscard]] QString wordOf(Who who);
 

@@ -204,7 +204,8 @@ void ScoresPage::showVerdict() {
     return tr("not passed");
   };
   if (scored != nullptr) {
-    verdict_->setText(tr("%1, pass level %2: %3").arg(percent(scored->score), percent(scored->passLevel), verdictWords(scored->verdict)));
+    verdict_->setText(tr("%1, pass level %2: %3")
+                          .arg(percentBeside(scored->score, scored->passLevel), percent(scored->passLevel), verdictWords(scored->verdict)));
     made_->setText(tr("The task alone %1. Poses known in %2 of the images. Scored with revision %3 of what counts.")
                        .arg(percent(scored->task), percent(scored->validShare))
                        .arg(score->planRevision));
