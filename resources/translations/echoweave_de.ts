@@ -21499,6 +21499,10 @@ Zeit: %3</translation>
         <translation>Wird geöffnet …</translation>
     </message>
     <message>
+        <source>No attempt is chosen.</source>
+        <translation>Es ist kein Versuch gewählt.</translation>
+    </message>
+    <message>
         <source>This step was not recorded in this attempt.</source>
         <translation>Dieser Schritt wurde in diesem Versuch nicht aufgezeichnet.</translation>
     </message>

@@ -166,7 +166,8 @@ void PictureView::paintEmpty(QPainter& painter) const {
   painter.setPen(kScanQuiet);
   const QString sentence = session_.isOpening()            ? tr("Opening …")
                            : !session_.problem().isEmpty() ? session_.problem()
-                           : side_ == kReviewed            ? tr("This step was not recorded in this attempt.")
+                           : side_ == kReviewed            ? (session_.attempt() == nullptr ? tr("No attempt is chosen.")
+                                                                                            : tr("This step was not recorded in this attempt."))
                                                            : tr("Nothing to compare with is chosen.");
   painter.drawText(imageRect().adjusted(2 * kGap_px, 0, -2 * kGap_px, 0), Qt::AlignCenter | Qt::TextWordWrap, sentence);
 }
