@@ -90,6 +90,7 @@ TEST_F(ReviewComments, RefuseWhatIsWrongWithTheFieldsName) {
   EXPECT_NE(refused("/comments/0/id", "").find("comments[0].id"), std::string::npos);
   EXPECT_NE(refused("/comments/1/id", "c1").find("no other comment"), std::string::npos);
   EXPECT_NE(refused("/comments/0/recording", "../../etc/passwd").find("attempt's folder"), std::string::npos);
+  EXPECT_NE(refused("/comments/0/recording", "..").find("attempt's folder"), std::string::npos);
   EXPECT_NE(refused("/comments/0/strokes/0/kind", "scribble").find("kind"), std::string::npos);
   EXPECT_NE(refused("/comments/0/strokes/0/points_mm", json({1, 2, 3, 4, 5})).find("lateral and axial"), std::string::npos);
   EXPECT_NE(refused("/comments/0/strokes/1/points_mm", json({1, 2, 3, 4, 5, 6})).find("two points"), std::string::npos);
