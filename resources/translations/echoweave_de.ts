@@ -22048,8 +22048,24 @@ Zeit: %3</translation>
         <translation>Version %1</translation>
     </message>
     <message>
+        <source>Off by default: it tells simulated novices from experts with an area of %1 (%2 to %3).</source>
+        <translation>Gewöhnlich aus: Sie trennt simulierte Anfänger von Experten mit einer Fläche von %1 (%2 bis %3).</translation>
+    </message>
+    <message>
+        <source>Off by default: it was not studied.</source>
+        <translation>Gewöhnlich aus: Sie wurde nicht untersucht.</translation>
+    </message>
+    <message>
         <source>Figures of this step</source>
         <translation>Kennzahlen dieses Schritts</translation>
+    </message>
+    <message>
+        <source>Also figures that are off by default</source>
+        <translation>Auch sonst ausgelassene zeigen</translation>
+    </message>
+    <message>
+        <source>Figures that did not tell simulated novices from experts, or were not studied; one that is given a weight counts all the same</source>
+        <translation>Kennzahlen, die simulierte Anfänger nicht von Experten trennten oder nicht untersucht wurden; eine mit Gewicht zählt trotzdem</translation>
     </message>
     <message>
         <source>Score the attempts</source>

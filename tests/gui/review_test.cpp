@@ -1,6 +1,7 @@
 // An instructor in the real window reviews two attempts beside the expert's scan: scrubs, aligns, jumps, comments with a drawing, rates,
 // changes a pass level, has everything scored anew, and looks at the class.
 #include <QAbstractButton>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QListWidget>
@@ -188,6 +189,7 @@ class ReviewTest final : public WindowFixture {
     QCOMPARE(time(), QStringLiteral("0:14.0"));
     showTab(2);
     auto* figures = column().seen<QTableWidget>("reviewMetrics");
+    if (auto* all = column().seen<QCheckBox>("reviewAllFigures")) all->setChecked(true);
     QVERIFY2(figures->item(0, 1)->text().startsWith(QStringLiteral("14")) && figures->item(0, 2)->text().startsWith(QStringLiteral("11")),
              qPrintable(figures->item(0, 1)->text() + figures->item(0, 2)->text()));
     // Nothing at all, and then the trainee's scan alone.
@@ -309,7 +311,11 @@ class ReviewTest final : public WindowFixture {
     QVERIFY(attempts->item(1)->text().startsWith(QStringLiteral("A-")));
     showTab(2);
     auto* figures = column().seen<QTableWidget>("reviewMetrics");
-    QVERIFY(figures->rowCount() > 5);
+    auto* all = column().seen<QCheckBox>("reviewAllFigures");
+    QVERIFY2(all, "some figures are off by default");
+    const int on = figures->rowCount();
+    all->setChecked(true);
+    QVERIFY(figures->rowCount() > on && figures->rowCount() > 5);
     QVERIFY(column().text("reviewVerdict").contains(QStringLiteral("40")));
     QVERIFY(!figures->item(0, 0)->toolTip().isEmpty());
     keep("review-11-figures");
@@ -416,7 +422,7 @@ class ReviewTest final : public WindowFixture {
     const char* pages[] = {"scans", "comments", "scores", "rating"};
     for (int n = 0; n < 4; ++n) {
       showTab(n);
-      if (n == 2) column().seen<QTableWidget>("reviewMetrics")->selectRow(1);
+      if (n == 2) column().seen<QTableWidget>("reviewMetrics")->selectRow(0);
       look(pages[n]);
     }
     showTab(0);

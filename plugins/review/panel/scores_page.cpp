@@ -1,5 +1,6 @@
 #include "panel/scores_page.h"
 
+#include <QCheckBox>
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -34,16 +35,28 @@ QString withUnit(double value, std::string_view unit) {
   return text;
 }
 
-QString tipOf(const Metric& metric) {
-  return QStringLiteral("<p style='white-space:pre-wrap'><b>%1</b> (%2)<br>%3<br><i>%4</i><br>%5</p>")
-      .arg(words(metric.name).toHtmlEscaped(), ScoresPage::tr("version %1").arg(metric.version), words(metric.definition).toHtmlEscaped(),
-           words(metric.source).toHtmlEscaped(), words(metric.validity).toHtmlEscaped());
+QString tipOf(const Metric& metric, const MetricDefaults& defaults, std::string_view kind) {
+  QString tip =
+      QStringLiteral("<p style='white-space:pre-wrap'><b>%1</b> (%2)<br>%3<br><i>%4</i><br>%5")
+          .arg(words(metric.name).toHtmlEscaped(), ScoresPage::tr("version %1").arg(metric.version),
+               words(metric.definition).toHtmlEscaped(), words(metric.source).toHtmlEscaped(), words(metric.validity).toHtmlEscaped());
+  if (!defaults.isOn(metric.id, kind)) {
+    const auto area = defaults.areaOf(metric.id, kind);
+    const auto number = [](double value) { return QLocale().toString(value, 'f', 2); };
+    tip += QStringLiteral("<br>") +
+           (area ? ScoresPage::tr("Off by default: it tells simulated novices from experts with an area of %1 (%2 to %3).")
+                       .arg(number(area->value), number(area->low), number(area->high))
+                 : ScoresPage::tr("Off by default: it was not studied."));
+  }
+  return tip + QStringLiteral("</p>");
 }
 
 }  // namespace
 
 ScoresPage::ScoresPage(ReviewSession& session, QWidget* parent) : QWidget(parent), session_(session) {
   setObjectName(QStringLiteral("reviewScores"));
+  if (const auto resources = resourceFolder())
+    if (auto read = MetricDefaults::read(*resources)) defaults_ = std::move(*read);
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
   auto* scroll = new QScrollArea;
@@ -80,6 +93,12 @@ ScoresPage::ScoresPage(ReviewSession& session, QWidget* parent) : QWidget(parent
     if (!showing_) showMetricPlan();
   });
   rows->addWidget(table_, 1);
+  all_ = new QCheckBox(tr("Also figures that are off by default"));
+  all_->setObjectName(QStringLiteral("reviewAllFigures"));
+  all_->setToolTip(
+      tr("Figures that did not tell simulated novices from experts, or were not studied; one that is given a weight counts all the same"));
+  connect(all_, &QCheckBox::toggled, this, &ScoresPage::refresh);
+  rows->addWidget(all_);
   rows->addWidget(makeMetricPlan());
   rows->addWidget(makePlan());
   score_ = new QPushButton(tr("Score the attempts"));
@@ -223,21 +242,26 @@ void ScoresPage::showTable() {
   const StepPlan* plan = session_.step() != nullptr ? session_.plan().of(session_.step()->id) : nullptr;
   table_->setHorizontalHeaderLabels({tr("Figure"), wordOf(Who::trainee), wordOf(Who::expert)});
   table_->setRowCount(0);
+  const std::string_view kind = session_.step() != nullptr ? taskWord(session_.step()->task) : std::string_view();
+  bool areAll = true;
   for (const Metric& metric : metrics()) {
     const auto value = valueOf(own, metric.id), other = valueOf(others, metric.id);
     if (!value && !other) continue;
-    const int row = table_->rowCount();
-    table_->insertRow(row);
     const bool counts = plan != nullptr && std::any_of(plan->metrics.begin(), plan->metrics.end(),
                                                        [&](const MetricWeight& each) { return each.metric == metric.id; });
+    const bool isOn = counts || defaults_.isOn(metric.id, kind);
+    areAll = areAll && isOn;
+    if (!isOn && !all_->isChecked()) continue;
+    const int row = table_->rowCount();
+    table_->insertRow(row);
     auto* name = new QTableWidgetItem(counts ? tr("%1 (counts)").arg(words(metric.name)) : words(metric.name));
     name->setData(Qt::UserRole, words(std::string(metric.id)));
-    name->setToolTip(tipOf(metric));
+    name->setToolTip(tipOf(metric, defaults_, kind));
     table_->setItem(row, kName, name);
     const auto put = [&](int column, const std::optional<double>& figure) {
       auto* item = new QTableWidgetItem(figure ? withUnit(*figure, metric.unit) : QStringLiteral("–"));
       item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-      item->setToolTip(tipOf(metric));
+      item->setToolTip(tipOf(metric, defaults_, kind));
       table_->setItem(row, column, item);
     };
     put(kValue, value);
@@ -245,6 +269,7 @@ void ScoresPage::showTable() {
     if (before == metric.id) table_->selectRow(row);
   }
   table_->setVisible(table_->rowCount() > 0);
+  all_->setVisible(!areAll);
 }
 
 void ScoresPage::showPlan() {

@@ -2,8 +2,10 @@
 
 #include <QWidget>
 
+#include "ew/assessment/metric_defaults.h"
 #include "panel/review_session.h"
 
+class QCheckBox;
 class QLabel;
 class QPushButton;
 class QTableWidget;
@@ -37,6 +39,8 @@ class ScoresPage final : public QWidget {
   QLabel* verdict_ = nullptr;
   QLabel* made_ = nullptr;
   QTableWidget* table_ = nullptr;
+  QCheckBox* all_ = nullptr;
+  MetricDefaults defaults_;
   QWidget* plan_ = nullptr;
   sdk::NumberField* level_ = nullptr;
   sdk::NumberField* weight_ = nullptr;
