@@ -9256,8 +9256,8 @@
         <translation>Unteres Quartil</translation>
     </message>
     <message>
-        <source>Middle</source>
-        <translation>Mitte</translation>
+        <source>Median</source>
+        <translation>Median</translation>
     </message>
     <message>
         <source>Upper quartile</source>
@@ -9392,8 +9392,8 @@
         <translation>Bestanden</translation>
     </message>
     <message>
-        <source>Middle score</source>
-        <translation>Mittleres Ergebnis</translation>
+        <source>Median score</source>
+        <translation>Median der Ergebnisse</translation>
     </message>
     <message>
         <source>These scores were made by different plans or versions of scoring; score all attempts again before comparing them.</source>

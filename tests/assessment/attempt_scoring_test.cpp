@@ -145,6 +145,80 @@ TEST(ScoreOfAnAttempt, IsComparedWithTheExpertsAttempt) {
   EXPECT_FALSE(valueOf(scored(world, expert).of("sweep")->metrics, "expert_distance")) << "nobody is compared with themselves";
 }
 
+TEST(ScoreOfAnAttempt, IsNotPassedBeforeTheAttemptIsFinished) {
+  const AssessedWorld world;
+  const fs::path folder = world.keep("20261101-100000-a1a1a1a1", goodTries());
+  auto document = json::parse(test::textOf(folder / "attempt.json"));
+  document.erase("finished_at");
+  test::writeText(folder / "attempt.json", document.dump());
+  EXPECT_FALSE(scored(world, folder).passed);
+}
+
+TEST(ScoreOfAnAttempt, IsMadeAnewWhenARecordingIsAnotherOne) {
+  const AssessedWorld world;
+  const fs::path folder = world.keep("20261101-100000-a2a2a2a2", goodTries());
+  const AttemptScore before = scored(world, folder);
+  const auto kept = KeptAttempt::open(folder);
+  ASSERT_TRUE(kept);
+  const fs::path file = folder / kept->attempt().outcomeOf("plane")->recording;
+  ASSERT_TRUE(writeRecording({"ball", "Ball", {640, 480}, stayedAt(4.0), {}}, file));
+  const AttemptScore after = scored(world, folder);
+  EXPECT_NE(after.key, before.key);
+  EXPECT_NEAR(after.of("plane")->task, 1.0 - 0.3 * 0.8, 1e-6);
+}
+
+TEST(ScoreOfAnAttempt, TakesNoMeasurementInAnotherUnitAndNothingThatWasNotWatched) {
+  AssessedWorld world;
+  Lesson lesson = world.lesson();
+  LessonStep watch;
+  watch.id = "watch";
+  watch.title = "Watch";
+  watch.task = WatchTask{"scans/expert.seq.mha", {}, {}, {}};
+  lesson.steps.push_back(watch);
+  fs::create_directories(world.caseFolder() / "parts" / "lessons" / "scans");
+  ASSERT_TRUE(writeRecording({"ball", "Ball", {640, 480}, stayedAt(0.0), {}},
+                             world.caseFolder() / "parts" / "lessons" / "scans" / "expert.seq.mha"));
+  world.teach(lesson);
+  auto tries = goodTries();
+  tries[3].answer["unit"] = "cm";
+  tries.push_back({.step = "watch", .answer = {{"watched", false}}, .verdict = StepVerdict::passed, .score = 1.0});
+  const AttemptScore score = scored(world, world.keep("20261101-100000-a3a3a3a3", tries));
+  EXPECT_DOUBLE_EQ(score.of("measure")->task, 0.0);
+  EXPECT_DOUBLE_EQ(score.of("watch")->task, 0.0);
+  tries.back().answer = nullptr;  // as attempts were kept before answers were kept in full
+  const AttemptScore older = scored(world, world.keep("20261101-100000-a4a4a4a4", tries));
+  EXPECT_DOUBLE_EQ(older.of("watch")->task, 1.0);
+  EXPECT_FALSE(older.of("watch")->isJudgedAnew);
+}
+
+TEST(ScoreOfAnAttempt, TakesTheSettingsOfTheExpertsAttemptBeforeThoseOfTheLessonsScan) {
+  AssessedWorld world;
+  const auto scanWith = [](double gain_db) {
+    ScanState image = test::imageAt(heldAt());
+    image.knobs.gain_db = gain_db;
+    ScanLog log;
+    log.addFrame(image);
+    return log;
+  };
+  Lesson lesson = world.lesson();
+  LessonStep watch;
+  watch.id = "watch";
+  watch.title = "Watch";
+  watch.task = WatchTask{"scans/expert.seq.mha", {}, {}, {}};
+  lesson.steps.push_back(watch);
+  fs::create_directories(world.caseFolder() / "parts" / "lessons" / "scans");
+  ASSERT_TRUE(writeRecording({"ball", "Ball", {640, 480}, scanWith(3.0), {}},
+                             world.caseFolder() / "parts" / "lessons" / "scans" / "expert.seq.mha"));
+  world.teach(lesson);
+  const fs::path folder = world.keep("20261101-100000-a5a5a5a5", {{.step = "plane", .scan = scanWith(0.0)}});
+  EXPECT_NEAR(*valueOf(scored(world, folder).of("plane")->metrics, "gain_difference"), 3.0, 1e-9);
+  const fs::path expert = world.keep("20261101-090000-a6a6a6a6", {{.step = "plane", .scan = scanWith(-5.0)}});
+  AssessmentPlan plan = *readPlan(world.library(), "ball", "about-balls");
+  plan.expertAttempt = expert.filename().string();
+  ASSERT_TRUE(keepPlan(world.library(), plan));
+  EXPECT_NEAR(*valueOf(scored(world, folder).of("plane")->metrics, "gain_difference"), 5.0, 1e-9);
+}
+
 TEST(ScoreOfAnAttempt, SaysWhenTheLessonHasChangedSince) {
   AssessedWorld world;
   const fs::path folder = world.keep("20261101-100000-abababab", goodTries());
@@ -236,6 +310,7 @@ TEST(AttemptScores, AreNotReadFromAFileThatAKilledProgramLeftEmpty) {
   const AttemptScore first = scored(world, folder);
   std::ofstream(folder / "scores" / "0002.json");
   EXPECT_EQ(*latestScore(folder), first);
+  EXPECT_EQ(scoresOf(folder).size(), 1u);
   AssessmentPlan plan = *readPlan(world.library(), "ball", "about-balls");
   plan.passLevel = 0.5;
   ASSERT_TRUE(keepPlan(world.library(), plan));

@@ -173,6 +173,12 @@ TEST_F(MetricsOfAStep, MeasureHowFarAParallelScanIsAway) {
   EXPECT_DOUBLE_EQ(*valueOf(of("sweep", elsewhere, {}, {&expert, {}}), "plane_overlap"), 0.0);
 }
 
+TEST_F(MetricsOfAStep, CountTheExpertsPlanesThatWereVisited) {
+  const ScanLog expert = scanAlong([](double t) { return heldAt(6.0 * t - 30.0); }, 10.0);
+  const ScanLog half = scanAlong([](double t) { return heldAt(3.0 * t - 30.0); }, 10.0);
+  EXPECT_NEAR(*valueOf(of("sweep", half, {}, {&expert, {}}), "plane_overlap"), 100.0 * 40.0 / 60.0, 8.0) << "30 mm, and 10 mm beyond it";
+}
+
 TEST_F(MetricsOfAStep, CompareTheSettingsOfTheStoredImage) {
   const ScanLog scan = scanAlong([](double) { return heldAt(); }, 2.0);
   ScanState expert = imageAt(heldAt());

@@ -88,15 +88,17 @@ class Figures {
     if (value && std::isfinite(*value) && isFor(*metric, taskWord(record_.step.task))) values_.push_back({id, metric->version, *value});
   }
 
+  /// Of the judgement; empty: it has none of that name.
+  [[nodiscard]] std::optional<double> figure(const char* name) const {
+    const auto& figures = record_.outcome.figures;
+    const auto at = std::find_if(figures.begin(), figures.end(), [&](const AttemptFigure& one) { return one.name == name; });
+    return at == figures.end() ? std::nullopt : std::optional(at->value);
+  }
+
   void ofWork() {
     const StepOutcome& outcome = record_.outcome;
     add("hints", outcome.hints);
     if (outcome.verdict != StepVerdict::skipped) add("answer_error", 100.0 * (1.0 - outcome.score));
-    const auto figure = [&](const char* name) -> std::optional<double> {
-      const auto at =
-          std::find_if(outcome.figures.begin(), outcome.figures.end(), [&](const AttemptFigure& one) { return one.name == name; });
-      return at == outcome.figures.end() ? std::nullopt : std::optional(at->value);
-    };
     if (std::holds_alternative<PointTask>(record_.step.task)) add("landmark_distance", figure("distance"));
     const auto* task = std::get_if<MeasureTask>(&record_.step.task);
     const auto* expected = task != nullptr ? ofName(ground_.truth().measurements, task->measurement) : nullptr;
@@ -142,7 +144,10 @@ class Figures {
 
   void ofCoverage() {
     std::vector<std::string> names;
-    if (const auto* sweep = std::get_if<SweepTask>(&record_.step.task)) names = {sweep->target};
+    if (const auto* sweep = std::get_if<SweepTask>(&record_.step.task)) {
+      if (const auto judged = figure("coverage")) return add("coverage", judged);  // it takes long to work out
+      names = {sweep->target};
+    }
     if (const auto* free = std::get_if<FreeTask>(&record_.step.task)) names = free->targets;
     std::vector<OrganCoverage> organs;
     for (const std::string& name : names)

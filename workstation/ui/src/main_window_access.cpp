@@ -37,6 +37,7 @@ void MainWindow::addAccessMenu(QMenu& file) {
     const auto removed = removeLock(parts_->access, sdk::personWhoLearns());
     if (!removed) return parts_->messages->showError(removed.error(), kAccess);
     showAccess();
+    parts_->host->tellAccessChanged();
     parts_->messages->showNote(tr("The lock is gone: everybody at this account sees everything."), kAccess);
   });
   p.removeLockAction->setObjectName(QStringLiteral("removeLock"));
@@ -78,6 +79,7 @@ void MainWindow::lockForTrainees() {
   p.keptEdits.forget();
   if (hadEdits) reloadCase();
   showAccess();
+  p.host->tellAccessChanged();
   p.messages->showNote(tr("Locked for trainees."), kAccess);
 }
 
@@ -88,6 +90,7 @@ void MainWindow::unlockForInstructors() {
       [&p](const Passphrase& passphrase) { return p.access.unlock(passphrase, sdk::personWhoLearns()); }, this);
   if (dialog->exec() != QDialog::Accepted) return;
   showAccess();
+  p.host->tellAccessChanged();
   p.messages->showNote(tr("Unlocked until you lock it again or close the window."), kAccess);
 }
 
@@ -111,7 +114,6 @@ void MainWindow::showAccess() {
   for (QAction* action : {p.saveAction, p.saveAsAction}) action->setVisible(!locked);
   if (locked && p.workspace != kExplore) showWorkspace(kExplore);
   showTitle();
-  p.host->tellAccessChanged();
 }
 
 }  // namespace ew::ui
