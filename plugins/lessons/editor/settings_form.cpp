@@ -6,9 +6,9 @@
 
 #include "editor/order_list.h"
 #include "editor/task_form.h"
+#include "ew/assessment/step_work.h"
 #include "ew/sdk/panel.h"
 #include "ew/sdk/scan.h"
-#include "ew/assessment/step_work.h"
 
 namespace ew::lessons {
 

@@ -4,9 +4,9 @@
 #include "bench_parts.h"
 #include "bench_teaching.h"
 #include "ew/assessment/simulated_hand.h"
+#include "ew/assessment/teaching_case.h"
 #include "ew/core/parallel.h"
 #include "ew/scanning/contact.h"
-#include "ew/assessment/teaching_case.h"
 
 namespace ew {
 namespace {

@@ -6,9 +6,9 @@
 #include "bench_teaching.h"
 #include "ew/assessment/exercise.h"
 #include "ew/assessment/simulated_hand.h"
+#include "ew/assessment/teaching_case.h"
 #include "ew/core/parallel.h"
 #include "ew/scanning/contact.h"
-#include "ew/assessment/teaching_case.h"
 
 namespace ew {
 namespace {

@@ -422,7 +422,8 @@ Result<Case> caseFromManifest(const json& given, const std::filesystem::path& fo
   }
   made.startPose = poseIn(manifest, "start_pose");
   made.expertPose = poseIn(manifest, "expert_pose");
-  if (manifest.contains("sealed")) made.sealed = {manifest["sealed"]["file"].get<std::string>(), manifest["sealed"]["sha256"].get<std::string>()};
+  if (manifest.contains("sealed"))
+    made.sealed = {manifest["sealed"]["file"].get<std::string>(), manifest["sealed"]["sha256"].get<std::string>()};
   made.otherFields = unknownFields(manifest);
   made.folder = folder;
   return made;
