@@ -2,19 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "ew/core/contract.h"
 
 namespace ew::review {
 namespace {
-
-double quantile(const std::vector<double>& rising, double share) {
-  const double place = share * static_cast<double>(rising.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, rising.size() - 1);
-  return rising[below] + (place - static_cast<double>(below)) * (rising[above] - rising[below]);
-}
 
 const StepResult* resultOf(const AttemptResult& attempt, const std::string& stepId) {
   for (const StepResult& each : attempt.steps)
@@ -54,28 +46,19 @@ StepOverview stepOverview(std::span<const AttemptResult> attempts, const std::st
 }  // namespace
 
 Distribution distributionOf(std::vector<double> values) {
-  Distribution made;
   std::erase_if(values, [](double value) { return !std::isfinite(value); });
-  if (values.empty()) return made;
   std::sort(values.begin(), values.end());
-  made.lowest = values.front();
-  made.lowerQuartile = quantile(values, 0.25);
-  made.median = quantile(values, 0.5);
-  made.upperQuartile = quantile(values, 0.75);
-  made.highest = values.back();
-  made.mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  Distribution made{fiveNumbersOf(values), {}};
   made.values = std::move(values);
   return made;
 }
 
 std::vector<std::size_t> histogramOf(std::span<const double> values, double lowest, double highest, int bins) {
   EW_EXPECTS(bins > 0);
-  std::vector<std::size_t> counts(static_cast<std::size_t>(bins), 0);
-  for (const double value : values) {
-    if (!(value >= lowest && value <= highest)) continue;
-    const double place = highest > lowest ? (value - lowest) / (highest - lowest) * bins : 0.0;
-    ++counts[std::min(static_cast<std::size_t>(place), counts.size() - 1)];
-  }
+  const auto parts = static_cast<std::size_t>(bins);
+  if (highest > lowest) return countsIn(values, lowest, highest, parts);
+  std::vector<std::size_t> counts(parts, 0);
+  counts.front() = static_cast<std::size_t>(std::count(values.begin(), values.end(), lowest));
   return counts;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ew/assessment/statistics.h"
+#include "ew/reports/distribution.h"
 
 namespace ew::review {
 
@@ -28,15 +29,12 @@ struct AttemptResult {
   std::vector<StepResult> steps;  ///< one of each step that was ended
 };
 
-/// Five numbers of many: quartiles by linear interpolation between the values in order (Hyndman & Fan, Am Stat 50:361, 1996, type 7).
-struct Distribution {
+struct Distribution : FiveNumbers {
   std::vector<double> values;  ///< rising
-  double lowest = 0.0, lowerQuartile = 0.0, median = 0.0, upperQuartile = 0.0, highest = 0.0, mean = 0.0;
 };
 /// @return all 0 of no values; values that are not finite are left out
 [[nodiscard]] Distribution distributionOf(std::vector<double> values);
-/// How many values lie in each of `bins` even parts from lowest to highest; a value on an inner border counts above it, what lies outside
-/// not at all. @param bins > 0
+/// As countsIn; where lowest and highest are one, all values of that lie in the first part. @param bins > 0
 [[nodiscard]] std::vector<std::size_t> histogramOf(std::span<const double> values, double lowest, double highest, int bins);
 
 struct FigureOverview {

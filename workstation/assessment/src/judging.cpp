@@ -67,7 +67,7 @@ Judgement judgePlane(const PlaneTarget& target, const PlaneTolerance& tolerance,
     wellDone(judged,
              say<"The plane is found: %1 degrees and %2 mm from the expert's.">(tenths(error.angle_deg), tenths(error.distance_mm)));
   if (error.angle_deg > tolerance.angle_deg)
-    missed(judged, say<"The plane is tipped by %1 degrees; %2 degrees are allowed.">(whole(error.angle_deg), tenths(tolerance.angle_deg)));
+    missed(judged, say<"The plane is tipped by %1 degrees; %2 degrees are allowed.">(tenths(error.angle_deg), tenths(tolerance.angle_deg)));
   if (error.distance_mm > tolerance.position_mm)
     missed(judged,
            say<"What matters lies %1 mm beside the plane; %2 mm are allowed.">(tenths(error.distance_mm), tenths(tolerance.position_mm)));
