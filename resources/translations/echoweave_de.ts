@@ -13862,6 +13862,18 @@
 <context>
     <name>ew::ui::MainWindow</name>
     <message>
+        <source>Not now</source>
+        <translation>Jetzt nicht</translation>
+    </message>
+    <message>
+        <source>%1 wants to start a lesson here. It will be told when you have worked through it, and your result.</source>
+        <translation>%1 möchte hier eine Lektion starten. Es erfährt, wann Sie sie bearbeitet haben, und Ihr Ergebnis.</translation>
+    </message>
+    <message>
+        <source>Begin the lesson</source>
+        <translation>Lektion beginnen</translation>
+    </message>
+    <message>
         <source>There is not enough memory for this; close other programs and try again.</source>
         <translation>Dafür reicht der Speicher nicht; andere Programme schließen und noch einmal versuchen.</translation>
     </message>

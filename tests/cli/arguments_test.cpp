@@ -69,6 +69,9 @@ TEST(WindowArguments, TakeEveryOptionOfTheWindow) {
   EXPECT_EQ(wish->open, folder / "v.mha");
   EXPECT_EQ(wish->screenshot, folder / "s.png");
   EXPECT_EQ(wish->theme, "light");
+  EXPECT_EQ(cli::windowArguments(Words{folder / "v.mha", "--lesson", "first"})->lesson, "first");
+  EXPECT_FALSE(cli::windowArguments(Words{"--lesson", "first"})) << "of which case";
+  EXPECT_EQ(cli::windowArguments(Words{"--launched-by", "lms.example"})->launchedBy, "lms.example");
   EXPECT_EQ(wish->workspace, "author");
   EXPECT_EQ(wish->size_px, glm::ivec2(1280, 720));
   EXPECT_FALSE(wish->startPage);

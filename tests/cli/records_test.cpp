@@ -152,6 +152,99 @@ TEST_F(RecordsCommand, TellsAnAttemptToTheSystemThatLaunchedIt) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_ / "library/records")) << "nothing of a session stays";
 }
 
+/// A learning management system that launches a lesson, and a program in place of the window.
+class LaunchedLesson : public RecordsCommand {
+ protected:
+  LaunchedLesson() {
+    server_.authorization = "Basic dG9rZW4tMTc=";
+    server_.other = [this](const ServerQuestion& question) -> std::optional<ServerAnswer> {
+      if (question.target == "/fetch") {
+        ++fetched_;
+        return ServerAnswer{200, R"({"auth-token": "dG9rZW4tMTc="})", {}};
+      }
+      if (question.target.starts_with("/xapi/activities/state"))
+        return ServerAnswer{
+            200,
+            R"({"contextTemplate": {"extensions": {"urn:s": "42"}}, "launchMode": "Normal", "moveOn": "Passed", "launchParameters": ")" +
+                parameters_ + R"("})",
+            {}};
+      if (question.target.starts_with("/xapi/agents/profile")) return ServerAnswer{404, "", {}};
+      return std::nullopt;
+    };
+  }
+  [[nodiscard]] std::string address() {
+    return "echoweave-cmi5:?endpoint=" + server_.endpoint() + "&fetch=http://127.0.0.1:" + std::to_string(server_.port()) +
+           "/fetch&actor=%7B%22account%22%3A%7B%22homePage%22%3A%22https%3A%2F%2Flms.example%2F%22%2C%22name%22%3A%22l%22%7D%7D"
+           "&registration=886313e1-3b8a-5372-9b90-0c9aee199e5d&activityId=https://lms.example/au/1";
+  }
+  /// @param asked exit status of the question; @param works a line of shell in place of the lesson
+  std::string windowThat(int asked, const std::string& works) {
+    const std::string file = folder_ / "window";
+    writeText(file, "#!/bin/sh\necho \"$@\" >> '" + (folder_ / "words") + "'\ncase $1 in --launched-by) exit " + std::to_string(asked) +
+                        ";; esac\n" + works + "\n");
+    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+    return file;
+  }
+  [[nodiscard]] std::vector<std::string> verbs() {
+    std::vector<std::string> said;
+    for (const std::string& id : server_.order()) said.push_back(server_.stored(id)["verb"]["display"]["en"]);
+    return said;
+  }
+  /// An attempt that was finished just now, beside the library; the line of shell puts it there.
+  std::string finishesALesson() {
+    Attempt attempt = someAttempt();
+    attempt.caseId = "fetal-biometry";
+    attempt.lessonId = "three-standard-planes";
+    attempt.id = "20991231-000000-aaaaaaaa";
+    attempt.finishedAt = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()) + std::chrono::hours(1);
+    EXPECT_TRUE(KeptAttempt::begin(folder_.path() / "aside", attempt));
+    return "mv '" + (folder_ / ("aside/" + attempt.id)) + "' '" + (folder_ / "library/attempts/") + "'";
+  }
+  std::string parameters_ = "fetal-biometry/three-standard-planes";
+  int fetched_ = 0;
+};
+
+TEST_F(LaunchedLesson, IsOpenedInTheWindowAndItsResultTold) {
+  const auto told = run({"records", "launch", address(), "--window", windowThat(0, finishesALesson()), "--rounds", "1"});
+  ASSERT_EQ(told.status, 0) << told.err;
+  EXPECT_EQ(verbs(), (std::vector<std::string>{"initialized", "completed", "failed", "terminated"}));
+  const std::string words = readText(folder_ / "words");
+  EXPECT_TRUE(words.starts_with("--launched-by 127.0.0.1\n")) << words;
+  EXPECT_NE(words.find("fetal-biometry --lesson three-standard-planes\n"), std::string::npos) << words;
+  EXPECT_TRUE(std::filesystem::is_empty(folder_ / "library/records")) << "nothing of a session stays";
+}
+
+TEST_F(LaunchedLesson, IsNothingToAnybodyWhenTheLearnerDoesNotWantIt) {
+  const auto told = run({"records", "launch", address(), "--window", windowThat(1, "exit 9")});
+  EXPECT_EQ(told.status, 1);
+  EXPECT_NE(told.err.find("127.0.0.1 was told nothing"), std::string::npos) << told.err;
+  EXPECT_EQ(fetched_, 0) << "not even the token was fetched";
+  EXPECT_TRUE(server_.order().empty());
+}
+
+TEST_F(LaunchedLesson, ThatIsNotFinishedIsOverAndNeitherPassedNorFailed) {
+  const auto told = run({"records", "launch", address(), "--wanted", "--window", windowThat(1, "true"), "--rounds", "1"});
+  EXPECT_EQ(told.status, 0) << told.err;
+  EXPECT_NE(told.err.find("was not finished"), std::string::npos) << told.err;
+  EXPECT_EQ(verbs(), (std::vector<std::string>{"initialized", "terminated"}));
+}
+
+TEST_F(LaunchedLesson, HasToBeNamedByTheCourse) {
+  for (const char* parameters : {"", "fetal-biometry", "no-such-case/lesson"}) {
+    parameters_ = parameters;
+    const auto told = run({"records", "launch", address(), "--wanted", "--window", windowThat(0, "true")});
+    EXPECT_EQ(told.status, 1) << parameters;
+    EXPECT_TRUE(server_.order().empty()) << parameters;
+  }
+}
+
+TEST_F(LaunchedLesson, SaysSoWhenThereIsNoWindow) {
+  const auto told = run({"records", "launch", address(), "--window", folder_ / "nothing"});
+  EXPECT_EQ(told.status, 1);
+  EXPECT_NE(told.err.find("cannot be started"), std::string::npos) << told.err;
+  EXPECT_EQ(fetched_, 0);
+}
+
 TEST_F(RecordsCommand, WithoutANetworkEverythingWaits) {
   setUp(server_.endpoint());
   ASSERT_EQ(records({"add"}).status, 0);

@@ -31,6 +31,8 @@ struct RecordsArguments {
   bool allowsHttp = false, forbidsHttp = false, asks = false, forgets = false, noKeyring = false;
   // launch
   std::string url;
+  std::string window;           ///< program of the window; empty: the one beside this program
+  bool isWantedByHand = false;  ///< the learner is not asked
 
   [[nodiscard]] std::filesystem::path libraryPlace() const { return library.empty() ? libraryFolder() : std::filesystem::path(library); }
   [[nodiscard]] std::filesystem::path outboxPlace() const {

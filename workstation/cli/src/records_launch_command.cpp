@@ -1,7 +1,15 @@
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <chrono>
 #include <ostream>
+#include <system_error>
+#include <thread>
 
 #include "arguments.h"
+#include "ew/library/learning.h"
 #include "ew/records/cmi5.h"
 #include "records_arguments.h"
 
@@ -40,20 +48,181 @@ Result<AttemptResult> resultOf(const fs::path& folder, const Cmi5Launch& launch,
 
 Cmi5Session::Moment nowInMilliseconds() { return std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now()); }
 
-/// The statements of the session, into an outbox of its own.
-Result<void> tellSession(Cmi5Session& session, const AttemptResult& result, StatementOutbox& outbox) {
-  const auto tell = [&](const Result<nlohmann::json>& statement) -> Result<void> {
+/// What goes to the system that launched us, statement by statement, through an outbox of the session's own: nothing of it is worth
+/// anything later, so it does not wait with what the library sends.
+class Telling {
+ public:
+  static Result<Telling> open(const RecordsArguments& arguments, const Cmi5Launch& launch) {
+    fs::path place = arguments.outboxPlace() / "session";
+    place += "-" + launch.registration + "-" + std::to_string(nowInMilliseconds().time_since_epoch().count());
+    auto outbox = StatementOutbox::open(place);
+    if (!outbox) return passOn(outbox.error());
+    return Telling(std::move(place), std::move(*outbox));
+  }
+  Telling(Telling&&) = default;
+  Telling& operator=(Telling&&) = delete;
+  ~Telling() {
+    std::error_code ignored;
+    outbox_.reset();
+    if (!place_.empty()) fs::remove_all(place_, ignored);
+  }
+
+  Result<void> tell(const Result<nlohmann::json>& statement) {
     if (!statement) return passOn(statement.error());
-    const auto taken = outbox.add(*statement);
+    const auto taken = outbox_->add(*statement);
     return taken ? Result<void>() : passOn(taken.error());
-  };
-  const bool counts = session.data().mode == Cmi5Mode::normal;
-  if (auto told = tell(session.initialized(nowInMilliseconds())); !told) return told;
-  if (counts)
-    if (auto told = tell(session.completed(nowInMilliseconds(), result.worked_s)); !told) return told;
-  if (counts && result.success)
-    if (auto told = tell(session.judged(result.score, *result.success, nowInMilliseconds(), result.worked_s)); !told) return told;
-  return tell(session.terminated(nowInMilliseconds()));
+  }
+  /// How the attempt ended, and that the session is over.
+  Result<void> tellEnd(Cmi5Session& session, const std::optional<AttemptResult>& result) {
+    const bool counts = result && session.data().mode == Cmi5Mode::normal;
+    if (counts)
+      if (auto told = tell(session.completed(nowInMilliseconds(), result->worked_s)); !told) return told;
+    if (counts && result->success)
+      if (auto told = tell(session.judged(result->score, *result->success, nowInMilliseconds(), result->worked_s)); !told) return told;
+    return tell(session.terminated(nowInMilliseconds()));
+  }
+  Result<SendStatementsResult> send(const Cmi5Session& session, const RecordsArguments& arguments, Run& run) {
+    SendStatementsOptions sending;
+    sending.mostRounds = arguments.rounds;
+    return sendStatements(*outbox_, session.store(), sending, run.progress);
+  }
+  /// Why a statement was refused; empty: none was.
+  [[nodiscard]] std::string refusal() const { return outbox_->entries().empty() ? std::string() : outbox_->entries().front().problem; }
+
+ private:
+  Telling(fs::path place, StatementOutbox outbox) : place_(std::move(place)), outbox_(std::move(outbox)) {}
+  fs::path place_;
+  std::optional<StatementOutbox> outbox_;
+};
+
+/// Sends what is told and says how it went.
+Result<int> finishTelling(Telling& telling, const Cmi5Session& session, const RecordsArguments& arguments, Run& run) {
+  const Cmi5Launch& launch = session.launch();
+  const auto sent = telling.send(session, arguments, run);
+  if (!sent) return passOn(sent.error());
+  run.progress.clear();
+  run.report.options = {{"endpoint", launch.endpoint}, {"activity", launch.activityId}};
+  run.report.quality = {{"sent", sent->sent}, {"refused", sent->refused}, {"left", sent->left}};
+  if (sent->left > 0 || sent->refused > 0)
+    return run.answer({ErrorCode::notWritable,
+                       say<"%1 has not got everything: %2 Start the lesson there again, and tell the attempt to the new launch.">(
+                           launchHost(launch), sent->left > 0 ? sent->problem : verbatim(telling.refusal() + ".")),
+                       {}});
+  run.say(launchHost(launch) + " knows of the attempt now" + (session.movesOn() ? "." : "; its course asks for more before it goes on."));
+  return kDone;
+}
+
+/// Tells an attempt that was finished before.
+Result<int> tellAttempt(const Cmi5Launch& launch, const Cmi5Options& options, const RecordsArguments& arguments, Run& run) {
+  if (auto read = run.input(fs::path(arguments.attempts.front()) / "attempt.json"); !read) return passOn(read.error());
+  const auto result = resultOf(arguments.attempts.front(), launch, arguments);
+  if (!result) return passOn(result.error());
+  auto telling = Telling::open(arguments, launch);
+  if (!telling) return passOn(telling.error());
+  staysDone(run);
+  auto session = Cmi5Session::begin(launch, options, run.progress);
+  if (!session) return passOn(session.error());
+  if (auto told = telling->tell(session->initialized(nowInMilliseconds())); !told) return passOn(told.error());
+  if (auto told = telling->tellEnd(*session, *result); !told) return passOn(told.error());
+  return finishTelling(*telling, *session, arguments, run);
+}
+
+/// The program of the window, and the words it is started with.
+Result<int> runWindow(const RecordsArguments& arguments, const std::vector<std::string>& words, const Progress& progress) {
+  std::error_code error;
+  const fs::path program =
+      !arguments.window.empty() ? fs::path(arguments.window) : fs::read_symlink("/proc/self/exe", error).parent_path() / "echoweave-window";
+  std::vector<std::string> line = {program.string()};
+  line.insert(line.end(), words.begin(), words.end());
+  std::vector<char*> pointers;
+  for (std::string& word : line) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  pid_t child = 0;
+  if (const int problem = ::posix_spawn(&child, program.c_str(), nullptr, nullptr, pointers.data(), environ); problem != 0)
+    return failure(ErrorCode::notFound,
+                   say<"The window '%1' cannot be started (%2); the lesson can be worked through there by hand, and told with 'records "
+                       "launch ADDRESS ATTEMPT'.">(program, verbatim(std::generic_category().message(problem))));
+  constexpr auto kLook = std::chrono::milliseconds(100);
+  int status = 0;
+  while (::waitpid(child, &status, WNOHANG) == 0) {
+    if (progress.cancelRequested()) {
+      ::kill(child, SIGTERM);
+      ::waitpid(child, &status, 0);
+      return failure(ErrorCode::cancelled, say<"Stopped as asked; the lesson's attempt stays, and was not told.">());
+    }
+    std::this_thread::sleep_for(kLook);
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+struct LaunchedLesson {
+  std::string caseId, lessonId;
+  fs::path folder;
+};
+
+/// "CASE/LESSON" of the launch parameters.
+Result<LaunchedLesson> lessonOf(const Cmi5Session& session, const RecordsArguments& arguments) {
+  const std::string& asked = session.data().launchParameters;
+  const std::size_t parts = asked.find('/');
+  if (parts == std::string::npos || parts == 0 || parts + 1 == asked.size())
+    return failure(ErrorCode::badField,
+                   say<"The course does not say which lesson it starts: its launch parameters are '%1'; its author has to put CASE/LESSON "
+                       "there.">(asked),
+                   {{"field", "launchParameters"}, {"found", asked}});
+  LaunchedLesson lesson{asked.substr(0, parts), asked.substr(parts + 1), {}};
+  const auto folder = ew::findCase(lesson.caseId, arguments.libraryPlace());
+  if (!folder)
+    return failure(ErrorCode::notFound,
+                   say<"The case '%1', which the course starts, is not in the library; import it first.">(lesson.caseId),
+                   {{"case", lesson.caseId}});
+  lesson.folder = *folder;
+  return lesson;
+}
+
+/// The attempt at a lesson that was finished since; the last of several. Empty: none was.
+std::optional<fs::path> finishedSince(const LaunchedLesson& lesson, std::chrono::sys_seconds since, const fs::path& library) {
+  std::optional<fs::path> found;
+  std::chrono::sys_seconds latest = since;
+  for (const auto& [folder, attempt] : listAttempts(attemptsFolder(library)).attempts) {
+    if (attempt.caseId != lesson.caseId || attempt.lessonId != lesson.lessonId) continue;
+    if (!attempt.finishedAt || *attempt.finishedAt < latest) continue;
+    latest = *attempt.finishedAt;
+    found = folder;
+  }
+  return found;
+}
+
+/// Asks the learner, opens the lesson in the window, and tells how it ended.
+Result<int> workThrough(const Cmi5Launch& launch, const Cmi5Options& options, const RecordsArguments& arguments, Run& run) {
+  staysDone(run);
+  if (!arguments.isWantedByHand) {
+    const auto wanted = runWindow(arguments, {"--launched-by", launchHost(launch)}, run.progress);
+    if (!wanted) return passOn(wanted.error());
+    if (*wanted != 0) return failure(ErrorCode::cancelled, say<"The lesson was not begun; %1 was told nothing.">(launchHost(launch)));
+  }
+  auto session = Cmi5Session::begin(launch, options, run.progress);
+  if (!session) return passOn(session.error());
+  const auto lesson = lessonOf(*session, arguments);
+  if (!lesson) return passOn(lesson.error());
+  auto telling = Telling::open(arguments, launch);
+  if (!telling) return passOn(telling.error());
+  const auto begun = std::chrono::floor<std::chrono::seconds>(nowInMilliseconds());
+  if (auto told = telling->tell(session->initialized(nowInMilliseconds())); !told) return passOn(told.error());
+  // That it has begun is told at once; what the network does not take now goes with the rest.
+  if (const auto sent = telling->send(*session, arguments, run); !sent && sent.error().code == ErrorCode::cancelled)
+    return passOn(sent.error());
+  const auto ended = runWindow(arguments, {lesson->folder.string(), "--lesson", lesson->lessonId}, run.progress);
+  if (!ended) return passOn(ended.error());
+  std::optional<AttemptResult> result;
+  if (const auto attempt = finishedSince(*lesson, begun, arguments.libraryPlace())) {
+    auto worked = resultOf(*attempt, launch, arguments);
+    if (!worked) return passOn(worked.error());
+    result = *worked;
+  } else {
+    run.remark(say<"The lesson was not finished; %1 is told that the session is over.">(launchHost(launch)));
+  }
+  if (auto told = telling->tellEnd(*session, result); !told) return passOn(told.error());
+  return finishTelling(*telling, *session, arguments, run);
 }
 
 Result<int> launchRecords(const RecordsArguments& arguments, Run& run) {
@@ -62,54 +231,26 @@ Result<int> launchRecords(const RecordsArguments& arguments, Run& run) {
   options.certificates = arguments.certificates.value_or(std::string());
   const auto launch = cmi5LaunchOf(arguments.url, options);
   if (!launch) return passOn(launch.error());
-  if (auto read = run.input(fs::path(arguments.attempts.front()) / "attempt.json"); !read) return passOn(read.error());
-  const auto result = resultOf(arguments.attempts.front(), *launch, arguments);
-  if (!result) return passOn(result.error());
-  // The session's statements are worth nothing later, so they do not wait with those of the library.
-  fs::path place = arguments.outboxPlace() / "session";
-  place += "-" + launch->registration + "-" + std::to_string(nowInMilliseconds().time_since_epoch().count());
-  auto outbox = StatementOutbox::open(place);
-  if (!outbox) return passOn(outbox.error());
-  staysDone(run);
-  const auto clear = [&] {
-    std::error_code ignored;
-    fs::remove_all(place, ignored);
-  };
-  auto session = Cmi5Session::begin(*launch, options, run.progress);
-  if (!session) {
-    clear();
-    return passOn(session.error());
-  }
-  if (auto told = tellSession(*session, *result, *outbox); !told) return passOn(told.error());
-  SendStatementsOptions sending;
-  sending.mostRounds = arguments.rounds;
-  const auto sent = sendStatements(*outbox, session->store(), sending, run.progress);
-  if (!sent) return passOn(sent.error());
-  run.progress.clear();
-  run.report.options = {{"endpoint", launch->endpoint}, {"activity", launch->activityId}};
-  run.report.quality = {{"sent", sent->sent}, {"refused", sent->refused}, {"left", sent->left}};
-  const std::string refused = outbox->entries().empty() ? std::string() : outbox->entries().front().problem;
-  clear();
-  if (sent->left > 0 || sent->refused > 0)
-    return run.answer({ErrorCode::notWritable,
-                       say<"%1 has not got everything: %2 Start the lesson there again, and tell the attempt to the new launch.">(
-                           launchHost(*launch), sent->left > 0 ? sent->problem : verbatim(refused + ".")),
-                       {}});
-  run.say(launchHost(*launch) + " knows of the attempt now" + (session->movesOn() ? "." : "; its course asks for more before it goes on."));
-  return kDone;
+  return arguments.attempts.empty() ? workThrough(*launch, options, arguments, run) : tellAttempt(*launch, options, arguments, run);
 }
 
 }  // namespace
 
 void addRecordLaunch(CLI::App& group, Selection& selection, const std::shared_ptr<RecordsArguments>& arguments) {
-  auto& app =
-      addCommand(group, selection, "launch", "Tell an attempt to the learning management system that has launched this program (cmi5)",
-                 {"records launch 'echoweave-cmi5:?endpoint=https%3A%2F%2Flms.example%2Fxapi%2F&fetch=...' ATTEMPT"},
-                 [arguments](Run& run) { return launchRecords(*arguments, run); });
+  auto& app = addCommand(group, selection, "launch",
+                         "Work through the lesson that a learning management system starts, and tell it the result (cmi5)",
+                         {"records launch 'echoweave-cmi5:?endpoint=https%3A%2F%2Flms.example%2Fxapi%2F&fetch=...'",
+                          "records launch 'echoweave-cmi5:?endpoint=https%3A%2F%2Flms.example%2Fxapi%2F&fetch=...' ATTEMPT"},
+                         [arguments](Run& run) { return launchRecords(*arguments, run); });
   app.add_option("ADDRESS", arguments->url, "The launch: echoweave-cmi5:?endpoint=...&fetch=...&actor=...&registration=...&activityId=...")
       ->required()
       ->type_name("");
-  app.add_option("ATTEMPT", arguments->attempts, "The folder of a finished attempt")->required()->expected(1)->type_name("");
+  app.add_option("ATTEMPT", arguments->attempts,
+                 "The folder of an attempt that was finished before; without it the window opens the lesson")
+      ->expected(0, 1)
+      ->type_name("");
+  app.add_flag("--wanted", arguments->isWantedByHand, "The learner has asked for it: begin without a question");
+  app.add_option("--window", arguments->window, "The program that shows the lesson (this one's window)")->type_name("PROGRAM");
   addCount(app, "--rounds", arguments->rounds, 1, 1000, "Tries in a row that bring nothing new (8)");
   app.add_flag("--allow-http", arguments->allowsHttp, "Send without encryption, also to other machines; for a network of your own alone");
   app.add_option("--certificates", arguments->certificates, "PEM file of the authorities to trust instead of the system's")

@@ -15,6 +15,8 @@ Result<WindowWish> windowArguments(std::span<const std::string> args) {
   std::string open;
   app.add_option("OPEN", wish.open);
   app.add_option("--open", open);
+  app.add_option("--lesson", wish.lesson);
+  app.add_option("--launched-by", wish.launchedBy);
   app.add_option("--screenshot", wish.screenshot);
   app.add_option("--theme", wish.theme)->check(CLI::IsMember({"dark", "light"}));
   app.add_option("--workspace", wish.workspace)->check(CLI::IsMember({"explore", "author"}));
@@ -40,6 +42,8 @@ Result<WindowWish> windowArguments(std::span<const std::string> args) {
       wish.open = found->folder.string();
     }
   }
+  if (!wish.lesson.empty() && wish.open.empty())
+    return failure(ErrorCode::badUsage, say<"The lesson '%1' is of no case; name the case that has it as well.">(wish.lesson));
   if (!wish.screenshot.empty()) {
     OutputSet outputs;
     if (auto writable = outputs.announce(wish.screenshot, ".png"); !writable) return passOn(writable.error());

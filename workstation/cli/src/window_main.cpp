@@ -26,6 +26,8 @@ int main(int argc, char** argv) {
   }
   ew::ui::WindowOptions options;
   options.open = wish->open;
+  options.lesson = wish->lesson;
+  options.launchedBy = wish->launchedBy;
   options.startPage = wish->startPage;
   options.workspace = wish->workspace;
   options.theme = wish->theme;

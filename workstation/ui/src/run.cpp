@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QFileInfo>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
 #include <QSurfaceFormat>
@@ -79,6 +80,21 @@ class Screenshot final : public QObject {
   int settled_ = 0;
 };
 
+/// Anybody's page can start a lesson here; only the learner knows whether they wanted it.
+bool wantsLesson(const std::string& launchedBy) {
+  rememberSystemTheme();
+  applyTheme(themeCalled(QSettings().value(QStringLiteral("theme"), QStringLiteral("dark")).toString()));
+  QMessageBox question(QMessageBox::Question, QStringLiteral("EchoWeave"),
+                       MainWindow::tr("%1 wants to start a lesson here. It will be told when you have worked through it, and your result.")
+                           .arg(QString::fromStdString(launchedBy)));
+  question.setObjectName(QStringLiteral("launchQuestion"));
+  question.setTextFormat(Qt::PlainText);
+  QPushButton* begin = question.addButton(MainWindow::tr("Begin the lesson"), QMessageBox::AcceptRole);
+  question.setDefaultButton(question.addButton(MainWindow::tr("Not now"), QMessageBox::RejectRole));
+  question.exec();
+  return question.clickedButton() == begin;
+}
+
 }  // namespace
 
 int runWorkstation(int argc, char** argv, const WindowOptions& options) {
@@ -92,6 +108,7 @@ int runWorkstation(int argc, char** argv, const WindowOptions& options) {
   QApplication::setApplicationName(QStringLiteral("EchoWeave"));
   QApplication::setApplicationVersion(QLatin1String(kVersion));
   const auto spoken = speak(app);
+  if (!options.launchedBy.empty()) return wantsLesson(options.launchedBy) ? 0 : 1;
 
   MainWindow window;
   const bool isScreenshot = !options.screenshot.empty();
@@ -116,6 +133,8 @@ int runWorkstation(int argc, char** argv, const WindowOptions& options) {
   app.attempt([&] {
     if (options.startPage) {
       window.showStartPage();
+    } else if (!options.lesson.empty()) {
+      window.openLesson(QString::fromStdString(options.open), QString::fromStdString(options.lesson));
     } else if (!options.open.empty()) {
       window.open(QString::fromStdString(options.open));
     } else {

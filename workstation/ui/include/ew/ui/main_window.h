@@ -70,6 +70,8 @@ class MainWindow final : public QMainWindow {
 
   /// A case folder, a case.json, a volume or a sweep; a problem becomes a message and changes nothing.
   void open(const QString& path);
+  /// Opens a case, or goes back to it, and begins or goes on with a lesson of it.
+  void openLesson(const QString& folder, const QString& lessonId);
   /// The first shipped case that is prepared, else the one that is prepared soonest, or the start page when there is none.
   void openDefaultCase();
   /// Asks about edits of cases that a crash has interrupted, one after the other.
@@ -233,8 +235,6 @@ class MainWindow final : public QMainWindow {
   void setScanOnly(bool scanOnly);
   /// From the start page to what is open.
   void backToWork();
-  /// Opens a case, or goes back to it, and begins or goes on with a lesson of it.
-  void openLesson(const QString& folder, const QString& lessonId);
   void showRecent();
   void addAccessMenu(QMenu& file);
   void lockForTrainees();
