@@ -316,7 +316,8 @@ class AuthoringTest : public WindowFixture {
     QVERIFY(!inPanel<QPlainTextEdit>("findings")->isVisible());
     itemFor(*dialog, QStringLiteral("findings"))->click();
     QVERIFY(waitUntil([this] { return inPanel<QPlainTextEdit>("findings")->isVisible(); }));
-    QVERIFY(inPanel<QLabel>("missing_case")->text().contains(QStringLiteral("missing")));
+    QVERIFY2(waitUntil([this] { return inPanel<QLabel>("missing_case")->text().contains(QStringLiteral("missing")); }),
+             qPrintable(inPanel<QLabel>("missing_case")->text()));
     keepScreenshot(*window_, "publish-2-led");
     fill();
     QVERIFY(waitUntil([&] { return now->isEnabled(); }));
