@@ -1,8 +1,11 @@
 #include "ew/library/attempt.h"
 
 #include <gtest/gtest.h>
+
 #include <sys/wait.h>
 #include <unistd.h>
+#include <chrono>
+#include <thread>
 
 #include <csignal>
 #include <random>
@@ -96,6 +99,18 @@ TEST(IdOfAttempt, SortsByTimeAndIsNotGivenTwice) {
   EXPECT_TRUE(first.starts_with("20261126-093000-")) << first;
   EXPECT_LT(first, idOfAttempt(kMorning + std::chrono::seconds(1)));
   EXPECT_NE(first, idOfAttempt(kMorning));
+}
+
+TEST(IdOfAnAttempt, SortsTheAttemptsOfOneSecond) {
+  // From the begin of a second: none of these ends in the next one.
+  std::this_thread::sleep_until(std::chrono::ceil<std::chrono::seconds>(std::chrono::system_clock::now()));
+  for (int tries = 0; tries < 20; ++tries) {
+    const auto before = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+    const std::string first = idOfAttempt(before);
+    std::this_thread::sleep_for(std::chrono::milliseconds(3));
+    const auto after = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+    EXPECT_LT(first, idOfAttempt(after)) << "the one that was begun later stands behind";
+  }
 }
 
 TEST(KeptAttempt, HoldsEveryStepThatEnded) {

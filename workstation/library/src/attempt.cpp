@@ -111,8 +111,12 @@ std::string idOfAttempt(sys_seconds now) {
   std::string id = momentText(now);
   std::erase_if(id, [](char letter) { return letter == '-' || letter == ':' || letter == 'Z'; });
   std::replace(id.begin(), id.end(), 'T', '-');
+  // Attempts of one second stand in their order, too: three digits are the millisecond, the rest is chance.
+  const auto since = std::chrono::system_clock::now().time_since_epoch();
+  const auto within_ms = static_cast<unsigned>(std::chrono::duration_cast<std::chrono::milliseconds>(since).count() % 1000);
+  constexpr unsigned kChance = 0xFFFFFU;
   std::array<char, 12> end{};
-  std::snprintf(end.data(), end.size(), "-%08x", static_cast<unsigned>(std::random_device{}()));
+  std::snprintf(end.data(), end.size(), "-%03x%05x", within_ms, static_cast<unsigned>(std::random_device{}()) & kChance);
   return id + end.data();
 }
 

@@ -72,7 +72,8 @@ struct Attempt {
   [[nodiscard]] const StepOutcome* outcomeOf(const std::string& stepId) const;
 };
 
-/// "20261126-093000-4f2a91c7": sorts by time; the random end keeps two workstations on one folder apart.
+/// "20261126-093000-1f4a91c7": sorts by time, of those made now to the millisecond; a random end keeps two workstations on one folder
+/// apart.
 [[nodiscard]] std::string idOfAttempt(std::chrono::sys_seconds now);
 
 /// An attempt's JSON. @error badField, newerFormat (with both format numbers)
