@@ -1,0 +1,1 @@
+#include "ew/trackers/igtl_client.h"
