@@ -5,13 +5,12 @@
 #include <string>
 
 #include "ew/core/message.h"
+#include "ew/tracking/pose_filter.h"
 #include "ew/tracking/pose_source.h"
 #include "ew/tracking/tracker_calibration.h"
 #include "ew/tracking/tracker_device.h"
 
 namespace ew {
-
-enum class FilterKind { automatic, none, kalman, oneEuro };
 
 struct TrackedProbeOptions {
   std::string tool;       ///< that carries the probe; empty: the first that is heard of and is not the reference
@@ -31,8 +30,10 @@ struct TrackingReport {
   double rate_hz = 0.0;       ///< of new poses, over the last two seconds
   double delay_s = 0.0;       ///< from the measurement to here, median of the last two seconds; not a number: the tracker stamps nothing
   double jitterTime_s = 0.0;  ///< spread of the intervals between poses
-  double noise_mm = 0.0;      ///< standard deviation of the face's position about the filtered path
+  double noise_mm = 0.0;      ///< of the face as it is read, standard deviation along one axis
   double noise_rad = 0.0;
+  double left_mm = 0.0;  ///< of that, what the filter leaves
+  double left_rad = 0.0;
   double filterDelay_s = 0.0;            ///< that the filter adds for a steady motion
   double predicted_s = 0.0;              ///< how far the last pose was carried ahead
   double drift_ppm = 0.0;                ///< of the tracker's clock against ours
@@ -41,7 +42,10 @@ struct TrackingReport {
 };
 
 /// A probe that a tracker follows: readings become poses on the scan's clock. A free pose stays free. While it is not live, poseAt() gives
-/// the last good place with a status that is not ok; who shows a picture shows that it is none of now. Safe from several threads.
+/// the last good place with a status that is not ok (invalid: it is measured badly, or again and again the same; missing: it is not
+/// measured); who shows a picture shows that it is none of now. A pose's time is when the reading it rests on was measured, on the scan's
+/// clock. A single reading that is missing or bad is bridged, by at most one period. The clock is the caller's: times are arguments, and
+/// the readings' arrivals are compared with them. Safe from several threads.
 class TrackedProbe final : public PoseSource {
  public:
   /// @param device started and stopped by whoever made it
