@@ -29,12 +29,16 @@ struct MarkerBody {
   std::string dictionary = "apriltag_36h11";           ///< "apriltag_36h11", "apriltag_16h5", "aruco_4x4_50", "aruco_5x5_100", ...
   std::vector<Marker> markers;                         ///< no two bodies that are used together share an id
   Transform<frame::Tool, frame::Probe> probeToTool{};  ///< where the transducer face lies when it was folded exactly; of a board: unused
+  bool faceIsExact = true;  ///< false: probeToTool is a guess, since the body sits on a probe of its own; find the face by touching
   bool operator==(const MarkerBody&) const = default;
 };
 
 /// @error notFound, badHeader (not JSON), badField (name, value found, value expected)
 [[nodiscard]] Result<MarkerBody> readMarkerBody(const std::filesystem::path& file);
-/// Every body of the folders, by name; of two with one id that of the later folder.
+/// Every body of the folders, by id; of two with one id that of the later folder. Boards for the camera's own calibration are not among
+/// them (paper_body.h).
 [[nodiscard]] Result<std::vector<MarkerBody>> readMarkerBodies(const std::vector<std::filesystem::path>& folders);
+/// The body as a printer made it. @param factor what the printed scale of 100 mm measures, over 100 mm; > 0
+[[nodiscard]] MarkerBody scaled(MarkerBody body, double factor);
 
 }  // namespace ew
