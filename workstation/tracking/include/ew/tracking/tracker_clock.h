@@ -28,9 +28,10 @@ class TrackerClock {
 
  private:
   void begin(double device_s, double arrival_s);
+  void jump(double arrival_s);
   bool hasJumped(double device_s, double arrival_s);
   void collect(double device_s, double arrival_s);
-  void fit();
+  void fit(double arrival_s);
   [[nodiscard]] double lineAt(double device_s) const { return offset_s_ + slope_ * (device_s - from_.x); }
 
   /// x: stamp, y: arrival - stamp, both less those of the first reading, so that a clock of years keeps its microseconds.
@@ -38,6 +39,8 @@ class TrackerClock {
   glm::dvec2 from_{0.0};
   double offset_s_ = 0.0;  ///< of the line at the first stamp
   double slope_ = 0.0;
+  double lowered_s_ = 0.0;  ///< how far the line was lowered since it was fitted
+  double begun_s_ = 0.0;    ///< arrival of the first reading of this map
   double bucketEnds_s_ = 0.0;
   double latestDevice_s_ = 0.0;
   double lateSince_s_ = 0.0;  ///< arrival of the first of the readings that all lie far above the line
