@@ -41,10 +41,10 @@ std::vector<ToolReading> ReadingQueue::take() {
   return std::exchange(waiting_, {});
 }
 
-void ReadingQueue::setLink(LinkState link, Message sentence) {
+void ReadingQueue::setLink(LinkState link, Message sentence, double now_s) {
   {
     const std::scoped_lock lock(mutex_);
-    if (link == LinkState::connected && status_.link != LinkState::connected) latest_s_ = steadyNow_s();
+    if (link == LinkState::connected && status_.link != LinkState::connected) latest_s_ = now_s;
     status_.link = link;
     status_.sentence = std::move(sentence);
   }

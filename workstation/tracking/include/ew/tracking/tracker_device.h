@@ -55,7 +55,7 @@ class ReadingQueue {
   explicit ReadingQueue(std::size_t most = 4096);
   void add(ToolReading reading);
   [[nodiscard]] std::vector<ToolReading> take();
-  void setLink(LinkState link, Message sentence);
+  void setLink(LinkState link, Message sentence, double now_s = steadyNow_s());
   void refuse(Message why);
   /// As it is now; `silent` where it is connected and nothing came for `silentAfter_s`.
   [[nodiscard]] DeviceStatus status(double now_s = steadyNow_s(), double silentAfter_s = 0.5) const;
