@@ -69,7 +69,10 @@ Picture Scanner::make(const ScanState& state, int width_px, int height_px) {
   input.gaps_mm = state.gaps_mm;
   input.time_s = state.time_s;
   input.number = state.number;
-  return maker_.make(input);
+  const Picture picture = maker_.make(input);
+  // Nothing of the time before a gap shows behind it, neither live, where no picture is made in it, nor here, when that is played again.
+  if (state.pose.status != PoseStatus::ok) maker_.forget();
+  return picture;
 }
 
 bool Scanner::seesVolume(const Pose& pose) const {

@@ -38,7 +38,8 @@ class Scanner {
   /// Tables for a state, made now rather than with the next picture.
   void prepare(const ScanState& state, int width_px, int height_px);
   /// The picture of a state; its views stay valid until the next one. Expects a subject.
-  /// A pose that is not PoseStatus::ok, or whose matrix checkRigid refuses, gives a black picture.
+  /// A pose that is not PoseStatus::ok, or whose matrix checkRigid refuses, gives a black picture; one that is not ok also
+  /// forgets what was before it: behind a gap a scan begins anew.
   Picture make(const ScanState& state, int width_px, int height_px);
   /// Whether any part of the fan of the last picture, seen from `pose`, lies within the voxels.
   [[nodiscard]] bool seesVolume(const Pose& pose) const;

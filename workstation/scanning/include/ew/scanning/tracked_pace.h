@@ -1,0 +1,28 @@
+#pragma once
+
+#include <algorithm>
+
+namespace ew {
+
+/// When the next picture of a tracked probe is made: as soon as a reading arrives, from `earliest_s` on; at `latest_s` without one, so that
+/// what changes by itself goes on and a loss is seen.
+struct TrackedPace {
+  double earliest_s = 0.0;
+  double latest_s = 0.0;
+  bool operator==(const TrackedPace&) const = default;
+};
+
+/// A picture of 29 ms and no more: every frame of a camera of 30 a second, every second one of 60, every third one of 100, so that a
+/// reading does not wait for the next picture. At least half of the time is left to the hand and the window, as long as frames take less
+/// than 0.2 s.
+/// @param begin_s when the last picture was begun  @param spent_s what it took, with all who show it
+[[nodiscard]] inline TrackedPace trackedPace(double begin_s, double spent_s) {
+  constexpr double kPeriod_s = 0.029;
+  constexpr double kWithoutNews_s =
+      0.045;  // longer than a period of a common camera, or pictures of no news would delay the reading behind
+  constexpr double kLongestRest_s = 0.2;
+  const double rested_s = begin_s + spent_s + std::min(spent_s, kLongestRest_s);
+  return {std::max(begin_s + kPeriod_s, rested_s), std::max(begin_s + kWithoutNews_s, rested_s)};
+}
+
+}  // namespace ew
