@@ -33,6 +33,7 @@ const Row kActions[] = {
     {"record", KeyGroup::image, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "&Record"), "Ctrl+R"},
     {"record.mark", KeyGroup::image, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Mark this moment"), "K"},
     {"record.save", KeyGroup::image, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Save recording as…"), "Ctrl+Shift+R"},
+    {"tracker", KeyGroup::image, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "&Tracker…"), "Ctrl+J"},
     {"depth.more", KeyGroup::image, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Deeper"), "PgDown"},
     {"depth.less", KeyGroup::image, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "Shallower"), "PgUp"},
     {"gain.more", KeyGroup::image, QT_TRANSLATE_NOOP("ew::ui::MainWindow", "More gain"), "Ctrl+Up"},

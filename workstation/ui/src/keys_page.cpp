@@ -66,6 +66,7 @@ void addScan(Page& page) {
   page.add("freeze", MainWindow::tr("freeze"));
   page.add("record", MainWindow::tr("record, end recording"));
   page.add("record.mark", MainWindow::tr("mark this moment of a recording"));
+  page.add("tracker", MainWindow::tr("tracker: what moves the probe"));
   page.add("depth.less | depth.more", MainWindow::tr("depth"));
   page.add("gain.more | gain.less", MainWindow::tr("gain"));
   page.add("tgc.reset", MainWindow::tr("reset TGC"));

@@ -135,10 +135,13 @@ MainWindow::~MainWindow() {
   parts_->worksheets.disconnect();
   parts_->annotated.disconnect();
   parts_->bodyMark.disconnect();
+  parts_->trackers.disconnect();
   parts_->session.disconnect();
   parts_->keys.disconnect();
   parts_->surface.disconnect();
   delete parts_->keysDialog;
+  delete parts_->trackerWizard;
+  delete parts_->trackerPage;
   delete parts_->cost;
   delete parts_->source;
   delete parts_->worksheet;

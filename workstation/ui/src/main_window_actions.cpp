@@ -227,6 +227,7 @@ void MainWindow::addScanMenu(QMenu& scan) {
   addQualityMenu(*scan.addMenu(tr("&Quality")));
   addMenuAction(scan, "console.nextPage", [this] { parts_->console->showNextPage(); });
   scan.addSeparator();
+  addMenuAction(scan, "tracker", [this] { showTracker(); });
   addMenuAction(scan, "cost", [this] { showCost(); });
 }
 

@@ -195,5 +195,6 @@ void MainWindow::editKeys() {
 
 KeyMap& MainWindow::keys() { return parts_->keys; }
 ControlSurface& MainWindow::surface() { return parts_->surface; }
+Trackers& MainWindow::trackers() { return parts_->trackers; }
 
 }  // namespace ew::ui

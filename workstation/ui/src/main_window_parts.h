@@ -58,6 +58,9 @@
 #include "stored_examination.h"
 #include "top_bar.h"
 #include "tour.h"
+#include "tracker_control.h"
+#include "tracker_page.h"
+#include "tracker_wizard.h"
 #include "view3d.h"
 #include "view_columns.h"
 #include "wide_layer.h"
@@ -113,6 +116,7 @@ struct MainWindow::Parts {
   std::vector<KeyedAction> keyedActions;  ///< an action may be several commands
   bool ownKeysAreBroken = false;          ///< the user's file of keys cannot be read
   HandInput hand{session.hand()};
+  Trackers trackers{session, jobs};
   Recorder recorder{session};
   WideScan wide{session};
   Calipers calipers{session, jobs};
@@ -171,6 +175,8 @@ struct MainWindow::Parts {
   QPointer<Tour> tour;
   FocusKeys focusKeys;
   QPointer<CostPanel> cost;
+  QPointer<TrackerPage> trackerPage;
+  QPointer<TrackerWizard> trackerWizard;
   QPointer<SourceDialog> source;
   QPointer<WorksheetDialog> worksheet;
   QPointer<ExaminationDialog> examination;

@@ -6,6 +6,7 @@
 #include "session.h"
 
 class QLabel;
+class QPushButton;
 
 namespace ew::ui {
 
@@ -27,10 +28,15 @@ class StatusLine final : public QWidget {
   /// A bar that takes the place of what is said of the probe while it is shown, so that the views keep their sizes. Becomes a child.
   void takeCine(QWidget* bar);
   void setCineShown(bool shown);
+  /// What follows the probe and how it does: an icon, a word and a colour of its own; without a word nothing is said.
+  void setTracker(const QString& icon, const QString& word, const QColor& colour, const QString& tip);
   /// Empty, while something else than the scan is shown.
   void setIdle(bool idle);
   /// What a frame runs and costs is for authors.
   void setForAuthors(bool forAuthors);
+
+ Q_SIGNALS:
+  void trackerAsked();  ///< its word was clicked
 
  private:
   void showPose();
@@ -42,6 +48,7 @@ class StatusLine final : public QWidget {
   QTimer soon_;
   bool staged_ = false, idle_ = false, forAuthors_ = false, isCineShown_ = false;
   QWidget* cine_ = nullptr;
+  QPushButton* tracker_ = nullptr;
   FigureLabel* position_ = nullptr;
   FigureLabel* plan_ = nullptr;
   FigureLabel* contact_ = nullptr;

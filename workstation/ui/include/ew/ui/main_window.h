@@ -53,11 +53,13 @@ class ReplayBar;
 class ScanView;
 class Session;
 class ShownMark;
+class Trackers;
 class View3D;
 struct MadeVolume;
 struct SavedPart;
 
 enum class TourPlace;
+enum class TrackerCourse;
 enum class Workspace { explore, author };
 
 /// The window of the workstation. It opens nothing by itself; run() or a test says what.
@@ -110,6 +112,7 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] CineBar& cineBar();
   [[nodiscard]] KeyMap& keys();
   [[nodiscard]] ControlSurface& surface();
+  [[nodiscard]] Trackers& trackers();
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -221,6 +224,10 @@ class MainWindow final : public QMainWindow {
   void restoreKeptEdits();
   void remember(const QString& path);  ///< as opened recently
   void showCost();
+  void connectTrackers();
+  void showTrackerState();
+  void showTracker();
+  void leadToTracker(const std::string& tracker, TrackerCourse course);
   void showKeys();
   void showSource(const QPoint& pixel);
   void showCoverage();
