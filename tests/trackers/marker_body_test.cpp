@@ -108,8 +108,8 @@ TEST(MarkerBodies, ABodyPrintedTooSmallIsSmallerInEveryLength) {
   EXPECT_NEAR(small.probeToTool.matrix[3].y, 0.98 * exact.probeToTool.matrix[3].y, 1e-12);
   EXPECT_TRUE(checkRigid(small.probeToTool));
   const CalibrationBoard board = printedBoard(paper("calibration-board"), 0.98);
-  EXPECT_DOUBLE_EQ(board.square_mm, 34.0 * 0.98);
-  EXPECT_DOUBLE_EQ(board.marker_mm, 25.0 * 0.98);
+  EXPECT_DOUBLE_EQ(board.square_mm, 32.0 * 0.98);
+  EXPECT_DOUBLE_EQ(board.marker_mm, 24.0 * 0.98);
 }
 
 TEST(MarkerBodies, ASleevesFaceIsSaidToBeAGuess) {

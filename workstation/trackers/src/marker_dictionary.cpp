@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <opencv2/aruco.hpp>
+#include <opencv2/aruco/charuco.hpp>
 
 #include "ew/core/contract.h"
 #include "ew/core/json_fields.h"
@@ -55,6 +56,39 @@ MarkerSquares squaresOf(std::string_view dictionary, int id) {
   for (int row = 0; row < made.side; ++row)
     for (int column = 0; column < made.side; ++column) made.isBlack.push_back(picture.at<unsigned char>(row, column) < 128 ? 1 : 0);
   return made;
+}
+
+std::vector<ChessSquare> chessSquares(const CalibrationBoard& board) {
+  // Read off OpenCV's own picture, since the order of its boards changed between versions.
+  constexpr int kSquare_px = 200;
+  const auto known = cv::aruco::getPredefinedDictionary(opencvDictionary(board.dictionary));
+  const auto theirs =
+      cv::aruco::CharucoBoard::create(board.columns, board.rows, 1.0F, static_cast<float>(board.marker_mm / board.square_mm), known);
+  cv::Mat picture;
+  theirs->draw({board.columns * kSquare_px, board.rows * kSquare_px}, picture, 0, 1);
+  std::vector<std::vector<unsigned char>> markers;
+  for (int id = 0; id < (board.columns * board.rows + 1) / 2; ++id) markers.push_back(squaresOf(board.dictionary, id).isBlack);
+  const int modules = known->markerSize + 2;
+  const double marker_px = kSquare_px * board.marker_mm / board.square_mm, border_px = 0.5 * (kSquare_px - marker_px);
+  std::vector<ChessSquare> squares;
+  for (int row = 0; row < board.rows; ++row)
+    for (int column = 0; column < board.columns; ++column) {
+      const auto isBlack = [&](double x, double y) {
+        return picture.at<unsigned char>(row * kSquare_px + static_cast<int>(y), column * kSquare_px + static_cast<int>(x)) < 128;
+      };
+      ChessSquare square{column, row, -1};
+      if (!isBlack(0.5 * border_px, 0.5 * border_px)) {
+        std::vector<unsigned char> seen;
+        for (int y = 0; y < modules; ++y)
+          for (int x = 0; x < modules; ++x)
+            seen.push_back(isBlack(border_px + (x + 0.5) * marker_px / modules, border_px + (y + 0.5) * marker_px / modules) ? 1 : 0);
+        const auto found = std::find(markers.begin(), markers.end(), seen);
+        EW_EXPECTS(found != markers.end());
+        square.marker = static_cast<int>(found - markers.begin());
+      }
+      squares.push_back(square);
+    }
+  return squares;
 }
 
 }  // namespace ew

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ew/core/message.h"
+#include "ew/trackers/paper_body.h"
 
 namespace ew {
 
@@ -20,5 +21,14 @@ struct MarkerSquares {
   std::vector<unsigned char> isBlack;
 };
 [[nodiscard]] MarkerSquares squaresOf(std::string_view dictionary, int id);
+
+/// A square of a chess board with markers, counted from the upper left.
+struct ChessSquare {
+  int column = 0;
+  int row = 0;
+  int marker = -1;  ///< -1: a black square
+};
+/// All squares as OpenCV's board has them; with another phase or order of ids it would not be found.
+[[nodiscard]] std::vector<ChessSquare> chessSquares(const CalibrationBoard& board);
 
 }  // namespace ew

@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ew/core/message.h"
@@ -39,13 +40,12 @@ struct SheetMarker {
 };
 
 struct SheetText {
-  Message text;
+  std::vector<Message> paragraphs;
   glm::dvec2 at{0.0};       ///< upper left corner of its box
   glm::dvec2 box_mm{0.0};   ///< lines are broken to its width
-  double letters_mm = 3.5;  ///< height of the font; smaller when the box asks for it, never below two thirds
+  double letters_mm = 4.0;  ///< size of the font; smaller when the box asks for it, never below half
   bool isBold = false;
-  bool isUpwards = false;  ///< turned by a quarter: read from below; `at` is then the lower left corner of the box
-  bool isMiddle = false;   ///< in the middle of its box
+  bool isMiddle = false;  ///< in the middle of its box
 };
 
 /// One page: a body's net with what to do with it and a scale of 100 mm in both directions.
@@ -63,7 +63,8 @@ struct SheetPage {
 
 /// Lays a body out. @param paper that every printer's margin of 8 mm is kept free of
 /// @error tooLarge: the net, the scales and what has to be read do not fit
-[[nodiscard]] Result<SheetPage> layOut(const PaperBody& body, PaperSize paper);
+/// @param language as writeMarkerSheet
+[[nodiscard]] Result<SheetPage> layOut(const PaperBody& body, PaperSize paper, std::string_view language = "en");
 
 /// What a message is printed as: english() or the window's translation.
 using SheetWords = std::function<std::string(const Message&)>;
