@@ -21,6 +21,8 @@ using tracking::transformOf;
 
 constexpr double kHistory_s = 0.5;
 constexpr std::size_t kMostHistory = 1024;
+/// A hand may turn back within that: a tracker slower than 20 Hz is not predicted by its whole period.
+constexpr double kFurthest_s = 0.05;
 /// Before the noise is known: that of an ordinary optical tracker.
 constexpr double kUsualNoise_mm = 0.3, kUsualNoise_rad = 0.004;
 /// A filter that believes its readings entirely divides by nothing and trusts a bad one for ever.
@@ -157,7 +159,7 @@ double PoseFilter::ahead_s(double time_s) const {
   const State& s = *state_;
   // A speed of two readings is one of noise.
   if (empty() || !s.options.predict || s.sinceBegin < 3) return 0.0;
-  return std::clamp(time_s - latest_s(), 0.0, s.noise.period_s());
+  return std::clamp(time_s - latest_s(), 0.0, std::min(s.noise.period_s(), kFurthest_s));
 }
 
 Transform<frame::Tracker, frame::Probe> PoseFilter::at(double time_s) const {
@@ -167,7 +169,8 @@ Transform<frame::Tracker, frame::Probe> PoseFilter::at(double time_s) const {
   if (!(time_s < history.back().time_s)) {
     const double ahead = ahead_s(time_s);
     if (ahead <= 0.0) return transformOf<frame::Probe>(history.back().pose);
-    return transformOf<frame::Probe>(tracking::carriedOn(history.back().pose, s.kalman.speed_mmPerS(), s.kalman.turning_radPerS(), ahead));
+    return transformOf<frame::Probe>(
+        tracking::carriedOn(history.back().pose, s.kalman.trustedSpeed_mmPerS(), s.kalman.trustedTurning_radPerS(), ahead));
   }
   const auto after =
       std::upper_bound(history.begin(), history.end(), time_s, [](double t, const State::Filtered& each) { return t < each.time_s; });

@@ -8,8 +8,8 @@ namespace {
 
 // Found by the simulated paths of tests/tracking/filter_test.cpp; docs/trackers.md has the figures. A hand that holds a probe still
 // trembles by a tenth of a millimetre at about 8 Hz; one that fans it quickly turns at 5 rad/s and stops within a tenth of a second.
-constexpr ConstantVelocity::Limits kPlaceLimits{.calm = 4.0, .wild = 4e5, .rate = 300.0, .fastest = 5e4};
-constexpr ConstantVelocity::Limits kTurnLimits{.calm = 2e-3, .wild = 2e2, .rate = 3.0, .fastest = 500.0};
+constexpr ConstantVelocity::Limits kPlaceLimits{.calm = 1.0, .wild = 4e5, .rate = 300.0, .fastest = 5e4, .near = 5.0};
+constexpr ConstantVelocity::Limits kTurnLimits{.calm = 5e-4, .wild = 2e2, .rate = 3.0, .fastest = 1500.0, .near = 0.09};
 
 }  // namespace
 
@@ -36,7 +36,7 @@ void ConstantVelocity::predict(double dt_s) {
 
 double ConstantVelocity::gate(double noise, double dt_s) const {
   constexpr double kSigmas = 8.0;
-  return kSigmas * std::sqrt(vv + noise * noise) + 0.5 * limits.fastest * dt_s * dt_s;
+  return std::max(limits.near, kSigmas * std::sqrt(vv + noise * noise)) + 0.5 * limits.fastest * dt_s * dt_s;
 }
 
 ConstantVelocity::Gain ConstantVelocity::update(double innovation, double noise, double dt_s) {
@@ -52,15 +52,15 @@ ConstantVelocity::Gain ConstantVelocity::update(double innovation, double noise,
   vr = vrAfter;
 
   // Innovations beyond what they should be say that the motion is not as steady as thought. One large one is enough, since a turn must not
-  // be followed late; back to calm it goes over a tenth of a second.
+  // be followed late; back to calm it goes slowly enough to last from the start of a slide to its end.
   const double ratio = innovation * innovation / (3.0 * expected);
   surprise += 0.25 * (ratio - surprise);
-  if (ratio > 4.0)
+  if (ratio > 6.0)
     power *= 16.0;
-  else if (surprise > 1.4)
+  else if (surprise > 1.8)
     power *= 2.0;
-  else if (surprise < 1.2)
-    power *= std::exp(-dt_s / 0.1);
+  else if (surprise < 1.4)
+    power *= std::exp(-dt_s / 0.15);
   power = std::clamp(power, limits.calm, limits.wild);
   return gain;
 }

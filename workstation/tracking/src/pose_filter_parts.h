@@ -57,6 +57,7 @@ struct ConstantVelocity {
     double wild = 0.0;     ///< while it is thrown about
     double rate = 0.0;     ///< standard deviation of a rate of which nothing is known, unit/s
     double fastest = 0.0;  ///< acceleration that no hand reaches, unit/s^2
+    double near = 0.0;     ///< a reading no further off than that is no outlier, however quiet the others are
   };
   Limits limits;
   double vv = 0.0, vr = 0.0, rr = 0.0;  ///< covariance of value and rate
@@ -67,6 +68,11 @@ struct ConstantVelocity {
   void predict(double dt_s);
   /// How far an innovation may go before a reading is held back.
   [[nodiscard]] double gate(double noise, double dt_s) const;
+  /// A rate, less as it is smaller than what is not known of it.
+  [[nodiscard]] glm::dvec3 trust(const glm::dvec3& rate) const {
+    const double squared = glm::dot(rate, rate);
+    return squared > 0.0 ? rate * (squared / (squared + 3.0 * rr)) : rate;
+  }
   struct Gain {
     double value = 0.0, rate = 0.0;
   };
@@ -85,8 +91,9 @@ class KalmanPose {
   void update(const PlaceAndTurn& reading, double noise_mm, double noise_rad, double dt_s);
 
   [[nodiscard]] const PlaceAndTurn& now() const { return now_; }
-  [[nodiscard]] const glm::dvec3& speed_mmPerS() const { return speed_; }
-  [[nodiscard]] const glm::dvec3& turning_radPerS() const { return turning_; }
+  /// As far as they can be told from noise: what prediction goes by.
+  [[nodiscard]] glm::dvec3 trustedSpeed_mmPerS() const { return place_.trust(speed_); }
+  [[nodiscard]] glm::dvec3 trustedTurning_radPerS() const { return rotation_.trust(turning_); }
   [[nodiscard]] double left_mm() const { return std::sqrt(place_.vv); }
   [[nodiscard]] double left_rad() const { return std::sqrt(rotation_.vv); }
 

@@ -58,7 +58,7 @@ class PoseFilter {
   /// Of the latest reading that was used. Not to be asked while empty().
   [[nodiscard]] double latest_s() const;
   /// The pose at a moment: between readings of the last half second interpolated, before them the first of these; after the latest carried
-  /// on by at most one period (never before there is a speed to trust). Not to be asked while empty().
+  /// on by at most one period and 50 ms, as far as the speed is more than noise. Not to be asked while empty().
   [[nodiscard]] Transform<frame::Tracker, frame::Probe> at(double time_s) const;
   /// How far at() would carry on.
   [[nodiscard]] double ahead_s(double time_s) const;
