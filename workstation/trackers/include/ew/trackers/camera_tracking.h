@@ -25,6 +25,7 @@ enum class CornerMethod {
 
 struct CameraTrackingOptions {
   CornerMethod corners = CornerMethod::edges;
+  double gamma = 2.2;                ///< grey levels are light to the power of 1 / gamma, as webcams encode it; 1: light itself
   int mostMarkers = 12;              ///< of a body, the largest first; 1..64
   bool halfSearch = true;            ///< the whole picture is searched at half its size; corners are measured in the whole one all the same
   bool followsRegions = true;        ///< a body that was seen is looked for around the place where it should be
@@ -67,6 +68,9 @@ struct CameraSight {
   std::vector<BodySight> bodies;     ///< one for each body, in their order
   std::vector<MarkerSight> markers;  ///< of all bodies
   bool searchedWhole = false;
+  /// By how much black squares seem smaller than printed, in spreads of their edges on each side: ink, bloom, encoding. Carried on from
+  /// picture to picture, since it belongs to the camera and the paper; with its standard deviation.
+  double bleed = 0.0, bleedSpread = 0.0;
 };
 
 /// Finds marker bodies in the pictures of one camera, one picture after another. Poses rest on the picture alone: the ones before say where
