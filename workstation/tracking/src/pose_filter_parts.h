@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -68,10 +69,11 @@ struct ConstantVelocity {
   void predict(double dt_s);
   /// How far an innovation may go before a reading is held back.
   [[nodiscard]] double gate(double noise, double dt_s) const;
-  /// A rate, less as it is smaller than what is not known of it.
+  /// A rate, less as it is smaller than what is not known of it, and no larger than a hand's.
   [[nodiscard]] glm::dvec3 trust(const glm::dvec3& rate) const {
-    const double squared = glm::dot(rate, rate);
-    return squared > 0.0 ? rate * (squared / (squared + 3.0 * rr)) : rate;
+    const double size = glm::length(rate);
+    if (!(size > 0.0)) return rate;
+    return rate * std::min(size * size / (size * size + 3.0 * rr), 5.0 * limits.rate / size);
   }
   struct Gain {
     double value = 0.0, rate = 0.0;
