@@ -36,7 +36,7 @@ void IgtlSession::opened(double now_s) {
   opened_s_ = bytes_s_ = message_s_ = pose_s_ = asked_s_ = looked_s_ = now_s;
   if (settings_.speaksVersion3) ask("GET_STATUS", {}, 2);
   told_ = Told::nothing;
-  tell(Told::connected);
+  tell(Told::connected, now_s);
 }
 
 void IgtlSession::closed(double now_s, Message why) {
@@ -46,7 +46,7 @@ void IgtlSession::closed(double now_s, Message why) {
   pause_s_ = std::min(2.0 * pause_s_, timing_.longestPause_s);
   reader_.reset();
   toSend_.clear();
-  queue_.setLink(LinkState::connecting, std::move(why));
+  queue_.setLink(LinkState::connecting, std::move(why), now_s);
 }
 
 bool IgtlSession::received(std::span<const std::uint8_t> bytes, double now_s) {
@@ -62,7 +62,7 @@ bool IgtlSession::received(std::span<const std::uint8_t> bytes, double now_s) {
 void IgtlSession::take(const IgtlMessage& message, double now_s) {
   message_s_ = now_s;
   pause_s_ = timing_.firstPause_s;  // not when the connection opens: a server that hangs up at once would be tried without a pause
-  if (told_ == Told::noBytes) tell(Told::noPoses);
+  if (told_ == Told::noBytes) tell(Told::noPoses, now_s);
   if (const auto status = igtlStatus(message)) takeStatus(*status, now_s);
   if (const auto poses = igtlPoses(message)) {
     takePoses(message, *poses, now_s);
@@ -77,9 +77,9 @@ void IgtlSession::takeStatus(const IgtlStatus& status, double now_s) {
   if (status.code != 1) {
     trouble_s_ = now_s;
     if (isNews) told_ = Told::nothing;  // another trouble has another sentence
-    tell(Told::trouble);
+    tell(Told::trouble, now_s);
   } else if (told_ == Told::trouble) {
-    tell(heardPose_ ? Told::connected : Told::noPoses);
+    tell(heardPose_ ? Told::connected : Told::noPoses, now_s);
   }
 }
 
@@ -99,7 +99,7 @@ void IgtlSession::takePoses(const IgtlMessage& message, const std::vector<IgtlPo
         {.tool = pose.tool, .toolToTracker = pose.toolToTracker, .state = pose.state, .device_s = message.time_s, .arrival_s = now_s});
   }
   // A single complaint, about our question for TDATA perhaps, is over when poses keep coming; a lasting one is repeated.
-  if (!poses.empty() && (told_ != Told::trouble || now_s - trouble_s_ > kTroubleLasts_s)) tell(Told::connected);
+  if (!poses.empty() && (told_ != Told::trouble || now_s - trouble_s_ > kTroubleLasts_s)) tell(Told::connected, now_s);
   if (!isList) return;
   for (auto& [name, tool] : tools_) {
     if (tool.list != list || std::any_of(poses.begin(), poses.end(), [&name = name](const IgtlPose& pose) { return pose.tool == name; }))
@@ -131,9 +131,9 @@ bool IgtlSession::tick(double now_s) {
     return false;
   }
   if (now_s - message_s_ >= timing_.silentAfter_s) {
-    tell(Told::noBytes);
+    tell(Told::noBytes, now_s);
   } else if (now_s - pose_s_ >= timing_.silentAfter_s && told_ != Told::trouble) {
-    tell(Told::noPoses);
+    tell(Told::noPoses, now_s);
   }
   if (!heardPose_ && now_s - asked_s_ >= (asked_s_ > opened_s_ ? timing_.asksEvery_s : timing_.asksAfter_s)) {
     asked_s_ = now_s;
@@ -152,28 +152,29 @@ double IgtlSession::tick_s() const {
   return next_s;
 }
 
-void IgtlSession::tell(Told what) {
-  if (what == told_) return;
-  told_ = what;
+void IgtlSession::tell(Told what, double now_s) {
+  if (what == std::exchange(told_, what)) return;
+  if (const Message sentence = sentenceFor(what); !sentence.empty()) queue_.setLink(LinkState::connected, sentence, now_s);
+}
+
+Message IgtlSession::sentenceFor(Told what) const {
   switch (what) {
     case Told::nothing:
-      return;
+      return {};
     case Told::connected:
-      return queue_.setLink(LinkState::connected, say<"Connected with %1.">(address_));
+      return say<"Connected with %1.">(address_);
     case Told::noPoses:
-      return queue_.setLink(
-          LinkState::connected,
-          heardPose_ ? say<"The server at %1 answers, but sends no poses any more; bring the tools back into the tracker's view.">(address_)
-                     : say<"The server at %1 answers, but sends no poses; check that the tools are in view, and that the server is set up "
-                           "to send transforms.">(address_));
+      return heardPose_
+                 ? say<"The server at %1 answers, but sends no poses any more; bring the tools back into the tracker's view.">(address_)
+                 : say<"The server at %1 answers, but sends no poses; check that the tools are in view, and that the server is set up to "
+                       "send transforms.">(address_);
     case Told::noBytes:
-      return queue_.setLink(
-          LinkState::connected,
-          heardPose_ ? say<"Nothing comes from %1 any more; check that the tracker and its server still run.">(address_)
-                     : say<"Connected with %1, but nothing comes; check that the server is set up to send transforms.">(address_));
+      return heardPose_ ? say<"Nothing comes from %1 any more; check that the tracker and its server still run.">(address_)
+                        : say<"Connected with %1, but nothing comes; check that the server is set up to send transforms.">(address_);
     case Told::trouble:
-      return queue_.setLink(LinkState::connected, igtlStatusSentence(trouble_));
+      return igtlStatusSentence(trouble_);
   }
+  return {};
 }
 
 void IgtlSession::ask(const char* type, std::vector<std::uint8_t> content, int version) {

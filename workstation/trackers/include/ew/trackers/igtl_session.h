@@ -46,7 +46,8 @@ class IgtlSession {
   void takeStatus(const IgtlStatus& status, double now_s);
   void sayMissing(const std::string& tool, double device_s, double now_s);
   void lookForMissing(double now_s);
-  void tell(Told what);
+  void tell(Told what, double now_s);
+  [[nodiscard]] Message sentenceFor(Told what) const;
   void ask(const char* type, std::vector<std::uint8_t> content, int version);
 
   IgtlSettings settings_;
