@@ -34,7 +34,8 @@ void ReadingNoise::add(double time_s, const PlaceAndTurn& reading) {
   if (++sinceMeasured_ >= 8 || intervals_.size() < kFewest) {
     sinceMeasured_ = 0;
     if (intervals_.size() >= 2) period_s_ = quantileOf(intervals_, 0.5);
-    if (isKnown()) {
+    if (placeResiduals_.size() >= kFewest) {
+      isKnown_ = true;
       constexpr double kQuartileOfThree = 1.21253;  // of a chi-square distribution with three degrees of freedom
       noise_mm_ = std::sqrt(quantileOf(placeResiduals_, 0.25) / kQuartileOfThree);
       noise_rad_ = std::sqrt(quantileOf(turnResiduals_, 0.25) / kQuartileOfThree);

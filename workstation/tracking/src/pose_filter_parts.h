@@ -132,7 +132,7 @@ class ReadingNoise {
   void add(double time_s, const PlaceAndTurn& reading);
   /// The next reading has no neighbours before it.
   void gap() { recent_.clear(); }
-  [[nodiscard]] bool isKnown() const { return placeResiduals_.size() >= kFewest; }
+  [[nodiscard]] bool isKnown() const { return isKnown_; }
   [[nodiscard]] double noise_mm() const { return noise_mm_; }
   [[nodiscard]] double noise_rad() const { return noise_rad_; }
   [[nodiscard]] double period_s() const { return period_s_; }
@@ -147,6 +147,7 @@ class ReadingNoise {
   std::deque<Timed> recent_;                                       ///< at most five
   std::deque<double> placeResiduals_, turnResiduals_, intervals_;  ///< squared, and scaled to variance times a chi-square of three
   int sinceMeasured_ = 0;
+  bool isKnown_ = false;
   double noise_mm_ = 0.0, noise_rad_ = 0.0, period_s_ = 0.0;
 };
 
