@@ -28,11 +28,11 @@ void FrozenReadings::learn(const ToolReading& reading) {
   if (sameNumbers_ <= 5) repeats_ += kShare * ((repeats ? 1.0 : 0.0) - repeats_);
   if (repeats) return;
   const glm::dvec3 step(reading.toolToTracker.matrix[3] - before_->toolToTracker.matrix[3]);
-  back_ += kShare * (glm::dot(step, step_mm_) - back_);
-  forth_ += kShare * (glm::dot(step, step) - forth_);
+  const double lengths = glm::length(step) * glm::length(step_mm_);
+  if (lengths > 0.0) turnsBack_ += kShare * (glm::dot(step, step_mm_) / lengths - turnsBack_);
   step_mm_ = step;
-  // White noise about a place that rests gives -1/2, any motion brings it above 0.
-  if (++steps_ > 60 && back_ < -0.3 * forth_) isNoisy_ = true;
+  // The cosine between steps: -0.4 for white noise about a place that rests, near 1 for a motion.
+  if (++steps_ > 60 && turnsBack_ < -0.25) isNoisy_ = true;
 }
 
 bool FrozenReadings::isFrozen(double after_s) const {

@@ -31,7 +31,7 @@ class FrozenReadings {
   void learn(const ToolReading& reading);
   std::optional<ToolReading> before_;
   glm::dvec3 step_mm_{0.0};
-  double back_ = 0.0, forth_ = 0.0;  ///< smoothed products of steps with the one before, and with themselves
+  double turnsBack_ = 0.0;  ///< smoothed cosine of steps with the one before
   int steps_ = 0;
   bool isNoisy_ = false;
   double repeats_ = 0.0;  ///< share of readings that repeated the one before, while nothing was frozen

@@ -13,8 +13,8 @@
 namespace ew {
 
 struct TrackedProbeOptions {
-  std::string tool;       ///< that carries the probe; empty: the first that is heard of and is not the reference
-  std::string reference;  ///< that the mannequin is fixed to; empty: the tracker stands still
+  std::string tool{};       ///< that carries the probe; empty: the first that is heard of and is not the reference
+  std::string reference{};  ///< that the mannequin is fixed to; empty: the tracker stands still
   FilterKind filter = FilterKind::automatic;
   bool predict = true;            ///< ahead to the moment of the picture, by at most one period of the tracker
   double staleAfter_s = 0.5;      ///< without news from then on
