@@ -179,7 +179,7 @@ TEST(TrackedProbe, BridgesASingleReadingThatIsMissingAndShowsTwo) {
       if (n < 10) continue;
       for (int look = 0; look < 3; ++look) ASSERT_EQ(s.state(), TrackingState::live) << n;
       ASSERT_EQ(s.pose().status, PoseStatus::ok);
-      ASSERT_LT(std::abs(s.pose().probeToWorld.matrix[3].x - moving(n).matrix[3].x), 5.0) << "carried on by a period";
+      ASSERT_LT(std::abs(s.pose().probeToWorld.matrix[3].x - moving(n).matrix[3].x), 2.0) << "carried on by a period";
     }
     s.tick(moving(300), state);
     s.tick(moving(301), state);
