@@ -150,8 +150,8 @@ bool addWords(const PaperBody& body, SheetSpace& space, std::string_view languag
   constexpr double kFewest_mm2 = 3300.0;  // half-size letters of the longest steps in German still fit
   const auto room = space.largest(38.0, 20.0);
   if (!room || room->size.x * room->size.y < kFewest_mm2) return false;
-  const glm::dvec2 at = room->at, size = glm::min(room->size, glm::dvec2(150.0, 90.0));
-  constexpr double kTitle_mm = 9.0;
+  const glm::dvec2 at = room->at, size = glm::min(room->size, glm::dvec2(200.0, 90.0));
+  constexpr double kTitle_mm = 8.0;
   page.texts.push_back({.paragraphs = {say<"%1, version %2">(body.name.in(language), body.version)},
                         .at = at,
                         .box_mm = {size.x, kTitle_mm},

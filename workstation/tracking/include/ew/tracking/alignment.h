@@ -61,6 +61,11 @@ struct Alignment {
 /// @error badField: a coordinate that is not finite, touch_mm not > 0
 [[nodiscard]] Result<Alignment> alignByLandmarks(std::span<const TouchedLandmark> touched, const AlignmentOptions& options = {});
 
+/// The order in which landmarks are best asked for: first the four that span the largest tetrahedron, since of four in nearly one plane it
+/// cannot be told which is in the wrong place, then each time the one farthest from those before it.
+/// @return indices of all
+[[nodiscard]] std::vector<std::size_t> landmarkOrder(std::span<const glm::dvec3> world_mm);
+
 /// Refines an alignment with places of the probe's face that slid over the skin. Least squares of distances to the surface with a robust
 /// loss (Geman and McClure), about the linear equations of Chen and Medioni, Image Vision Comput. 10(3), 1992.
 /// @param traced face positions in the tracker's frame, at least 30; a few thousand are thinned
