@@ -9963,6 +9963,26 @@
         <source>Looking for views of targets</source>
         <translation>Ansichten von Zielen werden gesucht</translation>
     </message>
+    <message>
+        <source>No paper body is installed; install EchoWeave again.</source>
+        <translation>Es ist kein Papierkörper installiert; installieren Sie EchoWeave neu.</translation>
+    </message>
+    <message>
+        <source>Only a part of the probe touches the skin: hold it upright, or press it on.</source>
+        <translation>Nur ein Teil der Sonde berührt die Haut: Halten Sie sie aufrecht oder drücken Sie sie an.</translation>
+    </message>
+    <message>
+        <source>The probe is %1 mm above the skin.</source>
+        <translation>Die Sonde ist %1 mm über der Haut.</translation>
+    </message>
+    <message>
+        <source>The probe looks away from the body.</source>
+        <translation>Die Sonde schaut vom Körper weg.</translation>
+    </message>
+    <message>
+        <source>The probe is %1 mm inside the body: check the alignment of the tracker.</source>
+        <translation>Die Sonde ist %1 mm im Körper: Prüfen Sie die Ausrichtung des Trackers.</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
@@ -15728,6 +15748,22 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>Unlocked until you lock it again or close the window.</source>
         <translation>Entsperrt, bis wieder gesperrt oder das Fenster geschlossen wird.</translation>
     </message>
+    <message>
+        <source>&amp;Tracker…</source>
+        <translation>&amp;Tracker …</translation>
+    </message>
+    <message>
+        <source>controller</source>
+        <translation>Steuergerät</translation>
+    </message>
+    <message>
+        <source>tracker: what moves the probe</source>
+        <translation>Tracker: was die Sonde bewegt</translation>
+    </message>
+    <message>
+        <source>The tracker has the probe. Choose the mouse on the page Tracker to move it here.</source>
+        <translation>Der Tracker führt die Sonde. Wählen Sie auf der Seite Tracker die Maus, um sie hier zu bewegen.</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::MeasurePage</name>
@@ -15993,6 +16029,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Nothing to scan yet. Open a case, a volume or a sweep, or drop one here.</source>
         <translation>Noch nichts zu schallen. Einen Fall, ein Volumen oder einen Schwenk öffnen oder etwas hierher ziehen.</translation>
+    </message>
+    <message>
+        <source>The mouse has the probe. Tracker: %1.</source>
+        <translation>Die Maus führt die Sonde. Tracker: %1.</translation>
     </message>
 </context>
 <context>
@@ -16292,6 +16332,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>nearest</source>
         <translation>nächste</translation>
+    </message>
+    <message>
+        <source>Tracker: %1</source>
+        <translation>Tracker: %1</translation>
     </message>
 </context>
 <context>
@@ -22212,6 +22256,1008 @@ Zeit: %3</translation>
         <source>%1: %2</source>
         <comment>who: what track</comment>
         <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::TrackerFaceStep</name>
+    <message>
+        <source>Find the probe&apos;s face</source>
+        <translation>Die Sondenfläche finden</translation>
+    </message>
+    <message>
+        <source>The tracker measures its own tool; where the face of the probe lies on it is found by three motions, each of about ten seconds.</source>
+        <translation>Der Tracker misst sein eigenes Werkzeug; wo daran die Fläche der Sonde liegt, zeigen drei Bewegungen von je etwa zehn Sekunden.</translation>
+    </message>
+    <message>
+        <source>The probe is tipped to all sides about its tip, which stays where it is; then it lies flat on a table and is slid about.</source>
+        <translation>Die Sonde wird um ihre Spitze, die an ihrem Ort bleibt, nach allen Seiten gekippt; dann liegt sie flach auf einem Tisch und wird umhergeschoben.</translation>
+    </message>
+    <message>
+        <source>1. Put the middle of the face into a small hollow and tip the probe to all sides; the tip must not slip.</source>
+        <translation>1. Setzen Sie die Mitte der Fläche in eine kleine Mulde und kippen Sie die Sonde nach allen Seiten; die Spitze darf nicht rutschen.</translation>
+    </message>
+    <message>
+        <source>2. Lay the face flat on a table; slide it about and turn it on the table by a quarter or more.</source>
+        <translation>2. Legen Sie die Fläche flach auf einen Tisch; schieben Sie sie umher und drehen Sie sie dabei um ein Viertel oder mehr.</translation>
+    </message>
+    <message>
+        <source>3. Push it straight along its long side, towards its marker, at least 10 cm, without turning it.</source>
+        <translation>3. Schieben Sie sie gerade entlang ihrer langen Seite zu ihrer Markierung hin, mindestens 10 cm, ohne sie zu drehen.</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Begin or end motion %1</source>
+        <translation>Bewegung %1 beginnen oder beenden</translation>
+    </message>
+    <message>
+        <source>The face was found with %1 mm left over. It can be found again.</source>
+        <translation>Die Fläche wurde mit %1 mm Restfehler gefunden. Sie kann neu gesucht werden.</translation>
+    </message>
+    <message>
+        <source>Readings: %1</source>
+        <translation>Messungen: %1</translation>
+    </message>
+    <message>
+        <source>Good.</source>
+        <translation>Gut.</translation>
+    </message>
+    <message>
+        <source>The face is found, with %1 mm left over. The mannequin is aligned next.</source>
+        <translation>Die Fläche ist gefunden, mit %1 mm Restfehler. Als Nächstes wird am Übungskörper ausgerichtet.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::TrackerAlignStep</name>
+    <message>
+        <source>Align with the mannequin</source>
+        <translation>Am Übungskörper ausrichten</translation>
+    </message>
+    <message>
+        <source>Touch the marked place of the mannequin with the middle of the probe&apos;s face and hold still for a second. Three places are enough; a fourth one shows whether one of them was wrong.</source>
+        <translation>Berühren Sie die markierte Stelle des Übungskörpers mit der Mitte der Sondenfläche und halten Sie eine Sekunde still. Drei Stellen genügen; eine vierte zeigt, ob eine davon falsch war.</translation>
+    </message>
+    <message>
+        <source>Take this place</source>
+        <translation>Stelle aufnehmen</translation>
+    </message>
+    <message>
+        <source>Takes the place where the probe&apos;s face is now (F5, or hold still for a second)</source>
+        <translation>Nimmt die Stelle auf, an der die Sondenfläche jetzt ist (F5, oder eine Sekunde still halten)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the chosen place from the list (Delete)</source>
+        <translation>Entfernt die gewählte Stelle aus der Liste (Entf)</translation>
+    </message>
+    <message>
+        <source>Take it when it is held still</source>
+        <translation>Aufnehmen, wenn still gehalten wird</translation>
+    </message>
+    <message>
+        <source>Places that were touched</source>
+        <translation>Berührte Stellen</translation>
+    </message>
+    <message>
+        <source>Slide the probe over the skin, all over the belly and around the flanks: the alignment is refined by the surface</source>
+        <translation>Fahren Sie mit der Sonde über die Haut, über den ganzen Bauch und um die Flanken: Die Oberfläche verfeinert die Ausrichtung</translation>
+    </message>
+    <message>
+        <source>Slide over the skin, all over the belly and around both flanks. Places traced: %1</source>
+        <translation>Fahren Sie über die Haut, über den ganzen Bauch und um beide Flanken. Abgetastete Stellen: %1</translation>
+    </message>
+    <message>
+        <source>Held still: %1 %</source>
+        <translation>Still gehalten: %1 %</translation>
+    </message>
+    <message>
+        <source>Touch the place, then take it.</source>
+        <translation>Berühren Sie die Stelle und nehmen Sie sie dann auf.</translation>
+    </message>
+    <message>
+        <source>Trace the surface</source>
+        <translation>Oberfläche abtasten</translation>
+    </message>
+    <message>
+        <source>All places are touched</source>
+        <translation>Alle Stellen sind berührt</translation>
+    </message>
+    <message>
+        <source>Touch: %1</source>
+        <translation>Berühren: %1</translation>
+    </message>
+    <message>
+        <source>: off by %1 mm</source>
+        <translation>: %1 mm daneben</translation>
+    </message>
+    <message>
+        <source>probably wrong</source>
+        <translation>wahrscheinlich falsch</translation>
+    </message>
+    <message>
+        <source>End tracing</source>
+        <translation>Abtasten beenden</translation>
+    </message>
+    <message>
+        <source>Trace the surface as well</source>
+        <translation>Auch die Oberfläche abtasten</translation>
+    </message>
+    <message>
+        <source>A fourth place would show a mistake.</source>
+        <translation>Eine vierte Stelle würde einen Fehler zeigen.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::TrackerBodyPicture</name>
+    <message>
+        <source>The mannequin from the front, with the places to be touched</source>
+        <translation>Der Übungskörper von vorn mit den Stellen, die berührt werden</translation>
+    </message>
+    <message>
+        <source>next: %1</source>
+        <translation>als Nächstes: %1</translation>
+    </message>
+    <message>
+        <source>patient&apos;s right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::TrackerCameraPicture</name>
+    <message>
+        <source>What the camera sees</source>
+        <translation>Was die Kamera sieht</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::TrackerCameraStep</name>
+    <message>
+        <source>Choose the camera</source>
+        <translation>Kamera wählen</translation>
+    </message>
+    <message>
+        <source>Put the camera where it sees the mannequin and the hand with the probe, half a metre to a metre away and a little from above. Bright, even light is the best help there is: a window behind the camera, or two lamps.</source>
+        <translation>Stellen Sie die Kamera so auf, dass sie den Übungskörper und die Hand mit der Sonde sieht, einen halben bis einen Meter entfernt und etwas von oben. Helles, gleichmäßiges Licht hilft am meisten: ein Fenster hinter der Kamera oder zwei Lampen.</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Size of the picture</source>
+        <translation>Bildgröße</translation>
+    </message>
+    <message>
+        <source>More pixels see further and cost time; 1280 × 720 is a good middle</source>
+        <translation>Mehr Bildpunkte sehen weiter und kosten Zeit; 1280 × 720 ist ein guter Mittelweg</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Neu suchen</translation>
+    </message>
+    <message>
+        <source>Looks for cameras that were plugged in meanwhile</source>
+        <translation>Sucht Kameras, die inzwischen angesteckt wurden</translation>
+    </message>
+    <message>
+        <source>Video file…</source>
+        <translation>Videodatei …</translation>
+    </message>
+    <message>
+        <source>A film of a camera in place of one, to try or to show</source>
+        <translation>Ein Film einer Kamera anstelle einer Kamera, zum Probieren oder Zeigen</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Film of a camera</source>
+        <translation>Film einer Kamera</translation>
+    </message>
+    <message>
+        <source>Films (*.avi *.mp4 *.mkv *.mov *.webm);;All files (*)</source>
+        <translation>Filme (*.avi *.mp4 *.mkv *.mov *.webm);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>No camera was found. Plug one in and choose &apos;Look again&apos;, or choose a video file.</source>
+        <translation>Es wurde keine Kamera gefunden. Stecken Sie eine an und wählen Sie „Neu suchen“, oder wählen Sie eine Videodatei.</translation>
+    </message>
+    <message>
+        <source>It is too dark: the camera then takes long pictures, and every motion is blurred. Switch on a lamp.</source>
+        <translation>Es ist zu dunkel: Die Kamera belichtet dann lange, und jede Bewegung verwischt. Schalten Sie eine Lampe ein.</translation>
+    </message>
+    <message>
+        <source>It is too bright: white paper loses its edges. Turn a lamp away, or draw a curtain.</source>
+        <translation>Es ist zu hell: Weißes Papier verliert seine Kanten. Drehen Sie eine Lampe weg oder ziehen Sie einen Vorhang zu.</translation>
+    </message>
+    <message>
+        <source>The picture is blurred while something moves. More light makes it sharper.</source>
+        <translation>Das Bild verwischt, wenn sich etwas bewegt. Mehr Licht macht es schärfer.</translation>
+    </message>
+    <message>
+        <source>The picture is bright enough: %1, %2 pictures each second.</source>
+        <translation>Das Bild ist hell genug: %1, %2 Bilder in der Sekunde.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::TrackerCheckStep</name>
+    <message>
+        <source>Check it</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Lay the middle of the probe&apos;s face on the skin, lightly, in three places far from each other, and hold still in each. The distance shown should be within 3 mm.</source>
+        <translation>Legen Sie die Mitte der Sondenfläche leicht auf die Haut, an drei Stellen weit voneinander, und halten Sie an jeder still. Der angezeigte Abstand soll höchstens 3 mm sein.</translation>
+    </message>
+    <message>
+        <source>Distance from the skin</source>
+        <translation>Abstand von der Haut</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>The tracker is not aligned with the mannequin yet; go back one step.</source>
+        <translation>Der Tracker ist noch nicht am Übungskörper ausgerichtet; gehen Sie einen Schritt zurück.</translation>
+    </message>
+    <message>
+        <source>Lay the probe on the skin.</source>
+        <translation>Legen Sie die Sonde auf die Haut.</translation>
+    </message>
+    <message>
+        <source>Held still: %1 %</source>
+        <translation>Still gehalten: %1 %</translation>
+    </message>
+    <message>
+        <source>In one place the probe is %1 mm from the skin by what the program knows. Touch that place again; if it stays, go back and align again.</source>
+        <translation>An einer Stelle ist die Sonde nach dem, was das Programm weiß, %1 mm von der Haut entfernt. Berühren Sie diese Stelle noch einmal; bleibt es so, gehen Sie zurück und richten Sie neu aus.</translation>
+    </message>
+    <message>
+        <source>It fits. Places still to be touched: %1</source>
+        <translation>Es passt. Noch zu berührende Stellen: %1</translation>
+    </message>
+    <message>
+        <source>It fits within %1 mm. You can scan now.</source>
+        <translation>Es passt auf %1 mm. Sie können jetzt scannen.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::TrackerFigures</name>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>chosen by the noise</source>
+        <translation>nach dem Rauschen gewählt</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Kalman</source>
+        <translation>Kalman</translation>
+    </message>
+    <message>
+        <source>One Euro</source>
+        <translation>One Euro</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>%1 per s</source>
+        <translation>%1 je s</translation>
+    </message>
+    <message>
+        <source>New poses each second, over the last two seconds</source>
+        <translation>Neue Lagen in der Sekunde, über die letzten zwei Sekunden</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Verzögerung</translation>
+    </message>
+    <message>
+        <source>From the measurement to this program, by the tracker&apos;s own clock; – where it stamps nothing</source>
+        <translation>Von der Messung bis zu diesem Programm, nach der Uhr des Trackers; – wenn er keine Zeiten nennt</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>How far the face of the probe trembles about its path (one standard deviation)</source>
+        <translation>Wie weit die Sondenfläche um ihren Weg zittert (eine Standardabweichung)</translation>
+    </message>
+    <message>
+        <source>How far the face of the probe trembles about its path (one standard deviation); it turns by %1°</source>
+        <translation>Wie weit die Sondenfläche um ihren Weg zittert (eine Standardabweichung); sie dreht sich dabei um %1°</translation>
+    </message>
+    <message>
+        <source>Uneven by</source>
+        <translation>Ungleichmäßig</translation>
+    </message>
+    <message>
+        <source>Spread of the time between two poses: 0 is a tracker that beats evenly</source>
+        <translation>Streuung der Zeit zwischen zwei Lagen: 0 ist ein Tracker mit gleichmäßigem Takt</translation>
+    </message>
+    <message>
+        <source>Clock drift</source>
+        <translation>Uhrengang</translation>
+    </message>
+    <message>
+        <source>%1 ppm</source>
+        <translation>%1 ppm</translation>
+    </message>
+    <message>
+        <source>How much faster the tracker&apos;s clock runs than that of this computer, in millionths</source>
+        <translation>Wie viel schneller die Uhr des Trackers geht als die dieses Computers, in Millionsteln</translation>
+    </message>
+    <message>
+        <source>Filter lags</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>What smoothing adds to the delay of a steady motion</source>
+        <translation>Was die Glättung bei gleichmäßiger Bewegung zur Verzögerung hinzufügt</translation>
+    </message>
+    <message>
+        <source>Smoothing now</source>
+        <translation>Glättung jetzt</translation>
+    </message>
+    <message>
+        <source>Tool that carries the probe</source>
+        <translation>Werkzeug, das die Sonde trägt</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Sonde</translation>
+    </message>
+    <message>
+        <source>Tool that is fixed to the mannequin</source>
+        <translation>Werkzeug, das am Übungskörper befestigt ist</translation>
+    </message>
+    <message>
+        <source>Tool that is fixed to the mannequin: then the tracker itself may move</source>
+        <translation>Werkzeug, das am Übungskörper befestigt ist: Dann darf sich der Tracker selbst bewegen</translation>
+    </message>
+    <message>
+        <source>Mannequin</source>
+        <translation>Übungskörper</translation>
+    </message>
+    <message>
+        <source>No tool has been heard of yet: its name comes with its first reading.</source>
+        <translation>Noch hat sich kein Werkzeug gemeldet: Sein Name kommt mit der ersten Messung.</translation>
+    </message>
+    <message>
+        <source>the first one</source>
+        <translation>das erste</translation>
+    </message>
+    <message>
+        <source>the first one: %1</source>
+        <translation>das erste: %1</translation>
+    </message>
+    <message>
+        <source>none: the tracker stands still</source>
+        <translation>keines: Der Tracker steht still</translation>
+    </message>
+    <message numerus="yes">
+        <source>Not used: %n of what it sent. The last one: %1</source>
+        <translation>
+            <numerusform>Nicht verwendet: %n Nachricht. Die letzte: %1</numerusform>
+            <numerusform>Nicht verwendet: %n Nachrichten. Die letzte: %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::TrackerForm</name>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Choose: %1</source>
+        <translation>Wählen: %1</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Computer</translation>
+    </message>
+    <message>
+        <source>name or address, such as localhost</source>
+        <translation>Name oder Adresse, etwa localhost</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>18944 unless the other program says otherwise</source>
+        <translation>18944, wenn das andere Programm nichts anderes sagt</translation>
+    </message>
+    <message>
+        <source>Refuse messages whose check sum is wrong</source>
+        <translation>Nachrichten mit falscher Prüfsumme ablehnen</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Video file…</source>
+        <translation>Videodatei …</translation>
+    </message>
+    <message>
+        <source>Size of the picture</source>
+        <translation>Bildgröße</translation>
+    </message>
+    <message>
+        <source>Paper body</source>
+        <translation>Papierkörper</translation>
+    </message>
+    <message>
+        <source>Board at the mannequin</source>
+        <translation>Tafel am Übungskörper</translation>
+    </message>
+    <message>
+        <source>none: the camera stands still</source>
+        <translation>keine: Die Kamera steht still</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>vermessen</translation>
+    </message>
+    <message>
+        <source>not measured: set the camera up first</source>
+        <translation>nicht vermessen: Kamera zuerst einrichten</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Objektiv</translation>
+    </message>
+    <message>
+        <source>Film of a camera</source>
+        <translation>Film einer Kamera</translation>
+    </message>
+    <message>
+        <source>Films (*.avi *.mp4 *.mkv *.mov *.webm);;All files (*)</source>
+        <translation>Filme (*.avi *.mp4 *.mkv *.mov *.webm);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>none yet: choose a sequence of PLUS</source>
+        <translation>noch keine: Wählen Sie eine Sequenz von PLUS</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Begins again at its end</source>
+        <translation>Beginnt am Ende von vorn</translation>
+    </message>
+    <message>
+        <source>Recording of a tracker</source>
+        <translation>Aufzeichnung eines Trackers</translation>
+    </message>
+    <message>
+        <source>Sequences of PLUS (*.mha *.mhd *.nrrd);;All files (*)</source>
+        <translation>Sequenzen von PLUS (*.mha *.mhd *.nrrd);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>When it is let go</source>
+        <translation>Beim Loslassen</translation>
+    </message>
+    <message>
+        <source>the probe stays where it is</source>
+        <translation>bleibt die Sonde, wo sie ist</translation>
+    </message>
+    <message>
+        <source>the probe springs back</source>
+        <translation>springt die Sonde zurück</translation>
+    </message>
+    <message>
+        <source>Rest around the middle</source>
+        <translation>Ruhe um die Mitte</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>How far a stick or the puck may be pushed before the probe moves</source>
+        <translation>Wie weit ein Stick oder die Kappe bewegt werden darf, bevor sich die Sonde bewegt</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>Takes the trembling out of the poses, and lags a little for it</source>
+        <translation>Nimmt das Zittern aus den Lagen und hinkt dafür ein wenig nach</translation>
+    </message>
+    <message>
+        <source>Look ahead by at most one pose</source>
+        <translation>Höchstens eine Lage vorausschauen</translation>
+    </message>
+    <message>
+        <source>Makes up for the delay while the probe moves evenly</source>
+        <translation>Gleicht die Verzögerung aus, solange sich die Sonde gleichmäßig bewegt</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::TrackerHoldStep</name>
+    <message>
+        <source>Hold the probe</source>
+        <translation>Sonde halten</translation>
+    </message>
+    <message>
+        <source>Take the folded body in your hand like a probe, its nose down, and hold it where the mannequin will be. Move it slowly: the outlines must follow.</source>
+        <translation>Nehmen Sie den gefalteten Körper wie eine Sonde in die Hand, die Nase nach unten, und halten Sie ihn dorthin, wo der Übungskörper liegen wird. Bewegen Sie ihn langsam: Die Umrisse müssen folgen.</translation>
+    </message>
+    <message>
+        <source>No paper body is chosen; go back to the first step.</source>
+        <translation>Es ist kein Papierkörper gewählt; gehen Sie zum ersten Schritt zurück.</translation>
+    </message>
+    <message>
+        <source>It is seen, but too badly to be measured: bring it nearer, or turn another face to the camera.</source>
+        <translation>Er wird gesehen, aber zu schlecht, um gemessen zu werden: Bringen Sie ihn näher, oder drehen Sie der Kamera eine andere Seite zu.</translation>
+    </message>
+    <message>
+        <source>It is not seen. Hold it into the picture, so that no finger covers a marker.</source>
+        <translation>Er wird nicht gesehen. Halten Sie ihn ins Bild, so dass kein Finger eine Marke verdeckt.</translation>
+    </message>
+    <message>
+        <source>Distance %1 cm · %2 markers · trembles by %3 mm</source>
+        <translation>Abstand %1 cm · %2 Marken · zittert um %3 mm</translation>
+    </message>
+    <message>
+        <source>Very near: move the camera or your hand back, so that it stays in the picture.</source>
+        <translation>Sehr nah: Rücken Sie die Kamera oder die Hand zurück, damit er im Bild bleibt.</translation>
+    </message>
+    <message>
+        <source>Far away: it will be measured less well. Half a metre is good.</source>
+        <translation>Weit weg: Er wird schlechter gemessen. Ein halber Meter ist gut.</translation>
+    </message>
+    <message>
+        <source>It is seen well.</source>
+        <translation>Er wird gut gesehen.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::TrackerLensStep</name>
+    <message>
+        <source>Measure the lens</source>
+        <translation>Objektiv vermessen</translation>
+    </message>
+    <message>
+        <source>Lay the chess board on something flat and stiff, and hold it before the camera: near and far, in the middle and in the corners, straight and tipped to each side. Hold it still for a moment; pictures are kept by themselves.</source>
+        <translation>Befestigen Sie das Schachbrett auf etwas Flachem und Steifem und halten Sie es vor die Kamera: nah und fern, in die Mitte und in die Ecken, gerade und nach jeder Seite gekippt. Halten Sie es jeweils kurz still; Bilder werden von selbst behalten.</translation>
+    </message>
+    <message>
+        <source>Pictures that were kept</source>
+        <translation>Behaltene Bilder</translation>
+    </message>
+    <message>
+        <source>Begin again</source>
+        <translation>Neu beginnen</translation>
+    </message>
+    <message>
+        <source>Measure now</source>
+        <translation>Jetzt vermessen</translation>
+    </message>
+    <message>
+        <source>Finds the measures of the lens from the pictures that are kept; it begins by itself once there are enough</source>
+        <translation>Findet die Maße des Objektivs aus den behaltenen Bildern; beginnt von selbst, sobald es genug sind</translation>
+    </message>
+    <message>
+        <source>The chess board is not seen. Hold it so that at least half of it is in the picture.</source>
+        <translation>Das Schachbrett wird nicht gesehen. Halten Sie es so, dass mindestens die Hälfte im Bild ist.</translation>
+    </message>
+    <message>
+        <source>Blurred: hold it still, or give it more light.</source>
+        <translation>Verwischt: Halten Sie es still, oder geben Sie ihm mehr Licht.</translation>
+    </message>
+    <message>
+        <source>Hold it still for a moment.</source>
+        <translation>Halten Sie es kurz still.</translation>
+    </message>
+    <message>
+        <source>This view is known. Move the board, or tip it.</source>
+        <translation>Diese Ansicht ist bekannt. Bewegen oder kippen Sie das Brett.</translation>
+    </message>
+    <message>
+        <source>Kept.</source>
+        <translation>Behalten.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Measuring the lens from %n pictures…</source>
+        <translation>
+            <numerusform>Vermessen des Objektivs aus %n Bild …</numerusform>
+            <numerusform>Vermessen des Objektivs aus %n Bildern …</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The lens is measured: its pictures agree within %1 pixels, found from %n pictures.</source>
+        <translation>
+            <numerusform>Das Objektiv ist vermessen: %n Bild stimmt auf %1 Bildpunkte überein.</numerusform>
+            <numerusform>Das Objektiv ist vermessen: %n Bilder stimmen auf %1 Bildpunkte überein.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show the chess board to the camera.</source>
+        <translation>Zeigen Sie der Kamera das Schachbrett.</translation>
+    </message>
+    <message>
+        <source>Pictures kept: %1. %2</source>
+        <translation>Behaltene Bilder: %1. %2</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::TrackerPage</name>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>OpenIGTLink</source>
+        <translation>OpenIGTLink</translation>
+    </message>
+    <message>
+        <source>SpaceMouse</source>
+        <translation>SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Game controller</source>
+        <translation>Gamecontroller</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>What moves the probe</source>
+        <translation>Was die Sonde bewegt</translation>
+    </message>
+    <message>
+        <source>The mouse, or a tracker: a camera with printed paper, a device on the network, a controller</source>
+        <translation>Die Maus oder ein Tracker: eine Kamera mit bedrucktem Papier, ein Gerät im Netz, ein Steuergerät</translation>
+    </message>
+    <message>
+        <source>Tracker</source>
+        <translation>Tracker</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close (Escape); the tracker goes on</source>
+        <translation>Schließen (Esc); der Tracker läuft weiter</translation>
+    </message>
+    <message>
+        <source>What can move the probe</source>
+        <translation>Was die Sonde bewegen kann</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Gives the chosen tracker another name (F2)</source>
+        <translation>Gibt dem gewählten Tracker einen anderen Namen (F2)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Set up…</source>
+        <translation>Einrichten …</translation>
+    </message>
+    <message>
+        <source>Leads from the printed paper to a camera that follows the probe, step by step</source>
+        <translation>Führt Schritt für Schritt vom bedruckten Papier zu einer Kamera, die der Sonde folgt</translation>
+    </message>
+    <message>
+        <source>Align…</source>
+        <translation>Ausrichten …</translation>
+    </message>
+    <message>
+        <source>Tells the tracker where the mannequin lies, by touching places of it</source>
+        <translation>Sagt dem Tracker, wo der Übungskörper liegt: Stellen werden berührt</translation>
+    </message>
+    <message>
+        <source>Print sheets…</source>
+        <translation>Bögen drucken …</translation>
+    </message>
+    <message>
+        <source>Saves the paper body, its board and the chess board as PDF</source>
+        <translation>Speichert den Papierkörper, seine Tafel und das Schachbrett als PDF</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Sharing and sound</source>
+        <translation>Teilen und Ton</translation>
+    </message>
+    <message>
+        <source>Send my scan to others (OpenIGTLink server)</source>
+        <translation>Meinen Scan an andere senden (OpenIGTLink-Server)</translation>
+    </message>
+    <message>
+        <source>Image and pose of the probe, for 3D Slicer, PLUS or another window of this program</source>
+        <translation>Bild und Lage der Sonde, für 3D Slicer, PLUS oder ein anderes Fenster dieses Programms</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Sound when the probe is lost</source>
+        <translation>Ton, wenn die Sonde verloren geht</translation>
+    </message>
+    <message>
+        <source>Mouse and keyboard</source>
+        <translation>Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>moves the probe now</source>
+        <translation>bewegt jetzt die Sonde</translation>
+    </message>
+    <message>
+        <source>moves the probe</source>
+        <translation>bewegt die Sonde</translation>
+    </message>
+    <message>
+        <source>rests</source>
+        <translation>ruht</translation>
+    </message>
+    <message>
+        <source>Drag in the views, turn the wheel, or use the arrow keys. With a webcam and printed paper the probe can be held in the hand: choose a camera in the list and set it up.</source>
+        <translation>Ziehen Sie in den Ansichten, drehen Sie das Mausrad oder nutzen Sie die Pfeiltasten. Mit Webcam und bedrucktem Papier liegt die Sonde in der Hand: Wählen Sie eine Kamera in der Liste und richten Sie sie ein.</translation>
+    </message>
+    <message>
+        <source>not in use</source>
+        <translation>nicht benutzt</translation>
+    </message>
+    <message>
+        <source>Use it, and it moves the probe over the skin.</source>
+        <translation>Benutzen Sie es, dann bewegt es die Sonde über die Haut.</translation>
+    </message>
+    <message>
+        <source>This camera is not set up yet. &apos;Set up…&apos; leads through it: print, fold, measure the lens, touch the mannequin.</source>
+        <translation>Diese Kamera ist noch nicht eingerichtet. „Einrichten …“ führt hindurch: drucken, falten, Objektiv vermessen, Übungskörper berühren.</translation>
+    </message>
+    <message>
+        <source>Use it to see what it sends; then align it with the mannequin.</source>
+        <translation>Benutzen Sie ihn, um zu sehen, was er sendet; richten Sie ihn dann am Übungskörper aus.</translation>
+    </message>
+    <message>
+        <source>It is aligned with the mannequin and can be used.</source>
+        <translation>Er ist am Übungskörper ausgerichtet und kann benutzt werden.</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>verbunden</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>nicht gefunden</translation>
+    </message>
+    <message>
+        <source>, for %1 s</source>
+        <translation>, seit %1 s</translation>
+    </message>
+    <message>
+        <source>It is seen, and not yet aligned with the mannequin: &apos;Align…&apos; tells it where that lies.</source>
+        <translation>Sie wird gesehen, ist aber noch nicht am Übungskörper ausgerichtet: „Ausrichten …“ sagt, wo er liegt.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Benutzen</translation>
+    </message>
+    <message>
+        <source>The mouse moves the probe again</source>
+        <translation>Die Maus bewegt die Sonde wieder</translation>
+    </message>
+    <message>
+        <source>The probe follows it from now on; the scan goes on</source>
+        <translation>Die Sonde folgt ihm von jetzt an; der Scan läuft weiter</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::TrackerPrintStep</name>
+    <message>
+        <source>Save the sheet to print</source>
+        <translation>Bogen zum Drucken speichern</translation>
+    </message>
+    <message>
+        <source>markers.pdf</source>
+        <translation>marken.pdf</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Saved as %1. Print it at 100 %, without &apos;fit to page&apos;.</source>
+        <translation>Gespeichert als %1. Drucken Sie mit 100 %, ohne „an Seite anpassen“.</translation>
+    </message>
+    <message>
+        <source>Print and fold</source>
+        <translation>Drucken und falten</translation>
+    </message>
+    <message>
+        <source>Print the sheets on thick paper at 100 % (&apos;actual size&apos;), cut along the full lines, fold along the dashed ones and glue the tabs. The flat board goes beside the mannequin, the chess board on something stiff.</source>
+        <translation>Drucken Sie die Bögen mit 100 % („tatsächliche Größe“) auf dickes Papier, schneiden Sie entlang der durchgezogenen Linien, falten Sie entlang der gestrichelten und kleben Sie die Laschen. Die flache Tafel kommt neben den Übungskörper, das Schachbrett auf etwas Steifes.</translation>
+    </message>
+    <message>
+        <source>A sheet is cut and folded to a box with a nose; a camera looks at the box in the hand and at a board that lies on the mannequin.</source>
+        <translation>Ein Bogen wird geschnitten und zu einem Kasten mit Nase gefaltet; eine Kamera sieht den Kasten in der Hand und eine Tafel, die am Übungskörper liegt.</translation>
+    </message>
+    <message>
+        <source>Paper body</source>
+        <translation>Papierkörper</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Letter</translation>
+    </message>
+    <message>
+        <source>Save the sheets as PDF…</source>
+        <translation>Bögen als PDF speichern …</translation>
+    </message>
+    <message>
+        <source>The line of 100 mm measures</source>
+        <translation>Die Linie von 100 mm misst</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Lay a ruler on the printed scale: printers often shrink a little, and the program takes it into account</source>
+        <translation>Legen Sie ein Lineal an den gedruckten Maßstab: Drucker verkleinern oft ein wenig, und das Programm berücksichtigt es</translation>
+    </message>
+    <message>
+        <source>Paper body and boards are ready</source>
+        <translation>Papierkörper und Tafeln sind fertig</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::TrackerWizard</name>
+    <message>
+        <source>Set up a camera as tracker</source>
+        <translation>Eine Kamera als Tracker einrichten</translation>
+    </message>
+    <message>
+        <source>Align the tracker with the mannequin</source>
+        <translation>Den Tracker am Übungskörper ausrichten</translation>
+    </message>
+    <message>
+        <source>Go on later</source>
+        <translation>Später weiter</translation>
+    </message>
+    <message>
+        <source>Closes this; what was done is kept, and it begins here the next time (Escape)</source>
+        <translation>Schließt das Fenster; was getan ist, bleibt, und beim nächsten Mal geht es hier weiter (Esc)</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Step %1, done: %2</source>
+        <translation>Schritt %1, erledigt: %2</translation>
+    </message>
+    <message>
+        <source>Step %1: %2</source>
+        <translation>Schritt %1: %2</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::Trackers</name>
+    <message>
+        <source>Measuring the lens</source>
+        <translation>Objektiv vermessen</translation>
+    </message>
+    <message>
+        <source>Nothing is sent.</source>
+        <translation>Es wird nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>Waiting on port %1; nobody is connected yet.</source>
+        <translation>Wartet auf Port %1; noch ist niemand verbunden.</translation>
+    </message>
+    <message>
+        <source>Sent on port %1; programs connected: %2.</source>
+        <translation>Gesendet auf Port %1; verbundene Programme: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::TrackingOverlay</name>
+    <message>
+        <source>Not live: %1</source>
+        <translation>Nicht live: %1</translation>
+    </message>
+    <message>
+        <source>for %1 s</source>
+        <translation>seit %1 s</translation>
+    </message>
+    <message>
+        <source>for %1 min</source>
+        <translation>seit %1 min</translation>
+    </message>
+    <message>
+        <source>Or go on with the mouse: drag the probe in the image or on the body.</source>
+        <translation>Oder weiter mit der Maus: Ziehen Sie die Sonde im Bild oder auf dem Körper.</translation>
     </message>
 </context>
 </TS>

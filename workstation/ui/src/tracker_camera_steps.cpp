@@ -120,10 +120,7 @@ void TrackerCameraStep::fillCameras() {
 }
 
 void TrackerCameraStep::choose(const QString& device) {
-  trackers_.changeCamera(tracker_, [&](CameraSettings& camera) {
-    if (camera.device != device.toStdString()) camera.model.reset();  // another lens
-    camera.device = device.toStdString();
-  });
+  trackers_.chooseCamera(tracker_, device.toStdString());
   seen_ = false;
   trackers_.use(tracker_);
   Q_EMIT changed();
@@ -351,7 +348,7 @@ void TrackerLensStep::showAll() {
     return picture_->setCoverage({});
   }
   say(*next_, coverage_.views == 0 ? tr("Show the chess board to the camera.")
-                                   : tr("%n pictures are kept. %1", nullptr, coverage_.views).arg(words(coverage_.next)));
+                                   : tr("Pictures kept: %1. %2").arg(coverage_.views).arg(words(coverage_.next)));
   TrackerCameraPicture::Coverage shown;
   shown.columns = CalibrationCoverage::kColumns;
   shown.rows = CalibrationCoverage::kRows;

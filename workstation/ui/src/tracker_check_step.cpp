@@ -121,7 +121,7 @@ void TrackerCheckStep::showAll() {
             .arg(figure(worst_mm, 1)),
         Tone::bad);
   else if (left > 0)
-    say(*verdict_, checked_.empty() ? QString() : tr("It fits. %n more places.", nullptr, left));
+    say(*verdict_, checked_.empty() ? QString() : tr("It fits. Places still to be touched: %1").arg(left));
   else
     say(*verdict_, tr("It fits within %1 mm. You can scan now.").arg(figure(worst_mm, 1)), Tone::good);
 }

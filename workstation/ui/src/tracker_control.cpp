@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "scan_server.h"
 #include "words.h"
 
 namespace ew::ui {

@@ -24,6 +24,7 @@
 namespace ew::ui {
 
 class Jobs;
+class ScanServer;
 
 /// A place of the mannequin and where the tracker saw the probe's face touch it.
 struct TrackerTouch {
@@ -95,6 +96,9 @@ class Trackers final : public QObject {
 
   // Cameras and paper.
   [[nodiscard]] const CameraSettings* cameraOf(const std::string& id) const;  ///< null: it is no camera
+  /// Another device, or a film. The lens that was measured stays only from film to film: films are of one camera unless somebody says
+  /// otherwise.
+  void chooseCamera(const std::string& id, const std::string& device);
   void changeCamera(const std::string& id, const std::function<void(CameraSettings&)>& apply);
   [[nodiscard]] CameraDevice* camera() const { return camera_.get(); }  ///< in use; null: none
   [[nodiscard]] const std::shared_ptr<CameraDevice>& sharedCamera() const { return camera_; }
@@ -186,6 +190,8 @@ class Trackers final : public QObject {
   std::vector<glm::dvec3> traced_;
   FitCheck fit_;
   bool fitIsLost_ = false;
+  std::unique_ptr<ScanServer> server_;
+  Message serverProblem_;
   Worker devices_;  ///< starts and stops them, which may take half a second
 };
 

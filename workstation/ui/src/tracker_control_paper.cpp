@@ -89,6 +89,16 @@ void Trackers::chooseBody(const std::string& id, const std::string& body) {
   change(changed);
 }
 
+void Trackers::chooseCamera(const std::string& id, const std::string& device) {
+  const auto isFilm = [](const std::string& each) { return std::filesystem::path(each).has_extension(); };
+  changeCamera(id, [&](CameraSettings& camera) {
+    if (camera.device == device) return;
+    if (!isFilm(device) || !isFilm(camera.device)) camera.model.reset();
+    camera.device = device;
+    camera.filmLoops = isFilm(device);
+  });
+}
+
 void Trackers::changeCamera(const std::string& id, const std::function<void(CameraSettings&)>& apply) {
   TrackerSettings* settings = findMutable(id);
   if (cameraSourceOf(settings) == nullptr) return;

@@ -1,5 +1,7 @@
 // The scan for others: the OpenIGTLink server.
+#include "scan_server.h"
 #include "tracker_control.h"
+#include "words.h"
 
 namespace ew::ui {
 
@@ -7,8 +9,25 @@ void Trackers::serve(bool serves, int port) {
   list_.serves = serves;
   list_.servePort = port;
   keepList();
+  server_.reset();
+  serverProblem_ = {};
+  if (!serves) return;
+  server_ = std::make_unique<ScanServer>(session_);
+  IgtlServerOptions options;
+  options.port = port;
+  options.everyone = true;  // Slicer stands on another computer as often as not
+  const auto started = server_->start(options);
+  if (started) return;
+  serverProblem_ = started.error().message;
+  server_.reset();
 }
 
-QString Trackers::serverSentence() const { return {}; }
+QString Trackers::serverSentence() const {
+  if (!serverProblem_.empty()) return words(serverProblem_);
+  if (!server_) return tr("Nothing is sent.");
+  const IgtlServerStatus status = server_->status();
+  if (status.clients == 0) return tr("Waiting on port %1; nobody is connected yet.").arg(status.port);
+  return tr("Sent on port %1; programs connected: %2.").arg(status.port).arg(status.clients);
+}
 
 }  // namespace ew::ui

@@ -18,7 +18,9 @@
 namespace ew::ui {
 namespace {
 
-enum MotionKind : std::size_t { kPivot, kFlat, kAlong };
+constexpr std::size_t kPivot = 0;
+constexpr std::size_t kFlat = 1;
+constexpr std::size_t kAlong = 2;
 
 }  // namespace
 
@@ -101,7 +103,7 @@ void TrackerFaceStep::poll() {
   if (!now || now->state != TrackingState::live) return say(answer, words(trackers_.report().sentence));
   if (now->arrival_s > latest_s_) readings_.push_back(*now);
   latest_s_ = now->arrival_s;
-  say(answer, tr("%n readings", nullptr, static_cast<int>(readings_.size())));
+  say(answer, tr("Readings: %1").arg(readings_.size()));
 }
 
 void TrackerFaceStep::judge(std::size_t n) {

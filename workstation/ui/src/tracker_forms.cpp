@@ -138,21 +138,12 @@ void TrackerForm::addCamera(QFormLayout& form, const CameraSource& source) {
       new QLabel(source.camera.model && source.camera.model->views > 0 ? tr("measured") : tr("not measured: set the camera up first"));
   lens->setProperty("quiet", true);
   form.addRow(tr("Lens"), lens);
-  connect(cameras, qOverload<int>(&QComboBox::activated), this, [this, cameras] {
-    trackers_.changeCamera(tracker_, [cameras](CameraSettings& c) {
-      const std::string chosen = cameras->currentData().toString().toStdString();
-      if (c.device != chosen) c.model.reset();
-      c.device = chosen;
-    });
-  });
+  connect(cameras, qOverload<int>(&QComboBox::activated), this,
+          [this, cameras] { trackers_.chooseCamera(tracker_, cameras->currentData().toString().toStdString()); });
   connect(film, &QPushButton::clicked, this, [this] {
     const QString file =
         QFileDialog::getOpenFileName(this, tr("Film of a camera"), {}, tr("Films (*.avi *.mp4 *.mkv *.mov *.webm);;All files (*)"));
-    if (!file.isEmpty())
-      trackers_.changeCamera(tracker_, [&](CameraSettings& c) {
-        if (c.device != file.toStdString()) c.model.reset();
-        c.device = file.toStdString();
-      });
+    if (!file.isEmpty()) trackers_.chooseCamera(tracker_, file.toStdString());
   });
   connect(sizes, qOverload<int>(&QComboBox::activated), this, [this, sizes] {
     const QSize size = sizes->currentData().toSize();
