@@ -33,6 +33,9 @@ constexpr double kFar_mm = 900.0;
 
 QString nameOfSize(const QSize& size) { return QStringLiteral("%1 × %2").arg(size.width()).arg(size.height()); }
 
+/// A file or a device, and not the number of a camera that may be there or not.
+bool isNamed(const std::string& device) { return device.find_first_not_of("0123456789") != std::string::npos; }
+
 }  // namespace
 
 void showCameraView(TrackerCameraPicture& picture, const CameraView& view) {
@@ -103,8 +106,8 @@ void TrackerCameraStep::enter() {
   if (camera == nullptr) return;
   const int size = sizes_->findData(QSize(camera->width, camera->height));
   if (size >= 0) sizes_->setCurrentIndex(size);
-  if (camera->device.empty() && cameras_->count() > 0) choose(cameras_->itemData(0).toString());
-  if (!trackers_.cameraOf(tracker_)->device.empty()) trackers_.use(tracker_);
+  if (!isNamed(camera->device) && cameras_->count() > 0) choose(cameras_->itemData(0).toString());
+  if (isNamed(trackers_.cameraOf(tracker_)->device)) trackers_.use(tracker_);
 }
 
 void TrackerCameraStep::fillCameras() {
@@ -113,7 +116,7 @@ void TrackerCameraStep::fillCameras() {
   for (const CameraHere& each : camerasHere())
     cameras_->addItem(tr("%1 (%2)").arg(words(each.name), words(each.device)), words(each.device));
   const CameraSettings* camera = trackers_.cameraOf(tracker_);
-  if (camera != nullptr && !camera->device.empty() && cameras_->findData(words(camera->device)) < 0)
+  if (camera != nullptr && isNamed(camera->device) && cameras_->findData(words(camera->device)) < 0)
     cameras_->addItem(QFileInfo(words(camera->device)).fileName(), words(camera->device));
   if (camera != nullptr) cameras_->setCurrentIndex(cameras_->findData(words(camera->device)));
   cameras_->setEnabled(cameras_->count() > 0);
@@ -147,7 +150,7 @@ void TrackerCameraStep::chooseSize(const QSize& size) {
 
 void TrackerCameraStep::poll() {
   const CameraSettings* camera = trackers_.cameraOf(tracker_);
-  if (camera == nullptr || camera->device.empty()) {
+  if (camera == nullptr || !isNamed(camera->device)) {
     picture_->setEmptySentence(tr("No camera was found. Plug one in and choose 'Look again', or choose a video file."));
     picture_->setPicture({}, {});
     return say(*verdict_, {});
