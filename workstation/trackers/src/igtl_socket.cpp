@@ -83,20 +83,21 @@ Lookup::Lookup(const std::string& host, int port) : state_(std::make_shared<Stat
 bool Lookup::isDone() const { return state_->isDone; }
 std::vector<SocketAddress> Lookup::addresses() const { return state_->found; }
 
-void prepareSocket(int number) {
+void prepareSocket(int number, double patience_s) {
   setOption(number, IPPROTO_TCP, TCP_NODELAY, 1);
   // A peer that vanished without a word is found out after five seconds: two of silence, then a question each second.
   setOption(number, SOL_SOCKET, SO_KEEPALIVE, 1);
   setOption(number, IPPROTO_TCP, TCP_KEEPIDLE, 2);
   setOption(number, IPPROTO_TCP, TCP_KEEPINTVL, 1);
   setOption(number, IPPROTO_TCP, TCP_KEEPCNT, 3);
-  setOption(number, IPPROTO_TCP, TCP_USER_TIMEOUT, 5000);
+  setOption(number, IPPROTO_TCP, TCP_USER_TIMEOUT, static_cast<int>(patience_s * 1e3));
 }
 
 std::pair<Descriptor, int> connectingSocket(const SocketAddress& address) {
   Descriptor socket(::socket(address.bytes.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   if (!socket) return {Descriptor(), errno};
-  prepareSocket(socket.number());
+  constexpr double kPatience_s = 5.0;
+  prepareSocket(socket.number(), kPatience_s);
   // The interface of the operating system wants this cast.
   if (::connect(socket.number(), reinterpret_cast<const sockaddr*>(&address.bytes), address.length) != 0 && errno != EINPROGRESS)
     return {Descriptor(), errno};

@@ -68,8 +68,9 @@ class Lookup {
 [[nodiscard]] std::pair<Descriptor, int> connectingSocket(const SocketAddress& address);
 /// How an attempt to connect ended: 0 or an error number of the system.
 [[nodiscard]] int connectionError(const Descriptor& socket);
-/// For the other side's socket, as accept() gives it.
-void prepareSocket(int number);
+/// @param number a socket, as socket() or accept() gives it
+/// @param patience_s how long the other end may leave unacknowledged, or untaken, what was sent before the connection counts as broken
+void prepareSocket(int number, double patience_s);
 
 struct Listening {
   Descriptor socket;
