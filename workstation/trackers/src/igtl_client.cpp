@@ -21,7 +21,7 @@ namespace ew {
 namespace {
 
 /// Why no connection came about, in words.
-Message reasonOf(int error, const std::string& address) {
+Message igtlReasonOf(int error, const std::string& address) {
   switch (error) {
     case ECONNREFUSED:
       return say<"No server listens at %1; start it there, or check the address and the port. It is tried again by itself.">(address);
@@ -128,7 +128,7 @@ std::optional<Descriptor> IgtlClient::connected(IgtlSession& session) {
     error = events == 0 ? ETIMEDOUT : connectionError(socket);
     if (error == 0) return std::move(socket);
   }
-  session.closed(steadyNow_s(), reasonOf(error, session.address()));
+  session.closed(steadyNow_s(), igtlReasonOf(error, session.address()));
   return std::nullopt;
 }
 

@@ -20,15 +20,15 @@
 namespace ew {
 namespace {
 
-constexpr std::size_t kMostClients = 16;
-constexpr std::size_t kMostHandedOver = 4;  // frames the thread has not packed yet
+constexpr std::size_t kIgtlMostClients = 16;
+constexpr std::size_t kIgtlMostHandedOver = 4;  // frames the thread has not packed yet
 
 /// LPS to RAS is half a turn about the axis to the head: what is rigid stays rigid.
-const glm::dmat4 kLpsToRas = glm::dmat4(-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
+const glm::dmat4 kIgtlLpsToRas = glm::dmat4(-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
 
-double universalNow_s() { return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count(); }
+double igtlUniversalNow_s() { return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count(); }
 
-struct HandedOver {
+struct IgtlHandedOver {
   Pose pose;
   GreyImage image;
   Transform<frame::World, frame::Image> imageToWorld;
@@ -42,14 +42,14 @@ struct IgtlServer::State {
 
   void run();
   void acceptClients();
-  void pass(const HandedOver& frame);
+  void pass(const IgtlHandedOver& frame);
   void passStatus();
   void offer(const IgtlMessage& message, bool isImage);
   void offer(IgtlServerClient& client, IgtlPacket packet);
   void answer(IgtlServerClient& client, const IgtlMessage& question);
   void serve(IgtlServerClient& client, short events);
   [[nodiscard]] IgtlMessage statusMessage() const;
-  [[nodiscard]] IgtlMessage poseMessage(const HandedOver& frame) const;
+  [[nodiscard]] IgtlMessage poseMessage(const IgtlHandedOver& frame) const;
 
   const IgtlServerOptions options;
   std::mutex startOrStop;
@@ -60,14 +60,14 @@ struct IgtlServer::State {
   Listening listening;
 
   mutable std::mutex mutex;  ///< of what follows
-  std::deque<HandedOver> handedOver;
+  std::deque<IgtlHandedOver> handedOver;
   std::uint64_t lostPoses = 0;  ///< that were handed over faster than they could be packed
   IgtlServerStatus status;
 
   // Of the thread alone.
   std::vector<std::unique_ptr<IgtlServerClient>> clients;
   std::vector<IgtlServerClient*> ended;
-  std::optional<HandedOver> latest;  ///< without its image
+  std::optional<IgtlHandedOver> latest;  ///< without its image
   double latestSent_s = 0.0;
   std::uint64_t sent = 0, droppedImages = 0, droppedPoses = 0;
   std::uint32_t id = 0;
@@ -107,11 +107,11 @@ void IgtlServer::stop() {
 
 void IgtlServer::send(const IgtlFrame& frame) {
   if (state_->clientCount == 0) return;
-  HandedOver handed{frame.pose, {}, frame.imageToWorld, frame.time_s > 0.0 ? frame.time_s : universalNow_s()};
+  IgtlHandedOver handed{frame.pose, {}, frame.imageToWorld, frame.time_s > 0.0 ? frame.time_s : igtlUniversalNow_s()};
   if (frame.image.width > 0) handed.image = copyOf(frame.image);
   {
     const std::scoped_lock lock(state_->mutex);
-    if (state_->handedOver.size() == kMostHandedOver) {
+    if (state_->handedOver.size() == kIgtlMostHandedOver) {
       state_->handedOver.pop_front();
       ++state_->lostPoses;
     }
@@ -135,14 +135,14 @@ void IgtlServer::State::run() {
     ::poll(asked.data(), asked.size(), static_cast<int>(idle_s * 1e3) + 1);
     if (asked[0].revents != 0) wake.answer();
 
-    std::deque<HandedOver> frames;
+    std::deque<IgtlHandedOver> frames;
     {
       const std::scoped_lock lock(mutex);
       frames.swap(handedOver);
     }
     for (std::size_t n = 0; n + 2 < asked.size(); ++n)
       if (asked[n + 2].revents != 0) serve(*clients[n], asked[n + 2].revents);
-    for (const HandedOver& frame : frames) pass(frame);
+    for (const IgtlHandedOver& frame : frames) pass(frame);
     if (steadyNow_s() - latestSent_s >= options.idleAfter_s) passStatus();
     for (const auto& client : clients) serve(*client, POLLOUT);
     std::erase_if(clients, [this](const auto& client) { return std::find(ended.begin(), ended.end(), client.get()) != ended.end(); });
@@ -162,17 +162,17 @@ void IgtlServer::State::acceptClients() {
   while (true) {
     Descriptor socket(::accept4(listening.socket.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
     if (!socket) return;
-    if (clients.size() == kMostClients) continue;  // closed again: more than that is no classroom but a fault
+    if (clients.size() == kIgtlMostClients) continue;  // closed again: more than that is no classroom but a fault
     clients.push_back(std::make_unique<IgtlServerClient>(std::move(socket)));
   }
 }
 
-IgtlMessage IgtlServer::State::poseMessage(const HandedOver& frame) const {
+IgtlMessage IgtlServer::State::poseMessage(const IgtlHandedOver& frame) const {
   IgtlMessage message;
   message.type = "TRANSFORM";
   message.device = options.poseName;
   message.time_s = frame.time_s;
-  message.content = igtlTransformContent(kLpsToRas * frame.pose.probeToWorld.matrix);
+  message.content = igtlTransformContent(kIgtlLpsToRas * frame.pose.probeToWorld.matrix);
   message.words = {{"TransformStatus", "OK"}};
   return message;
 }
@@ -184,14 +184,14 @@ IgtlMessage IgtlServer::State::statusMessage() const {
   IgtlMessage message;
   message.type = "STATUS";
   message.device = "EchoWeave";
-  message.time_s = universalNow_s();
+  message.time_s = igtlUniversalNow_s();
   message.content = igtlStatusContent(said);
   return message;
 }
 
-void IgtlServer::State::pass(const HandedOver& frame) {
+void IgtlServer::State::pass(const IgtlHandedOver& frame) {
   const bool wasOk = !latest || latest->pose.status == PoseStatus::ok, isOk = frame.pose.status == PoseStatus::ok;
-  latest = HandedOver{frame.pose, {}, frame.imageToWorld, frame.time_s};
+  latest = IgtlHandedOver{frame.pose, {}, frame.imageToWorld, frame.time_s};
   if (isOk) offer(poseMessage(frame), false);
   if (isOk != wasOk) passStatus();
   if (frame.image.width > 0) {
@@ -199,7 +199,7 @@ void IgtlServer::State::pass(const HandedOver& frame) {
     image.type = "IMAGE";
     image.device = options.imageName;
     image.time_s = frame.time_s;
-    image.content = igtlImageContent(viewOf(frame.image), kLpsToRas * frame.imageToWorld.matrix);
+    image.content = igtlImageContent(viewOf(frame.image), kIgtlLpsToRas * frame.imageToWorld.matrix);
     offer(image, true);
   }
 }

@@ -10,8 +10,8 @@
 namespace ew {
 namespace {
 
-constexpr std::ptrdiff_t kMostImages = 2;  // the one under way and the newest
-constexpr std::size_t kMostPackets = 256;
+constexpr std::ptrdiff_t kIgtlMostImages = 2;  // the one under way and the newest
+constexpr std::size_t kIgtlMostPackets = 256;
 
 }  // namespace
 
@@ -34,10 +34,10 @@ IgtlServerClient::Dropped IgtlServerClient::add(IgtlPacket packet) {
     if (found) waiting_.erase(first);
     return found;
   };
-  while (std::count_if(waiting_.begin(), waiting_.end(), [](const IgtlPacket& one) { return one.isImage; }) > kMostImages &&
+  while (std::count_if(waiting_.begin(), waiting_.end(), [](const IgtlPacket& one) { return one.isImage; }) > kIgtlMostImages &&
          dropFirst(true))
     ++dropped.images;
-  while (waiting_.size() > kMostPackets && dropFirst(false)) ++dropped.poses;
+  while (waiting_.size() > kIgtlMostPackets && dropFirst(false)) ++dropped.poses;
   return dropped;
 }
 

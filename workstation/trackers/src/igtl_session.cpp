@@ -7,11 +7,11 @@
 namespace ew {
 namespace {
 
-constexpr std::size_t kMostRememberedTools = 64;  // as the queue: made-up names must not fill the memory
-constexpr double kTroubleLasts_s = 2.0;
-constexpr double kLookEvery_s = 0.25;  // PLUS says STATUS as often when it has nothing else to say
+constexpr std::size_t kIgtlMostTools = 64;  // as the queue: made-up names must not fill the memory
+constexpr double kIgtlTroubleLasts_s = 2.0;
+constexpr double kIgtlLookEvery_s = 0.25;  // PLUS says STATUS as often when it has nothing else to say
 
-std::string addressText(const IgtlSettings& settings) {
+std::string igtlAddressText(const IgtlSettings& settings) {
   const bool isIpv6 = settings.host.find(':') != std::string::npos;
   return (isIpv6 ? "[" + settings.host + "]" : settings.host) + ":" + std::to_string(settings.port);
 }
@@ -23,7 +23,7 @@ IgtlSession::IgtlSession(IgtlSettings settings, IgtlTiming timing, ReadingQueue&
       timing_(timing),
       queue_(queue),
       reader_(settings_.checksSums),
-      address_(addressText(settings_)),
+      address_(igtlAddressText(settings_)),
       pause_s_(timing.firstPause_s) {}
 
 void IgtlSession::opened(double now_s) {
@@ -92,14 +92,14 @@ void IgtlSession::takePoses(const IgtlMessage& message, const std::vector<IgtlPo
     if (!pose.refusal.empty()) queue_.refuse(pose.refusal);
     if (auto known = tools_.find(pose.tool); known != tools_.end()) {
       known->second.latest_s = now_s;
-    } else if (tools_.size() < kMostRememberedTools) {
+    } else if (tools_.size() < kIgtlMostTools) {
       tools_.emplace(pose.tool, Tool{list, now_s});
     }
     queue_.add(
         {.tool = pose.tool, .toolToTracker = pose.toolToTracker, .state = pose.state, .device_s = message.time_s, .arrival_s = now_s});
   }
   // A single complaint, about our question for TDATA perhaps, is over when poses keep coming; a lasting one is repeated.
-  if (!poses.empty() && (told_ != Told::trouble || now_s - trouble_s_ > kTroubleLasts_s)) tell(Told::connected, now_s);
+  if (!poses.empty() && (told_ != Told::trouble || now_s - trouble_s_ > kIgtlTroubleLasts_s)) tell(Told::connected, now_s);
   if (!isList) return;
   for (auto& [name, tool] : tools_) {
     if (tool.list != list || std::any_of(poses.begin(), poses.end(), [&name = name](const IgtlPose& pose) { return pose.tool == name; }))
@@ -114,7 +114,7 @@ void IgtlSession::sayMissing(const std::string& tool, double device_s, double no
 }
 
 void IgtlSession::lookForMissing(double now_s) {
-  if (now_s - looked_s_ < kLookEvery_s) return;
+  if (now_s - looked_s_ < kIgtlLookEvery_s) return;
   looked_s_ = now_s;
   for (const auto& [name, tool] : tools_)
     if (now_s - tool.latest_s >= timing_.silentAfter_s) sayMissing(name, std::numeric_limits<double>::quiet_NaN(), now_s);

@@ -19,10 +19,10 @@
 namespace ew {
 namespace {
 
-void setOption(int number, int level, int name, int value) { ::setsockopt(number, level, name, &value, sizeof value); }
+void setSocketOption(int number, int level, int name, int value) { ::setsockopt(number, level, name, &value, sizeof value); }
 
 /// At once, without a name server; all addresses that fit otherwise.
-std::vector<SocketAddress> addressesOf(const std::string& host, int port, int flags) {
+std::vector<SocketAddress> socketAddressesOf(const std::string& host, int port, int flags) {
   addrinfo hints{};
   hints.ai_socktype = SOCK_STREAM;
   hints.ai_flags = flags | AI_NUMERICSERV;
@@ -66,13 +66,13 @@ struct Lookup::State {
 Lookup::Lookup(const std::string& host, int port) : state_(std::make_shared<State>()) {
   // "localhost" is this computer by definition (RFC 6761); servers of OpenIGTLink mostly listen on IPv4.
   for (const char* number : {"127.0.0.1", "::1"})
-    if (host == "localhost") std::ranges::copy(addressesOf(number, port, AI_NUMERICHOST), std::back_inserter(state_->found));
-  if (state_->found.empty()) state_->found = addressesOf(host, port, AI_NUMERICHOST);
+    if (host == "localhost") std::ranges::copy(socketAddressesOf(number, port, AI_NUMERICHOST), std::back_inserter(state_->found));
+  if (state_->found.empty()) state_->found = socketAddressesOf(host, port, AI_NUMERICHOST);
   state_->isDone = !state_->found.empty();
   if (state_->isDone) return;
   try {
     std::thread([state = state_, host, port] {
-      state->found = addressesOf(host, port, AI_ADDRCONFIG);
+      state->found = socketAddressesOf(host, port, AI_ADDRCONFIG);
       state->isDone = true;
     }).detach();
   } catch (const std::system_error&) {
@@ -84,13 +84,13 @@ bool Lookup::isDone() const { return state_->isDone; }
 std::vector<SocketAddress> Lookup::addresses() const { return state_->found; }
 
 void prepareSocket(int number, double patience_s) {
-  setOption(number, IPPROTO_TCP, TCP_NODELAY, 1);
+  setSocketOption(number, IPPROTO_TCP, TCP_NODELAY, 1);
   // A peer that vanished without a word is found out after five seconds: two of silence, then a question each second.
-  setOption(number, SOL_SOCKET, SO_KEEPALIVE, 1);
-  setOption(number, IPPROTO_TCP, TCP_KEEPIDLE, 2);
-  setOption(number, IPPROTO_TCP, TCP_KEEPINTVL, 1);
-  setOption(number, IPPROTO_TCP, TCP_KEEPCNT, 3);
-  setOption(number, IPPROTO_TCP, TCP_USER_TIMEOUT, static_cast<int>(patience_s * 1e3));
+  setSocketOption(number, SOL_SOCKET, SO_KEEPALIVE, 1);
+  setSocketOption(number, IPPROTO_TCP, TCP_KEEPIDLE, 2);
+  setSocketOption(number, IPPROTO_TCP, TCP_KEEPINTVL, 1);
+  setSocketOption(number, IPPROTO_TCP, TCP_KEEPCNT, 3);
+  setSocketOption(number, IPPROTO_TCP, TCP_USER_TIMEOUT, static_cast<int>(patience_s * 1e3));
 }
 
 std::pair<Descriptor, int> connectingSocket(const SocketAddress& address) {
@@ -118,13 +118,13 @@ Result<Listening> listenOn(int port, bool everyone) {
     return failure(ErrorCode::notWritable, say<"No connection can be offered on port %1 (%2).">(port, verbatim(std::strerror(error))));
   };
   const auto bound = [port](const char* host) -> std::pair<Descriptor, int> {
-    const std::vector<SocketAddress> addresses = addressesOf(host, port, AI_NUMERICHOST);
+    const std::vector<SocketAddress> addresses = socketAddressesOf(host, port, AI_NUMERICHOST);
     if (addresses.empty()) return {Descriptor(), EAFNOSUPPORT};
     const SocketAddress& address = addresses.front();
     Descriptor socket(::socket(address.bytes.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
     if (!socket) return {Descriptor(), errno};
-    setOption(socket.number(), SOL_SOCKET, SO_REUSEADDR, 1);
-    if (address.bytes.ss_family == AF_INET6) setOption(socket.number(), IPPROTO_IPV6, IPV6_V6ONLY, 0);
+    setSocketOption(socket.number(), SOL_SOCKET, SO_REUSEADDR, 1);
+    if (address.bytes.ss_family == AF_INET6) setSocketOption(socket.number(), IPPROTO_IPV6, IPV6_V6ONLY, 0);
     if (::bind(socket.number(), reinterpret_cast<const sockaddr*>(&address.bytes), address.length) != 0 ||
         ::listen(socket.number(), 8) != 0)
       return {Descriptor(), errno};

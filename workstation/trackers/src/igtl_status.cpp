@@ -3,7 +3,7 @@
 namespace ew {
 namespace {
 
-Message meaningOfCode(int code) {
+Message meaningOfIgtlCode(int code) {
   switch (code) {
     case 3:
       return say<"the tracker was stopped in an emergency">();
@@ -49,8 +49,8 @@ Message meaningOfCode(int code) {
 Message igtlStatusSentence(const IgtlStatus& status) {
   std::string words = status.text.empty() ? status.name : status.text;
   while (!words.empty() && (words.back() == '.' || words.back() == ' ')) words.pop_back();
-  if (words.empty()) return say<"The tracker's server reports: %1.">(meaningOfCode(status.code));
-  return say<"The tracker's server reports: %1. In its own words: %2.">(meaningOfCode(status.code), verbatim(words));
+  if (words.empty()) return say<"The tracker's server reports: %1.">(meaningOfIgtlCode(status.code));
+  return say<"The tracker's server reports: %1. In its own words: %2.">(meaningOfIgtlCode(status.code), verbatim(words));
 }
 
 }  // namespace ew
