@@ -51,9 +51,10 @@ TEST(RateHand, FullDeflectionMovesAsFastAsTheOptionsSay) {
   const Hold start = onPlane();
   const Hold slidAlong = driven(hand, start, skin, {1.0, 0, 0, 0, 0, 0}, 50, 0.5);
   EXPECT_NEAR(glm::distance(slidAlong.contact.point_mm, start.contact.point_mm), 40.0, 1e-9);
-  EXPECT_NEAR(glm::dot(slidAlong.contact.point_mm - start.contact.point_mm, glm::dvec3(poseOf(start).probeToWorld.matrix[0])), 40.0, 1e-9);
+  EXPECT_NEAR(glm::dot(slidAlong.contact.point_mm - start.contact.point_mm, glm::dvec3(poseOf(start).probeToWorld.matrix[0])), -40.0, 1e-9)
+      << "to the right of who stands in front: away from the marker";
   EXPECT_NEAR(driven(hand, start, skin, {0, -1.0, 0, 0, 0, 0}, 50, 0.5).press_mm, 4.0 + 7.5, 1e-9) << "pushed down it presses in";
-  EXPECT_NEAR(driven(hand, start, skin, {0, 0, 0, 0, 1.0, 0}, 50, 0.5).rotation_rad, 0.6, 1e-9);
+  EXPECT_NEAR(driven(hand, start, skin, {0, 0, 0, 0, 1.0, 0}, 50, 0.5).rotation_rad, -0.6, 1e-9);
 }
 
 TEST(RateHand, RestsWithinItsDeadZoneAndOnNumbersThatAreNone) {

@@ -42,20 +42,21 @@ constexpr PerMotion kReach{40.0, 40.0, 12.0, 0.8, 0.5, 0.5};
 
 }  // namespace
 
+// Seen from in front of the patient, with the probe as it is held at first: what is pushed to the right goes to the right, as keys do.
 RateHandOptions spaceMouseOptions(RateMode mode) {
-  return optionsOf(
-      mode,
-      {RateAxis{.axis = 0, .full = 80.0}, RateAxis{.axis = 2, .full = 80.0}, RateAxis{.axis = 1, .reversed = true, .full = 15.0},
-       RateAxis{.axis = 4, .full = 1.2}, RateAxis{.axis = 5, .full = 0.7}, RateAxis{.axis = 3, .full = 0.7}},
-      kReach);
+  return optionsOf(mode,
+                   {RateAxis{.axis = 0, .reversed = true, .full = 80.0}, RateAxis{.axis = 2, .reversed = true, .full = 80.0},
+                    RateAxis{.axis = 1, .reversed = true, .full = 15.0}, RateAxis{.axis = 4, .reversed = true, .full = 1.2},
+                    RateAxis{.axis = 5, .reversed = true, .full = 0.7}, RateAxis{.axis = 3, .reversed = true, .full = 0.7}},
+                   kReach);
 }
 
 RateHandOptions gameControllerOptions(RateMode mode) {
-  return optionsOf(mode,
-                   {RateAxis{.axis = 0, .full = 80.0}, RateAxis{.axis = 1, .full = 80.0}, RateAxis{.axis = 4, .full = 12.0},
-                    RateAxis{.axis = 5, .reversed = true, .full = 1.0}, RateAxis{.axis = 2, .reversed = true, .full = 0.7},
-                    RateAxis{.axis = 3, .full = 0.7}},
-                   kReach);
+  return optionsOf(
+      mode,
+      {RateAxis{.axis = 0, .reversed = true, .full = 80.0}, RateAxis{.axis = 1, .full = 80.0}, RateAxis{.axis = 4, .full = 12.0},
+       RateAxis{.axis = 5, .full = 1.0}, RateAxis{.axis = 2, .full = 0.7}, RateAxis{.axis = 3, .reversed = true, .full = 0.7}},
+      kReach);
 }
 
 double shapedAxis(double axis, double deadZone, double curve) {

@@ -25,10 +25,10 @@ class SequenceDevice : public TrackerDevice {
   [[nodiscard]] virtual double length_s() const = 0;
 };
 
-/// Readings of every transform of the frames, named "ProbeToTracker" as the file names them, at the pace they were recorded, stamped by the
-/// recording's own clock, which goes on through repetitions. A pose that the recording marks INVALID is outOfView when its matrix is the
-/// identity (a tool that was missing), else invalid. A frame without a time comes a thirtieth of a second after the one before. Pixels are
-/// not kept. A file that cannot be read is said in the status and tried again every two seconds.
+/// Readings of every transform of the frames, named "ProbeToTracker" as the file names them, at the pace they were recorded, stamped by a
+/// clock of the recording's own, which goes on through repetitions and pauses. A pose that the recording marks INVALID is outOfView when
+/// its matrix is the identity (a tool that was missing), else invalid. A frame without a time comes a thirtieth of a second after the one
+/// before. Pixels are not kept. A file that cannot be read is said in the status and tried again every two seconds.
 [[nodiscard]] std::unique_ptr<SequenceDevice> makeSequenceDevice(const SequenceSettings& settings);
 
 }  // namespace ew

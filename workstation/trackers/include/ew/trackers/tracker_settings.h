@@ -28,10 +28,10 @@ struct CameraSource {
 
 /// One tracker of the user's list.
 struct TrackerSettings {
-  std::string id;    ///< of lower-case letters, digits and hyphens; no other in the list has it; calibrations name it as their source
-  std::string name;  ///< as shown
-  std::variant<IgtlSettings, CameraSource, SequenceSettings, HandControllerSettings> source;
-  TrackedProbeOptions probe;  ///< of a hand controller: unused
+  std::string id{};    ///< of lower-case letters, digits and hyphens; no other in the list has it; calibrations name it as their source
+  std::string name{};  ///< as shown
+  std::variant<IgtlSettings, CameraSource, SequenceSettings, HandControllerSettings> source{};
+  TrackedProbeOptions probe{};  ///< of a hand controller: unused
   bool operator==(const TrackerSettings&) const = default;
 };
 

@@ -33,7 +33,7 @@ struct RateHandOptions {
   bool operator==(const RateHandOptions&) const = default;
 };
 
-/// For a SpaceMouse (axes: right, up, towards you, and turns about them): push it and the probe slides, press it down and the probe is
+/// For a SpaceMouse (axes: right, up, away from you, and turns about them): push it and the probe slides, press it down and the probe is
 /// pressed in, twist it and the probe rotates, tip it and the probe rocks and tilts.
 [[nodiscard]] RateHandOptions spaceMouseOptions(RateMode mode = RateMode::rate);
 /// For a game controller (axes: left stick right and down, right stick right and down, right less left trigger, right less left shoulder
