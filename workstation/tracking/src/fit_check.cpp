@@ -12,12 +12,13 @@ namespace {
 constexpr double kStretch_s = 1.0;
 constexpr double kLongestGap_s = 0.3;  // between samples of one stretch
 constexpr std::size_t kFewestSamples = 6;
+constexpr double kMostWay_mm = 90.0;   // who goes faster carries the probe
 constexpr double kLeastWay_mm = 4.0;   // a hand that stands still claims nothing
 constexpr double kSteadyShare = 0.15;  // of the way: how much the distance may change
 constexpr double kSteady_mm = 1.5;     // or so much, by noise and by how hard a hand presses
-constexpr double kFarthest_mm = 60.0;  // beyond this from the skin nobody means to touch it
+constexpr double kFarthest_mm = 40.0;  // beyond this from the skin nobody means to touch it
 constexpr double kLooksIn = 0.5;       // cosine of the beam against the inward normal: 60 degrees
-constexpr double kMemory_s = 30.0;
+constexpr double kMemory_s = 20.0;
 
 /// Of a sequence that is sorted.
 double quantile(const std::vector<double>& sorted, double share) {
@@ -57,7 +58,7 @@ void FitCheck::judgeSecond() {
   }
   std::sort(distances.begin(), distances.end());
   const double change_mm = quantile(distances, 0.95) - quantile(distances, 0.05);
-  if (way_mm < kLeastWay_mm || change_mm > std::max(kSteady_mm, kSteadyShare * way_mm)) return;
+  if (way_mm < kLeastWay_mm || way_mm > kMostWay_mm || change_mm > std::max(kSteady_mm, kSteadyShare * way_mm)) return;
   stretches_.push_back({second_.front().time_s, second_.back().time_s, quantile(distances, 0.5), way_mm});
   while (stretches_.front().begin_s < stretches_.back().end_s - kMemory_s) stretches_.pop_front();
   judgeStretches();
@@ -67,11 +68,10 @@ void FitCheck::judgeStretches() {
   std::vector<double> distances;
   double way_mm = 0.0;
   claimed_s_ = 0.0;
-  // The latest that make up the time asked for: what was repaired is soon forgotten.
-  for (auto at = stretches_.rbegin(); at != stretches_.rend() && claimed_s_ < options_.forAtLeast_s; ++at) {
-    distances.push_back(at->distance_mm);
-    way_mm += at->way_mm;
-    claimed_s_ += at->end_s - at->begin_s;
+  for (const Stretch& stretch : stretches_) {
+    distances.push_back(stretch.distance_mm);
+    way_mm += stretch.way_mm;
+    claimed_s_ += stretch.end_s - stretch.begin_s;
   }
   std::sort(distances.begin(), distances.end());
   gap_mm_ = quantile(distances, 0.5);
@@ -79,7 +79,7 @@ void FitCheck::judgeStretches() {
     off_ = false;
     return;
   }
-  // Three quarters of the stretches have to agree: one pass above the skin is a hand that carries the probe.
+  // Three quarters have to agree: a hand that carries the probe above the skin was on it shortly before.
   off_ = quantile(distances, 0.25) > options_.gap_mm || quantile(distances, 0.75) < -options_.press_mm;
 }
 

@@ -12,7 +12,7 @@ namespace ew {
 struct FitCheckOptions {
   double gap_mm = 4.0;        ///< above the skin; a layer of gel and a mannequin of cloth are thinner
   double press_mm = 15.0;     ///< below the skin: deeper than a hand presses a training body
-  double forAtLeast_s = 4.0;  ///< of scanning with such a gap
+  double forAtLeast_s = 7.0;  ///< of claimed contact within the last 20 s
   double slid_mm = 25.0;      ///< way along the surface meanwhile
   bool operator==(const FitCheckOptions&) const = default;
 };
@@ -34,7 +34,7 @@ class FitCheck {
 
   /// Empty while it fits or nothing can be said.
   [[nodiscard]] Message problem() const;
-  /// Median distance above the skin (below: negative) of the latest stretches in which contact was claimed.
+  /// Median distance above the skin (below: negative) of the stretches of the last 20 s in which contact was claimed.
   [[nodiscard]] double gap_mm() const { return gap_mm_; }
   [[nodiscard]] double claimed_s() const { return claimed_s_; }  ///< of the stretches that are looked at now
   void reset();
@@ -56,7 +56,7 @@ class FitCheck {
 
   FitCheckOptions options_;
   std::deque<Sample> second_;      ///< the samples of the running second
-  std::deque<Stretch> stretches_;  ///< that claimed contact, of the last half minute
+  std::deque<Stretch> stretches_;  ///< that claimed contact, of the last 20 s
   double gap_mm_ = 0.0;
   double claimed_s_ = 0.0;
   bool off_ = false;
