@@ -107,7 +107,7 @@ TrackKind kindOfNote(const std::string& kind) {
 void followNotes(const ScanLog& log, const Part& part, std::vector<Track>& tracks) {
   for (const ScanEvent& event : log.events()) {
     const auto* note = std::get_if<Note>(&event.what);
-    if (note == nullptr || event.time_s < part.begin_s || event.time_s > part.end_s) continue;
+    if (note == nullptr || note->kind == "tracking" || event.time_s < part.begin_s || event.time_s > part.end_s) continue;
     const std::string words = wordsIn(note->what);
     tracks[static_cast<std::size_t>(kindOfNote(note->kind))].marks.push_back({event.time_s, verbatim(words.empty() ? note->kind : words)});
   }

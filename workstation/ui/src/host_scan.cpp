@@ -13,6 +13,7 @@ namespace ew::ui {
 
 HostScan::HostScan(Session& session, QObject* parent) : QObject(parent), session_(session) {
   connect(&session_, &Session::pictureChanged, this, &HostScan::tellPicture);
+  connect(&session_, &Session::poseMissed, this, &HostScan::tellMissed);
   connect(&session_, &Session::frozenChanged, this, [this](bool frozen) { tell({session_.now_s(), FreezeChanged{frozen}}); });
   connect(&session_, &Session::subjectReplaced, this, [this] {
     told_.reset();
@@ -22,7 +23,7 @@ HostScan::HostScan(Session& session, QObject* parent) : QObject(parent), session
 
 std::optional<ScanState> HostScan::state() const {
   if (!session_.subject() || session_.picture().isEmpty()) return std::nullopt;
-  return session_.shownState();
+  return session_.isLost() ? session_.missedState() : session_.shownState();
 }
 Picture HostScan::picture() const { return session_.fanPicture(); }
 DisplayGeometry HostScan::geometry() const { return session_.fanGeometry(); }
@@ -45,12 +46,19 @@ void HostScan::tell(const ScanEvent& event) {
 void HostScan::tellPicture() {
   const auto made = state();
   // A frozen image that is drawn again for a window of another size is no new one.
-  if (!made || session_.isFrozen()) return;
+  if (!made || session_.isFrozen() || session_.isLost()) return;
   const auto before = std::exchange(told_, made);
   if (!before || before->probe != made->probe) tell({made->time_s, ProbeChosen{made->probe}});
   if (!before || before->knobs != made->knobs || !(before->pan == made->pan)) tell({made->time_s, SettingsChanged{made->knobs, made->pan}});
   if (!before || before->scene != made->scene) tell({made->time_s, SceneChanged{made->scene}});
   tell({made->time_s, FrameMade{made->pose, made->gaps_mm, made->number, made->body}});
+}
+
+/// No picture of now, for want of a pose: told as the frame it would have been, so that nobody takes the picture before for one of now.
+void HostScan::tellMissed() {
+  if (!told_) return;
+  const ScanState& missed = session_.missedState();
+  tell({missed.time_s, FrameMade{missed.pose, {}, missed.number, missed.body}});
 }
 
 sdk::Ticket HostScan::drive(std::shared_ptr<const PoseSource> source, std::function<void()> takenBack) {

@@ -67,6 +67,7 @@ class HostScan final : public QObject, public sdk::Scan {
   void followLatest();
   void askLatest();
   void tellPicture();
+  void tellMissed();
   void tell(const ScanEvent& event);
   [[nodiscard]] Result<void> mayChange() const;
   [[nodiscard]] Result<void> maySet() const;  ///< of the scan, which must run for it

@@ -32,6 +32,7 @@ void MainWindow::connectParts() {
   connectImports();
   connectPreparation();
   connectPlugins();
+  connectTrackers();
 }
 
 void MainWindow::connectSession() {
@@ -57,9 +58,10 @@ void MainWindow::connectSession() {
   });
   connect(&p.hand, &HandInput::refused, this, [this] {
     parts_->scanView->say(
-        parts_->session.isPlaying() ? tr("A recording is shown. Close it (Escape) to move the probe yourself.")
-        : parts_->session.isFollowing()
-            ? tr("The probe is moved for you. Escape takes it back.")
+        parts_->session.isPlaying()     ? tr("A recording is shown. Close it (Escape) to move the probe yourself.")
+        : parts_->session.isFollowing() ? tr("The probe is moved for you. Escape takes it back.")
+        : parts_->session.mover() == Session::Mover::tracker && !parts_->session.isFrozen()
+            ? tr("The tracker has the probe. Choose the mouse on the page Tracker to move it here.")
             : tr("The image is frozen, and the probe with it. Let it run (%1): then both move again.").arg(parts_->keys.words("freeze")));
   });
   connect(&p.session, &Session::changeRefused, this, &MainWindow::sayWhyRefused);
@@ -67,8 +69,11 @@ void MainWindow::connectSession() {
   connect(p.cineBar, &CineBar::saveAsked, this, &MainWindow::saveClip);
   connect(&p.session, &Session::probeChanged, this, &MainWindow::showRecordingState);
   connect(&p.session, &Session::holdChanged, this, [this] {
-    const Session& session = parts_->session;
-    if (parts_->hand.isEnabled() == (session.isFrozen() || session.isPlaying() || session.isFollowing())) showRecordingState();
+    if (parts_->hand.isEnabled() == parts_->session.handRests()) showRecordingState();
+  });
+  connect(&p.session, &Session::trackingChanged, this, [this] {
+    if (parts_->hand.isEnabled() == parts_->session.handRests()) showRecordingState();
+    showPicture();
   });
   connect(&p.recorder, &Recorder::changed, this, &MainWindow::showRecordingState);
   connect(p.replayBar, &ReplayBar::saveAsked, this, &MainWindow::saveRecording);

@@ -59,7 +59,7 @@ void MainWindow::showRecordingState() {
   p.markAction->setEnabled(isRecording);
   p.saveRecordingAction->setEnabled(p.replayBar->recording() != nullptr);
   p.scanView->setRecording(isRecording ? std::optional(p.recorder.length_s()) : std::nullopt);
-  p.hand.setEnabled(!p.session.isFrozen() && !p.session.isPlaying() && !p.session.isFollowing());
+  p.hand.setEnabled(!p.session.handRests());
   p.console->setEnabled(!p.session.isPlaying());
   p.scanView->setControlsEnabled(!p.session.isPlaying());
 }

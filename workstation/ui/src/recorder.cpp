@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "ew/tracking/tracking_words.h"
 #include "session.h"
 
 namespace ew::ui {
@@ -11,6 +12,7 @@ Recorder::Recorder(Session& session, QObject* parent) : QObject(parent), session
   connect(&session_, &Session::frozenChanged, this, [this](bool frozen) {
     if (recording_) recording_->log.setFrozen(session_.now_s(), frozen);
   });
+  connect(&session_, &Session::poseMissed, this, &Recorder::takeMissed);
   second_.setInterval(1000);
   connect(&second_, &QTimer::timeout, this, &Recorder::changed);
 }
@@ -21,6 +23,7 @@ void Recorder::start(const std::string& caseId) {
   recording_->caseId = caseId;
   recording_->title = session_.subject()->title;
   begin_s_ = session_.now_s();
+  trackerState_.clear();
   // Nothing of the time before shows in what is recorded: it could not be shown again.
   session_.forgetPictures();
   second_.start();
@@ -43,9 +46,24 @@ void Recorder::addNote(const std::string& kind, const nlohmann::json& what) {
 
 void Recorder::takePicture() {
   // A frozen picture is made again for a window of another size; it is no new one.
-  if (!recording_ || session_.isFrozen() || session_.picture().isEmpty()) return;
+  if (!recording_ || session_.isFrozen() || session_.isLost() || session_.picture().isEmpty()) return;
   if (recording_->log.frameCount() == 0) recording_->size_px = {session_.picture().width(), session_.picture().height()};
+  noteTracker("");
   recording_->log.addFrame(session_.shownState());
+}
+
+/// A frame without a usable pose: whoever reads the recording knows that there was nothing to see, and from when to when.
+void Recorder::takeMissed() {
+  if (!recording_ || recording_->log.frameCount() == 0) return;
+  noteTracker(stateWord(session_.tracking().state).english());
+  recording_->log.addFrame(session_.missedState());
+}
+
+/// Why poses are missing, once for each reason. @param state empty: they are there
+void Recorder::noteTracker(const std::string& state) {
+  if (state == trackerState_) return;
+  trackerState_ = state;
+  addNote("tracking", {{"state", state.empty() ? stateWord(TrackingState::live).english() : state}});
 }
 
 }  // namespace ew::ui

@@ -11,7 +11,8 @@ namespace ew::ui {
 
 class Session;
 
-/// Records the scan of a session while it goes on: every picture with all that it was made with, and freezing.
+/// Records the scan of a session while it goes on: every picture with all that it was made with, freezing, and
+/// what was missed while a tracker had lost the probe.
 class Recorder final : public QObject {
   Q_OBJECT
 
@@ -31,10 +32,13 @@ class Recorder final : public QObject {
 
  private:
   void takePicture();
+  void takeMissed();
+  void noteTracker(const std::string& state);
 
   Session& session_;
   std::shared_ptr<ScanRecording> recording_;  ///< null: none is made
   double begin_s_ = 0.0;
+  std::string trackerState_;  ///< that was noted last; empty: poses come, or nobody tracks
   QTimer second_;
 };
 

@@ -1,18 +1,23 @@
 #include "scan_view.h"
 
+#include <QApplication>
 #include <QPainter>
 #include <QPainterPath>
 #include <QResizeEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "dgc_column.h"
 #include "ew/imaging/beam_grid.h"
 #include "figures.h"
 #include "focus_ring.h"
 #include "focus_scale.h"
+#include "icons.h"
 #include "picture_image.h"
 #include "theme.h"
+#include "tracking_look.h"
+#include "tracking_overlay.h"
 #include "words.h"
 
 namespace ew::ui {
@@ -68,6 +73,14 @@ ScanView::ScanView(Session& session, QWidget* parent) : QWidget(parent), session
   connect(&session_, &Session::sceneChanged, this, changed);
   connect(&session_, &Session::frozenChanged, this, changed);
   connect(&session_, &Session::subjectChanged, this, changed);
+  connect(&session_, &Session::holdChanged, this, [this] {
+    if (session_.tracked()) update();
+  });
+  connect(&session_, &Session::trackingChanged, this, [this] {
+    const bool wasLost = std::exchange(isLost_, session_.isLost());
+    if (isLost_ && !wasLost && soundsLoss_) QApplication::beep();
+    update();
+  });
 }
 
 QRect ScanView::pictureRect() const {
@@ -237,7 +250,7 @@ void ScanView::paintEvent(QPaintEvent*) {
     return;
   }
   if (mode() != DisplayMode::mMode) {
-    QImage image = imageOf(picture);
+    QImage image = session_.isLost() ? paled(imageOf(picture)) : imageOf(picture);
     image.setDevicePixelRatio(devicePixelRatioF());
     painter.drawImage(pictureRect().topLeft(), image);
     if (session_.wide() == nullptr) paintUnrecorded(painter);
@@ -257,7 +270,9 @@ void ScanView::paintEvent(QPaintEvent*) {
   paintWords(painter);
   if (session_.isFrozen()) paintFrozen(painter);
   if (recorded_s_) paintRecording(painter);
+  if (session_.isLost()) return paintLost(painter);
   if (!said_.isEmpty()) return paintSaid(painter);
+  if (paintTracked(painter)) return;
   if (mode() != DisplayMode::mMode && session_.wide() == nullptr && isBesideVolume()) {
     painter.setFont(textFont());
     painter.setPen(scanTheme().quiet);
@@ -265,6 +280,31 @@ void ScanView::paintEvent(QPaintEvent*) {
                      session_.isFrozen() ? tr("The probe is outside the volume.")
                                          : tr("The probe is outside the volume. Slide it back, or press Home for the start."));
   }
+}
+
+/// Border and words over all that would be live: in B- and M-mode over both.
+void ScanView::paintLost(QPainter& painter) {
+  const QRect shown = mode() == DisplayMode::bMode ? pictureRect() : pictureRect().united(stripRect());
+  paintLoss(painter, shown, session_.tracking(), !session_.handRests());
+  if (!said_.isEmpty()) paintSaid(painter);
+}
+
+/// Who has the probe while the tracker has not, and how a tracked one lies on the skin.
+/// @return whether something was said
+bool ScanView::paintTracked(QPainter& painter) {
+  if (session_.isFrozen() || session_.isPlaying() || session_.wide() != nullptr) return false;
+  if (session_.mover() == Session::Mover::handMeanwhile) {
+    const TrackingState state = session_.tracking().state;
+    const TrackingLook look = lookOf(state, scanTheme());
+    paintTrackingNote(painter, pictureRect(), look.icon, lossColour(state), tr("The mouse has the probe. Tracker: %1.").arg(look.word));
+    return true;
+  }
+  const auto face = session_.face();
+  if (!face || face->how == FaceOnSkin::touches) return false;
+  const bool isWrong = face->how == FaceOnSkin::tooDeep;
+  paintTrackingNote(painter, pictureRect(), isWrong ? QStringLiteral("tracking-invalid") : QStringLiteral("tracking-live"),
+                    isWrong ? scanTheme().danger : scanTheme().quiet, words(faceSentence(*face)));
+  return true;
 }
 
 bool ScanView::isBesideVolume() const {
@@ -497,7 +537,7 @@ void ScanView::paintStrip(QPainter& painter) {
   painter.setPen(QPen(theme.line, 1.0));
   painter.drawLine(box.left(), box.top() - 8, box.right(), box.top() - 8);
   if (strip.width > 0) {
-    QImage image = imageOf(strip);
+    QImage image = session_.isLost() ? paled(imageOf(strip)) : imageOf(strip);
     image.setDevicePixelRatio(devicePixelRatioF());
     painter.drawImage(box.topLeft(), image);
     const double x = box.left() + session_.stripCursor() / devicePixelRatioF();
@@ -554,14 +594,17 @@ void ScanView::paintFrozen(QPainter& painter) {
   font.setWeight(QFont::DemiBold);
   painter.setFont(font);
   const QString word = tr("Frozen");
-  const int width_px = painter.fontMetrics().horizontalAdvance(word) + 24;
+  const int flake_px = scaled(16);
+  const int width_px = painter.fontMetrics().horizontalAdvance(word) + 24 + flake_px + 6;
   const QRect badge(width() - 16 - width_px, 8, width_px, scaled(26));
   painter.setPen(Qt::NoPen);
   painter.setBrush(theme.accent);
   painter.drawRoundedRect(badge, 4.0, 4.0);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(theme.onAccent);
-  painter.drawText(badge, Qt::AlignCenter, word);
+  icon(QStringLiteral("freeze"), theme.onAccent)
+      .paint(&painter, QRect(badge.left() + 12, badge.center().y() - flake_px / 2, flake_px, flake_px));
+  painter.drawText(badge.adjusted(flake_px + 6, 0, 0, 0), Qt::AlignCenter, word);
 }
 
 void ScanView::setControlsEnabled(bool enabled) {

@@ -55,6 +55,9 @@ class ScanView final : public QWidget {
   /// B-mode.
   /// @param pixel_mm of device pixels; 0: as large as there is room
   void setLeastPixel(double pixel_mm);
+  /// Rings the bell once when a tracker loses the probe; off at first. The bell is the desktop's own, which may be silent.
+  void setSoundsLoss(bool sounds) { soundsLoss_ = sounds; }
+  [[nodiscard]] bool soundsLoss() const { return soundsLoss_; }
   /// A red dot and how long the recording is by now; empty: none is made.
   void setRecording(std::optional<double> length_s);
 
@@ -82,6 +85,8 @@ class ScanView final : public QWidget {
   void paintWords(QPainter& painter);
   void paintFrozen(QPainter& painter);
   void paintSaid(QPainter& painter);
+  void paintLost(QPainter& painter);
+  [[nodiscard]] bool paintTracked(QPainter& painter);
   void paintRecording(QPainter& painter);
 
   Session& session_;
@@ -112,6 +117,8 @@ class ScanView final : public QWidget {
   QString label_;
   double leastPixel_mm_ = 0.0;
   double share_ = 1.0;  ///< of the room that the image takes
+  bool soundsLoss_ = false;
+  bool isLost_ = false;  ///< as it was told last
   QString said_;
   QString nothing_;
   QTimer saidLong_;

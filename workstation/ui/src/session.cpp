@@ -22,12 +22,13 @@ Session::Session(QObject* parent) : QObject(parent) {
   nextFrame_.setTimerType(Qt::PreciseTimer);
   connect(&nextFrame_, &QTimer::timeout, this, [this] {
     if (!isWatched_ || !changesByItself()) return;
-    isOwnFrame_ = !due_;
+    isOwnFrame_ = !due_ && mover() != Mover::tracker;
     due_ = true;
     makePictureNow();
     isOwnFrame_ = false;
   });
   connect(&formOn_, &QTimer::timeout, this, &Session::formOn);
+  connect(&trackerTimer_, &QTimer::timeout, this, &Session::lookAtTracker);
 }
 
 void Session::setProbes(std::vector<Probe> all) {
@@ -97,6 +98,7 @@ void Session::show(ScanSubject shown) {
   wantedEchoes_.reset();
   breathing_ = {};
   Q_EMIT breathingChanged();
+  isOfThisScan_ = false;
   takeScene(subject()->scene);
   if (!subject()->probes.empty()) {
     const auto first = std::find_if(all_.begin(), all_.end(), [this](const Probe& p) { return p.id == subject()->probes.front(); });
@@ -117,6 +119,7 @@ void Session::clear() {
   cine_.forget();
   recorded_ = {};
   picture_ = {};
+  isOfThisScan_ = false;
   forming_.reset();
   Q_EMIT subjectChanged();
   Q_EMIT pictureChanged();
@@ -148,6 +151,8 @@ void Session::exchangePicture(Session& other) {
   std::swap(cineFrame_, other.cineFrame_);
   std::swap(forming_, other.forming_);
   std::swap(picture_, other.picture_);
+  std::swap(isOfThisScan_, other.isOfThisScan_);
+  lost_.reset();
   std::swap(unsettledFrames_, other.unsettledFrames_);
   std::swap(width_, other.width_);
   std::swap(height_, other.height_);
@@ -299,7 +304,8 @@ void Session::setWatched(bool watched) {
 bool Session::changesByItself() const {
   if (!subject() || frozen_ || played_ || picture_.isEmpty()) return false;
   return (subject()->movesIn(live_.scene) && breathing_.movesAfter(subject()->motion->rhythms, shown_.time_s)) || live_.scene.noise ||
-         live_.knobs.mode != DisplayMode::bMode || unsettledFrames_ > 0 || isLowered() || (source_ && source_->movesAfter(shown_.time_s));
+         live_.knobs.mode != DisplayMode::bMode || unsettledFrames_ > 0 || isLowered() || mover() == Mover::tracker ||
+         (source_ && source_->movesAfter(shown_.time_s));
 }
 
 void Session::setSkin(std::shared_ptr<const Skin> skin) {
@@ -358,8 +364,10 @@ void Session::resetTgc() {
 }
 
 void Session::setHold(const Hold& hold) {
-  if (!movedAt_s_ && !frozen_ && !(hold == hand_.hold())) movedAt_s_ = now_s();
+  const bool moves = !(hold == hand_.hold());
   hand_.setHold(hold);
+  if (moves && isLost() && isHandReady_) takeBackByHand();
+  if (!movedAt_s_ && !frozen_ && moves && mover() != Mover::tracker) movedAt_s_ = now_s();
   due();
   Q_EMIT holdChanged();
 }
@@ -369,6 +377,7 @@ void Session::follow(std::shared_ptr<const PoseSource> source) {
   source_ = std::move(source);
   due();
   Q_EMIT holdChanged();
+  if (tracked_) Q_EMIT trackingChanged();
 }
 
 std::optional<double> Session::contact() const {
@@ -386,10 +395,7 @@ UnrecordedPart Session::unrecorded() const {
 
 bool Session::seesVolume() const { return !picture_.isEmpty() && seen().seesVolume(picturePose()); }
 
-Pose Session::pose() const {
-  if (played_) return played_->pose;
-  return source_ ? source_->poseAt(now_s()) : hand_.poseAt(now_s());
-}
+Pose Session::pose() const { return played_ ? played_->pose : poses().poseAt(now_s()); }
 
 void Session::play(std::optional<ScanState> state) {
   if ((!state && !played_) || (state && !subject())) return;
@@ -454,7 +460,8 @@ ScanState Session::nextState() {
   next.time_s = now_s();
   next.number = live_.number + 1;
   if (subject() && subject()->movesIn(next.scene)) next.body = breathing_.at(subject()->motion->rhythms, next.time_s);
-  next.pose = source_ ? source_->poseAt(next.time_s) : hand_.poseAt(next.time_s);
+  next.pose = poses().poseAt(next.time_s);
+  next.scene = sceneOf(mover());
   const bool mayLower = isAdaptive_ && !isFreezing_;
   if (mayLower) next.knobs = adaptive_.step(live_.knobs, next.pose, next.time_s, lastFrame_ms_, !formsEchoes(next.scene));
   if (next.scene.contact && skin_ && next.pose.status == PoseStatus::ok) next.gaps_mm = gapsToSkin_mm(next.probe, next.pose, *skin_);
@@ -470,14 +477,22 @@ void Session::makePictureNow() {
   if (frozen_ && isAsItWas) return;
   if (frozen_ && cineFrame_) return formCine();
   nextFrame_.stop();
-  const double begin_s = now_s();
-  shown_ = nextState();
+  const double begin_s = frameBegan_s_ = now_s();
+  ScanState next = nextState();
+  if (!frozen_ && !played_ && mover() == Mover::tracker) {
+    if (next.pose.status != PoseStatus::ok) return miss(std::move(next));
+    lastTracked_ = next.pose;
+  }
+  const bool wasLost = lost_.has_value() && !frozen_ && !played_;
+  if (!frozen_ && !played_) lost_.reset();
+  shown_ = std::move(next);
   // Anything but a frame that came by itself may have changed what persistence has to forget.
   if (!frozen_ && !played_) {
     unsettledFrames_ = isOwnFrame_ ? std::max<std::size_t>(1, unsettledFrames_) - 1 : framesToSettle(live_.knobs.persistence);
   }
   picture_ = scanner_.make(shown_, width_, height_);
   forming_.reset();
+  isOfThisScan_ = !played_ && (isOfThisScan_ || !frozen_);
   if (!frozen_ && !played_) {
     live_.number = shown_.number;
     cine_.add(shown_, {width_, height_}, [this] { return scanner_.memory(); });
@@ -487,14 +502,25 @@ void Session::makePictureNow() {
   lastFrame_ms_ = 1000.0 * (end_s - begin_s);
   if (movedAt_s_ && !frozen_ && !played_) latency_.add(1e6 * (end_s - *movedAt_s_));
   movedAt_s_.reset();
+  if (mover() == Mover::tracker && !frozen_ && !played_) measureLatency();
   recent_.push_back(scanner_.lastTimes());
   if (recent_.size() > kRememberedFrames) recent_.erase(recent_.begin());
+  if (wasLost) {
+    if (tracked_) tracking_ = tracked_->report(end_s);
+    Q_EMIT trackingChanged();
+  }
   Q_EMIT pictureChanged();
   keepComing();
 }
 
 void Session::keepComing() {
   if (!isWatched_ || !changesByItself()) return;
+  if (mover() == Mover::tracker) {
+    const double now = now_s();
+    pace_ = trackedPace(frameBegan_s_, now - frameBegan_s_);
+    nextFrame_.start(static_cast<int>(std::lround(1000.0 * std::max(0.0, pace_.latest_s - now))));
+    return;
+  }
   // What the picture's viewers spend counts as well: at least as long as frame and drawing took, the window is free for the hand.
   const double spent_ms = 1000.0 * (now_s() - shown_.time_s);
   nextFrame_.start(static_cast<int>(std::lround(std::max(kFramePeriod_ms - spent_ms, std::min(spent_ms, 200.0)))));

@@ -6,6 +6,7 @@
 #include <QString>
 #include <QTimer>
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -15,10 +16,13 @@
 #include "ew/imaging/resolved.h"
 #include "ew/scanning/breathing.h"
 #include "ew/scanning/cine.h"
+#include "ew/scanning/contact.h"
 #include "ew/scanning/post_processing.h"
 #include "ew/scanning/recorded.h"
 #include "ew/scanning/scanner.h"
+#include "ew/scanning/tracked_pace.h"
 #include "ew/tracking/pose_source.h"
+#include "ew/tracking/tracked_probe.h"
 
 namespace ew::ui {
 
@@ -31,6 +35,7 @@ class Session final : public QObject {
 
  public:
   explicit Session(QObject* parent = nullptr);
+  ~Session() override;
 
   void setProbes(std::vector<Probe> all);
   [[nodiscard]] const std::vector<Probe>& probes() const { return usable_; }
@@ -94,13 +99,45 @@ class Session final : public QObject {
   /// Replaces the limits of the adaptive quality (tests make every frame count as slow).
   void setAdaptiveOptions(const AdaptiveQuality::Options& options) { adaptive_ = AdaptiveQuality(options); }
 
-  /// The hand on the skin: the one hold there is.
+  /// The hand on the skin: the one hold there is. While a tracker has the probe the hand goes on by itself and shows nowhere; once the
+  /// tracker has lost it for a second, a hand that moves has the probe until the tracker finds it again.
   void setHold(const Hold& hold);
   [[nodiscard]] const Hold& hold() const { return hand_.hold(); }
   [[nodiscard]] const HandOnSkin& hand() const { return hand_; }
-  /// Poses come from `source` until it is null again: then from the hand. A free pose is not pulled to the skin.
+  /// Poses come from `source` until it is null again: then from the tracker, or without one from the hand. A free pose is not pulled to the
+  /// skin.
   void follow(std::shared_ptr<const PoseSource> source);
   [[nodiscard]] bool isFollowing() const { return source_ != nullptr; }
+
+  enum class Mover {
+    hand,           ///< no tracker is there, or the user chose the mouse
+    tracker,        ///< also while it has lost the probe
+    handMeanwhile,  ///< the tracker has lost it, and the hand has moved it since
+    plugin,         ///< a plugin drives it (follow)
+  };
+  [[nodiscard]] Mover mover() const { return source_ ? Mover::plugin : !tracked_ || isMouseChosen_ ? Mover::hand : base_; }
+  /// Who has the probe as long as no plugin drives it and the user did not choose the mouse; null: the hand, which goes on where the
+  /// tracker was last. Another tracker is another beginning: it is followed.
+  void setTracked(std::shared_ptr<const TrackedProbe> probe);
+  [[nodiscard]] const std::shared_ptr<const TrackedProbe>& tracked() const { return tracked_; }
+  /// The user wants to go on with the mouse, at the place that was tracked last, or with the tracker again.
+  void chooseMouse(bool mouse);
+  [[nodiscard]] bool isMouseChosen() const { return isMouseChosen_; }
+  /// Whether a hand that moves is refused: the picture stands, or somebody else has the probe.
+  [[nodiscard]] bool handRests() const;
+  /// To be called when readings came, from any thread and as often as one likes: a picture of them is made as soon as one is due. Does
+  /// nothing once the session is gone.
+  [[nodiscard]] std::function<void()> newsOfTracker();
+  /// The picture would be one of now, and there is no pose of now: it is the one before, and has to look like it.
+  [[nodiscard]] bool isLost() const { return lost_.has_value() && !frozen_ && !played_ && !wide_ && mover() == Mover::tracker; }
+  /// How the tracker did when it was asked last: with every picture, and ten times a second. Of state `off` without one.
+  [[nodiscard]] const TrackingReport& tracking() const { return tracking_; }
+  /// What the picture would have been made with while isLost(), with the last place and a status that is not ok.
+  [[nodiscard]] const ScanState& missedState() const { return missed_; }
+  /// How the face of a tracked probe lies on the skin in the present picture; empty where nobody tracks it or contact does not count.
+  [[nodiscard]] std::optional<FaceReport> face() const;
+  /// What steadyNow_s() is ahead of now_s(): the clock of a TrackedProbe.
+  [[nodiscard]] double steadyMinusScan_s() const { return steadyNow_s() - now_s(); }
   /// Where the probe is now.
   [[nodiscard]] Pose pose() const;
   /// On the scan's clock.
@@ -181,7 +218,7 @@ class Session final : public QObject {
   [[nodiscard]] const MModeStrip& mMode() const { return seen().mMode(); }
   [[nodiscard]] const Spans& spans() const { return seen().spans(); }
   [[nodiscard]] const Plan& plan() const { return seen().plan(); }
-  /// From a change of the hold to the picture that shows it.
+  /// From a change of the hold to the picture that shows it; of a tracked probe from the measurement to the picture.
   [[nodiscard]] const LatencyHistogram& latency() const { return latency_; }
   /// Frames made since the start; they come by themselves only while something changes by itself.
   [[nodiscard]] std::uint64_t framesMade() const { return framesMade_; }
@@ -212,8 +249,19 @@ class Session final : public QObject {
   void changeRefused();                            ///< of settings, because the image is frozen
   void wideDetailAsked(const ew::Detail& detail);  ///< the wide picture is to be shown so
   void pictureChanged();
+  void poseMissed();       ///< while isLost(), as often as pictures would have come: missedState() is new
+  void trackingChanged();  ///< who has the probe, whether it is lost, or the state of the tracker
 
  private:
+  struct News;
+  void takeNews();
+  void lookAtTracker();
+  void miss(ScanState next);
+  void takeBackByHand();
+  void putHandAtTracked();
+  void measureLatency();
+  [[nodiscard]] const PoseSource& poses() const;
+  [[nodiscard]] Scene sceneOf(Mover mover) const;
   void due();
   void askForEchoes(const Scene& scene);
   void updateUsableProbes();
@@ -249,7 +297,7 @@ class Session final : public QObject {
   Recorded recorded_;
   std::shared_ptr<const Skin> skin_;
   HandOnSkin hand_;
-  std::shared_ptr<const PoseSource> source_;     ///< null: the hand
+  std::shared_ptr<const PoseSource> source_;     ///< of a plugin; null: none drives
   ScanState live_;                               ///< as the console has it, and the number of the last live picture
   std::optional<ScanState> frozen_;              ///< as it is shown
   ScanState asScanned_;                          ///< what is frozen, before anybody changed how it is shown
@@ -295,6 +343,21 @@ class Session final : public QObject {
   std::size_t unsettledFrames_ = 0;  ///< due until persistence shows nothing of earlier pictures any more
   std::optional<double> movedAt_s_;
   LatencyHistogram latency_;
+
+  std::shared_ptr<const TrackedProbe> tracked_;
+  std::shared_ptr<News> news_;
+  Mover base_ = Mover::tracker;  ///< or handMeanwhile: who has it while a tracker is chosen
+  bool isMouseChosen_ = false;
+  bool isHandReady_ = false;         ///< it waits where the tracker was last
+  bool isOfThisScan_ = false;        ///< the picture is one of the live scan of this subject, and may be shown once the pose is lost
+  std::optional<Pose> lastTracked_;  ///< the latest that was ok
+  std::optional<double> lost_;       ///< since when
+  ScanState missed_;
+  TrackingReport tracking_;
+  QTimer trackerTimer_;
+  TrackedPace pace_;
+  double frameBegan_s_ = 0.0;
+  double newest_s_ = 0.0;  ///< when the latest reading was measured that a picture showed
 };
 
 }  // namespace ew::ui

@@ -23,7 +23,9 @@ void Session::setFrozen(bool frozen) {
     makePictureNow();
     isFreezing_ = false;
     ScanState kept = live_;
-    kept.pose = pose();
+    // A probe that somebody else moves is where it was in the picture, and after a loss it was there last.
+    kept.pose = mover() == Mover::hand || mover() == Mover::handMeanwhile || picture_.isEmpty() ? pose() : shown_.pose;
+    kept.scene = mover() == Mover::tracker && isOfThisScan_ ? shown_.scene : kept.scene;
     kept.gaps_mm = shown_.gaps_mm;
     kept.time_s = shown_.time_s;
     kept.number = shown_.number;

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QVariant>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,7 @@
 
 #include "elided_label.h"
 #include "figures.h"
+#include "icons.h"
 #include "theme.h"
 
 namespace ew::ui {
@@ -56,6 +58,13 @@ StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), ses
     label->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   }
   contact_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  tracker_ = new QPushButton;
+  tracker_->setObjectName(QStringLiteral("trackingState"));
+  tracker_->setProperty("flat", true);
+  tracker_->setProperty("small", true);
+  tracker_->hide();
+  connect(tracker_, &QPushButton::clicked, this, &StatusLine::trackerAsked);
+  row->addWidget(tracker_);
   row->addWidget(position_);
   row->addWidget(plan_);
   row->addStretch(1);
@@ -76,6 +85,7 @@ StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), ses
   connect(&session_, &Session::knobsChanged, this, &StatusLine::showPose);
   connect(&session_, &Session::subjectChanged, this, &StatusLine::showPose);
   connect(&session_, &Session::pictureChanged, this, [this] {
+    if (session_.mover() != Session::Mover::hand) showPose();
     if (!soon_.isActive()) soon_.start();
   });
   showLabels();
@@ -86,6 +96,17 @@ StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), ses
 void StatusLine::setEdit(const QString& text) { edit_->setText(text); }
 
 void StatusLine::setNote(const QString& text) { note_->setText(text); }
+
+void StatusLine::setTracker(const QString& iconName, const QString& word, const QColor& colour, const QString& tip) {
+  constexpr int kIcon_px = 16;
+  tracker_->setText(word);
+  tracker_->setAccessibleName(tr("Tracker: %1").arg(word));
+  tracker_->setToolTip(tip);
+  tracker_->setIcon(word.isEmpty() ? QIcon() : icon(iconName, colour));
+  tracker_->setIconSize({scaled(kIcon_px), scaled(kIcon_px)});
+  tracker_->setStyleSheet(word.isEmpty() ? QString() : QStringLiteral("color: %1;").arg(colour.name()));
+  showLabels();
+}
 
 void StatusLine::setStaged(bool staged) {
   staged_ = staged;
@@ -123,6 +144,7 @@ void StatusLine::showLabels() {
   const bool ofScan = !staged_ && !idle_ && !isCine;
   if (cine_ != nullptr) cine_->setVisible(isCine);
   for (QLabel* label : {static_cast<QLabel*>(position_), lowered_, static_cast<QLabel*>(contact_)}) label->setVisible(ofScan);
+  tracker_->setVisible(ofScan && !tracker_->text().isEmpty());
   plan_->setVisible(ofScan && forAuthors_);
   edit_->setVisible(!idle_ && !isCine);
   note_->setVisible(!idle_ && !isCine);

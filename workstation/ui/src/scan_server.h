@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QObject>
+
+#include "ew/trackers/igtl_server.h"
+
+namespace ew::ui {
+
+class Session;
+
+/// Shows the scan of a session to other programs over OpenIGTLink: with each picture, the picture and where the probe was. While a tracker
+/// has lost the probe no picture is sent, and that it is lost.
+class ScanServer final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ScanServer(Session& session, QObject* parent = nullptr);
+
+  /// Begins, or begins again with other options. @return the port it listens on
+  /// @error as IgtlServer::start; then nothing is sent
+  [[nodiscard]] Result<int> start(const IgtlServerOptions& options);
+  void stop() { server_.reset(); }
+  [[nodiscard]] bool isRunning() const { return server_ != nullptr; }
+  /// All zero while it does not run.
+  [[nodiscard]] IgtlServerStatus status() const { return server_ ? server_->status() : IgtlServerStatus{}; }
+
+ private:
+  void sendPicture();
+  void sendMissed();
+
+  Session& session_;
+  std::unique_ptr<IgtlServer> server_;
+};
+
+}  // namespace ew::ui

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QColor>
+#include <QImage>
+#include <QRect>
+#include <QString>
+
+#include "ew/scanning/contact.h"
+#include "ew/tracking/tracked_probe.h"
+
+class QPainter;
+
+namespace ew::ui {
+
+// What lies over a picture that is none of now, because a tracker has lost the probe. A frozen picture is the user's own doing and keeps
+// its grey; this one is pale, has a hatched border, and says why, since when and what to do. States differ in colour, icon and word.
+
+/// A colour of its own for each state, on black; none is the one of a frozen picture.
+[[nodiscard]] QColor lossColour(TrackingState state);
+
+/// The picture without its colours and with little of its light.
+[[nodiscard]] QImage paled(const QImage& picture);
+
+/// @param shown where the picture lies: gets the hatched border
+/// @param mayMove whether the hand takes the probe when it moves
+void paintLoss(QPainter& painter, const QRect& shown, const TrackingReport& report, bool mayMove);
+
+/// One line at the lower rim of a picture that is live.
+/// @param iconName of resources/icons
+void paintTrackingNote(QPainter& painter, const QRect& shown, const QString& iconName, const QColor& colour, const QString& words);
+
+/// "12 s", "3 min"
+[[nodiscard]] QString lossLength(double seconds);
+
+}  // namespace ew::ui
