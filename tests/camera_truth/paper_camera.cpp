@@ -30,7 +30,6 @@ namespace ew::camera_truth {
 namespace {
 
 constexpr double kInk = 14.0, kPaper = 205.0;  // linear grey levels
-constexpr double kTexelsPerMm = 4.0;
 
 Marker markerOn(const glm::dvec3& middle, const glm::dvec3& right, const glm::dvec3& down, double side_mm, int id) {
   const double half = 0.5 * side_mm;
@@ -39,10 +38,9 @@ Marker markerOn(const glm::dvec3& middle, const glm::dvec3& right, const glm::dv
            middle - half * right + half * down}};
 }
 
-vtkSmartPointer<vtkImageData> textureOf(int id, double marker_mm, double margin_mm) {
+vtkSmartPointer<vtkImageData> textureOf(int id, double marker_mm, double margin_mm, double texelsPerMm) {
   const auto dictionary = cv::aruco::getPredefinedDictionary(cv::aruco::DICT_APRILTAG_36h11);
-  const int inner = static_cast<int>(std::lround(marker_mm * kTexelsPerMm)),
-            margin = static_cast<int>(std::lround(margin_mm * kTexelsPerMm));
+  const int inner = static_cast<int>(std::lround(marker_mm * texelsPerMm)), margin = static_cast<int>(std::lround(margin_mm * texelsPerMm));
   cv::Mat marker;
   dictionary->drawMarker(id, inner, marker, 1);
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -74,11 +72,11 @@ vtkSmartPointer<vtkImageData> clutter(std::uint64_t seed) {
   return image;
 }
 
-vtkSmartPointer<vtkTexture> textured(vtkImageData* image) {
+vtkSmartPointer<vtkTexture> textured(vtkImageData* image, bool hasMipmap) {
   auto texture = vtkSmartPointer<vtkTexture>::New();
   texture->SetInputData(image);
   texture->InterpolateOn();
-  texture->MipmapOn();
+  texture->SetMipmap(hasMipmap);
   texture->RepeatOff();
   texture->EdgeClampOn();
   return texture;
@@ -124,19 +122,28 @@ struct PaperCamera::State {
   PaperCameraOptions options;
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkRenderWindow> window;
+  std::vector<MarkerBody> bodies;
   std::vector<std::vector<vtkSmartPointer<vtkActor>>> actors;  ///< of each body
   vtkNew<vtkActor> cover;
   vtkNew<vtkRegularPolygonSource> coverShape;
   int drawnWidth = 0, drawnHeight = 0;
-  cv::Mat mapX, mapY;  ///< of the drawn picture, for every pixel of the camera
+  int windowWidth = 0, windowHeight = 0;
+  vtkNew<vtkMatrix4x4> whole;  ///< projection onto the whole drawn picture
+  cv::Mat mapX, mapY;          ///< of the drawn picture, for every pixel of the camera
   std::vector<float> noise;
   vtkNew<vtkUnsignedCharArray> read;
 
   void addMarker(const MarkerBody& body, const Marker& marker, double margin_mm, std::vector<vtkSmartPointer<vtkActor>>& to);
   void addBackground();
   void prepareLens();
-  [[nodiscard]] cv::Mat drawn(const std::vector<glm::dmat4>& poses);
-  [[nodiscard]] cv::Mat throughLens(const cv::Mat& picture) const;
+  /// What is worked on: all of it, or what the bodies cover.
+  struct Parts {
+    cv::Rect seen, drawn;
+  };
+  [[nodiscard]] Parts parts(const std::vector<std::vector<glm::dmat4>>& poses) const;
+  [[nodiscard]] cv::Mat drawn(const std::vector<glm::dmat4>& poses, const cv::Rect& part);
+  [[nodiscard]] cv::Mat throughLens(const cv::Mat& picture, const Parts& parts) const;
+  void encode(const cv::Mat& seen, const cv::Rect& part, const PaperShot& shot, GreyImage& picture) const;
 };
 
 void PaperCamera::State::addMarker(const MarkerBody& body, const Marker& marker, double margin_mm,
@@ -178,7 +185,7 @@ void PaperCamera::State::addMarker(const MarkerBody& body, const Marker& marker,
   mapper->SetInputData(paper);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
-  actor->SetTexture(textured(textureOf(marker.id, side_mm, margin_mm)));
+  actor->SetTexture(textured(textureOf(marker.id, side_mm, margin_mm, options.room ? 4.0 : 2.0), options.room));
   actor->GetProperty()->LightingOff();
   actor->GetProperty()->BackfaceCullingOn();
   renderer->AddActor(actor);
@@ -205,7 +212,7 @@ void PaperCamera::State::addBackground() {
   mapper->SetInputData(wall);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  actor->SetTexture(textured(clutter(options.seed)));
+  actor->SetTexture(textured(clutter(options.seed), true));
   actor->GetProperty()->LightingOff();
   renderer->AddActor(actor);
 }
@@ -232,27 +239,80 @@ void PaperCamera::State::prepareLens() {
   cv::convertMaps(mapX, mapY, fixed, fraction, CV_16SC2);
   mapX = fixed;
   mapY = fraction;
-  window->SetSize(drawnWidth, drawnHeight);
+  // Of one body alone a small window that goes with it will do.
+  constexpr int kSmall = 400;
+  const bool isSmall = !options.room && bodies.size() == 1;
+  windowWidth = isSmall ? std::min(drawnWidth, kSmall * options.superSampling) : drawnWidth;
+  windowHeight = isSmall ? std::min(drawnHeight, kSmall * options.superSampling) : drawnHeight;
+  window->SetSize(windowWidth, windowHeight);
   auto* camera = renderer->GetActiveCamera();
   camera->SetPosition(0, 0, 0);
   camera->SetFocalPoint(0, 0, 1);
   camera->SetViewUp(0, -1, 0);
   camera->SetViewAngle(2.0 * std::atan(0.5 * drawnHeight / focal) * 180.0 / std::numbers::pi);
   camera->SetClippingRange(50.0, 4000.0);
+  whole->DeepCopy(camera->GetProjectionTransformMatrix(static_cast<double>(drawnWidth) / drawnHeight, -1.0, 1.0));
 }
 
-cv::Mat PaperCamera::State::drawn(const std::vector<glm::dmat4>& poses) {
+PaperCamera::State::Parts PaperCamera::State::parts(const std::vector<std::vector<glm::dmat4>>& poses) const {
+  if (options.room) return {cv::Rect(0, 0, model.width, model.height), cv::Rect(0, 0, drawnWidth, drawnHeight)};
+  glm::dvec2 low(1e9), high(-1e9), drawnLow(1e9), drawnHigh(-1e9);
+  const double focal = options.superSampling * model.fx;
+  for (const auto& each : poses)
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      for (const Marker& marker : bodies[b].markers)
+        for (const auto& corner : marker.corners_mm) {
+          const glm::dvec3 p = glm::dvec3(each[b] * glm::dvec4(1.4 * corner, 1.0));  // with the paper around
+          if (p.z < 50.0) continue;
+          const glm::dvec2 seen = pixelOf(model, p);
+          const glm::dvec2 at{focal * p.x / p.z + 0.5 * drawnWidth, 0.5 * drawnHeight - focal * p.y / p.z};
+          low = glm::min(low, seen);
+          high = glm::max(high, seen);
+          drawnLow = glm::min(drawnLow, at);
+          drawnHigh = glm::max(drawnHigh, at);
+        }
+  const auto around = [](const glm::dvec2& from, const glm::dvec2& to, double margin, int width, int height) {
+    return cv::Rect(cv::Point(static_cast<int>(from.x - margin), static_cast<int>(from.y - margin)),
+                    cv::Point(static_cast<int>(to.x + margin), static_cast<int>(to.y + margin))) &
+           cv::Rect(0, 0, width, height);
+  };
+  Parts found{around(low, high, 16.0, model.width, model.height), around(drawnLow, drawnHigh, 48.0, drawnWidth, drawnHeight)};
+  if (windowWidth < drawnWidth || windowHeight < drawnHeight) {
+    const glm::dvec2 middle = 0.5 * (drawnLow + drawnHigh);
+    found.drawn =
+        cv::Rect(std::clamp(static_cast<int>(middle.x) - windowWidth / 2, 0, drawnWidth - windowWidth),
+                 std::clamp(static_cast<int>(middle.y) - windowHeight / 2, 0, drawnHeight - windowHeight), windowWidth, windowHeight);
+  }
+  return found;
+}
+
+cv::Mat PaperCamera::State::drawn(const std::vector<glm::dmat4>& poses, const cv::Rect& part) {
   for (std::size_t b = 0; b < actors.size(); ++b)
     for (auto& actor : actors[b]) setMatrix(actor, poses[b]);
+  int left = part.x, bottom = part.y;
+  if (windowWidth < drawnWidth || windowHeight < drawnHeight) {
+    // The part fills the window: x and y of the whole picture's clip space, from -1 to 1, are stretched and moved.
+    vtkNew<vtkMatrix4x4> onto, projection;
+    const double byX = static_cast<double>(drawnWidth) / windowWidth, byY = static_cast<double>(drawnHeight) / windowHeight;
+    onto->SetElement(0, 0, byX);
+    onto->SetElement(0, 3, byX - 1.0 - 2.0 * part.x / windowWidth);
+    onto->SetElement(1, 1, byY);
+    onto->SetElement(1, 3, byY - 1.0 - 2.0 * part.y / windowHeight);
+    vtkMatrix4x4::Multiply4x4(onto, whole, projection);
+    auto* camera = renderer->GetActiveCamera();
+    camera->UseExplicitProjectionTransformMatrixOn();
+    camera->SetExplicitProjectionTransformMatrix(projection);
+    left = bottom = 0;
+  }
   window->Render();
-  window->GetRGBACharPixelData(0, 0, drawnWidth - 1, drawnHeight - 1, 0, read);
-  const cv::Mat all(drawnHeight, drawnWidth, CV_8UC4, read->GetPointer(0));
+  window->GetRGBACharPixelData(left, bottom, left + part.width - 1, bottom + part.height - 1, 0, read);
+  const cv::Mat all(part.height, part.width, CV_8UC4, read->GetPointer(0));
   cv::Mat red;
   cv::extractChannel(all, red, 0);
   return red;
 }
 
-cv::Mat PaperCamera::State::throughLens(const cv::Mat& picture) const {
+cv::Mat PaperCamera::State::throughLens(const cv::Mat& picture, const Parts& parts) const {
   cv::Mat blurred, seen;
   const double blur = options.lensBlur_px * options.superSampling;
   if (blur > 0.0)
@@ -260,12 +320,14 @@ cv::Mat PaperCamera::State::throughLens(const cv::Mat& picture) const {
   else
     blurred = picture;
   if (options.superSampling == 2) cv::blur(blurred, blurred, cv::Size(3, 3));  // about a pixel's own area
-  cv::remap(blurred, seen, mapX, mapY, cv::INTER_LINEAR, cv::BORDER_CONSTANT, cv::Scalar::all(40));
+  const cv::Mat places = mapX(parts.seen) - cv::Scalar(parts.drawn.x, parts.drawn.y);
+  cv::remap(blurred, seen, places, mapY(parts.seen), cv::INTER_LINEAR, cv::BORDER_CONSTANT, cv::Scalar::all(51));
   return seen;
 }
 
 PaperCamera::PaperCamera(const CameraModel& model, const std::vector<MarkerBody>& bodies, const PaperCameraOptions& options)
     : state_(std::make_unique<State>()) {
+  state_->bodies = bodies;
   state_->model = model;
   state_->options = options;
   state_->window->SetOffScreenRendering(1);
@@ -276,7 +338,7 @@ PaperCamera::PaperCamera(const CameraModel& model, const std::vector<MarkerBody>
     auto& actors = state_->actors.emplace_back();
     for (const Marker& marker : body.markers) state_->addMarker(body, marker, body.isBoard ? 5.0 : options.paperMargin_mm, actors);
   }
-  state_->addBackground();
+  if (options.room) state_->addBackground();
   state_->coverShape->SetNumberOfSides(24);
   state_->coverShape->SetNormal(0, 0, -1);
   vtkNew<vtkPolyDataMapper> mapper;
@@ -302,52 +364,58 @@ GreyImage PaperCamera::picture(const PaperShot& shot) {
     s.coverShape->SetRadius(shot.cover->radius_mm);
   }
   const int count = static_cast<int>(shot.poses.size());
+  const State::Parts parts = s.parts(shot.poses);
+  GreyImage picture(s.model.width, s.model.height, 60);
+  if (parts.seen.empty() || parts.drawn.empty()) return picture;
   cv::Mat seen;
   if (count == 1) {
-    s.throughLens(s.drawn(shot.poses[0])).convertTo(seen, CV_32F);
+    s.throughLens(s.drawn(shot.poses[0], parts.drawn), parts).convertTo(seen, CV_32F);
   } else if (s.options.readout_frames <= 0.0) {
-    cv::Mat sum = cv::Mat::zeros(s.drawnHeight, s.drawnWidth, CV_16U);
-    for (const auto& poses : shot.poses) cv::add(sum, s.drawn(poses), sum, cv::noArray(), CV_16U);
+    cv::Mat sum = cv::Mat::zeros(parts.drawn.size(), CV_16U);
+    for (const auto& poses : shot.poses) cv::add(sum, s.drawn(poses, parts.drawn), sum, cv::noArray(), CV_16U);
     cv::Mat mean;
     sum.convertTo(mean, CV_8U, 1.0 / count);
-    s.throughLens(mean).convertTo(seen, CV_32F);
+    s.throughLens(mean, parts).convertTo(seen, CV_32F);
   } else {
     // Each row has the exposure's share of the poses, later ones further down.
-    seen = cv::Mat::zeros(s.model.height, s.model.width, CV_32F);
+    seen = cv::Mat::zeros(parts.seen.size(), CV_32F);
     const int exposed = std::max(1, static_cast<int>(std::lround(count * (1.0 - s.options.readout_frames))));
     for (int n = 0; n < count; ++n) {
-      const cv::Mat one = s.throughLens(s.drawn(shot.poses[static_cast<std::size_t>(n)]));
-      for (int y = 0; y < s.model.height; ++y) {
-        const int first = static_cast<int>(std::lround(static_cast<double>(y) / s.model.height * (count - exposed)));
+      const cv::Mat one = s.throughLens(s.drawn(shot.poses[static_cast<std::size_t>(n)], parts.drawn), parts);
+      for (int y = 0; y < one.rows; ++y) {
+        const int first = static_cast<int>(std::lround(static_cast<double>(parts.seen.y + y) / s.model.height * (count - exposed)));
         if (n < first || n >= first + exposed) continue;
-        for (int x = 0; x < s.model.width; ++x)
+        for (int x = 0; x < one.cols; ++x)
           seen.at<float>(y, x) += static_cast<float>(one.at<unsigned char>(y, x)) / static_cast<float>(exposed);
       }
     }
   }
+  s.encode(seen, parts.seen, shot, picture);
+  return picture;
+}
+
+void PaperCamera::State::encode(const cv::Mat& seen, const cv::Rect& part, const PaperShot& shot, GreyImage& picture) const {
   std::array<float, 1024> encoded{};  // light to grey
   for (std::size_t n = 0; n < encoded.size(); ++n)
-    encoded[n] = 255.0f * static_cast<float>(std::pow(std::min(1.0, static_cast<double>(n) / 1020.0), 1.0 / s.options.gamma));
-  GreyImage picture(s.model.width, s.model.height);
+    encoded[n] = 255.0f * static_cast<float>(std::pow(std::min(1.0, static_cast<double>(n) / 1020.0), 1.0 / options.gamma));
   std::mt19937_64 random(shot.seed);
   const glm::dvec2 towards(std::cos(shot.lightAngle_rad), std::sin(shot.lightAngle_rad));
-  for (int y = 0; y < s.model.height; ++y) {
+  const auto lightStep = static_cast<float>(shot.exposure * -shot.unevenLight * towards.x / model.width);
+  const auto deviation = static_cast<float>(options.noise_grey);
+  for (int y = 0; y < part.height; ++y) {
     const float* const from = seen.ptr<float>(y);
-    const float* const noise = s.noise.data() + random() % ((1u << 20) + 4096u - static_cast<unsigned>(s.model.width));
-    std::uint8_t* const to = viewOf(picture).row(y);
-    const double v = static_cast<double>(y) / s.model.height - 0.5;
-    const auto light0 = static_cast<float>(shot.exposure * (1.0 - shot.unevenLight * (0.5 + towards.y * v - 0.5 * towards.x)));
-    const auto lightStep = static_cast<float>(shot.exposure * -shot.unevenLight * towards.x / s.model.width);
-    const auto deviation = static_cast<float>(s.options.noise_grey);
-    for (int x = 0; x < s.model.width; ++x) {
+    const float* const grain = noise.data() + random() % ((1u << 20) + 4096u - static_cast<unsigned>(model.width));
+    std::uint8_t* const to = viewOf(picture).row(part.y + y) + part.x;
+    const double v = static_cast<double>(part.y + y) / model.height - 0.5, u = static_cast<double>(part.x) / model.width - 0.5;
+    const auto light0 = static_cast<float>(shot.exposure * (1.0 - shot.unevenLight * (0.5 + towards.y * v + towards.x * u)));
+    for (int x = 0; x < part.width; ++x) {
       const float light = std::clamp(4.0f * from[x] * (light0 + lightStep * static_cast<float>(x)), 0.0f, 1022.0f);
       const auto n = static_cast<std::size_t>(light);
-      const float part = light - static_cast<float>(n);
-      const float grey = encoded[n] + part * (encoded[n + 1] - encoded[n]) + deviation * noise[x] + 0.5f;
+      const float share = light - static_cast<float>(n);
+      const float grey = encoded[n] + share * (encoded[n + 1] - encoded[n]) + deviation * grain[x] + 0.5f;
       to[x] = static_cast<std::uint8_t>(std::clamp(grey, 0.0f, 255.0f));
     }
   }
-  return picture;
 }
 
 }  // namespace ew::camera_truth

@@ -26,6 +26,9 @@ struct PaperCameraOptions {
   double readout_frames = 0.0;  ///< rolling shutter: from the first row to the last, as a part of the time the given poses span
   double paperMargin_mm = 8.0;  ///< white around a marker
   std::uint64_t seed = 1;       ///< of noise and background
+  /// A room of rectangles behind, noise everywhere; else only the surroundings of the bodies are drawn, on an even grey without noise: a
+  /// tenth of the time.
+  bool room = true;
 };
 
 /// One exposure.

@@ -57,8 +57,11 @@ TruthMotion::TruthMotion(const CameraModel& model, const std::vector<MarkerBody>
     };
     // The axis of the probe points down or towards the camera's lower edge, the board stands or lies behind.
     glm::dmat4 turn = turnAbout({0, 1, 0}, between(random, -std::numbers::pi, std::numbers::pi));
-    if (options.straightOn) turn = turnAbout(direction(random), between(random, 0.0, 0.25)) * turnAbout({0, 1, 0}, 0.5 * std::numbers::pi * std::floor(between(random, 0.0, 4.0)));
-    else turn = turnAbout(direction(random), between(random, 0.0, options.tipped_rad)) * turn;
+    if (options.straightOn)
+      turn = turnAbout(direction(random), between(random, 0.0, 0.25)) *
+             turnAbout({0, 1, 0}, 0.5 * std::numbers::pi * std::floor(between(random, 0.0, 4.0)));
+    else
+      turn = turnAbout(direction(random), between(random, 0.0, options.tipped_rad)) * turn;
     probe_ = turn;
     const glm::dvec3 place = placeSeenAt(model, px(probeLeft, 0.2, 0.75), between(random, options.near_mm, options.far_mm));
     if (options.straightOn) {
@@ -93,7 +96,8 @@ TruthError errorOf(const glm::dmat4& found, const glm::dmat4& truth, const glm::
 
 double percentile(std::vector<double> values, double part) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto at = static_cast<std::ptrdiff_t>(std::clamp(part * static_cast<double>(values.size()), 0.0, static_cast<double>(values.size() - 1)));
+  const auto at =
+      static_cast<std::ptrdiff_t>(std::clamp(part * static_cast<double>(values.size()), 0.0, static_cast<double>(values.size() - 1)));
   std::nth_element(values.begin(), values.begin() + at, values.end());
   return values[static_cast<std::size_t>(at)];
 }

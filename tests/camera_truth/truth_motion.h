@@ -15,7 +15,7 @@ namespace ew::camera_truth {
 
 struct MotionOptions {
   double near_mm = 400.0, far_mm = 700.0;
-  double moves_mm = 0.0;    ///< amplitude of the probe's slow swing; 0: it is still
+  double moves_mm = 0.0;  ///< amplitude of the probe's slow swing; 0: it is still
   double turns_rad = 0.0;
   double rate_hz = 0.4;     ///< of the swing
   double tipped_rad = 1.0;  ///< how far the probe's axis is tipped from upright at most; pi: it lies anyhow

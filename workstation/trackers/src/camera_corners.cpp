@@ -16,9 +16,11 @@ struct LitPicture {
   ImageView<const std::uint8_t> grey;
   const std::array<float, 256>& light;
 
-  /// Between the centres of four pixels; negative outside.
+  [[nodiscard]] bool has(const glm::dvec2& p_px) const {
+    return p_px.x >= 0.0 && p_px.y >= 0.0 && p_px.x < grey.width - 1 && p_px.y < grey.height - 1;
+  }
+  /// Between the centres of four pixels of the picture.
   [[nodiscard]] double at(const glm::dvec2& p_px) const {
-    if (!(p_px.x >= 0.0 && p_px.y >= 0.0 && p_px.x < grey.width - 1 && p_px.y < grey.height - 1)) return -1.0;
     const int x = static_cast<int>(p_px.x), y = static_cast<int>(p_px.y);
     const auto fx = static_cast<float>(p_px.x - x), fy = static_cast<float>(p_px.y - y);
     const std::uint8_t* const above = grey.data + y * grey.stride + x;
@@ -42,10 +44,9 @@ class EdgeProfile {
     const int half = std::min(kMost, static_cast<int>(std::lround(half_px / kProfileStep_px)));
     count_ = 2 * half + 1;
     start_px_ = -half * kProfileStep_px;
-    for (int n = 0; n < count_; ++n) {
+    if (!picture.has(middle + start_px_ * outward) || !picture.has(middle - start_px_ * outward)) return false;
+    for (int n = 0; n < count_; ++n)
       values_[static_cast<std::size_t>(n)] = picture.at(middle + (start_px_ + n * kProfileStep_px) * outward);
-      if (values_[static_cast<std::size_t>(n)] < 0.0) return false;
-    }
     return true;
   }
   /// Where it rises most over a pixel.
@@ -185,7 +186,7 @@ struct MeasuredSide {
 };
 
 std::optional<MeasuredSide> measuredSide(const LitPicture& picture, const CameraModel& model, const MarkerSide& side, double cell_px) {
-  const int samples = std::clamp(static_cast<int>(0.8 * side.length_px), 12, 40);
+  const int samples = std::clamp(static_cast<int>(0.6 * side.length_px), 12, 28);
   const double margin = std::clamp(2.5 / side.length_px, 0.06, 0.2);  // where the blurred corner begins
   std::vector<glm::dvec2> rays;
   double spread = 0.0;
@@ -202,6 +203,7 @@ std::optional<MeasuredSide> measuredSide(const LitPicture& picture, const Camera
       at = profile.halfWay();
       if (!at) break;
       middle += at->along_px * side.outward;
+      if (std::abs(at->along_px) < 0.06) break;
     }
     if (!at || std::abs(at->along_px) > 0.25) continue;
     rays.push_back(rayThrough(model, middle));

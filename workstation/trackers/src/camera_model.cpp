@@ -42,7 +42,7 @@ glm::dvec2 rayThrough(const CameraModel& model, const glm::dvec2& p_px) {
   for (int step = 0; step < 12; ++step) {
     const BentRay now = bent(model.distortion, ray);
     const glm::dvec2 miss = wanted - now.at;
-    if (glm::dot(miss, miss) < 1e-24) break;
+    if (glm::dot(miss, miss) < 1e-22) break;
     // Beyond the fold of a strong lens the slope turns over; a plain step leads back to where the lens maps one to one.
     ray += glm::determinant(now.slope) > 0.05 ? glm::inverse(now.slope) * miss : miss;
   }

@@ -29,8 +29,9 @@ struct MarkerBleed {
 struct BodyHypothesis {
   glm::dmat4 bodyToCamera{1.0};
   double bleed = 0.0;
-  double misfit = 0.0;  ///< squares of the residuals over the corners' variances, each at most kMostMisfit
-  double rms_px = 0.0;  ///< of the markers in use
+  std::vector<double> bulges_mm;  ///< of each face seen, outwards
+  double misfit = 0.0;            ///< squares of the residuals over the corners' variances, each at most kMostMisfit
+  double rms_px = 0.0;            ///< of the markers in use
 };
 
 struct BodyEstimate {

@@ -95,8 +95,8 @@ std::optional<SearchRegion> CameraTracker::State::regionOf(const TrackedBody& ea
   low = glm::clamp(low, glm::dvec2(0.0), glm::dvec2(model.width, model.height));
   high = glm::clamp(high, glm::dvec2(0.0), glm::dvec2(model.width, model.height));
   const cv::Rect at(static_cast<int>(low.x), static_cast<int>(low.y), static_cast<int>(high.x - low.x), static_cast<int>(high.y - low.y));
-  // Half the size is enough where a module of the smallest marker in sight keeps four pixels.
-  return SearchRegion{at, smallest_px > 64.0 && smallest_px < 1e8 ? 2 : 1};
+  // Half the size is enough where a module of the smallest marker in sight keeps almost three pixels.
+  return SearchRegion{at, smallest_px > 44.0 && smallest_px < 1e8 ? 2 : 1};
 }
 
 /// Around every body that was seen just now; the whole picture where one was not, and from time to time.
