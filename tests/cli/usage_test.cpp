@@ -21,7 +21,7 @@ TEST(Usage, VersionAndHelpGoToTheOutputAndSucceed) {
   const auto help = run({"--help"});
   EXPECT_EQ(help.status, 0);
   for (const char* command : {"import", "screen", "reconstruct", "register", "slice", "level", "scan", "phantom", "case", "measure",
-                              "preset", "send", "records", "plugins", "bench"})
+                              "preset", "send", "records", "tracker", "plugins", "bench"})
     EXPECT_NE(help.out.find(command), std::string::npos) << command;
   EXPECT_EQ(help.err, "");
 }
@@ -56,6 +56,9 @@ TEST(Usage, EveryCommandExplainsItselfWithAnExampleAndTheSharedOptions) {
                                                        {"lesson", "check"},
                                                        {"lesson", "record"},
                                                        {"lesson", "course"},
+                                                       {"tracker", "print"},
+                                                       {"tracker", "list"},
+                                                       {"tracker", "check"},
                                                        {"assess"}};
   for (auto words : commands) {
     words.push_back("--help");
@@ -90,6 +93,11 @@ TEST(Usage, WrongWordsAreOneSentenceAndStatusTwo) {
                                                     {"reconstruct", "s.igs.mha", "-o", folder / "v.png"},
                                                     {"reconstruct", "s.igs.mha", "-o", folder / "v.mha", "--interpolation", "cubic"},
                                                     {"reconstruct", "s.igs.mha", "-o", folder / "v.mha", "--clip", "1", "2", "3"},
+                                                    {"tracker"},
+                                                    {"tracker", "print"},
+                                                    {"tracker", "print", "no-such-body", "-o", folder / "v.pdf"},
+                                                    {"tracker", "print", "-o", folder / "v.pdf", "--paper", "a3"},
+                                                    {"tracker", "print", "--measured-scale", "80"},
                                                     {"bench", "slicing", "--side", "3"},
                                                     {"plugins", "list", "--simd", "mmx"},
                                                     {"bench", "slicing", "--simd", "avx"}};

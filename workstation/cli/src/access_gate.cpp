@@ -11,10 +11,10 @@ namespace ew::cli {
 namespace {
 
 /// Commands that show no answer and nobody's attempt: they work on files that their user names, or say what is there.
-constexpr std::array<std::string_view, 19> kForAnybody = {"import",      "screen",        "reconstruct", "register",     "slice",
-                                                          "level",       "scan",          "measure",     "send",         "plugins list",
-                                                          "preset list", "preset check",  "case import", "case verify",  "lesson list",
-                                                          "key show",    "access status", "access lock", "access unlock"};
+constexpr std::array<std::string_view, 22> kForAnybody = {
+    "import",        "screen",       "reconstruct",   "register",      "slice",        "level",        "scan",        "measure",
+    "send",          "plugins list", "preset list",   "preset check",  "case import",  "case verify",  "lesson list", "key show",
+    "access status", "access lock",  "access unlock", "tracker print", "tracker list", "tracker check"};
 
 constexpr std::array<std::pair<std::string_view, Permission>, 13> kNeeds = {{{"case export", Permission::exportCases},
                                                                              {"case publish", Permission::exportCases},

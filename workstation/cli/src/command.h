@@ -102,6 +102,7 @@ void addKey(CLI::App& root, Selection& selection);
 void addAccess(CLI::App& root, Selection& selection);
 void addPreset(CLI::App& root, Selection& selection);
 void addRecords(CLI::App& root, Selection& selection);
+void addTracker(CLI::App& root, Selection& selection);
 void addPlugins(CLI::App& root, Selection& selection);
 void addBench(CLI::App& root, Selection& selection);
 

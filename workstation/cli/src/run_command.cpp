@@ -34,8 +34,8 @@ constexpr const char* kFooter =
     "Exit status: 0 done, 1 it could not be done, 2 wrong usage, 3 done with the answer 'no' or 'cannot tell'.";
 
 std::vector<std::string> builtInNames() {
-  return {"import", "screen", "reconstruct", "register", "slice",   "level",  "scan", "replay",  "phantom", "case",
-          "lesson", "assess", "key",         "access",   "measure", "preset", "send", "records", "plugins", "bench"};
+  return {"import", "screen", "reconstruct", "register", "slice",  "level", "scan",    "replay",  "phantom", "case", "lesson",
+          "assess", "key",    "access",      "measure",  "preset", "send",  "records", "tracker", "plugins", "bench"};
 }
 
 /// CLI11's messages, as one sentence with a full stop.
@@ -225,6 +225,7 @@ int runCommand(std::span<const std::string> args, const Surroundings& surroundin
   addPreset(root, selection);
   addSend(root, selection);
   addRecords(root, selection);
+  addTracker(root, selection);
   addPlugins(root, selection);
   addBench(root, selection);
   root.footer(kFooter);  // last, because groups of commands inherit what the root has when they are made

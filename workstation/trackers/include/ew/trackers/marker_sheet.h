@@ -79,4 +79,11 @@ using SheetWords = std::function<std::string(const Message&)>;
 /// @error badField below 90 or above 110 mm: then the printer fits pages to its paper, and the sheet is to be printed again at 100 %
 [[nodiscard]] Result<double> printedFactor(double measured_mm);
 
+/// What the scale measured on this user's last print, mm: FOLDER/printed.json, FOLDER being `trackers` in the user's library; 100 without
+/// it.
+/// @error badHeader (not JSON), badField, newerFormat
+[[nodiscard]] Result<double> readPrintedScale(const std::filesystem::path& folder);
+/// @error as printedFactor; notWritable
+[[nodiscard]] Result<void> keepPrintedScale(const std::filesystem::path& folder, double measured_mm);
+
 }  // namespace ew
