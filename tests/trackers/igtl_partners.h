@@ -125,6 +125,14 @@ class Partner {
     }
     return heard;
   }
+  /// Whether the client ends the connection, whatever it says before.
+  bool isLeft() {
+    return eventually([this] {
+             char byte = 0;
+             return ::recv(client_, &byte, 1, MSG_DONTWAIT) == 0;
+           })
+        .has_value();
+  }
   void hangUp() {
     if (client_ >= 0) ::close(std::exchange(client_, -1));
   }

@@ -107,7 +107,16 @@ std::pair<Descriptor, int> connectingSocket(const SocketAddress& address) {
 int connectionError(const Descriptor& socket) {
   int error = 0;
   socklen_t length = sizeof error;
-  return ::getsockopt(socket.number(), SOL_SOCKET, SO_ERROR, &error, &length) == 0 ? error : errno;
+  if (::getsockopt(socket.number(), SOL_SOCKET, SO_ERROR, &error, &length) != 0) return errno;
+  if (error != 0) return error;
+  // Who knocks at a port of his own computer where nobody listens may be given that very port to knock from, and TCP connects him with
+  // himself.
+  sockaddr_storage own{}, other{};
+  socklen_t ownLength = sizeof own, otherLength = sizeof other;
+  if (::getsockname(socket.number(), reinterpret_cast<sockaddr*>(&own), &ownLength) != 0 ||
+      ::getpeername(socket.number(), reinterpret_cast<sockaddr*>(&other), &otherLength) != 0)
+    return errno;
+  return ownLength == otherLength && std::memcmp(&own, &other, ownLength) == 0 ? ECONNREFUSED : 0;
 }
 
 Result<Listening> listenOn(int port, bool everyone) {
