@@ -4,6 +4,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
 
 #include "ew/core/frames.h"
 #include "ew/trackers/paper_body.h"
@@ -163,6 +167,32 @@ TEST_F(MarkerBodyFile, ASchoolsBodyReplacesOursAndMustNotTakeAnothersMarkers) {
   const auto clash = readPaperBodies({kBodies, folder_});
   ASSERT_FALSE(clash);
   EXPECT_NE(clash.error().sentence().find("box-61"), std::string::npos) << clash.error();
+}
+
+TEST_F(MarkerBodyFile, TheSchemaAcceptsWhatIsReadAndRefusesWhatIsNot) {
+  const json text = json::parse(std::ifstream(kBodies.parent_path() / "schemas" / "marker-body.schema.json"));
+  valijson::Schema schema;
+  valijson::SchemaParser(valijson::SchemaParser::kDraft7).populateSchema(valijson::adapters::NlohmannJsonAdapter(text), schema);
+  const auto accepts = [&](const json& body) {
+    return valijson::Validator().validate(schema, valijson::adapters::NlohmannJsonAdapter(body), nullptr);
+  };
+  for (const char* id : {"box-60", "box-40", "sleeve", "mannequin-board", "calibration-board"}) {
+    const json whole = shipped(id);
+    EXPECT_TRUE(accepts(whole)) << id;
+    for (const auto& item : whole.items()) {
+      json part = whole;
+      part.erase(item.key());
+      EXPECT_EQ(accepts(part), sentenceOf(part).empty()) << id << " without " << item.key();
+      json odd = whole;
+      odd[item.key()] = json::object({{"strange", 1}});
+      EXPECT_FALSE(accepts(odd)) << id << " " << item.key();
+      EXPECT_FALSE(sentenceOf(odd).empty()) << id << " " << item.key();
+    }
+    json more = whole;
+    more["strange"] = 1;
+    EXPECT_FALSE(accepts(more));
+    EXPECT_FALSE(sentenceOf(more).empty());
+  }
 }
 
 }  // namespace
