@@ -54,6 +54,14 @@ inline double resident_mb() {
   return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
+/// What memory may grow by where it is to stay flat, for caches and fragments; address sanitizers keep hundreds of megabytes of what was
+/// freed.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr double kFlat_mb = 500.0;
+#else
+constexpr double kFlat_mb = 20.0;
+#endif
+
 /// A server that does what the test says, good or bad, with the bytes the test says. One client at a time.
 class Partner {
  public:
