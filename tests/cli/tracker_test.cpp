@@ -57,7 +57,7 @@ TEST_F(TrackerCommand, ListsTheUsersBodiesBesideOurs) {
   std::ofstream(fs::path(folder_ / "library") / "trackers" / "bodies" / "school.json") << own;
   const auto listed = run({"tracker", "list"});
   EXPECT_EQ(listed.status, cli::kDone) << listed.err;
-  for (const char* part : {"box-60", "sleeve", "Board of our school", "SpaceMouse", "game controller"})
+  for (const char* part : {"box-60", "sleeve", "Board of our school", "Cameras:", "SpaceMouse", "game controller"})
     EXPECT_NE(listed.out.find(part), std::string::npos) << part << "\n" << listed.out;
 }
 

@@ -6,6 +6,7 @@
 #include "arguments.h"
 #include "command.h"
 #include "ew/library/case.h"
+#include "ew/trackers/camera_device.h"
 #include "ew/trackers/hand_controller.h"
 #include "ew/trackers/marker_sheet.h"
 #include "ew/tracking/calibration_file.h"
@@ -126,7 +127,10 @@ Result<int> list(const TrackerArguments& arguments, Run& run) {
   }
   const json controllers = {controllerHere(HandControllerKind::spaceMouse, "SpaceMouse"),
                             controllerHere(HandControllerKind::gameController, "game controller")};
+  json cameras = json::array();
+  for (const CameraHere& camera : camerasHere()) cameras.push_back({{"device", camera.device}, {"name", camera.name}});
   const json all = {{"bodies", rows},
+                    {"cameras", cameras},
                     {"controllers", controllers},
                     {"measured_scale_mm", *scale},
                     {"own_bodies", (trackersFolder() / "bodies").string()}};
@@ -142,6 +146,9 @@ Result<int> list(const TrackerArguments& arguments, Run& run) {
     id.resize(std::max<std::size_t>(id.size() + 2, 20), ' ');
     run.out() << "  " << id << row["name"].get<std::string>() << "\n";
   }
+  run.out() << "Cameras:\n";
+  for (const json& row : cameras) run.out() << "  " << row["device"].get<std::string>() << "  " << row["name"].get<std::string>() << "\n";
+  if (cameras.empty()) run.out() << "  none is connected\n";
   run.out() << "Hand controllers:\n";
   for (const json& row : controllers)
     run.out() << "  " << row["kind"].get<std::string>() << ": "
@@ -203,7 +210,7 @@ void addTracker(CLI::App& root, Selection& selection) {
       ->type_name("LANGUAGE");
   addNumber(printed, "--measured-scale", arguments->measuredScale_mm, {90.0, 110.0},
             "What the printed scale of 100 mm measures, in mm: kept for cameras");
-  auto& listed = addCommand(group, selection, "list", "Marker bodies, and the hand controllers that are connected",
+  auto& listed = addCommand(group, selection, "list", "Marker bodies, and the cameras and hand controllers that are connected",
                             {"tracker list", "tracker list --json"}, [arguments](Run& run) { return list(*arguments, run); });
   listed.add_option("--language", arguments->language, "Of names: en or de (en)")
       ->check(CLI::IsMember({"en", "de"}))
