@@ -16,6 +16,13 @@ namespace ew::ui::testing {
 class TrackerPageTest : public UsabilityFixture {
   Q_OBJECT
 
+  /// No plugin is needed for this.
+  void openWindow(const QString& language) {
+    speak(language);
+    if (case_.isEmpty()) case_ = files_.writeCase(QStringLiteral("case"));
+    showWindowWithCase(case_);
+    QVERIFY(waitUntil([this] { return window_->isSettled(); }));
+  }
   [[nodiscard]] Trackers& trackers() const { return window_->trackers(); }
   [[nodiscard]] TrackerPage* page() const { return find<TrackerPage>("trackerPage"); }
   void showPage() {
@@ -48,7 +55,7 @@ class TrackerPageTest : public UsabilityFixture {
   }
 
   void theMouseIsThereFirstAndMovesTheProbe() {
-    showWindow(QStringLiteral("en"));
+    openWindow(QStringLiteral("en"));
     showPage();
     auto* list = page()->findChild<QListWidget*>(QStringLiteral("trackerList"));
     QVERIFY(list->count() >= 2);
@@ -60,7 +67,7 @@ class TrackerPageTest : public UsabilityFixture {
   }
 
   void trackersAreAddedRenamedAndRemovedAndKept() {
-    showWindow(QStringLiteral("en"));
+    openWindow(QStringLiteral("en"));
     showPage();
     const std::size_t before = trackers().all().size();
     auto* menu = page()->findChild<QPushButton*>(QStringLiteral("trackerAdd"))->menu();
@@ -86,7 +93,7 @@ class TrackerPageTest : public UsabilityFixture {
   }
 
   void aRecordingIsFollowedWhileTheScanGoesOnAndTheMouseTakesOver() {
-    showWindow(QStringLiteral("en"));
+    openWindow(QStringLiteral("en"));
     const std::string id = addRecording(files_.writeSweep(QStringLiteral("tracked.igs.mha")));
     showPage();
     page()->choose(id);
@@ -110,7 +117,7 @@ class TrackerPageTest : public UsabilityFixture {
   }
 
   void theTrackerInUseGoesOnAtTheNextStart() {
-    showWindow(QStringLiteral("en"));
+    openWindow(QStringLiteral("en"));
     const std::string id = addRecording(files_.writeSweep(QStringLiteral("again.igs.mha")));
     trackers().use(id);
     QVERIFY(waitUntil([this] { return trackers().report().state == TrackingState::live; }));
@@ -121,7 +128,7 @@ class TrackerPageTest : public UsabilityFixture {
   }
 
   void aMissingCameraIsASentenceAndTheWindowGoesOn() {
-    showWindow(QStringLiteral("en"));
+    openWindow(QStringLiteral("en"));
     showPage();
     const std::string id = cameraTracker();
     QVERIFY(!id.empty());
@@ -143,7 +150,7 @@ class TrackerPageTest : public UsabilityFixture {
   void everyPageFitsAndIsNamed() {
     QFETCH(QString, language);
     QFETCH(bool, dark);
-    showWindow(language, 100, {1280, 720});
+    openWindow(language);
     window_->setDarkTheme(dark);
     showPage();
     QStringList wrong;

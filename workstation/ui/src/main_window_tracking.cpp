@@ -52,8 +52,8 @@ void MainWindow::showTracker() {
     connect(page, &TrackerPage::setUpAsked, this,
             [this](const QString& tracker) { leadToTracker(tracker.toStdString(), TrackerCourse::camera); });
     connect(page, &TrackerPage::alignAsked, this, [this](const QString& tracker) {
-      const bool isCamera = parts_->trackers.cameraOf(tracker.toStdString()) != nullptr;
-      leadToTracker(tracker.toStdString(), isCamera ? TrackerCourse::align : TrackerCourse::faceAndAlign);
+      const bool needsFace = parts_->trackers.needsFace(tracker.toStdString());
+      leadToTracker(tracker.toStdString(), needsFace ? TrackerCourse::faceAndAlign : TrackerCourse::align);
     });
     // Over the 3D view: the scan stays in sight.
     page->move(mapToGlobal(QPoint(8, p.topBar->height() + 8)));

@@ -126,6 +126,8 @@ class Trackers final : public QObject {
   [[nodiscard]] std::optional<TrackedFace> face() const;
   [[nodiscard]] std::optional<ToolReading> reading() const;
   [[nodiscard]] TrackerCalibration calibrationOf(const std::string& id) const;
+  /// Where the face lies has to be found by touching: of every tool but a paper body that is a probe itself.
+  [[nodiscard]] bool needsFace(const std::string& id) const;
   [[nodiscard]] bool isAligned(const std::string& id) const;
   [[nodiscard]] const std::vector<TrackerTouch>& touches(const std::string& id);
   void setTouches(const std::string& id, std::vector<TrackerTouch> touches);

@@ -54,6 +54,8 @@ MarkerBody Trackers::bodyCalled(const std::string& body) const {
   return {};
 }
 
+bool Trackers::needsFace(const std::string& id) const { return cameraOf(id) == nullptr || !bodyCalled(bodyOf(id)).faceIsExact; }
+
 CharucoBoard Trackers::charucoBoard() const {
   const auto paper =
       std::find_if(papers_.begin(), papers_.end(), [](const PaperBody& each) { return each.kind == PaperKind::calibration; });

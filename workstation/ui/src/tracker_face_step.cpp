@@ -67,8 +67,10 @@ void TrackerFaceStep::addMotion(std::size_t n, const QString& what) {
 
 bool TrackerFaceStep::isDone() const {
   const std::string method = trackers_.calibrationOf(tracker_).face.method;
-  return !method.empty() && method != "none";
+  return method == "pivot_and_flat" || (!isNeeded() && method == "body_file");
 }
+
+bool TrackerFaceStep::isNeeded() const { return trackers_.needsFace(tracker_); }
 
 void TrackerFaceStep::enter() {
   trackers_.use(tracker_);

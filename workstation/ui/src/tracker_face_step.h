@@ -24,6 +24,7 @@ class TrackerFaceStep final : public TrackerStep {
  public:
   TrackerFaceStep(Trackers& trackers, std::string tracker, QWidget* parent = nullptr);
   [[nodiscard]] bool isDone() const override;
+  [[nodiscard]] bool isNeeded() const override;
   [[nodiscard]] bool mayGoOn() const override { return true; }
   void enter() override;
   void leave() override;

@@ -18,6 +18,8 @@ class TrackerStep : public QWidget {
 
   [[nodiscard]] const QString& title() const { return title_; }
   [[nodiscard]] virtual bool isDone() const = 0;
+  /// Steps that this tracker has no need of are passed over.
+  [[nodiscard]] virtual bool isNeeded() const { return true; }
   /// Whether one may go on; steps that can be left out say true before they are done.
   [[nodiscard]] virtual bool mayGoOn() const { return isDone(); }
   virtual void enter() {}  ///< it comes to the front

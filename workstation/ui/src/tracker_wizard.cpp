@@ -69,11 +69,12 @@ TrackerWizard::TrackerWizard(Trackers& trackers, std::string tracker, TrackerCou
   buttons->addWidget(next_);
   rows->addLayout(buttons);
   connect(later, &QPushButton::clicked, this, &QDialog::reject);
-  connect(back_, &QPushButton::clicked, this, [this] { showStep(step() - 1); });
+  connect(back_, &QPushButton::clicked, this, [this] { showStep(neighbour(-1)); });
   connect(next_, &QPushButton::clicked, this, &TrackerWizard::goOn);
   connect(&poll_, &QTimer::timeout, this, [this] { current().poll(); });
   poll_.start(kPoll_ms);
-  const auto undone = std::find_if(steps_.begin(), steps_.end(), [](const TrackerStep* each) { return !each->isDone(); });
+  const auto undone =
+      std::find_if(steps_.begin(), steps_.end(), [](const TrackerStep* each) { return each->isNeeded() && !each->isDone(); });
   showStep(undone == steps_.end() ? stepCount() - 1 : static_cast<int>(undone - steps_.begin()));
 }
 
@@ -86,7 +87,7 @@ void TrackerWizard::addSteps(TrackerCourse course) {
     steps_.push_back(new TrackerLensStep(trackers_, tracker_));
     steps_.push_back(new TrackerHoldStep(trackers_, tracker_));
   }
-  if (course == TrackerCourse::faceAndAlign) steps_.push_back(new TrackerFaceStep(trackers_, tracker_));
+  if (course != TrackerCourse::align) steps_.push_back(new TrackerFaceStep(trackers_, tracker_));
   steps_.push_back(new TrackerAlignStep(trackers_, tracker_));
   steps_.push_back(new TrackerCheckStep(trackers_, tracker_));
   for (TrackerStep* each : steps_) {
@@ -130,22 +131,34 @@ void TrackerWizard::showStep(int wanted) {
   refresh();
 }
 
+/// The nearest step in that direction that is needed; beyond the ends where there is none.
+int TrackerWizard::neighbour(int by) const {
+  int to = step() + by;
+  while (to >= 0 && to < stepCount() && !steps_[static_cast<std::size_t>(to)]->isNeeded()) to += by;
+  return to;
+}
+
 void TrackerWizard::goOn() {
-  if (step() + 1 < stepCount()) return showStep(step() + 1);
+  const int next = neighbour(1);
+  if (next < stepCount()) return showStep(next);
   accept();
 }
 
 void TrackerWizard::refresh() {
+  int number = 0;
   for (int n = 0; n < stepCount(); ++n) {
     QPushButton& name = *names_[static_cast<std::size_t>(n)];
     const TrackerStep& each = *steps_[static_cast<std::size_t>(n)];
-    name.setText((each.isDone() ? QStringLiteral("✓") : QString::number(n + 1)) + QStringLiteral("  ") + each.title());
-    name.setAccessibleName(each.isDone() ? tr("Step %1, done: %2").arg(n + 1).arg(each.title())
-                                         : tr("Step %1: %2").arg(n + 1).arg(each.title()));
+    name.setVisible(each.isNeeded());
+    if (!each.isNeeded()) continue;
+    ++number;
+    name.setText((each.isDone() ? QStringLiteral("✓") : QString::number(number)) + QStringLiteral("  ") + each.title());
+    name.setAccessibleName(each.isDone() ? tr("Step %1, done: %2").arg(number).arg(each.title())
+                                         : tr("Step %1: %2").arg(number).arg(each.title()));
     name.setChecked(n == step());
   }
-  back_->setEnabled(step() > 0);
-  const bool isLast = step() + 1 == stepCount();
+  back_->setEnabled(neighbour(-1) >= 0);
+  const bool isLast = neighbour(1) >= stepCount();
   next_->setText(isLast ? tr("Finish") : current().isDone() || !current().mayGoOn() ? tr("Next") : tr("Skip"));
   next_->setEnabled(current().mayGoOn());
 }

@@ -38,6 +38,7 @@ class TrackerWizard final : public QDialog {
  private:
   void addSteps(TrackerCourse course);
   void addColumn(QWidget& column);
+  [[nodiscard]] int neighbour(int by) const;
   void goOn();
   void refresh();
 
