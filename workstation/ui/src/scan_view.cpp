@@ -277,8 +277,9 @@ void ScanView::paintEvent(QPaintEvent*) {
     painter.setFont(textFont());
     painter.setPen(scanTheme().quiet);
     painter.drawText(pictureRect(), Qt::AlignCenter | Qt::TextWordWrap,
-                     session_.isFrozen() ? tr("The probe is outside the volume.")
-                                         : tr("The probe is outside the volume. Slide it back, or press Home for the start."));
+                     session_.isFrozen() || session_.mover() == Session::Mover::tracker
+                         ? tr("The probe is outside the volume.")
+                         : tr("The probe is outside the volume. Slide it back, or press Home for the start."));
   }
 }
 

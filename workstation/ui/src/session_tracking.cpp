@@ -48,8 +48,8 @@ void Session::takeNews() {
   if (!tracked_ || source_) return;
   if (mover() == Mover::handMeanwhile) return lookAtTracker();
   if (mover() != Mover::tracker || !isWatched_ || frozen_ || played_ || !subject() || due_) return;
-  const double wait_s = pace_.earliest_s - now_s();
-  if (wait_s > 0.0) return nextFrame_.start(static_cast<int>(std::ceil(1000.0 * wait_s)));
+  // A reading that comes too soon waits for no picture: the next one, which is newer, has it.
+  if (now_s() < pace_.earliest_s) return;
   due_ = true;
   makePictureNow();
 }

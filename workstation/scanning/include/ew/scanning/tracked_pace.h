@@ -4,17 +4,17 @@
 
 namespace ew {
 
-/// When the next picture of a tracked probe is made: as soon as a reading arrives, from `earliest_s` on; at `latest_s` without one, so that
-/// what changes by itself goes on and a loss is seen.
+/// When the next picture of a tracked probe is made: at once of a reading that arrives from `earliest_s` on, and at `latest_s` without one,
+/// so that what changes by itself goes on and a loss is seen. One that arrives sooner is left to the next: a picture at `earliest_s` would
+/// show it when it is old, and delay the newer one behind.
 struct TrackedPace {
   double earliest_s = 0.0;
   double latest_s = 0.0;
   bool operator==(const TrackedPace&) const = default;
 };
 
-/// A picture of 29 ms and no more: every frame of a camera of 30 a second, every second one of 60, every third one of 100, so that a
-/// reading does not wait for the next picture. At least half of the time is left to the hand and the window, as long as frames take less
-/// than 0.2 s.
+/// A picture takes 29 ms at least: every frame of a camera of 30 a second makes one, every second one of 60, every third one of 100. At
+/// least half of the time is left to the hand and the window, as long as frames take less than 0.2 s.
 /// @param begin_s when the last picture was begun  @param spent_s what it took, with all who show it
 [[nodiscard]] inline TrackedPace trackedPace(double begin_s, double spent_s) {
   constexpr double kPeriod_s = 0.029;
