@@ -149,7 +149,7 @@ void judgeMany(std::span<const TouchedLandmark> touched, const Touches& touches,
                                                                                                          tenths(found.residual_mm[wrong]));
 }
 
-bool isFinite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+bool isTouchable(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 }  // namespace
 
@@ -158,7 +158,7 @@ Result<Alignment> alignByLandmarks(std::span<const TouchedLandmark> touched, con
     return failure(ErrorCode::badField, say<"The precision of touching must be a number above 0 mm.">(), {{"field", "touch_mm"}});
   Touches touches;
   for (std::size_t n = 0; n < touched.size(); ++n) {
-    if (!isFinite(touched[n].world_mm) || !isFinite(touched[n].tracker_mm))
+    if (!isTouchable(touched[n].world_mm) || !isTouchable(touched[n].tracker_mm))
       return failure(ErrorCode::badField, say<"The place of %1 is no number; touch it again.">(quoted(touched[n], n)),
                      {{"field", touched[n].name}});
     touches.tracker.push_back(eigenOf(touched[n].tracker_mm));

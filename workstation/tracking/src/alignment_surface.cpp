@@ -107,7 +107,7 @@ Twist stepOf(const SurfaceEquations& equations, const Freedoms& freedoms) {
   return step;
 }
 
-RigidFit stepped(const RigidFit& at, const Twist& step, const Traced& traced) {
+RigidFit twistedBy(const RigidFit& at, const Twist& step, const Traced& traced) {
   const Vector3d turn = step.tail<3>() / traced.lever_mm, centre = at(traced.centre);
   const double angle = turn.norm();
   const Eigen::Matrix3d by = angle > 0.0 ? Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() : Eigen::Matrix3d::Identity();
@@ -198,7 +198,7 @@ Result<Alignment> alignBySurface(std::span<const glm::dvec3> traced, const Skin&
     const SurfaceEquations equations = equationsAt(points, skin, at, scale_mm);
     const double error_mm = std::max(options.touch_mm, std::sqrt(equations.weightedSquares / std::max(equations.weights, 1e-9)));
     const Twist step = stepOf(equations, freedomsOf(equations, points, std::min(error_mm, options.trace_mm)));
-    at = stepped(at, step, points);
+    at = twistedBy(at, step, points);
     if (step.norm() < 1e-4 && scale_mm <= options.trace_mm) break;
     if (step.norm() < 1.0) scale_mm = std::max(options.trace_mm, 0.7 * scale_mm);
   }
