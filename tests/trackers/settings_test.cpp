@@ -121,6 +121,7 @@ TEST(TrackerSettings, GiveANewTrackerAnIdOfItsOwn) {
   EXPECT_EQ(newTrackerId(usualTrackers(), "Kamera über dem Tisch!"), "kamera-ber-dem-tisch");
   EXPECT_EQ(newTrackerId({}, "…"), "tracker");
   TrackerList list;
+  list.trackers.push_back({"tape", "Not chosen yet", SequenceSettings{}, {}});
   for (int n = 0; n < 5; ++n) list.trackers.push_back({newTrackerId(list, "Camera"), "Camera", CameraSource{}, {}});
   const auto read = settings_test::read(toJson(list));
   EXPECT_TRUE(read) << read.error();

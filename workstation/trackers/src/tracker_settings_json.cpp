@@ -37,10 +37,11 @@ std::string trackerWord(const std::array<std::pair<std::string_view, E>, N>& wor
   return {};
 }
 
+// What is not filled in yet may be kept: the device says what is missing.
 IgtlSettings igtlIn(const JsonFields& fields) {
   fields.only({"host", "port", "checks_sums", "speaks_version_3"});
   IgtlSettings read;
-  read.host = fields.text("host", read.host, 1, 255);
+  read.host = fields.text("host", read.host, 0, 255);
   read.port = static_cast<int>(fields.whole("port", 1, 65535, read.port));
   read.checksSums = fields.flag("checks_sums", read.checksSums);
   read.speaksVersion3 = fields.flag("speaks_version_3", read.speaksVersion3);
@@ -84,7 +85,7 @@ json jsonOf(const CameraTrackingOptions& tracking) {
 CameraSource cameraIn(const JsonFields& fields) {
   fields.only({"device", "width", "height", "frames_hz", "model", "probe_body", "board_body", "tracking", "film_loops", "film_speed"});
   CameraSource read;
-  read.camera.device = fields.text("device", "0", 1, kLongestPath);
+  read.camera.device = fields.text("device", "0", 0, kLongestPath);
   read.camera.width = static_cast<int>(fields.whole("width", 64, 8192, read.camera.width));
   read.camera.height = static_cast<int>(fields.whole("height", 64, 8192, read.camera.height));
   read.camera.frames_hz = fields.number("frames_hz", 1.0, 1000.0, read.camera.frames_hz);
@@ -95,7 +96,7 @@ CameraSource cameraIn(const JsonFields& fields) {
     else
       fields.reading().refuse(parsed.error());
   }
-  read.probeBody = fields.text("probe_body", read.probeBody, 1);
+  read.probeBody = fields.text("probe_body", read.probeBody, 0);
   read.boardBody = fields.text("board_body", read.boardBody, 0);
   read.camera.tracking = cameraTrackingIn(fields.object("tracking"));
   read.camera.filmLoops = fields.flag("film_loops", read.camera.filmLoops);
@@ -121,7 +122,7 @@ json jsonOf(const CameraSource& source) {
 SequenceSettings recordingIn(const JsonFields& fields) {
   fields.only({"file", "speed", "loops"});
   SequenceSettings read;
-  read.file = fields.text("file", {}, 1, kLongestPath);
+  read.file = fields.text("file", {}, 0, kLongestPath);
   read.speed = fields.number("speed", 0.1, 10.0, read.speed);
   read.loops = fields.flag("loops", read.loops);
   return read;
