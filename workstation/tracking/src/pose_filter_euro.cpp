@@ -10,8 +10,8 @@ namespace {
 // As the authors advise: the lowest cut-off so that a still hand does not jitter, then the slope so that a fast one does not lag.
 constexpr double kLowest_hz = 1.5;
 constexpr double kSpeedCutoff_hz = 2.0;
-constexpr double kSlopePerMm = 0.12;  ///< Hz for each mm/s
-constexpr double kSlopePerRad = 6.0;  ///< Hz for each rad/s
+constexpr double kSlopePerMm = 0.4;    ///< Hz for each mm/s
+constexpr double kSlopePerRad = 20.0;  ///< Hz for each rad/s
 
 /// Share of the new value in a low pass of first order.
 double lowPassShare(double cutoff_hz, double dt_s) {
