@@ -52,7 +52,7 @@ TrackerAlignStep::TrackerAlignStep(Trackers& trackers, std::string tracker, QWid
   hand_->setObjectName(QStringLiteral("trackerHandState"));
   hand_->setWordWrap(true);
   hand_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  holdLeastHeight(*hand_, 36);
+  holdLeastHeight(*hand_, 54);
   column->addWidget(hand_);
   auto* row = new QHBoxLayout;
   take_ = new QPushButton(tr("Take this place"));
@@ -105,6 +105,7 @@ void TrackerAlignStep::enter() {
   trackers_.use(tracker_);
   landmarks_ = trackers_.landmarks();
   body_->setBody(trackers_.bodyPoints());
+  body_->lookAt(trackers_.landmarkPlaces());
   still_.forget();
   chooseFirstLeft();
 }

@@ -11,6 +11,7 @@ namespace ew::ui {
 namespace {
 
 constexpr double kAroundBody_px = 16.0;
+constexpr double kAroundPlaces_mm = 90.0;
 constexpr double kReach_px = 14.0;  ///< of a click
 
 void paintSign(QPainter& painter, const QPointF& at, TrackerBodyPicture::Mark mark, const Theme& theme) {
@@ -66,6 +67,18 @@ void TrackerBodyPicture::setBody(const std::vector<glm::vec3>& points_mm) {
       low_ = glm::min(low_, glm::dvec2(p.x, p.z));
       high_ = glm::max(high_, glm::dvec2(p.x, p.z));
     }
+  }
+  paintBody();
+  update();
+}
+
+void TrackerBodyPicture::lookAt(const std::vector<glm::dvec3>& places_mm) {
+  if (places_mm.empty()) return;
+  low_ = glm::dvec2(1e9);
+  high_ = glm::dvec2(-1e9);
+  for (const glm::dvec3& p : places_mm) {
+    low_ = glm::min(low_, glm::dvec2(p.x, p.z) - kAroundPlaces_mm);
+    high_ = glm::max(high_, glm::dvec2(p.x, p.z) + kAroundPlaces_mm);
   }
   paintBody();
   update();

@@ -29,6 +29,8 @@ class TrackerBodyPicture final : public QWidget {
 
   /// @param points_mm corners of the mannequin's surface, world
   void setBody(const std::vector<glm::vec3>& points_mm);
+  /// Shows the part of the body around these places; without any the whole of it.
+  void lookAt(const std::vector<glm::dvec3>& places_mm);
   void setPlaces(std::vector<Place> places);
   /// Where the probe's face is now by what is known, world; empty: unknown.
   void setProbe(const std::optional<glm::dvec3>& at_mm);

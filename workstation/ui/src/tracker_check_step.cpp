@@ -42,6 +42,7 @@ TrackerCheckStep::TrackerCheckStep(Trackers& trackers, std::string tracker, QWid
   gap_ = new FigureLabel(tr("%1 mm").arg(QStringLiteral("-888.8")));
   gap_->setObjectName(QStringLiteral("trackerGap"));
   gap_->setProperty("heading", true);
+  gap_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   column->addWidget(gap_);
   hand_ = new QLabel;
   hand_->setObjectName(QStringLiteral("trackerCheckHand"));
@@ -63,6 +64,7 @@ bool TrackerCheckStep::isDone() const {
 void TrackerCheckStep::enter() {
   trackers_.use(tracker_);
   body_->setBody(trackers_.bodyPoints());
+  body_->lookAt(trackers_.landmarkPlaces());
   still_.forget();
   checked_.clear();
   showAll();

@@ -118,6 +118,7 @@ class Trackers final : public QObject {
 
   // The mannequin.
   [[nodiscard]] std::vector<BodyLandmark> landmarks() const;
+  [[nodiscard]] std::vector<glm::dvec3> landmarkPlaces() const;  ///< world
   [[nodiscard]] std::vector<glm::vec3> bodyPoints() const;
   [[nodiscard]] std::shared_ptr<const Skin> skin() const { return session_.skin(); }
   /// How far from the skin a point is; below it less than 0.

@@ -24,6 +24,12 @@ std::vector<BodyLandmark> Trackers::landmarks() const {
   return known ? std::move(known->landmarks) : std::vector<BodyLandmark>{};
 }
 
+std::vector<glm::dvec3> Trackers::landmarkPlaces() const {
+  std::vector<glm::dvec3> places;
+  for (const BodyLandmark& each : landmarks()) places.push_back(each.at_mm);
+  return places;
+}
+
 std::vector<glm::vec3> Trackers::bodyPoints() const { return window_.bodyPoints_mm ? window_.bodyPoints_mm() : std::vector<glm::vec3>{}; }
 
 double Trackers::gap_mm(const Skin& skin, const glm::dvec3& at_world) {

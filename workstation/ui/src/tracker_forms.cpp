@@ -56,6 +56,11 @@ QPushButton* addFile(QFormLayout& form, const QString& name, const QString& show
 
 }  // namespace
 
+QString askRecordingFile(QWidget* parent) {
+  return QFileDialog::getOpenFileName(parent, TrackerForm::tr("Recording of a tracker"), {},
+                                      TrackerForm::tr("Sequences of PLUS (*.mha *.mhd *.nrrd);;All files (*)"));
+}
+
 TrackerForm::TrackerForm(Trackers& trackers, std::string tracker, QWidget* parent)
     : QWidget(parent), trackers_(trackers), tracker_(std::move(tracker)) {
   auto* form = new QFormLayout(this);
@@ -101,8 +106,10 @@ void TrackerForm::addNetwork(QFormLayout& form, const IgtlSettings& settings) {
   sums->setObjectName(QStringLiteral("trackerSums"));
   sums->setChecked(settings.checksSums);
   form.addRow(sums);
-  connect(host, &QLineEdit::editingFinished, this,
-          [this, host] { changeSource<IgtlSettings>([host](IgtlSettings& s) { s.host = host->text().trimmed().toStdString(); }); });
+  connect(host, &QLineEdit::editingFinished, this, [this, host] {
+    const QString wanted = host->text().trimmed();
+    if (!wanted.isEmpty()) changeSource<IgtlSettings>([&](IgtlSettings& s) { s.host = wanted.toStdString(); });
+  });
   connect(port, &QSpinBox::editingFinished, this,
           [this, port] { changeSource<IgtlSettings>([port](IgtlSettings& s) { s.port = port->value(); }); });
   connect(sums, &QCheckBox::toggled, this, [this](bool on) { changeSource<IgtlSettings>([on](IgtlSettings& s) { s.checksSums = on; }); });
@@ -179,8 +186,7 @@ void TrackerForm::addRecording(QFormLayout& form, const SequenceSettings& settin
   loops->setChecked(settings.loops);
   form.addRow(loops);
   connect(file, &QPushButton::clicked, this, [this] {
-    const QString chosen =
-        QFileDialog::getOpenFileName(this, tr("Recording of a tracker"), {}, tr("Sequences of PLUS (*.mha *.mhd *.nrrd);;All files (*)"));
+    const QString chosen = askRecordingFile(this);
     if (!chosen.isEmpty()) changeSource<SequenceSettings>([&](SequenceSettings& s) { s.file = pathOf(chosen); });
   });
   connect(speed, &QDoubleSpinBox::editingFinished, this,

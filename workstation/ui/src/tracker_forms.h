@@ -12,6 +12,9 @@ namespace ew::ui {
 
 class Trackers;
 
+/// Asks for a recording of a tracker. @return empty: none is wanted
+[[nodiscard]] QString askRecordingFile(QWidget* parent);
+
 /// What can be set of one tracker; made anew for another one. Every change holds at once.
 class TrackerForm final : public QWidget {
   Q_OBJECT

@@ -57,7 +57,9 @@ std::vector<TrackerSettings> newTrackers() {
   HandControllerSettings pad;
   pad.kind = HandControllerKind::gameController;
   pad.hand = gameControllerOptions();
-  return {named(TrackerPage::tr("Camera"), CameraSource{}), named(TrackerPage::tr("OpenIGTLink"), IgtlSettings{}),
+  CameraSource camera;
+  camera.camera.device = "0";  // the first one
+  return {named(TrackerPage::tr("Camera"), camera), named(TrackerPage::tr("OpenIGTLink"), IgtlSettings{}),
           named(TrackerPage::tr("SpaceMouse"), HandControllerSettings{}), named(TrackerPage::tr("Game controller"), pad),
           named(TrackerPage::tr("Recording"), SequenceSettings{})};
 }
@@ -92,6 +94,7 @@ TrackerPage::TrackerPage(Trackers& trackers, QWidget* parent)
   connect(&trackers_, &Trackers::fitFound, fit_, &QWidget::hide);
   showList();
   choose(trackers_.used());
+  list_->setFocus();
 }
 
 void TrackerPage::addList() {
@@ -146,7 +149,15 @@ void TrackerPage::addListButtons(QVBoxLayout& column) {
   });
 }
 
-void TrackerPage::addTracker(int kind) { choose(trackers_.add(newTrackers()[static_cast<std::size_t>(kind)])); }
+void TrackerPage::addTracker(int kind) {
+  TrackerSettings made = newTrackers()[static_cast<std::size_t>(kind)];
+  if (auto* recording = std::get_if<SequenceSettings>(&made.source)) {
+    const QString file = askRecordingFile(this);
+    if (file.isEmpty()) return;
+    recording->file = pathOf(file);
+  }
+  choose(trackers_.add(std::move(made)));
+}
 
 void TrackerPage::addState() {
   auto* head = new QHBoxLayout;

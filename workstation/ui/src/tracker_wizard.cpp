@@ -73,6 +73,7 @@ TrackerWizard::TrackerWizard(Trackers& trackers, std::string tracker, TrackerCou
   connect(next_, &QPushButton::clicked, this, &TrackerWizard::goOn);
   connect(&poll_, &QTimer::timeout, this, [this] { current().poll(); });
   poll_.start(kPoll_ms);
+  next_->setFocus();
   const auto undone =
       std::find_if(steps_.begin(), steps_.end(), [](const TrackerStep* each) { return each->isNeeded() && !each->isDone(); });
   showStep(undone == steps_.end() ? stepCount() - 1 : static_cast<int>(undone - steps_.begin()));
