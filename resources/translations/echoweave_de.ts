@@ -9983,6 +9983,690 @@
         <source>The probe is %1 mm inside the body: check the alignment of the tracker.</source>
         <translation>Die Sonde ist %1 mm im Körper: Prüfen Sie die Ausrichtung des Trackers.</translation>
     </message>
+    <message>
+        <source>What came is no OpenIGTLink, or its beginning was lost; the connection is opened anew. If this repeats, check that the port belongs to an OpenIGTLink server.</source>
+        <translation>Was ankam, ist kein OpenIGTLink, oder sein Anfang ging verloren; die Verbindung wird neu aufgebaut. Wiederholt sich das, prüfen Sie, ob der Port zu einem OpenIGTLink-Server gehört.</translation>
+    </message>
+    <message>
+        <source>A message of the type %1 claims to be %2 bytes long, which it cannot be; the connection is opened anew.</source>
+        <translation>Eine Nachricht vom Typ %1 gibt an, %2 Bytes lang zu sein, was nicht sein kann; die Verbindung wird neu aufgebaut.</translation>
+    </message>
+    <message>
+        <source>A message of the type %1 arrived damaged: its check sum is wrong. If this repeats, the sender writes no sums; switch their check off.</source>
+        <translation>Eine Nachricht vom Typ %1 kam beschädigt an: Ihre Prüfsumme ist falsch. Wiederholt sich das, schreibt der Absender keine Summen; schalten Sie ihre Prüfung ab.</translation>
+    </message>
+    <message>
+        <source>A message of the type %1 does not hold together: the lengths of its parts do not fit its own.</source>
+        <translation>Eine Nachricht vom Typ %1 ist in sich nicht stimmig: Die Längen ihrer Teile passen nicht zu ihrer eigenen.</translation>
+    </message>
+    <message>
+        <source>The tracker sends numbers for the tool %1 that are none, as some do while they do not see it.</source>
+        <translation>Der Tracker sendet für das Werkzeug %1 Zahlen, die keine sind, wie es manche tun, während sie es nicht sehen.</translation>
+    </message>
+    <message>
+        <source>The tracker puts the tool %1 farther away than 100 m, as some do while they do not see it.</source>
+        <translation>Der Tracker setzt das Werkzeug %1 weiter als 100 m entfernt, wie es manche tun, während sie es nicht sehen.</translation>
+    </message>
+    <message>
+        <source>The tracker sends the identity as the pose of the tool %1, as PLUS does while a tool is not seen.</source>
+        <translation>Der Tracker sendet als Lage des Werkzeugs %1 die Einheitsmatrix, wie PLUS es tut, während ein Werkzeug nicht gesehen wird.</translation>
+    </message>
+    <message>
+        <source>The tracker sends a pose of the tool %1 that is not a rotation and a translation; check what the server sends under that name.</source>
+        <translation>Der Tracker sendet für das Werkzeug %1 eine Lage, die keine Drehung und Verschiebung ist; prüfen Sie, was der Server unter diesem Namen sendet.</translation>
+    </message>
+    <message>
+        <source>The tracker does not measure how the tool %1 is turned; a probe needs a tool with six degrees of freedom.</source>
+        <translation>Der Tracker misst nicht, wie das Werkzeug %1 gedreht ist; eine Sonde braucht ein Werkzeug mit sechs Freiheitsgraden.</translation>
+    </message>
+    <message>
+        <source>The tracker marks the pose of the tool %1 as not valid.</source>
+        <translation>Der Tracker kennzeichnet die Lage des Werkzeugs %1 als ungültig.</translation>
+    </message>
+    <message>
+        <source>A message of the type %1 from %2 has a length that does not fit its type; it was left out.</source>
+        <translation>Eine Nachricht vom Typ %1 von %2 hat eine Länge, die nicht zu ihrem Typ passt; sie wurde ausgelassen.</translation>
+    </message>
+    <message>
+        <source>the tracker was stopped in an emergency</source>
+        <translation>der Tracker wurde in einem Notfall angehalten</translation>
+    </message>
+    <message>
+        <source>it does not find a file, a setting or a device</source>
+        <translation>er findet eine Datei, eine Einstellung oder ein Gerät nicht</translation>
+    </message>
+    <message>
+        <source>it does not allow access</source>
+        <translation>er erlaubt keinen Zugriff</translation>
+    </message>
+    <message>
+        <source>it is busy</source>
+        <translation>er ist beschäftigt</translation>
+    </message>
+    <message>
+        <source>it waits in vain for its own device; check the cable and the power of the tracker</source>
+        <translation>er wartet vergeblich auf sein eigenes Gerät; prüfen Sie Kabel und Stromversorgung des Trackers</translation>
+    </message>
+    <message>
+        <source>a place cannot be reached, or a number is too large</source>
+        <translation>ein Ort ist nicht erreichbar, oder eine Zahl ist zu groß</translation>
+    </message>
+    <message>
+        <source>what it received was damaged</source>
+        <translation>was er empfing, war beschädigt</translation>
+    </message>
+    <message>
+        <source>its settings are wrong</source>
+        <translation>seine Einstellungen sind falsch</translation>
+    </message>
+    <message>
+        <source>it lacks memory or storage</source>
+        <translation>ihm fehlt Arbeitsspeicher oder Speicherplatz</translation>
+    </message>
+    <message>
+        <source>it does not know what it was asked for</source>
+        <translation>er kennt nicht, wonach er gefragt wurde</translation>
+    </message>
+    <message>
+        <source>it is not ready yet</source>
+        <translation>er ist noch nicht bereit</translation>
+    </message>
+    <message>
+        <source>it is operated by hand and takes no commands</source>
+        <translation>er wird von Hand bedient und nimmt keine Befehle an</translation>
+    </message>
+    <message>
+        <source>the device is switched off</source>
+        <translation>das Gerät ist ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>the device is not there</source>
+        <translation>das Gerät ist nicht vorhanden</translation>
+    </message>
+    <message>
+        <source>it does not know this version of the protocol</source>
+        <translation>er kennt diese Version des Protokolls nicht</translation>
+    </message>
+    <message>
+        <source>the device is broken</source>
+        <translation>das Gerät ist defekt</translation>
+    </message>
+    <message>
+        <source>it is shutting down</source>
+        <translation>er fährt herunter</translation>
+    </message>
+    <message>
+        <source>it reports an error without saying which</source>
+        <translation>er meldet einen Fehler, ohne zu sagen, welchen</translation>
+    </message>
+    <message>
+        <source>The tracker&apos;s server reports: %1.</source>
+        <translation>Der Server des Trackers meldet: %1.</translation>
+    </message>
+    <message>
+        <source>The tracker&apos;s server reports: %1. In its own words: %2.</source>
+        <translation>Der Server des Trackers meldet: %1. Mit seinen eigenen Worten: %2.</translation>
+    </message>
+    <message>
+        <source>Nothing came from %1 for long; the connection is opened anew. Check that the server runs and sends.</source>
+        <translation>Von %1 kam lange nichts; die Verbindung wird neu aufgebaut. Prüfen Sie, ob der Server läuft und sendet.</translation>
+    </message>
+    <message>
+        <source>What %1 sends holds no message any more; the connection is opened anew.</source>
+        <translation>Was %1 sendet, enthält keine Nachricht mehr; die Verbindung wird neu aufgebaut.</translation>
+    </message>
+    <message>
+        <source>Connected with %1.</source>
+        <translation>Verbunden mit %1.</translation>
+    </message>
+    <message>
+        <source>The server at %1 answers, but sends no poses any more; bring the tools back into the tracker&apos;s view.</source>
+        <translation>Der Server unter %1 antwortet, sendet aber keine Lagen mehr; bringen Sie die Werkzeuge zurück in das Blickfeld des Trackers.</translation>
+    </message>
+    <message>
+        <source>The server at %1 answers, but sends no poses; check that the tools are in view, and that the server is set up to send transforms.</source>
+        <translation>Der Server unter %1 antwortet, sendet aber keine Lagen; prüfen Sie, ob die Werkzeuge im Blickfeld sind und ob der Server Transformationen senden soll.</translation>
+    </message>
+    <message>
+        <source>Nothing comes from %1 any more; check that the tracker and its server still run.</source>
+        <translation>Von %1 kommt nichts mehr; prüfen Sie, ob der Tracker und sein Server noch laufen.</translation>
+    </message>
+    <message>
+        <source>Connected with %1, but nothing comes; check that the server is set up to send transforms.</source>
+        <translation>Verbunden mit %1, aber es kommt nichts; prüfen Sie, ob der Server Transformationen senden soll.</translation>
+    </message>
+    <message>
+        <source>No server listens at %1; start it there, or check the address and the port. It is tried again by itself.</source>
+        <translation>Unter %1 antwortet kein Server; starten Sie ihn dort, oder prüfen Sie Adresse und Port. Es wird von selbst wieder versucht.</translation>
+    </message>
+    <message>
+        <source>The computer of %1 does not answer; check its address, the network and its firewall. It is tried again by itself.</source>
+        <translation>Der Computer von %1 antwortet nicht; prüfen Sie seine Adresse, das Netz und seine Firewall. Es wird von selbst wieder versucht.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be reached (%2). It is tried again by itself.</source>
+        <translation>%1 ist nicht erreichbar (%2). Es wird von selbst wieder versucht.</translation>
+    </message>
+    <message>
+        <source>The connection with the tracker ended (%1); it is opened anew.</source>
+        <translation>Die Verbindung mit dem Tracker endete (%1); sie wird neu aufgebaut.</translation>
+    </message>
+    <message>
+        <source>Connecting with %1.</source>
+        <translation>Verbinde mit %1.</translation>
+    </message>
+    <message>
+        <source>The name of %1 is not known in this network; check how it is written. It is tried again by itself.</source>
+        <translation>Der Name von %1 ist in diesem Netz nicht bekannt; prüfen Sie seine Schreibweise. Es wird von selbst wieder versucht.</translation>
+    </message>
+    <message>
+        <source>The server at %1 closed the connection; it is opened anew as soon as the server listens again.</source>
+        <translation>Der Server unter %1 hat die Verbindung geschlossen; sie wird wieder aufgebaut, sobald der Server wieder bereit ist.</translation>
+    </message>
+    <message>
+        <source>The connection with %1 broke (%2); it is opened anew.</source>
+        <translation>Die Verbindung mit %1 brach ab (%2); sie wird neu aufgebaut.</translation>
+    </message>
+    <message>
+        <source>Another program already listens on port %1; choose another port or end that program.</source>
+        <translation>Ein anderes Programm belegt bereits den Port %1; wählen Sie einen anderen Port, oder beenden Sie jenes Programm.</translation>
+    </message>
+    <message>
+        <source>No connection can be offered on port %1 (%2).</source>
+        <translation>Auf Port %1 kann keine Verbindung angeboten werden (%2).</translation>
+    </message>
+    <message>
+        <source>the measured scale %1</source>
+        <translation>der gemessene Maßstab %1</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made (%2); check its permissions.</source>
+        <translation>Der Ordner %1 kann nicht angelegt werden (%2); prüfen Sie seine Rechte.</translation>
+    </message>
+    <message>
+        <source>the id of a panel that stands before it</source>
+        <translation>die Kennung einer Fläche, die vor ihr steht</translation>
+    </message>
+    <message>
+        <source>an id that no other panel has</source>
+        <translation>eine Kennung, die keine andere Fläche hat</translation>
+    </message>
+    <message>
+        <source>nothing: the first panel hangs on none</source>
+        <translation>nichts: die erste Fläche hängt an keiner</translation>
+    </message>
+    <message>
+        <source>so few squares that the dictionary has a marker for each white one</source>
+        <translation>so wenige Felder, dass der Markensatz für jedes weiße eine Marke hat</translation>
+    </message>
+    <message>
+        <source>the marker body %1</source>
+        <translation>der Markenkörper %1</translation>
+    </message>
+    <message>
+        <source>marker bodies</source>
+        <translation>Markenkörper</translation>
+    </message>
+    <message>
+        <source>The marker bodies %1 and %2 both use marker %3; give one of them markers of its own.</source>
+        <translation>Die Markenkörper %1 und %2 benutzen beide die Marke %3; geben Sie einem von ihnen eigene Marken.</translation>
+    </message>
+    <message>
+        <source>%1 is a board for the camera&apos;s own calibration and no body to follow; choose another one.</source>
+        <translation>%1 ist eine Tafel für das Kalibrieren der Kamera und kein Körper, dem sie folgen kann; wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>marker %1 on panel %2</source>
+        <translation>Marke %1 auf der Fläche %2</translation>
+    </message>
+    <message>
+        <source>a marker that stands on one panel only</source>
+        <translation>eine Marke, die nur auf einer Fläche steht</translation>
+    </message>
+    <message>
+        <source>a marker with at least %1 mm of white paper around it</source>
+        <translation>eine Marke mit mindestens %1 mm weißem Papier ringsum</translation>
+    </message>
+    <message>
+        <source>panels without a marker</source>
+        <translation>Flächen ohne Marke</translation>
+    </message>
+    <message>
+        <source>at least one marker on a panel</source>
+        <translation>mindestens eine Marke auf einer Fläche</translation>
+    </message>
+    <message>
+        <source>a seam of %1 and %2 whose edges lie %3 mm apart when it is folded</source>
+        <translation>eine Naht von %1 und %2, deren Kanten gefaltet %3 mm auseinanderliegen</translation>
+    </message>
+    <message>
+        <source>one whose edges meet: correct sizes or fold_deg</source>
+        <translation>eine, deren Kanten sich treffen: berichtigen Sie Maße oder fold_deg</translation>
+    </message>
+    <message>
+        <source>a net in which %1 and %2, or a glue tab of theirs, overlap</source>
+        <translation>ein Netz, in dem sich %1 und %2 oder eine ihrer Klebelaschen überdecken</translation>
+    </message>
+    <message>
+        <source>one that lies flat on the sheet</source>
+        <translation>eines, das flach auf dem Blatt liegt</translation>
+    </message>
+    <message>
+        <source>The texts of the marker body %1 do not fit on its sheet; make the body smaller or its texts shorter.</source>
+        <translation>Die Texte des Markenkörpers %1 passen nicht auf sein Blatt; machen Sie den Körper kleiner oder seine Texte kürzer.</translation>
+    </message>
+    <message>
+        <source>The sheet could not be drawn (%1); please report it.</source>
+        <translation>Das Blatt konnte nicht gezeichnet werden (%1); bitte melden Sie das.</translation>
+    </message>
+    <message>
+        <source>1. Print at 100 % (actual size, not fitted to the page) on stiff white paper.</source>
+        <translation>1. Drucken Sie mit 100 % (tatsächliche Größe, nicht an die Seite angepasst) auf festes weißes Papier.</translation>
+    </message>
+    <message>
+        <source>2. Measure both scales: each is 100 mm long. If not, print again at 100 %, or tell EchoWeave the length you measured.</source>
+        <translation>2. Messen Sie beide Maßstäbe nach: jeder ist 100 mm lang. Wenn nicht, drucken Sie noch einmal mit 100 % oder nennen Sie EchoWeave die gemessene Länge.</translation>
+    </message>
+    <message>
+        <source>3. Cut along the solid lines and glue it flat onto stiff card.</source>
+        <translation>3. Schneiden Sie entlang der durchgezogenen Linien und kleben Sie das Blatt flach auf feste Pappe.</translation>
+    </message>
+    <message>
+        <source>4. Fix it beside the mannequin where the camera sees both. From then on neither may move against the other.</source>
+        <translation>4. Befestigen Sie sie neben dem Übungskörper, wo die Kamera beide sieht. Von da an dürfen sie sich nicht mehr gegeneinander bewegen.</translation>
+    </message>
+    <message>
+        <source>3. Glue the whole sheet flat onto stiff card, without waves.</source>
+        <translation>3. Kleben Sie das ganze Blatt flach und ohne Wellen auf feste Pappe.</translation>
+    </message>
+    <message>
+        <source>4. Show it to the camera from all sides and at several distances; the wizard says where it is missing.</source>
+        <translation>4. Zeigen Sie es der Kamera von allen Seiten und in mehreren Abständen; der Assistent sagt, wo es noch fehlt.</translation>
+    </message>
+    <message>
+        <source>3. Cut along the solid lines, fold the dashed lines away from the print, and glue the tabs inside.</source>
+        <translation>3. Schneiden Sie entlang der durchgezogenen Linien, falten Sie die gestrichelten vom Druck weg und kleben Sie die Laschen innen an.</translation>
+    </message>
+    <message>
+        <source>4. Cut the dotted ovals to the shape of your probe and push the sleeve onto it so that it cannot move. The wizard then finds the probe&apos;s face.</source>
+        <translation>4. Schneiden Sie die gepunkteten Ovale nach der Form Ihres Schallkopfs aus und schieben Sie die Hülse darauf, bis sie sich nicht mehr bewegt. Der Assistent findet dann die Schallfläche.</translation>
+    </message>
+    <message>
+        <source>4. Hold it by its nose like a probe: the small end is the face that touches the skin. The marker side is printed on it.</source>
+        <translation>4. Halten Sie ihn an der Nase wie einen Schallkopf: das schmale Ende ist die Fläche, die die Haut berührt. Die Markerseite ist aufgedruckt.</translation>
+    </message>
+    <message>
+        <source>%1, version %2</source>
+        <translation>%1, Fassung %2</translation>
+    </message>
+    <message>
+        <source>The marker body %1 does not fit on a sheet of %2 together with its scales and its instructions; make it smaller.</source>
+        <translation>Der Markenkörper %1 passt mit seinen Maßstäben und der Anleitung nicht auf ein Blatt %2; machen Sie ihn kleiner.</translation>
+    </message>
+    <message>
+        <source>The scale of 100 mm cannot measure %1 mm; measure again, or print again at 100 % (actual size).</source>
+        <translation>Der Maßstab von 100 mm kann nicht %1 mm messen; messen Sie noch einmal, oder drucken Sie noch einmal mit 100 % (tatsächliche Größe).</translation>
+    </message>
+    <message>
+        <source>There is no marker body &apos;%1&apos;; there are: %2.</source>
+        <translation>Es gibt keinen Markenkörper „%1“; es gibt: %2.</translation>
+    </message>
+    <message>
+        <source>Say where the sheets go with -o marker.pdf, or what the printed scale measures with --measured-scale MM.</source>
+        <translation>Geben Sie mit -o marker.pdf an, wohin die Blätter sollen, oder mit --measured-scale MM, was der gedruckte Maßstab misst.</translation>
+    </message>
+    <message>
+        <source>landmark %1</source>
+        <translation>Landmarke %1</translation>
+    </message>
+    <message>
+        <source>The landmarks contradict each other by %1 mm, and not one of them alone is to blame. Check that the mannequin on the screen is the one in front of you, and touch all of them again.</source>
+        <translation>Die Landmarken widersprechen einander um %1 mm, und keine ist allein schuld daran. Prüfen Sie, ob der Übungskörper auf dem Bildschirm der vor Ihnen ist, und berühren Sie alle noch einmal.</translation>
+    </message>
+    <message>
+        <source>More than one landmark is in the wrong place; the worst is %1. Touch all of them again, in the order that is asked for.</source>
+        <translation>Mehr als eine Landmarke liegt falsch; am weitesten %1. Berühren Sie alle noch einmal in der Reihenfolge, in der danach gefragt wird.</translation>
+    </message>
+    <message>
+        <source>Either %1 or %2 is in the wrong place, and the others cannot tell which. Touch both again, or one more landmark.</source>
+        <translation>Entweder %1 oder %2 liegt falsch, und die anderen können nicht sagen, welche. Berühren Sie beide noch einmal oder eine weitere Landmarke.</translation>
+    </message>
+    <message>
+        <source>%1 is in the wrong place by %2 mm and was left out; touch it again if you can.</source>
+        <translation>%1 liegt um %2 mm falsch und wurde weggelassen; berühren Sie die Stelle noch einmal, wenn Sie können.</translation>
+    </message>
+    <message>
+        <source>The precision of touching must be a number above 0 mm.</source>
+        <translation>Die Genauigkeit des Berührens muss eine Zahl über 0 mm sein.</translation>
+    </message>
+    <message>
+        <source>The place of %1 is no number; touch it again.</source>
+        <translation>Die Lage von %1 ist keine Zahl; berühren Sie die Stelle noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 landmarks are not enough: touch at least three, better four that lie far apart.</source>
+        <translation>%1 Landmarken reichen nicht: berühren Sie mindestens drei, besser vier, die weit auseinanderliegen.</translation>
+    </message>
+    <message>
+        <source>The landmarks lie almost on one line or too close together, so that the mannequin could be turned about it; touch one more to the side.</source>
+        <translation>Die Landmarken liegen fast auf einer Linie oder zu nah beieinander, sodass der Übungskörper darum gedreht sein könnte; berühren Sie noch eine seitlich davon.</translation>
+    </message>
+    <message>
+        <source>The three landmarks contradict each other by %1 mm, and three cannot tell which is wrong. Touch a fourth one.</source>
+        <translation>Die drei Landmarken widersprechen einander um %1 mm, und drei können nicht sagen, welche falsch liegt. Berühren Sie eine vierte.</translation>
+    </message>
+    <message>
+        <source>%1 is in the wrong place, and the others lie almost on one line; touch it again.</source>
+        <translation>%1 liegt falsch, und die anderen liegen fast auf einer Linie; berühren Sie die Stelle noch einmal.</translation>
+    </message>
+    <message>
+        <source>The landmarks lie too close together: the picture could be off by %1 mm. Touch more of them, farther apart.</source>
+        <translation>Die Landmarken liegen zu nah beieinander: das Bild könnte um %1 mm danebenliegen. Berühren Sie weitere, die weiter auseinanderliegen.</translation>
+    </message>
+    <message>
+        <source>The landmarks agree within %1 mm; where you scan, the probe is expected to be right within %2 mm.</source>
+        <translation>Die Landmarken stimmen auf %1 mm überein; wo Sie schallen, stimmt die Lage des Schallkopfs voraussichtlich auf %2 mm.</translation>
+    </message>
+    <message>
+        <source>tipping towards the feet or the head</source>
+        <translation>Kippen zu den Füßen oder zum Kopf</translation>
+    </message>
+    <message>
+        <source>turning in the plane of the couch</source>
+        <translation>Drehen in der Ebene der Liege</translation>
+    </message>
+    <message>
+        <source>rolling onto one side</source>
+        <translation>Rollen auf eine Seite</translation>
+    </message>
+    <message>
+        <source>shifting to the left or right</source>
+        <translation>Verschieben nach links oder rechts</translation>
+    </message>
+    <message>
+        <source>shifting up or down</source>
+        <translation>Verschieben nach oben oder unten</translation>
+    </message>
+    <message>
+        <source>shifting towards the feet or the head</source>
+        <translation>Verschieben zu den Füßen oder zum Kopf</translation>
+    </message>
+    <message>
+        <source>Only %1 % of the traced points lie on the skin. Touch the landmarks again, then trace with the probe always on the skin.</source>
+        <translation>Nur %1 % der abgefahrenen Punkte liegen auf der Haut. Berühren Sie die Landmarken noch einmal und fahren Sie dann die Haut ab, ohne den Schallkopf abzuheben.</translation>
+    </message>
+    <message>
+        <source>The traced points lie on the skin within %1 mm, but leave open: %2. That stays as the landmarks have it; trace over more sides to settle it.</source>
+        <translation>Die abgefahrenen Punkte liegen auf %1 mm auf der Haut, lassen aber offen: %2. Das bleibt, wie die Landmarken es ergeben; fahren Sie mehr Seiten ab, um es festzulegen.</translation>
+    </message>
+    <message>
+        <source>The traced points lie on the skin within %1 mm; the probe is expected to be right within %2 mm.</source>
+        <translation>Die abgefahrenen Punkte liegen auf %1 mm auf der Haut; die Lage des Schallkopfs stimmt voraussichtlich auf %2 mm.</translation>
+    </message>
+    <message>
+        <source>%1 traced points are too few; slide the probe over the skin for at least ten seconds.</source>
+        <translation>%1 abgefahrene Punkte sind zu wenige; führen Sie den Schallkopf mindestens zehn Sekunden über die Haut.</translation>
+    </message>
+    <message>
+        <source>A traced point is no number; trace again.</source>
+        <translation>Ein abgefahrener Punkt ist keine Zahl; fahren Sie die Haut noch einmal ab.</translation>
+    </message>
+    <message>
+        <source>a rotation and a translation: 16 numbers, row by row</source>
+        <translation>eine Drehung und eine Verschiebung: 16 Zahlen, Zeile für Zeile</translation>
+    </message>
+    <message>
+        <source>the calibration %1</source>
+        <translation>die Kalibrierung %1</translation>
+    </message>
+    <message>
+        <source>the calibration</source>
+        <translation>die Kalibrierung</translation>
+    </message>
+    <message>
+        <source>The tool was seen %1 times only; repeat this where the tracker sees it.</source>
+        <translation>Das Werkzeug wurde nur %1-mal gesehen; wiederholen Sie das dort, wo der Tracker es sieht.</translation>
+    </message>
+    <message>
+        <source>Keep the face flat on the table and turn the probe on it by at least a quarter.</source>
+        <translation>Lassen Sie die Schallfläche flach auf dem Tisch und drehen Sie den Schallkopf darauf um mindestens eine Vierteldrehung.</translation>
+    </message>
+    <message>
+        <source>The face did not stay flat on the table: it leaned by %1 degrees. Press it down lightly and turn it again.</source>
+        <translation>Die Schallfläche blieb nicht flach auf dem Tisch: sie neigte sich um %1 Grad. Drücken Sie sie leicht an und drehen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The face stayed flat within %1 degrees.</source>
+        <translation>Die Schallfläche blieb auf %1 Grad flach.</translation>
+    </message>
+    <message>
+        <source>The probe was slid by %1 mm only; slide it straight along a ruler, by at least a hand&apos;s breadth, towards its marker side.</source>
+        <translation>Der Schallkopf wurde nur um %1 mm verschoben; schieben Sie ihn gerade an einem Lineal entlang, mindestens eine Handbreit, zu seiner Markerseite hin.</translation>
+    </message>
+    <message>
+        <source>The probe was not slid straight; slide it along a ruler towards its marker side.</source>
+        <translation>Der Schallkopf wurde nicht gerade geschoben; schieben Sie ihn an einem Lineal entlang zu seiner Markerseite hin.</translation>
+    </message>
+    <message>
+        <source>The probe turned while it was slid; keep it upright against a ruler.</source>
+        <translation>Der Schallkopf drehte sich beim Schieben; halten Sie ihn aufrecht an ein Lineal.</translation>
+    </message>
+    <message>
+        <source>The slide and the flat face do not fit together: they are only %1 degrees apart instead of 90. Repeat both steps on the same table.</source>
+        <translation>Das Schieben und die flache Schallfläche passen nicht zusammen: zwischen ihnen liegen nur %1 statt 90 Grad. Wiederholen Sie beide Schritte auf demselben Tisch.</translation>
+    </message>
+    <message>
+        <source>The face was found %1 mm and %2 degrees away from where the folded body has it. Check that it was folded along its lines and printed at 100 %, or use what was measured.</source>
+        <translation>Die Schallfläche wurde %1 mm und %2 Grad neben der Stelle gefunden, an der sie beim gefalteten Körper liegt. Prüfen Sie, ob er an seinen Linien gefaltet und mit 100 % gedruckt wurde, oder verwenden Sie das Gemessene.</translation>
+    </message>
+    <message>
+        <source>The tip did not stay in its place. Set it into a small hollow and turn the probe about it again.</source>
+        <translation>Die Spitze blieb nicht an ihrer Stelle. Setzen Sie sie in eine kleine Mulde und drehen Sie den Schallkopf noch einmal um sie.</translation>
+    </message>
+    <message>
+        <source>The probe was not tipped far enough both ways: tip it to the left and right and to the front and back, by about 30 degrees each, while its tip stays in its place.</source>
+        <translation>Der Schallkopf wurde nicht in beide Richtungen weit genug gekippt: kippen Sie ihn nach links und rechts und nach vorn und hinten, je etwa 30 Grad, während seine Spitze an ihrer Stelle bleibt.</translation>
+    </message>
+    <message>
+        <source>The tip is known within %1 mm only. Turn the probe more slowly and let its tip not slide.</source>
+        <translation>Die Spitze ist nur auf %1 mm bekannt. Drehen Sie den Schallkopf langsamer und lassen Sie seine Spitze nicht rutschen.</translation>
+    </message>
+    <message>
+        <source>The tip was found; it stayed in its place within %1 mm.</source>
+        <translation>Die Spitze wurde gefunden; sie blieb auf %1 mm an ihrer Stelle.</translation>
+    </message>
+    <message>
+        <source>The calibration no longer fits: the probe moves over the skin, but is measured %1 mm above it. Align it again.</source>
+        <translation>Die Kalibrierung passt nicht mehr: der Schallkopf fährt über die Haut, wird aber %1 mm über ihr gemessen. Richten Sie ihn neu aus.</translation>
+    </message>
+    <message>
+        <source>The calibration no longer fits: the probe is measured %1 mm inside the body, deeper than a hand presses. Align it again.</source>
+        <translation>Die Kalibrierung passt nicht mehr: der Schallkopf wird %1 mm im Körper gemessen, tiefer als eine Hand drückt. Richten Sie ihn neu aus.</translation>
+    </message>
+    <message>
+        <source>The tool was seen %1 times only; hold it still where the tracker sees it.</source>
+        <translation>Das Werkzeug wurde nur %1-mal gesehen; halten Sie es still, wo der Tracker es sieht.</translation>
+    </message>
+    <message>
+        <source>The tool moved by %1 mm meanwhile; hold it still for a second.</source>
+        <translation>Das Werkzeug hat sich dabei um %1 mm bewegt; halten Sie es eine Sekunde still.</translation>
+    </message>
+    <message>
+        <source>live</source>
+        <translation>live</translation>
+    </message>
+    <message>
+        <source>out of range</source>
+        <translation>außer Bereich</translation>
+    </message>
+    <message>
+        <source>out of view</source>
+        <translation>nicht zu sehen</translation>
+    </message>
+    <message>
+        <source>not valid</source>
+        <translation>ungültig</translation>
+    </message>
+    <message>
+        <source>stuck</source>
+        <translation>hängt</translation>
+    </message>
+    <message>
+        <source>no news</source>
+        <translation>keine Daten</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>verloren</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>The probe follows the tracker.</source>
+        <translation>Der Schallkopf folgt dem Tracker.</translation>
+    </message>
+    <message>
+        <source>The tracker measures the probe too badly here; bring it nearer to the middle of what the tracker sees.</source>
+        <translation>Der Tracker misst den Schallkopf hier zu ungenau; bringen Sie ihn näher zur Mitte dessen, was der Tracker sieht.</translation>
+    </message>
+    <message>
+        <source>The tracker does not see the probe; take away what stands between them.</source>
+        <translation>Der Tracker sieht den Schallkopf nicht; nehmen Sie weg, was dazwischensteht.</translation>
+    </message>
+    <message>
+        <source>The tracker sends something that is no place of a probe; look at its own program.</source>
+        <translation>Der Tracker sendet etwas, das keine Lage eines Schallkopfs ist; sehen Sie in seinem eigenen Programm nach.</translation>
+    </message>
+    <message>
+        <source>The tracker sends the same reading again and again; look whether its own program hangs.</source>
+        <translation>Der Tracker sendet immer wieder dieselbe Messung; sehen Sie nach, ob sein eigenes Programm hängt.</translation>
+    </message>
+    <message>
+        <source>The tracker is connected and sends nothing; look whether it measures.</source>
+        <translation>Der Tracker ist verbunden und sendet nichts; sehen Sie nach, ob er misst.</translation>
+    </message>
+    <message>
+        <source>The connection to the tracker is gone; it is tried again by itself.</source>
+        <translation>Die Verbindung zum Tracker ist weg; sie wird von selbst wieder versucht.</translation>
+    </message>
+    <message>
+        <source>No tracker is in use.</source>
+        <translation>Es ist kein Tracker in Gebrauch.</translation>
+    </message>
+    <message>
+        <source>The probe follows &apos;%1&apos;.</source>
+        <translation>Der Schallkopf folgt „%1“.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is measured too badly here; bring the probe nearer to the middle of what the tracker sees.</source>
+        <translation>„%1“ wird hier zu ungenau gemessen; bringen Sie den Schallkopf näher zur Mitte dessen, was der Tracker sieht.</translation>
+    </message>
+    <message>
+        <source>The tracker does not see &apos;%1&apos;; take away what stands between them.</source>
+        <translation>Der Tracker sieht „%1“ nicht; nehmen Sie weg, was dazwischensteht.</translation>
+    </message>
+    <message>
+        <source>What the tracker sends for &apos;%1&apos; is no place of a probe; look at its own program.</source>
+        <translation>Was der Tracker für „%1“ sendet, ist keine Lage eines Schallkopfs; sehen Sie in seinem eigenen Programm nach.</translation>
+    </message>
+    <message>
+        <source>The tracker sends the same reading of &apos;%1&apos; again and again; look whether its own program hangs.</source>
+        <translation>Der Tracker sendet immer wieder dieselbe Messung von „%1“; sehen Sie nach, ob sein eigenes Programm hängt.</translation>
+    </message>
+    <message>
+        <source>Nothing has come of &apos;%1&apos; for a while; look whether the tracker measures.</source>
+        <translation>Von „%1“ ist eine Weile nichts gekommen; sehen Sie nach, ob der Tracker misst.</translation>
+    </message>
+    <message>
+        <source>The tracker does not send &apos;%1&apos;, but %2; choose which of them carries the probe.</source>
+        <translation>Der Tracker sendet nicht „%1“, sondern %2; wählen Sie, was davon den Schallkopf trägt.</translation>
+    </message>
+    <message>
+        <source>Reading the recording %1.</source>
+        <translation>Die Aufnahme %1 wird gelesen.</translation>
+    </message>
+    <message>
+        <source>Playing %1.</source>
+        <translation>%1 wird abgespielt.</translation>
+    </message>
+    <message>
+        <source>The recording %1 is at its end; start it again, or let it repeat itself.</source>
+        <translation>Die Aufnahme %1 ist zu Ende; starten Sie sie wieder, oder lassen Sie sie sich wiederholen.</translation>
+    </message>
+    <message>
+        <source>%1 holds no poses of any tool; choose a tracked recording.</source>
+        <translation>%1 enthält keine Lagen eines Werkzeugs; wählen Sie eine Aufnahme mit Tracking.</translation>
+    </message>
+    <message>
+        <source>Another part of the program uses the SpaceMouse.</source>
+        <translation>Ein anderer Teil des Programms benutzt die SpaceMouse.</translation>
+    </message>
+    <message>
+        <source>The program spacenavd does not run, without which no SpaceMouse can be read; install the package &apos;spacenavd&apos; and start it.</source>
+        <translation>Das Programm spacenavd läuft nicht, ohne das keine SpaceMouse gelesen werden kann; installieren Sie das Paket „spacenavd“ und starten Sie es.</translation>
+    </message>
+    <message>
+        <source>spacenavd runs; push the SpaceMouse.</source>
+        <translation>spacenavd läuft; bewegen Sie die SpaceMouse.</translation>
+    </message>
+    <message>
+        <source>The SpaceMouse was pulled out; plug it in again.</source>
+        <translation>Die SpaceMouse wurde herausgezogen; stecken Sie sie wieder ein.</translation>
+    </message>
+    <message>
+        <source>The SpaceMouse moves the probe.</source>
+        <translation>Die SpaceMouse bewegt den Schallkopf.</translation>
+    </message>
+    <message>
+        <source>This EchoWeave was built without SpaceMouse; install libspnav-dev and build it again to use one.</source>
+        <translation>Dieses EchoWeave wurde ohne SpaceMouse gebaut; installieren Sie libspnav-dev und bauen Sie es neu, um eine zu benutzen.</translation>
+    </message>
+    <message>
+        <source>Another part of the program uses the game controller.</source>
+        <translation>Ein anderer Teil des Programms benutzt den Gamecontroller.</translation>
+    </message>
+    <message>
+        <source>Game controllers cannot be read (%1).</source>
+        <translation>Gamecontroller können nicht gelesen werden (%1).</translation>
+    </message>
+    <message>
+        <source>No game controller is plugged in; plug one in or switch it on.</source>
+        <translation>Kein Gamecontroller ist angeschlossen; stecken Sie einen ein oder schalten Sie ihn an.</translation>
+    </message>
+    <message>
+        <source>The game controller moves the probe.</source>
+        <translation>Der Gamecontroller bewegt den Schallkopf.</translation>
+    </message>
+    <message>
+        <source>This EchoWeave was built without game controllers; install libsdl2-dev and build it again to use one.</source>
+        <translation>Dieses EchoWeave wurde ohne Gamecontroller gebaut; installieren Sie libsdl2-dev und bauen Sie es neu, um einen zu benutzen.</translation>
+    </message>
+    <message>
+        <source>The marker body &apos;%1&apos; is not there any more; choose another one in the settings of the camera.</source>
+        <translation>Der Markerkörper „%1“ ist nicht mehr da; wählen Sie in den Einstellungen der Kamera einen anderen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; moves the probe on the skin and measures no place; it is used without calibration.</source>
+        <translation>„%1“ bewegt den Schallkopf auf der Haut und misst keine Lage; es wird ohne Kalibrierung benutzt.</translation>
+    </message>
+    <message>
+        <source>the list of trackers %1</source>
+        <translation>die Liste der Tracker %1</translation>
+    </message>
+    <message>
+        <source>of lower-case letters, digits and hyphens</source>
+        <translation>aus Kleinbuchstaben, Ziffern und Bindestrichen</translation>
+    </message>
+    <message>
+        <source>one that no other tracker of the list has</source>
+        <translation>eine, die kein anderer Tracker der Liste hat</translation>
+    </message>
+    <message>
+        <source>the id of one of the trackers</source>
+        <translation>die Kennung eines der Tracker</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>

@@ -155,6 +155,7 @@ void TrackerCameraStep::poll() {
     picture_->setPicture({}, {});
     return say(*verdict_, {});
   }
+  if (cameras_->currentData().toString() != words(camera->device)) fillCameras();
   const auto view = trackers_.cameraView();
   if (!view || view->preview.pixels.empty()) {
     picture_->setEmptySentence(words(trackers_.deviceStatus().sentence));

@@ -108,6 +108,7 @@ void TrackerWizard::addColumn(QWidget& column) {
     name->setProperty("flat", true);
     name->setCheckable(true);
     name->setAutoDefault(false);
+    name->setFocusPolicy(Qt::ClickFocus);  // Back and Next do the same from the keyboard
     name->setStyleSheet(QStringLiteral("text-align: left; padding: 6px 8px;"));
     connect(name, &QPushButton::clicked, this, [this, n] { showStep(n); });
     names_.push_back(name);
