@@ -1,4 +1,4 @@
-// Long runs of the camera tracker against rendered truth. truth_run static|moving|straight|flips|corners [FRAMES] [SEED]
+// Long runs of the camera tracker against rendered truth. truth_run static|moving|straight|flips|corners [FRAMES] [SEED] [FIRST PART]
 #include <cstdio>
 #include <cstdlib>
 #include <numbers>
@@ -40,8 +40,8 @@ TrialOptions moving(int frames, std::uint64_t seed) {
 }
 
 /// Every attitude, one face straight on, a thumb, dim light, one and two bodies; no room behind, so that there are many.
-void flips(int frames, std::uint64_t seed) {
-  for (int done = 0, part = 0; done < frames; ++part) {
+void flips(int frames, std::uint64_t seed, int firstPart) {
+  for (int done = 0, part = firstPart; done < frames; ++part) {
     TrialOptions options = usual(2000, seed + 1000u * static_cast<std::uint64_t>(part));
     options.paper.room = false;
     options.paper.superSampling = 1;
@@ -107,11 +107,11 @@ int main(int count, char** words) {
     options.plainEvery = 1;
     report("one face straight on", options);
   } else if (what == "flips") {
-    flips(frames, seed);
+    flips(frames, seed, count > 4 ? std::atoi(words[4]) : 0);
   } else if (what == "corners") {
     corners(frames, seed);
   } else {
-    std::fprintf(stderr, "truth_run static|moving|straight|flips|corners [FRAMES] [SEED]\n");
+    std::fprintf(stderr, "truth_run static|moving|straight|flips|corners [FRAMES] [SEED] [FIRST PART]\n");
     return 2;
   }
   return 0;

@@ -13,7 +13,8 @@ namespace ew {
 namespace {
 
 constexpr std::size_t kFewestViews = 8, kFewestCorners = 8;
-constexpr std::size_t kViewsForSixthOrder = 15;  // fewer do not reach the edges often enough to tell k3 from k2
+constexpr double kTipped_rad = 0.2, kFewestTipped = 0.3;  // below, a distance cannot be told from a size, and the fit does not notice
+constexpr std::size_t kViewsForSixthOrder = 15;           // fewer do not reach the edges often enough to tell k3 from k2
 
 struct ViewPoints {
   std::vector<std::vector<cv::Point3f>> corners_mm;
@@ -33,7 +34,23 @@ struct FittedCamera {
   CameraModel model;
   std::vector<double> residuals_px;
   double focalSpread_px = 0.0;
+  double tipped = 0.0;  ///< share of the views in which the board is tipped by more than kTipped_rad against the mean of them
 };
+
+double tippedShare(const std::vector<cv::Mat>& turns) {
+  std::vector<cv::Vec3d> normals;
+  cv::Vec3d mean(0, 0, 0);
+  for (const cv::Mat& each : turns) {
+    cv::Matx33d turn;
+    cv::Rodrigues(each, turn);
+    normals.emplace_back(turn(0, 2), turn(1, 2), turn(2, 2));
+    mean += normals.back();
+  }
+  mean = cv::normalize(mean);
+  const auto tipped =
+      std::count_if(normals.begin(), normals.end(), [&](const cv::Vec3d& n) { return n.dot(mean) < std::cos(kTipped_rad); });
+  return static_cast<double>(tipped) / static_cast<double>(normals.size());
+}
 
 FittedCamera fitted(const ViewPoints& points, int width, int height) {
   cv::Mat camera, lens, inside, outside, perView;
@@ -53,6 +70,7 @@ FittedCamera fitted(const ViewPoints& points, int width, int height) {
   for (std::size_t n = 0; n < 5; ++n) model.distortion[n] = lens.at<double>(static_cast<int>(n));
   model.views = static_cast<int>(points.corners_mm.size());
   for (int n = 0; n < static_cast<int>(perView.total()); ++n) found.residuals_px.push_back(perView.at<double>(n));
+  found.tipped = tippedShare(turns);
   found.focalSpread_px = std::max(inside.at<double>(0), inside.at<double>(1));
   return found;
 }
@@ -95,11 +113,14 @@ Message hundredths(double value) {
   return numeral(text);
 }
 
-void judge(CameraCalibration& found) {
+void judge(CameraCalibration& found, bool isTipped) {
   using Quality = CameraCalibration::Quality;
   const double unsure = found.focalSpread_px / found.model.fx;
   const double worst = std::max(found.model.rms_px, found.heldOut_px);
-  found.quality = worst < 0.5 && unsure < 0.004 ? Quality::good : worst < 1.0 && unsure < 0.01 ? Quality::usable : Quality::bad;
+  found.quality = !isTipped                       ? Quality::bad
+                  : worst < 0.5 && unsure < 0.004 ? Quality::good
+                  : worst < 1.0 && unsure < 0.01  ? Quality::usable
+                                                  : Quality::bad;
   switch (found.quality) {
     case Quality::good:
       found.verdict = say<"The calibration is good: the corners of the board lie where they should to %1 pixel.">(hundredths(worst));
@@ -197,7 +218,7 @@ Result<CameraCalibration> calibrateCamera(const std::vector<CharucoView>& views,
     for (std::size_t n = 0; n < views.size(); ++n)
       found.residuals_px.push_back(!leftOut[n] ? fit.residuals_px[kept++] : unusable[n] ? 0.0 : residualOf(fit.model, views[n], board));
     if (!std::isfinite(found.model.rms_px) || !(found.model.fx > 0.0)) return tooFew();
-    judge(found);
+    judge(found, fit.tipped >= kFewestTipped);
     progress.report(say<"Checking it with pictures left out">(), 1.0);
     return found;
   } catch (const cv::Exception&) {

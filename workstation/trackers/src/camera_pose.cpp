@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core.hpp>
 
@@ -91,6 +92,9 @@ class BodySolver {
     return std::sqrt(sum / 4.0);
   }
   void judgeSpread(BodyEstimate& estimate, const glm::dvec3& at_body) const;
+  /// Of one flat face: the pose whose normal is mirrored at the line of sight, which a distant camera could not tell apart; carried to its
+  /// minimum where that is another one than this pose's.
+  [[nodiscard]] std::optional<BodyHypothesis> mirrored(const BodyHypothesis& pose, const std::vector<bool>& used) const;
 
  private:
   /// Over all observations: also those that the best leaves out speak for or against the others.
@@ -242,6 +246,25 @@ std::optional<BodyHypothesis> BodySolver::refined(const BodyHypothesis& start, c
   return pose;
 }
 
+std::optional<BodyHypothesis> BodySolver::mirrored(const BodyHypothesis& pose, const std::vector<bool>& used) const {
+  if (faces_.size() > 1) return {};
+  glm::dvec3 middle(0.0);
+  for (const MarkerObservation& each : seen_)
+    middle += glm::dvec3(pose.bodyToCamera * glm::dvec4(middleOf(*each.marker), 1.0)) / static_cast<double>(seen_.size());
+  const glm::dvec3 outward = glm::dmat3(pose.bodyToCamera) * outwards_.front(), back = -glm::normalize(middle);
+  const glm::dvec3 axis = glm::cross(outward, back);
+  const double sine = glm::length(axis);
+  if (sine < 1e-4) return {};
+  glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), 2.0 * std::atan2(sine, glm::dot(outward, back)), axis / sine);
+  turn[3] = glm::dvec4(middle - glm::dmat3(turn) * middle, 1.0);
+  const BodyHypothesis start = at(turn * pose.bodyToCamera);
+  const auto carried = refined(start, used);
+  // Where both lead to one minimum, its valley may be so flat that the mirrored pose fits as well all the same.
+  if (!carried || angleBetween(carried->bodyToCamera, pose.bodyToCamera) < 0.5 * angleBetween(start.bodyToCamera, pose.bodyToCamera))
+    return start;
+  return carried->misfit < start.misfit ? *carried : start;
+}
+
 /// Covariance of a small turn about the point, of a move of it, of the bleed and of each face's place, from the corners' variances as the
 /// residuals show them.
 void BodySolver::judgeSpread(BodyEstimate& estimate, const glm::dvec3& at_body) const {
@@ -369,15 +392,21 @@ std::optional<BodyEstimate> estimateBody(const std::vector<MarkerObservation>& s
   estimate.best.rms_px = std::sqrt(squares / estimate.markers);
   solver.judgeSpread(estimate, at_body);
 
-  if (minima.size() > 1) {
-    estimate.other = minima[1];
-    estimate.otherAngle_rad = angleBetween(minima[1].bodyToCamera, estimate.best.bodyToCamera);
-    double otherSquares = 0.0;
-    for (std::size_t n = 0; n < seen.size(); ++n)
-      if (estimate.used[n]) otherSquares += std::pow(solver.residual_px(n, minima[1]), 2);
-    estimate.other->rms_px = std::sqrt(otherSquares / estimate.markers);
-    estimate.evidence = (minima[1].misfit - estimate.best.misfit) / leftover(estimate.best);
-  }
+  if (minima.size() > 1) estimate.other = minima[1];
+  if (const auto mirrored = solver.mirrored(estimate.best, estimate.used))
+    if (!estimate.other || mirrored->misfit < estimate.other->misfit) estimate.other = mirrored;
+  if (!estimate.other) return estimate;
+  estimate.otherAngle_rad = angleBetween(estimate.other->bodyToCamera, estimate.best.bodyToCamera);
+  double otherSquares = 0.0;
+  for (std::size_t n = 0; n < seen.size(); ++n)
+    if (estimate.used[n]) otherSquares += std::pow(solver.residual_px(n, *estimate.other), 2);
+  estimate.other->rms_px = std::sqrt(otherSquares / estimate.markers);
+  // Of the markers in use: one that was left out says nothing of how well the others are measured.
+  double weighted = 0.0;
+  for (std::size_t n = 0; n < seen.size(); ++n)
+    if (estimate.used[n]) weighted += 4.0 * std::pow(estimate.residuals_px[n] / spreadOf(seen[n]), 2);
+  const double variance = std::max(1.0, weighted / std::max(2.0, 8.0 * estimate.markers - 6.0));
+  estimate.evidence = (estimate.other->misfit - estimate.best.misfit) / variance;
   return estimate;
 }
 
