@@ -13,7 +13,7 @@ Message stateWord(TrackingState state) {
     case TrackingState::invalid:
       return say<"not valid">();
     case TrackingState::duplicate:
-      return say<"frozen">();
+      return say<"stuck">();
     case TrackingState::stale:
       return say<"no news">();
     case TrackingState::lost:

@@ -55,7 +55,8 @@ void Recorder::takePicture() {
 /// A frame without a usable pose: whoever reads the recording knows that there was nothing to see, and from when to when.
 void Recorder::takeMissed() {
   if (!recording_ || recording_->log.frameCount() == 0) return;
-  noteTracker(stateWord(session_.tracking().state).english());
+  // It may have come back since: then the picture that shows it is the next.
+  if (session_.tracking().state != TrackingState::live) noteTracker(stateWord(session_.tracking().state).english());
   recording_->log.addFrame(session_.missedState());
 }
 

@@ -253,7 +253,7 @@ void ScanView::paintEvent(QPaintEvent*) {
     QImage image = session_.isLost() ? paled(imageOf(picture)) : imageOf(picture);
     image.setDevicePixelRatio(devicePixelRatioF());
     painter.drawImage(pictureRect().topLeft(), image);
-    if (session_.wide() == nullptr) paintUnrecorded(painter);
+    if (session_.wide() == nullptr && !isInAir()) paintUnrecorded(painter);
   }
   if (mode() != DisplayMode::bMode) paintStrip(painter);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -281,6 +281,12 @@ void ScanView::paintEvent(QPaintEvent*) {
                          ? tr("The probe is outside the volume.")
                          : tr("The probe is outside the volume. Slide it back, or press Home for the start."));
   }
+}
+
+/// Of a tracked probe in the air nothing is missing that was not recorded: there is nothing to see.
+bool ScanView::isInAir() const {
+  const auto face = session_.face();
+  return face && (face->how == FaceOnSkin::inAir || face->how == FaceOnSkin::looksAway);
 }
 
 /// Border and words over all that would be live: in B- and M-mode over both.
@@ -463,7 +469,7 @@ void ScanView::paintDepthScale(QPainter& painter) {
     }
   };
   paintScale(pictureRect(), [this](double mm) { return yOfDepth(mm); });
-  if (mode() != DisplayMode::mMode && session_.wide() == nullptr && veil_.end_mm) paintEndOfData(painter, *veil_.end_mm);
+  if (mode() != DisplayMode::mMode && session_.wide() == nullptr && veil_.end_mm && !isInAir()) paintEndOfData(painter, *veil_.end_mm);
   if (mode() == DisplayMode::both) {
     const QRect strip = stripRect();
     paintScale(strip, [&](double mm) { return strip.top() + strip.height() * mm / depth_mm; });
@@ -581,7 +587,7 @@ void ScanView::paintWords(QPainter& painter) {
   // What a drag would do, as long as the pointer is here and there is room beside the figures.
   const int hint_px = lineRoom_px - figuresWidth_px(metrics, line) - 48;
   const bool looksBack = session_.isFrozen() && session_.cineFrame() && session_.cine().frameCount() > 1;
-  if (underMouse() && (!session_.isFrozen() || looksBack || knobs.zoom > 1.0) && !session_.isPlaying() && hint_px >= scaled(kHint_px)) {
+  if (underMouse() && (!session_.handRests() || looksBack || knobs.zoom > 1.0) && !session_.isPlaying() && hint_px >= scaled(kHint_px)) {
     painter.drawText(QRect(20 + lineRoom_px - hint_px, lineTop, hint_px, lineHeight_px()), Qt::AlignRight | Qt::AlignVCenter,
                      knobs.zoom > 1.0 ? tr("drag: move the detail")
                      : looksBack      ? tr("wheel: step through what was scanned")

@@ -75,6 +75,7 @@ class ScanView final : public QWidget {
   [[nodiscard]] QRect wholeRect() const;  ///< room for the image, beside the scales
   [[nodiscard]] DisplayMode mode() const { return session_.pictureKnobs().mode; }
   [[nodiscard]] bool isBesideVolume() const;
+  [[nodiscard]] bool isInAir() const;
   void paintUnrecorded(QPainter& painter);
   void paintEndOfData(QPainter& painter, double end_mm);
   void paintDepthScale(QPainter& painter);

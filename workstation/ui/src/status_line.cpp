@@ -83,6 +83,7 @@ StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), ses
   connect(&soon_, &QTimer::timeout, this, &StatusLine::showPlan);
   connect(&session_, &Session::holdChanged, this, &StatusLine::showPose);
   connect(&session_, &Session::knobsChanged, this, &StatusLine::showPose);
+  connect(&session_, &Session::trackingChanged, this, &StatusLine::showPose);
   connect(&session_, &Session::subjectChanged, this, &StatusLine::showPose);
   connect(&session_, &Session::pictureChanged, this, [this] {
     if (session_.mover() != Session::Mover::hand) showPose();
@@ -154,8 +155,9 @@ void StatusLine::showPose() {
   const glm::dvec3 at = session_.pose().probeToWorld.matrix[3];
   // A value that rounds to zero is shown as 0.0, never as -0.0.
   const auto aligned = [](double value) { return figure(std::round(value * 10.0) / 10.0 + 0.0, 1).rightJustified(6); };
-  position_->setText(session_.subject() ? QStringLiteral("x %1  y %2  z %3 mm").arg(aligned(at.x), aligned(at.y), aligned(at.z))
-                                        : QString());
+  position_->setText(session_.subject() && !session_.isLost()
+                         ? QStringLiteral("x %1  y %2  z %3 mm").arg(aligned(at.x), aligned(at.y), aligned(at.z))
+                         : QString());
   if (!soon_.isActive()) soon_.start();
 }
 
@@ -187,7 +189,7 @@ void StatusLine::showPlan() {
   }
   plan_->setToolTip(planTip());
   lowered_->setText(session_.isLowered() ? tr("adaptive: %1").arg(nameOfQuality(session_.usedKnobs().quality)) : QString());
-  const auto contact = session_.contact();
+  const auto contact = session_.isLost() ? std::nullopt : session_.contact();
   contact_->setText(contact ? tr("contact %1 %").arg(static_cast<int>(std::lround(*contact * 100.0))) : QString());
 }
 

@@ -93,8 +93,9 @@ void paintLoss(QPainter& painter, const QRect& shown, const TrackingReport& repo
   painter.setRenderHint(QPainter::Antialiasing);
   hatchBorder(painter, shown, colour);
 
+  const QString word = lookOf(report.state, scanTheme()).word;
   const QString head = lossText(QT_TRANSLATE_NOOP("ew::ui::TrackingOverlay", "Not live: %1"))
-                           .arg(lookOf(report.state, scanTheme()).word + QStringLiteral(", ") + lossLength(report.since_s));
+                           .arg(report.since_s < 1.0 ? word : word + QStringLiteral(", ") + lossLength(report.since_s));
   QString body = words(report.sentence);
   if (mayMove)
     body += QLatin1Char('\n') +
