@@ -18,6 +18,7 @@ namespace {
 constexpr double kForgetAfter_s = 0.2;       // a hand turns a probe by ten degrees in that time
 constexpr double kCertain = 60.0;            // evidence from which on the other pose of a flat view is out of the question
 constexpr double kCertainRatio = 1.6;        // ... and how many times it has to fit worse
+constexpr double kFastest_radPerS = 3.0;     // that a probe is turned
 constexpr double kHarmlessAngle_rad = 0.03;  // two poses that near do not make a flip
 
 /// What is kept of a body from one picture to the next.
@@ -182,11 +183,12 @@ void CameraTracker::State::judge(BodySight& sight, const BodyEstimate& estimate,
   // The picture does not tell. The pose before does, where it is fresh, lies at one of the two, and the two are far apart: they meet and
   // part where a face is seen straight on, and there nobody knows any more which one goes on.
   sight.ambiguous = true;
-  if (time_s - memory.seen_s < kForgetAfter_s && estimate.otherAngle_rad > 0.2) {
+  // Nor does anybody where a fast hand could have gone from one to the other meanwhile.
+  if ((time_s - memory.seen_s) * kFastest_radPerS < 0.35 * estimate.otherAngle_rad) {
     const double toBest = angleBetween(memory.bodyToCamera, estimate.best.bodyToCamera);
     const double toOther = angleBetween(memory.bodyToCamera, estimate.other->bodyToCamera);
     if (toBest < 0.25 * estimate.otherAngle_rad && toOther > 0.75 * estimate.otherAngle_rad) return;
-    if (toOther < 0.25 * estimate.otherAngle_rad && toBest > 0.75 * estimate.otherAngle_rad &&
+    if (toOther < 0.25 * estimate.otherAngle_rad && toBest > 0.75 * estimate.otherAngle_rad && sight.flipRatio < 2.0 &&
         estimate.other->rms_px < options.largestRms_px) {
       sight.bodyToCamera.matrix = estimate.other->bodyToCamera;
       sight.rms_px = estimate.other->rms_px;
