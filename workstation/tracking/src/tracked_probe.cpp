@@ -25,14 +25,14 @@ constexpr std::size_t kMostReported = 4096;
 /// However slow a tracker is, a pose is shown as one of now no longer than this without a good reading.
 constexpr double kLongestBridge_s = 0.3;
 
-double medianOf(std::vector<double> values) {
+double middleOf(std::vector<double> values) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
 
-double spreadOf(const std::vector<double>& values) {
+double deviationOf(const std::vector<double>& values) {
   if (values.size() < 2) return 0.0;
   double sum = 0.0, squares = 0.0;
   for (const double value : values) sum += value;
@@ -242,8 +242,8 @@ TrackingReport TrackedProbe::report(double time_s) const {
     before_s = each.arrival_s;
   }
   report.rate_hz = static_cast<double>(delays_s.size()) / kReported_s;
-  report.delay_s = s.clock.isStamped() ? medianOf(std::move(delays_s)) : std::numeric_limits<double>::quiet_NaN();
-  report.jitterTime_s = spreadOf(intervals_s);
+  report.delay_s = s.clock.isStamped() ? middleOf(std::move(delays_s)) : std::numeric_limits<double>::quiet_NaN();
+  report.jitterTime_s = deviationOf(intervals_s);
 
   const PoseFilterReport filter = s.filter.report();
   report.noise_mm = filter.noise_mm;
