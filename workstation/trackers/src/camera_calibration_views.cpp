@@ -14,10 +14,10 @@
 namespace ew {
 namespace {
 
-constexpr std::size_t kFewestCorners = 8;
+constexpr std::size_t kFewestSeenCorners = 8;
 constexpr int kWantedViews = 14;
 constexpr int kMostViews = 40;
-constexpr double kTipped_rad = 0.26;    // 15 degrees
+constexpr double kShownTipped_rad = 0.26;    // 15 degrees
 constexpr double kSharpest_px = 2.0;    // spread of edges above which corners are washed out
 constexpr double kStill_pxPerS = 25.0;  // and a rolling shutter shears the board
 
@@ -184,7 +184,7 @@ CalibrationCollector::Look CalibrationCollector::look(ImageView<const std::uint8
   Look look;
   const FoundBoard found = foundBoard(grey, state.board);
   look.view = found.view;
-  if (look.view.ids.size() < kFewestCorners) return look;
+  if (look.view.ids.size() < kFewestSeenCorners) return look;
   const double speed_pxPerS = state.speed(look.view, time_s);
   state.last = look.view;
   state.last_s = time_s;
@@ -222,11 +222,11 @@ CalibrationCoverage CalibrationCollector::coverage() const {
     }
   for (const ViewShape& shape : state.shapes) {
     // The side that is further away is the one it is tipped to.
-    if (std::abs(shape.aside_rad) < kTipped_rad && std::abs(shape.upDown_rad) < kTipped_rad) ++covered.straight;
-    if (shape.aside_rad < -kTipped_rad) ++covered.left;
-    if (shape.aside_rad > kTipped_rad) ++covered.right;
-    if (shape.upDown_rad < -kTipped_rad) ++covered.up;
-    if (shape.upDown_rad > kTipped_rad) ++covered.down;
+    if (std::abs(shape.aside_rad) < kShownTipped_rad && std::abs(shape.upDown_rad) < kShownTipped_rad) ++covered.straight;
+    if (shape.aside_rad < -kShownTipped_rad) ++covered.left;
+    if (shape.aside_rad > kShownTipped_rad) ++covered.right;
+    if (shape.upDown_rad < -kShownTipped_rad) ++covered.up;
+    if (shape.upDown_rad > kShownTipped_rad) ++covered.down;
     if (shape.size > 0.55) ++covered.near;
     if (shape.size < 0.4) ++covered.far;
   }
