@@ -94,7 +94,9 @@ bool TrackerFilms::writeChess(const std::string& file) const {
       const int n = static_cast<int>(views.size());
       views.push_back({x, y, distance_mm, n % 3 == 0 ? 0.0 : n % 2 == 0 ? 0.42 : -0.42, n % 4 == 1 ? 0.45 : n % 4 == 3 ? -0.45 : 0.0});
     }
-  for (const double distance_mm : {215.0, 225.0, 235.0}) views.push_back({0.5, 0.5, distance_mm, (distance_mm - 225.0) / 100.0, 0.0});
+  views.push_back({0.5, 0.5, 178.0, 0.0, 0.0});  // near: more than half of the picture
+  views.push_back({0.45, 0.48, 192.0, 0.3, 0.0});
+  views.push_back({0.55, 0.52, 186.0, 0.0, 0.3});
   for (const double tilt : {-0.5, 0.5}) views.push_back({0.5, 0.5, 420.0, tilt, 0.0});
   for (const double turn : {-0.5, 0.5}) views.push_back({0.5, 0.5, 420.0, 0.0, turn});
   for (const View& view : views) {

@@ -23,8 +23,6 @@ namespace {
 
 const auto kByItself = QStringLiteral("tracker/takeByItself");
 
-/// Far from each other and easy to find: offered first, in this order.
-constexpr const char* kWellKnown[] = {"xiphoid", "navel", "iliac-spine-right", "iliac-spine-left", "sternal-notch", "symphysis"};
 constexpr std::size_t kAdvised = 4;
 
 }  // namespace
@@ -128,10 +126,10 @@ void TrackerAlignStep::chooseFirstLeft() {
     return std::none_of(touches.begin(), touches.end(), [&](const TrackerTouch& each) { return each.landmark == id; });
   };
   next_.clear();
-  for (const char* id : kWellKnown)
-    if (next_.empty() && find(id) != nullptr && isLeft(id)) next_ = id;
-  for (const BodyLandmark& each : landmarks_)
-    if (next_.empty() && isLeft(each.id)) next_ = each.id;
+  std::vector<glm::dvec3> places;
+  for (const BodyLandmark& each : landmarks_) places.push_back(each.at_mm);
+  for (const std::size_t n : landmarkOrder(places))
+    if (next_.empty() && isLeft(landmarks_[n].id)) next_ = landmarks_[n].id;
   showAll();
 }
 

@@ -1,6 +1,5 @@
 // Cameras and the paper they look for: bodies, sheets, the lens.
 #include <QLocale>
-#include <QSettings>
 #include <algorithm>
 
 #include "ew/library/case.h"
@@ -12,7 +11,6 @@
 namespace ew::ui {
 namespace {
 
-const auto kMeasuredScale = QStringLiteral("tracker/measuredScale_mm");
 constexpr double kPrintedScale_mm = 100.0;
 
 const CameraSource* cameraSourceOf(const TrackerSettings* settings) {
@@ -31,20 +29,21 @@ void Trackers::readPapers() {
   if (read && papers_.empty()) paperProblem_ = say<"No paper body is installed; install EchoWeave again.">();
 }
 
-double Trackers::measuredScale_mm() const { return QSettings().value(kMeasuredScale, kPrintedScale_mm).toDouble(); }
+double Trackers::measuredScale_mm() const { return readPrintedScale(libraryFolder() / "trackers").value_or(kPrintedScale_mm); }
 
 double Trackers::printedFactorNow() const { return printedFactor(measuredScale_mm()).value_or(1.0); }
 
 void Trackers::setMeasuredScale(double mm) {
-  QSettings().setValue(kMeasuredScale, mm);
+  if (const auto kept = keepPrintedScale(libraryFolder() / "trackers", mm); !kept) Q_EMIT problem(kept.error());
   const TrackerSettings* settings = find(used_);
   if (settings != nullptr && camera_) applyCamera(*settings, *cameraOf(used_));
 }
 
 std::vector<MarkerBody> Trackers::bodies() const {
   std::vector<MarkerBody> made;
+  const double factor = printedFactorNow();
   for (const PaperBody& each : papers_)
-    if (each.kind != PaperKind::calibration) made.push_back(foldedBody(each, printedFactorNow()));
+    if (each.kind != PaperKind::calibration) made.push_back(foldedBody(each, factor));
   return made;
 }
 
