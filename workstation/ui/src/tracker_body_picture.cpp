@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kAroundBody_px = 16.0;
 constexpr double kAroundPlaces_mm = 90.0;
-constexpr double kReach_px = 14.0;  ///< of a click
+constexpr double kPlaceReach_px = 14.0;  ///< of a click
 
 void paintSign(QPainter& painter, const QPointF& at, TrackerBodyPicture::Mark mark, const Theme& theme) {
   using Mark = TrackerBodyPicture::Mark;
@@ -165,7 +165,7 @@ void TrackerBodyPicture::paintEvent(QPaintEvent*) {
 
 void TrackerBodyPicture::mousePressEvent(QMouseEvent* event) {
   const Place* nearest = nullptr;
-  double distance = kReach_px;
+  double distance = kPlaceReach_px;
   for (const Place& each : places_) {
     const QPointF to = pixelOf(each.at_mm) - event->localPos();
     const double away = std::hypot(to.x(), to.y());

@@ -12,7 +12,7 @@
 namespace ew::ui {
 namespace {
 
-constexpr int kPoll_ms = 100;
+constexpr int kTrackerPoll_ms = 100;
 constexpr int kAxes_ms = 16;
 
 /// Beside the settings.
@@ -22,7 +22,7 @@ std::filesystem::path trackersFile() { return pathOf(QFileInfo(QSettings().fileN
 
 Trackers::Trackers(Session& session, Jobs& jobs, QObject* parent)
     : QObject(parent), session_(session), jobs_(jobs), list_(usualTrackers()) {
-  poll_.setInterval(kPoll_ms);
+  poll_.setInterval(kTrackerPoll_ms);
   connect(&poll_, &QTimer::timeout, this, &Trackers::lookAtDevice);
   axisTimer_.setInterval(kAxes_ms);
   axisTimer_.setTimerType(Qt::PreciseTimer);

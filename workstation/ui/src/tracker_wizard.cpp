@@ -21,7 +21,7 @@
 namespace ew::ui {
 namespace {
 
-constexpr int kPoll_ms = 50;
+constexpr int kWizardPoll_ms = 50;
 constexpr QSize kWizard_px(940, 640);
 
 }  // namespace
@@ -72,7 +72,7 @@ TrackerWizard::TrackerWizard(Trackers& trackers, std::string tracker, TrackerCou
   connect(back_, &QPushButton::clicked, this, [this] { showStep(neighbour(-1)); });
   connect(next_, &QPushButton::clicked, this, &TrackerWizard::goOn);
   connect(&poll_, &QTimer::timeout, this, [this] { current().poll(); });
-  poll_.start(kPoll_ms);
+  poll_.start(kWizardPoll_ms);
   next_->setFocus();
   const auto undone =
       std::find_if(steps_.begin(), steps_.end(), [](const TrackerStep* each) { return each->isNeeded() && !each->isDone(); });
