@@ -17,9 +17,9 @@ namespace {
 constexpr std::size_t kFewestSeenCorners = 8;
 constexpr int kWantedViews = 14;
 constexpr int kMostViews = 40;
-constexpr double kShownTipped_rad = 0.26;    // 15 degrees
-constexpr double kSharpest_px = 2.0;    // spread of edges above which corners are washed out
-constexpr double kStill_pxPerS = 25.0;  // and a rolling shutter shears the board
+constexpr double kShownTipped_rad = 0.26;  // 15 degrees
+constexpr double kSharpest_px = 2.0;       // spread of edges above which corners are washed out
+constexpr double kStill_pxPerS = 25.0;     // and a rolling shutter shears the board
 
 cv::Mat pictureOf(ImageView<const std::uint8_t> grey) {
   return {grey.height, grey.width, CV_8UC1, const_cast<std::uint8_t*>(grey.data), static_cast<std::size_t>(grey.stride)};
