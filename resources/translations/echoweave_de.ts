@@ -23060,8 +23060,8 @@ Zeit: %3</translation>
         <translation>Berühren: %1</translation>
     </message>
     <message>
-        <source>: off by %1 mm</source>
-        <translation>: %1 mm daneben</translation>
+        <source>off by %1 mm</source>
+        <translation>%1 mm daneben</translation>
     </message>
     <message>
         <source>probably wrong</source>

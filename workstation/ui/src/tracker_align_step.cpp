@@ -225,7 +225,7 @@ void TrackerAlignStep::showAll() {
     const BodyLandmark* place = find(touches[n].landmark);
     const bool isWrong = touches[n].landmark == found.wrong;
     QString text = place != nullptr ? words(place->name) : words(touches[n].landmark);
-    if (n < found.residuals_mm.size()) text += tr(": off by %1 mm").arg(figure(found.residuals_mm[n], 1));
+    if (n < found.residuals_mm.size()) text += QLatin1Char('\n') + tr("off by %1 mm").arg(figure(found.residuals_mm[n], 1));
     if (isWrong) text += QStringLiteral(" · ") + tr("probably wrong");
     auto* item = new QListWidgetItem(icon(isWrong ? QStringLiteral("tracking-invalid") : QStringLiteral("tracking-live"),
                                           isWrong ? currentTheme().danger : currentTheme().accent),
