@@ -17,6 +17,7 @@
 #include "tracker_films.h"
 #include "tracker_page.h"
 #include "tracker_wizard.h"
+#include "tracking_look.h"
 #include "window_fixture.h"
 
 namespace ew::ui::testing {
@@ -192,11 +193,14 @@ class TrackerJourneyTest : public WindowFixture {
     const glm::dvec3 at = session().pose().probeToWorld.matrix[3];
     QVERIFY2(std::abs(Trackers::gap_mm(*trackers().skin(), at)) < 8.0,
              qPrintable(QString::number(Trackers::gap_mm(*trackers().skin(), at))));
+    const auto* said = find<QPushButton>("trackingState");
+    QVERIFY(waitUntil([&] { return said->isVisible() && said->text() == lookOf(TrackingState::live).word; }));
     keepScreenshot(*window_, "journey-7-scan");
     QVERIFY(films_->writeEmpty(film("empty.avi")));
     play(film("empty.avi"));
     QVERIFY(waitUntil([this] { return session().isLost(); }));
     QVERIFY(waitUntil([this] { return trackers().report().state == TrackingState::outOfView; }));
+    QVERIFY(waitUntil([&] { return said->text() == lookOf(TrackingState::outOfView).word; }));
     keepScreenshot(*window_, "journey-8-lost");
     play(film("scan.avi"));
     QVERIFY(waitUntil([this] { return trackers().report().state == TrackingState::live && !session().isLost(); }));

@@ -161,6 +161,7 @@ void Trackers::stopDevice() {
   if (device_) devices_.add([device = std::exchange(device_, nullptr)] { device->stop(); });
   if (axes_) devices_.add([axes = std::exchange(axes_, nullptr)] { axes->stop(); });
   probe_.reset();
+  told_ = TrackingState::off;  // what comes next is news, whatever it is
   fit_.reset();
 }
 
