@@ -1,6 +1,9 @@
 // Long runs of the camera tracker against rendered truth. truth_run static|moving|straight|flips|corners [FRAMES] [SEED] [FIRST PART]
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <opencv2/core.hpp>
 #include <string>
@@ -84,6 +87,66 @@ void corners(int frames, std::uint64_t seed) {
     }
 }
 
+/// A folder for `echoweave bench tracking`: half of the sequences still, half moving.
+bool writeViews(const std::filesystem::path& folder, int frames, std::uint64_t seed) {
+  using nlohmann::json;
+  std::filesystem::create_directories(folder);
+  const CameraModel model = webcam();
+  const std::vector<MarkerBody> bodies{boxBody(), boardBody()};
+  json document = {{"camera", json::parse(cameraModelText(model))}, {"bodies", json::array()}, {"frames", json::array()}};
+  for (const MarkerBody& body : bodies) {
+    json made = {{"id", body.id},
+                 {"is_board", body.isBoard},
+                 {"dictionary", body.dictionary},
+                 {"face_mm", {body.probeToTool.matrix[3].x, body.probeToTool.matrix[3].y, body.probeToTool.matrix[3].z}},
+                 {"markers", json::array()}};
+    for (const Marker& marker : body.markers) {
+      json corners = json::array();
+      for (const auto& corner : marker.corners_mm)
+        for (int n = 0; n < 3; ++n) corners.push_back(corner[n]);
+      made["markers"].push_back({{"id", marker.id}, {"corners_mm", corners}});
+    }
+    document["bodies"].push_back(std::move(made));
+  }
+  PaperCameraOptions paper;
+  paper.gamma = 2.2;
+  paper.curl_mm = 0.2;
+  paper.superSampling = 1;
+  PaperCamera camera(model, bodies, paper);
+  constexpr int kEach = 10;
+  for (int n = 0; n < frames; ++n) {
+    const int sequence = n / kEach;
+    MotionOptions motion;
+    const bool moves = sequence % 2 == 1;
+    if (moves) {
+      motion.moves_mm = 80.0;
+      motion.turns_rad = 0.5;
+    }
+    const TruthMotion truth(model, bodies, motion, seed * 1000003u + static_cast<std::uint64_t>(sequence));
+    const double time_s = (n % kEach) / 30.0;
+    PaperShot shot;
+    for (int part = 0; part < (moves ? 4 : 1); ++part)
+      shot.poses.push_back(truth.at(time_s + (moves ? 0.012 * ((part + 0.5) / 4.0 - 0.5) : 0.0)));
+    shot.unevenLight = 0.3;
+    shot.lightAngle_rad = sequence;
+    shot.seed = static_cast<std::uint64_t>(n);
+    const GreyImage picture = camera.picture(shot);
+    char name[32];
+    std::snprintf(name, sizeof name, "%05d.pgm", n);
+    std::ofstream out(folder / name, std::ios::binary);
+    out << "P5\n" << picture.width << " " << picture.height << "\n255\n";
+    out.write(reinterpret_cast<const char*>(picture.pixels.data()), static_cast<std::streamsize>(picture.pixels.size()));
+    json rows = json::array();
+    for (const glm::dmat4& pose : truth.at(time_s))
+      for (const double each : rowsOf(pose)) rows.push_back(each);
+    document["frames"].push_back({{"file", name}, {"time_s", time_s}, {"sequence", sequence}, {"poses", rows}});
+    if (!out) return false;
+  }
+  std::ofstream out(folder / "views.json");
+  out << document.dump(1) << "\n";
+  return out.good();
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -91,7 +154,10 @@ int main(int count, char** words) {
   const std::string what = count > 1 ? words[1] : "";
   const int frames = count > 2 ? std::atoi(words[2]) : 300;
   const auto seed = static_cast<std::uint64_t>(count > 3 ? std::atoll(words[3]) : 1);
-  if (what == "static") {
+  if (what == "views") {
+    const int wanted = count > 3 ? std::atoi(words[3]) : 200;
+    if (count < 3 || !writeViews(words[2], wanted, static_cast<std::uint64_t>(count > 4 ? std::atoll(words[4]) : 1))) return 1;
+  } else if (what == "static") {
     TrialOptions options = usual(frames, seed);
     options.plainEvery = 1;
     options.sequences = frames / 4;
@@ -111,7 +177,8 @@ int main(int count, char** words) {
   } else if (what == "corners") {
     corners(frames, seed);
   } else {
-    std::fprintf(stderr, "truth_run static|moving|straight|flips|corners [FRAMES] [SEED] [FIRST PART]\n");
+    std::fprintf(stderr,
+                 "truth_run static|moving|straight|flips|corners [FRAMES] [SEED] [FIRST PART]\ntruth_run views FOLDER [FRAMES] [SEED]\n");
     return 2;
   }
   return 0;

@@ -14,6 +14,7 @@
 #include "bench_slicing.h"
 #include "bench_stitch.h"
 #include "bench_teaching_commands.h"
+#include "bench_tracking.h"
 #include "command.h"
 #include "ew/core/numbers.h"
 #include "ew/core/simd.h"
@@ -43,6 +44,8 @@ struct BenchArguments {
   std::uint64_t seed = 1;
   std::vector<std::string> cases;
   int timedFrames = 40;
+  std::string trackedViews;  ///< folder
+  int trackedFrames = 0;
   bool noPeers = false;
   bool large = false;
 };
@@ -93,6 +96,10 @@ void printResults(std::ostream& out, const json& measured) {
             << " dB, mae" << right(numberIn(row[kind], "mae", 2), 6) << "  ";
     if (row.contains("psnr_db"))
       out << right(numberIn(row, "psnr_db", 1), 6) << " dB  worst " << right(numberIn(row, "worst_grey", 0), 3) << " grey";
+    if (row.contains("face_mm"))
+      out << numberIn(row, "face_mm", 2) << " mm (95 %" << right(numberIn(row, "face_p95_mm", 2), 6) << "), "
+          << numberIn(row, "turn_deg", 2) << " degrees (95 %" << right(numberIn(row, "turn_p95_deg", 2), 6) << "), shown "
+          << right(rounded(100.0 * row["shown"].get<double>(), 1), 5) << " %, flipped " << numberIn(row, "flipped", 0);
     if (row.contains("psnr_double_db")) out << "  " << right(numberIn(row, "psnr_double_db", 1), 5) << " dB from double precision";
     out << "\n";
   }
@@ -258,6 +265,11 @@ Result<json> stitching(const BenchArguments& arguments, Run& run, Progress& prog
   return benchStitch(options, progress);
 }
 
+Result<json> tracking(const BenchArguments& arguments, Run& run, Progress& progress) {
+  run.report.options["tracking"] = {{"views", arguments.trackedViews}, {"frames", arguments.trackedFrames}};
+  return benchTracking({arguments.trackedViews, arguments.trackedFrames}, progress);
+}
+
 constexpr const char* kPage = "accuracy-and-time.html";
 
 Result<void> writePage(const BenchArguments& arguments, Run& run, const std::string& machine, std::vector<BenchSection> sections) {
@@ -285,7 +297,7 @@ Result<void> writePage(const BenchArguments& arguments, Run& run, const std::str
   return {};
 }
 
-enum class Bench { slicing, frame, echoes, reconstruct, registration, stitch, all };
+enum class Bench { slicing, frame, echoes, reconstruct, registration, stitch, tracking, all };
 
 Result<int> bench(Bench what, const BenchArguments& arguments, Run& run) {
   if (!arguments.html.empty()) {
@@ -353,6 +365,10 @@ Result<int> bench(Bench what, const BenchArguments& arguments, Run& run) {
     PartOfProgress part = share(0.95, 1.0);
     if (auto taken = take("stitch", stitching(arguments, run, part), stitchSections); !taken) return passOn(taken.error());
   }
+  if (what == Bench::tracking) {  // not part of all: it needs views
+    PartOfProgress part = share(0.0, 1.0);
+    if (auto taken = take("tracking", tracking(arguments, run, part), trackingSections); !taken) return passOn(taken.error());
+  }
   if (!arguments.html.empty())
     if (auto written = writePage(arguments, run, machine, std::move(sections)); !written) return passOn(written.error());
   return kDone;
@@ -371,7 +387,8 @@ void addBench(CLI::App& root, Selection& selection) {
                    std::string("Also write ") + kPage + ", the curves of accuracy against time; what it held of other benchmarks stays")
         ->type_name("DIR");
     app.add_option("--note", arguments->note, "A sentence about the machine, for the page: what else it was doing")->type_name("TEXT");
-    const bool slices = what != Bench::reconstruct && what != Bench::registration && what != Bench::stitch && what != Bench::echoes;
+    const bool slices = what != Bench::reconstruct && what != Bench::registration && what != Bench::stitch && what != Bench::echoes &&
+                        what != Bench::tracking;
     const bool formsEchoes = what == Bench::echoes || what == Bench::all;
     if (slices)
       app.add_option("--side", arguments->sides, "Voxels a side of the volume; may be given several times (256 and 512)")
@@ -406,10 +423,16 @@ void addBench(CLI::App& root, Selection& selection) {
       addCount(app, what == Bench::all ? "--view-side" : "--side", arguments->viewSide, 64, 320, "Voxels a side of a view to join (128)");
     if (what == Bench::registration || what == Bench::stitch || formsEchoes)
       addSeed(app, "--seed", arguments->seed, "Which pairs are registered, which speckle is joined, which poses are compared (1)");
-    if (what != Bench::echoes)
+    if (what == Bench::tracking) {
+      app.add_option("VIEWS", arguments->trackedViews, "A folder of pictures with views.json, which says where everything was")
+          ->required()
+          ->type_name("DIR");
+      addCount(app, "--frames", arguments->trackedFrames, 0, 1000000, "Pictures at most; 0: all (0)");
+    }
+    if (what != Bench::echoes && what != Bench::tracking)
       addCount(app, "--repetitions", arguments->repetitions, 1, 1000,
                "Interleaved repetitions (slices and frames 7, reconstructions 5, registrations 1, joining 3)");
-    if (what != Bench::reconstruct && what != Bench::stitch && what != Bench::echoes)
+    if (what != Bench::reconstruct && what != Bench::stitch && what != Bench::echoes && what != Bench::tracking)
       app.add_flag("--no-peers", arguments->noPeers, "Leave VTK's reslice, elastix and plastimatch out");
   };
   add(Bench::slicing, "slicing", "Every slicer against an exact answer and against VTK's, one thread, medians of one run",
@@ -426,6 +449,8 @@ void addBench(CLI::App& root, Selection& selection) {
       {"bench register", "bench register --html bench --report bench.json", "bench register --side 128 --no-peers"});
   add(Bench::stitch, "stitch", "Every way to join two views of one scene: how visible the seam is, and what it costs",
       {"bench stitch", "bench stitch --html bench --report bench.json", "bench stitch --side 96 --repetitions 5"});
+  add(Bench::tracking, "tracking", "How exact a camera finds a probe with each of its settings, on views whose truth is known",
+      {"bench tracking views", "bench tracking views --html bench --report bench.json"});
   addTeachingBenches(group, selection);
   addLibraryBench(group, selection);
   add(Bench::all, "all", "All of it, on one page", {"bench all --html bench --report bench.json"});
