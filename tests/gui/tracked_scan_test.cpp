@@ -327,7 +327,7 @@ class TrackedScanTest final : public WindowFixture {
     path_ = [this](double) { return moved({0.0, 45.0, 0.0}); };
     QVERIFY(waitUntil([&] { return session().face() && session().face()->how == FaceOnSkin::tooDeep; }));
     keepScreenshot(*window_, "tracked-deep");
-    path_ = [this](double) { return glm::rotate(moved({0.0, -6.0, 0.0}), 0.35, glm::dvec3(0.0, 0.0, 1.0)); };
+    path_ = [this](double) { return glm::rotate(moved({0.0, -14.0, 0.0}), 0.52, glm::dvec3(0.0, 0.0, 1.0)); };
     QVERIFY(waitUntil([&] { return session().face() && session().face()->how == FaceOnSkin::partly; }));
     keepScreenshot(*window_, "tracked-slanted");
   }
@@ -345,7 +345,7 @@ class TrackedScanTest final : public WindowFixture {
     std::optional<ToolReading> pose;
     const auto hear = [&] {
       for (ToolReading& each : client->take())
-        if (each.tool == options.poseName) pose = std::move(each);
+        if (each.tool == options.poseName && each.state == TrackingState::live) pose = std::move(each);
       return pose.has_value();
     };
     QVERIFY(waitUntil(hear));

@@ -133,7 +133,7 @@ TEST(TrackedPace, MakesAPictureOfEveryReadingOfACameraAndOfEverySecondAndThirdOf
     // 12 ms on the way, and never a reading that waits for the next picture while there is time to make one of it.
     EXPECT_LT(oldest_s, 0.012 + 0.003) << rate_hz;
   }
-  EXPECT_EQ(trackedPace(10.0, 0.005), (TrackedPace{10.029, 10.045}));
+  EXPECT_EQ(trackedPace(10.0, 0.005), (TrackedPace{10.0 + 0.025, 10.0 + 0.045}));
   EXPECT_EQ(trackedPace(10.0, 0.03125), (TrackedPace{10.0625, 10.0625})) << "half of the time is left";
   EXPECT_EQ(trackedPace(10.0, 0.5), (TrackedPace{10.5 + 0.2, 10.5 + 0.2}));
 }
