@@ -10667,6 +10667,198 @@
         <source>the id of one of the trackers</source>
         <translation>die Kennung eines der Tracker</translation>
     </message>
+    <message>
+        <source>The camera was calibrated with pictures of %1 x %2 pixels and now delivers %3 x %4, which is another part of what it sees; calibrate it again at this size.</source>
+        <translation>Die Kamera wurde mit Bildern von %1 x %2 Pixeln kalibriert und liefert jetzt %3 x %4, also einen anderen Ausschnitt; kalibrieren Sie sie in dieser Größe neu.</translation>
+    </message>
+    <message>
+        <source>%1 has format %2 and this program reads formats up to %3; calibrate the camera again or update the program.</source>
+        <translation>%1 hat das Format %2, und dieses Programm liest Formate bis %3; kalibrieren Sie die Kamera neu oder aktualisieren Sie das Programm.</translation>
+    </message>
+    <message>
+        <source>The camera model has no size or focal length; calibrate the camera again.</source>
+        <translation>Das Kameramodell hat keine Größe oder Brennweite; kalibrieren Sie die Kamera neu.</translation>
+    </message>
+    <message>
+        <source>The marker body %1 uses markers of the kind %2, which this program does not know.</source>
+        <translation>Der Markerkörper %1 benutzt Marker der Art %2, die dieses Programm nicht kennt.</translation>
+    </message>
+    <message>
+        <source>Marker %1 of the body %2 is no flat square of its kind; correct its corners or its number.</source>
+        <translation>Marker %1 des Körpers %2 ist kein ebenes Quadrat seiner Art; berichtigen Sie seine Ecken oder seine Nummer.</translation>
+    </message>
+    <message>
+        <source>Marker %1 is used twice, the second time by %2; a marker can be on one body only.</source>
+        <translation>Marker %1 wird zweimal benutzt, das zweite Mal von %2; ein Marker kann nur auf einem Körper sein.</translation>
+    </message>
+    <message>
+        <source>There is no camera at %1; plug it in, or choose another one. It is looked for again every second.</source>
+        <translation>An %1 ist keine Kamera; schließen Sie sie an oder wählen Sie eine andere. Sie wird jede Sekunde erneut gesucht.</translation>
+    </message>
+    <message>
+        <source>The camera %1 may not be used by this user; an administrator can add the user to the group that owns it, usually “video”.</source>
+        <translation>Dieser Benutzer darf die Kamera %1 nicht verwenden; ein Administrator kann ihn in die Gruppe aufnehmen, der sie gehört, meist „video“.</translation>
+    </message>
+    <message>
+        <source>The camera %1 is used by another program; close that program. It is tried again every second.</source>
+        <translation>Die Kamera %1 wird von einem anderen Programm benutzt; schließen Sie es. Sie wird jede Sekunde erneut versucht.</translation>
+    </message>
+    <message>
+        <source>The camera %1 delivers no pictures; another program may be using it, or it is no camera. It is tried again every second.</source>
+        <translation>Die Kamera %1 liefert keine Bilder; vielleicht benutzt sie ein anderes Programm, oder es ist keine Kamera. Sie wird jede Sekunde erneut versucht.</translation>
+    </message>
+    <message>
+        <source>The film %1 is not there; choose another one.</source>
+        <translation>Der Film %1 ist nicht da; wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as a film; choose a file with moving pictures.</source>
+        <translation>%1 kann nicht als Film gelesen werden; wählen Sie eine Datei mit bewegten Bildern.</translation>
+    </message>
+    <message>
+        <source>The camera is being opened.</source>
+        <translation>Die Kamera wird geöffnet.</translation>
+    </message>
+    <message>
+        <source>The camera is off.</source>
+        <translation>Die Kamera ist aus.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s driver failed: %1.</source>
+        <translation>Der Treiber der Kamera ist gescheitert: %1.</translation>
+    </message>
+    <message>
+        <source>The film has come to its end.</source>
+        <translation>Der Film ist zu Ende.</translation>
+    </message>
+    <message>
+        <source>The camera has stopped delivering pictures; check its cable. It is tried again every second.</source>
+        <translation>Die Kamera liefert keine Bilder mehr; prüfen Sie ihr Kabel. Sie wird jede Sekunde erneut versucht.</translation>
+    </message>
+    <message>
+        <source>The camera delivers pictures.</source>
+        <translation>Die Kamera liefert Bilder.</translation>
+    </message>
+    <message>
+        <source>A picture of the camera could not be worked on: %1.</source>
+        <translation>Ein Bild der Kamera konnte nicht ausgewertet werden: %1.</translation>
+    </message>
+    <message>
+        <source>The camera has not been calibrated yet, so it cannot measure; calibrate it.</source>
+        <translation>Die Kamera ist noch nicht kalibriert und kann deshalb nicht messen; kalibrieren Sie sie.</translation>
+    </message>
+    <message>
+        <source>This chess board cannot be: it needs three to forty squares each way, markers smaller than its squares, and a kind of markers that has enough of them.</source>
+        <translation>Dieses Schachbrett ist nicht möglich: Es braucht drei bis vierzig Felder in jeder Richtung, Marker, die kleiner sind als die Felder, und eine Markerart, von der es genug gibt.</translation>
+    </message>
+    <message>
+        <source>Hold the chess board so that the camera sees all of it, and keep it still.</source>
+        <translation>Halten Sie das Schachbrett so, dass die Kamera es ganz sieht, und halten Sie es still.</translation>
+    </message>
+    <message>
+        <source>Hold the board straight towards the camera.</source>
+        <translation>Halten Sie das Brett gerade vor die Kamera.</translation>
+    </message>
+    <message>
+        <source>Bring the board nearer, until it fills more than half of the picture.</source>
+        <translation>Bringen Sie das Brett näher, bis es mehr als das halbe Bild füllt.</translation>
+    </message>
+    <message>
+        <source>Tip the board to the left by about thirty degrees.</source>
+        <translation>Kippen Sie das Brett um etwa dreißig Grad nach links.</translation>
+    </message>
+    <message>
+        <source>Tip the board to the right by about thirty degrees.</source>
+        <translation>Kippen Sie das Brett um etwa dreißig Grad nach rechts.</translation>
+    </message>
+    <message>
+        <source>Tip the upper edge of the board away from the camera or towards it.</source>
+        <translation>Kippen Sie die obere Kante des Bretts von der Kamera weg oder zu ihr hin.</translation>
+    </message>
+    <message>
+        <source>Tip the board the other way about its lower edge.</source>
+        <translation>Kippen Sie das Brett um seine untere Kante in die andere Richtung.</translation>
+    </message>
+    <message>
+        <source>Move the board to the upper left of the picture.</source>
+        <translation>Bewegen Sie das Brett nach links oben im Bild.</translation>
+    </message>
+    <message>
+        <source>Move the board to the upper right of the picture.</source>
+        <translation>Bewegen Sie das Brett nach rechts oben im Bild.</translation>
+    </message>
+    <message>
+        <source>Move the board to the lower left of the picture.</source>
+        <translation>Bewegen Sie das Brett nach links unten im Bild.</translation>
+    </message>
+    <message>
+        <source>Move the board to the lower right of the picture.</source>
+        <translation>Bewegen Sie das Brett nach rechts unten im Bild.</translation>
+    </message>
+    <message>
+        <source>Move the board to the left of the picture.</source>
+        <translation>Bewegen Sie das Brett an den linken Rand des Bildes.</translation>
+    </message>
+    <message>
+        <source>Move the board to the right of the picture.</source>
+        <translation>Bewegen Sie das Brett an den rechten Rand des Bildes.</translation>
+    </message>
+    <message>
+        <source>Hold the board at other distances and angles.</source>
+        <translation>Halten Sie das Brett in anderen Abständen und Winkeln.</translation>
+    </message>
+    <message>
+        <source>That is enough; the camera can be calibrated.</source>
+        <translation>Das genügt; die Kamera kann kalibriert werden.</translation>
+    </message>
+    <message>
+        <source>The calibration is good: the corners of the board lie where they should to %1 pixel.</source>
+        <translation>Die Kalibrierung ist gut: Die Ecken des Bretts liegen auf %1 Pixel genau, wo sie sollen.</translation>
+    </message>
+    <message>
+        <source>The calibration can be used: the corners lie where they should to %1 pixel. Below half a pixel it would be good; more pictures with the board tipped and in the corners of the picture help.</source>
+        <translation>Die Kalibrierung ist brauchbar: Die Ecken liegen auf %1 Pixel genau, wo sie sollen. Unter einem halben Pixel wäre sie gut; weitere Bilder mit gekipptem Brett und in den Ecken des Bildes helfen.</translation>
+    </message>
+    <message>
+        <source>The pictures do not tell the distance from the size; take more with the board tipped to all sides and at other distances.</source>
+        <translation>Aus den Bildern lassen sich Abstand und Größe nicht unterscheiden; nehmen Sie weitere auf, mit dem Brett nach allen Seiten gekippt und in anderen Abständen.</translation>
+    </message>
+    <message>
+        <source>The calibration cannot be used: the corners lie %1 pixel off. Glue the board to something flat, hold it still, check its sizes, and take the pictures again.</source>
+        <translation>Die Kalibrierung ist unbrauchbar: Die Ecken liegen um %1 Pixel daneben. Kleben Sie das Brett auf etwas Ebenes, halten Sie es still, prüfen Sie seine Maße und nehmen Sie die Bilder neu auf.</translation>
+    </message>
+    <message>
+        <source>There are %1 pictures of the board that can be used and at least %2 are needed; take more.</source>
+        <translation>Es gibt %1 brauchbare Bilder des Bretts, und mindestens %2 sind nötig; nehmen Sie weitere auf.</translation>
+    </message>
+    <message>
+        <source>Finding the camera&apos;s model</source>
+        <translation>Kameramodell wird bestimmt</translation>
+    </message>
+    <message>
+        <source>The calibration was stopped.</source>
+        <translation>Die Kalibrierung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Checking it with pictures left out</source>
+        <translation>Prüfung mit zurückgehaltenen Bildern</translation>
+    </message>
+    <message>
+        <source>No camera explains these pictures; take others, with the board tipped to all sides.</source>
+        <translation>Keine Kamera erklärt diese Bilder; nehmen Sie andere auf, mit dem Brett nach allen Seiten gekippt.</translation>
+    </message>
+    <message>
+        <source>%1 is no grey PGM picture of %2 x %3 pixels; make the views again.</source>
+        <translation>%1 ist kein graues PGM-Bild von %2 x %3 Pixeln; erzeugen Sie die Ansichten neu.</translation>
+    </message>
+    <message>
+        <source>%1 ends too early; make the views again.</source>
+        <translation>%1 endet zu früh; erzeugen Sie die Ansichten neu.</translation>
+    </message>
+    <message>
+        <source>Following the probe</source>
+        <translation>Schallkopf wird verfolgt</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
@@ -23495,6 +23687,10 @@ Zeit: %3</translation>
     <message>
         <source>Makes up for the delay while the probe moves evenly</source>
         <translation>Gleicht die Verzögerung aus, solange sich die Sonde gleichmäßig bewegt</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
     </message>
 </context>
 <context>

@@ -37,6 +37,13 @@ QComboBox* addChoice(QFormLayout& form, const QString& name, const char* objectN
   return box;
 }
 
+/// A film by its name, a camera that is not there by its number, the first is 1.
+QString shownDevice(const QString& device) {
+  bool isNumber = false;
+  const int number = device.toInt(&isNumber);
+  return isNumber ? TrackerForm::tr("Camera %1").arg(number + 1) : QFileInfo(device).fileName();
+}
+
 /// A line with the name of a file and a button that asks for another one.
 QPushButton* addFile(QFormLayout& form, const QString& name, const QString& shown, const QString& none, const char* objectName) {
   auto* row = new QHBoxLayout;
@@ -120,7 +127,7 @@ void TrackerForm::addCamera(QFormLayout& form, const CameraSource& source) {
   for (const CameraHere& each : camerasHere())
     cameras->addItem(tr("%1 (%2)").arg(words(each.name), words(each.device)), words(each.device));
   const QString device = words(source.camera.device);
-  if (!device.isEmpty() && cameras->findData(device) < 0) cameras->addItem(QFileInfo(device).fileName(), device);
+  if (!device.isEmpty() && cameras->findData(device) < 0) cameras->addItem(shownDevice(device), device);
   cameras->setCurrentIndex(cameras->findData(device));
   auto* film = new QPushButton(tr("Video file…"));
   film->setObjectName(QStringLiteral("trackerChooseFilm"));
