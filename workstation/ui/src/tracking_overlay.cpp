@@ -135,7 +135,8 @@ void paintTrackingNote(QPainter& painter, const QRect& shown, const QString& ico
   const QRect wrapped = painter.fontMetrics().boundingRect(QRect(0, 0, words_px, shown.height()), Qt::AlignLeft | Qt::TextWordWrap, words);
   QRect plate(0, 0, wrapped.width() + icon_px + 3 * gap_px, std::max(wrapped.height(), icon_px) + gap_px);
   plate.moveCenter(shown.center());
-  plate.moveBottom(shown.bottom() - gap_px);
+  plate.moveBottom(shown.top() - gap_px / 2);
+  if (plate.top() < gap_px / 2) plate.moveTop(gap_px / 2);
   paintPlate(painter, plate, colour);
   const QRect inside = plate.adjusted(gap_px, gap_px / 2, -gap_px, -gap_px / 2);
   icon(iconName, colour).paint(&painter, QRect(inside.left(), inside.center().y() - icon_px / 2, icon_px, icon_px));

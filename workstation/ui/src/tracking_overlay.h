@@ -25,7 +25,7 @@ namespace ew::ui {
 /// @param mayMove whether the hand takes the probe when it moves
 void paintLoss(QPainter& painter, const QRect& shown, const TrackingReport& report, bool mayMove);
 
-/// One line at the lower rim of a picture that is live.
+/// A line above a picture that is live, where no body mark and no scale covers it.
 /// @param iconName of resources/icons
 void paintTrackingNote(QPainter& painter, const QRect& shown, const QString& iconName, const QColor& colour, const QString& words);
 
