@@ -11,6 +11,7 @@
 #include "camera_markers.h"
 #include "camera_pose.h"
 #include "ew/core/contract.h"
+#include "marker_dictionary.h"
 
 namespace ew {
 namespace {
@@ -40,10 +41,41 @@ bool isFlatSquare(const Marker& marker) {
   return std::abs(glm::distance(c[0], c[2]) - std::sqrt(2.0) * side) < slack && glm::distance(c[0] + c[2], c[1] + c[3]) < 2.0 * slack;
 }
 
+/// Whether the squares inside of measured corners are those of the marker. The detector reads small markers from a picture of half the
+/// size, and a thumb over one can leave what another one looks like: a pose from that is sure and wrong.
+bool showsSquares(ImageView<const std::uint8_t> grey, const std::array<glm::dvec2, 4>& corners_px, const MarkerSquares& squares) {
+  const auto& c = corners_px;
+  // Projective: p = (c0 + u a + v b) / (1 + u g + v h), from the unit square.
+  const glm::dvec2 d1 = c[1] - c[2], d2 = c[3] - c[2], s = c[0] - c[1] + c[2] - c[3];
+  const double across = d1.x * d2.y - d2.x * d1.y;
+  if (std::abs(across) < 1.0) return false;
+  const double g = (s.x * d2.y - d2.x * s.y) / across, h = (d1.x * s.y - s.x * d1.y) / across;
+  std::vector<double> greys;
+  double sums[2] = {0.0, 0.0};
+  int counts[2] = {0, 0};
+  for (int row = 0; row < squares.side; ++row)
+    for (int column = 0; column < squares.side; ++column) {
+      const double u = (column + 0.5) / squares.side, v = (row + 0.5) / squares.side;
+      const glm::dvec2 at = (c[0] + u * (c[1] - c[0] + g * c[1]) + v * (c[3] - c[0] + h * c[3])) / (1.0 + u * g + v * h);
+      const int x = static_cast<int>(std::lround(at.x)), y = static_cast<int>(std::lround(at.y));
+      if (x < 0 || y < 0 || x >= grey.width || y >= grey.height) return false;
+      greys.push_back(grey.at(x, y));
+      const int isBlack = squares.isBlack[greys.size() - 1];
+      sums[isBlack] += greys.back();
+      ++counts[isBlack];
+    }
+  const double middle = 0.5 * (sums[0] / std::max(1, counts[0]) + sums[1] / std::max(1, counts[1]));
+  int wrong = 0;
+  for (std::size_t n = 0; n < greys.size(); ++n) wrong += (greys[n] < middle) != (squares.isBlack[n] == 1) ? 1 : 0;
+  // Two markers of a set differ in many more.
+  return wrong * 16 <= static_cast<int>(greys.size());
+}
+
 struct TrackedBody {
   MarkerBody body;
   cv::Ptr<cv::aruco::Dictionary> dictionary;
   std::map<int, const Marker*> byId;
+  std::map<int, MarkerSquares> squares;
   glm::dvec3 face_mm{0.0};  ///< where errors count: the transducer face, or a board's middle
   BodyMemory memory;
 };
@@ -261,6 +293,7 @@ Result<CameraTracker> CameraTracker::make(const CameraModel& model, std::vector<
       if (!taken.emplace(body.dictionary, marker.id).second)
         return failure(ErrorCode::badField,
                        say<"Marker %1 is used twice, the second time by %2; a marker can be on one body only.">(marker.id, body.name));
+      tracked.squares[marker.id] = squaresOf(body.dictionary, marker.id);
       tracked.face_mm += middleOf(marker) / static_cast<double>(body.markers.size());
     }
     if (!body.isBoard) tracked.face_mm = glm::dvec3(body.probeToTool.matrix[3]);
@@ -305,11 +338,12 @@ void CameraTracker::State::trackBody(const cv::Mat& picture, std::size_t index, 
   const auto size = [](const MarkerSight* marker) { return glm::distance(marker->corners_px[0], marker->corners_px[2]); };
   std::stable_sort(found.begin(), found.end(), [&](const auto* p, const auto* q) { return size(p) > size(q); });
   if (static_cast<int>(found.size()) > options.mostMarkers) found.resize(static_cast<std::size_t>(std::max(1, options.mostMarkers)));
+  const ImageView<const std::uint8_t> seenGrey{picture.data, picture.cols, picture.rows, static_cast<std::ptrdiff_t>(picture.step)};
   std::vector<MarkerObservation> seen;
   std::vector<MarkerSight*> measuredOf;
   for (MarkerSight* marker : found) {
     const auto corners = measured(picture, *marker);
-    if (!corners) continue;
+    if (!corners || !showsSquares(seenGrey, corners->corners_px, each.squares.at(marker->id))) continue;
     marker->corners_px = corners->corners_px;
     marker->blur_px = *std::max_element(corners->edgeSpread_px.begin(), corners->edgeSpread_px.end());
     const double least = *std::min_element(corners->edgeSpread_px.begin(), corners->edgeSpread_px.end());
