@@ -16,6 +16,6 @@ struct TurnAndPlace {
 /// @error noValidPose: fewer than 20 of them
 [[nodiscard]] Result<std::vector<TurnAndPlace>> liveReadings(std::span<const ToolReading> readings);
 
-[[nodiscard]] double medianOf(std::vector<double> values);
+[[nodiscard]] double middleValueOf(std::vector<double> values);
 
 }  // namespace ew
