@@ -154,7 +154,7 @@ class TrackerPageTest : public UsabilityFixture {
     QTest::addColumn<int>("text_percent");
     QTest::newRow("English, dark") << QStringLiteral("en") << true << 100;
     QTest::newRow("German, light") << QStringLiteral("de") << false << 100;
-    QTest::newRow("German, large type") << QStringLiteral("de") << true << 150;
+    QTest::newRow("German, large type") << QStringLiteral("de") << true << 200;
   }
   void everyPageFitsAndIsNamed() {
     QFETCH(QString, language);

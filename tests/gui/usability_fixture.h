@@ -177,6 +177,7 @@ class UsabilityFixture : public WindowFixture {
     window_->worksheets().choose(window_->worksheets().packages().front()->id);
     const std::pair<const char*, const char*> menus[] = {{"Keys and &controls…", "keysDialog"},
                                                          {"&Performance…", "costPanel"},
+                                                         {"&Tracker…", "trackerPage"},
                                                          {"&Worksheet…", "worksheetDialog"},
                                                          {"&Examination and archive…", "examinationDialog"}};
     for (const auto& [text, name] : menus) {
