@@ -183,8 +183,7 @@ void TrackerAlignStep::poll() {
 
 void TrackerAlignStep::pollTracing() {
   if (const auto face = trackers_.face()) trackers_.trace(face->at_tracker);
-  say(*hand_,
-      tr("Slide over the skin, all over the belly and around both flanks. %n places are traced.", nullptr, trackers_.tracedCount()));
+  say(*hand_, tr("Slide over the skin, all over the belly and around both flanks. Places traced: %1").arg(trackers_.tracedCount()));
 }
 
 void TrackerAlignStep::pollTouching() {
