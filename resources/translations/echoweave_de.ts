@@ -23908,6 +23908,14 @@ Zeit: %3</translation>
         <translation>Meinen Scan an andere senden (OpenIGTLink-Server)</translation>
     </message>
     <message>
+        <source>Other computers may connect too</source>
+        <translation>Auch andere Computer dürfen sich verbinden</translation>
+    </message>
+    <message>
+        <source>Anybody in your network can then see the scan; otherwise only programs of this computer</source>
+        <translation>Jeder in Ihrem Netz kann den Scan dann sehen; sonst nur Programme dieses Computers</translation>
+    </message>
+    <message>
         <source>Image and pose of the probe, for 3D Slicer, PLUS or another window of this program</source>
         <translation>Bild und Lage der Sonde, für 3D Slicer, PLUS oder ein anderes Fenster dieses Programms</translation>
     </message>

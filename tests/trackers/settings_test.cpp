@@ -42,7 +42,7 @@ TrackerList every() {
       {"mouse", "SpaceMouse", HandControllerSettings{}, {}},
       {"pad", "Game controller", controller, {}}};
   list.chosen = "tape";
-  list.startsOn = list.soundsLost = list.serves = true;
+  list.startsOn = list.soundsLost = list.serves = list.servesNetwork = true;
   list.servePort = 20000;
   return list;
 }

@@ -223,7 +223,7 @@ Result<TrackerList> trackersFromJson(const json& document, const Message& where)
   JsonReading reading(where, {"note"});
   const JsonFields fields(document, reading);
   requireFormat(fields, TrackerList::kFormat);
-  fields.only({"format", "trackers", "chosen", "starts_on", "sounds_lost", "serves", "serve_port"});
+  fields.only({"format", "trackers", "chosen", "starts_on", "sounds_lost", "serves", "serve_port", "serves_network"});
   TrackerList read;
   std::set<std::string> ids;
   for (const JsonFields& each : fields.objects("trackers", 0, kMostTrackers)) {
@@ -235,6 +235,7 @@ Result<TrackerList> trackersFromJson(const json& document, const Message& where)
   read.startsOn = fields.flag("starts_on", read.startsOn);
   read.soundsLost = fields.flag("sounds_lost", read.soundsLost);
   read.serves = fields.flag("serves", read.serves);
+  read.servesNetwork = fields.flag("serves_network", read.servesNetwork);
   read.servePort = static_cast<int>(fields.whole("serve_port", 1, 65535, read.servePort));
   if (reading.problem()) return passOn(*reading.problem());
   return read;
@@ -248,8 +249,9 @@ json toJson(const TrackerList& list) {
                         {"source", trackerWord(kSourceWords, kindOf(each))},
                         {"settings", std::visit([](const auto& source) { return jsonOf(source); }, each.source)},
                         {"probe", jsonOf(each.probe)}});
-  return {{"format", TrackerList::kFormat}, {"trackers", std::move(trackers)}, {"chosen", list.chosen},       {"starts_on", list.startsOn},
-          {"sounds_lost", list.soundsLost}, {"serves", list.serves},           {"serve_port", list.servePort}};
+  return {{"format", TrackerList::kFormat}, {"trackers", std::move(trackers)},     {"chosen", list.chosen},
+          {"starts_on", list.startsOn},     {"sounds_lost", list.soundsLost},      {"serves", list.serves},
+          {"serve_port", list.servePort},   {"serves_network", list.servesNetwork}};
 }
 
 Result<TrackerList> readTrackers(const std::filesystem::path& file) {

@@ -46,7 +46,7 @@ void Trackers::load() {
     }
   }
   readPapers();
-  if (list_.serves) serve(true, list_.servePort);
+  if (list_.serves) serve(true, list_.servePort, list_.servesNetwork);
   Q_EMIT listChanged();
   if (list_.startsOn && find(list_.chosen) != nullptr) use(list_.chosen);
 }

@@ -89,9 +89,10 @@ class Trackers final : public QObject {
   [[nodiscard]] bool soundsLost() const { return list_.soundsLost; }
   void setSoundsLost(bool sounds);
   /// Sends the scan to others over OpenIGTLink.
-  void serve(bool serves, int port);
+  void serve(bool serves, int port, bool toNetwork);
   [[nodiscard]] bool serves() const { return list_.serves; }
   [[nodiscard]] int servePort() const { return list_.servePort; }
+  [[nodiscard]] bool servesNetwork() const { return list_.servesNetwork; }
   [[nodiscard]] QString serverSentence() const;  ///< how it goes
 
   // Cameras and paper.

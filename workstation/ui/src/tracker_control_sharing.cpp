@@ -5,9 +5,10 @@
 
 namespace ew::ui {
 
-void Trackers::serve(bool serves, int port) {
+void Trackers::serve(bool serves, int port, bool toNetwork) {
   list_.serves = serves;
   list_.servePort = port;
+  list_.servesNetwork = toNetwork;
   keepList();
   server_.reset();
   serverProblem_ = {};
@@ -15,7 +16,7 @@ void Trackers::serve(bool serves, int port) {
   server_ = std::make_unique<ScanServer>(session_);
   IgtlServerOptions options;
   options.port = port;
-  options.everyone = true;  // Slicer stands on another computer as often as not
+  options.everyone = toNetwork;
   const auto started = server_->start(options);
   if (started) return;
   serverProblem_ = started.error().message;

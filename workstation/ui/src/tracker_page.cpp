@@ -257,6 +257,11 @@ QWidget* TrackerPage::makeSharing() {
   servePort_->setRange(1024, kMostSharePort);
   servePort_->setValue(trackers_.servePort());
   form->addRow(tr("Port"), servePort_);
+  servesNetwork_ = new QCheckBox(tr("Other computers may connect too"));
+  servesNetwork_->setObjectName(QStringLiteral("trackerServesNetwork"));
+  servesNetwork_->setChecked(trackers_.servesNetwork());
+  servesNetwork_->setToolTip(tr("Anybody in your network can then see the scan; otherwise only programs of this computer"));
+  form->addRow(servesNetwork_);
   serverSentence_ = new QLabel;
   serverSentence_->setObjectName(QStringLiteral("trackerServer"));
   serverSentence_->setWordWrap(true);
@@ -267,13 +272,14 @@ QWidget* TrackerPage::makeSharing() {
   sounds_->setObjectName(QStringLiteral("trackerSounds"));
   sounds_->setChecked(trackers_.soundsLost());
   form->addRow(sounds_);
-  connect(serves_, &QCheckBox::toggled, this, [this](bool on) {
-    trackers_.serve(on, servePort_->value());
+  const auto serve = [this] {
+    trackers_.serve(serves_->isChecked(), servePort_->value(), servesNetwork_->isChecked());
     showNow();
-  });
-  connect(servePort_, &QSpinBox::editingFinished, this, [this] {
-    if (servePort_->value() != trackers_.servePort()) trackers_.serve(trackers_.serves(), servePort_->value());
-    showNow();
+  };
+  connect(serves_, &QCheckBox::toggled, this, serve);
+  connect(servesNetwork_, &QCheckBox::toggled, this, serve);
+  connect(servePort_, &QSpinBox::editingFinished, this, [this, serve] {
+    if (servePort_->value() != trackers_.servePort()) serve();
   });
   connect(sounds_, &QCheckBox::toggled, this, [this](bool on) { trackers_.setSoundsLost(on); });
   return page;

@@ -61,6 +61,7 @@ class TrackerPage final : public FormDialog {
   TrackerForm* form_ = nullptr;
   QCheckBox *serves_ = nullptr, *sounds_ = nullptr;
   QSpinBox* servePort_ = nullptr;
+  QCheckBox* servesNetwork_ = nullptr;
   QLabel* serverSentence_ = nullptr;
 };
 

@@ -44,6 +44,7 @@ struct TrackerList {
   bool soundsLost = false;  ///< a sound when the probe is lost
   bool serves = false;      ///< the scan is sent to others over OpenIGTLink
   int servePort = 18944;
+  bool servesNetwork = false;  ///< computers of the network may connect too; otherwise programs of this one alone
   bool operator==(const TrackerList&) const = default;
 };
 
