@@ -15,6 +15,9 @@ struct VideoModule {
   EwFilmOpen* openFilm = nullptr;
   EwFilmNext* nextOfFilm = nullptr;
   EwFilmClose* closeFilm = nullptr;
+  EwLiveOpen* openLive = nullptr;
+  EwLiveNext* nextOfLive = nullptr;
+  EwLiveClose* closeLive = nullptr;
 };
 /// @error unsupported (a part of the program is missing)
 [[nodiscard]] const Result<VideoModule>& videoModule();

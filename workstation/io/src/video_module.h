@@ -29,4 +29,20 @@ using EwFilmOpen = EwFilm*(const char* file, int kind, EwFilmFacts* facts, char*
 /// @return 1 for a frame, 0 at the end, -1 when what follows cannot be read, -2 when the next frame has another size
 using EwFilmNext = int(EwFilm* film, unsigned char* rgb, double* time_s, char* why, std::size_t room);
 using EwFilmClose = void(EwFilm* film);
+
+using EwLive = struct EwLiveParts;
+struct EwLivePicture {
+  const unsigned char* grey;  ///< height_px rows, stride_bytes apart; valid until the next call
+  int width_px;
+  int height_px;
+  std::ptrdiff_t stride_bytes;
+  double stamp_s;    ///< when it was exposed, by the driver's clock; not above 0: not known
+  double arrival_s;  ///< std::chrono::steady_clock, before it was decoded
+};
+/// A camera by its device file, asked for pictures of that size and rate, or a film, which has its own.
+/// @param rate_hz asked for, and what it is; 0: it does not say. @return null when it cannot be opened
+using EwLiveOpen = EwLive*(const char* file, int isFilm, int width_px, int height_px, double* rate_hz);
+/// @return 1 for a picture, 0 when none came within wait_s or one could not be decoded, -1 when the film is over or the camera gone
+using EwLiveNext = int(EwLive* live, double wait_s, EwLivePicture* picture);
+using EwLiveClose = void(EwLive* live);
 }

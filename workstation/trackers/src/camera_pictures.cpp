@@ -9,11 +9,10 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <mutex>
-#include <opencv2/core/utils/logger.hpp>
-#include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
 #include <thread>
+#include <utility>
+
+#include "ew/io/live_video.h"
 
 namespace ew {
 namespace {
@@ -26,68 +25,39 @@ bool isNumber(const std::string& text) {
 
 std::string nodeOf(const std::string& device) { return isNumber(device) ? "/dev/video" + device : device; }
 
-cv::Mat greyOf(const cv::Mat& picture) {
-  cv::Mat grey;
-  if (picture.channels() == 1)
-    grey = picture.clone();
-  else
-    cv::cvtColor(picture, grey, picture.channels() == 4 ? cv::COLOR_BGRA2GRAY : cv::COLOR_BGR2GRAY);
+cv::Mat greyOf(const LiveVideo::Picture& picture) {
+  cv::Mat grey(picture.grey.height, picture.grey.width, CV_8U);
+  for (int y = 0; y < grey.rows; ++y) std::copy_n(picture.grey.row(y), grey.cols, grey.ptr(y));
   return grey;
-}
-
-/// What this program has to say it says itself.
-void silenceOpenCv() {
-  static std::once_flag once;
-  std::call_once(once, [] { cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT); });
 }
 
 class LiveCamera final : public CameraPictures {
  public:
-  bool open(const CameraSettings& settings) {
-    const std::string node = nodeOf(settings.device);
-    if (!capture_.open(node, cv::CAP_V4L2)) return false;
-    // Raw pictures of that size and rate are more than a USB 2 cable carries.
-    capture_.set(cv::CAP_PROP_FOURCC, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'));
-    capture_.set(cv::CAP_PROP_FRAME_WIDTH, settings.width);
-    capture_.set(cv::CAP_PROP_FRAME_HEIGHT, settings.height);
-    capture_.set(cv::CAP_PROP_FPS, settings.frames_hz);
-    capture_.set(cv::CAP_PROP_BUFFERSIZE, 2);
-    node_ = node;
-    return true;
-  }
+  explicit LiveCamera(std::unique_ptr<LiveVideo> video) : video_(std::move(video)) {}
 
   Next next(CameraPicture& picture) override {
-    // A read of a camera that was pulled out would wait for ten seconds.
-    std::vector<int> ready;
-    if (!cv::VideoCapture::waitAny({capture_}, ready, static_cast<std::int64_t>(kLongestWait_s * 1e9)) || ready.empty())
-      return ::access(node_.c_str(), F_OK) == 0 ? Next::notYet : Next::lost;
-    if (!capture_.grab()) return Next::lost;
-    picture.arrival_s = steadyNow_s();
+    LiveVideo::Picture got;
+    const LiveVideo::Next came = video_->next(kLongestWait_s, got);
+    if (came != LiveVideo::Next::picture) return came == LiveVideo::Next::gone ? Next::lost : Next::notYet;
+    picture.arrival_s = got.arrival_s;
     // The kernel stamps with the clock of steadyNow_s(); some drivers with another one, or not at all.
-    const double stamp_s = capture_.get(cv::CAP_PROP_POS_MSEC) * 1e-3;
-    const bool isSane = stamp_s > 0.0 && stamp_s <= picture.arrival_s && picture.arrival_s - stamp_s < 0.5;
-    picture.stamp_s = picture.taken_s = isSane ? stamp_s : picture.arrival_s;
-    cv::Mat colours;
-    if (!capture_.retrieve(colours) || colours.empty()) return Next::notYet;  // half a picture; the next one may be whole
-    picture.grey = greyOf(colours);
+    const bool isSane = got.stamp_s > 0.0 && got.stamp_s <= picture.arrival_s && picture.arrival_s - got.stamp_s < 0.5;
+    picture.stamp_s = picture.taken_s = isSane ? got.stamp_s : picture.arrival_s;
+    picture.grey = greyOf(got);
     return Next::picture;
   }
 
  private:
-  cv::VideoCapture capture_;
-  std::string node_;
+  std::unique_ptr<LiveVideo> video_;
 };
 
 class Film final : public CameraPictures {
  public:
-  bool open(const CameraSettings& settings) {
-    settings_ = settings;
-    if (!capture_.open(settings.device)) return false;
-    const double rate_hz = capture_.get(cv::CAP_PROP_FPS);
-    rate_hz_ = std::isfinite(rate_hz) && rate_hz > 0.5 && rate_hz < 1000.0 ? rate_hz : 30.0;
-    begun_s_ = steadyNow_s();
-    return true;
-  }
+  Film(std::unique_ptr<LiveVideo> video, const CameraSettings& settings)
+      : settings_(settings),
+        video_(std::move(video)),
+        rate_hz_(video_->rate_hz() > 0.0 ? video_->rate_hz() : 30.0),
+        begun_s_(steadyNow_s()) {}
 
   Next next(CameraPicture& picture) override {
     if (settings_.filmSpeed > 0.0) {
@@ -96,25 +66,26 @@ class Film final : public CameraPictures {
       if (wait_s > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>(std::min(wait_s, kLongestWait_s)));
       if (wait_s > kLongestWait_s) return Next::notYet;
     }
-    cv::Mat colours;
-    if (!capture_.read(colours) || colours.empty()) {
+    LiveVideo::Picture got;
+    if (video_->next(0.0, got) != LiveVideo::Next::picture) {
       if (!settings_.filmLoops || countInRound_ == 0) return Next::over;
       countInRound_ = 0;
-      capture_.release();
-      if (!capture_.open(settings_.device)) return Next::lost;
-      if (!capture_.read(colours) || colours.empty()) return Next::over;
+      auto again = LiveVideo::open({.file = settings_.device, .isFilm = true});
+      if (!again || !*again) return Next::lost;
+      video_ = std::move(*again);
+      if (video_->next(0.0, got) != LiveVideo::Next::picture) return Next::over;
     }
     picture.stamp_s = static_cast<double>(count_) / rate_hz_;
     ++count_;
     ++countInRound_;
-    picture.grey = greyOf(colours);
+    picture.grey = greyOf(got);
     picture.arrival_s = picture.taken_s = steadyNow_s();
     return Next::picture;
   }
 
  private:
   CameraSettings settings_;
-  cv::VideoCapture capture_;
+  std::unique_ptr<LiveVideo> video_;
   double rate_hz_ = 30.0, begun_s_ = 0.0;
   std::int64_t count_ = 0, countInRound_ = 0;
 };
@@ -147,25 +118,27 @@ Message whyNoCamera(const std::string& node) {
 bool isFilm(const std::string& device) { return !isNumber(device) && !device.starts_with("/dev/"); }
 
 std::unique_ptr<CameraPictures> openPictures(const CameraSettings& settings, Message& why) {
-  silenceOpenCv();
-  try {
-    if (isFilm(settings.device)) {
-      std::error_code ignored;
-      if (!std::filesystem::exists(settings.device, ignored)) {
-        why = say<"The film %1 is not there; choose another one.">(settings.device);
-        return nullptr;
-      }
-      auto film = std::make_unique<Film>();
-      if (film->open(settings)) return film;
-      why = say<"%1 cannot be read as a film; choose a file with moving pictures.">(settings.device);
-      return nullptr;
-    }
-    auto camera = std::make_unique<LiveCamera>();
-    if (camera->open(settings)) return camera;
-  } catch (const cv::Exception&) {
-    // said below: for a person it is a camera that does not work
+  const bool film = isFilm(settings.device);
+  std::error_code ignored;
+  if (film && !std::filesystem::exists(settings.device, ignored)) {
+    why = say<"The film %1 is not there; choose another one.">(settings.device);
+    return nullptr;
   }
-  why = whyNoCamera(nodeOf(settings.device));
+  auto video = LiveVideo::open({.file = film ? settings.device : nodeOf(settings.device),
+                                .isFilm = film,
+                                .width_px = settings.width,
+                                .height_px = settings.height,
+                                .rate_hz = settings.frames_hz});
+  if (!video) {
+    why = video.error().message;
+    return nullptr;
+  }
+  if (*video) {
+    if (film) return std::make_unique<Film>(std::move(*video), settings);
+    return std::make_unique<LiveCamera>(std::move(*video));
+  }
+  why = film ? say<"%1 cannot be read as a film; choose a file with moving pictures.">(settings.device)
+             : whyNoCamera(nodeOf(settings.device));
   return nullptr;
 }
 
