@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "arguments.h"
+#include "ew/core/ending.h"
 #include "ew/core/numbers.h"
 #include "ew/library/bundle.h"
 #include "ew/library/instructor_log.h"
@@ -33,7 +34,7 @@ fs::path libraryOf(const LibraryArguments& arguments) { return arguments.library
 
 bool isBundle(const fs::path& named) {
   std::error_code ignored;
-  return named.extension() == kBundleEnding || (fs::is_regular_file(named, ignored) && named.filename() != "case.json");
+  return hasEnding(named, kBundleEnding) || (fs::is_regular_file(named, ignored) && named.filename() != "case.json");
 }
 
 /// The folder of a case: as findCase, but a case that cannot be opened has one, too, and so has the latest revision of an id.

@@ -3,6 +3,7 @@
 #include "arguments.h"
 #include "asked_option.h"
 #include "command.h"
+#include "ew/core/ending.h"
 #include "ew/core/numbers.h"
 #include "ew/io/sequence.h"
 #include "ew/library/file_import.h"
@@ -149,7 +150,7 @@ Result<int> import(const ImportArguments& arguments, Run& run) {
             textOf(grid.spacing_mm.z) + " mm.");
     return kDone;
   }
-  if (arguments.output.ends_with(".mhd"))
+  if (hasEnding(arguments.output, ".mhd"))
     return failure(ErrorCode::badUsage, say<"%1 holds pictures without a volume; end the output's name in .igs.mha.">(arguments.file));
   Cine& cine = *read->pictures;
   if (auto written = writeSequence(cine.sequence, out, writing); !written) return passOn(written.error());

@@ -5,6 +5,7 @@
 
 #include "arguments.h"
 #include "command.h"
+#include "ew/core/ending.h"
 #include "ew/core/numbers.h"
 #include "ew/export/measurement_report.h"
 #include "ew/io/safe_file.h"
@@ -68,7 +69,7 @@ Result<int> listPackages(const MeasureArguments& arguments, Run& run) {
 
 /// A shipped package by its id, or the file of one.
 Result<Package> packageNamed(const std::string& name, Run& run) {
-  if (name.ends_with(".json")) {
+  if (hasEnding(name, ".json")) {
     if (auto kept = run.input(name); !kept) return passOn(kept.error());
     return readPackage(name);
   }

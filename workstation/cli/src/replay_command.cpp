@@ -4,6 +4,7 @@
 
 #include "arguments.h"
 #include "command.h"
+#include "ew/core/ending.h"
 #include "ew/core/numbers.h"
 #include "ew/export/examination_files.h"
 #include "ew/scanning/picture_file.h"
@@ -59,7 +60,7 @@ std::vector<std::size_t> framesOf(const ReplayArguments& arguments, const ScanLo
   return frames;
 }
 
-bool isDicomFile(const std::filesystem::path& file) { return file.extension() == ".dcm"; }
+bool isDicomFile(const std::filesystem::path& file) { return hasEnding(file, ".dcm"); }
 
 /// Where the images go when they are looked at one by one: numbered files, or one film.
 class Images {

@@ -5,6 +5,7 @@
 #include "arguments.h"
 #include "command.h"
 #include "contact_sheet.h"
+#include "ew/core/ending.h"
 #include "ew/core/numbers.h"
 #include "ew/imaging/latency.h"
 #include "ew/imaging/settings_json.h"
@@ -38,7 +39,7 @@ struct ScanArguments {
 
 /// A probe by the name of its file, by its id, or by the name it is shown with; empty: the first the case allows.
 Result<Probe> findProbe(const std::string& wanted, const std::vector<std::string>& allowed) {
-  if (std::filesystem::path(wanted).extension() == ".json") return readProbe(wanted);
+  if (hasEnding(wanted, ".json")) return readProbe(wanted);
   const auto resources = resourceFolder();
   if (!resources) return passOn(resources.error());
   const auto probes = readProbes(*resources / "probes");
@@ -287,7 +288,7 @@ Result<ScanPlan> readScanPlan(const ScanArguments& arguments, Run& run) {
   }
   auto wanted = readWanted(arguments, run);
   if (!wanted) return passOn(wanted.error());
-  if (std::filesystem::path(arguments.probe).extension() == ".json")
+  if (hasEnding(arguments.probe, ".json"))
     if (auto kept = run.protect(arguments.probe); !kept) return passOn(kept.error());
   auto probe = findProbe(arguments.probe, wanted->opened ? wanted->opened->probes : std::vector<std::string>());
   if (!probe) return passOn(probe.error());

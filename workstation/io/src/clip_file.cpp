@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "ew/core/contract.h"
+#include "ew/core/ending.h"
 #include "image_header.h"
 #include "video_loader.h"
 
@@ -35,7 +36,7 @@ ClipWriter::~ClipWriter() = default;
 ClipWriter::ClipWriter(ClipWriter&&) noexcept = default;
 ClipWriter& ClipWriter::operator=(ClipWriter&&) noexcept = default;
 
-bool isClipFile(const fs::path& file) { return file.extension() == ".avi" || file.extension() == ".mp4"; }
+bool isClipFile(const fs::path& file) { return hasEnding(file, ".avi") || hasEnding(file, ".mp4"); }
 
 Result<ClipWriter> ClipWriter::open(const fs::path& file, int width_px, int height_px, double rate_hz) {
   EW_EXPECTS(rate_hz > 0.0);

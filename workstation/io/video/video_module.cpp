@@ -6,6 +6,8 @@
 #include <memory>
 #include <opencv2/videoio.hpp>
 
+#include "ew/core/ending.h"
+
 struct EwClipParts {
   int width_px = 0;
   cv::VideoWriter writer;
@@ -23,7 +25,7 @@ EwClip* ewClipOpen(const char* file, int width_px, int height_px, double rate_hz
     auto clip = std::make_unique<EwClip>();
     clip->width_px = width_px;
     const cv::Size size(width_px & ~1, height_px & ~1);
-    const bool isAvi = std::filesystem::path(file).extension() == ".avi";
+    const bool isAvi = ew::hasEnding(file, ".avi");
     // OpenCV writes Motion JPEG itself, without any other library.
     const int back = isAvi ? static_cast<int>(cv::CAP_OPENCV_MJPEG) : static_cast<int>(cv::CAP_ANY);
     const int code = isAvi ? cv::VideoWriter::fourcc('M', 'J', 'P', 'G') : cv::VideoWriter::fourcc('m', 'p', '4', 'v');

@@ -4,13 +4,14 @@
 #include <string>
 #include <utility>
 
+#include "ew/core/ending.h"
 #include "ew/imaging/caption.h"
 #include "ew/io/image_file.h"
 
 namespace ew {
 namespace {
 
-bool carriesWords(const std::filesystem::path& file) { return file.extension() != ".mha"; }
+bool carriesWords(const std::filesystem::path& file) { return !hasEnding(file, ".mha"); }
 
 }  // namespace
 

@@ -12,6 +12,7 @@
 #include "caliper_paint.h"
 #include "caliper_words.h"
 #include "ew/core/contract.h"
+#include "ew/core/ending.h"
 #include "ew/scanning/picture_file.h"
 #include "ew/ui/main_window.h"
 #include "figures.h"
@@ -234,7 +235,7 @@ Result<void> writeShownPictures(const std::vector<SavedPart>& parts, int columns
   const auto inHand = std::find_if(parts.begin(), parts.end(), [](const SavedPart& part) { return part.isInHand; });
   EW_EXPECTS(inHand != parts.end());
   const double pixel_mm = inHand->session->geometry().pixel_mm;
-  if (file.extension() == ".mha") return writePicture(inHand->session->picture(), pixel_mm, file);
+  if (hasEnding(file, ".mha")) return writePicture(inHand->session->picture(), pixel_mm, file);
   const QImage saved = savedPictures(parts, columns, at).image;
   if (saved.format() == QImage::Format_Grayscale8)
     return writePicture(Picture{{saved.constBits(), saved.width(), saved.height(), saved.bytesPerLine()}}, pixel_mm, file);

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "ew/core/ending.h"
 #include "ew/io/safe_file.h"
 #include "words.h"
 #include "worksheet_words.h"
@@ -72,15 +73,15 @@ QByteArray pdfOf(const measurement::Worksheet& sheet, const QString& title, cons
 Result<void> writeWorksheet(const measurement::Worksheet& sheet, const QString& title, const QDateTime& at,
                             const std::filesystem::path& file, const std::vector<ReportPicture>& pictures) {
   const std::string language = QLocale().name().toStdString();
-  if (file.extension() == ".csv") return writeFileSafely(file, toCsv(sheet, language));
-  if (file.extension() == ".json") return writeFileSafely(file, toJson(sheet, language).dump(2) + "\n");
+  if (hasEnding(file, ".csv")) return writeFileSafely(file, toCsv(sheet, language));
+  if (hasEnding(file, ".json")) return writeFileSafely(file, toJson(sheet, language).dump(2) + "\n");
   const QByteArray pdf = pdfOf(sheet, title, at, pictures);
   return writeFileSafely(file, std::string_view(pdf.constData(), static_cast<std::size_t>(pdf.size())));
 }
 
 Result<void> writeMeasurements(const measurement::Findings& findings, const QString& title, const std::filesystem::path& file) {
   const std::string scanned = title.toStdString();
-  if (file.extension() == ".csv") return writeFileSafely(file, toCsv(findings, scanned));
+  if (hasEnding(file, ".csv")) return writeFileSafely(file, toCsv(findings, scanned));
   return writeFileSafely(file, toJson(findings, scanned).dump(2) + "\n");
 }
 
