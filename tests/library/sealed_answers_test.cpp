@@ -107,6 +107,28 @@ TEST(SealedAnswers, AreNotBesideWhatTraineesHaveInTheBundle) {
   for (const std::string& number : kAnswerNumbers) EXPECT_NE(placeOf(number, original), "") << number;
 }
 
+TEST(Examination, IsNeverReplacedByAnotherExportForItsFileHoldsTheOnlyAnswers) {
+  const TemporaryFolder folder;
+  makeAnsweredCase(folder / "case");
+  const SecretKey key = *SecretKey::make();
+  const fs::path file = folder / "final.ewcase";
+  EXPECT_FALSE(holdsExamination(file));
+  ASSERT_TRUE(exportExamination(folder / "case", file, {.instructors = {key.publicKey()}}));
+  EXPECT_TRUE(holdsExamination(file));
+  const std::string kept = textOf(file);
+  const auto again = exportExamination(folder / "case", file, {.instructors = {key.publicKey()}});
+  ASSERT_FALSE(again);
+  EXPECT_EQ(again.error().code, ErrorCode::badUsage);
+  const auto bundle = exportBundle(folder / "case", file);
+  ASSERT_FALSE(bundle);
+  EXPECT_EQ(bundle.error().code, ErrorCode::badUsage);
+  EXPECT_EQ(textOf(file), kept);
+  // A case's bundle is made anew whenever that is wanted.
+  ASSERT_TRUE(exportBundle(folder / "case", folder / "practice.ewcase"));
+  EXPECT_FALSE(holdsExamination(folder / "practice.ewcase"));
+  EXPECT_TRUE(exportBundle(folder / "case", folder / "practice.ewcase"));
+}
+
 TEST(SealedAnswers, AreThereForEachOfSeveralInstructorsAndForNobodyElse) {
   const TemporaryFolder folder;
   makeAnsweredCase(folder / "case");

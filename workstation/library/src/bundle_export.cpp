@@ -1,12 +1,16 @@
 #include <archive.h>
 #include <archive_entry.h>
 
+#include <algorithm>
+
 #include "bundle_header.h"
 #include "ew/core/output_set.h"
 #include "ew/core/version.h"
+#include "ew/library/sealed_answers.h"
 #include "file_pieces.h"
 #include "guarded_case.h"
 #include "handed_on.h"
+#include "kept_examination.h"
 #include "utf8_names.h"
 
 namespace ew {
@@ -128,8 +132,16 @@ Result<void> writeBundle(const CaseToHandOn& from, const BundleHeader& header, c
 
 }  // namespace
 
+bool holdsExamination(const fs::path& file) {
+  std::error_code failed;
+  if (!fs::is_regular_file(file, failed)) return false;
+  const auto header = readBundleHeader(file);
+  return header && std::any_of(header->files.begin(), header->files.end(), [](const FileSum& each) { return each.path == kSealedName; });
+}
+
 Result<BundleHeader> exportBundle(const fs::path& caseFolder, const fs::path& file, Progress& progress) {
   return guardedCase(caseFolder, [&]() -> Result<BundleHeader> {
+    if (auto kept = keepsExamination(file); !kept) return passOn(kept.error());
     OutputSet outputs;
     if (auto announced = outputs.announce(file, kBundleEnding); !announced) return passOn(announced.error());
     PartOfProgress summing(progress, 0.0, 0.3), writing(progress, 0.3, 1.0);

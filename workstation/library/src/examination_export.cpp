@@ -2,6 +2,7 @@
 
 #include "ew/library/bundle.h"
 #include "ew/library/sealed_answers.h"
+#include "kept_examination.h"
 
 namespace ew {
 namespace {
@@ -33,6 +34,7 @@ class FolderBeside {
 
 Result<Examination> exportExamination(const fs::path& caseFolder, const fs::path& file, const ExaminationOptions& options,
                                       Progress& progress) {
+  if (auto kept = keepsExamination(file); !kept) return passOn(kept.error());
   const FolderBeside beside(file);
   if (beside.path().empty())
     return failure(ErrorCode::notWritable, say<"Nothing can be written beside \"%1\"; choose another folder.">(file),

@@ -40,7 +40,7 @@ struct BundleLimits : CaseFileLimits {
 /// and owners are not kept.
 /// @param file ends in .ewcase; replaced, if it is there, when the new one is complete
 /// @return what stands in bundle.json
-/// @error as loadCase and sumsOfCase; badUsage (ending), notWritable, cancelled (within 0.5 s)
+/// @error as loadCase and sumsOfCase; badUsage (ending; holdsExamination(file)), notWritable, cancelled (within 0.5 s)
 [[nodiscard]] Result<BundleHeader> exportBundle(const std::filesystem::path& caseFolder, const std::filesystem::path& file,
                                                 Progress& progress = noProgress());
 
@@ -48,6 +48,9 @@ struct BundleLimits : CaseFileLimits {
 /// @error notFound, notReadable, badHeader (no bundle, damaged), truncated, newerFormat, unsupported (not a case), badField (a path that is
 ///        refused), tooLarge
 [[nodiscard]] Result<BundleHeader> readBundleHeader(const std::filesystem::path& file, const BundleLimits& limits = {});
+
+/// Whether there is a bundle of an examination of that name: attempts at it are judged with this file alone, so nothing replaces it.
+[[nodiscard]] bool holdsExamination(const std::filesystem::path& file);
 
 /// Reads the whole bundle and checks it as importBundle does, without writing anything.
 /// @error as importBundle, but for what writing needs
