@@ -103,6 +103,17 @@ TEST(DicomPicture, GreyPixelsComeBackWithTheWordsAndTheSizeOfAPixel) {
   EXPECT_EQ(namesIn(folder.path()), std::set<std::string>{"a.dcm"});
 }
 
+TEST(DicomPicture, SaysThatWordsAreBurntIn) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(succeeded(writeDicomPicture(greyStill(), someOptions(), someStudy(), folder / "a.dcm")));
+  gdcm::Reader reader;
+  reader.SetFileName((folder / "a.dcm").c_str());
+  ASSERT_TRUE(reader.Read());
+  const auto* said = reader.GetFile().GetDataSet().GetDataElement(gdcm::Tag(0x0028, 0x0301)).GetByteValue();
+  ASSERT_NE(said, nullptr);
+  EXPECT_EQ(std::string(said->GetPointer(), 3), "YES");
+}
+
 TEST(DicomPicture, ARegionGivesTheMillimetresOfTheProbeForEveryPixel) {
   const TemporaryFolder folder;
   ASSERT_TRUE(succeeded(writeDicomPicture(greyStill(), someOptions(), someStudy(), folder / "a.dcm")));

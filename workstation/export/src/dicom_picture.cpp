@@ -95,7 +95,8 @@ void putPicture(Elements& elements, const Shape& shape, std::span<const Calibrat
   std::string comments = options.label.empty() ? "" : fitting(options.label, 500, false) + " ";
   elements.text(DCM_ImageComments, comments + kSimulation + " These words are burnt into the lower edge.");
   elements.text(DCM_QualityControlImage, "YES");
-  elements.text(DCM_BurnedInAnnotation, options.namesPatient ? "YES" : "NO");
+  // Always: the warning below, and in a picture of the window title, date and time, which may name somebody. Whoever hands it on must look.
+  elements.text(DCM_BurnedInAnnotation, "YES");
   elements.text(DCM_LossyImageCompression, "00");
 
   elements.text(DCM_TransducerData, fitting(options.probe.name.empty() ? options.probe.id : options.probe.name, 64));

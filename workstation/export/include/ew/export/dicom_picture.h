@@ -62,7 +62,6 @@ struct DicomPictureOptions {
   double depth_mm = 0.0;    ///< of the picture; 0: not said
   std::string label;        ///< what a person called it; or empty
   std::chrono::sys_seconds taken{};
-  bool namesPatient = false;  ///< names or dates of the patient are burnt into the pixels
 };
 
 /// The options of a picture of a scan that was made in this state. @param number in its series
@@ -74,7 +73,8 @@ inline constexpr const char* kUsMultiframeClass = "1.2.840.10008.5.1.4.1.1.3.1";
 
 /// Writes a DICOM Ultrasound Image (uncompressed, explicit little endian; MONOCHROME2 or RGB as the picture is) with its calibrated
 /// regions, the invented patient, and "simulation, not for diagnosis" burnt into its lower edge and said in its attributes: Image Comments,
-/// Derivation Description, Patient Comments; Quality Control Image is YES, as of a phantom. Complete or not at all.
+/// Derivation Description, Patient Comments; Quality Control Image is YES, as of a phantom, and so is Burned In Annotation, for there are
+/// words in the pixels. Complete or not at all.
 /// @return what an archive finds it by
 /// @error notWritable; badField: a picture too small for the words, or larger than DICOM allows (65535 pixels either way); no identifier
 [[nodiscard]] Result<DicomReference> writeDicomPicture(const Still& still, const DicomPictureOptions& options, const DicomStudy& study,
