@@ -7,6 +7,7 @@
 #include <fstream>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "logic/keeping_aside.h"
 #include "logic/kept_painting.h"
 
 namespace ew::case_authoring {
@@ -192,6 +193,51 @@ TEST_F(KeptPaintingTest, IsNotOfferedWhileItsProgramRunsAndIsGoneWhenThatEnds) {
     EXPECT_FALSE(KeptPainting(root_).leftFor("/cases/knee"));
   }
   EXPECT_TRUE(fs::is_empty(root_));
+}
+
+TEST_F(KeptPaintingTest, LeavesTheLatestOfItsOwnCaseAloneHoweverSlowTheJobBeforeWas) {
+  const auto painting = begun({});
+  ball(*painting);
+  const Volume older = painting->labels();
+  painting->strokeBegun({.radius_mm = 3.0}, 3, "Paint", {}, {25.0, 25.0});
+  painting->strokeEnded();
+  struct Job {
+    KeepingAside::Work work;
+    KeepingAside::Done done;
+  };
+  std::vector<Job> jobs;
+  auto aside = std::make_shared<KeepingAside>(root_, [&jobs](auto work, auto done) { jobs.push_back({std::move(work), std::move(done)}); });
+  aside->keep({older, "/cases/knee", "volumes/knee.mha"}, {});
+  // The case changes while the first job still runs.
+  aside->keep({painting->labels(), "/cases/knee", "volumes/knee.mha"}, {});
+  aside->leave();
+  // Whatever has begun runs in the order that is worst: the last first.
+  while (!jobs.empty()) {
+    const Job last = jobs.back();
+    jobs.pop_back();
+    last.done(last.work(noProgress()));
+  }
+  aside.reset();
+  const KeptPainting next(root_);
+  EXPECT_EQ(std::distance(fs::directory_iterator(root_), fs::directory_iterator()), 1);
+  const auto left = next.leftFor("/cases/knee");
+  ASSERT_TRUE(left);
+  EXPECT_EQ(left->before, "volumes/knee.mha");
+  const auto read = KeptPainting::read(*left, noProgress());
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->echo, painting->labels().echo);
+}
+
+TEST_F(KeptPaintingTest, ForgetsWhatIsStillBeingKeptAside) {
+  const auto painting = begun({});
+  ball(*painting);
+  std::vector<std::function<void()>> jobs;
+  auto aside = std::make_shared<KeepingAside>(root_, [&jobs](auto work, auto done) { jobs.push_back([=] { done(work(noProgress())); }); });
+  aside->keep({painting->labels(), "/cases/knee", ""}, {});
+  aside->forget();
+  jobs.front()();
+  EXPECT_TRUE(fs::is_empty(root_));
+  EXPECT_EQ(jobs.size(), 1u);
 }
 
 TEST_F(KeptPaintingTest, NeverReadsWhatADamagedFileNamesElsewhere) {

@@ -15,27 +15,31 @@ namespace ew::case_authoring {
 
 void PaintWork::keepAside() {
   if (!hasUnkept()) return;
-  if (isKeepingAside_ || isBusy_) return keepSoon_.start();
+  if (aside_->isBusy() || isBusy_) return keepSoon_.start();
   startKeepingAside();
 }
 
-void PaintWork::startKeepingAside() {
-  isKeepingAside_ = true;
+void PaintWork::rememberCase() {
+  caseFolder_ = host_.cases().currentFolder();
   const auto manifest = host_.cases().current();
-  const std::string before = manifest ? textOf(*manifest, "volume.labels") : std::string();
-  host_.jobs().start(
-      tr("Keeping what is painted").toStdString(),
-      [kept = kept_, labels = painting_->labels(), folder = caseFolder_, before](Progress& progress) {
-        return kept->keep(labels, folder, before, progress);
-      },
-      [self = QPointer<PaintWork>(this), kept = kept_](const Result<void>& outcome) {
-        if (!self) return;
-        if (self->kept_ != kept) return kept->leave();  // another case is open
-        self->isKeepingAside_ = false;
-        if (!self->painting_) kept->forget();  // decided meanwhile
-        if (!outcome) return self->say(outcome.error());
-        if (self->takenOver_) KeptPainting::remove(*std::exchange(self->takenOver_, std::nullopt));
-      });
+  before_ = manifest ? textOf(*manifest, "volume.labels") : std::string();
+}
+
+void PaintWork::startKeepingAside() {
+  aside_->keep({painting_->labels(), caseFolder_, before_},
+               [self = QPointer<PaintWork>(this), aside = aside_, earlier = takenOver_](const Result<void>& outcome) {
+                 if (outcome && earlier) KeptPainting::remove(*earlier);
+                 if (!self) return;
+                 if (self->aside_ == aside) {
+                   if (outcome) self->takenOver_.reset();
+                 } else if (!self->painting_) {
+                   // Another case was opened meanwhile, and perhaps this one again.
+                   const auto folder = self->host_.cases().currentFolder();
+                   self->left_ = folder.empty() ? std::nullopt : self->aside_->kept().leftFor(folder);
+                   if (self->onChanged) self->onChanged();
+                 }
+                 if (!outcome) self->say(outcome.error());
+               });
 }
 
 /// Nothing is painted any more.
@@ -44,7 +48,7 @@ void PaintWork::end() {
   take({});
   painting_.reset();
   voxels_.reset();
-  if (!isKeepingAside_) kept_->forget();
+  aside_->forget();
   if (takenOver_) KeptPainting::remove(*std::exchange(takenOver_, std::nullopt));
   if (onChanged) onChanged();
 }
@@ -144,7 +148,7 @@ void PaintWork::followCase() {
   const auto folder = host_.cases().currentFolder();
   const auto scanned = host_.scan().scanned();
   if (painting_ && scanned && scanned->voxels == voxels_) {
-    caseFolder_ = folder;  // the same case under another name
+    rememberCase();  // the same case, perhaps under another name
     keepSoon_.start();
     return;
   }
@@ -152,18 +156,22 @@ void PaintWork::followCase() {
     const bool wasUnkept = hasUnkept();
     take({});
     // It is kept aside for whoever opens that case again.
-    if (wasUnkept) startKeepingAside();
-    isKeepingAside_ = false;
+    if (wasUnkept) {
+      startKeepingAside();
+      aside_->leave();
+    } else {
+      aside_->forget();
+    }
     keepSoon_.stop();
     painting_.reset();
     voxels_.reset();
     takenOver_.reset();
-    kept_ = std::make_shared<KeptPainting>(kept_->root());
+    aside_ = newAside();
     if (wasUnkept)
       host_.window().warn(tr("What was painted was not kept in its case; it is offered when that is opened again.").toStdString(),
                           "painting");
   }
-  left_ = folder.empty() ? std::nullopt : kept_->leftFor(folder);
+  left_ = folder.empty() ? std::nullopt : aside_->kept().leftFor(folder);
   if (onChanged) onChanged();
 }
 
@@ -179,7 +187,7 @@ void PaintWork::goOnWithLeft() {
   if (!begun) return say(begun.error());
   painting_ = std::move(*begun);
   voxels_ = scanned->voxels;
-  caseFolder_ = host_.cases().currentFolder();
+  rememberCase();
   takenOver_ = std::exchange(left_, std::nullopt);  // until it is kept aside by this program
   painted();
   keepAside();

@@ -23,7 +23,7 @@ std::filesystem::path rootOfKept() {
 
 }  // namespace
 
-PaintWork::PaintWork(sdk::Host& host, QObject* parent) : QObject(parent), host_(host), kept_(std::make_shared<KeptPainting>(rootOfKept())) {
+PaintWork::PaintWork(sdk::Host& host, QObject* parent) : QObject(parent), host_(host), aside_(newAside()) {
   keepSoon_.setSingleShot(true);
   keepSoon_.setInterval(kKeepAfter_ms);
   connect(&keepSoon_, &QTimer::timeout, this, &PaintWork::keepAside);
@@ -31,7 +31,14 @@ PaintWork::PaintWork(sdk::Host& host, QObject* parent) : QObject(parent), host_(
       [this] { return hasUnkept() ? tr("What was painted is not kept in the case yet.").toStdString() : std::string(); });
 }
 
-PaintWork::~PaintWork() = default;
+PaintWork::~PaintWork() { aside_->forget(); }
+
+std::shared_ptr<KeepingAside> PaintWork::newAside() const {
+  const auto start = [&host = host_](KeepingAside::Work work, KeepingAside::Done done) {
+    host.jobs().start(tr("Keeping what is painted").toStdString(), std::move(work), std::move(done));
+  };
+  return std::make_shared<KeepingAside>(rootOfKept(), start);
+}
 
 void PaintWork::say(const QString& sentence) const {
   if (onSaid) onSaid(sentence);
@@ -71,7 +78,7 @@ bool PaintWork::begin() {
   }
   painting_ = std::move(*begun);
   voxels_ = scanned->voxels;
-  caseFolder_ = host_.cases().currentFolder();
+  rememberCase();
   return true;
 }
 

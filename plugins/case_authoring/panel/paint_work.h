@@ -9,7 +9,7 @@
 
 #include "ew/sdk/host.h"
 #include "ew/sdk/scan.h"
-#include "logic/kept_painting.h"
+#include "logic/keeping_aside.h"
 #include "logic/painting.h"
 
 namespace ew::case_authoring {
@@ -72,7 +72,10 @@ class PaintWork final : public QObject {
   /// Adds labels to the case in a job, and tells `done` their file when the case is still open.
   void addLabels(const QString& title, std::function<Result<Volume>(Progress&)> make, std::function<void(const std::string& file)> done);
   void keepAside();
+  [[nodiscard]] std::shared_ptr<KeepingAside> newAside() const;
+  /// Keeps what is painted now; what another program left of it goes once that is done.
   void startKeepingAside();
+  void rememberCase();
   void end();
   void say(const QString& sentence) const;
   void say(const Error& error) const;
@@ -84,11 +87,11 @@ class PaintWork final : public QObject {
   std::unique_ptr<Painting> painting_;
   std::filesystem::path caseFolder_;
   std::shared_ptr<const Volume> voxels_;  ///< that are painted over
-  std::shared_ptr<KeptPainting> kept_;
+  std::string before_;                    ///< what the case named as its labels, as it was last seen open
+  std::shared_ptr<KeepingAside> aside_;
   std::optional<KeptPainting::Left> left_, takenOver_;
   sdk::Ticket asking_, closing_;
   bool isBusy_ = false;
-  bool isKeepingAside_ = false;
   QTimer keepSoon_;
 };
 
