@@ -3,26 +3,40 @@
 #include <cstddef>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ew/core/result.h"
+#include "ew/core/volume.h"
 
 namespace ew::stitching {
 
 /// A case as it is with another volume.
 struct CaseWithVolume {
   nlohmann::json manifest;
-  std::size_t targets = 0;       ///< left out: only the patient of the recipe, which is no longer there, knew where they are
+  bool hadRecipe = false;        ///< its patient was a recipe; else its volume was a file
+  bool hadLabels = false;        ///< the volume before had labels; they do not fit to the new one and are not taken over
+  bool isMoved = false;          ///< the new volume lay elsewhere than the one before, and was moved to where that lay
+  std::size_t targets = 0;       ///< left out: only the recipe, or the labels of the volume before, knew where they are
   std::size_t measurements = 0;  ///< the same of these
   std::vector<Error> problems;   ///< that stay
 };
 
+/// The volume that a case takes over.
+struct VolumeForCase {
+  std::string file;   ///< relative to the case's folder; it need not be there yet
+  std::string level;  ///< the same of its level (imaging/tissue_level.h); empty: it has none
+  /// Grids of the volume that the case has now and of the new one, each in the frame of its file. One that lies beside the other, under the
+  /// place the case has, is of another recording: it is moved, without turning, until their middles agree. Empty: its place is right.
+  std::optional<std::pair<Grid, Grid>> grids = {};
+};
+
+/// Attribution and licence stay, for they are somebody's word, and so do directions and place.
 /// @param manifest of a case that is valid
-/// @param file of the volume, relative to the case's folder; it need not be there yet
-/// @param level the same of its level (imaging/tissue_level.h); empty: it has none
 /// @param check everything that is wrong with a manifest, with the "field" in its context (sdk::Cases::check)
-[[nodiscard]] CaseWithVolume caseWithVolume(nlohmann::json manifest, const std::string& file, const std::string& level,
+[[nodiscard]] CaseWithVolume caseWithVolume(nlohmann::json manifest, const VolumeForCase& next,
                                             const std::function<std::vector<Error>(const nlohmann::json&)>& check);
 
 }  // namespace ew::stitching

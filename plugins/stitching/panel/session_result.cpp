@@ -68,7 +68,7 @@ bool isAnswered(QMessageBox& question, QPushButton* answer, const char* name) {
 }  // namespace
 
 void StitchSession::showResult() {
-  if (result_) host_.volumes().show(*result_, tr("Stitched volume").toStdString());
+  if (result_) host_.volumes().showMade(*result_, tr("Stitched volume").toStdString(), filesOf(project()));
 }
 
 void StitchSession::saveResult(const fs::path& folder) {
@@ -121,20 +121,36 @@ void StitchSession::handToCase() {
     for (int n = 2; isTaken(name); ++n) name = "stitched-" + std::to_string(n);
     return name;
   };
-  const auto wanted = [&cases](const std::string& name) {
-    return caseWithVolume(*cases.current(), "volumes/" + name + kEndings[0], "volumes/" + name + kEndings[3],
-                          [&cases](const nlohmann::json& each) { return cases.check(each); });
-  };
   // Everything that somebody has to decide or mend is asked before anything is written.
-  const CaseWithVolume next = wanted(nextName());
+  const CaseWithVolume next = caseWith(nextName());
   if (!next.problems.empty()) return say(next.problems.front());
-  if (next.targets + next.measurements > 0 && !mayDropTargets(next)) return;
+  if ((next.targets + next.measurements > 0 || next.hadLabels) && !mayDropTargets(next)) return;
   // A case that belongs to the program is copied first: nothing is written into its own folder.
   if (const auto own = cases.makeOwn(); !own) {
     if (own.error().code != ErrorCode::cancelled) say(own.error());
     return;
   }
   writeIntoCase(cases.currentFolder(), nextName());
+}
+
+CaseWithVolume StitchSession::caseWith(const std::string& name) {
+  auto& cases = host_.cases();
+  const nlohmann::json manifest = *cases.current();
+  VolumeForCase volume{"volumes/" + name + kEndings[0], "volumes/" + name + kEndings[3], {}};
+  const auto before = manifest.contains("volume") && manifest["volume"].is_object() && manifest["volume"].contains("file") &&
+                              manifest["volume"]["file"].is_string()
+                          ? manifest["volume"]["file"].get<std::string>()
+                          : std::string();
+  if (!before.empty() && result_)
+    if (const auto seen = host_.volumes().inspect(cases.currentFolder() / before); seen && !seen->sweep)
+      volume.grids = {seen->grid, result_->grid};
+  return caseWithVolume(manifest, volume, [&cases](const nlohmann::json& each) { return cases.check(each); });
+}
+
+QString StitchSession::titleOfCase() const {
+  const auto manifest = host_.cases().current();
+  return manifest && manifest->contains("title") && (*manifest)["title"].is_string() ? words((*manifest)["title"].get<std::string>())
+                                                                                     : QString();
 }
 
 void StitchSession::writeIntoCase(const fs::path& caseFolder, const std::string& name) {
@@ -159,14 +175,16 @@ void StitchSession::useInCase(const fs::path& caseFolder, const std::string& nam
     Q_EMIT problem(tr("Another case was opened meanwhile; no case was changed."));
     return;
   }
-  const CaseWithVolume next = caseWithVolume(*open.current(), "volumes/" + name + kEndings[0], "volumes/" + name + kEndings[3],
-                                             [&open](const nlohmann::json& each) { return open.check(each); });
+  const CaseWithVolume next = caseWith(name);
   const bool wasSaved = !open.hasUnsavedChanges();
   if (auto edited = open.edit(next.manifest, tr("use the stitched volume").toStdString(), {}); !edited) {
     takeOutOfCase(caseFolder, name);
     return say(edited.error());
   }
-  QString sentence = tr("The case now uses volumes/%1.mha.").arg(words(name));
+  QString sentence = tr("The case '%1' now uses volumes/%2.mha.").arg(titleOfCase(), words(name));
+  if (next.isMoved)
+    sentence += QLatin1Char(' ') + tr("It was recorded elsewhere than the volume before and was put where that lay; check it in the panel "
+                                      "Place.");
   if (wasSaved) {
     if (auto saved = open.save(); !saved) return say(saved.error());  // the case is as edited, and not saved
   } else {
@@ -188,11 +206,17 @@ bool StitchSession::mayDropTargets(const CaseWithVolume& next) {
   QMessageBox question(QApplication::activeWindow());
   question.setObjectName(QStringLiteral("dropTargetsQuestion"));
   question.setIcon(QMessageBox::NoIcon);
-  question.setText(tr("The patient of this case is a recipe, and the stitched volume takes its place."));
+  question.setText((next.hadRecipe ? tr("The patient of the case '%1' is a recipe, and the stitched volume takes its place.")
+                                   : tr("The stitched volume takes the place of the volume of the case '%1'."))
+                       .arg(titleOfCase()));
+  QStringList lost;
+  if (next.hadLabels) lost << tr("the structures painted in it");
+  if (next.targets > 0) lost << tr("%n targets", nullptr, static_cast<int>(next.targets));
+  if (next.measurements > 0) lost << tr("%n measurements", nullptr, static_cast<int>(next.measurements));
   question.setInformativeText(
-      tr("What only the recipe knew goes with it: %1, %2. To keep this case as it is, save it under another name first.")
-          .arg(tr("%n targets", nullptr, static_cast<int>(next.targets)),
-               tr("%n measurements", nullptr, static_cast<int>(next.measurements))));
+      (next.hadRecipe ? tr("What only the recipe knew goes with it: %1.") : tr("What only that volume knew goes with it: %1."))
+          .arg(lost.join(QStringLiteral(", "))) +
+      QLatin1Char(' ') + tr("To keep this case as it is, save it under another name first."));
   return isAnswered(question, question.addButton(tr("Replace the volume"), QMessageBox::AcceptRole), "dropTargets");
 }
 

@@ -1,7 +1,6 @@
 #include "panel/stitch_session.h"
 
 #include <QApplication>
-#include <QFileDialog>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStandardPaths>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "ew/sdk/panel.h"
+#include "ew/sdk/window.h"
 #include "panel/folders.h"
 #include "panel/session_parts.h"
 
@@ -135,16 +135,17 @@ void StitchSession::save(bool elsewhere) {
 }
 
 fs::path StitchSession::askForSaveName(const fs::path& before) {
-  QFileDialog dialog(QApplication::activeWindow(), tr("Save the stitch project"), lastFolder(), tr("Stitch projects (*.json)"));
-  dialog.setObjectName(QStringLiteral("saveProjectDialog"));
-  dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setFileMode(QFileDialog::AnyFile);
-  dialog.setDefaultSuffix(QStringLiteral("json"));  // so that it asks about the name that will be written
-  dialog.selectFile(before.empty() ? QStringLiteral("stitching.json") : words(before.string()));
-  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return {};
-  const QString chosen = dialog.selectedFiles().constFirst();
-  keepFolderOf(chosen);
-  return chosen.toStdString();
+  const fs::path usual = fs::path(lastFolder().toStdString()) / "stitching.json";
+  const auto chosen = host_.window().askSaveFile({tr("Save the stitch project").toStdString(),
+                                                  before.empty() ? usual : before,
+                                                  tr("Stitch projects (*.json)").toStdString(),
+                                                  {".json"},
+                                                  {},
+                                                  {},
+                                                  filesOf(project())});
+  if (!chosen) return {};
+  keepFolderOf(words(chosen->string()));
+  return *chosen;
 }
 
 StitchSession::OnDisk StitchSession::askAboutFileOnDisk() {

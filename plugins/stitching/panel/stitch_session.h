@@ -218,13 +218,16 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   struct Inbox;
   enum class OnDisk { reload, overwrite, saveElsewhere, cancel };
   [[nodiscard]] OnDisk askAboutFileOnDisk();
-  [[nodiscard]] static std::filesystem::path askForSaveName(const std::filesystem::path& before);  ///< empty: nobody wants to
+  [[nodiscard]] std::filesystem::path askForSaveName(const std::filesystem::path& before);  ///< empty: nobody wants to
   void afterEdit();
   void afterChoice();
   void writeIntoCase(const std::filesystem::path& caseFolder, const std::string& name);
+  /// The open case with the stitched volume under a name. Expects an open case and a result.
+  [[nodiscard]] CaseWithVolume caseWith(const std::string& name);
+  [[nodiscard]] QString titleOfCase() const;
   void useInCase(const std::filesystem::path& caseFolder, const std::string& name);
   [[nodiscard]] static bool mayReplace(const std::filesystem::path& folder, const QStringList& names);  ///< asks
-  [[nodiscard]] static bool mayDropTargets(const CaseWithVolume& next);                                 ///< asks
+  [[nodiscard]] bool mayDropTargets(const CaseWithVolume& next);                                        ///< asks
   void readVolumes();
   void keep();
   void tell();

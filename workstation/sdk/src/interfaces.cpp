@@ -13,9 +13,15 @@ namespace ew::sdk {
 // Out of line, so that a vtable has one home per library and RTTI compares equal across the plugin's border.
 VolumeWriter::~VolumeWriter() = default;
 Volumes::~Volumes() = default;
+void Volumes::showMade(Volume volume, const std::string& title, const std::vector<std::filesystem::path>&) {
+  show(std::move(volume), title);
+}
 Files::~Files() = default;
 Cases::~Cases() = default;
 Result<void> Cases::makeOwn() { return {}; }
+Result<void> Cases::saveCopy() {
+  return failure(ErrorCode::badUsage, say<"There is no window that could ask where the case is to be saved.">());
+}
 std::optional<Cases::Scan> Cases::scan() const { return std::nullopt; }
 Cases::Choices Cases::choices() const { return {}; }
 Result<void> Cases::open(const std::filesystem::path&) {
@@ -61,6 +67,8 @@ Ticket Overlays::askForBodyPoint(const std::string&, std::function<void(const Po
 CaseParts::~CaseParts() = default;
 Ticket CaseParts::onAsked(const std::string&, AskCallback) { return nullptr; }
 Window::~Window() = default;
+Ticket Window::holdUnsaved(UnsavedWork work) { return onClosing(std::move(work.sentence)); }
+std::optional<std::filesystem::path> Window::askSaveFile(const SaveFile&) { return std::nullopt; }
 Commands::~Commands() = default;
 Log::~Log() = default;
 Host::~Host() = default;

@@ -7,6 +7,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <algorithm>
+#include <utility>
 
 #include "ew/core/output_set.h"
 #include "words.h"
@@ -18,10 +19,29 @@ struct SaveFileWords {
   Q_DECLARE_TR_FUNCTIONS(ew::ui::SaveFile)
 };
 
-QString completed(const QString& file, const QStringList& endings) {
-  const bool ends =
-      std::any_of(endings.begin(), endings.end(), [&](const QString& ending) { return file.endsWith(ending, Qt::CaseInsensitive); });
-  return ends || endings.isEmpty() ? file : file + endings.front();
+/// @param filter that was chosen: its first ending is meant by a name that has none
+QString completed(const QString& file, const QStringList& endings, const QString& filter) {
+  const auto isOf = [](const QString& name, const QString& ending) { return name.endsWith(ending, Qt::CaseInsensitive); };
+  if (endings.isEmpty() || std::any_of(endings.begin(), endings.end(), [&](const QString& each) { return isOf(file, each); })) return file;
+  const QString patterns = filter.section(QLatin1Char('('), -1).section(QLatin1Char(')'), 0, 0);
+  for (const QString& pattern : patterns.split(QLatin1Char(' '), Qt::SkipEmptyParts))
+    if (const QString ending = pattern.mid(1); endings.contains(ending, Qt::CaseInsensitive)) return file + ending;
+  return file + endings.front();
+}
+
+/// Whether a file is one of `sources`, by whatever name, or lies in one that is a folder.
+bool isOneOf(const std::filesystem::path& file, const std::vector<std::filesystem::path>& sources) {
+  std::error_code failed;
+  const auto there = std::filesystem::weakly_canonical(file, failed);
+  if (failed) return false;
+  for (const auto& source : sources)
+    for (const auto& named : filesNamedBy(source)) {
+      if (std::filesystem::equivalent(file, named, failed)) return true;
+      if (!std::filesystem::is_directory(named, failed)) continue;
+      const auto inside = there.lexically_relative(std::filesystem::weakly_canonical(named, failed));
+      if (!inside.empty() && *inside.begin() != "..") return true;
+    }
+  return false;
 }
 
 /// @return whether to replace `there`; empty: another name is wanted
@@ -49,7 +69,68 @@ Answer mayReplace(QWidget* parent, const QString& title, const QStringList& ther
   return question.clickedButton() == other ? Answer::otherName : Answer::cancel;
 }
 
+/// What speaks against replacing one of `there`, a sentence; empty: nothing.
+QString whyKept(const SaveFile& asked, const std::vector<std::filesystem::path>& sources, const QStringList& there) {
+  for (const QString& file : there) {
+    if (isOneOf(pathOf(file), sources))
+      return SaveFileWords::tr("'%1' is not written over: what you see was made from it.").arg(QFileInfo(file).fileName());
+    if (asked.whyKept)
+      if (QString why = asked.whyKept(file); !why.isEmpty()) return why;
+  }
+  return {};
+}
+
+/// @return whether another name is wanted
+bool asksForAnother(QWidget* parent, const QString& title, const QString& why) {
+  QMessageBox refusal(parent);
+  refusal.setObjectName(QStringLiteral("keptFileMessage"));
+  refusal.setWindowTitle(title);
+  refusal.setText(why);
+  refusal.setInformativeText(SaveFileWords::tr("Choose another name, or another folder."));
+  auto* other = refusal.addButton(SaveFileWords::tr("Another name…"), QMessageBox::AcceptRole);
+  other->setObjectName(QStringLiteral("otherName"));
+  refusal.addButton(QMessageBox::Cancel);
+  refusal.setDefaultButton(other);
+  refusal.exec();
+  return refusal.clickedButton() == other;
+}
+
+QStringList thereAlready(const SaveFile& asked, const QString& file) {
+  QStringList there;
+  for (const QString& name : asked.written ? asked.written(file) : QStringList{file})
+    for (const auto& written : filesNamedBy(pathOf(name)))
+      if (const QFileInfo info(wordsOf(written)); info.exists() || info.isSymLink()) there << info.filePath();
+  return there;
+}
+
 }  // namespace
+
+SaveFile saveFileOf(const sdk::SaveFile& asked) {
+  SaveFile same{words(asked.title), wordsOf(asked.proposal), words(asked.filter), {}};
+  for (const std::string& ending : asked.endings) same.endings << words(ending);
+  if (asked.written)
+    same.written = [written = asked.written](const QString& file) {
+      QStringList names;
+      for (const auto& each : written(pathOf(file))) names << wordsOf(each);
+      return names;
+    };
+  if (asked.whyKept) same.whyKept = [why = asked.whyKept](const QString& file) { return words(why(pathOf(file))); };
+  same.madeFrom = asked.madeFrom;
+  return same;
+}
+
+ShownSources::ShownSources(QWidget& window, Ask ask) : QObject(&window), ask_(std::move(ask)) {}
+
+std::vector<std::filesystem::path> ShownSources::around(const QWidget* widget) {
+  std::vector<std::filesystem::path> all;
+  for (const QObject* at = widget; at != nullptr; at = at->parent())
+    for (const QObject* child : at->children())
+      if (const auto* sources = dynamic_cast<const ShownSources*>(child)) {
+        const auto some = sources->ask_();
+        all.insert(all.end(), some.begin(), some.end());
+      }
+  return all;
+}
 
 QString askSaveFile(QWidget* parent, const SaveFile& asked) {
   QString proposal = asked.proposal;
@@ -61,15 +142,19 @@ QString askSaveFile(QWidget* parent, const SaveFile& asked) {
     dialog.setOption(QFileDialog::DontConfirmOverwrite);
     dialog.selectFile(proposal);
     if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return {};
-    const QString file = completed(dialog.selectedFiles().constFirst(), asked.endings);
-    QStringList there;
-    for (const QString& name : asked.written ? asked.written(file) : QStringList{file})
-      for (const auto& written : filesNamedBy(pathOf(name)))
-        if (const QFileInfo info(wordsOf(written)); info.exists() || info.isSymLink()) there << info.filePath();
-    const Answer answer = there.isEmpty() ? Answer::replace : mayReplace(parent, asked.title, there);
+    const QString file = completed(dialog.selectedFiles().constFirst(), asked.endings, dialog.selectedNameFilter());
+    const QStringList there = thereAlready(asked, file);
+    if (there.isEmpty()) return file;
+    proposal = file;
+    auto sources = ShownSources::around(parent);
+    sources.insert(sources.end(), asked.madeFrom.begin(), asked.madeFrom.end());
+    if (const QString why = whyKept(asked, sources, there); !why.isEmpty()) {
+      if (!asksForAnother(parent, asked.title, why)) return {};
+      continue;
+    }
+    const Answer answer = mayReplace(parent, asked.title, there);
     if (answer == Answer::replace) return file;
     if (answer == Answer::cancel) return {};
-    proposal = file;
   }
 }
 

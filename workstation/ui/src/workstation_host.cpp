@@ -1,5 +1,6 @@
 #include "workstation_host.h"
 
+#include <QApplication>
 #include <QLabel>
 #include <QScrollArea>
 #include <QShowEvent>
@@ -19,6 +20,7 @@
 #include "host_overlays.h"
 #include "host_scan.h"
 #include "message_bar.h"
+#include "save_file.h"
 #include "words.h"
 #include "workspace_panels.h"
 
@@ -111,8 +113,9 @@ class TicketedCalls {
 class HostVolumes final : public door::FileVolumes {
  public:
   explicit HostVolumes(WorkstationHost& host) : host_(host) {}
-  void show(Volume volume, const std::string& title) override {
-    Q_EMIT host_.volumeShown(std::make_shared<const Volume>(std::move(volume)), words(title));
+  void show(Volume volume, const std::string& title) override { showMade(std::move(volume), title, {}); }
+  void showMade(Volume volume, const std::string& title, const std::vector<std::filesystem::path>& madeFrom) override {
+    Q_EMIT host_.volumeShown(std::make_shared<const Volume>(std::move(volume)), words(title), madeFrom);
   }
 
  private:
@@ -143,6 +146,7 @@ class HostCases final : public sdk::Cases {
     return document_.edit(manifest, what, mergeKey);
   }
   Result<void> save(const std::filesystem::path& folder) override { return saving.save ? saving.save(folder) : document_.save(folder); }
+  Result<void> saveCopy() override { return saving.saveCopy ? saving.saveCopy() : sdk::Cases::saveCopy(); }
   Result<void> makeOwn() override {
     if (!document_.current()) return failure(ErrorCode::badUsage, say<"No case is open; open one first.">());
     return saving.makeOwn ? saving.makeOwn() : Result<void>();
@@ -327,11 +331,23 @@ class HostWindow final : public sdk::Window {
   [[nodiscard]] sdk::Ticket onClosing(std::function<std::string()> ask) override {
     return closing_.add([this, ask = std::move(ask)] { answers_.push_back(ask()); });
   }
-  [[nodiscard]] std::vector<std::string> unsaved() {
+  [[nodiscard]] sdk::Ticket holdUnsaved(sdk::UnsavedWork work) override {
+    return holding_.add([this, work = std::move(work)] { held_.push_back(work); });
+  }
+  [[nodiscard]] std::optional<std::filesystem::path> askSaveFile(const sdk::SaveFile& asked) override {
+    QWidget* modal = QApplication::activeModalWidget();
+    const QString file = ui::askSaveFile(modal != nullptr ? modal : messages_.window(), saveFileOf(asked));
+    return file.isEmpty() ? std::nullopt : std::optional(pathOf(file));
+  }
+  [[nodiscard]] std::vector<sdk::UnsavedWork> unsaved() {
+    held_.clear();
     answers_.clear();
     closing_.tell();
-    std::erase(answers_, std::string());
-    return std::exchange(answers_, {});
+    holding_.tell();
+    for (std::string& each : answers_) held_.push_back({[sentence = std::move(each)] { return sentence; }});
+    answers_.clear();
+    std::erase_if(held_, [](const sdk::UnsavedWork& work) { return work.sentence().empty(); });
+    return std::exchange(held_, {});
   }
 
   std::function<sdk::Ticket(const sdk::MenuEntry&, std::function<void()>)> addToMenu;
@@ -339,8 +355,9 @@ class HostWindow final : public sdk::Window {
  private:
   static QString topicOf(const std::string& topic) { return topic.empty() ? QString() : QStringLiteral("plugin ") + words(topic); }
   MessageBar& messages_;
-  TicketedCalls<> closing_;
+  TicketedCalls<> closing_, holding_;
   std::vector<std::string> answers_;
+  std::vector<sdk::UnsavedWork> held_;
 };
 
 /// A window has no command line, so commands are not kept.
@@ -421,7 +438,7 @@ std::shared_ptr<sdk::PanelDocument> WorkstationHost::documentInFront() const {
   return panel != nullptr ? panel->panel().document.lock() : nullptr;
 }
 
-std::vector<std::string> WorkstationHost::unsaved() const { return parts_->window.unsaved(); }
+std::vector<sdk::UnsavedWork> WorkstationHost::unsaved() const { return parts_->window.unsaved(); }
 HostScan& WorkstationHost::hostScan() { return parts_->scan; }
 HostOverlays& WorkstationHost::hostOverlays() { return parts_->overlays; }
 

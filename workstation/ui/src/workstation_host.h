@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QPointer>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -54,6 +55,7 @@ class WorkstationHost final : public QObject, public sdk::Host {
   struct CaseSaving {
     std::function<Result<void>(const std::filesystem::path& folder)> save;
     std::function<Result<void>()> makeOwn;
+    std::function<Result<void>()> saveCopy;  ///< asks for the folder
   };
   void setCaseSaving(CaseSaving saving);
   /// How the open case is scanned, and what a case may choose from: the window knows.
@@ -82,7 +84,7 @@ class WorkstationHost final : public QObject, public sdk::Host {
   [[nodiscard]] std::shared_ptr<sdk::PanelDocument> documentInFront() const;
   [[nodiscard]] std::vector<const sdk::StagedPanel*> panelsAdded() const;
   /// What would be lost if the window closed, beside what documents of panels say.
-  [[nodiscard]] std::vector<std::string> unsaved() const;
+  [[nodiscard]] std::vector<sdk::UnsavedWork> unsaved() const;
   [[nodiscard]] HostScan& hostScan();
   [[nodiscard]] HostOverlays& hostOverlays();
   /// Id of the panel in whose column or stage `part` lies; empty: in none.
@@ -90,7 +92,8 @@ class WorkstationHost final : public QObject, public sdk::Host {
 
  Q_SIGNALS:
   void panelDocumentChanged();
-  void volumeShown(std::shared_ptr<const ew::Volume> volume, const QString& title);
+  /// @param madeFrom files that it was made from, as far as they are known
+  void volumeShown(std::shared_ptr<const ew::Volume> volume, const QString& title, const std::vector<std::filesystem::path>& madeFrom);
 
  private:
   struct Parts;

@@ -94,6 +94,7 @@ class PluginCases final : public sdk::Cases {
     return inner_.edit(manifest, what, mergeKey);
   }
   Result<void> save(const std::filesystem::path& folder) override { return inner_.save(folder); }
+  Result<void> saveCopy() override { return inner_.saveCopy(); }
   Result<void> makeOwn() override { return inner_.makeOwn(); }
   [[nodiscard]] bool hasUnsavedChanges() const override { return inner_.hasUnsavedChanges(); }
   Result<void> open(const std::filesystem::path& folder) override { return inner_.open(folder); }
@@ -416,6 +417,29 @@ class PluginWindow final : public sdk::Window {
     return calls_->keepTicket(inner_.onClosing([calls = calls_, unsaved = std::move(unsaved)] {
       return calls->call(PluginMoment::closing, {}, unsaved).value_or(std::string());
     }));
+  }
+  [[nodiscard]] sdk::Ticket holdUnsaved(sdk::UnsavedWork work) override {
+    sdk::UnsavedWork guarded = work;
+    guarded.sentence = [calls = calls_, sentence = std::move(work.sentence)] {
+      return calls->call(PluginMoment::closing, {}, sentence).value_or(std::string());
+    };
+    if (work.save)
+      guarded.save = [calls = calls_, save = std::move(work.save)] { return calls->call(PluginMoment::save, {}, save).value_or(false); };
+    return calls_->keepTicket(inner_.holdUnsaved(std::move(guarded)));
+  }
+  [[nodiscard]] std::optional<std::filesystem::path> askSaveFile(const sdk::SaveFile& asked) override {
+    using Paths = std::vector<std::filesystem::path>;
+    sdk::SaveFile guarded = asked;
+    if (asked.written)
+      guarded.written = [this, &asked](const std::filesystem::path& file) {
+        return calls_->call(PluginMoment::save, {}, [&] { return asked.written(file); }).value_or(Paths{file});
+      };
+    // What cannot say whether it may go stays.
+    if (asked.whyKept)
+      guarded.whyKept = [this, &asked](const std::filesystem::path& file) {
+        return calls_->call(PluginMoment::save, {}, [&] { return asked.whyKept(file); }).value_or(file.filename().string());
+      };
+    return inner_.askSaveFile(guarded);
   }
 
  private:

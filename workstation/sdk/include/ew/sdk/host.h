@@ -94,6 +94,8 @@ class Volumes {
   [[nodiscard]] virtual Result<std::unique_ptr<VolumeWriter>> writeInBlocks(const Grid& grid, const std::filesystem::path& file) = 0;
   /// Puts a volume into the scan view of the workstation; without a window it does nothing.
   virtual void show(Volume volume, const std::string& title) = 0;
+  /// The same of a volume that was made from files: while it is shown nothing is saved over them.
+  virtual void showMade(Volume volume, const std::string& title, const std::vector<std::filesystem::path>& madeFrom);
 };
 
 /// Text files: settings, projects, reports. The text may hold any bytes.
@@ -125,6 +127,9 @@ class Cases {
   /// another program has saved meanwhile.
   /// @error badUsage, notWritable, badField, cancelled (the user wants it unsaved for now)
   [[nodiscard]] virtual Result<void> save(const std::filesystem::path& folder = {}) = 0;
+  /// Asks the user for a new folder and saves a copy of the open case there, which is then the open one.
+  /// @error badUsage (no case is open, or there is no window), cancelled (the user wants no copy), notWritable, badField
+  [[nodiscard]] virtual Result<void> saveCopy();
   /// To be called before files are put into currentFolder(): a shipped case is first copied to a folder of the user's own, which is
   /// asked for and becomes currentFolder(). So is one that somebody else is editing. Any other case stays where it is.
   /// @error badUsage (no case is open), cancelled (the user wants no copy), notWritable
