@@ -10859,6 +10859,14 @@
         <source>Following the probe</source>
         <translation>Schallkopf wird verfolgt</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is the file of an examination and is never replaced, for attempts at it are judged with it alone; choose another name.</source>
+        <translation>„%1“ ist die Datei einer Prüfung und wird nie ersetzt, denn nur mit ihr werden ihre Versuche bewertet; wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>There is no window that could ask where the case is to be saved.</source>
+        <translation>Es gibt kein Fenster, das fragen könnte, wo der Fall gespeichert werden soll.</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
@@ -11224,10 +11232,6 @@
         <translation>Den ganzen Fall in einen neuen Ordner kopieren und dort weiterarbeiten</translation>
     </message>
     <message>
-        <source>New folder for the case</source>
-        <translation>Neuer Ordner für den Fall</translation>
-    </message>
-    <message>
         <source>Save</source>
         <translation>Speichern</translation>
     </message>
@@ -11354,14 +11358,6 @@
     <message>
         <source>Look for everything that is wrong with this case</source>
         <translation>Nach allem suchen, was an diesem Fall nicht stimmt</translation>
-    </message>
-    <message>
-        <source>-copy</source>
-        <translation>-Kopie</translation>
-    </message>
-    <message>
-        <source>Case folders (*)</source>
-        <translation>Fallordner (*)</translation>
     </message>
     <message>
         <source>one a line</source>
@@ -12634,10 +12630,6 @@
         <translation>das zusammengefügte Volumen verwenden</translation>
     </message>
     <message>
-        <source>The case now uses volumes/%1.mha.</source>
-        <translation>Der Fall nutzt jetzt volumes/%1.mha.</translation>
-    </message>
-    <message>
         <source>It had unsaved changes before; save the case to keep them all.</source>
         <translation>Er hatte schon ungespeicherte Änderungen; den Fall speichern, um alle zu behalten.</translation>
     </message>
@@ -12731,14 +12723,6 @@
         <source>Replace</source>
         <translation>Ersetzen</translation>
     </message>
-    <message>
-        <source>The patient of this case is a recipe, and the stitched volume takes its place.</source>
-        <translation>Der Patient dieses Falls ist ein Rezept, und das verbundene Volumen tritt an seine Stelle.</translation>
-    </message>
-    <message>
-        <source>What only the recipe knew goes with it: %1, %2. To keep this case as it is, save it under another name first.</source>
-        <translation>Was nur das Rezept wusste, geht mit ihm: %1, %2. Um diesen Fall zu behalten, wie er ist, ihn zuerst unter einem anderen Namen speichern.</translation>
-    </message>
     <message numerus="yes">
         <source>%n targets</source>
         <translation>
@@ -12772,6 +12756,38 @@
     <message>
         <source>voxel spacing of %1</source>
         <translation>Voxelabstand von %1</translation>
+    </message>
+    <message>
+        <source>The patient of the case &apos;%1&apos; is a recipe, and the stitched volume takes its place.</source>
+        <translation>Der Patient des Falls „%1“ ist ein Rezept, und das verbundene Volumen tritt an seine Stelle.</translation>
+    </message>
+    <message>
+        <source>The stitched volume takes the place of the volume of the case &apos;%1&apos;.</source>
+        <translation>Das verbundene Volumen tritt an die Stelle des Volumens des Falls „%1“.</translation>
+    </message>
+    <message>
+        <source>the structures painted in it</source>
+        <translation>die darin gemalten Strukturen</translation>
+    </message>
+    <message>
+        <source>What only the recipe knew goes with it: %1.</source>
+        <translation>Was nur das Rezept wusste, geht mit ihm: %1.</translation>
+    </message>
+    <message>
+        <source>What only that volume knew goes with it: %1.</source>
+        <translation>Was nur dieses Volumen wusste, geht mit ihm: %1.</translation>
+    </message>
+    <message>
+        <source>To keep this case as it is, save it under another name first.</source>
+        <translation>Um diesen Fall zu behalten, wie er ist, ihn zuerst unter einem anderen Namen speichern.</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; now uses volumes/%2.mha.</source>
+        <translation>Der Fall „%1“ nutzt jetzt volumes/%2.mha.</translation>
+    </message>
+    <message>
+        <source>It was recorded elsewhere than the volume before and was put where that lay; check it in the panel Place.</source>
+        <translation>Es wurde an einer anderen Stelle aufgenommen als das Volumen davor und liegt jetzt, wo jenes lag; bitte unter „Platzieren“ prüfen.</translation>
     </message>
 </context>
 <context>
@@ -16640,6 +16656,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>The tracker has the probe. Choose the mouse on the page Tracker to move it here.</source>
         <translation>Der Tracker führt die Sonde. Wählen Sie auf der Seite Tracker die Maus, um sie hier zu bewegen.</translation>
     </message>
+    <message>
+        <source>Measurements that were not saved: %1.</source>
+        <translation>Messungen, die nicht gespeichert sind: %1.</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::MeasurePage</name>
@@ -16758,6 +16778,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
             <numerusform>%1 ist geöffnet; %n Anmerkungen sagen, wie gelesen wurde.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The scan stays as it was; the case holds another volume now. View, Scan the case&apos;s volume takes it.</source>
+        <translation>Der Scan bleibt, wie er war; der Fall hat jetzt ein anderes Volumen. Ansicht, „Volumen des Falles schallen“ nimmt es.</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::PluginsDialog</name>
@@ -16815,6 +16839,14 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Another name…</source>
         <translation>Anderer Name…</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not written over: what you see was made from it.</source>
+        <translation>„%1“ wird nicht überschrieben: Was Sie sehen, wurde daraus gemacht.</translation>
+    </message>
+    <message>
+        <source>Choose another name, or another folder.</source>
+        <translation>Wählen Sie einen anderen Namen oder einen anderen Ordner.</translation>
     </message>
 </context>
 <context>
@@ -18623,10 +18655,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Sequenzen (*.igs.mha)</translation>
     </message>
     <message>
-        <source>The recording itself is not written over; choose another name.</source>
-        <translation>Die Aufnahme selbst wird nicht überschrieben; einen anderen Namen wählen.</translation>
-    </message>
-    <message>
         <source>Writing %1</source>
         <translation>%1 wird geschrieben</translation>
     </message>
@@ -18649,6 +18677,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Boxes of text over the scan that are filled: %1</source>
         <translation>Gefüllte Textkästen über dem Schallbild: %1</translation>
+    </message>
+    <message>
+        <source>What you corrected in &apos;%1&apos; is not written to a recording.</source>
+        <translation>Was Sie in „%1“ berichtigt haben, ist in keiner Aufnahme gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -22055,6 +22087,10 @@ Zeit: %3</translation>
     <message>
         <source>Exported to %1, the answers sealed for the key %2. Keep this file: attempts at it are judged with it alone.</source>
         <translation>Nach %1 exportiert, die Antworten für den Schlüssel %2 versiegelt. Diese Datei behalten: Versuche daran werden nur mit ihr bewertet.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is the file of an examination and is never replaced: attempts at it are judged with it alone.</source>
+        <translation>„%1“ ist die Datei einer Prüfung und wird nie ersetzt: Nur mit ihr werden ihre Versuche bewertet.</translation>
     </message>
 </context>
 <context>

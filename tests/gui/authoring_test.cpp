@@ -339,6 +339,15 @@ class AuthoringTest : public WindowFixture {
     answers.reset();  // it would turn down the questions that follow
     QVERIFY(waitUntil([&] { return result->text().startsWith(QStringLiteral("Revision 1 was exported")); }));
     QVERIFY(verifyBundle(bundle.toStdString()).has_value());
+    // The name is completed before it is asked about: "final" is "final.ewcase", which somebody has already.
+    const QString others = files_.path(QStringLiteral("final.ewcase"));
+    QVERIFY(writeFileSafely(others.toStdString(), "precious"));
+    const Answers keep({{QStringLiteral("fileDialog"), type(files_.path(QStringLiteral("final")))},
+                        {QStringLiteral("replaceQuestion"), press(QMessageBox::Cancel)}});
+    dialog->findChild<QPushButton*>(QStringLiteral("exportCase"))->click();
+    QCOMPARE(keep.asked, (QStringList{QStringLiteral("fileDialog"), QStringLiteral("replaceQuestion")}));
+    QFile still(others);
+    QVERIFY(still.open(QIODevice::ReadOnly) && still.readAll() == "precious");
     dialog->close();
     window_.reset();
 

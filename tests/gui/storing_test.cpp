@@ -1,5 +1,7 @@
 // Images that are stored in an examination, and their way to files and to a real archive.
+#include <QAction>
 #include <QDir>
+#include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -20,6 +22,7 @@
 #include "window_fixture.h"
 #include "worksheet_file.h"
 #include "worksheets.h"
+#include "workstation_host.h"
 
 namespace ew::ui::testing {
 
@@ -137,6 +140,125 @@ class StoringTest : public WindowFixture {
     QVERIFY(waitUntil([&] { return window_->isSettled(); }));
     QCOMPARE(answers.asked, QStringList{QStringLiteral("unsavedStoredQuestion")});
     QCOMPARE(in<QListWidget>(dialog(), "storedImages")->count(), 0);
+  }
+
+  void anImageThatIsStoredWhileTheOthersAreSavedIsNotSaved() {
+    session().setFrozen(true);
+    storeImage();
+    const QString folder = files_.path(QStringLiteral("saved meanwhile"));
+    QDir().mkpath(folder);
+    Answers answers(
+        {{QStringLiteral("fileDialog"), testing::type(folder)}, {QStringLiteral("unsavedStoredQuestion"), press(QMessageBox::Cancel)}});
+    QTest::mouseClick(in<QPushButton>(dialog(), "saveExamination"), Qt::LeftButton);
+    storeImage();  // the job that saves has begun; its end is an event that has not been seen yet
+    QVERIFY(waitUntil([&] { return !window_->jobs().isRunning(); }));
+    QVERIFY2(!window_->messages().isError(), qPrintable(window_->messages().text()));
+    QVERIFY(!window_->close());
+    QVERIFY(answers.asked.contains(QStringLiteral("unsavedStoredQuestion")));
+    QVERIFY2(answers.texts.last().endsWith(QStringLiteral(" 1.")), qPrintable(answers.texts.last()));  // the other one is safe
+  }
+
+  void imagesStayWithTheirPatientWhenTheCaseGivesItAnotherBody() {
+    session().setFrozen(true);
+    storeImage();
+    Answers answers({});
+    const auto give = [&](const char* mannequin) {
+      auto manifest = window_->document().manifest();
+      manifest["mannequin"] = mannequin;
+      QVERIFY(window_->document().edit(manifest, "Change the body", {}).has_value());
+      QVERIFY(waitUntil([&] { return window_->isSettled(); }, 4.0 * test::kPatience_ms));
+    };
+    give("gravid.json");
+    QCOMPARE(in<QListWidget>(dialog(), "storedImages")->count(), 1);
+    window_->document().undo();
+    QVERIFY(waitUntil([&] { return window_->isSettled(); }, 4.0 * test::kPatience_ms));
+    QCOMPARE(in<QListWidget>(dialog(), "storedImages")->count(), 1);
+    QVERIFY2(answers.asked.isEmpty(), "nothing was lost, so nothing is asked");
+  }
+
+  void anotherVolumeOfTheCaseAsksForTheImagesOfTheOneBefore() {
+    const QString folder = QString::fromStdString(window_->document().current()->folder.string());
+    QVERIFY(QFile::copy(folder + QStringLiteral("/volume.mha"), folder + QStringLiteral("/second.mha")));
+    session().setFrozen(true);
+    storeImage();
+    const auto shown = session().subject()->voxels.volume();
+    const auto settles = [&] {
+      QCoreApplication::processEvents();
+      QVERIFY(waitUntil([&] { return window_->isSettled(); }));
+    };
+    {
+      Answers stay({{QStringLiteral("unsavedStoredQuestion"), press(QMessageBox::Cancel)}});
+      auto manifest = window_->document().manifest();
+      manifest["volume"]["file"] = "second.mha";
+      QVERIFY(window_->document().edit(manifest, "Change the volume", {}).has_value());
+      settles();
+      QCOMPARE(stay.asked, QStringList{QStringLiteral("unsavedStoredQuestion")});
+      QVERIFY(session().subject()->voxels.volume() == shown);
+    }
+    QCOMPARE(in<QListWidget>(dialog(), "storedImages")->count(), 1);
+    {
+      Answers nobody({});
+      window_->document().undo();  // the volume is that of the case again
+      settles();
+      QVERIFY(nobody.asked.isEmpty());
+    }
+    QCOMPARE(in<QListWidget>(dialog(), "storedImages")->count(), 1);
+    Answers discard({{QStringLiteral("unsavedStoredQuestion"), press(QMessageBox::Discard)}});
+    window_->document().redo();
+    settles();
+    QCOMPARE(discard.asked, QStringList{QStringLiteral("unsavedStoredQuestion")});
+    QVERIFY(session().subject()->voxels.volume() != shown);
+    QCOMPARE(in<QListWidget>(dialog(), "storedImages")->count(), 0);
+  }
+
+  void goingBackToTheVolumeOfTheCaseAsksForWhatWasStoredOfAnother() {
+    Volume volume;
+    volume.grid.dims = {20, 20, 20};
+    volume.echo.assign(volume.grid.voxelCount(), 90);
+    auto* host = window_->findChild<WorkstationHost*>();
+    host->volumes().show(volume, "made by a plugin");
+    QVERIFY(waitUntil([&] { return window_->isSettled() && session().subject()->title == "made by a plugin"; }));
+    session().setFrozen(true);
+    storeImage();
+    QAction* back = nullptr;
+    for (QAction* each : window_->findChildren<QAction*>())
+      if (each->text().contains(QStringLiteral("case's volume"))) back = each;
+    QVERIFY(back != nullptr);
+    {
+      Answers stay({{QStringLiteral("unsavedStoredQuestion"), press(QMessageBox::Cancel)}});
+      back->trigger();
+      QCOMPARE(stay.asked, QStringList{QStringLiteral("unsavedStoredQuestion")});
+      QCOMPARE(session().subject()->title, std::string("made by a plugin"));
+    }
+    QCOMPARE(in<QListWidget>(dialog(), "storedImages")->count(), 1);
+    Answers discard({{QStringLiteral("unsavedStoredQuestion"), press(QMessageBox::Discard)}});
+    back->trigger();
+    QCOMPARE(session().subject()->title, std::string("Window test"));
+    QCOMPARE(in<QListWidget>(dialog(), "storedImages")->count(), 0);
+  }
+
+  void anEndingInCapitalsIsThatEnding() {
+    const auto begins = [](const QString& file, const QByteArray& how) {
+      QFile made(file);
+      return made.open(QIODevice::ReadOnly) && made.read(how.size()) == how;
+    };
+    const auto measurements = files_.path(QStringLiteral("list.CSV"));
+    QVERIFY(writeMeasurements(window_->calipers().findings(), QStringLiteral("t"), measurements.toStdString()));
+    QVERIFY(!begins(measurements, "{"));
+    const auto sheet = files_.path(QStringLiteral("sheet.JSON"));
+    QVERIFY(writeWorksheet({}, QStringLiteral("t"), QDateTime::currentDateTime(), sheet.toStdString()));
+    QVERIFY(begins(sheet, "{"));
+    for (const char* name : {"picture.DCM", "picture.PNG", "picture.MHA"}) {
+      const QString file = files_.path(QLatin1String(name));
+      Answers answers({{QStringLiteral("fileDialog"), testing::type(file)}});
+      for (QAction* each : window_->findChildren<QAction*>())
+        if (each->text().startsWith(QStringLiteral("Save &image as"))) each->trigger();
+      QVERIFY2(QFile::exists(file), name);
+      const QByteArray start = QByteArray(name).endsWith("DCM")   ? QByteArray(128, '\0') + "DICM"
+                               : QByteArray(name).endsWith("PNG") ? "\x89PNG"
+                                                                  : "ObjectType";
+      QVERIFY2(begins(file, start), name);
+    }
   }
 
   void aClipLeavesAsFilmAndAsDicom() {

@@ -189,6 +189,39 @@ class UnsavedTest : public WindowFixture {
     QCOMPARE(static_cast<qsizetype>(save.asked.size()), asked);  // nothing is left to be asked about
   }
 
+  void whatTheShownVolumeWasMadeFromIsNeverWrittenOver() {
+    const QString sweep = files_.writeSweep(QStringLiteral("precious.igs.mha"));
+    const std::string before = textOf(sweep);
+    beginVolume(sweep);
+    QVERIFY(waitUntil([this] { return shows(QStringLiteral("precious.igs.mha")); }, kPatience_ms));
+    QString proposed;
+    const auto typeOver = [&proposed, sweep](QWidget& dialog) {
+      proposed = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->text();
+      testing::type(sweep)(dialog);
+    };
+    // A volume, an image, and measurements of any kind go through the same question.
+    for (const QString& what : {QStringLiteral("Save &volume as"), QStringLiteral("Save &image as")}) {
+      const Answers answers({{QStringLiteral("volumePlace"), press("ownPlace")},
+                             {QStringLiteral("fileDialog"), typeOver},
+                             {QStringLiteral("keptFileMessage"), press(QMessageBox::Cancel)}});
+      action(what)->trigger();
+      QVERIFY(waitForRest());
+      QVERIFY2(answers.asked.contains(QStringLiteral("keptFileMessage")), qPrintable(answers.asked.join(QLatin1Char(' '))));
+      QVERIFY2(answers.texts.last().contains(QStringLiteral("precious.igs.mha")), qPrintable(answers.texts.last()));
+      QVERIFY(textOf(sweep) == before);
+      if (what.contains(QStringLiteral("volume"))) QCOMPARE(proposed, QStringLiteral("precious-volume.mha"));
+    }
+  }
+
+  void theFilesOfTheOpenCaseAreNotWrittenOverEither() {
+    const QString file = folder_ + QStringLiteral("/volume.mha");
+    const std::string before = textOf(file);
+    const Answers answers({{QStringLiteral("fileDialog"), type(file)}, {QStringLiteral("keptFileMessage"), press(QMessageBox::Cancel)}});
+    action(QStringLiteral("Save &image as"))->trigger();
+    QCOMPARE(answers.asked, (QStringList{QStringLiteral("fileDialog"), QStringLiteral("keptFileMessage")}));
+    QVERIFY(textOf(file) == before);
+  }
+
   void closingWhileSomethingIsSavedWaitsForIt() {
     const auto save = startSaving();
     {

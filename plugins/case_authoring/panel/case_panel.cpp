@@ -3,7 +3,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -216,12 +215,7 @@ QWidget* CasePanel::makeSaveRow() {
   auto* saveAs = new QPushButton(tr("Save as…"));
   saveAs->setObjectName(QStringLiteral("saveAs"));
   saveAs->setToolTip(tr("Copy the whole case into a new folder and go on there"));
-  connect(saveAs, &QPushButton::clicked, this, [this] {
-    const QString folder =
-        QFileDialog::getSaveFileName(this, tr("New folder for the case"), sdk::words(host_.cases().currentFolder().string()) + tr("-copy"),
-                                     tr("Case folders (*)"), nullptr, QFileDialog::ShowDirsOnly);
-    if (!folder.isEmpty()) save(folder.toStdString());
-  });
+  connect(saveAs, &QPushButton::clicked, this, [this] { save(true); });
   buttons->addWidget(saveAs);
   auto* saveHere = new QPushButton(tr("Save"));
   saveHere->setObjectName(QStringLiteral("save"));
@@ -403,13 +397,13 @@ void CasePanel::change(const std::string& path, const QString& what, const std::
     say(done.error());
 }
 
-void CasePanel::save(const std::filesystem::path& folder) {
+void CasePanel::save(bool elsewhere) {
   for (auto& [path, field] : fields_) {
     if (field.problem->text().isEmpty()) continue;
     sdk::setProblem(problem_, tr("A marked field cannot be used as it is; correct it first, or undo."));
     return;
   }
-  const auto saved = host_.cases().save(folder);
+  const auto saved = elsewhere ? host_.cases().saveCopy() : host_.cases().save();
   sdk::setProblem(problem_, {});
   if (!saved) return say(saved.error());
   showCase();

@@ -40,7 +40,7 @@ class CasePanel final : public QWidget {
   explicit CasePanel(sdk::Host& host, QWidget* parent = nullptr);
 
   /// Saves where the case is, or into a new folder.
-  void save(const std::filesystem::path& folder = {});
+  void save(bool elsewhere = false);  ///< asks for a new folder, or saves where the case lies
   /// Brings what a problem or a line of the list before publishing is about into sight: a field of the form, or the panel that edits it.
   /// @param path as CheckItem::field
   void showField(const std::string& path);

@@ -18,6 +18,7 @@
 #include "ew/library/sealed_answers.h"
 #include "ew/sdk/panel.h"
 #include "ew/sdk/scan.h"
+#include "ew/sdk/window.h"
 
 namespace ew::case_authoring {
 namespace {
@@ -260,15 +261,25 @@ void PublishDialog::publish() {
       });
 }
 
+std::optional<std::filesystem::path> PublishDialog::askForBundle(const QString& title, const QString& name) {
+  sdk::SaveFile asked{
+      title.toStdString(), name.toStdString() + kBundleEnding, tr("Case bundles (*.ewcase)").toStdString(), {kBundleEnding}};
+  asked.whyKept = [](const std::filesystem::path& there) {
+    if (!holdsExamination(there)) return std::string();
+    return tr("'%1' is the file of an examination and is never replaced: attempts at it are judged with it alone.")
+        .arg(words(there.filename().string()))
+        .toStdString();
+  };
+  return host_.window().askSaveFile(asked);
+}
+
 void PublishDialog::exportCase() {
   if (!saved()) return;
   const auto manifest = host_.cases().current();
   if (!manifest) return;
-  QString file = QFileDialog::getSaveFileName(this, tr("Export the case"),
-                                              words(manifest->value("id", std::string("case"))) + QLatin1String(kBundleEnding),
-                                              tr("Case bundles (*.ewcase)"));
-  if (file.isEmpty()) return;
-  if (!file.endsWith(QLatin1String(kBundleEnding))) file += QLatin1String(kBundleEnding);
+  const auto target = askForBundle(tr("Export the case"), words(manifest->value("id", std::string("case"))));
+  if (!target) return;
+  const QString file = words(target->string());
   working_ = true;
   showButtons();
   auto header = std::make_shared<BundleHeader>();
@@ -318,10 +329,9 @@ void PublishDialog::exportExamination() {
   if (!saved()) return;
   const auto key = instructorsKey();
   if (!key) return;
-  QString file = QFileDialog::getSaveFileName(this, tr("Export an examination"), tr("examination") + QLatin1String(kBundleEnding),
-                                              tr("Case bundles (*.ewcase)"));
-  if (file.isEmpty()) return;
-  if (!file.endsWith(QLatin1String(kBundleEnding))) file += QLatin1String(kBundleEnding);
+  const auto target = askForBundle(tr("Export an examination"), tr("examination"));
+  if (!target) return;
+  const QString file = words(target->string());
   working_ = true;
   showButtons();
   auto made = std::make_shared<Examination>();

@@ -38,6 +38,8 @@ class PublishDialog final : public QDialog {
   void publish();
   void exportCase();
   void exportExamination();
+  /// Where a bundle is to be written. @param name that is proposed, without its ending
+  [[nodiscard]] std::optional<std::filesystem::path> askForBundle(const QString& title, const QString& name);
   [[nodiscard]] std::optional<PublicKey> instructorsKey();
   void tell(const QString& sentence, bool isProblem);
 

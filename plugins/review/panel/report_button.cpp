@@ -1,6 +1,5 @@
 #include "panel/report_button.h"
 
-#include <QFileDialog>
 #include <QVariant>
 
 namespace ew::review {
@@ -15,15 +14,12 @@ ReportButton::ReportButton(ReviewSession& session, bool isOfClass, QWidget* pare
 }
 
 void ReportButton::ask() {
-  const QString pdf = tr("PDF (*.pdf)"), page = tr("Page for browsers (*.html)");
-  QString kind = pdf;
-  QString file = QFileDialog::getSaveFileName(this, tr("Save the report"), isOfClass_ ? tr("class.pdf") : tr("attempt.pdf"),
-                                              pdf + QStringLiteral(";;") + page, &kind);
-  if (file.isEmpty()) return;
-  const QString ending = kind == page ? QStringLiteral(".html") : QStringLiteral(".pdf");
-  if (!file.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive) && !file.endsWith(QStringLiteral(".html"), Qt::CaseInsensitive))
-    file += ending;
-  session_.writeReport(file.toStdString(), isOfClass_);
+  const QString kinds = tr("PDF (*.pdf)") + QStringLiteral(";;") + tr("Page for browsers (*.html)");
+  session_.askForReport({tr("Save the report").toStdString(),
+                         (isOfClass_ ? tr("class.pdf") : tr("attempt.pdf")).toStdString(),
+                         kinds.toStdString(),
+                         {".pdf", ".html"}},
+                        isOfClass_);
 }
 
 }  // namespace ew::review

@@ -16,6 +16,7 @@
 #include "ew/bridge/mannequin.h"
 #include "ew/scanning/subject.h"
 #include "ew/sdk/host.h"
+#include "ew/sdk/window.h"
 #include "logic/alignment.h"
 #include "logic/comment_history.h"
 #include "logic/review_tracks.h"
@@ -149,6 +150,8 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   void scoreAll();                     ///< in a job, those whose score is out of date
   [[nodiscard]] bool isScoring() const { return scoring_; }
   /// Writes a report in a job: on the attempt that is chosen, or on all attempts of the lesson. Names are in it when they are shown.
+  /// Asks where a report is to be written, and writes it.
+  void askForReport(const sdk::SaveFile& asked, bool isOfClass);
   /// @param file ending in .pdf or .html
   void writeReport(const std::filesystem::path& file, bool isOfClass);
   Q_INVOKABLE void writeReportFile(const QString& file, bool isOfClass) { writeReport(file.toStdString(), isOfClass); }

@@ -54,6 +54,10 @@ struct ReportWork {
 
 }  // namespace
 
+void ReviewSession::askForReport(const sdk::SaveFile& asked, bool isOfClass) {
+  if (const auto file = host_.window().askSaveFile(asked)) writeReport(*file, isOfClass);
+}
+
 void ReviewSession::writeReport(const fs::path& file, bool isOfClass) {
   auto work = std::make_shared<ReportWork>();
   work->isOfClass = isOfClass;

@@ -62,7 +62,8 @@ Calipers::Calipers(Session& session, Jobs& jobs, QObject* parent)
   const int beats = std::clamp(QSettings().value(kBeatsSetting, 1).toInt(), 1, measurement::kMostCycles);
   for (CaliperDrawing& strip : strips_) strip.setCycles(beats);
   connect(&session_, &Session::pictureChanged, this, &Calipers::look);
-  connect(&session_, &Session::subjectReplaced, this, &Calipers::forgetAll);
+  connect(&session_, &Session::subjectReplaced, this, &Calipers::forgetDrawn);
+  connect(&session_, &Session::patientReplaced, this, &Calipers::forgetAll);
   connect(&session_, &Session::frozenChanged, this, [this](bool frozen) {
     if (!frozen && !session_.isPlaying()) forget();
   });
@@ -308,12 +309,19 @@ bool Calipers::hasLeft(const measurement::Caliper& caliper) const {
 }
 
 void Calipers::forgetAll() {
+  findings_.clear();
+  saved_.clear();
+  Q_EMIT changed();
+}
+
+void Calipers::forgetDrawn() {
+  // What was measured in a strip stays, so the next one has another number.
+  if (std::any_of(lines_.begin(), lines_.end(), [](const Line& line) { return line.where == Where::strip; })) stripNumber_ = ++nextStrip_;
   for (CaliperDrawing& strip : strips_) {
     const int beats = strip.cycles();
     strip = CaliperDrawing();
     strip.setCycles(beats);
   }
-  findings_.clear();
   where_ = Where::picture;
   stripAt_ = {};
   drawn_.forget();
@@ -321,6 +329,15 @@ void Calipers::forgetAll() {
   measureAll();
   Q_EMIT changed();
 }
+
+bool Calipers::isUnsaved() const {
+  // What was measured for an item stands in its worksheet, which asks for itself.
+  const bool isOwn = !findings_.combinations().empty() || std::any_of(findings_.all().begin(), findings_.all().end(),
+                                                                      [](const auto& each) { return each.measurement.item.empty(); });
+  return isOwn && toJson(findings_, {}).dump() != saved_;
+}
+
+void Calipers::setSaved(const measurement::Findings& written) { saved_ = toJson(written, {}).dump(); }
 
 void Calipers::forget() {
   if (!drawn_.forget()) return;

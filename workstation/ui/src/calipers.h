@@ -95,6 +95,9 @@ class Calipers final : public QObject {
 
   /// All that was measured for this patient, and results over several pictures.
   [[nodiscard]] const measurement::Findings& findings() const { return findings_; }
+  /// Whether there are some that were not written to a file as they are now.
+  [[nodiscard]] bool isUnsaved() const;
+  void setSaved(const measurement::Findings& written);
   int combine(measurement::CombinationKind kind, std::vector<measurement::FigureRef> of);
   void removeCombination(int number);
 
@@ -114,7 +117,8 @@ class Calipers final : public QObject {
   void takeInStrip(measurement::CaliperKind kind, const measurement::CaliperDrawing::Purpose& purpose);
   void putDownOther();
   void followStrip();
-  void forgetAll();
+  void forgetAll();    ///< of a patient
+  void forgetDrawn();  ///< of a scan: what was measured stays
   void measureLines(Where where, const measurement::Measurements& shown, std::vector<Line>& now);
   [[nodiscard]] bool hasLeft(const measurement::Caliper& caliper) const;
   [[nodiscard]] measurement::CaliperDrawing& mine(Where where = Where::picture) {
@@ -143,6 +147,7 @@ class Calipers final : public QObject {
   Where where_ = Where::picture;
   measurement::UncertaintyAt stripAt_;
   measurement::Findings findings_;
+  std::string saved_;  ///< as they were written last
   bool followsEdges_ = false;
   bool snaps_ = false;
 };

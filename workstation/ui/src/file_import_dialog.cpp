@@ -449,7 +449,10 @@ void FileImportDialog::saveSequence(const std::shared_ptr<Made>& made) {
   const QString target = askSaveFile(this, {tr("Save the images as a sequence"),
                                             info.path() + QLatin1Char('/') + info.completeBaseName() + QStringLiteral(".igs.mha"),
                                             tr("Sequences (*.igs.mha)"),
-                                            {QStringLiteral(".igs.mha"), QStringLiteral(".mha")}});
+                                            {QStringLiteral(".igs.mha"), QStringLiteral(".mha")},
+                                            {},
+                                            {},
+                                            {pathOf(file_)}});
   if (target.isEmpty()) return;
   import_->setEnabled(false);
   jobs_.start(

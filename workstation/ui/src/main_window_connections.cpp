@@ -9,6 +9,7 @@
 #include "host_scan.h"
 #include "import_dialog.h"
 #include "main_window_parts.h"
+#include "save_file.h"
 #include "screen_dialog.h"
 #include "words.h"
 
@@ -154,7 +155,15 @@ void MainWindow::connectPages() {
 
 void MainWindow::connectOpener() {
   Parts& p = *parts_;
-  p.opener->askBeforeReplacing([this](const QString& next) { return mayReplaceShown(next); });
+  holdUnsavedWork();
+  p.opener->askBeforeReplacing([this](const QString& next) { return mayReplaceShown(next); },
+                               [this](const QString& next) { return mayReplaceScan(next); });
+  new ShownSources(*this, [this] {
+    std::vector<std::filesystem::path> all = parts_->opener->sources();
+    for (const MadeVolume& made : parts_->made) all.push_back(pathOf(made.path));
+    if (!parts_->replayed.empty()) all.push_back(parts_->replayed);
+    return all;
+  });
   connect(p.opener, &Opener::opened, this, [this](const QString& path) {
     remember(path);
     parts_->pages->setCurrentWidget(parts_->workspacePage);
@@ -200,7 +209,7 @@ void MainWindow::connectImports() {
     if (kind == FileKind::film) return askAboutScreen(path);
     auto* dialog = new FileImportDialog(path, kind, question, parts_->jobs, *parts_->messages, this);
     connect(dialog, &FileImportDialog::imported, this, [this, path](const ScanVoxels& voxels, const QString& title) {
-      if (mayReplaceShown(title)) showMade({path, title, voxels, nullptr});
+      takeImported({path, title, voxels, nullptr});
     });
     connect(dialog, &FileImportDialog::screenChosen, this, [askAboutScreen, path] { askAboutScreen(path); });
     connect(dialog, &FileImportDialog::sequenceSaved, parts_->opener, &Opener::sweepChosen);
@@ -221,16 +230,17 @@ void MainWindow::connectPreparation() {
 
 void MainWindow::connectPlugins() {
   Parts& p = *parts_;
-  p.host->setCaseSaving({[this](const std::filesystem::path& folder) { return saveCaseFor(folder); }, [this] { return makeCaseOwn(); }});
-  connect(p.host, &WorkstationHost::volumeShown, this, [this](const std::shared_ptr<const Volume>& volume, const QString& title) {
-    parts_->opener->openVolume(volume, title, [this, title] {
-      if (!mayLeaveShownVolume(title) || !mayLeaveRecording(title) || !mayLeaveWorksheet(title) || !mayLeaveStored(title)) return false;
-      forgetShownVolume();
-      closeRecording();
-      parts_->pages->setCurrentWidget(parts_->workspacePage);
-      return true;
-    });
-  });
+  p.host->setCaseSaving({[this](const std::filesystem::path& folder) { return saveCaseFor(folder); }, [this] { return makeCaseOwn(); },
+                         [this] { return saveCaseCopy({}); }});
+  connect(p.host, &WorkstationHost::volumeShown, this,
+          [this](const std::shared_ptr<const Volume>& volume, const QString& title, const std::vector<std::filesystem::path>& madeFrom) {
+            const auto mayShow = [this, title] {
+              if (!mayReplaceScan(title)) return false;
+              parts_->pages->setCurrentWidget(parts_->workspacePage);
+              return true;
+            };
+            parts_->opener->openVolume(volume, title, mayShow, madeFrom);
+          });
   if (const auto* application = qobject_cast<GuardedApplication*>(QCoreApplication::instance()))
     connect(application, &GuardedApplication::thrown, this, &MainWindow::showThrown);
   p.host->setOpening([this](const std::filesystem::path& folder) -> Result<void> {

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "case_folder_dialog.h"
+#include "ew/core/ending.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/preparation.h"
 #include "main_window_parts.h"
@@ -121,52 +122,11 @@ void MainWindow::showRecent() {
   parts_->recentMenu->menuAction()->setVisible(!recent.isEmpty());
 }
 
-bool MainWindow::mayReplaceShown(const QString& next) {
-  if (!mayLeaveCase(next) || !mayLeaveShownVolume(next) || !mayLeaveRecording(next) || !mayLeaveWorksheet(next) || !mayLeaveStored(next))
-    return false;
-  forgetShownVolume();
-  closeRecording();
-  return true;
-}
-
-bool MainWindow::mayLeaveCase(const QString& next) {
-  if (!parts_->document.hasUnsavedChanges() || (parts_->dropsEdits && !next.isEmpty())) return true;
-  QMessageBox question(this);
-  question.setObjectName(QStringLiteral("unsavedQuestion"));
-  question.setIcon(QMessageBox::NoIcon);
-  question.setText(tr("The case '%1' has changes that are not saved.").arg(words(parts_->document.current()->title)));
-  if (!next.isEmpty()) question.setInformativeText(tr("'%1' is ready to be shown in its place.").arg(next));
-  question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
-  question.setDefaultButton(QMessageBox::Save);
-  const int answer = question.exec();
-  if (answer == QMessageBox::Discard) return true;
-  return answer == QMessageBox::Save && saveCase(false);
-}
-
-bool MainWindow::mayLeaveVolume(const MadeVolume& made, const QString& next) {
-  QMessageBox question(this);
-  question.setObjectName(QStringLiteral("unsavedVolumeQuestion"));
-  question.setIcon(QMessageBox::NoIcon);
-  question.setText(tr("The volume made from '%1' is not saved.").arg(made.title));
-  const QString again = tr("Making it again takes as long as it did.");
-  question.setInformativeText(next.isEmpty() ? again : again + QLatin1Char('\n') + tr("'%1' is ready to be shown in its place.").arg(next));
-  question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
-  question.setDefaultButton(QMessageBox::Save);
-  const int answer = question.exec();
-  if (answer == QMessageBox::Discard) return true;
-  return answer == QMessageBox::Save && saveVolume(made) && SavingDialog(parts_->jobs, false, this).wait() == SavingDialog::Outcome::saved;
-}
-
 const MadeVolume* MainWindow::shownMadeVolume() const {
   const auto& subject = parts_->session.subject();
   const auto found = std::find_if(parts_->made.begin(), parts_->made.end(),
                                   [&](const MadeVolume& made) { return subject && made.voxels.volume() == subject->voxels.volume(); });
   return found == parts_->made.end() ? nullptr : &*found;
-}
-
-bool MainWindow::mayLeaveShownVolume(const QString& next) {
-  const MadeVolume* made = shownMadeVolume();
-  return made == nullptr || mayLeaveVolume(MadeVolume(*made), next);
 }
 
 void MainWindow::forgetShownVolume() {
@@ -181,9 +141,17 @@ void MainWindow::takeMade(const MadeVolume& made) {
   showTitle();
 }
 
+void MainWindow::takeImported(const MadeVolume& made) {
+  // Shown it is as good as in its file; what waits took answers that nobody wants to give again.
+  if (mayReplaceShown(made.title)) return showMade(made);
+  parts_->made.push_back(made);
+  parts_->messages->showNote(tr("The volume made from %1 is kept: View, Show the volume made from %1.").arg(made.title));
+  showTitle();
+}
+
 void MainWindow::showMade(const MadeVolume& made) {
   parts_->document.close();
-  parts_->opener->showVolume(made.voxels, made.title, false, made.provenance);
+  parts_->opener->showVolume(made.voxels, made.title, false, made.provenance, {pathOf(made.path)});
   Q_EMIT parts_->opener->opened(made.path);
 }
 
@@ -199,45 +167,6 @@ void MainWindow::showWaitingVolume() {
   if (waiting == nullptr) return;
   const MadeVolume made = *waiting;
   if (mayReplaceShown(made.title)) showMade(made);
-}
-
-bool MainWindow::mayLeavePlugins() {
-  Parts& p = *parts_;
-  QMessageBox question(this);
-  question.setObjectName(QStringLiteral("unsavedPluginQuestion"));
-  question.setIcon(QMessageBox::NoIcon);
-  for (const sdk::StagedPanel* panel : p.host->panelsAdded()) {
-    const auto document = panel->document.lock();
-    const QString unsaved = document ? words(document->unsaved()) : QString();
-    if (unsaved.isEmpty()) continue;
-    question.setText(unsaved);
-    question.setInformativeText(words(panel->title));
-    question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
-    question.setDefaultButton(QMessageBox::Save);
-    const int answer = question.exec();
-    if (answer == QMessageBox::Discard) continue;
-    if (answer != QMessageBox::Save) return false;
-    document->save(false);
-    if (SavingDialog(p.jobs, false, this).wait() != SavingDialog::Outcome::saved || !document->unsaved().empty()) return false;
-  }
-  for (const std::string& unsaved : p.host->unsaved()) {
-    question.setText(words(unsaved));
-    question.setInformativeText({});
-    question.setStandardButtons(QMessageBox::Discard | QMessageBox::Cancel);
-    question.setDefaultButton(QMessageBox::Cancel);
-    if (question.exec() != QMessageBox::Discard) return false;
-  }
-  return true;
-}
-
-bool MainWindow::mayClose() {
-  if (!mayLeaveCase({})) return false;
-  const std::vector<MadeVolume> unsaved = parts_->made;
-  for (const MadeVolume& made : unsaved)
-    if (!mayLeaveVolume(made, {})) return false;
-  if (!mayLeaveRecording({}) || !mayLeaveWorksheet({}) || !mayLeaveStored({}) || !mayLeavePlugins()) return false;
-  const auto outcome = SavingDialog(parts_->jobs, true, this).wait();
-  return outcome == SavingDialog::Outcome::saved || outcome == SavingDialog::Outcome::lose;
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -430,6 +359,15 @@ QString coverageBeside(const QString& file) {
   return QFileInfo(file).path() + QLatin1Char('/') + QFileInfo(file).completeBaseName() + QStringLiteral("-coverage.mha");
 }
 
+/// Never the name of a file it was made from: "sweep.igs.mha" gives "sweep-volume.mha". A title that is no file's name stays.
+QString nameForVolumeOf(const QString& title) {
+  QString stem = QFileInfo(title).fileName();
+  for (const char* ending : {".gz",  ".mha", ".mhd", ".nrrd", ".nhdr", ".nii", ".igs", ".seq", ".dcm", ".vol", ".v00", ".raw",
+                             ".png", ".jpg", ".pgm", ".tif",  ".tiff", ".avi", ".mp4", ".mov", ".mkv", ".mpg", ".mpeg"})
+    if (const QLatin1String known(ending); stem.size() > known.size() && stem.endsWith(known, Qt::CaseInsensitive)) stem.chop(known.size());
+  return stem + (stem == QFileInfo(title).fileName() ? QStringLiteral(".mha") : QStringLiteral("-volume.mha"));
+}
+
 /// Writes a volume and which voxels of it were measured, both or neither.
 Result<void> writeWithCoverage(const Volume& volume, const QString& file, Progress& progress) {
   const bool covered = !volume.coverage.empty();
@@ -482,7 +420,7 @@ bool MainWindow::saveVolume(const MadeVolume& made) {
   }
   const bool covered = !volume->coverage.empty();
   const QString file = askSaveFile(this, {tr("Save the volume"),
-                                          QFileInfo(made.title).completeBaseName() + QStringLiteral(".mha"),
+                                          nameForVolumeOf(made.title),
                                           tr("MetaImage (*.mha *.mhd)"),
                                           {QStringLiteral(".mha"), QStringLiteral(".mhd")},
                                           [covered](const QString& chosen) {
@@ -526,7 +464,7 @@ void MainWindow::savePicture() {
   const auto written = saveTogether({pathOf(file)}, [&](const OutputSet& outputs) {
     const QDateTime now = QDateTime::currentDateTime();
     const std::vector<SavedPart> parts = shownParts();
-    if (!file.endsWith(QStringLiteral(".dcm"))) return writeShownPictures(parts, pictureColumns(), now, outputs.staged(pathOf(file)));
+    if (!hasEnding(pathOf(file), ".dcm")) return writeShownPictures(parts, pictureColumns(), now, outputs.staged(pathOf(file)));
     const auto still = storedStill(parts, savedPictures(parts, pictureColumns(), now), 1, now);
     auto object = writeDicomPicture(still.still, still.options, studyNow(), outputs.staged(pathOf(file)));
     return object ? Result<void>() : passOn(object.error());

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "caliper_words.h"
+#include "ew/core/ending.h"
 #include "ew/export/measurement_report.h"
 #include "main_window_parts.h"
 #include "save_file.h"
@@ -122,24 +123,28 @@ void MainWindow::showCombine() {
   p.combine->activateWindow();
 }
 
-void MainWindow::saveMeasurements() {
+bool MainWindow::saveMeasurements() {
   Parts& p = *parts_;
   if (p.calipers.findings().isEmpty() || !p.session.subject()) {
     p.scanView->say(tr("Nothing is measured yet that could be saved."));
-    return;
+    return false;
   }
   const QString file = askSaveFile(this, {tr("Save the measurements"),
                                           tr("measurements") + QStringLiteral(".csv"),
                                           tr("Measurements (*.csv *.json)"),
                                           {QStringLiteral(".csv"), QStringLiteral(".json")}});
-  if (file.isEmpty()) return;
+  if (file.isEmpty()) return false;
+  const measurement::Findings findings = p.calipers.findings();
   const auto written = saveTogether({pathOf(file)}, [&](const OutputSet& outputs) {
-    return writeMeasurements(p.calipers.findings(), words(p.session.subject()->title), outputs.staged(pathOf(file)));
+    return writeMeasurements(findings, words(p.session.subject()->title), outputs.staged(pathOf(file)));
   });
-  if (!written)
+  if (!written) {
     p.messages->showError(written.error(), kMeasurements);
-  else
-    p.messages->showNote(tr("Saved to %1.").arg(file), kMeasurements);
+    return false;
+  }
+  p.calipers.setSaved(findings);
+  p.messages->showNote(tr("Saved to %1.").arg(file), kMeasurements);
+  return true;
 }
 
 bool MainWindow::saveWorksheet() {
@@ -153,14 +158,15 @@ bool MainWindow::saveWorksheet() {
                          tr("Worksheets (*.pdf *.csv *.json);;DICOM reports (*.dcm)"),
                          {QStringLiteral(".pdf"), QStringLiteral(".csv"), QStringLiteral(".json"), QStringLiteral(".dcm")}});
   if (file.isEmpty()) return false;
+  const measurement::Examination asWritten = *examination;
   std::vector<ReportPicture> pictures;
   for (const StoredExamination::Item& item : p.stored.items()) pictures.push_back({withWarning(item.picture), item.caption});
   const auto written = saveTogether({pathOf(file)}, [&](const OutputSet& outputs) {
     const QDateTime now = QDateTime::currentDateTime();
-    if (!file.endsWith(QStringLiteral(".dcm")))
-      return writeWorksheet(examination->worksheet(), words(p.session.subject()->title), now, outputs.staged(pathOf(file)), pictures);
+    if (!hasEnding(pathOf(file), ".dcm"))
+      return writeWorksheet(asWritten.worksheet(), words(p.session.subject()->title), now, outputs.staged(pathOf(file)), pictures);
     const auto made = std::chrono::sys_seconds(std::chrono::seconds(now.toSecsSinceEpoch()));
-    auto report = writeMeasurementReport(examination->worksheet(), {.instanceUid = newDicomUid(), .made = made}, studyNow(),
+    auto report = writeMeasurementReport(asWritten.worksheet(), {.instanceUid = newDicomUid(), .made = made}, studyNow(),
                                          outputs.staged(pathOf(file)));
     return report ? Result<void>() : passOn(report.error());
   });
@@ -168,26 +174,8 @@ bool MainWindow::saveWorksheet() {
     p.messages->showError(written.error(), kWorksheet);
     return false;
   }
-  p.worksheets.setSaved();
+  p.worksheets.setSaved({&asWritten});
   p.messages->showNote(tr("Saved to %1.").arg(file), kWorksheet);
-  return true;
-}
-
-bool MainWindow::mayLeaveWorksheet(const QString& next) {
-  Parts& p = *parts_;
-  while (const measurement::Examination* unsaved = p.worksheets.unsaved()) {
-    QMessageBox question(this);
-    question.setObjectName(QStringLiteral("unsavedWorksheetQuestion"));
-    question.setIcon(QMessageBox::NoIcon);
-    question.setText(tr("The worksheet '%1' is not saved.").arg(words(unsaved->package().title)));
-    if (!next.isEmpty()) question.setInformativeText(tr("'%1' is ready to be shown in its place.").arg(next));
-    question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
-    question.setDefaultButton(QMessageBox::Save);
-    const int answer = question.exec();
-    if (answer == QMessageBox::Discard) return true;
-    p.worksheets.choose(unsaved->package().id);
-    if (answer != QMessageBox::Save || !saveWorksheet()) return false;
-  }
   return true;
 }
 

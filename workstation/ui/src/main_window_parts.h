@@ -61,6 +61,7 @@
 #include "tracker_control.h"
 #include "tracker_page.h"
 #include "tracker_wizard.h"
+#include "unsaved_work.h"
 #include "view3d.h"
 #include "view_columns.h"
 #include "wide_layer.h"
@@ -128,7 +129,9 @@ struct MainWindow::Parts {
   std::vector<Preset> presets;         ///< of the program
   measurement::Measurements measured;  ///< as they were when they changed last
   std::optional<std::uint64_t> measuredPicture;
-  bool isRecordingSaved = true;  ///< of the replay bar
+  std::shared_ptr<const ScanRecording> savedRecording;  ///< that lies in a file; another one in the replay bar does not
+  std::filesystem::path replayed;                       ///< the file of its recording; empty: none yet
+  UnsavedWork unsaved;                                  ///< all that could be lost; every way to lose something asks it
   struct {
     QString path;
     std::shared_ptr<const ScanRecording> recording;

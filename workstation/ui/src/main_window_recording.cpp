@@ -6,7 +6,6 @@
 
 #include "main_window_parts.h"
 #include "save_file.h"
-#include "saving_dialog.h"
 #include "words.h"
 
 namespace ew::ui {
@@ -43,7 +42,7 @@ void MainWindow::endRecording() {
   Parts& p = *parts_;
   auto made = p.recorder.stop();
   if (!made) return;
-  p.isRecordingSaved = false;
+  p.replayed.clear();
   p.replayBar->load(std::move(made));
   p.replayBar->setSaved(false);
   p.messages->showNote(tr("The recording is kept until another one begins. Play it below, or save it (%1).")
@@ -64,24 +63,14 @@ void MainWindow::showRecordingState() {
   p.scanView->setControlsEnabled(!p.session.isPlaying());
 }
 
-bool MainWindow::mayLeaveRecording(const QString& next) {
-  Parts& p = *parts_;
-  if (p.recorder.isRecording()) endRecording();
-  if (p.replayBar->recording() == nullptr || p.isRecordingSaved) return true;
-  QMessageBox question(this);
-  question.setObjectName(QStringLiteral("unsavedRecordingQuestion"));
-  question.setIcon(QMessageBox::NoIcon);
-  question.setText(tr("The recording of '%1' is not saved.").arg(words(p.replayBar->recording()->title)));
-  if (!next.isEmpty()) question.setInformativeText(tr("'%1' is ready to be shown in its place.").arg(next));
-  question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
-  question.setDefaultButton(QMessageBox::Save);
-  const int answer = question.exec();
-  if (answer == QMessageBox::Discard) return true;
-  return answer == QMessageBox::Save && saveRecording() && SavingDialog(p.jobs, false, this).wait() == SavingDialog::Outcome::saved;
+bool MainWindow::isRecordingUnsaved() const {
+  const auto& recording = parts_->replayBar->recording();
+  return recording != nullptr && recording != parts_->savedRecording;
 }
 
 void MainWindow::closeRecording() {
   parts_->replayBar->unload();
+  parts_->replayed.clear();
   parts_->messages->forget(kRecording);
   showRecordingState();
 }
@@ -90,9 +79,8 @@ bool MainWindow::saveRecording() {
   const auto recording = parts_->replayBar->recording();
   if (!recording) return false;
   return saveRecordingAs(recording, tr("Save the recording"), tr("scan"), [this, recording] {
-    if (parts_->replayBar->recording() != recording) return;
-    parts_->isRecordingSaved = true;
-    parts_->replayBar->setSaved(true);
+    parts_->savedRecording = recording;
+    parts_->replayBar->setSaved(!isRecordingUnsaved());
   });
 }
 
@@ -131,7 +119,8 @@ void MainWindow::takeRecording(const QString& path, std::shared_ptr<const ScanRe
   if (p.session.subject() && recordedCase() == recording->caseId) {
     if (!mayLeaveRecording(QFileInfo(path).fileName())) return;
     p.messages->forgetWhatIsPast();
-    p.isRecordingSaved = true;
+    p.savedRecording = recording;
+    p.replayed = pathOf(path);
     p.replayBar->load(recording);
     p.replayBar->setSaved(true);
     p.pages->setCurrentWidget(p.workspacePage);

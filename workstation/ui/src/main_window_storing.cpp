@@ -5,13 +5,13 @@
 #include <QMessageBox>
 #include <chrono>
 
+#include "ew/core/ending.h"
 #include "ew/export/outbox.h"
 #include "ew/scanning/picture_file.h"
 #include "ew/scanning/replay.h"
 #include "examination_dialog.h"
 #include "main_window_parts.h"
 #include "save_file.h"
-#include "saving_dialog.h"
 #include "words.h"
 
 namespace ew::ui {
@@ -73,13 +73,29 @@ Result<void> sendThroughOutbox(const ExaminationFiles& examination, const DicomA
   return {};
 }
 
+/// The worksheets as they are written now.
+std::vector<measurement::Examination> filledNow(const Worksheets& worksheets) {
+  std::vector<measurement::Examination> all;
+  for (const measurement::Examination* each : worksheets.filled()) all.push_back(*each);
+  return all;
+}
+
+/// Pictures and worksheets as they were when the job began are safe now; what came since is not.
+void setSaved(StoredExamination& stored, Worksheets& worksheets, std::uint64_t revision,
+              const std::vector<measurement::Examination>& sheets) {
+  stored.setSaved(revision);
+  std::vector<const measurement::Examination*> written;
+  for (const measurement::Examination& each : sheets) written.push_back(&each);
+  worksheets.setSaved(written);
+}
+
 /// Forms every image of a clip again and writes it: at even times into a film, or with its own time into a DICOM object.
 Result<void> writeClipFile(const ScanRecording& clip, ScanSubject subject, const DicomStudy& study, const fs::path& file,
                            Progress& progress) {
   Replay replay(clip.log, std::move(subject), 1);
   const auto stopped = [] { return failure(ErrorCode::cancelled, say<"Stopped as asked; nothing was written.">()); };
   std::vector<std::size_t> frames;
-  if (file.extension() == ".dcm") {
+  if (hasEnding(file, ".dcm")) {
     for (std::size_t n = 0; n < clip.log.frameCount(); ++n) frames.push_back(n);
     const auto make = [&](std::size_t n) -> Result<std::pair<Picture, DisplayGeometry>> {
       if (progress.cancelRequested()) return stopped();
@@ -154,9 +170,9 @@ bool MainWindow::saveExamination() {
         if (auto written = writeExamination(files, outputs.staged(folder), progress); !written) return passOn(written.error());
         return outputs.commit();
       },
-      [this, folder](const Result<void>& outcome) {
+      [this, folder, revision = p.stored.revision(), sheets = filledNow(p.worksheets)](const Result<void>& outcome) {
         if (outcome) {
-          parts_->stored.setSaved();
+          setSaved(parts_->stored, parts_->worksheets, revision, sheets);
           parts_->messages->showNote(tr("Saved to %1.").arg(wordsOf(folder)), kStoring);
         } else if (outcome.error().code != ErrorCode::cancelled) {
           parts_->messages->showError(outcome.error(), kStoring);
@@ -178,11 +194,11 @@ void MainWindow::sendExamination() {
       [files = p.stored.files(studyNow(), QDateTime::currentDateTime()), archive, sent](Progress& progress) {
         return sendThroughOutbox(files, archive, outboxFolder(), *sent, progress);
       },
-      [this, sent, archive, pictures = p.stored.items().size()](const Result<void>& outcome) {
+      [this, sent, archive, revision = p.stored.revision(), sheets = filledNow(p.worksheets)](const Result<void>& outcome) {
         Parts& parts = *parts_;
         parts.isSending = false;
         // What is in the outbox is lost no more, whether the archive has it or not.
-        if (outcome && pictures == parts.stored.items().size()) parts.stored.setSaved();
+        if (outcome) setSaved(parts.stored, parts.worksheets, revision, sheets);
         if (!outcome) {
           parts.messages->showError(outcome.error(), kSending);
         } else if (sent->left == 0 && sent->refused == 0) {
@@ -202,21 +218,6 @@ void MainWindow::sendExamination() {
       });
 }
 
-bool MainWindow::mayLeaveStored(const QString& next) {
-  Parts& p = *parts_;
-  if (!p.stored.isUnsaved()) return true;
-  QMessageBox question(this);
-  question.setObjectName(QStringLiteral("unsavedStoredQuestion"));
-  question.setIcon(QMessageBox::NoIcon);
-  question.setText(tr("Stored images that were neither saved nor sent: %1.").arg(p.stored.items().size()));
-  if (!next.isEmpty()) question.setInformativeText(tr("'%1' is ready to be shown in its place.").arg(next));
-  question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
-  question.setDefaultButton(QMessageBox::Save);
-  const int answer = question.exec();
-  if (answer == QMessageBox::Discard) return true;
-  return answer == QMessageBox::Save && saveExamination() && SavingDialog(p.jobs, false, this).wait() == SavingDialog::Outcome::saved;
-}
-
 void MainWindow::saveClip() {
   Parts& p = *parts_;
   const auto clip = p.cineBar->clip(recordedCase());
@@ -227,7 +228,7 @@ void MainWindow::saveClip() {
              tr("Scan to look at again (*.seq.mha);;Films (*.mp4 *.avi);;DICOM clips (*.dcm)"),
              {QStringLiteral(".seq.mha"), QStringLiteral(".mha"), QStringLiteral(".mp4"), QStringLiteral(".avi"), QStringLiteral(".dcm")}});
   if (file.isEmpty()) return;
-  if (file.endsWith(QStringLiteral(".mha"))) return void(startSavingRecording(clip, file, [] {}));
+  if (hasEnding(pathOf(file), ".mha")) return void(startSavingRecording(clip, file, [] {}));
   p.jobs.start(
       tr("Saving %1").arg(QFileInfo(file).fileName()),
       [clip, subject = *p.session.subject(), study = studyNow(), file](Progress& progress) {

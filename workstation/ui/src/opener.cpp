@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "ew/core/ending.h"
 #include "ew/io/image_stack.h"
 #include "ew/io/sequence.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/bundle.h"
 #include "ew/library/new_case.h"
+#include "ew/library/voxel_source.h"
 #include "ew/scanning/contact.h"
 #include "hand_input.h"
 #include "message_bar.h"
@@ -183,7 +185,7 @@ void Opener::open(const QString& path) {
     Q_EMIT failed(error);
     return;
   }
-  if (info.isFile() && info.fileName().endsWith(QLatin1String(kBundleEnding))) {
+  if (info.isFile() && hasEnding(pathOf(path), kBundleEnding)) {
     Q_EMIT bundleChosen(info.absoluteFilePath());
     return;
   }
@@ -283,8 +285,9 @@ void Opener::openCase(const QString& path) {
         if (!mayReplace_(words(titleForTrainees(*loaded->opened)))) return;
         messages_.forgetWhatIsPast();
         takeContents(*loaded);
+        patient_.reset();
         document_.open(*loaded->opened, loaded->asRead);
-        showCaseVolume();
+        scanCase();
         tellOpened(path, contents_->read.notes);
         Q_EMIT opened(path);
       });
@@ -303,15 +306,16 @@ void Opener::reloadCase(const Case& edited) {
         // Edits that go on meanwhile, of the title or the placement, count; those of another volume have asked for another loading.
         const auto& now = document_.current();
         if (!now || !(sourcesOf(*now) == loaded->contents.sources)) return;
+        if (!mayScanCase(loaded->contents.sources)) return stayWith(loaded->contents.sources);
         takeContents(*loaded);
-        showCaseVolume();
+        scanCase();
         tellOpened(path, contents_->read.notes);
       },
       [this, wanted] {
         // Nothing is scanned rather than what the case does not hold any more; "Scan the case's volume" tries again.
         refused_ = wanted;
         if (!std::exchange(showsCase_, false)) return;
-        session_.clear();
+        session_.clear(Session::Patient::same);  // until something else is scanned
       });
   openingPath_.clear();  // whoever opens the case meanwhile wants what its folder holds
   reloading_ = wanted;
@@ -362,10 +366,41 @@ void Opener::showCaseVolume() {
     loadChanged(*opened);
     return;
   }
+  if (mayScanCase(contents_->sources)) scanCase();
+}
+
+/// The volume is the patient: the same in another body, with other labels or another level, is nobody else.
+Session::Patient Opener::patientOf(const Sources& next) const {
+  if (!patient_) return Session::Patient::another;
+  CaseVolume before = *patient_, now = next.volume;
+  for (CaseVolume* volume : {&before, &now}) {
+    volume->labels.clear();
+    volume->level.clear();
+  }
+  return before == now ? Session::Patient::same : Session::Patient::another;
+}
+
+bool Opener::mayScanCase(const Sources& next) const {
+  return patientOf(next) == Session::Patient::same || mayScan_(words(titleForTrainees(*document_.current())));
+}
+
+void Opener::stayWith(const Sources& refused) {
+  refused_ = refused;
+  showsCase_ = false;
+  if (const std::string& file = contents_->sources.volume.file; patient_ && !file.empty())
+    shownFrom_ = {document_.current()->folder / file};
+  messages_.showNote(tr("The scan stays as it was; the case holds another volume now. View, Scan the case's volume takes it."), kOpening);
+}
+
+void Opener::scanCase() {
+  const auto& opened = document_.current();
+  const Session::Patient patient = patientOf(contents_->sources);
+  patient_ = contents_->sources.volume;
   showsCase_ = true;
   startTaken_ = false;
-  if (hasNoVolume(*opened)) return session_.clear();
-  session_.show(subjectOf(*opened, contents_->read));
+  shownFrom_.clear();
+  if (hasNoVolume(*opened)) return session_.clear(patient);
+  session_.show(subjectOf(*opened, contents_->read), patient);
   // A case may ask for them without naming the level of its volume.
   if (Scene scene = session_.scene(); opened->scene.liveEchoes && !scene.liveEchoes) {
     scene.liveEchoes = opened->scene.liveEchoes;
@@ -430,13 +465,14 @@ void Opener::openImage(const QString& path) {
         if (!mayReplace_(QFileInfo(path).fileName())) return;
         messages_.forgetWhatIsPast();
         document_.close();
-        showVolume(loaded->voxels, QFileInfo(path).fileName(), false);
+        showVolume(loaded->voxels, QFileInfo(path).fileName(), false, nullptr, {pathOf(path)});
         tellOpened(path, loaded->notes);
         Q_EMIT opened(path);
       });
 }
 
-void Opener::showVolume(const ScanVoxels& voxels, const QString& title, bool keepPlace, std::shared_ptr<const Provenance> provenance) {
+void Opener::showVolume(const ScanVoxels& voxels, const QString& title, bool keepPlace, std::shared_ptr<const Provenance> provenance,
+                        std::vector<fs::path> madeFrom) {
   const Grid& own = voxels.grid();
   if (auto usable = checkGrid(own); !usable) {
     messages_.showError(usable.error());
@@ -449,6 +485,9 @@ void Opener::showVolume(const ScanVoxels& voxels, const QString& title, bool kee
     const Skin::Contact nearest = view_.skin()->nearest(centre_mm);
     if (glm::dot(centre_mm - nearest.point_mm, nearest.outward) < 0.0) subject.placedGrid = own;
   }
+  if (provenance) madeFrom.push_back(provenance->sweep);
+  shownFrom_ = std::move(madeFrom);
+  patient_.reset();
   subject.provenance = std::move(provenance);
   showsCase_ = false;
   startTaken_ = false;
@@ -456,9 +495,20 @@ void Opener::showVolume(const ScanVoxels& voxels, const QString& title, bool kee
   takeStart();
 }
 
-void Opener::openVolume(std::shared_ptr<const Volume> volume, const QString& title, std::function<bool()> mayShow) {
+std::vector<fs::path> Opener::sources() const {
+  std::vector<fs::path> all = shownFrom_;
+  if (const auto& opened = document_.current()) {
+    all.push_back(opened->folder / "case.json");
+    for (const std::string& named : {opened->volume.file, opened->volume.labels, opened->volume.level, opened->volume.recipe})
+      if (!named.empty()) all.push_back(opened->folder / named);
+  }
+  return all;
+}
+
+void Opener::openVolume(std::shared_ptr<const Volume> volume, const QString& title, std::function<bool()> mayShow,
+                        std::vector<fs::path> madeFrom) {
   if (ScanVoxels::isSmall(*volume)) {
-    if (mayShow()) showVolume(ScanVoxels::asStored(std::move(volume)), title, true);
+    if (mayShow()) showVolume(ScanVoxels::asStored(std::move(volume)), title, true, nullptr, std::move(madeFrom));
     return;
   }
   auto voxels = std::make_shared<ScanVoxels>();
@@ -470,8 +520,8 @@ void Opener::openVolume(std::shared_ptr<const Volume> volume, const QString& tit
         *voxels = std::move(*made);
         return {};
       },
-      [this, voxels, title, mayShow = std::move(mayShow)] {
-        if (mayShow()) showVolume(*voxels, title, true);
+      [this, voxels, title, mayShow = std::move(mayShow), madeFrom = std::move(madeFrom)] {
+        if (mayShow()) showVolume(*voxels, title, true, nullptr, madeFrom);
       });
 }
 

@@ -22,7 +22,8 @@ class View3D;
 
 /// Opens cases, volumes and sweeps as jobs and puts what came out into the session: placed, with the probe on the skin in front of it.
 /// Nothing is replaced before the new thing is there in full, and then only what may be lost (see askBeforeReplacing). A case whose volume
-/// is exchanged by an edit is loaded again as opening it does, so that the scan shows what the case holds.
+/// is exchanged by an edit is loaded again as opening it does, so that the scan shows what the case holds; while its volume stays the same,
+/// in whatever body, its examination goes on. It is the only one that replaces what is scanned.
 class Opener final : public QObject {
   Q_OBJECT
 
@@ -32,22 +33,30 @@ class Opener final : public QObject {
 
   /// @param mayReplace asked when something opened is about to take the place of what is open, and not before: whoever answers decides
   /// about the edits of that moment; `next` names what was opened. False: all stays as it is
-  void askBeforeReplacing(std::function<bool(const QString& next)> mayReplace) { mayReplace_ = std::move(mayReplace); }
+  /// @param mayScan the same where the case stays open and another volume is scanned
+  void askBeforeReplacing(std::function<bool(const QString& next)> mayReplace, std::function<bool(const QString& next)> mayScan) {
+    mayReplace_ = std::move(mayReplace);
+    mayScan_ = std::move(mayScan);
+  }
 
   /// By what it is: a folder or case.json is a case, a file with poses a sweep, any other image a volume.
   void open(const QString& path);
   void loadDefaultMannequin();
   /// Shows a volume that belongs to no case. @param keepPlace whether its own coordinates are to be used when they lie in the body
-  /// @param provenance of the same voxels, or null
-  void showVolume(const ScanVoxels& voxels, const QString& title, bool keepPlace, std::shared_ptr<const Provenance> provenance = nullptr);
+  /// @param provenance of the same voxels, or null @param madeFrom see sources()
+  void showVolume(const ScanVoxels& voxels, const QString& title, bool keepPlace, std::shared_ptr<const Provenance> provenance = nullptr,
+                  std::vector<std::filesystem::path> madeFrom = {});
   /// The same of a volume that somebody made, where its own coordinates say if that lies in the body; a large one is first made ready in a
-  /// job. @param mayShow asked when it is about to take the place of what is shown
-  void openVolume(std::shared_ptr<const Volume> volume, const QString& title, std::function<bool()> mayShow);
-  /// Back to the volume of the open case.
+  /// job. @param mayShow asked when it is about to take the place of what is shown @param madeFrom see sources()
+  void openVolume(std::shared_ptr<const Volume> volume, const QString& title, std::function<bool()> mayShow,
+                  std::vector<std::filesystem::path> madeFrom = {});
+  /// Back to the volume of the open case, when what is scanned may be left.
   void showCaseVolume();
   [[nodiscard]] bool showsCase() const { return showsCase_; }
   [[nodiscard]] bool hasCaseVolume() const { return contents_.has_value(); }
   [[nodiscard]] bool isBusy() const { return busy_ > 0; }
+  /// The files that what is shown was read or made from, those of the open case among them: nothing may be saved over them.
+  [[nodiscard]] std::vector<std::filesystem::path> sources() const;
 
  Q_SIGNALS:
   void preparing(const QString& path);  ///< a case is being opened whose volume has to be made first
@@ -85,6 +94,14 @@ class Opener final : public QObject {
   void reloadLabels(const Case& edited);
   void loadChanged(const Case& edited);
   void takeContents(Loading& loaded);
+  /// Scans what was loaded of the open case; whoever might mind was asked.
+  void scanCase();
+  /// Goes on with what is scanned although the case holds something else now.
+  void stayWith(const Sources& refused);
+  /// Whether the case's volume may be scanned: asks when that is somebody else.
+  [[nodiscard]] bool mayScanCase(const Sources& next) const;
+  /// Whose examination goes on when a case's volume is scanned now.
+  [[nodiscard]] Session::Patient patientOf(const Sources& next) const;
   /// Runs `work` as the one opening there is: a later one cancels it, and then `taken` is not called.
   void startOpening(const QString& path, Jobs::Work work, std::function<void()> taken, std::function<void()> refused = {});
   void giveUpOpening();
@@ -105,10 +122,13 @@ class Opener final : public QObject {
   View3D& view_;
   HandInput& hand_;
   std::function<bool(const QString& next)> mayReplace_ = [](const QString&) { return true; };
-  std::optional<Contents> contents_;     ///< of the open case; empty without one
-  std::optional<Sources> reloading_;     ///< what the open case is being loaded for again
-  std::optional<Sources> refused_;       ///< that could not be loaded: not tried again until they change or are asked for
-  std::filesystem::path mannequinFile_;  ///< of the body that is shown or on its way
+  std::function<bool(const QString& next)> mayScan_ = [](const QString&) { return true; };
+  std::optional<Contents> contents_;              ///< of the open case; empty without one
+  std::optional<Sources> reloading_;              ///< what the open case is being loaded for again
+  std::optional<Sources> refused_;                ///< that could not be loaded: not tried again until they change or are asked for
+  std::filesystem::path mannequinFile_;           ///< of the body that is shown or on its way
+  std::optional<CaseVolume> patient_;             ///< of the open case, whose examination it is; empty: another's
+  std::vector<std::filesystem::path> shownFrom_;  ///< of a volume that belongs to no case
   bool showsCase_ = false;
   bool startTaken_ = false;  ///< the probe stands where the opened thing wants it; false until a skin is there
   QString openingPath_;      ///< what is being opened; empty: nothing

@@ -542,11 +542,33 @@ void ScreenDialog::measureAll() {
   distances_->setText(lines.join(QLatin1Char('\n')));
 }
 
-void ScreenDialog::import() {
-  if (!edit_ || !opened_ || job_ != 0) return;
+bool ScreenDialog::isUnsaved() const { return edit_ && !(edit_->correction() == ScreenCorrection()) && !(edit_->correction() == written_); }
+
+bool ScreenDialog::mayLeave(bool waits) {
+  if (!isUnsaved()) return true;
+  QMessageBox question(this);
+  question.setObjectName(QStringLiteral("unsavedScreenQuestion"));
+  question.setIcon(QMessageBox::NoIcon);
+  question.setText(tr("What you corrected in '%1' is not written to a recording.").arg(QFileInfo(file_).fileName()));
+  question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  question.setDefaultButton(QMessageBox::Save);
+  const int answer = question.exec();
+  if (answer == QMessageBox::Discard) return true;
+  return answer == QMessageBox::Save && import() && waits;
+}
+
+void ScreenDialog::reject() {
+  if (mayLeave(false)) FormDialog::reject();
+}
+
+bool ScreenDialog::import() {
+  if (!edit_ || !opened_ || job_ != 0) return false;
   setPlaying(false);
   const auto geometry = edit_->geometry();
-  if (!geometry) return say(words(geometry.error().message), true);
+  if (!geometry) {
+    say(words(geometry.error().message), true);
+    return false;
+  }
   const QFileInfo info(file_);
   const QString target =
       askSaveFile(this, {tr("Save the cleaned recording"),
@@ -555,11 +577,13 @@ void ScreenDialog::import() {
                          {QStringLiteral(".igs.mha")},
                          [](const QString& file) {
                            return QStringList{file, wordsOf(screenFileBeside(pathOf(file)))};
-                         }});
-  if (target.isEmpty()) return;
-  if (QFileInfo(target) == info) return say(tr("The recording itself is not written over; choose another name."), true);
+                         },
+                         {},
+                         {pathOf(file_)}});
+  if (target.isEmpty()) return false;
   auto cleaned = std::make_shared<CleanedScreen>();
   writing_ = true;
+  written_ = edit_->correction();
   // Once it runs it ends whether the dialog is there or not: it takes all it needs along.
   job_ = jobs_.start(
       tr("Writing %1").arg(QFileInfo(target).fileName()),
@@ -584,6 +608,7 @@ void ScreenDialog::import() {
       Jobs::Kind::saving);
   setBusy(true);
   say(tr("Writing the cleaned recording to %1 …").arg(target), false);
+  return true;
 }
 
 void ScreenDialog::endImport(const QString& target, const Result<void>& outcome, const std::vector<Message>& removed) {
@@ -593,6 +618,7 @@ void ScreenDialog::endImport(const QString& target, const Result<void>& outcome,
   follow();
   fetch();
   if (!outcome) {
+    written_ = {};
     if (outcome.error().code == ErrorCode::cancelled)
       say(tr("Writing was stopped; nothing was stored."), false);
     else

@@ -37,6 +37,13 @@ class ScreenDialog final : public FormDialog {
   /// What was found and corrected; null while it is not known.
   [[nodiscard]] const ScreenEdit* edit() const { return edit_ ? &*edit_ : nullptr; }
   [[nodiscard]] int shownFrame() const { return shownFrame_; }
+  /// Whether a person has corrected something that no recording was written with.
+  [[nodiscard]] bool isUnsaved() const;
+  /// Asks what is to become of the corrections. @param waits whether the window waits for what is being written; else the dialog stays
+  /// until it is @return whether it may close
+  [[nodiscard]] bool mayLeave(bool waits);
+
+  void reject() override;
 
  Q_SIGNALS:
   void written(const QString& file);
@@ -65,7 +72,7 @@ class ScreenDialog final : public FormDialog {
   void advance();
   [[nodiscard]] measurement::CaliperDrawing& drawing();
   void measureAll();
-  void import();
+  bool import();  ///< @return whether it began
   void endImport(const QString& target, const Result<void>& outcome, const std::vector<Message>& removed);
 
   QString file_;
@@ -76,6 +83,7 @@ class ScreenDialog final : public FormDialog {
   int job_ = 0;       ///< that reads and finds, or writes; 0: none
   int frameJob_ = 0;  ///< that reads the frame to show
   bool writing_ = false;
+  ScreenCorrection written_;  ///< that the recording was written with last, or is being written with
   int wantedFrame_ = 0;
   int shownFrame_ = -1;
   int changes_ = 0;       ///< of what makes a cleaned frame

@@ -81,12 +81,13 @@ void Session::chooseProbe(const std::string& id) {
   Q_EMIT holdChanged();
 }
 
-void Session::show(ScanSubject shown) {
+void Session::show(ScanSubject shown, Patient patient) {
   showWide({});
   play({});
   setFrozen(false);
   forgetCine();
   Q_EMIT subjectReplaced();
+  if (patient == Patient::another) Q_EMIT patientReplaced();
   scanner_.show(std::move(shown));
   cine_.forget();
   recorded_ = Recorded(*subject());
@@ -109,12 +110,13 @@ void Session::show(ScanSubject shown) {
   Q_EMIT subjectChanged();
 }
 
-void Session::clear() {
+void Session::clear(Patient patient) {
   showWide({});
   play({});
   setFrozen(false);
   forgetCine();
   Q_EMIT subjectReplaced();
+  if (patient == Patient::another) Q_EMIT patientReplaced();
   scanner_.clear();
   cine_.forget();
   recorded_ = {};

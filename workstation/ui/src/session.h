@@ -42,8 +42,10 @@ class Session final : public QObject {
   [[nodiscard]] const Probe& probe() const { return console().probe; }
   void chooseProbe(const std::string& id);
 
-  void show(ScanSubject subject);
-  void clear();
+  /// Whose examination goes on: with the same patient, loaded again or moved into another body, what was stored and measured stays.
+  enum class Patient { same, another };
+  void show(ScanSubject subject, Patient patient = Patient::another);
+  void clear(Patient patient = Patient::another);
   [[nodiscard]] const std::optional<ScanSubject>& subject() const { return scanner_.subject(); }
   /// The picture and all that it is made with change places with those of another session of the same subject: its console, its cine loop
   /// and who makes it, so that nothing is formed again. Expects that neither runs: frozen, or without a picture; and that none plays.
@@ -236,6 +238,7 @@ class Session final : public QObject {
  Q_SIGNALS:
   void subjectChanged();
   void subjectReplaced();  ///< by another one, or by none
+  void patientReplaced();  ///< likewise, after subjectReplaced: another examination begins
   void sceneChanged();
   void echoesWanted();  ///< a scene asks for live echoes of voxels of which nothing is known yet, but can be (ScanSubject::possible)
   void probeChanged();

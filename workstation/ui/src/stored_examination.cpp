@@ -58,7 +58,7 @@ QImage withWarning(const QImage& saved) {
 
 StoredExamination::StoredExamination(Session& session, Worksheets& worksheets, QObject* parent)
     : QObject(parent), session_(session), worksheets_(worksheets) {
-  connect(&session_, &Session::subjectReplaced, this, &StoredExamination::clear);
+  connect(&session_, &Session::patientReplaced, this, &StoredExamination::clear);
   connect(&worksheets_, &Worksheets::changed, this, &StoredExamination::changed);
 }
 
@@ -70,8 +70,7 @@ bool StoredExamination::store(const std::vector<SavedPart>& parts, int columns, 
                               .arg(words(session_.pictureProbe().name), figure(session_.geometry().depth_mm / 10.0, 1),
                                    QLocale().toString(at.time(), QLocale::ShortFormat));
   auto still = storedStill(parts, saved, ++number_, at);
-  items_.push_back({std::move(saved.image), caption, std::move(still)});
-  unsaved_ = true;
+  items_.push_back({std::move(saved.image), caption, std::move(still), ++revision_});
   Q_EMIT changed();
   return true;
 }
@@ -79,9 +78,14 @@ bool StoredExamination::store(const std::vector<SavedPart>& parts, int columns, 
 void StoredExamination::remove(std::size_t item) {
   if (item >= items_.size()) return;
   items_.erase(items_.begin() + static_cast<std::ptrdiff_t>(item));
-  unsaved_ = unsaved_ && !items_.empty();
   Q_EMIT changed();
 }
+
+std::size_t StoredExamination::unsavedCount() const {
+  return static_cast<std::size_t>(std::count_if(items_.begin(), items_.end(), [this](const Item& item) { return item.revision > saved_; }));
+}
+
+void StoredExamination::setSaved(std::uint64_t revision) { saved_ = std::max(saved_, revision); }
 
 bool StoredExamination::isEmpty() const { return items_.empty() && worksheets_.filled().empty(); }
 
@@ -104,7 +108,6 @@ void StoredExamination::clear() {
   reports_.clear();
   study_.reset();
   number_ = 0;
-  unsaved_ = false;
   Q_EMIT changed();
 }
 

@@ -4,6 +4,7 @@
 #include <QImage>
 #include <QObject>
 #include <QString>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -27,6 +28,7 @@ class StoredExamination final : public QObject {
     QImage picture;   ///< as savedPicture
     QString caption;  ///< probe, depth and when
     ExaminationFiles::StoredStill still;
+    std::uint64_t revision = 0;  ///< never the same for two pictures of a session
   };
 
   StoredExamination(Session& session, Worksheets& worksheets, QObject* parent = nullptr);
@@ -41,9 +43,13 @@ class StoredExamination final : public QObject {
   /// Pictures and worksheets for files and archives; one that was not changed keeps its identifier. @param study where none was taken yet
   [[nodiscard]] ExaminationFiles files(const DicomStudy& study, const QDateTime& at);
 
+  /// Grows with every picture that is stored. Whoever begins to save takes it along.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
   /// Stored pictures that were neither saved nor sent.
-  [[nodiscard]] bool isUnsaved() const { return unsaved_; }
-  void setSaved() { unsaved_ = false; }
+  [[nodiscard]] std::size_t unsavedCount() const;
+  [[nodiscard]] bool isUnsaved() const { return unsavedCount() > 0; }
+  /// What was there at a revision was saved or sent; what was stored since was not.
+  void setSaved(std::uint64_t revision);
   /// Every picture goes.
   void clear();
 
@@ -61,7 +67,8 @@ class StoredExamination final : public QObject {
   std::optional<DicomStudy> study_;
   std::map<std::string, KnownReport> reports_;  ///< by package, as last asked for
   int number_ = 0;                              ///< of pictures of this examination so far
-  bool unsaved_ = false;
+  std::uint64_t revision_ = 0;
+  std::uint64_t saved_ = 0;  ///< the revision up to which pictures are saved
 };
 
 /// What is shown, ready to be written as DICOM: each picture and strip with its scale; probe and settings are those of the picture in hand.

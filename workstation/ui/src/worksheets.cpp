@@ -14,7 +14,7 @@ using measurement::Package;
 Worksheets::Worksheets(Session& session, Calipers& calipers, QObject* parent) : QObject(parent), calipers_(calipers) {
   connect(&calipers_, &Calipers::linesChanged, this, &Worksheets::take);
   connect(&calipers_, &Calipers::changed, this, &Worksheets::sayRefused);
-  connect(&session, &Session::subjectReplaced, this, &Worksheets::clear);
+  connect(&session, &Session::patientReplaced, this, &Worksheets::clear);
 }
 
 void Worksheets::setPackages(std::vector<Package> packages) {
@@ -81,8 +81,8 @@ std::vector<const Examination*> Worksheets::filled() const {
   return all;
 }
 
-void Worksheets::setSaved() {
-  if (current_ != nullptr) saved_.insert_or_assign(current_->package().id, *current_);
+void Worksheets::setSaved(const std::vector<const Examination*>& written) {
+  for (const Examination* each : written) saved_.insert_or_assign(each->package().id, *each);
 }
 
 void Worksheets::clear() {

@@ -42,8 +42,8 @@ class Worksheets final : public QObject {
   [[nodiscard]] const measurement::Examination* unsaved() const;
   /// Those with something in them.
   [[nodiscard]] std::vector<const measurement::Examination*> filled() const;
-  /// The current one was written.
-  void setSaved();
+  /// These were written, as they were then: what was entered since is not saved.
+  void setSaved(const std::vector<const measurement::Examination*>& written);
   /// All worksheets begin anew.
   void clear();
 

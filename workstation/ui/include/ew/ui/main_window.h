@@ -58,6 +58,7 @@ class View3D;
 struct MadeVolume;
 struct SavedPart;
 
+enum class Loss;
 enum class TourPlace;
 enum class TrackerCourse;
 enum class Workspace { explore, author };
@@ -213,7 +214,8 @@ class MainWindow final : public QMainWindow {
   void takePresetOfCase();
   void savePreset();
   void importPreset();
-  void takeMade(const MadeVolume& made);  ///< shows what was just made, or lets it wait
+  void takeMade(const MadeVolume& made);          ///< shows what was just made, or lets it wait
+  void takeImported(const MadeVolume& imported);  ///< likewise of what lies in a file of another kind
   void showMade(const MadeVolume& made);
   void showWaitingVolume();
   [[nodiscard]] const MadeVolume* shownMadeVolume() const;    ///< null: what is shown was not made here, or is saved
@@ -264,8 +266,12 @@ class MainWindow final : public QMainWindow {
   void fillStartPage();  ///< with the cases as they are now
   /// Asks about everything that is lost when something else is shown. @param next what that is. @return whether to go on
   [[nodiscard]] bool mayReplaceShown(const QString& next);
+  /// The same where the case stays open and another volume is scanned.
+  [[nodiscard]] bool mayReplaceScan(const QString& next);
+  void holdUnsavedWork();           ///< the list of what can be lost, which every way to lose something asks
+  [[nodiscard]] bool isSavedNow();  ///< waits for what is being saved
   [[nodiscard]] bool mayLeaveCase(const QString& next);
-  [[nodiscard]] bool mayLeaveShownVolume(const QString& next);
+  [[nodiscard]] bool mayLeaveVolumes(Loss loss, const QString& next);
   [[nodiscard]] bool mayLeaveVolume(const MadeVolume& made, const QString& next);
   void forgetShownVolume();  ///< the user agreed to lose it
   void toggleRecording();
@@ -284,8 +290,10 @@ class MainWindow final : public QMainWindow {
   /// Plays what was opened, once what was scanned is shown.
   void takeRecording(const QString& path, std::shared_ptr<const ScanRecording> recording);
   [[nodiscard]] bool mayLeaveRecording(const QString& next);
+  [[nodiscard]] bool isRecordingUnsaved() const;
   [[nodiscard]] bool mayLeaveWorksheet(const QString& next);
   [[nodiscard]] bool mayLeaveStored(const QString& next);
+  [[nodiscard]] bool mayLeaveMeasurements(const QString& next);
   void addStoringMenu(QMenu& file);
   [[nodiscard]] DicomStudy studyNow() const;  ///< of the patient who is scanned
   void storePicture();
@@ -294,9 +302,10 @@ class MainWindow final : public QMainWindow {
   void sendExamination();
   void showWorksheet();
   void showCombine();
-  void saveMeasurements();
+  bool saveMeasurements();
   bool saveWorksheet();
-  [[nodiscard]] bool mayLeavePlugins();
+  [[nodiscard]] bool mayLeavePanels();
+  [[nodiscard]] bool mayLeavePlugins(Loss loss, const QString& next);
   [[nodiscard]] bool mayClose();
   void loadWordsOf(const door::PluginStatus& plugin);
   [[nodiscard]] bool addWorkspace(const sdk::Workspace& workspace);
