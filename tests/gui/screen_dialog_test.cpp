@@ -300,6 +300,25 @@ class ScreenDialogTest : public testing::WindowFixture {
     QVERIFY2(!window_->messages().isError(), qPrintable(window_->messages().text()));
   }
 
+  void whatWasCorrectedIsAskedAboutBeforeItGoes() {
+    window_->open(write(madeFan().frames));
+    QVERIFY(waitUntil([&] { return isReady(); }));
+    QVERIFY(!dialog()->isUnsaved());
+    in<QDoubleSpinBox>("screenDepth")->setValue(80.0);
+    QVERIFY(dialog()->isUnsaved());
+    {
+      Answers stay({{QStringLiteral("unsavedScreenQuestion"), testing::press(QMessageBox::Cancel)}});
+      in<QPushButton>("screenClose")->click();
+      QCOMPARE(stay.asked, QStringList{QStringLiteral("unsavedScreenQuestion")});
+      QVERIFY(dialog()->isVisible());
+      QVERIFY(!window_->close());
+    }
+    Answers discard({{QStringLiteral("unsavedScreenQuestion"), testing::press(QMessageBox::Discard)}});
+    in<QPushButton>("screenClose")->click();
+    QCOMPARE(discard.asked, QStringList{QStringLiteral("unsavedScreenQuestion")});
+    QVERIFY(waitUntil([&] { return dialog() == nullptr || !dialog()->isVisible(); }));
+  }
+
   void theDialogFitsASmallScreen() {
     window_->open(write(test::madeScreen(5, 12).frames));
     QVERIFY(waitUntil([&] { return isReady(); }));
