@@ -7,7 +7,6 @@
 
 #include <QCoreApplication>
 #include <cstdlib>
-#include <deque>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -179,14 +178,14 @@ class Program {
                   [this] { return !comments_.isSaved(); },
                   [this, answer](Loss, const std::string&) {
                     const int said = answer();
-                    if (said == 0) keepReview();
+                    if (said == 0) keepComments();
                     return said != 2;
                   }});
     unsaved_.add({"rating",
                   {Loss::closing},
                   [this] { return rating_ != model_.at["drafts"][attempt_].get<std::string>(); },
                   [this](Loss, const std::string&) {
-                    keepReview();  // a draft is kept without a question
+                    keepDraft();  // without a question
                     return true;
                   }});
     unsaved_.add(
@@ -266,17 +265,26 @@ class Program {
   }
 
   // --- comments and rating
+  [[nodiscard]] std::string draftOf(const std::string& attempt) const {
+    for (const auto& each : everyRating(folderOf(attempt)).ratings)
+      if (!each.rating.finished && each.rating.rater == kReviewer) return each.rating.remark;
+    return {};
+  }
   void review(const std::string& attempt) {
     attempt_ = attempt;
     comments_ = sure(CommentHistory::open(folderOf(attempt), kReviewer));
-    rating_.clear();
-    for (const auto& each : everyRating(folderOf(attempt)).ratings)
-      if (!each.rating.finished && each.rating.rater == kReviewer) rating_ = each.rating.remark;
+    rating_ = draftOf(attempt);
   }
   /// As before anything else is reviewed.
   void keepReview() {
+    keepComments();
+    keepDraft();
+  }
+  void keepComments() {
     sure(comments_.save());
     model_.at["comments"][attempt_] = textsNow();
+  }
+  void keepDraft() {
     if (rating_ == model_.at["drafts"][attempt_].get<std::string>()) return;
     Rating draft = test::ratingOf(form_, kReviewer, {}, false);
     draft.remark = rating_;
@@ -286,6 +294,7 @@ class Program {
   void reviewOther() {
     keepReview();
     review(attempt_ == "one" ? "two" : "one");
+    expect(rating_ == model_.at["drafts"][attempt_].get<std::string>(), "the draft of " + attempt_ + " is " + rating_);
   }
   void comment() {
     ReviewComment said;
@@ -323,6 +332,14 @@ class Program {
     });
   }
   void remember(const std::weak_ptr<KeepingAside>& painter, const std::string& of, int number) {
+    // What is kept next is later, by the clock of the file system too, which tells the latest of what was left.
+    const fs::path clock = home_ / "clock";
+    const auto touched = [&clock] {
+      test::writeText(clock, "x");
+      return fs::last_write_time(clock);
+    };
+    for (const auto now = touched(); touched() == now;) {
+    }
     for (auto& [each, kept] : asides_)
       if (!each.owner_before(painter) && !painter.owner_before(each)) {
         kept = {of, number};
@@ -415,6 +432,7 @@ class Program {
     for (const char* attempt : {"one", "two"}) {
       const auto read = sure(readComments(folderOf(attempt), kReviewer));
       expect(textsOf(read.comments) == model_.at["comments"][attempt], when + ": comments kept are " + textsOf(read.comments).dump());
+      expect(draftOf(attempt) == model_.at["drafts"][attempt].get<std::string>(), when + ": the draft kept is " + draftOf(attempt));
     }
     expect(holds("comments") == (textsNow() != model_.at["comments"][attempt_]), when + ": comments that are not saved are not held");
     expect(holds("case") == (clean_ != now_), when + ": an edited case is not held");
