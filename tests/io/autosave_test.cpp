@@ -1,0 +1,170 @@
+// What is not saved yet outlives a kill, is offered to one asker alone, and leaves nothing behind when the program ends in order.
+#include "ew/io/autosave.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "ew/io/safe_file.h"
+#include "library/temporary_folder.h"
+
+namespace ew::autosave_test {
+namespace {
+
+namespace fs = std::filesystem;
+using test::TemporaryFolder;
+
+/// Does `work` with a keeper in a program of its own, which is then killed as `kill -9` kills.
+void doAndBeKilled(const fs::path& root, const std::function<void(Autosave&)>& work) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    Autosave kept(root);
+    work(kept);
+    kept.flush();
+    ::kill(::getpid(), SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
+}
+
+std::size_t foldersIn(const fs::path& root) {
+  std::error_code ignored;
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(root, ignored), fs::directory_iterator()));
+}
+
+mode_t modeOf(const fs::path& file) {
+  struct stat found {};
+  return ::stat(file.c_str(), &found) == 0 ? found.st_mode & 0777 : 0;
+}
+
+TEST(Autosave, WhatWasKeptOutlivesAKill) {
+  const TemporaryFolder folder;
+  doAndBeKilled(folder / "kept", [](Autosave& kept) {
+    kept.describe({{"title", "One"}});
+    kept.append("scan.jsonl", "first\n");
+    kept.append("scan.jsonl", "second\n");
+    kept.replace("sheet.json", "old");
+    kept.replace("sheet.json", "new");
+    kept.replace("gone.json", "decided");
+    kept.remove("gone.json");
+  });
+  const Autosave here(folder / "kept");
+  const auto left = here.takeLeft();
+  ASSERT_EQ(left.size(), 1U);
+  EXPECT_EQ(left[0].about().at("title"), "One");
+  EXPECT_EQ(readTextFile(left[0].fileOf("scan.jsonl")).value_or(""), "first\nsecond\n");
+  EXPECT_EQ(readTextFile(left[0].fileOf("sheet.json")).value_or(""), "new");
+  EXPECT_FALSE(left[0].has("gone.json"));
+}
+
+TEST(Autosave, IsForItsOwnerAlone) {
+  const TemporaryFolder folder;
+  Autosave kept(folder / "kept");
+  kept.describe({{"title", "One"}});
+  kept.append("scan.jsonl", "first\n");
+  kept.replace("sheet.json", "values");
+  kept.replaceFile("volume.mha", 3, [](const fs::path& file) { return writeFileSafely(file, "abc"); });
+  kept.flush();
+  ASSERT_EQ(foldersIn(folder / "kept"), 1U);
+  const fs::path own = fs::directory_iterator(folder / "kept")->path();
+  EXPECT_EQ(modeOf(own), 0700U);
+  for (const char* item : {"about.json", "scan.jsonl", "sheet.json", "volume.mha"}) EXPECT_EQ(modeOf(own / item), 0600U) << item;
+}
+
+TEST(Autosave, AProgramThatLivesIsNotOfferedAndOneThatEndsInOrderLeavesNothing) {
+  const TemporaryFolder folder;
+  {
+    Autosave kept(folder / "kept");
+    kept.describe({{"title", "One"}});
+    kept.append("scan.jsonl", "first\n");
+    kept.flush();
+    const Autosave other(folder / "kept");
+    EXPECT_TRUE(other.takeLeft().empty());
+    kept.forget();
+    kept.flush();
+    EXPECT_EQ(foldersIn(folder / "kept"), 0U);
+    kept.describe({{"title", "Two"}});
+    kept.append("scan.jsonl", "again\n");
+  }
+  EXPECT_EQ(foldersIn(folder / "kept"), 0U);
+}
+
+TEST(Autosave, IsOfferedToOneAskerAndAgainWhenNobodyDecided) {
+  const TemporaryFolder folder;
+  doAndBeKilled(folder / "kept", [](Autosave& kept) {
+    kept.describe({{"kind", "window"}});
+    kept.append("scan.jsonl", "first\n");
+  });
+  doAndBeKilled(folder / "kept", [](Autosave& kept) {
+    kept.describe({{"kind", "lesson"}});
+    kept.append("step.jsonl", "first\n");
+  });
+  const Autosave first(folder / "kept"), second(folder / "kept");
+  const auto isOfWindow = [](const nlohmann::json& about) { return about.at("kind") == "window"; };
+  {
+    const auto left = first.takeLeft(isOfWindow);
+    ASSERT_EQ(left.size(), 1U);
+    EXPECT_TRUE(second.takeLeft(isOfWindow).empty()) << "somebody is asked about it already";
+    EXPECT_EQ(second.takeLeft().size(), 1U) << "what is not wanted stays for others";
+  }
+  auto again = second.takeLeft(isOfWindow);
+  ASSERT_EQ(again.size(), 1U) << "nobody decided";
+  again[0].discard();
+  EXPECT_TRUE(first.takeLeft(isOfWindow).empty());
+  EXPECT_EQ(foldersIn(folder / "kept"), 1U);
+}
+
+TEST(Autosave, HasABoundAndSaysSoOnce) {
+  const TemporaryFolder folder;
+  std::vector<std::string> said;
+  {
+    Autosave kept(folder / "kept", [&](const Error& problem) { said.push_back(problem.sentence()); },
+                  {.most_bytes = 10, .least_free_bytes = 0});
+    kept.describe({{"title", "One"}});
+    kept.append("scan.jsonl", "12345678");
+    kept.append("scan.jsonl", "too much");
+    kept.append("scan.jsonl", "again too much");
+    kept.flush();
+    EXPECT_EQ(said.size(), 1U);
+    EXPECT_EQ(readTextFile(fs::directory_iterator(folder / "kept")->path() / "scan.jsonl").value_or(""), "12345678");
+    kept.append("scan.jsonl", "9");
+    kept.append("scan.jsonl", "too much");
+    kept.flush();
+  }
+  EXPECT_EQ(said.size(), 2U);
+}
+
+TEST(Autosave, AFolderThatCannotBeMadeIsAProblemAndNoCrash) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(writeFileSafely(folder / "file", "in the way"));
+  std::vector<std::string> said;
+  {
+    Autosave kept(folder / "file" / "kept", [&](const Error& problem) { said.push_back(problem.sentence()); });
+    kept.describe({{"title", "One"}});
+    kept.append("scan.jsonl", "first\n");
+    kept.replace("sheet.json", []() -> Result<std::string> { throw std::runtime_error("odd"); });
+    kept.flush();
+    EXPECT_TRUE(kept.takeLeft().empty());
+  }
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_NE(said[0].find("a crash would lose it"), std::string::npos) << said[0];
+}
+
+TEST(Autosave, DamageIsNotOffered) {
+  const TemporaryFolder folder;
+  doAndBeKilled(folder / "kept", [](Autosave& kept) { kept.append("scan.jsonl", "without a description\n"); });
+  doAndBeKilled(folder / "kept", [](Autosave& kept) { kept.describe({{"title", "One"}}); });
+  for (const auto& each : fs::directory_iterator(folder / "kept"))
+    if (fs::exists(each.path() / "about.json")) {
+      ASSERT_TRUE(writeFileSafely(each.path() / "about.json", "[[[[ no json"));
+    }
+  const Autosave here(folder / "kept");
+  EXPECT_TRUE(here.takeLeft().empty());
+}
+
+}  // namespace
+}  // namespace ew::autosave_test

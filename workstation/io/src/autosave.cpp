@@ -1,0 +1,383 @@
+#include "ew/io/autosave.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <system_error>
+#include <thread>
+
+#include "ew/core/contract.h"
+#include "ew/core/json_fields.h"
+#include "ew/io/private_file.h"
+#include "ew/io/safe_file.h"
+
+namespace ew {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* kAboutItem = "about.json";
+constexpr const char* kLockItem = "lock";
+constexpr std::size_t kLongestAbout_bytes = 1u << 20;
+constexpr auto kSyncEvery = std::chrono::seconds(2);  // a kill loses nothing of what is written; a power cut no more than this
+
+int openLockOf(const fs::path& folder, int flags) { return ::open((folder / kLockItem).c_str(), O_RDWR | O_CLOEXEC | flags, 0600); }
+
+/// The lock of a folder whose program is gone; -1: it lives, or somebody else has taken the folder.
+int lockOfAbandoned(const fs::path& folder) {
+  const int lock = openLockOf(folder, 0);
+  if (lock < 0) return -1;
+  while (::flock(lock, LOCK_EX | LOCK_NB) != 0) {
+    if (errno == EINTR) continue;
+    ::close(lock);
+    return -1;
+  }
+  std::error_code ignored;
+  if (fs::exists(folder / kLockItem, ignored)) return lock;
+  ::close(lock);  // decided about between the two calls
+  return -1;
+}
+
+bool isPlainName(const std::string& item) {
+  return !item.empty() && item.front() != '.' && item != kLockItem && item.find('/') == std::string::npos;
+}
+
+std::optional<json> aboutOf(const fs::path& folder) {
+  const auto text = readTextFile(folder / kAboutItem, kLongestAbout_bytes);
+  if (!text) return std::nullopt;
+  auto about = parseJsonObject(*text, verbatim(kAboutItem));
+  return about ? std::optional(std::move(*about)) : std::nullopt;
+}
+
+/// When a file of the folder was written last.
+std::chrono::system_clock::time_point latestIn(const fs::path& folder) {
+  std::error_code failed;
+  fs::file_time_type latest = fs::file_time_type::min();
+  for (fs::directory_iterator at(folder, failed); !failed && at != fs::directory_iterator(); at.increment(failed)) {
+    std::error_code gone;
+    const auto written = at->last_write_time(gone);
+    if (!gone) latest = std::max(latest, written);
+  }
+  const auto now = std::chrono::system_clock::now();
+  if (latest == fs::file_time_type::min()) return now;
+  return now - std::chrono::duration_cast<std::chrono::system_clock::duration>(fs::file_time_type::clock::now() - latest);
+}
+
+}  // namespace
+
+Autosave::Left::Left(Left&& other) noexcept
+    : folder_(std::move(other.folder_)), lock_(std::exchange(other.lock_, -1)), about_(std::move(other.about_)), at_(other.at_) {}
+
+Autosave::Left& Autosave::Left::operator=(Left&& other) noexcept {
+  std::swap(folder_, other.folder_);
+  std::swap(lock_, other.lock_);
+  std::swap(about_, other.about_);
+  std::swap(at_, other.at_);
+  return *this;
+}
+
+Autosave::Left::~Left() { release(); }
+
+void Autosave::Left::release() {
+  if (lock_ >= 0) ::close(std::exchange(lock_, -1));
+}
+
+bool Autosave::Left::has(const std::string& item) const {
+  std::error_code ignored;
+  return fs::is_regular_file(folder_ / item, ignored);
+}
+
+void Autosave::Left::discard() {
+  if (lock_ < 0) return;
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+  ::close(std::exchange(lock_, -1));
+}
+
+/// The thread that writes, with what waits for it. Everything but the queue is the thread's own.
+class Autosave::Writer {
+ public:
+  Writer(fs::path root, std::function<void(const Error&)> onProblem, Limits limits)
+      : root_(std::move(root)), onProblem_(std::move(onProblem)), limits_(limits) {}
+
+  ~Writer() {
+    {
+      const std::lock_guard lock(mutex_);
+      tasks_.clear();  // it would be forgotten all the same
+      ends_ = true;
+    }
+    changed_.notify_all();
+    if (thread_.joinable()) thread_.join();
+    forget();
+  }
+
+  void add(std::function<void()> task) {
+    {
+      const std::lock_guard lock(mutex_);
+      tasks_.push_back(std::move(task));
+      if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
+    }
+    changed_.notify_all();
+  }
+
+  void flush() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return tasks_.empty() && !isAtWork_; });
+  }
+
+  /// Of an item that is replaced again before its turn came, the last one alone is written.
+  std::uint64_t announce(const std::string& item) {
+    const std::lock_guard lock(mutex_);
+    return latest_[item] = ++announced_;
+  }
+
+  void describe(const json& about) {
+    if (auto made = makeFolder(); !made) return tell(made);
+    tell(writePrivateFile(folder_ / kAboutItem, about.dump(-1, ' ', false, json::error_handler_t::replace)));
+  }
+
+  void replace(const std::string& item, std::uint64_t number, const std::function<Result<std::string>()>& make) {
+    if (!isLatest(item, number)) return;
+    if (auto made = makeFolder(); !made) return tell(made);
+    const auto bytes = attempt<Result<std::string>>(make);
+    if (!bytes) return tell(passOn(bytes.error()));
+    if (auto room = roomFor(bytes->size(), item); !room) return tell(room);
+    const auto written = writePrivateFile(folder_ / item, *bytes);
+    if (written) sizes_[item] = bytes->size();
+    tell(written);
+  }
+
+  void replaceFile(const std::string& item, std::uint64_t number, std::uint64_t bytes,
+                   const std::function<Result<void>(const fs::path&)>& write) {
+    if (!isLatest(item, number)) return;
+    if (auto made = makeFolder(); !made) return tell(made);
+    if (auto room = roomFor(bytes, item); !room) return tell(room);
+    const fs::path aside = folder_ / (".new-" + item);  // keeps the ending, by which writers choose a form
+    std::error_code failed;
+    if (const auto written = attempt<Result<void>>([&] { return write(aside); }); !written) {
+      fs::remove(aside, failed);
+      return tell(written);
+    }
+    fs::permissions(aside, fs::perms::owner_read | fs::perms::owner_write, failed);
+    fs::rename(aside, folder_ / item, failed);
+    if (failed) return tell(refuse(failed.message()));
+    const auto size = fs::file_size(folder_ / item, failed);
+    sizes_[item] = failed ? bytes : size;
+    tell({});
+  }
+
+  void append(const std::string& item, std::string_view bytes) {
+    if (auto made = makeFolder(); !made) return tell(made);
+    if (auto room = roomFor(sizes_[item] + bytes.size(), item); !room) return tell(room);
+    const int file = ::open((folder_ / item).c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0600);
+    if (file < 0) return tell(refuse(std::generic_category().message(errno)));
+    Result<void> outcome;
+    while (!bytes.empty() && outcome) {
+      const ssize_t written = ::write(file, bytes.data(), bytes.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written <= 0) {
+        outcome = refuse(std::generic_category().message(written < 0 ? errno : ENOSPC));
+        break;
+      }
+      sizes_[item] += static_cast<std::uint64_t>(written);
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    if (const auto now = Clock::now(); now - syncedAt_ > kSyncEvery) {
+      ::fdatasync(file);
+      syncedAt_ = now;
+    }
+    ::close(file);
+    tell(outcome);
+  }
+
+  void remove(const std::string& item) {
+    std::error_code ignored;
+    if (lock_ >= 0) fs::remove(folder_ / item, ignored);
+    sizes_.erase(item);
+  }
+
+  void forget() {
+    if (lock_ < 0) return;
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+    ::close(std::exchange(lock_, -1));
+    folder_.clear();
+    sizes_.clear();
+  }
+
+ private:
+  void run() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+      changed_.wait(lock, [this] { return ends_ || !tasks_.empty(); });
+      if (tasks_.empty()) return;
+      const std::function<void()> task = std::move(tasks_.front());
+      tasks_.pop_front();
+      isAtWork_ = true;
+      lock.unlock();
+      task();
+      lock.lock();
+      isAtWork_ = false;
+      changed_.notify_all();
+    }
+  }
+
+  bool isLatest(const std::string& item, std::uint64_t number) {
+    const std::lock_guard lock(mutex_);
+    return latest_[item] == number;
+  }
+
+  /// None of what a caller's function throws crosses the thread.
+  template <class Outcome>
+  Outcome attempt(const std::function<Outcome()>& work) const {
+    try {
+      return work();
+    } catch (const std::exception& thrown) {
+      return refuse(thrown.what());
+    }
+  }
+
+  [[nodiscard]] tl::unexpected<Error> refuse(const std::string& reason) const {
+    return failure(ErrorCode::notWritable,
+                   say<"Unsaved work cannot be kept in '%1' (%2), so a crash would lose it; save it yourself.">(root_.string(), reason),
+                   {{"folder", root_.string()}});
+  }
+
+  [[nodiscard]] Result<void> makeFolder() {
+    if (lock_ >= 0) return {};
+    if (auto made = makePrivateFolder(root_); !made) return refuse(made.error().message.english());
+    std::string name = (root_ / "XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) return refuse(std::generic_category().message(errno));
+    folder_ = name;
+    lock_ = openLockOf(folder_, O_CREAT);
+    if (lock_ < 0) {
+      const std::string reason = std::generic_category().message(errno);
+      std::error_code ignored;
+      fs::remove_all(folder_, ignored);
+      return refuse(reason);
+    }
+    // Without locks (some network file systems) another program may offer what this one still keeps; nothing is lost by it.
+    static_cast<void>(::flock(lock_, LOCK_EX));
+    return {};
+  }
+
+  /// Whether an item may have so many bytes.
+  [[nodiscard]] Result<void> roomFor(std::uint64_t bytes, const std::string& item) const {
+    std::uint64_t all = bytes, before = 0;
+    for (const auto& [name, size] : sizes_) (name == item ? before : all) += size;
+    std::error_code failed;
+    const auto space = fs::space(folder_, failed);
+    const std::uint64_t more = bytes > before ? bytes - before : 0;
+    if (all <= limits_.most_bytes && (failed || space.available >= more + limits_.least_free_bytes)) return {};
+    return failure(
+        ErrorCode::tooLarge,
+        say<"There is too little room in '%1' to keep what is not saved yet (%2 MiB), so a crash would lose it; save it yourself.">(
+            root_.string(), std::max<std::uint64_t>(1, bytes >> 20)),
+        {{"folder", root_.string()}});
+  }
+
+  void tell(const Result<void>& outcome) {
+    if (outcome) {
+      isTold_ = false;
+    } else if (!std::exchange(isTold_, true) && onProblem_) {
+      onProblem_(outcome.error());
+    }
+  }
+
+  fs::path root_;
+  std::function<void(const Error&)> onProblem_;
+  Limits limits_;
+  fs::path folder_;
+  int lock_ = -1;
+  std::map<std::string, std::uint64_t> sizes_;
+  Clock::time_point syncedAt_{};
+  bool isTold_ = false;
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<std::function<void()>> tasks_;
+  std::map<std::string, std::uint64_t> latest_;
+  std::uint64_t announced_ = 0;
+  bool isAtWork_ = false;
+  bool ends_ = false;
+  std::thread thread_;
+};
+
+Autosave::Autosave(fs::path root, std::function<void(const Error&)> onProblem, Limits limits)
+    : root_(std::move(root)), writer_(std::make_unique<Writer>(root_, std::move(onProblem), limits)) {}
+
+Autosave::Autosave(fs::path root, std::function<void(const Error&)> onProblem)
+    : Autosave(std::move(root), std::move(onProblem), Limits{}) {}
+
+Autosave::~Autosave() = default;
+
+void Autosave::describe(json about) {
+  writer_->add([this, about = std::move(about)] { writer_->describe(about); });
+}
+
+void Autosave::replace(const std::string& item, std::function<Result<std::string>()> make) {
+  EW_EXPECTS(isPlainName(item));
+  writer_->add([this, item, number = writer_->announce(item), make = std::move(make)] { writer_->replace(item, number, make); });
+}
+
+void Autosave::replace(const std::string& item, std::string bytes) {
+  replace(item, [bytes = std::move(bytes)]() -> Result<std::string> { return bytes; });
+}
+
+void Autosave::replaceFile(const std::string& item, std::uint64_t bytes, std::function<Result<void>(const fs::path&)> write) {
+  EW_EXPECTS(isPlainName(item));
+  writer_->add([this, item, number = writer_->announce(item), bytes, write = std::move(write)] {
+    writer_->replaceFile(item, number, bytes, write);
+  });
+}
+
+void Autosave::append(const std::string& item, std::string bytes) {
+  EW_EXPECTS(isPlainName(item));
+  writer_->add([this, item, bytes = std::move(bytes)] { writer_->append(item, bytes); });
+}
+
+void Autosave::remove(const std::string& item) {
+  writer_->announce(item);
+  writer_->add([this, item] { writer_->remove(item); });
+}
+
+void Autosave::forget() {
+  writer_->add([this] { writer_->forget(); });
+}
+
+void Autosave::then(std::function<void()> done) { writer_->add(std::move(done)); }
+
+void Autosave::flush() { writer_->flush(); }
+
+std::vector<Autosave::Left> Autosave::takeLeft() const {
+  return takeLeft([](const json&) { return true; });
+}
+
+std::vector<Autosave::Left> Autosave::takeLeft(const std::function<bool(const json& about)>& isWanted) const {
+  std::vector<Left> found;
+  std::error_code failed;
+  for (fs::directory_iterator at(root_, failed); !failed && at != fs::directory_iterator(); at.increment(failed)) {
+    std::error_code ignored;
+    if (!fs::is_directory(at->symlink_status(ignored))) continue;
+    const int lock = lockOfAbandoned(at->path());
+    if (lock < 0) continue;
+    auto about = aboutOf(at->path());
+    Left left(at->path(), lock, about ? std::move(*about) : json(), latestIn(at->path()));
+    if (left.about_.is_object() && isWanted(left.about_)) found.push_back(std::move(left));
+  }
+  std::sort(found.begin(), found.end(), [](const Left& a, const Left& b) { return a.at_ > b.at_; });
+  return found;
+}
+
+}  // namespace ew
