@@ -4,10 +4,10 @@
 #include <optional>
 #include <utility>
 
+#include "event_json.h"
 #include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
 #include "ew/core/version.h"
-#include "ew/imaging/settings_json.h"
 #include "ew/io/sequence.h"
 
 namespace ew {
@@ -65,60 +65,9 @@ std::string joinedText(const Fields& fields, const char* key) {
   return text;
 }
 
-json jsonOf(const ScanEvent& event) {
-  json object = {{"time_s", event.time_s}};
-  if (const auto* chosen = std::get_if<ProbeChosen>(&event.what)) {
-    object["probe"] = toJson(chosen->probe);
-    object["probe_id"] = chosen->probe.id;
-  } else if (const auto* settings = std::get_if<SettingsChanged>(&event.what)) {
-    object["settings"] = toJson(settings->knobs);
-    if (!(settings->pan == Pan{})) object["pan_mm"] = {settings->pan.lateral_mm, settings->pan.axial_mm};
-  } else if (const auto* scene = std::get_if<SceneChanged>(&event.what)) {
-    object["scene"] = toJson(scene->scene);
-  } else if (const auto* freeze = std::get_if<FreezeChanged>(&event.what)) {
-    object["frozen"] = freeze->isFrozen;
-  } else if (const auto* note = std::get_if<Note>(&event.what)) {
-    object["note"] = note->kind;
-    object["what"] = note->what;
-  }
-  return object;
-}
-
 tl::unexpected<Error> badEvent(const fs::path& file, const Message& where, const Message& expected) {
   return failure(ErrorCode::badField, say<"The recording '%1' has something else in %2 than %3.">(file.string(), where, expected),
                  {{"file", file.string()}, {"field", where.english()}, {"expected", expected.english()}});
-}
-
-/// @param where of the file, as sentences name it: say<"frame %1 of %2">(3, "scan.mha")
-Result<ScanEvent> eventOf(const json& object, const Message& where) {
-  constexpr double kLongest_s = 1e9, kFarthestPan_mm = 1e6;
-  JsonReading reading(where);
-  const JsonFields fields(object, reading);
-  ScanEvent event{fields.number("time_s", -kLongest_s, kLongest_s), Note{}};
-  if (!reading.good()) return passOn(*reading.problem());
-  if (fields.has("probe")) {
-    auto probe = probeFromJson(*fields.find("probe"), fields.text("probe_id", "", 0), where);
-    if (!probe) return passOn(probe.error());
-    event.what = ProbeChosen{std::move(*probe)};
-  } else if (fields.has("settings")) {
-    auto knobs = knobsFromJson(*fields.find("settings"), where);
-    if (!knobs) return passOn(knobs.error());
-    SettingsChanged settings{*knobs, {}};
-    if (const auto pan = fields.numbers("pan_mm", 2, 2, -kFarthestPan_mm, kFarthestPan_mm, false); !pan.empty())
-      settings.pan = {pan[0], pan[1]};
-    event.what = std::move(settings);
-  } else if (fields.has("scene")) {
-    auto scene = sceneFromJson(*fields.find("scene"), where);
-    if (!scene) return passOn(scene.error());
-    event.what = SceneChanged{std::move(*scene)};
-  } else if (fields.has("frozen")) {
-    event.what = FreezeChanged{fields.flag("frozen")};
-  } else {
-    if (!fields.has("note")) fields.refuseWhole(shown(object), say<"an event that this program knows">());
-    event.what = Note{fields.text("note", "", 0), fields.has("what") ? *fields.find("what") : json()};
-  }
-  if (reading.problem()) return passOn(*reading.problem());
-  return event;
 }
 
 Result<void> takeEvents(const SequenceFrame& frame, std::size_t n, const fs::path& file, ScanLog& log) {
