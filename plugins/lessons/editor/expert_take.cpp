@@ -1,12 +1,14 @@
 #include "editor/expert_take.h"
 
+#include "ew/scanning/recording_journal.h"
 #include "ew/sdk/case_parts.h"
 #include "ew/sdk/scan.h"
 #include "ew/sdk/window.h"
+#include "logic/step_autosave.h"
 
 namespace ew::lessons {
 
-ExpertTake::ExpertTake(sdk::Host& host, QObject* parent) : QObject(parent), host_(host) {
+ExpertTake::ExpertTake(sdk::Host& host, QObject* parent) : QObject(parent), host_(host), kept_(autosaveFolder()) {
   timer_.setInterval(200);
   connect(&timer_, &QTimer::timeout, this, &ExpertTake::tick);
   tickets_ = {
@@ -33,6 +35,8 @@ Result<void> ExpertTake::start(const std::string& lessonId, const std::string& s
   if (!image) return failure(ErrorCode::badUsage, say<"Nothing is scanned; wait until the volume of the case is shown.">());
   if (auto live = host_.scan().setFrozen(false); !live) return live;
   folder_ = host_.cases().currentFolder();
+  title_ = title;
+  forgetKept();
   lessonId_ = lessonId;
   stepId_ = stepId;
   const double now_s = host_.scan().now_s();
@@ -77,14 +81,34 @@ Result<ScanRecording> ExpertTake::stop(std::vector<double>& marks_s) {
     recorder_.see({host_.scan().now_s(), FrameMade{image->pose, image->gaps_mm, image->number, image->body}}, image,
                   {picture.width(), picture.height()});
   }
+  keep();
   auto made = recorder_.stop();
   marks_s = recorder_.marks_s();
   Q_EMIT changed();
   return made;
 }
 
+void ExpertTake::forgetKept() {
+  events_ = 0;
+  kept_.forget();
+}
+
+/// What was recorded since it was kept last.
+void ExpertTake::keep() {
+  const ScanRecording& growing = recorder_.growing();
+  if (growing.log.frameCount() == 0 || growing.log.events().size() == events_) return;
+  if (events_ == 0) kept_.describe({{"kind", "expert_scan"}, {"path", folder_.string()}, {"title", title_}});
+  kept_.append("recording.jsonl", (events_ == 0 ? journalHead(growing) : std::string()) + journalLines(growing.log, events_));
+  events_ = growing.log.events().size();
+}
+
+void ExpertTake::setKept() {
+  if (!recorder_.isRecording()) forgetKept();
+}
+
 void ExpertTake::discard() {
   timer_.stop();
+  forgetKept();
   recorder_.discard();
   Q_EMIT changed();
 }
@@ -92,9 +116,11 @@ void ExpertTake::discard() {
 void ExpertTake::tick() {
   if (!recorder_.isPaused() && recorder_.isFull(host_.scan().now_s())) {
     pause();
+    keep();
     Q_EMIT full();
     return;
   }
+  keep();
   Q_EMIT changed();
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ew/io/autosave.h"
 #include "ew/sdk/host.h"
 #include "logic/expert_recorder.h"
 
@@ -35,6 +36,8 @@ class ExpertTake final : public QObject {
   /// Ends it. @param marks_s moments that were marked, on the recording's clock @error as ExpertRecorder::stop
   [[nodiscard]] Result<ScanRecording> stop(std::vector<double>& marks_s);
   void discard();
+  /// What was ended lies in the case now: a crash cannot take it any more.
+  void setKept();
 
  Q_SIGNALS:
   void changed();  ///< begun, paused, ended, or some time longer
@@ -42,9 +45,14 @@ class ExpertTake final : public QObject {
 
  private:
   void tick();
+  void keep();
+  void forgetKept();
 
   sdk::Host& host_;
   ExpertRecorder recorder_;
+  Autosave kept_;                 ///< what is recorded, against a crash
+  std::size_t events_ = 0;        ///< so many are kept
+  std::string title_;             ///< of what is scanned
   std::filesystem::path folder_;  ///< of the case it is for
   std::string lessonId_, stepId_;
   QTimer timer_;

@@ -140,6 +140,7 @@ void WatchForm::keep(ScanRecording made, const std::vector<double>& marks_s) {
               task = withMark(std::move(task), {mark_s, tr("Mark %1").arg(task.marks.size() + 1).toStdString()});
           });
         if (!form) return;
+        if (done) form->take_.setKept();
         form->say(named);
         form->showTask(false);
       });

@@ -32,6 +32,8 @@ class ExpertRecorder {
   /// Remembers the present moment, to be described afterwards.
   void mark(double now_s);
   [[nodiscard]] const std::vector<double>& marks_s() const { return marks_s_; }  ///< on the recording's clock
+  /// What is recorded so far.
+  [[nodiscard]] const ScanRecording& growing() const { return recording_; }
   [[nodiscard]] const std::string& caseId() const { return recording_.caseId; }
 
   /// Ends it. @error badUsage: nothing was seen

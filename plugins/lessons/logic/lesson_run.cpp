@@ -77,6 +77,28 @@ Result<void> LessonRun::startStep(std::unique_ptr<StepWork> work, double now_s) 
   return {};
 }
 
+void LessonRun::takeUp(const ScanLog& seen, double used_s, int hints, double now_s) {
+  EW_EXPECTS(isRunning());
+  const double later_s = now_s - seen.end_s();
+  std::size_t frame = 0;
+  log_ = {};
+  for (ScanEvent event : seen.events()) {
+    event.time_s += later_s;
+    if (std::holds_alternative<FrameMade>(event.what)) {
+      ScanState image = seen.frame(frame++);
+      image.time_s = event.time_s;
+      work_->see(image);
+    }
+    log_.add(std::move(event));
+  }
+  // Nobody scanned in between: whoever measures motion has to know.
+  note("pause", now_s);
+  note("resume", now_s);
+  usedBefore_s_ = std::max(0.0, used_s);
+  runningSince_s_ = now_s;
+  hints_ = std::clamp(hints, 0, static_cast<int>(step().hints.size()));
+}
+
 void LessonRun::pause(double now_s) {
   if (!isRunning() || isPaused()) return;
   usedBefore_s_ = used_s(now_s);

@@ -42,6 +42,11 @@ class LessonRun {
   [[nodiscard]] Result<void> startStep(const StepScene& scene, double now_s);
   /// Begins it with work that is judged in another way than the step's own. @error as KeptAttempt::beginStep
   [[nodiscard]] Result<void> startStep(std::unique_ptr<StepWork> work, double now_s);
+  /// What was seen of the step that runs before the program ended, as if it had been seen in one piece up to now.
+  /// @param seen on a clock of its own @param used_s of the step by then
+  void takeUp(const ScanLog& seen, double used_s, int hints, double now_s);
+  /// What was scanned in the step that runs.
+  [[nodiscard]] const ScanLog& log() const { return log_; }
   void pause(double now_s);
   void goOn(double now_s);
   /// Every image of the scan and what happens in it, while a step runs. Nothing is taken while it is paused.

@@ -5,6 +5,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include "ew/imaging/orientation_marker.h"
 #include "ew/library/learning.h"
 #include "ew/scanning/picture_file.h"
 #include "ew/sdk/case_parts.h"
@@ -22,6 +23,7 @@ namespace {
 
 enum PlayerPage { kWaiting, kStep, kOutcome };
 constexpr int kTick_ms = 250;
+constexpr double kKeepEvery_s = 1.0;  ///< so much of a step a crash may take
 
 std::filesystem::path partFolder(const std::filesystem::path& caseFolder) { return caseFolder / "parts" / std::string(kLessonsPart); }
 
@@ -74,10 +76,12 @@ LessonPlayer::~LessonPlayer() {
 
 std::optional<Case> LessonPlayer::openCase() const { return caseAtHand(host_); }
 
-void LessonPlayer::play(LessonRun run, const Case& home, CaseWords words) {
+void LessonPlayer::play(LessonRun run, const Case& home, CaseWords words, std::optional<StepAutosave::Left> left) {
   Q_EMIT problemGone();
   homeCase_ = home.id;
   homeFolder_ = home.folder;
+  homeTitle_ = titleForTrainees(home);
+  left_ = std::move(left);
   words_ = std::move(words);
   run_.emplace(std::move(run));
   truth_.reset();  // the case may have been edited since
@@ -151,6 +155,7 @@ void LessonPlayer::startStep(std::shared_ptr<const CaseTruth> truth) {
   const auto opened = openCase();
   StepScene scene{std::move(truth), *scanned, opened && opened->sealed};
   if (auto started = run_->startStep(scene, host_.scan().now_s()); !started) return fail(started.error());
+  takeUpLeft();
   Lesson one;
   one.steps = {step};
   step_->showStep(*run_, translated(one, words_).steps.front(), scene, std::move(recording), picture);
@@ -158,6 +163,24 @@ void LessonPlayer::startStep(std::shared_ptr<const CaseTruth> truth) {
   if (const auto state = host_.scan().state()) take({state->time_s, FrameMade{state->pose, state->gaps_mm, state->number, state->body}});
   pages_->setCurrentIndex(kStep);
   timer_.start();
+}
+
+/// What a crash has left of the step that has just started, if it is of this one; then it is kept here.
+void LessonPlayer::takeUpLeft() {
+  const double now_s = host_.scan().now_s();
+  const auto left = std::exchange(left_, std::nullopt);
+  if (left && left->stepId == run_->step().id && left->log.frameCount() > 0) {
+    run_->takeUp(left->log, left->used_s, left->hints, now_s);
+    // The machine and the probe stand as they stood: what is not there any more (another probe) stays as it is.
+    const ScanState last = left->log.frame(left->log.frameCount() - 1);
+    for (const Result<void>& done :
+         {host_.scan().chooseProbe(last.probe.id), host_.scan().apply(last.knobs), host_.scan().placeProbe(last.pose.probeToWorld)})
+      if (!done) host_.log().info(done.error().sentence());
+  }
+  kept_.begin(*run_, homeFolder_, homeTitle_);
+  kept_.grow(*run_, now_s);
+  keptAt_s_ = now_s;
+  if (left) kept_.discardOnceKept(left->kept);
 }
 
 void LessonPlayer::take(const ScanEvent& event) {
@@ -174,6 +197,10 @@ void LessonPlayer::tick() {
   }
   const double now_s = host_.scan().now_s();
   step_->refresh(now_s);
+  if (now_s - keptAt_s_ >= kKeepEvery_s) {
+    kept_.grow(*run_, now_s);
+    keptAt_s_ = now_s;
+  }
   if (const auto left_s = run_->left_s(now_s); left_s && *left_s <= 0.0) endStep();
 }
 
@@ -182,8 +209,17 @@ std::vector<std::string> LessonPlayer::keepPicture(const KeptAttempt& attempt) c
   const Picture picture = host_.scan().picture();
   if (!state || picture.isEmpty()) return {};
   const std::string name = attempt.nameForFile(run_->step().id, ".png");
-  if (const auto written = writePicture(picture, host_.scan().geometry().pixel_mm, attempt.folder() / name); !written)
-    return {};  // the outcome is worth keeping without
+  const DisplayGeometry geometry = host_.scan().geometry();
+  RgbImage colours;
+  GreyImage grey;
+  if (picture.hasColour())
+    burnMarker(viewOf(colours = composed(picture)), state->probe, geometry);
+  else
+    burnMarker(viewOf(grey = copyOf(picture.grey)), state->probe, geometry);
+  const auto file = attempt.folder() / name;
+  const auto written = picture.hasColour() ? writePicture(colours, geometry.pixel_mm, file)
+                                           : writePicture(Picture{viewOf(std::as_const(grey))}, geometry.pixel_mm, file);
+  if (!written) return {};  // the outcome is worth keeping without
   return {name};
 }
 
@@ -193,6 +229,7 @@ void LessonPlayer::endStep() {
       run_->endStep(step_->handed(), host_.scan().now_s(), [this](const KeptAttempt& attempt) { return keepPicture(attempt); });
   if (!outcome) return fail(outcome.error());
   timer_.stop();
+  kept_.endStep();
   step_->end();
   Lesson one;
   one.steps = {run_->step()};
@@ -206,6 +243,7 @@ void LessonPlayer::endStep() {
 void LessonPlayer::skipStep() {
   if (!run_ || !run_->isRunning()) return;
   if (const auto outcome = run_->skipStep(host_.scan().now_s()); !outcome) return fail(outcome.error());
+  kept_.endStep();
   step_->end();
   nextStep();
 }
@@ -216,6 +254,7 @@ void LessonPlayer::nextStep() {
   if (auto gone = run_->next(); !gone) return fail(gone.error());
   if (!run_->isOver()) return openStep();
   timer_.stop();
+  kept_.forget();
   outcome_->showLesson(*run_);
   pages_->setCurrentIndex(kOutcome);
 }
@@ -228,6 +267,8 @@ void LessonPlayer::leave() {
 
 void LessonPlayer::finish() {
   timer_.stop();
+  kept_.forget();
+  left_.reset();
   run_.reset();
   step_->end();
   Q_EMIT ended();

@@ -11,6 +11,7 @@
 #include "ew/library/case_words.h"
 #include "ew/sdk/host.h"
 #include "logic/lesson_run.h"
+#include "logic/step_autosave.h"
 
 class QLabel;
 class QStackedWidget;
@@ -30,7 +31,9 @@ class LessonPlayer final : public QWidget {
   ~LessonPlayer() override;
 
   /// Begins or goes on. @param home the case that holds the lesson, which is open
-  void play(LessonRun run, const Case& home, CaseWords words);
+  /// @param left what a crash has left of the step the run stands at, which goes on where it stood
+  void play(LessonRun run, const Case& home, CaseWords words, std::optional<StepAutosave::Left> left = std::nullopt);
+  [[nodiscard]] const StepAutosave& kept() const { return kept_; }
   [[nodiscard]] const LessonRun* run() const { return run_ ? &*run_ : nullptr; }
   /// Leaves the lesson at the step it is at; a step that runs begins anew when it is gone on with.
   void leave();
@@ -46,6 +49,7 @@ class LessonPlayer final : public QWidget {
   void openStep();  ///< makes ready what the step scans, and starts it
   void loadTruth(const Case& opened);
   void startStep(std::shared_ptr<const CaseTruth> truth);
+  void takeUpLeft();
   void endStep();
   void skipStep();
   void nextStep();
@@ -63,6 +67,10 @@ class LessonPlayer final : public QWidget {
   std::filesystem::path folder_;  ///< of the case that is open
   CaseWords words_;               ///< of the case that holds the lesson
   std::optional<LessonRun> run_;
+  StepAutosave kept_;                       ///< the step that runs, against a crash
+  std::optional<StepAutosave::Left> left_;  ///< of the step that is about to start
+  std::string homeTitle_;                   ///< of the case that holds the lesson, for trainees
+  double keptAt_s_ = 0.0;
   std::shared_ptr<const CaseTruth> truth_;  ///< of the open case
   int loads_ = 0;                           ///< truths asked for so far; an older one that arrives late is not taken
   std::vector<sdk::Ticket> tickets_;

@@ -155,19 +155,25 @@ void PlayerPanel::goOn(const std::string& lessonId) {
   const bool isChanged = kept->attempt().lessonContent != contentOf(*lesson);
   LessonRun run(*lesson, std::move(*kept));
   const bool isLost = !run.lostStep().empty();
-  take(std::move(run));
+  auto left = player_->kept().takeLeft(*standing.interrupted);
+  const bool isKept = left && left->stepId == run.lostStep() && left->log.frameCount() > 0;
+  take(std::move(run), std::move(left));
   if (isChanged)
     host_.window().info(tr("The lesson was changed since this attempt began; its steps are those of today.").toStdString(),
                         "lesson changed");
-  if (isLost)
+  if (isKept)
+    host_.window().info(
+        tr("The step goes on where it stood when the program ended; what was entered by hand has to be entered again.").toStdString(),
+        "step lost");
+  else if (isLost)
     host_.window().info(tr("The step that was running when the program ended was not kept; it begins anew.").toStdString(), "step lost");
 }
 
-void PlayerPanel::take(Result<LessonRun> run) {
+void PlayerPanel::take(Result<LessonRun> run, std::optional<StepAutosave::Left> left) {
   if (!run) return fail(run.error());
   if (working_) working_(true);
   pages_->setCurrentIndex(kPlayer);
-  player_->play(std::move(*run), *case_, words_);
+  player_->play(std::move(*run), *case_, words_, std::move(left));
 }
 
 void PlayerPanel::fail(const Error& problem) {

@@ -10,6 +10,7 @@
 #include "ew/library/case_words.h"
 #include "ew/sdk/host.h"
 #include "logic/lesson_run.h"
+#include "logic/step_autosave.h"
 
 class QLabel;
 class QStackedWidget;
@@ -36,7 +37,7 @@ class PlayerPanel final : public QWidget {
   void showLessons();
   void begin(const std::string& lessonId);
   void goOn(const std::string& lessonId);
-  void take(Result<LessonRun> run);
+  void take(Result<LessonRun> run, std::optional<StepAutosave::Left> left = std::nullopt);
   void beginExercises();
   void stop();
   void fail(const Error& problem);
