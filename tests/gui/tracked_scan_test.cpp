@@ -1,6 +1,7 @@
 // A probe in a tracker, scripted here: who has the probe, what is shown while it is lost, and how it goes on.
 #include <QComboBox>
 #include <QImage>
+#include <QSignalSpy>
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -330,6 +331,34 @@ class TrackedScanTest final : public WindowFixture {
     path_ = [this](double) { return glm::rotate(moved({0.0, -14.0, 0.0}), 0.52, glm::dvec3(0.0, 0.0, 1.0)); };
     QVERIFY(waitUntil([&] { return session().face() && session().face()->how == FaceOnSkin::partly; }));
     keepScreenshot(*window_, "tracked-slanted");
+  }
+
+  void aProbeAtRestIsSeenByOurOwnClientAndTheServerSaysWhoIsThere() {
+    showWindowWithCase(files_.writeCase(QStringLiteral("resting")));
+    session().setFrozen(false);
+    QVERIFY(waitUntil([this] { return window_->isSettled(); }));
+    ScanServer server(session());
+    const QSignalSpy said(&server, &ScanServer::clientsChanged);
+    IgtlServerOptions options;
+    options.port = 0;
+    const auto port = server.start(options);
+    QVERIFY(port.has_value());
+    const auto client = makeIgtlClient({"localhost", *port, true});
+    client->start();
+    std::vector<ToolReading> heard;
+    const auto hear = [&] {
+      for (ToolReading& each : client->take())
+        if (each.tool == options.poseName) heard.push_back(std::move(each));
+      return heard.size();
+    };
+    QVERIFY(waitUntil([&] { return hear() > 0; }));
+    QVERIFY(waitUntil([&] { return said.count() == 1; }));
+    const std::uint64_t pictures = session().framesMade();
+    QVERIFY(waitUntil([&] { return hear() >= 6; }));  // without a change of the picture there was one alone
+    QCOMPARE(session().framesMade(), pictures);
+    for (const ToolReading& each : heard) QCOMPARE(each.state, TrackingState::live);
+    client->stop();
+    QVERIFY(waitUntil([&] { return said.count() == 2 && server.status().clients == 0; }));
   }
 
   void othersSeeTheScanAndThatItIsLost() {

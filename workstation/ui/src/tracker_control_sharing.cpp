@@ -14,6 +14,7 @@ void Trackers::serve(bool serves, int port, bool toNetwork) {
   serverProblem_ = {};
   if (!serves) return;
   server_ = std::make_unique<ScanServer>(session_);
+  connect(server_.get(), &ScanServer::clientsChanged, this, &Trackers::reported);  // without a tracker nothing else would say it
   IgtlServerOptions options;
   options.port = port;
   options.everyone = toNetwork;
