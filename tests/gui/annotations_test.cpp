@@ -153,6 +153,23 @@ class AnnotationsTest : public WindowFixture {
     QVERIFY(annotated().all().empty());
   }
 
+  void aTextThatIsBegunPutsTheCaliperDownAndAClickSaysWhereItStands() {
+    freeze();
+    window_->calipers().take(measurement::CaliperKind::distance);
+    QVERIFY(window_->calipers().drawing().tool().has_value());
+    pressKey(Qt::Key_T);
+    QVERIFY(layer().isWriting());
+    QVERIFY(!window_->calipers().drawing().tool().has_value());
+    QTest::mouseClick(&scan(), Qt::LeftButton, Qt::NoModifier, at({5.0, 60.0}));
+    QVERIFY2(layer().isWriting(), "the click says where the text stands");
+    QVERIFY(window_->calipers().drawing().points().empty());
+    QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("odd"));
+    pressKey(Qt::Key_Return);
+    QCOMPARE(annotated().all().size(), std::size_t{1});
+    QCOMPARE(QString::fromStdString(annotated().all()[0].text), QStringLiteral("odd"));
+    QVERIFY(isNear(annotated().all()[0].at_mm, {5.0, 60.0}, 1.0));
+  }
+
   void lettersThatAreKeysElsewhereAreTyped() {
     freeze();
     const Knobs before = session().knobs();

@@ -8,9 +8,11 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QStringListModel>
+#include <QTimer>
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "annotation_paint.h"
 #include "scan_view.h"
@@ -175,6 +177,7 @@ void AnnotationLayer::writeAt(const QPointF& at, const QString& words, int numbe
   moveField(at);
   field_->setFocus(Qt::OtherFocusReason);
   field_->end(false);
+  Q_EMIT writingBegan();
 }
 
 void AnnotationLayer::moveField(const QPointF& at) {
@@ -220,9 +223,16 @@ void AnnotationLayer::endWriting(bool keeps) {
   });
 }
 
+bool AnnotationLayer::hasNothingTyped() const { return isWriting() && rewritten_ == 0 && field_->text().trimmed().isEmpty(); }
+
 bool AnnotationLayer::press(const QPointF& at) {
+  const bool isEmpty = std::exchange(isLeftEmpty_, false) || hasNothingTyped();
   if (isWriting()) endWriting(true);
   if (!scan_.pictureRect().contains(at.toPoint())) return false;
+  if (isEmpty) {
+    writeAt(at, {}, 0);
+    return true;
+  }
   if (pictures_.isArrowAtHand()) {
     drag_ = Drag{0, AnnotationPart::tip, at, at, false};
     return true;
@@ -337,7 +347,11 @@ void AnnotationLayer::showCursor(const QPointF& at) {
 
 bool AnnotationLayer::eventFilter(QObject* watched, QEvent* event) {
   if (watched == field_) {
-    if (event->type() == QEvent::FocusOut && !completer_->popup()->isVisible()) endWriting(true);
+    if (event->type() == QEvent::FocusOut && !completer_->popup()->isVisible()) {
+      isLeftEmpty_ = hasNothingTyped() && static_cast<QFocusEvent*>(event)->reason() == Qt::MouseFocusReason;
+      if (isLeftEmpty_) QTimer::singleShot(0, this, [this] { isLeftEmpty_ = false; });  // the click itself comes before that
+      endWriting(true);
+    }
     return false;
   }
   auto* widget = static_cast<QWidget*>(watched);

@@ -41,6 +41,9 @@ class AnnotationLayer final : public QWidget {
   /// Where a point of the picture's plane is painted.
   [[nodiscard]] QPointF placeOf(const glm::dvec2& at_mm) const;
 
+ Q_SIGNALS:
+  void writingBegan();  ///< whatever else was in the hand is to be put down
+
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
@@ -52,6 +55,7 @@ class AnnotationLayer final : public QWidget {
   void endWriting(bool keeps);
   void moveField(const QPointF& at);
   void fitField();
+  [[nodiscard]] bool hasNothingTyped() const;
   void complete();
   void take(const QString& whole);  ///< of the words that are offered
   bool press(const QPointF& at);
@@ -73,7 +77,8 @@ class AnnotationLayer final : public QWidget {
   QCompleter* completer_ = nullptr;
   QStringListModel* completions_ = nullptr;
   QPointF fieldAt_;    ///< left end of what is typed, of the scan view
-  int rewritten_ = 0;  ///< text that is written anew; 0: a new one
+  bool isLeftEmpty_ = false;  ///< a click has just taken the focus from a text of which nothing is typed: it begins where that was
+  int rewritten_ = 0;         ///< text that is written anew; 0: a new one
   struct Drag {
     int number = 0;  ///< 0: an arrow is drawn
     annotation::AnnotationPart part = annotation::AnnotationPart::whole;

@@ -259,6 +259,12 @@ void MainWindow::connectAnnotations() {
     if (!isOther) parts_->annotated.setMeasuredLast();
     showHistory();
   });
+  connect(p.annotationLayer, &AnnotationLayer::writingBegan, this, [this] {
+    if (parts_->calipers.drawing().tool())
+      parts_->calipers.change([](measurement::CaliperDrawing& drawing) {
+        while (drawing.tool()) drawing.cancel();
+      });
+  });
   connect(&p.annotated, &AnnotatedPictures::said, p.scanView, &ScanView::say);
   connect(&p.annotated, &AnnotatedPictures::pauseAsked, &p.calipers, &Calipers::pauseAsked);
   connect(&p.bodyMark, &ShownMark::changed, this, [this] { parts_->bodyMarkAction->setChecked(parts_->bodyMark.choice().isShown); });
