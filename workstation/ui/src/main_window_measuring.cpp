@@ -7,6 +7,7 @@
 #include "caliper_words.h"
 #include "ew/core/ending.h"
 #include "ew/export/measurement_report.h"
+#include "ew/sdk/person.h"
 #include "main_window_parts.h"
 #include "save_file.h"
 #include "words.h"
@@ -164,7 +165,8 @@ bool MainWindow::saveWorksheet() {
   const auto written = saveTogether({pathOf(file)}, [&](const OutputSet& outputs) {
     const QDateTime now = QDateTime::currentDateTime();
     if (!hasEnding(pathOf(file), ".dcm"))
-      return writeWorksheet(asWritten.worksheet(), words(p.session.subject()->title), now, outputs.staged(pathOf(file)), pictures);
+      return writeWorksheet(asWritten.worksheet(), words(p.session.subject()->title), now, outputs.staged(pathOf(file)), pictures,
+                            QString::fromStdString(sdk::personWhoLearns()));
     const auto made = std::chrono::sys_seconds(std::chrono::seconds(now.toSecsSinceEpoch()));
     auto report = writeMeasurementReport(asWritten.worksheet(), {.instanceUid = newDicomUid(), .made = made}, studyNow(),
                                          outputs.staged(pathOf(file)));

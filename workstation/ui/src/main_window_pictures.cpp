@@ -1,6 +1,7 @@
 // Two and four pictures at once: their menu, and who hears of them.
 #include <algorithm>
 
+#include "ew/sdk/person.h"
 #include "main_window_parts.h"
 #include "words.h"
 
@@ -67,8 +68,11 @@ void MainWindow::connectPictures() {
 std::vector<SavedPart> MainWindow::shownParts() const {
   const PictureGrid& grid = *parts_->pictures;
   std::vector<SavedPart> all;
-  for (const PictureGrid::Shown& each : grid.shown())
-    all.push_back({each.session, {each.calipers, each.annotated, each.mark}, each.name, each.place == grid.active()});
+  for (const PictureGrid::Shown& each : grid.shown()) {
+    SavedPart part{each.session, {each.calipers, each.annotated, each.mark}, each.name, each.place == grid.active()};
+    part.on.person = QString::fromStdString(sdk::personWhoLearns());
+    all.push_back(std::move(part));
+  }
   return all;
 }
 

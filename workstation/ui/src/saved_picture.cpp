@@ -13,6 +13,7 @@
 #include "caliper_words.h"
 #include "ew/core/contract.h"
 #include "ew/core/ending.h"
+#include "ew/imaging/orientation_marker.h"
 #include "ew/scanning/picture_file.h"
 #include "ew/ui/main_window.h"
 #include "figures.h"
@@ -32,6 +33,7 @@ constexpr int kScale_px = 56;
 constexpr int kBetween_px = 8;  // picture and strip
 constexpr int kFoot_px = 32;    // the warning
 constexpr int kLeast_px = 480;  // the words need as much
+constexpr double kMarkerAway_px = 12.0, kMarkerRadius_px = 5.0;
 const QColor kWords(150, 150, 150);
 const QColor kMeasured(220, 220, 220);
 
@@ -99,6 +101,13 @@ void paintOn(QPainter& painter, const Session& session, const OnPicture& on, con
   if (on.calipers != nullptr && !on.calipers->lines().empty())
     paintCalipers(painter, *on.calipers, Where::picture, pixelOf, {Qt::white, Qt::white});
   if (on.annotations != nullptr) paintAnnotations(painter, on.annotations->all(), 0, pixelOf, {Qt::white, Qt::white});
+  if (session.wide() == nullptr) {  // a wide image has no side of the probe
+    const glm::dvec2 marker = markerPlace_px(session.pictureProbe(), geometry, kMarkerAway_px, kMarkerRadius_px + 1.0);
+    painter.setPen(QPen(Qt::black, 2.0));
+    painter.setBrush(Qt::white);
+    painter.drawEllipse(QPointF(picture.left() + 0.5 + marker.x, picture.top() + 0.5 + marker.y), kMarkerRadius_px, kMarkerRadius_px);
+    painter.setBrush(Qt::NoBrush);
+  }
   if (on.mark != nullptr && std::min(picture.width(), picture.height()) >= 3 * kMark_px)
     paintMark(painter, *on.mark, QRectF(picture.left() + 4, picture.bottom() - kMark_px - 3, kMark_px, kMark_px));
   painter.restore();
@@ -174,7 +183,11 @@ QImage savedPicture(const Session& session, const QDateTime& at, const OnPicture
   const int when_px = painter.fontMetrics().horizontalAdvance(when) + 24;
   line(0, Qt::AlignLeft, painter.fontMetrics().elidedText(words(session.subject()->title), Qt::ElideRight, saved.width() - 24 - when_px));
   line(0, Qt::AlignRight, when);
-  line(1, Qt::AlignLeft, name.isEmpty() ? settingsOf(session) : name + QStringLiteral("   ") + settingsOf(session));
+  const QString settings = name.isEmpty() ? settingsOf(session) : name + QStringLiteral("   ") + settingsOf(session);
+  const QString person = painter.fontMetrics().elidedText(on.person, Qt::ElideRight, saved.width() / 3);
+  const int person_px = person.isEmpty() ? 0 : painter.fontMetrics().horizontalAdvance(person) + 24;
+  line(1, Qt::AlignLeft, painter.fontMetrics().elidedText(settings, Qt::ElideRight, saved.width() - 24 - person_px));
+  line(1, Qt::AlignRight, person);
   if (!shown.picture.isNull()) paintScale(painter, session.geometry(), picture);
   painter.end();
   for (const auto& [image, place] : {std::pair{shown.picture, picture}, std::pair{shown.strip, strip}}) {

@@ -23,10 +23,11 @@ struct OnPicture {
   const Calipers* calipers;
   const AnnotatedPictures* annotations;
   const ShownMark* mark;
+  QString person = {};  ///< who scans, as they call themselves; empty: nobody has said so
 };
 
-/// The present picture as it is handed on: as it is on the screen, pixel for pixel, with a depth scale beside it, and above it what it
-/// shows: the title of what is scanned, the probe, depth, gain and zoom, and when it was made. White on black, whatever the theme. Room for
+/// The present picture as it is handed on: as it is on the screen, pixel for pixel, with the orientation marker at its side, a depth scale
+/// beside it, and above it what it shows: the title of what is scanned, the probe, depth, gain and zoom, when it was made and by whom. White on black, whatever the theme. Room for
 /// the words that the door for pictures adds is kept along the lower edge. The strip of the M-mode stands below it, or in its place where
 /// it alone is shown. Calipers, texts and arrows are drawn over both, what was measured stands below, results over several measurements
 /// with it, and the body mark in its lower left corner where there is room.

@@ -6,8 +6,11 @@
 #include <QPdfWriter>
 #include <QTextDocument>
 #include <QUrl>
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "ew/core/ending.h"
 #include "ew/io/safe_file.h"
@@ -39,8 +42,8 @@ QString picturesOf(const std::vector<ReportPicture>& pictures, QTextDocument& do
   return html + QStringLiteral("</table>");
 }
 
-QByteArray pdfOf(const measurement::Worksheet& sheet, const QString& title, const QDateTime& at,
-                 const std::vector<ReportPicture>& pictures) {
+QByteArray pdfOf(const measurement::Worksheet& sheet, const QString& title, const QDateTime& at, const std::vector<ReportPicture>& pictures,
+                 const QString& person) {
   QBuffer pdf;
   pdf.open(QIODevice::WriteOnly);
   QPdfWriter writer(&pdf);
@@ -56,6 +59,7 @@ QByteArray pdfOf(const measurement::Worksheet& sheet, const QString& title, cons
   QString html = QStringLiteral("<h2>%1</h2><p>%2<br>%3</p><p><b>%4</b></p>")
                      .arg(words(sheet.title).toHtmlEscaped(), title.toHtmlEscaped(), QLocale().toString(at, QLocale::ShortFormat),
                           WorksheetWords::tr("Simulation, training only: not for diagnosis.").toHtmlEscaped());
+  if (!person.isEmpty()) html += QStringLiteral("<p>%1</p>").arg(WorksheetWords::tr("Examined by: %1").arg(person).toHtmlEscaped());
   if (sheet.gestation_weeks)
     html += QStringLiteral("<p>%1</p>")
                 .arg(WorksheetWords::tr("Gestational age by dates: %1")
@@ -68,14 +72,36 @@ QByteArray pdfOf(const measurement::Worksheet& sheet, const QString& title, cons
   return pdf.data();
 }
 
+nlohmann::ordered_json withWhose(nlohmann::ordered_json sheet, const QString& title, const QString& person) {
+  sheet["patient"] = title.toStdString();
+  if (!person.isEmpty()) sheet["examined_by"] = person.toStdString();
+  return sheet;
+}
+
+/// A line for each at the end, in the columns of the others: the value stands in the fifth, what it is in the second.
+std::string withWhose(std::string csv, const QString& title, const QString& person) {
+  const std::string titles = csv.substr(0, csv.find('\n'));
+  const auto columns = static_cast<std::size_t>(std::count(titles.begin(), titles.end(), ',')) + 1;
+  const auto add = [&](const char* label, QString value) {
+    std::vector<std::string> cells(columns);
+    cells[1] = label;
+    cells[4] = "\"" + value.replace(QLatin1Char('"'), QStringLiteral("\"\"")).toStdString() + "\"";
+    for (std::size_t n = 0; n < columns; ++n) csv += (n > 0 ? "," : "") + cells[n];
+    csv += "\n";
+  };
+  add("patient", title);
+  if (!person.isEmpty()) add("examined_by", person);
+  return csv;
+}
+
 }  // namespace
 
 Result<void> writeWorksheet(const measurement::Worksheet& sheet, const QString& title, const QDateTime& at,
-                            const std::filesystem::path& file, const std::vector<ReportPicture>& pictures) {
+                            const std::filesystem::path& file, const std::vector<ReportPicture>& pictures, const QString& person) {
   const std::string language = QLocale().name().toStdString();
-  if (hasEnding(file, ".csv")) return writeFileSafely(file, toCsv(sheet, language));
-  if (hasEnding(file, ".json")) return writeFileSafely(file, toJson(sheet, language).dump(2) + "\n");
-  const QByteArray pdf = pdfOf(sheet, title, at, pictures);
+  if (hasEnding(file, ".csv")) return writeFileSafely(file, withWhose(toCsv(sheet, language), title, person));
+  if (hasEnding(file, ".json")) return writeFileSafely(file, withWhose(toJson(sheet, language), title, person).dump(2) + "\n");
+  const QByteArray pdf = pdfOf(sheet, title, at, pictures, person);
   return writeFileSafely(file, std::string_view(pdf.constData(), static_cast<std::size_t>(pdf.size())));
 }
 

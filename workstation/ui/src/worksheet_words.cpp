@@ -31,8 +31,9 @@ QString rangesOf(const WorksheetRow& row) {
                             : reading.verdict == RangeVerdict::below ? WorksheetWords::tr("low")
                                                                      : WorksheetWords::tr("high");
     const QString whom = words(reading.range.applies);
-    all << (whom.isEmpty() ? WorksheetWords::tr("%1 (usual: %2)", "verdict and range").arg(verdict, range)
-                           : WorksheetWords::tr("%1 (usual in %3: %2)", "verdict, range and whom it is for").arg(verdict, range, whom));
+    all << (whom.isEmpty()
+                ? WorksheetWords::tr("%1 (usual: %2)", "verdict and range").arg(verdict, range)
+                : WorksheetWords::tr("%1 (usual: %2; %3)", "verdict, range, and what is to be known of it").arg(verdict, range, whom));
   }
   for (const auto& chart : row.charts)
     all << WorksheetWords::tr("percentile %1 (%2 to %3), %4", "percentile, its range, and the chart")
