@@ -10,6 +10,7 @@
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "answers.h"
 #include "caliper_layer.h"
@@ -17,6 +18,7 @@
 #include "cine_bar.h"
 #include "examination_dialog.h"
 #include "export/orthanc.h"
+#include "library/temporary_folder.h"
 #include "saved_picture.h"
 #include "stored_examination.h"
 #include "window_fixture.h"
@@ -55,12 +57,23 @@ class StoringTest : public WindowFixture {
     QVERIFY(!button->isEnabled());
     QVERIFY(waitUntil([&] { return !window_->jobs().isRunning(); }, 4.0 * test::kPatience_ms));
   }
+  [[nodiscard]] QString stored() const { return files_.path(QStringLiteral("library/stored-images")); }
+  /// A case of another patient.
+  [[nodiscard]] QString writeSecondCase() const {
+    const QString folder = files_.writeCase(QStringLiteral("second"));
+    auto manifest = nlohmann::json::parse(test::textOf((folder + QStringLiteral("/case.json")).toStdString()));
+    manifest["id"] = "second";
+    manifest["title"] = "Second";
+    test::writeText((folder + QStringLiteral("/case.json")).toStdString(), manifest.dump());
+    return folder;
+  }
   [[nodiscard]] QString outbox() const { return files_.path(QStringLiteral("outbox")); }
 
  private Q_SLOTS:
   void init() {
     QSettings().clear();
     QDir(outbox()).removeRecursively();
+    QDir(stored()).removeRecursively();
     showWindowWithCase(files_.writeCase(QStringLiteral("case")));
     QVERIFY(waitUntil([&] { return window_->isSettled(); }));
   }
@@ -131,15 +144,49 @@ class StoringTest : public WindowFixture {
     QCOMPARE(archive.kept().size(), std::size_t{3});
   }
 
-  void aPatientWhoLeavesIsAskedAboutAndTheNextBeginsEmpty() {
+  void imagesStayWithTheirPatientAndTheNextBeginsEmpty() {
     session().setFrozen(true);
     storeImage();
-    const QString second = files_.writeCase(QStringLiteral("second"));
-    Answers answers({{QStringLiteral("unsavedStoredQuestion"), press(QMessageBox::Discard)}});
-    QVERIFY(openCase(second));
+    storeImage();
+    auto* images = in<QListWidget>(dialog(), "storedImages");
+    QCOMPARE(images->count(), 2);
+    const QString first = images->item(0)->toolTip();
+    Answers answers({});
+    QVERIFY(openCase(writeSecondCase()));
     QVERIFY(waitUntil([&] { return window_->isSettled(); }));
+    QVERIFY2(answers.asked.isEmpty(), "they are in the library: nothing is lost");
+    images = in<QListWidget>(dialog(), "storedImages");
+    QCOMPARE(images->count(), 0);
+    session().setFrozen(true);
+    storeImage();
+    QVERIFY(openCase(files_.path(QStringLiteral("case"))));
+    QVERIFY(waitUntil([&] { return in<QListWidget>(dialog(), "storedImages")->count() == 2; }));
+    QCOMPARE(in<QListWidget>(dialog(), "storedImages")->item(0)->toolTip(), first);
+    QVERIFY(answers.asked.isEmpty());
+    // ... and there again after a restart, the same objects; one that was taken away stays away.
+    in<QListWidget>(dialog(), "storedImages")->setCurrentRow(0);
+    QTest::mouseClick(in<QPushButton>(dialog(), "removeStored"), Qt::LeftButton);
+    QVERIFY(window_->close());
+    QVERIFY(answers.asked.isEmpty());
+    window_.reset();
+    showWindowWithCase(files_.path(QStringLiteral("case")));
+    QVERIFY(waitUntil([&] { return in<QListWidget>(dialog(), "storedImages")->count() == 1; }));
+    session().setFrozen(true);
+    storeImage();
+    QCOMPARE(in<QListWidget>(dialog(), "storedImages")->count(), 2);
+    for (const QFileInfo& file : QDir(stored()).entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot))
+      QCOMPARE(file.permissions() & (QFile::ReadGroup | QFile::ReadOther), QFile::Permissions());
+  }
+
+  void anImageThatTheLibraryCannotKeepIsAskedAbout() {
+    QVERIFY(writeFileSafely(stored().toStdString(), "in the way"));
+    session().setFrozen(true);
+    storeImage();
+    QVERIFY(waitUntil([&] { return window_->messages().isError(); }));
+    Answers answers({{QStringLiteral("unsavedStoredQuestion"), press(QMessageBox::Discard)}});
+    QVERIFY(openCase(writeSecondCase()));
     QCOMPARE(answers.asked, QStringList{QStringLiteral("unsavedStoredQuestion")});
-    QCOMPARE(in<QListWidget>(dialog(), "storedImages")->count(), 0);
+    QFile::remove(stored());
   }
 
   void anImageThatIsStoredWhileTheOthersAreSavedIsNotSaved() {

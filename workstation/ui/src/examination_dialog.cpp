@@ -10,6 +10,7 @@
 #include <QSettings>
 #include <QSpinBox>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "jobs.h"
 #include "stored_examination.h"
@@ -199,7 +200,9 @@ void ExaminationDialog::setSending(bool isSending) {
 
 void ExaminationDialog::showAll() {
   const auto& items = stored_.items();
-  if (images_->count() != static_cast<int>(items.size())) {
+  std::vector<std::string> now;
+  for (const auto& item : items) now.push_back(item.still.options.instanceUid);
+  if (std::exchange(shown_, now) != now) {
     images_->clear();
     for (std::size_t n = 0; n < items.size(); ++n) {
       const auto& item = items[n];

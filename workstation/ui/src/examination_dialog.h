@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QDialog>
+#include <string>
+#include <vector>
 
 #include "ew/export/outbox.h"
 
@@ -44,6 +46,7 @@ class ExaminationDialog final : public QDialog {
   Worksheets& worksheets_;
   Jobs& jobs_;
   QListWidget* images_ = nullptr;
+  std::vector<std::string> shown_;  ///< identifiers of the images in the list
   QLabel* noImages_ = nullptr;
   QPushButton* remove_ = nullptr;
   QLabel* sheets_ = nullptr;

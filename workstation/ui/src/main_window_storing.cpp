@@ -9,6 +9,7 @@
 #include "ew/export/outbox.h"
 #include "ew/scanning/picture_file.h"
 #include "ew/scanning/replay.h"
+#include "ew/sdk/person.h"
 #include "examination_dialog.h"
 #include "main_window_parts.h"
 #include "save_file.h"
@@ -127,6 +128,17 @@ void MainWindow::addStoringMenu(QMenu& file) {
   addMenuAction(file, "examination", [this] { showExamination(); });
 }
 
+void MainWindow::followPatient() {
+  Parts& p = *parts_;
+  const std::string scanned = recordedCase();
+  const QString& file = p.autosave.path();
+  const std::string patient = !scanned.empty()  ? "case " + scanned
+                              : !file.isEmpty() ? "file " + QFileInfo(file).absoluteFilePath().toStdString()
+                                                : std::string();
+  p.stored.setPatient(patient.empty() || !p.session.subject() ? fs::path()
+                                                              : ImageStore::folderOf(libraryFolder(), patient, sdk::personWhoLearns()));
+}
+
 DicomStudy MainWindow::studyNow() const {
   const auto& opened = parts_->document.current();
   if (opened && parts_->opener->showsCase()) return beginStudy(*opened, secondsNow());
@@ -137,6 +149,7 @@ DicomStudy MainWindow::studyNow() const {
 void MainWindow::storePicture() {
   Parts& p = *parts_;
   if (p.pages->currentWidget() != p.workspacePage || !p.keepsScan()) return;
+  followPatient();  // somebody else may have begun to learn here
   if (!p.stored.store(shownParts(), pictureColumns(), studyNow(), QDateTime::currentDateTime())) return;
   p.scanView->say(tr("Image %1 is stored.").arg(p.stored.items().size()));
 }

@@ -42,7 +42,7 @@ void MainWindow::holdUnsavedWork() {
                  [this](Loss, const std::string& next) { return mayLeaveRecording(words(next)); }});
   p.unsaved.add({"worksheets", kAnyLoss, [&p] { return p.worksheets.unsaved() != nullptr; },
                  [this](Loss, const std::string& next) { return mayLeaveWorksheet(words(next)); }});
-  p.unsaved.add({"stored images", kAnyLoss, [&p] { return p.stored.isUnsaved(); },
+  p.unsaved.add({"stored images", kAnyLoss, [&p] { return p.stored.atRiskCount() > 0; },
                  [this](Loss, const std::string& next) { return mayLeaveStored(words(next)); }});
   p.unsaved.add({"measurements", kAnyLoss, [&p] { return p.calipers.isUnsaved(); },
                  [this](Loss, const std::string& next) { return mayLeaveMeasurements(words(next)); }});
@@ -138,7 +138,7 @@ bool MainWindow::mayLeaveWorksheet(const QString& next) {
 
 bool MainWindow::mayLeaveStored(const QString& next) {
   const auto answer = askAbout(this, "unsavedStoredQuestion",
-                               tr("Stored images that were neither saved nor sent: %1.").arg(parts_->stored.unsavedCount()), next);
+                               tr("Stored images that were neither saved nor sent: %1.").arg(parts_->stored.atRiskCount()), next);
   return answer == QMessageBox::Discard || (answer == QMessageBox::Save && saveExamination() && isSavedNow());
 }
 

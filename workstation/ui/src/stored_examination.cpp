@@ -2,7 +2,10 @@
 
 #include <QLocale>
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <variant>
 
 #include "ew/core/contract.h"
 #include "ew/imaging/caption.h"
@@ -18,19 +21,19 @@ namespace {
 
 std::chrono::sys_seconds secondsOf(const QDateTime& at) { return std::chrono::sys_seconds(std::chrono::seconds(at.toSecsSinceEpoch())); }
 
+std::variant<GreyImage, RgbImage> stillPixelsOf(const QImage& image) {
+  if (image.format() != QImage::Format_Grayscale8) return coloursOf(image);
+  GreyImage grey(image.width(), image.height());
+  for (int y = 0; y < image.height(); ++y) std::copy_n(image.constScanLine(y), image.width(), viewOf(grey).row(y));
+  return grey;
+}
+
 }  // namespace
 
 ExaminationFiles::StoredStill storedStill(const std::vector<SavedPart>& parts, const SavedTogether& saved, int number,
                                           const QDateTime& at) {
-  const QImage& image = saved.image;
   Still still;
-  if (image.format() == QImage::Format_Grayscale8) {
-    GreyImage grey(image.width(), image.height());
-    for (int y = 0; y < image.height(); ++y) std::copy_n(image.constScanLine(y), image.width(), viewOf(grey).row(y));
-    still.pixels = std::move(grey);
-  } else {
-    still.pixels = coloursOf(image);
-  }
+  still.pixels = stillPixelsOf(saved.image);
   for (const auto& [session, picture, strip] : saved.places) {
     if (!picture.isEmpty()) still.regions.push_back(regionOf(session->geometry(), {picture.x(), picture.y()}));
     if (!strip.isEmpty())
@@ -60,6 +63,14 @@ StoredExamination::StoredExamination(Session& session, Worksheets& worksheets, Q
     : QObject(parent), session_(session), worksheets_(worksheets) {
   connect(&session_, &Session::patientReplaced, this, &StoredExamination::clear);
   connect(&worksheets_, &Worksheets::changed, this, &StoredExamination::changed);
+  connect(&store_, &ImageStore::read, this, [this](const std::filesystem::path& folder, const std::vector<ImageStore::Kept>& images) {
+    if (folder == store_.folder()) takeBack(images);
+  });
+  connect(&store_, &ImageStore::failed, this, [this](const std::string& instanceUid, const Error& problem) {
+    for (Item& item : items_)
+      if (item.still.options.instanceUid == instanceUid) item.isKept = false;
+    Q_EMIT notKept(problem);
+  });
 }
 
 bool StoredExamination::store(const std::vector<SavedPart>& parts, int columns, const DicomStudy& study, const QDateTime& at) {
@@ -70,22 +81,58 @@ bool StoredExamination::store(const std::vector<SavedPart>& parts, int columns, 
                               .arg(words(session_.pictureProbe().name), figure(session_.geometry().depth_mm / 10.0, 1),
                                    QLocale().toString(at.time(), QLocale::ShortFormat));
   auto still = storedStill(parts, saved, ++number_, at);
-  items_.push_back({std::move(saved.image), caption, std::move(still), ++revision_});
+  items_.push_back({std::move(saved.image), caption, std::move(still), ++revision_, false, !store_.folder().empty()});
+  keep(items_.back());
   Q_EMIT changed();
   return true;
 }
 
 void StoredExamination::remove(std::size_t item) {
   if (item >= items_.size()) return;
+  store_.remove(items_[item].still.options.instanceUid);
   items_.erase(items_.begin() + static_cast<std::ptrdiff_t>(item));
   Q_EMIT changed();
 }
 
 std::size_t StoredExamination::unsavedCount() const {
-  return static_cast<std::size_t>(std::count_if(items_.begin(), items_.end(), [this](const Item& item) { return item.revision > saved_; }));
+  return static_cast<std::size_t>(std::count_if(items_.begin(), items_.end(), [](const Item& item) { return !item.hasLeft; }));
 }
 
-void StoredExamination::setSaved(std::uint64_t revision) { saved_ = std::max(saved_, revision); }
+std::size_t StoredExamination::atRiskCount() const {
+  return static_cast<std::size_t>(
+      std::count_if(items_.begin(), items_.end(), [](const Item& item) { return !item.hasLeft && !item.isKept; }));
+}
+
+void StoredExamination::setSaved(std::uint64_t revision) {
+  for (Item& item : items_)
+    if (item.revision <= revision && !std::exchange(item.hasLeft, true)) keep(item);
+}
+
+void StoredExamination::keep(const Item& item) {
+  if (!study_) return;
+  store_.keep(item.picture, {item.still.options, item.still.still.regions, item.caption.toStdString(), item.hasLeft, *study_});
+}
+
+void StoredExamination::setPatient(const std::filesystem::path& folder) {
+  if (folder == store_.folder()) return;
+  clear();
+  store_.turnTo(folder);
+}
+
+/// What was stored of this patient before stands before what was stored since it was asked for.
+void StoredExamination::takeBack(const std::vector<ImageStore::Kept>& images) {
+  std::vector<Item> before;
+  for (const ImageStore::Kept& each : images) {
+    const std::string& uid = each.about.options.instanceUid;
+    if (std::any_of(items_.begin(), items_.end(), [&](const Item& item) { return item.still.options.instanceUid == uid; })) continue;
+    ExaminationFiles::StoredStill still{{stillPixelsOf(each.picture), each.about.regions}, each.about.options};
+    before.push_back({each.picture, QString::fromStdString(each.about.caption), std::move(still), ++revision_, each.about.hasLeft, true});
+    number_ = std::max(number_, each.about.options.number);
+    if (items_.empty()) study_ = each.about.study;  // the examination goes on
+  }
+  items_.insert(items_.begin(), std::make_move_iterator(before.begin()), std::make_move_iterator(before.end()));
+  Q_EMIT changed();
+}
 
 bool StoredExamination::isEmpty() const { return items_.empty() && worksheets_.filled().empty(); }
 
@@ -108,6 +155,7 @@ void StoredExamination::clear() {
   reports_.clear();
   study_.reset();
   number_ = 0;
+  store_.turnTo({});
   Q_EMIT changed();
 }
 

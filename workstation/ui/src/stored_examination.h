@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ew/export/examination_files.h"
+#include "image_store.h"
 #include "saved_picture.h"
 
 namespace ew::ui {
@@ -19,7 +20,8 @@ class Session;
 class Worksheets;
 
 /// The pictures that were stored of the patient who is scanned, as a console's key for it keeps them, and the worksheets beside them: what
-/// becomes a report with pictures and goes to an archive. Another patient begins with none.
+/// becomes a report with pictures and goes to an archive. Another patient begins with none; pictures are there again with their patient,
+/// for they are kept in the library (ImageStore).
 class StoredExamination final : public QObject {
   Q_OBJECT
 
@@ -29,6 +31,8 @@ class StoredExamination final : public QObject {
     QString caption;  ///< probe, depth and when
     ExaminationFiles::StoredStill still;
     std::uint64_t revision = 0;  ///< never the same for two pictures of a session
+    bool hasLeft = false;        ///< it was saved or sent
+    bool isKept = true;          ///< in the library, or on its way there
   };
 
   StoredExamination(Session& session, Worksheets& worksheets, QObject* parent = nullptr);
@@ -48,19 +52,29 @@ class StoredExamination final : public QObject {
   /// Stored pictures that were neither saved nor sent.
   [[nodiscard]] std::size_t unsavedCount() const;
   [[nodiscard]] bool isUnsaved() const { return unsavedCount() > 0; }
+  /// Of these, the ones that are not in the library: they are lost when another patient is scanned.
+  [[nodiscard]] std::size_t atRiskCount() const;
   /// What was there at a revision was saved or sent; what was stored since was not.
   void setSaved(std::uint64_t revision);
+  /// Where the pictures of this patient are kept (ImageStore::folderOf): those that lie there come back. Empty: nowhere.
+  void setPatient(const std::filesystem::path& folder);
+  /// Waits until every picture is written.
+  void flush() { store_.flush(); }
   /// Every picture goes.
   void clear();
 
  Q_SIGNALS:
   void changed();
+  void notKept(const ew::Error& problem);
 
  private:
   struct KnownReport {
     std::string contents;
     ExaminationFiles::Report report;
   };
+  void keep(const Item& item);
+  void takeBack(const std::vector<ImageStore::Kept>& images);
+
   Session& session_;
   Worksheets& worksheets_;
   std::vector<Item> items_;
@@ -68,7 +82,7 @@ class StoredExamination final : public QObject {
   std::map<std::string, KnownReport> reports_;  ///< by package, as last asked for
   int number_ = 0;                              ///< of pictures of this examination so far
   std::uint64_t revision_ = 0;
-  std::uint64_t saved_ = 0;  ///< the revision up to which pictures are saved
+  ImageStore store_;
 };
 
 /// What is shown, ready to be written as DICOM: each picture and strip with its scale; probe and settings are those of the picture in hand.
