@@ -20,6 +20,14 @@
         <translation>Eine Zeichnung</translation>
     </message>
     <message>
+        <source>a kind that this program knows</source>
+        <translation>eine Art, die dieses Programm kennt</translation>
+    </message>
+    <message>
+        <source>a unique identifier of DICOM</source>
+        <translation>ein eindeutiger Bezeichner von DICOM</translation>
+    </message>
+    <message>
         <source>B and M-mode</source>
         <translation>B- und M-Mode</translation>
     </message>
@@ -34,6 +42,10 @@
     <message>
         <source>Handed in an answer</source>
         <translation>Eine Antwort abgegeben</translation>
+    </message>
+    <message>
+        <source>line %1 of %2</source>
+        <translation>Zeile %1 von %2</translation>
     </message>
     <message>
         <source>Looking at what was seen</source>
@@ -108,8 +120,16 @@
         <translation>den Kommentaren</translation>
     </message>
     <message>
+        <source>There is too little room in &apos;%1&apos; to keep what is not saved yet (%2 MiB), so a crash would lose it; save it yourself.</source>
+        <translation>In „%1“ ist zu wenig Platz, um aufzuheben, was noch nicht gespeichert ist (%2 MiB), ein Absturz würde es also verlieren; es selbst speichern.</translation>
+    </message>
+    <message>
         <source>two points, each lateral and axial</source>
         <translation>zwei Punkte, jeder lateral und axial</translation>
+    </message>
+    <message>
+        <source>Unsaved work cannot be kept in &apos;%1&apos; (%2), so a crash would lose it; save it yourself.</source>
+        <translation>Ungespeicherte Arbeit lässt sich nicht in „%1“ aufheben (%2), ein Absturz würde sie also verlieren; sie selbst speichern.</translation>
     </message>
     <message>
         <source>zoom</source>
@@ -14774,6 +14794,30 @@
 <context>
     <name>ew::ui::MainWindow</name>
     <message>
+        <source>&apos;%1&apos; could not be opened, so what was not saved of it is kept and offered at the next start.</source>
+        <translation>„%1“ ließ sich nicht öffnen; was davon nicht gespeichert war, bleibt aufgehoben und wird beim nächsten Start angeboten.</translation>
+    </message>
+    <message>
+        <source>A recording of the scan: %1 min</source>
+        <translation>Eine Aufnahme der Untersuchung: %1 min</translation>
+    </message>
+    <message>
+        <source>An expert&apos;s scan that was being recorded for a lesson: %1 min</source>
+        <translation>Eine Untersuchung des Experten, die für eine Lektion aufgenommen wurde: %1 min</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weitermachen</translation>
+    </message>
+    <message>
+        <source>Looking for unsaved work</source>
+        <translation>Nach Ungespeichertem wird gesehen</translation>
+    </message>
+    <message>
         <source>Not now</source>
         <translation>Jetzt nicht</translation>
     </message>
@@ -14784,6 +14828,34 @@
     <message>
         <source>Begin the lesson</source>
         <translation>Lektion beginnen</translation>
+    </message>
+    <message>
+        <source>Of &apos;%1&apos;:</source>
+        <translation>Zu „%1“:</translation>
+    </message>
+    <message>
+        <source>Reading what was not saved</source>
+        <translation>Ungespeichertes wird gelesen</translation>
+    </message>
+    <message>
+        <source>The expert&apos;s scan is here again. Save it, then choose it in its step of the lesson (Choose a recording…).</source>
+        <translation>Die Untersuchung des Experten ist wieder da. Sie speichern und dann in ihrem Schritt der Lektion wählen (Aufnahme wählen…).</translation>
+    </message>
+    <message>
+        <source>The lesson &apos;%1&apos;, in step %2 of %3</source>
+        <translation>Die Lektion „%1“, in Schritt %2 von %3</translation>
+    </message>
+    <message>
+        <source>The program ended at %1 before this was saved; it was kept:</source>
+        <translation>Das Programm endete am %1, bevor dies gespeichert war; es wurde aufgehoben:</translation>
+    </message>
+    <message>
+        <source>The volume made from &apos;%1&apos;</source>
+        <translation>Das Volumen aus „%1“</translation>
+    </message>
+    <message>
+        <source>The volume made from &apos;%1&apos; was too large to be kept, and has to be made again.</source>
+        <translation>Das Volumen aus „%1“ war zu groß, um aufgehoben zu werden; es muss neu gemacht werden.</translation>
     </message>
     <message>
         <source>There is not enough memory for this; close other programs and try again.</source>
@@ -14940,6 +15012,18 @@
     <message>
         <source>Less gain</source>
         <translation>Weniger Verstärkung</translation>
+    </message>
+    <message>
+        <source>What was measured, on images: %1</source>
+        <translation>Gemessenes, in Bildern: %1</translation>
+    </message>
+    <message>
+        <source>What was not saved when the program ended is here again. Save what is to stay.</source>
+        <translation>Was beim Ende des Programms nicht gespeichert war, ist wieder da. Speichern, was bleiben soll.</translation>
+    </message>
+    <message>
+        <source>Worksheets with values: %1</source>
+        <translation>Arbeitsblätter mit Werten: %1</translation>
     </message>
     <message>
         <source>Zoom in</source>
@@ -16946,8 +17030,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
 <context>
     <name>ew::ui::Session</name>
     <message>
-        <source>This case does not move: its patient was recorded holding the breath.</source>
-        <translation>Dieser Fall bewegt sich nicht: sein Patient wurde mit angehaltenem Atem aufgenommen.</translation>
+        <source>Nothing that is scanned here moves with the breath, so the image stays as it is.</source>
+        <translation>Nichts von dem, was hier untersucht wird, bewegt sich mit dem Atem; das Bild bleibt, wie es ist.</translation>
     </message>
     <message>
         <source>The patient breathes, but the image does not show it: switch live echoes and motion on (Effects).</source>
@@ -17543,6 +17627,15 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
 <context>
     <name>ew::ui::WorksheetWords</name>
     <message>
+        <source>%1 (usual: %2; %3)</source>
+        <comment>verdict, range, and what is to be known of it</comment>
+        <translation>%1 (üblich: %2; %3)</translation>
+    </message>
+    <message>
+        <source>Examined by: %1</source>
+        <translation>Untersucht von: %1</translation>
+    </message>
+    <message>
         <source>Simulation, training only: not for diagnosis.</source>
         <translation>Simulation, nur zur Ausbildung: nicht zur Diagnose.</translation>
     </message>
@@ -17566,11 +17659,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>%1 (usual: %2)</source>
         <comment>verdict and range</comment>
         <translation>%1 (üblich: %2)</translation>
-    </message>
-    <message>
-        <source>%1 (usual in %3: %2)</source>
-        <comment>verdict, range and whom it is for</comment>
-        <translation>%1 (üblich bei %3: %2)</translation>
     </message>
     <message>
         <source>percentile %1 (%2 to %3), %4</source>
@@ -19082,6 +19170,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>The lesson was changed since this attempt began; its steps are those of today.</source>
         <translation>Die Lektion wurde seit Beginn dieses Versuchs geändert; es gelten die Schritte von heute.</translation>
+    </message>
+    <message>
+        <source>The step goes on where it stood when the program ended; what was entered by hand has to be entered again.</source>
+        <translation>Der Schritt geht dort weiter, wo er beim Ende des Programms stand; von Hand Eingegebenes muss noch einmal eingegeben werden.</translation>
     </message>
     <message>
         <source>The step that was running when the program ended was not kept; it begins anew.</source>

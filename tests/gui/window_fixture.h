@@ -43,6 +43,8 @@ class Files {
     qputenv("ECHOWEAVE_CASES", path(QStringLiteral("own cases")).toUtf8());
   }
 
+  /// Where settings lie, for a program that is started from here.
+  [[nodiscard]] QString settings() const { return path(QStringLiteral("settings")); }
   [[nodiscard]] QString path(const QString& name) const { return folder_.path() + QLatin1Char('/') + name; }
 
   /// A case whose volume is a field of many grey levels without any symmetry, at the front of the trunk.

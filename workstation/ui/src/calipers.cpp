@@ -155,6 +155,41 @@ void Calipers::setSnaps(bool snaps) {
   Q_EMIT changed();
 }
 
+measurement::UncertaintyAt Calipers::uncertaintyIn(const MeasuredImage& image) {
+  const ScanState& state = image.state;
+  if (image.picture < measurement::kStripPicture) return measurement::uncertaintyOn(state.probe, state.knobs, state.scene, image.geometry);
+  MModeStrip strip;  // its echoes are gone: a column is known, and not what it was interpolated from
+  strip.configure(image.geometry.width, image.geometry.height, state.knobs.mSweep_s);
+  return measurement::uncertaintyInStrip(state.probe, state.knobs, state.scene, image.geometry, strip);
+}
+
+void Calipers::restore(const std::vector<MeasuredImage>& images, const std::vector<StillPicture>& frames,
+                       const std::vector<measurement::Combination>& combinations) {
+  forgetDrawn();
+  forgetAll();
+  for (std::size_t n = 0; n < images.size(); ++n) {
+    const MeasuredImage& image = images[n];
+    const auto at = uncertaintyIn(image);
+    std::vector<measurement::Finding> found;
+    for (const Measurement& each : image.measurements.all) found.push_back({image.picture, each, measured(each.caliper, at), at});
+    findings_.measuredIn(image.picture, std::move(found));
+    if (image.picture >= measurement::kStripPicture) {
+      stripNumber_ = nextStrip_ = std::max(nextStrip_, (image.picture - measurement::kStripPicture) / 2 + 1);
+      continue;
+    }
+    nextPicture_ = std::max(nextPicture_, image.picture + 1);
+    if (n < frames.size()) drawn_.put(frames[n], {CaliperDrawing(0, image.measurements), image.picture});
+  }
+  for (const measurement::Combination& each : combinations) findings_.add(each.kind, each.of);
+  if (!frames.empty() && session_.isPlaying()) {
+    turnTo(stillOf(session_));
+    look();
+  }
+  measureAll();
+  Q_EMIT linesChanged();
+  Q_EMIT changed();
+}
+
 int Calipers::combine(measurement::CombinationKind kind, std::vector<measurement::FigureRef> of) {
   const int number = findings_.add(kind, std::move(of));
   Q_EMIT changed();

@@ -12,6 +12,7 @@
 #include "ew/measurement/findings.h"
 #include "ew/measurement/package.h"
 #include "ew/measurement/strip.h"
+#include "measured_work.h"
 #include "still_picture.h"
 
 namespace ew::ui {
@@ -98,6 +99,13 @@ class Calipers final : public QObject {
   /// Whether there are some that were not written to a file as they are now.
   [[nodiscard]] bool isUnsaved() const;
   void setSaved(const measurement::Findings& written);
+  /// All that was measured before the program ended, in place of what there is. Its images are shown as the frames of a recording, if they
+  /// are: then the calipers are drawn on them.
+  /// @param frames of each image the one that shows it; empty: none does
+  void restore(const std::vector<MeasuredImage>& images, const std::vector<StillPicture>& frames,
+               const std::vector<measurement::Combination>& combinations);
+  /// How the points of an image are known, which need not be on the screen. @param picture as picture() or strip()
+  [[nodiscard]] static measurement::UncertaintyAt uncertaintyIn(const MeasuredImage& image);
   int combine(measurement::CombinationKind kind, std::vector<measurement::FigureRef> of);
   void removeCombination(int number);
 

@@ -17,6 +17,7 @@ namespace ew::ui {
 namespace {
 
 const auto kEditing = QStringLiteral("edit case");
+const auto kKeepingWork = QStringLiteral("keep work");
 constexpr int kHandRests_ms = 150;
 
 }  // namespace
@@ -77,6 +78,8 @@ void MainWindow::connectSession() {
     showPicture();
   });
   connect(&p.recorder, &Recorder::changed, this, &MainWindow::showRecordingState);
+  connect(&p.stored, &StoredExamination::notKept, this, [this](const Error& error) { parts_->messages->showError(error, kKeepingWork); });
+  connect(&p.autosave, &WorkAutosave::failed, this, [this](const Error& error) { parts_->messages->showError(error, kKeepingWork); });
   connect(p.replayBar, &ReplayBar::saveAsked, this, &MainWindow::saveRecording);
   connect(p.replayBar, &ReplayBar::closeAsked, this, [this] {
     if (mayLeaveRecording({})) closeRecording();
@@ -171,8 +174,12 @@ void MainWindow::connectOpener() {
     if (const auto waiting = std::exchange(parts_->waitingRecording, {}); waiting.recording) takeRecording(waiting.path, waiting.recording);
     parts_->imported.clear();
     takePresetOfCase();
-    if (parts_->restoring) return restoreKeptEdits();
-    if (const auto& current = parts_->document.current()) offerKeptEditsOf(current->folder);
+    rememberOpen(path);
+    if (parts_->restoring)
+      restoreKeptEdits();
+    else if (const auto& current = parts_->document.current())
+      offerKeptEditsOf(current->folder);
+    resumeIfOpen();
   });
   connect(p.opener, &Opener::preparing, this, [this](const QString& path) {
     parts_->preparing = path;
@@ -186,6 +193,7 @@ void MainWindow::connectOpener() {
     parts_->dropsEdits = false;
     parts_->waitingRecording = {};
     parts_->restoring.reset();  // what could not be opened keeps its edits
+    if (std::exchange(parts_->isResuming, false)) leaveForLater();
     if (std::exchange(parts_->preparing, {}).isEmpty()) return;
     parts_->preparation.resume();
     showPreparation();

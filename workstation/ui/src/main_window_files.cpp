@@ -61,6 +61,10 @@ Keep askWhichToKeep(QWidget* parent, const QString& title) {
   return question.clickedButton() == ours ? Keep::ours : Keep::nothing;
 }
 
+std::filesystem::path ownDataFolder() {
+  return pathOf(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation)) / "echoweave";
+}
+
 QString whyPublishedIsCopied(const QString& title) {
   return MainWindow::tr("Published cases are not edited in place, for attempts of trainees refer to them. Save '%1' as a case of your own.")
       .arg(title);
@@ -131,11 +135,13 @@ const MadeVolume* MainWindow::shownMadeVolume() const {
 
 void MainWindow::forgetShownVolume() {
   if (const MadeVolume* made = shownMadeVolume()) parts_->made.erase(parts_->made.begin() + (made - parts_->made.data()));
+  keepMadeVolumes();
 }
 
 void MainWindow::takeMade(const MadeVolume& made) {
   // Whatever is answered, a volume that took minutes is not lost by it.
   parts_->made.push_back(made);
+  keepMadeVolumes();
   if (mayReplaceShown(made.title)) return showMade(made);
   parts_->messages->showNote(tr("The volume made from %1 is kept: View, Show the volume made from %1.").arg(made.title));
   showTitle();
@@ -145,6 +151,7 @@ void MainWindow::takeImported(const MadeVolume& made) {
   // Shown it is as good as in its file; what waits took answers that nobody wants to give again.
   if (mayReplaceShown(made.title)) return showMade(made);
   parts_->made.push_back(made);
+  keepMadeVolumes();
   parts_->messages->showNote(tr("The volume made from %1 is kept: View, Show the volume made from %1.").arg(made.title));
   showTitle();
 }
@@ -152,6 +159,7 @@ void MainWindow::takeImported(const MadeVolume& made) {
 void MainWindow::showMade(const MadeVolume& made) {
   parts_->document.close();
   parts_->opener->showVolume(made.voxels, made.title, false, made.provenance, {pathOf(made.path)});
+  keepMadeVolumes();
   Q_EMIT parts_->opener->opened(made.path);
 }
 
@@ -175,15 +183,17 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   QSettings().setValue(QStringLiteral("window"), saveGeometry());
+  if (parts_->pages->currentWidget() == parts_->startPage) rememberStartPage();
   parts_->preparation.pause();  // what it has made is kept; the next start goes on from there
   parts_->jobs.cancelAllAndWait();
   parts_->keepSoon.stop();
   parts_->keptEdits.forget();  // the user has decided
+  parts_->autosave.forget();
   event->accept();
 }
 
 MainWindow::Parts::Parts()
-    : keptEdits(pathOf(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation)) / "echoweave" / "unsaved-cases") {
+    : keptEdits(ownDataFolder() / "unsaved-cases"), autosave(ownDataFolder() / "unsaved-work", session, recorder, calipers, worksheets) {
   keepSoon.setSingleShot(true);
   keepSoon.setInterval(kKeepAfter_ms);
 }
@@ -442,6 +452,7 @@ bool MainWindow::saveVolume(const MadeVolume& made) {
           unsaved.erase(
               std::remove_if(unsaved.begin(), unsaved.end(), [&](const MadeVolume& each) { return each.voxels.volume() == volume; }),
               unsaved.end());
+          keepMadeVolumes();
           parts_->messages->showNote(
               covered ? tr("Saved to %1, and which voxels were measured to %2.").arg(file, beside) : tr("Saved to %1.").arg(file),
               kSavingVolume);

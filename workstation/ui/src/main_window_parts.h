@@ -66,6 +66,7 @@
 #include "view_columns.h"
 #include "wide_layer.h"
 #include "wide_scan.h"
+#include "work_autosave.h"
 #include "worksheet_dialog.h"
 #include "worksheets.h"
 #include "workspace_panels.h"
@@ -123,6 +124,9 @@ struct MainWindow::Parts {
   Calipers calipers{session, jobs};
   Worksheets worksheets{session, calipers};
   StoredExamination stored{session, worksheets};
+  WorkAutosave autosave;          ///< what was recorded, measured and made, against a crash
+  std::vector<LeftWork> resumed;  ///< what a crash has left and is gone on with, one after the other, the first first
+  bool isResuming = false;        ///< what the first one belongs to is being opened
   bool isSending = false;
   AnnotatedPictures annotated{session};
   ShownMark bodyMark{session};

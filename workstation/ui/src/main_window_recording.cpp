@@ -41,6 +41,7 @@ void MainWindow::showCineState() {
 void MainWindow::endRecording() {
   Parts& p = *parts_;
   auto made = p.recorder.stop();
+  p.autosave.takeRecording(made);
   if (!made) return;
   p.replayed.clear();
   p.replayBar->load(std::move(made));
@@ -71,6 +72,7 @@ bool MainWindow::isRecordingUnsaved() const {
 void MainWindow::closeRecording() {
   parts_->replayBar->unload();
   parts_->replayed.clear();
+  parts_->autosave.dropRecording();
   parts_->messages->forget(kRecording);
   showRecordingState();
 }
@@ -81,6 +83,7 @@ bool MainWindow::saveRecording() {
   return saveRecordingAs(recording, tr("Save the recording"), tr("scan"), [this, recording] {
     parts_->savedRecording = recording;
     parts_->replayBar->setSaved(!isRecordingUnsaved());
+    if (!isRecordingUnsaved()) parts_->autosave.dropRecording();
   });
 }
 
@@ -119,6 +122,7 @@ void MainWindow::takeRecording(const QString& path, std::shared_ptr<const ScanRe
   if (p.session.subject() && recordedCase() == recording->caseId) {
     if (!mayLeaveRecording(QFileInfo(path).fileName())) return;
     p.messages->forgetWhatIsPast();
+    p.autosave.dropRecording();
     p.savedRecording = recording;
     p.replayed = pathOf(path);
     p.replayBar->load(recording);

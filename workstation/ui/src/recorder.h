@@ -25,6 +25,8 @@ class Recorder final : public QObject {
   std::shared_ptr<const ScanRecording> stop();
   [[nodiscard]] bool isRecording() const { return recording_ != nullptr; }
   [[nodiscard]] double length_s() const;
+  /// What is recorded so far; null while nothing is.
+  [[nodiscard]] const ScanRecording* growing() const { return recording_.get(); }
   void addNote(const std::string& kind, const nlohmann::json& what);
 
  Q_SIGNALS:

@@ -137,14 +137,19 @@ int runWorkstation(int argc, char** argv, const WindowOptions& options) {
       window.openLesson(QString::fromStdString(options.open), QString::fromStdString(options.lesson));
     } else if (!options.open.empty()) {
       window.open(QString::fromStdString(options.open));
+    } else if (isScreenshot) {
+      window.openDefaultCase();  // the same picture whatever was open before
     } else {
-      window.openDefaultCase();
+      window.openWhereOneWas();
     }
   });
   app.attempt([&] {
     if (!isScreenshot) {
       window.prepareCases();
-      QTimer::singleShot(0, &window, &MainWindow::offerKeptEdits);
+      QTimer::singleShot(0, &window, [&window] {
+        window.offerKeptEdits();
+        window.offerUnsavedWork();
+      });
       QTimer::singleShot(0, &window, &MainWindow::offerTour);
     }
     if (options.workspace == "author") window.setWorkspace(Workspace::author);

@@ -434,7 +434,7 @@ void Session::askBreathing(BreathingRequest request) {
 }
 
 const char* Session::whyBreathingIsNotSeen() const {
-  if (!canBreathe()) return QT_TR_NOOP("This case does not move: its patient was recorded holding the breath.");
+  if (!canBreathe()) return QT_TR_NOOP("Nothing that is scanned here moves with the breath, so the image stays as it is.");
   if (!subject()->movesIn(live_.scene))
     return QT_TR_NOOP("The patient breathes, but the image does not show it: switch live echoes and motion on (Effects).");
   return nullptr;

@@ -38,6 +38,8 @@ class OfPictures {
     return other != others_.end() ? &other->second : nullptr;
   }
 
+  /// Of a picture that is not shown now, and will be.
+  void put(const StillPicture& picture, Value value) { others_.insert_or_assign(picture, std::move(value)); }
   /// False when it is shown already.
   bool turnTo(const StillPicture& picture) {
     if (of_ == picture) return false;

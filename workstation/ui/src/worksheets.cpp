@@ -85,6 +85,37 @@ void Worksheets::setSaved(const std::vector<const Examination*>& written) {
   for (const Examination* each : written) saved_.insert_or_assign(each->package().id, *each);
 }
 
+void Worksheets::keepIn(MeasuredWork& work) const {
+  for (const Examination* each : filled()) {
+    MeasuredWork::Sheet sheet{each->package().id, each->gestation_weeks(), each->answers(), {}};
+    for (const Examination::Found& found : each->found()) sheet.found.emplace_back(found.picture, found.number);
+    work.sheets.push_back(std::move(sheet));
+  }
+  work.current = current_ != nullptr ? current_->package().id : std::string();
+}
+
+void Worksheets::restore(const MeasuredWork& work) {
+  current_ = nullptr;
+  examinations_.clear();
+  saved_.clear();
+  for (const MeasuredWork::Sheet& sheet : work.sheets) {
+    const auto package = std::find_if(packages_.begin(), packages_.end(), [&](const auto& each) { return each->id == sheet.package; });
+    if (package == packages_.end()) continue;
+    Examination& filled = examinations_.try_emplace(sheet.package, *package).first->second;
+    for (const MeasuredImage& image : work.images) {
+      measurement::Measurements inSheet = image.measurements;
+      std::erase_if(inSheet.all, [&](const measurement::Measurement& each) {
+        return std::find(sheet.found.begin(), sheet.found.end(), std::pair(image.picture, each.number)) == sheet.found.end();
+      });
+      static_cast<void>(filled.measuredIn(image.picture, inSheet, Calipers::uncertaintyIn(image)));
+    }
+    for (const Examination::Answer& answer : sheet.answers) filled.answer(answer.label, answer.side, answer.choice);
+    filled.setGestation(sheet.gestation_weeks);
+  }
+  choose(work.current);
+  Q_EMIT changed();
+}
+
 void Worksheets::clear() {
   const std::string id = current_ != nullptr ? current_->package().id : std::string();
   current_ = nullptr;

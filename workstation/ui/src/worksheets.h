@@ -13,6 +13,7 @@ namespace ew::ui {
 
 class Calipers;
 class Session;
+struct MeasuredWork;
 
 /// The worksheets of the scan that is open: one examination for each package that was chosen. What the calipers measure for an item is
 /// entered as it is drawn, and stays when its picture goes. Another patient begins with empty ones.
@@ -37,6 +38,11 @@ class Worksheets final : public QObject {
   std::function<QString(std::uint64_t)> nameOfPicture;
   /// What speaks against measuring an item of this side in the picture in hand; empty: nothing.
   std::function<QString(const std::string& side)> whyNotSide;
+
+  /// All that was in them before the program ended, in place of what there is.
+  void restore(const MeasuredWork& work);
+  /// What is in them, to be kept: MeasuredWork::sheets and current.
+  void keepIn(MeasuredWork& work) const;
 
   /// One with something in it that was not saved since; null when there is none.
   [[nodiscard]] const measurement::Examination* unsaved() const;

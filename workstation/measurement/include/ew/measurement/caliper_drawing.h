@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ew/measurement/measurement_list.h"
@@ -26,6 +27,8 @@ namespace ew::measurement {
 class CaliperDrawing {
  public:
   explicit CaliperDrawing(int picture = 0) : picture_(picture) {}
+  /// One in which something is drawn already; no step of undo leads back behind it.
+  CaliperDrawing(int picture, Measurements drawn) : picture_(picture), list_(std::move(drawn)) {}
 
   /// By how much differences of x and y are multiplied before they are distances to the pointer: of a strip, mm for each s.
   void setScale(glm::dvec2 scale) { scale_ = scale; }

@@ -55,6 +55,7 @@ class Session;
 class ShownMark;
 class Trackers;
 class View3D;
+struct LeftWork;
 struct MadeVolume;
 struct SavedPart;
 
@@ -77,8 +78,12 @@ class MainWindow final : public QMainWindow {
   void openLesson(const QString& folder, const QString& lessonId);
   /// The first shipped case that is prepared, else the one that is prepared soonest, or the start page when there is none.
   void openDefaultCase();
+  /// What was open when the program ended last; when that is not known, is gone, or could not be opened then, the default case.
+  void openWhereOneWas();
   /// Asks about edits of cases that a crash has interrupted, one after the other.
   void offerKeptEdits();
+  /// Asks about what else a crash has left: recordings, measurements, made volumes, a running lesson. It is read in a job first.
+  void offerUnsavedWork();
   void showStartPage();
   /// Makes the volumes of the shipped cases that have none yet, in the background.
   void prepareCases();
@@ -224,6 +229,17 @@ class MainWindow final : public QMainWindow {
   /// @param caseFolder empty: of whatever case
   void offerKeptEditsOf(const std::filesystem::path& caseFolder);
   void restoreKeptEdits();
+  void rememberOpen(const QString& path);  ///< for openWhereOneWas
+  void rememberStartPage();
+  void keepMadeVolumes();  ///< against a crash
+  void askAboutLeft(std::vector<LeftWork> left);
+  void resumeNext();  ///< opens what the first of Parts::resumed belongs to
+  [[nodiscard]] bool isOpenFor(const LeftWork& work) const;
+  void resumeIfOpen();
+  void resume();         ///< the first of Parts::resumed, as it is open
+  void leaveForLater();  ///< it cannot be opened: the next start offers it again
+  void showLeftMeasured(const LeftWork& work);
+  void takeLeftVolumes(const LeftWork& work);
   void remember(const QString& path);  ///< as opened recently
   void showCost();
   void connectTrackers();
@@ -297,6 +313,7 @@ class MainWindow final : public QMainWindow {
   void addStoringMenu(QMenu& file);
   [[nodiscard]] DicomStudy studyNow() const;  ///< of the patient who is scanned
   void storePicture();
+  void followPatient();  ///< whose stored images are shown
   void showExamination();
   bool saveExamination();  ///< asks for a folder and begins to save. @return false: nothing is saved
   void sendExamination();

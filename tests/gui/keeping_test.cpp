@@ -1,0 +1,224 @@
+// What was done outlives a kill of the real program: this test starts itself as a window, kills it by its number, and looks at what the
+// next one offers.
+#include <QAction>
+#include <QMessageBox>
+#include <QProcess>
+#include <QSettings>
+#include <csignal>
+#include <filesystem>
+#include <iostream>
+
+#include "answers.h"
+#include "calipers.h"
+#include "ew/io/autosave.h"
+#include "recorder.h"
+#include "replay_bar.h"
+#include "start_page.h"
+#include "window_fixture.h"
+#include "worksheets.h"
+
+namespace ew::ui::testing {
+namespace {
+
+constexpr const char* kAsWindow = "EW_KEEPING_WINDOW";    ///< what to do in it; the process is the window then
+constexpr const char* kCase = "EW_KEEPING_CASE";          ///< folder
+constexpr const char* kSettings = "EW_KEEPING_SETTINGS";  ///< folder
+constexpr double kRecorded_s = 2.2;
+constexpr const char* kPackage = "abdomen";
+
+std::size_t left(const QString& data) {
+  std::error_code ignored;
+  std::size_t count = 0;
+  for (std::filesystem::directory_iterator at(data.toStdString() + "/echoweave/unsaved-work", ignored);
+       at != std::filesystem::directory_iterator(); at.increment(ignored))
+    ++count;
+  return count;
+}
+
+void record(MainWindow& window) {
+  window.session().setFrozen(false);
+  window.recorder().start("window-test");
+  waitUntil([&] {
+    window.session().refresh();
+    window.session().makePictureNow();
+    return window.recorder().length_s() > kRecorded_s;
+  });
+}
+
+void measure(MainWindow& window) {
+  window.worksheets().choose(kPackage);
+  window.worksheets().measure("AORTA", "");
+  window.calipers().changeIn(Where::picture, [](measurement::CaliperDrawing& drawing) {
+    for (const glm::dvec2 at : {glm::dvec2(-8.0, 50.0), glm::dvec2(9.0, 50.0)}) {
+      drawing.press(at, 1.0);
+      drawing.release(at, 1.0);
+    }
+  });
+  QTest::qWait(600);  // it is kept a moment after the last change
+}
+
+/// Says "ready" once everything is done, and waits to be killed.
+int runAsWindow() {
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, qEnvironmentVariable(kSettings));
+  MainWindow window;
+  window.resize(1280, 720);
+  window.show();
+  window.session().setAdaptive(false);
+  window.open(qEnvironmentVariable(kCase));
+  if (!waitUntil([&] { return window.isSettled() && window.document().current(); })) return 1;
+  const QByteArray what = qgetenv(kAsWindow);
+  if (what == "record") record(window);
+  if (what == "measure") measure(window);
+  QTest::qWait(300);
+  std::cout << "ready" << std::endl;
+  return QApplication::exec();
+}
+
+}  // namespace
+
+class KeepingTest : public WindowFixture {
+  Q_OBJECT
+
+  QString case_;
+  [[nodiscard]] QString data() const { return files_.path(QStringLiteral("data")); }
+
+  /// Runs a window that does something, and kills it as `kill -9` does.
+  void doAndBeKilled(const char* what) const {
+    QProcess window;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QLatin1String(kAsWindow), QLatin1String(what));
+    environment.insert(QLatin1String(kCase), case_);
+    environment.insert(QLatin1String(kSettings), files_.settings());
+    window.setProcessEnvironment(environment);
+    window.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    window.start(QCoreApplication::applicationFilePath(), QStringList());
+    QVERIFY(window.waitForStarted());
+    QByteArray said;
+    QVERIFY(waitUntil([&] { return window.state() != QProcess::Running || (said += window.readAllStandardOutput()).contains("ready"); },
+                      4.0 * test::kPatience_ms));
+    QVERIFY2(said.contains("ready"), said.constData());
+    QCOMPARE(::kill(static_cast<pid_t>(window.processId()), SIGKILL), 0);
+    QVERIFY(window.waitForFinished());
+  }
+  void startWindow() {
+    window_ = std::make_unique<MainWindow>();
+    window_->resize(1280, 720);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get(), static_cast<int>(test::kPatience_ms)));
+    QApplication::setActiveWindow(window_.get());
+    session().setAdaptive(false);
+    window_->openWhereOneWas();
+    window_->offerUnsavedWork();
+  }
+  void waitForRest() const {
+    QVERIFY(waitUntil([this] { return window_->isSettled() && window_->jobs().seen().empty(); }));
+  }
+
+ private Q_SLOTS:
+  void init() {
+    QSettings().clear();
+    case_ = files_.writeCase(QStringLiteral("case"));
+  }
+  void cleanup() { window_.reset(); }
+
+  void aRecordingOutlivesAKillAndIsOfferedOnce() {
+    doAndBeKilled("record");
+    QCOMPARE(left(data()), std::size_t{1});
+    {
+      Answers answers({{QStringLiteral("unsavedWorkQuestion"), press("goOnUnsaved")}});
+      startWindow();
+      QVERIFY(waitUntil([this] { return window_->replayBar().recording() != nullptr; }));
+      waitForRest();
+      QCOMPARE(answers.asked, QStringList{QStringLiteral("unsavedWorkQuestion")});
+    }
+    QVERIFY2(window_->document().current(), "it goes on where one was");
+    QCOMPARE(QString::fromStdString(window_->document().current()->folder.string()), case_);
+    const auto recording = window_->replayBar().recording();
+    QVERIFY(recording->log.frameCount() > 5);
+    const double length_s = recording->log.end_s() - recording->log.begin_s();
+    QVERIFY2(length_s > kRecorded_s - 1.3, "a second may be lost, no more");
+    QVERIFY(session().isPlaying());
+    {
+      Answers answers({{QStringLiteral("unsavedRecordingQuestion"), press(QMessageBox::Discard)}});
+      QVERIFY(window_->close());
+      QCOMPARE(answers.asked, QStringList{QStringLiteral("unsavedRecordingQuestion")});
+    }
+    QCOMPARE(left(data()), std::size_t{0});
+    Answers answers({});
+    startWindow();
+    waitForRest();
+    QVERIFY2(answers.asked.isEmpty(), "never twice");
+  }
+
+  void whatWasMeasuredOutlivesAKillAndIsDiscardedWhenAsked() {
+    doAndBeKilled("measure");
+    {
+      Answers answers({{QStringLiteral("unsavedWorkQuestion"), press("goOnUnsaved")}});
+      startWindow();
+      QVERIFY(waitUntil([this] { return !window_->worksheets().filled().empty(); }));
+      waitForRest();
+    }
+    const auto filled = window_->worksheets().filled();
+    QCOMPARE(filled.size(), std::size_t{1});
+    QCOMPARE(filled[0]->package().id, std::string(kPackage));
+    const auto values = filled[0]->of("AORTA", "");
+    QCOMPARE(values.size(), std::size_t{1});
+    QVERIFY(std::abs(values[0].value - 1.7) < 1e-9 || std::abs(values[0].value - 17.0) < 1e-9);
+    QVERIFY(values[0].uncertainty > 0.0);
+    QCOMPARE(window_->calipers().lines().size(), std::size_t{1});
+    QVERIFY2(window_->calipers().drawingIn(Where::picture).shown().all.size() == 1, "on its image");
+    // Killed again without a decision, it would be offered again; discarded, it goes.
+    {
+      Answers answers({{QStringLiteral("unsavedWorksheetQuestion"), press(QMessageBox::Discard)},
+                       {QStringLiteral("unsavedMeasurementsQuestion"), press(QMessageBox::Discard)}});
+      QVERIFY(window_->close());
+    }
+    QCOMPARE(left(data()), std::size_t{0});
+    doAndBeKilled("measure");
+    {
+      Answers answers({{QStringLiteral("unsavedWorkQuestion"), press("discardUnsaved")}});
+      startWindow();
+      QVERIFY(waitUntil([&] { return !answers.asked.isEmpty(); }));
+      waitForRest();
+    }
+    QVERIFY(window_->worksheets().filled().empty());
+    QCOMPARE(left(data()), std::size_t{0});
+  }
+
+  void aStartGoesOnWhereOneWas() {
+    showWindowWithCase(case_);
+    QVERIFY(window_->close());
+    window_.reset();
+    startWindow();
+    waitForRest();
+    QVERIFY(window_->document().current());
+    QCOMPARE(QString::fromStdString(window_->document().current()->folder.string()), case_);
+    window_->showStartPage();
+    QVERIFY(window_->close());
+    window_.reset();
+    startWindow();
+    waitForRest();
+    QVERIFY(!window_->document().current());
+    QVERIFY(window_->findChild<StartPage*>()->isVisible());
+    // What could not be opened, because the program died of it, is not tried again.
+    QSettings().setValue(QStringLiteral("open/last"), case_);
+    QSettings().setValue(QStringLiteral("open/opening"), case_);
+    window_.reset();
+    startWindow();
+    waitForRest();
+    QVERIFY(!window_->document().current());
+  }
+};
+
+}  // namespace ew::ui::testing
+
+int main(int argc, char** argv) {
+  QSurfaceFormat::setDefaultFormat(ew::ui::testing::windowFormat());
+  QApplication app(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("EchoWeave"));
+  QApplication::setApplicationName(QStringLiteral("EchoWeave tests"));
+  if (qEnvironmentVariableIsSet(ew::ui::testing::kAsWindow)) return ew::ui::testing::runAsWindow();
+  ew::ui::testing::KeepingTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "keeping_test.moc"
