@@ -76,7 +76,7 @@ class AnnotationLayer final : public QWidget {
   QLineEdit* field_ = nullptr;
   QCompleter* completer_ = nullptr;
   QStringListModel* completions_ = nullptr;
-  QPointF fieldAt_;    ///< left end of what is typed, of the scan view
+  QPointF fieldAt_;           ///< left end of what is typed, of the scan view
   bool isLeftEmpty_ = false;  ///< a click has just taken the focus from a text of which nothing is typed: it begins where that was
   int rewritten_ = 0;         ///< text that is written anew; 0: a new one
   struct Drag {

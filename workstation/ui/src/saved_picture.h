@@ -27,10 +27,10 @@ struct OnPicture {
 };
 
 /// The present picture as it is handed on: as it is on the screen, pixel for pixel, with the orientation marker at its side, a depth scale
-/// beside it, and above it what it shows: the title of what is scanned, the probe, depth, gain and zoom, when it was made and by whom. White on black, whatever the theme. Room for
-/// the words that the door for pictures adds is kept along the lower edge. The strip of the M-mode stands below it, or in its place where
-/// it alone is shown. Calipers, texts and arrows are drawn over both, what was measured stands below, results over several measurements
-/// with it, and the body mark in its lower left corner where there is room.
+/// beside it, and above it what it shows: the title of what is scanned, the probe, depth, gain and zoom, when it was made and by whom.
+/// White on black, whatever the theme. Room for the words that the door for pictures adds is kept along the lower edge. The strip of the
+/// M-mode stands below it, or in its place where it alone is shown. Calipers, texts and arrows are drawn over both, what was measured
+/// stands below, results over several measurements with it, and the body mark in its lower left corner where there is room.
 /// @return Format_Grayscale8, or Format_RGB888 when the picture has colours; null when there is no picture
 /// @param name which picture it is, before its settings; empty: the only one
 [[nodiscard]] QImage savedPicture(const Session& session, const QDateTime& at, const OnPicture& on = {}, const QString& name = {});

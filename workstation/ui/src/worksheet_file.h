@@ -23,7 +23,8 @@ struct ReportPicture {
 /// @param title of the case @param pictures that follow the worksheet in a PDF, two in a row @param person who measured, as they call
 /// themselves; may be empty @error notWritable
 [[nodiscard]] Result<void> writeWorksheet(const measurement::Worksheet& sheet, const QString& title, const QDateTime& at,
-                                          const std::filesystem::path& file, const std::vector<ReportPicture>& pictures = {}, const QString& person = {});
+                                          const std::filesystem::path& file, const std::vector<ReportPicture>& pictures = {},
+                                          const QString& person = {});
 
 /// Writes all that was measured by the name's ending: .csv or .json. @param title of the case @error notWritable
 [[nodiscard]] Result<void> writeMeasurements(const measurement::Findings& findings, const QString& title,
