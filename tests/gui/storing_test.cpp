@@ -58,6 +58,8 @@ class StoringTest : public WindowFixture {
     QVERIFY(waitUntil([&] { return !window_->jobs().isRunning(); }, 4.0 * test::kPatience_ms));
   }
   [[nodiscard]] QString stored() const { return files_.path(QStringLiteral("library/stored-images")); }
+  /// From now on the library cannot keep images: what is stored would be lost.
+  [[nodiscard]] bool keepsNothing() const { return writeFileSafely(stored().toStdString(), "in the way").has_value(); }
   /// A case of another patient.
   [[nodiscard]] QString writeSecondCase() const {
     const QString folder = files_.writeCase(QStringLiteral("second"));
@@ -77,7 +79,10 @@ class StoringTest : public WindowFixture {
     showWindowWithCase(files_.writeCase(QStringLiteral("case")));
     QVERIFY(waitUntil([&] { return window_->isSettled(); }));
   }
-  void cleanup() { window_.reset(); }
+  void cleanup() {
+    window_.reset();
+    QFile::remove(stored());
+  }
 
   void aStoredImageIsThePictureThatWasShown() {
     session().setFrozen(true);
@@ -179,9 +184,10 @@ class StoringTest : public WindowFixture {
   }
 
   void anImageThatTheLibraryCannotKeepIsAskedAbout() {
-    QVERIFY(writeFileSafely(stored().toStdString(), "in the way"));
+    QVERIFY(keepsNothing());
     session().setFrozen(true);
     storeImage();
+    QVERIFY(waitUntil([&] { return window_->stored().atRiskCount() == 1; }));
     QVERIFY(waitUntil([&] { return window_->messages().isError(); }));
     Answers answers({{QStringLiteral("unsavedStoredQuestion"), press(QMessageBox::Discard)}});
     QVERIFY(openCase(writeSecondCase()));
@@ -190,8 +196,10 @@ class StoringTest : public WindowFixture {
   }
 
   void anImageThatIsStoredWhileTheOthersAreSavedIsNotSaved() {
+    QVERIFY(keepsNothing());
     session().setFrozen(true);
     storeImage();
+    QVERIFY(waitUntil([&] { return window_->stored().atRiskCount() == 1; }));
     const QString folder = files_.path(QStringLiteral("saved meanwhile"));
     QDir().mkpath(folder);
     Answers answers(
@@ -199,10 +207,12 @@ class StoringTest : public WindowFixture {
     QTest::mouseClick(in<QPushButton>(dialog(), "saveExamination"), Qt::LeftButton);
     storeImage();  // the job that saves has begun; its end is an event that has not been seen yet
     QVERIFY(waitUntil([&] { return !window_->jobs().isRunning(); }));
-    QVERIFY2(!window_->messages().isError(), qPrintable(window_->messages().text()));
+    QCOMPARE(QDir(folder).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 1);
+    QCOMPARE(window_->stored().unsavedCount(), std::size_t{1});  // the other one is safe
+    QVERIFY(waitUntil([&] { return window_->stored().atRiskCount() == 1; }));
     QVERIFY(!window_->close());
     QVERIFY(answers.asked.contains(QStringLiteral("unsavedStoredQuestion")));
-    QVERIFY2(answers.texts.last().endsWith(QStringLiteral(" 1.")), qPrintable(answers.texts.last()));  // the other one is safe
+    QVERIFY2(answers.texts.last().endsWith(QStringLiteral(" 1.")), qPrintable(answers.texts.last()));
   }
 
   void imagesStayWithTheirPatientWhenTheCaseGivesItAnotherBody() {
@@ -224,10 +234,13 @@ class StoringTest : public WindowFixture {
   }
 
   void anotherVolumeOfTheCaseAsksForTheImagesOfTheOneBefore() {
+    QVERIFY(keepsNothing());
     const QString folder = QString::fromStdString(window_->document().current()->folder.string());
-    QVERIFY(QFile::copy(folder + QStringLiteral("/volume.mha"), folder + QStringLiteral("/second.mha")));
+    QVERIFY(QFile::exists(folder + QStringLiteral("/second.mha")) ||
+            QFile::copy(folder + QStringLiteral("/volume.mha"), folder + QStringLiteral("/second.mha")));
     session().setFrozen(true);
     storeImage();
+    QVERIFY(waitUntil([&] { return window_->stored().atRiskCount() == 1; }));
     const auto shown = session().subject()->voxels.volume();
     const auto settles = [&] {
       QCoreApplication::processEvents();
@@ -258,7 +271,24 @@ class StoringTest : public WindowFixture {
     QCOMPARE(in<QListWidget>(dialog(), "storedImages")->count(), 0);
   }
 
+  void imagesOfACaseAreThereWhateverItsVolumeBecomes() {
+    const QString folder = QString::fromStdString(window_->document().current()->folder.string());
+    QVERIFY(QFile::exists(folder + QStringLiteral("/second.mha")) ||
+            QFile::copy(folder + QStringLiteral("/volume.mha"), folder + QStringLiteral("/second.mha")));
+    session().setFrozen(true);
+    storeImage();
+    const auto shown = session().subject()->voxels.volume();
+    Answers nobody({});
+    auto manifest = window_->document().manifest();
+    manifest["volume"]["file"] = "second.mha";
+    QVERIFY(window_->document().edit(manifest, "Change the volume", {}).has_value());
+    QVERIFY(waitUntil([&] { return window_->isSettled() && session().subject()->voxels.volume() != shown; }));
+    QVERIFY(waitUntil([&] { return in<QListWidget>(dialog(), "storedImages")->count() == 1; }));
+    QVERIFY2(nobody.asked.isEmpty(), "the library has it: nothing is lost");
+  }
+
   void goingBackToTheVolumeOfTheCaseAsksForWhatWasStoredOfAnother() {
+    QVERIFY(keepsNothing());
     Volume volume;
     volume.grid.dims = {20, 20, 20};
     volume.echo.assign(volume.grid.voxelCount(), 90);
@@ -267,6 +297,7 @@ class StoringTest : public WindowFixture {
     QVERIFY(waitUntil([&] { return window_->isSettled() && session().subject()->title == "made by a plugin"; }));
     session().setFrozen(true);
     storeImage();
+    QVERIFY(waitUntil([&] { return window_->stored().atRiskCount() == 1; }));
     QAction* back = nullptr;
     for (QAction* each : window_->findChildren<QAction*>())
       if (each->text().contains(QStringLiteral("case's volume"))) back = each;

@@ -511,6 +511,7 @@ Recorder& MainWindow::recorder() { return parts_->recorder; }
 WideScan& MainWindow::wideScan() { return parts_->wide; }
 Calipers& MainWindow::calipers() { return parts_->calipers; }
 Worksheets& MainWindow::worksheets() { return parts_->worksheets; }
+StoredExamination& MainWindow::stored() { return parts_->stored; }
 AnnotatedPictures& MainWindow::annotated() { return parts_->annotated; }
 ShownMark& MainWindow::bodyMark() { return parts_->bodyMark; }
 PictureGrid& MainWindow::pictures() { return *parts_->pictures; }

@@ -78,6 +78,11 @@ void MainWindow::connectSession() {
     showPicture();
   });
   connect(&p.recorder, &Recorder::changed, this, &MainWindow::showRecordingState);
+  // A case whose volume was exchanged has its images again.
+  connect(&p.session, &Session::patientReplaced, this, [this] { parts_->patientSoon = true; });
+  connect(&p.session, &Session::subjectChanged, this, [this] {
+    if (std::exchange(parts_->patientSoon, false) && parts_->opener->showsCase()) followPatient();
+  });
   connect(&p.stored, &StoredExamination::notKept, this, [this](const Error& error) { parts_->messages->showError(error, kKeepingWork); });
   connect(&p.autosave, &WorkAutosave::failed, this, [this](const Error& error) { parts_->messages->showError(error, kKeepingWork); });
   connect(p.replayBar, &ReplayBar::saveAsked, this, &MainWindow::saveRecording);

@@ -128,6 +128,7 @@ struct MainWindow::Parts {
   std::vector<LeftWork> resumed;  ///< what a crash has left and is gone on with, one after the other, the first first
   bool isResuming = false;        ///< what the first one belongs to is being opened
   bool isSending = false;
+  bool patientSoon = false;  ///< another patient is about to be scanned
   AnnotatedPictures annotated{session};
   ShownMark bodyMark{session};
   std::vector<Preset> presets;         ///< of the program

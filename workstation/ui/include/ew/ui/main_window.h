@@ -53,6 +53,7 @@ class ReplayBar;
 class ScanView;
 class Session;
 class ShownMark;
+class StoredExamination;
 class Trackers;
 class View3D;
 struct LeftWork;
@@ -111,6 +112,7 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] WideScan& wideScan();
   [[nodiscard]] Calipers& calipers();
   [[nodiscard]] Worksheets& worksheets();
+  [[nodiscard]] StoredExamination& stored();
   [[nodiscard]] AnnotatedPictures& annotated();
   [[nodiscard]] ShownMark& bodyMark();
   [[nodiscard]] PictureGrid& pictures();
