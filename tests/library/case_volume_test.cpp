@@ -99,6 +99,48 @@ TEST(LoadCaseVolume, MakesARecipeOnceAndThenReadsItFromTheCache) {
   EXPECT_TRUE(caseNeedsPreparation(made)) << "another recipe is another volume";
 }
 
+/// Stops at a fraction; remembers where it began.
+class StopsAt final : public Progress {
+ public:
+  explicit StopsAt(double fraction) : at_(fraction) {}
+  void report(const Message&, double fraction) override {
+    if (first < 0.0 && fraction > 0.0) first = fraction;
+    furthest = std::max(furthest, fraction);
+  }
+  [[nodiscard]] bool cancelRequested() const override { return furthest >= at_; }
+  double first = -1.0, furthest = 0.0;
+
+ private:
+  double at_;
+};
+
+TEST(LoadCaseVolume, GoesOnWithARecipeWhereItWasStopped) {
+  const TemporaryFolder folder;
+  const EnvironmentValue cache("ECHOWEAVE_CACHE", folder / "cache");
+  const Case made = coarseCase(folder / "case");
+  StopsAt stopped(0.4);
+  ASSERT_FALSE(loadCaseVolume(made, stopped));
+  const auto isPieces = [](const std::filesystem::path& file) { return file.filename() == "pieces"; };
+  auto files = filesIn(folder / "cache");
+  const auto pieces = std::find_if(files.begin(), files.end(), isPieces);
+  ASSERT_NE(pieces, files.end());
+  const auto size = std::filesystem::file_size(*pieces);
+  ASSERT_GT(size, 1000u);
+  std::filesystem::resize_file(*pieces, size - 7);  // as a program leaves it that is killed while it writes
+  StopsAt never(2.0);
+  const auto wentOn = loadCaseVolume(made, never);
+  ASSERT_TRUE(wentOn) << wentOn.error();
+  EXPECT_GT(never.first, 0.1) << "it does not begin at nothing";
+  files = filesIn(folder / "cache");
+  EXPECT_TRUE(std::none_of(files.begin(), files.end(), isPieces)) << "they have done their service";
+
+  const EnvironmentValue other("ECHOWEAVE_CACHE", folder / "other");
+  const auto atOnce = loadCaseVolume(made, noProgress());
+  ASSERT_TRUE(atOnce);
+  EXPECT_EQ(wentOn->volume.echo, atOnce->volume.echo);
+  EXPECT_EQ(wentOn->labels->echo, atOnce->labels->echo);
+}
+
 TEST(LoadCaseVolume, GivesWithARecipeTheTissueOfEveryVoxel) {
   const TemporaryFolder folder;
   const EnvironmentValue cache("ECHOWEAVE_CACHE", folder / "cache");

@@ -1,8 +1,12 @@
 #include <atomic>
 #include <cmath>
+#include <map>
+#include <mutex>
+#include <span>
 
 #include "counted_stop.h"
 #include "ew/phantom/speckle.h"
+#include "ew/phantom/voxel_pieces.h"
 #include "recipes.h"
 
 namespace ew::voxelise_test {
@@ -204,6 +208,59 @@ TEST(Voxelise, AsksAtLeastOncePerHundredThousandVoxelsAndStopsAtItsNextQuestion)
     EXPECT_LE(stop.questionsAfter(), test::kMostQuestionsAfter) << part;
     EXPECT_LE(stop.reportsAfter(), test::kMostReportsAfter) << part;
   }
+}
+
+/// Pieces in memory, which say how many were painted and how many were there.
+class PiecesInMemory final : public VoxelPieces {
+ public:
+  bool recall(int piece, std::vector<std::uint8_t>& bytes) override {
+    const auto found = kept_.find(piece);
+    if (found != kept_.end()) bytes = found->second;
+    return found != kept_.end();
+  }
+  void keep(int piece, std::span<const std::uint8_t> bytes) override {
+    const std::lock_guard lock(guard_);
+    kept_[piece].assign(bytes.begin(), bytes.end());
+    ++painted;
+  }
+  void recalled(double part) override { share = part; }
+  void cutShort(int piece) { kept_[piece].resize(kept_[piece].size() / 2); }
+  [[nodiscard]] int first() const { return kept_.begin()->first; }
+
+  int painted = 0;
+  double share = -1.0;
+
+ private:
+  std::mutex guard_;
+  std::map<int, std::vector<std::uint8_t>> kept_;
+};
+
+TEST(Voxelise, GoesOnWithThePiecesOfARunThatWasStopped) {
+  const VoxeliseOptions once{.spacing_mm = 2.5, .threads = 1, .maps = true};
+  const auto whole = voxelise(shipped(), once, noProgress());
+  ASSERT_TRUE(whole) << whole.error();
+  PiecesInMemory pieces;
+  VoxeliseOptions options = once;
+  options.pieces = &pieces;
+  auto stop = test::CountedStop::atFraction(0.45);
+  ASSERT_FALSE(voxelise(shipped(), options, stop));
+  EXPECT_EQ(pieces.share, 0.0);
+  const int before = pieces.painted;
+  ASSERT_GT(before, 2);
+  pieces.cutShort(pieces.first());
+  const auto made = voxelise(shipped(), options, noProgress());
+  ASSERT_TRUE(made) << made.error();
+  EXPECT_NEAR(pieces.share, 0.5, 0.1) << "what was there is not painted again";
+  EXPECT_GT(pieces.painted, before);
+  EXPECT_EQ(made->volume.echo, whole->volume.echo);
+  EXPECT_EQ(made->volume.coverage, whole->volume.coverage);
+  EXPECT_EQ(made->labels, whole->labels);
+  EXPECT_EQ(made->maps->level, whole->maps->level);
+  EXPECT_EQ(made->maps->surfaceDistance, whole->maps->surfaceDistance);
+  EXPECT_EQ(made->maps->surfaceKind, whole->maps->surfaceKind);
+  const int painted = pieces.painted;
+  ASSERT_TRUE(voxelise(shipped(), options, noProgress()));
+  EXPECT_EQ(pieces.painted, painted) << "nothing is left to be painted";
 }
 
 }  // namespace

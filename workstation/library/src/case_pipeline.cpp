@@ -19,6 +19,7 @@
 #include "ew/stitching/chain.h"
 #include "kept_maps.h"
 #include "kept_motion.h"
+#include "kept_pieces.h"
 #include "machine_speed.h"
 #include "old_results.h"
 #include "preparation_clock.h"
@@ -128,11 +129,24 @@ class Preparation {
     if (auto there = readPrepared(plan_, store_, silent_)) return there;
     begin(PreparationStep::voxelise, say<"Building the virtual patient">());
     PartOfProgress most(clock_, 0.0, 0.9);
-    auto voxels = voxelise(
-        **patient, {.spacing_mm = case_.volume.recipeSpacing_mm, .threads = options_.threads, .maxBytes = options_.maxBytes, .maps = true},
-        most);
+    double painted = 1.0;
+    const fs::path folder = home_ / kJoins / plan_.volume;  // of what is painted so far; gone when the volume is kept
+    auto voxels = [&] {
+      KeptPieces pieces(folder / "pieces", [&](double share) {
+        painted = 1.0 - share;
+        clock_.goOn(share);
+      });
+      return voxelise(**patient,
+                      {.spacing_mm = case_.volume.recipeSpacing_mm,
+                       .threads = options_.threads,
+                       .maxBytes = options_.maxBytes,
+                       .maps = true,
+                       .pieces = &pieces},
+                      most);
+    }();
     if (!voxels) return passOn(voxels.error());
-    keepMachineSpeed(cacheFolder(), PreparationStep::voxelise, voxeliseWork(case_), clock_.sinceBegin_s());
+    // What an earlier run has left took no time; a small rest says nothing of the machine's speed.
+    if (painted > 0.5) keepMachineSpeed(cacheFolder(), PreparationStep::voxelise, painted * voxeliseWork(case_), clock_.sinceBegin_s());
     Prepared made{std::move(voxels->volume), {}};
     made.labels = {made.volume.grid, std::move(voxels->labels), {}};
     if (voxels->maps) {
@@ -142,6 +156,8 @@ class Preparation {
     if (!plan_.motion.empty()) made.motion = std::move(motion_);
     PartOfProgress rest(clock_, 0.9, 1.0);
     if (auto kept = keepPrepared(store_, kVolumes, plan_.volume, made, rest); !kept) return passOn(kept.error());
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
     keepTruth();
     return made;
   }

@@ -10,10 +10,13 @@ double secondsBetween(std::chrono::steady_clock::time_point from, std::chrono::s
   return std::chrono::duration<double>(to - from).count();
 }
 
-/// A step and how long all will take, in steps of five seconds: a console that prints each change would be full of them.
+/// A step and how long all will take, no finer than can be known: a console that prints each change would be full of them.
 Message withTimeLeft(const Message& step, double left_s) {
-  if (left_s >= 120.0) return say<"%1, %2 min left">(step, static_cast<int>(std::ceil(left_s / 60.0)));
-  return say<"%1, %2 s left">(step, 5 * std::max(1, static_cast<int>(std::ceil(left_s / 5.0))));
+  constexpr double kCoarse_min = 10.0;
+  const double left_min = left_s / 60.0;
+  if (left_min > kCoarse_min) return say<"%1, %2 min left">(step, 5 * static_cast<int>(std::ceil(left_min / 5.0)));
+  if (left_min > 1.0) return say<"%1, %2 min left">(step, static_cast<int>(std::ceil(left_min)));
+  return say<"%1, %2 s left">(step, 10 * std::max(1, static_cast<int>(std::ceil(left_s / 10.0))));
 }
 
 }  // namespace
@@ -24,6 +27,24 @@ double PreparationClock::total_s(double expected_s, double passed_s, double frac
   if (done <= 0.0) return atLeast_s;
   const double trust = std::min(1.0, 3.0 * done);
   return (1.0 - trust) * atLeast_s + trust * passed_s / done;
+}
+
+double PreparationClock::steadied_s(double shown_s, double since_s, double estimate_s) {
+  constexpr double kNears_s = 20.0;
+  if (shown_s < 0.0) return estimate_s;
+  const double expected_s = std::max(0.0, shown_s - since_s);
+  return expected_s + (estimate_s - expected_s) * (1.0 - std::exp(-since_s / kNears_s));
+}
+
+void PreparationClock::goOn(double share) {
+  const std::lock_guard lock(guard_);
+  if (at_ >= steps_.size() || !(share > 0.0)) return;
+  double all_s = 0.0;
+  for (const Step& each : steps_) all_s += each.expected_s;
+  const double done_s = share * steps_[at_].expected_s;
+  if (all_s > 0.0) before_ = std::clamp(before_ + (1.0 - before_) * done_s / all_s, 0.0, 0.99);
+  steps_[at_].expected_s -= done_s;
+  shownLeft_s_ = -1.0;
 }
 
 double PreparationClock::correctionOf(int kind) const {
@@ -73,8 +94,11 @@ void PreparationClock::report(const Message&, double fraction) {
   for (std::size_t n = at_ + 1; n < steps_.size(); ++n) rest_s += steps_[n].expected_s * correctionOf(steps_[n].kind);
   finished_.pop_back();
   const double passed_s = secondsBetween(started_, Clock::now());
-  furthest_ = std::max(furthest_, passed_s + rest_s > 0.0 ? passed_s / (passed_s + rest_s) : 0.0);
-  whole_.report(withTimeLeft(what_, rest_s), furthest_);
+  const double part = passed_s + rest_s > 0.0 ? passed_s / (passed_s + rest_s) : 0.0;
+  furthest_ = std::max(furthest_, before_ + (1.0 - before_) * part);
+  shownLeft_s_ = steadied_s(shownLeft_s_, passed_s - shownAt_s_, rest_s);
+  shownAt_s_ = passed_s;
+  whole_.report(withTimeLeft(what_, shownLeft_s_), furthest_);
 }
 
 }  // namespace ew

@@ -1,7 +1,10 @@
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <new>
+#include <span>
 #include <stdexcept>
+#include <type_traits>
 
 #include "anatomy.h"
 #include "echo_levels.h"
@@ -9,6 +12,7 @@
 #include "ew/core/numbers.h"
 #include "ew/core/parallel.h"
 #include "ew/phantom/speckle.h"
+#include "ew/phantom/voxel_pieces.h"
 #include "reflecting_surfaces.h"
 
 namespace ew {
@@ -207,6 +211,8 @@ class VolumePainter {
 
   [[nodiscard]] int pieces() const { return (grid_.dims.z + kBlock - 1) / kBlock * strips_; }
   void paintPiece(int piece);
+  /// The pieces that an earlier run has not left.
+  [[nodiscard]] std::vector<int> missingPieces();
   /// Of the surfaces, once all pieces are painted. @return false when cancelled
   [[nodiscard]] bool spread(Progress& progress) {
     return spreadSurfaces(maps_.surfaces(), feetOfPiece_, options_.threads, progress, *made_.maps);
@@ -228,6 +234,13 @@ class VolumePainter {
              static_cast<std::size_t>(in.x);
     }
   };
+  [[nodiscard]] Strip stripOf(int piece) const;
+  /// Calls `row` with every row of voxels of a piece in each of the volumes that are painted.
+  template <class Row>
+  void forRowsOf(int piece, const Row& row);
+  [[nodiscard]] bool recall(int piece, std::vector<std::uint8_t>& bytes);
+  void keep(int piece, const std::vector<phantom::SurfaceFoot>& feet);
+
   /// What is known around a block or voxel at hand.
   struct Around {
     std::vector<const Organ*> near{};
@@ -253,9 +266,64 @@ class VolumePainter {
   std::atomic<bool> outOfMemory_{false};
 };
 
-void VolumePainter::paintPiece(int piece) {
+VolumePainter::Strip VolumePainter::stripOf(int piece) const {
   Strip strip{.first = {0, (piece % strips_) * kStrip, (piece / strips_) * kBlock}, .size = {}};
   strip.size = glm::min(glm::ivec3(grid_.dims.x, kStrip, kBlock), grid_.dims - strip.first);
+  return strip;
+}
+
+template <class Row>
+void VolumePainter::forRowsOf(int piece, const Row& row) {
+  const Strip strip = stripOf(piece);
+  std::vector<std::uint8_t>* painted[] = {&made_.volume.echo, &made_.volume.coverage, &made_.labels,
+                                          made_.maps ? &made_.maps->level : nullptr};
+  for (std::vector<std::uint8_t>* values : painted) {
+    if (values == nullptr) continue;
+    for (int k = strip.first.z; k < strip.first.z + strip.size.z; ++k)
+      for (int j = strip.first.y; j < strip.first.y + strip.size.y; ++j)
+        row(std::span(values->data() + grid_.indexOf(0, j, k), static_cast<std::size_t>(grid_.dims.x)));
+  }
+}
+
+bool VolumePainter::recall(int piece, std::vector<std::uint8_t>& bytes) {
+  if (!options_.pieces->recall(piece, bytes)) return false;
+  std::size_t voxels = 0;
+  forRowsOf(piece, [&](std::span<std::uint8_t> row) { voxels += row.size(); });
+  constexpr std::size_t kFoot = sizeof(phantom::SurfaceFoot);
+  if (bytes.size() < voxels || (bytes.size() - voxels) % kFoot != 0 || (!made_.maps && bytes.size() != voxels)) return false;
+  const std::uint8_t* from = bytes.data();
+  forRowsOf(piece, [&](std::span<std::uint8_t> row) {
+    std::copy_n(from, row.size(), row.data());
+    from += row.size();
+  });
+  if (!made_.maps) return true;
+  auto& feet = feetOfPiece_[static_cast<std::size_t>(piece)];
+  feet.resize((bytes.size() - voxels) / kFoot);
+  std::memcpy(feet.data(), from, feet.size() * kFoot);
+  return true;
+}
+
+void VolumePainter::keep(int piece, const std::vector<phantom::SurfaceFoot>& feet) {
+  static_assert(std::is_trivially_copyable_v<phantom::SurfaceFoot>);
+  std::vector<std::uint8_t> bytes;
+  forRowsOf(piece, [&](std::span<std::uint8_t> row) { bytes.insert(bytes.end(), row.begin(), row.end()); });
+  const std::size_t voxels = bytes.size();
+  bytes.resize(voxels + feet.size() * sizeof(phantom::SurfaceFoot));
+  if (!feet.empty()) std::memcpy(bytes.data() + voxels, feet.data(), bytes.size() - voxels);
+  options_.pieces->keep(piece, bytes);
+}
+
+std::vector<int> VolumePainter::missingPieces() {
+  std::vector<int> missing;
+  std::vector<std::uint8_t> bytes;
+  for (int piece = 0; piece < pieces(); ++piece)
+    if (options_.pieces == nullptr || progress_.cancelRequested() || !recall(piece, bytes)) missing.push_back(piece);
+  if (options_.pieces != nullptr) options_.pieces->recalled(1.0 - static_cast<double>(missing.size()) / pieces());
+  return missing;
+}
+
+void VolumePainter::paintPiece(int piece) {
+  Strip strip = stripOf(piece);
   Around around;
   try {
     SpeckleScratch scratch;
@@ -267,6 +335,7 @@ void VolumePainter::paintPiece(int piece) {
       if (progress_.cancelRequested()) stopped_ = true;
     }
     around.feet.shrink_to_fit();
+    if (options_.pieces != nullptr && !stopped_) keep(piece, around.feet);
   } catch (const std::bad_alloc&) {
     outOfMemory_ = true;
     stopped_ = true;
@@ -353,8 +422,9 @@ Result<VoxelisedPatient> voxelise(const Patient& patient, const VoxeliseOptions&
 
     VolumePainter painter(patient, options, progress, made);
     PartOfProgress painting(progress, 0.0, made.maps ? 0.9 : 1.0), spreading(progress, 0.9, 1.0);
-    const bool finished = forEachTask(painter.pieces(), options.threads, painting, say<"Building the virtual patient">(),
-                                      [&](int piece) { painter.paintPiece(piece); });
+    const std::vector<int> missing = painter.missingPieces();
+    const bool finished = forEachTask(static_cast<int>(missing.size()), options.threads, painting, say<"Building the virtual patient">(),
+                                      [&](int n) { painter.paintPiece(missing[static_cast<std::size_t>(n)]); });
     if (painter.outOfMemory()) return tooLargeAt(options, forecast);
     if (!finished || painter.stopped()) return stoppedByUser();
     if (made.maps && !painter.spread(spreading)) return stoppedByUser();

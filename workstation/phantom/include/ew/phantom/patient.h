@@ -116,12 +116,15 @@ struct PatientParameter {
 /// The label voxelise gives to a voxel centred here: 0 outside every organ.
 [[nodiscard]] int labelAt(const Patient& patient, const glm::dvec3& p_world_mm);
 
+class VoxelPieces;
+
 struct VoxeliseOptions {
   double spacing_mm = 1.0;
   std::uint64_t seed = 1;  ///< of the speckle; the same patient and seed give the same voxels on every machine and thread count
   int threads = 0;
   std::uint64_t maxBytes = 16ull << 30;
-  bool maps = false;  ///< TissueMaps, too
+  bool maps = false;              ///< TissueMaps, too
+  VoxelPieces* pieces = nullptr;  ///< of a run that was stopped, and for the next one; null: none are kept
 };
 struct VoxelisedPatient {
   Volume volume;  ///< inside the patient's stated box; coverage absent outside the skin
