@@ -2,6 +2,85 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>QShortcut</name>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Rücktaste</translation>
+    </message>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Runter</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Pos1</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Einfg</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Bild ab</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Bild auf</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Hoch</translation>
+    </message>
+</context>
+<context>
     <name>ew::Message</name>
     <message>
         <source>%1 %2, was %3</source>
@@ -11064,6 +11143,37 @@
     </message>
 </context>
 <context>
+    <name>ew::Probe</name>
+    <message>
+        <source>Convex 3.5 MHz Abdomen</source>
+        <translation>Konvex 3,5 MHz Abdomen</translation>
+    </message>
+    <message>
+        <source>Endocavity 6.5 MHz</source>
+        <translation>Endokavitär 6,5 MHz</translation>
+    </message>
+    <message>
+        <source>Linear 12 MHz Superficial</source>
+        <translation>Linear 12 MHz oberflächlich</translation>
+    </message>
+    <message>
+        <source>Linear 7.5 MHz Small Parts</source>
+        <translation>Linear 7,5 MHz Weichteile</translation>
+    </message>
+    <message>
+        <source>Mechanical Sector 3.5 MHz</source>
+        <translation>Mechanischer Sektor 3,5 MHz</translation>
+    </message>
+    <message>
+        <source>Microconvex 6 MHz</source>
+        <translation>Mikrokonvex 6 MHz</translation>
+    </message>
+    <message>
+        <source>Phased 2.5 MHz Cardiac</source>
+        <translation>Phased Array 2,5 MHz Herz</translation>
+    </message>
+</context>
+<context>
     <name>ew::StepKind</name>
     <message>
         <source>live echoes</source>
@@ -13622,6 +13732,17 @@
         <source>Preparing %1</source>
         <translation>%1 wird vorbereitet</translation>
     </message>
+    <message numerus="yes">
+        <source>about %n minutes</source>
+        <translation>
+            <numerusform>etwa %n Minute</numerusform>
+            <numerusform>etwa %n Minuten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>less than a minute</source>
+        <translation>weniger als eine Minute</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::CineBar</name>
@@ -13695,6 +13816,13 @@
     </message>
 </context>
 <context>
+    <name>ew::ui::ColumnTabs</name>
+    <message>
+        <source>Columns beside the scan</source>
+        <translation>Spalten neben dem Schallbild</translation>
+    </message>
+</context>
+<context>
     <name>ew::ui::ConsolePanel</name>
     <message>
         <source>Gain</source>
@@ -13707,6 +13835,28 @@
     <message>
         <source>Focus</source>
         <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>Left/right</source>
+        <comment>inverts the image</comment>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Preset: %1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Voreinstellungen</translation>
+    </message>
+    <message>
+        <source>Sets the whole console for an examination</source>
+        <translation>Stellt die ganze Konsole für eine Untersuchung ein</translation>
+    </message>
+    <message>
+        <source>Up/down</source>
+        <comment>inverts the image</comment>
+        <translation>Oben/unten</translation>
     </message>
     <message>
         <source>Zoom</source>
@@ -14781,10 +14931,33 @@
     </message>
 </context>
 <context>
-    <name>ew::ui::JobCards</name>
+    <name>ew::ui::JobsLine</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation>
+            <numerusform>noch %n</numerusform>
+            <numerusform>noch %n</numerusform>
+        </translation>
+    </message>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel: %1</source>
+        <translation>Abbrechen: %1</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Nicht jetzt</translation>
+    </message>
+    <message>
+        <source>Shows everything that is being worked on</source>
+        <translation>Zeigt alles, woran gearbeitet wird</translation>
     </message>
     <message>
         <source>Stopping…</source>
@@ -14794,8 +14967,32 @@
 <context>
     <name>ew::ui::MainWindow</name>
     <message>
+        <source>&amp;Body and case</source>
+        <translation>&amp;Körper und Fall</translation>
+    </message>
+    <message>
+        <source>&amp;Console</source>
+        <translation>K&amp;onsole</translation>
+    </message>
+    <message>
+        <source>&amp;Next column</source>
+        <translation>Nä&amp;chste Spalte</translation>
+    </message>
+    <message>
+        <source>&amp;Recording</source>
+        <translation>&amp;Aufnahme</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; could not be opened, so what was not saved of it is kept and offered at the next start.</source>
         <translation>„%1“ ließ sich nicht öffnen; was davon nicht gespeichert war, bleibt aufgehoben und wird beim nächsten Start angeboten.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is being prepared, which takes %2. What is open stays open; you are told when the case is ready.</source>
+        <translation>„%1“ wird vorbereitet, das dauert %2. Was offen ist, bleibt offen; Sie erfahren, wenn der Fall bereit ist.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is ready.</source>
+        <translation>„%1“ ist bereit.</translation>
     </message>
     <message>
         <source>A recording of the scan: %1 min</source>
@@ -14806,12 +15003,28 @@
         <translation>Eine Untersuchung des Experten, die für eine Lektion aufgenommen wurde: %1 min</translation>
     </message>
     <message>
+        <source>Body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>C&amp;onsole</source>
+        <translation>K&amp;onsole</translation>
+    </message>
+    <message>
         <source>Discard</source>
         <translation>Verwerfen</translation>
     </message>
     <message>
+        <source>Gain, depth, transducer, freeze, measure</source>
+        <translation>Verstärkung, Tiefe, Schallkopf, Einfrieren, Messen</translation>
+    </message>
+    <message>
         <source>Go on</source>
         <translation>Weitermachen</translation>
+    </message>
+    <message>
+        <source>Lessons and &amp;panels</source>
+        <translation>Lektionen und &amp;Bereiche</translation>
     </message>
     <message>
         <source>Looking for unsaved work</source>
@@ -14834,8 +15047,24 @@
         <translation>Zu „%1“:</translation>
     </message>
     <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Bereiche</translation>
+    </message>
+    <message>
         <source>Reading what was not saved</source>
         <translation>Ungespeichertes wird gelesen</translation>
+    </message>
+    <message>
+        <source>Show the console and the other columns</source>
+        <translation>Zeigt die Konsole und die anderen Spalten</translation>
+    </message>
+    <message>
+        <source>Show the console and the other columns (%1)</source>
+        <translation>Zeigt die Konsole und die anderen Spalten (%1)</translation>
     </message>
     <message>
         <source>The expert&apos;s scan is here again. Save it, then choose it in its step of the lesson (Choose a recording…).</source>
@@ -14844,6 +15073,10 @@
     <message>
         <source>The lesson &apos;%1&apos;, in step %2 of %3</source>
         <translation>Die Lektion „%1“, in Schritt %2 von %3</translation>
+    </message>
+    <message>
+        <source>The probe on the body, and what is known of the case</source>
+        <translation>Der Schallkopf auf dem Körper, und was vom Fall bekannt ist</translation>
     </message>
     <message>
         <source>The program ended at %1 before this was saved; it was kept:</source>
@@ -15012,6 +15245,10 @@
     <message>
         <source>Less gain</source>
         <translation>Weniger Verstärkung</translation>
+    </message>
+    <message>
+        <source>What is worked through or edited</source>
+        <translation>Was durchgearbeitet oder bearbeitet wird</translation>
     </message>
     <message>
         <source>What was measured, on images: %1</source>
@@ -22260,7 +22497,7 @@ Zeit: %3</translation>
     </message>
     <message>
         <source>Review</source>
-        <translation>Durchsicht</translation>
+        <translation>Begutachten</translation>
     </message>
     <message>
         <source>Compare trainees' scans with the expert's</source>
@@ -22770,7 +23007,7 @@ Zeit: %3</translation>
     </message>
     <message>
         <source>Review</source>
-        <translation>Durchsicht</translation>
+        <translation>Begutachten</translation>
     </message>
     <message>
         <source>not saved</source>

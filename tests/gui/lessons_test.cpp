@@ -5,7 +5,9 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QSlider>
 #include <QStackedWidget>
+#include <QTabBar>
 #include <QTabWidget>
 
 #include "calipers.h"
@@ -246,6 +248,44 @@ class LessonsTest : public WindowFixture {
     QVERIFY(attempt.outcomeOf("plane")->verdict == StepVerdict::passed);
     QVERIFY(QFile::exists(QString::fromStdString((kept.attempts.front().first / attempt.outcomeOf("plane")->pictures.front()).string())));
     QVERIFY(readRecording(kept.attempts.front().first / attempt.outcomeOf("sweep")->recording));
+  }
+
+  /// Whoever works through a step with the mouse goes on scanning with the keys, and the button that is marked is pressed with them.
+  void keysReachTheScanAfterClicksInThePanelAndTheMarkedButton() {
+    begin();
+    press("stepDone");
+    // The program put the focus on the button that leads on: Return presses it, and Space freezes nothing.
+    QVERIFY(waitUntil([this] { return seen("nextStep") != nullptr && seen("nextStep")->hasFocus(); }));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    waitForStep("watch");
+    press("skipStep");
+    waitForStep("plane");
+    const auto slidesBy = [this](int key) {
+      const Hold before = session().hold();
+      QTest::keyClick(QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : window_.get(), static_cast<Qt::Key>(key));
+      return !(session().hold() == before);
+    };
+    for (QWidget* each : {static_cast<QWidget*>(seen("showHint")), static_cast<QWidget*>(seen<QLabel>("stepTitle")),
+                          static_cast<QWidget*>(window_->findChild<QTabWidget*>(QStringLiteral("consolePages"))->tabBar()),
+                          static_cast<QWidget*>(find<QSlider>("gain")), static_cast<QWidget*>(find<QPushButton>("workspaceExplore"))}) {
+      QVERIFY(each);
+      QTest::mouseClick(each, Qt::LeftButton);
+      QTest::qWait(10);
+      const int gain = find<QSlider>("gain")->value();
+      QVERIFY2(slidesBy(Qt::Key_Left), qPrintable(each->objectName()));
+      QVERIFY2(slidesBy(Qt::Key_Up), qPrintable(each->objectName()));
+      QCOMPARE(find<QSlider>("gain")->value(), gain);
+    }
+    // A control that was reached with Tab has its own keys.
+    find<QSlider>("gain")->setFocus(Qt::TabFocusReason);
+    const int gain = find<QSlider>("gain")->value();
+    QVERIFY(!slidesBy(Qt::Key_Right));
+    QVERIFY(find<QSlider>("gain")->value() != gain);
+    // After a click Space freezes, as it does everywhere.
+    QTest::mouseClick(seen("showHint"), Qt::LeftButton);
+    QTest::qWait(10);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+    QVERIFY(session().isFrozen());
   }
 
   void aLessonThatWasLeftIsGoneOnWith() {

@@ -372,8 +372,8 @@ class StitchingJourneyTest : public StitchingFixture {
     QVERIFY2(problem().contains(QStringLiteral("bad.mha")) && problem().contains(QStringLiteral("1 more")), qPrintable(problem()));
   }
 
-  /// Work of others runs while the panel is used: its cards lie beside the panel's buttons and sentences, not on them.
-  void cardsOfRunningWorkCoverNothingOfThePanel() {
+  /// Work of others runs while the panel is used: it is told of in the status line, which covers nothing.
+  void runningWorkCoversNothingOfThePanel() {
     openWindow(files_.writeCase(QStringLiteral("covered case")));
     drop({parts_[0].file, parts_[1].file});
     QVERIFY(jobsEnd());
@@ -383,8 +383,8 @@ class StitchingJourneyTest : public StitchingFixture {
     };
     window_->jobs().start(QStringLiteral("Something else"), idle, {}, Jobs::Kind::background);
     window_->jobs().start(QStringLiteral("And something more"), idle, {}, Jobs::Kind::background);
-    auto* cards = find<QWidget>("jobCards");
-    QVERIFY(waitUntil([&] { return cards->findChildren<QPushButton*>(QStringLiteral("cancelJob")).size() == 2 && cards->isVisible(); }));
+    auto* line = find<QWidget>("jobsLine");
+    QVERIFY(waitUntil([&] { return line->isVisible() && find<QPushButton>("moreJobs")->isVisible(); }));
     const QString bad = files_.path(QStringLiteral("covered.mha"));
     QVERIFY(writeFileSafely(bad.toStdString(), "no volume"));
     drop({bad});
@@ -397,11 +397,12 @@ class StitchingJourneyTest : public StitchingFixture {
       scroll = qobject_cast<QScrollArea*>(above->parentWidget());
     QVERIFY(scroll != nullptr);
     const QRect seen = onScreen(scroll->viewport());
-    QVERIFY2(!seen.intersects(onScreen(cards)), "the cards lie on the panel");
+    QVERIFY2(!seen.intersects(onScreen(line)), "the running work lies on the panel");
     const auto* sentence = panel()->findChild<QLabel*>(QStringLiteral("problem"));
     QVERIFY2(seen.contains(onScreen(sentence)), "the sentence about what went wrong is not seen");
     window_->jobs().cancelAllAndWait();
-    QVERIFY(waitUntil([&] { return !cards->isVisible() && onScreen(scroll->viewport()).height() > seen.height() + 100; }));
+    QVERIFY(waitUntil([&] { return !line->isVisible(); }));
+    QCOMPARE(onScreen(scroll->viewport()), seen);
   }
 
   /// One button leads on; what comes of it is shown; the keyboard stays where it was.

@@ -7,7 +7,10 @@
 #include <QStackedWidget>
 #include <QTabWidget>
 #include <QTranslator>
+#include <filesystem>
+#include <fstream>
 
+#include "column_tabs.h"
 #include "cost_panel.h"
 #include "ew/library/case.h"
 #include "ew/library/lesson.h"
@@ -88,6 +91,71 @@ class UsabilityFixture : public WindowFixture {
     QVERIFY(window_->document().edit(manifest, "Edit the history of the patient and all that belongs to it", "history").has_value());
     QVERIFY(waitUntil([this] { return window_->isSettled(); }));
     QTest::qWait(50);
+  }
+
+  /// A shipped case with everything but fine voxels, so that it opens at once.
+  [[nodiscard]] QString coarseCopyOf(const Case& shipped) const {
+    const std::filesystem::path folder = files_.path(QStringLiteral("shipped-") + QString::fromStdString(shipped.id)).toStdString();
+    std::filesystem::copy(shipped.folder, folder, std::filesystem::copy_options::recursive | std::filesystem::copy_options::skip_existing);
+    std::ifstream from(shipped.folder / "case.json");
+    nlohmann::json manifest = nlohmann::json::parse(from);
+    if (manifest["volume"].contains("recipe")) {
+      for (const char* fine : {"sweeps", "reconstruct"}) manifest["volume"].erase(fine);
+      manifest["volume"]["recipe_spacing_mm"] = 9.0;
+    }
+    std::ofstream(folder / "case.json") << manifest.dump(2);
+    return QString::fromStdString(folder.string());
+  }
+
+  /// Presses the tab of a column that is not in front. @param source its title in English
+  void bringToFront(const char* source) {
+    QStringList titles{MainWindow::tr(source)};
+    for (QTabWidget* tabs : window_->findChildren<QTabWidget*>())  // of the panel that is alone in its column
+      if (tabs->objectName() == QLatin1String("explorePanel") && QLatin1String(source) == QLatin1String("Lessons") && tabs->count() > 0)
+        titles << tabs->tabText(0);
+    for (ColumnTabs* tabs : window_->findChildren<ColumnTabs*>()) {
+      for (int n = 0; tabs->isVisible() && n < tabs->count(); ++n) {
+        if (!titles.contains(tabs->tabText(n)) || tabs->currentIndex() == n) continue;
+        QTest::mouseClick(tabs, Qt::LeftButton, Qt::NoModifier, tabs->tabRect(n).center());
+        QTest::qWait(20);
+        return;
+      }
+    }
+  }
+
+  /// Whether it can be pressed: whole in the window, once its page is scrolled to it.
+  [[nodiscard]] bool isReachedByMouse(const QWidget* widget) const {
+    if (widget == nullptr) return false;
+    for (QWidget* up = widget->parentWidget(); up != nullptr; up = up->parentWidget())
+      if (auto* scroll = qobject_cast<QScrollArea*>(up)) scroll->ensureWidgetVisible(const_cast<QWidget*>(widget), 0, 0);
+    QCoreApplication::processEvents();
+    const QRect place(widget->mapTo(window_.get(), QPoint()), widget->size());
+    return widget->isVisible() && window_->rect().contains(place) && widget->visibleRegion().boundingRect() == widget->rect();
+  }
+
+  /// Gain, depth, freeze, presets, probe and the calipers; and what of their words is cut.
+  [[nodiscard]] QStringList whatIsNotReachedOnTheConsole() {
+    QStringList missing;
+    bringToFront("Console");
+    if (!window_->console().isVisible()) return {QStringLiteral("there is no console")};
+    const auto look = [&](const char* name) {
+      if (!isReachedByMouse(find<QWidget>(name))) missing << QStringLiteral("%1 is not reached").arg(QLatin1String(name));
+    };
+    for (const char* always : {"gain", "depth", "freeze"}) look(always);
+    auto* pages = find<QTabWidget>("consolePages");
+    const QTabBar& bar = *pages->tabBar();
+    for (int n = 0; n < pages->count(); ++n) {
+      if (!bar.rect().contains(bar.tabRect(n))) missing << QStringLiteral("the tab '%1' is not seen").arg(pages->tabText(n));
+      pages->setCurrentIndex(n);
+      QTest::qWait(10);
+      if (n == 0)
+        for (const char* first : {"presets", "focus", "modeB", "flip"}) look(first);
+      if (n == 2) look("probe");
+      if (n == 3) look("caliper-distance");
+      for (const QString& each : cutTexts(*window_)) missing << QStringLiteral("page %1: ").arg(n + 1) + each;
+    }
+    pages->setCurrentIndex(0);
+    return missing;
   }
 
   [[nodiscard]] QAction* action(const char* source) const {

@@ -20,6 +20,14 @@ class UsabilityTest : public UsabilityFixture {
     QTest::newRow("English") << QStringLiteral("en");
     QTest::newRow("German") << QStringLiteral("de");
   }
+  static void addLanguagesAndSizes() {
+    QTest::addColumn<QString>("language");
+    QTest::addColumn<int>("text_percent");
+    for (const char* language : {"en", "de"})
+      for (const int percent : {100, 150, 200})
+        QTest::newRow(qPrintable(QStringLiteral("%1 %2 %").arg(QLatin1String(language)).arg(percent)))
+            << QString::fromLatin1(language) << percent;
+  }
   static void failOn(const QStringList& wrong) {
     for (const QString& each : wrong) fprintf(stderr, "  %s\n", qPrintable(each));  // a long message would be cut
     QVERIFY2(wrong.isEmpty(), qPrintable(QString::number(wrong.size())));
@@ -45,14 +53,7 @@ class UsabilityTest : public UsabilityFixture {
     failOn(wrong);
   }
 
-  void noTextIsCut_data() {
-    QTest::addColumn<QString>("language");
-    QTest::addColumn<int>("text_percent");
-    for (const char* language : {"en", "de"})
-      for (const int percent : {100, 150, 200})
-        QTest::newRow(qPrintable(QStringLiteral("%1 %2 %").arg(QLatin1String(language)).arg(percent)))
-            << QString::fromLatin1(language) << percent;
-  }
+  void noTextIsCut_data() { addLanguagesAndSizes(); }
   void noTextIsCut() {
     QFETCH(QString, language);
     QFETCH(int, text_percent);
@@ -78,6 +79,98 @@ class UsabilityTest : public UsabilityFixture {
     walkDialogs(look);
     wrong.removeDuplicates();
     failOn(wrong);
+  }
+
+  /// Whoever scans has the console at any size: by itself, or behind a tab that is there.
+  void theConsoleIsReachedAtAnySize_data() { addLanguagesAndSizes(); }
+  void theConsoleIsReachedAtAnySize() {
+    QFETCH(QString, language);
+    QFETCH(int, text_percent);
+    showWindow(language, text_percent);
+    auto* start = find<QPushButton>("startLesson");
+    QVERIFY(start);
+    QStringList wrong;
+    for (const bool inLesson : {false, true}) {
+      if (inLesson) {
+        bringToFront("Lessons");
+        start->click();
+        QVERIFY(waitUntil([this] { return window_->isSettled(); }));
+      }
+      for (const QSize& size : {QSize(1440, 900), QSize(1366, 768), QSize(1280, 720), QSize(1024, 640)}) {
+        window_->resize(size);
+        QTest::qWait(20);
+        const QString where =
+            QStringLiteral("%1 x %2%3").arg(size.width()).arg(size.height()).arg(inLesson ? QStringLiteral(", in a lesson") : QString());
+        if (window_->size() != size) wrong << QStringLiteral("%1 became %2 x %3").arg(where).arg(window_->width()).arg(window_->height());
+        bringToFront("Lessons");
+        const QPushButton* step = find<QPushButton>(inLesson ? "leaveLesson" : "startLesson");
+        if (!isReachedByMouse(step)) wrong << where + QStringLiteral(": the lesson is not reached");
+        for (const QString& each : cutTexts(*window_)) wrong << where + QStringLiteral(", lesson: ") + each;
+        keepScreenshot(
+            *window_,
+            qPrintable(QStringLiteral("%1-%2-%3-lesson%4").arg(language).arg(text_percent).arg(size.width()).arg(inLesson ? 1 : 0)));
+        for (const QString& each : whatIsNotReachedOnTheConsole()) wrong << where + QStringLiteral(": ") + each;
+        bringToFront("Body");
+        if (!window_->view3d().isVisible()) wrong << where + QStringLiteral(": the body is not reached");
+        for (const QString& each : cutTexts(*window_)) wrong << where + QStringLiteral(", body: ") + each;
+        keepScreenshot(
+            *window_,
+            qPrintable(QStringLiteral("%1-%2-%3-body%4").arg(language).arg(text_percent).arg(size.width()).arg(inLesson ? 1 : 0)));
+      }
+    }
+    wrong.removeDuplicates();
+    failOn(wrong);
+  }
+
+  void everyShippedCaseLeavesTheConsoleItsRoom_data() {
+    QTest::addColumn<QString>("language");
+    QTest::addColumn<int>("text_percent");
+    QTest::addColumn<QSize>("size");
+    QTest::newRow("English, a laptop") << QStringLiteral("en") << 100 << QSize(1280, 720);
+    QTest::newRow("German, the smallest window with the largest words") << QStringLiteral("de") << 200 << QSize(1024, 640);
+  }
+  void everyShippedCaseLeavesTheConsoleItsRoom() {
+    QFETCH(QString, language);
+    QFETCH(int, text_percent);
+    QFETCH(QSize, size);
+    showWindow(language, text_percent, size);
+    const auto shipped = shippedCasesFolder();
+    QVERIFY(shipped.has_value());
+    QStringList wrong;
+    int seen = 0;
+    for (const Case& each : listCases(*shipped).cases) {
+      const QString folder = coarseCopyOf(each);
+      QVERIFY2(openCase(folder), qPrintable(folder));
+      QVERIFY(waitUntil([&] { return window_->document().current()->id == each.id && window_->isSettled(); }));
+      QTest::qWait(50);
+      const QString name = QString::fromStdString(each.id);
+      for (const char* column : {"Lessons", "Body"}) {
+        bringToFront(column);
+        for (const QString& cut : cutTexts(*window_)) wrong << name + QStringLiteral(": ") + cut;
+      }
+      for (const QString& missing : whatIsNotReachedOnTheConsole()) wrong << name + QStringLiteral(": ") + missing;
+      keepScreenshot(*window_, qPrintable(QStringLiteral("shipped-%1-%2").arg(language, name)));
+      ++seen;
+    }
+    QVERIFY2(seen >= 8, qPrintable(QString::number(seen)));
+    wrong.removeDuplicates();
+    failOn(wrong);
+  }
+
+  void theScanAloneHasAnEdgeThatLeadsBack() {
+    showWindow(QStringLiteral("en"), 100, {1280, 720});
+    action("Scan &only")->trigger();
+    QTest::qWait(20);
+    QVERIFY(!window_->console().isVisible() && !find<QWidget>("panel_lessons")->isVisible());
+    auto* back = find<QPushButton>("showColumns");
+    QVERIFY(isReachedByMouse(back));
+    QTest::mouseClick(back, Qt::LeftButton);
+    QVERIFY(window_->console().isVisible() && !back->isVisible());
+    QVERIFY(find<QWidget>("panel_lessons")->isVisible());
+    action("&Body and case")->trigger();
+    QVERIFY(window_->view3d().isVisible() && !find<QWidget>("panel_lessons")->isVisible());
+    action("&Next column")->trigger();
+    QVERIFY(!window_->view3d().isVisible() && find<QWidget>("panel_lessons")->isVisible());
   }
 
   void theTextSizeIsChosenInTheMenuAndKept() {

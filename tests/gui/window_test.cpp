@@ -22,6 +22,7 @@
 #include "ew/imaging/effects/gain.h"
 #include "ew/library/case.h"
 #include "ew/scanning/contact.h"
+#include "library/small_case.h"
 #include "window_fixture.h"
 
 /// Outside of any namespace, as the macro demands.
@@ -350,6 +351,65 @@ class WindowTest : public WindowFixture {
     QVERIFY(waitUntil([this] { return window_->messages().isError(); }));
     QVERIFY(openCase(files_.writeCase(QStringLiteral("next"))));
     QVERIFY2(waitUntil([this] { return window_->messages().count() == 0; }), qPrintable(window_->messages().text()));
+  }
+
+  /// Neither running work nor a message moves or covers what somebody is about to press.
+  void runningWorkAndMessagesCoverNothingAndMoveNothing() {
+    const auto onScreen = [](const QWidget* widget) { return QRect(widget->mapToGlobal(QPoint(0, 0)), widget->size()); };
+    ScanView& scan = window_->scanView();
+    const QRect scanBefore = onScreen(&scan), imageBefore = scan.pictureRect(), freezeBefore = onScreen(find<QPushButton>("freeze"));
+    const auto idle = [](Progress& progress) -> Result<void> {
+      while (!progress.cancelRequested()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      return failure(ErrorCode::cancelled, verbatim("Stopped."));
+    };
+    window_->jobs().start(QStringLiteral("Quietly, with a name that is longer than there is room for in a line of this window"), idle, {},
+                          Jobs::Kind::background);
+    window_->jobs().start(QStringLiteral("Awaited"), idle, {});
+    auto* line = find<QWidget>("jobsLine");
+    QVERIFY(waitUntil([&] { return line->isVisible() && find<QPushButton>("moreJobs")->isVisible(); }));
+    QVERIFY(find<QWidget>("statusLine")->isAncestorOf(line));
+    QCOMPARE(find<QLabel>("jobTitle")->text(), QStringLiteral("Awaited"));
+    QVERIFY(onScreen(find<QWidget>("statusLine")).contains(onScreen(line)));
+    window_->messages().showError(QStringLiteral("Something cannot be read; choose something else."));
+    QTest::qWait(20);
+    QCOMPARE(onScreen(&scan), scanBefore);
+    QCOMPARE(scan.pictureRect(), imageBefore);
+    QCOMPARE(onScreen(find<QPushButton>("freeze")), freezeBefore);
+    QVERIFY2(!onScreen(&window_->messages()).intersects(imageBefore.translated(scanBefore.topLeft())), "the message lies on the image");
+    QVERIFY(!onScreen(&window_->messages()).intersects(onScreen(&window_->console())));
+    // All of them are told of on request, and each is cancelled for itself.
+    find<QPushButton>("moreJobs")->click();
+    QVERIFY(find<QWidget>("jobList")->isVisible());
+    QCOMPARE(find<QWidget>("jobList")->findChildren<QPushButton*>(QStringLiteral("cancelListedJob")).size(), 2);
+    QTest::mouseClick(find<QPushButton>("cancelJob"), Qt::LeftButton);
+    QVERIFY(waitUntil([this] { return window_->jobs().seen().size() == 1; }));
+    QVERIFY(find<QLabel>("jobTitle")->text().startsWith(QStringLiteral("Quietly")));
+    window_->jobs().cancelAllAndWait();
+    QVERIFY(waitUntil([&] { return !line->isVisible(); }));
+    window_->messages().dismiss();
+  }
+
+  /// A case that takes long to be prepared takes nothing away when it is ready: it is offered.
+  void aCaseThatGetsReadyIsOfferedAndOpensWhenItIsTaken() {
+    const QString open = QString::fromStdString(window_->document().current()->folder.string());
+    const QString other = files_.path(QStringLiteral("takes long"));
+    test::makeSmallCase(other.toStdString());
+    qputenv("ECHOWEAVE_CACHE", files_.path(QStringLiteral("cache of offers")).toUtf8());
+    // As on a machine that is a thousand times slower.
+    QDir().mkpath(files_.path(QStringLiteral("cache of offers")));
+    QVERIFY(writeFileSafely(files_.path(QStringLiteral("cache of offers/speed.json")).toStdString(), R"({"recording": 1000.0})"));
+    window_->open(other);
+    QVERIFY2(waitUntil([this] {
+               const auto* offer = find<QPushButton>("takeOffer");
+               return offer != nullptr && offer->isVisible();
+             }),
+             qPrintable(window_->messages().text()));
+    QCOMPARE(QString::fromStdString(window_->document().current()->folder.string()), open);
+    QVERIFY(window_->messages().text().contains(QStringLiteral("is ready")));
+    find<QPushButton>("takeOffer")->click();
+    QVERIFY(waitUntil([&] { return window_->isSettled() && window_->document().current()->folder == other.toStdString(); }));
+    QVERIFY(!find<QPushButton>("takeOffer")->isVisible());
+    qunsetenv("ECHOWEAVE_CACHE");
   }
 
   void aJobThatTakesAMomentShowsACardAndIsCancelledThere() {

@@ -73,16 +73,65 @@ TEST_F(PreparationInTheBackground, MakesOneCaseAfterTheOtherTheQuickerOneFirst) 
   for (const Case& each : cases_) EXPECT_EQ(preparation.seen(each).state, CasePreparation::State::ready);
 }
 
-TEST_F(PreparationInTheBackground, ACancelledCaseWaitsUntilItIsAskedForAndTheNextOneBegins) {
+TEST_F(PreparationInTheBackground, CancelMeansNotNowForAllThatNobodyAskedFor) {
   Jobs jobs;
   CasePreparation preparation(jobs);
   preparation.start(cases_);
   jobs.cancel(jobs.seen().front().id);
   ASSERT_TRUE(waitUntil([&] { return preparation.isIdle(); }));
-  EXPECT_EQ(preparation.seen(named("one")).state, CasePreparation::State::stopped);
-  EXPECT_EQ(preparation.seen(named("two")).state, CasePreparation::State::ready);
+  for (const char* each : {"one", "two"}) EXPECT_EQ(preparation.seen(named(each)).state, CasePreparation::State::stopped) << each;
   preparation.start(cases_);
   EXPECT_TRUE(preparation.isIdle()) << "stopped is stopped";
+  preparation.ask(named("two"));
+  ASSERT_TRUE(waitUntil([&] { return preparation.isIdle(); }));
+  EXPECT_EQ(preparation.seen(named("two")).state, CasePreparation::State::ready) << "until somebody wants it";
+  EXPECT_EQ(preparation.seen(named("one")).state, CasePreparation::State::stopped);
+}
+
+TEST_F(PreparationInTheBackground, WhatIsAskedForGoesFirstAndThrowsNothingAway) {
+  Jobs jobs;
+  CasePreparation preparation(jobs);
+  std::vector<std::string> order;
+  QObject::connect(&preparation, &CasePreparation::prepared, [&](const QString& id) { order.push_back(id.toStdString()); });
+  preparation.start(cases_);  // "one" is at work
+  preparation.ask(named("two"));
+  EXPECT_TRUE(preparation.isAskedFor("two"));
+  ASSERT_TRUE(waitUntil([&] { return preparation.isIdle(); }));
+  EXPECT_EQ(order, (std::vector<std::string>{"two", "one"}));
+}
+
+TEST_F(PreparationInTheBackground, ASecondWishWaitsForTheFirst) {
+  Jobs jobs;
+  CasePreparation preparation(jobs);
+  std::vector<std::string> order;
+  QObject::connect(&preparation, &CasePreparation::prepared, [&](const QString& id) { order.push_back(id.toStdString()); });
+  preparation.ask(named("two"));
+  preparation.ask(named("one"));
+  EXPECT_EQ(preparation.seen(named("two")).state, CasePreparation::State::running);
+  ASSERT_TRUE(waitUntil([&] { return preparation.isIdle(); }));
+  EXPECT_EQ(order, (std::vector<std::string>{"two", "one"}));
+}
+
+TEST_F(PreparationInTheBackground, IsHeldBesideAnAuthorsWorkUnlessSomebodyWantsACase) {
+  Jobs jobs;
+  CasePreparation preparation(jobs);
+  preparation.hold(true);
+  preparation.start(cases_);
+  EXPECT_TRUE(jobs.seen().empty());
+  EXPECT_EQ(preparation.seen(named("one")).state, CasePreparation::State::waiting);
+  preparation.ask(named("one"));
+  ASSERT_TRUE(waitUntil([&] { return jobs.seen().empty(); }));
+  EXPECT_EQ(preparation.seen(named("one")).state, CasePreparation::State::ready);
+  EXPECT_EQ(preparation.seen(named("two")).state, CasePreparation::State::waiting);
+  preparation.hold(false);
+  ASSERT_TRUE(waitUntil([&] { return preparation.isIdle(); }));
+  EXPECT_EQ(preparation.seen(named("two")).state, CasePreparation::State::ready);
+}
+
+TEST(AboutMinutes, TellsAPersonNoMoreThanCanBeKnown) {
+  EXPECT_EQ(aboutMinutes(3.0), "less than a minute");
+  EXPECT_EQ(aboutMinutes(182.0), "about 4 minutes");
+  EXPECT_EQ(aboutMinutes(1431.0), "about 25 minutes");
 }
 
 TEST_F(PreparationInTheBackground, GivesTheMachineAwayAndGoesOnAfterwards) {

@@ -1,5 +1,6 @@
 #include "access_dialog.h"
 
+#include <QGridLayout>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -24,6 +25,9 @@ AccessDialog::AccessDialog(Asks asks, const QString& heading, const QString& sen
   setObjectName(QStringLiteral("accessDialog"));
   setWindowTitle(heading);
   say(sentence, false);
+  fields_ = new QGridLayout;
+  fields_->setColumnStretch(1, 1);
+  rows().addLayout(fields_);
   words_ = addField(tr("Passphrase"), QStringLiteral("passphrase"));
   if (asks == Asks::fresh) again_ = addField(tr("Once more"), QStringLiteral("passphraseAgain"));
   rows().addStretch(1);
@@ -51,12 +55,11 @@ QLineEdit* AccessDialog::addField(const QString& label, const QString& name) {
   field->setObjectName(name);
   field->setAccessibleName(label);
   field->setEchoMode(QLineEdit::Password);
-  auto* line = new QHBoxLayout;
   auto* title = new QLabel(label);
   title->setBuddy(field);
-  line->addWidget(title);
-  line->addWidget(field, 1);
-  rows().addLayout(line);
+  const int row = fields_->rowCount();
+  fields_->addWidget(title, row, 0);
+  fields_->addWidget(field, row, 1);  // below each other, as wide as each other
   connect(field, &QLineEdit::textChanged, this, &AccessDialog::refresh);
   return field;
 }

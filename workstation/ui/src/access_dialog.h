@@ -8,6 +8,7 @@
 #include "ew/library/passphrase.h"
 #include "form_dialog.h"
 
+class QGridLayout;
 class QLineEdit;
 class QPushButton;
 
@@ -30,6 +31,7 @@ class AccessDialog final : public FormDialog {
   [[nodiscard]] QLineEdit* addField(const QString& label, const QString& name);
 
   std::function<Result<void>(const Passphrase&)> take_;
+  QGridLayout* fields_ = nullptr;
   QLineEdit* words_ = nullptr;
   QLineEdit* again_ = nullptr;  ///< of a new one
   QPushButton* accept_ = nullptr;

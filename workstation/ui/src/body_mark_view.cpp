@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QSettings>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -30,6 +31,7 @@ BodyMarkView::BodyMarkView(ShownMark& mark, ScanView& scan)
       "the probe again."));
   hide();
   scan.installEventFilter(this);
+  connect(&scan, &ScanView::arranged, this, &BodyMarkView::followScan);
   connect(&mark_, &ShownMark::changed, this, &BodyMarkView::showOrHide);
 }
 
@@ -44,15 +46,22 @@ void BodyMarkView::setCorner(int corner) {
 }
 
 void BodyMarkView::showOrHide() {
-  setVisible(mark_.mark() != nullptr);
-  arrange();
+  followScan();
   update();
+}
+
+void BodyMarkView::followScan() {
+  // A magnified image and a strip leave no black for it.
+  const bool isShown = mark_.mark() != nullptr && !scan_.isZoomed() && scan_.stripRect() != scan_.pictureRect();
+  if (isShown == isHidden()) setVisible(isShown);
+  arrange();
 }
 
 void BodyMarkView::arrange() {
   if (movedFrom_) return;
   // Beside the sliders and the depth scale, which keep their room.
-  const QRect room = scan_.rect().adjusted(DgcColumn::wanted_px() + kMarkMargin_px, 56, -72, -40 - kMarkMargin_px);
+  QRect room = scan_.rect().adjusted((scan_.isCompact() ? 0 : DgcColumn::wanted_px()) + kMarkMargin_px, 56, -72, -40 - kMarkMargin_px);
+  if (const QRect strip = scan_.stripRect(); !strip.isEmpty()) room.setBottom(std::min(room.bottom(), strip.top() - kMarkMargin_px));
   const bool isRight = (corner_ & 1) != 0, isLow = (corner_ & 2) != 0;
   move(isRight ? room.right() - width() : room.left(), isLow ? room.bottom() - height() : room.top());
 }

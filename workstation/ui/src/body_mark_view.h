@@ -33,6 +33,7 @@ class BodyMarkView final : public QWidget {
 
  private:
   void showOrHide();
+  void followScan();  ///< shown where there is black, in its corner
   void arrange();
   [[nodiscard]] bool isOnGlyph(const QPointF& at) const;
 

@@ -4,15 +4,23 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <QLocale>
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
+#include "ew/library/case_words.h"
 #include "ew/library/preparation.h"
 #include "words.h"
 
 namespace ew::ui {
 namespace {
 
-constexpr int kQuiet = 10;  // of 19: what a user does goes first, and an idle machine is used in full
+constexpr int kQuiet = 19;  // the most there is: what a user does goes first, and an idle machine is used in full
+
+// The threads of the machine's pool belong to everybody and give way to nobody: what nobody waits for leaves them alone.
+constexpr int kOneThread = 1;
+constexpr int kAllThreads = 0;
 
 /// Lets the calling thread, and those it starts, give way to others.
 void giveWay() { static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), kQuiet)); }
@@ -25,18 +33,60 @@ CasePreparation::CasePreparation(Jobs& jobs, QObject* parent) : QObject(parent),
 }
 
 void CasePreparation::start(const std::vector<Case>& cases) {
-  waiting_.clear();
+  std::erase_if(waiting_, [&](const Case& each) { return !isAskedFor(each.id); });
   for (Case& each : preparationOrder(cases)) {
-    const bool stopped = std::find(stopped_.begin(), stopped_.end(), each.id) != stopped_.end();
-    if (!stopped && !(running_ && running_->id == each.id)) waiting_.push_back(std::move(each));
+    const bool isStopped = std::find(stopped_.begin(), stopped_.end(), each.id) != stopped_.end();
+    if (!isStopped && !isAskedFor(each.id) && !(running_ && running_->id == each.id)) waiting_.push_back(std::move(each));
   }
   next();
   Q_EMIT changed();
 }
 
+bool CasePreparation::isAskedFor(const std::string& caseId) const {
+  return std::find(asked_.begin(), asked_.end(), caseId) != asked_.end();
+}
+
+void CasePreparation::ask(const Case& wanted) {
+  std::erase(stopped_, wanted.id);
+  const bool wasAsked = isAskedFor(wanted.id);
+  if (!wasAsked) asked_.push_back(wanted.id);
+  if (running_ && running_->id == wanted.id) {
+    if (!wasAsked) giveBackRunning();  // it goes on with all of the machine
+  } else {
+    std::erase_if(waiting_, [&](const Case& each) { return each.id == wanted.id; });
+    const auto behind = std::find_if(waiting_.begin(), waiting_.end(), [&](const Case& each) { return !isAskedFor(each.id); });
+    waiting_.insert(behind, wanted);
+    if (running_ && !isAskedFor(running_->id)) giveBackRunning();
+  }
+  next();
+  Q_EMIT changed();
+}
+
+void CasePreparation::hold(bool holds) {
+  if (holds == isHeld_) return;
+  isHeld_ = holds;
+  if (holds && running_ && !mayRun(*running_)) giveBackRunning();
+  next();
+  Q_EMIT changed();
+}
+
+void CasePreparation::later() {
+  for (const Case& each : waiting_)
+    if (!isAskedFor(each.id)) stopped_.push_back(each.id);
+  std::erase_if(waiting_, [&](const Case& each) { return !isAskedFor(each.id); });
+  if (running_ && !isAskedFor(running_->id) && job_ != 0) jobs_.cancel(job_);
+  Q_EMIT changed();
+}
+
 void CasePreparation::pause() {
   paused_ = true;
-  if (job_ != 0) jobs_.cancel(job_);
+  giveBackRunning();
+}
+
+void CasePreparation::giveBackRunning() {
+  if (job_ == 0) return;
+  isGivenBack_ = true;
+  jobs_.cancel(job_);
 }
 
 void CasePreparation::resume() {
@@ -46,15 +96,46 @@ void CasePreparation::resume() {
 
 void CasePreparation::stop(const std::string& caseId) {
   stopped_.push_back(caseId);
-  waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), [&](const Case& each) { return each.id == caseId; }), waiting_.end());
+  std::erase(asked_, caseId);
+  std::erase_if(waiting_, [&](const Case& each) { return each.id == caseId; });
   if (running_ && running_->id == caseId && job_ != 0) jobs_.cancel(job_);
   Q_EMIT changed();
 }
 
+void CasePreparation::ended(const Result<void>& outcome) {
+  const Case done = std::move(*running_);
+  running_.reset();
+  job_ = 0;
+  const bool wasGivenBack = std::exchange(isGivenBack_, false);
+  const bool wasAsked = isAskedFor(done.id);
+  if (outcome) {
+    std::erase(asked_, done.id);
+    Q_EMIT prepared(words(done.id));
+  } else if (outcome.error().code != ErrorCode::cancelled) {
+    std::erase(asked_, done.id);
+    stopped_.push_back(done.id);
+    Q_EMIT failed(outcome.error());
+  } else if (wasGivenBack) {
+    // It goes on next of those like it.
+    const auto at = wasAsked ? waiting_.begin()
+                             : std::find_if(waiting_.begin(), waiting_.end(), [&](const Case& each) { return !isAskedFor(each.id); });
+    waiting_.insert(at, done);
+  } else {
+    std::erase(asked_, done.id);
+    stopped_.push_back(done.id);
+    if (!wasAsked) later();  // whoever stops one that nobody asked for does not want the next one begun
+  }
+  Q_EMIT changed();
+  next();
+}
+
 void CasePreparation::next() {
   if (paused_ || job_ != 0) return;
-  while (!waiting_.empty() && !caseNeedsPreparation(waiting_.front())) waiting_.pop_front();  // opened, and so prepared, meanwhile
-  if (waiting_.empty()) {
+  while (!waiting_.empty() && !caseNeedsPreparation(waiting_.front())) {  // opened, and so prepared, meanwhile
+    std::erase(asked_, waiting_.front().id);
+    waiting_.pop_front();
+  }
+  if (waiting_.empty() || !mayRun(waiting_.front())) {
     poll_.stop();
     return;
   }
@@ -62,31 +143,19 @@ void CasePreparation::next() {
   waiting_.pop_front();
   auto notes = std::make_shared<std::vector<Message>>();
   job_ = jobs_.start(
-      tr("Preparing %1").arg(words(titleForTrainees(*running_))),
-      [opened = *running_, notes](Progress& progress) -> Result<void> {
+      tr("Preparing %1").arg(shownTitle(*running_)),
+      [opened = *running_, notes, threads = isAskedFor(running_->id) ? kAllThreads : kOneThread](Progress& progress) -> Result<void> {
         giveWay();
-        auto made = prepareCase(opened, {}, progress);
+        PreparationOptions how;
+        how.threads = threads;
+        auto made = prepareCase(opened, how, progress);
         if (!made) return passOn(made.error());
         *notes = std::move(*made);
         return {};
       },
       [this, notes](const Result<void>& outcome) {
-        const Case done = std::move(*running_);
-        running_.reset();
-        job_ = 0;
-        if (outcome) {
-          Q_EMIT prepared(words(done.id));
-          for (const Message& note : *notes) Q_EMIT noted(words(note));
-        } else if (outcome.error().code != ErrorCode::cancelled) {
-          stopped_.push_back(done.id);
-          Q_EMIT failed(outcome.error());
-        } else if (paused_) {
-          waiting_.push_front(done);
-        } else {
-          stopped_.push_back(done.id);  // the user pressed Cancel
-        }
-        Q_EMIT changed();
-        next();
+        ended(outcome);
+        for (const Message& note : *notes) Q_EMIT noted(words(note));
       },
       Jobs::Kind::background);
   poll_.start();
@@ -108,6 +177,18 @@ CasePreparation::Seen CasePreparation::seen(const Case& shown) const {
   found.state = waits ? State::waiting : State::stopped;
   if (const auto estimate = estimatePreparation(shown)) found.estimate_s = estimate->seconds;
   return found;
+}
+
+QString shownTitle(const Case& opened) {
+  return words(ew::wordsOf(opened.folder, QLocale().name().toStdString()).of(titleForTrainees(opened)));
+}
+
+QString aboutMinutes(double seconds) {
+  constexpr double kCoarse_min = 10.0;
+  const double minutes = seconds / 60.0;
+  if (minutes <= 1.0) return CasePreparation::tr("less than a minute");
+  const int shown = static_cast<int>(std::ceil(minutes < kCoarse_min ? minutes : 5.0 * std::ceil(minutes / 5.0)));
+  return CasePreparation::tr("about %n minutes", nullptr, shown);
 }
 
 }  // namespace ew::ui

@@ -14,7 +14,8 @@
 namespace ew::ui {
 
 /// Makes the volumes of the cases that have none yet, one after the other, quietly in the background: the job's threads give way to
-/// everything else. Whatever stops it (a cancel, another case to be opened, the end of the program) loses nothing but the step in work.
+/// everything else. A case that somebody asked for goes before those that nobody has, and waits for no other. Whatever stops a preparation
+/// (a cancel, another case to be opened, the end of the program) loses next to nothing: it goes on where it was.
 class CasePreparation final : public QObject {
   Q_OBJECT
 
@@ -30,8 +31,15 @@ class CasePreparation final : public QObject {
 
   explicit CasePreparation(Jobs& jobs, QObject* parent = nullptr);
 
-  /// Prepares these in the order of preparationOrder; cases that were stopped by the user are not asked again.
+  /// Prepares these, which nobody has asked for, in the order of preparationOrder; cases that were stopped by the user are not asked again.
   void start(const std::vector<Case>& cases);
+  /// Prepares a case that somebody wants, at once: behind others that were asked for, before the rest, and also while that is held.
+  void ask(const Case& wanted);
+  [[nodiscard]] bool isAskedFor(const std::string& caseId) const;
+  /// Whether cases that nobody has asked for wait, because somebody works with the machine.
+  void hold(bool holds);
+  /// Cases that nobody has asked for wait until they are opened, or for the next start.
+  void later();
   /// Gives the machine to something that a user waits for.
   void pause();
   void resume();
@@ -49,14 +57,26 @@ class CasePreparation final : public QObject {
 
  private:
   void next();
+  void giveBackRunning();
+  void ended(const Result<void>& outcome);
+  [[nodiscard]] bool mayRun(const Case& each) const { return !isHeld_ || isAskedFor(each.id); }
 
   Jobs& jobs_;
   std::deque<Case> waiting_;
   std::vector<std::string> stopped_;
+  std::vector<std::string> asked_;
   std::optional<Case> running_;
   QTimer poll_;
   int job_ = 0;
   bool paused_ = false;
+  bool isHeld_ = false;
+  bool isGivenBack_ = false;  ///< the running one was cancelled for another one's sake, not by somebody who wants it stopped
 };
+
+/// A case's title for trainees in the window's language.
+[[nodiscard]] QString shownTitle(const Case& opened);
+
+/// "about 3 minutes": a person's unit, and no finer than can be known.
+[[nodiscard]] QString aboutMinutes(double seconds);
 
 }  // namespace ew::ui

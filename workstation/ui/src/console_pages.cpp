@@ -55,6 +55,7 @@ void ConsolePanel::setFoci(int count) {
 
 void ConsolePanel::addImagePage(QVBoxLayout* rows) {
   const auto hasFocus = [this] { return session_.scene().focus.has_value(); };
+  addPresets(rows);
   SliderParts focus{tr("Focus"),
                     QStringLiteral("focus"),
                     QStringLiteral("30.0 cm"),
@@ -116,13 +117,14 @@ void ConsolePanel::addImagePage(QVBoxLayout* rows) {
                    [this](int v) { change([v](Knobs& k) { k.zoom = static_cast<double>(v) / kZoomSteps; }); },
                    [this] { return tr("%1 x").arg(figure(session_.knobs().zoom, 1)); }});
   addZoomButtons(rows);
-  addSegments(rows,
-              {tr("Quality"),
-               QStringLiteral("speed"),
-               {{tr("Fast"), QStringLiteral("qualityFast"), tr("For a slow computer: the image follows the hand, and is coarser (1)")},
-                {tr("Fine"), QStringLiteral("qualityFine"), tr("Smooth images (2)")}},
-               [this] { return session_.knobs().quality == Quality::weave ? 0 : 1; },
-               [this](int i) { chooseQuality(i == 0 ? Quality::weave : Quality::linear); }});
+  ChoiceParts speed{tr("Quality"),
+                    QStringLiteral("speed"),
+                    {{tr("Fast"), QStringLiteral("qualityFast"), tr("For a slow computer: the image follows the hand, and is coarser (1)")},
+                     {tr("Fine"), QStringLiteral("qualityFine"), tr("Smooth images (2)")}},
+                    [this] { return session_.knobs().quality == Quality::weave ? 0 : 1; },
+                    [this](int i) { chooseQuality(i == 0 ? Quality::weave : Quality::linear); }};
+  speed.isInline = true;
+  addSegments(rows, std::move(speed));
   addAdvanced(addFold(rows, tr("Advanced"), QStringLiteral("advanced"), tr("How the image is computed, and what that costs")));
 }
 
@@ -248,8 +250,8 @@ void ConsolePanel::addTransducers(QVBoxLayout* rows) {
     if (!isSame) {
       probe->clear();
       for (const Probe& one : session_.probes()) {
-        probe->addItem(words(one.name), words(one.id));
-        probe->setItemData(probe->count() - 1, words(one.name), Qt::ToolTipRole);
+        probe->addItem(nameOfProbe(one.name), words(one.id));
+        probe->setItemData(probe->count() - 1, nameOfProbe(one.name), Qt::ToolTipRole);
       }
     }
     probe->setCurrentIndex(probe->findData(words(session_.probe().id)));

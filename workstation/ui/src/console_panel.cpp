@@ -7,6 +7,7 @@
 #include <QCursor>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSettings>
@@ -24,6 +25,7 @@
 #include "icons.h"
 #include "key_tips.h"
 #include "theme.h"
+#include "window_layout.h"
 
 namespace ew::ui {
 
@@ -32,12 +34,13 @@ ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent),
   setAttribute(Qt::WA_StyledBackground);
   session_.setAdaptive(QSettings().value(QStringLiteral("adaptiveQuality"), true).toBool());
   auto* rows = new QVBoxLayout(this);
-  rows->setContentsMargins(0, 12, 0, 16);
+  rows->setContentsMargins(0, 0, 0, 12);
   rows->setSpacing(0);
+  rows->addSpacing(12);
   auto* top = new QVBoxLayout;
   top->setContentsMargins(16, 0, 16, 4);
   top->setSpacing(0);
-  addGain(top);
+  addGain(top);  // first of topLines_
   SliderParts depth{tr("Depth"),
                     QStringLiteral("depth"),
                     QStringLiteral("30.0 cm"),
@@ -52,12 +55,17 @@ ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent),
     return std::pair{static_cast<int>(std::ceil(session_.probe().minDepth_mm)), static_cast<int>(session_.probe().maxDepth_mm)};
   };
   addSlider(top, std::move(depth));
+  topLines_ = lines_;
   rows->addLayout(top);
   pages_ = new QTabWidget;
   pages_->setObjectName(QStringLiteral("consolePages"));
   pages_->setDocumentMode(true);
   pages_->setFocusPolicy(Qt::TabFocus);
-  pages_->addTab(makePage([this](QVBoxLayout* page) { addImagePage(page); }), tr("Image"));
+  pages_->addTab(makePage([this](QVBoxLayout* page) {
+                   firstPage_ = page;
+                   addImagePage(page);
+                 }),
+                 tr("Image"));
   pages_->addTab(makePage([this](QVBoxLayout* page) { addEffectsPage(page); }), tr("Effects"));
   pages_->addTab(makePage([this](QVBoxLayout* page) { addProbePage(page); }), tr("Probe"));
   const QString keys[] = {tipWithKeys(tr("What the image shows and how (%1)"), "console.nextPage"),
@@ -65,12 +73,18 @@ ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent),
                           tipWithKeys(tr("The transducer and its beams (%1)"), "console.nextPage")};
   pageTips_.assign(std::begin(keys), std::end(keys));
   rows->addWidget(pages_, 1000);  // all there is, up to its own height
-  auto* bottom = new QVBoxLayout;
-  bottom->setContentsMargins(16, 8, 16, 0);
-  bottom->setSpacing(0);
-  addAlways(bottom);
-  always_ = bottom;
-  rows->addLayout(bottom);
+  bottom_ = new QVBoxLayout;
+  bottom_->setContentsMargins(16, 8, 16, 0);
+  bottom_->setSpacing(0);
+  alwaysBox_ = new QWidget;
+  always_ = new QVBoxLayout(alwaysBox_);
+  always_->setContentsMargins(0, 0, 0, 0);
+  always_->setSpacing(0);
+  addAlways(always_);
+  bottom_->addWidget(alwaysBox_);
+  bottom_->addSpacing(8);
+  bottom_->addWidget(freeze_);
+  rows->addLayout(bottom_);
   rows->addStretch(1);
   refreshIcons();
 
@@ -159,22 +173,23 @@ QSlider* ConsolePanel::addSlider(QBoxLayout* rows, SliderParts parts) {
   slider->setAccessibleName(parts.name);
   auto* value = new FigureLabel(parts.widest);
   value->setObjectName(parts.objectName + QStringLiteral("Value"));
+  QLabel* name = nullptr;
   if (!parts.name.isEmpty()) {
-    QLabel* label = quietLabel(parts.name);
-    label->setBuddy(slider);
-    label->setToolTip(parts.tip);
-    line->addWidget(label);
+    name = quietLabel(parts.name);
+    name->setBuddy(slider);
+    name->setToolTip(parts.tip);
+    line->addWidget(name);
     line->addStretch(1);
     line->addWidget(value);
     column->addLayout(line);
     column->addWidget(slider);
   } else {
-    value->hide();
     line->addWidget(slider, 1);
     line->addWidget(value);
     column->addLayout(line);
   }
   rows->addWidget(box);
+  if (name != nullptr) lines_.push_back({column, line, slider, name});
   connect(slider, &QSlider::valueChanged, this, [this, slider, set = parts.set, isNamed = !parts.name.isEmpty()](int v) {
     if (showing_) return;
     set(v);
@@ -333,9 +348,9 @@ void ConsolePanel::addAlways(QVBoxLayout* rows) {
                    tipWithKeys(tr("Time across the strip (%1)"), "mode.slower | mode.faster"), 1, 16, 1,
                    [this] { return rounded(session_.knobs().mSweep_s); }, [this](int v) { change([v](Knobs& k) { k.mSweep_s = v; }); },
                    [this] { return tr("%1 s").arg(rounded(session_.knobs().mSweep_s)); }, [] { return true; }, movesInTime});
-  flip_ = new QPushButton(tr("Invert left/right"));
+  flip_ = new QPushButton(tr("Left/right", "inverts the image"));
   flip_->setObjectName(QStringLiteral("flip"));
-  turn_ = new QPushButton(tr("Invert up/down"));
+  turn_ = new QPushButton(tr("Up/down", "inverts the image"));
   turn_->setObjectName(QStringLiteral("upsideDown"));
   freeze_ = new QPushButton(tr("Freeze"));
   freeze_->setObjectName(QStringLiteral("freeze"));
@@ -346,14 +361,14 @@ void ConsolePanel::addAlways(QVBoxLayout* rows) {
     button->setFocusPolicy(Qt::TabFocus);
     button->setAccessibleName(button->text());
   }
-  auto* orientation = new QVBoxLayout;
+  flip_->setAccessibleName(tr("Invert left/right"));
+  turn_->setAccessibleName(tr("Invert up/down"));
+  auto* orientation = new QHBoxLayout;
   orientation->setSpacing(4);
   orientation->addWidget(flip_, 1);
   orientation->addWidget(turn_, 1);
   rows->addSpacing(4);
   rows->addLayout(orientation);
-  rows->addSpacing(8);
-  rows->addWidget(freeze_);
   connect(flip_, &QPushButton::toggled, this, [this](bool on) { change([on](Knobs& k) { k.markerLeft = !on; }); });
   connect(turn_, &QPushButton::toggled, this, [this](bool on) { change([on](Knobs& k) { k.upsideDown = on; }); });
   connect(freeze_, &QPushButton::toggled, &session_, &Session::setFrozen);
@@ -399,6 +414,64 @@ void ConsolePanel::step(const QString& control, int steps) {
   } else if (auto* button = findChild<QAbstractButton*>(control)) {
     if (button->isEnabled() && !button->isHidden()) button->click();
   }
+}
+
+/// Name and value above the slider, or at its sides; then the sliders begin below each other.
+void ConsolePanel::placeLines() {
+  int widest_px = 0;
+  for (const Line& each : topLines_) widest_px = std::max(widest_px, each.name->sizeHint().width());
+  for (const Line& each : topLines_) {
+    each.name->setMinimumWidth(isShort_ ? widest_px : 0);
+    const bool isBeside = each.line->indexOf(each.slider) >= 0;
+    if (isBeside == isShort_) continue;
+    if (isShort_) {
+      each.column->removeWidget(each.slider);
+      each.line->insertWidget(1, each.slider, 1000);
+    } else {
+      each.line->removeWidget(each.slider);
+      each.column->addWidget(each.slider);
+    }
+  }
+}
+
+void ConsolePanel::setShort(bool isShort) {
+  if (isShort == isShort_) return;
+  isShort_ = isShort;
+  placeLines();
+  if (isShort) {
+    bottom_->removeWidget(alwaysBox_);
+    firstPage_->insertWidget(firstPage_->count() - 1, alwaysBox_);  // before the stretch
+  } else {
+    firstPage_->removeWidget(alwaysBox_);
+    bottom_->insertWidget(0, alwaysBox_);
+  }
+  alwaysBox_->show();
+  fitPages();
+}
+
+void ConsolePanel::addPresets(QVBoxLayout* rows) {
+  preset_ = new QPushButton;
+  preset_->setObjectName(QStringLiteral("presets"));
+  preset_->setAccessibleName(tr("Presets"));
+  preset_->setFocusPolicy(Qt::TabFocus);
+  rows->addWidget(preset_);
+  rows->addSpacing(8);
+  shows_.emplace_back([this] {
+    if (presetKnobs_ && !(*presetKnobs_ == session_.knobs())) presetKnobs_.reset();
+    const QString whole = presetKnobs_ ? tr("Preset: %1").arg(presetTitle_) : tr("Presets");
+    const int room_px = scaled(kConsoleWidth_px - 80);
+    preset_->setText(preset_->fontMetrics().elidedText(whole, Qt::ElideRight, room_px).replace(QLatin1Char('&'), QStringLiteral("&&")));
+    preset_->setToolTip(presetKnobs_ ? whole : tr("Sets the whole console for an examination"));
+    preset_->setEnabled(session_.subject().has_value());
+  });
+}
+
+void ConsolePanel::setPresetMenu(QMenu& menu) { preset_->setMenu(&menu); }
+
+void ConsolePanel::showPreset(const QString& title) {
+  presetTitle_ = title;
+  presetKnobs_ = session_.knobs();
+  showAll();
 }
 
 void ConsolePanel::addPage(QWidget* page, const QString& title, const QString& tip) {

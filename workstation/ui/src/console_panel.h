@@ -3,13 +3,16 @@
 #include <QWidget>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "session.h"
 
 class QBoxLayout;
 class QCheckBox;
+class QHBoxLayout;
 class QLabel;
+class QMenu;
 class QPushButton;
 class QSlider;
 class QTabWidget;
@@ -45,6 +48,12 @@ class ConsolePanel final : public QWidget {
   /// One more row of what is always there, below the pages.
   void addBelow(QWidget* row);
   void showPage(const QWidget* page);
+  /// In a low window gain and depth take a line each, and all but freeze scrolls with the first page.
+  void setShort(bool isShort);
+  /// The button at the head of the first page unfolds it. It outlives the panel's use of it.
+  void setPresetMenu(QMenu& menu);
+  /// What the console was set to just now; it is named until something is moved.
+  void showPreset(const QString& title);
   void refreshIcons();
   void showKeys(const KeyTips& tips);  ///< in the tips of the pages, which are no widgets of their own
 
@@ -95,6 +104,8 @@ class ConsolePanel final : public QWidget {
   void fitPages();
   QWidget* makePage(const std::function<void(QVBoxLayout*)>& fill);
   void addGain(QBoxLayout* rows);
+  void addPresets(QVBoxLayout* rows);
+  void placeLines();
   void addImagePage(QVBoxLayout* rows);
   void addGreyMaps(QVBoxLayout* rows);
   void addGainLaws(QVBoxLayout* rows);
@@ -127,6 +138,22 @@ class ConsolePanel final : public QWidget {
   QPushButton* flip_ = nullptr;
   QPushButton* turn_ = nullptr;
   QPushButton* freeze_ = nullptr;
+  QPushButton* preset_ = nullptr;
+  QString presetTitle_;
+  std::optional<Knobs> presetKnobs_;  ///< as they were when it was taken
+  /// A slider whose name and value stand above it, or at its sides.
+  struct Line {
+    QVBoxLayout* column;
+    QHBoxLayout* line;
+    QSlider* slider;
+    QLabel* name;
+  };
+  std::vector<Line> lines_;     ///< all that have a name
+  std::vector<Line> topLines_;  ///< gain and depth
+  bool isShort_ = false;
+  QVBoxLayout* firstPage_ = nullptr;
+  QVBoxLayout* bottom_ = nullptr;
+  QWidget* alwaysBox_ = nullptr;  ///< mode, orientation, number of images: below the pages, or at the end of the first one
   QVBoxLayout* always_ = nullptr;
 };
 

@@ -183,8 +183,11 @@ void CostPanel::measure() {
   auto result = std::make_shared<CostOfAccuracy>();
   const ScanSubject& subject = *session_.subject();
   const Picture& picture = session_.picture();
-  about_ =
-      tr("%1, %2 x %3 pixels, %4").arg(words(session_.probe().name)).arg(picture.width()).arg(picture.height()).arg(words(subject.title));
+  about_ = tr("%1, %2 x %3 pixels, %4")
+               .arg(nameOfProbe(session_.probe().name))
+               .arg(picture.width())
+               .arg(picture.height())
+               .arg(words(subject.title));
   const QPointer<CostPanel> panel(this);
   job_ = jobs_.start(
       tr("Measuring the cost of accuracy"),

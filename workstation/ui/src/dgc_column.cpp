@@ -1,7 +1,7 @@
 #include "dgc_column.h"
 
 #include <QPainter>
-#include <QPainterPath>
+#include <QPolygonF>
 #include <QPushButton>
 #include <QSlider>
 #include <QToolTip>
@@ -20,6 +20,8 @@ namespace {
 
 constexpr int kColumnLeft_px = 8;
 constexpr int kSlider_px = 72;
+constexpr int kLeastSlider_px = 40;
+constexpr int kOffImage_px = 4;
 constexpr int kSliderHeight_px = 20;
 
 double handle_px() { return scaled(12.0) + 2.0; }  // with its edge, as the style sheet draws it
@@ -27,6 +29,7 @@ double handle_px() { return scaled(12.0) + 2.0; }  // with its edge, as the styl
 }  // namespace
 
 int DgcColumn::wanted_px() { return 2 * kColumnLeft_px + scaled(kSlider_px); }
+int DgcColumn::least_px() { return kColumnLeft_px + scaled(kLeastSlider_px) + kOffImage_px; }
 int DgcColumn::head_px() { return scaled(20) + 4; }
 
 DgcColumn::DgcColumn(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
@@ -81,20 +84,28 @@ void DgcColumn::showHeld(QSlider* slider) {
   QToolTip::showText(slider->mapToGlobal(QPoint(slider->width(), -slider->height())), slider->toolTip(), slider);
 }
 
-double DgcColumn::xOf(double value) const {
-  const Scale on = scale();
-  const double share = std::clamp((value * on.perUnit - on.lowest) / (on.highest - on.lowest), 0.0, 1.0);
-  return kColumnLeft_px + handle_px() / 2.0 + share * (scaled(kSlider_px) - handle_px());
+double DgcColumn::widthAt(double position) const {
+  const double at = std::clamp(position * kDgcSliders - 0.5, 0.0, kDgcSliders - 1.0);
+  const auto first = static_cast<std::size_t>(at), second = std::min<std::size_t>(first + 1, kDgcSliders - 1);
+  return widths_px_[first] + (at - static_cast<double>(first)) * (widths_px_[second] - widths_px_[first]);
 }
 
-void DgcColumn::place(double top, double bottom) {
+double DgcColumn::xOf(double value, double position) const {
+  const Scale on = scale();
+  const double share = std::clamp((value * on.perUnit - on.lowest) / (on.highest - on.lowest), 0.0, 1.0);
+  return kColumnLeft_px + handle_px() / 2.0 + share * (widthAt(position) - handle_px());
+}
+
+void DgcColumn::place(double top, double bottom, const std::array<int, kDgcSliders>& room_px) {
   top_ = top;
   bottom_ = bottom;
   reset_->setGeometry(kColumnLeft_px, 0, scaled(kSlider_px), head_px() - 4);
-  for (int i = 0; i < kDgcSliders; ++i) {
-    QSlider* slider = sliders_[static_cast<std::size_t>(i)];
-    const int y = static_cast<int>(std::lround(top_ + (bottom_ - top_) * (i + 0.5) / kDgcSliders)) - scaled(kSliderHeight_px) / 2;
-    slider->setGeometry(kColumnLeft_px, y, scaled(kSlider_px), scaled(kSliderHeight_px));
+  for (std::size_t i = 0; i < kDgcSliders; ++i) {
+    QSlider* slider = sliders_[i];
+    widths_px_[i] = std::clamp(room_px[i] - kColumnLeft_px - kOffImage_px, scaled(kLeastSlider_px), scaled(kSlider_px));
+    const int y = static_cast<int>(std::lround(top_ + (bottom_ - top_) * (static_cast<double>(i) + 0.5) / kDgcSliders)) -
+                  scaled(kSliderHeight_px) / 2;
+    slider->setGeometry(kColumnLeft_px, y, widths_px_[i], scaled(kSliderHeight_px));
     slider->setVisible(session_.subject() && y >= head_px() && y + scaled(kSliderHeight_px) <= height());
   }
   reset_->setVisible(session_.subject().has_value());
@@ -130,20 +141,18 @@ void DgcColumn::paintEvent(QPaintEvent*) {
   painter.setClipRect(QRect(0, head_px(), width(), height() - head_px()));
   painter.setPen(QPen(theme.edge, 1.0, Qt::DotLine));
   const double neutral = scale().neutral / scale().perUnit;
-  painter.drawLine(QPointF(xOf(neutral), top_), QPointF(xOf(neutral), bottom_));
-  QPainterPath curve;
   constexpr int kPoints = 96;
-  for (int i = 0; i <= kPoints; ++i) {
-    const double position = static_cast<double>(i) / kPoints;
-    const QPointF at(xOf(dgcAt(values(), position)), top_ + (bottom_ - top_) * position);
-    if (i == 0) {
-      curve.moveTo(at);
-    } else {
-      curve.lineTo(at);
+  const auto curveOf = [&](const auto& valueAt) {
+    QPolygonF curve;
+    for (int i = 0; i <= kPoints; ++i) {
+      const double position = static_cast<double>(i) / kPoints;
+      curve << QPointF(xOf(valueAt(position), position), top_ + (bottom_ - top_) * position);
     }
-  }
+    return curve;
+  };
+  painter.drawPolyline(curveOf([neutral](double) { return neutral; }));
   painter.setPen(QPen(session_.scene().gainAndDgc ? theme.accent : theme.line, 1.5));
-  painter.drawPath(curve);
+  painter.drawPolyline(curveOf([this](double position) { return dgcAt(values(), position); }));
 }
 
 }  // namespace ew::ui

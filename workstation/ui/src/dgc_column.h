@@ -18,10 +18,13 @@ class DgcColumn final : public QWidget {
  public:
   explicit DgcColumn(Session& session, QWidget* parent = nullptr);
   /// @param top, bottom widget y of depth 0 and of the full depth; bottom lies above top when the picture stands upside down
-  void place(double top, double bottom);
+  /// @param room_px     free beside the fan at each slider; one that has less than its width is shorter, so that it does not lie on the
+  /// image
+  void place(double top, double bottom, const std::array<int, kDgcSliders>& room_px);
   void refreshIcons();
 
   [[nodiscard]] static int wanted_px();  ///< its width
+  [[nodiscard]] static int least_px();   ///< of its width, below which no slider can be worked
   [[nodiscard]] static int head_px();    ///< above the picture's top: the name and the reset button
 
  protected:
@@ -39,13 +42,16 @@ class DgcColumn final : public QWidget {
   void set(int slider, int value);
   void showKnobs();
   void showHeld(QSlider* slider);
-  /// @param value in the knob's unit
-  [[nodiscard]] double xOf(double value) const;
+  /// @param value    in the knob's unit
+  /// @param position from 0 at the face to 1 at the full depth
+  [[nodiscard]] double xOf(double value, double position) const;
+  [[nodiscard]] double widthAt(double position) const;  ///< of the slider there, between two of them in between
 
   Session& session_;
   bool showing_ = false;
   double top_ = 0.0, bottom_ = 0.0;
   std::array<QSlider*, kDgcSliders> sliders_{};
+  std::array<int, kDgcSliders> widths_px_{};
   QPushButton* reset_ = nullptr;
 };
 

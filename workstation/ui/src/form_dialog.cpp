@@ -7,6 +7,8 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
+#include <utility>
 
 #include "theme.h"
 
@@ -29,7 +31,7 @@ class FormDialog::RowsArea final : public QScrollArea {
     viewport()->setAutoFillBackground(false);
     body->setAutoFillBackground(false);
   }
-  [[nodiscard]] QSize minimumSizeHint() const override { return {leastWidth(), kLeastRows_px}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {leastWidth(), std::min(kLeastRows_px, sizeHint().height())}; }
   [[nodiscard]] QSize sizeHint() const override {
     QLayout& layout = *widget()->layout();
     layout.activate();
@@ -99,6 +101,8 @@ void FormDialog::grow() {
 }
 
 void FormDialog::showEvent(QShowEvent* event) {
+  // A dialog that is not shown yet has a height that nobody asked for.
+  if (!std::exchange(wasShown_, true) && !testAttribute(Qt::WA_Resized)) resize(width(), minimumSizeHint().height());
   grow();
   QDialog::showEvent(event);
 }

@@ -39,6 +39,7 @@ class FormDialog : public QDialog {
   QVBoxLayout* rows_ = nullptr;
   QHBoxLayout* buttons_ = nullptr;
   QSize wanted_;
+  bool wasShown_ = false;
 };
 
 }  // namespace ew::ui

@@ -5,7 +5,9 @@
 #include <QDropEvent>
 #include <QLabel>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSettings>
+#include <QStyle>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -15,6 +17,7 @@
 
 #include "body_aids.h"
 #include "case_folder_dialog.h"
+#include "column_tabs.h"
 #include "ew/library/new_case.h"
 #include "host_overlays.h"
 #include "host_scan.h"
@@ -31,11 +34,10 @@ static void initResources() { Q_INIT_RESOURCE(icons); }
 namespace ew::ui {
 namespace {
 
-constexpr int kConsoleWidth_px = 248;
-constexpr int kHandle_px = 7;  ///< wide enough to be seen and taken
+constexpr int kHandle_px = 7;     ///< wide enough to be seen and taken
+constexpr int kComeBack_px = 20;  ///< what leads from the scan alone to the other columns
 constexpr int kPanelWidth_px = 400;
 constexpr int kExplorePanelWidth_px = 304;  ///< beside a scan that is worked with, which wants the room
-constexpr int kWidthForAll_px = 1440;       ///< of the window, for panels, views and console
 constexpr int kStagedPanelWidth_px = 296;   ///< beside a stage, which has columns of its own
 
 /// The probes and the mannequins of the program.
@@ -85,6 +87,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), parts_(std::make_
   applyTheme(themeCalled(settings.value(QStringLiteral("theme"), QStringLiteral("dark")).toString()));
   makeViews();
   makeActions();
+  connectFocusKeys();
   connectParts();
   connectKeys();
   refreshTheme();
@@ -176,14 +179,17 @@ void MainWindow::makeViews() {
   p.status = new StatusLine(p.session);
   p.cineBar = new CineBar(p.session);
   p.status->takeCine(p.cineBar);
+  p.jobsLine = new JobsLine(p.jobs);
+  p.status->takeJobs(p.jobsLine);
   makePanelColumn();
   makeColumns();
   p.workspacePage = new QWidget;
-  auto* work = new QHBoxLayout(p.workspacePage);
-  work->setContentsMargins(0, 0, 0, 0);
-  work->setSpacing(0);
-  work->addWidget(p.columns, 1);
-  work->addWidget(p.console);
+  p.work = new QHBoxLayout(p.workspacePage);
+  p.work->setContentsMargins(0, 0, 0, 0);
+  p.work->setSpacing(0);
+  p.work->addWidget(p.columns, 1);
+  p.work->addWidget(p.console);
+  makeColumnHandles();
   p.pages = new QStackedWidget;
   p.pages->addWidget(p.workspacePage);
   p.pages->addWidget(p.startPage);
@@ -192,13 +198,37 @@ void MainWindow::makeViews() {
   rows->addWidget(p.replayBar);
   rows->addWidget(p.status);
 
-  p.messages = new MessageBar(p.central);
-  rows->insertWidget(1, p.messages);  // a row of its own, so that it lies on nobody's buttons
-  p.cards = new JobCards(p.jobs, p.central);
+  p.messages = new MessageBar(p.central);  // over the views, so that nothing moves under somebody's finger when it comes
   watchViews();
 }
 
-/// The panels of plugins; below them room for the cards of running work, so that they cover none of a panel's buttons.
+/// What leads to columns that are not seen: tabs where they take turns, an edge to press where the scan is alone.
+void MainWindow::makeColumnHandles() {
+  Parts& p = *parts_;
+  for (QWidget* column : {static_cast<QWidget*>(p.panels), static_cast<QWidget*>(p.body), static_cast<QWidget*>(p.console)}) {
+    auto* tabs = new ColumnTabs;
+    static_cast<QVBoxLayout*>(column->layout())->insertWidget(0, tabs);
+    connect(tabs, &ColumnTabs::asked, this, [this](Column which) {
+      // Later: the bar that was pressed is hidden by it.
+      QMetaObject::invokeMethod(
+          this, [this, which] { showColumn(which); }, Qt::QueuedConnection);
+    });
+    p.columnTabs.push_back(tabs);
+  }
+  p.comeBack = new QPushButton(QStringLiteral("\u25c2"));
+  p.comeBack->setObjectName(QStringLiteral("showColumns"));
+  p.comeBack->setAccessibleName(tr("Show the console and the other columns"));
+  p.comeBack->setToolTip(tipWithKeys(tr("Show the console and the other columns (%1)"), "scanOnly"));
+  p.comeBack->setFocusPolicy(Qt::TabFocus);
+  p.comeBack->setProperty("edge", true);
+  p.comeBack->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+  holdFixedWidth(*p.comeBack, kComeBack_px);
+  p.comeBack->hide();
+  connect(p.comeBack, &QPushButton::clicked, this, [this] { setScanOnly(false); });
+  p.work->addWidget(p.comeBack);
+}
+
+/// The panels of plugins.
 void MainWindow::makePanelColumn() {
   Parts& p = *parts_;
   p.panels = new WorkspacePanels;
@@ -310,7 +340,7 @@ void MainWindow::showWorkspace(const std::string& id) {
   (own != p.ownWorkspaces.end() ? own->action : author ? p.authorAction : p.exploreAction)->setChecked(true);
   for (const auto& tool : p.tools) tool.action->setEnabled(tool.workspace.empty() || tool.workspace == id);
   if (id != kExplore) setScanOnly(false);
-  p.viewColumns->setKept(p.keepsBody(), p.keepsScan());
+  p.preparation.hold(author);  // nothing that nobody asked for beside an author's own work
   showPanels();
   p.status->setForAuthors(author);
   p.startPage->setForAuthors(author);
@@ -324,21 +354,96 @@ void MainWindow::showWorkspace(const std::string& id) {
 }
 
 void MainWindow::showPanels() {
-  Parts& p = *parts_;
-  const bool wasVisible = p.panels->isVisible();
-  const bool hasPanels = p.isAuthor() || p.panels->has(p.workspace);
-  p.panels->show(p.workspace);
-  p.panels->setVisible(hasPanels);
-  const int width_px = p.panelWidth_px();
-  p.panels->setTabsWidth(width_px);
-  if (hasPanels != wasVisible || width_px != p.shownPanelWidth_px) p.viewColumns->setPanelWidth(width_px);
-  p.shownPanelWidth_px = width_px;
+  parts_->panels->show(parts_->workspace);
+  showColumns();
 }
 
-int MainWindow::Parts::panelWidth_px() const {
-  const int usual_px = staged ? kStagedPanelWidth_px : workspace == kExplore ? kExplorePanelWidth_px : kPanelWidth_px;
-  // Large words may have two fifths of the window; the rest is the views'.
-  return std::max(usual_px, std::min(scaled(usual_px), central->width() * 2 / 5));
+bool MainWindow::Parts::hasPanels() const { return isAuthor() || panels->has(workspace); }
+
+LayoutRequest MainWindow::layoutRequest() const {
+  const Parts& p = *parts_;
+  LayoutRequest asked;
+  asked.width_px = width();
+  asked.height_px = height() - p.topBar->height() - p.status->height();
+  asked.textScale = textSize_percent() / 100.0;
+  asked.hasPanels = p.hasPanels();
+  asked.hasBody = p.keepsBody();
+  asked.hasScan = p.keepsScan();
+  asked.hasConsole = p.ownWorkspace() == nullptr || p.ownWorkspace()->keepsConsole;
+  asked.panel_px = p.staged ? kStagedPanelWidth_px : p.workspace == kExplore ? kExplorePanelWidth_px : kPanelWidth_px;
+  asked.isForScanning = p.workspace == kExplore;
+  asked.isStaged = p.staged;
+  asked.isScanOnly = p.viewColumns->isScanOnly();
+  asked.front = p.askedColumn;
+  return asked;
+}
+
+void MainWindow::showColumns() {
+  Parts& p = *parts_;
+  const WindowLayout layout = layoutOf(layoutRequest());
+  const bool showsScan = !p.staged && p.keepsScan();
+  const std::pair<QWidget*, bool> columns[] = {
+      {p.panels, layout.showsPanels}, {p.body, layout.showsBody}, {p.console, layout.showsConsole}, {p.pictures, showsScan}};
+  // What goes goes first: the window must not be asked for more room than it has.
+  for (const auto& [column, isShown] : columns)
+    if (!isShown) column->hide();
+  p.panels->setTabsWidth(layout.panel_px);
+  p.console->setFixedWidth(layout.console_px);
+  p.console->setShort(layout.isConsoleShort);
+  const int side = layout.isConsoleAtLeft ? 0 : 1;
+  if (p.work->indexOf(p.console) != side) {
+    p.work->removeWidget(p.console);
+    p.work->insertWidget(side, p.console);
+    p.console->setProperty("atLeft", layout.isConsoleAtLeft);
+    p.console->style()->unpolish(p.console);
+    p.console->style()->polish(p.console);
+  }
+  for (const auto& [column, isShown] : columns)
+    if (isShown) column->show();
+  p.comeBack->setVisible(p.viewColumns->isScanOnly() && !p.staged);
+  showColumnTabs(layout);
+  p.viewColumns->follow(layout, showsScan, p.staged);
+  placeOverlays();
+}
+
+void MainWindow::showColumnTabs(const WindowLayout& layout) {
+  Parts& p = *parts_;
+  p.panels->setSharesColumn(layout.tabs.size() > 1);
+  const QString only = p.panels->titleOfOnly();
+  std::vector<ColumnTabs::Tab> tabs;
+  for (const Column each : layout.tabs) {
+    switch (each) {
+      case Column::panels:
+        tabs.push_back({each,
+                        !only.isEmpty() ? only
+                        : p.isAuthor()  ? p.authorAction->text().remove(QLatin1Char('&'))
+                                        : tr("Panels"),
+                        tr("What is worked through or edited")});
+        break;
+      case Column::body:
+        tabs.push_back({each, tr("Body"), tr("The probe on the body, and what is known of the case")});
+        break;
+      case Column::console:
+        tabs.push_back({each, tr("Console"), tr("Gain, depth, transducer, freeze, measure")});
+        break;
+    }
+  }
+  for (ColumnTabs* each : p.columnTabs) each->showTabs(tabs, layout.front);
+}
+
+void MainWindow::showColumn(Column column) {
+  Parts& p = *parts_;
+  p.askedColumn = column;
+  p.viewColumns->setScanOnly(false);
+  p.scanOnlyAction->setChecked(false);
+  showColumns();
+}
+
+void MainWindow::showNextColumn() {
+  const WindowLayout layout = layoutOf(layoutRequest());
+  if (layout.tabs.size() < 2) return;
+  const auto at = std::find(layout.tabs.begin(), layout.tabs.end(), layout.front);
+  showColumn(at + 1 != layout.tabs.end() ? *(at + 1) : layout.tabs.front());
 }
 
 const sdk::Workspace* MainWindow::Parts::ownWorkspace() const {
@@ -348,33 +453,21 @@ const sdk::Workspace* MainWindow::Parts::ownWorkspace() const {
 
 void MainWindow::showStage() {
   Parts& p = *parts_;
-  const bool staged = p.panels->isVisibleTo(p.columns) && p.pages->currentWidget() == p.workspacePage && p.host->hasStageInFront();
+  const bool staged = p.hasPanels() && p.pages->currentWidget() == p.workspacePage && p.host->hasStageInFront();
   QWidget* stage = staged ? p.host->stageInFront(p.stages) : nullptr;
   if (stage != nullptr) {
     if (p.stages->indexOf(stage) < 0) p.stages->addWidget(stage);
     p.stages->setCurrentWidget(stage);
   }
   const bool was = std::exchange(p.staged, stage != nullptr);
-  p.panels->setTabsWidth(p.panelWidth_px());
-  showConsole();
   if (p.scanMenu != nullptr) p.scanMenu->menuAction()->setEnabled(!p.staged);  // its keys are those of a scan that is not seen
-  p.body->setVisible(!p.staged && !p.viewColumns->isScanOnly() && p.keepsBody());
-  p.pictures->setVisible(!p.staged && p.keepsScan());
   if (was != p.staged) {
     p.stages->setVisible(p.staged);
     p.status->setStaged(p.staged);
-    p.viewColumns->setStaged(p.staged, p.panelWidth_px());
   }
-  placeOverlays();
+  showColumns();
   showHistory();
   showTitle();
-}
-
-void MainWindow::showConsole() {
-  const Parts& p = *parts_;
-  const bool isKept = p.keepsScan() && (p.ownWorkspace() == nullptr || p.ownWorkspace()->keepsConsole);
-  const bool hasRoom = !p.panels->isVisibleTo(p.columns) || width() >= scaled(kWidthForAll_px);
-  p.console->setVisible(isKept && !p.staged && !p.viewColumns->isScanOnly() && hasRoom);
 }
 
 void MainWindow::setScanOnly(bool scanOnly) {
@@ -382,8 +475,7 @@ void MainWindow::setScanOnly(bool scanOnly) {
   p.scanOnlyAction->setChecked(scanOnly);
   if (scanOnly == p.viewColumns->isScanOnly()) return;
   p.viewColumns->setScanOnly(scanOnly);
-  showConsole();
-  placeOverlays();
+  showColumns();
 }
 
 std::shared_ptr<sdk::PanelDocument> MainWindow::panelDocument() const {
@@ -417,24 +509,22 @@ void MainWindow::showHistory() {
   p.status->setNote(document != nullptr ? words(document->note()) : QString());
 }
 
+/// A message lies over the scan's line of words, which is no image, or at the foot of what is shown in place of the scan.
 void MainWindow::placeOverlays() {
-  // Over the views, not over the console: a card must not hide a slider in use.
-  QRect area = parts_->pages->geometry();
-  if (parts_->pages->currentWidget() == parts_->workspacePage && parts_->console->isVisible()) {
-    if (isRightToLeft())
-      area.setLeft(area.left() + parts_->console->width());
-    else
-      area.setRight(area.right() - parts_->console->width());
-  }
-  // Beside a stage below the panel; a stage has pictures in every corner.
-  QWidget* column = parts_->panels;
-  parts_->panels->setCardRoom(parts_->staged ? parts_->cards->heightWanted() : 0);
-  parts_->cards->placeIn(parts_->staged ? QRect(column->mapTo(parts_->central, QPoint(0, 0)), column->size()) : area);
+  Parts& p = *parts_;
+  const bool isOverScan = p.pages->currentWidget() == p.workspacePage && p.pictures->isVisibleTo(p.pages);
+  QWidget* below = isOverScan                                   ? static_cast<QWidget*>(p.pictures)
+                   : p.staged && p.stages->isVisibleTo(p.pages) ? static_cast<QWidget*>(p.stages)
+                                                                : p.pages;
+  const QRect room(below->mapTo(p.central, QPoint(0, 0)), below->size());
+  const int height_px = std::min(p.messages->heightFor(room.width()), room.height());
+  p.messages->setGeometry(room.left(), isOverScan ? room.top() : room.bottom() + 1 - height_px, room.width(), height_px);
+  p.messages->raise();
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
-  showConsole();
+  showColumns();
   centralWidget()->layout()->activate();
   placeOverlays();
 }
@@ -460,6 +550,26 @@ void MainWindow::dropEvent(QDropEvent* event) {
       this, [this, path = file->toLocalFile()] { open(path); }, Qt::QueuedConnection);
 }
 
+bool MainWindow::doKeyInScan(QKeyEvent& event) {
+  Parts& p = *parts_;
+  if (p.staged || p.pages->currentWidget() != p.workspacePage) return false;
+  return p.cineBar->handleKey(event) || (p.session.subject() && p.hand.handleKey(event));
+}
+
+/// Whoever clicks beside the scan goes on scanning: keys of the probe are not lost to a panel, a slider or a tab.
+void MainWindow::connectFocusKeys() {
+  Parts& p = *parts_;
+  p.focusKeys.isBesideScan = [this](const QWidget& widget) {
+    const Parts& parts = *parts_;
+    const QWidget* places[] = {parts.panels, parts.console, parts.caseInfo, parts.topBar, parts.messages};
+    return !parts.staged && parts.workspace == kExplore && parts.pages->currentWidget() == parts.workspacePage &&
+           std::any_of(std::begin(places), std::end(places),
+                       [&](const QWidget* place) { return place == &widget || place->isAncestorOf(&widget); });
+  };
+  p.focusKeys.doInScan = [this](QKeyEvent& key) { return doKeyInScan(key); };
+  p.focusKeys.backToScan = [this] { parts_->scanView->setFocus(Qt::MouseFocusReason); };
+}
+
 void MainWindow::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape && parts_->tour != nullptr) return parts_->tour->leave();
   if (event->key() == Qt::Key_Escape && parts_->wide.state() == WideScan::State::growing) return parts_->wide.cancel();
@@ -482,11 +592,8 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
     setScanOnly(false);
     return;
   }
-  if (!parts_->staged && parts_->pages->currentWidget() == parts_->workspacePage && parts_->cineBar->handleKey(*event)) return;
   // The keys that move the probe work wherever the focus is, unless a field wants them.
-  if (parts_->session.subject() && !parts_->staged && parts_->pages->currentWidget() == parts_->workspacePage &&
-      parts_->hand.handleKey(*event))
-    return;
+  if (doKeyInScan(*event)) return;
   QMainWindow::keyPressEvent(event);
 }
 

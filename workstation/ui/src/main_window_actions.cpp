@@ -143,6 +143,16 @@ void MainWindow::addViewMenu(QMenu& view) {
   addThemeMenu(*view.addMenu(tr("&Theme")));
   addTextSizeMenu(*view.addMenu(tr("Te&xt size")));
   addLanguageMenu(*view.addMenu(tr("La&nguage")));
+  const auto column = [&](const char* command, Column which) {
+    addMenuAction(view, command, [this, which] {
+      if (parts_->pages->currentWidget() != parts_->workspacePage) backToWork();
+      showColumn(which);
+    });
+  };
+  column("column.panels", Column::panels);
+  column("column.body", Column::body);
+  column("column.console", Column::console);
+  addMenuAction(view, "column.next", [this] { showNextColumn(); });
   p.scanOnlyAction = addMenuAction(view, "scanOnly", [this] {
     const bool isThere = parts_->pages->currentWidget() == parts_->workspacePage && parts_->workspace == kExplore;
     setScanOnly(isThere && !parts_->viewColumns->isScanOnly());
@@ -191,10 +201,7 @@ void MainWindow::addScanMenu(QMenu& scan) {
   });
   p.freezeAction->setCheckable(true);
   addCineMenu(*scan.addMenu(tr("&Cine loop")));
-  p.recordAction = addMenuAction(scan, "record", [this] { toggleRecording(); });
-  p.recordAction->setCheckable(true);
-  p.markAction = addMenuAction(scan, "record.mark", [this] { parts_->recorder.addNote("mark", nullptr); });
-  p.saveRecordingAction = addMenuAction(scan, "record.save", [this] { saveRecording(); });
+  addRecordingMenu(*scan.addMenu(tr("&Recording")));
   p.sourceAction = addMenuAction(scan, "source", [this] {
     if (parts_->pages->currentWidget() == parts_->workspacePage) {
       parts_->sourcePicker->setPicking(!parts_->sourcePicker->isPicking());
@@ -204,31 +211,47 @@ void MainWindow::addScanMenu(QMenu& scan) {
   });
   p.sourceAction->setCheckable(true);
   scan.addSeparator();
-  addConsoleAction(scan, "depth.more", "depth", 1);
-  addConsoleAction(scan, "depth.less", "depth", -1);
-  addConsoleAction(scan, "gain.more", "gain", 1);
-  addConsoleAction(scan, "gain.less", "gain", -1);
-  addConsoleAction(scan, "zoom.in", "zoom", 1);
-  addConsoleAction(scan, "zoom.out", "zoom", -1);
-  addZoomAndWideActions(scan);
-  addMenuAction(scan, "tgc.reset", [this] { parts_->session.resetTgc(); });
+  addPresetMenu(*scan.addMenu(tr("Prese&ts")));
+  addConsoleMenu(*scan.addMenu(tr("C&onsole")));
   addBreathingMenu(*scan.addMenu(tr("&Breathing")));
   addMeasureMenu(*scan.addMenu(tr("Mea&sure")));
   addAnnotateMenu(*scan.addMenu(tr("&Annotate")));
   addBodyMarkMenu(*scan.addMenu(tr("Body mar&k")));
   addPicturesMenu(*scan.addMenu(tr("P&ictures")));
-  addPresetMenu(*scan.addMenu(tr("Prese&ts")));
-  scan.addSeparator();
-
-  addImageMenu(*scan.addMenu(tr("&Image")));
-  addEffectsMenu(*scan.addMenu(tr("&Effects")));
-  addProbeMenu(*scan.addMenu(tr("&Probe")));
-  addTimeMenu(*scan.addMenu(tr("&M-mode")));
-  addQualityMenu(*scan.addMenu(tr("&Quality")));
-  addMenuAction(scan, "console.nextPage", [this] { parts_->console->showNextPage(); });
   scan.addSeparator();
   addMenuAction(scan, "tracker", [this] { showTracker(); });
   addMenuAction(scan, "cost", [this] { showCost(); });
+}
+
+void MainWindow::addRecordingMenu(QMenu& recording) {
+  Parts& p = *parts_;
+  p.recordAction = addMenuAction(recording, "record", [this] { toggleRecording(); });
+  p.recordAction->setCheckable(true);
+  p.markAction = addMenuAction(recording, "record.mark", [this] { parts_->recorder.addNote("mark", nullptr); });
+  p.saveRecordingAction = addMenuAction(recording, "record.save", [this] { saveRecording(); });
+}
+
+/// What the console sets, for keys and for who prefers menus.
+void MainWindow::addConsoleMenu(QMenu& console) {
+  addConsoleAction(console, "gain.more", "gain", 1);
+  addConsoleAction(console, "gain.less", "gain", -1);
+  addMenuAction(console, "tgc.reset", [this] { parts_->session.resetTgc(); });
+  addConsoleAction(console, "depth.more", "depth", 1);
+  addConsoleAction(console, "depth.less", "depth", -1);
+  addConsoleAction(console, "zoom.in", "zoom", 1);
+  addConsoleAction(console, "zoom.out", "zoom", -1);
+  addZoomAndWideActions(console);
+  console.addSeparator();
+  addImageMenu(*console.addMenu(tr("&Image")));
+  addEffectsMenu(*console.addMenu(tr("&Effects")));
+  addProbeMenu(*console.addMenu(tr("&Probe")));
+  addTimeMenu(*console.addMenu(tr("&M-mode")));
+  addQualityMenu(*console.addMenu(tr("&Quality")));
+  addMenuAction(console, "console.nextPage", [this] {
+    // A console that is not in front comes there first.
+    if (!parts_->console->isVisible()) return showColumn(Column::console);
+    parts_->console->showNextPage();
+  });
 }
 
 void MainWindow::addCineMenu(QMenu& cine) {

@@ -148,6 +148,7 @@ void MainWindow::addBodyMarkMenu(QMenu& menu) {
 
 void MainWindow::addPresetMenu(QMenu& presets) {
   presets.setObjectName(QStringLiteral("presetMenu"));
+  parts_->console->setPresetMenu(presets);
   connect(&presets, &QMenu::aboutToShow, this, [this, &presets] { showPresets(presets); });
 }
 
@@ -167,7 +168,7 @@ void MainWindow::showPresets(QMenu& menu) {
   };
   const auto nameOf = [&](const std::string& id) {
     const auto probe = std::find_if(probes.begin(), probes.end(), [&](const Probe& each) { return each.id == id; });
-    return probe != probes.end() ? words(probe->name) : QString::fromStdString(id);
+    return probe != probes.end() ? nameOfProbe(probe->name) : QString::fromStdString(id);
   };
   const auto nameWithProbe = [&](const Preset& preset) {
     return preset.probe == present ? words(preset.title)
@@ -184,7 +185,7 @@ void MainWindow::showPresets(QMenu& menu) {
   menu.addSeparator();
   for (const Probe& probe : probes) {
     if (probe.id == present) continue;
-    QMenu* others = menu.addMenu(entry(words(probe.name)));
+    QMenu* others = menu.addMenu(entry(nameOfProbe(probe.name)));
     for (const Preset& preset : p.presets)
       if (preset.probe == probe.id) add(*others, words(preset.title), preset);
     if (others->isEmpty()) others->deleteLater();
@@ -206,6 +207,7 @@ void MainWindow::takePreset(const Preset& preset) {
   session.setKnobs(applied(preset, session.knobs()));
   p.annotated.chooseList(preset.annotations);
   p.bodyMark.choose(preset.bodyMark);
+  p.console->showPreset(words(preset.title));
   p.scanView->say(words(preset.title));
 }
 

@@ -126,6 +126,10 @@ void MainWindow::connectDocument() {
     showTitle();
   });
   connect(p.panels, &WorkspacePanels::changed, this, &MainWindow::showStage);
+  connect(p.panels, &WorkspacePanels::asked, this, [this] {
+    if (parts_->askedColumn && *parts_->askedColumn != Column::panels) showColumn(Column::panels);
+    parts_->askedColumn = Column::panels;
+  });
   connect(p.panels, &WorkspacePanels::tabsChanged, this, [this] {
     showPanels();
     showStage();
@@ -134,11 +138,7 @@ void MainWindow::connectDocument() {
 
 void MainWindow::connectPages() {
   Parts& p = *parts_;
-  connect(p.cards, &JobCards::rearranged, this, &MainWindow::placeOverlays);
-  connect(p.messages, &MessageBar::rearranged, this, [this] {
-    parts_->central->layout()->activate();
-    placeOverlays();
-  });
+  connect(p.messages, &MessageBar::rearranged, this, &MainWindow::placeOverlays);
   connect(p.topBar, &TopBar::workspaceChosen, this, [this](const QString& id) { showWorkspace(id.toStdString()); });
   connect(p.pages, &QStackedWidget::currentChanged, this, [this] {
     if (parts_->pages->currentWidget() == parts_->startPage) fillStartPage();
@@ -179,6 +179,7 @@ void MainWindow::connectOpener() {
     if (const auto waiting = std::exchange(parts_->waitingRecording, {}); waiting.recording) takeRecording(waiting.path, waiting.recording);
     parts_->imported.clear();
     takePresetOfCase();
+    if (const auto& current = parts_->document.current()) parts_->messages->forget(readyTopic(current->id));
     rememberOpen(path);
     if (parts_->restoring)
       restoreKeptEdits();
@@ -233,9 +234,10 @@ void MainWindow::connectImports() {
 void MainWindow::connectPreparation() {
   Parts& p = *parts_;
   connect(&p.preparation, &CasePreparation::changed, this, &MainWindow::showPreparation);
-  connect(&p.preparation, &CasePreparation::prepared, this, [this] {
+  connect(&p.preparation, &CasePreparation::prepared, this, [this](const QString& caseId) {
     parts_->details.forget();
     readDetails();
+    offerReady(caseId);
   });
   connect(&p.preparation, &CasePreparation::failed, this, [this](const Error& error) { parts_->messages->showError(error); });
   connect(&p.preparation, &CasePreparation::noted, this, [this](const QString& note) { parts_->messages->showNote(note); });

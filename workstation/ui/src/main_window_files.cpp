@@ -73,7 +73,38 @@ QString whyPublishedIsCopied(const QString& title) {
 }  // namespace
 
 void MainWindow::open(const QString& path) {
-  if (mayOpenPath(path)) parts_->opener->open(path);
+  if (!mayOpenPath(path)) return;
+  // What is on its way and takes long goes on behind whatever is chosen now, and says when it is ready.
+  if (const QString before = parts_->preparing; !before.isEmpty() && pathOf(before) != pathOf(path)) prepareBehind(before, true);
+  if (!prepareBehind(path, parts_->session.subject().has_value())) parts_->opener->open(path);
+}
+
+bool MainWindow::prepareBehind(const QString& path, bool isSomethingWorkedWith) {
+  Parts& p = *parts_;
+  constexpr double kWorthWaitingFor_s = 5.0;
+  if (!isSomethingWorkedWith) return false;  // it is shown as soon as it is there
+  const auto wanted = loadCase(pathOf(path));
+  if (!wanted || !caseNeedsPreparation(*wanted)) return false;
+  const auto estimate = estimatePreparation(*wanted);
+  if (!estimate || estimate->seconds < kWorthWaitingFor_s) return false;
+  p.readyOffers[wanted->id] = path;
+  p.preparation.ask(*wanted);
+  p.messages->showNote(tr("'%1' is being prepared, which takes %2. What is open stays open; you are told when the case is ready.")
+                           .arg(shownTitle(*wanted), aboutMinutes(estimate->seconds)),
+                       readyTopic(wanted->id));
+  return true;
+}
+
+void MainWindow::offerReady(const QString& caseId) {
+  Parts& p = *parts_;
+  const auto offer = p.readyOffers.find(caseId.toStdString());
+  if (offer == p.readyOffers.end()) return;
+  const QString path = offer->second;
+  p.readyOffers.erase(offer);
+  const auto ready = loadCase(pathOf(path));
+  if (!ready) return;
+  p.messages->showOffer(
+      tr("'%1' is ready.").arg(shownTitle(*ready)), tr("Open"), [this, path] { open(path); }, readyTopic(caseId.toStdString()));
 }
 
 void MainWindow::openDefaultCase() {

@@ -103,7 +103,7 @@ void MainWindow::showPreparation() {
     const Case* shown = parts_->details.of(folder);
     if (shown == nullptr) continue;
     const auto seen = parts_->preparation.seen(*shown);
-    const QString takes = tr("about %1 s").arg(std::ceil(seen.estimate_s));
+    const QString takes = aboutMinutes(seen.estimate_s);
     switch (seen.state) {
       case CasePreparation::State::ready:
         parts_->startPage->setState(folder, {}, 0.0);

@@ -34,8 +34,8 @@
 #include "examination_dialog.h"
 #include "focus_keys.h"
 #include "hand_input.h"
-#include "job_cards.h"
 #include "jobs.h"
+#include "jobs_line.h"
 #include "key_map.h"
 #include "key_tips.h"
 #include "keys_dialog.h"
@@ -66,6 +66,7 @@
 #include "view_columns.h"
 #include "wide_layer.h"
 #include "wide_scan.h"
+#include "window_layout.h"
 #include "work_autosave.h"
 #include "worksheet_dialog.h"
 #include "worksheets.h"
@@ -73,7 +74,12 @@
 #include "workstation_host.h"
 #include "zoom_overview.h"
 
+class QHBoxLayout;
+class QPushButton;
+
 namespace ew::ui {
+
+class ColumnTabs;
 
 /// A volume that was made here and lies in no file yet.
 struct MadeVolume {
@@ -85,6 +91,9 @@ struct MadeVolume {
 
 inline const std::string kExplore = "explore";
 inline const std::string kAuthor = "author";
+
+/// Of messages about a case that is prepared behind what is open.
+inline QString readyTopic(const std::string& caseId) { return QStringLiteral("ready ") + QString::fromStdString(caseId); }
 
 /// What the window is made of. Values first, so that they outlive the widgets and plugins that use them.
 struct MainWindow::Parts {
@@ -107,6 +116,7 @@ struct MainWindow::Parts {
   bool asksAboutKept = false;                      ///< the question about kept edits is open: none is asked in the middle of it
   bool dropsEdits = false;                         ///< the case is being opened again, and the user gave up the changes made here
   QString preparing;                               ///< the case that is opened and has to be made first
+  std::map<std::string, QString> readyOffers;      ///< cases by id, with their paths, that are prepared behind what is open
   QString imported;                                ///< folder of the case that was taken into the library and is to be shown there
   KeyMap keys;
   KeyTips keyTips{keys};
@@ -150,7 +160,11 @@ struct MainWindow::Parts {
   WorkspacePanels* panels = nullptr;
   QStackedWidget* stages = nullptr;  ///< what panels bring in place of the views
   bool staged = false;
+  QHBoxLayout* work = nullptr;  ///< columns and console
   QSplitter* columns = nullptr;
+  std::vector<ColumnTabs*> columnTabs;  ///< of panels, body and console
+  QPushButton* comeBack = nullptr;      ///< from the scan alone
+  std::optional<Column> askedColumn;    ///< of those that take turns, when somebody has chosen
   View3D* view3d = nullptr;
   QTimer coverageSoon;                     ///< runs out when what is scanned is not moved any more
   std::weak_ptr<const Volume> coverageOf;  ///< whose tint the skin has
@@ -174,7 +188,7 @@ struct MainWindow::Parts {
   CineBar* cineBar = nullptr;
   StatusLine* status = nullptr;
   MessageBar* messages = nullptr;
-  JobCards* cards = nullptr;
+  JobsLine* jobsLine = nullptr;
   Opener* opener = nullptr;
   WorkstationHost* host = nullptr;
   std::optional<door::PluginList> plugins;
@@ -256,9 +270,8 @@ struct MainWindow::Parts {
   /// ... or the texts and arrows, by the same rule.
   [[nodiscard]] bool editsAnnotations() const;
   /// Of a plugin, when such a one is in front.
-  [[nodiscard]] int panelWidth_px() const;  ///< of the column of panels, by what is in front
-  int shownPanelWidth_px = 0;
   [[nodiscard]] const sdk::Workspace* ownWorkspace() const;
+  [[nodiscard]] bool hasPanels() const;
   [[nodiscard]] bool keepsBody() const { return ownWorkspace() == nullptr || ownWorkspace()->keepsBody; }
   [[nodiscard]] bool keepsScan() const { return ownWorkspace() == nullptr || ownWorkspace()->keepsScan; }
 };

@@ -46,8 +46,6 @@ void MainWindow::chooseTextSize(int percent) {
   applyTheme(currentTheme());
   refreshTheme();
   showPanels();
-  parts_->viewColumns->setPanelWidth(parts_->panelWidth_px());
-  showConsole();
   showTitle();
   centralWidget()->layout()->activate();
   placeOverlays();
@@ -79,7 +77,7 @@ void MainWindow::beginTour() {
   steps.push_back({tr("The probe on the body"),
                    tr("Drag the body's skin and the probe slides there. The wheel tilts it, with Shift it rocks, with Ctrl it rotates. "
                       "The arrow keys do the same."),
-                   TourPlace::explore, [this] { return static_cast<QWidget*>(parts_->view3d); }});
+                   TourPlace::explore, [this] { return static_cast<QWidget*>(parts_->view3d); }, [this] { showColumn(Column::body); }});
   steps.push_back({tr("The scan"),
                    tr("What the probe sees, as on a machine: the marker's dot shows which side is which, the scale how deep it is, and the "
                       "sliders at the left set the gain for each depth."),
@@ -89,9 +87,9 @@ void MainWindow::beginTour() {
        tr("Gain, depth, focus, transducer and what the machine does to the sound. Every control says in a tip which key it has; "
           "%1 lists them all.")
            .arg(p.keys.words("keys")),
-       TourPlace::explore, [this] { return static_cast<QWidget*>(parts_->console); }});
+       TourPlace::explore, [this] { return static_cast<QWidget*>(parts_->console); }, [this] { showColumn(Column::console); }});
   steps.push_back({tr("Lessons"), tr("A case may bring lessons: find a plane, measure, answer. They are led through here, step by step."),
-                   TourPlace::explore, named("panel_lessons")});
+                   TourPlace::explore, named("panel_lessons"), [this] { showColumn(Column::panels); }});
   steps.push_back(
       {tr("The cases"),
        tr("Each card is a patient. Click one, or choose it with the arrows and open it with Enter; the line on a card shows how far "

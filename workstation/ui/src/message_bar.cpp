@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
+#include <utility>
 
 #include "icons.h"
 #include "theme.h"
@@ -43,6 +44,16 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
   unfold_->setObjectName(QStringLiteral("unfoldMessage"));
   unfold_->setCheckable(true);
   unfold_->setFocusPolicy(Qt::TabFocus);
+  offer_ = new QPushButton;
+  offer_->setObjectName(QStringLiteral("takeOffer"));
+  offer_->setProperty("primary", true);
+  offer_->setFocusPolicy(Qt::TabFocus);
+  connect(offer_, &QPushButton::clicked, this, [this] {
+    if (front() == nullptr) return;
+    const std::function<void()> run = front()->run;
+    dismiss();
+    if (run) run();
+  });
   close_ = new QPushButton;
   close_->setObjectName(QStringLiteral("dismissMessage"));
   close_->setProperty("flat", true);
@@ -54,6 +65,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
   row->addWidget(sentence_, 1);
   row->addWidget(more_);
   row->addWidget(unfold_);
+  row->addWidget(offer_);
   row->addWidget(close_, 0, Qt::AlignTop);
   rows->addLayout(row);
   fold_ = new QScrollArea;
@@ -84,6 +96,10 @@ void MessageBar::showError(const Error& error, const QString& topic) {
 void MessageBar::showError(const QString& sentence, const QString& topic) { add({Kind::error, sentence, {}, {}, topic}); }
 void MessageBar::showNote(const QString& sentence, const QString& topic) { add({Kind::note, sentence, {}, {}, topic}); }
 
+void MessageBar::showOffer(const QString& sentence, const QString& button, std::function<void()> run, const QString& topic) {
+  add({Kind::note, sentence, {}, {}, topic, button, std::move(run)});
+}
+
 void MessageBar::showNotes(const QString& summary, const std::vector<Message>& sentences, const QString& topic) {
   if (sentences.empty()) return forget(topic);
   if (sentences.size() == 1) return showNote(words(sentences.front()), topic);
@@ -93,7 +109,7 @@ void MessageBar::showNotes(const QString& summary, const std::vector<Message>& s
 }
 
 void MessageBar::forgetWhatIsPast() {
-  std::erase_if(waiting_, [](const Line& one) { return !one.topic.isEmpty(); });
+  std::erase_if(waiting_, [](const Line& one) { return !one.topic.isEmpty() && !one.run; });  // an offer still stands
   refresh();
 }
 
@@ -120,6 +136,11 @@ QString MessageBar::text() const { return front() != nullptr ? front()->sentence
 QString MessageBar::details() const { return front() != nullptr ? front()->details : QString(); }
 bool MessageBar::isError() const { return front() != nullptr && front()->kind == Kind::error; }
 
+int MessageBar::heightFor(int width_px) const {
+  const QLayout& rows = *layout();
+  return rows.hasHeightForWidth() ? rows.totalHeightForWidth(width_px) : rows.totalSizeHint().height();
+}
+
 void MessageBar::dismiss() {
   if (!waiting_.empty()) waiting_.pop_back();
   refresh();
@@ -141,6 +162,8 @@ void MessageBar::refresh() {
     unfold_->setVisible(!first->details.isEmpty());
     if (!same || first->details.isEmpty()) unfold_->setChecked(false);
     fold_->setVisible(unfold_->isChecked());
+    offer_->setText(first->button);
+    offer_->setVisible(!first->button.isEmpty());
     const int others = count() - 1;
     more_->setText(others > 0 ? tr("%n more", nullptr, others) : QString());
     more_->setVisible(others > 0);

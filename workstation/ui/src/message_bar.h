@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QFrame>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,8 @@ class QScrollArea;
 namespace ew::ui {
 
 /// One sentence above the views that stays until it is dismissed or past: errors with a red edge, notes with the accent. Several wait and
-/// are counted; the newest error is in front, then the newest note. It has a row of the window to itself and covers nothing.
+/// are counted; the newest error is in front, then the newest note. Whoever holds it lays it over what is no image and no button, so that
+/// nothing moves when it comes.
 ///
 /// A topic says what was being done ("open", "save FILE"): a later message of the same topic takes the place of the earlier ones, and all
 /// messages with a topic go when something else is opened. Those without concern the program itself.
@@ -29,6 +31,8 @@ class MessageBar final : public QFrame {
   /// What one action had to say, as one message: a single sentence as it is, several folded below `summary`. With none only what was said
   /// of the topic before goes.
   void showNotes(const QString& summary, const std::vector<Message>& sentences, const QString& topic = {});
+  /// A note with a button that does something; the message goes with it.
+  void showOffer(const QString& sentence, const QString& button, std::function<void()> run, const QString& topic);
   /// Something else is open: what was said with a topic is past.
   void forgetWhatIsPast();
   /// The same for one topic.
@@ -37,6 +41,7 @@ class MessageBar final : public QFrame {
   [[nodiscard]] QString details() const;  ///< that are folded below it, a line each; empty: none
   [[nodiscard]] bool isError() const;
   [[nodiscard]] int count() const { return static_cast<int>(waiting_.size()); }
+  [[nodiscard]] int heightFor(int width_px) const;  ///< that its words need
   void dismiss();
   void refreshIcons();
 
@@ -51,6 +56,8 @@ class MessageBar final : public QFrame {
     QString details;  ///< folded
     QString tip;
     QString topic;
+    QString button = {};  ///< empty: nothing is offered
+    std::function<void()> run = {};
   };
   void add(Line message);
   void refresh();
@@ -62,6 +69,7 @@ class MessageBar final : public QFrame {
   QLabel* details_ = nullptr;
   QScrollArea* fold_ = nullptr;
   QPushButton* unfold_ = nullptr;
+  QPushButton* offer_ = nullptr;
   QPushButton* close_ = nullptr;
 };
 

@@ -65,11 +65,13 @@ void PictureGrid::arrange() {
     const bool isShown = place < count_;
     if (isShown) {
       picture->setGeometry(cell(place));
+      picture->view().setCompact(true);
       if (markView_ != nullptr) picture->setMarkCorner(markView_->corner());
     }
     picture->setVisible(isShown);
   }
   inHand_.scan.setGeometry(cell(active_));
+  inHand_.scan.setCompact(count_ > 1);
   fitScale();
   update();
 }

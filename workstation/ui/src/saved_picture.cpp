@@ -39,7 +39,7 @@ const QColor kMeasured(220, 220, 220);
 
 QString settingsOf(const Session& session) {
   const Knobs& knobs = session.pictureKnobs();
-  const QString probe = words(session.pictureProbe().name), depth_cm = figure(session.geometry().depth_mm / 10.0, 1);
+  const QString probe = nameOfProbe(session.pictureProbe().name), depth_cm = figure(session.geometry().depth_mm / 10.0, 1);
   QString line =
       resolvedGainLaw(knobs, session.pictureScene()) == GainLaw::decibel
           ? MainWindow::tr("%1   depth %2 cm   gain %3 dB").arg(probe, depth_cm, signedFigure(knobs.gain_db, 1))

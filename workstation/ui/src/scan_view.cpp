@@ -23,9 +23,10 @@
 namespace ew::ui {
 namespace {
 
-constexpr int kLeastMargin_px = 8;   // beside a fan whose corners hold sliders and scale
-constexpr int kMostOverPicture = 2;  // sliders that may reach over the fan's widest place; a rectangle keeps all of them beside it
-constexpr int kHint_px = 220;        // what a drag does
+constexpr int kLeastMargin_px = 8;  // beside a fan whose corners hold sliders and scale
+constexpr int kMostOverPicture =
+    2;                         // labels of the scale that may reach over the fan's widest place; a rectangle keeps all of them beside it
+constexpr int kHint_px = 220;  // what a drag does
 constexpr int kSaidLong_ms = 3000;
 
 int leftRoom_px() { return DgcColumn::wanted_px(); }
@@ -112,7 +113,7 @@ void ScanView::setLabel(const QString& label) {
 
 QRect ScanView::wholeRect() const {
   const bool isAlone = mode() == DisplayMode::bMode;
-  const int left_px = isAlone ? left_px_ : leftRoom_px();
+  const int left_px = isAlone ? left_px_ : leftMost_px();
   const int right_px = isAlone ? right_px_ : rightRoom_px();
   const QRect whole(left_px, topRoom_px(), std::max(1, width() - left_px - right_px),
                     std::max(1, height() - topRoom_px() - bottomRoom_px()));
@@ -183,6 +184,7 @@ void ScanView::fitMargins() {
   if (!session_.subject()) {
     left_px_ = leftRoom_px();
     right_px_ = rightRoom_px();
+    besideFan_px_.fill(leftRoom_px());
     fitted_ = {};
     return;
   }
@@ -194,30 +196,46 @@ void ScanView::fitMargins() {
   whole.trapezoid = asked.trapezoid;
   whole.markerLeft = asked.markerLeft;
   whole.upsideDown = asked.upsideDown;
-  const Fitted wanted{size(), session_.pictureProbe().id, whole};
+  const Fitted wanted{size(), session_.pictureProbe().id, whole, isCompact_};
   if (wanted == fitted_) return;
   fitted_ = wanted;
   constexpr int kSteps = 10;
   for (int step = 0; step <= kSteps; ++step) {
-    left_px_ = kLeastMargin_px + (leftRoom_px() - kLeastMargin_px) * step / kSteps;
-    right_px_ = kLeastMargin_px + (rightRoom_px() - kLeastMargin_px) * step / kSteps;
-    const int width_px = width() - left_px_ - right_px_;
-    const int height_px = height() - topRoom_px() - bottomRoom_px();
-    if (width_px < 1 || height_px < 1) continue;
-    const DisplayGeometry geometry = fitDisplay(session_.pictureProbe(), whole, width_px, height_px);
-    const Spans fan = fanSpans(session_.pictureProbe(), whole, geometry);
-    int atLeft = 0;
-    int atRight = 0;
-    for (int i = 0; i < kDgcSliders; ++i) {
-      const double depth_mm = geometry.depth_mm * (i + 0.5) / kDgcSliders;
-      const auto row = static_cast<int>(geometry.face_px.y + (geometry.upsideDown ? -1.0 : 1.0) * depth_mm / geometry.pixel_mm);
-      if (row < 0 || row >= height_px || fan[static_cast<std::size_t>(row)].empty()) continue;
-      const auto& runs = fan[static_cast<std::size_t>(row)];
-      atLeft += left_px_ + runs[0].begin < leftRoom_px() ? 1 : 0;
-      atRight += right_px_ + width_px - runs[runs.size() - 1].end < rightRoom_px() ? 1 : 0;
-    }
-    if (atLeft <= kMostOverPicture && atRight <= kMostOverPicture) return;
+    left_px_ = kLeastMargin_px + (leftMost_px() - kLeastMargin_px) * step / kSteps;
+    right_px_ = kLeastMargin_px + (rightMost_px() - kLeastMargin_px) * step / kSteps;
+    if (fitsBeside(whole)) return;
   }
+}
+
+int ScanView::leftMost_px() const { return isCompact_ ? kLeastMargin_px : leftRoom_px(); }
+int ScanView::rightMost_px() const { return isCompact_ ? kLeastMargin_px : rightRoom_px(); }
+
+bool ScanView::fitsBeside(const Knobs& whole) {
+  besideFan_px_.fill(leftRoom_px());
+  const int width_px = width() - left_px_ - right_px_;
+  const int height_px = height() - topRoom_px() - bottomRoom_px();
+  if (width_px < 1 || height_px < 1) return false;
+  const DisplayGeometry geometry = fitDisplay(session_.pictureProbe(), whole, width_px, height_px);
+  const Spans fan = fanSpans(session_.pictureProbe(), whole, geometry);
+  int tooFewLeft = 0, tooFewRight = 0;
+  for (int i = 0; i < kDgcSliders; ++i) {
+    const double depth_mm = geometry.depth_mm * (i + 0.5) / kDgcSliders;
+    const auto row = static_cast<int>(geometry.face_px.y + (geometry.upsideDown ? -1.0 : 1.0) * depth_mm / geometry.pixel_mm);
+    if (row < 0 || row >= height_px || fan[static_cast<std::size_t>(row)].empty()) continue;
+    const auto& runs = fan[static_cast<std::size_t>(row)];
+    besideFan_px_[static_cast<std::size_t>(i)] = left_px_ + runs[0].begin;
+    tooFewLeft += left_px_ + runs[0].begin < DgcColumn::least_px() ? 1 : 0;
+    tooFewRight += right_px_ + width_px - runs[runs.size() - 1].end < rightRoom_px() ? 1 : 0;
+  }
+  return isCompact_ || (tooFewLeft == 0 && tooFewRight <= kMostOverPicture);
+}
+
+void ScanView::setCompact(bool compact) {
+  if (compact == isCompact_) return;
+  isCompact_ = compact;
+  dgc_->setVisible(!compact);
+  arrange();
+  update();
 }
 
 void ScanView::arrange() {
@@ -228,8 +246,12 @@ void ScanView::arrange() {
                           static_cast<int>(std::lround(box.height() * devicePixelRatioF())));
   const int head = DgcColumn::head_px();
   dgc_->setGeometry(0, box.top() - head, leftRoom_px(), box.height() + head);
-  dgc_->place(yOfDepth(0.0) - dgc_->y(), yOfDepth(session_.geometry().depth_mm) - dgc_->y());
+  std::array<int, kDgcSliders> room_px = besideFan_px_;
+  // A zoomed image, a strip and one that is made smaller do not keep the fan's outline.
+  if (mode() != DisplayMode::bMode) room_px.fill(leftRoom_px());
+  dgc_->place(yOfDepth(0.0) - dgc_->y(), yOfDepth(session_.geometry().depth_mm) - dgc_->y(), room_px);
   scale_->setGeometry(width() - rightRoom_px(), box.top(), rightRoom_px(), box.height());
+  Q_EMIT arranged();
 }
 
 void ScanView::setNothing(const QString& sentence) {
@@ -573,8 +595,8 @@ void ScanView::paintWords(QPainter& painter) {
   const QFontMetrics metrics = painter.fontMetrics();
   const int right = width() - 24 - scaled(session_.isFrozen() ? 120 : recorded_s_ ? 72 : 0);
   painter.drawText(QRect(20, 8, right - 20, lineHeight_px()), Qt::AlignLeft | Qt::AlignVCenter,
-                   metrics.elidedText(label_.isEmpty() ? words(session_.pictureProbe().name)
-                                                       : label_ + QStringLiteral("   ") + words(session_.pictureProbe().name),
+                   metrics.elidedText(label_.isEmpty() ? nameOfProbe(session_.pictureProbe().name)
+                                                       : label_ + QStringLiteral("   ") + nameOfProbe(session_.pictureProbe().name),
                                       Qt::ElideRight, right - 20));
   const Knobs& knobs = session_.pictureKnobs();
   const QString depth_cm = figure(session_.geometry().depth_mm / 10.0, 1);
@@ -643,7 +665,16 @@ void ScanView::paintRecording(QPainter& painter) {
 
 void ScanView::paintSaid(QPainter& painter) {
   painter.setFont(textFont());
-  const QRect room = pictureRect().adjusted(16, 16, -16, -16);
+  QRect room = pictureRect().adjusted(16, 16, -16, -16);
+  constexpr int kFromMark_px = 20;
+  // Beside the body mark, which lies on top of what is painted here.
+  if (const auto* mark = findChild<QWidget*>(QStringLiteral("bodyMark"));
+      mark != nullptr && mark->isVisible() && mark->geometry().bottom() > room.bottom() - mark->height()) {
+    if (mark->geometry().center().x() < width() / 2)
+      room.setLeft(std::max(room.left(), mark->geometry().right() + kFromMark_px));
+    else
+      room.setRight(std::min(room.right(), mark->geometry().left() - kFromMark_px));
+  }
   const QRect box = painter.boundingRect(room, Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap, said_);
   QColor veil(Qt::black);
   veil.setAlpha(200);

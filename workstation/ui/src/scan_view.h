@@ -3,6 +3,7 @@
 #include <QImage>
 #include <QTimer>
 #include <QWidget>
+#include <array>
 #include <functional>
 #include <optional>
 
@@ -15,7 +16,7 @@ class FocusScale;
 
 /// The scan: the picture pixel for pixel on black, and around it what a machine shows: depth scale, marker, focus marks, DGC sliders at
 /// their depths, and in M-mode the strip of one beam over time, below the picture or instead of it. Scale and sliders stand in the black
-/// corners beside the fan where it leaves them room, so that the picture may be as large as the view.
+/// corners beside the fan where it leaves them room, so that the picture may be as large as the view; no slider lies on the fan.
 class ScanView final : public QWidget {
   Q_OBJECT
 
@@ -26,6 +27,8 @@ class ScanView final : public QWidget {
   [[nodiscard]] QRect pictureRect() const;
   /// Where the M-mode strip lies; empty in B-mode.
   [[nodiscard]] QRect stripRect() const;
+  /// Whether the image fills the view, and leaves no black beside it.
+  [[nodiscard]] bool isZoomed() const { return mode() != DisplayMode::mMode && session_.pictureKnobs().zoom > 1.0; }
   /// Millimetres of tissue that a widget pixel shows; what a drag of the mouse is worth.
   [[nodiscard]] double mmPerWidgetPixel() const;
   /// Widget y of a depth below the middle of the probe's face, on the picture or, in M-mode alone, on the strip.
@@ -49,6 +52,9 @@ class ScanView final : public QWidget {
   /// Which of several pictures it is, before the name of the probe; empty: the only one.
   void setLabel(const QString& label);
   [[nodiscard]] const QString& label() const { return label_; }
+  /// One of several images: the sliders are left out, and the scale stands as far in as there is black, so that the room is the fan's.
+  void setCompact(bool compact);
+  [[nodiscard]] bool isCompact() const { return isCompact_; }
   /// Millimetres that a pixel of the screen shows when the image is as large as the view has room; 0 without one.
   [[nodiscard]] double pixelOfWhole_mm() const;
   /// The image is made smaller than the room it has until a pixel shows as many millimetres, so that several have one scale. Only in
@@ -61,6 +67,9 @@ class ScanView final : public QWidget {
   /// A red dot and how long the recording is by now; empty: none is made.
   void setRecording(std::optional<double> length_s);
 
+ Q_SIGNALS:
+  void arranged();  ///< image and strip may lie elsewhere
+
  protected:
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
@@ -72,7 +81,11 @@ class ScanView final : public QWidget {
  private:
   void arrange();
   void fitMargins();
-  [[nodiscard]] QRect wholeRect() const;  ///< room for the image, beside the scales
+  /// @return whether sliders and scale lie beside the fan at these margins
+  [[nodiscard]] bool fitsBeside(const Knobs& whole);
+  [[nodiscard]] int leftMost_px() const;   ///< room for the sliders
+  [[nodiscard]] int rightMost_px() const;  ///< room for the scale
+  [[nodiscard]] QRect wholeRect() const;   ///< room for the image, beside the scales
   [[nodiscard]] DisplayMode mode() const { return session_.pictureKnobs().mode; }
   [[nodiscard]] bool isBesideVolume() const;
   [[nodiscard]] bool isInAir() const;
@@ -93,11 +106,14 @@ class ScanView final : public QWidget {
   Session& session_;
   DgcColumn* dgc_ = nullptr;
   FocusScale* scale_ = nullptr;
-  int left_px_ = 0, right_px_ = 0;  ///< kept free beside the picture
+  int left_px_ = 0, right_px_ = 0;               ///< kept free beside the picture
+  std::array<int, kDgcSliders> besideFan_px_{};  ///< what is free left of the fan at each slider
+  bool isCompact_ = false;
   struct Fitted {
     QSize size;
     std::string probe;
     Knobs knobs;
+    bool isCompact = false;
     bool operator==(const Fitted&) const = default;
   };
   Fitted fitted_;  ///< what the margins were fitted to

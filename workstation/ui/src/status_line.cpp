@@ -135,6 +135,22 @@ void StatusLine::takeCine(QWidget* bar) {
   showLabels();
 }
 
+void StatusLine::takeJobs(QWidget* line) {
+  jobs_ = line;
+  jobs_->installEventFilter(this);
+  layout()->addWidget(jobs_);
+}
+
+bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == jobs_ && (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent)) showLabels();
+  return QWidget::eventFilter(watched, event);
+}
+
+void StatusLine::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  showLabels();
+}
+
 void StatusLine::setCineShown(bool shown) {
   isCineShown_ = shown;
   showLabels();
@@ -149,6 +165,19 @@ void StatusLine::showLabels() {
   plan_->setVisible(ofScan && forAuthors_);
   edit_->setVisible(!idle_ && !isCine);
   note_->setVisible(!idle_ && !isCine);
+  // In a narrow window with large words figures give way: what is cut off says something else.
+  const QMargins edges = layout()->contentsMargins();
+  int needed_px = edges.left() + edges.right();
+  for (const QWidget* each :
+       {static_cast<const QWidget*>(tracker_), static_cast<const QWidget*>(position_), static_cast<const QWidget*>(plan_),
+        static_cast<const QWidget*>(contact_), static_cast<const QWidget*>(jobs_)})
+    if (each != nullptr && !each->isHidden())
+      needed_px += (each == jobs_ ? each->minimumSizeHint() : each->sizeHint()).width() + layout()->spacing();
+  for (QLabel* each : {static_cast<QLabel*>(plan_), static_cast<QLabel*>(position_), static_cast<QLabel*>(contact_)}) {
+    if (needed_px <= width() || each->isHidden()) continue;
+    each->hide();
+    needed_px -= each->sizeHint().width() + layout()->spacing();
+  }
 }
 
 void StatusLine::showPose() {

@@ -27,6 +27,7 @@ class StatusLine final : public QWidget {
   void setStaged(bool staged);
   /// A bar that takes the place of what is said of the probe while it is shown, so that the views keep their sizes. Becomes a child.
   void takeCine(QWidget* bar);
+  void takeJobs(QWidget* line);  ///< at the end of the line, on every page
   void setCineShown(bool shown);
   /// What follows the probe and how it does: an icon, a word and a colour of its own; without a word nothing is said.
   void setTracker(const QString& icon, const QString& word, const QColor& colour, const QString& tip);
@@ -38,6 +39,10 @@ class StatusLine final : public QWidget {
  Q_SIGNALS:
   void trackerAsked();  ///< its word was clicked
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void showPose();
   void showPlan();
@@ -48,6 +53,7 @@ class StatusLine final : public QWidget {
   QTimer soon_;
   bool staged_ = false, idle_ = false, forAuthors_ = false, isCineShown_ = false;
   QWidget* cine_ = nullptr;
+  QWidget* jobs_ = nullptr;
   QPushButton* tracker_ = nullptr;
   FigureLabel* position_ = nullptr;
   FigureLabel* plan_ = nullptr;

@@ -129,17 +129,22 @@ void TopBar::resizeEvent(QResizeEvent* event) {
 }
 
 void TopBar::placeTitle() {
-  // In a narrow window with large words the name gives way: the window's title has it as well.
-  int needed_px = layout()->contentsMargins().left() + layout()->contentsMargins().right() + menus_->minimumSizeHint().width();
+  // What a narrow window with large words has no room for, in this order: the program's name, which the window has as well, and what every
+  // saved image says too.
+  constexpr int kGapOfTitle_px = 24;
+  int needed_px = layout()->contentsMargins().left() + layout()->contentsMargins().right() + menus_->sizeHint().width();
   for (const Button& each : workspaces_)
     if (!each.button->isHidden()) needed_px += each.button->sizeHint().width() + kGrid_px;
-  needed_px += disclaimer_->sizeHint().width() + brand_->sizeHint().width() + 4 * kGrid_px;
-  brand_->setVisible(needed_px <= width());
+  needed_px += 4 * kGrid_px;
+  const int title_px = title_->fontMetrics().horizontalAdvance(fullTitle_) + 2 * kGapOfTitle_px;
+  disclaimer_->setVisible(needed_px + disclaimer_->sizeHint().width() <= width());
+  if (!disclaimer_->isHidden()) needed_px += disclaimer_->sizeHint().width();
+  brand_->setVisible(needed_px + title_px + brand_->sizeHint().width() + 2 * kGrid_px <= width());
   layout()->activate();
-  constexpr int kGap_px = 24;
+  constexpr int kGap_px = kGapOfTitle_px;
   const auto placed = [this](const QRect& rect) { return QStyle::visualRect(layoutDirection(), this->rect(), rect); };
   const int left = placed(menus_->geometry()).right() + kGap_px;
-  const int right = placed(disclaimer_->geometry()).left() - kGap_px;
+  const int right = disclaimer_->isHidden() ? width() - kGrid_px : placed(disclaimer_->geometry()).left() - kGap_px;
   const int room = std::max(0, right - left);
   const int wanted = remark_->text().isEmpty() ? 0 : remark_->sizeHint().width() + kGap_px;
   const int remarkWidth = wanted <= room ? wanted : 0;

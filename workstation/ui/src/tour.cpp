@@ -110,7 +110,11 @@ void Tour::begin() {
 }
 
 bool Tour::tryStep(int step) {
-  return thingOf(step) != nullptr || (goTo_(steps_[static_cast<std::size_t>(step)].place) && thingOf(step) != nullptr);
+  if (thingOf(step) != nullptr) return true;
+  const Step& wanted = steps_[static_cast<std::size_t>(step)];
+  if (!goTo_(wanted.place)) return false;
+  if (thingOf(step) == nullptr && wanted.bring) wanted.bring();
+  return thingOf(step) != nullptr;
 }
 
 /// The steps form a ring that begins with the first one seen, so that the tour need not begin where the list does.

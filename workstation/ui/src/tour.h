@@ -24,7 +24,8 @@ class Tour final : public QFrame {
     QString name;  ///< of the thing, for people
     QString text;  ///< what it is for
     Place place = Place::explore;
-    std::function<QWidget*()> thing;  ///< null: not there now, and the step is left out
+    std::function<QWidget*()> thing;   ///< null: not there now, and the step is left out
+    std::function<void()> bring = {};  ///< brings it in front of what takes turns with it
   };
   /// @param goTo shows a place; false: it cannot be shown now. Called only when the user asks for a step there
   Tour(std::vector<Step> steps, std::function<bool(Place)> goTo, QWidget* window);

@@ -126,13 +126,12 @@ struct View3D::Parts {
   QWidget* buttons;
   std::vector<QToolButton*> viewButtons;
 
-  /// As many columns as fit: longer words or a narrow view make more rows, never cut ones.
-  /// Where they would cover the body only those stay that no key has: looking from a side is in the menu, too.
-  void arrangeButtons(int room_px, int most_px) {
+  /// One row. Where it has no room only those stay that no key has: looking from a side is in the menu, too. Longer words make more rows of
+  /// these, never cut ones.
+  void arrangeButtons(int room_px) {
     for (const bool all : {true, false}) {
       for (QToolButton* each : viewButtons) each->setVisible(all || !looksFromSide(*each));
-      gridButtons(room_px);
-      if (buttons->height() <= most_px) return;
+      if (gridButtons(room_px) == 1) return;
     }
   }
   [[nodiscard]] static bool looksFromSide(const QToolButton& button) {
@@ -140,18 +139,21 @@ struct View3D::Parts {
     return name == QLatin1String("viewFront") || name == QLatin1String("viewRight") || name == QLatin1String("viewLeft") ||
            name == QLatin1String("viewTop");
   }
-  void gridButtons(int room_px) {
+  /// @return how many rows there are
+  int gridButtons(int room_px) {
     auto* grid = static_cast<QGridLayout*>(buttons->layout());
     std::vector<QToolButton*> shown;
     for (QToolButton* each : viewButtons)
       if (!each->isHidden()) shown.push_back(each);
     const int count = static_cast<int>(shown.size());
-    for (int columns = count; columns >= 1; columns = (columns + 1) / 2) {
+    int columns = count;
+    for (;; columns = (columns + 1) / 2) {
       for (int i = 0; i < count; ++i) grid->addWidget(shown[static_cast<std::size_t>(i)], i / columns, i % columns);
       grid->invalidate();
       if (grid->sizeHint().width() <= room_px || columns == 1) break;
     }
     buttons->resize(grid->sizeHint());
+    return (count + columns - 1) / columns;
   }
   std::unique_ptr<bridge::Scene3D> scene;
   std::shared_ptr<const Skin> bareSkin = std::make_shared<EllipsoidSkin>();
@@ -396,7 +398,7 @@ void View3D::placeOverlays() {
     hint.resize(beside, hint.heightForWidth(beside));
   }
   hint.move(kOverlayMargin_px, height() - kOverlayMargin_px - hint.height());
-  parts_->arrangeButtons(room, height() * 2 / 5);
+  parts_->arrangeButtons(room);
   parts_->buttons->move(std::max(0, width() - kOverlayMargin_px - parts_->buttons->width()), kOverlayMargin_px - 4);
   hint.raise();
   parts_->buttons->raise();

@@ -48,8 +48,14 @@ ViewColumns::ViewColumns(QSplitter& columns, QWidget& panel, QWidget& body, QWid
   columns_.installEventFilter(this);
   canvas_.installEventFilter(this);
   connect(&columns_, &QSplitter::splitterMoved, this, [this] {
-    if (staged_ || scanOnly_ || !keepsBody_ || !keepsScan_) return;
+    if (staged_) return;
     if (!panel_.isHidden()) panel_px_ = panel_.width();
+    if (body_px_ > 0 && !swapped_) {
+      if (!body_.isHidden()) panel_px_ = body_.width();
+      body_px_ = panel_px_;
+      return;
+    }
+    if (!hasBoth()) return;
     const int both_px = body_.width() + scan_.width();
     if (both_px <= 0) return;
     const double share = static_cast<double>(body_.width()) / both_px;
@@ -68,26 +74,15 @@ double ViewColumns::share() const {
   return swapped_ && isNarrow() ? 1.0 - share : share;
 }
 
-void ViewColumns::setPanelWidth(int panel_px) {
-  panel_px_ = panel_px;
-  arrange();
-}
+bool ViewColumns::hasBoth() const { return showsScan_ && !scanOnly_ && !staged_ && !body_.isHidden(); }
 
-void ViewColumns::setStaged(bool staged, int panel_px) {
-  staged_ = staged;
-  panel_px_ = panel_px;
-  arrange();
-}
-
-void ViewColumns::setKept(bool body, bool scan) {
-  keepsBody_ = body;
-  keepsScan_ = scan;
-  arrange();
-}
-
-void ViewColumns::setScanOnly(bool scanOnly) {
-  scanOnly_ = scanOnly;
-  if (!staged_) body_.setVisible(!scanOnly && keepsBody_);
+void ViewColumns::follow(const WindowLayout& layout, bool showsScan, bool isStaged) {
+  // What the user has made of a width stays until the layout wants another one.
+  if (layout.panel_px != layout_.panel_px || isStaged != staged_) panel_px_ = layout.panel_px;
+  if (layout.body_px != layout_.body_px || layout.panel_px != layout_.panel_px) body_px_ = layout.body_px;
+  layout_ = layout;
+  showsScan_ = showsScan;
+  staged_ = isStaged;
   arrange();
 }
 
@@ -100,8 +95,11 @@ void ViewColumns::arrange() {
   const int panel_px = panel_.isHidden() ? 0 : panel_px_;
   const int rest_px = std::max(0, columns_.width() - panel_px);
   if (staged_) return columns_.setSizes({panel_px, 0, 0, rest_px});
-  if (!keepsScan_) return columns_.setSizes({panel_px, keepsBody_ ? rest_px : 0, 0, 0});
-  const int body_px = scanOnly_ || !keepsBody_ ? 0 : static_cast<int>(std::lround(share() * rest_px));
+  if (!showsScan_) return columns_.setSizes({panel_px, body_.isHidden() ? 0 : rest_px, 0, 0});
+  const bool isSwapped = swapped_ && isNarrow();
+  const int body_px = body_.isHidden()             ? 0
+                      : body_px_ > 0 && !isSwapped ? std::min(body_px_, rest_px)
+                                                   : static_cast<int>(std::lround(share() * rest_px));
   columns_.setSizes({panel_px, body_px, rest_px - body_px, 0});
 }
 
@@ -114,7 +112,7 @@ bool ViewColumns::eventFilter(QObject* watched, QEvent* event) {
   const bool isLeft = (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick) &&
                       static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton &&
                       static_cast<QMouseEvent*>(event)->modifiers() == Qt::NoModifier;
-  if (!isLeft || !isNarrow() || scanOnly_ || !keepsBody_ || !keepsScan_) return false;
+  if (!isLeft || !isNarrow() || !hasBoth()) return false;
   if (event->type() == QEvent::MouseButtonPress) {
     if (onPress) onPress();
     return false;

@@ -5,6 +5,8 @@
 #include <QWidget>
 #include <functional>
 
+#include "window_layout.h"
+
 class QSplitter;
 
 namespace ew::ui {
@@ -29,7 +31,7 @@ class BodyColumn final : public QWidget {
 
 /// How the width is shared between the body and the scan. The scan is what is looked at: it takes two thirds until the user moves the
 /// border, and the choice is remembered. In a window below kNarrow_px the body is a narrow column, and a double click in either view swaps
-/// the two.
+/// the two. Columns that take turns have one width, so that the scan stays where it is.
 class ViewColumns final : public QObject {
   Q_OBJECT
 
@@ -41,15 +43,12 @@ class ViewColumns final : public QObject {
   static constexpr int kNarrow_px = 1200;
   static constexpr double kBodyShare = 0.33;
 
-  /// Width of the author's panels beside body and scan; what is staged there has them alone.
-  void setPanelWidth(int panel_px);
-  void setStaged(bool staged, int panel_px);
+  /// Gives the columns that are shown their widths.
+  void follow(const WindowLayout& layout, bool showsScan, bool isStaged);
   /// A double click in this view means the scan, which it is a part of.
   void watch(QWidget& view);
-  /// Which of the two a workspace keeps beside its panels.
-  void setKept(bool body, bool scan);
-  /// Nothing but the scan.
-  void setScanOnly(bool scanOnly);
+  /// Nothing but the scan; told to whoever lays out the window.
+  void setScanOnly(bool scanOnly) { scanOnly_ = scanOnly; }
   [[nodiscard]] bool isScanOnly() const { return scanOnly_; }
   [[nodiscard]] bool isNarrow() const;
   [[nodiscard]] bool isSwapped() const { return swapped_; }
@@ -65,15 +64,18 @@ class ViewColumns final : public QObject {
 
  private:
   [[nodiscard]] double share() const;
+  [[nodiscard]] bool hasBoth() const;
   QSplitter& columns_;
   QWidget& panel_;
   QWidget& body_;
   QWidget& scan_;
   QWidget& canvas_;
-  int panel_px_ = 0;
+  WindowLayout layout_;
+  int panel_px_ = 0;  ///< as the layout or the user has it
+  int body_px_ = 0;   ///< 0: a share
   bool staged_ = false;
   bool scanOnly_ = false;
-  bool keepsBody_ = true, keepsScan_ = true;
+  bool showsScan_ = true;
   bool swapped_ = false;
 };
 

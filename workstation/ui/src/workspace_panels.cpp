@@ -1,5 +1,6 @@
 #include "workspace_panels.h"
 
+#include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <utility>
@@ -14,9 +15,6 @@ WorkspacePanels::WorkspacePanels(QWidget* parent) : QWidget(parent) {
   rows_ = new QVBoxLayout(this);
   rows_->setContentsMargins(0, 0, 1, 0);  // the line beside it
   rows_->setSpacing(0);
-  cardRoom_ = new QWidget;
-  cardRoom_->setFixedHeight(0);
-  rows_->addWidget(cardRoom_);
 }
 
 QTabWidget& WorkspacePanels::of(const std::string& workspace) {
@@ -28,7 +26,7 @@ QTabWidget& WorkspacePanels::of(const std::string& workspace) {
   tabs->setDocumentMode(true);
   tabs->setMinimumWidth(tabsWidth_px_);
   tabs->setVisible(workspace == inFront_);
-  rows_->insertWidget(0, tabs, 1);
+  rows_->addWidget(tabs, 1);
   connect(tabs, &QTabWidget::currentChanged, this, &WorkspacePanels::changed);
   tabs_[workspace] = tabs;
   return *tabs;
@@ -36,10 +34,7 @@ QTabWidget& WorkspacePanels::of(const std::string& workspace) {
 
 bool WorkspacePanels::has(const std::string& workspace) const {
   const auto found = tabs_.find(workspace);
-  if (found == tabs_.end()) return false;
-  for (int tab = 0; tab < found->second->count(); ++tab)
-    if (found->second->isTabVisible(tab)) return true;
-  return false;
+  return found != tabs_.end() && shownTabs(*found->second) > 0;
 }
 
 void WorkspacePanels::setTabShown(QTabWidget& tabs, int tab, bool shown) {
@@ -64,7 +59,28 @@ void WorkspacePanels::setTabsWidth(int least_px) {
   for (const auto& [id, tabs] : tabs_) tabs->setMinimumWidth(least_px);
 }
 
-void WorkspacePanels::setCardRoom(int height_px) { cardRoom_->setFixedHeight(height_px); }
+int WorkspacePanels::shownTabs(const QTabWidget& tabs) {
+  int shown = 0;
+  for (int tab = 0; tab < tabs.count(); ++tab) shown += tabs.isTabVisible(tab) ? 1 : 0;
+  return shown;
+}
+
+QString WorkspacePanels::titleOfOnly() const {
+  const QTabWidget* tabs = inFront();
+  if (tabs == nullptr || shownTabs(*tabs) != 1) return {};
+  for (int tab = 0; tab < tabs->count(); ++tab)
+    if (tabs->isTabVisible(tab)) return tabs->tabText(tab);
+  return {};
+}
+
+void WorkspacePanels::setSharesColumn(bool shares) {
+  sharesColumn_ = shares;
+  showTabBars();
+}
+
+void WorkspacePanels::showTabBars() {
+  for (const auto& [id, tabs] : tabs_) tabs->tabBar()->setVisible(!sharesColumn_ || shownTabs(*tabs) > 1);
+}
 
 void WorkspacePanels::clear() {
   for (const auto& [id, tabs] : std::exchange(tabs_, {})) delete tabs;

@@ -9,8 +9,7 @@ class QVBoxLayout;
 
 namespace ew::ui {
 
-/// The column of panels at the left: the tabs of the workspace in front, and below them room for the cards of running work, so that they
-/// cover none of a panel's buttons.
+/// The column of panels at the left: the tabs of the workspace in front.
 class WorkspacePanels final : public QWidget {
   Q_OBJECT
 
@@ -27,20 +26,28 @@ class WorkspacePanels final : public QWidget {
   void show(const std::string& workspace);
   [[nodiscard]] QTabWidget* inFront() const;  ///< null: the workspace has no panels
   void setTabsWidth(int least_px);
-  void setCardRoom(int height_px);
+  /// Whether the column is one of several that take turns: a single panel then needs no tab of its own.
+  void setSharesColumn(bool shares);
+  /// Of the panel when there is one alone; empty: there are several.
+  [[nodiscard]] QString titleOfOnly() const;
+  /// Somebody wants a panel to be seen.
+  void ask() { Q_EMIT asked(); }
   /// Deletes all panels.
   void clear();
 
  Q_SIGNALS:
   void changed();      ///< another panel is in front
   void tabsChanged();  ///< a workspace has other tabs than before
+  void asked();        ///< a panel is wanted in front of whatever takes turns with the column
 
  private:
+  void showTabBars();
+  [[nodiscard]] static int shownTabs(const QTabWidget& tabs);
   std::map<std::string, QTabWidget*> tabs_;
   std::string inFront_;
   int tabsWidth_px_ = 0;
   QVBoxLayout* rows_ = nullptr;
-  QWidget* cardRoom_ = nullptr;
+  bool sharesColumn_ = false;
 };
 
 }  // namespace ew::ui

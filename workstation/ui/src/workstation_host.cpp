@@ -280,6 +280,7 @@ class HostPanels final : public sdk::Panels {
       for (int i = 0; i < tabs->count(); ++i)
         if (const auto* panel = dynamic_cast<const LazyPanel*>(tabs->widget(i)); panel != nullptr && panel->panel().id == id)
           tabs->setCurrentIndex(i);
+    columns_.ask();
   }
   [[nodiscard]] LazyPanel* inFront() const {
     const QTabWidget* tabs = columns_.inFront();

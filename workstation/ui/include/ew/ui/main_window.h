@@ -56,11 +56,14 @@ class ShownMark;
 class StoredExamination;
 class Trackers;
 class View3D;
+struct LayoutRequest;
 struct LeftWork;
 struct MadeVolume;
 struct SavedPart;
+struct WindowLayout;
 
 enum class Loss;
+enum class Column;
 enum class TourPlace;
 enum class TrackerCourse;
 enum class Workspace { explore, author };
@@ -157,6 +160,8 @@ class MainWindow final : public QMainWindow {
   void addLanguageMenu(QMenu& language);
   void addScanMenu(QMenu& scan);
   void addCineMenu(QMenu& cine);
+  void addRecordingMenu(QMenu& recording);
+  void addConsoleMenu(QMenu& console);
   void addBreathingMenu(QMenu& breathing);
   void addMeasureMenu(QMenu& measure);
   void addAnnotateMenu(QMenu& annotate);
@@ -197,6 +202,10 @@ class MainWindow final : public QMainWindow {
   /// Does what a key of the command does. @return false: there is no such command now
   bool doCommand(const std::string& command);
   void placeOverlays();
+  /// Prepares a case without taking what is open away, and offers it when it is ready. @return false: it needs no time, or takes nothing
+  /// away
+  bool prepareBehind(const QString& path, bool isSomethingWorkedWith);
+  void offerReady(const QString& caseId);
   void chooseFile();
   void chooseBundle();
   void importCase(const QString& bundle);  ///< into the user's library, as a job; then the start page shows it
@@ -258,7 +267,14 @@ class MainWindow final : public QMainWindow {
   /// Puts the stage of the panel in front in place of the views, or the views back.
   void showStage();
   [[nodiscard]] std::shared_ptr<sdk::PanelDocument> panelDocument() const;  ///< of the stage that is shown
-  void showConsole();
+  void makeColumnHandles();
+  void connectFocusKeys();
+  bool doKeyInScan(QKeyEvent& event);
+  [[nodiscard]] LayoutRequest layoutRequest() const;
+  void showColumns();  ///< each where the window has room for it
+  void showColumnTabs(const WindowLayout& layout);
+  void showColumn(Column column);  ///< in front of those it takes turns with
+  void showNextColumn();
   void setScanOnly(bool scanOnly);
   /// From the start page to what is open.
   void backToWork();
