@@ -13,6 +13,7 @@
 #include "cine_source.h"
 #include "dicom_fields.h"
 #include "dicom_pixels.h"
+#include "ew/core/numbers.h"
 #include "ew/io/dicom.h"
 #include "ew/io/image_stack.h"
 #include "ew/io/sequence.h"
@@ -43,16 +44,35 @@ bool standsAt(std::span<const std::uint8_t> bytes, std::size_t at, std::string_v
   return bytes.size() >= at + text.size() && std::memcmp(bytes.data() + at, text.data(), text.size()) == 0;
 }
 
-/// By content alone: a play list by the name of a film could make a decoder open other files.
-bool beginsAsFilm(std::span<const std::uint8_t> bytes) {
+bool beginsAsMp4(std::span<const std::uint8_t> bytes) {
   using namespace std::string_view_literals;
-  for (const std::string_view box : {"ftyp"sv, "moov"sv, "mdat"sv, "wide"sv, "free"sv, "skip"sv})
-    if (standsAt(bytes, 4, box)) return true;
-  if (standsAt(bytes, 0, "RIFF"sv) && standsAt(bytes, 8, "AVI "sv)) return true;
-  for (const std::string_view start : {"\x1A\x45\xDF\xA3"sv, "\x00\x00\x01\xBA"sv, "\x00\x00\x01\xB3"sv, "\x30\x26\xB2\x75"sv})
-    if (standsAt(bytes, 0, start)) return true;
-  return bytes.size() > 376 && bytes[0] == 0x47 && bytes[188] == 0x47 && bytes[376] == 0x47;  // MPEG transport stream
+  constexpr std::array boxes{"ftyp"sv, "moov"sv, "mdat"sv, "wide"sv, "free"sv, "skip"sv};
+  return std::any_of(boxes.begin(), boxes.end(), [&](std::string_view box) { return standsAt(bytes, 4, box); });
 }
+bool beginsAsTransportStream(std::span<const std::uint8_t> bytes) {
+  return bytes.size() > 376 && bytes[0] == 0x47 && bytes[188] == 0x47 && bytes[376] == 0x47;
+}
+/// Zeros and a start code: how streams of MPEG without a container begin. @return the byte behind the code
+std::optional<std::uint8_t> firstStartCode(std::span<const std::uint8_t> bytes) {
+  const auto zeros =
+      static_cast<std::size_t>(std::find_if(bytes.begin(), bytes.end(), [](auto byte) { return byte != 0; }) - bytes.begin());
+  if (zeros < 2 || zeros + 1 >= bytes.size() || bytes[zeros] != 1) return std::nullopt;
+  return bytes[zeros + 1];
+}
+
+/// How a film is to be opened, by content alone: a play list by the name of a film could make a decoder open other files.
+FilmStream streamOfFilm(std::span<const std::uint8_t> bytes) {
+  using namespace std::string_view_literals;
+  if (beginsAsMp4(bytes)) return {.container = "mov"};
+  if (standsAt(bytes, 0, "RIFF"sv) && standsAt(bytes, 8, "AVI "sv)) return {.container = "avi"};
+  if (standsAt(bytes, 0, "\x1A\x45\xDF\xA3"sv)) return {.container = "matroska"};
+  if (standsAt(bytes, 0, "\x00\x00\x01\xBA"sv)) return {.container = "mpeg"};
+  if (standsAt(bytes, 0, "\x00\x00\x01\xB3"sv)) return {.container = "mpegvideo"};
+  if (standsAt(bytes, 0, "\x30\x26\xB2\x75"sv)) return {.container = "asf"};
+  if (beginsAsTransportStream(bytes)) return {.container = "mpegts"};
+  return {};
+}
+bool beginsAsFilm(std::span<const std::uint8_t> bytes) { return *streamOfFilm(bytes).container != '\0'; }
 
 bool beginsAsTiff(std::span<const std::uint8_t> bytes) {
   using namespace std::string_view_literals;
@@ -123,9 +143,35 @@ Result<void> findRange(DicomSource& source, Progress& progress) {
   return {};
 }
 
+constexpr std::string_view kMpegSyntaxes = "1.2.840.10008.1.2.4.10";
+
 bool isMpeg(const std::string& transferSyntax) {
   // MPEG-2 (.100, .101 and their fragmentable ones), H.264 (.102 to .106), HEVC (.107, .108).
-  return transferSyntax.starts_with("1.2.840.10008.1.2.4.10") && transferSyntax.size() > std::strlen("1.2.840.10008.1.2.4.10");
+  return transferSyntax.starts_with(kMpegSyntaxes) && transferSyntax.size() > kMpegSyntaxes.size();
+}
+
+/// How the stream of a data set is to be opened: its transfer syntax decides, and what the bytes look like only among what that one allows
+/// (PS3.5, 8.2.5 to 8.2.8): elementary, program or transport stream of MPEG-2; MP4, transport or elementary stream of H.264 and HEVC.
+FilmStream streamOfDicom(const std::string& transferSyntax, std::span<const std::uint8_t> bytes) {
+  const char kind = transferSyntax[kMpegSyntaxes.size()];
+  const auto code = firstStartCode(bytes);
+  if (kind == '0' || kind == '1') {
+    FilmStream stream{.codecs = "mpeg2video,mpeg1video", .says = "MPEG-2"};
+    if (beginsAsTransportStream(bytes))
+      stream.container = "mpegts";
+    else if (code)
+      stream.container = *code == 0xBA ? "mpeg" : "mpegvideo";
+    return stream;
+  }
+  const bool isHevc = kind == '7' || kind == '8';
+  FilmStream stream{.codecs = isHevc ? "hevc" : "h264", .says = isHevc ? "HEVC" : "H.264"};
+  if (beginsAsMp4(bytes))
+    stream.container = "mov";
+  else if (beginsAsTransportStream(bytes))
+    stream.container = "mpegts";
+  else if (code)
+    stream.container = stream.codecs;
+  return stream;
 }
 
 /// A film inside DICOM: its stream lies in memory under a name of its own, so that nothing of a patient is written anywhere.
@@ -173,10 +219,15 @@ OpenedSource openDicomFilm(const fs::path& file, const DicomFile& dicom, const R
   if (!written)
     return failure(ErrorCode::tooLarge, say<"There is not enough memory for the film in %1; close other programs.">(quoted(file)),
                    {{"file", file.string()}});
-  auto film = openFilm("/proc/self/fd/" + std::to_string(source->memory), file, CineKind::dicomFilm, limits);
+  const FilmStream stream = streamOfDicom(dicom.transferSyntax, beginningOf("/proc/self/fd/" + std::to_string(source->memory)));
+  if (*stream.container == '\0')
+    return failure(ErrorCode::badHeader,
+                   say<"%1 says that its film is %2, but its stream is of another kind; export it again.">(quoted(file), stream.says),
+                   {{"file", file.string()}});
+  auto film = openFilm("/proc/self/fd/" + std::to_string(source->memory), file, CineKind::dicomFilm, stream, limits);
   if (!film) return passOn(film.error());
   source->film = *std::move(film);
-  source->info = source->film->info;
+  source->info = source->film->info;  // its shape as well
   source->info.removed = identifyingFields(dicom.data);
   // Streams without a container guess their length; the data set knows it.
   source->info.frames = source->film->info.frames = dicom.data.count(0x00280008u).value_or(0);
@@ -294,8 +345,8 @@ OpenedSource openAny(const fs::path& file, Progress& progress, const ReadLimits&
   const auto beginning = beginningOf(file);
   // The free bytes before "DICM" may be those of another format.
   if (standsAt(beginning, 128, "DICM")) return openDicom(file, progress, limits);
-  if (beginsAsTiff(beginning)) return openFilm(file, file, CineKind::pages, limits);
-  if (beginsAsFilm(beginning)) return openFilm(file, file, CineKind::film, limits);
+  if (beginsAsTiff(beginning)) return openFilm(file, file, CineKind::pages, {}, limits);
+  if (beginsAsFilm(beginning)) return openFilm(file, file, CineKind::film, streamOfFilm(beginning), limits);
   if (looksLikeDicom(Bytes(beginning).first(std::min<std::size_t>(beginning.size(), 256)))) return openDicom(file, progress, limits);
   const std::string ending = lowerCase(file.extension().string());
   if (ending == ".mha" || ending == ".mhd" || ending == ".nrrd" || ending == ".nhdr") return openSequence(file, progress, limits);
@@ -303,6 +354,35 @@ OpenedSource openAny(const fs::path& file, Progress& progress, const ReadLimits&
   return failure(ErrorCode::unsupported,
                  say<"%1 is no film, DICOM cine, TIFF, sequence or picture that is known, or its beginning is damaged.">(quoted(file)),
                  {{"file", file.string()}});
+}
+
+/// Says what becomes of the pictures, and makes ready for it.
+Result<void> prepare(CineReader::Source& source, const Orientation& asked, const fs::path& file, const ReadLimits& limits) {
+  const CineInfo& stored = source.info;
+  source.shaper.emplace(stored, asked);
+  source.shown = stored;
+  source.shown.width_px = source.shaper->width_px();
+  source.shown.height_px = source.shaper->height_px();
+  auto& notes = source.shown.notes;
+  const auto pixels = static_cast<std::uint64_t>(source.shown.width_px) * static_cast<std::uint64_t>(source.shown.height_px);
+  if (pixels > (1ull << 28) || pixels * 8 > limits.maxBytes)
+    return failure(ErrorCode::tooLarge,
+                   say<"The pictures of %1 have %2 x %3 pixels, more than are read; record a smaller part of the screen.">(
+                       quoted(file), source.shown.width_px, source.shown.height_px),
+                   {{"file", file.string()}});
+  if (const Orientation& stated = stored.orientation; !stated.isUpright())
+    notes.push_back(!stated.mirrored ? say<"The file says how its pictures are seen upright: they were turned clockwise by %1 degrees.">(
+                                           stated.degrees())
+                    : stated.quarterTurns == 0
+                        ? say<"The file says how its pictures are seen upright: they were mirrored, left to right.">()
+                        : say<"The file says how its pictures are seen upright: they were turned clockwise by %1 degrees, then mirrored.">(
+                              stated.degrees()));
+  if (source.shaper->stretches())
+    notes.push_back(
+        say<"The file says that its pixels are %1 times as wide as high: pictures of %2 x %3 were stretched to %4 x %5 square ones.">(
+            numeral(textOf(std::round(stored.pixelAspect * 1e4) / 1e4)), stored.width_px, stored.height_px, source.shaper->squareWidth_px(),
+            source.shaper->squareHeight_px()));
+  return {};
 }
 
 }  // namespace
@@ -325,16 +405,17 @@ CineReader::~CineReader() = default;
 CineReader::CineReader(CineReader&&) noexcept = default;
 CineReader& CineReader::operator=(CineReader&&) noexcept = default;
 
-Result<CineReader> CineReader::open(const fs::path& file, Progress& progress, const ReadLimits& limits) try {
+Result<CineReader> CineReader::open(const fs::path& file, Progress& progress, const ReadLimits& limits, const Orientation& asked) try {
   auto source = openAny(file, progress, limits);
   if (!source) return passOn(source.error());
+  if (auto there = prepare(**source, asked, file, limits); !there) return passOn(there.error());
   return CineReader(*std::move(source));
 } catch (const std::bad_alloc&) {
   return failure(ErrorCode::tooLarge, say<"There is not enough memory for the frames of %1; close other programs.">(quoted(file)),
                  {{"file", file.string()}});
 }
 
-const CineInfo& CineReader::info() const { return source_->info; }
+const CineInfo& CineReader::info() const { return source_->shown; }
 std::uint64_t CineReader::given() const { return source_->given; }
 const std::optional<Error>& CineReader::brokenOff() const { return source_->brokenOff; }
 
@@ -345,6 +426,7 @@ Result<bool> CineReader::next(CineFrame& frame, const Progress& progress) {
   auto got = source_->read(frame, progress);
   if (!got) return passOn(got.error());
   if (!*got) return false;
+  source_->shaper->shape(frame);
   if (source_->given > 0) frame.time_s = std::max(frame.time_s, before_s);
   ++source_->given;
   return true;

@@ -4,6 +4,7 @@
 
 #include "cine_source.h"
 #include "dicom_pixels.h"
+#include "ew/core/numbers.h"
 #include "image_header.h"
 #include "png_pixels.h"
 #include "video_loader.h"
@@ -12,13 +13,20 @@ namespace ew::detail {
 namespace {
 namespace fs = std::filesystem;
 
-/// Containers count frames from an index that may have a few that no decoder gives back (edit lists, a delayed last one).
+/// A data set counts frames of which no decoder may give the last ones back.
 constexpr double kFewMissing = 2.0;
+/// A film whose last frames stand long ends before its duration by no more than this, or than its longest pause so far.
+constexpr double kLeastMissing_s = 0.5;
+
+/// What a pixel is said to be wider than high, where that can be.
+double usableAspect(double aspect) { return std::isfinite(aspect) && aspect > 0.125 && aspect < 8.0 ? aspect : 1.0; }
 
 struct FilmSource final : CineReader::Source {
   fs::path file;
   fs::path shown;
+  FilmStream stream;
   EwFilm* film = nullptr;
+  double duration_s = 0.0, longestPause_s = 0.0, before_s = 0.0;
   std::vector<unsigned char> rgb;
 
   FilmSource() = default;
@@ -33,8 +41,12 @@ struct FilmSource final : CineReader::Source {
     close();
     Reason why{};
     EwFilmFacts facts{};
-    film = (*videoModule()->openFilm)(file.c_str(), info.kind == CineKind::pages ? ewFilmOfPages : ewFilmOfVideo, &facts, why.data(),
-                                      why.size());
+    film = (*videoModule()->openFilm)(file.c_str(), info.kind == CineKind::pages ? ewFilmOfPages : ewFilmOfVideo, stream.container,
+                                      stream.codecs, &facts, why.data(), why.size());
+    if (film == nullptr && facts.isOtherCodec != 0)
+      return failure(ErrorCode::badHeader,
+                     say<"%1 says that its film is %2, but it is %3; export it again.">(quoted(shown), stream.says, verbatim(why.data())),
+                     {{"file", shown.string()}});
     if (film == nullptr)
       return failure(
           ErrorCode::badHeader,
@@ -47,7 +59,21 @@ struct FilmSource final : CineReader::Source {
     info.height_px = facts.height_px;
     info.frames = static_cast<std::uint64_t>(facts.frames);
     info.rate_hz = facts.rate_hz;
+    duration_s = facts.duration_s;
+    longestPause_s = before_s = 0.0;
+    takeShape(facts);
     return {};
+  }
+  void takeShape(const EwFilmFacts& facts) {
+    info.pixelAspect = usableAspect(facts.pixelAspect);
+    info.orientation = orientationOfTag(facts.orientationTag).value_or(Orientation{});
+    const auto& matrix = facts.matrix;
+    if (std::all_of(std::begin(matrix), std::end(matrix), [](double value) { return value == 0.0; })) return;
+    if (const auto stated = orientationOfMatrix(matrix[0], matrix[1], matrix[2], matrix[3]))
+      info.orientation = *stated;
+    else if (info.notes.empty())
+      info.notes.push_back(
+          say<"The film says that its pictures are to be turned by no whole quarter, which is not done; turn it before.">());
   }
   void breakOff(ErrorCode code, Message message) {
     brokenOff = Error{code, std::move(message), {{"file", shown.string()}, {"frames", std::to_string(given)}}};
@@ -58,21 +84,40 @@ struct FilmSource final : CineReader::Source {
     const int got = (*videoModule()->nextOfFilm)(film, rgb.data(), &time_s, why.data(), why.size());
     if (got == 1) {
       take(frame, time_s);
+      longestPause_s = std::max(longestPause_s, frame.time_s - std::exchange(before_s, frame.time_s));
       return true;
     }
     if (got == -2) {
       breakOff(ErrorCode::badField,
                say<"Frame %1 of %2 has another size than those before it; the %3 before it were read.">(given + 1, quoted(shown), given));
-    } else if (got == -1 || static_cast<double>(info.frames) > static_cast<double>(given) + kFewMissing) {
-      if (given == 0)
-        return failure(ErrorCode::truncated, say<"No frame of %1 can be read; get the file again, or record it once more.">(quoted(shown)),
-                       {{"file", shown.string()}});
-      breakOff(ErrorCode::truncated,
-               say<"%1 ends early or is damaged: of %2 frames the first %3 were read; get the file again if the others are needed.">(
-                   quoted(shown), info.frames, given));
+    } else if (given == 0) {
+      return failure(ErrorCode::truncated, say<"No frame of %1 can be read; get the file again, or record it once more.">(quoted(shown)),
+                     {{"file", shown.string()}});
+    } else if (info.kind != CineKind::film) {
+      if (got == -1 || static_cast<double>(info.frames) > static_cast<double>(given) + kFewMissing)
+        breakOff(ErrorCode::truncated,
+                 say<"%1 ends early or is damaged: of %2 frames the first %3 were read; get the file again if the others are needed.">(
+                     quoted(shown), info.frames, given));
+    } else {
+      judgeEnd(got, time_s);
     }
     return false;
   }
+  /// Whether a film was read to its end, by its times: the count that a container promises is a guess for films of varying rate, and counts
+  /// what an edit list leaves out.
+  void judgeEnd(int got, double reached_s) {
+    const double last_s = std::max(before_s, reached_s);
+    if (got == -1 || duration_s > last_s + std::max(kLeastMissing_s, longestPause_s))
+      return breakOff(
+          ErrorCode::truncated,
+          say<"%1 ends early or is damaged: of its %2 s the first %3 s were read, %4 frames; get the file again if the others are needed.">(
+              quoted(shown), numeral(rounded(duration_s)), numeral(rounded(before_s)), given));
+    if (const int faults = (*videoModule()->faultsOfFilm)(film); faults > 0)
+      breakOff(ErrorCode::truncated,
+               say<"%1 is damaged: at %2 places no frame could be read, and %3 frames were; get the file again if the others are needed.">(
+                   quoted(shown), faults, given));
+  }
+  static std::string rounded(double seconds) { return textOf(std::round(seconds * 100.0) / 100.0); }
   void take(CineFrame& frame, double time_s) {
     const std::size_t pixels = static_cast<std::size_t>(info.width_px) * static_cast<std::size_t>(info.height_px);
     frame.level.width = frame.colour.width = info.width_px;
@@ -104,11 +149,12 @@ struct FilmSource final : CineReader::Source {
 
 }  // namespace
 
-Result<std::unique_ptr<CineReader::Source>> openFilm(const fs::path& file, const fs::path& shown, CineKind kind, const ReadLimits& limits) {
+Result<std::unique_ptr<CineReader::Source>> openFilm(const fs::path& file, const fs::path& shown, CineKind kind, const FilmStream& stream,
+                                                     const ReadLimits& limits) {
   auto source = std::make_unique<FilmSource>();
-  // A name of the command line would do as well, but "file:..." and the like mean something to FFmpeg.
   source->file = fs::absolute(file);
   source->shown = shown;
+  source->stream = stream;
   source->info.kind = kind;
   if (auto begun = source->begin(); !begun) return passOn(begun.error());
   CineInfo& info = source->info;

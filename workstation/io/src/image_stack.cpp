@@ -7,6 +7,7 @@
 
 #include "dicom_pixels.h"
 #include "ew/core/numbers.h"
+#include "ew/io/orientation.h"
 #include "grey_samples.h"
 #include "image_header.h"
 #include "png_pixels.h"
@@ -109,15 +110,29 @@ Result<JpegGrey> readPgm(Bytes bytes, const fs::path& file) {
   return picture;
 }
 
+/// A picture as its camera says that it is to be seen.
+void putUpright(JpegGrey& picture, const Orientation& orientation) {
+  if (orientation.isUpright()) return;
+  std::vector<std::uint8_t> upright;
+  for (std::vector<std::uint8_t>* plane : {&picture.level, &picture.coloured}) {
+    if (plane->empty()) continue;
+    ew::putUpright(*plane, picture.width, picture.height, orientation, upright);
+    plane->swap(upright);
+  }
+  if (orientation.swapsSides()) std::swap(picture.width, picture.height);
+}
+
 }  // namespace
 
 Result<JpegGrey> detail::readStackPicture(const fs::path& file, const Progress& progress) {
   const auto bytes = readWholeFile(file, kLargestFile);
   if (!bytes) return passOn(bytes.error());
   const std::string ending = lowerCase(file.extension().string());
-  if (ending == ".png") return readPngPicture(*bytes, file);
-  if (ending == ".pgm") return readPgm(*bytes, file);
-  return readJpeg(*bytes, file, kMostStackPixels, progress);
+  auto picture = ending == ".png"   ? readPngPicture(*bytes, file)
+                 : ending == ".pgm" ? readPgm(*bytes, file)
+                                    : readJpeg(*bytes, file, kMostStackPixels, progress);
+  if (picture) putUpright(*picture, orientationOfPicture(*bytes));
+  return picture;
 }
 
 Result<std::vector<fs::path>> stackFiles(const fs::path& folderOrPicture) {

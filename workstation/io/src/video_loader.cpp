@@ -20,13 +20,15 @@ Result<VideoModule> load() {
     video.close = reinterpret_cast<EwClipClose*>(dlsym(module, "ewClipClose"));
     video.openFilm = reinterpret_cast<EwFilmOpen*>(dlsym(module, "ewFilmOpen"));
     video.nextOfFilm = reinterpret_cast<EwFilmNext*>(dlsym(module, "ewFilmNext"));
+    video.faultsOfFilm = reinterpret_cast<EwFilmFaults*>(dlsym(module, "ewFilmFaults"));
     video.closeFilm = reinterpret_cast<EwFilmClose*>(dlsym(module, "ewFilmClose"));
     video.openLive = reinterpret_cast<EwLiveOpen*>(dlsym(module, "ewLiveOpen"));
     video.nextOfLive = reinterpret_cast<EwLiveNext*>(dlsym(module, "ewLiveNext"));
     video.closeLive = reinterpret_cast<EwLiveClose*>(dlsym(module, "ewLiveClose"));
   }
   if (video.open == nullptr || video.add == nullptr || video.close == nullptr || video.openFilm == nullptr || video.nextOfFilm == nullptr ||
-      video.closeFilm == nullptr || video.openLive == nullptr || video.nextOfLive == nullptr || video.closeLive == nullptr) {
+      video.faultsOfFilm == nullptr || video.closeFilm == nullptr || video.openLive == nullptr || video.nextOfLive == nullptr ||
+      video.closeLive == nullptr) {
     const char* const reason = dlerror();
     return failure(ErrorCode::unsupported,
                    say<"Films can be neither written nor read, because a part of the program is missing; install EchoWeave again.">(),

@@ -14,6 +14,7 @@ struct VideoModule {
   EwClipClose* close = nullptr;
   EwFilmOpen* openFilm = nullptr;
   EwFilmNext* nextOfFilm = nullptr;
+  EwFilmFaults* faultsOfFilm = nullptr;
   EwFilmClose* closeFilm = nullptr;
   EwLiveOpen* openLive = nullptr;
   EwLiveNext* nextOfLive = nullptr;

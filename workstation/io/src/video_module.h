@@ -2,9 +2,9 @@
 
 #include <cstddef>
 
-/// What the module `ew_video` offers. It links OpenCV's video, and with it more than two hundred libraries: a program loads it when it
-/// meets a film, not when it starts. Every function catches what is thrown; `why` gets what OpenCV said, in at most `room` bytes with the
-/// NUL, and is left alone when it said nothing.
+/// What the module `ew_video` offers. It links OpenCV's video and FFmpeg, and with them more than two hundred libraries: a program loads it
+/// when it meets a film, not when it starts. Every function catches what is thrown; `why` gets what the library said, in at most `room`
+/// bytes with the NUL, and is left alone when it said nothing.
 extern "C" {
 using EwClip = struct EwClipParts;
 /// @return null when the film cannot be begun
@@ -19,15 +19,27 @@ using EwFilm = struct EwFilmParts;
 struct EwFilmFacts {
   int width_px;
   int height_px;
-  double frames;   ///< as promised; 0: it does not say
-  double rate_hz;  ///< 0: it does not say
+  double frames;       ///< as promised, or guessed from duration and rate; 0: it does not say
+  double rate_hz;      ///< 0: it does not say
+  double duration_s;   ///< as its header states; 0: it does not say
+  double pixelAspect;  ///< how much wider than high a stored pixel is; 0: it does not say
+  double matrix[4];    ///< x' = [0] x + [2] y, y' = [1] x + [3] y puts a stored picture upright; all 0: it does not say
+  int orientationTag;  ///< of a TIFF, 1 to 8; 0: it does not say
+  int isOtherCodec;    ///< it was not opened, because its codec is none of those that were named
 };
 enum EwFilmKind { ewFilmOfVideo, ewFilmOfPages };
+/// @param container of a video: the short name of the one FFmpeg demuxer that may open it; nothing but `file` is opened whatever stands in
+/// it
+/// @param codecs FFmpeg's names of those it may have, parted by commas; empty: any
 /// @return null when it cannot be read
-using EwFilmOpen = EwFilm*(const char* file, int kind, EwFilmFacts* facts, char* why, std::size_t room);
-/// The next frame. @param rgb room for width_px x height_px pixels of three bytes. @param time_s below 0: not known.
+using EwFilmOpen = EwFilm*(const char* file, int kind, const char* container, const char* codecs, EwFilmFacts* facts, char* why,
+                           std::size_t room);
+/// The next frame, as it is stored. @param rgb room for width_px x height_px pixels of three bytes
+/// @param time_s of the frame, below 0: not known; at the end: how far the film's streams reached
 /// @return 1 for a frame, 0 at the end, -1 when what follows cannot be read, -2 when the next frame has another size
 using EwFilmNext = int(EwFilm* film, unsigned char* rgb, double* time_s, char* why, std::size_t room);
+/// Packets and frames so far that could not be decoded.
+using EwFilmFaults = int(const EwFilm* film);
 using EwFilmClose = void(EwFilm* film);
 
 using EwLive = struct EwLiveParts;

@@ -10,6 +10,7 @@
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/io/deidentify.h"
+#include "ew/io/orientation.h"
 #include "ew/io/volume_file.h"
 
 namespace ew {
@@ -35,12 +36,14 @@ struct CineFrame {
 
 struct CineInfo {
   CineKind kind = CineKind::film;
-  int width_px = 0;
+  int width_px = 0;  ///< of the frames that are given: upright, with square pixels
   int height_px = 0;
-  std::uint64_t frames = 0;  ///< that the file promises; 0: it does not say
-  double rate_hz = 0.0;      ///< that the file promises; 0: it does not say
-  bool timesKnown = false;   ///< false: frames are counted at rate_hz, or 25 a second
-  Removed removed = {};      ///< fields left behind
+  Orientation orientation = {};  ///< that the file states
+  double pixelAspect = 1.0;      ///< how much wider than high the file says a stored pixel is
+  std::uint64_t frames = 0;      ///< that the file promises or lets guess; 0: it does not say
+  double rate_hz = 0.0;          ///< that the file promises; 0: it does not say
+  bool timesKnown = false;       ///< false: frames are counted at rate_hz, or 25 a second
+  Removed removed = {};          ///< fields left behind
   std::vector<Message> notes = {};
 };
 
@@ -51,16 +54,20 @@ struct CineInfo {
 [[nodiscard]] bool isDicomFilm(const std::filesystem::path& file);
 
 /// The one way to the frames of a recorded cine or screen: one after another, with one frame in memory at a time (but for a sequence, a
-/// folder's list and a DICOM file, which are held whole, packed as they are). Frames of films come from OpenCV, which a program loads when
+/// folder's list and a DICOM file, which are held whole, packed as they are). Frames of films come from FFmpeg, which a program loads when
 /// it meets the first.
+///
+/// Frames come upright, as the file says that they are to be seen (the matrix of a film's track, Exif of a JPEG, the tag of a TIFF), and
+/// with square pixels: where the file says that they are not square, pictures are stretched along the side that is short of them.
 ///
 /// A file that is damaged further on gives what comes before that; brokenOff() then says in one sentence how far it went. What a decoder
 /// hides (a film's damaged macro blocks) is not seen.
 class CineReader {
  public:
+  /// @param asked to turn and mirror the pictures on top of what the file says
   /// @error notFound, notReadable, badHeader (nothing of it can be read), truncated, tooLarge, unsupported, cancelled
   [[nodiscard]] static Result<CineReader> open(const std::filesystem::path& file, Progress& progress = noProgress(),
-                                               const ReadLimits& limits = {});
+                                               const ReadLimits& limits = {}, const Orientation& asked = {});
   ~CineReader();
   CineReader(CineReader&&) noexcept;
   CineReader& operator=(CineReader&&) noexcept;

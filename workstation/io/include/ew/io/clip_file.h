@@ -8,11 +8,11 @@
 
 namespace ew {
 
-/// Writes a film, image after image at an even rate: .avi (Motion JPEG, which every player reads) or .mp4 (MPEG-4 part 2). A film that is
-/// not finished is of no use: whoever stops removes the file.
+/// Writes a film, image after image at an even rate: .avi (Motion JPEG, which every player reads) or .mp4 (H.264, which browsers play;
+/// MPEG-4 part 2 where the installed FFmpeg cannot write that). A film that is not finished is of no use: whoever stops removes the file.
 class ClipWriter {
  public:
-  /// @param width_px, height_px of every image; an odd size is cut by one pixel, because players ask for even ones
+  /// @param width_px, height_px of every image; an odd size grows by a pixel that repeats the last one, because players ask for even ones
   /// @error unsupported (ending), notWritable, badField (smaller than 2 x 2)
   [[nodiscard]] static Result<ClipWriter> open(const std::filesystem::path& file, int width_px, int height_px, double rate_hz);
   ~ClipWriter();

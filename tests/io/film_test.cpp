@@ -1,0 +1,340 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dicom_files.h"
+#include "ew/io/cine_reader.h"
+#include "ew/io/clip_file.h"
+#include "ew/io/image_stack.h"
+#include "ew/io/orientation.h"
+#include "files.h"
+#include "made_films.h"
+#include "packed_pictures.h"
+
+namespace ew::test::film_test {
+namespace {
+namespace fs = std::filesystem;
+
+/// No turn and no mirror leaves this picture as it is.
+std::uint8_t uneven(int x, int y) { return static_cast<std::uint8_t>(20 + 3 * x + 5 * y); }
+
+GreyImage unevenPicture(int width, int height) {
+  GreyImage picture(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) viewOf(picture).at(x, y) = uneven(x, y);
+  return picture;
+}
+
+GreyImage turnedClockwise(const GreyImage& picture) {
+  GreyImage turned(picture.height, picture.width);
+  for (int y = 0; y < turned.height; ++y)
+    for (int x = 0; x < turned.width; ++x) viewOf(turned).at(x, y) = viewOf(picture).at(y, picture.height - 1 - x);
+  return turned;
+}
+GreyImage mirrored(const GreyImage& picture) {
+  GreyImage other = picture;
+  for (int y = 0; y < picture.height; ++y) std::reverse(viewOf(other).row(y), viewOf(other).row(y) + picture.width);
+  return other;
+}
+/// One step after the other: what turning and mirroring mean.
+GreyImage upright(GreyImage picture, const Orientation& orientation) {
+  for (int n = 0; n < orientation.quarterTurns; ++n) picture = turnedClockwise(picture);
+  return orientation.mirrored ? mirrored(picture) : picture;
+}
+
+constexpr std::array kAll{Orientation{0, false}, Orientation{0, true},  Orientation{2, false}, Orientation{2, true},
+                          Orientation{1, true},  Orientation{1, false}, Orientation{3, true},  Orientation{3, false}};  // tags 1 to 8
+
+GreyImage firstOf(Result<CineReader>& reader) {
+  EXPECT_TRUE(reader) << reader.error();
+  CineFrame frame;
+  if (!reader) return {};
+  const auto got = reader->next(frame);
+  EXPECT_TRUE(got && *got);
+  EXPECT_EQ(frame.level.width, reader->info().width_px);
+  EXPECT_EQ(frame.level.height, reader->info().height_px);
+  return frame.level;
+}
+
+std::string little(std::size_t value, int bytes) {
+  std::string text;
+  for (int n = 0; n < bytes; ++n) text += static_cast<char>(value >> (8 * n) & 0xFF);
+  return text;
+}
+
+/// A grey TIFF of one page. @param more entries (12 bytes each) with tags above 279
+std::string tiffOf(const GreyImage& picture, int orientation) {
+  std::string file = "II" + little(42, 2) + little(8, 4) + little(10, 2);
+  const std::size_t data = 8 + 2 + 10 * 12 + 4, pixels = picture.pixels.size();
+  const auto entry = [&](int tag, int type, std::size_t value) {
+    file += little(static_cast<std::size_t>(tag), 2) + little(static_cast<std::size_t>(type), 2) + little(1, 4) + little(value, 4);
+  };
+  entry(256, 3, static_cast<std::size_t>(picture.width));
+  entry(257, 3, static_cast<std::size_t>(picture.height));
+  entry(258, 3, 8);
+  entry(259, 3, 1);
+  entry(262, 3, 1);
+  entry(273, 4, data);
+  entry(274, 3, static_cast<std::size_t>(orientation));
+  entry(277, 3, 1);
+  entry(278, 3, static_cast<std::size_t>(picture.height));
+  entry(279, 4, pixels);
+  return file + little(0, 4) + std::string(picture.pixels.begin(), picture.pixels.end());
+}
+
+/// A JPEG with Exif data of one entry between its start and the rest.
+std::string withExif(const std::string& jpeg, int orientation, bool isBig) {
+  std::string tiff = little(42, 2) + little(8, 4) + little(1, 2) + little(274, 2) + little(3, 2) + little(1, 4) +
+                     little(static_cast<std::size_t>(orientation), 2) + little(0, 2) + little(0, 4);
+  if (isBig) {  // every number the other way round
+    std::size_t at = 0;
+    for (const std::size_t size : {2, 4, 2, 2, 2, 4, 2, 2, 4}) {
+      std::reverse(tiff.begin() + static_cast<std::ptrdiff_t>(at), tiff.begin() + static_cast<std::ptrdiff_t>(at + size));
+      at += size;
+    }
+  }
+  const std::string segment = std::string("Exif\0\0", 6) + (isBig ? "MM" : "II") + tiff;
+  std::string length = little(segment.size() + 2, 2);
+  std::reverse(length.begin(), length.end());
+  return jpeg.substr(0, 2) + "\xFF\xE1" + length + segment + jpeg.substr(2);
+}
+
+TEST(Orientations, FollowOneAnotherAndAreReadFromTags) {
+  const GreyImage picture = unevenPicture(7, 4);
+  for (std::size_t tag = 1; tag <= 8; ++tag) {
+    EXPECT_EQ(orientationOfTag(static_cast<int>(tag)), kAll[tag - 1]);
+    std::vector<std::uint8_t> pixels;
+    putUpright(picture.pixels, 7, 4, kAll[tag - 1], pixels);
+    EXPECT_EQ(pixels, upright(picture, kAll[tag - 1]).pixels) << tag;
+    for (const Orientation& second : kAll)
+      EXPECT_EQ(upright(upright(picture, kAll[tag - 1]), second), upright(picture, then(kAll[tag - 1], second))) << tag;
+  }
+  EXPECT_FALSE(orientationOfTag(0));
+  EXPECT_FALSE(orientationOfTag(9));
+  EXPECT_FALSE(orientationOfMatrix(0.7, 0.7, -0.7, 0.7)) << "an eighth of a turn";
+  EXPECT_FALSE(orientationOfMatrix(0.0, 0.0, 0.0, 0.0));
+  EXPECT_EQ(orientationOfMatrix(0.0, 2.0, -1.0, 0.0), (Orientation{1, false})) << "with a pixel that is not square";
+}
+
+TEST(Films, AreGivenUprightAsTheMatrixOfTheirTrackSays) {
+  const TempFolder folder;
+  // x' = a x + c y, y' = b x + d y; in the order of the tags of TIFF.
+  constexpr std::array<std::array<int, 4>, 8> matrices{
+      {{1, 0, 0, 1}, {-1, 0, 0, 1}, {-1, 0, 0, -1}, {1, 0, 0, -1}, {0, 1, 1, 0}, {0, 1, -1, 0}, {0, -1, -1, 0}, {0, -1, 1, 0}}};
+  for (std::size_t n = 0; n < matrices.size(); ++n) {
+    FilmOf film{.codec = AV_CODEC_ID_PNG, .container = "mov", .width = 40, .height = 16, .matrix = matrices[n]};
+    film.level = [](int, int x, int y) { return uneven(x, y); };
+    writeFilm(folder / "film.mov", film);
+    auto reader = CineReader::open(folder / "film.mov");
+    EXPECT_EQ(firstOf(reader), upright(unevenPicture(40, 16), kAll[n])) << n;
+    EXPECT_EQ(reader->info().orientation, kAll[n]) << n;
+    EXPECT_EQ(reader->info().notes.size(), n == 0 ? 0u : 1u) << "what was done is said";
+    ASSERT_TRUE(reader->rewind());
+    EXPECT_EQ(firstOf(reader), upright(unevenPicture(40, 16), kAll[n])) << "again " << n;
+    auto asked = CineReader::open(folder / "film.mov", noProgress(), {}, {1, true});
+    EXPECT_EQ(firstOf(asked), upright(unevenPicture(40, 16), then(kAll[n], {1, true}))) << n;
+  }
+}
+
+TEST(Films, PagesOfATiffAreUprightAsItsTagSays) {
+  const TempFolder folder;
+  for (int tag = 1; tag <= 8; ++tag) {
+    auto reader = CineReader::open(folder.put("page.tif", tiffOf(unevenPicture(24, 10), tag)));
+    EXPECT_EQ(firstOf(reader), upright(unevenPicture(24, 10), kAll[static_cast<std::size_t>(tag) - 1])) << tag;
+  }
+}
+
+TEST(Films, APhotographIsUprightAsItsExifDataSay) {
+  const TempFolder folder;
+  const GreyImage stored = unevenPicture(24, 16);
+  const std::string jpeg = packedBy<gdcm::JPEGCodec>({stored.pixels.begin(), stored.pixels.end()}, 24, 16, 1, 8, false);
+  const auto plain = readFirstOfStack(folder.put("plain.jpg", jpeg));
+  ASSERT_TRUE(plain) << plain.error();
+  for (int tag = 1; tag <= 8; ++tag)
+    for (const bool isBig : {false, true}) {
+      const GreyImage expected = upright(plain->level, kAll[static_cast<std::size_t>(tag) - 1]);
+      const auto file = folder.put("photo.jpg", withExif(jpeg, tag, isBig));
+      const auto picture = readFirstOfStack(file);
+      ASSERT_TRUE(picture) << picture.error();
+      EXPECT_EQ(picture->level, expected) << tag;
+      auto reader = CineReader::open(file);
+      EXPECT_EQ(firstOf(reader), expected) << tag;
+    }
+  // Whatever stands there, it is no fault of the picture.
+  const std::string exif = withExif(jpeg, 6, false);
+  for (std::size_t cut = 2; cut < 38; ++cut) {
+    const std::string bytes = exif.substr(0, cut);
+    EXPECT_TRUE(orientationOfPicture({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}).isUpright()) << cut;
+  }
+}
+
+TEST(Films, PixelsThatAreNotSquareBecomeSquare) {
+  const TempFolder folder;
+  struct Shape {
+    AVRational aspect;
+    int width, height;
+  };
+  for (const auto& [aspect, width, height] :
+       {Shape{{16, 15}, 96, 60}, Shape{{8, 9}, 90, 68}, Shape{{4, 3}, 120, 60}, Shape{{1, 1}, 90, 60}}) {
+    FilmOf film{.width = 90, .height = 60, .aspect = aspect, .isFull = true};
+    film.level = [](int, int x, int y) { return static_cast<std::uint8_t>(x >= 30 && x < 60 && y >= 20 && y < 40 ? 200 : 20); };
+    writeFilm(folder / "film.mkv", film);
+    auto reader = CineReader::open(folder / "film.mkv");
+    const GreyImage picture = firstOf(reader);
+    EXPECT_EQ(picture.width, width);
+    EXPECT_EQ(picture.height, height);
+    EXPECT_EQ(reader->info().notes.empty(), aspect.num == aspect.den);
+    // A third of the width and a third of the height, whatever they are.
+    const auto bright = std::count_if(picture.pixels.begin(), picture.pixels.end(), [](std::uint8_t level) { return level > 110; });
+    EXPECT_NEAR(static_cast<double>(bright), width * height / 9.0, width + height) << aspect.num;
+    EXPECT_GT(viewOf(picture).at(width / 2, height / 2), 195);
+    EXPECT_LT(viewOf(picture).at(width / 3 - 2, height / 2), 25);
+  }
+}
+
+TEST(Films, LevelsAreThoseThatAreStored) {
+  const TempFolder folder;
+  for (const AVCodecID codec : {AV_CODEC_ID_FFV1, AV_CODEC_ID_VP9}) {
+    if (!canWrite(codec)) continue;
+    for (const bool isFull : {true, false}) {
+      FilmOf film{.codec = codec, .width = 256, .height = 64, .isFull = isFull};
+      film.level = [](int, int x, int) { return static_cast<std::uint8_t>(x / 16 * 16); };
+      writeFilm(folder / "film.mkv", film);
+      auto reader = CineReader::open(folder / "film.mkv");
+      const GreyImage picture = firstOf(reader);
+      for (int x = 8; x < 256; x += 16) {
+        const double stored = x / 16 * 16;
+        const double expected = isFull ? stored : std::clamp((stored - 16.0) * 255.0 / 219.0, 0.0, 255.0);
+        EXPECT_NEAR(viewOf(picture).at(x, 32), expected, codec == AV_CODEC_ID_FFV1 ? 1.0 : 4.0) << codec << isFull;
+      }
+    }
+  }
+}
+
+TEST(Films, AFilmOfVaryingRateIsWholeWhenItsLastTimeIsReached) {
+  const TempFolder folder;
+  FilmOf film;
+  film.times_s.clear();
+  for (int n = 0; n < 26; ++n) film.times_s.push_back(n < 20 ? 0.02 * n : 0.4 + 0.3 * (n - 20));  // dense, then sparse
+  writeFilm(folder / "film.mkv", film);
+  auto reader = CineReader::open(folder / "film.mkv");
+  ASSERT_TRUE(reader) << reader.error();
+  CineFrame frame;
+  for (std::size_t n = 0; n < film.times_s.size(); ++n) {
+    const auto got = reader->next(frame);
+    ASSERT_TRUE(got && *got) << n;
+    EXPECT_NEAR(frame.time_s, film.times_s[n], 0.0011);
+  }
+  EXPECT_FALSE(*reader->next(frame));
+  EXPECT_FALSE(reader->brokenOff()) << reader->brokenOff()->sentence();
+
+  const std::string bytes = bytesOfFile(folder / "film.mkv");
+  film.times_s.clear();
+  for (int n = 0; n < 100; ++n) film.times_s.push_back(0.04 * n);
+  writeFilm(folder / "long.mkv", film);
+  const std::string whole = bytesOfFile(folder / "long.mkv");
+  auto half = CineReader::open(folder.put("half.mkv", whole.substr(0, whole.size() / 2)));
+  ASSERT_TRUE(half) << half.error();
+  std::size_t given = 0;
+  while (true) {
+    const auto got = half->next(frame);
+    ASSERT_TRUE(got) << got.error();
+    if (!*got) break;
+    ++given;
+  }
+  EXPECT_GT(given, 30u);
+  EXPECT_LT(given, 70u);
+  ASSERT_TRUE(half->brokenOff());
+  EXPECT_NE(half->brokenOff()->sentence().find(std::to_string(given) + " frames"), std::string::npos) << half->brokenOff()->sentence();
+}
+
+CineOf filmInDicom(const std::string& syntax, const std::string& film, int frames) {
+  CineOf cine;
+  cine.syntax = syntax;
+  cine.columns = 64;
+  cine.rows = 48;
+  cine.frames = frames;
+  cine.photometric = "YBR_PARTIAL_420";
+  cine.samples = 3;
+  cine.packed = {film};
+  return cine;
+}
+
+constexpr const char* kMpeg2 = "1.2.840.10008.1.2.4.100";
+constexpr const char* kH264 = "1.2.840.10008.1.2.4.102";
+constexpr const char* kHevc = "1.2.840.10008.1.2.4.107";
+
+TEST(FilmsInDicom, AreOpenedAsTheirTransferSyntaxSays) {
+  const TempFolder folder;
+  FilmOf film{.codec = AV_CODEC_ID_MPEG2VIDEO};
+  film.times_s.clear();
+  for (int n = 0; n < 8; ++n) film.times_s.push_back(0.04 * n);
+  film.level = [](int n, int, int) { return static_cast<std::uint8_t>(40 + 20 * n); };
+  for (const char* container : {"mpeg2video", "mpeg", "mpegts"}) {
+    film.container = container;
+    writeFilm(folder / "film", film);
+    auto reader = CineReader::open(folder.put("film.dcm", cineFile(filmInDicom(kMpeg2, bytesOfFile(folder / "film"), 8))));
+    ASSERT_TRUE(reader) << container << reader.error();
+    CineFrame frame;
+    for (int n = 0; n < 8; ++n) {
+      const auto got = reader->next(frame);
+      ASSERT_TRUE(got && *got) << container << n;
+      EXPECT_NEAR(frame.level.pixels[1000], (24.0 + 20.0 * n) * 255.0 / 219.0, 4.0) << container << n;
+      EXPECT_NEAR(frame.time_s, 0.04 * n, 1e-9);
+    }
+    EXPECT_FALSE(*reader->next(frame));
+    EXPECT_FALSE(reader->brokenOff()) << container << reader->brokenOff()->sentence();
+  }
+}
+
+TEST(FilmsInDicom, AStreamOfAnotherKindThanAnnouncedIsRefused) {
+  const TempFolder folder;
+  {
+    auto clip = ClipWriter::open(folder / "film.avi", 64, 48, 20.0);
+    ASSERT_TRUE(clip) << clip.error();
+    for (int n = 0; n < 4; ++n) ASSERT_TRUE(clip->add(RgbImage(64, 48, Rgb(90))));
+    ASSERT_TRUE(clip->finish());
+  }
+  FilmOf mpeg{.codec = AV_CODEC_ID_MPEG2VIDEO, .container = "mpegts"};
+  writeFilm(folder / "mpeg.ts", mpeg);
+  writeFilm(folder / "film.mkv", {});
+  const std::string avi = bytesOfFile(folder / "film.avi"), ts = bytesOfFile(folder / "mpeg.ts"), mkv = bytesOfFile(folder / "film.mkv");
+  const std::string list = "#EXTM3U\n#EXTINF:1,\nfilm.avi\n", concat = "ffconcat version 1.0\nfile film.avi\n";
+  ::testing::internal::CaptureStderr();
+  for (const auto& [syntax, bytes, says] :
+       {std::tuple(kMpeg2, avi, "MPEG-2"), std::tuple(kH264, avi, "H.264"), std::tuple(kHevc, mkv, "HEVC"),
+        std::tuple(kMpeg2, mkv, "MPEG-2"), std::tuple(kH264, ts, "H.264"), std::tuple(kMpeg2, list, "MPEG-2"),
+        std::tuple(kH264, concat, "H.264"), std::tuple(kMpeg2, std::string("noise"), "MPEG-2")}) {
+    const auto reader = CineReader::open(folder.put("odd.dcm", cineFile(filmInDicom(syntax, bytes, 4))));
+    ASSERT_FALSE(reader) << syntax;
+    const std::string sentence = reader.error().sentence();
+    EXPECT_NE(sentence.find(says), std::string::npos) << sentence;
+    EXPECT_NE(sentence.find("odd.dcm"), std::string::npos) << sentence;
+  }
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "") << "what the libraries have to say stays with them";
+}
+
+TEST(Clips, PlayInBrowsersAndKeepOddSizes) {
+  const TempFolder folder;
+  for (const char* name : {"odd.mp4", "odd.avi"}) {
+    RgbImage picture(33, 25, Rgb(60));
+    for (int y = 0; y < 25; ++y) viewOf(picture).at(31, y) = viewOf(picture).at(32, y) = Rgb(230);
+    auto clip = ClipWriter::open(folder / name, 33, 25, 20.0);
+    ASSERT_TRUE(clip) << clip.error();
+    for (int n = 0; n < 4; ++n) ASSERT_TRUE(clip->add(picture));
+    ASSERT_TRUE(clip->finish());
+    auto reader = CineReader::open(folder / name);
+    const GreyImage read = firstOf(reader);
+    EXPECT_EQ(read.width, 34) << name;
+    EXPECT_EQ(read.height, 26) << name;
+    EXPECT_GT(viewOf(read).at(33, 25), 190) << name << ": the last column and row are repeated";
+    EXPECT_LT(viewOf(read).at(20, 25), 80) << name;
+  }
+  if (canWrite(AV_CODEC_ID_H264)) {
+    EXPECT_NE(bytesOfFile(folder / "odd.mp4").find("avc1"), std::string::npos) << "H.264, which browsers play";
+  }
+}
+
+}  // namespace
+}  // namespace ew::test::film_test
