@@ -156,5 +156,38 @@ TEST(ScreenFrames, AnyFrameIsTheSameInAnyOrder) {
   ASSERT_TRUE(frames.at(*reader, 1));
 }
 
+TEST(ScreenEdit, ABoxThatMayBeTextCountsOnceItIsConfirmed) {
+  FoundScreen still = found();
+  still.parts[1].kind = ScreenPartKind::possibleText;
+  ScreenEdit edit(still);
+  ASSERT_EQ(edit.boxes().size(), 2u);
+  EXPECT_TRUE(edit.boxes()[0].counts);
+  EXPECT_FALSE(edit.boxes()[1].counts);
+  EXPECT_TRUE(edit.boxes()[1].isPossible);
+  EXPECT_EQ(edit.geometry()->text.size(), 1u);
+  EXPECT_TRUE(edit.toggleBoxAt({320.0, 305.0}));
+  ASSERT_EQ(edit.boxes().size(), 2u);
+  EXPECT_TRUE(edit.boxes()[1].counts);
+  EXPECT_EQ(edit.geometry()->text.size(), 2u);
+  EXPECT_TRUE(edit.toggleBoxAt({320.0, 305.0}));
+  EXPECT_FALSE(edit.boxes()[1].counts);
+  EXPECT_TRUE(edit.correction().added.empty());
+}
+
+TEST(ScreenEdit, TurnedPicturesTakeBackWhatWasSaidInTheirPixels) {
+  ScreenEdit edit(found());
+  edit.setDepth_mm(150.0);
+  EXPECT_FALSE(edit.setTurned({1, false})) << "nothing had been corrected";
+  edit.addBox({10, 10, 20, 20});
+  FanOutline moved = fan();
+  moved.apex_px.x += 5.0;
+  edit.setOutline(moved);
+  EXPECT_TRUE(edit.setTurned({2, true}));
+  EXPECT_EQ(edit.correction().turned, (Orientation{2, true}));
+  EXPECT_FALSE(edit.correction().outline);
+  EXPECT_TRUE(edit.correction().added.empty());
+  EXPECT_EQ(edit.correction().depth_mm, 150.0);
+}
+
 }  // namespace
 }  // namespace ew::test::screen_edit_test

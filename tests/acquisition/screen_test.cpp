@@ -376,6 +376,49 @@ FoundScreen foundIn(const cv::Size& size, int frames, const Draw& draw) {
   return findScreen(statistics);
 }
 
+/// The first picture of a made screen over and over, with so few pixels that differ as a probe at rest shows.
+DrawnScreen standingStill(unsigned seed, int frames) {
+  DrawnScreen screen = madeScreen(seed, 1);
+  const cv::Mat first = screen.frames.front();
+  screen.frames.clear();
+  cv::RNG random(seed);
+  for (int n = 0; n < frames; ++n) {
+    cv::Mat picture = first.clone();
+    for (int y = 0; y < picture.rows; ++y)
+      for (int x = 0; x < picture.cols; ++x)
+        if (random.uniform(0, 100) < 3)
+          for (int channel = 0; channel < 3; ++channel) picture.at<cv::Vec3b>(y, x)[channel] ^= 8;
+    screen.frames.push_back(picture);
+  }
+  return screen;
+}
+
+TEST(Screen, InAScanThatHardlyMovesNoTextCountsUntilSomebodySaysSo) {
+  int possible = 0;
+  for (const int frames : {1, 6})
+    for (const unsigned seed : {3u, 5u, 8u}) {
+      const DrawnScreen screen = standingStill(seed, frames);
+      const FanOutline truth = screen.truth;
+      const FoundScreen found = findScreen(statisticsOf(screen), truth);
+      std::vector<PixelRect> places;
+      for (const ScreenPart& part : found.parts) {
+        EXPECT_NE(part.kind, ScreenPartKind::text) << seed << " of " << frames;
+        if (part.kind == ScreenPartKind::possibleText) places.push_back(part.rect);
+      }
+      const auto geometry = corrected(found, {});
+      ASSERT_TRUE(geometry) << geometry.error();
+      EXPECT_TRUE(geometry->text.empty());
+      const auto says = [](const Message& note) { return note.english().find("hardly moves") != std::string::npos; };
+      EXPECT_EQ(std::any_of(found.notes.begin(), found.notes.end(), says), !places.empty());
+      if (places.empty()) continue;
+      ++possible;
+      const auto confirmed = corrected(found, {.added = {places.front()}});
+      ASSERT_TRUE(confirmed) << confirmed.error();
+      EXPECT_EQ(confirmed->text, std::vector<PixelRect>{places.front()});
+    }
+  EXPECT_GT(possible, 2) << "there is text to be offered";
+}
+
 TEST(Screen, NothingThatLooksLikeAScanIsSaidPlainly) {
   cv::RNG random(3);
   const auto black = [](cv::Mat&, int) {};

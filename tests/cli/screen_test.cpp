@@ -113,5 +113,44 @@ TEST(ScreenCommand, WhatIsNotFoundIsSaidAndNothingIsWritten) {
   EXPECT_EQ(run({"screen", folder / "empty.avi", "-o", folder / "scan.txt"}).status, 2);
 }
 
+TEST(ScreenCommand, PicturesAreTurnedAndMirroredAsAsked) {
+  const TemporaryFolder folder;
+  writeScreenFilm(folder / "screen.avi");
+  ASSERT_EQ(run({"screen", folder / "screen.avi", "-o", folder / "plain.igs.mha", "--tick", "5"}).status, 0);
+  const auto turned = run({"screen", folder / "screen.avi", "-o", folder / "turned.igs.mha", "--turn", "180", "--mirror", "--keep-outside",
+                           "--report", folder / "r.json"});
+  ASSERT_EQ(turned.status, 0) << turned.err;
+  EXPECT_EQ(readJson(folder / "r.json")["options"]["turn_deg"], 180);
+  EXPECT_EQ(readJson(folder / "r.json")["options"]["mirror"], true);
+  const auto whole = run({"screen", folder / "screen.avi", "-o", folder / "whole.igs.mha", "--keep-outside"});
+  ASSERT_EQ(whole.status, 0) << whole.err;
+  const auto before = readSequence(folder / "whole.igs.mha"), after = readSequence(folder / "turned.igs.mha");
+  ASSERT_TRUE(before && after);
+  ASSERT_EQ(after->width, before->width);
+  // Half a turn and a mirror put the last row first. The scale stands beside the scan, where nothing is filled.
+  const auto upright = before->framePixels(4), turnedPixels = after->framePixels(4);
+  const auto width = static_cast<std::size_t>(before->width), height = static_cast<std::size_t>(before->height);
+  for (std::size_t y = 0; y < height; ++y)
+    for (std::size_t x = 370; x < 400; ++x) ASSERT_EQ(turnedPixels[(height - 1 - y) * width + x], upright[y * width + x]) << x << " " << y;
+
+  const auto quarter = run({"screen", folder / "screen.avi", "-o", folder / "quarter.igs.mha", "--turn", "90", "--keep-outside"});
+  ASSERT_EQ(quarter.status, 0) << quarter.err;
+  const auto lying = readSequence(folder / "quarter.igs.mha");
+  ASSERT_TRUE(lying);
+  EXPECT_EQ(lying->width, before->height);
+  // The file beside it says how the pictures lie, and is a correction that does the same again.
+  const auto said = readScreenCorrection(folder / "quarter.screen.json");
+  ASSERT_TRUE(said) << said.error();
+  EXPECT_EQ(said->turned, (Orientation{1, false}));
+  const auto again = run(
+      {"screen", folder / "screen.avi", "-o", folder / "again.igs.mha", "--keep-outside", "--correction", folder / "quarter.screen.json"});
+  ASSERT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(readSequence(folder / "again.igs.mha")->pixels, lying->pixels);
+
+  EXPECT_EQ(run({"screen", folder / "screen.avi", "-o", folder / "no.igs.mha", "--turn", "45"}).status, 2);
+  writeText(folder / "bad.json", R"({"correction": {"turn_deg": 45}})");
+  EXPECT_EQ(run({"screen", folder / "screen.avi", "-o", folder / "no.igs.mha", "--correction", folder / "bad.json"}).status, 1);
+}
+
 }  // namespace
 }  // namespace ew::test::screen_test

@@ -47,13 +47,41 @@ double shareUnder(const std::vector<PixelRect>& boxes, const FanOutline& outline
   return whole == 0 ? 0.0 : static_cast<double>(under) / static_cast<double>(whole);
 }
 
+constexpr float kHardlyMoves = 0.25f;  ///< the share of changes of half the scan's pixels; of live scans it is three times as much
+
+/// Whether half of what a scan shows is as still as text over it: then sharp echoes cannot be told from characters.
+bool hardlyMoves(const ScreenStatistics& statistics, const FanOutline& outline) {
+  constexpr float kEcho = 16.0f;  // levels above black, which is still in every scan
+  if (statistics.frames() < 3) return true;
+  const GreyImage inside = maskOf(outline, statistics.width_px(), statistics.height_px());
+  const Image<float> mean = statistics.mean(), activity = statistics.activity();
+  std::vector<float> echoes;
+  for (std::size_t n = 0; n < inside.pixels.size(); ++n)
+    if (inside.pixels[n] != 0 && mean.pixels[n] > kEcho) echoes.push_back(activity.pixels[n]);
+  if (echoes.empty()) return true;
+  const auto middle = echoes.begin() + static_cast<std::ptrdiff_t>(echoes.size() / 2);
+  std::nth_element(echoes.begin(), middle, echoes.end());
+  return *middle < kHardlyMoves;
+}
+
 Error badStated(const char* field, Message message) { return {ErrorCode::badField, std::move(message), {{"field", field}}}; }
 
 }  // namespace
 
 const char* nameOf(ScreenPartKind kind) {
-  constexpr std::array names{"text", "outside", "bar", "scale"};
-  return names[static_cast<std::size_t>(kind)];
+  switch (kind) {
+    case ScreenPartKind::text:
+      return "text";
+    case ScreenPartKind::possibleText:
+      return "possible text";
+    case ScreenPartKind::outside:
+      return "outside";
+    case ScreenPartKind::bar:
+      return "bar";
+    case ScreenPartKind::scale:
+      return "scale";
+  }
+  return "";
 }
 
 FoundScreen findScreen(const ScreenStatistics& statistics, const std::optional<FanOutline>& outline) {
@@ -81,8 +109,14 @@ FoundScreen findScreen(const ScreenStatistics& statistics, const std::optional<F
   if (shareUnder(text, *found.outline, found.width_px, found.height_px) > kMostUnderText)
     found.notes.push_back(
         say<"Too much of the scan stands still for text over it to be told from echoes; look for text and add its boxes.">());
-  else
+  else if (!text.empty() && hardlyMoves(statistics, *found.outline)) {
+    found.notes.push_back(
+        say<"The scan hardly moves, so text over it cannot be told from sharp echoes. Places that may be text, and are kept as they are "
+            "until somebody says that they are: %1.">(text.size()));
+    for (const PixelRect& rect : text) found.parts.push_back({rect, ScreenPartKind::possibleText});
+  } else {
     for (const PixelRect& rect : text) found.parts.push_back({rect, ScreenPartKind::text});
+  }
   const auto beside = detail::findBeside(statistics, *found.outline, background, found.ticks);
   found.parts.insert(found.parts.end(), beside.begin(), beside.end());
   return found;

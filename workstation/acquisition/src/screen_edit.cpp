@@ -154,12 +154,14 @@ FanOutline outlineToBeginWith(FanShape shape, int width_px, int height_px) {
 
 std::vector<TextBox> ScreenEdit::boxes() const {
   std::vector<TextBox> boxes;
+  const auto& removed = correction_.removed;
+  std::vector<PixelRect> drawn = correction_.added;
   for (const ScreenPart& part : found_.parts) {
-    if (part.kind != ScreenPartKind::text) continue;
-    const auto& removed = correction_.removed;
-    boxes.push_back({part.rect, std::find(removed.begin(), removed.end(), part.rect) == removed.end(), false});
+    if (part.kind == ScreenPartKind::text)
+      boxes.push_back({part.rect, std::find(removed.begin(), removed.end(), part.rect) == removed.end(), false});
+    if (part.kind == ScreenPartKind::possibleText) boxes.push_back({part.rect, std::erase(drawn, part.rect) > 0, false, true});
   }
-  for (const PixelRect& rect : correction_.added) boxes.push_back({rect, true, true});
+  for (const PixelRect& rect : drawn) boxes.push_back({rect, true, true});
   return boxes;
 }
 
@@ -174,13 +176,23 @@ bool ScreenEdit::toggleBoxAt(glm::dvec2 p_px) {
   for (const TextBox& box : all)
     if (holds(box.rect, p_px) && (hit == nullptr || areaOf(box.rect) <= areaOf(hit->rect))) hit = &box;
   if (hit == nullptr) return false;
-  if (hit->isAdded)
+  if (hit->isAdded || (hit->isPossible && hit->counts))
     std::erase(correction_.added, hit->rect);
+  else if (hit->isPossible)
+    correction_.added.push_back(hit->rect);
   else if (hit->counts)
     correction_.removed.push_back(hit->rect);
   else
     std::erase(correction_.removed, hit->rect);
   return true;
+}
+
+bool ScreenEdit::setTurned(const Orientation& turned) {
+  const ScreenCorrection before = correction_;
+  backToFound();
+  const bool isChanged = before != correction_;
+  correction_.turned = turned;
+  return isChanged;
 }
 
 void ScreenEdit::backToFound() {

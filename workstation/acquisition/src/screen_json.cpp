@@ -89,6 +89,8 @@ std::vector<PixelRect> boxesOf(const JsonFields& fields, std::string_view key) {
 
 ordered_json toJson(const ScreenCorrection& correction) {
   ordered_json json = ordered_json::object();
+  if (correction.turned.quarterTurns != 0) json["turn_deg"] = correction.turned.degrees();
+  if (correction.turned.mirrored) json["mirror"] = true;
   if (correction.outline) json["outline"] = toJson(*correction.outline);
   if (correction.depth_mm) json["depth_mm"] = *correction.depth_mm;
   if (correction.tick_mm) json["tick_mm"] = *correction.tick_mm;
@@ -108,6 +110,12 @@ ordered_json toJson(const FoundScreen& found) {
   json["parts"] = ordered_json::array();
   for (const ScreenPart& part : found.parts) json["parts"].push_back({{"kind", nameOf(part.kind)}, {"box_px", toJson(part.rect)}});
   return json;
+}
+
+Orientation orientationOf(const JsonFields& fields) {
+  const auto degrees = static_cast<int>(fields.whole("turn_deg", 0, 270, 0));
+  if (degrees % 90 != 0) fields.refuse("turn_deg", say<"0, 90, 180 or 270, clockwise">());
+  return {degrees / 90, fields.flag("mirror", false)};
 }
 
 }  // namespace
@@ -141,8 +149,9 @@ Result<ScreenCorrection> readScreenCorrection(const std::filesystem::path& file)
         say<"'%1' has version %2 of its format and this program knows %3; use a newer EchoWeave.">(file.filename(), version, kVersion),
         {{"file", file.string()}});
   const JsonFields fields = whole.object("correction");
-  fields.only({"outline", "depth_mm", "tick_mm", "added", "removed"});
+  fields.only({"turn_deg", "mirror", "outline", "depth_mm", "tick_mm", "added", "removed"});
   ScreenCorrection correction;
+  correction.turned = orientationOf(fields);
   if (fields.has("outline")) correction.outline = outlineOf(fields.object("outline"));
   if (fields.has("depth_mm")) correction.depth_mm = fields.number("depth_mm", 0.1, 10000.0);
   if (fields.has("tick_mm")) correction.tick_mm = fields.number("tick_mm", 0.01, 10000.0);

@@ -26,9 +26,9 @@ glm::dvec2 faceOf(const FanOutline& outline) {
 }  // namespace
 
 Result<OpenedScreen> openScreen(const std::filesystem::path& recording, const std::optional<FanOutline>& outline, Progress& progress,
-                                const ReadLimits& limits, int mostFrames) {
+                                const ReadLimits& limits, int mostFrames, const Orientation& turned) {
   PartOfProgress opening(progress, 0.0, 0.05), looking(progress, 0.05, 0.9);
-  auto reader = CineReader::open(recording, opening, limits);
+  auto reader = CineReader::open(recording, opening, limits, turned);
   if (!reader) return passOn(reader.error());
   OpenedScreen opened{.reader = *std::move(reader), .found = {}, .times_s = {}, .picture = {}, .brokenOff = {}};
   const CineInfo& info = opened.reader.info();

@@ -22,6 +22,8 @@ struct ScreenArguments {
   std::optional<double> tick_mm;
   std::string fill = "neighbours";
   bool keepOutside = false;
+  int turn_deg = 0;
+  bool isMirrored = false;
 };
 
 json toJson(const PixelRect& rect) { return {rect.x, rect.y, rect.width, rect.height}; }
@@ -73,6 +75,7 @@ Result<ScreenCorrection> correctionOf(const ScreenArguments& arguments) {
   }
   if (arguments.depth_mm) correction.depth_mm = arguments.depth_mm;
   if (arguments.tick_mm) correction.tick_mm = arguments.tick_mm;
+  if (arguments.turn_deg != 0 || arguments.isMirrored) correction.turned = {arguments.turn_deg / 90, arguments.isMirrored};
   return correction;
 }
 
@@ -105,11 +108,15 @@ Result<int> cleanScreen(const ScreenArguments& arguments, Run& run) {
   run.report.options = {{"fill", arguments.fill}, {"keep_outside", arguments.keepOutside}};
   if (correction->depth_mm) run.report.options["depth_mm"] = *correction->depth_mm;
   if (correction->tick_mm) run.report.options["tick_mm"] = *correction->tick_mm;
+  if (!correction->turned.isUpright()) {
+    run.report.options["turn_deg"] = correction->turned.degrees();
+    run.report.options["mirror"] = correction->turned.mirrored;
+  }
 
   PartOfProgress looking(run.progress, 0.0, 0.6), writing(run.progress, 0.6, 1.0);
   auto opened = [&] {
     const StepClock clock(run.report, "find");
-    return openScreen(arguments.recording, correction->outline, looking);
+    return openScreen(arguments.recording, correction->outline, looking, {}, kScreenFrames, correction->turned);
   }();
   if (!opened) return passOn(opened.error());
   for (const Message& note : opened->reader.info().notes) run.remark(note);
@@ -173,6 +180,11 @@ void addScreen(CLI::App& root, Selection& selection) {
   app.add_option("--correction", arguments->correction,
                  "Outline, depth, boxes to add or to remove: a .screen.json as this command writes, edited")
       ->type_name("C.json");
+  app.add_option("--turn", arguments->turn_deg,
+                 "Turn the pictures clockwise by so many degrees, on top of what the file says: 90, 180, 270")
+      ->check(CLI::IsMember({90, 180, 270}))
+      ->type_name("DEGREES");
+  app.add_flag("--mirror", arguments->isMirrored, "Then mirror them, left to right");
   app.add_option("--fill", arguments->fill, "Under text: neighbours, smoothly from the scan around it; black")
       ->check(CLI::IsMember({"neighbours", "black"}))
       ->type_name("WAY");

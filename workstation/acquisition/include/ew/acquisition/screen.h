@@ -46,10 +46,11 @@ class ScreenStatistics {
 };
 
 enum class ScreenPartKind {
-  text,     ///< burnt in, over the scan
-  outside,  ///< text, logo or graphics beside the scan
-  bar,      ///< grey or colour bar
-  scale     ///< tick marks of the depth scale
+  text,          ///< burnt in, over the scan
+  possibleText,  ///< may be text or echoes, in a recording that hardly moves: counts when a person says so
+  outside,       ///< text, logo or graphics beside the scan
+  bar,           ///< grey or colour bar
+  scale          ///< tick marks of the depth scale
 };
 [[nodiscard]] const char* nameOf(ScreenPartKind kind);
 
@@ -94,10 +95,11 @@ inline constexpr double kLeastQuality = 0.4;
 
 /// What a person said about a found screen. Empty: nothing.
 struct ScreenCorrection {
+  Orientation turned = {};                 ///< of the pictures, on top of what the file says; all pixels below are of turned pictures
   std::optional<FanOutline> outline = {};  ///< replaces the found one
   std::optional<double> depth_mm = {};     ///< along the beams, from near to far edge
   std::optional<double> tick_mm = {};      ///< between neighbouring ticks
-  std::vector<PixelRect> added = {};       ///< boxes over the scan that were not found
+  std::vector<PixelRect> added = {};       ///< boxes over the scan that were not found, or found and not counted
   std::vector<PixelRect> removed = {};     ///< found boxes of text that overlap one of these by half are no text
   bool operator==(const ScreenCorrection&) const = default;
 };

@@ -43,8 +43,9 @@ struct PlacedGrip {
 /// A box of text as a person sees it.
 struct TextBox {
   PixelRect rect = {};
-  bool counts = true;    ///< false: found, and taken for no text by the person
-  bool isAdded = false;  ///< drawn by the person
+  bool counts = true;       ///< false: found, and taken for no text by the person, or not confirmed
+  bool isAdded = false;     ///< drawn by the person
+  bool isPossible = false;  ///< found in a scan that hardly moves: counts once the person confirms it
   bool operator==(const TextBox&) const = default;
 };
 
@@ -68,6 +69,9 @@ class ScreenEdit {
   void addBox(const PixelRect& rect);
   /// The smallest box there: a found one counts, or does not any more; an added one goes. False: there is none.
   bool toggleBoxAt(glm::dvec2 p_px);
+
+  /// How the pictures lie; what was said of outline and boxes, in pixels that lie elsewhere now, goes. True: there was something.
+  bool setTurned(const Orientation& turned);
 
   /// What was found anew, in another look at the same recording: what the person said stays.
   void lookedAgain(FoundScreen found) { found_ = std::move(found); }

@@ -13,6 +13,8 @@
 
 namespace ew {
 
+inline constexpr int kScreenFrames = 300;  ///< as many are looked at
+
 /// A recording that was looked through once: what it is, and what its screen shows.
 struct OpenedScreen {
   CineReader reader;  ///< at its first frame
@@ -25,9 +27,11 @@ struct OpenedScreen {
 /// Reads a recording once from front to end, with one frame in memory, and finds everything.
 /// @param outline one that is known, see findScreen()
 /// @param mostFrames of those looked at, spread over the recording; all are counted and timed
+/// @param turned what a person says of how the pictures lie, on top of what the file says
 /// @error as CineReader::open; badField (an outline that is not in the pictures), cancelled
 [[nodiscard]] Result<OpenedScreen> openScreen(const std::filesystem::path& recording, const std::optional<FanOutline>& outline = {},
-                                              Progress& progress = noProgress(), const ReadLimits& limits = {}, int mostFrames = 300);
+                                              Progress& progress = noProgress(), const ReadLimits& limits = {},
+                                              int mostFrames = kScreenFrames, const Orientation& turned = {});
 
 /// What a cleaned recording is: its frames without pixels, "Image" to "Picture" (mm from the upper left pixel) where the size of a pixel is
 /// known, and the fan's geometry as fields.
