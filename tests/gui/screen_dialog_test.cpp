@@ -95,6 +95,40 @@ class ScreenDialogTest : public testing::WindowFixture {
   }
   void cleanup() { window_.reset(); }
 
+  void aFilmThatLiesOnItsHeadIsTurnedAndMirrored() {
+    test::DrawnScreen screen = madeFan();
+    QVERIFY(!screen.frames.empty());
+    const double width = screen.frames.front().cols;
+    for (cv::Mat& picture : screen.frames) cv::rotate(picture, picture, cv::ROTATE_180);
+    window_->open(write(screen.frames));
+    QVERIFY(waitUntil([&] { return isReady(); }));
+    const ScreenEdit& edit = *dialog()->edit();
+    drag(view().placeOf({9.5, 9.5}), view().placeOf({59.5, 29.5}));
+    QVERIFY(!edit.correction().added.empty());
+    auto* const turn = in<QComboBox>("screenTurn");
+    turn->setCurrentIndex(2);
+    Q_EMIT turn->activated(2);
+    QVERIFY2(!turn->isEnabled(), "while it is looked through");
+    QVERIFY(waitUntil([&] { return turn->isEnabled() && dialog()->shownFrame() == 0; }));
+    QVERIFY(edit.outline().has_value());
+    QVERIFY(glm::distance(edit.outline()->apex_px, screen.truth.apex_px) * screen.pixel_mm < 2.0);
+    QVERIFY(edit.correction().turned == (Orientation{2, false}));
+    QVERIFY2(edit.correction().added.empty(), "the box lay elsewhere");
+    QVERIFY(in<QLabel>("screenNotes")->text().contains(QStringLiteral("taken back")));
+    keepScreenshot(*dialog(), "screen-turned");
+    in<QCheckBox>("screenMirror")->setChecked(true);
+    QVERIFY(waitUntil([&] { return turn->isEnabled() && edit.correction().turned.mirrored && dialog()->shownFrame() == 0; }));
+    QVERIFY(std::abs(edit.outline()->apex_px.x - (width - 1.0 - screen.truth.apex_px.x)) * screen.pixel_mm < 2.0);
+    in<QDoubleSpinBox>("screenDepth")->setValue(100.0);
+    const QString target = folder_ + QStringLiteral("/turned.igs.mha");
+    Answers answers({{QStringLiteral("fileDialog"), testing::type(target)}});
+    in<QPushButton>("screenImport")->click();
+    QVERIFY(waitUntil([&] { return !window_->jobs().isRunning() && !window_->jobs().isSaving(); }));
+    const auto said = readScreenCorrection((folder_ + QStringLiteral("/turned.screen.json")).toStdString());
+    QVERIFY(said);
+    QVERIFY(said->turned == (Orientation{2, true}));
+  }
+
   void aFilmIsCorrectedMeasuredAndImportedWithoutItsText() {
     const test::DrawnScreen screen = madeFan();
     QVERIFY(!screen.frames.empty());

@@ -120,6 +120,7 @@ void ScreenDialog::addRows() {
   form->setVerticalSpacing(8);
   form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  addTurnRows(*form);
   shape_ = new QComboBox;
   shape_->setObjectName(QStringLiteral("screenShape"));
   shape_->addItem(tr("not found"), -1);
@@ -186,6 +187,24 @@ void ScreenDialog::addRows() {
     measureAll();
     view_->setFocus();
   });
+}
+
+void ScreenDialog::addTurnRows(QFormLayout& form) {
+  turn_ = new QComboBox;
+  turn_->setObjectName(QStringLiteral("screenTurn"));
+  for (int quarters = 0; quarters < 4; ++quarters)
+    turn_->addItem(quarters == 0 ? tr("not turned") : tr("%1° clockwise").arg(90 * quarters), quarters);
+  turn_->setToolTip(tr("Turns the pictures so that the probe's face lies on top; the recording is looked through anew"));
+  mirror_ = new QCheckBox(tr("Mirrored"));
+  mirror_->setObjectName(QStringLiteral("screenMirror"));
+  mirror_->setToolTip(tr("Changes left and right of the pictures; the recording is looked through anew"));
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  row->addWidget(turn_, 1);
+  row->addWidget(mirror_);
+  form.addRow(tr("Pictures"), row);
+  connect(turn_, qOverload<int>(&QComboBox::activated), this, &ScreenDialog::turn);
+  connect(mirror_, &QCheckBox::toggled, this, &ScreenDialog::turn);
 }
 
 void ScreenDialog::addScaleRows(QFormLayout& form) {
@@ -275,13 +294,28 @@ QWidget* ScreenDialog::viewWithFrames() {
   return column;
 }
 
+void ScreenDialog::turn() {
+  const Orientation asked{turn_->currentData().toInt(), mirror_->isChecked()};
+  if (asked == turned_ || job_ != 0) return;
+  turned_ = asked;
+  tookBack_ = false;
+  look(std::nullopt);
+}
+
+void ScreenDialog::showTurned(const Orientation& turned) {
+  turned_ = turned;
+  const QSignalBlocker quietTurn(turn_), quietMirror(mirror_);
+  turn_->setCurrentIndex(turned.quarterTurns);
+  mirror_->setChecked(turned.mirrored);
+}
+
 void ScreenDialog::look(const std::optional<FanOutline>& outline) {
   setPlaying(false);
   auto found = std::make_shared<std::shared_ptr<Opened>>();
   job_ = jobs_.start(
       tr("Reading %1").arg(QFileInfo(file_).fileName()),
-      [found, outline, file = pathOf(file_)](Progress& progress) -> Result<void> {
-        auto opened = openScreen(file, outline, progress);
+      [found, outline, turned = turned_, file = pathOf(file_)](Progress& progress) -> Result<void> {
+        auto opened = openScreen(file, outline, progress, {}, kScreenFrames, turned);
         if (!opened) return passOn(opened.error());
         *found = std::make_shared<Opened>(*std::move(opened));
         return {};
@@ -291,6 +325,7 @@ void ScreenDialog::look(const std::optional<FanOutline>& outline) {
         if (dialog == nullptr) return;
         dialog->job_ = 0;
         if (outcome) return dialog->take(*found);
+        dialog->showTurned(dialog->edit_ ? dialog->edit_->correction().turned : Orientation{});
         dialog->setBusy(false);
         if (outcome.error().code != ErrorCode::cancelled) dialog->say(words(outcome.error().message), true);
       });
@@ -306,6 +341,11 @@ void ScreenDialog::take(const std::shared_ptr<Opened>& opened) {
     edit_->lookedAgain(opened->screen.found);
   else
     edit_.emplace(opened->screen.found);
+  if (edit_->correction().turned != turned_) {
+    tookBack_ = edit_->setTurned(turned_);
+    drawings_.clear();
+    shownFrame_ = -1;
+  }
   const FoundScreen& found = edit_->found();
   if (shownFrame_ < 0) view_->setPicture(imageOf(opened->screen.picture), {0, 0}, {found.width_px, found.height_px});
   view_->setEdit(&*edit_);
@@ -331,7 +371,8 @@ void ScreenDialog::setBusy(bool busy) {
   else
     progressTick_.stop();
   const bool ready = !busy && edit_.has_value();
-  for (QWidget* each : std::initializer_list<QWidget*>{shape_, depth_, cleaned_, measure_, play_, frames_, view_}) each->setEnabled(ready);
+  for (QWidget* each : std::initializer_list<QWidget*>{turn_, mirror_, shape_, depth_, cleaned_, measure_, play_, frames_, view_})
+    each->setEnabled(ready);
   tick_->setEnabled(ready && edit_->found().ticks);
   again_->setEnabled(ready && edit_->outline());
   back_->setEnabled(ready);
@@ -352,7 +393,10 @@ void ScreenDialog::follow() {
   }
   const auto boxes = edit_->boxes();
   const auto count = static_cast<int>(std::count_if(boxes.begin(), boxes.end(), [](const TextBox& box) { return box.counts; }));
-  text_->setText(count == 0 ? tr("No text over the scan is taken out.") : tr("Boxes of text over the scan that are filled: %1").arg(count));
+  const auto open = std::count_if(boxes.begin(), boxes.end(), [](const TextBox& box) { return box.isPossible && !box.counts; });
+  QString text = count == 0 ? tr("No text over the scan is taken out.") : tr("Boxes of text over the scan that are filled: %1").arg(count);
+  if (open > 0) text += QLatin1Char(' ') + tr("Dashed boxes that may be text, or echoes: %1. Click those that are text.").arg(open);
+  text_->setText(text);
   showScale(geometry);
   showNotes(geometry);
   const auto& said = edit_->correction();
@@ -391,6 +435,7 @@ void ScreenDialog::showNotes(const Result<ScreenGeometry>& geometry) {
   add(edit_->found().notes);
   if (opened_->screen.brokenOff) lines << words(opened_->screen.brokenOff->message);
   if (geometry) add(geometry->notes);
+  if (tookBack_) lines << tr("What was corrected of outline and boxes was taken back: the pictures lie differently now.");
   notes_->setText(lines.join(QLatin1Char('\n')));
   notes_->setVisible(!lines.isEmpty());
 }
@@ -431,10 +476,11 @@ void ScreenDialog::fetch() {
         shown->at = {opened->cleaner->kept().x, opened->cleaner->kept().y};
         return {};
       },
-      [here = QPointer<ScreenDialog>(this), shown](const Result<void>& outcome) {
+      [here = QPointer<ScreenDialog>(this), shown, opened = opened_](const Result<void>& outcome) {
         ScreenDialog* const dialog = here.data();
         if (dialog == nullptr) return;
         dialog->frameJob_ = 0;
+        if (opened != dialog->opened_) return dialog->fetch();  // turned meanwhile
         if (outcome) return dialog->takeFrame(*shown);
         dialog->setPlaying(false);
         if (outcome.error().code != ErrorCode::cancelled) dialog->say(words(outcome.error().message), true);

@@ -55,9 +55,12 @@ class ScreenDialog final : public FormDialog {
   struct Opened;
   struct Shown;
   void addRows();
+  void addTurnRows(QFormLayout& form);
   void addScaleRows(QFormLayout& form);
   [[nodiscard]] QWidget* viewWithFrames();
   void look(const std::optional<FanOutline>& outline);
+  void turn();  ///< as the fields say
+  void showTurned(const Orientation& turned);
   void take(const std::shared_ptr<Opened>& opened);
   void showProgress();
   void setBusy(bool busy);
@@ -80,8 +83,10 @@ class ScreenDialog final : public FormDialog {
   MessageBar& messages_;
   std::shared_ptr<Opened> opened_;
   std::optional<ScreenEdit> edit_;
-  int job_ = 0;       ///< that reads and finds, or writes; 0: none
-  int frameJob_ = 0;  ///< that reads the frame to show
+  Orientation turned_;     ///< of what is or will be looked at
+  bool tookBack_ = false;  ///< corrections, because the pictures were turned
+  int job_ = 0;            ///< that reads and finds, or writes; 0: none
+  int frameJob_ = 0;       ///< that reads the frame to show
   bool writing_ = false;
   ScreenCorrection written_;  ///< that the recording was written with last, or is being written with
   int wantedFrame_ = 0;
@@ -96,6 +101,8 @@ class ScreenDialog final : public FormDialog {
   QPushButton* play_ = nullptr;
   QSlider* frames_ = nullptr;
   FigureLabel* time_ = nullptr;
+  QComboBox* turn_ = nullptr;
+  QCheckBox* mirror_ = nullptr;
   QComboBox* shape_ = nullptr;
   QDoubleSpinBox* depth_ = nullptr;
   QDoubleSpinBox* tick_ = nullptr;
