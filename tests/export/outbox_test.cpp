@@ -12,6 +12,7 @@
 #include "ew/io/dicom.h"
 #include "export_world.h"
 #include "orthanc.h"
+#include "store_only.h"
 #include "time_limit.h"
 
 namespace ew::outbox_test {
@@ -324,6 +325,96 @@ TEST(Sending, GoesOnWhenTheArchiveIsKilledInTheMiddleAndComesBack) {
     EXPECT_EQ(result->left, 0u) << result->problem;
     EXPECT_EQ(outbox->count(OutboxStatus::verified), 5u);
     expectAllThere(archive, 3);
+  }
+}
+
+TEST(Sending, TakesTheWordOfAnArchiveThatCannotBeAsked) {
+  EW_NEEDS_PROGRAM("storescp");
+  const TemporaryFolder folder;
+  // The second takes the default transfer syntax alone.
+  for (const char* option : {static_cast<const char*>(nullptr), "+xi"}) {
+    const fs::path own = folder / (option == nullptr ? "any" : "implicit");
+    fs::create_directories(own);
+    const Storescp gateway(own / "kept", option);
+    auto outbox = Outbox::open(own / "outbox");
+    ASSERT_TRUE(succeeded(outbox));
+    for (const fs::path& file : {writePicture(own, 1), writeClip(own), writeReport(own)}) ASSERT_TRUE(outbox->add(file).value());
+    SendOptions options;
+    options.wait = [](double) {
+      ADD_FAILURE() << "there is nothing to wait for";
+      return false;
+    };
+    const auto result = sendOutbox(*outbox, gateway.address(), options);
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_EQ(result->accepted, 3u) << result->problem;
+    EXPECT_EQ(result->verified, 0u);
+    EXPECT_EQ(result->refused, 0u);
+    EXPECT_EQ(result->left, 0u);
+    EXPECT_EQ(result->rounds, 1);
+    EXPECT_TRUE(result->problem.empty()) << result->problem;
+    EXPECT_EQ(gateway.kept().size(), 3u);
+    EXPECT_EQ(outbox->count(OutboxStatus::accepted), 3u);
+    for (const OutboxEntry& entry : outbox->entries()) EXPECT_FALSE(fs::exists(outbox->copyOf(entry)));
+    // Pixels arrive as they are, whatever they were packed in.
+    int pictures = 0;
+    for (const fs::path& file : gateway.kept()) {
+      CineOptions whole;
+      whole.region = 0;
+      whole.pixel_mm = glm::dvec2(1.0);
+      const auto cine = readDicomCine(file, whole);
+      if (!cine || cine->sequence.frames.size() != 1) continue;
+      ++pictures;
+      EXPECT_EQ(cine->sequence.pixels, withWords(pattern(1)).pixels);
+    }
+    EXPECT_EQ(pictures, 1);
+  }
+}
+
+TEST(Sending, WhatWaitsToBeAskedForLeavesTheOutboxOfAnArchiveThatCannotBeAsked) {
+  EW_NEEDS_PROGRAM("storescp");
+  const TemporaryFolder folder;
+  const Storescp gateway(folder / "kept");
+  {
+    auto outbox = Outbox::open(folder / "outbox");
+    ASSERT_TRUE(succeeded(outbox));
+    ASSERT_TRUE(outbox->add(writePicture(folder.path(), 1)).value());
+    OutboxEntry entry = outbox->entries().front();
+    entry.status = OutboxStatus::stored;  // as an earlier connection left it
+    ASSERT_TRUE(succeeded(outbox->keep(entry)));
+  }
+  {
+    auto outbox = Outbox::open(folder / "outbox");
+    ASSERT_TRUE(succeeded(outbox));
+    SendOptions once;
+    once.mostRounds = 1;
+    const auto result = sendOutbox(*outbox, gateway.address(), once);
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_EQ(result->accepted, 1u) << result->problem;
+    EXPECT_TRUE(result->problem.empty()) << result->problem;
+  }
+  const auto later = Outbox::open(folder / "outbox");
+  ASSERT_TRUE(succeeded(later));
+  EXPECT_EQ(later->count(OutboxStatus::accepted), 1u) << "its note is read again";
+}
+
+TEST(Sending, EndsWithAnArchiveThatRefusesQuestions) {
+  const TemporaryFolder folder;
+  for (const auto how : {RefusesQuestions::How::says, RefusesQuestions::How::hangsUp}) {
+    const fs::path own = folder / (how == RefusesQuestions::How::says ? "says" : "hangsUp");
+    fs::create_directories(own);
+    const RefusesQuestions archive(how);
+    auto outbox = Outbox::open(own / "outbox");
+    ASSERT_TRUE(succeeded(outbox));
+    for (const fs::path& file : {writePicture(own, 1), writePicture(own, 2), writeReport(own)}) ASSERT_TRUE(outbox->add(file).value());
+    SendOptions options;
+    options.wait = [](double) { return true; };
+    const auto result = sendOutbox(*outbox, archive.address(), options);
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_EQ(archive.stored(), 3);
+    EXPECT_EQ(result->accepted, 3u) << result->problem;
+    EXPECT_EQ(result->left, 0u);
+    EXPECT_LE(result->rounds, 3);
+    EXPECT_TRUE(result->problem.empty()) << result->problem;
   }
 }
 

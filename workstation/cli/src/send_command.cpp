@@ -50,9 +50,16 @@ Result<int> send(const SendArguments& arguments, Run& run) {
                         {"archive", arguments.archive.aeTitle},
                         {"own_title", arguments.archive.ownAeTitle},
                         {"rounds", arguments.rounds}};
-  run.report.quality = {{"verified", sent->verified}, {"refused", sent->refused}, {"left", sent->left}, {"rounds", sent->rounds}};
+  run.report.quality = {{"verified", sent->verified},
+                        {"accepted", sent->accepted},
+                        {"refused", sent->refused},
+                        {"left", sent->left},
+                        {"rounds", sent->rounds}};
   run.progress.clear();
-  run.say("The archive has " + counted(sent->verified, "object") + " now.");
+  if (sent->accepted > 0)
+    run.say("The archive said that it stored " + counted(sent->accepted, "object") +
+            "; it cannot be asked what it has, so this counts as delivered.");
+  if (sent->verified > 0 || sent->accepted == 0) run.say("The archive has " + counted(sent->verified, "object") + " now.");
   const std::size_t refused = outbox->count(OutboxStatus::refused);
   if (sent->left == 0 && refused == 0) return kDone;
   if (sent->left == 0)

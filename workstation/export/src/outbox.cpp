@@ -18,7 +18,10 @@ using namespace exporting;
 namespace fs = std::filesystem;
 
 constexpr int kOutboxFormat = 1;
-constexpr OutboxStatus kStatuses[] = {OutboxStatus::waiting, OutboxStatus::stored, OutboxStatus::verified, OutboxStatus::refused};
+constexpr OutboxStatus kStatuses[] = {OutboxStatus::waiting, OutboxStatus::stored, OutboxStatus::accepted, OutboxStatus::verified,
+                                      OutboxStatus::refused};
+
+bool isDone(OutboxStatus status) { return status == OutboxStatus::verified || status == OutboxStatus::accepted; }
 
 std::string textIn(DcmItem& item, const DcmTagKey& tag) {
   OFString text;
@@ -88,6 +91,8 @@ std::string_view wordOf(OutboxStatus status) {
       return "waiting";
     case OutboxStatus::stored:
       return "stored";
+    case OutboxStatus::accepted:
+      return "accepted";
     case OutboxStatus::verified:
       return "verified";
     case OutboxStatus::refused:
@@ -139,7 +144,7 @@ Result<Outbox> Outbox::open(const fs::path& folder) {
   }
   for (const fs::path& copy : copies) {
     if (const auto known = entries.find(copy.stem().string()); known != entries.end()) {
-      if (known->second.status == OutboxStatus::verified) fs::remove(copy, problem);  // stopped between note and removal
+      if (isDone(known->second.status)) fs::remove(copy, problem);  // stopped between note and removal
       continue;
     }
     auto entry = entryOf(copy);  // stopped between copy and note
@@ -181,7 +186,7 @@ Result<void> Outbox::keep(const OutboxEntry& entry) {
   if (auto written = writeFileSafely(parts_->noteOf(entry.object.instanceUid), jsonOf(entry).dump(2) + "\n"); !written) return written;
   if (OutboxEntry* known = parts_->find(entry.object.instanceUid)) *known = entry;
   std::error_code ignored;
-  if (entry.status == OutboxStatus::verified) fs::remove(copyOf(entry), ignored);
+  if (isDone(entry.status)) fs::remove(copyOf(entry), ignored);
   return {};
 }
 

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include "cancellable_layer.h"
 #include "dicom_elements.h"
@@ -17,6 +18,25 @@ namespace {
 using namespace exporting;
 
 constexpr const char* kFindClass = "1.2.840.10008.5.1.4.1.2.2.1";  // Study Root Query/Retrieve Information Model - FIND
+
+constexpr const char* kPlainSyntaxes[] = {UID_LittleEndianExplicitTransferSyntax, UID_LittleEndianImplicitTransferSyntax};
+constexpr std::size_t kMostContexts = 128;  // of one association (PS3.8)
+constexpr int kMostAborted = 2;             // questions: an archive that ended the connection each time takes none
+
+/// What an object is written in; empty: it cannot be read.
+std::string syntaxOf(const std::filesystem::path& copy) {
+  DcmFileFormat file;
+  OFString syntax;
+  const OFCondition read = file.loadFile(copy.c_str(), EXS_Unknown, EGL_noChange, DCM_MaxReadLength, ERM_metaOnly);
+  if (read.bad() || file.getMetaInfo()->findAndGetOFString(DCM_TransferSyntaxUID, syntax).bad()) return {};
+  return syntax.c_str();
+}
+
+/// Whether an answer to C-FIND says that this question will not be answered (PS3.4, C.4.1.1.4, and PS3.7, C): all but success, pending,
+/// cancelled and out of resources.
+bool refusesQuestions(Uint16 status) {
+  return status != 0 && (status & 0xFF00U) != 0xFF00U && status != 0xFE00U && (status & 0xFF00U) != 0xA700U;
+}
 
 bool isTitle(const std::string& title) {
   return !title.empty() && title.size() <= 16 &&
@@ -80,8 +100,14 @@ class Association {
 /// One connection.
 class Round {
  public:
-  Round(Outbox& outbox, const DicomArchive& archive, SendResult& result, Progress& progress)
-      : outbox_(outbox), archive_(archive), result_(result), progress_(progress), association_(archive, progress) {}
+  /// @param abortedQuestions of all rounds: how often the archive ended the connection because it was asked
+  Round(Outbox& outbox, const DicomArchive& archive, SendResult& result, int& abortedQuestions, Progress& progress)
+      : outbox_(outbox),
+        archive_(archive),
+        result_(result),
+        abortedQuestions_(abortedQuestions),
+        progress_(progress),
+        association_(archive, progress) {}
 
   /// @error notWritable, cancelled; what went wrong on the network stands in the result
   Result<void> run() {
@@ -116,22 +142,43 @@ class Round {
   }
   [[nodiscard]] double share() const {
     const std::size_t all = outbox_.entries().size();
-    return all == 0 ? 1.0 : static_cast<double>(outbox_.count(OutboxStatus::verified)) / static_cast<double>(all);
+    return all == 0 ? 1.0
+                    : static_cast<double>(outbox_.count(OutboxStatus::verified) + outbox_.count(OutboxStatus::accepted)) /
+                          static_cast<double>(all);
   }
   void fails(const std::string& why) {
     isBroken_ = true;
     result_.problem = doesNotAnswer(archive_, why);
   }
+  /// Offers the class of every object that is not done, so that an archive that takes no questions has something to agree to each time;
+  /// each in the default transfer syntax too, which every archive has to take (PS3.5, 10.1).
   bool connect() {
-    OFList<OFString> syntaxes;
-    syntaxes.push_back(UID_LittleEndianExplicitTransferSyntax);
-    std::set<std::string> classes{kFindClass};
-    for (const OutboxEntry& entry : outbox_.entries())
-      if (entry.status == OutboxStatus::waiting) classes.insert(entry.object.classUid);
-    for (const std::string& each : classes) scu_.addPresentationContext(each.c_str(), syntaxes);
+    std::set<std::pair<std::string, std::string>> contexts;
+    const auto offer = [&](const std::string& classUid, const std::string& syntax) {
+      if (!contexts.emplace(classUid, syntax).second) return;
+      OFList<OFString> syntaxes;
+      syntaxes.push_back(syntax.c_str());
+      scu_.addPresentationContext(classUid.c_str(), syntaxes);
+    };
+    for (const OutboxEntry& entry : outbox_.entries()) {
+      if (entry.status != OutboxStatus::waiting && entry.status != OutboxStatus::stored) continue;
+      if (contexts.size() + 5 > kMostContexts) break;  // the rest goes with the next connection
+      if (const std::string own = syntaxOf(outbox_.copyOf(entry)); !own.empty()) offer(entry.object.classUid, own);
+      for (const char* each : kPlainSyntaxes) offer(entry.object.classUid, each);
+    }
+    for (const char* each : kPlainSyntaxes) offer(kFindClass, each);
     const std::string why = association_.open();
     if (!why.empty()) fails(why);
     return why.empty();
+  }
+  /// What the archive agreed to; 0: to none.
+  T_ASC_PresentationContextID contextFor(const std::string& classUid, const std::string& syntax) {
+    return syntax.empty() ? T_ASC_PresentationContextID{0} : scu_.findPresentationContextID(classUid.c_str(), syntax.c_str());
+  }
+  T_ASC_PresentationContextID plainContextFor(const std::string& classUid) {
+    for (const char* each : kPlainSyntaxes)
+      if (const auto context = contextFor(classUid, each); context != 0) return context;
+    return 0;
   }
   Result<void> refuse(OutboxEntry& entry, const std::string& why) {
     entry.status = OutboxStatus::refused;
@@ -140,11 +187,19 @@ class Round {
     return outbox_.keep(entry);
   }
   Result<void> send(OutboxEntry& entry) {
+    const std::string own = syntaxOf(outbox_.copyOf(entry));
+    auto context = contextFor(entry.object.classUid, own);
+    const bool isPlain = std::find(std::begin(kPlainSyntaxes), std::end(kPlainSyntaxes), own) != std::end(kPlainSyntaxes);
+    if (context == 0 && isPlain) context = plainContextFor(entry.object.classUid);
     ++entry.attempts;
-    if (scu_.findPresentationContextID(entry.object.classUid.c_str(), UID_LittleEndianExplicitTransferSyntax) == 0)
-      return refuse(entry, "the archive does not take objects of this kind");
+    if (context == 0)
+      return refuse(entry, plainContextFor(entry.object.classUid) == 0 ? "the archive does not take objects of this kind"
+                                                                       : "the archive does not take pictures that are packed in this way");
+    DcmFileFormat file;
+    OFCondition status = file.loadFile(outbox_.copyOf(entry).c_str());
+    if (status.bad()) return refuse(entry, "the copy in the outbox cannot be read: " + std::string(status.text()));
     Uint16 answer = 0xC000;
-    const OFCondition status = scu_.sendSTORERequest(0, OFFilename(outbox_.copyOf(entry).c_str()), nullptr, answer);
+    status = scu_.sendSTORERequest(context, OFFilename(), file.getDataset(), answer);
     if (status.bad()) {
       fails(status.text());
       entry.problem = status.text();
@@ -162,12 +217,16 @@ class Round {
     }
     return refuse(entry, DU_cstoreStatusString(answer));
   }
+  /// The archive takes no questions: its word is all there is.
+  Result<void> accept(OutboxEntry& entry) {
+    entry.status = OutboxStatus::accepted;
+    entry.problem.clear();
+    ++result_.accepted;
+    return outbox_.keep(entry);
+  }
   Result<void> ask(OutboxEntry& entry) {
-    const auto context = scu_.findPresentationContextID(kFindClass, UID_LittleEndianExplicitTransferSyntax);
-    if (context == 0) {
-      result_.problem = say<"The archive %1 cannot be asked what it has; what it said it stored is kept in the outbox.">(archive_.aeTitle);
-      return {};
-    }
+    const auto context = plainContextFor(kFindClass);
+    if (context == 0 || abortedQuestions_ >= kMostAborted) return accept(entry);
     DcmDataset query;
     Elements elements(query);
     elements.text(DCM_QueryRetrieveLevel, "IMAGE");
@@ -177,17 +236,21 @@ class Round {
     if (auto put = elements.check(); !put) return put;
     OFList<QRResponse*> responses;
     const OFCondition status = scu_.sendFINDRequest(context, &query, &responses);
-    bool isThere = false, isWhole = false;
+    bool isThere = false, isWhole = false, isRefused = false;
     for (QRResponse* response : responses) {
       OFString found;
       if (response->m_dataset != nullptr && response->m_dataset->findAndGetOFString(DCM_SOPInstanceUID, found).good() &&
           found == entry.object.instanceUid.c_str())
         isThere = true;
       isWhole = isWhole || response->m_status == STATUS_Success;
+      isRefused = isRefused || refusesQuestions(response->m_status);
       delete response;
     }
+    if (isRefused) return accept(entry);
     if (status.bad()) {
       fails(status.text());
+      // Some archives know no other way to refuse a question than to end the connection; one may have been going down.
+      if (status == DUL_PEERABORTEDASSOCIATION || status == DUL_PEERREQUESTEDRELEASE) ++abortedQuestions_;
       return {};
     }
     if (isThere) {
@@ -209,6 +272,7 @@ class Round {
   Outbox& outbox_;
   const DicomArchive& archive_;
   SendResult& result_;
+  int& abortedQuestions_;
   Progress& progress_;
   Association association_;
   DcmSCU& scu_ = association_.scu();
@@ -233,11 +297,12 @@ Result<SendResult> sendOutbox(Outbox& outbox, const DicomArchive& archive, const
   quietDcmtk();
   SendResult result;
   const auto left = [&] { return outbox.count(OutboxStatus::waiting) + outbox.count(OutboxStatus::stored); };
+  int abortedQuestions = 0;
   double wait_s = options.firstWait_s;
   while (left() > 0) {
     const std::size_t before = left();
     ++result.rounds;
-    if (auto ran = Round(outbox, archive, result, progress).run(); !ran) return passOn(ran.error());
+    if (auto ran = Round(outbox, archive, result, abortedQuestions, progress).run(); !ran) return passOn(ran.error());
     if (left() == 0 || result.rounds >= options.mostRounds) break;
     if (left() < before) wait_s = options.firstWait_s;  // it got on
     if (!(options.wait ? options.wait(wait_s) : sleepFor(wait_s, progress))) break;

@@ -216,7 +216,10 @@ void MainWindow::sendExamination() {
           parts.messages->showError(outcome.error(), kSending);
         } else if (sent->left == 0 && sent->refused == 0) {
           parts.messages->showNote(
-              sent->verified == 0
+              sent->accepted > 0
+                  ? tr("The archive %1 said that it stored everything (%2); it cannot be asked what it has, so this counts as delivered.")
+                        .arg(words(archive.aeTitle), QString::number(sent->accepted + sent->verified))
+              : sent->verified == 0
                   ? tr("The archive %1 has everything already.").arg(words(archive.aeTitle))
                   : tr("The archive %1 has everything now; new to it: %2.").arg(words(archive.aeTitle), QString::number(sent->verified)),
               kSending);

@@ -18,6 +18,7 @@ namespace ew {
 enum class OutboxStatus {
   waiting,   ///< to be sent, perhaps again
   stored,    ///< the archive said it has it; it was not asked yet
+  accepted,  ///< the archive said it has it, and takes no questions; our copy is gone, the note of it stays
   verified,  ///< the archive was asked afterwards and found it; our copy is gone, the note of it stays
   refused    ///< the archive will not have it; a person has to look at `problem`
 };
@@ -53,7 +54,7 @@ class Outbox {
   [[nodiscard]] const std::vector<OutboxEntry>& entries() const;
   [[nodiscard]] std::size_t count(OutboxStatus status) const;
   [[nodiscard]] std::filesystem::path copyOf(const OutboxEntry& entry) const;
-  /// Keeps where an object stands now; a verified one's copy is removed. @error notWritable
+  /// Keeps where an object stands now; the copy of a verified or accepted one is removed. @error notWritable
   [[nodiscard]] Result<void> keep(const OutboxEntry& entry);
   /// Refused objects wait again. @error notWritable
   [[nodiscard]] Result<void> retryRefused();
@@ -83,6 +84,7 @@ struct SendOptions {
 
 struct SendResult {
   std::size_t verified = 0;  ///< in this call
+  std::size_t accepted = 0;  ///< in this call
   std::size_t refused = 0;   ///< in this call
   std::size_t left = 0;      ///< waiting, or stored and not yet verified
   int rounds = 0;
@@ -90,7 +92,8 @@ struct SendResult {
 };
 
 /// Sends what waits (C-STORE), and asks the archive afterwards for every object (C-FIND at IMAGE level); only what it finds counts as done.
-/// An object that it said to have stored and does not find is sent again. Where connections fail or break it waits and tries again.
+/// An object that it said to have stored and does not find is sent again. Where connections fail or break it waits and tries again. Of an
+/// archive that takes no questions (gateways do not, others refuse them) its word counts: what it said to have stored is accepted.
 /// @error badField (host, port or title), notWritable (the outbox), cancelled
 [[nodiscard]] Result<SendResult> sendOutbox(Outbox& outbox, const DicomArchive& archive, const SendOptions& options = {},
                                             Progress& progress = noProgress());
