@@ -37,7 +37,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const std::span<const std::uint8_t> rest(bytes + 2, size - 2);
   const std::size_t portion = 1 + bytes[1] % 64;
   // Half of the inputs are a stream as it is; for the others a header is made that fits, which no fuzzer finds by itself.
-  constexpr std::array<const char*, 6> kTypes = {"TRANSFORM", "TDATA", "QTDATA", "POSITION", "STATUS", "IMAGE"};
+  constexpr std::array<const char*, 7> kTypes = {"TRANSFORM", "TDATA", "QTDATA", "POSITION", "STATUS", "IMAGE", "QTRANS"};
   if (bytes[0] % 2 == 0) {
     readAll(rest, portion);
     return 0;

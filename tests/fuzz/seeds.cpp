@@ -5,7 +5,11 @@
 #include "ew/io/image_file.h"
 #include "ew/io/sequence.h"
 #include "kretz_files.h"
+#include "made_films.h"
 #include "packed_pictures.h"
+#ifdef EW_HAS_TRACKERS
+#include "ew/trackers/igtl_bodies.h"
+#endif
 
 namespace {
 using namespace ew::test;
@@ -267,6 +271,73 @@ void texts(const fs::path& folder) {
   }
 }
 
+/// Small films in each container that is known by its first bytes, and one inside DICOM.
+void films(const fs::path& folder) {
+  fs::create_directories(folder);
+  FilmOf film;
+  film.width = film.height = 16;
+  film.aspect = {4, 3};
+  writeFilm(folder / "matroska", film);
+  film.codec = AV_CODEC_ID_PNG;
+  film.container = "mov";
+  film.matrix = {0, 1, -1, 0};
+  writeFilm(folder / "mov", film);
+  film.codec = AV_CODEC_ID_MPEG2VIDEO;
+  film.matrix.reset();
+  for (const char* container : {"avi", "mpeg2video", "mpeg", "mpegts"}) {
+    film.container = container;
+    writeFilm(folder / container, film);
+  }
+  CineOf cine;
+  cine.syntax = "1.2.840.10008.1.2.4.100";
+  cine.columns = cine.rows = 16;
+  cine.packed = {bytesOfFile(folder / "mpeg2video")};
+  put(folder, "dicom", cineFile(cine));
+}
+
+#ifdef EW_HAS_TRACKERS
+/// Each kind of body as igtl.cpp takes it: the first byte names the kind (odd: a header is made for it), the second how it is cut up; and
+/// streams as a server sends them.
+void igtl(const fs::path& folder) {
+  using namespace ew;
+  const glm::dmat4 pose(0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 10.0, -20.0, 30.0, 1.0);
+  IgtlPose probe, needle;
+  probe.tool = "ProbeToTracker";
+  probe.toolToTracker.matrix = pose;
+  needle.tool = "NeedleToTracker";
+  needle.state = TrackingState::invalid;
+  const GreyImage picture(6, 4, 90);
+  std::string numbers;  // a place and a quaternion, as big-endian floats: POSITION, QTRANS, and with a name QTDATA
+  for (const float value : {1.0f, 2.0f, 3.0f, 0.0f, 0.0f, 0.0f, 1.0f}) {
+    auto four = std::bit_cast<std::array<char, 4>>(value);
+    std::reverse(four.begin(), four.end());
+    numbers.append(four.begin(), four.end());
+  }
+  std::string name = "ProbeToTracker";
+  name.resize(20, '\0');
+  const auto bytesOf = [](const std::vector<std::uint8_t>& content) { return std::string(content.begin(), content.end()); };
+  const std::pair<const char*, std::string> bodies[] = {{"TRANSFORM", bytesOf(igtlTransformContent(pose))},
+                                                        {"TDATA", bytesOf(igtlTrackingContent({probe, needle}))},
+                                                        {"QTDATA", name + std::string("\1\0", 2) + numbers},
+                                                        {"POSITION", numbers},
+                                                        {"STATUS", bytesOf(igtlStatusContent({5, 7, "busy", "wait a little"}))},
+                                                        {"IMAGE", bytesOf(igtlImageContent(viewOf(picture), pose))},
+                                                        {"QTRANS", numbers}};
+  std::string stream;
+  for (std::size_t n = 0; n < std::size(bodies); ++n) {
+    const auto& [type, content] = bodies[n];
+    put(folder, type, std::string{static_cast<char>(4 * n + 1), '\37'} + content);
+    put(folder, std::string(type) + "-2", std::string{static_cast<char>(4 * n + 3), '\37'} + content);
+    IgtlMessage message;
+    message.type = type;
+    message.device = "Device";
+    message.content.assign(content.begin(), content.end());
+    stream += bytesOf(igtlBytes(message));
+  }
+  put(folder, "stream", std::string("\0\37", 2) + stream);
+}
+#endif
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -282,5 +353,9 @@ int main(int argc, char** argv) {
   others(folder);
   stitching(folder);
   texts(folder);
+  films(folder / "film");
+#ifdef EW_HAS_TRACKERS
+  igtl(folder / "igtl");
+#endif
   return 0;
 }
