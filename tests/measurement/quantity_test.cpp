@@ -34,9 +34,13 @@ TEST(Units, HaveTheirSymbolsAndOtherSpellings) {
 
 TEST(GestationalAge, IsReadAndWrittenAsClinicsDo) {
   EXPECT_DOUBLE_EQ(*gestationOf("32w1d"), 32.0 + 1.0 / 7.0);
+  EXPECT_DOUBLE_EQ(*gestationOf("32+1"), 32.0 + 1.0 / 7.0);
+  EXPECT_DOUBLE_EQ(*gestationOf("32 + 1"), 32.0 + 1.0 / 7.0);
+  EXPECT_DOUBLE_EQ(*gestationOf("0+6"), 6.0 / 7.0);
   EXPECT_DOUBLE_EQ(*gestationOf("32w"), 32.0);
   EXPECT_DOUBLE_EQ(*gestationOf("32.5w"), 32.5);
-  for (const char* wrong : {"", "32", "w", "32w7d", "32w-1d", "-2w", "32w1", "46w", "32.5w1d", "32 w", "nanw"})
+  for (const char* wrong : {"",     "32",   "w",   "32w7d", "32w-1d", "-2w",   "32w1", "46w",  "32.5w1d", "32 w",
+                            "nanw", "32+7", "32+", "+1",    "32+-1",  "32++1", "-2+1", "46+0", "32+1w",   "32.5+1"})
     EXPECT_FALSE(gestationOf(wrong)) << wrong;
   for (int days = 0; days < 300; ++days) EXPECT_EQ(gestationText(*gestationOf(gestationText(days / 7.0))), gestationText(days / 7.0));
   EXPECT_EQ(gestationText(32.0 + 1.0 / 7.0), "32w1d");

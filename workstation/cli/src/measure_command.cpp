@@ -236,7 +236,7 @@ Result<int> fillSheet(const MeasureArguments& arguments, Run& run) {
     input.gestation_weeks = gestationOf(arguments.gestation);
     if (!input.gestation_weeks)
       return failure(ErrorCode::badUsage,
-                     say<"--gestation '%1' is no gestational age; write it as in 32w1d, up to 45 weeks.">(arguments.gestation));
+                     say<"--gestation '%1' is no gestational age; write it as in 32w1d or 32+1, up to 45 weeks.">(arguments.gestation));
   }
   Worksheet sheet;
   {
@@ -286,7 +286,8 @@ void addMeasure(CLI::App& root, Selection& selection) {
          "of a side, RUQ=seen; *BPD=82mm is the one that counts with --several selected")
       ->type_name("LABEL[/SIDE]=VALUE")
       ->allow_extra_args(false);
-  app.add_option("--gestation", arguments->gestation, "Gestational age by dates, for charts and redating: 32w1d")->type_name("WEEKS");
+  app.add_option("--gestation", arguments->gestation, "Gestational age by dates, for charts and redating: 32w1d or 32+1")
+      ->type_name("WEEKS");
   app.add_option("--several", arguments->several, "What counts of several measurements of an item: mean, last or selected (mean)")
       ->check(CLI::IsMember({"mean", "last", "selected"}))
       ->type_name("HOW");

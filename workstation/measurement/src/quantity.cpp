@@ -113,10 +113,18 @@ std::ostream& operator<<(std::ostream& out, const Quantity& quantity) { return o
 
 std::optional<double> gestationOf(std::string_view text) {
   constexpr double kLongest_weeks = 45.0;
+  if (const auto plus = text.find('+'); plus != std::string_view::npos) {  // "32+1", as in most of Europe
+    const auto weeks = parseIntegers(text.substr(0, plus)), days = parseIntegers(text.substr(plus + 1));
+    if (text.find_first_of("+-", plus + 1) != std::string_view::npos || !weeks || !days || weeks->size() != 1 || days->size() != 1)
+      return {};
+    if (weeks->front() < 0 || days->front() < 0 || days->front() > 6) return std::nullopt;
+    const double total = static_cast<double>(weeks->front()) + static_cast<double>(days->front()) / 7.0;
+    return total <= kLongest_weeks ? std::optional(total) : std::nullopt;
+  }
   const auto w = text.find('w');
   if (w == std::string_view::npos) return std::nullopt;
   const auto weeks = parseNumber(text.substr(0, w));
-  if (!weeks || !(*weeks >= 0.0) || text.find_first_of(" \t+") != std::string_view::npos) return std::nullopt;
+  if (!weeks || !(*weeks >= 0.0) || text.find_first_of(" \t") != std::string_view::npos) return std::nullopt;
   double total = *weeks;
   if (std::string_view rest = text.substr(w + 1); !rest.empty()) {
     if (!rest.ends_with('d') || *weeks != std::floor(*weeks)) return std::nullopt;

@@ -37,7 +37,8 @@ std::ostream& operator<<(std::ostream& out, const Quantity& quantity);  ///< sho
 /// The value alone, as shown() writes it.
 [[nodiscard]] std::string shownValue(const Quantity& quantity);
 
-/// A gestational age as a clinic writes it, "32w1d", "32w" or "32.5w"; in weeks. Empty when it is anything else or not from 0 to 45 weeks.
+/// A gestational age as a clinic writes it, "32w1d", "32+1", "32w" or "32.5w"; in weeks. Empty when it is anything else or not from 0 to 45
+/// weeks.
 [[nodiscard]] std::optional<double> gestationOf(std::string_view text);
 /// "32w1d": to the nearest day. @param weeks >= 0
 [[nodiscard]] std::string gestationText(double weeks);
