@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <mutex>
 #include <new>
 #include <utility>
@@ -34,9 +35,17 @@ std::vector<float> kernelOf(double sigma_voxel) {
   return kernel;
 }
 
+/// Each so many voxels count, along i, j, k: a Gaussian of many voxels is as well known from some of them, and costs with the third power
+/// of what it reaches over.
+glm::ivec3 strideOf(const Grid& grid, double sigma_mm) {
+  constexpr double kEnough = 6.0;  // voxels in a standard deviation
+  return glm::max(glm::ivec3(1), glm::ivec3(glm::floor(sigma_mm / (kEnough * grid.spacing_mm))));
+}
+
 using Kernels = std::array<std::vector<float>, 3>;  // along i, j, k
-Kernels kernelsOf(const Grid& grid, double sigma_mm) {
-  return {kernelOf(sigma_mm / grid.spacing_mm.x), kernelOf(sigma_mm / grid.spacing_mm.y), kernelOf(sigma_mm / grid.spacing_mm.z)};
+Kernels kernelsOf(const Grid& grid, double sigma_mm, const glm::ivec3& stride) {
+  const glm::dvec3 sigma = sigma_mm / (grid.spacing_mm * glm::dvec3(stride));
+  return {kernelOf(sigma.x), kernelOf(sigma.y), kernelOf(sigma.z)};
 }
 glm::ivec3 reachOf(const Kernels& kernels) {
   return {static_cast<int>(kernels[0].size()) - 1, static_cast<int>(kernels[1].size()) - 1, static_cast<int>(kernels[2].size()) - 1};
@@ -48,14 +57,17 @@ std::size_t count(const glm::ivec3& size) {
 
 /// Values of a block and its neighbourhood, i fastest.
 using Field = std::vector<float>;
+/// Whether somebody cancelled: what is left then is not looked at.
+using Stopped = std::function<bool()>;
 
 /// One axis of a Gaussian: sums run over the same neighbours in the same order wherever a voxel lies in its block.
-void smoothAlong(std::size_t axis, const std::vector<float>& kernel, const glm::ivec3& size, const Field& in, Field& out) {
+void smoothAlong(std::size_t axis, const std::vector<float>& kernel, const glm::ivec3& size, const Stopped& stopped, const Field& in,
+                 Field& out) {
   const std::ptrdiff_t row = size.x, slice = row * size.y;
   const int reach = static_cast<int>(kernel.size()) - 1;
   const int length = size[static_cast<int>(axis)];
   const std::ptrdiff_t step = axis == 0 ? 1 : axis == 1 ? row : slice;
-  for (int k = 0; k < size.z; ++k)
+  for (int k = 0; k < size.z && !stopped(); ++k)
     for (int j = 0; j < size.y; ++j) {
       const std::ptrdiff_t first = k * slice + j * row;
       float* to = out.data() + first;
@@ -84,12 +96,13 @@ struct Scratch {
   Field narrow, square, rest;           ///< the narrow mean, its square, and what a voxel differs from it, squared
   Field narrowSum, squareSum, restSum;  ///< their wide sums
   Field between;
+  Field seen;  ///< the level of voxels that count; below 0 where nothing is near
   std::vector<std::uint8_t> level;
 
-  static constexpr std::uint64_t kFields = 15;
+  static constexpr std::uint64_t kFields = 16;
   void resize(std::size_t voxels) {
     for (Field* each : {&weight, &power, &decibels, &wideWeight, &widePower, &wideDecibels, &narrowWeight, &narrowDecibels, &narrow,
-                        &square, &rest, &narrowSum, &squareSum, &restSum, &between})
+                        &square, &rest, &narrowSum, &squareSum, &restSum, &between, &seen})
       each->resize(voxels);
   }
 };
@@ -100,8 +113,9 @@ class Leveller {
       : echo_(echo),
         coverage_(coverage),
         gain_db_(options.gain_db),
-        wide_(kernelsOf(echo.grid, options.sigma_mm)),
-        narrow_(kernelsOf(echo.grid, kNarrow * options.sigma_mm)),
+        stride_(strideOf(echo.grid, options.sigma_mm)),
+        wide_(kernelsOf(echo.grid, options.sigma_mm, stride_)),
+        narrow_(kernelsOf(echo.grid, kNarrow * options.sigma_mm, stride_)),
         halo_(reachOf(wide_) + reachOf(narrow_)) {
     const std::array<float, 256> shown = levelsShownAs(options.shownWith);
     for (std::size_t grey = 0; grey < 256; ++grey) {
@@ -111,28 +125,35 @@ class Leveller {
     }
   }
 
-  [[nodiscard]] const glm::ivec3& halo() const { return halo_; }
-
-  /// Leaves the level of a block in `mine`.
-  void make(const glm::ivec3& corner, const glm::ivec3& size, Scratch& mine) const {
-    const glm::ivec3 from = corner - halo_, padded = size + 2 * halo_;
+  /// Leaves the level of a block in `mine`, unless it was stopped.
+  void make(const glm::ivec3& corner, const glm::ivec3& size, const Stopped& stopped, Scratch& mine) const {
+    // Voxels that count lie at multiples of the stride, whatever block is made, and reach around the block.
+    const glm::ivec3 first = corner / stride_, last = (corner + size - 1 + stride_ - 1) / stride_;
+    const glm::ivec3 from = first - halo_, padded = last - first + 1 + 2 * halo_;
     mine.resize(count(padded));
     take(from, padded, mine);
-    sum(wide_, padded, mine.weight, mine.wideWeight, mine);
-    sum(wide_, padded, mine.power, mine.widePower, mine);
-    sum(wide_, padded, mine.decibels, mine.wideDecibels, mine);
-    sum(narrow_, padded, mine.weight, mine.narrowWeight, mine);
-    sum(narrow_, padded, mine.decibels, mine.narrowDecibels, mine);
+    const auto sum = [&](const Kernels& kernels, const Field& in, Field& out) {
+      smoothAlong(0, kernels[0], padded, stopped, in, out);
+      smoothAlong(1, kernels[1], padded, stopped, out, mine.between);
+      smoothAlong(2, kernels[2], padded, stopped, mine.between, out);
+    };
+    sum(wide_, mine.weight, mine.wideWeight);
+    sum(wide_, mine.power, mine.widePower);
+    sum(wide_, mine.decibels, mine.wideDecibels);
+    sum(narrow_, mine.weight, mine.narrowWeight);
+    sum(narrow_, mine.decibels, mine.narrowDecibels);
+    if (stopped()) return;
     for (std::size_t n = 0; n < mine.weight.size(); ++n) {
       mine.narrow[n] = mine.weight[n] > 0.0F ? mine.narrowDecibels[n] / mine.narrowWeight[n] : 0.0F;
       mine.square[n] = mine.narrow[n] * mine.narrow[n];
       const float off = mine.decibels[n] - mine.narrow[n];
       mine.rest[n] = off * off;
     }
-    sum(wide_, padded, mine.narrow, mine.narrowSum, mine);
-    sum(wide_, padded, mine.square, mine.squareSum, mine);
-    sum(wide_, padded, mine.rest, mine.restSum, mine);
-    write(corner, size, padded, mine);
+    sum(wide_, mine.narrow, mine.narrowSum);
+    sum(wide_, mine.square, mine.squareSum);
+    sum(wide_, mine.rest, mine.restSum);
+    if (stopped()) return;
+    write(corner, size, from, padded, mine);
   }
 
  private:
@@ -142,7 +163,7 @@ class Leveller {
     for (int k = 0; k < size.z; ++k)
       for (int j = 0; j < size.y; ++j)
         for (int i = 0; i < size.x; ++i, ++to) {
-          const glm::ivec3 at = from + glm::ivec3(i, j, k);
+          const glm::ivec3 at = stride_ * (from + glm::ivec3(i, j, k));
           mine.weight[to] = mine.power[to] = mine.decibels[to] = 0.0F;
           if (!grid.contains(at)) continue;
           const std::size_t index = grid.indexOf(at.x, at.y, at.z);
@@ -155,30 +176,58 @@ class Leveller {
         }
   }
 
-  static void sum(const Kernels& kernels, const glm::ivec3& size, const Field& in, Field& out, Scratch& mine) {
-    smoothAlong(0, kernels[0], size, in, out);
-    smoothAlong(1, kernels[1], size, out, mine.between);
-    smoothAlong(2, kernels[2], size, mine.between, out);
-  }
-
-  void write(const glm::ivec3& corner, const glm::ivec3& size, const glm::ivec3& padded, Scratch& mine) const {
+  /// @param from, padded the voxels that count, of which `mine` knows the sums
+  void write(const glm::ivec3& corner, const glm::ivec3& size, const glm::ivec3& from, const glm::ivec3& padded, Scratch& mine) const {
     mine.level.resize(count(size));
+    const auto placeOf = [&](const glm::ivec3& at) {
+      return (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(padded.y) + static_cast<std::size_t>(at.y)) *
+                 static_cast<std::size_t>(padded.x) +
+             static_cast<std::size_t>(at.x);
+    };
+    const bool isEach = stride_ == glm::ivec3(1);
+    if (!isEach)
+      for (std::size_t n = 0; n < mine.seen.size(); ++n) mine.seen[n] = mine.wideWeight[n] > 0.0F ? seenAt(n, mine) : -1.0F;
     std::size_t to = 0;
     for (int k = 0; k < size.z; ++k)
       for (int j = 0; j < size.y; ++j)
         for (int i = 0; i < size.x; ++i, ++to) {
-          const glm::ivec3 at = halo_ + glm::ivec3(i, j, k);
-          const std::size_t n = (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(padded.y) + static_cast<std::size_t>(at.y)) *
-                                    static_cast<std::size_t>(padded.x) +
-                                static_cast<std::size_t>(at.x);
-          const glm::ivec3 voxel = corner + glm::ivec3(i, j, k);
-          const bool isThere = coverage_.empty() ? mine.weight[n] > 0.0F || mine.narrowWeight[n] >= kLeastShare
-                                                 : coverage_[echo_.grid.indexOf(voxel.x, voxel.y, voxel.z)] != 0;
-          mine.level[to] = isThere ? levelAt(n, mine) : std::uint8_t{0};
+          const glm::ivec3 voxel = corner + glm::ivec3(i, j, k), before = voxel / stride_ - from;
+          const std::size_t n = placeOf(before);
+          const bool isThere =
+              isEach || !coverage_.empty() ? hasLevel(voxel, n, mine) : hasGrey(voxel) || mine.narrowWeight[n] >= kLeastShare;
+          mine.level[to] = !isThere ? std::uint8_t{0} : isEach ? levelOfSeen(seenAt(n, mine)) : levelBetween(voxel, before, placeOf, mine);
         }
   }
 
-  [[nodiscard]] std::uint8_t levelAt(std::size_t n, const Scratch& mine) const {
+  [[nodiscard]] bool hasGrey(const glm::ivec3& voxel) const { return echo_.data[echo_.grid.indexOf(voxel.x, voxel.y, voxel.z)] > 0; }
+  [[nodiscard]] bool hasLevel(const glm::ivec3& voxel, std::size_t n, const Scratch& mine) const {
+    return coverage_.empty() ? mine.weight[n] > 0.0F || mine.narrowWeight[n] >= kLeastShare
+                             : coverage_[echo_.grid.indexOf(voxel.x, voxel.y, voxel.z)] != 0;
+  }
+
+  /// Of a voxel between those that count: the mean of its eight neighbours that know, by how near they are.
+  template <class PlaceOf>
+  [[nodiscard]] std::uint8_t levelBetween(const glm::ivec3& voxel, const glm::ivec3& before, const PlaceOf& placeOf,
+                                          const Scratch& mine) const {
+    const glm::vec3 off = glm::vec3(voxel % stride_) / glm::vec3(stride_);
+    float sum = 0.0F, weights = 0.0F;
+    for (int corner = 0; corner < 8; ++corner) {
+      const glm::ivec3 next(corner & 1, corner >> 1 & 1, corner >> 2);
+      const glm::vec3 share = glm::mix(1.0F - off, off, glm::vec3(next));
+      const float weight = share.x * share.y * share.z;
+      if (weight <= 0.0F) continue;
+      const float seen = mine.seen[placeOf(before + next)];
+      if (seen < 0.0F) continue;
+      sum += weight * seen;
+      weights += weight;
+    }
+    return weights > 0.0F ? levelOfSeen(sum / weights) : std::uint8_t{1};
+  }
+
+  [[nodiscard]] static std::uint8_t levelOfSeen(float seen) { return static_cast<std::uint8_t>(std::lround(seen)); }
+
+  /// The level of a voxel that counts, 1 to 255.
+  [[nodiscard]] float seenAt(std::size_t n, const Scratch& mine) const {
     const float wide = mine.wideDecibels[n] / mine.wideWeight[n], narrow = mine.narrowDecibels[n] / mine.narrowWeight[n];
     // Speckle of this power has its decibels so far lower; where more of it was averaged the mean of the decibels tells.
     const float ofPower = 10.0F * std::log10(std::max(mine.widePower[n] / mine.wideWeight[n], 1e-30F));
@@ -188,12 +237,13 @@ class Leveller {
     const float edge = variance > ofSpeckle ? 1.0F - ofSpeckle / variance : 0.0F;
     const float seen_db = wide + edge * (narrow - wide) + (1.0F - edge) * (1.0F - edge) * more;
     const double level_db = static_cast<double>(seen_db) - gain_db_;
-    return static_cast<std::uint8_t>(std::lround(std::clamp(255.0 * (1.0 + level_db / detail::kLevelRange_db), 1.0, 255.0)));
+    return static_cast<float>(std::clamp(255.0 * (1.0 + level_db / detail::kLevelRange_db), 1.0, 255.0));
   }
 
   VolumeView<const std::uint8_t> echo_;
   std::span<const std::uint8_t> coverage_;
   double gain_db_;
+  glm::ivec3 stride_;
   Kernels wide_, narrow_;
   glm::ivec3 halo_;
   std::array<float, 256> decibels_{}, power_{};
@@ -204,8 +254,11 @@ glm::ivec3 blocksOf(const Grid& grid, int edge) { return (grid.dims + edge - 1) 
 int edgeOf(const LevelOptions& options) { return std::clamp(options.block_voxels, 8, 256); }
 
 std::uint64_t threadBytes(const Grid& grid, const LevelOptions& options) {
-  const glm::ivec3 halo = reachOf(kernelsOf(grid, options.sigma_mm)) + reachOf(kernelsOf(grid, kNarrow * options.sigma_mm));
-  return count(glm::min(glm::ivec3(edgeOf(options)), grid.dims) + 2 * halo) * sizeof(float) * Scratch::kFields;
+  const glm::ivec3 stride = strideOf(grid, options.sigma_mm);
+  const glm::ivec3 halo = reachOf(kernelsOf(grid, options.sigma_mm, stride)) + reachOf(kernelsOf(grid, kNarrow * options.sigma_mm, stride));
+  const glm::ivec3 block = glm::min(glm::ivec3(edgeOf(options)), grid.dims);
+  const glm::ivec3 counted = glm::mix((block + stride - 1) / stride + 1, block, glm::equal(stride, glm::ivec3(1)));
+  return count(counted + 2 * halo) * sizeof(float) * Scratch::kFields;
 }
 
 /// As many as there are blocks and room for, but one at least.
@@ -267,15 +320,17 @@ Result<void> levelInBlocks(const VolumeView<const std::uint8_t>& echo, std::span
     const Leveller leveller(echo, coverage, options);
     std::vector<Scratch> scratch(static_cast<std::size_t>(threadsOf(echo.grid, options)));
     std::mutex writing;
-    const bool finished = forEachTask(
-        total, static_cast<int>(scratch.size()), progress, say<"Finding the tissue's level">(), [&](int task, int worker, auto&&) {
-          const glm::ivec3 corner = edge * glm::ivec3(task % blocks.x, task / blocks.x % blocks.y, task / (blocks.x * blocks.y));
-          const glm::ivec3 size = glm::min(glm::ivec3(edge), echo.grid.dims - corner);
-          Scratch& mine = scratch[static_cast<std::size_t>(worker)];
-          leveller.make(corner, size, mine);
-          const std::lock_guard lock(writing);
-          sink(corner, size, mine.level);
-        });
+    const bool finished = forEachTask(total, static_cast<int>(scratch.size()), progress, say<"Finding the tissue's level">(),
+                                      [&](int task, int worker, const auto& stopped) {
+                                        const glm::ivec3 corner =
+                                            edge * glm::ivec3(task % blocks.x, task / blocks.x % blocks.y, task / (blocks.x * blocks.y));
+                                        const glm::ivec3 size = glm::min(glm::ivec3(edge), echo.grid.dims - corner);
+                                        Scratch& mine = scratch[static_cast<std::size_t>(worker)];
+                                        leveller.make(corner, size, stopped, mine);
+                                        if (stopped()) return;
+                                        const std::lock_guard lock(writing);
+                                        sink(corner, size, mine.level);
+                                      });
     if (!finished) return failure(ErrorCode::cancelled, say<"Finding the tissue's level was stopped.">());
   } catch (const std::bad_alloc&) {
     return needsMore(bytes, options);

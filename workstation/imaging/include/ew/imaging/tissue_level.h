@@ -49,9 +49,12 @@ using LevelSink = std::function<void(const glm::ivec3& corner, const glm::ivec3&
 /// A voxel has data where coverage is not absent; where no coverage is known, where its grey is above 0. Voxels without data take no part:
 /// the rim is not darkened. The level is 0 without coverage, or where no coverage is known and most of what is near is 0 too; elsewhere at
 /// least 1.
-/// Equal to the bit for every number of threads, every size of block and every cut of the volume that leaves the neighbourhood whole.
+/// Where voxels are finer than a sixth of sigma_mm, each so many of them count that six make a sigma, and the level in between is that of
+/// the eight neighbours: memory and time depend on voxels, not on millimetres.
+/// Equal to the bit for every number of threads, every size of block and, where every voxel counts, every cut of the volume that leaves
+/// the neighbourhood whole.
 /// @param coverage voxelCount() values of Coverage, or empty
-/// @error cancelled (within 0.1 s or a block's time), tooLarge (one thread needs more than maxBytes, or there is no such memory), badField
+/// @error cancelled (within a tenth of a second), tooLarge (one thread needs more than maxBytes, or there is no such memory), badField
 /// (sigma_mm)
 [[nodiscard]] Result<void> levelInBlocks(const VolumeView<const std::uint8_t>& echo, std::span<const std::uint8_t> coverage,
                                          const LevelOptions& options, const LevelSink& sink, Progress& progress = noProgress());
