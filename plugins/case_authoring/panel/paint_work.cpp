@@ -21,6 +21,18 @@ std::filesystem::path rootOfKept() {
          "unsaved-labels";
 }
 
+/// Goes on until the job, or somebody at the panel, has enough.
+class UntilTold final : public Progress {
+ public:
+  UntilTold(Progress& progress, const std::atomic<bool>& stop) : progress_(progress), stop_(stop) {}
+  void report(const Message& what, double fraction) override { progress_.report(what, fraction); }
+  [[nodiscard]] bool cancelRequested() const override { return stop_.load() || progress_.cancelRequested(); }
+
+ private:
+  Progress& progress_;
+  const std::atomic<bool>& stop_;
+};
+
 }  // namespace
 
 PaintWork::PaintWork(sdk::Host& host, QObject* parent) : QObject(parent), host_(host), aside_(newAside()) {
@@ -151,18 +163,24 @@ void PaintWork::painted() {
   if (onChanged) onChanged();
 }
 
+void PaintWork::cancelGrowing() {
+  if (growing_) growing_->store(true);
+}
+
 void PaintWork::grow(const glm::dvec2& at_mm) {
   const auto plane = planeToFile();
   if (isBusy_ || !settings_ || !begin() || !plane) return;
   say(QString());
   isBusy_ = true;
+  growing_ = std::make_shared<std::atomic<bool>>(false);
   if (onChanged) onChanged();
   auto grown = std::make_shared<Painting::Growth>();
   auto growing = painting_->growing(carried(*plane, {at_mm, 0.0}), settings_->grow, label_, settings_->onlyUnlabelled);
   host_.jobs().start(
       tr("Growing the structure").toStdString(),
-      [grown, growing = std::move(growing)](Progress& progress) mutable -> Result<void> {
-        auto made = growing(progress);
+      [grown, growing = std::move(growing), stop = growing_](Progress& progress) mutable -> Result<void> {
+        UntilTold told(progress, *stop);
+        auto made = growing(told);
         if (!made) return passOn(made.error());
         *grown = std::move(*made);
         return {};
@@ -170,6 +188,7 @@ void PaintWork::grow(const glm::dvec2& at_mm) {
       [self = QPointer<PaintWork>(this), painting = painting_.get(), grown](const Result<void>& outcome) {
         if (!self) return;
         self->isBusy_ = false;
+        self->growing_.reset();
         if (!outcome) {
           self->say(outcome.error());
         } else if (self->painting_.get() == painting && painting != nullptr) {

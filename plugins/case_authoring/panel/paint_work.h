@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QTimer>
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -33,6 +34,8 @@ class PaintWork final : public QObject {
   [[nodiscard]] const Painting* painting() const { return painting_.get(); }
   [[nodiscard]] bool hasUnkept() const { return painting_ && painting_->isChanged(); }
   [[nodiscard]] bool isBusy() const { return isBusy_; }  ///< growing, or being kept
+  [[nodiscard]] bool isGrowing() const { return growing_ != nullptr; }
+  void cancelGrowing();  ///< nothing is labelled then
   [[nodiscard]] QString undoText() const;
   [[nodiscard]] QString redoText() const;
   void undo();
@@ -92,6 +95,7 @@ class PaintWork final : public QObject {
   std::optional<KeptPainting::Left> left_, takenOver_;
   sdk::Ticket asking_, closing_;
   bool isBusy_ = false;
+  std::shared_ptr<std::atomic<bool>> growing_;  ///< true: it is to stop; null: nothing grows
   QTimer keepSoon_;
 };
 

@@ -134,9 +134,11 @@ QWidget* StructurePage::makeSettings() {
   thickness_ = number(0.2, 50.0, 2.0, tr("mm"));
   addSetting(settingRows_, tr("Thickness"), thickness_, "paintThickness");
   reach_ = number(2.0, 100.0, 40.0, tr("mm"));
-  addSetting(settingRows_, tr("At most from the click"), reach_, "growReach");
+  reach_->setToolTip(tr("How far from the click it may grow"));
+  addSetting(settingRows_, tr("Reach"), reach_, "growReach");
   largest_ = number(0.1, 2000.0, 60.0, tr("ml"));
-  addSetting(settingRows_, tr("At most"), largest_, "growLargest");
+  largest_->setToolTip(tr("More than this is taken for a leak, and nothing is labelled"));
+  addSetting(settingRows_, tr("Largest volume"), largest_, "growLargest");
   onlyUnlabelled_ = new QCheckBox(tr("Leave other structures as they are"));
   onlyUnlabelled_->setObjectName(QStringLiteral("paintOnlyUnlabelled"));
   onlyUnlabelled_->setChecked(true);
@@ -196,6 +198,9 @@ QWidget* StructurePage::makeKeeping() {
   state_ = sdk::quietLabel({});
   state_->setObjectName(QStringLiteral("paintState"));
   column->addWidget(state_);
+  cancel_ = structureButton(tr("Cancel"), tr("Stop growing; nothing is labelled"), "growCancel");
+  connect(cancel_, &QPushButton::clicked, this, [this] { work_.cancelGrowing(); });
+  column->addWidget(cancel_);
   auto* decisions = new QHBoxLayout;
   decisions->setSpacing(kGap_px);
   discard_ = structureButton(tr("Discard"), tr("Give up everything that was painted since it was kept last"), "paintDiscard");
@@ -305,6 +310,7 @@ void StructurePage::followWork() {
   redo_->setToolTip(work_.redoText().isEmpty() ? tr("No stroke to bring back") : tr("Bring back: %1 (Ctrl+Shift+Z)").arg(work_.redoText()));
   keep_->setEnabled(work_.hasUnkept() && !work_.isBusy());
   discard_->setEnabled(work_.hasUnkept() && !work_.isBusy());
+  cancel_->setVisible(work_.isGrowing());
   state_->setText(work_.isBusy()      ? tr("Working…")
                   : work_.hasUnkept() ? tr("● painted, not kept in the case yet")
                                       : tr("The case holds what is shown."));

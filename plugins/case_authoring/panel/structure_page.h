@@ -66,7 +66,7 @@ class StructurePage final : public QWidget {
   QCheckBox* onlyUnlabelled_ = nullptr;
   QFormLayout* settingRows_ = nullptr;
   QPushButton *between_ = nullptr, *largestPiece_ = nullptr, *smooth_ = nullptr;
-  QPushButton *undo_ = nullptr, *redo_ = nullptr, *keep_ = nullptr, *discard_ = nullptr;
+  QPushButton *undo_ = nullptr, *redo_ = nullptr, *keep_ = nullptr, *discard_ = nullptr, *cancel_ = nullptr;
 };
 
 }  // namespace ew::case_authoring

@@ -1,6 +1,8 @@
 #include "ew/labelling/grow.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "ew/core/contract.h"
 #include "gaussian.h"
@@ -9,7 +11,12 @@
 namespace ew::labelling {
 namespace {
 
-constexpr double kNeighbourhood_mm = 3.0;  // of the seed, from which the band is chosen
+constexpr double kNeighbourhood_mm = 3.0;    // of the seed, from which the band is chosen
+constexpr double kFirstLook_mm = 0.4;        // of averaging, to see how thick a structure is
+constexpr double kFirstStep_levels = 20.0;   // by so much what lies around a structure differs from it
+constexpr double kWidestBand_levels = 48.0;  // half of it: more is several tissues
+constexpr double kSmoothedShare = 0.25;      // of the half thickness, at most: more would mix a thin vessel with its walls
+constexpr double kNeighbourhoodShare = 0.6;  // of the half thickness
 constexpr std::array<glm::ivec3, 6> kFaces = {glm::ivec3(1, 0, 0),  glm::ivec3(-1, 0, 0), glm::ivec3(0, 1, 0),
                                               glm::ivec3(0, -1, 0), glm::ivec3(0, 0, 1),  glm::ivec3(0, 0, -1)};
 
@@ -33,7 +40,7 @@ class Growing {
 
   /// False: cancelled.
   bool run(GrowResult& result) {
-    if (!sample() || !blur(level_, options_.smoothing_mm * perMm_, progress_)) return false;
+    if (!sample() || !fit() || !blur(level_, options_.smoothing_mm * perMm_, progress_)) return false;
     step(0.5);
     if (!chooseBand(result)) return true;
     if (!markLike(result)) return false;
@@ -86,6 +93,38 @@ class Growing {
     return !isStopped;
   }
 
+  /// Scales fit the structure: in a thin one less is averaged, the seed's neighbourhood is smaller, and narrower passages belong to it.
+  bool fit() {
+    Block<float> looked = level_;
+    if (!blur(looked, std::min(kFirstLook_mm, options_.smoothing_mm) * perMm_, progress_)) return false;
+    const double half_mm = halfThickness_mm(looked);
+    options_.smoothing_mm = std::min(options_.smoothing_mm, kSmoothedShare * half_mm);
+    options_.neck_mm = std::min(options_.neck_mm, half_mm);
+    neighbourhood_mm_ = std::min(kNeighbourhood_mm, kNeighbourhoodShare * half_mm);
+    return true;
+  }
+  /// How far echoes stay as they are about the seed, in the quarter of all directions in which they do so least; no more than matters.
+  [[nodiscard]] double halfThickness_mm(const Block<float>& looked) const {
+    const double step_mm = 0.5 / std::max({perMm_.x, perMm_.y, perMm_.z}), most_mm = kNeighbourhood_mm / kNeighbourhoodShare;
+    const double here = static_cast<double>(looked[seed_]);
+    const auto isLike = [&](const glm::dvec3& at) {
+      const glm::ivec3 voxel(glm::floor(at + 0.5));
+      return looked.contains(voxel) && present_[looked.indexOf(voxel)] &&
+             std::abs(static_cast<double>(looked[voxel]) - here) <= kFirstStep_levels;
+    };
+    std::vector<double> ways_mm;
+    for (int n = 0; n < 27; ++n) {
+      const glm::dvec3 way(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+      if (n == 13) continue;
+      double reached_mm = 0.0;
+      while (reached_mm < most_mm && isLike(glm::dvec3(seed_) + reached_mm * glm::normalize(way) * perMm_)) reached_mm += step_mm;
+      ways_mm.push_back(reached_mm);
+    }
+    const auto quarter = ways_mm.begin() + static_cast<std::ptrdiff_t>(ways_mm.size() / 4);
+    std::nth_element(ways_mm.begin(), quarter, ways_mm.end());
+    return std::max(*quarter, 2.0 * step_mm);
+  }
+
   /// Slope of the averaged echo, levels a mm.
   [[nodiscard]] double slopeAt(const glm::ivec3& at) const {
     glm::dvec3 slope(0.0);
@@ -109,12 +148,12 @@ class Growing {
     if (!present_[level_.indexOf(seed_)] || isEdge(seed_)) return false;
     double sum = 0.0, squares = 0.0;
     int count = 0;
-    const glm::ivec3 reach = glm::ivec3(glm::ceil(kNeighbourhood_mm * perMm_));
+    const glm::ivec3 reach = glm::ivec3(glm::ceil(neighbourhood_mm_ * perMm_));
     for (int k = seed_.z - reach.z; k <= seed_.z + reach.z; ++k)
       for (int j = seed_.y - reach.y; j <= seed_.y + reach.y; ++j)
         for (int i = seed_.x - reach.x; i <= seed_.x + reach.x; ++i) {
           const glm::ivec3 at(i, j, k);
-          if (!level_.contains(at) || !present_[level_.indexOf(at)] || fromSeed_mm(at) > kNeighbourhood_mm || isEdge(at)) continue;
+          if (!level_.contains(at) || !present_[level_.indexOf(at)] || fromSeed_mm(at) > neighbourhood_mm_ || isEdge(at)) continue;
           const double value = level_[at];
           sum += value;
           squares += value * value;
@@ -122,7 +161,7 @@ class Growing {
         }
     if (count == 0) return false;
     const double mean = sum / count, deviation = std::sqrt(std::max(0.0, squares / count - mean * mean));
-    const double half = std::max(options_.leastBand_levels, options_.bandWidth * deviation);
+    const double half = std::max(options_.leastBand_levels, std::min(options_.bandWidth * deviation, kWidestBand_levels));
     result.lowest_level = mean - half;
     result.highest_level = mean + half;
     return true;
@@ -310,7 +349,7 @@ class Growing {
   const Volume& echo_;
   const Grid& echoGrid_;
   glm::dvec3 seed_mm_;
-  const GrowOptions& options_;
+  GrowOptions options_;  ///< as they fit the structure
   glm::ivec3 seed_;
   Progress& progress_;
   Block<float> level_;
@@ -318,6 +357,7 @@ class Growing {
   std::vector<std::uint8_t> core_;
   std::vector<bool> present_;
   glm::dvec3 perMm_;
+  double neighbourhood_mm_ = kNeighbourhood_mm;
   bool isOpened_ = false;
 };
 
