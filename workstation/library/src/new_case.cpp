@@ -72,6 +72,17 @@ void takeIn(Case& into, const SourceInCase& put) {
   if (put.axes) into = withSweepAxes(std::move(into), *put.axes);
 }
 
+/// A recording has its own shadows and reverberation: what a template switches on would come on top of them. @return whether any was on
+bool withoutRecordedArtefacts(Scene& scene) {
+  const bool hadAny = scene.attenuation || scene.reverberation;
+  scene.attenuation.reset();
+  scene.reverberation.reset();
+  return hadAny;
+}
+Message artefactsAreOff() {
+  return say<"Shadows and reverberation, which the template switches on, are off: the recording has its own.">();
+}
+
 /// What only the volume before knew.
 void dropWhatIsLost(GivenVolume& given) {
   Case& edited = given.edited;
@@ -130,11 +141,12 @@ Result<MadeCase> makeCase(const NewCase& wanted, const fs::path& folder, Progres
       const auto put = putSource(wanted.source, wanted.makesLevel, aside, aside.parent_path() / kScratch, progress);
       if (!put) return passOn(outputs.inGivenNames(put.error()));
       takeIn(made.made, *put);
+      if (withoutRecordedArtefacts(made.made.scene)) made.notes.push_back(artefactsAreOff());
       const ChosenPlace place = choosePlace(put->shape, made.made.mannequin, {}, made.made.region, wanted.fileToWorld);
       made.made.volume.fileToWorld = place.fileToWorld;
       made.contact = place.contact;
       made.frames = put->frames;
-      made.notes = put->notes;
+      made.notes.insert(made.notes.end(), put->notes.begin(), put->notes.end());
       made.notes.insert(made.notes.end(), place.notes.begin(), place.notes.end());
     }
     if (auto saved = saveCase(made.made, aside); !saved) return passOn(outputs.inGivenNames(saved.error()));
@@ -163,6 +175,7 @@ Result<GivenVolume> giveVolume(const Case& opened, const CaseSource& source, Pro
     if (hadNone) given.edited = withRights(std::move(given.edited), rights);
     takeIn(given.edited, *put);
     given.notes = put->notes;
+    if (hadNone && withoutRecordedArtefacts(given.edited.scene)) given.notes.push_back(artefactsAreOff());
     const bool isPlaced = !hadNone || opened.volume.fileToWorld != Transform<frame::World, frame::File>{};
     const ChosenPlace place = choosePlace(put->shape, opened.mannequin, opened.folder, opened.region,
                                           isPlaced ? std::optional(opened.volume.fileToWorld) : std::nullopt);
