@@ -10966,6 +10966,54 @@
         <source>There is no window that could ask where the case is to be saved.</source>
         <translation>Es gibt kein Fenster, das fragen könnte, wo der Fall gespeichert werden soll.</translation>
     </message>
+    <message>
+        <source>%1 ends early or is damaged: of its %2 s the first %3 s were read, %4 frames; get the file again if the others are needed.</source>
+        <translation>%1 endet zu früh oder ist beschädigt: Von %2 s wurden die ersten %3 s gelesen, %4 Bilder; die Datei neu beschaffen, wenn die übrigen gebraucht werden.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged: at %2 places no frame could be read, and %3 frames were; get the file again if the others are needed.</source>
+        <translation>%1 ist beschädigt: An %2 Stellen war kein Bild lesbar, %3 Bilder wurden gelesen; die Datei neu beschaffen, wenn die übrigen gebraucht werden.</translation>
+    </message>
+    <message>
+        <source>%1 says that its film is %2, but it is %3; export it again.</source>
+        <translation>%1 nennt seinen Film %2, er ist aber %3; neu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 says that its film is %2, but its stream is of another kind; export it again.</source>
+        <translation>%1 nennt seinen Film %2, sein Datenstrom ist aber von anderer Art; neu exportieren.</translation>
+    </message>
+    <message>
+        <source>The film says that its pictures are to be turned by no whole quarter, which is not done; turn it before.</source>
+        <translation>Der Film verlangt für seine Bilder eine Drehung, die kein Vielfaches von 90 Grad ist; sie unterbleibt; ihn vorher drehen.</translation>
+    </message>
+    <message>
+        <source>The file says how its pictures are seen upright: they were turned clockwise by %1 degrees.</source>
+        <translation>Die Datei sagt, wie ihre Bilder aufrecht stehen: Sie wurden um %1 Grad im Uhrzeigersinn gedreht.</translation>
+    </message>
+    <message>
+        <source>The file says how its pictures are seen upright: they were mirrored, left to right.</source>
+        <translation>Die Datei sagt, wie ihre Bilder aufrecht stehen: Links und rechts wurden vertauscht.</translation>
+    </message>
+    <message>
+        <source>The file says how its pictures are seen upright: they were turned clockwise by %1 degrees, then mirrored.</source>
+        <translation>Die Datei sagt, wie ihre Bilder aufrecht stehen: Sie wurden um %1 Grad im Uhrzeigersinn gedreht, dann gespiegelt.</translation>
+    </message>
+    <message>
+        <source>The file says that its pixels are %1 times as wide as high: pictures of %2 x %3 were stretched to %4 x %5 square ones.</source>
+        <translation>Die Datei gibt an, dass ihre Pixel %1-mal so breit wie hoch sind: Bilder von %2 x %3 wurden auf %4 x %5 quadratische gestreckt.</translation>
+    </message>
+    <message>
+        <source>The scan hardly moves, so text over it cannot be told from sharp echoes. Places that may be text, and are kept as they are until somebody says that they are: %1.</source>
+        <translation>Das Schallbild bewegt sich kaum, daher ist Schrift darin von scharfen Echos nicht zu unterscheiden. Stellen, die Schrift sein können und bleiben, wie sie sind, bis jemand sie dafür erklärt: %1.</translation>
+    </message>
+    <message>
+        <source>0, 90, 180 or 270, clockwise</source>
+        <translation>0, 90, 180 oder 270, im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Shadows and reverberation, which the template switches on, are off: the recording has its own.</source>
+        <translation>Schatten und Wiederholungsechos, die die Vorlage einschaltet, sind aus: Die Aufnahme hat ihre eigenen.</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
@@ -16981,6 +17029,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>Measurements that were not saved: %1.</source>
         <translation>Messungen, die nicht gespeichert sind: %1.</translation>
     </message>
+    <message>
+        <source>The archive %1 said that it stored everything (%2); it cannot be asked what it has, so this counts as delivered.</source>
+        <translation>Das Archiv %1 hat gemeldet, alles gespeichert zu haben (%2); es lässt sich nicht fragen, was es hat, daher gilt das als zugestellt.</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::MeasurePage</name>
@@ -19006,6 +19058,38 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>What you corrected in &apos;%1&apos; is not written to a recording.</source>
         <translation>Was Sie in „%1“ berichtigt haben, ist in keiner Aufnahme gespeichert.</translation>
+    </message>
+    <message>
+        <source>not turned</source>
+        <translation>nicht gedreht</translation>
+    </message>
+    <message>
+        <source>%1° clockwise</source>
+        <translation>%1° im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Turns the pictures so that the probe's face lies on top; the recording is looked through anew</source>
+        <translation>Dreht die Bilder, bis die Sondenfläche oben liegt; die Aufnahme wird neu durchgesehen</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>Gespiegelt</translation>
+    </message>
+    <message>
+        <source>Changes left and right of the pictures; the recording is looked through anew</source>
+        <translation>Vertauscht links und rechts der Bilder; die Aufnahme wird neu durchgesehen</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Dashed boxes that may be text, or echoes: %1. Click those that are text.</source>
+        <translation>Gestrichelte Kästen, die Schrift oder Echos sein können: %1. Die anklicken, die Schrift sind.</translation>
+    </message>
+    <message>
+        <source>What was corrected of outline and boxes was taken back: the pictures lie differently now.</source>
+        <translation>Was an Umriss und Kästen berichtigt war, wurde zurückgenommen: Die Bilder liegen nun anders.</translation>
     </message>
 </context>
 <context>
@@ -21454,16 +21538,16 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Dicke</translation>
     </message>
     <message>
-        <source>At most from the click</source>
-        <translation>Höchstens vom Klick</translation>
+        <source>Reach</source>
+        <translation>Reichweite</translation>
     </message>
     <message>
         <source>ml</source>
         <translation>ml</translation>
     </message>
     <message>
-        <source>At most</source>
-        <translation>Höchstens</translation>
+        <source>Largest volume</source>
+        <translation>Größtes Volumen</translation>
     </message>
     <message>
         <source>Leave other structures as they are</source>
@@ -21584,6 +21668,22 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Draw around the structure in two image planes at least; then the shape between them can be filled</source>
         <translation>Die Struktur in mindestens zwei Bildebenen umfahren; dann lässt sich die Form dazwischen füllen</translation>
+    </message>
+    <message>
+        <source>How far from the click it may grow</source>
+        <translation>Wie weit vom Klick es wachsen darf</translation>
+    </message>
+    <message>
+        <source>More than this is taken for a leak, and nothing is labelled</source>
+        <translation>Mehr als das gilt als ausgelaufen, und nichts wird beschriftet</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop growing; nothing is labelled</source>
+        <translation>Das Wachsen beenden; nichts wird beschriftet</translation>
     </message>
 </context>
 <context>
