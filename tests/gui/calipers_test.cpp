@@ -307,7 +307,7 @@ class CalipersTest : public WindowFixture {
     const QImage saved = savedPicture(session(), at, &calipers());
     QVERIFY(saved.height() > bare.height());
     // White where the ends are crossed, right of the margin that centres the picture.
-    const int left = (saved.width() - 56 - session().geometry().width) / 2, top = 48;
+    const int left = (saved.width() - 56 - session().geometry().width) / 2, top = 58;
     const glm::dvec2 end = pointsOf(0)[1];
     const QPoint pixel = pixelOf(end) + QPoint(left, top);
     QVERIFY2(qGray(saved.pixel(pixel)) > 230, qPrintable(QString::number(qGray(saved.pixel(pixel)))));

@@ -9,7 +9,9 @@
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QTabWidget>
+#include <filesystem>
 
+#include "answers.h"
 #include "calipers.h"
 #include "ew/library/attempt.h"
 #include "ew/library/case.h"
@@ -298,6 +300,50 @@ class LessonsTest : public WindowFixture {
     keepScreenshot(*window_, "lessons-10-interrupted");
     press("goOnWithLesson");
     waitForStep("watch");
+  }
+
+  void aStepThatAKillTookIsOfferedAndGoesOnWhereItStood() {
+    namespace fs = std::filesystem;
+    begin();
+    skipTo("sweep");
+    const fs::path kept = files_.path(QStringLiteral("data/echoweave/unsaved-work")).toStdString();
+    const fs::path attempts = files_.path(QStringLiteral("library/attempts")).toStdString(),
+                   aside = files_.path(QStringLiteral("as it was")).toStdString();
+    const auto isKept = [&] {
+      session().refresh();
+      session().makePictureNow();
+      std::error_code ignored;
+      for (fs::directory_iterator at(kept, ignored); !ignored && at != fs::directory_iterator(); at.increment(ignored))
+        if (fs::exists(at->path() / "step.jsonl", ignored)) return true;
+      return false;
+    };
+    QVERIFY2(waitUntil(isKept), "what is scanned in the step is kept as it grows");
+    // As a kill leaves it: the files of now, and nobody who holds them.
+    fs::create_directories(aside);
+    fs::copy(kept, aside / "kept", fs::copy_options::recursive);
+    fs::copy(attempts, aside / "attempts", fs::copy_options::recursive);
+    window_.reset();
+    QVERIFY2(!fs::exists(kept) || fs::is_empty(kept), "a window that ends in order leaves nothing");
+    fs::remove_all(kept);
+    fs::remove_all(attempts);
+    fs::rename(aside / "kept", kept);
+    fs::rename(aside / "attempts", attempts);
+
+    window_ = std::make_unique<MainWindow>();
+    window_->resize(1280, 720);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get(), static_cast<int>(test::kPatience_ms)));
+    QApplication::setActiveWindow(window_.get());
+    window_->openPlugins();
+    Answers answers({{QStringLiteral("unsavedWorkQuestion"), testing::press("goOnUnsaved")}});
+    window_->openWhereOneWas();
+    window_->offerUnsavedWork();
+    QVERIFY(waitUntil([&] { return !answers.asked.isEmpty() && player() != nullptr; }));
+    waitForStep("sweep");
+    QVERIFY(waitUntil([this] { return window_->messages().text().contains(QLatin1String("goes on where it stood")); }));
+    QCOMPARE(answers.asked, QStringList{QStringLiteral("unsavedWorkQuestion")});
+    press("skipStep");
+    waitForStep("measure");
   }
 
   void anotherCaseInTheMiddleLosesNothing() {

@@ -335,6 +335,34 @@ class TraineeTest : public WindowFixture {
     QCOMPARE(find<QLabel>("titleRemark")->text(), QStringLiteral("Test Person"));
   }
 
+  void aSavedPictureSaysWhichSideIsWhichAndWhoScanned() {
+    const QDateTime at(QDate(2026, 11, 23), QTime(3, 4));
+    const auto marker = [&] {
+      const QImage saved = savedPicture(session(), at);
+      const int row = saved.height() - session().picture().height() - 32 - 7, left = (saved.width() - session().picture().width() - 56) / 2;
+      int first = -1, last = -1;
+      for (int x = 0; x < saved.width(); ++x)
+        if (qGray(saved.pixel(x, row)) > 200) {
+          last = x;
+          if (first < 0) first = x;
+        }
+      return first < 0 ? -1 : (first + last) / 2 - left;
+    };
+    const double middle = session().geometry().face_px.x;
+    const int before = marker();
+    QVERIFY2(before >= 0, "there is a marker");
+    QVERIFY(session().geometry().markerLeft == (before < middle));
+    Knobs knobs = session().knobs();
+    knobs.markerLeft = !knobs.markerLeft;
+    session().setKnobs(knobs);
+    session().makePictureNow();
+    const int after = marker();
+    QVERIFY2(after >= 0 && (after < middle) != (before < middle), "it changes sides with the image");
+    OnPicture on;
+    on.person = QStringLiteral("Anna");
+    QVERIFY(savedPicture(session(), at, on) != savedPicture(session(), at));
+  }
+
   void aSavedPictureHoldsThePictureItsScaleWhatItShowsAndTheWarning() {
     const ImageView<const std::uint8_t> shown = session().picture().grey;
     const QDateTime at(QDate(2026, 11, 23), QTime(3, 4));

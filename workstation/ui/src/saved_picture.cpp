@@ -28,12 +28,13 @@ namespace ew::ui {
 namespace {
 
 constexpr int kLine_px = 20;
-constexpr int kHead_px = 2 * kLine_px + 8;
+constexpr int kMarkerRow_px = 14;  // above the picture, whose pixels stay as they are
+constexpr int kHead_px = 2 * kLine_px + 4 + kMarkerRow_px;
 constexpr int kScale_px = 56;
 constexpr int kBetween_px = 8;  // picture and strip
 constexpr int kFoot_px = 32;    // the warning
 constexpr int kLeast_px = 480;  // the words need as much
-constexpr double kMarkerAway_px = 12.0, kMarkerRadius_px = 5.0;
+constexpr double kMarkerRadius_px = 5.0;
 const QColor kWords(150, 150, 150);
 const QColor kMeasured(220, 220, 220);
 
@@ -89,6 +90,16 @@ void paintMeasured(QPainter& painter, const Calipers& calipers, const QRect& roo
   }
 }
 
+/// The orientation marker, above the picture at the side to which the probe's own points.
+void paintMarkerAbove(QPainter& painter, const Session& session, const QRect& picture) {
+  const double x = markerPlace_px(session.pictureProbe(), session.geometry(), 0.0, kMarkerRadius_px).x;
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(Qt::white);
+  painter.drawEllipse(QPointF(picture.left() + 0.5 + x, picture.top() - 0.5 * kMarkerRow_px), kMarkerRadius_px, kMarkerRadius_px);
+  painter.setBrush(Qt::NoBrush);
+}
+
 /// What lies on the picture itself. @param picture where it is on the saved one
 void paintOn(QPainter& painter, const Session& session, const OnPicture& on, const QRect& picture) {
   const DisplayGeometry& geometry = session.geometry();
@@ -101,13 +112,6 @@ void paintOn(QPainter& painter, const Session& session, const OnPicture& on, con
   if (on.calipers != nullptr && !on.calipers->lines().empty())
     paintCalipers(painter, *on.calipers, Where::picture, pixelOf, {Qt::white, Qt::white});
   if (on.annotations != nullptr) paintAnnotations(painter, on.annotations->all(), 0, pixelOf, {Qt::white, Qt::white});
-  if (session.wide() == nullptr) {  // a wide image has no side of the probe
-    const glm::dvec2 marker = markerPlace_px(session.pictureProbe(), geometry, kMarkerAway_px, kMarkerRadius_px + 1.0);
-    painter.setPen(QPen(Qt::black, 2.0));
-    painter.setBrush(Qt::white);
-    painter.drawEllipse(QPointF(picture.left() + 0.5 + marker.x, picture.top() + 0.5 + marker.y), kMarkerRadius_px, kMarkerRadius_px);
-    painter.setBrush(Qt::NoBrush);
-  }
   if (on.mark != nullptr && std::min(picture.width(), picture.height()) >= 3 * kMark_px)
     paintMark(painter, *on.mark, QRectF(picture.left() + 4, picture.bottom() - kMark_px - 3, kMark_px, kMark_px));
   painter.restore();
@@ -189,6 +193,7 @@ QImage savedPicture(const Session& session, const QDateTime& at, const OnPicture
   line(1, Qt::AlignLeft, painter.fontMetrics().elidedText(settings, Qt::ElideRight, saved.width() - 24 - person_px));
   line(1, Qt::AlignRight, person);
   if (!shown.picture.isNull()) paintScale(painter, session.geometry(), picture);
+  if (!shown.picture.isNull() && session.wide() == nullptr) paintMarkerAbove(painter, session, picture);  // a wide one has no such side
   painter.end();
   for (const auto& [image, place] : {std::pair{shown.picture, picture}, std::pair{shown.strip, strip}}) {
     const int pixel_bytes = saved.depth() / 8;
