@@ -124,6 +124,32 @@ class PicturesTest : public WindowFixture {
   }
   void cleanup() { window_.reset(); }
 
+  void severalImagesGiveTheirRoomToTheFans() {
+    window_->resize(1600, 900);
+    QTest::qWait(50);
+    for (const int count : {2, 4}) {
+      grid().setCount(count);
+      QTest::qWait(50);
+      session().makePictureNow();
+      const ScanView& view = window_->scanView();
+      int left = view.width(), right = 0, rows = 0;
+      for (const auto& runs : session().spans()) {
+        if (runs.empty()) continue;
+        left = std::min(left, static_cast<int>(runs[0].begin));
+        right = std::max(right, static_cast<int>(runs[runs.size() - 1].end));
+        ++rows;
+      }
+      // The fan is as wide as the cell or as high as the room between its lines of words.
+      QVERIFY2(
+          right - left > view.width() * 9 / 10 || rows > (view.height() - 96) * 95 / 100,
+          qPrintable(QStringLiteral("%1: %2 of %3, %4 of %5").arg(count).arg(right - left).arg(view.width()).arg(rows).arg(view.height())));
+      QVERIFY(!find<QSlider>("dgc1")->isVisible());
+    }
+    grid().setCount(1);
+    QTest::qWait(20);
+    QVERIFY(find<QSlider>("dgc1")->isVisible());
+  }
+
   void keyAndButtonsGoToTwoAndFourAndBack() {
     const QSize alone = window_->scanView().size();
     QCOMPARE(grid().count(), 1);

@@ -216,6 +216,31 @@ class TraineeTest : public WindowFixture {
     QVERIFY2(fanWidth_px() > beside_px, qPrintable(QStringLiteral("%1 of %2").arg(fanWidth_px()).arg(beside_px)));
   }
 
+  void noSliderOfTheTgcLiesOnTheFan() {
+    for (const QSize& size : {QSize(1024, 640), QSize(1280, 720), QSize(1600, 900)})
+      for (const char* probe : {"convex-3.5", "phased-2.5", "microconvex-6", "linear-7.5"}) {
+        window_->resize(size);
+        session().chooseProbe(probe);
+        QTest::qWait(30);
+        session().makePictureNow();
+        const QRect box = window_->scanView().pictureRect();
+        const Spans fan = session().spans();
+        const auto* column = find<QWidget>("dgcColumn");
+        for (int n = 1; n <= kDgcSliders; ++n) {
+          const auto* slider = find<QSlider>(qPrintable(QStringLiteral("dgc%1").arg(n)));
+          if (!slider->isVisible()) continue;
+          const QRect at = slider->geometry().translated(column->pos());
+          for (int y = std::max(at.top(), box.top()); y <= std::min(at.bottom(), box.bottom()); ++y) {
+            const auto& runs = fan[static_cast<std::size_t>(y - box.top())];
+            if (runs.empty()) continue;
+            QVERIFY2(
+                at.right() < box.left() + runs[0].begin,
+                qPrintable(QStringLiteral("%1, %2 x %3: slider %4").arg(QLatin1String(probe)).arg(size.width()).arg(size.height()).arg(n)));
+          }
+        }
+      }
+  }
+
   void thePageOfKeysScrollsInASmallWindowAndHasAButtonToCloseIt() {
     window_->resize(1024, 640);
     QTest::qWait(50);

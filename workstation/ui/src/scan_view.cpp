@@ -217,15 +217,22 @@ bool ScanView::fitsBeside(const Knobs& whole) {
   if (width_px < 1 || height_px < 1) return false;
   const DisplayGeometry geometry = fitDisplay(session_.pictureProbe(), whole, width_px, height_px);
   const Spans fan = fanSpans(session_.pictureProbe(), whole, geometry);
+  const int half_px = scaled(10);
   int tooFewLeft = 0, tooFewRight = 0;
   for (int i = 0; i < kDgcSliders; ++i) {
     const double depth_mm = geometry.depth_mm * (i + 0.5) / kDgcSliders;
     const auto row = static_cast<int>(geometry.face_px.y + (geometry.upsideDown ? -1.0 : 1.0) * depth_mm / geometry.pixel_mm);
-    if (row < 0 || row >= height_px || fan[static_cast<std::size_t>(row)].empty()) continue;
-    const auto& runs = fan[static_cast<std::size_t>(row)];
-    besideFan_px_[static_cast<std::size_t>(i)] = left_px_ + runs[0].begin;
-    tooFewLeft += left_px_ + runs[0].begin < DgcColumn::least_px() ? 1 : 0;
-    tooFewRight += right_px_ + width_px - runs[runs.size() - 1].end < rightRoom_px() ? 1 : 0;
+    // The fan's edge is slanted: what is free counts along the whole height of a slider.
+    int left_px = leftRoom_px(), right_px = rightRoom_px();
+    for (int at = std::max(0, row - half_px); at <= std::min(height_px - 1, row + half_px); ++at) {
+      const auto& runs = fan[static_cast<std::size_t>(at)];
+      if (runs.empty()) continue;
+      left_px = std::min(left_px, left_px_ + runs[0].begin);
+      if (at == row) right_px = right_px_ + width_px - runs[runs.size() - 1].end;
+    }
+    besideFan_px_[static_cast<std::size_t>(i)] = left_px;
+    tooFewLeft += left_px < DgcColumn::least_px() ? 1 : 0;
+    tooFewRight += right_px < rightRoom_px() ? 1 : 0;
   }
   return isCompact_ || (tooFewLeft == 0 && tooFewRight <= kMostOverPicture);
 }
