@@ -20,7 +20,7 @@ class ReviewPlugin final : public ew::sdk::Plugin {
     ew::review::ReviewSession& session = *session_;
     host.workspaces().add({"review", in("Review").toStdString(), in("Compare trainees' scans with the expert's").toStdString(),
                            ew::review::workspaceIcon(), false, false, false});
-    host.panels().addStaged({"review", in("Review").toStdString(),
+    host.panels().addStaged({"review", in("Attempts").toStdString(),
                              [&session](QWidget* parent) -> QWidget* { return new ew::review::ReviewColumn(session, parent); },
                              [&session](QWidget* parent) -> QWidget* { return new ew::review::ReviewStage(session, parent); }, session_,
                              ew::review::ReviewStage::keyLines(), "review"});

@@ -115,6 +115,19 @@ TEST_F(KeptRating, TakesTheDraftsPlaceWithTheNextDraftAndEndsItWhenFinished) {
   EXPECT_EQ(everyName(), "Ada 1, Ada draft 2");
 }
 
+TEST_F(KeptRating, KeepsInADraftWhatIsRemarkedOnAnItemThatHasNoScoreYet) {
+  Rating given = ratingOf(form_, "Ada", {4}, false);
+  given.items.push_back({form_.items[1].id, std::nullopt, "look again", true});
+  ASSERT_TRUE(keepRating(attempt_, form_, given));
+  const KeptRatings all = everyRating(attempt_);
+  ASSERT_TRUE(all.problems.empty()) << all.problems.front();
+  EXPECT_EQ(all.ratings.at(0).rating.items, given.items);
+  EXPECT_DOUBLE_EQ(*totalOf(form_, all.ratings[0].rating), 4.0);
+  given.items.push_back({form_.items[2].id, 3, {}});
+  given.finished = true;
+  EXPECT_FALSE(keepRating(attempt_, form_, given)) << "an open item is not answered";
+}
+
 TEST_F(KeptRating, ForgetsADraftThatWasFinishedBeforeTheProgramWasKilled) {
   keep("Ada", {1, 4}, false);
   const fs::path draft = fileOf("Ada", "small-draft.json");

@@ -301,6 +301,59 @@ class ReviewTest final : public WindowFixture {
     QCOMPARE(list->count(), 0);
   }
 
+  void whatWasWrittenIsKeptWhateverIsChosenNext() {
+    openReview();
+    if (QTest::currentTestFailed()) return;
+    chooseAnn();
+    const auto commentsOnAnn = [this] { return readComments(ann_, "Dr. Weiss")->comments.size(); };
+    auto* attempts = column().seen<QListWidget>("reviewAttempts");
+    auto* compared = column().seen<QComboBox>("reviewCompared");
+    stage().type("reviewCommentText", QStringLiteral("Slower here."));
+    stage().press("reviewAddComment");
+    QVERIFY2(window_->messages().text().contains(QStringLiteral("Say who you are")), "nobody signs it");
+    column().type("reviewReviewer", QStringLiteral("Dr. Weiss"));  // and does not press Enter
+    stage().press("reviewAddComment");
+    QVERIFY(stage().seen<QLineEdit>("reviewCommentText")->text().isEmpty());
+    compared->setCurrentIndex(0);
+    Q_EMIT compared->activated(0);
+    settle();
+    QCOMPARE(commentsOnAnn(), std::size_t(1));
+    // One that was begun, when another attempt is chosen, and one written while that is opened still.
+    stage().type("reviewCommentText", QStringLiteral("Begun."));
+    attempts->setCurrentRow(0);
+    QCOMPARE(commentsOnAnn(), std::size_t(2));
+    stage().seen<QLineEdit>("reviewCommentText")->setText(QStringLiteral("Late."));
+    stage().seen<QAbstractButton>("reviewAddComment")->click();
+    settle();
+    QCOMPARE(commentsOnAnn(), std::size_t(3));
+    QVERIFY(!readComments(ben_, "Dr. Weiss") || readComments(ben_, "Dr. Weiss")->comments.empty());
+
+    chooseAnn();
+    showTab(3);
+    const auto fields = [this](const char* begin) {
+      std::vector<QWidget*> found;
+      for (QWidget* each : find<QWidget>("reviewRating")->findChildren<QWidget*>())
+        if (each->objectName().startsWith(QLatin1String(begin))) found.push_back(each);
+      return found;
+    };
+    qobject_cast<QComboBox*>(fields("rating_")[0])->setCurrentIndex(3);
+    qobject_cast<QLineEdit*>(fields("remark_")[1])->setText(QStringLiteral("Nothing to score yet"));
+    column().type("ratingRemark", QStringLiteral("On the whole calm"));
+    showTab(0);
+    attempts->setCurrentRow(0);
+    settle();
+    chooseAnn();
+    showTab(3);
+    QCOMPARE(qobject_cast<QComboBox*>(fields("rating_")[0])->currentIndex(), 3);
+    QCOMPARE(qobject_cast<QLineEdit*>(fields("remark_")[1])->text(), QStringLiteral("Nothing to score yet"));
+    QCOMPARE(column().seen<QPlainTextEdit>("ratingRemark")->toPlainText(), QStringLiteral("On the whole calm"));
+    QVERIFY(column().text("ratingKept").contains(QStringLiteral("draft")));
+    qobject_cast<QComboBox*>(fields("rating_")[1])->setCurrentIndex(2);
+    window_->close();
+    QCOMPARE(everyRating(ann_).ratings.front().rating.items.size(), std::size_t(2));
+    QVERIFY2(!everyRating(ann_).ratings.front().rating.items[1].isOpen, "what was typed last is in the draft");
+  }
+
   void anInstructorRatesChangesAPassLevelAndLooksAtTheClass() {
     openReview();
     if (QTest::currentTestFailed()) return;

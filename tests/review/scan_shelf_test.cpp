@@ -92,6 +92,26 @@ class ScanShelfTest : public ::testing::Test {
   fs::path root_;
 };
 
+TEST(FormedIn, KeepsPosesSettingsAndNotesAndTakesTheSceneOfTheCase) {
+  ScanLog log = test::logOf(5, 0.5, [](int n, ScanState& state) {
+    state.pose = test::at({1.0 * n, 0.0, 0.0});
+    state.knobs.gain = n < 3 ? 1.0 : 1.5;
+    state.scene.noise.emplace();
+  });
+  log.addNote(2.0, "mark", {{"text", "here"}});
+  Scene asked;
+  asked.gainAndDgc = true;
+  asked.tissues = {{.label = 3, .name = "liver"}};
+  const ScanLog formed = formedIn(log, asked);
+  ASSERT_EQ(formed.frameCount(), log.frameCount());
+  for (std::size_t n = 0; n < log.frameCount(); ++n) {
+    ScanState expected = log.frame(n);
+    expected.scene = asked;
+    EXPECT_EQ(formed.frame(n), expected) << n;
+  }
+  EXPECT_TRUE(std::holds_alternative<Note>(formed.events().back().what));
+}
+
 TEST_F(ScanShelfTest, HoldsLessonsThatWereTriedAndThoseAtHand) {
   const fs::path open = makeCase("b-open", "open");
   makeCase("a-tried", "tried");

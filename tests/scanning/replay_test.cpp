@@ -83,6 +83,29 @@ TEST(Replay, ShowsABodyAsItStoodWhenItWasRecorded) {
   for (std::size_t n = 0; n < kFrames; ++n) ASSERT_EQ(hashOf(replay.make(n, kSize_px.x, kSize_px.y)), seen[n]) << n;
 }
 
+TEST(Replay, FormsWhatWasRecordedWithoutTissuesWithThoseOfItsSubject) {
+  ScanSubject subject = test::waveSubject();
+  auto labels = std::make_shared<Volume>(*test::waves());
+  for (std::size_t n = 0; n < labels->echo.size(); ++n) labels->echo[n] = n % 40 < 20 ? 1 : 0;
+  subject.labels = labels;
+  subject.scene.attenuation.emplace();
+  subject.scene.tissues = {{.label = 1, .name = "hard", .attenuation_dbPerCmMhz = 4.0}};
+  subject.place({});
+  ScanState state = test::movingState(3);
+  state.scene = subject.scene;
+  Scanner live(1);
+  live.show(subject);
+  const std::uint64_t seen = hashOf(live.make(state, kSize_px.x, kSize_px.y));
+  state.scene.tissues.clear();
+  live.forget();
+  ASSERT_NE(hashOf(live.make(state, kSize_px.x, kSize_px.y)), seen) << "the tissues are seen";
+  ScanLog log;
+  log.addFrame(state);
+  Replay replay(log, subject);
+  EXPECT_EQ(hashOf(replay.make(0, kSize_px.x, kSize_px.y)), seen);
+  EXPECT_EQ(replay.state(0).scene, subject.scene);
+}
+
 TEST(Replay, AfterAJumpDiffersByAGreyLevelAtMost) {
   ScanLog log;
   for (int n = 0; n < 260; ++n) log.addFrame(test::movingState(n));

@@ -95,6 +95,21 @@ ScanLog logOfPart(const ScanLog& log, const Part& part) {
   return made;
 }
 
+ScanLog formedIn(const ScanLog& log, const Scene& scene) {
+  ScanLog made;
+  std::size_t frame = 0;
+  for (const ScanEvent& event : log.events()) {
+    if (std::holds_alternative<FrameMade>(event.what)) {
+      ScanState state = log.frame(frame++);
+      state.scene = scene;
+      made.addFrame(state);
+    } else if (std::holds_alternative<Note>(event.what) || std::holds_alternative<FreezeChanged>(event.what)) {
+      made.add(event);
+    }
+  }
+  return made;
+}
+
 Result<ScanShelf> readShelf(const fs::path& library, const fs::path& openCase, Progress& progress) {
   progress.report(say<"Looking for attempts">(), 0.0);
   ScanShelf shelf;

@@ -52,6 +52,10 @@ struct ReviewedScan {
 /// What a recording holds of a part: the frames within it and what happened meanwhile.
 [[nodiscard]] ScanLog logOfPart(const ScanLog& log, const Part& part);
 
+/// The same scan formed in another scene, as a lesson shows an expert's scan: poses and settings are the expert's, the physics of the image
+/// those of the case that is scanned.
+[[nodiscard]] ScanLog formedIn(const ScanLog& log, const Scene& scene);
+
 /// What can be reviewed: lessons and what was tried of them.
 struct ShelvedLesson {
   Case home;

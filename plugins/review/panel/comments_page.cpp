@@ -1,13 +1,11 @@
 #include "panel/comments_page.h"
 
 #include <QLabel>
-#include <QLineEdit>
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
 
 #include "ew/sdk/panel.h"
-#include "ew/sdk/person.h"
 #include "panel/look.h"
 
 namespace ew::review {
@@ -20,19 +18,6 @@ CommentsPage::CommentsPage(ReviewSession& session, QWidget* parent) : QWidget(pa
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
   rows->setSpacing(kGap_px);
-  auto* nameRow = new QHBoxLayout;
-  auto* name = sdk::quietLabel(tr("You are"));
-  name->setWordWrap(false);
-  reviewer_ = new QLineEdit(session_.reviewer());
-  reviewer_->setObjectName(QStringLiteral("reviewReviewer"));
-  reviewer_->setMaxLength(sdk::kLongestPersonName);
-  reviewer_->setPlaceholderText(tr("your name, as others read it"));
-  reviewer_->setAccessibleName(tr("Your name"));
-  name->setBuddy(reviewer_);
-  connect(reviewer_, &QLineEdit::editingFinished, this, [this] { session_.setReviewer(reviewer_->text()); });
-  nameRow->addWidget(name);
-  nameRow->addWidget(reviewer_, 1);
-  rows->addLayout(nameRow);
   hint_ = sdk::quietLabel({});
   hint_->setObjectName(QStringLiteral("reviewCommentsHint"));
   rows->addWidget(hint_);
@@ -69,7 +54,6 @@ CommentsPage::CommentsPage(ReviewSession& session, QWidget* parent) : QWidget(pa
   buttons->addWidget(save_);
   rows->addLayout(buttons);
   connect(&session_, &ReviewSession::commentsChanged, this, &CommentsPage::refresh);
-  connect(&session_, &ReviewSession::reviewerChanged, this, [this] { reviewer_->setText(session_.reviewer()); });
   // Saved or not is told to the window; the button follows.
   ticket_ = session_.onChanged([this] { showChosen(); });
   refresh();

@@ -5,7 +5,6 @@
 #include "panel/review_session.h"
 
 class QLabel;
-class QLineEdit;
 class QListWidget;
 class QPlainTextEdit;
 class QPushButton;
@@ -31,7 +30,6 @@ class CommentsPage final : public QWidget {
   };
   ReviewSession& session_;
   std::vector<Row> rows_;
-  QLineEdit* reviewer_ = nullptr;
   QListWidget* list_ = nullptr;
   QPlainTextEdit* text_ = nullptr;
   QPushButton* remove_ = nullptr;

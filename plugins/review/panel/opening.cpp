@@ -46,7 +46,9 @@ Result<void> Opening::open(Side side, Contents& used, Progress& progress) {
   if (!folder) return passOn(folder.error());
   if (auto read = readCase(*folder, used, preparing); !read) return read;
   const auto& [home, held] = used.at(*folder);
-  OpenedScan made{std::make_shared<const ReviewedScan>(std::move(*scan)), subjectOf(home, held), {}, {}, nullptr, {}, {}};
+  ScanSubject subject = subjectOf(home, held);
+  if (choices[side]->watch) scan->recording.log = formedIn(scan->recording.log, subject.scene);
+  OpenedScan made{std::make_shared<const ReviewedScan>(std::move(*scan)), std::move(subject), {}, {}, nullptr, {}, {}};
   const ScanLog& log = made.scan->recording.log;
   if (const auto live = liveSceneOf(log); live && made.subject.tissue == nullptr && made.subject.canFormEchoes()) {
     auto tissue = recordedTissueOf(made.subject.voxels, *live, 0, preparing);

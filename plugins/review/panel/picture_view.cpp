@@ -40,7 +40,8 @@ PictureView::PictureView(Side side, ReviewSession& session, QWidget* parent) : Q
   connect(&session_, &ReviewSession::scansChanged, this, [this] {
     const auto scan = session_.sharedScan(side_);
     picture_.reset();
-    drawn_.clear();
+    if (source_.lock() != scan) drawn_.clear();  // told as well when what it is compared with changes
+    source_ = scan;
     maker_.show(scan ? scan->scan : nullptr, scan ? std::optional(scan->subject) : std::nullopt);
     ask();
     update();
@@ -70,7 +71,7 @@ void PictureView::setDrawn(std::vector<CommentStroke> strokes) {
 
 int PictureView::headHeight() const { return withText(28, font()); }
 int PictureView::settingsHeight() const {
-  const int rows = (9 + kSettingColumns - 1) / kSettingColumns;
+  const int rows = (10 + kSettingColumns - 1) / kSettingColumns;
   return rows * withText(17, font()) + kGap_px;
 }
 
@@ -120,6 +121,8 @@ QStringList PictureView::shownSettings() const {
     const QString line = words(own[n].name) + QLatin1Char(' ') + words(own[n].value);
     lines << (own[n].value == others[n].value ? line : QStringLiteral("≠ ") + line);
   }
+  if (other_ != nullptr && other_->picture_ && picture_->state.scene != other_->picture_->state.scene)
+    lines << QStringLiteral("≠ ") + tr("effects of the image");
   return lines;
 }
 

@@ -68,6 +68,7 @@ class PictureView final : public QWidget {
   std::shared_ptr<const MadePicture> picture_;
   std::optional<CommentStroke::Kind> tool_;
   std::vector<CommentStroke> drawn_;
+  std::weak_ptr<const OpenedScan> source_;  ///< that was drawn on
   std::optional<CommentStroke> drawing_;
 };
 

@@ -9,6 +9,7 @@
 #include <QScrollArea>
 
 #include "ew/sdk/panel.h"
+#include "ew/sdk/window.h"
 #include "panel/look.h"
 
 namespace ew::review {
@@ -18,7 +19,8 @@ using sdk::words;
 
 namespace {
 
-constexpr int kNotApplicable = -1, kOpen = -2;
+constexpr int kNotApplicable = -1001, kOpen = -1002;  // beyond every scale
+constexpr int kPause_ms = 1500;                       // in typing
 
 QString in(const Words& text) { return words(text.in(QLocale().name().toStdString())); }
 
@@ -50,7 +52,10 @@ RatingPage::RatingPage(ReviewSession& session, QWidget* parent) : QWidget(parent
   if (const auto resources = resourceFolder()) forms_ = listRatingForms(*resources, libraryFolder());
   for (const RatingForm& each : forms_.forms)
     if (forms_.find(each.id) == &each) form_->addItem(in(each.title), words(each.id));
-  connect(form_, qOverload<int>(&QComboBox::activated), this, &RatingPage::refresh);
+  connect(form_, qOverload<int>(&QComboBox::activated), this, [this] {
+    if (!keepDraft()) form_->setCurrentIndex(form_->findData(words(madeFor_)));  // what could not be kept stays in sight
+    refresh();
+  });
   rows->addWidget(form_);
   blind_ = sdk::quietLabel({});
   blind_->setObjectName(QStringLiteral("ratingBlind"));
@@ -63,9 +68,15 @@ RatingPage::RatingPage(ReviewSession& session, QWidget* parent) : QWidget(parent
   rows->addStretch(1);
   scroll->setWidget(page);
   outer->addWidget(scroll);
+  idle_.setSingleShot(true);
+  idle_.setInterval(kPause_ms);
+  connect(&idle_, &QTimer::timeout, this, &RatingPage::keepDraft);
+  held_ = session_.holdWork(
+      {[this] { return keepDraft(); }, [this] { return keepDraft() ? std::string() : tr("A rating could not be kept.").toStdString(); }});
   connect(&session_, &ReviewSession::choiceChanged, this, &RatingPage::refresh);
   connect(&session_, &ReviewSession::reviewerChanged, this, [this] {
     attempt_.clear();
+    read_.reset();  // it was kept before the name changed
     refresh();
   });
   refresh();
@@ -88,6 +99,7 @@ void RatingPage::makeBody() {
   remark_->setAccessibleName(tr("Remark on the whole"));
   remark_->setTabChangesFocus(true);
   remark_->setFixedHeight(withText(64, font()));
+  connect(remark_, &QPlainTextEdit::textChanged, this, [this] { showTotal(); });
   inner->addWidget(remark_);
   level_ = combo("ratingLevel", tr("Kind of examination"));
   connect(level_, qOverload<int>(&QComboBox::activated), this, [this] { showTotal(); });
@@ -101,6 +113,7 @@ void RatingPage::makeBody() {
   auto* buttons = new QHBoxLayout;
   draft_ = new QPushButton(tr("Keep as a draft"));
   draft_->setObjectName(QStringLiteral("ratingDraft"));
+  draft_->setToolTip(tr("Happens by itself as well: after a pause, and before another attempt is chosen"));
   connect(draft_, &QPushButton::clicked, this, [this] { keep(false); });
   finish_ = new QPushButton(tr("Finish"));
   finish_->setObjectName(QStringLiteral("ratingFinish"));
@@ -115,6 +128,8 @@ void RatingPage::makeBody() {
   inner->addWidget(others_);
 }
 
+const RatingForm* RatingPage::shownForm() const { return forms_.find(madeFor_); }
+
 const RatingForm* RatingPage::form() const { return forms_.find(form_->currentData().toString().toStdString()); }
 
 void RatingPage::refresh() {
@@ -123,10 +138,14 @@ void RatingPage::refresh() {
   body_->setVisible(hasAttempt && hasName && form() != nullptr);
   blind_->setText(form() == nullptr       ? tr("No rating form was found.")
                   : !hasAttempt           ? tr("Choose an attempt to rate it.")
-                  : !hasName              ? tr("Say who you are, on the page of comments; ratings are kept by their raters.")
+                  : !hasName              ? tr("Say who you are, above; a rating is kept under the name of its rater.")
                   : session_.showsNames() ? tr("Names are shown: this rating does not count as blinded.")
                                           : tr("Blinded: names are not shown, and others' ratings only when yours is finished."));
-  if (body_->isHidden()) return;
+  if (body_->isHidden()) {
+    attempt_.clear();
+    read_.reset();
+    return;
+  }
   const std::filesystem::path folder = session_.attempt()->first;
   if (madeFor_ != form()->id) {
     makeItems();
@@ -177,6 +196,7 @@ void RatingPage::makeItems() {
     remark->setMaxLength(2000);
     remark->setPlaceholderText(tr("Remark"));
     remark->setAccessibleName(tr("Remark on %1").arg(in(item.title)));
+    connect(remark, &QLineEdit::textChanged, this, [this] { showTotal(); });
     items_->addWidget(remark);
     items_->addSpacing(kGap_px / 2);
     scores_[item.id] = score;
@@ -203,7 +223,7 @@ void RatingPage::readRating() {
     if (each.rating.rater != session_.reviewer().toStdString() || each.rating.formId != madeFor_) continue;
     for (auto& [id, score] : scores_) {
       const ItemRating* item = each.rating.itemOf(id);
-      score->setCurrentIndex(item == nullptr ? 0 : std::max(0, score->findData(item->score.value_or(kNotApplicable))));
+      score->setCurrentIndex(item == nullptr || item->isOpen ? 0 : std::max(0, score->findData(item->score.value_or(kNotApplicable))));
       remarks_.at(id)->setText(item == nullptr ? QString() : words(item->remark));
     }
     remark_->setPlainText(words(each.rating.remark));
@@ -211,6 +231,7 @@ void RatingPage::readRating() {
     kept_->setText(each.rating.finished ? tr("Finished, revision %1").arg(each.rating.revision) : tr("A draft, which does not count yet"));
   }
   if (!seen.problems.empty()) sdk::setProblem(problem_, words(seen.problems.front()));
+  read_ = rating(false);
   showing_ = false;
   showTotal();
   showOthers();
@@ -235,12 +256,13 @@ void RatingPage::showOthers() {
 Rating RatingPage::rating(bool finished) const {
   Rating made;
   made.rater = session_.reviewer().toStdString();
-  if (form()->passLevels.size() > 1) made.passLevel = level_->currentData().toString().toStdString();
-  for (const RatingItem& item : form()->items) {
+  if (shownForm()->passLevels.size() > 1) made.passLevel = level_->currentData().toString().toStdString();
+  for (const RatingItem& item : shownForm()->items) {
     const int score = scores_.at(item.id)->currentData().toInt();
     const std::string remark = remarks_.at(item.id)->text().toStdString();
-    if (score == kOpen) continue;
-    made.items.push_back({item.id, score == kNotApplicable ? std::nullopt : std::optional(score), remark});
+    if (score == kOpen && (finished || remark.empty())) continue;
+    made.items.push_back(
+        {item.id, score == kOpen || score == kNotApplicable ? std::nullopt : std::optional(score), remark, score == kOpen});
   }
   made.remark = remark_->toPlainText().left(5000).toStdString();
   made.sawName = session_.showsNames();
@@ -250,21 +272,40 @@ Rating RatingPage::rating(bool finished) const {
 }
 
 void RatingPage::showTotal() {
-  if (showing_ || form() == nullptr) return;
+  const RatingForm* of = shownForm();
+  if (showing_ || of == nullptr) return;
+  if (isChanged()) idle_.start();
   const Rating now = rating(true);
-  const auto total = totalOf(*form(), now);
-  const auto passed = checkRating(*form(), now) ? passedBy(*form(), now) : std::nullopt;
-  QString text = total ? tr("Total %1 of %2").arg(QLocale().toString(*total, 'f', 2)).arg(form()->highest) : tr("No item is rated yet");
+  const auto total = totalOf(*of, now);
+  const auto passed = checkRating(*of, now) ? passedBy(*of, now) : std::nullopt;
+  QString text = total ? tr("Total %1 of %2").arg(QLocale().toString(*total, 'f', 2)).arg(of->highest) : tr("No item is rated yet");
   if (passed) text += QStringLiteral(": ") + (*passed ? tr("passed") : tr("not passed"));
   total_->setText(text);
 }
 
-void RatingPage::keep(bool finished) {
-  const auto kept = keepRating(attempt_, *form(), rating(finished));
+bool RatingPage::isChanged() const {
+  if (!read_ || attempt_.empty() || shownForm() == nullptr) return false;
+  const Rating now = rating(false);
+  return now.items != read_->items || now.remark != read_->remark || now.passLevel != read_->passLevel;
+}
+
+/// @return false: something was typed and could not be kept
+bool RatingPage::keepDraft() {
+  idle_.stop();
+  if (!isChanged() || keep(false)) return true;
+  session_.host().window().error(problem_->text().toStdString(), "review rating");
+  return false;
+}
+
+bool RatingPage::keep(bool finished) {
+  const auto kept = keepRating(attempt_, *shownForm(), rating(finished));
   sdk::setProblem(problem_, kept ? QString() : words(kept.error()));
-  if (!kept) return;
+  if (!kept) return false;
+  read_ = rating(false);
+  idle_.stop();
   kept_->setText(kept->finished ? tr("Finished, revision %1").arg(kept->revision) : tr("A draft, which does not count yet"));
   showOthers();
+  return true;
 }
 
 }  // namespace ew::review

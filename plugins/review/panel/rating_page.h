@@ -1,7 +1,9 @@
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 #include <map>
+#include <optional>
 
 #include "ew/assessment/rating.h"
 #include "panel/review_session.h"
@@ -15,8 +17,8 @@ class QVBoxLayout;
 
 namespace ew::review {
 
-/// A rating form that is filled in beside the scan. Until one's own is finished neither names nor others' ratings are seen, unless names
-/// are shown.
+/// A rating form that is filled in beside the scan, and kept as a draft by itself: after a pause, and before anything else is shown. Until
+/// one's own is finished neither names nor others' ratings are seen, unless names are shown.
 class RatingPage final : public QWidget {
   Q_OBJECT
 
@@ -30,9 +32,12 @@ class RatingPage final : public QWidget {
   void readRating();
   void showOthers();
   void showTotal();
-  [[nodiscard]] const RatingForm* form() const;
+  [[nodiscard]] const RatingForm* form() const;       ///< that is chosen
+  [[nodiscard]] const RatingForm* shownForm() const;  ///< that the rows are of
   [[nodiscard]] Rating rating(bool finished) const;
-  void keep(bool finished);
+  bool keep(bool finished);
+  [[nodiscard]] bool isChanged() const;
+  bool keepDraft();
 
   ReviewSession& session_;
   RatingFormList forms_;
@@ -53,6 +58,9 @@ class RatingPage final : public QWidget {
   QPushButton* finish_ = nullptr;
   QWidget* body_ = nullptr;
   bool showing_ = false;
+  std::optional<Rating> read_;  ///< what is shown as it was read or kept last; none: nothing is shown
+  QTimer idle_;                 ///< a pause in typing: then a draft is kept
+  std::shared_ptr<void> held_;
 };
 
 }  // namespace ew::review

@@ -5,6 +5,7 @@
 #include <QDateTime>
 #include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QLocale>
 #include <QPushButton>
@@ -14,6 +15,7 @@
 #include <set>
 
 #include "ew/sdk/panel.h"
+#include "ew/sdk/person.h"
 #include "panel/comments_page.h"
 #include "panel/look.h"
 #include "panel/rating_page.h"
@@ -123,11 +125,11 @@ void ScansPage::makeButtons(QVBoxLayout& rows) {
   class_->setToolTip(tr("How all attempts at this lesson went, step by step"));
   connect(class_, &QPushButton::clicked, this, [this](bool on) { session_.setShowsClass(on); });
   buttons->addWidget(class_, 1);
-  auto* file = new QPushButton(tr("Recording …"));
+  auto* file = new QPushButton(tr("Open a recording …"));
   file->setObjectName(QStringLiteral("reviewFile"));
   file->setToolTip(tr("Reviews the recording of a scan from a file, in place of an attempt's"));
   connect(file, &QPushButton::clicked, this, [this] { askForFile(kReviewed); });
-  auto* again = new QPushButton(tr("Look again"));
+  auto* again = new QPushButton(tr("Find new attempts"));
   again->setObjectName(QStringLiteral("reviewRefresh"));
   again->setToolTip(tr("Looks for attempts that were made meanwhile"));
   connect(again, &QPushButton::clicked, this, [this] { session_.readShelf(); });
@@ -211,7 +213,7 @@ void ScansPage::showComparisons() {
         text = tr("%1, %2", "person, when").arg(session_.personOf(of->attempts[a].second), when(of->attempts[a].second.startedAt));
     compared_->addItem(text, static_cast<int>(n));
   }
-  compared_->addItem(tr("A recording …"), kFileEntry);
+  compared_->addItem(tr("A recording from a file …"), kFileEntry);
   compared_->setCurrentIndex(session_.comparison() ? compared_->findData(static_cast<int>(*session_.comparison())) : 0);
 }
 
@@ -225,6 +227,8 @@ ReviewColumn::ReviewColumn(ReviewSession& session, QWidget* parent) : QWidget(pa
   setObjectName(QStringLiteral("reviewColumn"));
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(0);
+  rows->addLayout(makeReviewer());
   tabs_ = new QTabWidget;
   tabs_->setObjectName(QStringLiteral("reviewTabs"));
   tabs_->setProperty("panels", true);
@@ -236,6 +240,29 @@ ReviewColumn::ReviewColumn(ReviewSession& session, QWidget* parent) : QWidget(pa
   tabs_->tabBar()->setUsesScrollButtons(false);
   tabs_->tabBar()->setElideMode(Qt::ElideRight);
   rows->addWidget(tabs_);
+}
+
+/// Comments, ratings and plans are kept under this name, so it stands above all pages.
+QHBoxLayout* ReviewColumn::makeReviewer() {
+  auto* row = new QHBoxLayout;
+  row->setContentsMargins(2 * kGap_px, kGap_px, 2 * kGap_px, kGap_px);
+  auto* title = sdk::quietLabel(tr("You are"));
+  title->setWordWrap(false);
+  reviewer_ = new QLineEdit(session_.reviewer());
+  reviewer_->setObjectName(QStringLiteral("reviewReviewer"));
+  reviewer_->setMaxLength(sdk::kLongestPersonName);
+  reviewer_->setPlaceholderText(tr("your name, as others read it"));
+  reviewer_->setAccessibleName(tr("Your name"));
+  title->setBuddy(reviewer_);
+  connect(reviewer_, &QLineEdit::editingFinished, this, [this] { session_.setReviewer(reviewer_->text()); });
+  connect(&session_, &ReviewSession::reviewerChanged, this, [this] { reviewer_->setText(session_.reviewer()); });
+  connect(&session_, &ReviewSession::reviewerWanted, this, [this] {
+    session_.setReviewer(reviewer_->text());
+    if (session_.reviewer().isEmpty()) reviewer_->setFocus();
+  });
+  row->addWidget(title);
+  row->addWidget(reviewer_, 1);
+  return row;
 }
 
 void ReviewColumn::showEvent(QShowEvent* event) {

@@ -6,7 +6,9 @@
 
 class QCheckBox;
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
+class QLineEdit;
 class QListWidget;
 class QPushButton;
 class QTabWidget;
@@ -51,7 +53,10 @@ class ReviewColumn final : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
+  [[nodiscard]] QHBoxLayout* makeReviewer();
+
   ReviewSession& session_;
+  QLineEdit* reviewer_ = nullptr;
   QTabWidget* tabs_ = nullptr;
 };
 

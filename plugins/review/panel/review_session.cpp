@@ -110,7 +110,7 @@ const LessonStep* ReviewSession::step() const {
 }
 
 void ReviewSession::chooseLesson(std::size_t number) {
-  if (number >= shelf_->lessons.size() || !saveComments()) return;
+  if (number >= shelf_->lessons.size() || !keepAll()) return Q_EMIT choiceChanged();
   lesson_ = number;
   attempt_.reset();
   stepId_.clear();
@@ -124,7 +124,7 @@ void ReviewSession::chooseLesson(std::size_t number) {
 }
 
 void ReviewSession::chooseAttempt(std::size_t number) {
-  if (lesson() == nullptr || number >= lesson()->attempts.size() || !saveComments()) return;
+  if (lesson() == nullptr || number >= lesson()->attempts.size() || !keepAll()) return Q_EMIT choiceChanged();
   attempt_ = number;
   const auto& [folder, tried] = *attempt();
   const auto isRecorded = [&, &folder = folder, &tried = tried](const LessonStep& each) {
@@ -139,13 +139,13 @@ void ReviewSession::chooseAttempt(std::size_t number) {
 }
 
 void ReviewSession::chooseStep(const std::string& stepId) {
-  if (lesson() == nullptr || stepId == stepId_ || !saveComments()) return;
+  if (lesson() == nullptr || stepId == stepId_ || !keepAll()) return Q_EMIT choiceChanged();
   stepId_ = stepId;
   openChosen();
 }
 
 void ReviewSession::compareWith(std::optional<std::size_t> comparison) {
-  if (comparison && *comparison >= comparisons_.size()) return;
+  if ((comparison && *comparison >= comparisons_.size()) || !keepAll()) return Q_EMIT choiceChanged();
   comparison_ = comparison;
   const OpenedScan* first = opened(kReviewed);
   start({first != nullptr ? std::optional(first->scan->choice) : std::nullopt,
@@ -154,7 +154,7 @@ void ReviewSession::compareWith(std::optional<std::size_t> comparison) {
 }
 
 void ReviewSession::openFile(Side side, const fs::path& file) {
-  if (side == kReviewed && !saveComments()) return;
+  if (!keepAll()) return Q_EMIT choiceChanged();
   ScanChoice choice;
   choice.title = file.filename().string();
   choice.file = file;
@@ -231,6 +231,11 @@ void ReviewSession::start(std::array<std::optional<ScanChoice>, 2> choices) {
 }
 
 void ReviewSession::take(Opening& made) {
+  // Something may have been written while the scans were opened: nothing is closed before it is kept.
+  if (!keepAll()) {
+    problem_ = tr("What was written about the scan before could not be kept, so that one stays open; see to the message and choose again.");
+    return Q_EMIT scansChanged();
+  }
   opened_ = made.opened;
   contents_ = std::move(made.contents);
   if (made.mannequin) {
@@ -243,7 +248,10 @@ void ReviewSession::take(Opening& made) {
       TwoScans(opened_[kReviewed] ? opened_[kReviewed]->scan->part : Part{}, opened_[kCompared] ? opened_[kCompared]->scan->part : Part{});
   clock_ = ReviewClock();
   chosenComment_.clear();
-  if (!openComments()) comments_.reset();
+  // The comments stay open, with their steps of undo, while only what they are compared with changes.
+  const bool isSame = comments_ && opened_[kReviewed] && comments_->attempt() == opened_[kReviewed]->scan->choice.attempt &&
+                      comments_->author() == reviewer_.toStdString();
+  if (!isSame && !openComments()) comments_.reset();
   setTracks();
   setRange();
   clock_.seek(0.0);
@@ -288,7 +296,7 @@ QString ReviewSession::personOf(const Attempt& tried) const {
 
 void ReviewSession::setReviewer(const QString& name) {
   const QString tidy = name.simplified().left(sdk::kLongestPersonName);
-  if (tidy == reviewer_ || !saveComments()) return;
+  if (tidy == reviewer_ || !keepAll()) return Q_EMIT reviewerChanged();
   reviewer_ = tidy;
   QSettings().setValue(kReviewerSetting, tidy);
   if (!openComments()) comments_.reset();

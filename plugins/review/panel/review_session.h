@@ -52,7 +52,7 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   explicit ReviewSession(sdk::Host& host);
   ~ReviewSession() override;
 
-  // The document: the comments on the attempt that is reviewed.
+  // The document: the comments on the attempt that is reviewed, and what pages hold (holdWork).
   [[nodiscard]] std::string title() const override;
   [[nodiscard]] std::string remark() const override;
   [[nodiscard]] std::string note() const override { return {}; }
@@ -65,6 +65,14 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   [[nodiscard]] std::shared_ptr<void> onChanged(std::function<void()> callback) override;
 
   [[nodiscard]] sdk::Host& host() { return host_; }
+
+  /// Work that a page holds beside the comments: typed, and not kept yet.
+  struct HeldWork {
+    std::function<bool()> keep;            ///< asked before anything else is reviewed @return false: it could not be kept
+    std::function<std::string()> unsaved;  ///< as PanelDocument::unsaved
+  };
+  /// Asked for as long as the ticket lives.
+  [[nodiscard]] std::shared_ptr<void> holdWork(HeldWork work);
 
   // What can be reviewed.
   void readShelf();  ///< in a job; shelfChanged() when it is there
@@ -86,10 +94,10 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   [[nodiscard]] const std::vector<ScanChoice>& comparisons() const { return comparisons_; }
   [[nodiscard]] std::optional<std::size_t> comparison() const { return comparison_; }
   void compareWith(std::optional<std::size_t> comparison);
-  /// Any recording. It stays until another attempt or step is chosen.
   /// The figures of a scan: as they were scored, where that was done for the plan that counts; else as they were worked out when it was
   /// opened.
   [[nodiscard]] std::vector<MetricValue> metricsOf(Side side) const;
+  /// Any recording. It stays until another attempt or step is chosen.
   void openFile(Side side, const std::filesystem::path& file);
   /// Whether people are called by their names; else by codes.
   [[nodiscard]] bool showsNames() const { return showsNames_; }
@@ -132,7 +140,7 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   [[nodiscard]] const std::vector<CommentFile>& othersComments() const { return others_; }
   /// This reviewer's comments on the scan that is open.
   [[nodiscard]] std::vector<ReviewComment> commentsHere() const;
-  /// At the present moment. @return its id; empty: nothing can be commented
+  /// At the present moment. @return its id; empty: nothing can be commented, or the reviewer has no name
   std::string addComment(const QString& text, std::vector<CommentStroke> strokes);
   void editComment(const ReviewComment& comment, const QString& what, const std::string& mergeKey = {});
   void removeComment(const std::string& id);
@@ -165,6 +173,7 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   void commentsChanged();
   void scoresChanged();
   void reviewerChanged();
+  void reviewerWanted();  ///< something is to be kept by its writer, who has not said who they are
   void pageChanged();
 
  private:
@@ -176,6 +185,7 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   void align();
   [[nodiscard]] bool openComments();
   [[nodiscard]] bool saveComments();
+  [[nodiscard]] bool keepAll();
   void tellDocument();
   void readPlan();
   void tick();
@@ -207,6 +217,7 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   std::map<std::filesystem::path, AttemptScore> scores_;  ///< that count, by the attempt's folder
   mutable std::optional<Pseudonyms> codes_;               ///< of the library, read when they are first asked for
   std::vector<std::weak_ptr<std::function<void()>>> listeners_;
+  std::vector<std::weak_ptr<HeldWork>> held_;
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
 };
 

@@ -11,6 +11,7 @@
 
 #include "ew/bridge/scene3d.h"
 #include "ew/sdk/panel.h"
+#include "ew/sdk/window.h"
 #include "panel/class_page.h"
 #include "panel/look.h"
 
@@ -73,7 +74,7 @@ ReviewStage::ReviewStage(ReviewSession& session, QWidget* parent) : QWidget(pare
   column->addWidget(tracks_);
   pages_->addWidget(scans);
   pages_->addWidget(new ClassPage(session_));
-  auto* look = new QPushButton(tr("Look again"));
+  auto* look = new QPushButton(tr("Find new attempts"));
   look->setObjectName(QStringLiteral("reviewLookAgain"));
   connect(look, &QPushButton::clicked, this, [this] { session_.readShelf(); });
   pages_->addWidget(sdk::emptyState(tr("Nothing to review yet"),
@@ -100,6 +101,8 @@ ReviewStage::ReviewStage(ReviewSession& session, QWidget* parent) : QWidget(pare
   connect(&session_, &ReviewSession::shelfChanged, this, page);
   connect(&session_, &ReviewSession::scansChanged, this, page);
   page();
+  held_ = session_.holdWork({[this] { return writeComment(); },
+                             [this] { return isCommentBegun() ? tr("A comment was begun and not added.").toStdString() : std::string(); }});
   showIcons();
   showClock();
   showTools();
@@ -263,13 +266,24 @@ QWidget* ReviewStage::makeDrawing() {
   return drawing_;
 }
 
-void ReviewStage::writeComment() {
-  const QString text = commentText_->text().trimmed();
-  if (text.isEmpty() && reviewed_->drawn().empty()) return;
-  if (session_.addComment(text, reviewed_->drawn()).empty()) return;
+bool ReviewStage::isCommentBegun() const {
+  return session_.comments() != nullptr && (!commentText_->text().trimmed().isEmpty() || !reviewed_->drawn().empty());
+}
+
+/// @return false: what was begun could not become a comment, and is still there
+bool ReviewStage::writeComment() {
+  if (!isCommentBegun()) return true;
+  if (session_.addComment(commentText_->text().trimmed(), reviewed_->drawn()).empty()) {
+    if (session_.reviewer().isEmpty())
+      session_.host().window().warn(
+          tr("Say who you are at the top of the column: a comment is kept under the name of whoever wrote it.").toStdString(),
+          "review reviewer");
+    return false;
+  }
   commentText_->clear();
   reviewed_->setDrawn({});
   chooseTool(std::nullopt);
+  return true;
 }
 
 void ReviewStage::chooseTool(std::optional<CommentStroke::Kind> tool) {

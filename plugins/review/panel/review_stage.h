@@ -52,12 +52,14 @@ class ReviewStage final : public QWidget {
   void showIcons();
   void showClock();
   void showTools();
-  void writeComment();
+  bool writeComment();
+  [[nodiscard]] bool isCommentBegun() const;
   /// @param act false: only asked whether the key is one of the stage's. @return whether it is
   bool handleKey(const QKeyEvent& event, bool act);
   void chooseTool(std::optional<CommentStroke::Kind> tool);
 
   ReviewSession& session_;
+  std::shared_ptr<void> held_;
   QStackedWidget* pages_ = nullptr;
   PictureView* reviewed_ = nullptr;
   PictureView* compared_ = nullptr;

@@ -18,12 +18,23 @@ std::chrono::sys_seconds now() { return std::chrono::floor<std::chrono::seconds>
 
 }  // namespace
 
-std::string ReviewSession::title() const { return tr("Review").toStdString(); }
+std::string ReviewSession::title() const { return lesson() != nullptr ? lesson()->lesson.title : tr("Review").toStdString(); }
 
 std::string ReviewSession::remark() const { return comments_ && !comments_->isSaved() ? tr("not saved").toStdString() : std::string(); }
 
 std::string ReviewSession::unsaved() const {
-  return comments_ && !comments_->isSaved() ? tr("Comments on an attempt are not saved.").toStdString() : std::string();
+  std::string lost = comments_ && !comments_->isSaved() ? tr("Comments on an attempt are not saved.").toStdString() : std::string();
+  for (const auto& each : held_)
+    if (const auto work = each.lock())
+      if (const std::string more = work->unsaved(); !more.empty()) lost += (lost.empty() ? "" : " ") + more;
+  return lost;
+}
+
+std::shared_ptr<void> ReviewSession::holdWork(HeldWork work) {
+  auto kept = std::make_shared<HeldWork>(std::move(work));
+  std::erase_if(held_, [](const auto& each) { return each.expired(); });
+  held_.push_back(kept);
+  return kept;
 }
 
 std::shared_ptr<void> ReviewSession::onChanged(std::function<void()> callback) {
@@ -65,7 +76,16 @@ bool ReviewSession::saveComments() {
   return saved.has_value();
 }
 
-void ReviewSession::save(bool) { static_cast<void>(saveComments()); }
+/// What pages hold may become comments: it is asked for first. @return false: as saveComments
+bool ReviewSession::keepAll() {
+  bool areKept = true;
+  const auto held = held_;
+  for (const auto& each : held)
+    if (const auto work = each.lock()) areKept = work->keep() && areKept;
+  return saveComments() && areKept;
+}
+
+void ReviewSession::save(bool) { static_cast<void>(keepAll()); }
 
 void ReviewSession::undo() {
   if (!comments_) return;
@@ -94,7 +114,8 @@ std::vector<ReviewComment> ReviewSession::commentsHere() const {
 
 std::string ReviewSession::addComment(const QString& text, std::vector<CommentStroke> strokes) {
   const OpenedScan* scan = opened(kReviewed);
-  if (!comments_ || scan == nullptr || !scan->scan->choice.outcome) return {};
+  if (reviewer_.isEmpty()) Q_EMIT reviewerWanted();  // one may be typed and not entered yet
+  if (!comments_ || scan == nullptr || !scan->scan->choice.outcome || reviewer_.isEmpty()) return {};
   ReviewComment made;
   made.stepId = scan->scan->choice.stepId;
   made.recording = scan->scan->choice.outcome->recording;

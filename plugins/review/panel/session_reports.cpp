@@ -68,7 +68,7 @@ void ReviewSession::writeReport(const fs::path& file, bool isOfClass) {
     for (const auto& [folder, tried] : lesson()->attempts) work->attempts.push_back(folder);
   else if (!isOfClass && attempt() != nullptr)
     work->attempts.push_back(attempt()->first);
-  if (work->attempts.empty() || !saveComments()) return;
+  if (work->attempts.empty() || !keepAll()) return;
   host_.jobs().startSaving(
       tr("Writing the report").toStdString(), [work, file](Progress& progress) { return work->run(file, progress); },
       [this, file, alive = std::weak_ptr(alive_)](const Result<void>& done) {

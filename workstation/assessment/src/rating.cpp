@@ -35,13 +35,15 @@ std::string raterIn(const JsonFields& fields) {
 }
 
 ItemRating ratedItemIn(const JsonFields& fields, std::set<std::string>& ids) {
-  fields.only({"item", "score", "not_applicable", "remark"});
+  fields.only({"item", "score", "not_applicable", "open", "remark"});
   ItemRating rated;
   rated.item = assessment::idIn(fields, "item");
   if (fields.good() && !ids.insert(rated.item).second) fields.refuse("item", say<"an item that was not answered before">());
   const bool notApplicable = fields.flag("not_applicable", false);
   if (notApplicable && fields.has("score")) fields.refuse("score", say<"missing, since the item is not applicable">());
-  if (!notApplicable) rated.score = static_cast<int>(fields.whole("score", -100, 100));
+  rated.isOpen = fields.flag("open", false);
+  if (rated.isOpen && (notApplicable || fields.has("score"))) fields.refuse("open", say<"false or missing, since the item is answered">());
+  if (!notApplicable && !rated.isOpen) rated.score = static_cast<int>(fields.whole("score", -100, 100));
   rated.remark = fields.text("remark", std::string(), 0, kLongestRatingRemark);
   return rated;
 }
@@ -61,6 +63,7 @@ tl::unexpected<Error> refused(const std::string& field, const Message& found, co
 Result<void> checkItem(const RatingForm& form, const ItemRating& rated) {
   const RatingItem* item = form.itemOf(rated.item);
   if (item == nullptr) return refused("items", verbatim('"' + rated.item + '"'), say<"an item of the form '%1'">(form.id));
+  if (rated.isOpen) return {};
   if (!rated.score && !item->mayBeNotApplicable)
     return refused(rated.item, say<"not applicable">(),
                    say<"a score from %1 to %2: the form asks for it always">(form.lowest, form.highest));
@@ -104,7 +107,8 @@ Result<void> checkRating(const RatingForm& form, const Rating& rating) {
     return refused("pass_level", verbatim('"' + rating.passLevel + '"'), say<"a pass level of the form '%1'">(form.id));
   if (!rating.finished) return {};
   for (const RatingItem& item : form.items)
-    if (rating.itemOf(item.id) == nullptr) return refused(item.id, say<"not answered">(), say<"answered before the rating is finished">());
+    if (const ItemRating* rated = rating.itemOf(item.id); rated == nullptr || rated->isOpen)
+      return refused(item.id, say<"not answered">(), say<"answered before the rating is finished">());
   if (!totalOf(form, rating)) return refused("items", say<"without a score">(), say<"a list with a score for one item at least">());
   return {};
 }
@@ -140,7 +144,7 @@ json jsonOf(const Rating& rating) {
     if (rated.score)
       each["score"] = *rated.score;
     else
-      each["not_applicable"] = true;
+      each[rated.isOpen ? "open" : "not_applicable"] = true;
     if (!rated.remark.empty()) each["remark"] = rated.remark;
     items.push_back(std::move(each));
   }

@@ -20,8 +20,9 @@ inline constexpr int kRatingFormat = 1;  ///< `format` of a rating; a file with 
 /// What a rater says to one item of the form.
 struct ItemRating {
   std::string item;          ///< id in the form
-  std::optional<int> score;  ///< within the form's scale; nothing: not applicable
+  std::optional<int> score;  ///< within the form's scale; nothing: not applicable, or not answered yet
   std::string remark;        ///< at most 20,000 bytes
+  bool isOpen = false;       ///< of a draft: not answered yet, and something was remarked already
   bool operator==(const ItemRating&) const = default;
 };
 
@@ -29,7 +30,7 @@ struct ItemRating {
 struct Rating {
   std::string rater;              ///< as they call themselves, 1 to 200 bytes on one line
   std::string passLevel;          ///< id in the form; empty: its only one, else no verdict
-  std::vector<ItemRating> items;  ///< each item at most once; one that is not there was not answered
+  std::vector<ItemRating> items;  ///< each item at most once; one that is not there, or open, was not answered
   std::string remark;             ///< on the whole, at most 20,000 bytes
   bool sawName = false;           ///< the rater knew whose attempt it is
   bool sawOthers = false;         ///< the rater could have seen others' ratings of this attempt; kept true by keepRating
@@ -45,7 +46,7 @@ struct Rating {
 
   /// Whether neither name nor others' ratings were seen.
   [[nodiscard]] bool isBlinded() const { return !sawName && !sawOthers; }
-  [[nodiscard]] const ItemRating* itemOf(std::string_view itemId) const;  ///< null when it was not answered
+  [[nodiscard]] const ItemRating* itemOf(std::string_view itemId) const;  ///< null when nothing was said to it
 };
 
 /// Weighted mean of the items that have a score; nothing when none has.
