@@ -352,6 +352,26 @@ class LessonEditorTest : public WindowFixture {
     keepScreenshot(*window_, "lesson-editor-16-unused");
   }
 
+  void aRecordingThatCannotBeWrittenStaysUntilItCan() {
+    QVERIFY(openAuthor(QStringLiteral("unwritable")));
+    addLesson(0);
+    addStep("watch");
+    QVERIFY(window_->document().save());
+    const QString scans = folder_ + QStringLiteral("/parts/lessons/scans");
+    QDir().mkpath(folder_ + QStringLiteral("/parts/lessons"));
+    QVERIFY(writeFileSafely(scans.toStdString(), "in the way").has_value());
+    press("recordExpert");
+    scan(3);
+    press("stopRecording");
+    QVERIFY(waitUntil([this] { return text("recording_problem").contains(QStringLiteral("still there")); }));
+    QVERIFY(std::get<WatchTask>(stepOf("watch").task).recording.empty());
+    QVERIFY2(text("takeLength").startsWith(QStringLiteral("Paused")), "nothing is lost");
+    QVERIFY(QFile::remove(scans));
+    press("stopRecording");
+    QVERIFY(waitUntil([this] { return !std::get<WatchTask>(stepOf("watch").task).recording.empty(); }));
+    QVERIFY2(seen<QPushButton>(QStringLiteral("stopRecording")) == nullptr, "it is kept, and gone from here");
+  }
+
   void anotherCaseInTheMiddleOfARecordingPausesIt() {
     QVERIFY(openAuthor(QStringLiteral("paused")));
     addLesson(0);

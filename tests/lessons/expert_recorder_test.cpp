@@ -48,7 +48,7 @@ TEST(ExpertRecorder, HasItsOwnClockThatStandsWhileItIsPaused) {
   recorder.goOn(200.0);
   show(recorder, 200.5);
   recorder.mark(201.0);
-  const auto made = recorder.stop();
+  const auto made = recorder.stop(201.0);
   ASSERT_TRUE(made);
   ASSERT_EQ(made->log.frameCount(), 3u);
   EXPECT_DOUBLE_EQ(made->log.frameTime_s(0), 0.5);
@@ -57,6 +57,24 @@ TEST(ExpertRecorder, HasItsOwnClockThatStandsWhileItIsPaused) {
   EXPECT_EQ(recorder.marks_s(), std::vector<double>{3.0});
   EXPECT_EQ(made->log.frame(2).pose.probeToWorld, held(200.5));
   EXPECT_EQ(made->size_px, glm::ivec2(640, 480));
+}
+
+TEST(ExpertRecorder, HoldsWhatWasRecordedUntilItIsDiscarded) {
+  ExpertRecorder recorder;
+  recorder.start("home", "Title", 0.0);
+  show(recorder, 0.5);
+  recorder.mark(0.7);
+  ASSERT_TRUE(recorder.stop(1.0));
+  ASSERT_TRUE(recorder.isPaused()) << "whoever writes it may fail";
+  const auto again = recorder.stop(9.0);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->log.frameCount(), 1u);
+  EXPECT_EQ(recorder.marks_s(), std::vector<double>{0.7});
+  EXPECT_DOUBLE_EQ(recorder.length_s(20.0), 1.0);
+  recorder.goOn(10.0);
+  show(recorder, 10.5);
+  EXPECT_EQ(recorder.stop(11.0)->log.frameCount(), 2u) << "and it can be gone on with";
+  recorder.discard();
   EXPECT_FALSE(recorder.isRecording());
 }
 
@@ -67,13 +85,13 @@ TEST(ExpertRecorder, TakesNothingBeyondItsLongestTime) {
   show(recorder, kLongestExpertScan_s + 1.0);
   EXPECT_TRUE(recorder.isFull(kLongestExpertScan_s));
   EXPECT_FALSE(recorder.isFull(kLongestExpertScan_s - 1.0));
-  EXPECT_EQ(recorder.stop()->log.frameCount(), 1u);
+  EXPECT_EQ(recorder.stop(kLongestExpertScan_s + 1.0)->log.frameCount(), 1u);
 }
 
 TEST(ExpertRecorder, SaysThatNothingWasScanned) {
   ExpertRecorder recorder;
   recorder.start("home", "Title", 0.0);
-  const auto made = recorder.stop();
+  const auto made = recorder.stop(1.0);
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().code, ErrorCode::badUsage);
   EXPECT_FALSE(recorder.isRecording());

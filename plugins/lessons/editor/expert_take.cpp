@@ -82,10 +82,15 @@ Result<ScanRecording> ExpertTake::stop(std::vector<double>& marks_s) {
                   {picture.width(), picture.height()});
   }
   keep();
-  auto made = recorder_.stop();
+  auto made = recorder_.stop(host_.scan().now_s());
   marks_s = recorder_.marks_s();
   Q_EMIT changed();
   return made;
+}
+
+void ExpertTake::setKeeping(bool keeping) {
+  keeping_ = keeping;
+  Q_EMIT changed();
 }
 
 void ExpertTake::forgetKept() {
@@ -102,11 +107,8 @@ void ExpertTake::keep() {
   events_ = growing.log.events().size();
 }
 
-void ExpertTake::setKept() {
-  if (!recorder_.isRecording()) forgetKept();
-}
-
 void ExpertTake::discard() {
+  keeping_ = false;
   timer_.stop();
   forgetKept();
   recorder_.discard();

@@ -33,11 +33,13 @@ class ExpertTake final : public QObject {
   void pause();
   void goOn();
   void mark();
-  /// Ends it. @param marks_s moments that were marked, on the recording's clock @error as ExpertRecorder::stop
+  /// Pauses it and gives what was recorded, which stays here until it is discarded. @param marks_s moments that were marked, on the
+  /// recording's clock @error as ExpertRecorder::stop
   [[nodiscard]] Result<ScanRecording> stop(std::vector<double>& marks_s);
   void discard();
-  /// What was ended lies in the case now: a crash cannot take it any more.
-  void setKept();
+  /// Meanwhile it is written: it can be neither gone on with nor written once more.
+  void setKeeping(bool keeping);
+  [[nodiscard]] bool isKeeping() const { return keeping_; }
 
  Q_SIGNALS:
   void changed();  ///< begun, paused, ended, or some time longer
@@ -55,6 +57,7 @@ class ExpertTake final : public QObject {
   std::string title_;             ///< of what is scanned
   std::filesystem::path folder_;  ///< of the case it is for
   std::string lessonId_, stepId_;
+  bool keeping_ = false;
   QTimer timer_;
   std::vector<sdk::Ticket> tickets_;
 };

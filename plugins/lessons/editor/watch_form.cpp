@@ -12,6 +12,7 @@
 #include "editor/order_list.h"
 #include "editor/time_line.h"
 #include "ew/sdk/panel.h"
+#include "ew/sdk/window.h"
 #include "panel/expert_player.h"
 
 namespace ew::lessons {
@@ -69,17 +70,17 @@ QWidget* WatchForm::makeTakePart() {
   stop_ = smallButton(tr("Stop"), "stopRecording", tr("End the recording and keep it in the case"));
   stop_->setProperty("primary", true);
   pause_ = smallButton({}, "pauseRecording", {});
-  auto* discard = smallButton(tr("Discard"), "discardRecording", tr("End the recording without keeping it"));
+  discard_ = smallButton(tr("Discard"), "discardRecording", tr("End the recording without keeping it"));
   row->addWidget(stop_);
   row->addWidget(pause_);
-  row->addWidget(discard);
+  row->addWidget(discard_);
   row->addStretch(1);
   column->addLayout(row);
   takeMark_ = smallButton(tr("Mark this moment"), "markWhileRecording", tr("It is described afterwards; the trainee's view rests there"));
   column->addWidget(takeMark_, 0, Qt::AlignLeft);
   connect(stop_, &QPushButton::clicked, this, &WatchForm::stop);
   connect(pause_, &QPushButton::clicked, this, [this] { take_.isPaused() ? take_.goOn() : take_.pause(); });
-  connect(discard, &QPushButton::clicked, this, [this] {
+  connect(discard_, &QPushButton::clicked, this, [this] {
     take_.discard();
     say({});
     showTask(false);
@@ -111,16 +112,36 @@ void WatchForm::stop() {
   std::vector<double> marks_s;
   auto made = take_.stop(marks_s);
   if (!made) return say(tl::unexpected(made.error()));
-  keep(std::move(*made), marks_s);
+  keep(std::move(*made), marks_s, true);
 }
 
-void WatchForm::keep(ScanRecording made, const std::vector<double>& marks_s) {
-  struct Kept {
-    ScanRecording recording;
-    std::filesystem::path folder;
-    std::string name;
-  };
-  auto kept = std::make_shared<Kept>(Kept{std::move(made), edited().document.folder(), {}});
+struct WatchForm::ScanToKeep {
+  ScanRecording recording;
+  std::vector<double> marks_s;
+  std::filesystem::path folder;  ///< of the lessons it was made for
+  std::string name = {};         ///< it was written by
+};
+
+/// @error notFound: the case or the step that it was recorded for is not there any more
+Result<void> WatchForm::nameInStep(const EditedStep& at, const ScanToKeep& kept) {
+  if (at.document.folder() != kept.folder)
+    return failure(ErrorCode::notFound,
+                   ew::say<"Another case was opened before the expert's scan was kept; open the case it is for again.">());
+  auto named = at.changeTask<WatchTask>(tr("Record the expert's scan"), {}, [&](WatchTask& task) {
+    task = {kept.name, {}, {}, {}};
+    for (const double mark_s : kept.marks_s)
+      task = withMark(std::move(task), {mark_s, tr("Mark %1").arg(task.marks.size() + 1).toStdString()});
+  });
+  if (named && at.task<WatchTask>().recording != kept.name)
+    return failure(ErrorCode::notFound,
+                   ew::say<"The step that the expert's scan was recorded for is not there any more; undo brings it back.">());
+  return named;
+}
+
+/// @param isTaken it was recorded here, and the take goes only when it is kept and named
+void WatchForm::keep(ScanRecording made, const std::vector<double>& marks_s, bool isTaken) {
+  auto kept = std::make_shared<ScanToKeep>(ScanToKeep{std::move(made), marks_s, edited().document.folder()});
+  if (isTaken) take_.setKeeping(true);
   state_->setText(tr("Keeping the recording…"));
   edited().document.host().jobs().startSaving(
       tr("Keeping the expert's scan").toStdString(),
@@ -130,18 +151,19 @@ void WatchForm::keep(ScanRecording made, const std::vector<double>& marks_s) {
         kept->name = std::move(*name);
         return {};
       },
-      [form = QPointer<WatchForm>(this), document = QPointer<LessonDocument>(&edited().document), at = edited(), kept,
-       marks_s](const Result<void>& done) {
-        Result<void> named = done;
-        if (done && document && document->folder() == kept->folder)
-          named = at.changeTask<WatchTask>(tr("Record the expert's scan"), {}, [&](WatchTask& task) {
-            task = {kept->name, {}, {}, {}};
-            for (const double mark_s : marks_s)
-              task = withMark(std::move(task), {mark_s, tr("Mark %1").arg(task.marks.size() + 1).toStdString()});
-          });
-        if (!form) return;
-        if (done) form->take_.setKept();
-        form->say(named);
+      [form = QPointer<WatchForm>(this), document = QPointer<LessonDocument>(&edited().document), take = QPointer<ExpertTake>(&take_),
+       at = edited(), kept, isTaken](const Result<void>& done) {
+        if (!document || !take) return;
+        const Result<void> named = done ? nameInStep(at, *kept) : done;
+        const QString problem =
+            named     ? QString()
+            : isTaken ? words(named.error()) + QLatin1Char(' ') + tr("The recording is still there: Stop tries again to keep it.")
+                      : words(named.error());
+        if (isTaken) named ? take->discard() : take->setKeeping(false);
+        const bool isSeen = form && document->folder() == kept->folder;
+        if (!isSeen && !named) document->host().window().error(problem.toStdString(), "expert scan");
+        if (!isSeen) return;
+        sdk::setProblem(form->problem_, problem);
         form->showTask(false);
       });
 }
@@ -150,7 +172,7 @@ void WatchForm::choose(const std::filesystem::path& file) {
   auto read = readRecording(file);
   if (!read) return say(tl::unexpected(read.error()));
   if (auto own = edited().document.makeOwn(); !own) return say(own);
-  keep(std::move(*read), {});
+  keep(std::move(*read), {}, false);
 }
 
 void WatchForm::showTake() {
@@ -160,6 +182,7 @@ void WatchForm::showTake() {
   length_->setText((take_.isPaused() ? tr("Paused at %1 of at most %2") : tr("\u25cf Recording: %1 of at most %2"))
                        .arg(clockText(take_.length_s()), clockText(kLongestExpertScan_s)));
   pause_->setText(take_.isPaused() ? tr("Go on") : tr("Pause"));
+  for (auto* each : {stop_, pause_, discard_, takeMark_}) each->setEnabled(!take_.isKeeping());
   takeMark_->setText(take_.markCount() == 0 ? tr("Mark this moment") : tr("Mark this moment (%1)").arg(take_.markCount()));
 }
 

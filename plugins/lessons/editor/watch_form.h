@@ -35,7 +35,9 @@ class WatchForm final : public TaskForm {
   void start();
   void stop();
   void showTake();
-  void keep(ScanRecording made, const std::vector<double>& marks_s);
+  struct ScanToKeep;
+  void keep(ScanRecording made, const std::vector<double>& marks_s, bool isTaken);
+  [[nodiscard]] static Result<void> nameInStep(const EditedStep& at, const ScanToKeep& kept);
   void choose(const std::filesystem::path& file);
   void load();
   void showRecording();
@@ -66,6 +68,7 @@ class WatchForm final : public TaskForm {
   QPushButton* stop_ = nullptr;
   QPushButton* pause_ = nullptr;
   QPushButton* takeMark_ = nullptr;
+  QPushButton* discard_ = nullptr;
   QWidget* playPart_ = nullptr;
   TimeLine* line_ = nullptr;
   QPushButton* play_ = nullptr;

@@ -114,16 +114,13 @@ void ExpertRecorder::mark(double now_s) {
   if (running_) marks_s_.push_back(length_s(now_s));
 }
 
-Result<ScanRecording> ExpertRecorder::stop() {
+Result<ScanRecording> ExpertRecorder::stop(double now_s) {
+  pause(now_s);
   if (recording_.log.frameCount() == 0) {
     discard();
     return failure(ErrorCode::badUsage, say<"Nothing was scanned while it was recorded; put the probe on the body and record again.">());
   }
-  ScanRecording made = std::move(recording_);
-  const std::vector<double> marks_s = std::move(marks_s_);
-  discard();
-  marks_s_ = marks_s;
-  return made;
+  return recording_;
 }
 
 void ExpertRecorder::discard() {

@@ -36,8 +36,9 @@ class ExpertRecorder {
   [[nodiscard]] const ScanRecording& growing() const { return recording_; }
   [[nodiscard]] const std::string& caseId() const { return recording_.caseId; }
 
-  /// Ends it. @error badUsage: nothing was seen
-  [[nodiscard]] Result<ScanRecording> stop();
+  /// Pauses it and gives what was recorded. It stays here as well, and can be gone on with, until it is discarded: whoever writes it may
+  /// fail. @error badUsage: nothing was seen, and there is nothing to keep
+  [[nodiscard]] Result<ScanRecording> stop(double now_s);
   void discard();
 
  private:
