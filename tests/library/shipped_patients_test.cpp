@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "ew/library/case.h"
 #include "ew/library/case_truth.h"
+#include "ew/library/lesson_links.h"
 #include "ew/library/preparation.h"
 #include "ew/phantom/truth.h"
 #include "ew/phantom/virtual_sweep.h"
@@ -26,6 +29,60 @@ TEST(ShippedCases, KnowEveryTargetAndMeasurementTheyName) {
     EXPECT_TRUE(truth) << each.id << ": " << truth.error();
     EXPECT_TRUE(estimatePreparation(each)) << each.id << ": " << estimatePreparation(each).error();
   }
+}
+
+/// How far caliper points lie from a plane at most, and whether they lie in front of the face. A section square to a curved vessel leans a
+/// little out of a section across the body, which is what the last millimetre or two are.
+double farthestFrom_mm(const ExpectedPlane& plane, const std::vector<glm::dvec3>& points_mm) {
+  double farthest = 0.0;
+  for (const glm::dvec3& p_mm : points_mm) {
+    const glm::dvec3 at = carried(rigidInverse(plane.probeToWorld), p_mm);
+    farthest = std::max({farthest, std::abs(at.z), -at.y});
+  }
+  return farthest;
+}
+
+TEST(ShippedCases, MeasureInThePlanesThatTheyName) {
+  constexpr double kInPlane_mm = 2.0;
+  const TemporaryFolder folder;
+  const EnvironmentValue cache("ECHOWEAVE_CACHE", folder / "cache");
+  std::size_t looked = 0, lessons = 0;
+  for (const Case& each : listCases(*shippedCasesFolder()).cases) {
+    const auto truth = loadCaseTruth(each, noProgress());
+    ASSERT_TRUE(truth) << each.id << ": " << truth.error();
+    std::set<std::string> measuredInLessons;
+    for (const Lesson& lesson : lessonsOf(each).value_or(std::vector<Lesson>()))
+      for (const LessonStep& step : lesson.steps)
+        if (const auto* task = std::get_if<MeasureTask>(&step.task)) measuredInLessons.insert(task->measurement);
+    lessons += measuredInLessons.size();
+    for (const ExpectedMeasurement& measured : truth->measurements) {
+      SCOPED_TRACE(each.id + ", " + measured.name + ", " + measured.plane);
+      double nearest_mm = std::numeric_limits<double>::infinity();
+      for (const ExpectedPlane& plane : truth->planes)
+        if (measured.plane.empty() || plane.name == measured.plane)
+          nearest_mm = std::min(nearest_mm, farthestFrom_mm(plane, measured.points_mm));
+      // What an author has measured names no plane; where a lesson asks for it, it has to lie in one that the case has.
+      if (measured.points_mm.empty() || (measured.plane.empty() && !measuredInLessons.contains(measured.name))) continue;
+      ++looked;
+      EXPECT_LT(nearest_mm, kInPlane_mm);
+      if (measured.kind == "distance" || measured.kind == "diameter" || measured.kind == "extent") {
+        EXPECT_NEAR(glm::distance(measured.points_mm.front(), measured.points_mm.back()), measured.value, 0.1) << "from end to end";
+      }
+    }
+  }
+  EXPECT_GE(looked, 10u);
+  EXPECT_GE(lessons, 15u);
+}
+
+TEST(ShippedCases, MeasureFluidFromOneOfItsBordersToTheOther) {
+  const auto resources = resourceFolder();
+  const auto opened = loadCase(*shippedCasesFolder() / "focused-trauma");
+  ASSERT_TRUE(opened && resources);
+  const auto patient = readPatient(opened->folder / opened->volume.recipe, *resources / "mannequin");
+  ASSERT_TRUE(patient) << patient.error();
+  ASSERT_EQ(opened->measurements.size(), 1u);
+  for (const glm::dvec3& p_mm : opened->measurements.front().points_mm)
+    EXPECT_NEAR(signedDistance_mm(**patient, "Morison's pouch", p_mm).value_or(1e9), 0.0, 0.1);
 }
 
 TEST(ShippedCases, HoldTheirProbesToTheSkinOfTheirPatients) {
