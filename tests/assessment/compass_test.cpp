@@ -62,6 +62,22 @@ TEST(Compass, SlidesToTheRegionThenRotatesThenTips) {
   EXPECT_EQ(nextMovement(target, turned(frontHold(skin), 0.0, 0.4, 0.0)).movement, HandMovement::rock);
 }
 
+TEST(Compass, NearATargetSlidesAcrossThePlaneBeforeAlongIt) {
+  const test::PlaneSkin skin;
+  // Lengthwise: the plane holds the way from head to feet.
+  const Hold lengthwise = turned(frontHold(skin), std::numbers::pi / 2.0, 0.0, 0.0);
+  const CompassTarget target = targetAt(lengthwise, skin);
+  Hold now = lengthwise;
+  now.contact = skin.nearest(now.contact.point_mm + glm::dvec3(7.0, 0.0, 12.0));
+  const CompassAdvice advice = nextMovement(target, now);
+  ASSERT_EQ(advice.movement, HandMovement::slide);
+  EXPECT_EQ(advice.towards, PatientSide::right) << advice.text.english();
+  EXPECT_EQ(advice.amount, 7.0);
+  // What has gone the right way already is not sent along the plane either.
+  now.contact = skin.nearest(lengthwise.contact.point_mm + glm::dvec3(0.0, 0.0, 9.0));
+  EXPECT_EQ(nextMovement(target, now).movement, HandMovement::stay);
+}
+
 TEST(Compass, SaysWhichWayToTurnAsSeenFromAboveTheProbe) {
   const test::CylinderSkin skin(120.0);
   const CompassTarget target = targetAt(frontHold(skin), skin);

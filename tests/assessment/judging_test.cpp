@@ -31,7 +31,17 @@ TEST(JudgePlane, PassesWithinToleranceAndSaysWhatWasMissed) {
   EXPECT_FALSE(off.passed);
   EXPECT_DOUBLE_EQ(off.score, scoreAt(1.5));
   ASSERT_EQ(off.remarks.size(), 1U);
-  EXPECT_EQ(off.remarks.front().text.english(), "What matters lies 7.5 mm beside the plane; 5 mm are allowed.");
+  EXPECT_EQ(off.remarks.front().text.english(), "The plane passes 7.5 mm beside the target; 5 mm are allowed.");
+}
+
+TEST(JudgePlane, TellsARotationFromATilt) {
+  const auto remark = [](const glm::dvec3& axis, double angle_deg) {
+    const Judgement judged = judgePlane(target(), {500.0, 10.0}, moved(glm::rotate(glm::dmat4(1.0), glm::radians(angle_deg), axis)));
+    return judged.remarks.empty() ? std::string() : judged.remarks.front().text.english();
+  };
+  EXPECT_EQ(remark({0.0, 1.0, 0.0}, 80.0),
+            "The plane is 80 degrees off, the probe above all rotated about its beam; 10 degrees are allowed.");
+  EXPECT_EQ(remark({1.0, 0.0, 0.0}, 30.0), "The plane is 30 degrees off, the probe above all tilted; 10 degrees are allowed.");
 }
 
 TEST(JudgePlane, DoesNotPassAMarkerOnTheWrongSide) {

@@ -272,7 +272,6 @@ class AccessTest final : public LearnerFixture {
     startFromCard(QStringLiteral("A ball for you"), 0);
     waitForStep("read");
     press("stepDone");
-    press("nextStep");
     waitForStep("answer");
     answer(0);
     waitForOutcome(QStringLiteral("Passed"));
@@ -292,7 +291,6 @@ class AccessTest final : public LearnerFixture {
     startFromCard(QStringLiteral("A ball for you"), 0);
     waitForStep("read");
     press("stepDone");
-    press("nextStep");
     waitForStep("answer");
     answer(1);
     waitForOutcome(QStringLiteral("Handed in"));

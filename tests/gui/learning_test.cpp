@@ -250,6 +250,9 @@ class LearningTest final : public LearnerFixture {
     beginExercises();
     const Hold start = session().hold();
     QVERIFY(!(start == planes_[0]) && !(start == planes_[1]));
+    QTest::mouseClick(seen("stepDone"), Qt::LeftButton);
+    QVERIFY2(text("outcomeHeading").isEmpty(), "nothing was done yet");
+    session().setFrozen(true);
     press("stepDone");
     waitForOutcome(QStringLiteral("Not right yet"));
     QCOMPARE(session().hold(), start);

@@ -151,8 +151,7 @@ class LessonsTest : public WindowFixture {
     begin();
     QCOMPARE(text("stepNumber"), QStringLiteral("Step 1 of 9"));
     keepScreenshot(*window_, "lessons-02-read");
-    press("stepDone");
-    press("nextStep");
+    press("stepDone");  // what is read is read: the next step comes at once
 
     waitForStep("watch");
     QVERIFY2(!seen("stepDone")->isEnabled(), "the scan has to be watched first");
@@ -161,7 +160,6 @@ class LessonsTest : public WindowFixture {
     keepScreenshot(*window_, "lessons-03-watch");
     press("playExpert");
     press("stepDone");  // waits until it has been shown to its end
-    press("nextStep");
 
     waitForStep("plane");
     session().setHold(slid(session().hold(), *session().skin(), 0.0, 25.0));
@@ -172,6 +170,7 @@ class LessonsTest : public WindowFixture {
     press("stepDone");
     QVERIFY(waitUntil([this] { return text("outcomeHeading").startsWith(QStringLiteral("Not passed yet")); }));
     keepScreenshot(*window_, "lessons-05-not-passed");
+    QVERIFY2(seen("tryAgain")->property("primary").toBool() && !seen("nextStep")->property("primary").toBool(), "what one would do next");
     press("tryAgain");
     waitForStep("plane");
     session().setHold(slid(session().hold(), *session().skin(), 0.0, -25.0));
@@ -181,6 +180,9 @@ class LessonsTest : public WindowFixture {
     press("nextStep");
 
     waitForStep("sweep");
+    QTest::mouseClick(seen("stepDone"), Qt::LeftButton);
+    QVERIFY2(text("outcomeHeading").isEmpty() && text("stepMissing").startsWith(QStringLiteral("Nothing was done")),
+             "a second click ends nothing");
     for (int n = -10; n <= 10; ++n) {
       session().setHold(slid(session().hold(), *session().skin(), 0.0, n == -10 ? -20.0 : 2.0));
       session().makePictureNow();
@@ -205,7 +207,7 @@ class LessonsTest : public WindowFixture {
     waitForStep("point");
     session().setHold(slid(session().hold(), *session().skin(), 0.0, -20.0));
     session().makePictureNow();
-    press("pointAtIt");
+    session().setFrozen(true);  // and no button is to be pressed
     auto* layer = find<PickLayer>("pointing");
     QVERIFY(waitUntil([&] { return layer->isPicking(); }));
     const QPointF at = window_->scanView().positionOf({{0.0, 50.0, 0.0}}) - QPointF(layer->pos());
@@ -214,9 +216,12 @@ class LessonsTest : public WindowFixture {
     press("stepDone");
     QVERIFY2(waitUntil([this] { return text("outcomeHeading").startsWith(QStringLiteral("Passed")); }), qPrintable(text("remarkMissed")));
     QVERIFY(!layer->isPicking());
+    keepScreenshot(*window_, "lessons-07b-pointed");
     press("nextStep");
 
     waitForStep("settings");
+    QVERIFY2(session().knobs().depth_mm < 100.0 || session().knobs().depth_mm > 130.0, "it begins with a setting that is wrong");
+    QVERIFY(waitUntil([this] { return text("stepLive").contains(QStringLiteral("\u2022  Depth")); }));
     Knobs knobs = session().knobs();
     knobs.depth_mm = 120.0;
     session().setKnobs(knobs);
@@ -234,7 +239,7 @@ class LessonsTest : public WindowFixture {
     press("nextStep");
 
     waitForStep("free");
-    session().makePictureNow();
+    session().setHold(slid(session().hold(), *session().skin(), 0.0, 2.0));
     press("stepDone");
     press("nextStep");
     QVERIFY(waitUntil([this] { return text("outcomeHeading").startsWith(QStringLiteral("Lesson")); }));
@@ -293,7 +298,6 @@ class LessonsTest : public WindowFixture {
   void aLessonThatWasLeftIsGoneOnWith() {
     begin();
     press("stepDone");
-    press("nextStep");
     waitForStep("watch");
     press("leaveLesson");
     QVERIFY(waitUntil([this] { return seen("goOnWithLesson") != nullptr; }));

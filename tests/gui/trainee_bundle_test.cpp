@@ -41,7 +41,6 @@ class TraineeAtWork final : public LearnerFixture {
     waitForStep("read");
     keepScreenshot(*window_, "bundle-03-first-step");
     press("stepDone");
-    press("nextStep");
     waitForStep("answer");
     answer(0);
     waitForOutcome(QStringLiteral("Passed"));
@@ -55,7 +54,6 @@ class TraineeAtWork final : public LearnerFixture {
     startFromCard(kTitle, 1);
     waitForStep("read");
     press("stepDone");
-    press("nextStep");
     waitForStep("answer");
     answer(1);
     waitForOutcome(QStringLiteral("Not passed yet"));
@@ -69,7 +67,6 @@ class TraineeAtWork final : public LearnerFixture {
     startFromCard(kTitle, 2);
     waitForStep("read");
     press("stepDone");
-    press("nextStep");
     waitForStep("answer");  // it runs, and is what will be lost
     QFile ready(qEnvironmentVariable(kReady));
     QVERIFY(ready.open(QIODevice::WriteOnly));
@@ -141,7 +138,6 @@ class TraineeBundleTest final : public LearnerFixture {
     press("nextStep");
     waitForStep("last");
     press("stepDone");
-    press("nextStep");
     waitForOutcome(QStringLiteral("Lesson passed"));
     press("nextStep");
     window_->showStartPage();

@@ -40,6 +40,7 @@ bool passes(const Exercise& asked, int level, const ScanState& image, const Hand
   LessonRun run(lesson, std::nullopt);
   EXPECT_TRUE(run.startStep(std::move(*work), 0.0));
   run.see({0.0, FrameMade{image.pose, image.gaps_mm, 1, image.body}}, image);
+  run.see({0.5, FreezeChanged{true}}, image);
   EXPECT_FALSE(run.missing(handed)) << *run.missing(handed);
   const auto outcome = run.endStep(handed, 1.0);
   EXPECT_TRUE(outcome);

@@ -102,6 +102,64 @@ TEST(LessonRunOfALesson, FailsAStepThatTakesTooLong) {
   EXPECT_EQ(run.endStep({}, 12.0)->verdict, StepVerdict::failed);
 }
 
+TEST(LessonRunOfALesson, WaitsUntilSomethingWasDone) {
+  Lesson scanned;
+  scanned.steps = {test::step(PlaneTask{"middle", {}, {}})};
+  const auto missingAfter = [&](const std::vector<ScanState>& images, bool isFrozen = false) {
+    LessonRun run(scanned, std::nullopt);
+    EXPECT_TRUE(run.startStep(scene(), 0.0));
+    for (const ScanState& each : images) show(run, each);
+    if (isFrozen) run.see({1.0, FreezeChanged{true}}, images.back());
+    return run.missing({}).has_value();
+  };
+  ScanState deeper = image(held(), 0.5), finer = image(held(), 0.5);
+  deeper.knobs.depth_mm = 90.0;
+  finer.knobs.quality = Quality::cubic;
+  EXPECT_TRUE(missingAfter({image(held())})) << "a second click ends nothing";
+  EXPECT_TRUE(missingAfter({image(held()), image(held(0.4), 0.5)})) << "a tremor";
+  EXPECT_TRUE(missingAfter({image(held()), finer})) << "the program did that";
+  EXPECT_FALSE(missingAfter({image(held()), image(held(2.0), 0.5)}));
+  EXPECT_FALSE(missingAfter({image(held()), image(held(0.0, 3.0), 0.5)}));
+  EXPECT_FALSE(missingAfter({image(held()), deeper}));
+  EXPECT_FALSE(missingAfter({image(held())}, true));
+  LessonRun reading(lesson(), std::nullopt);
+  ASSERT_TRUE(reading.startStep(scene(), 0.0));
+  EXPECT_FALSE(reading.missing({})) << "nothing is to be done";
+}
+
+TEST(LessonRunOfALesson, SaysOnceThatItsTimeIsUp) {
+  Lesson timed = lesson();
+  timed.steps.front().time_s = 10.0;
+  LessonRun run(timed, std::nullopt);
+  ASSERT_TRUE(run.startStep(scene(), 0.0));
+  EXPECT_FALSE(run.takeTimeUp(9.0));
+  EXPECT_TRUE(run.takeTimeUp(10.1));
+  EXPECT_FALSE(run.takeTimeUp(10.4)) << "what could not be ended then is not ended again and again";
+  run.pause(10.1);
+  EXPECT_EQ(run.endStep({}, 60.0)->verdict, StepVerdict::passed) << "its time stood";
+}
+
+TEST(LessonRunOfALesson, LeadsBackToAStepAndToTheEndAgain) {
+  const TemporaryFolder folder;
+  auto run = LessonRun::begin(lesson(), "home", "me", folder.path());
+  ASSERT_TRUE(run) << run.error();
+  for (int n = 0; n < 3; ++n) {
+    ASSERT_TRUE(run->startStep(scene(), 10.0 * n));
+    ASSERT_TRUE(n == 1 ? run->skipStep(10.0 * n + 1.0) : run->endStep({}, 10.0 * n + 1.0));
+    ASSERT_TRUE(run->next());
+  }
+  ASSERT_TRUE(run->isOver());
+  run->goBackTo(1);
+  EXPECT_EQ(run->step().id, "plane");
+  ASSERT_TRUE(run->startStep(scene(), 40.0));
+  show(*run, image(held(1.0), 41.0));
+  ASSERT_TRUE(run->endStep({}, 42.0));
+  ASSERT_TRUE(run->next());
+  EXPECT_TRUE(run->isOver());
+  EXPECT_DOUBLE_EQ(run->passedShare(), 1.0);
+  EXPECT_EQ(listAttempts(folder.path()).attempts[0].second.outcomes.size(), 4u);
+}
+
 TEST(LessonRunOfALesson, KeepsAStepThatIsTriedAgain) {
   LessonRun run(lesson(), std::nullopt);
   ASSERT_TRUE(run.startStep(scene(), 0.0));

@@ -113,6 +113,15 @@ TEST(FreeStep, TicksWhatWasShown) {
   EXPECT_DOUBLE_EQ(outcome.score, 0.5) << "one image shows the plane, and little of the ball";
 }
 
+TEST(FreeStep, SaysWhyAndHowMuchIsNeeded) {
+  const StepOutcome little = judged(FreeTask{0.0, {"ball", "middle"}}, {image(held(15.0)), image(held(8.0))});
+  ASSERT_EQ(little.remarks.size(), 2u);
+  EXPECT_TRUE(little.remarks[0].text.english().starts_with("Not shown: ball. The images passed through "));
+  EXPECT_TRUE(little.remarks[0].text.english().ends_with(" % of it; 30 % are needed."));
+  EXPECT_EQ(little.remarks[1].text.english(),
+            "Not shown: middle. At best the plane was 0 degrees and 8 mm off; 10 degrees and 5 mm are allowed.");
+}
+
 TEST(WorkOf, SaysWhatTheCaseDoesNotHave) {
   for (const LessonTask& task : {LessonTask(PlaneTask{"none", {}, {}}), LessonTask(SweepTask{"none", 0.9}), LessonTask(PointTask{"none"}),
                                  LessonTask(MeasureTask{"none", {}})}) {

@@ -1,6 +1,7 @@
 #include "logic/lesson_run.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ew/core/version.h"
 #include "ew/library/sealed_answers.h"
@@ -8,6 +9,23 @@
 
 namespace ew::lessons {
 namespace {
+
+/// Whether the step is worked on with probe and console alone: nothing else would tell that somebody did it.
+bool isScanned(const LessonTask& task) {
+  return std::holds_alternative<PlaneTask>(task) || std::holds_alternative<SweepTask>(task) || std::holds_alternative<SettingsTask>(task) ||
+         std::holds_alternative<FreeTask>(task);
+}
+
+/// Whether a hand has moved the probe or set something: more than a tracker trembles, and not the quality that moving changes by itself.
+bool isOther(const ScanState& before, const ScanState& now) {
+  constexpr double kMoved_mm = 1.0;
+  const double kTurned = std::cos(glm::radians(1.0));
+  Knobs were = before.knobs;
+  were.quality = now.knobs.quality;
+  const glm::dmat4 &a = before.pose.probeToWorld.matrix, &b = now.pose.probeToWorld.matrix;
+  return were != now.knobs || before.probe.id != now.probe.id || glm::distance(glm::dvec3(a[3]), glm::dvec3(b[3])) > kMoved_mm ||
+         glm::dot(glm::dvec3(a[0]), glm::dvec3(b[0])) < kTurned || glm::dot(glm::dvec3(a[1]), glm::dvec3(b[1])) < kTurned;
+}
 
 std::chrono::sys_seconds now() { return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()); }
 
@@ -73,6 +91,8 @@ Result<void> LessonRun::startStep(std::unique_ptr<StepWork> work, double now_s) 
   usedBefore_s_ = 0.0;
   runningSince_s_ = now_s;
   hints_ = 0;
+  first_.reset();
+  isActed_ = isTimeUpTold_ = false;
   lostStep_.clear();
   return {};
 }
@@ -88,6 +108,7 @@ void LessonRun::takeUp(const ScanLog& seen, double used_s, int hints, double now
       ScanState image = seen.frame(frame++);
       image.time_s = event.time_s;
       work_->see(image);
+      follow(image);
     }
     log_.add(std::move(event));
   }
@@ -116,13 +137,20 @@ void LessonRun::note(const char* kind, double now_s) {
   if (log_.frameCount() > 0) log_.addNote(now_s, kind, {});
 }
 
+void LessonRun::follow(const ScanState& image) {
+  if (!first_) first_ = image;
+  isActed_ = isActed_ || isOther(*first_, image);
+}
+
 void LessonRun::see(const ScanEvent& event, const std::optional<ScanState>& image) {
   if (!isRunning() || isPaused()) return;
   if (std::holds_alternative<FrameMade>(event.what)) {
     if (!image) return;
     log_.addFrame(*image);  // with probe and settings before the first one, which were told before the step began
     work_->see(*image);
+    follow(*image);
   } else if (const auto* freeze = std::get_if<FreezeChanged>(&event.what)) {
+    isActed_ = isActed_ || freeze->isFrozen;
     log_.setFrozen(event.time_s, freeze->isFrozen);
   } else if (std::holds_alternative<Note>(event.what)) {
     log_.add(event);
@@ -134,6 +162,20 @@ double LessonRun::used_s(double now_s) const { return usedBefore_s_ + (runningSi
 std::optional<double> LessonRun::left_s(double now_s) const {
   if (!isRunning() || !step().time_s) return std::nullopt;
   return std::max(0.0, *step().time_s - used_s(now_s));
+}
+
+std::optional<Message> LessonRun::missing(const Handed& handed) const {
+  if (!work_) return std::nullopt;
+  if (auto lacks = work_->missing(handed)) return lacks;
+  if (isActed_ || !isScanned(step().task)) return std::nullopt;
+  return say<"Nothing was done in this step yet: move the probe, set the machine, or freeze the image.">();
+}
+
+bool LessonRun::takeTimeUp(double now_s) {
+  const auto left = left_s(now_s);
+  if (!left || *left > 0.0 || isTimeUpTold_) return false;
+  isTimeUpTold_ = true;
+  return true;
 }
 
 std::optional<std::string> LessonRun::nextHint() {
@@ -192,10 +234,21 @@ Result<StepOutcome> LessonRun::skipStep(double now_s) {
 
 Result<void> LessonRun::next() {
   EW_EXPECTS(!isRunning() && !isOver());
+  if (isRepeated_) {
+    isRepeated_ = false;
+    at_ = lesson_.steps.size();
+    return {};
+  }
   if (at_ + 1 == lesson_.steps.size() && attempt_)
     if (auto finished = attempt_->finish(now()); !finished) return finished;
   ++at_;
   return {};
+}
+
+void LessonRun::goBackTo(std::size_t step) {
+  EW_EXPECTS(!isRunning() && isOver() && step < lesson_.steps.size());
+  at_ = step;
+  isRepeated_ = true;
 }
 
 Result<void> LessonRun::leave() {

@@ -58,8 +58,11 @@ class LessonRun {
   [[nodiscard]] std::optional<std::string> nextHint();
   [[nodiscard]] int hintsGiven() const { return hints_; }
   [[nodiscard]] std::vector<LiveFigure> live() const { return work_ ? work_->live() : std::vector<LiveFigure>{}; }
-  /// What is missing before the step can be handed in; empty: nothing.
-  [[nodiscard]] std::optional<Message> missing(const Handed& handed) const { return work_ ? work_->missing(handed) : std::nullopt; }
+  /// What is missing before the step can be handed in; empty: nothing. A step that is scanned cannot be handed in before anything was done
+  /// in it.
+  [[nodiscard]] std::optional<Message> missing(const Handed& handed) const;
+  /// Whether the time of the step has run out: true once. Who cannot end it then pauses it, so that its time stands.
+  [[nodiscard]] bool takeTimeUp(double now_s);
 
   /// Ends the step, judges it, or hands it in when its answers are sealed, and keeps its outcome, with a recording of the scan when there
   /// was one. The run stands at the same step until next() or again(). @param keepFiles writes pictures into the attempt's folder and
@@ -71,6 +74,8 @@ class LessonRun {
   [[nodiscard]] Result<StepOutcome> skipStep(double now_s);
   /// Goes to the step after this one; finishes the attempt after the last. @error as KeptAttempt::finish
   [[nodiscard]] Result<void> next();
+  /// Back to a step that was ended, to try it once more; next() then leads to the end again. Expects that none runs.
+  void goBackTo(std::size_t step);
   /// Gives up the running step, as if it had not begun. @error as KeptAttempt::leaveStep
   [[nodiscard]] Result<void> leave();
 
@@ -79,6 +84,8 @@ class LessonRun {
   /// A moment of the scan that its recording keeps, once there is an image: whoever measures motion has to know when nobody scanned.
   void note(const char* kind, double now_s);
   void stop();
+  /// Whether anything was done since the step's first image.
+  void follow(const ScanState& image);
 
   Lesson lesson_;
   std::optional<KeptAttempt> attempt_;
@@ -91,6 +98,10 @@ class LessonRun {
   std::optional<double> runningSince_s_;
   double usedBefore_s_ = 0.0;
   int hints_ = 0;
+  std::optional<ScanState> first_;  ///< image of the step that runs
+  bool isActed_ = false;            ///< something was done since
+  bool isTimeUpTold_ = false;
+  bool isRepeated_ = false;  ///< the step was gone back to
 };
 
 }  // namespace ew::lessons

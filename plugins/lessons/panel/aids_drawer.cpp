@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ew/imaging/display.h"
+#include "logic/outline.h"
 
 namespace ew::lessons {
 namespace {
@@ -21,46 +22,6 @@ std::string structureOf(const LessonTask& task) {
 
 }  // namespace
 
-std::vector<sdk::OverlayLine<frame::Probe>> outlineOf(const sdk::Scanned& scanned, int label, const ScanState& image, double step_mm) {
-  std::vector<sdk::OverlayLine<frame::Probe>> lines;
-  if (!scanned.labels || label == 0) return lines;
-  const double depth_mm = resolvedDepth_mm(image.probe, image.knobs);
-  const double half_mm = isSector(image.probe.kind) ? depth_mm : faceHalfWidth_mm(image.probe);
-  const int columns = static_cast<int>(2.0 * half_mm / step_mm) + 2, rows = static_cast<int>(depth_mm / step_mm) + 2;
-  const auto at = [&](int column, int row) { return glm::dvec2(-half_mm + column * step_mm, row * step_mm); };
-  const auto worldToVoxel = inverse(scanned.placedLabels.voxelToWorld());
-  const glm::ivec3 dims = scanned.placedLabels.dims;
-  const auto isLabel = [&](const glm::dvec3& at_mm) {
-    const glm::ivec3 voxel(glm::round((worldToVoxel * Point<frame::World>{at_mm}).at));
-    if (glm::any(glm::lessThan(voxel, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(voxel, dims))) return false;
-    return scanned.labels->echo[scanned.labels->grid.indexOf(voxel.x, voxel.y, voxel.z)] == label;
-  };
-  std::vector<bool> inside(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-  const auto place = [&](int column, int row) {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
-  };
-  for (int row = 0; row < rows; ++row)
-    for (int column = 0; column < columns; ++column) {
-      const glm::dvec2 p = at(column, row);
-      inside[place(column, row)] = isLabel((image.pose.probeToWorld * Point<frame::Probe>{{p.x, p.y, 0.0}}).at);
-    }
-  const auto add = [&](glm::dvec2 a, glm::dvec2 b) {
-    sdk::OverlayLine<frame::Probe> line;
-    line.points = {{{a.x, a.y, 0.0}}, {{b.x, b.y, 0.0}}};
-    line.role = sdk::OverlayRole::expert;
-    lines.push_back(std::move(line));
-  };
-  const double h = 0.5 * step_mm;
-  for (int row = 0; row + 1 < rows; ++row)
-    for (int column = 0; column + 1 < columns; ++column) {
-      const glm::dvec2 p = at(column, row);
-      const bool here = inside[place(column, row)];
-      if (here != inside[place(column + 1, row)]) add(p + glm::dvec2(h, -h), p + glm::dvec2(h, h));
-      if (here != inside[place(column, row + 1)]) add(p + glm::dvec2(-h, h), p + glm::dvec2(h, h));
-    }
-  return lines;
-}
-
 AidsDrawer::AidsDrawer(sdk::Host& host, const LessonStep& step, StepScene scene)
     : host_(host), step_(step), scene_(std::move(scene)), overScan_(host.overlays().overScan()), overBody_(host.overlays().overBody()) {
   if (const auto* task = std::get_if<PlaneTask>(&step_.task))
@@ -68,6 +29,8 @@ AidsDrawer::AidsDrawer(sdk::Host& host, const LessonStep& step, StepScene scene)
       if (plane.name == task->target) plane_ = plane;
   for (const ExpectedStructure& structure : scene_.truth->structures)
     if (structure.name == structureOf(step_.task)) label_ = structure.label;
+  for (const ExpectedPoint& point : scene_.truth->points)
+    if (point.name == structureOf(step_.task)) point_ = point;
 }
 
 void AidsDrawer::setAids(const LessonAids& aids) {
@@ -122,7 +85,44 @@ void AidsDrawer::drawBody() {
 void AidsDrawer::drawScan(const ScanState& image) {
   sdk::ScanDrawing drawing;
   drawing.lines = outlineOf(scene_.scanned, label_, image, kOutlineStep_mm);
+  bool isHere = !drawing.lines.empty();
+  if (point_) {
+    const glm::dvec3 at = carried(rigidInverse(image.pose.probeToWorld), point_->at_mm);
+    isHere = std::abs(at.z) <= point_->tolerance_mm && isInFan(image.probe, resolvedDepth_mm(image.probe, image.knobs), glm::dvec2(at));
+    sdk::OverlayLabel<frame::Probe> label;
+    label.at = {{at.x, at.y, 0.0}};
+    label.role = sdk::OverlayRole::expert;
+    if (isHere) drawing.labels.push_back(std::move(label));
+  }
+  isElsewhere_ = !isHere && (point_ || label_ != 0);
   overScan_->show(std::move(drawing));
+}
+
+namespace {
+
+LessonStep withOutlineAlone(LessonStep step) {
+  step.aids = {};
+  step.aids.outline = true;
+  return step;
+}
+
+}  // namespace
+
+TargetShown::TargetShown(sdk::Host& host, const LessonStep& step, const StepScene& scene, std::shared_ptr<sdk::ScanOverlay> point)
+    : host_(host), drawer_(host, withOutlineAlone(step), scene), point_(std::move(point)) {
+  drawer_.setAids(withOutlineAlone(step).aids);
+  events_ = host_.scan().onEvent([this](const ScanEvent& event) {
+    if (std::holds_alternative<FrameMade>(event.what)) see();
+  });
+  see();
+}
+
+void TargetShown::see() {
+  const auto image = host_.scan().state();
+  if (!image) return;
+  if (!pose_) pose_ = image->pose;
+  if (pose_->probeToWorld != image->pose.probeToWorld) point_.reset();  // it was a place in another image
+  drawer_.see(*image);
 }
 
 }  // namespace ew::lessons

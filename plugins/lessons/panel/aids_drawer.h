@@ -18,6 +18,8 @@ class AidsDrawer {
   /// Which are on; those the step does not allow stay off.
   void setAids(const LessonAids& aids);
   void see(const ScanState& image);
+  /// The outline is on, and nothing of what the step is about lies in the latest image.
+  [[nodiscard]] bool isTargetElsewhere() const { return aids_.outline && isElsewhere_; }
 
  private:
   void drawBody();
@@ -32,12 +34,25 @@ class AidsDrawer {
   sdk::Ticket inBody_;
   std::vector<Point<frame::World>> path_;
   std::optional<ExpectedPlane> plane_;
+  std::optional<ExpectedPoint> point_;
   int label_ = 0;
+  bool isElsewhere_ = false;
 };
 
-/// The outline of a structure in an image plane, as short lines of the image plane's mm: where its label ends between neighbours of a grid
-/// of `step_mm`.
-[[nodiscard]] std::vector<sdk::OverlayLine<frame::Probe>> outlineOf(const sdk::Scanned& scanned, int label, const ScanState& image,
-                                                                    double step_mm);
+/// What was to be pointed at, with its outline and where the trainee pointed, once a step was judged. Follows the image.
+class TargetShown {
+ public:
+  /// @param point where the trainee pointed; may be null
+  TargetShown(sdk::Host& host, const LessonStep& step, const StepScene& scene, std::shared_ptr<sdk::ScanOverlay> point);
+
+ private:
+  void see();
+
+  sdk::Host& host_;
+  AidsDrawer drawer_;
+  std::shared_ptr<sdk::ScanOverlay> point_;
+  std::optional<Pose> pose_;  ///< that the point was set at
+  sdk::Ticket events_;
+};
 
 }  // namespace ew::lessons

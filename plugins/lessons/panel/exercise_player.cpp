@@ -11,6 +11,7 @@
 #include "ew/sdk/panel.h"
 #include "ew/sdk/person.h"
 #include "ew/sdk/window.h"
+#include "panel/aids_drawer.h"
 #include "panel/outcome_page.h"
 #include "panel/step_page.h"
 
@@ -133,6 +134,7 @@ void ExercisePlayer::skip() {
 
 void ExercisePlayer::next() {
   timer_.stop();
+  target_.reset();
   run_.reset();
   step_->end();
   std::vector<Exercise> asked;
@@ -200,6 +202,7 @@ void ExercisePlayer::startAt(const PlannedExercise& planned, const std::optional
 void ExercisePlayer::take(const ScanEvent& event) {
   const auto image = host_.scan().state();
   run_->see(event, image);
+  if (const auto* freeze = std::get_if<FreezeChanged>(&event.what)) step_->setFrozen(freeze->isFrozen);
   if (image && std::holds_alternative<FrameMade>(event.what)) step_->see(*image);
 }
 
@@ -208,7 +211,7 @@ void ExercisePlayer::tick() {
   if (!run_ || !run_->isRunning()) return timer_.stop();
   const double now_s = host_.scan().now_s();
   step_->refresh(now_s);
-  if (const auto left_s = run_->left_s(now_s); left_s && *left_s <= 0.0) endExercise();
+  if (run_->takeTimeUp(now_s)) endExercise();
 }
 
 void ExercisePlayer::endExercise() {
@@ -216,6 +219,9 @@ void ExercisePlayer::endExercise() {
   const auto outcome = run_->endStep(step_->handed(), host_.scan().now_s());
   if (!outcome) return tell(outcome.error());
   timer_.stop();
+  if (const auto scanned = host_.scan().scanned(); std::holds_alternative<PointTask>(shown_.task) && plan_ && scanned)
+    target_ = std::make_unique<TargetShown>(host_, shown_, StepScene{std::make_shared<const CaseTruth>(plan_->ground.truth), *scanned},
+                                            step_->point());
   step_->end();
   RepetitionState before;
   for (const RepetitionState& each : states_)
@@ -260,6 +266,7 @@ void ExercisePlayer::tell(const Error& problem) {
 
 void ExercisePlayer::finish() {
   timer_.stop();
+  target_.reset();
   ++jobs_;
   run_.reset();
   step_->end();

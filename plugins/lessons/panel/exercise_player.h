@@ -22,6 +22,7 @@ namespace ew::lessons {
 
 class OutcomePage;
 class StepPage;
+class TargetShown;
 
 /// Teaching yourself: the program asks one exercise of the open case after the other, the hardest for this person most often, with the
 /// pages of lessons. Each try is kept as soon as it is judged.
@@ -69,7 +70,8 @@ class ExercisePlayer final : public QWidget {
   Exercise exercise_;
   LessonStep shown_;
   int level_ = 1;
-  int jobs_ = 0;  ///< begun so far; one that is overtaken by leaving is not taken
+  std::unique_ptr<TargetShown> target_;  ///< of the exercise that was judged
+  int jobs_ = 0;                         ///< begun so far; one that is overtaken by leaving is not taken
   std::vector<sdk::Ticket> tickets_;
   QTimer timer_;
 

@@ -12,6 +12,8 @@
 #include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
 #include "logic/case_at_hand.h"
+#include "logic/wrong_settings.h"
+#include "panel/aids_drawer.h"
 #include "panel/outcome_page.h"
 #include "panel/step_page.h"
 
@@ -61,6 +63,11 @@ LessonPlayer::LessonPlayer(sdk::Host& host, QWidget* parent) : QWidget(parent), 
   });
   connect(outcome_, &OutcomePage::againAsked, this, &LessonPlayer::openStep);
   connect(outcome_, &OutcomePage::nextAsked, this, &LessonPlayer::nextStep);
+  connect(outcome_, &OutcomePage::stepAsked, this, [this](int step) {
+    if (!run_ || !run_->isOver()) return;
+    run_->goBackTo(static_cast<std::size_t>(step));
+    openStep();
+  });
   timer_.setInterval(kTick_ms);
   connect(&timer_, &QTimer::timeout, this, &LessonPlayer::tick);
   tickets_ = {host_.caseParts().onOpened([this](const std::filesystem::path&) { takeCase(); }),
@@ -99,6 +106,7 @@ void LessonPlayer::takeCase() {
 }
 
 void LessonPlayer::openStep() {
+  target_.reset();
   const std::string wanted = run_->step().caseId.empty() ? homeCase_ : run_->step().caseId;
   Q_EMIT problemGone();
   waiting_->setText(tr("Getting the step ready…"));
@@ -152,15 +160,18 @@ void LessonPlayer::startStep(std::shared_ptr<const CaseTruth> truth) {
   if (const auto* read = std::get_if<ReadTask>(&step.task); read != nullptr && !read->picture.empty())
     picture = partFolder(homeFolder_) / read->picture;
   if (auto frozen = host_.scan().setFrozen(false); !frozen) return fail(frozen.error());
-  const auto opened = openCase();
-  StepScene scene{std::move(truth), *scanned, opened && opened->sealed};
+  truth_ = std::move(truth);
+  const StepScene scene = sceneOf(*scanned);
+  const auto* settings = std::get_if<SettingsTask>(&step.task);
+  const bool isImageComing = settings != nullptr && setWrong(*settings, *scanned);
   if (auto started = run_->startStep(scene, host_.scan().now_s()); !started) return fail(started.error());
   takeUpLeft();
   Lesson one;
   one.steps = {step};
   step_->showStep(*run_, translated(one, words_).steps.front(), scene, std::move(recording), picture);
   // A probe that rests makes no image by itself: what is shown already counts.
-  if (const auto state = host_.scan().state()) take({state->time_s, FrameMade{state->pose, state->gaps_mm, state->number, state->body}});
+  if (const auto state = host_.scan().state(); state && !isImageComing)
+    take({state->time_s, FrameMade{state->pose, state->gaps_mm, state->number, state->body}});
   pages_->setCurrentIndex(kStep);
   timer_.start();
 }
@@ -183,9 +194,36 @@ void LessonPlayer::takeUpLeft() {
   if (left) kept_.discardOnceKept(left->kept);
 }
 
+StepScene LessonPlayer::sceneOf(const sdk::Scanned& scanned) const {
+  const auto opened = openCase();
+  return {truth_, scanned, opened && opened->sealed};
+}
+
+/// A machine that is right already would pass the step before anybody touched it. @return whether it was set otherwise
+bool LessonPlayer::setWrong(const SettingsTask& task, const sdk::Scanned& scanned) {
+  const auto state = host_.scan().state();
+  if (!state) return false;
+  const WrongSettings wrong = wrongSettings(task, *state, scanned.probes);
+  if (!before_) before_ = state;
+  if (wrong.probe != state->probe.id)
+    if (auto chosen = host_.scan().chooseProbe(wrong.probe); !chosen) host_.log().warn(chosen.error().sentence());
+  if (auto set = host_.scan().apply(wrong.knobs); !set) host_.log().warn(set.error().sentence());
+  return wrong != WrongSettings{state->probe.id, state->knobs};
+}
+
+/// A step that was set wrong and not worked through leaves the machine as it found it.
+void LessonPlayer::giveSettingsBack() {
+  if (!before_) return;
+  const ScanState before = *std::exchange(before_, std::nullopt);
+  static_cast<void>(host_.scan().setFrozen(false));  // a frozen image is set by nobody
+  static_cast<void>(host_.scan().chooseProbe(before.probe.id));
+  static_cast<void>(host_.scan().apply(before.knobs));
+}
+
 void LessonPlayer::take(const ScanEvent& event) {
   const auto image = host_.scan().state();
   run_->see(event, image);
+  if (const auto* freeze = std::get_if<FreezeChanged>(&event.what)) step_->setFrozen(freeze->isFrozen);
   if (image && std::holds_alternative<FrameMade>(event.what)) step_->see(*image);
 }
 
@@ -201,7 +239,10 @@ void LessonPlayer::tick() {
     kept_.grow(*run_, now_s);
     keptAt_s_ = now_s;
   }
-  if (const auto left_s = run_->left_s(now_s); left_s && *left_s <= 0.0) endStep();
+  if (!run_->takeTimeUp(now_s)) return;
+  endStep();
+  // What cannot be written now is not tried again and again: the step's time stands, and Done tries once more.
+  if (run_ && run_->isRunning()) run_->pause(now_s);
 }
 
 std::vector<std::string> LessonPlayer::keepPicture(const KeptAttempt& attempt) const {
@@ -230,9 +271,17 @@ void LessonPlayer::endStep() {
   if (!outcome) return fail(outcome.error());
   timer_.stop();
   kept_.endStep();
+  before_.reset();
+  const LessonStep& ended = run_->step();
+  const auto scanned = host_.scan().scanned();
+  if (std::holds_alternative<PointTask>(ended.task) && outcome->verdict != StepVerdict::handedIn && truth_ && scanned)
+    target_ = std::make_unique<TargetShown>(host_, ended, sceneOf(*scanned), step_->point());
   step_->end();
+  // Nothing was judged, and nothing is said afterwards: there is nothing to show.
+  const bool isShown = std::holds_alternative<ReadTask>(ended.task) || std::holds_alternative<WatchTask>(ended.task);
+  if (isShown && ended.after.empty()) return nextStep();
   Lesson one;
-  one.steps = {run_->step()};
+  one.steps = {ended};
   StepOutcome shown = *outcome;
   for (AttemptRemark& remark : shown.remarks)
     if (remark.text.text() == nullptr) remark.text = verbatim(words_.of(remark.text.english()));
@@ -245,11 +294,13 @@ void LessonPlayer::skipStep() {
   if (const auto outcome = run_->skipStep(host_.scan().now_s()); !outcome) return fail(outcome.error());
   kept_.endStep();
   step_->end();
+  giveSettingsBack();
   nextStep();
 }
 
 void LessonPlayer::nextStep() {
   if (!run_) return;
+  target_.reset();
   if (run_->isOver()) return finish();  // back from the summary
   if (auto gone = run_->next(); !gone) return fail(gone.error());
   if (!run_->isOver()) return openStep();
@@ -262,6 +313,7 @@ void LessonPlayer::nextStep() {
 void LessonPlayer::leave() {
   if (run_ && run_->isRunning())
     if (auto left = run_->leave(); !left) return fail(left.error());
+  giveSettingsBack();
   finish();
 }
 
@@ -269,6 +321,7 @@ void LessonPlayer::finish() {
   timer_.stop();
   kept_.forget();
   left_.reset();
+  target_.reset();
   run_.reset();
   step_->end();
   Q_EMIT ended();
@@ -277,6 +330,7 @@ void LessonPlayer::finish() {
 void LessonPlayer::leaveForAnotherCase() {
   if (!run_ || pages_->currentIndex() == kWaiting) return;  // the case of the next step is what was waited for
   if (run_->isOver() || host_.cases().currentFolder() == folder_) return;
+  before_.reset();
   if (run_->isRunning())
     if (auto left = run_->leave(); !left) host_.log().warn(left.error().sentence());
   if (run_->attempt())

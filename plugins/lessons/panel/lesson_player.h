@@ -20,6 +20,7 @@ namespace ew::lessons {
 
 class OutcomePage;
 class StepPage;
+class TargetShown;
 
 /// One run through a lesson: opens what each step scans, shows the step, and how it went. Whether an attempt is kept is the run's affair,
 /// so a trainee works with the pages that an author tries.
@@ -58,6 +59,9 @@ class LessonPlayer final : public QWidget {
   void finish();
   void fail(const Error& problem);
   void tick();
+  bool setWrong(const SettingsTask& task, const sdk::Scanned& scanned);
+  void giveSettingsBack();
+  [[nodiscard]] StepScene sceneOf(const sdk::Scanned& scanned) const;
   [[nodiscard]] std::optional<Case> openCase() const;
   [[nodiscard]] std::vector<std::string> keepPicture(const KeptAttempt& attempt) const;
 
@@ -72,6 +76,8 @@ class LessonPlayer final : public QWidget {
   std::string homeTitle_;                   ///< of the case that holds the lesson, for trainees
   double keptAt_s_ = 0.0;
   std::shared_ptr<const CaseTruth> truth_;  ///< of the open case
+  std::optional<ScanState> before_;         ///< how the machine stood before a step set it wrong
+  std::unique_ptr<TargetShown> target_;     ///< of the step that was judged
   int loads_ = 0;                           ///< truths asked for so far; an older one that arrives late is not taken
   std::vector<sdk::Ticket> tickets_;
   QTimer timer_;

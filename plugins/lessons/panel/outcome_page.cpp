@@ -2,7 +2,9 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QStyle>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "ew/sdk/panel.h"
@@ -42,6 +44,28 @@ OutcomePage::OutcomePage(QWidget* parent) : QWidget(parent) {
   column->addLayout(buttons);
 }
 
+/// A step at the end of a lesson; one that was not passed can be tried again from here.
+void OutcomePage::addStep(int number, bool good, const QString& title, bool canRepeat) {
+  addRemark(good, title);
+  if (good || !canRepeat) return;
+  auto* again = new QPushButton(tr("Try this step again"));
+  again->setObjectName(QStringLiteral("repeatStep"));
+  again->setAccessibleName(tr("Try again: %1").arg(title));
+  again->setProperty("small", true);
+  connect(again, &QPushButton::clicked, this, [this, number] { Q_EMIT stepAsked(number); });
+  remarks_->rows()->addWidget(again, 0, Qt::AlignLeft);
+}
+
+/// What one would do next has colour and focus.
+void OutcomePage::offer(bool nextFirst) {
+  for (auto* each : {again_, next_}) {
+    each->setProperty("primary", (each == next_) == nextFirst);
+    each->style()->unpolish(each);  // the look follows a property that has changed
+    each->style()->polish(each);
+  }
+  guard_.begin({again_, next_}, nextFirst ? next_ : again_);
+}
+
 void OutcomePage::addRemark(bool good, const QString& text) {
   // The sign says it as well as the words: colour alone would not do.
   auto* row = new QLabel((good ? QStringLiteral("\u2713  ") : QStringLiteral("\u2717  ")) + text);
@@ -59,9 +83,10 @@ void OutcomePage::showStep(const LessonStep& step, const StepOutcome& outcome, b
                     : passed                                  ? tr("Passed: %1").arg(words(step.title))
                     : outcome.verdict == StepVerdict::skipped ? tr("Skipped: %1").arg(words(step.title))
                                                               : tr("Not passed yet: %1").arg(words(step.title)));
+  const bool hasPoints = !std::holds_alternative<ReadTask>(step.task) && !std::holds_alternative<WatchTask>(step.task);
   figure_->setText(
-      outcome.verdict == StepVerdict::skipped ? QString()
-      : handedIn                              ? tr("An instructor judges it afterwards.")
+      outcome.verdict == StepVerdict::skipped || (!hasPoints && !handedIn) ? QString()
+      : handedIn                                                           ? tr("An instructor judges it afterwards.")
                  : tr("%1 of 100 points, %2 needed").arg(std::lround(100.0 * outcome.score)).arg(std::lround(100.0 * step.passLevel)));
   for (const AttemptRemark& remark : outcome.remarks) addRemark(remark.good, words(remark.text));
   if (!step.after.empty()) {
@@ -75,7 +100,7 @@ void OutcomePage::showStep(const LessonStep& step, const StepOutcome& outcome, b
   again_->setVisible(!handedIn);  // what was handed in is handed in
   again_->setText(tr("Try again"));
   next_->setText(isLast ? tr("Finish") : tr("Next step"));
-  next_->setFocus();
+  offer(passed || handedIn);
 }
 
 void OutcomePage::showExercise(const LessonStep& step, const StepOutcome& outcome, const QString& then) {
@@ -87,19 +112,24 @@ void OutcomePage::showExercise(const LessonStep& step, const StepOutcome& outcom
   remarks_->rows()->insertWidget(remarks_->rows()->count() - 1, comesAgain);
   again_->setText(tr("Stop"));
   next_->setText(tr("Next exercise"));
+  offer(true);
 }
 
 void OutcomePage::showLesson(const LessonRun& run) {
   remarks_->clear();
   const auto& steps = run.lesson().steps;
   std::size_t passed = 0, handedIn = 0;
+  const auto handedInBefore = std::count_if(steps.begin(), steps.end(), [&](const LessonStep& step) {
+    const StepOutcome* outcome = run.outcomeOf(step.id);
+    return outcome != nullptr && outcome->verdict == StepVerdict::handedIn;
+  });
   for (const LessonStep& step : steps) {
     const StepOutcome* outcome = run.outcomeOf(step.id);
     const bool good = outcome != nullptr && outcome->verdict == StepVerdict::passed;
     const bool isHandedIn = outcome != nullptr && outcome->verdict == StepVerdict::handedIn;
     passed += good ? 1 : 0;
     handedIn += isHandedIn ? 1 : 0;
-    addRemark(good || isHandedIn, words(step.title));
+    addStep(static_cast<int>(&step - steps.data()), good || isHandedIn, words(step.title), handedInBefore == 0);
   }
   remarks_->rows()->addStretch(1);
   heading_->setText(passed == steps.size() ? tr("Lesson passed: %1").arg(words(run.lesson().title))
@@ -111,7 +141,7 @@ void OutcomePage::showLesson(const LessonRun& run) {
   }
   again_->setVisible(false);
   next_->setText(tr("Back to the lessons"));
-  next_->setFocus();
+  offer(true);
 }
 
 }  // namespace ew::lessons

@@ -4,6 +4,7 @@
 
 #include "ew/library/attempt.h"
 #include "ew/library/lesson.h"
+#include "panel/click_guard.h"
 
 class QLabel;
 class QPushButton;
@@ -13,7 +14,8 @@ namespace ew::lessons {
 class LessonRun;
 class ScrolledRows;
 
-/// How a step went: passed or not, what was good, what was missed; and at the end of a lesson how all of it went.
+/// How a step went: passed or not, what was good, what was missed; and at the end of a lesson how all of it went. Its buttons wait a
+/// moment, so that a double click on the page before does not reach them.
 class OutcomePage final : public QWidget {
   Q_OBJECT
 
@@ -27,15 +29,19 @@ class OutcomePage final : public QWidget {
  Q_SIGNALS:
   void againAsked();
   void nextAsked();
+  void stepAsked(int step);  ///< of the lesson, to be tried once more
 
  private:
   void addRemark(bool good, const QString& text);
+  void addStep(int number, bool good, const QString& title, bool canRepeat);
+  void offer(bool nextFirst);
 
   QLabel* heading_ = nullptr;
   QLabel* figure_ = nullptr;
   ScrolledRows* remarks_ = nullptr;
   QPushButton* again_ = nullptr;
   QPushButton* next_ = nullptr;
+  ClickGuard guard_;
 };
 
 }  // namespace ew::lessons

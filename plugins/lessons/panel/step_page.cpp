@@ -80,7 +80,7 @@ StepPage::~StepPage() = default;
 
 void StepPage::clear() {
   scrolled_->clear();
-  live_ = hint_ = mark_ = compassText_ = nullptr;
+  live_ = hint_ = mark_ = compassText_ = outlineText_ = nullptr;
   hintButton_ = pointButton_ = play_ = nullptr;
   options_ = nullptr;
   number_ = nullptr;
@@ -162,12 +162,18 @@ void StepPage::showStep(LessonRun& run, const LessonStep& shown, const StepScene
     });
   }
   rows_->addStretch(1);
+  guard_.begin({}, nullptr);  // refresh() looks at it
   refresh(host_.scan().now_s());
 }
 
 void StepPage::see(const ScanState& image) {
   if (aids_) aids_->see(image);
+  if (outlineText_ != nullptr && aids_) outlineText_->setVisible(aids_->isTargetElsewhere());
   last_ = image;
+}
+
+void StepPage::setFrozen(bool isFrozen) {
+  if (pointButton_ != nullptr) pointButton_->setChecked(isFrozen);
 }
 
 void StepPage::refresh(double now_s) {
@@ -177,7 +183,7 @@ void StepPage::refresh(double now_s) {
   const auto missing = run_->missing(handed());
   missing_->setText(missing ? words(*missing) : QString());
   missing_->setVisible(missing.has_value());
-  done_->setEnabled(!missing);
+  done_->setEnabled(!missing && !guard_.isActive());
   showCompass();
   if (live_ == nullptr) return;
   QStringList lines;

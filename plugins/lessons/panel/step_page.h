@@ -9,6 +9,7 @@
 #include "ew/library/lesson.h"
 #include "logic/lesson_run.h"
 #include "panel/aids_drawer.h"
+#include "panel/click_guard.h"
 #include "panel/expert_player.h"
 
 class QAbstractButton;
@@ -38,9 +39,13 @@ class StepPage final : public QWidget {
                 const std::filesystem::path& picture);
   /// What stands above the step in place of its number in the lesson.
   void setHead(const QString& text, int value, int most);
+  /// Where was pointed, as it stands in the image; null: nowhere.
+  [[nodiscard]] std::shared_ptr<sdk::ScanOverlay> point() const { return point_ ? pointShown_ : nullptr; }
   /// Nothing is asked for any more: drawings and the probe are given back.
   void end();
   void see(const ScanState& image);
+  /// A frozen image can be pointed at without more ado.
+  void setFrozen(bool isFrozen);
   /// What stands handed in now.
   [[nodiscard]] Handed handed() const;
   /// Time, figures and what is missing, as they are now. Called a few times a second.
@@ -71,6 +76,7 @@ class StepPage final : public QWidget {
   std::shared_ptr<sdk::ScanOverlay> pointShown_;
   std::optional<Point<frame::Probe>> point_;
   bool watched_ = false;
+  ClickGuard guard_;  ///< of Done
 
   /// Advice for the hand while a plane is sought; empty: the step has none, or the trainee does without.
   struct Compass {
@@ -84,6 +90,7 @@ class StepPage final : public QWidget {
   std::optional<ScanState> last_;
   bool wantsCompass_ = false;
   QLabel* compassText_ = nullptr;
+  QLabel* outlineText_ = nullptr;
 
   QLabel* head_ = nullptr;
   QProgressBar* bar_ = nullptr;

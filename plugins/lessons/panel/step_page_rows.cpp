@@ -29,9 +29,13 @@ void StepPage::addAids(const LessonStep& step) {
     connect(box, &QCheckBox::toggled, this, [this, on, which = aid.aid](bool checked) {
       (*on).*which = checked;
       if (aids_) aids_->setAids(*on);
+      if (outlineText_ != nullptr && aids_) outlineText_->setVisible(aids_->isTargetElsewhere());
       wantsCompass_ = on->compass;
       showCompass();
     });
+    if (aid.aid != &LessonAids::outline) continue;
+    outlineText_ = addText(tr("What is sought is not in this image."), "outlineElsewhere", true);
+    outlineText_->hide();
   }
   aids_->setAids(*on);
 }
@@ -74,7 +78,8 @@ void StepPage::addPointing() {
   pointButton_ = new QPushButton(tr("Point at it"));
   pointButton_->setObjectName(QStringLiteral("pointAtIt"));
   pointButton_->setCheckable(true);
-  pointButton_->setToolTip(tr("Then click in the image; on the keyboard arrows and Enter"));
+  pointButton_->setToolTip(
+      tr("Freezes the image, where a click points; on the keyboard arrows and Enter. Freezing the image does the same."));
   rows_->addWidget(pointButton_, 0, Qt::AlignLeft);
   pointShown_ = host_.overlays().overScan();
   connect(pointButton_, &QPushButton::toggled, this, [this](bool asks) {
@@ -123,7 +128,10 @@ void StepPage::showExpert() {
   const ExpertMark* mark = expert_->mark();
   mark_->setText(mark != nullptr ? words(mark->text) : QString());
   mark_->setVisible(mark != nullptr);
-  play_->setText(expert_->isPlaying() ? tr("Rest") : expert_->hasEnded() ? tr("Play again") : mark != nullptr ? tr("Go on") : tr("Play"));
+  play_->setText(expert_->isPlaying()  ? tr("Stop here")
+                 : expert_->hasEnded() ? tr("Play again")
+                 : mark != nullptr     ? tr("Play on")
+                                       : tr("Play"));
 }
 
 void StepPage::addPicture(const std::filesystem::path& file) {

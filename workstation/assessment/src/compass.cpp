@@ -23,6 +23,7 @@ constexpr double kAboutThere_mm = 8.0;    // ... and while sliding to the region
 /// What is left to do, each in its own measure.
 struct Left {
   glm::dvec3 slide_mm{0.0};  ///< along the tangent plane at the contact; its length is the way over the skin
+  glm::dvec3 across{0.0};    ///< unit normal of the target plane, carried to the contact; a slide along the plane leaves it where it is
   double rotate_deg = 0.0;
   double tilt_deg = 0.0;
   double rock_deg = 0.0;
@@ -81,7 +82,9 @@ Left leftTo(const CompassTarget& target, const Hold& now) {
   Left left;
   left.slide_mm = wayTo(target.hold.contact, now.contact);
   const glm::dmat3 here(uprightPoseOf(now).probeToWorld.matrix);
-  const glm::dvec3 asked(uprightPoseOf(movedTo(target.hold, now.contact)).probeToWorld.matrix[0]);
+  const glm::dmat4 carriedTarget = uprightPoseOf(movedTo(target.hold, now.contact)).probeToWorld.matrix;
+  const glm::dvec3 asked(carriedTarget[0]);
+  left.across = glm::dvec3(carriedTarget[2]);
   // The angle about the beam that takes the probe's lateral axis there: x turned by r lies at x cos r - z sin r.
   left.rotate_deg = glm::degrees(std::atan2(-glm::dot(asked, here[2]), glm::dot(asked, here[0])));
   left.tilt_deg = glm::degrees(target.hold.tilt_rad - now.tilt_rad);
@@ -100,6 +103,12 @@ Units unitsOf(const CompassTarget& target) {
   return {target.tolerance.position_mm, limited(lateral_mm), limited(depth_mm)};
 }
 
+/// How much a slide matters, mm: out of the plane in full, along it as far as the target's place in the image counts.
+double weightOf(const glm::dvec3& slide_mm, const glm::dvec3& across) {
+  const double out_mm = glm::dot(slide_mm, across);
+  return std::max(std::abs(out_mm), glm::length(slide_mm - out_mm * across) / kInPictureFactor);
+}
+
 double wholeOf(double amount) { return std::max(1.0, std::round(std::abs(amount))); }
 
 CompassAdvice told(CompassAdvice advice) {
@@ -107,16 +116,20 @@ CompassAdvice told(CompassAdvice advice) {
   return advice;
 }
 
-/// One of the patient's two directions across the skin: the one that more is left of, unless the other is being slid along.
-CompassAdvice slideBy(const Left& left, const Hold& target, const Hold& now, const std::optional<CompassAdvice>& before,
+/// One of the patient's two directions across the skin: the one that more is left of, unless the other is being slid along. Near the
+/// target the one that brings the plane nearer.
+CompassAdvice slideBy(const Left& left, const Hold& target, const Hold& now, const std::optional<CompassAdvice>& before, bool isFar,
                       double release_mm) {
   const SkinAxes axes = axesAt(now.contact.outward);
   const double along_mm = glm::dot(left.slide_mm, axes.along);
   const double around_mm = glm::dot(left.slide_mm, axes.around);
-  bool isAlong = std::abs(along_mm) > std::abs(around_mm);
+  const auto matters = [&](double amount_mm, const glm::dvec3& way) {
+    return isFar ? std::abs(amount_mm) : weightOf(amount_mm * way, left.across);
+  };
+  bool isAlong = matters(along_mm, axes.along) > matters(around_mm, axes.around);
   if (before && before->movement == HandMovement::slide) {
     const bool wasAlong = std::abs(glm::dot(before->along, axes.along)) > std::abs(glm::dot(before->along, axes.around));
-    if (std::abs(wasAlong ? along_mm : around_mm) > release_mm) isAlong = wasAlong;
+    if ((wasAlong ? matters(along_mm, axes.along) : matters(around_mm, axes.around)) > release_mm) isAlong = wasAlong;
   }
   double amount_mm = isAlong ? along_mm : around_mm;
   // On the far side both ways around are about as long, and which is shorter changes with every tremor: the way goes on as it began.
@@ -186,7 +199,7 @@ HandMovement chosen(const Left& left, const Units& units, const std::optional<Co
   if (isFarOut(HandMovement::rock, left.rock_deg)) return HandMovement::rock;
 
   const std::array<Candidate, 5> candidates = {{
-      {HandMovement::slide, glm::length(left.slide_mm) / units.slide_mm},
+      {HandMovement::slide, weightOf(left.slide_mm, left.across) / units.slide_mm},
       {HandMovement::rotate, std::abs(left.rotate_deg) / units.rotate_deg},
       {HandMovement::tilt, std::abs(left.tilt_deg) / units.tip_deg},
       // A rock turns the picture within its plane, which is found all the same; half as urgent.
@@ -226,7 +239,7 @@ CompassAdvice nextMovement(const CompassTarget& target, const Hold& now, const s
   switch (movement) {
     case HandMovement::slide: {
       const bool far = glm::length(left.slide_mm) > kRegion_mm;
-      return slideBy(left, target.hold, now, before, far ? kAboutThere_mm : kRelease * units.slide_mm);
+      return slideBy(left, target.hold, now, before, far, far ? kAboutThere_mm : kRelease * units.slide_mm);
     }
     case HandMovement::rotate:
       return rotateBy(left, before);

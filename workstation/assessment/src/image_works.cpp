@@ -107,7 +107,7 @@ class PointWork final : public StepWork {
 
   [[nodiscard]] std::optional<Message> missing(const Handed& handed) const override {
     if (handed.point && last()) return std::nullopt;
-    return say<"Nothing was pointed at yet; click it in the image.">();
+    return say<"Nothing was pointed at yet; freeze the image and click it there.">();
   }
   [[nodiscard]] json answerOf(const Handed& handed) const override {
     if (!handed.point || !last()) return nullptr;

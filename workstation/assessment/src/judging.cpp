@@ -67,12 +67,16 @@ Judgement judgePlane(const PlaneTarget& target, const PlaneTolerance& tolerance,
     wellDone(judged,
              say<"The plane is found: %1 degrees and %2 mm from the expert's.">(tenths(error.angle_deg), tenths(error.distance_mm)));
   if (error.angle_deg > tolerance.angle_deg)
-    missed(judged, say<"The plane is tipped by %1 degrees; %2 degrees are allowed.">(tenths(error.angle_deg), tenths(tolerance.angle_deg)));
+    missed(judged, std::abs(error.rotate_deg) > std::abs(error.tilt_deg)
+                       ? say<"The plane is %1 degrees off, the probe above all rotated about its beam; %2 degrees are allowed.">(
+                             tenths(error.angle_deg), tenths(tolerance.angle_deg))
+                       : say<"The plane is %1 degrees off, the probe above all tilted; %2 degrees are allowed.">(
+                             tenths(error.angle_deg), tenths(tolerance.angle_deg)));
   if (error.distance_mm > tolerance.position_mm)
     missed(judged,
-           say<"What matters lies %1 mm beside the plane; %2 mm are allowed.">(tenths(error.distance_mm), tenths(tolerance.position_mm)));
+           say<"The plane passes %1 mm beside the target; %2 mm are allowed.">(tenths(error.distance_mm), tenths(tolerance.position_mm)));
   if (error.inPicture_mm > kInPictureFactor * tolerance.position_mm)
-    missed(judged, say<"What matters lies %1 mm elsewhere in the image; bring it to where the expert has it.">(whole(error.inPicture_mm)));
+    missed(judged, say<"The target lies %1 mm elsewhere in the image; bring it to where the expert has it.">(whole(error.inPicture_mm)));
   if (error.isMirrored) {
     judged.passed = false;
     judged.score = std::min(judged.score, 0.5);
@@ -93,6 +97,8 @@ Judgement judgePointing(const OrganVoxels& organ, const glm::dvec3& clicked_worl
     wellDone(judged, say<"That is it.">());
   else if (std::isfinite(beside_mm))
     missed(judged, say<"The point lies %1 mm beside it.">(tenths(beside_mm)));
+  else
+    missed(judged, say<"Nothing of it is near the point.">());
   return judged;
 }
 

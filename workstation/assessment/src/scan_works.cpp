@@ -70,7 +70,7 @@ class FreeWork final : public StepWork {
  public:
   FreeWork(const FreeTask& task, std::shared_ptr<const CaseGround> ground) : ground_(std::move(ground)), shortest_s_(task.shortest_s) {
     for (const std::string& name : task.targets) {
-      Sought one{name, std::nullopt, std::nullopt, 3.0};
+      Sought one{name, std::nullopt, std::nullopt, std::nullopt};
       for (const ExpectedPlane& plane : ground_->truth().planes)
         if (plane.name == name) one.plane = plane;
       for (const ExpectedStructure& structure : ground_->truth().structures)
@@ -86,7 +86,9 @@ class FreeWork final : public StepWork {
       if (one.cover) one.cover->add(fanOfImage(image), image.pose, image.gaps_mm);
       if (!one.plane || image.pose.status != PoseStatus::ok) continue;
       const PlaneTarget target = targetOf(*one.plane, ground_->truth(), resolvedDepth_mm(image.probe, image.knobs));
-      one.leastErrors = std::min(one.leastErrors, shareOfTolerance(planeError(target, image.pose.probeToWorld), toleranceOf(*one.plane)));
+      const PlaneError error = planeError(target, image.pose.probeToWorld);
+      const PlaneTolerance tolerance = toleranceOf(*one.plane);
+      if (!one.nearest || shareOfTolerance(error, tolerance) < shareOfTolerance(*one.nearest, tolerance)) one.nearest = error;
     }
     StepWork::see(image);
   }
@@ -96,12 +98,11 @@ class FreeWork final : public StepWork {
     return say<"Scan for at least %1 s more.">(roundedText(std::ceil(left_s)));
   }
   void judge(const nlohmann::json&, StepOutcome& outcome) const override {
-    constexpr double kSeen = 0.3;  // of a structure: enough to have looked at it
     int found = 0;
     for (const Sought& one : sought_) {
-      const bool good = (one.plane && one.leastErrors <= 1.0) || (one.cover && one.cover->share() >= kSeen);
+      const bool good = one.isShown();
       found += good ? 1 : 0;
-      outcome.remarks.push_back({good, good ? say<"Shown: %1">(verbatim(one.name)) : say<"Not shown: %1">(verbatim(one.name))});
+      outcome.remarks.push_back({good, good ? say<"Shown: %1">(verbatim(one.name)) : one.missed()});
     }
     outcome.score = sought_.empty() ? 1.0 : static_cast<double>(found) / static_cast<double>(sought_.size());
   }
@@ -111,7 +112,26 @@ class FreeWork final : public StepWork {
     std::string name;
     std::optional<ExpectedPlane> plane;
     std::optional<OrganCoverage> cover;
-    double leastErrors;
+    std::optional<PlaneError> nearest;  ///< that the probe came to the plane
+
+    static constexpr double kSeen = 0.3;  // of a structure: enough to have looked at it
+    [[nodiscard]] bool isShown() const {
+      return (plane && nearest && isFound(*nearest, toleranceOf(*plane))) || (cover && cover->share() >= kSeen);
+    }
+    /// Why it does not count, with the figure that was needed.
+    [[nodiscard]] Message missed() const {
+      if (cover)
+        return say<"Not shown: %1. The images passed through %2 % of it; %3 % are needed.">(
+            verbatim(name), roundedText(100.0 * cover->share()), roundedText(100.0 * kSeen));
+      if (!plane || !nearest) return say<"Not shown: %1">(verbatim(name));
+      const PlaneTolerance tolerance = toleranceOf(*plane);
+      if (nearest->angle_deg <= tolerance.angle_deg && nearest->distance_mm <= tolerance.position_mm)
+        return say<"Not shown: %1. The plane was right, but the target lay %2 mm elsewhere in the image; %3 mm are allowed.">(
+            verbatim(name), roundedText(nearest->inPicture_mm), roundedText(kInPictureFactor * tolerance.position_mm));
+      return say<"Not shown: %1. At best the plane was %2 degrees and %3 mm off; %4 degrees and %5 mm are allowed.">(
+          verbatim(name), roundedText(nearest->angle_deg), roundedText(nearest->distance_mm), roundedText(tolerance.angle_deg),
+          roundedText(tolerance.position_mm));
+    }
   };
   std::shared_ptr<const CaseGround> ground_;
   double shortest_s_;
