@@ -169,6 +169,32 @@ TEST(ProblemsOfALesson, NamesTheStepThatCannotBeWorkedThrough) {
   EXPECT_EQ(problems[3].stepId, "h");
 }
 
+TEST(ProblemsOfALesson, SaysWhatNobodyHasPutIntoWords) {
+  const auto problemsIn = [](LessonStep made) {
+    Lesson lesson;
+    lesson.steps = {std::move(made)};
+    std::vector<std::string> texts;
+    for (const LessonProblem& each : problemsOf(lesson, home(), {})) texts.push_back(each.text.english());
+    return texts;
+  };
+  LessonStep point = step("point", PointTask{"stone"});
+  EXPECT_TRUE(problemsIn(point).empty());
+  point.text.clear();
+  EXPECT_EQ(problemsIn(point), std::vector<std::string>{"Nothing says what is to be done; write it."});
+  LessonStep question =
+      step("question", AnswerTask{{{"Answer 1", true, ""}, {"A stone", false, ""}, {"Antwort 3", false, ""}}, {}, 0.0, ""});
+  EXPECT_EQ(problemsIn(question).size(), 2u);
+  EXPECT_TRUE(isGivenName("Structure") && isGivenName("Struktur 2") && !isGivenName("Structure of the liver") && !isGivenName("12"));
+
+  Lesson twice;
+  twice.steps = {step("one", PointTask{"stone"}), step("two", PointTask{"stone"})};
+  twice.steps[1].title = "Another name";
+  ASSERT_EQ(problemsOf(twice, home(), {}).size(), 1u);
+  EXPECT_EQ(problemsOf(twice, home(), {})[0].stepId, "two");
+  twice.steps[1].feedback = false;
+  EXPECT_TRUE(problemsOf(twice, home(), {}).empty()) << "without help is another step";
+}
+
 TEST(ProblemsOfALesson, LooksAtTheCaseThatAStepScans) {
   Lesson lesson;
   lesson.steps = {step("elsewhere", PointTask{"stone"})};

@@ -15,6 +15,15 @@ bool hasTarget(const Case& scanned, const std::string& name, CaseTarget::Kind ki
                      [&](const CaseTarget& target) { return target.name == name && target.kind == kind; });
 }
 
+/// Whether two steps ask for the same in the same way: all but their names is equal.
+bool isTwin(const LessonStep& one, const LessonStep& other) {
+  if (one.id == other.id) return true;
+  LessonStep renamed = one;
+  renamed.id = other.id;
+  renamed.title = other.title;
+  return renamed == other;
+}
+
 /// Looks at the tasks of one lesson; each problem stands with the step it was found in.
 class Looking {
  public:
@@ -25,6 +34,7 @@ class Looking {
     step_ = &step;
     scanned_ = &scanned;
     std::visit([this](const auto& task) { at(task); }, step.task);
+    wording();
   }
 
  private:
@@ -34,6 +44,13 @@ class Looking {
     std::error_code ignored;
     if (hasFolder_ && !fs::is_regular_file(folder_ / relative, ignored))
       say(ew::say<"The file '%1' of the lesson is not in the case folder; put it into parts/lessons, or choose another.">(relative));
+  }
+
+  /// What a trainee has to read, and nobody wrote.
+  void wording() {
+    const bool saysItself = std::holds_alternative<ReadTask>(step_->task) || std::holds_alternative<AnswerTask>(step_->task) ||
+                            std::holds_alternative<WatchTask>(step_->task);
+    if (!saysItself && step_->text.empty()) say(ew::say<"Nothing says what is to be done; write it.">());
   }
 
   void plane(const std::string& name) {
@@ -55,6 +72,8 @@ class Looking {
   void at(const WatchTask& task) {
     if (task.recording.empty()) return say(ew::say<"The expert's scan is not recorded yet; record it, or leave the step out.">());
     file(task.recording);
+    for (const ExpertMark& mark : task.marks)
+      if (isGivenName(mark.text)) say(ew::say<"The mark '%1' says nothing of what is to be seen there; describe it.">(mark.text));
   }
   void at(const PlaneTask& task) { plane(task.target); }
   void at(const SweepTask& task) { structure(task.target); }
@@ -80,6 +99,8 @@ class Looking {
     if (task.number) return;
     const auto right = std::count_if(task.options.begin(), task.options.end(), [](const AnswerOption& one) { return one.right; });
     if (task.options.size() < 2) return say(ew::say<"A question needs at least two answers to choose from, or a number.">());
+    for (const AnswerOption& option : task.options)
+      if (isGivenName(option.text)) say(ew::say<"The answer '%1' is not written yet; say what can be chosen.">(option.text));
     if (right == 0) say(ew::say<"None of the answers is marked as right; mark one.">());
   }
   void at(const FreeTask& task) {
@@ -115,8 +136,18 @@ std::vector<LessonProblem> problemsOf(const Lesson& lesson, const Case& home, co
       looking.look(step, *scanned);
     else
       problems.push_back({step.id, say<"The case '%1' is not in the library; import it, or choose another.">(step.caseId)});
+    const auto twin = std::find_if(lesson.steps.begin(), lesson.steps.end(), [&](const LessonStep& one) { return isTwin(one, step); });
+    if (twin->id != step.id)
+      problems.push_back({step.id, say<"It asks the same as the step '%1'; change one of them, or leave it out.">(twin->title)});
   }
   return problems;
+}
+
+bool isGivenName(std::string_view name) {
+  constexpr std::string_view kGiven[] = {"Answer", "Antwort", "Mark", "Marke", "Structure", "Struktur", "Point", "Punkt", "Plane", "Ebene"};
+  while (!name.empty() && name.back() >= '0' && name.back() <= '9') name.remove_suffix(1);
+  while (!name.empty() && name.back() == ' ') name.remove_suffix(1);
+  return std::find(std::begin(kGiven), std::end(kGiven), name) != std::end(kGiven);
 }
 
 std::vector<std::string> unusedLessonFiles(const Case& home) {

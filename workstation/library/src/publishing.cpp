@@ -123,6 +123,7 @@ void checkTargets(const Case& opened, const CheckSources& sources, CheckList& li
   for (std::size_t n = 0; n < opened.targets.size(); ++n) {
     const CaseTarget& each = opened.targets[n];
     const std::string field = "targets[" + std::to_string(n) + "]";
+    if (isGivenName(each.name)) list.warn(say<"'%1' says nothing of what is to be found; name it.">(each.name), field);
     switch (reachOf(each, opened, sources)) {
       case Reach::outside:
         list.warn(say<"'%1' lies outside the volume; correct it, or leave it out.">(each.name), field);

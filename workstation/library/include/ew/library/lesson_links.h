@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ew/library/case.h"
@@ -23,9 +24,13 @@ struct LessonProblem {
 using CaseById = std::function<const Case*(const std::string& id)>;
 
 /// Looks at a lesson beside the cases it refers to: targets and measurements that a case does not have, files that are not there, questions
-/// without a right answer. Empty: it is ready.
+/// without a right answer, steps and answers that nobody has put into words, a step that is there twice. Empty: it is ready.
 /// @param home the case that holds it, with its folder: files are looked for in its parts/lessons
 [[nodiscard]] std::vector<LessonProblem> problemsOf(const Lesson& lesson, const Case& home, const CaseById& caseById);
+
+/// Whether a name is one that the editors give to something new, in whatever language of theirs, perhaps with a number: "Answer 2",
+/// "Struktur". Nobody wrote it, and a trainee would read it.
+[[nodiscard]] bool isGivenName(std::string_view name);
 
 /// Recordings and pictures in parts/lessons that no lesson of the case names, relative to it, sorted: earlier takes, mostly. They stay
 /// until somebody decides, for a step of undo or an edit that a crash has interrupted may name them again.
