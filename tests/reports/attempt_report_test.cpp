@@ -49,7 +49,11 @@ TEST(ReportOfAnAttempt, HasMetricsBesideTheExpertsOfTheSameVersion) {
   lesson.offByDefault = {{"plane", "hints"}};
   const std::string text = plainTextOf(attemptReport(madeAttempt(1, 0.9, 0.9), lesson, someCodes()));
   EXPECT_TRUE(holds(text, "Path length | 201 mm | 120 mm | 1 | weight 2")) << text;
-  EXPECT_TRUE(holds(text, "Hints | 2 | – | 1 | no; off by default")) << text;
+  EXPECT_FALSE(holds(text, "Hints | 2")) << "it is off by default: a page of such rows says nothing";
+  EXPECT_TRUE(holds(text, "Left out, since they are off by default and do not count: 1 of")) << text;
+  lesson.expert.reset();
+  EXPECT_TRUE(holds(plainTextOf(attemptReport(madeAttempt(1, 0.9, 0.9), lesson, someCodes())), "Path length | 201 mm | 1 | weight 2"))
+      << "and no column of dashes where there is no expert";
 }
 
 TEST(ReportOfAnAttempt, SaysNothingOfWeightsThatAnotherPlanHad) {

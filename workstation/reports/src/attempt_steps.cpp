@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 
 #include "attempt_parts.h"
 #include "ew/scanning/recording.h"
@@ -25,33 +26,52 @@ ReportFacts stepFacts(const StepScore& step, const StepOutcome* outcome, std::si
   return facts;
 }
 
-/// Whether a plan weighs a metric; empty where nobody knows any more.
-Message countsText(const PartOf& of, const StepScore& step, const std::string& metric) {
-  if (of.lesson.plan.revision != of.one.score->planRevision) return {};
+/// The weight that a plan gives a metric; empty: it does not count, or nobody knows any more.
+std::optional<double> weightInPlan(const PartOf& of, const StepScore& step, const std::string& metric) {
+  if (of.lesson.plan.revision != of.one.score->planRevision) return std::nullopt;
   if (const StepPlan* plan = of.lesson.plan.of(step.stepId))
     for (const MetricWeight& weight : plan->metrics)
-      if (weight.metric == metric) return say<"weight %1">(figureText(weight.weight, ""));
-  return of.lesson.offByDefault.contains({step.kind, metric}) ? say<"no; off by default">() : say<"no">();
+      if (weight.metric == metric) return weight.weight;
+  return std::nullopt;
 }
 
-ReportTable metricsTable(const PartOf& of, const StepScore& step) {
-  ReportTable table{say<"Metrics">(),
-                    {{say<"Metric">()}, {say<"Value">(), true}, {say<"Expert">(), true}, {say<"Version">(), true}, {say<"In the score">()}},
-                    {}};
+/// What the expert has in the same version of a metric; null: nothing to compare with.
+const MetricValue* expertsOf(const PartOf& of, const StepScore& step, const MetricValue& value) {
   const StepScore* expert = of.lesson.expert ? of.lesson.expert->of(step.stepId) : nullptr;
-  for (const MetricValue& value : step.metrics) {
-    const auto isSame = [&](const MetricValue& other) { return other.id == value.id && other.version == value.version; };
-    Message experts = verbatim("–");
-    if (expert != nullptr && of.lesson.expert->attemptId != of.one.attempt.id)
-      if (const auto found = std::find_if(expert->metrics.begin(), expert->metrics.end(), isSame); found != expert->metrics.end())
-        experts = figureText(found->value, metricUnit(value.id));
-    table.rows.push_back({{metricName(value.id)},
-                          {figureText(value.value, metricUnit(value.id))},
-                          {std::move(experts)},
-                          {verbatim(std::to_string(value.version))},
-                          {countsText(of, step, value.id)}});
+  if (expert == nullptr || of.lesson.expert->attemptId == of.one.attempt.id) return nullptr;
+  for (const MetricValue& other : expert->metrics)
+    if (other.id == value.id && other.version == value.version) return &other;
+  return nullptr;
+}
+
+/// Metrics that count or are on, beside the expert's where there are any. Those that are off by default are counted alone: a page of them
+/// says nothing.
+void addMetrics(const PartOf& of, const StepScore& step, Blocks& blocks) {
+  const bool isPlanKnown = of.lesson.plan.revision == of.one.score->planRevision;
+  std::vector<const MetricValue*> listed;
+  for (const MetricValue& value : step.metrics)
+    if (weightInPlan(of, step, value.id) || !of.lesson.offByDefault.contains({step.kind, value.id})) listed.push_back(&value);
+  const bool hasExpert =
+      std::any_of(listed.begin(), listed.end(), [&](const MetricValue* value) { return expertsOf(of, step, *value) != nullptr; });
+  ReportTable table{say<"Metrics">(), {{say<"Metric">()}, {say<"Value">(), true}}, {}};
+  if (hasExpert) table.columns.push_back({say<"Expert">(), true});
+  table.columns.push_back({say<"Version">(), true});
+  table.columns.push_back({say<"In the score">()});
+  for (const MetricValue* value : listed) {
+    auto& row = table.rows.emplace_back();
+    row.push_back({metricName(value->id)});
+    row.push_back({figureText(value->value, metricUnit(value->id))});
+    const MetricValue* expert = expertsOf(of, step, *value);
+    if (hasExpert) row.push_back({expert != nullptr ? figureText(expert->value, metricUnit(value->id)) : verbatim("–")});
+    row.push_back({verbatim(std::to_string(value->version))});
+    const auto weight = weightInPlan(of, step, value->id);
+    row.push_back({weight ? say<"weight %1">(figureText(*weight, "")) : isPlanKnown ? say<"no">() : Message()});
   }
-  return table;
+  if (!table.rows.empty()) blocks.emplace_back(std::move(table));
+  if (const std::size_t left = step.metrics.size() - listed.size(); left > 0)
+    blocks.emplace_back(ReportParagraph{
+        say<"Left out, since they are off by default and do not count: %1 of %2 metrics. The table has all.">(left, step.metrics.size()),
+        ReportTone::soft});
 }
 
 void addFigures(const std::vector<AttemptFigure>& figures, Blocks& blocks) {
@@ -114,7 +134,7 @@ void addStep(const PartOf& of, const StepScore& step, std::size_t number, Blocks
   blocks.emplace_back(stepFacts(step, outcome, static_cast<std::size_t>(tries)));
   addRemarks(of, step.remarks, blocks);
   addFigures(step.figures, blocks);
-  if (!step.metrics.empty()) blocks.emplace_back(metricsTable(of, step));
+  if (!step.metrics.empty()) addMetrics(of, step, blocks);
   if (outcome != nullptr) {
     addPictures(of, *outcome, title, blocks);
     addPath(of, *outcome, blocks);
