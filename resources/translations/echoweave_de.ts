@@ -7819,10 +7819,6 @@
         <translation>In diesem Bild ist noch nichts Passendes gemessen; frieren Sie das Bild ein und setzen Sie die Messpunkte.</translation>
     </message>
     <message>
-        <source>Nothing was pointed at yet; click it in the image.</source>
-        <translation>Es wurde noch nichts gezeigt; klicken Sie die Stelle im Bild an.</translation>
-    </message>
-    <message>
         <source>Right would have been: %1</source>
         <translation>Richtig gewesen wäre: %1</translation>
     </message>
@@ -8313,18 +8309,6 @@
     <message>
         <source>The plane is found: %1 degrees and %2 mm from the expert&apos;s.</source>
         <translation>Die Ebene ist gefunden: %1 Grad und %2 mm neben der des Experten.</translation>
-    </message>
-    <message>
-        <source>The plane is tipped by %1 degrees; %2 degrees are allowed.</source>
-        <translation>Die Ebene ist um %1 Grad gekippt; erlaubt sind %2 Grad.</translation>
-    </message>
-    <message>
-        <source>What matters lies %1 mm beside the plane; %2 mm are allowed.</source>
-        <translation>Worauf es ankommt, liegt %1 mm neben der Ebene; erlaubt sind %2 mm.</translation>
-    </message>
-    <message>
-        <source>What matters lies %1 mm elsewhere in the image; bring it to where the expert has it.</source>
-        <translation>Worauf es ankommt, liegt im Bild %1 mm anderswo; es dorthin bringen, wo der Experte es hat.</translation>
     </message>
     <message>
         <source>The marker points the wrong way; left and right are exchanged.</source>
@@ -10965,6 +10949,80 @@
     <message>
         <source>There is no window that could ask where the case is to be saved.</source>
         <translation>Es gibt kein Fenster, das fragen könnte, wo der Fall gespeichert werden soll.</translation>
+        <source>The plane is %1 degrees off, the probe above all rotated about its beam; %2 degrees are allowed.</source>
+        <translation>Die Ebene weicht um %1 Grad ab, vor allem ist der Schallkopf um seinen Strahl gedreht; %2 Grad sind erlaubt.</translation>
+    </message>
+    <message>
+        <source>The plane is %1 degrees off, the probe above all tilted; %2 degrees are allowed.</source>
+        <translation>Die Ebene weicht um %1 Grad ab, vor allem ist der Schallkopf gekippt; %2 Grad sind erlaubt.</translation>
+    </message>
+    <message>
+        <source>The plane passes %1 mm beside the target; %2 mm are allowed.</source>
+        <translation>Die Ebene geht %1 mm am Ziel vorbei; %2 mm sind erlaubt.</translation>
+    </message>
+    <message>
+        <source>The target lies %1 mm elsewhere in the image; bring it to where the expert has it.</source>
+        <translation>Das Ziel liegt im Bild %1 mm anderswo; bringen Sie es dorthin, wo der Experte es hat.</translation>
+    </message>
+    <message>
+        <source>Nothing of it is near the point.</source>
+        <translation>In der Nähe der Stelle ist nichts davon.</translation>
+    </message>
+    <message>
+        <source>Nothing was pointed at yet; freeze the image and click it there.</source>
+        <translation>Es wurde noch nichts gezeigt; frieren Sie das Bild ein und klicken Sie die Stelle dort an.</translation>
+    </message>
+    <message>
+        <source>Not shown: %1. The images passed through %2 % of it; %3 % are needed.</source>
+        <translation>Nicht gezeigt: %1. Die Bilder gingen durch %2 % davon; %3 % sind nötig.</translation>
+    </message>
+    <message>
+        <source>Not shown: %1. The plane was right, but the target lay %2 mm elsewhere in the image; %3 mm are allowed.</source>
+        <translation>Nicht gezeigt: %1. Die Ebene stimmte, aber das Ziel lag im Bild %2 mm anderswo; %3 mm sind erlaubt.</translation>
+    </message>
+    <message>
+        <source>Not shown: %1. At best the plane was %2 degrees and %3 mm off; %4 degrees and %5 mm are allowed.</source>
+        <translation>Nicht gezeigt: %1. Bestenfalls wich die Ebene um %2 Grad und %3 mm ab; %4 Grad und %5 mm sind erlaubt.</translation>
+    </message>
+    <message>
+        <source>Nothing says what is to be done; write it.</source>
+        <translation>Es steht nirgends, was zu tun ist; schreiben Sie es.</translation>
+    </message>
+    <message>
+        <source>The mark &apos;%1&apos; says nothing of what is to be seen there; describe it.</source>
+        <translation>Die Marke &apos;%1&apos; sagt nicht, was dort zu sehen ist; beschreiben Sie es.</translation>
+    </message>
+    <message>
+        <source>The answer &apos;%1&apos; is not written yet; say what can be chosen.</source>
+        <translation>Die Antwort &apos;%1&apos; ist noch nicht geschrieben; sagen Sie, was gewählt werden kann.</translation>
+    </message>
+    <message>
+        <source>It asks the same as the step &apos;%1&apos;; change one of them, or leave it out.</source>
+        <translation>Er verlangt dasselbe wie der Schritt &apos;%1&apos;; ändern Sie einen von beiden oder lassen Sie ihn weg.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; says nothing of what is to be found; name it.</source>
+        <translation>&apos;%1&apos; sagt nicht, was zu finden ist; geben Sie einen Namen.</translation>
+    </message>
+    <message>
+        <source>Nothing was done in this step yet: move the probe, set the machine, or freeze the image.</source>
+        <translation>In diesem Schritt wurde noch nichts getan: Bewegen Sie den Schallkopf, stellen Sie das Gerät ein oder frieren Sie das Bild ein.</translation>
+    </message>
+    <message>
+        <source>Another case was opened before the expert&apos;s scan was kept; open the case it is for again.</source>
+        <translation>Ein anderer Fall wurde geöffnet, bevor die Aufnahme des Experten aufbewahrt war; öffnen Sie den Fall wieder, zu dem sie gehört.</translation>
+    </message>
+    <message>
+        <source>The step that the expert&apos;s scan was recorded for is not there any more; undo brings it back.</source>
+        <translation>Den Schritt, für den die Aufnahme des Experten gemacht wurde, gibt es nicht mehr; Rückgängig bringt ihn zurück.</translation>
+    </message>
+    <message>
+        <source>false or missing, since the item is answered</source>
+        <translation>false oder weggelassen, da der Punkt beantwortet ist</translation>
+    </message>
+    <message>
+        <source>Left out, since they are off by default and do not count: %1 of %2 metrics. The table has all.</source>
+        <translation>Weggelassen, da von sich aus ausgeschaltet und ohne Gewicht: %1 von %2 Kennzahlen. Die Tabelle hat alle.</translation>
     </message>
     <message>
         <source>%1 ends early or is damaged: of its %2 s the first %3 s were read, %4 frames; get the file again if the others are needed.</source>
@@ -19358,6 +19416,14 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>%1 of %2 steps handed in; an instructor judges them afterwards.</source>
         <translation>%1 von %2 Schritten abgegeben; eine Lehrkraft bewertet sie hinterher.</translation>
     </message>
+    <message>
+        <source>Try this step again</source>
+        <translation>Diesen Schritt noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>Try again: %1</source>
+        <translation>Noch einmal versuchen: %1</translation>
+    </message>
 </context>
 <context>
     <name>ew::lessons::StepPage</name>
@@ -19450,20 +19516,12 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Darauf zeigen</translation>
     </message>
     <message>
-        <source>Then click in the image; on the keyboard arrows and Enter</source>
-        <translation>Dann im Bild klicken; mit der Tastatur Pfeile und Eingabe</translation>
-    </message>
-    <message>
         <source>Click what is asked for. Arrows and Enter do the same, Escape ends.</source>
         <translation>Klicken Sie das Gesuchte an. Pfeile und Eingabe tun dasselbe, Escape beendet.</translation>
     </message>
     <message>
         <source>Play</source>
         <translation>Abspielen</translation>
-    </message>
-    <message>
-        <source>Rest</source>
-        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Play again</source>
@@ -19476,6 +19534,22 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>%1 left</source>
         <translation>noch %1</translation>
+    </message>
+    <message>
+        <source>What is sought is not in this image.</source>
+        <translation>Was gesucht wird, ist nicht in diesem Bild.</translation>
+    </message>
+    <message>
+        <source>Freezes the image, where a click points; on the keyboard arrows and Enter. Freezing the image does the same.</source>
+        <translation>Friert das Bild ein; dort zeigt ein Klick, auf der Tastatur Pfeile und Eingabe. Das Bild einzufrieren bewirkt dasselbe.</translation>
+    </message>
+    <message>
+        <source>Stop here</source>
+        <translation>Hier anhalten</translation>
+    </message>
+    <message>
+        <source>Play on</source>
+        <translation>Weiter abspielen</translation>
     </message>
 </context>
 <context>
@@ -21269,6 +21343,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>Mark a moment</source>
         <translation>Moment markieren</translation>
     </message>
+    <message>
+        <source>The recording is still there: Stop tries again to keep it.</source>
+        <translation>Die Aufzeichnung ist noch da: Beenden versucht noch einmal, sie aufzubewahren.</translation>
+    </message>
 </context>
 <context>
     <name>ew::lessons::WordsPage</name>
@@ -22603,6 +22681,10 @@ Zeit: %3</translation>
         <source>Compare trainees' scans with the expert's</source>
         <translation>Scans von Lernenden mit dem des Experten vergleichen</translation>
     </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
 </context>
 <context>
     <name>ew::review::BodyView</name>
@@ -22801,18 +22883,6 @@ Zeit: %3</translation>
 <context>
     <name>ew::review::CommentsPage</name>
     <message>
-        <source>You are</source>
-        <translation>Sie sind</translation>
-    </message>
-    <message>
-        <source>your name, as others read it</source>
-        <translation>Ihr Name, wie andere ihn lesen</translation>
-    </message>
-    <message>
-        <source>Your name</source>
-        <translation>Ihr Name</translation>
-    </message>
-    <message>
         <source>Comments</source>
         <translation>Kommentare</translation>
     </message>
@@ -22911,6 +22981,10 @@ Zeit: %3</translation>
         <source>The pose of the probe is not known here</source>
         <translation>Die Pose des Schallkopfs ist hier nicht bekannt</translation>
     </message>
+    <message>
+        <source>effects of the image</source>
+        <translation>Effekte des Bildes</translation>
+    </message>
 </context>
 <context>
     <name>ew::review::RatingPage</name>
@@ -22949,10 +23023,6 @@ Zeit: %3</translation>
     <message>
         <source>Choose an attempt to rate it.</source>
         <translation>Wählen Sie einen Versuch, um ihn zu bewerten.</translation>
-    </message>
-    <message>
-        <source>Say who you are, on the page of comments; ratings are kept by their raters.</source>
-        <translation>Sagen Sie auf der Seite der Kommentare, wer Sie sind; Bewertungen werden nach ihren Verfassern abgelegt.</translation>
     </message>
     <message>
         <source>Names are shown: this rating does not count as blinded.</source>
@@ -23010,6 +23080,18 @@ Zeit: %3</translation>
     <message>
         <source>not passed</source>
         <translation>nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Happens by itself as well: after a pause, and before another attempt is chosen</source>
+        <translation>Geschieht auch von selbst: nach einer Pause, und bevor ein anderer Versuch gewählt wird</translation>
+    </message>
+    <message>
+        <source>Say who you are, above; a rating is kept under the name of its rater.</source>
+        <translation>Sagen Sie oben, wer Sie sind; eine Bewertung wird unter dem Namen dessen aufbewahrt, der sie gab.</translation>
+    </message>
+    <message>
+        <source>A rating could not be kept.</source>
+        <translation>Eine Bewertung konnte nicht aufbewahrt werden.</translation>
     </message>
 </context>
 <context>
@@ -23072,6 +23154,18 @@ Zeit: %3</translation>
     <message>
         <source>Rating</source>
         <translation>Bewertung</translation>
+    </message>
+    <message>
+        <source>You are</source>
+        <translation>Sie sind</translation>
+    </message>
+    <message>
+        <source>your name, as others read it</source>
+        <translation>Ihr Name, wie andere ihn lesen</translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation>Ihr Name</translation>
     </message>
 </context>
 <context>
@@ -23137,16 +23231,16 @@ Zeit: %3</translation>
         <source>The report is in %1.</source>
         <translation>Der Bericht liegt in %1.</translation>
     </message>
+    <message>
+        <source>What was written about the scan before could not be kept, so that one stays open; see to the message and choose again.</source>
+        <translation>Was über die Aufnahme davor geschrieben wurde, konnte nicht aufbewahrt werden; deshalb bleibt sie offen. Beachten Sie die Meldung und wählen Sie noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>ew::review::ReviewStage</name>
     <message>
         <source>Both scans</source>
         <translation>Beide Scans</translation>
-    </message>
-    <message>
-        <source>Look again</source>
-        <translation>Neu suchen</translation>
     </message>
     <message>
         <source>Nothing to review yet</source>
@@ -23328,6 +23422,18 @@ Zeit: %3</translation>
         <source>write a comment at this moment</source>
         <translation>einen Kommentar zu diesem Moment schreiben</translation>
     </message>
+    <message>
+        <source>Say who you are at the top of the column: a comment is kept under the name of whoever wrote it.</source>
+        <translation>Sagen Sie oben in der Spalte, wer Sie sind: Ein Kommentar wird unter dem Namen dessen aufbewahrt, der ihn schrieb.</translation>
+    </message>
+    <message>
+        <source>A comment was begun and not added.</source>
+        <translation>Ein Kommentar wurde begonnen und nicht hinzugefügt.</translation>
+    </message>
+    <message>
+        <source>Find new attempts</source>
+        <translation>Neue Versuche suchen</translation>
+    </message>
 </context>
 <context>
     <name>ew::review::ScansPage</name>
@@ -23364,16 +23470,8 @@ Zeit: %3</translation>
         <translation>Wie alle Versuche an dieser Lektion verliefen, Schritt für Schritt</translation>
     </message>
     <message>
-        <source>Recording …</source>
-        <translation>Aufzeichnung …</translation>
-    </message>
-    <message>
         <source>Reviews the recording of a scan from a file, in place of an attempt's</source>
         <translation>Sieht die Aufzeichnung eines Scans aus einer Datei durch, an Stelle der eines Versuchs</translation>
-    </message>
-    <message>
-        <source>Look again</source>
-        <translation>Neu suchen</translation>
     </message>
     <message>
         <source>Looks for attempts that were made meanwhile</source>
@@ -23426,16 +23524,24 @@ Zeit: %3</translation>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>A recording …</source>
-        <translation>Eine Aufzeichnung …</translation>
-    </message>
-    <message>
         <source>Open a recording of a scan</source>
         <translation>Aufzeichnung eines Scans öffnen</translation>
     </message>
     <message>
         <source>Recordings of scans (*.seq.mha *.igs.mha *.mha);;All files (*)</source>
         <translation>Aufzeichnungen von Scans (*.seq.mha *.igs.mha *.mha);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open a recording …</source>
+        <translation>Aufzeichnung öffnen …</translation>
+    </message>
+    <message>
+        <source>Find new attempts</source>
+        <translation>Neue Versuche suchen</translation>
+    </message>
+    <message>
+        <source>A recording from a file …</source>
+        <translation>Eine Aufzeichnung aus einer Datei …</translation>
     </message>
 </context>
 <context>
