@@ -349,6 +349,10 @@ class WhileLocked : public ::testing::Test {
  protected:
   void SetUp() override {
     AccessPolicy policy = AccessPolicy::of(library_);
+    const auto refused = setLock(policy, Passphrase("abc"), "Anna", kCheapCost);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().sentence().find("too short"), std::string::npos);
+    ASSERT_FALSE(policy.hasLock()) << "three letters lock nothing";
     ASSERT_TRUE(setLock(policy, kWords, "Anna", kCheapCost));
   }
   [[nodiscard]] AccessPolicy policy() const { return AccessPolicy::of(library_); }
