@@ -242,6 +242,23 @@ class TraineeTest : public WindowFixture {
       }
   }
 
+  void onAZoomedImageSlidersAndBodyMarkGiveWay() {
+    ScanView& scan = window_->scanView();
+    QVERIFY(find<QSlider>("dgc4")->isVisible());
+    for (int i = 0; i < 4; ++i) QTest::keyClick(&scan, Qt::Key_Z);
+    QTest::mouseMove(&scan, scan.rect().center());
+    QTest::qWait(20);
+    QVERIFY(!find<QWidget>("dgcColumn")->isVisible());
+    QVERIFY(!find<QWidget>("bodyMark")->isVisible());
+    QTest::mouseMove(&scan, QPoint(20, scan.height() / 2));
+    QTest::qWait(20);
+    QVERIFY2(find<QWidget>("dgcColumn")->isVisible(), "they come when the pointer is at them");
+    session().setDetail(1.0, {});
+    QTest::mouseMove(&scan, scan.rect().center());
+    QTest::qWait(20);
+    QVERIFY(find<QSlider>("dgc4")->isVisible());
+  }
+
   void thePageOfKeysScrollsInASmallWindowAndHasAButtonToCloseIt() {
     window_->resize(1024, 640);
     QTest::qWait(50);

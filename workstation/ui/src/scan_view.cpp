@@ -1,6 +1,7 @@
 #include "scan_view.h"
 
 #include <QApplication>
+#include <QHoverEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <QResizeEvent>
@@ -53,6 +54,7 @@ ScanView::ScanView(Session& session, QWidget* parent) : QWidget(parent), session
   setLayoutDirection(Qt::LeftToRight);  // an image has its sides, whatever is read
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
+  setAttribute(Qt::WA_Hover);  // the sliders of a zoomed image come when the pointer is there
   setAccessibleName(tr("Scan"));
   dgc_ = new DgcColumn(session_, this);
   scale_ = new FocusScale(
@@ -240,9 +242,22 @@ bool ScanView::fitsBeside(const Knobs& whole) {
 void ScanView::setCompact(bool compact) {
   if (compact == isCompact_) return;
   isCompact_ = compact;
-  dgc_->setVisible(!compact);
   arrange();
   update();
+}
+
+void ScanView::showSliders() {
+  const bool isShown = !isCompact_ && (!isZoomed() || isNearSliders_);
+  if (isShown == dgc_->isHidden()) dgc_->setVisible(isShown);
+}
+
+bool ScanView::event(QEvent* event) {
+  const bool isMove = event->type() == QEvent::HoverMove || event->type() == QEvent::HoverEnter;
+  if (isMove || event->type() == QEvent::HoverLeave) {
+    isNearSliders_ = isMove && static_cast<QHoverEvent*>(event)->pos().x() < leftRoom_px();
+    showSliders();
+  }
+  return QWidget::event(event);
 }
 
 void ScanView::arrange() {
@@ -258,6 +273,7 @@ void ScanView::arrange() {
   if (mode() != DisplayMode::bMode) room_px.fill(leftRoom_px());
   dgc_->place(yOfDepth(0.0) - dgc_->y(), yOfDepth(session_.geometry().depth_mm) - dgc_->y(), room_px);
   scale_->setGeometry(width() - rightRoom_px(), box.top(), rightRoom_px(), box.height());
+  showSliders();
   Q_EMIT arranged();
 }
 

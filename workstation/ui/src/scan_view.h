@@ -71,6 +71,7 @@ class ScanView final : public QWidget {
   void arranged();  ///< image and strip may lie elsewhere
 
  protected:
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
@@ -80,6 +81,8 @@ class ScanView final : public QWidget {
 
  private:
   void arrange();
+  /// On an image that fills the view only while the pointer is at them.
+  void showSliders();
   void fitMargins();
   /// @return whether sliders and scale lie beside the fan at these margins
   [[nodiscard]] bool fitsBeside(const Knobs& whole);
@@ -109,6 +112,7 @@ class ScanView final : public QWidget {
   int left_px_ = 0, right_px_ = 0;               ///< kept free beside the picture
   std::array<int, kDgcSliders> besideFan_px_{};  ///< what is free left of the fan at each slider
   bool isCompact_ = false;
+  bool isNearSliders_ = false;  ///< the pointer
   struct Fitted {
     QSize size;
     std::string probe;
