@@ -9,6 +9,7 @@
 #include "ew/io/sequence.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/bundle.h"
+#include "ew/library/first_look.h"
 #include "ew/library/new_case.h"
 #include "ew/library/voxel_source.h"
 #include "ew/scanning/contact.h"
@@ -55,6 +56,16 @@ glm::dvec3 centreOf(const Grid& grid) {
 Skin::Contact skinInFrontOf(const Skin& skin, const glm::dvec3& p_mm) {
   const auto hit = skin.hit({p_mm.x, -2000.0, p_mm.z}, {0.0, 1.0, 0.0});
   return hit ? *hit : skin.nearest(p_mm);
+}
+
+/// The box of a case's volume, which lies in the world when it was read.
+PlacingShape shapeInWorld(const Case& opened, const CaseContents& read) {
+  SweepAxes axes;
+  if (const auto own = sweepAxesOf(opened)) {
+    const glm::dmat3 turned(read.fileToWorld.matrix);
+    axes = {turned * own->depth, turned * own->lateral};
+  }
+  return placingShapeOf(read.voxels.grid(), axes);
 }
 
 /// Moved without turning: the box's middle under the xiphoid; as deep as the trunk it is centred, a shallower one begins at the front
@@ -401,6 +412,7 @@ void Opener::scanCase() {
   shownFrom_.clear();
   if (hasNoVolume(*opened)) return session_.clear(patient);
   session_.show(subjectOf(*opened, contents_->read), patient);
+  if (opened->probes.empty()) lookAtWhole(shapeInWorld(*opened, contents_->read));
   // A case may ask for them without naming the level of its volume.
   if (Scene scene = session_.scene(); opened->scene.liveEchoes && !scene.liveEchoes) {
     scene.liveEchoes = opened->scene.liveEchoes;
@@ -485,6 +497,17 @@ void Opener::showVolume(const ScanVoxels& voxels, const QString& title, bool kee
     const Skin::Contact nearest = view_.skin()->nearest(centre_mm);
     if (glm::dot(centre_mm - nearest.point_mm, nearest.outward) < 0.0) subject.placedGrid = own;
   }
+  PlacingShape shape = placingShapeOf(own, {});
+  if (provenance && voxels.volume()) {
+    // A recording knows its beams: it lies on the skin as its own probe saw it, and not as its tracker's axes happen to lie.
+    const auto known = landmarksOf({});
+    const PlacingSite* const site = known ? siteFor(*known, {}) : nullptr;
+    if (auto place = site == nullptr ? std::nullopt : firstPlaceOf(*voxels.volume(), *provenance, *view_.skin(), *site)) {
+      subject.placedGrid = placed(own, place->fileToWorld);
+      subject.startPose = place->start;
+      shape = std::move(place->shape);
+    }
+  }
   if (provenance) madeFrom.push_back(provenance->sweep);
   shownFrom_ = std::move(madeFrom);
   patient_.reset();
@@ -492,7 +515,18 @@ void Opener::showVolume(const ScanVoxels& voxels, const QString& title, bool kee
   showsCase_ = false;
   startTaken_ = false;
   session_.show(std::move(subject));
+  lookAtWhole(shape);
   takeStart();
+}
+
+void Opener::lookAtWhole(const PlacingShape& shape) {
+  if (showsWhole(shape, session_.depth_mm())) return;
+  const auto look = firstLookAt(shape, session_.probes());
+  if (!look) return;
+  session_.chooseProbe(look->probe);
+  Knobs knobs = session_.knobs();
+  knobs.depth_mm = look->depth_mm;
+  session_.setKnobs(knobs);
 }
 
 std::vector<fs::path> Opener::sources() const {

@@ -9,6 +9,7 @@
 #include "case_document.h"
 #include "ew/bridge/mannequin.h"
 #include "ew/library/file_import.h"
+#include "ew/library/placing.h"
 #include "ew/scanning/recording.h"
 #include "ew/scanning/subject.h"
 #include "jobs.h"
@@ -114,6 +115,8 @@ class Opener final : public QObject {
   /// What the scan takes over from edits at once: title, scene, placement.
   void followEdits(const Case& edited);
   void takeStart();
+  /// Another probe and depth where the present ones would show a stamp, or cut the volume off.
+  void lookAtWhole(const PlacingShape& shape);
 
   Session& session_;
   CaseDocument& document_;
