@@ -94,6 +94,31 @@ TEST(MakeCase, OfAVolumeTakesItsVoxelsAndThePlaceThatIsGiven) {
   EXPECT_FALSE(fs::exists(folder / "u"));
 }
 
+TEST(MakeCase, OfARecordingBeginsWithoutTheArtefactsOfItsTemplate) {
+  const TemporaryFolder folder;
+  Volume volume = noisyVolume({12, 10, 8}, 3);
+  volume.grid.spacing_mm = glm::dvec3(0.5);
+  ASSERT_TRUE(writeVolume(volume, folder / "v.mha"));
+  const auto says = [](const Message& note) { return note.english().find("Shadows and reverberation") != std::string::npos; };
+  NewCase wanted = named("V", VolumeFile{.file = folder / "v.mha"});
+  wanted.templateId = "thyroid-and-neck";
+  const auto made = makeCase(wanted, folder / "v");
+  ASSERT_TRUE(made) << made.error();
+  EXPECT_FALSE(made->made.scene.attenuation);
+  EXPECT_FALSE(made->made.scene.reverberation);
+  EXPECT_TRUE(made->made.scene.noise) << "the rest is as the template has it";
+  EXPECT_TRUE(std::any_of(made->notes.begin(), made->notes.end(), says));
+
+  wanted.source = std::monostate{};
+  const auto empty = makeCase(wanted, folder / "empty");
+  ASSERT_TRUE(empty) << empty.error();
+  EXPECT_TRUE(empty->made.scene.reverberation);
+  const auto given = giveVolume(empty->made, VolumeFile{.file = folder / "v.mha"});
+  ASSERT_TRUE(given) << given.error();
+  EXPECT_FALSE(given->edited.scene.reverberation);
+  EXPECT_TRUE(std::any_of(given->notes.begin(), given->notes.end(), says));
+}
+
 TEST(MakeCase, OfAStitchedResultTakesItsVolumeAndLevel) {
   const TemporaryFolder folder;
   Volume volume = noisyVolume({12, 10, 8}, 3);
