@@ -253,6 +253,7 @@ OpenedSource openDicom(const fs::path& file, Progress& progress, const ReadLimit
   info.width_px = static_cast<int>(layout->columns);
   info.height_px = static_cast<int>(layout->rows);
   info.frames = layout->frames;
+  info.notes = layout->notes;
   info.removed = identifyingFields(source->dicom.data);
   source->times_s = frameTimes(source->dicom.data, layout->frames, info.notes);
   info.timesKnown = !source->times_s.empty();

@@ -8,6 +8,7 @@
 #include "dicom_fields.h"
 #include "ew/core/numbers.h"
 #include "ew/io/dicom.h"
+#include "ew/io/kept_share.h"
 #include "grey_samples.h"
 #include "image_header.h"
 
@@ -32,10 +33,33 @@ struct Chosen {
   const UltrasoundRegion* region = nullptr;  ///< null: the whole picture
 };
 
-Result<Chosen> choose(const fs::path& file, const PixelLayout& layout, const std::vector<UltrasoundRegion>& regions,
-                      const CineOptions& options, std::vector<Message>& notes) {
+/// The size of a pixel given for a whole picture, held against what the file says of its shape.
+void noteShape(const DicomScale& scale, const glm::dvec2& given_mm, std::vector<Message>& notes) {
+  const double given = given_mm.y / given_mm.x;
+  if (scale.spacing_mm && glm::length(*scale.spacing_mm - given_mm) > 0.01 * glm::length(given_mm))
+    notes.push_back(say<"The size of a pixel was given: %1 x %2 mm instead of the %3 x %4 mm of Pixel Spacing.">(
+        number(given_mm.x), number(given_mm.y), number(scale.spacing_mm->x), number(scale.spacing_mm->y)));
+  else if (scale.heightByWidth && std::abs(given - *scale.heightByWidth) > 0.01 * given)
+    notes.push_back(
+        say<"The size of a pixel was given as %1 x %2 mm, but by its Pixel Aspect Ratio the file has pixels that are %3 times as high as "
+            "wide; check it.">(number(given_mm.x), number(given_mm.y), number(*scale.heightByWidth)));
+}
+
+/// What the file says of its pixels although it does not say how large they are.
+Message hintOf(const DicomScale& scale) {
+  std::vector<Message> hints = scale.hints;
+  if (scale.heightByWidth) hints.push_back(say<"Pixel Aspect Ratio: they are %1 times as high as wide">(number(*scale.heightByWidth)));
+  return hints.empty() ? Message() : say<"It does say %1.">(joined(std::move(hints), ", "));
+}
+
+Result<Chosen> choose(const fs::path& file, const PixelLayout& layout, const DicomScale& scale, const CineOptions& options,
+                      std::vector<Message>& notes) {
+  const std::vector<UltrasoundRegion>& regions = scale.regions;
   const PixelRect whole{0, 0, static_cast<int>(layout.columns), static_cast<int>(layout.rows)};
   const auto ask = [&](const char* what, Message sentence) {
+    Message hint = std::string_view(what) == "pixel-mm" ? hintOf(scale) : Message();
+    // The hint first: what is to be done stands last.
+    if (!hint.empty()) sentence = joined({std::move(hint), std::move(sentence)});
     return failure(ErrorCode::missingCalibration, std::move(sentence), {{"file", file.string()}, {"ask", what}});
   };
   if (options.pixel_mm)
@@ -55,6 +79,14 @@ Result<Chosen> choose(const fs::path& file, const PixelLayout& layout, const std
           number(options.pixel_mm->x), number(options.pixel_mm->y), number(region.pixel_mm().x), number(region.pixel_mm().y)));
     return Chosen{region.rect, options.pixel_mm.value_or(region.pixel_mm()), &region};
   };
+  const auto takeWhole = [&] {
+    if (options.pixel_mm)
+      noteShape(scale, *options.pixel_mm, notes);
+    else
+      notes.push_back(say<"The file has no ultrasound region; the size of a pixel is that of its Pixel Spacing, %1 x %2 mm.">(
+          number(scale.spacing_mm->x), number(scale.spacing_mm->y)));
+    return Chosen{whole, options.pixel_mm.value_or(scale.spacing_mm.value_or(glm::dvec2(0.0))), nullptr};
+  };
   if (options.region && *options.region > 0) {
     if (static_cast<std::size_t>(*options.region) > regions.size())
       return ask("region", counted<"%2 has %1 region, no region %3; choose one that is there, or 0 for the whole picture.",
@@ -63,21 +95,15 @@ Result<Chosen> choose(const fs::path& file, const PixelLayout& layout, const std
     return take(static_cast<std::size_t>(*options.region) - 1);
   }
   if (options.region) {  // the whole picture
-    if (!options.pixel_mm)
+    if (!options.pixel_mm && !scale.spacing_mm)
       return ask("pixel-mm", say<"The whole picture of %1 has no size of a pixel of its own; give it in mm.">(quoted(file)));
-    return Chosen{whole, *options.pixel_mm, nullptr};
+    return takeWhole();
   }
-  std::vector<std::size_t> usable;
-  bool stale = false;
-  for (std::size_t n = 0; n < regions.size(); ++n) {
-    if (regions[n].usable() && regions[n].isBMode()) usable.push_back(n);
-    stale = stale || regions[n].stale;
-  }
-  if (usable.size() == 1 && !stale) return take(usable.front());
-  if (usable.size() > 1)
-    return ask("region", say<"%1 shows %2 calibrated pictures side by side (%3); choose one of the regions.">(quoted(file), usable.size(),
-                                                                                                              listed(regions)));
-  if (options.pixel_mm) return Chosen{whole, *options.pixel_mm, nullptr};
+  if (scale.onlyRegion) return take(*scale.onlyRegion);
+  if (scale.bModes.size() > 1)
+    return ask("region", say<"%1 shows %2 calibrated pictures side by side (%3); choose one of the regions.">(
+                             quoted(file), scale.bModes.size(), listed(regions)));
+  if (options.pixel_mm || scale.spacing_mm) return takeWhole();
   if (regions.empty())
     return ask("pixel-mm",
                say<"%1 does not say how large its pixels are (it has no ultrasound regions); give the size in mm.">(quoted(file)));
@@ -85,6 +111,20 @@ Result<Chosen> choose(const fs::path& file, const PixelLayout& layout, const std
       "pixel-mm",
       say<"No region of %1 tells how large a pixel is (%2); give the size of a pixel in mm, or choose a region that you know to be right.">(
           quoted(file), listed(regions)));
+}
+
+/// Times by the rate that was given, else by the file.
+std::vector<double> timesOf(const DicomItem& data, std::uint64_t frames, const std::optional<double>& rate_hz,
+                            std::vector<Message>& notes) {
+  if (!rate_hz) return frameTimes(data, frames, notes);
+  std::vector<Message> ignored;
+  const auto stated_s = frameTimes(data, frames, ignored);
+  std::vector<double> times_s;
+  for (std::uint64_t n = 0; n < frames; ++n) times_s.push_back(static_cast<double>(n) / *rate_hz);
+  if (!stated_s.empty() && std::abs(stated_s.back() - times_s.back()) > 0.01 * times_s.back())
+    notes.push_back(say<"The rate of the frames was given: they last %1 s instead of the %2 s that the file states.">(
+        number(times_s.back()), number(stated_s.back())));
+  return times_s;
 }
 
 /// The pixels of `rect`, frame by frame, to the front of the same memory.
@@ -167,7 +207,9 @@ Result<DicomSummary> inspectDicom(const fs::path& file, const ReadLimits& limits
   summary.frames = layout->frames;
   summary.photometric = layout->photometric;
   summary.codec = layout->codec;
-  summary.regions = regionsOf(dicom->data, layout->columns, layout->rows);
+  const DicomScale scale = scaleOf(dicom->data, layout->columns, layout->rows);
+  summary.regions = scale.regions;
+  summary.spacing_mm = scale.spacing_mm;
   const std::string burnedIn = dicom->data.text(0x00280301u);
   if (burnedIn == "YES" || burnedIn == "NO") summary.burnedInText = burnedIn == "YES";
   if (dicom->data.text(0x00080016u) == kEnhancedUsVolume) {
@@ -185,9 +227,15 @@ Result<Cine> readDicomCine(const fs::path& file, const CineOptions& options, Pro
   const auto layout = pixelLayoutOf(*dicom, limits);
   if (!layout) return passOn(layout.error());
   Cine cine;
-  const auto regions = regionsOf(dicom->data, layout->columns, layout->rows);
-  const auto chosen = choose(file, *layout, regions, options, cine.notes);
+  cine.notes = layout->notes;
+  const DicomScale scale = scaleOf(dicom->data, layout->columns, layout->rows);
+  const std::vector<UltrasoundRegion>& regions = scale.regions;
+  cine.notes.insert(cine.notes.end(), scale.notes.begin(), scale.notes.end());
+  const auto chosen = choose(file, *layout, scale, options, cine.notes);
   if (!chosen) return passOn(chosen.error());
+  const auto areaOf = [](const PixelRect& one) { return static_cast<std::uint64_t>(one.width) * static_cast<std::uint64_t>(one.height); };
+  if (auto enough = checkKept({.pixels = areaOf(chosen->rect), .pixelsOf = layout->pixelsPerFrame()}, options.acceptsSmall, file); !enough)
+    return passOn(enough.error());
   const bool burnedIn = dicom->data.text(0x00280301u) == "YES";
   if (burnedIn && chosen->region == nullptr && options.blank.empty() && !options.keepText)
     return failure(ErrorCode::unsupported,
@@ -220,7 +268,8 @@ Result<Cine> readDicomCine(const fs::path& file, const CineOptions& options, Pro
   cine.coloured = std::move(grey->coloured);
   sequence.imageType = "BRIGHTNESS";
   cine.pixel_mm = chosen->pixel_mm;
-  const auto times_s = frameTimes(dicom->data, layout->frames, cine.notes);
+  for (Message& note : unusedFields(dicom->data, cine.pixel_mm)) cine.notes.push_back(std::move(note));
+  const auto times_s = timesOf(dicom->data, layout->frames, options.rate_hz, cine.notes);
   glm::dmat4 imageToPicture(1.0);
   imageToPicture[0][0] = cine.pixel_mm.x;
   imageToPicture[1][1] = cine.pixel_mm.y;

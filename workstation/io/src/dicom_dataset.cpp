@@ -69,16 +69,21 @@ class Parser {
   bool set(std::size_t& at, std::size_t end, bool toMarker, int depth, DicomItem& into) {
     if (depth > kDeepest) return fails(say<"sequences are nested too deeply">());
     into.bigEndian = bigEndian_;
+    bool hasPixels = false;
     while (at < end) {
-      if (end - at < 8) return short_(say<"it ends inside an element's head">());
+      const std::size_t begin = at;
+      if (end - at < 8) return mayEnd(hasPixels, begin, end) || short_(say<"it ends inside an element's head">());
       const DicomTag tag = tagAt(at);
       if (tag == kItemEnd && toMarker) {
         at += 8;
         return true;
       }
+      // Behind the pixels only a few elements can come, all of higher groups.
+      if (hasPixels && tag < kPixelData && mayEnd(hasPixels, begin, end)) return true;
       if (++elements_ > kMostElements) return fails(say<"it has too many elements">());
       DicomElement element;
-      if (!one(at, end, depth, element)) return false;
+      if (!one(at, end, depth, element)) return mayEnd(hasPixels, begin, end);
+      hasPixels = hasPixels || (depth == 0 && element.tag == kPixelData);
       into.elements.push_back(std::move(element));
     }
     return !toMarker || short_(say<"it ends inside an item's end">());
@@ -97,12 +102,22 @@ class Parser {
   }
 
   [[nodiscard]] const Message& why() const { return why_; }
+  /// Bytes behind the pixels that were passed over.
+  [[nodiscard]] std::size_t tail() const { return tail_; }
+  /// Whether the mark that ends the pixels was not there.
+  [[nodiscard]] bool endsUnmarked() const { return endsUnmarked_; }
   [[nodiscard]] bool endsEarly() const { return short_read_; }
 
  private:
   [[nodiscard]] DicomTag tagAt(std::size_t at) const {
     return static_cast<DicomTag>(numberAt<std::uint16_t>(bytes_, at, bigEndian_)) << 16 |
            numberAt<std::uint16_t>(bytes_, at + 2, bigEndian_);
+  }
+  /// Whatever stands behind the pixels and is no element is padding of whoever stored or sent the file.
+  bool mayEnd(bool hasPixels, std::size_t begin, std::size_t end) {
+    if (!hasPixels) return false;
+    tail_ = end - begin;
+    return true;
   }
   bool fails(Message why) {
     why_ = std::move(why);
@@ -181,10 +196,19 @@ class Parser {
   }
 
   bool fragments(std::size_t& at, std::size_t end, DicomElement& element) {
+    const auto unmarked = [&] {
+      endsUnmarked_ = element.fragments.size() > 1;
+      return endsUnmarked_;
+    };
     while (at < end) {
-      if (end - at < 8) return short_(say<"it ends inside the pixels">());
+      if (end - at < 8) {
+        at = end;
+        return unmarked() || short_(say<"it ends inside the pixels">());
+      }
       const DicomTag tag = tagAt(at);
       const auto length = numberAt<std::uint32_t>(bytes_, at + 4, bigEndian_);
+      // Zeros where the mark should be, as some devices write them: whether pictures are missing is seen by whoever counts them.
+      if (tag == 0 && length == 0 && unmarked()) return true;
       at += 8;
       if (tag == kSequenceEnd) return true;
       if (tag != kItem) return fails(say<"the pixels hold something that is no fragment">());
@@ -193,7 +217,7 @@ class Parser {
       element.fragments.push_back(bytes_.subspan(at, length));
       at += length;
     }
-    return short_(say<"it ends inside the pixels">());
+    return unmarked() || short_(say<"it ends inside the pixels">());
   }
 
   Bytes bytes_;
@@ -201,6 +225,8 @@ class Parser {
   bool bigEndian_;
   std::size_t elements_ = 0;
   Message why_;
+  std::size_t tail_ = 0;
+  bool endsUnmarked_ = false;
   bool short_read_ = false;
 };
 
@@ -271,6 +297,12 @@ Result<DicomFile> readOrThrow(const fs::path& file, std::uint64_t maxBytes, cons
   }
   Parser parser(set, explicitKinds, bigEndian);
   if (!parser.set(at, set.size(), false, 0, dicom.data)) return refused(file, parser);
+  if (parser.endsUnmarked())
+    dicom.notes.push_back(say<"The mark that ends the pixels of %1 is missing; they were read as far as they go.">(quoted(file)));
+  if (parser.tail() > 0)
+    dicom.notes.push_back(
+        counted<"%2 has %1 byte behind its pixels that is no part of them; it was passed over.",
+                "%2 has %1 bytes behind its pixels that are no part of them; they were passed over.">(parser.tail(), quoted(file)));
   return dicom;
 }
 
@@ -351,13 +383,22 @@ std::vector<double> DicomItem::numbers(DicomTag tag) const {
     const std::string all = text(tag);
     for (std::size_t from = 0; from <= all.size();) {
       const std::size_t to = std::min(all.find('\\', from), all.size());
-      const auto value = parseNumber(trimmed(std::string_view(all).substr(from, to - from)));
+      std::string piece(trimmed(std::string_view(all).substr(from, to - from)));
+      // A comma is no part of a number in DICOM, so that it can only be meant as a point.
+      if (std::count(piece.begin(), piece.end(), ',') == 1) std::replace(piece.begin(), piece.end(), ',', '.');
+      const auto value = parseNumber(piece);
       if (!value) break;
       values.push_back(*value);
       from = to + 1;
     }
   }
   return values;
+}
+
+bool DicomItem::hasDecimalCommas(DicomTag tag) const {
+  const DicomElement* const element = find(tag);
+  if (element == nullptr || !(is(element->kind, "DS") || is(element->kind, "IS") || is(element->kind, "UN"))) return false;
+  return std::find(element->value.begin(), element->value.end(), std::uint8_t{','}) != element->value.end();
 }
 
 std::optional<double> DicomItem::number(DicomTag tag) const {

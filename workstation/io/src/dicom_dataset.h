@@ -38,6 +38,8 @@ struct DicomItem {
   [[nodiscard]] std::span<const DicomItem> items(DicomTag tag) const;
   /// Without the padding at its ends; empty when it is not there.
   [[nodiscard]] std::string text(DicomTag tag) const;
+  /// Whether a text of numbers has commas where the standard wants points ("0,5"); they are read as points.
+  [[nodiscard]] bool hasDecimalCommas(DicomTag tag) const;
   /// Values of a text of numbers ("0.5\\0.5"), or of binary 16 bit unsigned, 32 bit and double values by their kind; those that cannot be
   /// read are left out with all after them.
   [[nodiscard]] std::vector<double> numbers(DicomTag tag) const;
@@ -54,6 +56,7 @@ struct DicomFile {
   DicomItem meta;
   DicomItem data;
   std::string transferSyntax;
+  std::vector<Message> notes;  ///< what was passed over, in sentences
 };
 
 /// @error notFound, notReadable, tooLarge
@@ -63,6 +66,8 @@ struct DicomFile {
 [[nodiscard]] bool looksLikeDicom(Bytes beginning);
 
 /// Reads and takes apart a file without trusting one of its lengths: every element lies inside its parent, nesting and counts are bounded.
+/// Bytes behind the pixels that are no element (padding, zeros, a line break), and an end mark of the pixels that is missing or overwritten
+/// with zeros, cost nothing: they are passed over with a note.
 /// @param maxBytes of the file, and of what a deflated one becomes
 /// @error notFound, notReadable, tooLarge, badHeader (no DICOM, or lengths that contradict each other), truncated, unsupported
 [[nodiscard]] Result<DicomFile> readDicomFile(const std::filesystem::path& file, std::uint64_t maxBytes,

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "ew/core/numbers.h"
+#include "header_fields.h"
 #include "image_header.h"
 
 namespace ew {
@@ -171,8 +172,9 @@ std::vector<UltrasoundRegion> regionsOf(const DicomItem& data, std::uint64_t col
     region.flags = static_cast<std::uint32_t>(whole(0x00186016u));
     region.unitsX = static_cast<int>(std::min<std::uint64_t>(whole(0x00186024u), 999));
     region.unitsY = static_cast<int>(std::min<std::uint64_t>(whole(0x00186026u), 999));
-    region.deltaX = item.number(0x0018602Cu).value_or(0.0);
-    region.deltaY = item.number(0x0018602Eu).value_or(0.0);
+    // A minus says which way the region counts its own mm, not that a pixel is smaller than nothing.
+    region.deltaX = std::abs(item.number(0x0018602Cu).value_or(0.0));
+    region.deltaY = std::abs(item.number(0x0018602Eu).value_or(0.0));
     const auto x0 = item.count(0x00186018u), y0 = item.count(0x0018601Au), x1 = item.count(0x0018601Cu), y1 = item.count(0x0018601Eu);
     constexpr std::uint64_t largest = 1u << 20;
     const bool placed = x0 && y0 && x1 && y1 && *x1 > *x0 && *y1 > *y0 && *x1 < largest && *y1 < largest;
@@ -189,13 +191,176 @@ std::vector<UltrasoundRegion> regionsOf(const DicomItem& data, std::uint64_t col
     }
     region.stale = placed && reachesBeyond(region.rect, columns, rows);
     region.problem = problemOf(region, placed, columns, rows);
-    regions.push_back(std::move(region));
+    const auto same = [&](const UltrasoundRegion& other) {
+      return other.rect == region.rect && other.spatialFormat == region.spatialFormat && other.dataType == region.dataType &&
+             other.unitsX == region.unitsX && other.unitsY == region.unitsY && other.deltaX == region.deltaX &&
+             other.deltaY == region.deltaY;
+    };
+    if (std::none_of(regions.begin(), regions.end(), same)) regions.push_back(std::move(region));
   }
   return regions;
 }
 
+namespace {
+
+/// A field of numbers that may be written with commas, for notes and sentences.
+struct NumberField {
+  DicomTag tag;
+  const char* name;
+};
+constexpr NumberField kFrameTime{0x00181063u, "Frame Time"};
+constexpr NumberField kFrameTimeVector{0x00181065u, "Frame Time Vector"};
+constexpr NumberField kActualFrameDuration{0x00181242u, "Actual Frame Duration"};
+constexpr NumberField kCineRate{0x00180040u, "Cine Rate"};
+constexpr NumberField kDisplayRate{0x00082144u, "Recommended Display Frame Rate"};
+constexpr NumberField kEffectiveDuration{0x00180072u, "Effective Duration"};
+constexpr NumberField kPixelSpacing{0x00280030u, "Pixel Spacing"};
+constexpr NumberField kAspectRatio{0x00280034u, "Pixel Aspect Ratio"};
+constexpr NumberField kImagerSpacing{0x00181164u, "Imager Pixel Spacing"};
+constexpr NumberField kNominalSpacing{0x00182010u, "Nominal Scanned Pixel Spacing"};
+
+void noteCommas(const DicomItem& data, const NumberField& field, std::vector<Message>& notes) {
+  if (data.hasDecimalCommas(field.tag))
+    notes.push_back(say<"%1 is written with commas (\"%2\"); they were read as decimal points.">(verbatim(field.name),
+                                                                                                 shortened(data.text(field.tag))));
+}
+
+bool isStep(double step) { return std::isfinite(step) && step >= 0.0 && step < 1e7; }
+
+/// Milliseconds from frame to frame where a field gives them, or a rate, for all frames alike.
+std::optional<double> period_msBy(const DicomItem& data, const NumberField& field, std::uint64_t frames) {
+  const auto value = data.number(field.tag);
+  if (!value || !isStep(*value) || !(*value > 0.0)) return std::nullopt;
+  if (field.tag == kCineRate.tag || field.tag == kDisplayRate.tag) return 1000.0 / *value;
+  if (field.tag == kEffectiveDuration.tag) return 1000.0 * *value / static_cast<double>(frames);
+  return *value;
+}
+
+/// Times by Frame Time Vector, in ms; empty where it cannot be used.
+std::vector<double> times_msBySteps(const DicomItem& data, std::uint64_t frames, std::vector<Message>& notes) {
+  const auto values = data.numbers(kFrameTimeVector.tag);
+  // The first entry is the time before the first frame, 0 by the standard; some writers leave it out.
+  const bool oneShort = frames > 1 && values.size() + 1 == frames && !values.empty() && values.front() > 0.0;
+  if ((values.size() != frames && !oneShort) || !std::all_of(values.begin(), values.end(), isStep)) return {};
+  if (oneShort)
+    notes.push_back(say<"Frame Time Vector has one entry less than there are frames; it was read as the steps between them.">());
+  std::vector<double> times_ms;
+  double time_ms = 0.0;
+  for (std::uint64_t n = 0; n < frames; ++n) {
+    if (n > 0) time_ms += values[oneShort ? n - 1 : n];
+    times_ms.push_back(time_ms);
+  }
+  return times_ms;
+}
+
+/// Of a rectangle's two numbers the file gives rows first: x and y of a pixel.
+std::optional<glm::dvec2> pairOf(const DicomItem& data, const NumberField& field) {
+  const auto values = data.numbers(field.tag);
+  const auto usable = [](double mm) { return std::isfinite(mm) && mm > 1e-6 && mm < 1e6; };
+  if (values.size() < 2 || !usable(values[0]) || !usable(values[1])) return std::nullopt;
+  return glm::dvec2(values[1], values[0]);
+}
+
+}  // namespace
+
+DicomScale scaleOf(const DicomItem& data, std::uint64_t columns, std::uint64_t rows) {
+  DicomScale scale;
+  scale.regions = regionsOf(data, columns, rows);
+  bool stale = false;
+  for (std::size_t n = 0; n < scale.regions.size(); ++n) {
+    if (scale.regions[n].usable() && scale.regions[n].isBMode()) scale.bModes.push_back(n);
+    stale = stale || scale.regions[n].stale;
+  }
+  if (scale.bModes.size() == 1 && !stale) scale.onlyRegion = scale.bModes.front();
+  if (const auto spacing = pairOf(data, kPixelSpacing)) {
+    if (scale.regions.empty())
+      scale.spacing_mm = *spacing;
+    else
+      scale.hints.push_back(joined({verbatim(kPixelSpacing.name), verbatim(shortened(data.text(kPixelSpacing.tag)))}));
+    noteCommas(data, kPixelSpacing, scale.notes);
+  } else if (data.find(kPixelSpacing.tag) != nullptr && !data.text(kPixelSpacing.tag).empty()) {
+    scale.hints.push_back(joined({verbatim(kPixelSpacing.name), verbatim(shortened(data.text(kPixelSpacing.tag)))}));
+  }
+  for (const NumberField& field : {kImagerSpacing, kNominalSpacing})
+    if (data.find(field.tag) != nullptr && !data.text(field.tag).empty())
+      scale.hints.push_back(joined({verbatim(field.name), verbatim(shortened(data.text(field.tag)))}));
+  if (const auto ratio = pairOf(data, kAspectRatio)) scale.heightByWidth = ratio->y / ratio->x;
+  return scale;
+}
+
+namespace {
+
+struct DicomField {
+  DicomTag tag;
+  const char* name;
+  FieldTouches touches;
+};
+constexpr std::array kTouchingFields{
+    DicomField{0x00200032u, "Image Position (Patient)", FieldTouches::geometry},
+    DicomField{0x00200037u, "Image Orientation (Patient)", FieldTouches::geometry},
+    DicomField{0x00280030u, "Pixel Spacing", FieldTouches::geometry},
+    DicomField{0x00280034u, "Pixel Aspect Ratio", FieldTouches::geometry},
+    DicomField{0x00281050u, "Window Center", FieldTouches::levels},
+    DicomField{0x00281051u, "Window Width", FieldTouches::levels},
+    DicomField{0x00281052u, "Rescale Intercept", FieldTouches::levels},
+    DicomField{0x00281053u, "Rescale Slope", FieldTouches::levels},
+    DicomField{0x20500020u, "Presentation LUT Shape", FieldTouches::levels},
+    DicomField{0x00181066u, "Frame Delay", FieldTouches::time},
+    DicomField{0x00082142u, "Start Trim", FieldTouches::count},
+    DicomField{0x00082143u, "Stop Trim", FieldTouches::count},
+};
+constexpr auto kTouchingNames = [] {
+  std::array<KnownField, kTouchingFields.size()> names;
+  for (std::size_t n = 0; n < names.size(); ++n) names[n] = {kTouchingFields[n].name, kTouchingFields[n].touches};
+  return names;
+}();
+
+/// Whether a field's value changes nothing.
+bool isNeutral(const DicomItem& data, const DicomField& field, const std::optional<glm::dvec2>& pixel_mm) {
+  const double first = data.number(field.tag).value_or(0.0);
+  switch (field.tag) {
+    case 0x00280030u:
+    case 0x00280034u: {
+      const auto stated = pairOf(data, {field.tag, field.name});
+      if (!stated || !pixel_mm) return !stated;
+      const bool isRatio = field.tag == 0x00280034u;
+      const glm::dvec2 scale = isRatio ? *stated * (pixel_mm->x / stated->x) : *stated;
+      return glm::length(scale - *pixel_mm) <= 0.01 * glm::length(*pixel_mm);
+    }
+    case 0x00281050u:
+      return first >= 127.0 && first <= 128.0;
+    case 0x00281051u:
+      return first == 255.0 || first == 256.0;
+    case 0x00281053u:
+      return first == 1.0;
+    case 0x20500020u:
+      return data.text(field.tag) == "IDENTITY";
+    case 0x00082142u:
+      return first <= 1.0;
+    case 0x00082143u:
+      return first >= data.number(0x00280008u).value_or(1.0);
+    case 0x00281052u:
+    case 0x00181066u:
+      return first == 0.0;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+std::vector<Message> unusedFields(const DicomItem& data, const std::optional<glm::dvec2>& pixel_mm, bool placed) {
+  HeaderFields fields(kTouchingNames);
+  for (const DicomField& field : kTouchingFields) {
+    if (data.find(field.tag) == nullptr || isNeutral(data, field, pixel_mm)) continue;
+    fields.meet(field.name, data.text(field.tag));
+    if (placed && (field.tag == 0x00200032u || field.tag == 0x00200037u)) fields.use(field.name);
+  }
+  return fields.unused();
+}
+
 std::vector<double> frameTimes(const DicomItem& data, std::uint64_t frames, std::vector<Message>& notes) {
-  constexpr DicomTag period = 0x00181063u, steps = 0x00181065u;
+  if (frames < 2) return {};
   DicomTag named = 0;
   if (const DicomElement* const pointer = data.find(0x00280009u); pointer != nullptr && pointer->value.size() >= 4) {
     const auto word = [&](std::size_t at) -> std::uint32_t {
@@ -204,24 +369,30 @@ std::vector<double> frameTimes(const DicomItem& data, std::uint64_t frames, std:
     };
     named = word(0) << 16 | word(2);
   }
-  if (named != period && named != steps) named = data.find(period) != nullptr ? period : steps;
-  const auto values = data.numbers(named);
-  std::vector<double> times_s;
-  const auto usable = [](double step) { return std::isfinite(step) && step >= 0.0 && step < 1e7; };
-  if (frames < 2) return {};
-  if (named == period && !values.empty() && usable(values.front()) && values.front() > 0.0) {
-    for (std::uint64_t n = 0; n < frames; ++n) times_s.push_back(values.front() * 0.001 * static_cast<double>(n));
-  } else if (named == steps && values.size() == frames && std::all_of(values.begin(), values.end(), usable)) {
-    double time_ms = 0.0;
-    for (std::uint64_t n = 0; n < frames; ++n) {
-      // The first entry is the time before the first frame, 0 by the standard.
-      if (n > 0) time_ms += values[n];
-      times_s.push_back(time_ms * 0.001);
+  std::vector<NumberField> order{kFrameTime, kFrameTimeVector, kActualFrameDuration, kCineRate, kDisplayRate, kEffectiveDuration};
+  std::stable_partition(order.begin(), order.end(), [&](const NumberField& field) { return field.tag == named; });
+  std::vector<Message> found;
+  for (const NumberField& field : order) {
+    if (data.find(field.tag) == nullptr) continue;
+    found.push_back(say<"%1 \"%2\"">(verbatim(field.name), shortened(data.text(field.tag))));
+    std::vector<double> times_s;
+    if (field.tag == kFrameTimeVector.tag) {
+      for (const double time_ms : times_msBySteps(data, frames, notes)) times_s.push_back(0.001 * time_ms);
+    } else if (const auto period_ms = period_msBy(data, field, frames)) {
+      for (std::uint64_t n = 0; n < frames; ++n) times_s.push_back(*period_ms * 0.001 * static_cast<double>(n));
     }
-  } else {
-    notes.push_back(say<"The file gives no usable times of its frames (Frame Time, Frame Time Vector), so they have none.">());
+    if (times_s.empty()) continue;
+    noteCommas(data, field, notes);
+    if (field.tag != kFrameTime.tag && field.tag != kFrameTimeVector.tag)
+      notes.push_back(say<"The times of the frames are those of %1.">(found.back()));
+    return times_s;
   }
-  return times_s;
+  if (found.empty())
+    notes.push_back(say<"The file says nothing about the times of its frames, so they have none; a rate can be given.">());
+  else
+    notes.push_back(say<"The file gives no usable times of its %1 frames: it has %2, so they have none; a rate can be given.">(
+        frames, joined(std::move(found), ", ")));
+  return {};
 }
 
 Bytes kretzInside(const DicomItem& data) {

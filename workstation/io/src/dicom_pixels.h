@@ -23,7 +23,9 @@ struct PixelLayout {
   bool isSigned = false;
   bool planar = false;
   std::string photometric;
-  std::string codec;  ///< "uncompressed", "JPEG" ...
+  std::string codec;           ///< "uncompressed", "JPEG" ...
+  bool thinned = false;        ///< uncompressed colours that two neighbours of a row share
+  std::vector<Message> notes;  ///< what the header leaves open or says wrongly, and what was passed over
 
   [[nodiscard]] std::uint64_t pixelsPerFrame() const { return rows * columns; }
   [[nodiscard]] bool inColour() const { return samples == 3 || photometric == "PALETTE COLOR"; }

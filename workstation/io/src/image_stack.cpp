@@ -135,6 +135,22 @@ Result<JpegGrey> detail::readStackPicture(const fs::path& file, const Progress& 
   return picture;
 }
 
+Result<void> detail::settleStackColours(std::uint64_t colouredPixels, std::uint64_t pixels, ColourRule rule, const fs::path& named,
+                                        std::vector<Message>& notes) {
+  const double share = static_cast<double>(colouredPixels) / static_cast<double>(pixels);
+  const std::string coloured = textOf(std::round(share * 10000.0) / 100.0) + " %";
+  if (share > 0.0005 && rule == ColourRule::ask)
+    return failure(ErrorCode::unsupported,
+                   say<"In %1 %2 of the pixels are coloured, as by Doppler, and echo levels cannot show that; say whether to keep them as "
+                       "grey or to drop them.">(quoted(named), coloured),
+                   {{"file", named.string()}, {"ask", "colour"}});
+  if (colouredPixels > 0)
+    notes.push_back(rule == ColourRule::dropColour
+                        ? say<"%1 of the pixels are coloured; they were made black.">(coloured)
+                        : say<"%1 of the pixels are coloured; their luminance became the echo level.">(coloured));
+  return {};
+}
+
 Result<std::vector<fs::path>> stackFiles(const fs::path& folderOrPicture) {
   std::error_code ec;
   const bool folder = fs::is_directory(folderOrPicture, ec);
@@ -218,17 +234,8 @@ Result<StackVolume> readImageStack(const fs::path& folderOrPicture, const StackO
     progress.report(say<"Reading pictures">(), static_cast<double>(n + 1) / static_cast<double>(files->size()));
   }
   made.removed.blanked = options.blank;
-  const double share = static_cast<double>(colouredPixels) / static_cast<double>(volume.echo.size());
-  const std::string coloured = textOf(std::round(share * 10000.0) / 100.0) + " %";
-  if (share > 0.0005 && options.colour == ColourRule::ask)
-    return failure(ErrorCode::unsupported,
-                   say<"In %1 %2 of the pixels are coloured, as by Doppler, and echo levels cannot show that; say whether to keep them as "
-                       "grey or to drop them.">(quoted(folderOrPicture), coloured),
-                   {{"file", folderOrPicture.string()}, {"ask", "colour"}});
-  if (colouredPixels > 0)
-    made.notes.push_back(options.colour == ColourRule::dropColour
-                             ? say<"%1 of the pixels are coloured; they were made black.">(coloured)
-                             : say<"%1 of the pixels are coloured; their luminance became the echo level.">(coloured));
+  if (auto settled = settleStackColours(colouredPixels, volume.echo.size(), options.colour, folderOrPicture, made.notes); !settled)
+    return passOn(settled.error());
   made.notes.push_back(say<"%1 pictures were read in the order of their numbers: x to the right, y down, z from picture to picture, the "
                            "origin in the first pixel of the first; which way they lie in the patient is not known.">(files->size()));
   made.notes.push_back(say<"Pictures may have text burned in; check that they name nobody.">());

@@ -50,9 +50,10 @@ struct DicomSummary {
   std::string photometric;
   std::string codec;  ///< "uncompressed", "JPEG", "JPEG-LS", "JPEG 2000", "RLE"
   std::vector<UltrasoundRegion> regions;
-  std::optional<bool> burnedInText;  ///< what the file says of text in the pictures; empty: nothing
-  std::vector<double> timeSteps_s;   ///< of an Enhanced US Volume, when it holds several volumes
-  Removed identifying;               ///< what an import leaves out
+  std::optional<glm::dvec2> spacing_mm = {};  ///< Pixel Spacing, where there are no regions
+  std::optional<bool> burnedInText;           ///< what the file says of text in the pictures; empty: nothing
+  std::vector<double> timeSteps_s;            ///< of an Enhanced US Volume, when it holds several volumes
+  Removed identifying;                        ///< what an import leaves out
 };
 
 /// Whether the file is DICOM, by its beginning.
@@ -70,11 +71,13 @@ enum class ColourRule {
 
 struct CineOptions {
   std::optional<int> region;           ///< number in the file's list, from 1; 0: the whole picture; empty: the only calibrated one
-  std::optional<glm::dvec2> pixel_mm;  ///< replaces what the region says; needed for the whole picture
+  std::optional<glm::dvec2> pixel_mm;  ///< replaces what the region or Pixel Spacing says; needed where neither does
+  std::optional<double> rate_hz = {};  ///< frames a second, > 0; replaces what the file says of their times
   ColourRule colour = ColourRule::ask;
   std::vector<PixelRect> blank;  ///< of the whole picture, made black before it is cut
   bool keepText = false;         ///< take the whole picture although the file says that text is burned in
   std::uint64_t mostFrames = 0;  ///< of the first ones, to look at; 0: all
+  bool acceptsSmall = false;     ///< a region with less than a tenth of the picture is taken (KeptShare)
 };
 
 /// A still or a cine: pictures in the order of time with the size of a pixel and no pose.
@@ -89,8 +92,9 @@ struct Cine {
 
 /// Reads a DICOM still or cine as grey pictures, cut to one region. A context entry ("ask", "region" | "pixel-mm" | "colour" | "blank")
 /// names the option whose answer is missing.
-/// @error as inspectDicom; missingCalibration (several regions, stale ones or none: asked), unsupported (coloured and not told what to do,
-///        burned-in text), cancelled
+/// @error as inspectDicom; missingCalibration (several regions, stale ones or none and no Pixel Spacing: asked), unsupported (coloured and
+/// not
+///        told what to do, burned-in text), badUsage (too little is kept: asked), cancelled
 [[nodiscard]] Result<Cine> readDicomCine(const std::filesystem::path& file, const CineOptions& options = {},
                                          Progress& progress = noProgress(), const ReadLimits& limits = {});
 

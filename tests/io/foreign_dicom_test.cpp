@@ -1,0 +1,328 @@
+#include <gtest/gtest.h>
+
+#include "dicom_files.h"
+#include "ew/io/cine_reader.h"
+#include "ew/io/dicom.h"
+#include "ew/io/dicom_stack.h"
+
+// DICOM as devices and gateways store it: lengths that contradict the header, numbers that are there and empty, bytes behind the data,
+// scales and times in other elements than the usual.
+
+namespace ew::foreign_dicom_test {
+namespace {
+using namespace test;
+
+CineOf smallCine() {
+  CineOf cine;
+  cine.pixels = ramp(3 * 48);
+  return cine;
+}
+
+/// The same bytes with the value of an explicit little endian element of 16 bits taken away.
+std::string emptied(std::string file, std::uint32_t tag, const char* kind) {
+  DicomWriter head;
+  const std::string mark = head.bytes(static_cast<std::uint16_t>(tag >> 16)) + head.bytes(static_cast<std::uint16_t>(tag & 0xFFFFu)) + kind;
+  const auto at = file.find(mark);
+  EXPECT_NE(at, std::string::npos);
+  const auto length = static_cast<std::size_t>(static_cast<unsigned char>(file[at + 6]));
+  file[at + 6] = '\0';
+  return file.erase(at + 8, length);
+}
+
+/// Grey in colours, `full`: a colour for each pixel; else two neighbours share one.
+std::string yccOf(const std::string& grey, bool full, bool planar = false) {
+  std::string bytes;
+  if (full && planar) return grey + std::string(2 * grey.size(), '\x80');
+  for (std::size_t n = 0; n < grey.size(); n += full ? 1 : 2) {
+    bytes += grey[n];
+    if (!full) bytes += grey[n + 1];
+    bytes += std::string(2, '\x80');
+  }
+  return bytes;
+}
+
+TEST(ForeignDicom, ColoursAreThinnedByTheLengthOfTheDataAndNotByTheirName) {
+  const TempFolder folder;
+  const std::string grey = ramp(48);
+  for (const bool planar : {false, true}) {
+    for (const int frames : {1, 2, 3}) {
+      CineOf cine;
+      cine.samples = 3;
+      cine.frames = frames;
+      cine.photometric = "YBR_FULL_422";
+      cine.planar = planar ? 1 : 0;
+      for (int n = 0; n < frames; ++n) cine.pixels += yccOf(grey, true, planar);
+      const auto read = readDicomCine(folder.put("a.dcm", cineFile(cine)));
+      ASSERT_TRUE(succeeded(read)) << frames << planar;
+      EXPECT_EQ(read->colouredShare, 0.0);
+      for (std::size_t n = 0; n < grey.size(); ++n) ASSERT_EQ(read->sequence.pixels[n], static_cast<std::uint8_t>(grey[n])) << n;
+      EXPECT_TRUE(contains(read->notes, "named YBR_FULL_422, but each pixel has its own"));
+    }
+  }
+  CineOf thinned;
+  thinned.samples = 3;
+  thinned.frames = 3;
+  thinned.photometric = "YBR_FULL_422";
+  for (int n = 0; n < 3; ++n) thinned.pixels += yccOf(grey, false);
+  const auto right = readDicomCine(folder.put("b.dcm", cineFile(thinned)));
+  ASSERT_TRUE(succeeded(right));
+  EXPECT_EQ(right->sequence.pixels[5], static_cast<std::uint8_t>(grey[5]));
+  EXPECT_FALSE(contains(right->notes, "by the length of the data"));
+  thinned.photometric = "YBR_FULL";
+  const auto other = readDicomCine(folder.put("c.dcm", cineFile(thinned)));
+  ASSERT_TRUE(succeeded(other));
+  EXPECT_EQ(other->sequence.pixels[5], static_cast<std::uint8_t>(grey[5]));
+  EXPECT_EQ(other->colouredShare, 0.0);
+}
+
+TEST(ForeignDicom, PicturesBeyondTheNamedNumberAreTold) {
+  const TempFolder folder;
+  CineOf cine = smallCine();
+  cine.frames = 2;
+  const auto read = readDicomCine(folder.put("a.dcm", cineFile(cine)));
+  ASSERT_TRUE(succeeded(read));
+  EXPECT_EQ(read->sequence.frames.size(), 2u);
+  EXPECT_TRUE(contains(read->notes, "2 frames, which take 96 bytes, but 144 are stored"));
+  EXPECT_FALSE(contains(readDicomCine(folder.put("b.dcm", cineFile(smallCine())))->notes, "are stored"));
+}
+
+TEST(ForeignDicom, BytesBehindThePixelsCostNothing) {
+  const TempFolder folder;
+  const std::string good = cineFile(smallCine());
+  for (const std::string& tail : {std::string(1, '\0'), std::string("\r\n"), std::string(40, '\0'), std::string(64, '\xFF'),
+                                  std::string("padding!", 8), std::string(2048 - good.size() % 2048, '\0')}) {
+    const auto read = readDicomCine(folder.put("a.dcm", good + tail));
+    ASSERT_TRUE(succeeded(read)) << tail.size();
+    EXPECT_EQ(read->sequence.frames.size(), 3u);
+    EXPECT_EQ(read->sequence.pixels[100], static_cast<std::uint8_t>(smallCine().pixels[100]));
+    EXPECT_TRUE(contains(read->notes, "behind its pixels"));
+  }
+  EXPECT_TRUE(failedWith(readDicomCine(folder.put("b.dcm", good.substr(0, good.size() - 4))), ErrorCode::truncated));
+}
+
+TEST(ForeignDicom, PackedPicturesMayEndWithoutTheirMark) {
+  const TempFolder folder;
+  CineOf cine;
+  cine.syntax = kRle;
+  for (int n = 0; n < 3; ++n) cine.packed.push_back(rleOf({ramp(48)}));
+  const std::string whole = cineFile(cine), unmarked = whole.substr(0, whole.size() - 8);
+  for (const std::string& file :
+       {unmarked, unmarked + std::string(8, '\0'), unmarked + std::string(100, '\0'), whole + std::string(33, '\0')}) {
+    const auto read = readDicomCine(folder.put("a.dcm", file));
+    ASSERT_TRUE(succeeded(read)) << file.size();
+    EXPECT_EQ(read->sequence.frames.size(), 3u);
+    EXPECT_EQ(read->sequence.pixels[143], static_cast<std::uint8_t>(ramp(48)[47]));
+  }
+  EXPECT_TRUE(failedWith(readDicomCine(folder.put("b.dcm", unmarked.substr(0, unmarked.size() - 20))), ErrorCode::truncated));
+}
+
+TEST(ForeignDicom, NumbersThatAreThereAndEmptyFollowFromTheRest) {
+  const TempFolder folder;
+  const std::string good = cineFile(smallCine());
+  struct Field {
+    std::uint32_t tag;
+    const char* kind;
+    const char* name;
+  };
+  for (const Field& field : {Field{0x00280101u, "US", "Bits Stored"}, Field{0x00280102u, "US", "High Bit"},
+                             Field{0x00280103u, "US", "Pixel Representation"}, Field{0x00280002u, "US", "Samples per Pixel"}}) {
+    const auto read = readDicomCine(folder.put("a.dcm", emptied(good, field.tag, field.kind)));
+    ASSERT_TRUE(succeeded(read)) << field.name;
+    EXPECT_EQ(read->sequence.frames.size(), 3u);
+    EXPECT_TRUE(contains(read->notes, std::string(field.name) + " is there and empty")) << field.name;
+  }
+  EXPECT_TRUE(says(readDicomCine(folder.put("b.dcm", emptied(good, 0x00280010u, "US"))), "Rows is \"nothing\""));
+}
+
+TEST(ForeignDicom, AnEmptyNumberOfFramesMeansWhatIsStored) {
+  const TempFolder folder;
+  CineOf still = smallCine();
+  still.frames = 1;
+  still.pixels = ramp(48);
+  const auto one = readDicomCine(folder.put("a.dcm", emptied(cineFile(still), 0x00280008u, "IS")));
+  ASSERT_TRUE(succeeded(one));
+  EXPECT_EQ(one->sequence.frames.size(), 1u);
+  still.frames = 0;
+  const auto zero = readDicomCine(folder.put("b.dcm", cineFile(still)));
+  ASSERT_TRUE(succeeded(zero));
+  EXPECT_EQ(zero->sequence.frames.size(), 1u);
+  const auto three = readDicomCine(folder.put("c.dcm", emptied(cineFile(smallCine()), 0x00280008u, "IS")));
+  ASSERT_TRUE(succeeded(three));
+  EXPECT_EQ(three->sequence.frames.size(), 3u);
+  EXPECT_TRUE(contains(three->notes, "3 are stored in it"));
+}
+
+CineOf unscaled(const std::string& extra) {
+  CineOf cine = smallCine();
+  cine.regions = {};
+  cine.extra = extra;
+  return cine;
+}
+
+TEST(ForeignDicom, PixelSpacingIsUsedWhereNoRegionSaysAnything) {
+  const TempFolder folder;
+  const auto spaced = [&](const std::string& spacing) {
+    return readDicomCine(folder.put("a.dcm", cineFile(unscaled(DicomWriter().text(0x00280030u, "DS", spacing).bytes()))));
+  };
+  const auto read = spaced("0.4\\0.2");
+  ASSERT_TRUE(succeeded(read));
+  EXPECT_EQ(read->pixel_mm, glm::dvec2(0.2, 0.4)) << "rows first";
+  EXPECT_TRUE(contains(read->notes, "that of its Pixel Spacing"));
+  const auto commas = spaced("0,4\\0,2");
+  ASSERT_TRUE(succeeded(commas));
+  EXPECT_EQ(commas->pixel_mm, glm::dvec2(0.2, 0.4));
+  EXPECT_TRUE(contains(commas->notes, "written with commas"));
+  EXPECT_TRUE(says(spaced("0\\0"), "Pixel Spacing 0\\0"));
+  CineOf both = unscaled(DicomWriter().text(0x00280030u, "DS", "9\\9").bytes());
+  both.regions = {{}};
+  const auto regional = readDicomCine(folder.put("b.dcm", cineFile(both)));
+  ASSERT_TRUE(succeeded(regional));
+  EXPECT_NEAR(regional->pixel_mm.x, 0.2, 1e-12);
+  EXPECT_TRUE(contains(regional->notes, "Pixel Spacing \"9\\9\", which touches sizes"));
+}
+
+TEST(ForeignDicom, AnAspectRatioIsNeverLostInSilence) {
+  const TempFolder folder;
+  const auto file = folder.put("a.dcm", cineFile(unscaled(DicomWriter().text(0x00280034u, "IS", "2\\1").bytes())));
+  EXPECT_TRUE(says(readDicomCine(file), "2 times as high as wide"));
+  CineOptions square;
+  square.pixel_mm = glm::dvec2(0.2);
+  const auto given = readDicomCine(file, square);
+  ASSERT_TRUE(succeeded(given));
+  EXPECT_TRUE(contains(given->notes, "2 times as high as wide; check it"));
+  square.pixel_mm = glm::dvec2(0.2, 0.4);
+  const auto right = readDicomCine(file, square);
+  ASSERT_TRUE(succeeded(right));
+  EXPECT_FALSE(contains(right->notes, "as high as wide"));
+}
+
+TEST(ForeignDicom, TheSameRegionTwiceIsOne) {
+  const TempFolder folder;
+  CineOf cine = smallCine();
+  cine.regions = {{}, {}};
+  const auto read = readDicomCine(folder.put("a.dcm", cineFile(cine)));
+  ASSERT_TRUE(succeeded(read));
+  EXPECT_NEAR(read->pixel_mm.y, 0.3, 1e-12);
+}
+
+TEST(ForeignDicom, ARegionOfAFewPixelsIsAskedAbout) {
+  const TempFolder folder;
+  CineOf cine = smallCine();
+  cine.regions = {{0, 0, 1, 1}};
+  const auto file = folder.put("a.dcm", cineFile(cine));
+  const auto asked = readDicomCine(file);
+  EXPECT_TRUE(failedWith(asked, ErrorCode::badUsage));
+  EXPECT_TRUE(says(asked, "Only 8.3 % of the pixels"));
+  CineOptions yes;
+  yes.acceptsSmall = true;
+  EXPECT_TRUE(succeeded(readDicomCine(file, yes)));
+}
+
+TEST(ForeignDicom, TimesAreTakenFromWhicheverElementHasThem) {
+  const TempFolder folder;
+  const auto timed = [&](const DicomWriter& fields) {
+    CineOf cine = smallCine();
+    cine.frameTime = "";
+    std::string set = dataSetOf(cine);
+    // In the order of tags: group 8 before the modality's text, group 18 before the regions.
+    DicomWriter regions;
+    const std::string mark = regions.bytes(std::uint16_t{0x0018}) + regions.bytes(std::uint16_t{0x6011}) + "SQ";
+    set.insert(set.find(mark), fields.bytes());
+    return readDicomCine(folder.put("a.dcm", dicomFile(kExplicitLittle, set)));
+  };
+  const auto expectTimes = [&](const Result<Cine>& cine, double second_s, double third_s, const char* name) {
+    ASSERT_TRUE(succeeded(cine)) << name;
+    ASSERT_TRUE(cine->sequence.frames[2].time_s.has_value()) << name;
+    EXPECT_NEAR(*cine->sequence.frames[1].time_s, second_s, 1e-12) << name;
+    EXPECT_NEAR(*cine->sequence.frames[2].time_s, third_s, 1e-12) << name;
+    EXPECT_TRUE(contains(cine->notes, name)) << name;
+  };
+  expectTimes(timed(DicomWriter().text(0x00180040u, "IS", "25")), 0.04, 0.08, "Cine Rate");
+  expectTimes(timed(DicomWriter().text(0x00082144u, "IS", "25")), 0.04, 0.08, "Recommended Display Frame Rate");
+  expectTimes(timed(DicomWriter().text(0x00181242u, "IS", "40")), 0.04, 0.08, "Actual Frame Duration");
+  expectTimes(timed(DicomWriter().text(0x00180072u, "DS", "0.12")), 0.04, 0.08, "Effective Duration");
+  expectTimes(timed(DicomWriter().text(0x00181065u, "DS", "40\\50")), 0.04, 0.09, "one entry less");
+  const auto nothing = timed(DicomWriter().text(0x00180040u, "IS", "0"));
+  ASSERT_TRUE(succeeded(nothing));
+  EXPECT_FALSE(nothing->sequence.frames[1].time_s.has_value());
+  EXPECT_TRUE(contains(nothing->notes, "Cine Rate \"0\"")) << "what was found is shown";
+}
+
+TEST(ForeignDicom, ACommaInAFrameTimeIsAPointAndARateCanBeGiven) {
+  const TempFolder folder;
+  CineOf cine = smallCine();
+  cine.frameTime = "40,5";
+  const auto commas = readDicomCine(folder.put("a.dcm", cineFile(cine)));
+  ASSERT_TRUE(succeeded(commas));
+  EXPECT_NEAR(*commas->sequence.frames[2].time_s, 0.081, 1e-12);
+  EXPECT_TRUE(contains(commas->notes, "written with commas"));
+  CineOptions rate;
+  rate.rate_hz = 50.0;
+  const auto given = readDicomCine(folder / "a.dcm", rate);
+  ASSERT_TRUE(succeeded(given));
+  EXPECT_NEAR(*given->sequence.frames[2].time_s, 0.04, 1e-12);
+  EXPECT_TRUE(contains(given->notes, "instead of the 0.081 s"));
+}
+
+TEST(ForeignDicom, WhatIsStatedAndNotUsedIsToldAndWhatIsNeutralIsNot) {
+  const TempFolder folder;
+  CineOf cine = smallCine();
+  cine.extra = DicomWriter()
+                   .text(0x00281050u, "DS", "60")
+                   .text(0x00281051u, "DS", "40")
+                   .text(0x00281052u, "DS", "0")
+                   .text(0x00281053u, "DS", "2")
+                   .bytes();
+  const auto told = readDicomCine(folder.put("a.dcm", cineFile(cine)));
+  ASSERT_TRUE(succeeded(told));
+  EXPECT_TRUE(contains(told->notes, "Window Center \"60\", Window Width \"40\", Rescale Slope \"2\", which touches the grey levels"));
+  cine.extra = DicomWriter().text(0x00281050u, "DS", "127.5").text(0x00281051u, "DS", "255").text(0x00281053u, "DS", "1").bytes();
+  EXPECT_FALSE(contains(readDicomCine(folder.put("b.dcm", cineFile(cine)))->notes, "touches"));
+}
+
+/// One slice of a volume of stills.
+std::string stillAt(double z, int level, const std::string& series = "2.25.7", const std::string& position = "") {
+  DicomWriter set;
+  set.text(0x00080016u, "UI", "1.2.840.10008.5.1.4.1.1.6.1").text(0x00080060u, "CS", "US").text(0x00100010u, "PN", "Doe^Jane");
+  set.text(0x0020000Eu, "UI", series);
+  if (position != "none")
+    set.text(0x00200032u, "DS", position.empty() ? "10\\20\\" + std::to_string(z) : position).text(0x00200037u, "DS", "1\\0\\0\\0\\1\\0");
+  set.us(0x00280002u, 1).text(0x00280004u, "CS", "MONOCHROME2").us(0x00280010u, 2).us(0x00280011u, 3).text(0x00280030u, "DS", "0.5\\0.25");
+  set.us(0x00280100u, 8).us(0x00280101u, 8).us(0x00280102u, 7).us(0x00280103u, 0);
+  set.raw(0x7FE00010u, "OW", std::string(6, static_cast<char>(level)));
+  return dicomFile(kExplicitLittle, set.bytes());
+}
+
+TEST(DicomStack, StillsAreJoinedByTheirPositionsWhateverTheirNames) {
+  const TempFolder folder;
+  static_cast<void>(folder.put("c", stillAt(1.0, 10)));
+  static_cast<void>(folder.put("a.dcm", stillAt(3.0, 30)));
+  static_cast<void>(folder.put("b", stillAt(2.0, 20)));
+  static_cast<void>(folder.put("notes.txt", "no picture"));
+  EXPECT_EQ(dicomFilesIn(folder.path()).size(), 3u);
+  const auto read = readDicomStack(folder.path());
+  ASSERT_TRUE(succeeded(read));
+  const Grid& grid = read->volume.grid;
+  EXPECT_EQ(grid.dims, glm::ivec3(3, 2, 3));
+  EXPECT_EQ(grid.spacing_mm, glm::dvec3(0.25, 0.5, 1.0));
+  EXPECT_EQ(grid.origin_mm, glm::dvec3(10, 20, 1));
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(read->volume.echo[grid.indexOf(1, 1, k)], 10 * (k + 1));
+  EXPECT_TRUE(contains(read->removed.fields, "Patient's Name"));
+}
+
+TEST(DicomStack, WhatIsNoVolumeIsSaid) {
+  const auto joined = [](std::initializer_list<std::string> stills) {
+    const TempFolder folder;
+    int n = 0;
+    for (const std::string& still : stills) static_cast<void>(folder.put("s" + std::to_string(n++), still));
+    return readDicomStack(folder.path());
+  };
+  EXPECT_TRUE(says(joined({stillAt(1, 1), stillAt(2, 2, "2.25.8")}), "stills of 2 series"));
+  EXPECT_TRUE(says(joined({stillAt(1, 1), stillAt(2, 2, "2.25.7", "none")}), "1 of the 2 DICOM stills"));
+  EXPECT_TRUE(says(joined({stillAt(1, 1), stillAt(2, 2), cineFile(smallCine())}), "a cine of 3 frames"));
+  EXPECT_TRUE(says(joined({stillAt(1, 1), stillAt(1, 2)}), "in one plane"));
+  EXPECT_TRUE(says(joined({stillAt(1, 1), stillAt(2, 2), stillAt(3, 3, "2.25.7", "15\\20\\3")}), "parallel and in line"));
+}
+
+}  // namespace
+}  // namespace ew::foreign_dicom_test

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ew/core/result.h"
+
+namespace ew::detail {
+
+/// What a result would be different in if a field of a foreign header were used.
+enum class FieldTouches { geometry, levels, time, count, nobodyKnows, nothing };
+
+/// One line of a format's table of fields.
+struct KnownField {
+  std::string_view name;
+  FieldTouches touches = FieldTouches::nothing;
+};
+
+/// The fields that a header states, and which of them a reader used. A reader meets every field it comes across and marks what it uses;
+/// what is left is classified by the format's table, so that nothing that changes geometry, levels, time or count is passed over in
+/// silence.
+class HeaderFields {
+ public:
+  /// @param table   of the format; it must outlive this
+  /// @param unknown what a field touches that the table does not have
+  explicit HeaderFields(std::span<const KnownField> table, FieldTouches unknown = FieldTouches::nothing)
+      : table_(table), unknown_(unknown) {}
+
+  /// The header states `name`. A value of blanks states nothing.
+  void meet(std::string_view name, std::string_view value);
+  /// The value, which counts as used from now on; empty where the header states none.
+  [[nodiscard]] std::optional<std::string> take(std::string_view name);
+  /// The value, without using it.
+  [[nodiscard]] std::optional<std::string> stated(std::string_view name) const;
+  void use(std::string_view name);
+
+  /// One sentence for each of geometry, levels, time and count that an unused field touches, with the fields and their values; one more for
+  /// those of which nobody knows.
+  [[nodiscard]] std::vector<Message> unused() const;
+
+ private:
+  struct Stated {
+    std::string name;
+    std::string value;
+    bool used = false;
+  };
+  [[nodiscard]] FieldTouches touchedBy(std::string_view name) const;
+
+  std::span<const KnownField> table_;
+  FieldTouches unknown_;
+  std::vector<Stated> stated_;
+};
+
+/// Numbers of a field whose value may only say that it is not set: blanks, or NaN for every number.
+struct StatedNumbers {
+  bool isSet = false;
+  bool isUsable = true;             ///< false: something else stands there than the finite numbers that belong there
+  std::vector<double> values = {};  ///< where it is set and usable
+};
+/// @param count of numbers that belong there
+[[nodiscard]] StatedNumbers statedNumbers(std::string_view found, std::size_t count);
+
+}  // namespace ew::detail
