@@ -150,5 +150,43 @@ TEST(NiftiVolume, WrongHeadersAreRefusedInOneSentence) {
   EXPECT_TRUE(failedWith(huge, ErrorCode::tooLarge));
 }
 
+TEST(NiftiVolume, TwoPlacesThatDifferAreTold) {
+  const TempFolder folder;
+  const auto notes = [&](float x) {
+    Header1 header({2, 3, 2});
+    header.affine({1, 0, 0, 10, 0, 1, 0, 20, 0, 0, 1, 30});
+    header.set<std::int16_t>(252, 1);  // the quaternion of no rotation is 0 0 0
+    header.set<float>(268, x);
+    header.set<float>(272, 20.0f);
+    header.set<float>(276, 30.0f);
+    const auto loaded = readVolume(folder.put("a.nii", header.bytes + ramp(12)));
+    EXPECT_TRUE(succeeded(loaded));
+    return loaded ? loaded->notes : std::vector<Message>();
+  };
+  EXPECT_TRUE(notes(10.0f).empty());
+  EXPECT_TRUE(contains(notes(15.0f), "differ by up to 5 mm (sform and qform)"));
+}
+
+TEST(NiftiVolume, ComponentsOfVectorsAreNoStepsOfTime) {
+  const TempFolder folder;
+  const auto vectors = readVolume(folder.put("a.nii", Header1({2, 2, 1, 1, 3}).bytes + ramp(12)));
+  EXPECT_TRUE(failedWith(vectors, ErrorCode::unsupported));
+  EXPECT_TRUE(says(vectors, "3 components"));
+  const auto steps = readVolume(folder.put("b.nii", Header1({2, 2, 1, 3}).bytes + ramp(12)));
+  ASSERT_TRUE(succeeded(steps));
+  EXPECT_EQ(steps->timeSteps, 3u);
+}
+
+TEST(NiftiVolume, ARangeThatIsToBeShownIsTold) {
+  const TempFolder folder;
+  Header1 header({2, 3, 2});
+  header.affine({1, 0, 0, 10, 0, 1, 0, 20, 0, 0, 1, 30});
+  header.set<float>(124, 200.0f);
+  header.set<float>(128, 20.0f);
+  const auto loaded = readVolume(folder.put("a.nii", header.bytes + ramp(12)));
+  ASSERT_TRUE(succeeded(loaded));
+  EXPECT_TRUE(contains(loaded->notes, "cal_min cal_max \"20 200\", which touches the grey levels"));
+}
+
 }  // namespace
 }  // namespace ew::nifti_test

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "ew/io/image_file.h"
 #include "ew/io/image_stack.h"
 #include "ew/io/raw_volume.h"
@@ -21,6 +23,24 @@ TEST(RawVolume, SamplesAreReadAsTheLayoutSays) {
   EXPECT_EQ(read->volume.echo[read->volume.grid.indexOf(3, 2, 1)], 23);
   EXPECT_TRUE(contains(read->notes, "4x3x2:u8:0.5,0.25,1:4"));
   EXPECT_TRUE(contains(read->notes, "bytes after its samples"));
+}
+
+TEST(RawVolume, SamplesThatStillSwingSayAtOnceWhatTheyAre) {
+  const TempFolder folder;
+  const auto warned = [&](const std::vector<std::int16_t>& samples) {
+    const auto read = readRawVolume(folder.put("a.raw", bytesOf(samples)), *parseRawLayout(std::to_string(samples.size()) + "x1x1:i16:1"));
+    EXPECT_TRUE(succeeded(read));
+    return read && contains(read->warnings, "(RF)") && contains(read->notes, "(RF)");
+  };
+  std::vector<std::int16_t> iq, brightness;
+  for (int n = 0; n < 400; ++n) {
+    const double swing = std::sin(1.3 * n) * (n % 97 == 0 ? 7900.0 : 900.0);  // uneven ends, as one strong echo makes them
+    iq.push_back(static_cast<std::int16_t>(swing < -5000.0 ? -5000.0 : swing));
+    brightness.push_back(static_cast<std::int16_t>(n % 50 - 5));
+  }
+  EXPECT_TRUE(warned(iq));
+  EXPECT_FALSE(warned(brightness)) << "a little below 0 is an offset";
+  EXPECT_FALSE(warned(std::vector<std::int16_t>(400, 7)));
 }
 
 TEST(RawVolume, EveryTypeAndByteOrderGivesTheSameLevels) {

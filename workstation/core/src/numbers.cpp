@@ -53,6 +53,7 @@ std::optional<std::vector<long long>> parseIntegers(std::string_view text) { ret
 
 std::string textOf(double value) {
   std::array<char, 32> buffer{};
+  if (value == 0.0) value = 0.0;  // of the two zeros the one without a sign
   const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
   return error == std::errc{} ? std::string(buffer.data(), end) : std::string("nan");
 }

@@ -3,6 +3,7 @@
 #include <queue>
 #include <set>
 
+#include "ew/core/numbers.h"
 #include "ew/io/sequence.h"
 #include "transform_name.h"
 #include "usable_transform.h"
@@ -22,6 +23,35 @@ bool isUsable(const NamedTransform& transform) {
   const double volume = std::abs(glm::determinant(glm::dmat3(m)));
   const double box = glm::length(glm::dvec3(m[0])) * glm::length(glm::dvec3(m[1])) * glm::length(glm::dvec3(m[2]));
   return box > 0.0 && volume > 1e-6 * box;
+}
+
+Message problemOf(const NamedTransform& transform) {
+  if (isUsable(transform)) return {};
+  const glm::dmat4& m = transform.matrix;
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row)
+      if (!std::isfinite(m[column][row])) return say<"it holds something that is no finite number">();
+  if (m[0][3] != 0.0 || m[1][3] != 0.0 || m[2][3] != 0.0 || m[3][3] != 1.0) {
+    const std::string last = textOf(m[0][3]) + " " + textOf(m[1][3]) + " " + textOf(m[2][3]) + " " + textOf(m[3][3]);
+    const bool turned = m[3][3] == 1.0 && glm::dvec3(m[3]) == glm::dvec3(0.0);
+    return turned ? say<"its last row is %1 instead of 0 0 0 1, as when rows and columns are exchanged">(last)
+                  : say<"its last row is %1 instead of 0 0 0 1">(last);
+  }
+  for (int column = 0; column < 3; ++column)
+    if (!(glm::length(glm::dvec3(m[column])) > 0.0)) return say<"its column %1 holds nothing but 0">(column + 1);
+  return say<"its first three columns do not span a space: all points would fall into one plane">();
+}
+
+bool giveThickness(NamedTransform& transform) {
+  if (transform.from != "Image" || glm::dvec3(transform.matrix[2]) != glm::dvec3(0.0)) return false;
+  const glm::dvec3 x(transform.matrix[0]), y(transform.matrix[1]);
+  const glm::dvec3 upright = glm::cross(x, y);
+  if (!(glm::length(upright) > 0.0)) return false;
+  NamedTransform thick = transform;
+  thick.matrix[2] = glm::dvec4(glm::normalize(upright) * std::sqrt(glm::length(x) * glm::length(y)), 0.0);
+  if (!isUsable(thick)) return false;
+  transform = std::move(thick);
+  return true;
 }
 
 std::optional<TransformName> splitTransformName(std::string_view joined) {

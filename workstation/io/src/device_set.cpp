@@ -2,10 +2,13 @@
 #include <array>
 #include <cmath>
 #include <pugixml.hpp>
+#include <type_traits>
 
 #include "ew/core/numbers.h"
+#include "ew/io/gating_fields.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/sequence.h"
+#include "header_fields.h"
 #include "image_header.h"
 
 namespace ew {
@@ -20,13 +23,49 @@ pugi::xml_attribute attributeOf(const pugi::xml_node& node, std::initializer_lis
   return {};
 }
 
-Result<std::optional<std::vector<double>>> numbersOf(const fs::path& file, const pugi::xml_attribute& attribute, std::size_t count) {
-  if (!attribute) return std::optional<std::vector<double>>();
-  auto numbers = parseNumbers(attribute.value());
-  if (!numbers || numbers->size() != count ||
-      std::any_of(numbers->begin(), numbers->end(), [](double value) { return !std::isfinite(value); }))
+/// What VolumeReconstruction of device sets is known to say. What is not here is told as not known.
+constexpr std::array kReconstructionFields{
+    KnownField{"ImageCoordinateFrame", FieldTouches::geometry},
+    KnownField{"OutputOrigin", FieldTouches::geometry},
+    KnownField{"OutputExtent", FieldTouches::geometry},
+    KnownField{"EnableFanAnglesAutoDetect", FieldTouches::geometry},
+    KnownField{"PixelRejectionThreshold", FieldTouches::levels},
+    KnownField{"ImportanceMaskFilename", FieldTouches::levels},
+    KnownField{"SkipInterval", FieldTouches::count},
+    KnownField{"Optimization"},
+    KnownField{"FillHoles"},
+    KnownField{"NumberOfThreads"},
+    KnownField{"OutputVolumeFilename"},
+    KnownField{"OutputVolDeviceName"},
+};
+
+Result<std::vector<double>> numbersOf(const fs::path& file, const pugi::xml_attribute& attribute, std::size_t count) {
+  if (!attribute) return std::vector<double>();
+  auto stated = statedNumbers(attribute.value(), count);
+  if (!stated.isUsable)
     return badField(file, verbatim(attribute.name()), verbatim(attribute.value()), counted<"%1 finite number", "%1 finite numbers">(count));
-  return std::optional(*std::move(numbers));
+  return std::move(stated.values);
+}
+
+/// Takes away what only says that nothing is set.
+void dropUnset(DeviceSet& set) {
+  const auto pairText = [](const glm::dvec2& pair) { return textOf(pair.x) + " " + textOf(pair.y); };
+  if (set.clipSize_px && (set.clipSize_px->x <= 0.0 || set.clipSize_px->y <= 0.0)) {
+    if (set.clipSize_px->x > 0.0 || set.clipSize_px->y > 0.0)
+      set.notes.push_back(
+          say<"The clip rectangle has the size %1, which is none; the whole images were taken.">(pairText(*set.clipSize_px)));
+    set.clipSize_px.reset();
+    set.clipOrigin_px.reset();
+  }
+  if (set.clipOrigin_px && !set.clipSize_px) {
+    if (*set.clipOrigin_px != glm::dvec2(0.0) && *set.clipOrigin_px != glm::dvec2(-1.0))
+      set.notes.push_back(
+          say<"The clip rectangle begins at (%1) but has no size; the whole images were taken.">(pairText(*set.clipOrigin_px)));
+    set.clipOrigin_px.reset();
+  }
+  if (set.fanAngles_deg && set.fanAngles_deg->x == set.fanAngles_deg->y) set.fanAngles_deg.reset();
+  if (set.fanRadiusStart_px && *set.fanRadiusStart_px < 0.0) set.fanRadiusStart_px.reset();
+  if (set.fanRadiusStop_px && *set.fanRadiusStop_px <= 0.0) set.fanRadiusStop_px.reset();
 }
 
 Result<void> readTransform(const fs::path& file, const pugi::xml_node& node, DeviceSet& set) {
@@ -53,40 +92,80 @@ Result<void> readTransform(const fs::path& file, const pugi::xml_node& node, Dev
   return {};
 }
 
+/// Takes numbers out of VolumeReconstruction, each by its first name that is there.
+class ReconstructionReader {
+ public:
+  ReconstructionReader(const fs::path& file, const pugi::xml_node& node)
+      : file_(file), node_(node), fields_(kReconstructionFields, FieldTouches::nobodyKnows) {
+    for (const auto& attribute : node.attributes()) fields_.meet(attribute.name(), attribute.value());
+  }
+
+  Result<void> take(std::optional<glm::dvec2>& target, std::initializer_list<const char*> names) {
+    return take(names, 2, [&](const std::vector<double>& values) { target = glm::dvec2(values[0], values[1]); });
+  }
+  Result<void> take(std::optional<double>& target, std::initializer_list<const char*> names) {
+    return take(names, 1, [&](const std::vector<double>& values) { target = values[0]; });
+  }
+  Result<void> takeSpacing(DeviceSet& set) {
+    return take({"OutputSpacing"}, 3, [&](const std::vector<double>& mm) -> Result<void> {
+      if (mm[0] > 0.0 && mm[1] > 0.0 && mm[2] > 0.0) {
+        set.outputSpacing_mm = glm::dvec3(mm[0], mm[1], mm[2]);
+      } else if (mm[0] <= 0.0 && mm[1] <= 0.0 && mm[2] <= 0.0) {
+        set.notes.push_back(say<"The OutputSpacing of the device set is \"%1\", which is none; it was not used.">(
+            shortened(node_.attribute("OutputSpacing").value())));
+      } else {
+        return badField(file_, verbatim("OutputSpacing"), verbatim(node_.attribute("OutputSpacing").value()),
+                        say<"three numbers above 0 (mm)">());
+      }
+      return {};
+    });
+  }
+  std::optional<std::string> text(const char* name) { return fields_.take(name); }
+  HeaderFields& fields() { return fields_; }
+
+ private:
+  template <class Use>
+  Result<void> take(std::initializer_list<const char*> names, std::size_t count, Use use) {
+    const auto attribute = attributeOf(node_, names);
+    const auto numbers = numbersOf(file_, attribute, count);
+    if (!numbers) return passOn(numbers.error());
+    fields_.use(attribute.name());
+    if (numbers->empty()) return {};
+    if constexpr (std::is_void_v<decltype(use(*numbers))>) {
+      use(*numbers);
+      return {};
+    } else {
+      return use(*numbers);
+    }
+  }
+
+  const fs::path& file_;
+  const pugi::xml_node& node_;
+  HeaderFields fields_;
+};
+
 Result<void> readReconstruction(const fs::path& file, const pugi::xml_node& node, DeviceSet& set) {
-  const auto vector2 = [&](std::optional<glm::dvec2>& target, std::initializer_list<const char*> names) -> Result<void> {
-    const auto numbers = numbersOf(file, attributeOf(node, names), 2);
-    if (!numbers) return passOn(numbers.error());
-    if (*numbers) target = glm::dvec2((**numbers)[0], (**numbers)[1]);
-    return {};
-  };
-  const auto scalar = [&](std::optional<double>& target, std::initializer_list<const char*> names) -> Result<void> {
-    const auto numbers = numbersOf(file, attributeOf(node, names), 1);
-    if (!numbers) return passOn(numbers.error());
-    if (*numbers) target = (**numbers)[0];
-    return {};
-  };
-  const auto spacing = node.attribute("OutputSpacing");
-  const auto numbers = numbersOf(file, spacing, 3);
-  if (!numbers) return passOn(numbers.error());
-  if (*numbers) {
-    const auto& mm = **numbers;
-    if (!(mm[0] > 0.0 && mm[1] > 0.0 && mm[2] > 0.0))
-      return badField(file, verbatim("OutputSpacing"), verbatim(spacing.value()), say<"three numbers above 0 (mm)">());
-    set.outputSpacing_mm = glm::dvec3(mm[0], mm[1], mm[2]);
-  }
-  if (auto read = vector2(set.clipOrigin_px, {"ClipRectangleOrigin"}); !read) return read;
-  if (auto read = vector2(set.clipSize_px, {"ClipRectangleSize"}); !read) return read;
-  if (auto read = vector2(set.fanAngles_deg, {"FanAnglesDeg", "FanAngles"}); !read) return read;
-  if (auto read = vector2(set.fanOrigin_px, {"FanOriginPixel", "FanOrigin"}); !read) return read;
-  if (auto read = scalar(set.fanRadiusStart_px, {"FanRadiusStartPixel"}); !read) return read;
-  if (auto read = scalar(set.fanRadiusStop_px, {"FanRadiusStopPixel"}); !read) return read;
-  if (const auto text = node.attribute("Interpolation")) set.interpolation = text.value();
-  if (const auto text = node.attribute("CompoundingMode")) {
-    set.compounding = text.value();
-  } else if (const auto older = node.attribute("Compounding")) {
-    set.compounding = older.value();  // a switch, before there were modes: On or Off
-  }
+  ReconstructionReader reader(file, node);
+  if (auto read = reader.takeSpacing(set); !read) return read;
+  if (auto read = reader.take(set.clipOrigin_px, {"ClipRectangleOrigin"}); !read) return read;
+  if (auto read = reader.take(set.clipSize_px, {"ClipRectangleSize"}); !read) return read;
+  if (auto read = reader.take(set.fanAngles_deg, {"FanAnglesDeg", "FanAngles"}); !read) return read;
+  if (auto read = reader.take(set.fanOrigin_px, {"FanOriginPixel", "FanOrigin"}); !read) return read;
+  if (auto read = reader.take(set.fanRadiusStart_px, {"FanRadiusStartPixel"}); !read) return read;
+  // Before fans had two radii, their depth was the radius at which they end, in pixels too.
+  if (auto read = reader.take(set.fanRadiusStop_px, {"FanRadiusStopPixel", "FanDepth"}); !read) return read;
+  set.interpolation = reader.text("Interpolation");
+  set.compounding = reader.text("CompoundingMode");
+  if (const auto older = reader.text("Compounding"); older && !set.compounding)
+    set.compounding = older;  // a switch, before there were modes: On or Off
+  set.referenceFrame = reader.text("ReferenceCoordinateFrame").value_or("");
+  HeaderFields& fields = reader.fields();
+  if (fields.stated("ImageCoordinateFrame") == std::optional<std::string>("Image")) fields.use("ImageCoordinateFrame");
+  if (lowerCase(fields.stated("EnableFanAnglesAutoDetect").value_or("")) != "true") fields.use("EnableFanAnglesAutoDetect");
+  // Without an extent the origin is that of no grid: PLUS writes it so by default.
+  if (!fields.stated("OutputExtent")) fields.use("OutputOrigin");
+  dropUnset(set);
+  for (Message& note : fields.unused()) set.notes.push_back(std::move(note));
   return {};
 }
 
@@ -148,9 +227,43 @@ Result<DeviceSet> readDeviceSets(std::span<const std::filesystem::path> files) {
     fill(joined.fanRadiusStop_px, read->fanRadiusStop_px);
     fill(joined.interpolation, read->interpolation);
     fill(joined.compounding, read->compounding);
+    if (joined.referenceFrame.empty()) joined.referenceFrame = std::move(read->referenceFrame);
+    joined.notes.insert(joined.notes.end(), read->notes.begin(), read->notes.end());
     if (joined.scanConversion.empty()) joined.scanConversion = std::move(read->scanConversion);
   }
   return joined;
+}
+
+Result<DeviceSet> clipStatedIn(const Sequence& sequence) {
+  DeviceSet stated;
+  const auto take = [&](auto& target, std::string_view name) -> Result<void> {
+    constexpr bool isPair = std::is_same_v<std::remove_cvref_t<decltype(target)>, std::optional<glm::dvec2>>;
+    constexpr std::size_t count = isPair ? 2 : 1;
+    for (const auto& [field, value] : sequence.otherFields) {
+      if (field != name) continue;
+      const auto found = statedNumbers(value, count);
+      if (!found.isUsable)
+        return failure(ErrorCode::badField,
+                       count == 1 ? say<"The recording's %1 is \"%2\"; expected 1 number.">(field, shortened(value))
+                                  : say<"The recording's %1 is \"%2\"; expected %3 numbers.">(field, shortened(value), count),
+                       {{"field", field}, {"found", shortened(value)}});
+      if (!found.isSet) return {};
+      if constexpr (isPair)
+        target = glm::dvec2(found.values[0], found.values[1]);
+      else
+        target = found.values[0];
+      return {};
+    }
+    return {};
+  };
+  if (auto taken = take(stated.clipOrigin_px, fields::kClipOrigin); !taken) return passOn(taken.error());
+  if (auto taken = take(stated.clipSize_px, fields::kClipSize); !taken) return passOn(taken.error());
+  if (auto taken = take(stated.fanAngles_deg, fields::kFanAngles); !taken) return passOn(taken.error());
+  if (auto taken = take(stated.fanOrigin_px, fields::kFanOrigin); !taken) return passOn(taken.error());
+  if (auto taken = take(stated.fanRadiusStart_px, fields::kFanRadiusStart); !taken) return passOn(taken.error());
+  if (auto taken = take(stated.fanRadiusStop_px, fields::kFanRadiusStop); !taken) return passOn(taken.error());
+  dropUnset(stated);
+  return stated;
 }
 
 Result<void> writeDeviceSet(const DeviceSet& set, const fs::path& file) {
@@ -188,6 +301,7 @@ Result<void> writeDeviceSet(const DeviceSet& set, const fs::path& file) {
   if (set.fanRadiusStop_px) add("FanRadiusStopPixel", textOf(*set.fanRadiusStop_px));
   if (set.interpolation) add("Interpolation", *set.interpolation);
   if (set.compounding) add("CompoundingMode", *set.compounding);
+  if (!set.referenceFrame.empty()) add("ReferenceCoordinateFrame", set.referenceFrame);
   if (!set.scanConversion.empty()) {
     auto conversion = root.append_child("ScanConversion");
     for (const auto& [name, value] : set.scanConversion) conversion.append_attribute(name.c_str()) = value.c_str();

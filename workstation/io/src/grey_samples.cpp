@@ -17,6 +17,12 @@ namespace {
 
 constexpr std::size_t kSampleChunk = 1u << 20;
 
+/// Where sentences go: all that was decided, and of these what makes a result doubtful.
+struct GreyNotes {
+  std::vector<Message>& notes;
+  std::vector<Message>& warnings;
+};
+
 Result<void> checkSizes(const ImageHeader& header, const SampleRequest& request, const ReadLimits& limits) {
   const std::uint64_t perPixel = header.channels * bytesOf(header.type);
   const std::array<std::uint64_t, 3> factors{request.promised, header.channels, bytesOf(header.type)};
@@ -108,22 +114,41 @@ double valueOf(const std::uint8_t* pixel, std::uint64_t channels, bool swap, dou
   return slope * value + intercept;
 }
 
-/// Brightness starts at 0; echoes that still carry their wave swing as far below it as above. Nearly as far: no recording is exactly even.
-bool looksLikeRf(double lowest, double highest) {
-  return lowest < 0.0 && highest > 0.0 && std::max(-lowest, highest) < 1.25 * std::min(-lowest, highest);
-}
+/// What echoes that still carry their wave look like: they swing about 0, as far below as above, and brightness does not.
+struct Swing {
+  double sum = 0.0, squares = 0.0;
+  std::uint64_t count = 0;
+  void add(double value) {
+    sum += value;
+    squares += value * value;
+    ++count;
+  }
+  /// Lines of echoes (RF), or their two demodulated parts (IQ), have no mean beside their spread, however uneven their ends are.
+  [[nodiscard]] bool looksLikeRf(double lowest, double highest) const {
+    if (count < 2 || !(lowest < 0.0 && highest > 0.0)) return false;
+    const double below = -lowest, above = highest;
+    if (std::min(below, above) < 0.2 * std::max(below, above)) return false;
+    if (std::max(below, above) < 1.25 * std::min(below, above)) return true;
+    const double mean = sum / static_cast<double>(count);
+    return std::abs(mean) < 0.15 * std::sqrt(std::max(0.0, squares / static_cast<double>(count) - mean * mean));
+  }
+};
 
 template <class T>
 Result<void> toGrey(const ImageHeader& header, const std::vector<std::uint8_t>& stored, std::vector<std::uint8_t>& grey, bool rescale,
-                    Progress& progress, std::vector<Message>& notes) {
+                    Progress& progress, GreyNotes& told) {
+  std::vector<Message>& notes = told.notes;
   const bool swap = header.bigEndian != (std::endian::native == std::endian::big);
   const std::size_t step = static_cast<std::size_t>(header.channels) * sizeof(T);
+  const std::size_t wanted = static_cast<std::size_t>(header.wantedChannel.value_or(0)) * sizeof(T);
+  const std::uint64_t together = header.wantedChannel ? 1 : header.channels;
   const auto value = [&](std::size_t pixel) {
-    return valueOf<T>(stored.data() + pixel * step, header.channels, swap, header.slope, header.intercept);
+    return valueOf<T>(stored.data() + pixel * step + wanted, together, swap, header.slope, header.intercept);
   };
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -lowest;
   std::uint64_t notFinite = 0;
+  Swing swing;
   for (std::size_t pixel = 0; pixel < grey.size(); ++pixel) {
     if (pixel % kSampleChunk == 0 && progress.cancelRequested()) return stopped(header.file);
     const double here = value(pixel);
@@ -133,6 +158,7 @@ Result<void> toGrey(const ImageHeader& header, const std::vector<std::uint8_t>& 
     }
     lowest = std::min(lowest, here);
     highest = std::max(highest, here);
+    swing.add(here);
   }
   if (!rescale) {
     lowest = 0.0;
@@ -149,9 +175,12 @@ Result<void> toGrey(const ImageHeader& header, const std::vector<std::uint8_t>& 
   if (notFinite > 0)
     notes.push_back(
         counted<"%1 sample is not a finite number and became 0.", "%1 samples are not finite numbers and became 0.">(notFinite));
-  if (rescale && looksLikeRf(lowest, highest))
-    notes.push_back(say<"The samples lie as far below 0 as above, as those of radio frequency (RF) lines do; if they are, the grey levels "
-                        "made of them are no brightness: export the B-mode volume instead.">());
+  if (rescale && swing.looksLikeRf(lowest, highest)) {
+    told.warnings.push_back(say<"The samples swing about 0, as those of radio frequency lines (RF) or of their demodulated parts (IQ) do; "
+                                "if they are, the grey "
+                                "levels made of them are no brightness: export the B-mode volume instead.">());
+    notes.push_back(told.warnings.back());
+  }
   if (rescale && width > 0.0)
     notes.push_back(
         say<"The samples are %1: values from %2 to %3 were mapped to 0 to 255.">(nameOf(header.type), textOf(lowest), textOf(highest)));
@@ -161,7 +190,7 @@ Result<void> toGrey(const ImageHeader& header, const std::vector<std::uint8_t>& 
 }
 
 Result<void> convert(const ImageHeader& header, const std::vector<std::uint8_t>& stored, std::vector<std::uint8_t>& grey, bool rescale,
-                     Progress& progress, std::vector<Message>& notes) {
+                     Progress& progress, GreyNotes& notes) {
   switch (header.type) {
     case SampleType::u8:
       return toGrey<std::uint8_t>(header, stored, grey, rescale, progress, notes);
@@ -190,12 +219,22 @@ Result<void> convert(const ImageHeader& header, const std::vector<std::uint8_t>&
 }
 
 Result<std::vector<std::uint8_t>> readGreyOrThrow(const ImageHeader& header, const SampleRequest& request, const ReadLimits& limits,
-                                                  Progress& progress, std::vector<Message>& notes) {
-  if (header.channels != 1 && header.channels != 3 && header.channels != 4)
+                                                  Progress& progress, GreyNotes& told) {
+  std::vector<Message>& notes = told.notes;
+  const bool woven = header.wantedChannel.has_value();
+  const bool severalValues = header.channels > 1 && !woven;
+  if (severalValues && header.channels != 3 && header.channels != 4)
     return failure(ErrorCode::unsupported,
                    say<"%1 has %2 values per sample, but one value or a colour is needed; export the echo levels alone.">(
                        quoted(header.file), header.channels),
                    {{"file", header.file.string()}, {"channels", std::to_string(header.channels)}});
+  // Colours have 8 or 16 bits; three numbers with a sign or a point are a vector, as of a motion, and have no luminance.
+  if (severalValues && !header.coloursNamed && header.type != SampleType::u8 && header.type != SampleType::u16)
+    return failure(
+        ErrorCode::unsupported,
+        say<"%1 has %2 components of %3 per sample, as vectors of a motion have; they are no echo level and no time steps: export "
+            "the echo levels alone.">(quoted(header.file), header.channels, nameOf(header.type)),
+        {{"file", header.file.string()}, {"channels", std::to_string(header.channels)}});
   if (const auto sizes = checkSizes(header, request, limits); !sizes) return passOn(sizes.error());
   const std::uint64_t perPixel = header.channels * bytesOf(header.type);
   const std::uint64_t promisedBytes = request.promised * perPixel;
@@ -211,14 +250,14 @@ Result<std::vector<std::uint8_t>> readGreyOrThrow(const ImageHeader& header, con
     if (const auto ended = checkEnd(header, *opened->source, promisedBytes, progress, notes); !ended) return passOn(ended.error());
 
   const bool scaled = header.slope != 1.0 || header.intercept != 0.0;
-  if (header.channels > 1) notes.push_back(say<"The samples are colours; their luminance became the echo level.">());
+  if (severalValues) notes.push_back(say<"The samples are colours; their luminance became the echo level.">());
   if (header.type == SampleType::u8 && header.channels == 1 && header.slope > 0.0) {
     if (scaled) notes.push_back(say<"The header's rescaling (slope and intercept) was left out: the 8 bit levels are used as stored.">());
     return stored;
   }
   std::vector<std::uint8_t> grey = zerosInLargePages(static_cast<std::size_t>(request.pixels));
   const bool rescale = header.type != SampleType::u8 || scaled;
-  if (const auto converted = convert(header, stored, grey, rescale, progress, notes); !converted) return passOn(converted.error());
+  if (const auto converted = convert(header, stored, grey, rescale, progress, told); !converted) return passOn(converted.error());
   return grey;
 }
 
@@ -230,9 +269,11 @@ tl::unexpected<Error> stopped(const std::filesystem::path& file) {
 }
 
 Result<std::vector<std::uint8_t>> readGrey(const ImageHeader& header, const SampleRequest& request, const ReadLimits& limits,
-                                           Progress& progress, std::vector<Message>& notes) {
+                                           Progress& progress, std::vector<Message>& notes, std::vector<Message>* warnings) {
   try {
-    return readGreyOrThrow(header, request, limits, progress, notes);
+    std::vector<Message> unasked;
+    GreyNotes told{notes, warnings != nullptr ? *warnings : unasked};
+    return readGreyOrThrow(header, request, limits, progress, told);
   } catch (const std::bad_alloc&) {
     return failure(ErrorCode::tooLarge,
                    say<"There is not enough memory for the %1 samples of %2; close other programs, or cut the file into parts.">(

@@ -1,7 +1,9 @@
 #include "image_header.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <limits>
 
 namespace ew::detail {
@@ -138,6 +140,64 @@ std::vector<std::string> wordsOf(std::string_view text) {
   return words;
 }
 
+std::string anatomicalOrientation(const glm::dmat3& directions) {
+  constexpr std::array<std::array<char, 2>, 3> sides{
+      {{'R', 'L'}, {'A', 'P'}, {'I', 'S'}}};  // of x, y, z: coming from, when it grows or falls
+  std::string letters;
+  std::array<bool, 3> seen{};
+  for (int axis = 0; axis < 3; ++axis)
+    for (int row = 0; row < 3; ++row) {
+      const double along = directions[axis][row];
+      if (std::abs(std::abs(along) - 1.0) > 1e-6) continue;
+      const auto body = static_cast<std::size_t>(row);
+      letters += sides[body][along > 0.0 ? 0 : 1];
+      seen[body] = true;
+    }
+  return letters.size() == 3 && seen[0] && seen[1] && seen[2] ? letters : std::string();
+}
+
+std::optional<double> lengthUnit_mm(std::string_view unit) {
+  struct Unit {
+    std::string_view name;
+    double mm;
+  };
+  constexpr std::array units{Unit{"", 1.0},
+                             Unit{"mm", 1.0},
+                             Unit{"millimeter", 1.0},
+                             Unit{"millimetre", 1.0},
+                             Unit{"cm", 10.0},
+                             Unit{"centimeter", 10.0},
+                             Unit{"centimetre", 10.0},
+                             Unit{"dm", 100.0},
+                             Unit{"m", 1000.0},
+                             Unit{"meter", 1000.0},
+                             Unit{"metre", 1000.0},
+                             Unit{"um", 1e-3},
+                             Unit{"\xC2\xB5m", 1e-3},
+                             Unit{"\xCE\xBCm", 1e-3},
+                             Unit{"\xB5m", 1e-3},
+                             Unit{"micron", 1e-3},
+                             Unit{"micrometer", 1e-3},
+                             Unit{"micrometre", 1e-3},
+                             Unit{"nm", 1e-6},
+                             Unit{"nanometer", 1e-6},
+                             Unit{"nanometre", 1e-6},
+                             Unit{"in", 25.4},
+                             Unit{"inch", 25.4},
+                             Unit{"inche", 25.4},
+                             Unit{"km", 1e6}};
+  std::string name = lowerCase(trimmed(unit));
+  if (name.size() > 3 && name.ends_with('s')) name.pop_back();
+  const auto* const found = std::find_if(units.begin(), units.end(), [&](const Unit& each) { return each.name == name; });
+  if (found == units.end()) return std::nullopt;
+  return found->mm;
+}
+
+Message unknownUnit(const fs::path& file, std::string_view unit) {
+  return say<"%1 gives its sizes in \"%2\", which is no unit of length that is known; give the spacing in mm.">(
+      quoted(file), shortened(std::string(unit)));
+}
+
 Result<void> checkIsFile(const fs::path& file) {
   std::error_code problem;
   const auto status = fs::status(file, problem);
@@ -152,8 +212,16 @@ Result<void> checkIsFile(const fs::path& file) {
 }
 
 Result<fs::path> resolveDataFile(const fs::path& header, std::string_view name) {
-  const fs::path file = header.parent_path() / fs::path(std::string(name));
-  const auto status = checkIsFile(file);
+  fs::path file = header.parent_path() / fs::path(std::string(name));
+  auto status = checkIsFile(file);
+  // The way to it is that of another computer, maybe with its backslashes: beside the header lies what was copied together.
+  if (const auto last = name.find_last_of("/\\"); !status && last != std::string_view::npos && last + 1 < name.size()) {
+    const fs::path beside = header.parent_path() / fs::path(std::string(name.substr(last + 1)));
+    if (checkIsFile(beside)) {
+      file = beside;
+      status = {};
+    }
+  }
   if (!status && status.error().code == ErrorCode::notFound)
     return failure(ErrorCode::notFound,
                    say<"%1 keeps its samples in \"%2\", which is not there; put both files into one folder.">(

@@ -33,12 +33,15 @@ struct ImageHeader {
   Packing packing = Packing::raw;
   SampleType type = SampleType::u8;
   bool bigEndian = false;
-  std::uint64_t channels = 1;
-  std::vector<std::uint64_t> sizes;  ///< x fastest, without channels
-  Grid geometry;                     ///< spacing, origin and directions (LPS); dims are in `sizes`
-  bool hasGeometry = false;          ///< spacing or place differ from 1 x 1 x 1 mm at the origin
-  std::vector<std::string> kinds;    ///< of the axes in `sizes`; empty when the file says nothing
-  double slope = 1.0;                ///< value = slope * stored + intercept
+  std::uint64_t channels = 1;                  ///< values stored side by side for each sample
+  bool coloursNamed = false;                   ///< the header says that they are colours
+  std::optional<std::uint64_t> wantedChannel;  ///< set: they are volumes woven into each other, sample by sample; which one is read, from 0
+  std::vector<std::uint64_t> sizes;            ///< x fastest, without channels
+  Grid geometry;                               ///< spacing, origin and directions (LPS); dims are in `sizes`
+  bool hasGeometry = false;                    ///< spacing or place differ from 1 x 1 x 1 mm at the origin, and their unit is known
+  Message spacingProblem;                      ///< why the spacing is not known although the file states one; empty otherwise
+  std::vector<std::string> kinds;              ///< of the axes in `sizes`; empty when the file says nothing
+  double slope = 1.0;                          ///< value = slope * stored + intercept
   double intercept = 0.0;
   Fields fields;           ///< everything that is not about storage and place, in file order
   bool endsEarly = false;  ///< the last lines are missing, or a part of one
@@ -79,6 +82,17 @@ template <Literal one, Literal many, class... More>
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 [[nodiscard]] std::string lowerCase(std::string_view text);
 [[nodiscard]] std::vector<std::string> wordsOf(std::string_view text);
+
+/// From which sides the three axes come, as MetaImage's AnatomicalOrientation says it: "RAI" of axes to the left, posterior and superior.
+/// Empty where an axis lies along none of the body's.
+[[nodiscard]] std::string anatomicalOrientation(const glm::dmat3& directions);
+
+/// Millimetres in a unit of length by its name or sign ("mm", "cm", "um", "microns" ...), whatever its case; 1 for an empty one, which says
+/// nothing. Empty: no unit of length.
+[[nodiscard]] std::optional<double> lengthUnit_mm(std::string_view unit);
+
+/// Why a spacing in such a unit is not known.
+[[nodiscard]] Message unknownUnit(const std::filesystem::path& file, std::string_view unit);
 
 /// Success when the file is there and is a regular file.
 [[nodiscard]] Result<void> checkIsFile(const std::filesystem::path& file);

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "ew/core/numbers.h"
+#include "header_fields.h"
 #include "image_header.h"
 #include "line_reader.h"
 
@@ -35,9 +36,20 @@ std::optional<bool> parseBool(std::string_view text) {
   return std::nullopt;
 }
 
+/// What a MetaImage header can say beside what is read of it. Lines of a recording and of other programs are kept and not judged here.
+constexpr std::array kMetaFields{
+    KnownField{"DistanceUnits", FieldTouches::geometry},
+    KnownField{"AnatomicalOrientation", FieldTouches::geometry},
+    KnownField{"ElementToIntensityFunctionSlope", FieldTouches::levels},
+    KnownField{"ElementToIntensityFunctionOffset", FieldTouches::levels},
+    KnownField{"ElementMin", FieldTouches::nothing},
+    KnownField{"ElementMax", FieldTouches::nothing},
+};
+
 /// The header while its lines are read: what is known so far in raw form, because NDims may come after what needs it.
 struct MetaDraft {
   ImageHeader header;
+  HeaderFields fields{kMetaFields};
   std::optional<std::uint64_t> dimensions;
   std::string spacing;
   std::string size_mm;
@@ -103,9 +115,11 @@ Result<void> take(MetaDraft& draft, const std::string& key, const std::string& v
     draft.offset = value;
   } else if (key == "TransformMatrix" || key == "Rotation" || key == "Orientation") {
     draft.matrix = value;
+  } else if (std::any_of(kMetaFields.begin(), kMetaFields.end(), [&](const KnownField& known) { return known.name == key; })) {
+    draft.fields.meet(key, value);
   } else if (key == "Kinds") {
     header.kinds = wordsOf(value);
-  } else if (key != "AnatomicalOrientation" && key != "CenterOfRotation" && key != "CompressedDataSeekTable") {
+  } else if (key != "CenterOfRotation" && key != "CompressedDataSeekTable") {
     header.fields.emplace_back(key, value);
   }
   return {};
@@ -144,8 +158,44 @@ Result<void> takeGeometry(MetaDraft& draft) {
         header.geometry.directions[static_cast<int>(axis)][static_cast<int>(row)] = (*numbers)[axis * n + row];
     if (n == 2) header.geometry.directions[2] = glm::cross(header.geometry.directions[0], header.geometry.directions[1]);
   }
+  if (const auto unit = draft.fields.take("DistanceUnits")) {
+    const auto mm = *unit == "?" ? std::optional<double>(1.0) : lengthUnit_mm(*unit);
+    if (mm) {
+      header.geometry.spacing_mm *= *mm;
+      header.geometry.origin_mm *= *mm;
+    } else {
+      header.spacingProblem = unknownUnit(header.file, *unit);
+    }
+  }
   completeGeometry(header);
+  if (!header.spacingProblem.empty()) header.hasGeometry = false;
   return {};
+}
+
+/// Whether the words and the matrix say the same, in either of the two ways in which such words are meant (coming from, or going to).
+bool agree(std::string words, const glm::dmat3& directions) {
+  const std::string letters = anatomicalOrientation(directions);
+  if (letters.empty() || words.find('?') != std::string::npos || words == letters) return true;
+  for (char& letter : words) {
+    constexpr std::string_view sides = "RLAPIS";
+    const auto at = sides.find(letter);
+    if (at == std::string_view::npos) return false;
+    letter = sides[at ^ 1u];
+  }
+  return words == letters;
+}
+
+/// Fields that were met and not used, those left out that say nothing.
+void noteUnused(MetaDraft& draft) {
+  ImageHeader& header = draft.header;
+  const auto words = draft.fields.stated("AnatomicalOrientation");
+  if (words && (header.sizes.size() != 3 || describesSequence(header) || agree(*words, header.geometry.directions)))
+    draft.fields.use("AnatomicalOrientation");
+  if (draft.fields.stated("ElementToIntensityFunctionSlope") == std::optional<std::string>("1"))
+    draft.fields.use("ElementToIntensityFunctionSlope");
+  if (draft.fields.stated("ElementToIntensityFunctionOffset") == std::optional<std::string>("0"))
+    draft.fields.use("ElementToIntensityFunctionOffset");
+  for (Message& note : draft.fields.unused()) header.notes.push_back(std::move(note));
 }
 
 Result<void> takeDataFile(MetaDraft& draft, const std::string& name, std::uint64_t headerBytes) {
@@ -218,6 +268,7 @@ Result<ImageHeader> readMetaHeader(const fs::path& file, bool mayEndEarly) {
   if (!draft.binary) header.packing = Packing::text;
   if (header.packing != Packing::deflated) header.packedBytes.reset();
   if (const auto taken = takeGeometry(draft); !taken) return passOn(taken.error());
+  noteUnused(draft);
   if (productOf(header.sizes) == std::optional<std::uint64_t>(0)) {
     header.dataFile = file;  // a recording of poses alone: whatever file is named has nothing in it
     return std::move(draft.header);

@@ -10,6 +10,7 @@
 #include "ew/core/numbers.h"
 #include "ew/io/safe_file.h"
 #include "grey_samples.h"
+#include "image_header.h"
 #include "staged_file.h"
 
 namespace ew::detail {
@@ -41,7 +42,9 @@ std::string headerText(const MetaText& meta, bool compressed, std::size_t* sizeA
   text += "TransformMatrix = " + matrix + "\n";
   text += "Offset = " + vectorText(meta.geometry.origin_mm, spatial) + "\n";
   text += "CenterOfRotation =" + std::string(n == 2 ? " 0 0" : " 0 0 0") + "\n";
-  if (n == 3) text += "AnatomicalOrientation = RAI\n";
+  // In words as the matrix says it in numbers; oblique axes have no such words.
+  if (const std::string letters = anatomicalOrientation(meta.geometry.directions); n == 3 && !letters.empty())
+    text += "AnatomicalOrientation = " + letters + "\n";
   text += "ElementSpacing = " + vectorText(meta.geometry.spacing_mm, spatial) + "\n";
   std::string sizes;
   for (const std::uint64_t size : meta.sizes) sizes += " " + std::to_string(size);

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "ew/core/numbers.h"
+#include "header_fields.h"
 #include "image_header.h"
 
 namespace ew::detail {
@@ -48,6 +49,10 @@ struct Nifti {
   std::array<double, 3> offset{};
   std::array<std::array<double, 4>, 3> rows{};
   int units = 0;
+  int intent = 0;
+  double shownFrom = 0.0;  ///< cal_min
+  double shownTo = 0.0;    ///< cal_max
+  double timeOffset = 0.0;
 };
 
 Nifti parse1(const Binary& in) {
@@ -60,6 +65,10 @@ Nifti parse1(const Binary& in) {
   nifti.voxelOffset = static_cast<double>(in.at<float>(108));
   nifti.slope = static_cast<double>(in.at<float>(112));
   nifti.intercept = static_cast<double>(in.at<float>(116));
+  nifti.intent = in.at<std::int16_t>(68);
+  nifti.shownTo = static_cast<double>(in.at<float>(124));
+  nifti.shownFrom = static_cast<double>(in.at<float>(128));
+  nifti.timeOffset = static_cast<double>(in.at<float>(136));
   nifti.units = in.at<std::uint8_t>(123);
   nifti.qformCode = in.at<std::int16_t>(252);
   nifti.sformCode = in.at<std::int16_t>(254);
@@ -81,6 +90,10 @@ Nifti parse2(const Binary& in) {
   nifti.voxelOffset = static_cast<double>(in.at<std::int64_t>(168));
   nifti.slope = in.at<double>(176);
   nifti.intercept = in.at<double>(184);
+  nifti.shownTo = in.at<double>(192);
+  nifti.shownFrom = in.at<double>(200);
+  nifti.timeOffset = in.at<double>(216);
+  nifti.intent = in.at<std::int32_t>(504);
   nifti.qformCode = in.at<std::int32_t>(344);
   nifti.sformCode = in.at<std::int32_t>(348);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -165,6 +178,48 @@ glm::dmat3 rotationOf(const std::array<double, 3>& q) {
   return r;
 }
 
+/// Steps along i, j, k (columns) and the place of the first voxel, in the file's right-anterior-superior units.
+struct Placing {
+  glm::dmat3 axes{1.0};
+  glm::dvec3 origin{0.0};
+};
+
+Placing placingByAffine(const Nifti& nifti) {
+  Placing placing;
+  for (int row = 0; row < 3; ++row) {
+    const auto& from = nifti.rows[static_cast<std::size_t>(row)];
+    for (int axis = 0; axis < 3; ++axis) placing.axes[axis][row] = from[static_cast<std::size_t>(axis)];
+    placing.origin[row] = from[3];
+  }
+  return placing;
+}
+
+Placing placingByQuaternion(const Nifti& nifti, const std::array<double, 3>& pixel) {
+  Placing placing{rotationOf(nifti.quaternion), glm::dvec3(nifti.offset[0], nifti.offset[1], nifti.offset[2])};
+  const double mirrored = nifti.pixdim[0] < 0.0 ? -1.0 : 1.0;
+  for (int axis = 0; axis < 3; ++axis) placing.axes[axis] *= pixel[static_cast<std::size_t>(axis)] * (axis == 2 ? mirrored : 1.0);
+  return placing;
+}
+
+/// The two descriptions of one place may say different things; whoever registered the file meant one of them.
+void notePlacings(const Nifti& nifti, const std::array<double, 3>& pixel, double mm, std::vector<Message>& notes) {
+  if (nifti.sformCode <= 0 || nifti.qformCode <= 0 || nifti.dim[0] < 3) return;
+  const Placing affine = placingByAffine(nifti), quaternion = placingByQuaternion(nifti, pixel);
+  // The corner that lies farthest from the first voxel shows the most; a hundredth of a voxel is rounding of the quaternion.
+  double apart = 0.0, voxel = 1e300;
+  for (int corner = 0; corner < 8; ++corner) {
+    glm::dvec3 step(0.0);
+    for (int axis = 0; axis < 3; ++axis)
+      if ((corner >> axis & 1) != 0)
+        step[axis] = static_cast<double>(std::max<std::int64_t>(nifti.dim[static_cast<std::size_t>(axis) + 1], 1) - 1);
+    apart = std::max(apart, glm::length(affine.axes * step + affine.origin - quaternion.axes * step - quaternion.origin));
+  }
+  for (const double size : pixel) voxel = std::min(voxel, size);
+  if (apart > std::max(0.01 * voxel, 1e-3))
+    notes.push_back(say<"The file describes its place twice, and the two differ by up to %1 mm (sform and qform); the sform was used.">(
+        textOf(std::round(apart * mm * 100.0) / 100.0)));
+}
+
 Result<void> takeGeometry(const Nifti& nifti, ImageHeader& header) {
   const double mm = lengthUnit_mm(nifti.units);
   glm::dmat3 axes(1.0);  // columns: a step along i, j, k in the file's right-anterior-superior mm
@@ -176,20 +231,18 @@ Result<void> takeGeometry(const Nifti& nifti, ImageHeader& header) {
     pixel[axis] = size;
     if (used && !std::isfinite(size)) return badField(header.file, verbatim("pixdim"), say<"not a number">(), say<"finite voxel sizes">());
   }
+  notePlacings(nifti, pixel, mm, header.notes);
   // The affine is the fuller description, so it is asked first; the quaternion, then the bare voxel sizes stand in for it.
   if (nifti.sformCode > 0) {
-    for (int row = 0; row < 3; ++row) {
-      const auto& from = nifti.rows[static_cast<std::size_t>(row)];
-      for (int axis = 0; axis < 3; ++axis) axes[axis][row] = from[static_cast<std::size_t>(axis)];
-      origin[row] = from[3];
-    }
+    const Placing placing = placingByAffine(nifti);
+    axes = placing.axes;
+    origin = placing.origin;
     for (int axis = static_cast<int>(std::max<std::int64_t>(nifti.dim[0], 0)); axis < 3; ++axis)
       if (!(glm::length(axes[axis]) > 0.0) && axis == 2) axes[2] = glm::normalize(glm::cross(axes[0], axes[1]));
   } else if (nifti.qformCode > 0) {
-    axes = rotationOf(nifti.quaternion);
-    const double mirrored = nifti.pixdim[0] < 0.0 ? -1.0 : 1.0;
-    for (int axis = 0; axis < 3; ++axis) axes[axis] *= pixel[static_cast<std::size_t>(axis)] * (axis == 2 ? mirrored : 1.0);
-    origin = glm::dvec3(nifti.offset[0], nifti.offset[1], nifti.offset[2]);
+    const Placing placing = placingByQuaternion(nifti, pixel);
+    axes = placing.axes;
+    origin = placing.origin;
   } else {
     for (int axis = 0; axis < 3; ++axis) axes[axis][axis] = pixel[static_cast<std::size_t>(axis)];
     header.notes.push_back(say<"The file gives voxel sizes but no orientation; its axes were taken for right, anterior and superior.">());
@@ -212,6 +265,21 @@ Result<void> takeGeometry(const Nifti& nifti, ImageHeader& header) {
                          glm::abs(header.geometry.directions[2]) == glm::dvec3(0, 0, 1);
   if (unitSpacing && alongAxes && header.geometry.origin_mm == glm::dvec3(0.0)) header.hasGeometry = false;
   return {};
+}
+
+constexpr std::array kNiftiFields{KnownField{"cal_min cal_max", FieldTouches::levels}, KnownField{"toffset", FieldTouches::time}};
+
+/// The fifth axis holds the components of a vector or the like (the sixth and seventh what the file likes): no steps of time.
+Result<void> checkComponents(const Nifti& nifti, const ImageHeader& header) {
+  std::int64_t components = 1;
+  for (std::size_t axis = 5; axis <= static_cast<std::size_t>(nifti.dim[0]); ++axis)
+    components *= std::max<std::int64_t>(nifti.dim[axis], 1);
+  if (components <= 1) return {};
+  return failure(
+      ErrorCode::unsupported,
+      say<"%1 has %2 components per sample (axis 5 and above, intent %3), as vectors of a motion have; they are no echo level and no time "
+          "steps: export the echo levels alone.">(quoted(header.file), components, nifti.intent),
+      {{"file", header.file.string()}, {"channels", std::to_string(components)}});
 }
 
 tl::unexpected<Error> notNifti(const fs::path& file) {
@@ -265,6 +333,7 @@ Result<ImageHeader> readNiftiHeader(const fs::path& file) {
     header.sizes.push_back(static_cast<std::uint64_t>(length));
   }
   if (auto taken = takeType(nifti, header); !taken) return passOn(taken.error());
+  if (auto usable = checkComponents(nifti, header); !usable) return passOn(usable.error());
   // Some writers leave the place of the samples at 0 and mean "right behind the header".
   const double smallest = size == static_cast<int>(kSize1) ? 352.0 : 544.0;
   if (nifti.voxelOffset == 0.0) nifti.voxelOffset = smallest;
@@ -276,6 +345,10 @@ Result<ImageHeader> readNiftiHeader(const fs::path& file) {
     header.intercept = nifti.intercept;
   }
   if (auto taken = takeGeometry(nifti, header); !taken) return passOn(taken.error());
+  HeaderFields fields(kNiftiFields);
+  if (nifti.shownTo > nifti.shownFrom) fields.meet("cal_min cal_max", textOf(nifti.shownFrom) + " " + textOf(nifti.shownTo));
+  if (nifti.timeOffset != 0.0 && std::isfinite(nifti.timeOffset)) fields.meet("toffset", textOf(nifti.timeOffset));
+  for (Message& note : fields.unused()) header.notes.push_back(std::move(note));
   return header;
 }
 

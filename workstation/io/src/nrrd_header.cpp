@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ew/core/numbers.h"
+#include "header_fields.h"
 #include "image_header.h"
 #include "line_reader.h"
 
@@ -90,14 +91,23 @@ std::string unescaped(std::string_view text) {
   return plain;
 }
 
+/// What a NRRD header can say beside what is read of it.
+constexpr std::array kNrrdFields{
+    KnownField{"space units", FieldTouches::geometry}, KnownField{"units", FieldTouches::geometry},
+    KnownField{"axis mins", FieldTouches::geometry},   KnownField{"axis maxs", FieldTouches::geometry},
+    KnownField{"thicknesses", FieldTouches::geometry}, KnownField{"old min", FieldTouches::levels},
+    KnownField{"old max", FieldTouches::levels},       KnownField{"min", FieldTouches::levels},
+    KnownField{"max", FieldTouches::levels},
+};
+
 struct NrrdDraft {
   ImageHeader header;
+  HeaderFields fields{kNrrdFields};
   std::optional<std::uint64_t> dimension;
   std::string space;
   std::optional<long long> spaceDimension;
   std::string directions;
   std::string origin;
-  std::string spacings;
   std::string dataFile;
   std::string encoding;
   std::string endian;
@@ -116,6 +126,11 @@ Result<void> take(NrrdDraft& draft, std::string field, const std::string& value)
     return {};
   };
   field = lowerCase(field);
+  // Each of these has a second spelling.
+  for (const auto& [joined, apart] : {std::pair("axismins", "axis mins"), std::pair("axismaxs", "axis maxs"),
+                                      std::pair("oldmin", "old min"), std::pair("oldmax", "old max"), std::pair("centerings", "centers")})
+    if (field == joined) field = apart;
+  draft.fields.meet(field, value);
   if (field == "type") {
     const std::string name = lowerCase(value);
     const auto* const found = std::find_if(kNrrdTypes.begin(), kNrrdTypes.end(), [&](const NrrdType& type) { return name == type.name; });
@@ -148,8 +163,6 @@ Result<void> take(NrrdDraft& draft, std::string field, const std::string& value)
     draft.directions = value;
   } else if (field == "space origin") {
     draft.origin = value;
-  } else if (field == "spacings") {
-    draft.spacings = value;
   } else if (field == "data file" || field == "datafile") {
     draft.dataFile = value;
   } else if (field == "byte skip" || field == "byteskip") {
@@ -158,7 +171,7 @@ Result<void> take(NrrdDraft& draft, std::string field, const std::string& value)
     return whole(draft.lineSkip, 0);
   } else if (field == "content") {
     header.fields.emplace_back("content", value);
-  }
+  }  // all others are asked for by name, or told as not used
   return {};
 }
 
@@ -205,22 +218,123 @@ Result<void> takeStorage(NrrdDraft& draft, std::uint64_t headerBytes) {
   return {};
 }
 
-/// Takes an axis of colours or components out of the sizes: it must be the fastest.
+/// What the fastest axis of a NRRD holds.
+enum class FirstAxis { space, colours, components, volumes };
+
+FirstAxis firstAxisOf(const ImageHeader& header, const std::optional<std::vector<Axis>>& axes) {
+  const std::string kind = header.kinds.empty() ? "" : lowerCase(header.kinds.front());
+  if (kind.find("color") != std::string::npos) return FirstAxis::colours;
+  for (const char* word : {"vector", "matrix", "normal", "gradient", "quaternion", "complex"})
+    if (kind.find(word) != std::string::npos) return FirstAxis::components;
+  if (kind.starts_with("2-") || kind.starts_with("3-") || kind.starts_with("4-")) return FirstAxis::components;
+  // An axis of a list, of time or without direction and name: what stands along it are volumes or images of their own, whatever their
+  // count.
+  const bool undirected = axes && !axes->empty() && !axes->front();
+  const bool unnamed = (kind == "none" || kind == "???") && header.sizes.size() > 3;  // one of four can be none of space
+  return kind == "list" || kind == "time" || undirected || unnamed ? FirstAxis::volumes : FirstAxis::space;
+}
+
+/// Takes an axis of colours, components or volumes out of the sizes: it must be the fastest.
 Result<std::size_t> takeChannels(NrrdDraft& draft, const std::optional<std::vector<Axis>>& axes) {
   ImageHeader& header = draft.header;
   if (header.sizes.size() < 3) return std::size_t{0};
-  const std::string kind = header.kinds.empty() ? "" : lowerCase(header.kinds.front());
-  const bool named = kind.find("color") != std::string::npos || kind.find("vector") != std::string::npos || kind == "complex" ||
-                     kind.find("matrix") != std::string::npos || kind == "quaternion" || kind.starts_with("3-") || kind.starts_with("4-") ||
-                     kind.starts_with("2-");
-  const bool first = kind == "list" || (axes && !axes->empty() && !axes->front());
-  if (!named && !first) return std::size_t{0};
+  const FirstAxis first = firstAxisOf(header, axes);
+  if (first == FirstAxis::space) return std::size_t{0};
   header.channels = header.sizes.front();
   if (header.channels == 0)
     return badField(header.file, verbatim("sizes"), verbatim(sizesText(header.sizes)), say<"at least one value per sample">());
+  header.coloursNamed = first == FirstAxis::colours;
+  if (first == FirstAxis::volumes && header.channels > 1) header.wantedChannel = 0;
   header.sizes.erase(header.sizes.begin());
   if (!header.kinds.empty()) header.kinds.erase(header.kinds.begin());
   return std::size_t{1};
+}
+
+/// An axis of time, or without direction, between those of space would be taken for one of them.
+Result<void> checkAxes(const ImageHeader& header, const std::optional<std::vector<Axis>>& axes, std::size_t channelAxes) {
+  for (std::size_t axis = 0; axis + 1 < header.sizes.size() && axis < 3; ++axis) {
+    const std::string kind = header.kinds.empty() ? "" : lowerCase(header.kinds[axis]);
+    const bool undirected = axes && !(*axes)[axis + channelAxes];
+    if ((kind == "list" || kind == "time" || undirected) && header.sizes[axis] > 1)
+      return failure(ErrorCode::unsupported,
+                     say<"Axis %1 of %2 is none of space (%3), but stands between such; save it with that axis as the first or the last.">(
+                         axis + channelAxes + 1, quoted(header.file), kind.empty() ? say<"it has no direction">() : verbatim(kind)),
+                     {{"file", header.file.string()}});
+  }
+  return {};
+}
+
+/// "\"mm\" \"mm\" \"\"": one text an axis.
+std::vector<std::string> quotedWords(std::string_view text) {
+  std::vector<std::string> words;
+  for (auto open = text.find('"'); open != std::string_view::npos; open = text.find('"', open)) {
+    const auto close = text.find('"', open + 1);
+    if (close == std::string_view::npos) break;
+    words.emplace_back(text.substr(open + 1, close - open - 1));
+    open = close + 1;
+  }
+  return words;
+}
+
+/// Millimetres per unit along `count` axes, as a field of units from its entry `from` on says; 1 where it says nothing. A unit that is none
+/// of length leaves the spacing unknown.
+std::array<double, 3> unitsOf(NrrdDraft& draft, const char* field, std::size_t from, std::size_t count) {
+  std::array<double, 3> mm{1.0, 1.0, 1.0};
+  const auto stated = draft.fields.take(field);
+  if (!stated) return mm;
+  const auto words = stated->find('"') == std::string::npos ? wordsOf(*stated) : quotedWords(*stated);
+  for (std::size_t axis = 0; axis < std::min<std::size_t>(count, 3) && from + axis < words.size(); ++axis) {
+    const auto unit_mm = lengthUnit_mm(words[from + axis]);
+    if (unit_mm)
+      mm[axis] = *unit_mm;
+    else
+      draft.header.spacingProblem = unknownUnit(draft.header.file, words[from + axis]);
+  }
+  return mm;
+}
+
+/// Numbers of a field with one for each axis, NaN for axes that have none; empty where it is not there or all are NaN.
+Result<std::vector<double>> numbersPerAxis(NrrdDraft& draft, const char* field, std::size_t axes) {
+  const auto stated = draft.fields.take(field);
+  if (!stated) return std::vector<double>();
+  auto numbers = parseNumbers(*stated);
+  if (!numbers || numbers->size() != axes || std::any_of(numbers->begin(), numbers->end(), [](double value) { return std::isinf(value); }))
+    return badField(draft.header.file, verbatim(field), verbatim(*stated), say<"one number per axis">());
+  if (std::all_of(numbers->begin(), numbers->end(), [](double value) { return std::isnan(value); })) return std::vector<double>();
+  return *std::move(numbers);
+}
+
+/// Spacing and place of axes that have lengths and no directions: `spacings`, and `axis mins` (and `axis maxs` where there are no
+/// spacings), which are edges of the first (and last) cell where samples stand in cells, as they do unless the file says `node`.
+Result<void> takeExtents(NrrdDraft& draft, std::size_t spatial, std::size_t channelAxes) {
+  ImageHeader& header = draft.header;
+  const std::size_t all = header.sizes.size() + channelAxes;
+  const auto spacings = numbersPerAxis(draft, "spacings", all);
+  if (!spacings) return passOn(spacings.error());
+  const auto mins = numbersPerAxis(draft, "axis mins", all);
+  if (!mins) return passOn(mins.error());
+  const auto maxs = numbersPerAxis(draft, "axis maxs", all);
+  if (!maxs) return passOn(maxs.error());
+  const auto units_mm =
+      unitsOf(draft, draft.fields.stated("units") ? "units" : "space units", draft.fields.stated("units") ? channelAxes : 0, spatial);
+  const auto centres = wordsOf(draft.fields.take("centers").value_or(""));
+  const auto at = [](const std::vector<double>& values, std::size_t axis) {
+    return axis < values.size() && !std::isnan(values[axis]) ? std::optional<double>(values[axis]) : std::nullopt;
+  };
+  for (std::size_t axis = 0; axis < spatial; ++axis) {
+    const std::size_t here = axis + channelAxes;
+    const int i = static_cast<int>(axis);
+    const bool onNodes = here < centres.size() && lowerCase(centres[here]) == "node";
+    const auto samples = static_cast<double>(header.sizes[axis]);
+    const auto lowest = at(*mins, here), highest = at(*maxs, here);
+    std::optional<double> spacing = at(*spacings, here);
+    if (!spacing && lowest && highest && *highest > *lowest && samples > 1.0)
+      spacing = (*highest - *lowest) / (onNodes ? samples - 1.0 : samples);
+    if (spacing) header.geometry.spacing_mm[i] = *spacing * units_mm[axis];
+    if (lowest && draft.origin.empty())
+      header.geometry.origin_mm[i] = (*lowest + (onNodes ? 0.0 : 0.5 * spacing.value_or(1.0))) * units_mm[axis];
+  }
+  return {};
 }
 
 /// +1 or -1 for x, y, z: what takes the file's world to left-posterior-superior. Empty when the space is no patient's.
@@ -245,6 +359,9 @@ Result<void> takeGeometry(NrrdDraft& draft, const std::optional<std::vector<Axis
   const auto finite = [](const std::vector<double>& values) {
     return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
   };
+  // Units of a space are those of the components of its vectors.
+  const std::array<double, 3> space_mm =
+      axes || !draft.origin.empty() ? unitsOf(draft, "space units", 0, 3) : std::array<double, 3>{1.0, 1.0, 1.0};
   if (axes) {
     std::array<bool, 3> given{};
     for (std::size_t axis = 0; axis < spatial; ++axis) {
@@ -253,7 +370,8 @@ Result<void> takeGeometry(NrrdDraft& draft, const std::optional<std::vector<Axis
       glm::dvec3 step_mm(0.0);
       if (step->size() > 4 || !finite(*step))
         return badField(header.file, verbatim("space directions"), verbatim(draft.directions), say<"finite vectors of 2 or 3 numbers">());
-      for (std::size_t row = 0; row < std::min<std::size_t>(step->size(), 3); ++row) step_mm[static_cast<int>(row)] = (*step)[row];
+      for (std::size_t row = 0; row < std::min<std::size_t>(step->size(), 3); ++row)
+        step_mm[static_cast<int>(row)] = (*step)[row] * space_mm[row];
       const double length = glm::length(step_mm);
       if (!(length > 0.0) || !std::isfinite(length))
         return badField(header.file, verbatim("space directions"), verbatim(draft.directions), say<"vectors longer than 0">());
@@ -266,15 +384,8 @@ Result<void> takeGeometry(NrrdDraft& draft, const std::optional<std::vector<Axis
       const glm::dvec3 upright = glm::cross(header.geometry.directions[0], header.geometry.directions[1]);
       if (glm::length(upright) > 1e-6) header.geometry.directions[2] = glm::normalize(upright);
     }
-  } else if (!draft.spacings.empty()) {
-    // "nan" marks axes that have no spacing.
-    const auto numbers = parseNumbers(draft.spacings);
-    if (!numbers || numbers->size() != header.sizes.size() + channelAxes)
-      return badField(header.file, verbatim("spacings"), verbatim(draft.spacings), say<"one number per axis">());
-    for (std::size_t axis = 0; axis < spatial; ++axis) {
-      const double spacing = (*numbers)[axis + channelAxes];
-      if (!std::isnan(spacing)) header.geometry.spacing_mm[static_cast<int>(axis)] = spacing;
-    }
+  } else if (auto taken = takeExtents(draft, spatial, channelAxes); !taken) {
+    return taken;
   }
   if (!draft.origin.empty()) {
     const auto origin = parseVectors(draft.origin);
@@ -282,10 +393,11 @@ Result<void> takeGeometry(NrrdDraft& draft, const std::optional<std::vector<Axis
       return badField(header.file, verbatim("space origin"), verbatim(draft.origin), say<"one finite vector">());
     glm::dvec3 origin_mm(0.0);
     for (std::size_t row = 0; row < std::min<std::size_t>(origin->front()->size(), 3); ++row)
-      origin_mm[static_cast<int>(row)] = (*origin->front())[row];
+      origin_mm[static_cast<int>(row)] = (*origin->front())[row] * space_mm[row];
     header.geometry.origin_mm = origin_mm * toLps;
   }
   completeGeometry(header);
+  if (!header.spacingProblem.empty()) header.hasGeometry = false;
   return {};
 }
 
@@ -340,7 +452,9 @@ Result<ImageHeader> readNrrdHeader(const fs::path& file) {
   }
   const auto channelAxes = takeChannels(draft, axes);
   if (!channelAxes) return passOn(channelAxes.error());
+  if (auto usable = checkAxes(header, axes, *channelAxes); !usable) return passOn(usable.error());
   if (auto taken = takeGeometry(draft, axes, *channelAxes); !taken) return passOn(taken.error());
+  for (Message& note : draft.fields.unused()) header.notes.push_back(std::move(note));
   if (auto taken = takeStorage(draft, lines.consumed()); !taken) return passOn(taken.error());
   return std::move(draft.header);
 }

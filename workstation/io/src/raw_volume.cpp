@@ -155,7 +155,7 @@ Result<LoadedVolume> readRawVolume(const fs::path& file, const RawLayout& layout
   const auto extent = volumeExtentOf(*header, loaded.notes);
   if (!extent) return passOn(extent.error());
   auto echo = readGrey(*header, {.pixels = extent->voxels, .promised = extent->promised, .what = say<"Reading voxels">()}, limits, progress,
-                       loaded.notes);
+                       loaded.notes, &loaded.warnings);
   if (!echo) return passOn(echo.error());
   loaded.volume.grid = extent->grid;
   loaded.volume.echo = *std::move(echo);

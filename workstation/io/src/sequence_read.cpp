@@ -7,6 +7,7 @@
 #include "ew/core/numbers.h"
 #include "ew/io/sequence.h"
 #include "grey_samples.h"
+#include "header_fields.h"
 #include "image_header.h"
 #include "transform_name.h"
 
@@ -14,6 +15,9 @@ namespace ew {
 namespace {
 using namespace detail;
 namespace fs = std::filesystem;
+
+/// Of recordings the poses say how large a pixel is, not the header's own geometry.
+constexpr std::array kSequenceFields{KnownField{"spacing", FieldTouches::geometry}};
 
 struct Layout {
   std::uint64_t width = 0;
@@ -236,6 +240,11 @@ Result<Sequence> sequenceOf(const Result<ImageHeader>& header, const fs::path& f
   if (beforePixels)
     if (const auto checked = beforePixels(sequence); !checked) return passOn(checked.error());
   std::vector<Message> notes = header->notes;
+  HeaderFields fields(kSequenceFields);
+  const glm::dvec3 spacing_mm = header->geometry.spacing_mm;
+  if (spacing_mm.x != 1.0 || spacing_mm.y != 1.0)
+    fields.meet("spacing", textOf(spacing_mm.x) + " x " + textOf(spacing_mm.y) + " mm a pixel");
+  for (Message& note : fields.unused()) notes.push_back(std::move(note));
   if (!asSequence) notes.push_back(say<"The file does not say that it is a recording; each slice was taken for a frame.">());
   if (*pixels > 0) {
     auto grey = readGrey(*header, {.pixels = *pixels, .promised = *pixels, .what = say<"Reading frames">()}, limits, progress, notes);

@@ -23,8 +23,10 @@ bool sameFrames(const NamedTransform& a, const NamedTransform& b) {
 std::vector<NamedTransform> transformsOf(const SequenceFrame& frame, std::span<const NamedTransform> calibration) {
   std::vector<NamedTransform> all(calibration.begin(), calibration.end());
   for (const NamedTransform& own : frame.transforms)
-    if (std::none_of(calibration.begin(), calibration.end(), [&](const NamedTransform& given) { return sameFrames(given, own); }))
+    if (std::none_of(calibration.begin(), calibration.end(), [&](const NamedTransform& given) { return sameFrames(given, own); })) {
       all.push_back(own);
+      detail::giveThickness(all.back());
+    }
   return all;
 }
 
@@ -190,11 +192,61 @@ void noteOverride(const Sequence& sequence, std::span<const NamedTransform> cali
     notes.push_back(say<"The recording and the device set both say %1 to %2; the device set was used.">(from, to));
 }
 
+/// The calibration's transforms, flat images given their thickness.
+std::vector<NamedTransform> givenBy(const DeviceSet* calibration, const Sequence& sequence, std::vector<Message>& notes) {
+  std::vector<NamedTransform> given;
+  if (calibration != nullptr) given = calibration->transforms;
+  std::set<std::string> thickened;
+  for (NamedTransform& transform : given)
+    if (detail::giveThickness(transform)) thickened.insert(transform.to);
+  for (const SequenceFrame& frame : sequence.frames)
+    for (const NamedTransform& own : frame.transforms)
+      if (NamedTransform copy = own; own.from == kImage && detail::giveThickness(copy)) thickened.insert(own.to);
+  for (const std::string& to : thickened)
+    notes.push_back(
+        say<"The matrix of Image to %1 has 0 in its third column, as people write for flat images; it was given the thickness of a pixel.">(
+            to));
+  return given;
+}
+
+tl::unexpected<Error> uselessMatrix(const NamedTransform& transform, Message sentence) {
+  return failure(ErrorCode::badField, std::move(sentence),
+                 {{"field", transform.from + " to " + transform.to}, {"found", detail::problemOf(transform).english()}});
+}
+
+/// The matrix that no frame could do without and that cannot be used, where that is why none has a pose.
+std::optional<Error> matrixToBlame(const Sequence& sequence, std::span<const NamedTransform> given, std::string_view toFrame) {
+  std::vector<NamedTransform> usable;
+  for (const NamedTransform& transform : given)
+    if (detail::isUsable(transform)) usable.push_back(transform);
+  if (usable.size() < given.size() && !chain(allNames(sequence, usable), kImage, toFrame)) {
+    const auto blamed = std::find_if(given.begin(), given.end(), [](const auto& transform) { return !detail::isUsable(transform); });
+    return uselessMatrix(*blamed, say<"The matrix of %1 to %2 in the device set cannot be used: %3; correct it, or calibrate again.">(
+                                      blamed->from, blamed->to, detail::problemOf(*blamed)))
+        .value();
+  }
+  // A tracker that says OK and writes no pose.
+  const auto useless = [](const NamedTransform& own) { return own.status == PoseStatus::ok && !detail::isUsable(own); };
+  const NamedTransform* blamed = nullptr;
+  for (const SequenceFrame& frame : sequence.frames) {
+    const auto found = std::find_if(frame.transforms.begin(), frame.transforms.end(), [&](const NamedTransform& own) {
+      return useless(own) && (blamed == nullptr || sameFrames(own, *blamed));
+    });
+    if (found == frame.transforms.end()) return std::nullopt;
+    if (blamed == nullptr) blamed = &*found;
+  }
+  if (blamed == nullptr) return std::nullopt;
+  return uselessMatrix(*blamed,
+                       say<"The recording's matrix of %1 to %2 cannot be used in any frame although it is marked as valid: %3; export the "
+                           "recording again.">(blamed->from, blamed->to, detail::problemOf(*blamed)))
+      .value();
+}
+
 }  // namespace
 
 Result<SweepPoses> sweepPoses(const Sequence& sequence, const DeviceSet* calibration, std::string_view toFrame) {
-  const std::span<const NamedTransform> given =
-      calibration != nullptr ? std::span<const NamedTransform>(calibration->transforms) : std::span<const NamedTransform>();
+  std::vector<Message> thickness;
+  const std::vector<NamedTransform> given = givenBy(calibration, sequence, thickness);
   const auto names = allNames(sequence, given);
   constexpr std::array<std::string_view, 3> usual{"Reference", "Tracker", "World"};
   const std::span<const std::string_view> wanted = toFrame.empty() ? std::span<const std::string_view>(usual) : std::span(&toFrame, 1);
@@ -210,7 +262,8 @@ Result<SweepPoses> sweepPoses(const Sequence& sequence, const DeviceSet* calibra
     if (best->usable > 0) break;
   }
   if (!best) return noChain(sequence, names, calibration != nullptr, toFrame);
-  if (best->usable == 0)
+  if (best->usable == 0) {
+    if (auto blamed = matrixToBlame(sequence, given, best->toFrame)) return passOn(*std::move(blamed));
     return failure(
         ErrorCode::noValidPose,
         detail::counted<
@@ -219,7 +272,9 @@ Result<SweepPoses> sweepPoses(const Sequence& sequence, const DeviceSet* calibra
             sequence.frames.size(), best->toFrame,
             detail::counted<"%1 is INVALID and %2 missing", "%1 are INVALID and %2 missing">(best->invalid, best->missing)),
         {{"to", best->toFrame}, {"invalid", std::to_string(best->invalid)}, {"missing", std::to_string(best->missing)}});
+  }
   best->notes = std::move(notes);
+  best->notes.insert(best->notes.end(), thickness.begin(), thickness.end());
   if (toFrame.empty()) best->notes.push_back(say<"The poses of the images are those in the recording's frame %1.">(best->toFrame));
   if (best->invalid + best->missing > 0)
     best->notes.push_back(detail::counted<"%1 frame with an INVALID and %2 with a missing pose were left out; %3.",

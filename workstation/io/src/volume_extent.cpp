@@ -29,14 +29,22 @@ Result<VolumeExtent> volumeExtentOf(const ImageHeader& header, std::vector<Messa
   for (std::size_t axis = 0; axis < 3; ++axis) extent.grid.dims[static_cast<int>(axis)] = static_cast<int>(sizes[axis]);
   extent.voxels = *voxels;
   extent.promised = *promised;
-  if (extent.promised > extent.voxels) notes.push_back(firstOfSeveral(header, extent.promised / extent.voxels));
+  extent.volumes = header.wantedChannel ? header.channels : extent.promised / extent.voxels;
+  if (header.wantedChannel && extent.promised > extent.voxels)
+    return failure(ErrorCode::unsupported,
+                   say<"%1 has more axes than three of space and one of time (%2); export one of its volumes.">(quoted(header.file),
+                                                                                                                sizesText(header.sizes)),
+                   {{"file", header.file.string()}, {"sizes", sizesText(header.sizes)}});
+  if (extent.volumes > 1) notes.push_back(firstOfSeveral(header, extent.volumes));
   if (auto usable = checkGrid(extent.grid); !usable) {
     Error error = usable.error();
     error.message = say<"%1: %2">(quoted(header.file), error.message);
     error.context.emplace_back("file", header.file.string());
     return passOn(std::move(error));
   }
-  if (!header.hasGeometry)
+  if (!header.spacingProblem.empty())
+    notes.push_back(header.spacingProblem);
+  else if (!header.hasGeometry)
     notes.push_back(say<"Spacing is 1 x 1 x 1 mm with the origin at 0 and no rotation: the true spacing is probably unknown.">());
   const glm::dmat3& axes = extent.grid.directions;
   const double shear =

@@ -13,6 +13,7 @@ struct VolumeExtent {
   Grid grid;
   std::uint64_t voxels = 0;
   std::uint64_t promised = 0;  ///< samples of all volumes in the file
+  std::uint64_t volumes = 1;   ///< one after the other, or woven into each other
 };
 
 /// What a header says about its volume, checked before any sample is looked at; what was decided is appended to `notes`.

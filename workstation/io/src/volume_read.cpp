@@ -11,11 +11,20 @@ namespace {
 
 /// Lets the header begin at a later one of its volumes.
 Result<void> skipTo(std::uint64_t timeStep, ImageHeader& header, VolumeExtent& extent, std::vector<Message>& notes) {
-  const std::uint64_t steps = extent.promised / extent.voxels;
+  const std::uint64_t steps = extent.volumes;
   if (timeStep < 1 || timeStep > steps)
     return failure(ErrorCode::badUsage, noSuchVolume(header.file, steps, static_cast<std::int64_t>(timeStep)),
                    {{"file", header.file.string()}, {"ask", "time-step"}});
   if (timeStep == 1) return {};
+  const auto tell = [&] {
+    std::erase(notes, firstOfSeveral(header, steps));
+    notes.push_back(say<"%1 holds %2 volumes one after the other; number %3 was read.">(quoted(header.file), steps, timeStep));
+  };
+  if (header.wantedChannel) {
+    header.wantedChannel = timeStep - 1;
+    tell();
+    return {};
+  }
   if (header.packing == Packing::text || header.dataAtEnd)
     return failure(
         ErrorCode::unsupported,
@@ -24,8 +33,7 @@ Result<void> skipTo(std::uint64_t timeStep, ImageHeader& header, VolumeExtent& e
   const std::uint64_t skipped = (timeStep - 1) * extent.voxels;
   (header.packing == Packing::deflated ? header.skipUnpacked : header.dataOffset) += skipped * header.channels * bytesOf(header.type);
   extent.promised -= skipped;
-  std::erase(notes, firstOfSeveral(header, steps));
-  notes.push_back(say<"%1 holds %2 volumes one after the other; number %3 was read.">(quoted(header.file), steps, timeStep));
+  tell();
   return {};
 }
 
@@ -39,10 +47,11 @@ Result<LoadedVolume> readVolume(const fs::path& file, Progress& progress, const 
   auto extent = volumeExtentOf(*header, loaded.notes);
   if (!extent) return passOn(extent.error());
   loaded.spacingKnown = header->hasGeometry;
-  loaded.timeSteps = extent->promised / extent->voxels;
+  loaded.spacingProblem = header->spacingProblem;
+  loaded.timeSteps = extent->volumes;
   if (auto there = skipTo(options.timeStep, *header, *extent, loaded.notes); !there) return passOn(there.error());
   auto echo = readGrey(*header, {.pixels = extent->voxels, .promised = extent->promised, .what = say<"Reading voxels">()}, limits, progress,
-                       loaded.notes);
+                       loaded.notes, &loaded.warnings);
   if (!echo) return passOn(echo.error());
   loaded.volume.grid = extent->grid;
   loaded.volume.echo = *std::move(echo);

@@ -95,10 +95,14 @@ struct DeviceSet {
   std::optional<std::string> interpolation;  ///< as written: NEAREST_NEIGHBOR, LINEAR
   std::optional<std::string> compounding;    ///< as written: MEAN, MAXIMUM, LATEST (also from the older `Compounding`)
   std::vector<std::pair<std::string, std::string>>
-      scanConversion;  ///< attributes of the first ScanConversion, as written: where scan lines lie
+      scanConversion;          ///< attributes of the first ScanConversion, as written: where scan lines lie
+  std::string referenceFrame;  ///< ReferenceCoordinateFrame: the frame that volumes are to be made in; empty: it does not say
+  std::vector<Message> notes;  ///< what was taken as not set, and what it states that is not used, in sentences
 };
 
-/// Reads a device set (PlusConfiguration), or the calibration program's result file (ProbeCalibrationResult: transforms only).
+/// Reads a device set (PlusConfiguration), or the calibration program's result file (ProbeCalibrationResult: transforms only). Values that
+/// only say that nothing is set are not values: blanks and NaN, a clip rectangle without area (PLUS's own default is 0 0) or without a
+/// size, two equal fan angles, a fan that ends at radius 0 or below, a spacing of 0.
 /// @error notFound, notReadable, tooLarge, badHeader (not XML, or neither of the two), badField
 [[nodiscard]] Result<DeviceSet> readDeviceSet(const std::filesystem::path& file);
 
@@ -106,6 +110,11 @@ struct DeviceSet {
 /// rest what the first file that has it says. Of two transforms between the same frames the earlier file's counts.
 /// @error as readDeviceSet
 [[nodiscard]] Result<DeviceSet> readDeviceSets(std::span<const std::filesystem::path> files);
+
+/// What a recording itself says about its clip (ClipRectangleOrigin ... FanRadiusStopPixel of its header), in the words of a device set and
+/// by the same rule of what is not set.
+/// @error badField
+[[nodiscard]] Result<DeviceSet> clipStatedIn(const Sequence& sequence);
 
 /// Writes a device set with what `set` holds, complete or not at all; reading it back gives the same.
 /// @error notWritable, unsupported (an ending other than .xml)

@@ -28,6 +28,7 @@ struct SweepPoses {
 /// @param calibration device set with "Image" to something; may be null when the file itself says where "Image" is
 /// @param toFrame     empty for the first of "Reference", "Tracker", "World" that a valid chain leads to; which one is in the notes
 /// @error missingCalibration (no chain from "Image" to toFrame in any frame; names what can be reached and what to give),
+///        badField (a matrix that every way needs and that cannot be used; names it and what is wrong in it),
 ///        noValidPose (there is a chain, but never a valid one; says how many frames are invalid and how many missing)
 [[nodiscard]] Result<SweepPoses> sweepPoses(const Sequence& sequence, const DeviceSet* calibration = nullptr,
                                             std::string_view toFrame = {});

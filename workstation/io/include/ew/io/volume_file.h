@@ -21,7 +21,9 @@ struct ReadLimits {
 struct LoadedVolume {
   Volume volume;
   std::vector<Message> notes;
-  bool spacingKnown = true;     ///< false: 1 x 1 x 1 mm at 0 without rotation, which converters write when they know no better
+  std::vector<Message> warnings = {};  ///< of the notes, those that make the result doubtful: samples that look like RF or IQ
+  bool spacingKnown = true;            ///< false: 1 x 1 x 1 mm at 0 without rotation, which converters write when they know no better
+  Message spacingProblem = {};  ///< why the spacing is not known although the file states one (a unit that is none); then it is not known
   std::uint64_t timeSteps = 1;  ///< volumes one after the other in the file
 };
 

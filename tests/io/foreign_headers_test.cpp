@@ -1,0 +1,292 @@
+#include <gtest/gtest.h>
+
+#include "ew/io/sequence.h"
+#include "ew/io/sweep.h"
+#include "ew/io/volume_file.h"
+#include "files.h"
+
+// Headers that other programs write: what only says "not set" is no value, units and axes are what they say, and what is not used is told.
+
+namespace ew::foreign_headers_test {
+namespace {
+using namespace test;
+
+DeviceSet setWith(const std::string& attributes) {
+  const TempFolder folder;
+  const auto set =
+      readDeviceSet(folder.put("d.xml", "<PlusConfiguration version=\"2.1\"><VolumeReconstruction OutputSpacing=\"0.5 0.5 0.5\" " +
+                                            attributes + "/></PlusConfiguration>"));
+  EXPECT_TRUE(succeeded(set)) << attributes;
+  return set.value_or(DeviceSet{});
+}
+
+TEST(ForeignDeviceSet, AClipThatOnlySaysNotSetIsNone) {
+  for (const char* clip :
+       {"ClipRectangleOrigin=\"0 0\" ClipRectangleSize=\"0 0\"", "ClipRectangleSize=\"0 0\"",
+        "ClipRectangleOrigin=\"-1 -1\" ClipRectangleSize=\"-1 -1\"", "ClipRectangleOrigin=\"0 0\"",
+        "ClipRectangleOrigin=\"\" ClipRectangleSize=\" \"", "ClipRectangleOrigin=\"nan nan\" ClipRectangleSize=\"NaN NaN\"",
+        "ClipRectangleOrigin=\"3 4\" ClipRectangleSize=\"0 20\""}) {
+    const DeviceSet set = setWith(clip);
+    EXPECT_FALSE(set.clipSize_px.has_value()) << clip;
+    EXPECT_FALSE(set.clipOrigin_px.has_value()) << clip;
+  }
+  EXPECT_TRUE(contains(setWith("ClipRectangleOrigin=\"3 4\" ClipRectangleSize=\"0 20\"").notes, "the size 0 20, which is none"));
+  EXPECT_TRUE(contains(setWith("ClipRectangleOrigin=\"3 4\"").notes, "begins at (3 4) but has no size"));
+}
+
+TEST(ForeignDeviceSet, AFanThatOnlySaysNotSetIsNone) {
+  EXPECT_FALSE(setWith("FanAnglesDeg=\"0 0\" FanOriginPixel=\"0 0\" FanRadiusStartPixel=\"5\" FanRadiusStopPixel=\"9\"").fanAngles_deg);
+  EXPECT_FALSE(setWith("FanAnglesDeg=\"-30 30\" FanRadiusStopPixel=\"0\"").fanRadiusStop_px);
+  EXPECT_FALSE(setWith("FanAnglesDeg=\"-30 30\" FanRadiusStartPixel=\"-1\" FanRadiusStopPixel=\"-1\"").fanRadiusStart_px);
+  EXPECT_FALSE(setWith("FanAnglesDeg=\"\"").fanAngles_deg);
+}
+
+TEST(ForeignDeviceSet, TheOlderDepthOfAFanEndsIt) {
+  EXPECT_EQ(setWith("FanAngles=\"-30 30\" FanOrigin=\"20 -10\" FanDepth=\"25\"").fanRadiusStop_px, 25.0);
+}
+
+TEST(ForeignDeviceSet, WhatIsNotUsedIsToldAndWhatIsNeutralIsNot) {
+  const DeviceSet named =
+      setWith("OutputOrigin=\"1 2 3\" OutputExtent=\"0 9 0 9 0 9\" PixelRejectionThreshold=\"20\" SkipInterval=\"2\" Wobble=\"4\"");
+  EXPECT_TRUE(
+      contains(named.notes, "OutputOrigin \"1 2 3\", OutputExtent \"0 9 0 9 0 9\", which touches sizes and places and is not used"));
+  EXPECT_TRUE(contains(named.notes, "PixelRejectionThreshold \"20\", which touches the grey levels"));
+  EXPECT_TRUE(contains(named.notes, "SkipInterval \"2\", which touches how many pictures"));
+  EXPECT_TRUE(contains(named.notes, "Wobble \"4\", which is not known here"));
+  EXPECT_TRUE(setWith("OutputOrigin=\"0 0 0\" OutputExtent=\" \" NumberOfThreads=\"4\" Optimization=\"FULL\" FillHoles=\"ON\" "
+                      "ImageCoordinateFrame=\"Image\" ReferenceCoordinateFrame=\"Tracker\"")
+                  .notes.empty());
+  EXPECT_EQ(setWith("ReferenceCoordinateFrame=\"Phantom\"").referenceFrame, "Phantom");
+}
+
+TEST(ForeignDeviceSet, ASpacingOfNothingIsNotUsedAndAHalfOneIsRefused) {
+  const TempFolder folder;
+  const auto read = [&](const std::string& spacing) {
+    return readDeviceSet(
+        folder.put("d.xml", "<PlusConfiguration><VolumeReconstruction OutputSpacing=\"" + spacing + "\"/></PlusConfiguration>"));
+  };
+  const auto none = read("0 0 0");
+  ASSERT_TRUE(succeeded(none));
+  EXPECT_FALSE(none->outputSpacing_mm);
+  EXPECT_TRUE(contains(none->notes, "OutputSpacing"));
+  EXPECT_TRUE(failedWith(read("0.5 0 0.5"), ErrorCode::badField));
+  EXPECT_TRUE(failedWith(read("0.5 0.5"), ErrorCode::badField));
+}
+
+Sequence trackedFrames() {
+  Sequence sequence;
+  for (int n = 0; n < 3; ++n) {
+    SequenceFrame frame;
+    frame.imageStatus = PoseStatus::ok;
+    NamedTransform probe{"Probe", "Tracker", glm::dmat4(1.0), PoseStatus::ok};
+    probe.matrix[3] = glm::dvec4(10.0, 20.0, 30.0 + n, 1.0);
+    frame.transforms = {probe};
+    sequence.frames.push_back(frame);
+  }
+  return sequence;
+}
+
+DeviceSet calibratedBy(const std::array<double, 16>& rows) {
+  DeviceSet set;
+  set.transforms = {{"Image", "Probe", matrixFromRows(rows), PoseStatus::ok}};
+  return set;
+}
+
+TEST(ForeignCalibration, AMatrixThatCannotBeUsedIsNamedAndNotTheTracker) {
+  const auto refusal = [&](const std::array<double, 16>& rows) {
+    const DeviceSet set = calibratedBy(rows);
+    const auto poses = sweepPoses(trackedFrames(), &set);
+    EXPECT_TRUE(failedWith(poses, ErrorCode::badField));
+    EXPECT_TRUE(says(poses, "The matrix of Image to Probe in the device set cannot be used"));
+    EXPECT_FALSE(says(poses, "tracker"));
+    return poses ? std::string() : poses.error().sentence();
+  };
+  const auto has = [](const std::string& sentence, const char* words) { return sentence.find(words) != std::string::npos; };
+  EXPECT_TRUE(has(refusal({0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 1, 2, 3, 1}), "rows and columns are exchanged"));
+  EXPECT_TRUE(has(refusal({0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0}), "its last row is 0 0 0 0"));
+  EXPECT_TRUE(has(refusal({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}), "its last row is 0 0 0 0"));
+  EXPECT_TRUE(has(refusal({0, 0, 0, 1, 0, 0.5, 0, 2, 0, 0, 0.5, 3, 0, 0, 0, 1}), "its column 1 holds nothing but 0"));
+  EXPECT_TRUE(has(refusal({0.5, 0.5, 0, 0, 0.5, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1}), "fall into one plane"));
+}
+
+TEST(ForeignCalibration, AFlatImageIsGivenItsThickness) {
+  const DeviceSet set = calibratedBy({0.5, 0, 0, 7, 0, 0.5, 0, 8, 0, 0, 0, 9, 0, 0, 0, 1});
+  const auto poses = sweepPoses(trackedFrames(), &set);
+  ASSERT_TRUE(succeeded(poses));
+  EXPECT_EQ(poses->usable, 3u);
+  EXPECT_TRUE(contains(poses->notes, "0 in its third column"));
+  const glm::dvec4 at = poses->imageToWorld[1]->matrix * glm::dvec4(2.0, 4.0, 0.0, 1.0);
+  EXPECT_EQ(glm::dvec3(at), glm::dvec3(18.0, 30.0, 40.0));
+}
+
+TEST(ForeignCalibration, PosesThatAreMarkedValidAndAreNoneAreNamed) {
+  Sequence sequence = trackedFrames();
+  for (SequenceFrame& frame : sequence.frames) frame.transforms[0].matrix = glm::transpose(frame.transforms[0].matrix);
+  const DeviceSet set = calibratedBy({0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1});
+  const auto poses = sweepPoses(sequence, &set);
+  EXPECT_TRUE(failedWith(poses, ErrorCode::badField));
+  EXPECT_TRUE(says(poses, "matrix of Probe to Tracker cannot be used in any frame"));
+  EXPECT_TRUE(says(poses, "rows and columns are exchanged"));
+}
+
+Result<LoadedVolume> nrrd(const std::string& header, const std::string& samples = ramp(12), const VolumeReadOptions& options = {}) {
+  const TempFolder folder;
+  return readVolume(folder.put("a.nrrd", "NRRD0005\ntype: uchar\nencoding: raw\n" + header + "\n" + samples), noProgress(), {}, options);
+}
+
+TEST(ForeignNrrd, UnitsOfASpaceAreUsed) {
+  const std::string directions =
+      "dimension: 3\nsizes: 2 3 2\nspace: LPS\nspace directions: (0.05,0,0) (0,0.05,0) (0,0,0.1)\nspace origin: (1,2,3)\n";
+  const auto cm = nrrd(directions + "space units: \"cm\" \"cm\" \"cm\"\n");
+  ASSERT_TRUE(succeeded(cm));
+  EXPECT_LT(glm::length(cm->volume.grid.spacing_mm - glm::dvec3(0.5, 0.5, 1.0)), 1e-12);
+  EXPECT_LT(glm::length(cm->volume.grid.origin_mm - glm::dvec3(10.0, 20.0, 30.0)), 1e-12);
+  for (const char* unit : {"um", "microns", "micrometer", "Micrometres", "\xC2\xB5m"}) {
+    const std::string q = "\"" + std::string(unit) + "\"";
+    const auto um = nrrd(directions + "space units: " + q + " " + q + " " + q + "\n");
+    ASSERT_TRUE(succeeded(um)) << unit;
+    EXPECT_NEAR(um->volume.grid.spacing_mm.x, 5e-5, 1e-16) << unit;
+  }
+  const auto same = nrrd(directions + "space units: \"mm\" \"mm\" \"mm\"\n");
+  ASSERT_TRUE(succeeded(same));
+  EXPECT_EQ(same->volume.grid.spacing_mm, glm::dvec3(0.05, 0.05, 0.1));
+}
+
+TEST(ForeignNrrd, AUnitOfNoLengthLeavesTheSpacingUnknown) {
+  const auto odd =
+      nrrd("dimension: 3\nsizes: 2 3 2\nspace: LPS\nspace directions: (2,0,0) (0,2,0) (0,0,2)\nspace units: \"furlong\" \"mm\" \"mm\"\n");
+  ASSERT_TRUE(succeeded(odd));
+  EXPECT_FALSE(odd->spacingKnown);
+  EXPECT_NE(odd->spacingProblem.english().find("\"furlong\", which is no unit of length"), std::string::npos);
+}
+
+TEST(ForeignNrrd, SpacingsOfAxesHaveUnitsAndPlacesToo) {
+  const auto cells = nrrd("dimension: 3\nsizes: 2 3 2\nspacings: 0.1 0.2 0.4\nunits: \"cm\" \"cm\" \"cm\"\naxis mins: 1 2 3\n");
+  ASSERT_TRUE(succeeded(cells));
+  EXPECT_LT(glm::length(cells->volume.grid.spacing_mm - glm::dvec3(1.0, 2.0, 4.0)), 1e-12);
+  EXPECT_LT(glm::length(cells->volume.grid.origin_mm - glm::dvec3(10.5, 21.0, 32.0)), 1e-12) << "the edge of the first cell";
+  const auto nodes = nrrd("dimension: 3\nsizes: 2 3 2\naxis mins: 1 2 3\naxis maxs: 2 6 5\ncenterings: node node node\n");
+  ASSERT_TRUE(succeeded(nodes));
+  EXPECT_EQ(nodes->volume.grid.spacing_mm, glm::dvec3(1.0, 2.0, 2.0));
+  EXPECT_EQ(nodes->volume.grid.origin_mm, glm::dvec3(1.0, 2.0, 3.0));
+  const auto unset = nrrd("dimension: 3\nsizes: 2 3 2\nspacings: 0.5 0.5 0.5\naxis mins: nan nan nan\n");
+  ASSERT_TRUE(succeeded(unset));
+  EXPECT_EQ(unset->volume.grid.origin_mm, glm::dvec3(0.0));
+}
+
+TEST(ForeignNrrd, WhatIsNotUsedIsTold) {
+  const auto read = nrrd("dimension: 3\nsizes: 2 3 2\nspacings: 0.5 0.5 0.5\nthicknesses: 1 1 1\nold min: 0\nold max: 4095\n");
+  ASSERT_TRUE(succeeded(read));
+  EXPECT_TRUE(contains(read->notes, "thicknesses \"1 1 1\", which touches sizes"));
+  EXPECT_TRUE(contains(read->notes, "old min \"0\", old max \"4095\", which touches the grey levels"));
+}
+
+TEST(ForeignNrrd, AFirstAxisOfTimeHoldsVolumesWhateverTheirCount) {
+  const std::string space = "space: LPS\nspace directions: none (0.5,0,0) (0,0.5,0) (0,0,0.5)\n";
+  for (const int steps : {2, 3, 4, 5}) {
+    std::string samples;
+    for (int voxel = 0; voxel < 4; ++voxel)
+      for (int step = 0; step < steps; ++step) samples += static_cast<char>(10 * step + voxel);
+    for (const char* kinds :
+         {"kinds: list domain domain domain\n", "kinds: time domain domain domain\n", "kinds: none domain domain domain\n", ""}) {
+      const std::string header = "dimension: 4\nsizes: " + std::to_string(steps) + " 2 2 1\n" + space + kinds;
+      const auto first = nrrd(header, samples);
+      ASSERT_TRUE(succeeded(first)) << header;
+      EXPECT_EQ(first->timeSteps, static_cast<std::uint64_t>(steps)) << header;
+      EXPECT_EQ(first->volume.echo, (std::vector<std::uint8_t>{0, 1, 2, 3}));
+      const auto second = nrrd(header, samples, {.timeStep = 2});
+      ASSERT_TRUE(succeeded(second));
+      EXPECT_EQ(second->volume.echo, (std::vector<std::uint8_t>{10, 11, 12, 13}));
+      EXPECT_FALSE(contains(second->notes, "colours"));
+      EXPECT_TRUE(failedWith(nrrd(header, samples, {.timeStep = static_cast<std::uint64_t>(steps) + 1}), ErrorCode::badUsage));
+    }
+  }
+}
+
+TEST(ForeignNrrd, AnAxisOfTimeInTheMiddleIsNamed) {
+  const auto read = nrrd("dimension: 4\nsizes: 2 3 2 1\nkinds: domain list domain domain\n");
+  EXPECT_TRUE(failedWith(read, ErrorCode::unsupported));
+  EXPECT_TRUE(says(read, "Axis 2"));
+}
+
+TEST(ForeignNrrd, ComponentsOfAVectorAreNoColours) {
+  const TempFolder folder;
+  const auto read = readVolume(folder.put("a.nrrd",
+                                          "NRRD0005\ntype: float\nendian: little\nencoding: raw\ndimension: 4\nsizes: 3 1 1 1\n"
+                                          "kinds: vector domain domain domain\n\n" +
+                                              std::string(12, '\0')));
+  EXPECT_TRUE(failedWith(read, ErrorCode::unsupported));
+  EXPECT_TRUE(says(read, "3 components"));
+}
+
+std::string metaHeader(const std::string& more, const std::string& file = "LOCAL") {
+  return "ObjectType = Image\nNDims = 3\n" + more + "DimSize = 2 3 2\nElementType = MET_UCHAR\nElementDataFile = " + file + "\n";
+}
+
+TEST(ForeignMeta, UnitsOfDistanceAreUsed) {
+  const TempFolder folder;
+  const auto read =
+      readVolume(folder.put("a.mha", metaHeader("DistanceUnits = um\nOffset = 1000 0 0\nElementSpacing = 500 500 1000\n") + ramp(12)));
+  ASSERT_TRUE(succeeded(read));
+  EXPECT_LT(glm::length(read->volume.grid.spacing_mm - glm::dvec3(0.5, 0.5, 1.0)), 1e-12);
+  EXPECT_NEAR(read->volume.grid.origin_mm.x, 1.0, 1e-12);
+}
+
+TEST(ForeignMeta, TheLastPartOfAForeignPathIsTried) {
+  const TempFolder folder;
+  static_cast<void>(folder.put("v.raw", ramp(12)));
+  for (const char* path : {"C:\\Users\\me\\data\\v.raw", "/home/somebody/v.raw", "..\\v.raw"}) {
+    const auto read = readVolume(folder.put("a.mhd", metaHeader("ElementSpacing = 0.5 0.5 0.5\n", path)));
+    ASSERT_TRUE(succeeded(read)) << path;
+    EXPECT_EQ(read->volume.echo.size(), 12u);
+  }
+  EXPECT_TRUE(says(readVolume(folder.put("b.mhd", metaHeader("", "C:\\gone.raw"))), "which is not there"));
+}
+
+TEST(ForeignMeta, TheWordsForTheAxesAreTrueOrLeftOut) {
+  const TempFolder folder;
+  const auto wordsFor = [&](const glm::dmat3& directions) {
+    Volume volume;
+    volume.grid.dims = {2, 2, 2};
+    volume.grid.directions = directions;
+    volume.echo.resize(8);
+    EXPECT_TRUE(succeeded(writeVolume(volume, folder / "w.mha", noProgress(), {.compress = false})));
+    const std::string text = bytesOfFile(folder / "w.mha");
+    const auto at = text.find("AnatomicalOrientation = ");
+    return at == std::string::npos ? std::string() : text.substr(at + 24, 3);
+  };
+  EXPECT_EQ(wordsFor(glm::dmat3(1.0)), "RAI");
+  EXPECT_EQ(wordsFor(glm::dmat3(glm::dvec3(-1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1))), "LPI");
+  EXPECT_EQ(wordsFor(glm::dmat3(glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0))), "IRA");
+  const double c = std::sqrt(0.5);
+  EXPECT_EQ(wordsFor(glm::dmat3(glm::dvec3(c, c, 0), glm::dvec3(-c, c, 0), glm::dvec3(0, 0, 1))), "");
+}
+
+TEST(ForeignMeta, WordsThatContradictTheMatrixAreTold) {
+  const TempFolder folder;
+  const auto notes = [&](const std::string& words, const std::string& matrix) {
+    const auto read = readVolume(folder.put(
+        "a.mha",
+        metaHeader("AnatomicalOrientation = " + words + "\nTransformMatrix = " + matrix + "\nElementSpacing = 0.5 0.5 0.5\n") + ramp(12)));
+    EXPECT_TRUE(succeeded(read));
+    return read ? read->notes : std::vector<Message>();
+  };
+  EXPECT_FALSE(contains(notes("RAI", "1 0 0 0 1 0 0 0 1"), "AnatomicalOrientation"));
+  EXPECT_FALSE(contains(notes("LPS", "1 0 0 0 1 0 0 0 1"), "AnatomicalOrientation")) << "the same, meant as where the axes go";
+  EXPECT_FALSE(contains(notes("???", "0 0 1 1 0 0 0 1 0"), "AnatomicalOrientation"));
+  EXPECT_TRUE(contains(notes("RAI", "0 0 1 1 0 0 0 1 0"), "AnatomicalOrientation \"RAI\", which touches sizes and places"));
+}
+
+TEST(ForeignMeta, NoZeroHasASign) {
+  const TempFolder folder;
+  Volume volume;
+  volume.grid.dims = {1, 1, 1};
+  volume.grid.origin_mm = {-0.0, 1.0, -0.0};
+  volume.grid.directions[1] = {-0.0, 1.0, -0.0};
+  volume.echo.resize(1);
+  ASSERT_TRUE(succeeded(writeVolume(volume, folder / "z.mha", noProgress(), {.compress = false})));
+  EXPECT_EQ(bytesOfFile(folder / "z.mha").find("-0"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ew::foreign_headers_test
