@@ -466,5 +466,76 @@ TEST(ImportWirePhantom, PutsBrightVoxelsOnTheKnownWires) {
   }
 }
 
+TEST_F(ImportSweep, ValuesThatSayNotSetInDeviceSetOrRecordingKeepTheWholeImages) {
+  const auto dims = [&](const Sequence& sequence, const std::string& reconstruction) {
+    const auto imported = importSweep(written(sequence), nearestAt(0.5, deviceSet(reconstruction)), noProgress());
+    if (!imported) ADD_FAILURE() << imported.error();
+    return imported ? imported->plan.grid.dims : glm::ivec3(0);
+  };
+  for (const char* unset : {"ClipRectangleOrigin=\"0 0\" ClipRectangleSize=\"0 0\" OutputOrigin=\"0 0 0\" OutputExtent=\" \"",
+                            "ClipRectangleOrigin=\"-1 -1\" ClipRectangleSize=\"-1 -1\"", "ClipRectangleOrigin=\"0 0\"",
+                            "FanAnglesDeg=\"0 0\" FanRadiusStopPixel=\"0\"", "ClipRectangleSize=\"\""})
+    EXPECT_EQ(dims(sweep(), unset), glm::ivec3(20, 10, 9)) << unset;
+  for (const auto& [field, value] : {std::pair("ClipRectangleSize", "0 0"), std::pair("ClipRectangleSize", "-1 -1"),
+                                     std::pair("ClipRectangleOrigin", "0 0"), std::pair("FanAnglesDeg", "0 0")}) {
+    Sequence sequence = sweep();
+    sequence.otherFields.emplace_back(field, value);
+    EXPECT_EQ(dims(sequence, ""), glm::ivec3(20, 10, 9)) << field;
+  }
+}
+
+TEST_F(ImportSweep, AClipForOtherImagesIsRefusedByItsNumbers) {
+  const auto refused =
+      importSweep(written(sweep()), nearestAt(0.5, deviceSet("ClipRectangleOrigin=\"0 0\" ClipRectangleSize=\"820 616\"")), noProgress());
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_NE(refused.error().sentence().find("820 x 616 px"), std::string::npos) << refused.error();
+}
+
+TEST_F(ImportSweep, AResultOfAlmostNothingIsAskedAbout) {
+  const fs::path file = written(sweep()), device = deviceSet("ClipRectangleOrigin=\"3 3\" ClipRectangleSize=\"1 5\"");
+  SweepImportOptions options = nearestAt(0.5, device);
+  const auto asked = importSweep(file, options, noProgress());
+  ASSERT_FALSE(asked.has_value());
+  EXPECT_EQ(asked.error().code, ErrorCode::badUsage);
+  EXPECT_NE(asked.error().sentence().find("Only 6 % of the pixels"), std::string::npos) << asked.error();
+  const auto plan = planImport(file, options, noProgress());
+  ASSERT_TRUE(plan.has_value()) << "what there is to ask can be shown first";
+  EXPECT_FALSE(plan->smallQuestion.empty());
+  options.acceptsSmall = true;
+  EXPECT_TRUE(importSweep(file, options, noProgress()).has_value());
+
+  Sequence few = sweep();
+  few.pixels.clear();
+  few.frames.resize(1);
+  for (int n = 1; n < 30; ++n) {
+    few.frames.push_back(few.frames.front());
+    few.frames.back().transforms[0].status = n < 2 ? PoseStatus::ok : PoseStatus::invalid;
+    few.frames.back().transforms[0].matrix[3].z = n;
+  }
+  few.pixels.assign(30u * 200u, 9);
+  const auto frames = importSweep(written(few), nearestAt(0.5, deviceSet("")), noProgress());
+  ASSERT_FALSE(frames.has_value());
+  EXPECT_NE(frames.error().sentence().find("Only 2 of the 30 frames"), std::string::npos) << frames.error();
+}
+
+TEST_F(ImportSweep, TheReferenceThatADeviceSetNamesBecomesTheWorld) {
+  Sequence sequence = sweep();
+  for (SequenceFrame& frame : sequence.frames) {
+    NamedTransform phantom{"Phantom", "Reference", glm::dmat4(1.0), PoseStatus::ok};
+    phantom.matrix[3] = glm::dvec4(100.0, 0.0, 0.0, 1.0);
+    frame.transforms.push_back(phantom);
+  }
+  const fs::path file = written(sequence);
+  const auto named = planImport(file, nearestAt(0.5, deviceSet("ReferenceCoordinateFrame=\"Phantom\"")), noProgress());
+  ASSERT_TRUE(named.has_value()) << named.error();
+  EXPECT_EQ(named->toFrame, "Phantom");
+  EXPECT_NEAR(named->grid.origin_mm.x, -100.0, 1e-9);
+  const auto unknown = planImport(file, nearestAt(0.5, deviceSet("ReferenceCoordinateFrame=\"Moon\"")), noProgress());
+  ASSERT_TRUE(unknown.has_value()) << unknown.error();
+  EXPECT_EQ(unknown->toFrame, "Reference");
+  EXPECT_TRUE(std::any_of(unknown->notes.begin(), unknown->notes.end(),
+                          [](const Message& note) { return note.english().find("names Moon as its reference") != std::string::npos; }));
+}
+
 }  // namespace
 }  // namespace ew::import_test

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "clip_spans.h"
 #include "ew/acquisition/line_data.h"
 #include "ew/acquisition/sweep_geometry.h"
 #include "ew/core/contract.h"
@@ -76,8 +77,8 @@ Message clippedTo(bool fan, ClipSaidBy who) {
 }
 
 std::optional<Clip> clipOf(const DeviceSet& device, ClipSaidBy who, std::vector<Message>& notes) {
-  const bool fan = device.fanAngles_deg && device.fanAngles_deg->x != device.fanAngles_deg->y;
-  if (!device.clipOrigin_px && !device.clipSize_px && !fan) return std::nullopt;
+  const bool fan = device.fanAngles_deg.has_value();
+  if (!device.clipSize_px && !fan) return std::nullopt;
   Clip clip;
   clip.origin_px = device.clipOrigin_px.value_or(glm::dvec2(0.0));
   clip.size_px = device.clipSize_px;
@@ -88,39 +89,6 @@ std::optional<Clip> clipOf(const DeviceSet& device, ClipSaidBy who, std::vector<
   }
   notes.push_back(clippedTo(fan, who));
   return clip;
-}
-
-/// What the recording itself says about its clip, in the words of a device set.
-Result<DeviceSet> clipStatedIn(const Sequence& sequence) {
-  DeviceSet stated;
-  const auto numbers = [&](std::string_view name, std::size_t count) -> Result<std::vector<double>> {
-    for (const auto& [field, value] : sequence.otherFields) {
-      if (field != name) continue;
-      auto found = parseNumbers(value);
-      if (found && found->size() == count && std::all_of(found->begin(), found->end(), [](double each) { return std::isfinite(each); }))
-        return *std::move(found);
-      return failure(ErrorCode::badField,
-                     count == 1 ? say<"The recording's %1 is \"%2\"; expected 1 number.">(field, value)
-                                : say<"The recording's %1 is \"%2\"; expected %3 numbers.">(field, value, count),
-                     {{"field", field}, {"found", value}});
-    }
-    return std::vector<double>();
-  };
-  const auto take = [&](auto& target, std::string_view name, std::size_t count, const auto& from) -> Result<void> {
-    auto found = numbers(name, count);
-    if (!found) return passOn(found.error());
-    if (!found->empty()) target = from(*found);
-    return {};
-  };
-  const auto pair = [](const std::vector<double>& two) { return glm::dvec2(two[0], two[1]); };
-  const auto single = [](const std::vector<double>& one) { return one[0]; };
-  if (auto taken = take(stated.clipOrigin_px, fields::kClipOrigin, 2, pair); !taken) return passOn(taken.error());
-  if (auto taken = take(stated.clipSize_px, fields::kClipSize, 2, pair); !taken) return passOn(taken.error());
-  if (auto taken = take(stated.fanAngles_deg, fields::kFanAngles, 2, pair); !taken) return passOn(taken.error());
-  if (auto taken = take(stated.fanOrigin_px, fields::kFanOrigin, 2, pair); !taken) return passOn(taken.error());
-  if (auto taken = take(stated.fanRadiusStart_px, fields::kFanRadiusStart, 1, single); !taken) return passOn(taken.error());
-  if (auto taken = take(stated.fanRadiusStop_px, fields::kFanRadiusStop, 1, single); !taken) return passOn(taken.error());
-  return stated;
 }
 
 Result<void> takeSpacing(const DeviceSet& device, ReconstructOptions& options) {
@@ -185,9 +153,25 @@ std::optional<Transform<frame::Probe, frame::Image>> faceAtUpperEdge(const Seque
   return Transform<frame::Probe, frame::Image>{imageToProbe};
 }
 
+/// Poses in the frame of choice, else in the one that the device set names as its reference, where a way leads to it.
+Result<SweepPoses> trackedPoses(const Sequence& sequence, const DeviceSet* calibration, const std::string& toFrame) {
+  if (!toFrame.empty() || calibration == nullptr || calibration->referenceFrame.empty()) return sweepPoses(sequence, calibration, toFrame);
+  auto named = sweepPoses(sequence, calibration, calibration->referenceFrame);
+  if (named) {
+    named->notes.push_back(say<"The poses of the images are those in the frame %1, which the device set names as its reference.">(
+        calibration->referenceFrame));
+    return named;
+  }
+  auto usual = sweepPoses(sequence, calibration, {});
+  if (usual)
+    usual->notes.push_back(
+        say<"The device set names %1 as its reference, but no valid way leads there, so it was not used.">(calibration->referenceFrame));
+  return usual;
+}
+
 /// Poses of the motor where there is one, else of the tracker.
 Result<SweepPoses> acquiredPoses(const Sequence& sequence, const DeviceSet* calibration, const SweepImportOptions& options) {
-  if (options.motor.empty() && !options.statedMotor) return sweepPoses(sequence, calibration, options.toFrame);
+  if (options.motor.empty() && !options.statedMotor) return trackedPoses(sequence, calibration, options.toFrame);
   auto motor = options.statedMotor               ? Result<MotorSweep>(*options.statedMotor)
                : options.motor == kRecordedMotor ? recordedMotor(sequence)
                                                  : readMotorSweep(options.motor);
@@ -290,6 +274,7 @@ std::vector<PosedFrame> posedFrames(const OpenedSweep& opened) {
 }
 
 Result<WeighedFrames> weighedFrames(const OpenedSweep& opened, Progress& progress) {
+  if (auto enough = checkKept(opened.plan.kept, opened.plan.acceptsSmall, opened.sweep); !enough) return passOn(enough.error());
   WeighedFrames weighed{posedFrames(opened), {}};
   const ReconstructOptions& options = opened.plan.reconstruct;
   if (options.compounding != Compounding::weighted) return weighed;
@@ -317,6 +302,23 @@ Result<std::optional<DeviceSet>> deviceOf(const SweepImportOptions& options) {
   return device;
 }
 
+/// How much of the recording the plan keeps, and what there is to ask about it.
+Result<void> tellKept(OpenedSweep& opened, const SweepImportOptions& options) {
+  const Sequence& sequence = opened.sequence;
+  ImportPlan& plan = opened.plan;
+  plan.frames = {sequence.frames.size(), opened.poses.usable, opened.poses.invalid, opened.poses.missing};
+  const auto spans = ClipSpans::of(plan.reconstruct.clip, sequence.width, sequence.height);
+  if (!spans) return passOn(spans.error());
+  plan.kept = {.pixels = spans->pixelCount(),
+               .pixelsOf = static_cast<std::uint64_t>(sequence.width) * static_cast<std::uint64_t>(sequence.height),
+               .frames = plan.frames.used,
+               .framesOf = plan.frames.total};
+  plan.smallQuestion = questionAbout(plan.kept, opened.sweep);
+  plan.acceptsSmall = options.acceptsSmall;
+  if (!plan.smallQuestion.empty()) plan.notes.push_back(plan.smallQuestion);
+  return {};
+}
+
 /// Everything about an opened sweep but its pixels.
 Result<void> arrange(OpenedSweep& opened, const DeviceSet* calibration, const SweepImportOptions& options, Progress& progress) {
   opened.plan = {};
@@ -325,7 +327,9 @@ Result<void> arrange(OpenedSweep& opened, const DeviceSet* calibration, const Sw
   if (!sector && options.clipFromCalibration) {
     const auto stated = clipStatedIn(opened.sequence);
     if (!stated) return passOn(stated.error());
+    sectorNotes = stated->notes;
     sector = clipOf(*stated, ClipSaidBy::recording, sectorNotes);
+    if (!sector) opened.plan.notes.insert(opened.plan.notes.end(), sectorNotes.begin(), sectorNotes.end());
   }
   auto poses = acquiredPoses(opened.sequence, calibration, options);
   if (!poses) return passOn(poses.error());
@@ -333,6 +337,7 @@ Result<void> arrange(OpenedSweep& opened, const DeviceSet* calibration, const Sw
   ImportPlan& plan = opened.plan;
   for (const auto* notes : {&opened.readNotes, &opened.poses.notes, &opened.turnNotes})
     plan.notes.insert(plan.notes.end(), notes->begin(), notes->end());
+  if (calibration != nullptr) plan.notes.insert(plan.notes.end(), calibration->notes.begin(), calibration->notes.end());
   if (const auto moved = takeDelayAway(opened, options, progress); !moved) return passOn(moved.error());
   const auto frames = posedFrames(opened);
   ReconstructOptions said = options.reconstruct;
@@ -354,9 +359,9 @@ Result<void> arrange(OpenedSweep& opened, const DeviceSet* calibration, const Sw
           textOf(std::round(10.0 * glm::degrees((*fan)->rightAngle_rad - (*fan)->leftAngle_rad)) / 10.0)));
     }
   }
+  if (const auto told = tellKept(opened, options); !told) return told;
   if (options.fillReach_voxels) plan.reconstruct.fillReach_mm = *options.fillReach_voxels * plan.reconstruct.spacing_mm;
   plan.toFrame = opened.poses.toFrame;
-  plan.frames = {opened.sequence.frames.size(), opened.poses.usable, opened.poses.invalid, opened.poses.missing};
 
   ReconstructOptions unlimited = plan.reconstruct;
   unlimited.maxBytes = std::numeric_limits<std::uint64_t>::max();
@@ -392,6 +397,7 @@ Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImp
   auto sequence = readSequence(sweep, progress, {options.reconstruct.maxBytes}, usable);
   if (!sequence) return passOn(sequence.error());
   OpenedSweep opened;
+  opened.sweep = sweep;
   if (holdsScanLines(*sequence)) {
     const auto geometry = lineGeometryOf(*sequence, calibration);
     if (!geometry) return passOn(geometry.error());

@@ -30,7 +30,7 @@ Result<OpenedScreen> openScreen(const std::filesystem::path& recording, const st
   PartOfProgress opening(progress, 0.0, 0.05), looking(progress, 0.05, 0.9);
   auto reader = CineReader::open(recording, opening, limits, turned);
   if (!reader) return passOn(reader.error());
-  OpenedScreen opened{.reader = *std::move(reader), .found = {}, .times_s = {}, .picture = {}, .brokenOff = {}};
+  OpenedScreen opened{.recording = recording, .reader = *std::move(reader), .found = {}, .times_s = {}, .picture = {}, .brokenOff = {}};
   const CineInfo& info = opened.reader.info();
   ScreenStatistics statistics(info.width_px, info.height_px);
   const std::uint64_t promised = std::max<std::uint64_t>(info.frames, 1);
@@ -120,11 +120,24 @@ DeviceSet deviceSetOf(const ScreenGeometry& geometry, const PixelRect& kept) {
   return set;
 }
 
+KeptShare keptOf(const OpenedScreen& opened, const ScreenGeometry& geometry, const CleaningOptions& options) {
+  const auto areaOf = [](std::uint64_t width, std::uint64_t height) { return width * height; };
+  KeptShare kept{.frames = opened.times_s.size(), .framesOf = std::max<std::uint64_t>(opened.reader.info().frames, opened.times_s.size())};
+  kept.pixels = kept.pixelsOf = areaOf(static_cast<std::uint64_t>(geometry.width_px), static_cast<std::uint64_t>(geometry.height_px));
+  if (!options.keepOutside && geometry.outline) {
+    const PixelRect part = ScreenCleaner(geometry, options).kept();
+    kept.pixels = areaOf(static_cast<std::uint64_t>(std::max(part.width, 0)), static_cast<std::uint64_t>(std::max(part.height, 0)));
+  }
+  return kept;
+}
+
 Result<CleanedScreen> writeCleaned(OpenedScreen& opened, const ScreenGeometry& geometry, const CleaningOptions& options,
                                    const std::filesystem::path& file, Progress& progress) {
   if (!geometry.outline && !options.keepOutside)
     return failure(ErrorCode::unsupported,
                    say<"Where the scan lies is not known, so the recording cannot be cleaned; state its outline in a correction.">());
+  if (auto enough = checkKept(keptOf(opened, geometry, options), options.acceptsSmall, opened.recording); !enough)
+    return passOn(enough.error());
   if (auto again = opened.reader.rewind(); !again) return passOn(again.error());
   const ScreenCleaner cleaner(geometry, options);
   CineFrame frame;

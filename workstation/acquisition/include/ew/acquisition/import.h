@@ -15,6 +15,7 @@
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
+#include "ew/io/kept_share.h"
 #include "ew/io/sequence.h"
 #include "ew/io/sweep.h"
 
@@ -46,6 +47,7 @@ struct SweepImportOptions {
   std::string motor = {};                      ///< where poses come from a motor: its file, or kRecordedMotor; empty: the tracker's poses
   std::optional<MotorSweep> statedMotor = {};  ///< the motor as a person said it, in place of a file
   std::optional<double> poseDelay_s = {};      ///< poses lag behind images by this much; they are moved in time (see posesDelayedBy)
+  bool acceptsSmall = false;                   ///< a volume is made also when less than a tenth of pixels or frames is kept (KeptShare)
   bool estimatePoseDelay = false;              ///< find that out; when nobody can tell, poses stay, and the plan says so
 };
 
@@ -67,6 +69,9 @@ struct ImportPlan {
   ReconstructOptions reconstruct;           ///< as it will be done, after what the device set said
   ConfidenceOptions confidence;             ///< used when reconstruct.compounding is weighted
   std::vector<Message> notes;               ///< what had to be decided, in sentences
+  KeptShare kept = {};                      ///< pixels of the clip, frames with a pose
+  Message smallQuestion = {};               ///< what there is to ask about `kept` before the volume is made; empty: nothing
+  bool acceptsSmall = false;                ///< a person said yes to it; without, importSweep and weighedFrames refuse
   std::optional<PoseDelay> poseDelay = {};  ///< when it was asked for: given, or estimated with its uncertainty and verdict
 };
 
@@ -76,6 +81,7 @@ struct OpenedSweep {
   SweepPoses poses;
   ImportPlan plan;
   double readSeconds = 0.0;
+  std::filesystem::path sweep = {};            ///< the file
   std::vector<Message> readNotes = {};         ///< of the file, what it holds and what was converted
   std::vector<Message> turnNotes = {};         ///< how its images were turned
   std::optional<Clip> sectorOfScanLines = {};  ///< when the file holds scan lines: the part of the images they were converted to
@@ -129,7 +135,7 @@ struct WeighedFrames {
 };
 
 /// The frames of posedFrames, weighed by confidence when the plan's compounding is weighted.
-/// @error as confidenceOfFrames
+/// @error as confidenceOfFrames; badUsage (too little is kept and nobody said yes, with the context entry "ask": "accept-small")
 [[nodiscard]] Result<WeighedFrames> weighedFrames(const OpenedSweep& opened, Progress& progress);
 
 /// Bytes at the peak of an import of the plan's sweep onto `grid` with `options`, as ImportPlan::bytes counts them.

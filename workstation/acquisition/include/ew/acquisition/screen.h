@@ -133,7 +133,8 @@ enum class TextFill { neighbours, black };
 
 struct CleaningOptions {
   TextFill fill = TextFill::neighbours;
-  bool keepOutside = false;  ///< leave what lies outside the outline, boxes of text excepted, and the whole picture
+  bool keepOutside = false;   ///< leave what lies outside the outline, boxes of text excepted, and the whole picture
+  bool acceptsSmall = false;  ///< stored also when less than a tenth of the pixels or of the frames is kept (KeptShare)
 };
 
 /// Makes pictures clean: prepared once for a geometry, then frame after frame without allocation.

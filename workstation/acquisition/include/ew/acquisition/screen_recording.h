@@ -9,6 +9,7 @@
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/io/cine_reader.h"
+#include "ew/io/kept_share.h"
 #include "ew/io/sequence.h"
 
 namespace ew {
@@ -17,6 +18,7 @@ inline constexpr int kScreenFrames = 300;  ///< as many are looked at
 
 /// A recording that was looked through once: what it is, and what its screen shows.
 struct OpenedScreen {
+  std::filesystem::path recording;
   CineReader reader;  ///< at its first frame
   FoundScreen found;
   std::vector<double> times_s;     ///< of the frames that can be read
@@ -41,6 +43,9 @@ struct OpenedScreen {
 /// to "Probe" with the origin in the middle of the probe's face.
 [[nodiscard]] DeviceSet deviceSetOf(const ScreenGeometry& geometry, const PixelRect& kept);
 
+/// How much of the recording is stored: pixels of the part that is cut out, and frames of those the file promises.
+[[nodiscard]] KeptShare keptOf(const OpenedScreen& opened, const ScreenGeometry& geometry, const CleaningOptions& options);
+
 struct CleanedScreen {
   std::size_t frames = 0;
   PixelRect kept = {};
@@ -51,7 +56,9 @@ struct CleanedScreen {
 
 /// Reads the recording again and writes it cleaned as .igs.mha, frame by frame.
 /// @param geometry with an outline, unless the outside is kept
-/// @error as CineReader::next and writeSequence; unsupported (no outline), cancelled
+/// @error as CineReader::next and writeSequence; unsupported (no outline), badUsage (too little is kept and nobody said yes, with the
+/// context
+///        entry "ask": "accept-small"), cancelled
 [[nodiscard]] Result<CleanedScreen> writeCleaned(OpenedScreen& opened, const ScreenGeometry& geometry, const CleaningOptions& options,
                                                  const std::filesystem::path& file, Progress& progress = noProgress());
 
