@@ -45,6 +45,31 @@ TEST(ImportCommand, WhatIsMissingIsAskedForByTheNameOfItsOptionAndNothingIsWritt
   EXPECT_NE(run({"import", folder / "x.bin", "-o", folder / "x.mha", "--raw", "5x5:u8:0.5"}).status, 0);
 }
 
+TEST(ImportCommand, ARegionOfAlmostNothingIsRefusedUntilItIsMeant) {
+  const TemporaryFolder folder;
+  CineOf of;
+  of.pixels = ramp(144);
+  of.regions = {{0, 0, 1, 1}};
+  writeText(folder / "a.dcm", cineFile(of));
+  const auto refused = run({"import", folder / "a.dcm", "-o", folder / "a.igs.mha"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.err.find(": --accept-small."), std::string::npos) << refused.err;
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"a.dcm"});
+  EXPECT_EQ(run({"import", folder / "a.dcm", "-o", folder / "a.igs.mha", "--accept-small"}).status, 0);
+}
+
+TEST(ImportCommand, ARateIsGivenToACineWithoutTimes) {
+  const TemporaryFolder folder;
+  CineOf of;
+  of.pixels = ramp(144);
+  of.frameTime = "0";
+  writeText(folder / "a.dcm", cineFile(of));
+  ASSERT_EQ(run({"import", folder / "a.dcm", "-o", folder / "a.igs.mha", "--rate", "25"}).status, 0);
+  const auto sequence = readSequence(folder / "a.igs.mha");
+  ASSERT_TRUE(sequence.has_value());
+  EXPECT_NEAR(sequence->frames[2].time_s.value_or(0.0), 0.08, 1e-9);
+}
+
 TEST(ImportCommand, EverythingThatIsMissingIsAskedForAtOnce) {
   const TemporaryFolder folder;
   CineOf of;

@@ -57,6 +57,18 @@ TEST_F(ReconstructCommand, CutsTheFramesToTheClipOfTheCommandLine) {
   EXPECT_EQ(read->volume.echo.front(), parallelSweepPixel(2, 1, 0));
 }
 
+TEST_F(ReconstructCommand, AVolumeOfAlmostNothingIsRefusedUntilItIsMeant) {
+  const std::vector<std::string> little{"--spacing", "1", "--interpolation", "nearest", "--clip", "2", "1", "0", "2"};
+  const auto refused = reconstruct(little);
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.err.find("Only 6.3 % of the pixels"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find(": --accept-small."), std::string::npos) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "v.mha"));
+  auto meant = little;
+  meant.emplace_back("--accept-small");
+  EXPECT_EQ(reconstruct(meant).status, 0);
+}
+
 TEST_F(ReconstructCommand, TheCommandLineWinsOverTheCalibrationFile) {
   writeText(folder / "device.xml",
             "<PlusConfiguration><VolumeReconstruction OutputSpacing=\"2 2 2\" ClipRectangleOrigin=\"1 1\" ClipRectangleSize=\"5 3\" "

@@ -51,6 +51,53 @@ TEST(ImportFile, EachKindIsKnownByItsContentAndAsksForWhatIsMissing) {
   EXPECT_TRUE(failedWith(kindOfFile(folder / "nowhere"), ErrorCode::notFound));
 }
 
+TEST(ImportFile, AFolderIsPicturesOrDicomStillsAndHalfAVolumeSaysSo) {
+  const TempFolder folder;
+  CineOf still;
+  still.frames = 1;
+  still.pixels = ramp(48);
+  static_cast<void>(folder.put("I0001", cineFile(still)));
+  const auto kind = kindOfFile(folder.path());
+  ASSERT_TRUE(succeeded(kind));
+  EXPECT_EQ(*kind, FileKind::dicomStack);
+  EXPECT_TRUE(says(importFile(folder.path(), {}), "do not say where they lie"));
+  static_cast<void>(folder.put("p1.pgm", "P5\n2 2\n255\n" + ramp(4)));
+  EXPECT_EQ(*kindOfFile(folder.path()), FileKind::pictures);
+
+  const TempFolder pair;
+  const auto header = pair.put("brain.hdr", std::string("\x5C\x01\0\0", 4) + std::string(344, '\0'));
+  const auto image = pair.put("brain.img", ramp(100));
+  EXPECT_TRUE(says(kindOfFile(header), "two files of an Analyze or NIfTI volume"));
+  EXPECT_TRUE(says(kindOfFile(image), "two files of an Analyze or NIfTI volume"));
+  EXPECT_TRUE(succeeded(kindOfFile(pair.put("disk.img", ramp(64)))));
+}
+
+TEST(ImportFile, VolumesWovenIntoEachOtherAndUnknownUnitsAreAskedAbout) {
+  const TempFolder folder;
+  const std::string start = "NRRD0005\ntype: uchar\nencoding: raw\n";
+  const auto woven = folder.put("t.nrrd", start +
+                                              "dimension: 4\nsizes: 3 2 2 1\nkinds: list domain domain domain\n"
+                                              "space directions: none (0.5,0,0) (0,0.5,0) (0,0,0.5)\n\n" +
+                                              ramp(12));
+  const auto asked = importFile(woven, {});
+  ASSERT_FALSE(asked.has_value());
+  EXPECT_EQ(askedFor(asked.error()), "time-step");
+  ImportAnswers third;
+  third.timeStep = 3;
+  const auto volume = importFile(woven, third);
+  ASSERT_TRUE(succeeded(volume));
+  EXPECT_EQ(volume->volume->echo, (std::vector<std::uint8_t>{2, 5, 8, 11}));
+  const auto odd =
+      importFile(folder.put("u.nrrd", start +
+                                          "dimension: 3\nsizes: 2 2 1\nspace: LPS\nspace units: \"cubit\" \"cubit\" \"cubit\"\n"
+                                          "space directions: (2,0,0) (0,2,0) (0,0,2)\n\n" +
+                                          ramp(4)),
+                 {});
+  ASSERT_FALSE(odd.has_value());
+  EXPECT_EQ(askedFor(odd.error()), "spacing");
+  EXPECT_TRUE(says(odd, "\"cubit\""));
+}
+
 TEST(ImportFile, AnswersAreTakenAsGivenAndToldInTheNotes) {
   const TempFolder folder;
   ImportAnswers answers;

@@ -34,6 +34,7 @@ struct NewCaseArguments {
   bool isListing = false;
   bool withoutLevel = false;
   bool takesWholeFrames = false;
+  bool acceptsSmall = false;
 };
 
 /// Rotations about x, then y, then z of the world, then the way.
@@ -98,8 +99,10 @@ Result<CaseSource> sourceOf(const NewCaseArguments& arguments) {
     sweep->calibration = arguments.calibration;
     if (arguments.fan) sweep->clip = clipOf(*arguments.fan);
     sweep->looksForFan = !arguments.takesWholeFrames;
+    sweep->acceptsSmall = arguments.acceptsSmall;
   } else if (auto* volume = std::get_if<VolumeFile>(&*source)) {
     if (arguments.spacing_mm) volume->answers.spacing_mm = glm::dvec3(*arguments.spacing_mm);
+    volume->answers.acceptsSmall = arguments.acceptsSmall;
   }
   return source;
 }
@@ -224,6 +227,8 @@ void addCaseNew(CLI::App& group, Selection& selection) {
   app.add_flag("--whole-frames", arguments->takesWholeFrames,
                "Look for no fan in a recording's pictures; what its device set says still holds");
   app.add_option("--calibration", arguments->calibration, "Device set of the recording")->type_name("XML");
+  app.add_flag("--accept-small", arguments->acceptsSmall,
+               "Make the case also when less than a tenth of the recording's pixels or frames is used");
   app.add_flag("--no-level", arguments->withoutLevel, "No level for live echoes: the picture stays the recorded one");
   app.add_option("--attribution", arguments->attribution, "Whom to name for the recording")->type_name("TEXT");
   app.add_option("--licence", arguments->licence, "Under which licence the recording may be passed on")->type_name("TEXT");

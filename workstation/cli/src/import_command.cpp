@@ -27,6 +27,8 @@ struct ImportArguments {
   bool keepText = false;
   bool mirrored = false;
   bool asSequence = false;
+  bool acceptsSmall = false;
+  std::optional<double> rate_hz;
 };
 
 /// "0.5" or "0.5,0.5,1.2": `count` numbers above 0, or one for all.
@@ -78,6 +80,8 @@ Result<ImportAnswers> answersOf(const ImportArguments& arguments) {
   answers.keepText = arguments.keepText;
   answers.mirrored = arguments.mirrored;
   answers.asSequence = arguments.asSequence;
+  answers.acceptsSmall = arguments.acceptsSmall;
+  answers.rate_hz = arguments.rate_hz;
   return answers;
 }
 
@@ -105,6 +109,8 @@ tl::unexpected<Error> withAllQuestions(Error error, const std::string& file, Imp
       answers.colour = ColourRule::keepGrey;
     } else if (asked == "blank") {
       answers.keepText = true;
+    } else if (asked == "accept-small") {
+      answers.acceptsSmall = true;
     } else {
       break;
     }
@@ -132,7 +138,9 @@ Result<int> import(const ImportArguments& arguments, Run& run) {
     return importFile(arguments.file, *answers, reading);
   }();
   if (!read) return withAllQuestions(read.error(), arguments.file, *answers, run);
-  for (const Message& note : read->notes) run.remark(note);
+  for (const Message& warning : read->warnings) run.remark(warning);
+  for (const Message& note : read->notes)
+    if (std::find(read->warnings.begin(), read->warnings.end(), note) == read->warnings.end()) run.remark(note);
   for (const Message& sentence : sentencesOf(read->removed)) run.remark(sentence);
   run.report.details["kind"] = nameOf(read->kind);
   run.report.details["notes"] = english(read->notes);
@@ -181,7 +189,7 @@ void addImport(CLI::App& root, Selection& selection) {
        "import samples.raw -o volume.mha --raw 256x256x180:u8:0.5,0.5,1.2", "import slices/ -o volume.mha --spacing 0.3,0.3,0.5",
        "import still.dcm -o still.igs.mha --region all --pixel-mm 0.2 --colour keep-grey --report removed.json"},
       [arguments](Run& run) { return import(*arguments, run); });
-  app.add_option("FILE", arguments->file, "DICOM, .vol, .nii, .mha, .nrrd, raw samples, or a folder of .png, .jpg, .pgm")
+  app.add_option("FILE", arguments->file, "DICOM, .vol, .nii, .mha, .nrrd, raw samples, or a folder of .png, .jpg, .pgm or DICOM stills")
       ->required()
       ->type_name("");
   app.add_option("-o,--output", arguments->output, "A volume .mha or .mhd; for cines and planes a sequence .igs.mha")
@@ -189,6 +197,8 @@ void addImport(CLI::App& root, Selection& selection) {
       ->type_name("OUT");
   app.add_option("--region", arguments->region, "Ultrasound region of a DICOM file, from 1; all: the whole picture")->type_name("N");
   app.add_option("--pixel-mm", arguments->pixel_mm, "Size of a pixel of DICOM pictures in mm")->type_name("X,Y");
+  addNumber(app, "--rate", arguments->rate_hz, {0.001, 100000.0},
+            "Frames a second of a DICOM cine that does not say it, or says it wrongly");
   app.add_option("--spacing", arguments->spacing_mm,
                  "Spacing in mm of pictures and of volumes that do not say it; of what Kretz beams become")
       ->type_name("X,Y,Z");
@@ -206,6 +216,7 @@ void addImport(CLI::App& root, Selection& selection) {
          "Read samples without a header, as in 256x256x180:u8:0.5,0.5,1.2:512; types u8 i8 u16 i16 u32 i32 f32 f64, with be for big endian")
       ->type_name("DIMS:TYPE:SPACING[:OFFSET]");
   app.add_flag("--mirrored", arguments->mirrored, "Turn the elevational axis of a Kretz volume over");
+  app.add_flag("--accept-small", arguments->acceptsSmall, "Import also when less than a tenth of each picture is kept");
   app.add_flag("--planes", arguments->asSequence, "Write the planes of an Enhanced US Volume as a sequence with their poses");
 }
 

@@ -32,6 +32,7 @@ struct ReconstructArguments {
   std::optional<std::vector<double>> clip_px;  // x y width height
   std::optional<std::vector<double>> fan;      // left right (degrees), apex x y, start stop radius (pixels)
   bool noClip = false;
+  bool acceptsSmall = false;
   AcquisitionArguments acquisition;
 };
 
@@ -70,6 +71,7 @@ SweepImportOptions importOptionsOf(const ReconstructArguments& arguments) {
   SweepImportOptions options;
   options.calibrations.assign(arguments.calibrations.begin(), arguments.calibrations.end());
   options.toFrame = arguments.toFrame;
+  options.acceptsSmall = arguments.acceptsSmall;
   options.clipFromCalibration = !arguments.noClip && !arguments.clip_px && !arguments.fan;
   options.usual = {.spacing = !arguments.spacing_mm,
                    .interpolation = arguments.interpolation.empty(),
@@ -199,7 +201,7 @@ Result<int> reconstructSweep(const ReconstructArguments& arguments, Run& run) {
   PartOfProgress pasting(run.progress, 0.3, 0.9);
   const auto numbers = usedFrames(opened->poses);
   auto imported = importSweep(std::move(*opened), pasting);
-  if (!imported) return passOn(imported.error());
+  if (!imported) return withOption(imported.error());
   // From counting the frames used to counting those of the file.
   for (std::uint16_t& source : imported->reconstruction.source)
     if (source > 0) source = numbers[source - 1u];
@@ -277,6 +279,8 @@ void addReconstruct(CLI::App& root, Selection& selection) {
                 "file's clip");
   addAcquisitionOptions(app, arguments->acquisition);
   app.add_flag("--no-clip", arguments->noClip, "Use the whole frame, whatever the calibration file says");
+  app.add_flag("--accept-small", arguments->acceptsSmall,
+               "Make the volume also when less than a tenth of the pixels or of the frames is used");
 }
 
 }  // namespace ew::cli

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "arguments.h"
+#include "asked_option.h"
 #include "command.h"
 #include "ew/acquisition/screen_recording.h"
 #include "ew/core/numbers.h"
@@ -24,6 +25,7 @@ struct ScreenArguments {
   bool keepOutside = false;
   int turn_deg = 0;
   bool isMirrored = false;
+  bool acceptsSmall = false;
 };
 
 json toJson(const PixelRect& rect) { return {rect.x, rect.y, rect.width, rect.height}; }
@@ -104,7 +106,8 @@ Result<int> cleanScreen(const ScreenArguments& arguments, Run& run) {
   if (!arguments.deviceSet.empty())
     if (auto announced = run.output(arguments.deviceSet, ".xml"); !announced) return passOn(announced.error());
   const CleaningOptions cleaning{.fill = arguments.fill == "black" ? TextFill::black : TextFill::neighbours,
-                                 .keepOutside = arguments.keepOutside};
+                                 .keepOutside = arguments.keepOutside,
+                                 .acceptsSmall = arguments.acceptsSmall};
   run.report.options = {{"fill", arguments.fill}, {"keep_outside", arguments.keepOutside}};
   if (correction->depth_mm) run.report.options["depth_mm"] = *correction->depth_mm;
   if (correction->tick_mm) run.report.options["tick_mm"] = *correction->tick_mm;
@@ -136,7 +139,7 @@ Result<int> cleanScreen(const ScreenArguments& arguments, Run& run) {
 
   const StepClock clock(run.report, "write");
   const auto cleaned = writeCleaned(*opened, *geometry, cleaning, run.outputs.staged(arguments.output), writing);
-  if (!cleaned) return passOn(cleaned.error());
+  if (!cleaned) return withOption(cleaned.error());
   if (!isCorrection)
     if (auto written = writeScreen(opened->found, *correction, run.outputs.staged(beside)); !written) return passOn(written.error());
   if (!arguments.deviceSet.empty())
@@ -189,6 +192,7 @@ void addScreen(CLI::App& root, Selection& selection) {
       ->check(CLI::IsMember({"neighbours", "black"}))
       ->type_name("WAY");
   app.add_flag("--keep-outside", arguments->keepOutside, "Keep the whole picture; only boxes of text over the scan are filled");
+  app.add_flag("--accept-small", arguments->acceptsSmall, "Write also when less than a tenth of each picture or of the frames is kept");
   app.add_option("--device-set", arguments->deviceSet,
                  "Also write what reconstruct --calibration takes: the fan, and where pixels lie before the probe")
       ->type_name("OUT.xml");

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <fstream>
 
 #include "ew/io/cine_reader.h"
+#include "ew/io/dicom_stack.h"
 #include "ew/io/image_stack.h"
 #include "ew/io/kretz.h"
 #include "ew/io/sequence.h"
@@ -30,6 +32,26 @@ tl::unexpected<Error> ask(ErrorCode code, const char* what, Message message, con
   return failure(code, std::move(message), {{"file", file.string()}, {"ask", what}});
 }
 
+/// Analyze and two-file NIfTI: a header of 348 bytes whose first number says so, and the samples in a file of the other ending.
+bool isHalfOfPair(const fs::path& file) {
+  fs::path header = file;
+  header.replace_extension(endingOf(file) == ".img" ? (file.extension() == ".IMG" ? ".HDR" : ".hdr") : file.extension());
+  std::ifstream in(header, std::ios::binary);
+  std::array<unsigned char, 4> first{};
+  if (!in.read(reinterpret_cast<char*>(first.data()), 4)) return false;
+  const auto is = [&](unsigned a, unsigned b, unsigned c, unsigned d) {
+    return first[0] == a && first[1] == b && first[2] == c && first[3] == d;
+  };
+  return is(0x5C, 1, 0, 0) || is(0, 0, 1, 0x5C);
+}
+
+tl::unexpected<Error> headerAndImageApart(const fs::path& file) {
+  return failure(
+      ErrorCode::unsupported,
+      say<"'%1' is one of the two files of an Analyze or NIfTI volume (.hdr + .img); convert it to a single .nii.">(file.filename()),
+      {{"file", file.string()}});
+}
+
 Result<ImportedFile> fromVolume(const fs::path& file, const ImportAnswers& answers, Progress& progress, const ReadLimits& limits) {
   VolumeReadOptions options;
   if (answers.timeStep) options.timeStep = static_cast<std::uint64_t>(std::max(*answers.timeStep, 0));
@@ -41,12 +63,15 @@ Result<ImportedFile> fromVolume(const fs::path& file, const ImportAnswers& answe
                file);
   ImportedFile made;
   made.notes = std::move(read->notes);
+  made.warnings = std::move(read->warnings);
   if (answers.spacing_mm) {
     read->volume.grid.spacing_mm = *answers.spacing_mm;
     if (auto usable = checkGrid(read->volume.grid); !usable) return passOn(usable.error());
     std::erase(made.notes, say<"Spacing is 1 x 1 x 1 mm with the origin at 0 and no rotation: the true spacing is probably unknown.">());
+    std::erase(made.notes, read->spacingProblem);
     made.notes.push_back(say<"The spacing was given and replaces that of the file; origin and directions are the file's.">());
   } else if (!read->spacingKnown) {
+    if (!read->spacingProblem.empty()) return ask(ErrorCode::missingCalibration, "spacing", read->spacingProblem, file);
     return ask(ErrorCode::missingCalibration, "spacing",
                say<"'%1' says 1 x 1 x 1 mm without place or rotation, as converters write when they do not know; give the spacing in mm.">(
                    file.filename()),
@@ -91,10 +116,15 @@ Result<ImportedFile> read(FileKind kind, const fs::path& file, const ImportAnswe
       return fromCine(readDicomCine(file,
                                     {.region = answers.region,
                                      .pixel_mm = answers.pixel_mm,
+                                     .rate_hz = answers.rate_hz,
                                      .colour = answers.colour,
                                      .blank = answers.blank,
-                                     .keepText = answers.keepText},
+                                     .keepText = answers.keepText,
+                                     .acceptsSmall = answers.acceptsSmall},
                                     progress, limits));
+    case FileKind::dicomStack:
+      return fromParts(
+          readDicomStack(file, {.colour = answers.colour, .blank = answers.blank, .keepText = answers.keepText}, progress, limits));
     case FileKind::dicomVolume:
       if (answers.asSequence) return fromCine(readDicomPlanes(file, {.timeStep = answers.timeStep}, progress, limits));
       return fromParts(readDicomVolume(file, {.timeStep = answers.timeStep}, progress, limits));
@@ -126,15 +156,34 @@ Result<ImportedFile> read(FileKind kind, const fs::path& file, const ImportAnswe
 }  // namespace
 
 const char* nameOf(FileKind kind) {
-  constexpr std::array names{"volume", "sweep", "DICOM pictures", "Enhanced US Volume", "Kretz volume", "pictures", "film", "raw samples"};
-  return names[static_cast<std::size_t>(kind)];
+  switch (kind) {
+    case FileKind::volume:
+      return "volume";
+    case FileKind::sweep:
+      return "sweep";
+    case FileKind::dicomPictures:
+      return "DICOM pictures";
+    case FileKind::dicomVolume:
+      return "Enhanced US Volume";
+    case FileKind::dicomStack:
+      return "folder of DICOM stills";
+    case FileKind::kretz:
+      return "Kretz volume";
+    case FileKind::pictures:
+      return "pictures";
+    case FileKind::film:
+      return "film";
+    case FileKind::raw:
+      return "raw samples";
+  }
+  return "";
 }
 
 Result<FileKind> kindOfFile(const fs::path& file) {
   std::error_code ec;
   if (!fs::exists(file, ec))
     return failure(ErrorCode::notFound, say<"There is no file or folder '%1'; check the name.">(file), {{"file", file.string()}});
-  if (fs::is_directory(file, ec)) return FileKind::pictures;
+  if (fs::is_directory(file, ec)) return !stackFiles(file) && !dicomFilesIn(file).empty() ? FileKind::dicomStack : FileKind::pictures;
   // Opening a pipe to see what it begins with would wait for whoever writes into it.
   if (!fs::is_regular_file(file, ec))
     return failure(ErrorCode::notReadable,
@@ -148,6 +197,7 @@ Result<FileKind> kindOfFile(const fs::path& file) {
     return *sequence ? FileKind::sweep : FileKind::volume;
   }
   if (among(ending, {".png", ".jpg", ".jpeg", ".pgm"})) return FileKind::pictures;
+  if (among(ending, {".hdr", ".img"}) && isHalfOfPair(file)) return headerAndImageApart(file);
   // The free bytes before a DICOM data set may be those of a TIFF.
   if (isDicom(file) ? isDicomFilm(file) : isFilm(file) || isTiff(file)) return FileKind::film;
   if (isKretz(file)) return FileKind::kretz;
@@ -173,6 +223,7 @@ Result<ImportedFile> importFile(const fs::path& file, const ImportAnswers& answe
     ImportedFile made;
     made.kind = FileKind::raw;
     made.notes = std::move(raw->notes);
+    made.warnings = std::move(raw->warnings);
     made.volume = std::move(raw->volume);
     return made;
   }
@@ -219,6 +270,13 @@ Result<ImportPreview> previewImport(const fs::path& file, FileKind kind, Progres
         preview.coloured = std::move(first->coloured);
       }
       preview.dicom = *std::move(summary);
+      return preview;
+    }
+    case FileKind::dicomStack: {
+      auto first = readFirstOfDicomStack(file, progress, limits);
+      if (!first) return passOn(first.error());
+      preview.picture = std::move(first->level);
+      preview.spacing_mm = first->spacing_mm;
       return preview;
     }
     case FileKind::pictures: {

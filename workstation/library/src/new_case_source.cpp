@@ -34,6 +34,7 @@ SweepImportOptions importOptionsFor(const SweepFile& sweep) {
   options.clipFromCalibration = !sweep.clip;
   if (sweep.clip) options.reconstruct.clip = *sweep.clip;
   options.looksForFan = !sweep.clip && sweep.looksForFan;
+  options.acceptsSmall = sweep.acceptsSmall;
   return options;
 }
 
@@ -60,8 +61,7 @@ Result<MadeVolume> madeOf(const SweepFile& given, const fs::path&, Progress& pro
   auto opened = openSweep(given.file, importOptionsFor(given), opening);
   if (!opened) return passOn(opened.error());
   MadeVolume made;
-  made.notes = opened->readNotes;
-  made.notes.insert(made.notes.end(), opened->plan.notes.begin(), opened->plan.notes.end());
+  made.notes = opened->plan.notes;
   made.axes = sweepAxesOf(posedFrames(*opened));
   made.frames = opened->plan.frames;
   auto imported = importSweep(*std::move(opened), pasting);
@@ -157,6 +157,7 @@ Result<NewCasePlan> planned(const SweepFile& given, Progress& progress) {
   if (auto usable = checkSpacing(given); !usable) return passOn(usable.error());
   const auto opened = openSweep(given.file, importOptionsFor(given), progress);
   if (!opened) return passOn(opened.error());
+  if (auto enough = checkKept(opened->plan.kept, opened->plan.acceptsSmall, given.file); !enough) return passOn(enough.error());
   NewCasePlan plan = planOfGrid(opened->plan.grid);
   plan.bytes = std::max(plan.bytes, opened->plan.bytes);
   if (const auto axes = sweepAxesOf(posedFrames(*opened))) plan.axes = *axes;

@@ -24,6 +24,7 @@
 #include "message_bar.h"
 #include "picture_chooser.h"
 #include "save_file.h"
+#include "small_result_question.h"
 #include "theme.h"
 #include "words.h"
 
@@ -399,9 +400,10 @@ struct FileImportDialog::Made {
   ScanVoxels voxels;  ///< empty: the pictures are no volume
 };
 
-void FileImportDialog::start() {
-  const auto given = answers();
+void FileImportDialog::start(bool acceptsSmall) {
+  auto given = answers();
   if (!given) return refuse(words(given.error().message));
+  given->acceptsSmall = acceptsSmall;
   if (job_ != 0) jobs_.cancel(job_);
   import_->setEnabled(false);
   auto made = std::make_shared<Made>();
@@ -426,17 +428,32 @@ void FileImportDialog::start() {
         dialog->import_->setEnabled(true);
         if (outcome)
           dialog->take(made);
+        else if (askedFor(outcome.error()) == "accept-small")
+          dialog->askSmall(words(outcome.error().message));
         else if (outcome.error().code != ErrorCode::cancelled)
           dialog->refuse(words(outcome.error().message));
       });
+}
+
+void FileImportDialog::askSmall(const QString& sentence) {
+  const QPointer<FileImportDialog> here(this);
+  const bool accepted = askAcceptsSmall(this, sentence);
+  if (!here) return;
+  if (accepted)
+    start(true);
+  else
+    refuse(sentence);
 }
 
 void FileImportDialog::take(const std::shared_ptr<Made>& made) {
   std::vector<Message> notes = made->file.notes;
   for (Message& sentence : sentencesOf(made->file.removed)) notes.push_back(std::move(sentence));
   messages_.forgetWhatIsPast();
-  messages_.showNotes(tr("%1 was imported; %n notes say what was decided and left out.", nullptr, static_cast<int>(notes.size()))
-                          .arg(QFileInfo(file_).fileName()),
+  // What makes the result doubtful stands in front, not among the details.
+  messages_.showNotes(made->file.warnings.empty()
+                          ? tr("%1 was imported; %n notes say what was decided and left out.", nullptr, static_cast<int>(notes.size()))
+                                .arg(QFileInfo(file_).fileName())
+                          : words(joined(made->file.warnings)),
                       notes, QStringLiteral("open"));
   if (made->voxels.empty()) return saveSequence(made);
   Q_EMIT imported(made->voxels, QFileInfo(file_).fileName());

@@ -54,7 +54,8 @@ class FileImportDialog final : public FormDialog {
   void showPreview();
   void takePreview(const RawPreview& slices, const RawLayout& layout, const Result<void>& outcome);
   void refuse(const QString& why);
-  void start();
+  void start(bool acceptsSmall = false);
+  void askSmall(const QString& sentence);
   struct Made;
   void take(const std::shared_ptr<Made>& made);
   void saveSequence(const std::shared_ptr<Made>& made);

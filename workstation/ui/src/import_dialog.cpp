@@ -28,6 +28,7 @@
 #include "jobs.h"
 #include "message_bar.h"
 #include "picture_chooser.h"
+#include "small_result_question.h"
 #include "theme.h"
 #include "words.h"
 
@@ -536,8 +537,12 @@ void ImportDialog::showPlan() {
 }
 
 void ImportDialog::start() {
-  const auto asked = options();
+  auto asked = options();
   if (!asked) return refuse(words(asked.error().message));
+  if (seen_->plan && !seen_->plan->smallQuestion.empty()) {
+    if (!askAcceptsSmall(this, words(seen_->plan->smallQuestion))) return;
+    asked->acceptsSmall = true;
+  }
   struct Made {
     ScanVoxels voxels;
     std::shared_ptr<const Provenance> provenance;

@@ -96,6 +96,7 @@ struct Opener::Loading {
 struct Opener::Image {
   ScanVoxels voxels;
   std::vector<Message> notes;
+  std::vector<Message> warnings;  ///< of the notes, those that are told first
   bool isSweep = false;
   std::shared_ptr<const ScanRecording> recording;  ///< null: the file is none
   FileKind kind = FileKind::volume;
@@ -180,10 +181,13 @@ void Opener::showMannequin(std::shared_ptr<const bridge::Mannequin> mannequin) {
   view_.setMannequin(std::move(mannequin));
 }
 
-void Opener::tellOpened(const QString& path, const std::vector<Message>& notes) {
+void Opener::tellOpened(const QString& path, const std::vector<Message>& notes, const std::vector<Message>& warnings) {
+  // What makes the volume doubtful stands in front, not among the details.
   messages_.showNotes(
-      tr("%1 is open; %n notes say how it was read.", nullptr, static_cast<int>(notes.size())).arg(QFileInfo(path).fileName()), notes,
-      kOpening);
+      warnings.empty()
+          ? tr("%1 is open; %n notes say how it was read.", nullptr, static_cast<int>(notes.size())).arg(QFileInfo(path).fileName())
+          : words(joined(warnings)),
+      notes, kOpening);
 }
 
 void Opener::open(const QString& path) {
@@ -443,7 +447,15 @@ void Opener::openImage(const QString& path) {
         if (*kind == FileKind::volume && !isNifti(path)) {
           auto volume = readVolume(pathOf(path), most);
           if (!volume) return passOn(volume.error());
+          // A file that has to be asked about (a time step, a unit that is none) goes the way of all others that have.
+          if (volume->timeSteps > 1 || !volume->spacingProblem.empty()) {
+            const auto asking = importFile(pathOf(path), {}, most);
+            if (!asking) loaded->question = asking.error().message;
+            loaded->asks = true;
+            return {};
+          }
           loaded->notes = std::move(volume->notes);
+          loaded->warnings = std::move(volume->warnings);
           read = std::make_shared<const Volume>(std::move(volume->volume));
         } else {
           auto made = importFile(pathOf(path), {}, most);
@@ -452,6 +464,7 @@ void Opener::openImage(const QString& path) {
           loaded->asks = !made || !made->volume;
           if (loaded->asks) return {};
           loaded->notes = std::move(made->notes);
+          loaded->warnings = std::move(made->warnings);
           for (Message& sentence : sentencesOf(made->removed)) loaded->notes.push_back(std::move(sentence));
           read = std::make_shared<const Volume>(std::move(*made->volume));
         }
@@ -478,7 +491,7 @@ void Opener::openImage(const QString& path) {
         messages_.forgetWhatIsPast();
         document_.close();
         showVolume(loaded->voxels, QFileInfo(path).fileName(), false, nullptr, {pathOf(path)});
-        tellOpened(path, loaded->notes);
+        tellOpened(path, loaded->notes, loaded->warnings);
         Q_EMIT opened(path);
       });
 }

@@ -107,7 +107,7 @@ class Opener final : public QObject {
   void startOpening(const QString& path, Jobs::Work work, std::function<void()> taken, std::function<void()> refused = {});
   void giveUpOpening();
   /// One message of what reading it had to decide.
-  void tellOpened(const QString& path, const std::vector<Message>& notes);
+  void tellOpened(const QString& path, const std::vector<Message>& notes, const std::vector<Message>& warnings = {});
   /// Finds out what live echoes of the voxels that are shown are formed from.
   void findTissue();
   void showMannequin(std::shared_ptr<const bridge::Mannequin> mannequin);

@@ -30,6 +30,7 @@
 #include "message_bar.h"
 #include "save_file.h"
 #include "screen_view.h"
+#include "small_result_question.h"
 #include "words.h"
 
 namespace ew::ui {
@@ -615,6 +616,12 @@ bool ScreenDialog::import() {
     say(words(geometry.error().message), true);
     return false;
   }
+  CleaningOptions cleaning;
+  if (geometry->outline)
+    if (const Message small = questionAbout(keptOf(opened_->screen, *geometry, cleaning), pathOf(file_)); !small.empty()) {
+      if (!askAcceptsSmall(this, words(small))) return false;
+      cleaning.acceptsSmall = true;
+    }
   const QFileInfo info(file_);
   const QString target =
       askSaveFile(this, {tr("Save the cleaned recording"),
@@ -633,12 +640,12 @@ bool ScreenDialog::import() {
   // Once it runs it ends whether the dialog is there or not: it takes all it needs along.
   job_ = jobs_.start(
       tr("Writing %1").arg(QFileInfo(target).fileName()),
-      [opened = opened_, geometry = *geometry, correction = edit_->correction(), found = edit_->found(), cleaned,
+      [opened = opened_, geometry = *geometry, cleaning, correction = edit_->correction(), found = edit_->found(), cleaned,
        file = pathOf(target)](Progress& progress) -> Result<void> {
         const std::lock_guard<std::mutex> alone(opened->mutex);
         const auto beside = screenFileBeside(file);
         return saveTogether({file, beside}, [&](const OutputSet& outputs) -> Result<void> {
-          auto written = writeCleaned(opened->screen, geometry, {}, outputs.staged(file), progress);
+          auto written = writeCleaned(opened->screen, geometry, cleaning, outputs.staged(file), progress);
           if (!written) return passOn(written.error());
           *cleaned = *std::move(written);
           return writeScreen(found, correction, outputs.staged(beside));

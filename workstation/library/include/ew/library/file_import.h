@@ -22,6 +22,7 @@ enum class FileKind {
   sweep,          ///< a tracked sequence: to be reconstructed
   dicomPictures,  ///< a DICOM still or cine
   dicomVolume,    ///< an Enhanced US Volume
+  dicomStack,     ///< a folder of DICOM stills: a volume, one slice a file
   kretz,          ///< a GE Kretz file, also inside DICOM
   pictures,       ///< a folder of pictures, or one of several numbered pictures
   film,           ///< a film, also inside DICOM, or a TIFF: a recorded screen, to be cleaned (ew/acquisition/screen_recording.h)
@@ -36,6 +37,7 @@ enum class FileKind {
 struct ImportAnswers {
   std::optional<int> region;           ///< ultrasound region of a DICOM file, from 1; 0: the whole picture
   std::optional<glm::dvec2> pixel_mm;  ///< size of a pixel of DICOM pictures
+  std::optional<double> rate_hz = {};  ///< frames a second of DICOM pictures that do not say it
   std::optional<glm::dvec3>
       spacing_mm;  ///< of pictures and of volumes that do not know theirs; x is the spacing Kretz beams are converted to
   ColourRule colour = ColourRule::ask;
@@ -44,6 +46,7 @@ struct ImportAnswers {
   std::optional<int> timeStep;   ///< from 1
   std::optional<RawLayout> raw;  ///< then the file is read as raw samples, whatever it is
   bool mirrored = false;         ///< Kretz: the elevational axis turned over
+  bool acceptsSmall = false;     ///< a result with less than a tenth of the pixels is taken (KeptShare)
   bool asSequence = false;       ///< an Enhanced US Volume as planes with poses instead of a volume
 };
 
@@ -53,10 +56,12 @@ struct ImportedFile {
   std::optional<Cine> pictures;  ///< a cine, or planes with poses; its removed and notes are those below
   Removed removed;
   std::vector<Message> notes;
+  std::vector<Message> warnings = {};  ///< of the notes, those that make the result doubtful (LoadedVolume): told before the others
 };
 
 /// Reads whatever a user brings into a volume or a sequence of pictures, without any field that names a patient. Where an answer is missing
-/// the error's context entry "ask" says which: "region", "pixel-mm", "spacing", "colour", "blank", "time-step", "raw", "sequence".
+/// the error's context entry "ask" says which: "region", "pixel-mm", "spacing", "colour", "blank", "time-step", "raw", "sequence",
+/// "accept-small".
 /// @error as readVolume, readDicomCine, readDicomVolume, readKretz, readImageStack, readRawVolume; unsupported (a sweep: reconstruct it)
 [[nodiscard]] Result<ImportedFile> importFile(const std::filesystem::path& file, const ImportAnswers& answers,
                                               Progress& progress = noProgress(), const ReadLimits& limits = {});

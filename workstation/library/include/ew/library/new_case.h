@@ -30,6 +30,7 @@ struct SweepFile {
   std::optional<double> spacing_mm = {};   ///< of a voxel, 0.1 to 10; absent: as fine as the frames carry
   std::filesystem::path calibration = {};  ///< device set; empty: the recording says everything itself
   std::optional<Clip> clip = {};           ///< which pixels are image; absent: as device set or recording say
+  bool acceptsSmall = false;               ///< makes it also when less than a tenth of pixels or frames is used (KeptShare)
   bool looksForFan = true;                 ///< when nobody says it: the fan that is found in the images (fanOf); else whole frames
 };
 
