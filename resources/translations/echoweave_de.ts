@@ -11335,6 +11335,12 @@
     <message>
         <source>Shadows and reverberation, which the template switches on, are off: the recording has its own.</source>
         <translation>Schatten und Wiederholungsechos, die die Vorlage einschaltet, sind aus: Die Aufnahme hat ihre eigenen.</translation>
+        <source>handed in</source>
+        <translation>abgegeben</translation>
+    </message>
+    <message>
+        <source>as in the lesson; it was not scored since</source>
+        <translation>wie in der Lektion; seither nicht bewertet</translation>
     </message>
 </context>
 <context>
@@ -19849,6 +19855,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>The step that was running when the program ended was not kept; it begins anew.</source>
         <translation>Der Schritt, der lief, als das Programm endete, wurde nicht behalten; er beginnt von vorn.</translation>
     </message>
+    <message>
+        <source>This attempt began before the learning system started the lesson; its result is not told there.</source>
+        <translation>Dieser Versuch begann, bevor das Lernsystem die Lektion gestartet hat; sein Ergebnis wird dort nicht gemeldet.</translation>
+    </message>
 </context>
 <context>
     <name>ew::lessons::LessonPlayer</name>
@@ -23015,18 +23025,6 @@ Zeit: %3</translation>
         <translation>nein</translation>
     </message>
     <message>
-        <source>left out</source>
-        <translation>ausgelassen</translation>
-    </message>
-    <message>
-        <source>passed</source>
-        <translation>bestanden</translation>
-    </message>
-    <message>
-        <source>not passed</source>
-        <translation>nicht bestanden</translation>
-    </message>
-    <message>
         <source>How %1 stands</source>
         <translation>Wie %1 steht</translation>
     </message>
@@ -23184,10 +23182,6 @@ Zeit: %3</translation>
     <message>
         <source>Keeps your comments beside the attempt (Ctrl+S); they are also kept when another scan is chosen</source>
         <translation>Legt Ihre Kommentare beim Versuch ab (Strg+S); das geschieht auch, wenn ein anderer Scan gewählt wird</translation>
-    </message>
-    <message>
-        <source>somebody</source>
-        <translation>jemand</translation>
     </message>
     <message>
         <source>(drawing)</source>
@@ -23411,10 +23405,6 @@ Zeit: %3</translation>
 <context>
     <name>ew::review::ReviewColumn</name>
     <message>
-        <source>%1 of %2 passed</source>
-        <translation>%1 von %2 bestanden</translation>
-    </message>
-    <message>
         <source>Scans</source>
         <translation>Scans</translation>
     </message>
@@ -23509,6 +23499,8 @@ Zeit: %3</translation>
     <message>
         <source>What was written about the scan before could not be kept, so that one stays open; see to the message and choose again.</source>
         <translation>Was über die Aufnahme davor geschrieben wurde, konnte nicht aufbewahrt werden; deshalb bleibt sie offen. Beachten Sie die Meldung und wählen Sie noch einmal.</translation>
+        <source>somebody</source>
+        <translation>jemand</translation>
     </message>
 </context>
 <context>
@@ -23817,6 +23809,13 @@ Zeit: %3</translation>
     <message>
         <source>A recording from a file …</source>
         <translation>Eine Aufzeichnung aus einer Datei …</translation>
+        <source>%1, %2 on the steps</source>
+        <comment>attempt, time</comment>
+        <translation>%1, %2 für die Schritte</translation>
+    </message>
+    <message>
+        <source>%1 of %2 passed</source>
+        <translation>%1 von %2 bestanden</translation>
     </message>
 </context>
 <context>
@@ -23906,32 +23905,12 @@ Zeit: %3</translation>
         <translation>Kein Schritt gewählt</translation>
     </message>
     <message>
-        <source>passed</source>
-        <translation>bestanden</translation>
-    </message>
-    <message>
-        <source>left out</source>
-        <translation>ausgelassen</translation>
-    </message>
-    <message>
-        <source>handed in, not judged yet</source>
-        <translation>abgegeben, noch nicht beurteilt</translation>
-    </message>
-    <message>
-        <source>not passed</source>
-        <translation>nicht bestanden</translation>
-    </message>
-    <message>
         <source>%1, pass level %2: %3</source>
         <translation>%1, Bestehensgrenze %2: %3</translation>
     </message>
     <message>
         <source>The task alone %1. Poses known in %2 of the images. Scored with revision %3 of what counts.</source>
         <translation>Die Aufgabe allein %1. Posen in %2 der Bilder bekannt. Ausgewertet nach Revision %3 dessen, was zählt.</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
     <message>
         <source>As it was judged in the lesson; it was not scored since.</source>

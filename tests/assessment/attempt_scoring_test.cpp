@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <set>
 
 #include "assessment/assessed_world.h"
+#include "ew/assessment/attempt_result.h"
 
 namespace ew {
 namespace {
@@ -333,6 +335,77 @@ TEST(AssessmentPlans, ComeBackAndKeepEveryRevision) {
   next.passLevel = 0.6;
   EXPECT_EQ(keepPlan(world.library(), next)->revision, 2);
   EXPECT_TRUE(fs::exists(planFolder(world.library(), "ball", "about-balls") / "0001.json"));
+}
+
+/// A lesson and an attempt at it that passed every step with 0.8.
+std::pair<Lesson, Attempt> triedAll(const std::vector<LessonTask>& tasks) {
+  std::pair<Lesson, Attempt> made;
+  for (const LessonTask& task : tasks) {
+    LessonStep& step = made.first.steps.emplace_back();
+    step.id = "s" + std::to_string(made.first.steps.size());
+    step.task = task;
+    StepOutcome& outcome = made.second.outcomes.emplace_back();
+    outcome.stepId = step.id;
+    outcome.verdict = StepVerdict::passed;
+    outcome.score = 0.8;
+    outcome.seconds = 10.0;
+  }
+  made.second.finishedAt = std::chrono::sys_seconds{};
+  return made;
+}
+
+TEST(AttemptResult, CountsNoStepThatIsOnlyReadUnlessNothingElseIsThere) {
+  const auto [mixed, tried] = triedAll({ReadTask{}, AnswerTask{}, WatchTask{}});
+  const AttemptResult result = attemptResultOf(tried, &mixed, {}, {});
+  EXPECT_EQ(result.stepsJudged, 1u);
+  EXPECT_EQ(result.stepsPassed, 1u);
+  EXPECT_DOUBLE_EQ(*result.score(), 0.8);
+  EXPECT_EQ(result.passed(), true);
+  EXPECT_EQ(result.worked_s, 30.0);
+  EXPECT_FALSE(result.isScored);
+  const auto [read, both] = triedAll({ReadTask{}, ReadTask{}});
+  const AttemptResult ofReading = attemptResultOf(both, &read, {}, {});
+  EXPECT_EQ(ofReading.stepsJudged, 2u);
+  EXPECT_DOUBLE_EQ(*ofReading.score(), 0.8) << "not 0 and passed";
+  EXPECT_EQ(ofReading.passed(), true);
+  Attempt stopped = tried;
+  stopped.finishedAt.reset();
+  EXPECT_EQ(attemptResultOf(stopped, &mixed, {}, {}).passed(), false);
+  EXPECT_FALSE(attemptResultOf(tried, nullptr, {}, {}).isKnown);
+}
+
+TEST(AttemptResult, OfWhatWasHandedInWaits) {
+  auto [lesson, tried] = triedAll({ReadTask{}, AnswerTask{}});
+  tried.outcomes[1].verdict = StepVerdict::handedIn;
+  const AttemptResult result = attemptResultOf(tried, &lesson, {}, {});
+  EXPECT_FALSE(result.score());
+  EXPECT_FALSE(result.passed());
+  EXPECT_EQ(verdictWord(result).english(), "handed in");
+}
+
+TEST(AttemptResult, IsOfThePlanThatCountsNow) {
+  const auto [lesson, tried] = triedAll({AnswerTask{}, AnswerTask{}});
+  AssessmentPlan plan;
+  plan.revision = 2;
+  plan.at("s1").passLevel = 0.9;
+  AttemptScore kept;
+  kept.planRevision = 1;
+  kept.score = 0.3;
+  EXPECT_FALSE(attemptResultOf(tried, &lesson, plan, kept).isScored) << "an earlier plan's";
+  EXPECT_EQ(attemptResultOf(tried, &lesson, plan, kept).stepsPassed, 1u) << "0.9 are asked for";
+  kept.planRevision = 2;
+  kept.outcomes = 2;
+  kept.wasFinished = true;
+  EXPECT_EQ(attemptResultOf(tried, &lesson, plan, kept).score(), 0.3);
+  kept.outcomes = 1;
+  EXPECT_FALSE(attemptResultOf(tried, &lesson, plan, kept).isScored) << "the attempt has gone on since";
+}
+
+TEST(Verdicts, HaveOneWordEach) {
+  std::set<std::string> words;
+  for (const StepVerdict verdict : {StepVerdict::passed, StepVerdict::failed, StepVerdict::skipped, StepVerdict::handedIn})
+    words.insert(verdictWord(verdict).english());
+  EXPECT_EQ(words, (std::set<std::string>{"passed", "not passed", "skipped", "handed in"}));
 }
 
 TEST(AssessmentPlans, RefuseWhatCannotBe) {

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 
 namespace ew {
 namespace {
@@ -15,6 +17,49 @@ TEST(Score, IsPassingWithinToleranceAndNowhereElse) {
   EXPECT_EQ(scoreAt(3.0), 0.0);
   EXPECT_EQ(scoreAt(1e9), 0.0);
   for (double share = 0.0; share < 4.0; share += 0.01) EXPECT_GE(scoreAt(share), scoreAt(share + 0.01));
+}
+
+TEST(Tolerance, BelongsToWhatItAllowsInEveryDecimal) {
+  for (const double tolerance : {0.1, 0.2, 0.3, 0.7, 1.1, 2.5})
+    for (int tenths = -500; tenths <= 500; ++tenths) {
+      const double expected = tenths / 10.0, count = std::lround(10.0 * tolerance);
+      for (const double value : {(tenths + count) / 10.0, (tenths - count) / 10.0}) {
+        ASSERT_TRUE(isWithinTolerance(value, expected, tolerance)) << value << " of " << expected << " +- " << tolerance;
+        ASSERT_LE(shareOfTolerance(value, expected, tolerance), 1.0);
+      }
+      for (const double value : {(tenths + count) / 10.0 + 1e-6, (tenths - count) / 10.0 - 1e-6}) {
+        ASSERT_FALSE(isWithinTolerance(value, expected, tolerance)) << value << " of " << expected << " +- " << tolerance;
+        ASSERT_GT(shareOfTolerance(value, expected, tolerance), 1.0);
+      }
+    }
+  EXPECT_TRUE(isWithinTolerance(1e6 + 0.1, 1e6, 0.1)) << "binary fractions are coarser there";
+  EXPECT_TRUE(isWithinTolerance(3.0, 3.0, 0.0));
+  EXPECT_FALSE(isWithinTolerance(3.0000001, 3.0, 0.0));
+  EXPECT_FALSE(isWithinTolerance(std::numeric_limits<double>::infinity(), 0.0, 5.0));
+  EXPECT_FALSE(isWithinTolerance(std::numeric_limits<double>::quiet_NaN(), 0.0, 5.0));
+  EXPECT_TRUE(isWithinRange(0.1 + 0.2, 0.0, 0.3));
+  EXPECT_TRUE(reachesLevel((0.7 + 0.7 + 0.7) / 3.0, 0.7));
+  EXPECT_FALSE(reachesLevel(0.6999999, 0.7));
+}
+
+TEST(Tolerance, IsKeptByCalipersPointsAndSweeps) {
+  ExpectedMeasurement expected;
+  expected.value = 12.3;
+  expected.unit = "mm";
+  for (const double value : {12.1, 12.5}) {
+    const Judgement judged = judgeMeasurement(expected, value, {}, 0.2);
+    EXPECT_TRUE(judged.passed) << value;
+    EXPECT_GE(judged.score, kPassScore) << value;
+    ASSERT_EQ(judged.remarks.size(), 1u);
+    EXPECT_TRUE(judged.remarks.front().good);
+  }
+  EXPECT_FALSE(judgeMeasurement(expected, 12.09, {}, 0.2).passed);
+  ExpectedPoint point;
+  point.at_mm = {0.3, 0.0, 0.0};
+  point.tolerance_mm = 0.1;
+  EXPECT_TRUE(judgePointing(point, {0.4, 0.0, 0.0}).passed);
+  EXPECT_FALSE(judgePointing(point, {0.401, 0.0, 0.0}).passed);
+  EXPECT_TRUE(judgeSweep(0.1 * 3.0 + 0.6, 0.9).passed);
 }
 
 PlaneTarget target() { return {{}, {0.0, 50.0}}; }

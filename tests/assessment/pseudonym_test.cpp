@@ -41,12 +41,11 @@ Pseudonyms::Key keyOf(unsigned char byte) {
 
 TEST(Pseudonyms, AreShortAndTheSameForAKeyAlone) {
   const Pseudonyms one(keyOf(1)), other(keyOf(2));
-  const std::string code = one.ofAttempt("20261126-093000-4f2a91c7");
-  EXPECT_TRUE(std::regex_match(code, std::regex("A-[0-9A-HJKMNP-TV-Z]{4}-[0-9A-HJKMNP-TV-Z]{4}"))) << code;
-  EXPECT_EQ(Pseudonyms(keyOf(1)).ofAttempt("20261126-093000-4f2a91c7"), code);
-  EXPECT_NE(other.ofAttempt("20261126-093000-4f2a91c7"), code);
-  EXPECT_TRUE(one.ofPerson("Ada").starts_with("T-"));
-  EXPECT_NE(one.ofPerson("Ada").substr(2), one.ofAttempt("Ada").substr(2));
+  const std::string code = one.ofPerson("Ada");
+  EXPECT_TRUE(std::regex_match(code, std::regex("T-[0-9A-HJKMNP-TV-Z]{4}-[0-9A-HJKMNP-TV-Z]{4}"))) << code;
+  EXPECT_EQ(Pseudonyms(keyOf(1)).ofPerson("Ada"), code);
+  EXPECT_NE(other.ofPerson("Ada"), code);
+  EXPECT_EQ(one.ofReviewer("Ada"), "R" + code.substr(1)) << "the same person, who is no trainee here";
   EXPECT_NE(one.ofPerson("Ada"), one.ofPerson("ada"));
 }
 
@@ -68,10 +67,10 @@ TEST(Pseudonyms, AreTheBeginningOfTheHash) {
   EXPECT_EQ(one.ofPerson("Ada"), expected);
 }
 
-TEST(Pseudonyms, TellTenThousandAttemptsApart) {
+TEST(Pseudonyms, TellTenThousandPeopleApart) {
   const Pseudonyms one(keyOf(7));
   std::set<std::string> codes;
-  for (int n = 0; n < 10'000; ++n) codes.insert(one.ofAttempt("attempt-" + std::to_string(n)));
+  for (int n = 0; n < 10'000; ++n) codes.insert(one.ofPerson("person-" + std::to_string(n)));
   EXPECT_EQ(codes.size(), 10'000u);
 }
 
@@ -88,9 +87,9 @@ TEST(Pseudonyms, OfALibraryHaveAKeyThatIsMadeOnceAndOnlyItsOwnerReads) {
   const std::string key = textOf(file);
   const auto second = Pseudonyms::ofLibrary(library.path());
   ASSERT_TRUE(second);
-  EXPECT_EQ(second->ofAttempt("x"), first->ofAttempt("x"));
+  EXPECT_EQ(second->ofPerson("x"), first->ofPerson("x"));
   EXPECT_EQ(textOf(file), key);
-  EXPECT_NE(Pseudonyms::ofLibrary(another.path())->ofAttempt("x"), first->ofAttempt("x"));
+  EXPECT_NE(Pseudonyms::ofLibrary(another.path())->ofPerson("x"), first->ofPerson("x"));
   for (const auto& each : fs::directory_iterator(file.parent_path()))
     EXPECT_TRUE(each.path() == file || each.path().filename() == ".lock") << each.path();
 }

@@ -3,6 +3,7 @@
 
 #include "cli/cli_world.h"
 #include "ew/library/attempt.h"
+#include "ew/library/case.h"
 #include "records/record_server.h"
 #include "records/record_world.h"
 
@@ -118,6 +119,11 @@ TEST_F(RecordsCommand, WhatIsRefusedIsSaidAndTriedAgainOnlyWhenAsked) {
 
 TEST_F(RecordsCommand, TellsAnAttemptToTheSystemThatLaunchedIt) {
   int fetched = 0;
+  std::string lesson = "school/first-movements";
+  Attempt made = someAttempt();
+  made.caseId = "school";
+  made.id = "20261126-110000-4f2a91c9";
+  ASSERT_TRUE(KeptAttempt::begin(folder_.path() / "library/attempts", made));
   server_.authorization = "Basic dG9rZW4tMTc=";
   server_.other = [&](const ServerQuestion& question) -> std::optional<ServerAnswer> {
     if (question.target == "/fetch")
@@ -126,7 +132,9 @@ TEST_F(RecordsCommand, TellsAnAttemptToTheSystemThatLaunchedIt) {
     if (question.target.starts_with("/xapi/activities/state"))
       return ServerAnswer{
           200,
-          R"({"contextTemplate": {"extensions": {"urn:s": "42"}}, "launchMode": "Normal", "moveOn": "Passed", "masteryScore": 0.3})",
+          R"({"contextTemplate": {"extensions": {"urn:s": "42"}}, "launchMode": "Normal", "moveOn": "Passed", "masteryScore": 0.3,
+              "launchParameters": ")" +
+              lesson + R"("})",
           {}};
     if (question.target.starts_with("/xapi/agents/profile")) return ServerAnswer{404, "", {}};
     return std::nullopt;
@@ -135,8 +143,12 @@ TEST_F(RecordsCommand, TellsAnAttemptToTheSystemThatLaunchedIt) {
       "echoweave-cmi5:?endpoint=" + server_.endpoint() + "&fetch=http://127.0.0.1:" + std::to_string(server_.port()) +
       "/fetch&actor=%7B%22account%22%3A%7B%22homePage%22%3A%22https%3A%2F%2Flms.example%2F%22%2C%22name%22%3A%22l%22%7D%7D"
       "&registration=886313e1-3b8a-5372-9b90-0c9aee199e5d&activityId=https://lms.example/au/1";
-  const std::string attempt = folder_ / ("library/attempts/" + someAttempt().id);
-  const auto told = run({"records", "launch", url, attempt, "--rounds", "1"});
+  const std::string attempt = folder_ / ("library/attempts/" + made.id);
+  const auto others = run({"records", "launch", url, attempt, "--rounds", "1"});
+  EXPECT_EQ(others.status, 1);
+  EXPECT_NE(others.err.find("is by 'Ada Lovelace', and the launch is for 'l'"), std::string::npos) << others.err;
+  EXPECT_EQ(fetched, 0) << "a launch that tells nothing can be used again";
+  const auto told = run({"records", "launch", url, attempt, "--rounds", "1", "--person", "Ada Lovelace"});
   ASSERT_EQ(told.status, 0) << told.err;
   EXPECT_EQ(told.out, "127.0.0.1 knows of the attempt now.\n");
   const auto order = server_.order();
@@ -146,10 +158,65 @@ TEST_F(RecordsCommand, TellsAnAttemptToTheSystemThatLaunchedIt) {
   EXPECT_EQ(verbs, (std::vector<std::string>{"initialized", "completed", "passed", "terminated"}));
   EXPECT_EQ(server_.stored(order[2])["result"]["score"]["scaled"], (1.0 + 0.75) / 4.0) << "above the mastery score of the course";
   EXPECT_EQ(server_.stored(order[1])["result"]["duration"], "PT2M55.92S");
-  const auto again = run({"records", "launch", url, attempt, "--rounds", "1"});
+  const auto again = run({"records", "launch", url, attempt, "--rounds", "1", "--person", "Ada Lovelace"});
   EXPECT_EQ(again.status, 1);
   EXPECT_NE(again.err.find("given already"), std::string::npos) << again.err;
   EXPECT_TRUE(std::filesystem::is_empty(folder_ / "library/records")) << "nothing of a session stays";
+}
+
+TEST_F(RecordsCommand, TellsNothingOfAnAttemptAtAnotherLesson) {
+  server_.authorization = "Basic dG9rZW4tMTc=";
+  server_.other = [&](const ServerQuestion& question) -> std::optional<ServerAnswer> {
+    if (question.target == "/fetch") return ServerAnswer{200, R"({"auth-token": "dG9rZW4tMTc="})", {}};
+    if (question.target.starts_with("/xapi/activities/state"))
+      return ServerAnswer{
+          200, R"({"contextTemplate": {"a": {}}, "launchMode": "Normal", "launchParameters": "fetal-biometry/three-standard-planes"})", {}};
+    return ServerAnswer{404, "", {}};
+  };
+  const std::string url =
+      "echoweave-cmi5:?endpoint=" + server_.endpoint() + "&fetch=http://127.0.0.1:" + std::to_string(server_.port()) +
+      "/fetch&actor=%7B%22name%22%3A%22Lovelace%2C%20Ada%22%2C%22account%22%3A%7B%22homePage%22%3A%22https%3A%2F%2Flms.example%2F%22%2C"
+      "%22name%22%3A%22l%22%7D%7D&registration=886313e1-3b8a-5372-9b90-0c9aee199e5d&activityId=https://lms.example/au/1";
+  const auto told = run({"records", "launch", url, folder_ / ("library/attempts/" + someAttempt().id), "--rounds", "1"});
+  EXPECT_EQ(told.status, 1);
+  EXPECT_NE(told.err.find("starts the lesson fetal-biometry/three-standard-planes, and the attempt is at "
+                          "upper-abdomen-normal/first-movements"),
+            std::string::npos)
+      << told.err;
+  EXPECT_TRUE(server_.order().empty());
+}
+
+TEST_F(RecordsCommand, LeavesOutADamagedAttemptAndNamesIt) {
+  setUp(server_.endpoint());
+  for (const char* id : {"20261126-093000-damaged1", "20261126-093000-damaged2"}) {
+    std::filesystem::create_directories(folder_ / ("library/attempts/" + std::string(id)));
+    writeText(folder_ / ("library/attempts/" + std::string(id) + "/attempt.json"), R"({"format": 1, "id": 5, "case": 5})");
+  }
+  const auto shown = records({"add", "--dry-run"});
+  EXPECT_EQ(shown.status, 1);
+  EXPECT_EQ(nlohmann::json::parse(shown.out).size(), 8u) << "the sound one is shown";
+  const auto added = records({"add"});
+  EXPECT_EQ(added.status, 1);
+  EXPECT_NE(added.out.find("Took 8 statements of 1 attempt"), std::string::npos) << added.out;
+  for (const char* part : {"20261126-093000-damaged1", "20261126-093000-damaged2", "Left out: 2 of 3 attempts"})
+    EXPECT_NE(added.err.find(part), std::string::npos) << added.err;
+  EXPECT_NE(records({"list"}).out.find("8 statements to send"), std::string::npos);
+}
+
+TEST_F(RecordsCommand, CallsACaseAsTraineesMayReadIt) {
+  Attempt attempt = someAttempt();
+  attempt.id = "20261126-100000-4f2a91c8";
+  attempt.caseId = "upper-abdomen-gall-stone";
+  attempt.lessonId = "right-upper-quadrant";
+  const auto opened = loadCase(std::string(EW_SOURCE_DIR) + "/cases/upper-abdomen-gall-stone");
+  ASSERT_TRUE(opened) << opened.error();
+  ASSERT_NE(titleForTrainees(*opened), opened->title);
+  ASSERT_TRUE(KeptAttempt::begin(folder_.path() / "library/attempts", attempt));
+  setUp(server_.endpoint());
+  const auto shown = records({"add", folder_ / ("library/attempts/" + attempt.id), "--dry-run"});
+  ASSERT_EQ(shown.status, 0) << shown.err;
+  EXPECT_NE(shown.out.find(titleForTrainees(*opened)), std::string::npos) << shown.out;
+  EXPECT_EQ(shown.out.find(opened->title), std::string::npos) << shown.out;
 }
 
 /// A learning management system that launches a lesson, and a program in place of the window.
@@ -190,15 +257,18 @@ class LaunchedLesson : public RecordsCommand {
     for (const std::string& id : server_.order()) said.push_back(server_.stored(id)["verb"]["display"]["en"]);
     return said;
   }
-  /// An attempt that was finished just now, beside the library; the line of shell puts it there.
-  std::string finishesALesson() {
+  /// An attempt that was finished just now, beside the library; the line of shell puts it there. @param launch that began it; the
+  /// window's own where it says so
+  std::string finishesALesson(const std::string& launch = "THIS-LAUNCH", const std::string& id = "20991231-000000-aaaaaaaa") {
     Attempt attempt = someAttempt();
     attempt.caseId = "fetal-biometry";
     attempt.lessonId = "three-standard-planes";
-    attempt.id = "20991231-000000-aaaaaaaa";
+    attempt.id = id;
+    attempt.launch = launch;
     attempt.finishedAt = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()) + std::chrono::hours(1);
     EXPECT_TRUE(KeptAttempt::begin(folder_.path() / "aside", attempt));
-    return "mv '" + (folder_ / ("aside/" + attempt.id)) + "' '" + (folder_ / "library/attempts/") + "'";
+    return "sed -i \"s/THIS-LAUNCH/$ECHOWEAVE_LAUNCH/\" '" + (folder_ / ("aside/" + attempt.id + "/attempt.json")) + "'; mv '" +
+           (folder_ / ("aside/" + attempt.id)) + "' '" + (folder_ / "library/attempts/") + "'";
   }
   std::string parameters_ = "fetal-biometry/three-standard-planes";
   int fetched_ = 0;
@@ -212,6 +282,30 @@ TEST_F(LaunchedLesson, IsOpenedInTheWindowAndItsResultTold) {
   EXPECT_TRUE(words.starts_with("--launched-by 127.0.0.1\n")) << words;
   EXPECT_NE(words.find("fetal-biometry --lesson three-standard-planes\n"), std::string::npos) << words;
   EXPECT_TRUE(std::filesystem::is_empty(folder_ / "library/records")) << "nothing of a session stays";
+}
+
+TEST_F(LaunchedLesson, OfTwoLearnersOnOneLibraryTellsEachTheirOwn) {
+  // Another seat finishes the lesson meanwhile, launched or not, while this learner closes the window in the middle.
+  const std::string window =
+      windowThat(0, finishesALesson("", "20991231-000000-bbbbbbbb") + "; " + finishesALesson("0a5f.17-4", "20991231-000000-cccccccc"));
+  const auto told = run({"records", "launch", address(), "--wanted", "--window", window, "--rounds", "1"});
+  EXPECT_EQ(told.status, 0) << told.err;
+  EXPECT_EQ(verbs(), (std::vector<std::string>{"initialized", "terminated"})) << "nothing of the other's";
+  EXPECT_NE(told.err.find("is not told"), std::string::npos) << told.err;
+  // This learner finishes it as well, and the other once more afterwards.
+  const std::string both = windowThat(
+      0, finishesALesson("THIS-LAUNCH", "20991231-000000-dddddddd") + "; " + finishesALesson("0a5f.17-5", "20991231-000000-eeeeeeee"));
+  ASSERT_EQ(run({"records", "launch", address(), "--wanted", "--window", both, "--rounds", "1"}).status, 0);
+  const auto order = server_.order();
+  ASSERT_EQ(order.size(), 6u);
+  EXPECT_EQ(verbs()[4], "failed");
+  // Nor is another learner's attempt told to this one by its folder.
+  const auto others =
+      run({"records", "launch", address(), folder_ / "library/attempts/20991231-000000-eeeeeeee", "--person", "Ada Lovelace"});
+  EXPECT_EQ(others.status, 1);
+  EXPECT_NE(others.err.find("somebody else's launch"), std::string::npos) << others.err;
+  const auto own = run({"records", "launch", address(), folder_ / "library/attempts/20991231-000000-dddddddd", "--rounds", "1"});
+  EXPECT_EQ(own.status, 0) << own.err;
 }
 
 TEST_F(LaunchedLesson, IsNothingToAnybodyWhenTheLearnerDoesNotWantIt) {

@@ -10,8 +10,11 @@
 #include <QTableWidget>
 #include <QTranslator>
 #include <QTreeWidget>
+#include <cmath>
 
+#include "ew/assessment/attempt_result.h"
 #include "ew/assessment/attempt_scoring.h"
+#include "ew/assessment/pseudonym.h"
 #include "ew/assessment/rating.h"
 #include "ew/assessment/review_comment.h"
 #include "panel_hand.h"
@@ -180,7 +183,7 @@ class ReviewTest final : public WindowFixture {
     if (QTest::currentTestFailed()) return;
     chooseAnn();
     auto* compared = column().seen<QComboBox>("reviewCompared");
-    const int other = compared->findText(QStringLiteral("A-"), Qt::MatchStartsWith);  // Ben's attempt, by its code
+    const int other = compared->findText(QStringLiteral("T-"), Qt::MatchStartsWith);  // Ben's attempt, by its code
     QVERIFY(other > 0);
     compared->setCurrentIndex(other);
     Q_EMIT compared->activated(other);
@@ -361,7 +364,7 @@ class ReviewTest final : public WindowFixture {
     // Codes in place of names, until they are asked for.
     auto* attempts = column().seen<QListWidget>("reviewAttempts");
     QVERIFY2(!attempts->item(1)->text().contains(QStringLiteral("Ann")), qPrintable(attempts->item(1)->text()));
-    QVERIFY(attempts->item(1)->text().startsWith(QStringLiteral("A-")));
+    QVERIFY(attempts->item(1)->text().startsWith(QStringLiteral("T-")));
     showTab(2);
     auto* figures = column().seen<QTableWidget>("reviewMetrics");
     auto* all = column().seen<QCheckBox>("reviewAllFigures");
@@ -377,6 +380,24 @@ class ReviewTest final : public WindowFixture {
     const auto before = latestScore(ben_);
     QVERIFY(before->of("find")->passLevel == 0.7);
     keep("review-12-scored");
+    // What an attempt is called and worth here is what reports and records say.
+    const auto codes = Pseudonyms::ofLibrary(libraryFolder());
+    QVERIFY(codes);
+    AttemptResults results(libraryFolder());
+    for (const auto& folder : {ann_, ben_}) {
+      const auto kept = KeptAttempt::open(folder);
+      const AttemptResult result = results.of(folder, kept->attempt());
+      const QString first = QStringLiteral("%1 · %2 % · %3\n")
+                                .arg(QString::fromStdString(codes->ofPerson(kept->attempt().person)))
+                                .arg(std::lround(100.0 * *result.score()))
+                                .arg(QString::fromStdString(verdictWord(result).english()));
+      const QString steps = QStringLiteral("%1 of %2 passed").arg(result.stepsPassed).arg(result.stepsJudged);
+      QVERIFY2(result.stepsJudged == 3, "reading and watching do not count");
+      bool isThere = false;
+      for (int row = 0; row < attempts->count(); ++row)
+        isThere = isThere || (attempts->item(row)->text().startsWith(first) && attempts->item(row)->text().endsWith(steps));
+      QVERIFY2(isThere, qPrintable(first + steps));
+    }
     column().set("reviewLevel", 95.0);
     QVERIFY(waitUntil([this] { return isSettled() && latestScore(ben_)->planRevision == 1; }));
     QCOMPARE(latestScore(ben_)->of("find")->passLevel, 0.95);

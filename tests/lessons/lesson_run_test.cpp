@@ -9,6 +9,7 @@
 namespace ew::lessons {
 namespace {
 
+using ew::test::EnvironmentValue;
 using ew::test::TemporaryFolder;
 using test::held;
 using test::image;
@@ -76,6 +77,62 @@ TEST(LessonRunOfALesson, GoesOnAtTheStepThatWasNotEnded) {
   const LessonRun run(lesson(), std::move(*again));
   EXPECT_EQ(run.step().id, "plane");
   EXPECT_EQ(run.lostStep(), "plane");
+}
+
+TEST(LessonRunOfALesson, IsFinishedWithItsLastOutcomeThoughNobodyGoesOn) {
+  const TemporaryFolder folder;
+  auto run = LessonRun::begin(lesson(), "home", "", folder.path());
+  ASSERT_TRUE(run);
+  for (int n = 0; n < 2; ++n) {
+    ASSERT_TRUE(run->startStep(scene(), 10.0 * n));
+    ASSERT_TRUE(run->skipStep(10.0 * n + 1.0));
+    ASSERT_TRUE(run->next());
+  }
+  ASSERT_TRUE(run->startStep(scene(), 20.0));
+  EXPECT_FALSE(KeptAttempt::open(run->attempt()->folder())->attempt().finishedAt);
+  ASSERT_TRUE(run->endStep({}, 21.0));
+  const auto kept = KeptAttempt::open(run->attempt()->folder());  // the window is closed on the outcome
+  ASSERT_TRUE(kept->attempt().finishedAt);
+  EXPECT_EQ(*kept->attempt().finishedAt, kept->attempt().outcomes.back().at);
+  ASSERT_TRUE(run->startStep(scene(), 30.0)) << "the last step may be tried again";
+  ASSERT_TRUE(run->endStep({}, 31.0));
+  ASSERT_TRUE(run->next());
+  EXPECT_EQ(run->attempt()->attempt().outcomes.size(), 4u);
+  EXPECT_EQ(run->attempt()->attempt().finishedAt, run->attempt()->attempt().outcomes.back().at);
+}
+
+TEST(LessonRunOfALesson, IsFinishedWhenAnAttemptWhoseStepsHaveAllEndedIsGoneOnWith) {
+  const TemporaryFolder folder;
+  Attempt attempt;
+  attempt.id = "20260105-090000-885f5f0e";
+  attempt.caseId = "home";
+  attempt.lessonId = lesson().id;
+  for (const LessonStep& each : lesson().steps) {
+    StepOutcome outcome;
+    outcome.stepId = each.id;
+    outcome.verdict = StepVerdict::passed;
+    outcome.score = 1.0;
+    outcome.at = std::chrono::sys_days(std::chrono::year(2026) / 1 / 5) + std::chrono::hours(9);
+    attempt.outcomes.push_back(outcome);
+  }
+  auto kept = KeptAttempt::begin(folder.path(), attempt);
+  ASSERT_TRUE(kept) << kept.error();
+  const auto place = kept->folder();
+  const auto run = LessonRun::goOnWith(lesson(), std::move(*kept));
+  ASSERT_TRUE(run) << run.error();
+  EXPECT_TRUE(run->isOver());
+  EXPECT_EQ(KeptAttempt::open(place)->attempt().finishedAt, attempt.outcomes.back().at) << "as of its last outcome";
+  EXPECT_EQ(run->result({}).passed(), true);
+}
+
+TEST(LessonRunOfALesson, SaysWhichLaunchBeganIt) {
+  const TemporaryFolder folder;
+  const EnvironmentValue launch(kLaunchVariable, "0a5f-17.4");
+  const auto run = LessonRun::begin(lesson(), "home", "", folder.path());
+  ASSERT_TRUE(run);
+  EXPECT_EQ(KeptAttempt::open(run->attempt()->folder())->attempt().launch, "0a5f-17.4");
+  const EnvironmentValue odd(kLaunchVariable, "not a launch\n");
+  EXPECT_EQ(launchOfEnvironment(), "");
 }
 
 TEST(LessonRunOfALesson, LeavesPausesOutOfTheTimeAndTheRecording) {

@@ -101,6 +101,20 @@ TEST(AnswerStep, GivesNothingForChoosingEverything) {
   EXPECT_DOUBLE_EQ(judged(AnswerTask{{}, 12.0, 0.5, "mm"}, {}, {.number = 12.6}).score, 0.0);
 }
 
+TEST(AnswerStep, TakesANumberAtItsToleranceForRight) {
+  for (const auto& [expected, tolerance, answer] : {std::tuple(12.3, 0.2, 12.1), {0.3, 0.1, 0.4}, {0.3, 0.1, 0.2}, {5.0, 0.0, 5.0}}) {
+    AnswerTask task;
+    task.number = expected;
+    task.tolerance = tolerance;
+    const StepOutcome outcome = judged(task, {}, Handed{.number = answer});
+    EXPECT_EQ(outcome.score, 1.0) << answer << " of " << expected << " +- " << tolerance;
+  }
+  AnswerTask task;
+  task.number = 12.3;
+  task.tolerance = 0.2;
+  EXPECT_EQ(judged(task, {}, Handed{.number = 12.09}).score, 0.0);
+}
+
 TEST(FreeStep, TicksWhatWasShown) {
   const FreeTask task{10.0, {"middle", "ball"}};
   auto work = workOf(test::step(task), scene().ground());

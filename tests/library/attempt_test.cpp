@@ -50,6 +50,7 @@ Attempt begun() {
   attempt.lessonContent = "0123";
   attempt.person = "me";
   attempt.program = "0.1.0";
+  attempt.launch = "0a5f-17.4";
   attempt.startedAt = kMorning;
   return attempt;
 }

@@ -90,6 +90,24 @@ TEST(Standings, AnAttemptIsGoneOnWithOnlyWhileItIsTheLatest) {
   EXPECT_FALSE(firstOf({{"1", {passed("a")}, false}, {"2", {passed("a"), passed("b")}}}).interrupted);
 }
 
+TEST(Standings, AskWhoeverJudgesAttemptsWhatEachAmountsTo) {
+  const auto all =
+      tried({{"1", {passed("a"), passed("b")}}, {"2", {failed("a")}}, {"3", {passed("a")}, false}, {"4", {}, true, "first", "Bo"}});
+  std::vector<std::string> asked;
+  const Standings standings(all, "Ada", [&](const fs::path& folder, const Attempt& attempt) {
+    EXPECT_EQ(folder.filename(), attempt.id);
+    asked.push_back(attempt.id);
+    return attempt.id == "2" ? AttemptTally{1, 1, true} : AttemptTally{0, 1, false};
+  });
+  std::sort(asked.begin(), asked.end());
+  EXPECT_EQ(asked, (std::vector<std::string>{"1", "2"})) << "finished ones of this person";
+  const LessonStanding standing = standings.of("home", "first", {"a", "b"});
+  EXPECT_EQ(standing.attempts, 2u);
+  EXPECT_EQ(standing.bestPassed, 1u);
+  EXPECT_EQ(standing.counting(2), 1u);
+  EXPECT_TRUE(standing.isPassed(2)) << "by an instructor's plan, though no step was passed by the lesson";
+}
+
 TEST(Standings, SayWhenALessonWasWorkedOnLast) {
   EXPECT_EQ(firstOf({{"1", {passed("a")}}}).last, kMorning + std::chrono::minutes(5));
   EXPECT_EQ(firstOf({{"1", {ended("a", StepVerdict::passed, 3)}, false}}).last, kMorning + std::chrono::minutes(3));

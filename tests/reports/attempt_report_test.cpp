@@ -33,7 +33,7 @@ TEST(ReportOfAnAttempt, NamesNobodyUnlessAsked) {
   one.comments.files = {{"Prof. Comment", {ReviewComment{"a", "plane", "", 2.5, "Look here.", {}, {}, {}, {}}}, {}}};
   const std::string coded = htmlOf(attemptReport(one, madeLesson(), someCodes()), {});
   for (const char* name : {"Ana", "Gomez", "Rateress", "Prof. Comment"}) EXPECT_FALSE(holds(coded, name)) << name;
-  EXPECT_TRUE(holds(coded, someCodes().ofPerson("Dr. Rateress")));
+  EXPECT_TRUE(holds(coded, someCodes().ofReviewer("Dr. Rateress")));
   EXPECT_TRUE(holds(coded, "Look here."));
   const ReportOptions named{.names = true};
   const std::string text = htmlOf(attemptReport(one, madeLesson(), someCodes(), named), named);
@@ -86,6 +86,44 @@ TEST(ReportOfAnAttempt, WithoutAScoreHasWhatTheLessonSaid) {
   EXPECT_TRUE(holds(text, "Score: not scored yet"));
   EXPECT_TRUE(holds(text, "Ended: not finished"));
   EXPECT_TRUE(holds(text, "3. answer"));
+}
+
+TEST(ReportOfAnAttempt, SaysWhatWasHandedIn) {
+  ReportedAttempt one = madeAttempt(1, 0.9, 0.2);
+  one.score.reset();
+  for (StepOutcome& outcome : one.attempt.outcomes) outcome.verdict = StepVerdict::handedIn;
+  for (const char* id : {"read", "plane", "answer"}) {
+    if (!one.lesson) one.lesson.emplace();
+    one.lesson->steps.emplace_back().id = id;
+    one.lesson->steps.back().task = AnswerTask{};
+  }
+  const std::string text = plainTextOf(attemptReport(one, madeLesson(), someCodes()));
+  EXPECT_FALSE(holds(text, "skipped")) << text;
+  EXPECT_EQ(test::countOf(text, "Verdict: handed in"), 4u) << text;
+  EXPECT_FALSE(holds(text, "Score: ")) << "nobody has judged it: " << text;
+}
+
+TEST(ReportOfAnAttempt, SaysWhenInTheScanACommentIsAndWhoWroteIt) {
+  const test::TemporaryFolder folder;
+  ReportedAttempt one = madeAttempt(1, 0.9, 0.9);
+  one.folder = folder.path();
+  // The scan's clock began with the program, a quarter of an hour before the step.
+  ScanRecording recording{"ball", "Ball", {64, 48}, test::scanAlong([](double) { return test::heldAt(); }, 5.0, 20.0, 892.6), {}};
+  ASSERT_TRUE(writeRecording(recording, folder / "plane.seq.mha"));
+  one.attempt.outcomes[1].recording = "plane.seq.mha";
+  ReviewComment comment;
+  comment.stepId = "plane";
+  comment.recording = "plane.seq.mha";
+  comment.time_s = 896.0;
+  comment.text = "Here.";
+  ReviewComment lost = comment;
+  lost.recording = "gone.seq.mha";
+  lost.text = "There.";
+  one.comments.files = {{"Dr. Weiss", {comment, lost}, {}}};
+  const std::string text = plainTextOf(attemptReport(one, madeLesson(), someCodes()));
+  const std::string author = someCodes().ofReviewer("Dr. Weiss");
+  EXPECT_TRUE(holds(text, author + ", at 3.40 s of the scan: Here.")) << text;
+  EXPECT_TRUE(holds(text, author + ": There.")) << "no moment rather than a wrong one: " << text;
 }
 
 TEST(ReportOfAnAttempt, TellsFilesWithoutTheFoldersOfSomebodysComputer) {

@@ -80,6 +80,31 @@ TEST(Table, HasWhatTheLessonSaidOfAttemptsWithoutAScore) {
   EXPECT_EQ(lines[1]["lesson_score"], "");
 }
 
+TEST(Table, SaysOfAnExaminationThatItIsHandedIn) {
+  EW_NEEDS_PROGRAM("python3");
+  ReportedAttempt one = madeAttempt(1, 0.9, 0.25);
+  one.score.reset();
+  one.attempt.outcomes[1].verdict = StepVerdict::handedIn;
+  for (const bool isKnown : {true, false}) {
+    if (isKnown) {
+      one.lesson.emplace();
+      for (const StepOutcome& outcome : one.attempt.outcomes) {
+        one.lesson->steps.emplace_back().id = outcome.stepId;
+        one.lesson->steps.back().task = PlaneTask{};
+      }
+    } else {
+      one.lesson.reset();
+    }
+    const json lines = readByPython(csvOf({one}, someCodes()));
+    ASSERT_EQ(lines.size(), 3u);
+    EXPECT_EQ(lines[0]["lesson_verdict"], isKnown ? "handed in" : "");
+    EXPECT_EQ(lines[1]["verdict"], "handed in");
+    EXPECT_EQ(lines[1]["score"], "");
+    EXPECT_EQ(lines[2]["verdict"], "not passed");
+    EXPECT_EQ(lines[2]["lesson_score"], "");
+  }
+}
+
 TEST(Table, OfNobodyHasItsNamesAlone) {
   const std::string table = csvOf({}, someCodes());
   EXPECT_TRUE(table.starts_with("attempt,person,case,"));

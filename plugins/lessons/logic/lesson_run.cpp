@@ -50,10 +50,28 @@ Result<LessonRun> LessonRun::begin(Lesson lesson, const std::string& caseId, con
   attempt.lessonContent = contentOf(lesson);
   attempt.person = person;
   attempt.program = kVersion;
+  attempt.launch = launchOfEnvironment();
   if (!sealedAnswers.empty()) attempt = withSealedAnswers(std::move(attempt), sealedAnswers);
   auto kept = KeptAttempt::begin(attempts, std::move(attempt));
   if (!kept) return passOn(kept.error());
   return LessonRun(std::move(lesson), std::move(*kept));
+}
+
+Result<LessonRun> LessonRun::goOnWith(Lesson lesson, KeptAttempt attempt) {
+  LessonRun run(std::move(lesson), std::move(attempt));
+  const Attempt& tried = run.attempt_->attempt();
+  if (run.isOver() && !tried.finishedAt && !tried.outcomes.empty())
+    if (auto finished = run.attempt_->finish(tried.outcomes.back().at); !finished) return passOn(finished.error());
+  return run;
+}
+
+AttemptResult LessonRun::result(const AssessmentPlan& plan) const {
+  Attempt tried = attempt_ ? attempt_->attempt() : Attempt();
+  if (!attempt_) {
+    tried.outcomes = unkept_;
+    if (isOver()) tried.finishedAt = now();
+  }
+  return attemptResultOf(tried, &lesson_, plan, attempt_ ? latestScore(attempt_->folder()) : std::nullopt);
 }
 
 const StepOutcome* LessonRun::outcomeOf(const std::string& stepId) const {
@@ -204,7 +222,9 @@ Result<StepOutcome> LessonRun::keep(StepOutcome outcome, const KeepFiles& keepFi
       outcome.recording = name;
     }
     if (keepFiles) outcome.pictures = keepFiles(*attempt_);
-    if (auto ended = attempt_->endStep(outcome); !ended) return passOn(ended.error());
+    // Finished with the last outcome, whatever becomes of the window then.
+    if (auto ended = attempt_->endStep(outcome, isLastOpen() ? std::optional(outcome.at) : std::nullopt); !ended)
+      return passOn(ended.error());
   } else {
     unkept_.push_back(outcome);
   }
@@ -232,6 +252,11 @@ Result<StepOutcome> LessonRun::skipStep(double now_s) {
   return keep(std::move(outcome), {});
 }
 
+bool LessonRun::isLastOpen() const {
+  return std::all_of(lesson_.steps.begin(), lesson_.steps.end(),
+                     [&](const LessonStep& each) { return each.id == step().id || outcomeOf(each.id) != nullptr; });
+}
+
 Result<void> LessonRun::next() {
   EW_EXPECTS(!isRunning() && !isOver());
   if (isRepeated_) {
@@ -239,7 +264,7 @@ Result<void> LessonRun::next() {
     at_ = lesson_.steps.size();
     return {};
   }
-  if (at_ + 1 == lesson_.steps.size() && attempt_)
+  if (at_ + 1 == lesson_.steps.size() && attempt_ && !attempt_->attempt().finishedAt)
     if (auto finished = attempt_->finish(now()); !finished) return finished;
   ++at_;
   return {};

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ew/assessment/attempt_result.h"
 #include "ew/scanning/events.h"
 #include "logic/step_scene.h"
 
@@ -23,6 +24,10 @@ class LessonRun {
   [[nodiscard]] static Result<LessonRun> begin(Lesson lesson, const std::string& caseId, const std::string& person,
                                                const std::filesystem::path& attempts, const std::string& sealedAnswers = {});
 
+  /// An attempt that was stopped, at the first step that nobody has ended. One whose steps have all ended is finished now, as of its last
+  /// outcome: its window was closed before anybody went on. @error as KeptAttempt::finish
+  [[nodiscard]] static Result<LessonRun> goOnWith(Lesson lesson, KeptAttempt attempt);
+
   [[nodiscard]] const Lesson& lesson() const { return lesson_; }
   /// Which step is next or runs; as many as there are steps: the lesson is over.
   [[nodiscard]] std::size_t at() const { return at_; }
@@ -34,6 +39,8 @@ class LessonRun {
   [[nodiscard]] const StepOutcome* outcomeOf(const std::string& stepId) const;
   /// Steps passed, of all: 0 to 1.
   [[nodiscard]] double passedShare() const;
+  /// What it amounts to by now, as everybody else says it. @param plan of the lesson
+  [[nodiscard]] AttemptResult result(const AssessmentPlan& plan) const;
   /// The step that a crash or a kill took, and that begins anew; empty: none.
   [[nodiscard]] const std::string& lostStep() const { return lostStep_; }
   [[nodiscard]] const std::optional<KeptAttempt>& attempt() const { return attempt_; }
@@ -65,14 +72,15 @@ class LessonRun {
   [[nodiscard]] bool takeTimeUp(double now_s);
 
   /// Ends the step, judges it, or hands it in when its answers are sealed, and keeps its outcome, with a recording of the scan when there
-  /// was one. The run stands at the same step until next() or again(). @param keepFiles writes pictures into the attempt's folder and
-  /// returns their names
+  /// was one. With the last step that was open the attempt is finished. The run stands at the same step until next() or again(). @param
+  /// keepFiles writes pictures into the attempt's folder and returns their names
   /// @error as KeptAttempt::endStep, as writeRecording: then the step goes on
   using KeepFiles = std::function<std::vector<std::string>(const KeptAttempt&)>;
   [[nodiscard]] Result<StepOutcome> endStep(const Handed& handed, double now_s, const KeepFiles& keepFiles = {});
   /// Leaves the step without judging it: it counts as skipped. @error as endStep
   [[nodiscard]] Result<StepOutcome> skipStep(double now_s);
-  /// Goes to the step after this one; finishes the attempt after the last. @error as KeptAttempt::finish
+  /// Goes to the step after this one; after the last the attempt is finished, should a step have been lost meanwhile. @error as
+  /// KeptAttempt::finish
   [[nodiscard]] Result<void> next();
   /// Back to a step that was ended, to try it once more; next() then leads to the end again. Expects that none runs.
   void goBackTo(std::size_t step);
@@ -81,6 +89,8 @@ class LessonRun {
 
  private:
   [[nodiscard]] Result<StepOutcome> keep(StepOutcome outcome, const KeepFiles& keepFiles);
+  /// Whether all other steps of the lesson have an outcome.
+  [[nodiscard]] bool isLastOpen() const;
   /// A moment of the scan that its recording keeps, once there is an image: whoever measures motion has to know when nobody scanned.
   void note(const char* kind, double now_s);
   void stop();

@@ -56,7 +56,7 @@ void LessonList::showLessons(const std::vector<Lesson>& lessons, const std::vect
       rows->addWidget(aim);
     }
     if (stands.attempts > 0) {
-      auto* done = sdk::quietLabel(tr("%1 of %2 steps passed").arg(stands.bestPassed).arg(lesson.steps.size()));
+      auto* done = sdk::quietLabel(tr("%1 of %2 steps passed").arg(stands.bestPassed).arg(stands.counting(lesson.steps.size())));
       done->setObjectName(QStringLiteral("lessonProgress"));
       rows->addWidget(done);
     }

@@ -93,7 +93,7 @@ void LessonPlayer::play(LessonRun run, const Case& home, CaseWords words, std::o
   run_.emplace(std::move(run));
   truth_.reset();  // the case may have been edited since
   ++loads_;
-  if (run_->isOver()) return nextStep();
+  if (run_->isOver()) return showSummary();  // the window was closed on its last outcome
   openStep();
 }
 
@@ -304,9 +304,14 @@ void LessonPlayer::nextStep() {
   if (run_->isOver()) return finish();  // back from the summary
   if (auto gone = run_->next(); !gone) return fail(gone.error());
   if (!run_->isOver()) return openStep();
+  showSummary();
+}
+
+void LessonPlayer::showSummary() {
   timer_.stop();
   kept_.forget();
-  outcome_->showLesson(*run_);
+  const auto plan = readPlan(libraryFolder(), homeCase_, run_->lesson().id);
+  outcome_->showLesson(*run_, run_->result(plan ? *plan : AssessmentPlan()));
   pages_->setCurrentIndex(kOutcome);
 }
 

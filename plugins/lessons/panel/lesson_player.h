@@ -54,6 +54,7 @@ class LessonPlayer final : public QWidget {
   void endStep();
   void skipStep();
   void nextStep();
+  void showSummary();
   void takeCase();  ///< another one is open, or none
   void leaveForAnotherCase();
   void finish();

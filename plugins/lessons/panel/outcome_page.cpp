@@ -115,29 +115,29 @@ void OutcomePage::showExercise(const LessonStep& step, const StepOutcome& outcom
   offer(true);
 }
 
-void OutcomePage::showLesson(const LessonRun& run) {
+void OutcomePage::showLesson(const LessonRun& run, const AttemptResult& result) {
   remarks_->clear();
   const auto& steps = run.lesson().steps;
-  std::size_t passed = 0, handedIn = 0;
-  const auto handedInBefore = std::count_if(steps.begin(), steps.end(), [&](const LessonStep& step) {
-    const StepOutcome* outcome = run.outcomeOf(step.id);
-    return outcome != nullptr && outcome->verdict == StepVerdict::handedIn;
-  });
   for (const LessonStep& step : steps) {
     const StepOutcome* outcome = run.outcomeOf(step.id);
-    const bool good = outcome != nullptr && outcome->verdict == StepVerdict::passed;
+    const StepScore* scored = result.counted.of(step.id);
     const bool isHandedIn = outcome != nullptr && outcome->verdict == StepVerdict::handedIn;
-    passed += good ? 1 : 0;
-    handedIn += isHandedIn ? 1 : 0;
-    addStep(static_cast<int>(&step - steps.data()), good || isHandedIn, words(step.title), handedInBefore == 0);
+    const bool good = outcome != nullptr && scored != nullptr && scored->verdict == StepVerdict::passed;
+    addStep(static_cast<int>(&step - steps.data()), good || isHandedIn, words(step.title), result.stepsHandedIn == 0);
   }
   remarks_->rows()->addStretch(1);
-  heading_->setText(passed == steps.size() ? tr("Lesson passed: %1").arg(words(run.lesson().title))
-                                           : tr("Lesson finished: %1").arg(words(run.lesson().title)));
-  figure_->setText(tr("%1 of %2 steps passed").arg(passed).arg(steps.size()));
-  if (handedIn > 0) {
+  heading_->setText(result.passed().value_or(false) ? tr("Lesson passed: %1").arg(words(run.lesson().title))
+                                                    : tr("Lesson finished: %1").arg(words(run.lesson().title)));
+  figure_->setText(tr("%1 of %2 steps passed").arg(result.stepsPassed).arg(result.stepsJudged));
+  if (!result.passed()) {
     heading_->setText(tr("Examination handed in: %1").arg(words(run.lesson().title)));
-    figure_->setText(tr("%1 of %2 steps handed in; an instructor judges them afterwards.").arg(handedIn + passed).arg(steps.size()));
+    const auto isEnded = [&](const LessonStep& step) {
+      const StepOutcome* outcome = run.outcomeOf(step.id);
+      return outcome != nullptr && (outcome->verdict == StepVerdict::handedIn || outcome->verdict == StepVerdict::passed);
+    };
+    figure_->setText(tr("%1 of %2 steps handed in; an instructor judges them afterwards.")
+                         .arg(std::count_if(steps.begin(), steps.end(), isEnded))
+                         .arg(steps.size()));
   }
   again_->setVisible(false);
   next_->setText(tr("Back to the lessons"));

@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+#include "ew/assessment/attempt_result.h"
 #include "ew/library/attempt.h"
 #include "ew/library/lesson.h"
 #include "panel/click_guard.h"
@@ -22,7 +23,8 @@ class OutcomePage final : public QWidget {
  public:
   explicit OutcomePage(QWidget* parent = nullptr);
   void showStep(const LessonStep& step, const StepOutcome& outcome, bool isLast);
-  void showLesson(const LessonRun& run);
+  /// @param result of the run: what everybody else says of it
+  void showLesson(const LessonRun& run, const AttemptResult& result);
   /// Of an exercise. @param then when it comes again
   void showExercise(const LessonStep& step, const StepOutcome& outcome, const QString& then);
 

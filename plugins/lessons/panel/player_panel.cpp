@@ -5,6 +5,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include "ew/assessment/attempt_result.h"
 #include "ew/assessment/kept_repetition.h"
 #include "ew/library/learning.h"
 #include "ew/library/lesson_links.h"
@@ -74,7 +75,7 @@ PlayerPanel::PlayerPanel(sdk::Host& host, std::function<void(bool)> working, QWi
                 if (lessonOf(item) == nullptr) return;
                 player_->leave();
                 exercises_->leave();
-                goOn(item);
+                goOn(item, !launchOfEnvironment().empty() && !std::exchange(hasBegunLaunched_, true));
               })};
   showCase();
 }
@@ -114,7 +115,9 @@ void PlayerPanel::stop() {
 
 void PlayerPanel::showLessons() {
   if (!case_ || (lessons_.empty() && !ExerciseCard::couldAsk(*case_))) return pages_->setCurrentIndex(kEmpty);
-  const Standings standings(listAttempts(ownAttempts()), sdk::personWhoLearns());
+  AttemptList attempts = listAttempts(ownAttempts());
+  std::erase_if(attempts.attempts, [this](const auto& each) { return each.second.caseId != case_->id; });
+  const Standings standings(attempts, sdk::personWhoLearns(), attemptJudgeOf(libraryFolder()));
   words_ = wordsOf(case_->folder, QLocale().name().toStdString());
   std::vector<LessonStanding> stands;
   std::vector<Lesson> shown;
@@ -145,19 +148,26 @@ void PlayerPanel::begin(const std::string& lessonId) {
   take(LessonRun::begin(*lesson, case_->id, sdk::personWhoLearns(), ownAttempts(), case_->sealed ? case_->sealed->sha256 : std::string()));
 }
 
-void PlayerPanel::goOn(const std::string& lessonId) {
+void PlayerPanel::goOn(const std::string& lessonId, bool isLaunched) {
   const Lesson* lesson = lessonOf(lessonId);
   if (lesson == nullptr || !case_) return;
   const LessonStanding standing = Standings(listAttempts(ownAttempts()), sdk::personWhoLearns()).of(case_->id, *lesson);
   if (!standing.interrupted) return begin(lessonId);
   auto kept = KeptAttempt::open(*standing.interrupted);
   if (!kept) return fail(kept.error());
+  const std::string launch = launchOfEnvironment();
+  const bool isUntold = !launch.empty() && kept->attempt().launch != launch;
+  if (isUntold && isLaunched) return begin(lessonId);
   const bool isChanged = kept->attempt().lessonContent != contentOf(*lesson);
-  LessonRun run(*lesson, std::move(*kept));
-  const bool isLost = !run.lostStep().empty();
+  auto run = LessonRun::goOnWith(*lesson, std::move(*kept));
+  if (!run) return fail(run.error());
+  const bool isLost = !run->lostStep().empty();
   auto left = player_->kept().takeLeft(*standing.interrupted);
-  const bool isKept = left && left->stepId == run.lostStep() && left->log.frameCount() > 0;
+  const bool isKept = left && left->stepId == run->lostStep() && left->log.frameCount() > 0;
   take(std::move(run), std::move(left));
+  if (isUntold)
+    host_.window().info(tr("This attempt began before the learning system started the lesson; its result is not told there.").toStdString(),
+                        "attempt not told");
   if (isChanged)
     host_.window().info(tr("The lesson was changed since this attempt began; its steps are those of today.").toStdString(),
                         "lesson changed");

@@ -36,7 +36,8 @@ class PlayerPanel final : public QWidget {
   void showCase();
   void showLessons();
   void begin(const std::string& lessonId);
-  void goOn(const std::string& lessonId);
+  /// @param isLaunched a learning system started the window for it: it is told of an attempt that begins now, and of no other
+  void goOn(const std::string& lessonId, bool isLaunched = false);
   void take(Result<LessonRun> run, std::optional<StepAutosave::Left> left = std::nullopt);
   void beginExercises();
   void stop();
@@ -50,6 +51,7 @@ class PlayerPanel final : public QWidget {
   CaseWords words_;              ///< of the case that holds the lesson
   std::vector<Lesson> lessons_;  ///< of the open case, as they were written
   std::vector<sdk::Ticket> tickets_;
+  bool hasBegunLaunched_ = false;  ///< the lesson that this window was started for
 
   QStackedWidget* pages_ = nullptr;
   QLabel* problem_ = nullptr;

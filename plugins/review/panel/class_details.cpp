@@ -12,6 +12,7 @@
 namespace ew::review {
 
 using sdk::kGap_px;
+using sdk::words;
 
 void ClassPage::showAttempts() {
   attempts_->clear();
@@ -29,7 +30,9 @@ void ClassPage::showAttempts() {
     item->setText(kWho, who);
     item->set(kScore, here->isSkipped ? QStringLiteral("–") : percentBeside(here->score, level), here->isSkipped ? -1.0 : here->score);
     item->setText(kVerdict, here->isSkipped ? QStringLiteral("–") : here->isPassed ? tr("yes") : tr("no"));
-    item->setToolTip(kVerdict, here->isSkipped ? tr("left out") : here->isPassed ? tr("passed") : tr("not passed"));
+    item->setToolTip(kVerdict, words(verdictWord(here->isSkipped  ? StepVerdict::skipped
+                                                 : here->isPassed ? StepVerdict::passed
+                                                                  : StepVerdict::failed)));
     item->setTextAlignment(kVerdict, Qt::AlignRight | Qt::AlignVCenter);
     auto* stands = new QComboBox;
     stands->setProperty("small", true);

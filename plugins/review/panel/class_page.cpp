@@ -30,18 +30,15 @@ QString nameOfFigure(const std::string& name) {
   return metric != nullptr ? words(metric->name) : words(name);
 }
 
-StepResult resultOf(const StepScore& score) {
+/// @param isScored its metrics are there; else the figures that the lesson judged by
+StepResult stepResultOf(const StepScore& score, bool isScored) {
   StepResult made{score.stepId, score.score, score.verdict == StepVerdict::passed, score.verdict == StepVerdict::skipped, {}};
   for (const MetricValue& value : score.metrics) {
     const Metric* metric = metricOf(value.id);
     if (metric != nullptr && metric->version == value.version) made.figures.push_back({value.id, value.value, std::string(metric->unit)});
   }
-  return made;
-}
-
-StepResult resultOf(const StepOutcome& outcome) {
-  StepResult made{outcome.stepId, outcome.score, outcome.verdict == StepVerdict::passed, outcome.verdict == StepVerdict::skipped, {}};
-  for (const AttemptFigure& figure : outcome.figures) made.figures.push_back({figure.name, figure.value, figure.unit});
+  if (!isScored)
+    for (const AttemptFigure& figure : score.figures) made.figures.push_back({figure.name, figure.value, figure.unit});
   return made;
 }
 
@@ -155,14 +152,12 @@ std::vector<AttemptResult> ClassPage::results() const {
   for (std::size_t n = 0; n < of->attempts.size(); ++n) {
     const Attempt& tried = of->attempts[n].second;
     AttemptResult made{tried.id, {}};
-    const AttemptScore* score = session_.scoreOf(n);
+    const ew::AttemptResult result = session_.resultOf(n);
     for (const LessonStep& step : of->lesson.steps) {
-      const StepOutcome* outcome = tried.outcomeOf(step.id);
-      if (outcome == nullptr) continue;  // a step that was never reached says nothing about the step
-      const StepScore* scored = score != nullptr ? score->of(step.id) : nullptr;
-      const StepVerdict verdict = scored != nullptr ? scored->verdict : outcome->verdict;
-      if (verdict == StepVerdict::handedIn) continue;  // nobody has judged it yet
-      made.steps.push_back(scored != nullptr ? resultOf(*scored) : resultOf(*outcome));
+      if (tried.outcomeOf(step.id) == nullptr) continue;  // a step that was never reached says nothing about the step
+      const StepScore* counted = result.counted.of(step.id);
+      if (counted == nullptr || counted->verdict == StepVerdict::handedIn) continue;  // nobody has judged it yet
+      made.steps.push_back(stepResultOf(*counted, result.isScored));
     }
     all.push_back(std::move(made));
   }

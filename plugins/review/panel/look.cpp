@@ -9,6 +9,8 @@
 #include <QSvgRenderer>
 #include <cmath>
 
+#include "ew/assessment/judging.h"
+
 namespace ew::review {
 namespace {
 
@@ -75,7 +77,7 @@ QString clockText(double time_s) {
 QString percent(double share) { return QLocale().toString(100.0 * share, 'f', 0) + QStringLiteral(" %"); }
 
 QString percentBeside(double share, double level) {
-  const bool isHidden = share < level && std::round(100.0 * share) >= std::round(100.0 * level);
+  const bool isHidden = !reachesLevel(share, level) && std::round(100.0 * share) >= std::round(100.0 * level);
   return isHidden ? QLocale().toString(std::floor(1000.0 * share) / 10.0, 'f', 1) + QStringLiteral(" %") : percent(share);
 }
 

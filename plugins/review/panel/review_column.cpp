@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <set>
 
+#include "ew/reports/report_document.h"
 #include "ew/sdk/panel.h"
 #include "ew/sdk/person.h"
 #include "panel/comments_page.h"
@@ -42,19 +43,6 @@ QComboBox* choice(const char* name, const QString& spoken) {
   made->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   made->setMinimumContentsLength(12);
   return made;
-}
-
-/// Of the steps that have a verdict: passed ones are counted once.
-QString passedOf(const ShelvedLesson& lesson, const Attempt& tried, const AttemptScore* score) {
-  int passed = 0, counted = 0;
-  for (const LessonStep& step : lesson.lesson.steps) {
-    if (std::holds_alternative<ReadTask>(step.task) || std::holds_alternative<WatchTask>(step.task)) continue;
-    ++counted;
-    const StepScore* scored = score != nullptr ? score->of(step.id) : nullptr;
-    const StepOutcome* outcome = tried.outcomeOf(step.id);
-    passed += (scored != nullptr ? scored->verdict == StepVerdict::passed : outcome != nullptr && outcome->verdict == StepVerdict::passed);
-  }
-  return ReviewColumn::tr("%1 of %2 passed").arg(passed).arg(counted);
 }
 
 }  // namespace
@@ -177,12 +165,16 @@ void ScansPage::showAttempts() {
   }
   for (std::size_t n = 0; n < of->attempts.size(); ++n) {
     const Attempt& tried = of->attempts[n].second;
-    const AttemptScore* score = session_.scoreOf(n);
-    QString state = tried.finishedAt ? passedOf(*of, tried, score) : tr("not finished");
-    QString who = session_.personOf(tried);
-    if (score != nullptr) who += QStringLiteral(" · ") + percent(score->score);
-    auto* item = new QListWidgetItem(who + QLatin1Char('\n') + when(tried.startedAt) + QStringLiteral(" · ") + state, attempts_);
-    item->setToolTip(item->text());
+    const ew::AttemptResult result = session_.resultOf(n);
+    QStringList said = {session_.personOf(tried)};
+    if (tried.finishedAt) {
+      if (const auto score = result.score()) said.push_back(percent(*score));
+      said.push_back(words(verdictWord(result)));
+    }
+    const QString state = tried.finishedAt ? tr("%1 of %2 passed").arg(result.stepsPassed).arg(result.stepsJudged) : tr("not finished");
+    auto* item = new QListWidgetItem(
+        said.join(QStringLiteral(" · ")) + QLatin1Char('\n') + when(tried.startedAt) + QStringLiteral(" · ") + state, attempts_);
+    item->setToolTip(tr("%1, %2 on the steps", "attempt, time").arg(item->text(), words(durationText(result.worked_s))));
   }
   attempts_->setCurrentRow(session_.attemptNumber() ? static_cast<int>(*session_.attemptNumber()) : -1);
 }

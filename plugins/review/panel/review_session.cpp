@@ -75,6 +75,7 @@ void ReviewSession::readShelf() {
           const std::string attemptId = attempt() ? attempt()->second.id : std::string();
           shelf_ = made;
           scores_ = std::move(*scores);
+          results_ = AttemptResults(libraryFolder());
           hasShelf_ = true;
           lesson_.reset();
           attempt_.reset();
@@ -287,11 +288,20 @@ void ReviewSession::setShowsNames(bool names) {
   Q_EMIT scansChanged();
 }
 
+const Pseudonyms* ReviewSession::codes() const {
+  if (!codes_)
+    if (auto read = Pseudonyms::ofLibrary(libraryFolder())) codes_ = *read;
+  return codes_ ? &*codes_ : nullptr;
+}
+
+QString ReviewSession::authorOf(const CommentFile& file) const {
+  if (showsNames_) return file.author.empty() ? tr("somebody") : words(file.author);
+  return codes() != nullptr ? words(codes()->ofReviewer(file.author)) : tr("without a code");
+}
+
 QString ReviewSession::personOf(const Attempt& tried) const {
   if (showsNames_) return tried.person.empty() ? tr("without a name") : words(tried.person);
-  if (!codes_)
-    if (auto read = Pseudonyms::ofLibrary(libraryFolder())) codes_ = std::move(*read);
-  return codes_ ? words(codes_->ofAttempt(tried.id)) : tr("without a code");
+  return codes() != nullptr ? words(codes_->ofPerson(tried.person)) : tr("without a code");
 }
 
 void ReviewSession::setReviewer(const QString& name) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ew/assessment/assessment_plan.h"
+#include "ew/assessment/attempt_result.h"
 #include "ew/assessment/attempt_score.h"
 #include "ew/assessment/pseudonym.h"
 #include "ew/bridge/mannequin.h"
@@ -87,6 +88,8 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   [[nodiscard]] const LessonStep* step() const;
   /// The score that counts; null: it was not scored.
   [[nodiscard]] const AttemptScore* scoreOf(std::size_t attempt) const;
+  /// What an attempt of the lesson amounts to, as reports and records say it. @param attempt below their number
+  [[nodiscard]] ew::AttemptResult resultOf(std::size_t attempt) const;
   void chooseLesson(std::size_t lesson);
   void chooseAttempt(std::size_t attempt);  ///< and the first of its steps that was recorded
   void chooseStep(const std::string& stepId);
@@ -103,6 +106,8 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   [[nodiscard]] bool showsNames() const { return showsNames_; }
   void setShowsNames(bool names);
   [[nodiscard]] QString personOf(const Attempt& attempt) const;
+  /// Of others' comments, in the same way.
+  [[nodiscard]] QString authorOf(const CommentFile& file) const;
   [[nodiscard]] QString reviewer() const { return reviewer_; }
   void setReviewer(const QString& name);
 
@@ -188,6 +193,7 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   [[nodiscard]] bool keepAll();
   void tellDocument();
   void readPlan();
+  [[nodiscard]] const Pseudonyms* codes() const;  ///< null: they cannot be read
   void tick();
 
   sdk::Host& host_;
@@ -215,6 +221,7 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   std::string chosenComment_;
   AssessmentPlan plan_;
   std::map<std::filesystem::path, AttemptScore> scores_;  ///< that count, by the attempt's folder
+  mutable AttemptResults results_{libraryFolder()};       ///< for lessons that have changed since they were tried
   mutable std::optional<Pseudonyms> codes_;               ///< of the library, read when they are first asked for
   std::vector<std::weak_ptr<std::function<void()>>> listeners_;
   std::vector<std::weak_ptr<HeldWork>> held_;

@@ -206,34 +206,21 @@ void ScoresPage::showVerdict() {
   const LessonStep* step = session_.step();
   made_->setText({});
   if (step == nullptr) return verdict_->setText(tr("No step is chosen"));
-  const AttemptScore* score = session_.attemptNumber() ? session_.scoreOf(*session_.attemptNumber()) : nullptr;
-  const StepScore* scored = score != nullptr ? score->of(step->id) : nullptr;
   const StepOutcome* outcome = session_.attempt() != nullptr ? session_.attempt()->second.outcomeOf(step->id) : nullptr;
-  const auto verdictWords = [](StepVerdict verdict) {
-    switch (verdict) {
-      case StepVerdict::passed:
-        return tr("passed");
-      case StepVerdict::skipped:
-        return tr("left out");
-      case StepVerdict::handedIn:
-        return tr("handed in, not judged yet");
-      case StepVerdict::failed:
-        break;
-    }
-    return tr("not passed");
-  };
-  if (scored != nullptr) {
-    verdict_->setText(tr("%1, pass level %2: %3")
-                          .arg(percentBeside(scored->score, scored->passLevel), percent(scored->passLevel), verdictWords(scored->verdict)));
-    made_->setText(tr("The task alone %1. Poses known in %2 of the images. Scored with revision %3 of what counts.")
-                       .arg(percent(scored->task), percent(scored->validShare))
-                       .arg(score->planRevision));
-  } else if (outcome != nullptr) {
-    verdict_->setText(tr("%1: %2").arg(percent(outcome->score), verdictWords(outcome->verdict)));
-    made_->setText(tr("As it was judged in the lesson; it was not scored since."));
-  } else {
-    verdict_->setText(tr("This attempt has not ended this step"));
+  if (outcome == nullptr || !session_.attemptNumber()) return verdict_->setText(tr("This attempt has not ended this step"));
+  const ew::AttemptResult result = session_.resultOf(*session_.attemptNumber());
+  const StepScore* counted = result.counted.of(step->id);
+  const QString verdict = words(verdictWord(counted != nullptr ? counted->verdict : outcome->verdict));
+  if (counted == nullptr || counted->verdict == StepVerdict::handedIn) {  // without figures: nobody has judged it
+    verdict_->setText(verdict);
+    return;
   }
+  verdict_->setText(
+      tr("%1, pass level %2: %3").arg(percentBeside(counted->score, counted->passLevel), percent(counted->passLevel), verdict));
+  made_->setText(result.isScored ? tr("The task alone %1. Poses known in %2 of the images. Scored with revision %3 of what counts.")
+                                       .arg(percent(counted->task), percent(counted->validShare))
+                                       .arg(result.counted.planRevision)
+                                 : tr("As it was judged in the lesson; it was not scored since."));
 }
 
 void ScoresPage::showTable() {

@@ -179,6 +179,16 @@ void ReviewSession::readPlan() {
   plan_.lessonId = lesson()->lesson.id;
 }
 
+ew::AttemptResult ReviewSession::resultOf(std::size_t number) const {
+  const auto& [folder, tried] = lesson()->attempts.at(number);
+  const auto kept = scores_.find(folder);
+  // As it was when it was tried: reports and records ask for that, too.
+  const bool isAsTried = tried.lessonContent.empty() || tried.lessonContent == contentOf(lesson()->lesson);
+  const TriedLesson* before = isAsTried ? nullptr : results_.lessonOf(tried);
+  return attemptResultOf(tried, before != nullptr ? &before->lesson : &lesson()->lesson, plan_,
+                         kept == scores_.end() ? std::nullopt : std::optional(kept->second));
+}
+
 const AttemptScore* ReviewSession::scoreOf(std::size_t number) const {
   if (lesson() == nullptr || number >= lesson()->attempts.size()) return nullptr;
   const auto score = scores_.find(lesson()->attempts[number].first);

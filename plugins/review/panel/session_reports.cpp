@@ -34,15 +34,16 @@ struct ReportWork {
 
  private:
   Result<ReportDocument> made(Progress& progress) const {
+    const fs::path library = libraryFolder();
+    AttemptResults results(library);
     std::vector<ReportedAttempt> read;
     for (const fs::path& folder : attempts) {
       if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Stopped as asked.">());
       progress.report(say<"Reading attempts">(), static_cast<double>(read.size()) / static_cast<double>(attempts.size()));
-      auto one = readReportedAttempt(folder);
+      auto one = readReportedAttempt(folder, &results);
       if (!one) return passOn(one.error());
       read.push_back(std::move(*one));
     }
-    const fs::path library = libraryFolder();
     auto codes = Pseudonyms::ofLibrary(library);
     if (!codes) return passOn(codes.error());
     const Attempt& first = read.front().attempt;

@@ -110,6 +110,8 @@ Result<AttemptScore> scoreFromJson(const json& document) {
   score.madeAt = readMoment(fields, "made_at", true).value_or(std::chrono::sys_seconds{});
   score.score = fields.number("score", 0.0, 1.0);
   score.passed = fields.flag("passed", false);
+  if (fields.has("outcomes")) score.outcomes = static_cast<std::size_t>(fields.whole("outcomes", 0, 1'000'000));
+  score.wasFinished = fields.flag("finished", false);
   for (const JsonFields& each : fields.objects("steps", 0, kMostOfAScore)) score.steps.push_back(readStepScore(each));
   for (const JsonFields& each : fields.objects("notes", 0, kMostOfAScore)) score.notes.push_back(readSentence(each, "text"));
   if (reading.problem()) return passOn(*reading.problem());
@@ -121,6 +123,8 @@ json jsonOf(const AttemptScore& score) {
                {"lesson", score.lessonId}, {"key", score.key},           {"program", score.program},
                {"scoring", score.scoring}, {"plan", score.planRevision}, {"made_at", momentText(score.madeAt)},
                {"score", score.score},     {"passed", score.passed},     {"steps", json::array()}};
+  if (score.outcomes) made["outcomes"] = *score.outcomes;
+  if (score.wasFinished) made["finished"] = true;
   if (!score.expertAttempt.empty()) made["expert"] = score.expertAttempt;
   for (const StepScore& each : score.steps) made["steps"].push_back(jsonOf(each));
   for (const Message& each : score.notes) made["notes"].push_back({{"text", each}});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ew/assessment/attempt_result.h"
 #include "ew/assessment/step_metrics.h"
 #include "ew/core/version.h"
 #include "ew/io/content_key.h"
@@ -43,7 +44,9 @@ class Scoring {
       if (!scored) return passOn(scored.error());
       score_.steps.push_back(std::move(*scored));
     }
-    conclude();
+    score_.outcomes = attempt_.outcomes.size();
+    score_.wasFinished = attempt_.finishedAt.has_value();
+    concludeLesson(ground_.plan, score_.wasFinished, score_);
     return std::move(score_);
   }
 
@@ -126,18 +129,6 @@ class Scoring {
         weights += each.weight;
       }
     return weights > 0.0 ? std::clamp(sum / weights, 0.0, 1.0) : scored.task;
-  }
-
-  void conclude() {
-    double sum = 0.0, weights = 0.0;
-    bool allPassed = true;
-    for (const StepScore& step : score_.steps) {
-      sum += step.weight * step.score;
-      weights += step.weight;
-      allPassed = allPassed && (step.weight <= 0.0 || step.verdict == StepVerdict::passed);
-    }
-    score_.score = weights > 0.0 ? std::clamp(sum / weights, 0.0, 1.0) : 0.0;
-    score_.passed = ground_.plan.passLevel ? score_.score >= *ground_.plan.passLevel : allPassed && attempt_.finishedAt.has_value();
   }
 
   const fs::path& folder_;

@@ -70,7 +70,7 @@ class SettingsWork final : public StepWork {
   }
   [[nodiscard]] bool isWithin(const SettingBand& band) const {
     const auto value = settingOf(*last(), band.setting);
-    return value && *value >= band.lowest && *value <= band.highest;
+    return value && isWithinRange(*value, band.lowest, band.highest);
   }
   SettingsTask task_;
 };
@@ -115,9 +115,9 @@ class AnswerWork final : public StepWork {
   }
   void judgeNumber(const nlohmann::json& answer, StepOutcome& outcome) const {
     if (!task_.number || !answer.is_object() || !answer.contains("number") || !answer["number"].is_number()) return;
-    const double error = answer["number"].get<double>() - *task_.number;
+    const double number = answer["number"].get<double>(), error = number - *task_.number;
     outcome.figures = {{"error", error, task_.unit}};
-    const bool good = std::abs(error) <= task_.tolerance;
+    const bool good = isWithinTolerance(number, *task_.number, task_.tolerance);
     outcome.score = good ? 1.0 : 0.0;
     outcome.remarks.push_back({good, good ? say<"That is right.">() : say<"It is %1 %2.">(roundedText(*task_.number, 2), task_.unit)});
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ew/core/contract.h"
 #include "ew/core/numbers.h"
@@ -47,6 +48,29 @@ double placeError_mm(const std::vector<glm::dvec3>& expected, const std::vector<
 
 }  // namespace
 
+bool isWithinTolerance(double value, double expected, double tolerance) {
+  // What is lost where two numbers of this size are subtracted; and of the tolerance itself, which lengths and angles go through roots for.
+  if (!std::isfinite(value) || !std::isfinite(expected)) return false;
+  constexpr double kOfSize = 4.0 * std::numeric_limits<double>::epsilon(), kOfTolerance = 1e-9;
+  const double lost = kOfSize * std::max(std::abs(value), std::abs(expected)) + kOfTolerance * tolerance;
+  return std::abs(value - expected) <= tolerance + lost;
+}
+
+bool isWithinRange(double value, double lowest, double highest) {
+  return (value >= lowest || isWithinTolerance(value, lowest, 0.0)) && (value <= highest || isWithinTolerance(value, highest, 0.0));
+}
+
+double shareOfTolerance(double value, double expected, double tolerance) {
+  EW_EXPECTS(tolerance > 0.0);
+  const double share = std::abs(value - expected) / tolerance;
+  return isWithinTolerance(value, expected, tolerance) ? std::min(share, 1.0) : std::max(share, std::nextafter(1.0, 2.0));
+}
+
+bool reachesLevel(double score, double level) {
+  constexpr double kOfMean = 1e-12;  // three steps of 0.7 have a mean of 0.6999999999999998
+  return score >= level - kOfMean;
+}
+
 double scoreAt(double shareOfTolerance) {
   EW_EXPECTS(shareOfTolerance >= 0.0);
   if (shareOfTolerance <= 1.0) return 1.0 - (1.0 - kPassScore) * shareOfTolerance;
@@ -66,16 +90,16 @@ Judgement judgePlane(const PlaneTarget& target, const PlaneTolerance& tolerance,
   if (judged.passed && !error.isMirrored)
     wellDone(judged,
              say<"The plane is found: %1 degrees and %2 mm from the expert's.">(tenths(error.angle_deg), tenths(error.distance_mm)));
-  if (error.angle_deg > tolerance.angle_deg)
+  if (!isWithinTolerance(error.angle_deg, 0.0, tolerance.angle_deg))
     missed(judged, std::abs(error.rotate_deg) > std::abs(error.tilt_deg)
                        ? say<"The plane is %1 degrees off, the probe above all rotated about its beam; %2 degrees are allowed.">(
                              tenths(error.angle_deg), tenths(tolerance.angle_deg))
                        : say<"The plane is %1 degrees off, the probe above all tilted; %2 degrees are allowed.">(
                              tenths(error.angle_deg), tenths(tolerance.angle_deg)));
-  if (error.distance_mm > tolerance.position_mm)
+  if (!isWithinTolerance(error.distance_mm, 0.0, tolerance.position_mm))
     missed(judged,
            say<"The plane passes %1 mm beside the target; %2 mm are allowed.">(tenths(error.distance_mm), tenths(tolerance.position_mm)));
-  if (error.inPicture_mm > kInPictureFactor * tolerance.position_mm)
+  if (!isWithinTolerance(error.inPicture_mm, 0.0, kInPictureFactor * tolerance.position_mm))
     missed(judged, say<"The target lies %1 mm elsewhere in the image; bring it to where the expert has it.">(whole(error.inPicture_mm)));
   if (error.isMirrored) {
     judged.passed = false;
@@ -91,7 +115,8 @@ Judgement judgePointing(const OrganVoxels& organ, const glm::dvec3& clicked_worl
   // In tolerances of at least a millimetre, or one beside an organ without a margin would count as infinitely far.
   const double unit_mm = std::max(1.0, margin_mm);
   Judgement judged =
-      judgedBy(beside_mm <= margin_mm ? beside_mm / unit_mm : std::max(1.0 + 1e-9, 1.0 + (beside_mm - margin_mm) / (5.0 * unit_mm)));
+      judgedBy(isWithinTolerance(beside_mm, 0.0, margin_mm) ? std::min(1.0, beside_mm / unit_mm)
+                                                            : std::max(1.0 + 1e-9, 1.0 + (beside_mm - margin_mm) / (5.0 * unit_mm)));
   judged.figures = {{"distance", std::isfinite(beside_mm) ? beside_mm : 1e6, "mm"}};
   if (judged.passed)
     wellDone(judged, say<"That is it.">());
@@ -105,7 +130,7 @@ Judgement judgePointing(const OrganVoxels& organ, const glm::dvec3& clicked_worl
 Judgement judgePointing(const ExpectedPoint& point, const glm::dvec3& clicked_world_mm) {
   EW_EXPECTS(point.tolerance_mm > 0.0);
   const double off_mm = glm::distance(point.at_mm, clicked_world_mm);
-  Judgement judged = judgedBy(off_mm / point.tolerance_mm);
+  Judgement judged = judgedBy(shareOfTolerance(off_mm, 0.0, point.tolerance_mm));
   judged.figures = {{"distance", off_mm, "mm"}};
   if (judged.passed)
     wellDone(judged, say<"That is it.">());
@@ -117,10 +142,11 @@ Judgement judgePointing(const ExpectedPoint& point, const glm::dvec3& clicked_wo
 Judgement judgeSweep(double share, double needed) {
   EW_EXPECTS(needed > 0.0 && needed <= 1.0 && share >= 0.0);
   Judgement judged;
-  judged.passed = share >= needed;
+  judged.passed = reachesLevel(share, needed);
   // Nothing passed through is nothing; all of what is needed is passing, and the rest of the organ the rest of the score.
-  judged.score = judged.passed ? (needed < 1.0 ? kPassScore + (1.0 - kPassScore) * (std::min(share, 1.0) - needed) / (1.0 - needed) : 1.0)
-                               : std::min(std::nextafter(kPassScore, 0.0), kPassScore * share / needed);
+  judged.score =
+      judged.passed ? (needed < 1.0 ? kPassScore + (1.0 - kPassScore) * std::max(0.0, std::min(share, 1.0) - needed) / (1.0 - needed) : 1.0)
+                    : std::min(std::nextafter(kPassScore, 0.0), kPassScore * share / needed);
   judged.figures = {{"coverage", 100.0 * share, "%"}};
   if (judged.passed)
     wellDone(judged, say<"The images passed through %1 % of it.">(whole(100.0 * share)));
@@ -147,18 +173,18 @@ double toleranceOf(const ExpectedMeasurement& expected) {
 Judgement judgeMeasurement(const ExpectedMeasurement& expected, double value, const std::vector<glm::dvec3>& points_mm, double tolerance) {
   EW_EXPECTS(tolerance > 0.0);
   const double off = value - expected.value;
-  double share = std::abs(off) / tolerance;
+  double share = shareOfTolerance(value, expected.value, tolerance);
   double place_mm = 0.0;
   const bool knowsPlace = !expected.points_mm.empty() && !points_mm.empty();
   if (knowsPlace) place_mm = placeError_mm(expected.points_mm, points_mm);
   const double placeAllowed_mm = placeTolerance_mm(tolerance);
-  const bool isElsewhere = knowsPlace && place_mm > placeAllowed_mm;
+  const bool isElsewhere = knowsPlace && !isWithinTolerance(place_mm, 0.0, placeAllowed_mm);
   if (isElsewhere) share = std::max(share, place_mm / placeAllowed_mm);
   Judgement judged = judgedBy(share);
   judged.figures = {{"value", value, expected.unit}, {"off", off, expected.unit}};
   if (knowsPlace) judged.figures.push_back({"place", place_mm, "mm"});
   if (judged.passed) wellDone(judged, say<"Measured: %1 %2; the expert has %3 %2.">(tenths(value), expected.unit, tenths(expected.value)));
-  if (std::abs(off) > tolerance)
+  if (!isWithinTolerance(value, expected.value, tolerance))
     missed(judged, say<"%1 %2 were measured; it is %3 %2, and %4 %2 more or less are allowed.">(tenths(value), expected.unit,
                                                                                                 tenths(expected.value), tenths(tolerance)));
   if (isElsewhere) missed(judged, say<"The calipers stand %1 mm from where they belong.">(whole(place_mm)));

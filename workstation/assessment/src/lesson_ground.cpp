@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "ew/assessment/attempt_result.h"
 #include "ew/assessment/attempt_scoring.h"
 #include "ew/assessment/step_metrics.h"
 #include "ew/core/version.h"
@@ -7,50 +8,11 @@
 #include "ew/library/case.h"
 #include "ew/library/learning.h"
 #include "ew/library/lesson_links.h"
-#include "ew/library/published.h"
 
 namespace ew {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Home {
-  Case opened;
-  Lesson lesson;
-  bool isAsTried = true;
-};
-
-/// The folders that may hold a case: the one that counts now, then every published revision, the latest first.
-std::vector<fs::path> foldersOf(const std::string& caseId, const fs::path& library) {
-  std::vector<fs::path> folders;
-  if (auto found = findCase(caseId, library)) folders.push_back(std::move(*found));
-  auto revisions = publishedRevisions(library, caseId);
-  for (auto each = revisions.rbegin(); each != revisions.rend(); ++each) folders.push_back(each->folder);
-  return folders;
-}
-
-Result<Home> homeOf(const std::string& caseId, const std::string& lessonId, const std::string& content, const fs::path& library) {
-  std::optional<Home> now;
-  std::optional<Error> problem;
-  for (const fs::path& folder : foldersOf(caseId, library)) {
-    auto opened = loadCase(folder);
-    const auto lessons = opened ? lessonsOf(*opened) : passOn(opened.error());
-    if (!lessons) {
-      if (!problem) problem = lessons.error();
-      continue;
-    }
-    for (const Lesson& each : *lessons) {
-      if (each.id != lessonId) continue;
-      const bool isAsTried = content.empty() || contentOf(each) == content;
-      if (isAsTried || !now) now = Home{*opened, each, isAsTried};
-    }
-    if (now && now->isAsTried) break;
-  }
-  if (now) return std::move(*now);
-  if (problem) return passOn(*problem);
-  return failure(ErrorCode::notFound, say<"The lesson '%1' of the case '%2' is not in the library; import the case.">(lessonId, caseId),
-                 {{"case", caseId}, {"lesson", lessonId}});
-}
 
 template <class All>
 bool hasName(const All& all, const std::string& name) {
@@ -69,8 +31,9 @@ bool needsLabels(const LessonTask& task, const CaseTruth& truth) {
 /// Puts a ground together, part by part.
 class GroundMaker {
  public:
-  GroundMaker(Home home, const fs::path& library, Progress& progress) : home_(std::move(home)), library_(library), progress_(progress) {
-    made_->caseId = home_.opened.id;
+  GroundMaker(TriedLesson home, const fs::path& library, Progress& progress)
+      : home_(std::move(home)), library_(library), progress_(progress) {
+    made_->caseId = home_.home.id;
     made_->lesson = home_.lesson;
     key_.add("lesson ground").add(contentOf(home_.lesson));
   }
@@ -79,7 +42,7 @@ class GroundMaker {
     if (!home_.isAsTried)
       made_->notes.push_back(
           say<"The lesson has changed since it was tried, and how it was is not in the library; it is scored as it is now.">());
-    auto plan = readPlan(library_, home_.opened.id, home_.lesson.id);
+    auto plan = readPlan(library_, home_.home.id, home_.lesson.id);
     if (!plan) return passOn(plan.error());
     made_->plan = std::move(*plan);
     addPlanToKey();
@@ -99,11 +62,11 @@ class GroundMaker {
 
   Result<void> addCases() {
     std::map<std::string, std::vector<const LessonStep*>> steps;
-    for (const LessonStep& step : home_.lesson.steps) steps[step.caseId.empty() ? home_.opened.id : step.caseId].push_back(&step);
+    for (const LessonStep& step : home_.lesson.steps) steps[step.caseId.empty() ? home_.home.id : step.caseId].push_back(&step);
     for (const auto& [id, scanning] : steps) {
       std::optional<Case> opened;
-      if (id == home_.opened.id) {
-        opened = home_.opened;
+      if (id == home_.home.id) {
+        opened = home_.home;
       } else if (const auto folder = findCase(id, library_)) {
         auto read = loadCase(*folder);
         if (!read) return passOn(read.error());
@@ -169,7 +132,7 @@ class GroundMaker {
     for (const LessonStep& watch : home_.lesson.steps) {
       const auto* task = std::get_if<WatchTask>(&watch.task);
       if (task == nullptr || task->recording.empty()) continue;
-      const fs::path file = home_.opened.folder / "parts" / std::string(kLessonsPart) / task->recording;
+      const fs::path file = home_.home.folder / "parts" / std::string(kLessonsPart) / task->recording;
       const auto read = readRecording(file, progress_);
       if (!read) continue;
       if (const auto content = contentOf(file, progress_); content && *content) key_.add(watch.id).add(**content);
@@ -180,14 +143,14 @@ class GroundMaker {
   void addWatchedImage(const LessonStep& step, const ScanRecording& recording) {
     const auto* task = std::get_if<PlaneTask>(&step.task);
     const auto ground = made_->caseOf(step);
-    const std::string& scanned = step.caseId.empty() ? home_.opened.id : step.caseId;
+    const std::string& scanned = step.caseId.empty() ? home_.home.id : step.caseId;
     if (task == nullptr || !ground || recording.caseId != scanned || made_->expertImages.contains(step.id)) return;
     for (const ExpectedPlane& plane : ground->truth().planes)
       if (plane.name == task->target)
         if (auto image = bestImageOf(recording.log, plane, ground->truth())) made_->expertImages[step.id] = std::move(*image);
   }
 
-  Home home_;
+  TriedLesson home_;
   const fs::path& library_;
   Progress& progress_;
   std::shared_ptr<LessonGround> made_ = std::make_shared<LessonGround>();
@@ -203,7 +166,7 @@ std::shared_ptr<const CaseGround> LessonGround::caseOf(const LessonStep& step) c
 
 Result<std::shared_ptr<const LessonGround>> lessonGroundOf(const std::string& caseId, const std::string& lessonId,
                                                            const std::string& lessonContent, const fs::path& library, Progress& progress) {
-  auto home = homeOf(caseId, lessonId, lessonContent, library);
+  auto home = triedLessonOf(caseId, lessonId, lessonContent, library);
   if (!home) return passOn(home.error());
   return GroundMaker(std::move(*home), library, progress).make();
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "ew/assessment/judging.h"
 #include "ew/core/contract.h"
 
 namespace ew {
@@ -62,8 +63,9 @@ PlaneError planeError(const PlaneTarget& target, const Transform<frame::World, f
 
 double shareOfTolerance(const PlaneError& error, const PlaneTolerance& tolerance) {
   EW_EXPECTS(tolerance.position_mm > 0.0 && tolerance.angle_deg > 0.0);
-  return std::max({error.distance_mm / tolerance.position_mm, error.angle_deg / tolerance.angle_deg,
-                   error.inPicture_mm / (kInPictureFactor * tolerance.position_mm)});
+  return std::max({shareOfTolerance(error.distance_mm, 0.0, tolerance.position_mm),
+                   shareOfTolerance(error.angle_deg, 0.0, tolerance.angle_deg),
+                   shareOfTolerance(error.inPicture_mm, 0.0, kInPictureFactor * tolerance.position_mm)});
 }
 
 bool isFound(const PlaneError& error, const PlaneTolerance& tolerance) { return shareOfTolerance(error, tolerance) <= 1.0; }

@@ -120,11 +120,7 @@ Result<Pseudonyms> Pseudonyms::ofLibrary(const fs::path& library) {
   return Pseudonyms(*key);
 }
 
-// What is hashed says what it is the code of: an attempt that is called like a person has another code.
-std::string Pseudonyms::ofAttempt(std::string_view attemptId) const {
-  return "A-" + codeOf(keyedHash(key_, "attempt:" + std::string(attemptId)));
-}
-
 std::string Pseudonyms::ofPerson(std::string_view person) const { return "T-" + codeOf(keyedHash(key_, "person:" + std::string(person))); }
+std::string Pseudonyms::ofReviewer(std::string_view person) const { return "R" + ofPerson(person).substr(1); }
 
 }  // namespace ew

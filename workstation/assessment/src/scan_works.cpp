@@ -22,8 +22,9 @@ class PlaneWork final : public StepWork {
   [[nodiscard]] std::vector<LiveFigure> live() const override {
     const auto error = errorNow();
     if (!error) return {};
-    return {{say<"Angle to the plane %1°">(roundedText(error->angle_deg)), error->angle_deg <= tolerance_.angle_deg},
-            {say<"Distance from the plane %1 mm">(roundedText(error->distance_mm)), error->distance_mm <= tolerance_.position_mm}};
+    return {{say<"Angle to the plane %1°">(roundedText(error->angle_deg)), isWithinTolerance(error->angle_deg, 0.0, tolerance_.angle_deg)},
+            {say<"Distance from the plane %1 mm">(roundedText(error->distance_mm)),
+             isWithinTolerance(error->distance_mm, 0.0, tolerance_.position_mm)}};
   }
   [[nodiscard]] std::optional<Message> missing(const Handed&) const override {
     if (last()) return std::nullopt;
@@ -57,7 +58,7 @@ class SweepWork final : public StepWork {
   }
   [[nodiscard]] std::vector<LiveFigure> live() const override {
     const double share = cover_.share();
-    return {{say<"Seen so far: %1 %">(roundedText(100.0 * share)), share >= task_.share}};
+    return {{say<"Seen so far: %1 %">(roundedText(100.0 * share)), reachesLevel(share, task_.share)}};
   }
   void judge(const nlohmann::json&, StepOutcome& outcome) const override { take(judgeSweep(cover_.share(), task_.share), outcome); }
 
@@ -116,7 +117,7 @@ class FreeWork final : public StepWork {
 
     static constexpr double kSeen = 0.3;  // of a structure: enough to have looked at it
     [[nodiscard]] bool isShown() const {
-      return (plane && nearest && isFound(*nearest, toleranceOf(*plane))) || (cover && cover->share() >= kSeen);
+      return (plane && nearest && isFound(*nearest, toleranceOf(*plane))) || (cover && reachesLevel(cover->share(), kSeen));
     }
     /// Why it does not count, with the figure that was needed.
     [[nodiscard]] Message missed() const {

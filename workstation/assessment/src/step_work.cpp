@@ -32,7 +32,7 @@ void conclude(const LessonStep& step, double passLevel, StepOutcome& outcome) {
   constexpr double kTimer_s = 0.5;  // the timer that ends a step ticks more often than this
   const bool inTime = !step.time_s || outcome.seconds <= *step.time_s + kTimer_s;
   if (!inTime) outcome.remarks.push_back({false, say<"The time was over before the step was handed in.">()});
-  outcome.verdict = inTime && outcome.score >= passLevel ? StepVerdict::passed : StepVerdict::failed;
+  outcome.verdict = inTime && reachesLevel(outcome.score, passLevel) ? StepVerdict::passed : StepVerdict::failed;
 }
 
 std::string roundedText(double value, int decimals) {

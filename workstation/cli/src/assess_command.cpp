@@ -4,6 +4,7 @@
 
 #include "arguments.h"
 #include "command.h"
+#include "ew/assessment/attempt_result.h"
 #include "ew/assessment/attempt_scoring.h"
 #include "ew/assessment/pseudonym.h"
 #include "ew/core/numbers.h"
@@ -11,6 +12,7 @@
 #include "ew/library/case.h"
 #include "ew/library/learning.h"
 #include "ew/reports/attempt_measurements.h"
+#include "ew/reports/report_document.h"
 #include "ew/reports/report_files.h"
 
 namespace ew::cli {
@@ -98,14 +100,11 @@ void show(const AssessedAttempt& one, const std::string& who, Run& run) {
     run.out() << "not scored: " << one.problem->sentence() << "\n";
     return;
   }
-  std::size_t passed = 0, count = 0;
-  for (const StepScore& step : one.score->steps) {
-    if (step.weight <= 0.0) continue;
-    ++count;
-    passed += step.verdict == StepVerdict::passed ? 1 : 0;
-  }
-  run.out() << percent(one.score->score) << ", " << passed << " of " << counted(count, "step") << ", "
-            << (one.score->passed ? "passed" : "not passed") << (one.wasUpToDate ? "" : ", scored now") << "\n";
+  // The score is of the attempt as it is and of the plan that counts: nothing else is needed to say what it amounts to.
+  const AttemptResult result = attemptResultOf(one.attempt, nullptr, AssessmentPlan(), one.score);
+  run.out() << percent(*result.score()) << ", " << result.stepsPassed << " of " << counted(result.stepsJudged, "step") << ", "
+            << verdictWord(result).english() << ", " << durationText(result.worked_s).english() << (one.wasUpToDate ? "" : ", scored now")
+            << "\n";
 }
 
 Result<void> writeScores(const std::vector<AssessedAttempt>& all, const fs::path& folder, Run& run) {
@@ -134,9 +133,10 @@ Result<std::size_t> writeDicom(const AssessArguments& arguments, const std::vect
   const auto codes = Pseudonyms::ofLibrary(library);
   if (!codes) return passOn(codes.error());
   std::size_t count = 0;
+  AttemptResults results(library);
   for (const fs::path& folder : folders) {
     if (run.progress.cancelRequested()) return failure(ErrorCode::cancelled, run.stopped);
-    const auto attempt = readReportedAttempt(folder);
+    const auto attempt = readReportedAttempt(folder, &results);
     if (!attempt) continue;  // said where it is scored
     const ReportedLesson lesson = readReportedLesson(attempt->attempt.caseId, attempt->attempt.lessonId, library, {});
     const auto files = writeAttemptMeasurements(*attempt, lesson, *codes, arguments.names, library, run.outputs.staged(arguments.dicom));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "command.h"
+#include "ew/assessment/attempt_result.h"
 #include "ew/library/case.h"
 #include "ew/records/record_store_settings.h"
 #include "ew/records/statement_outbox.h"
@@ -31,6 +32,7 @@ struct RecordsArguments {
   bool allowsHttp = false, forbidsHttp = false, asks = false, forgets = false, noKeyring = false;
   // launch
   std::string url;
+  std::string person;           ///< what the learner is called in their attempts; empty: as the launch calls them
   std::string window;           ///< program of the window; empty: the one beside this program
   bool isWantedByHand = false;  ///< the learner is not asked
 
@@ -52,8 +54,13 @@ inline void staysDone(Run& run) {
 
 /// --settings and --no-keyring.
 void addSettingsPlace(CLI::App& app, RecordsArguments& arguments);
-/// What the library knows of an attempt's lesson; without it statements name steps by their ids.
-void addLessonTo(XapiOptions& options, const Attempt& attempt, const std::filesystem::path& library, const std::string& language);
+/// What the library knows of an attempt's lesson, as a trainee may read it; without it statements name steps by their ids.
+void addLessonTo(XapiOptions& options, const Attempt& attempt, AttemptResults& results, const std::string& language);
+/// What is told of an attempt: what an instructor sees. Where the lesson has a plan and the attempt no score by it, it is scored now; what
+/// keeps it from that is remarked, and it is told as its lesson judged it. @param keeps the score, beside the attempt
+/// @error cancelled
+[[nodiscard]] Result<AttemptResult> resultToTell(const std::filesystem::path& folder, const Attempt& attempt, AttemptResults& results,
+                                                 const std::filesystem::path& library, bool keeps, Run& run);
 /// `records launch`.
 void addRecordLaunch(CLI::App& group, Selection& selection, const std::shared_ptr<RecordsArguments>& arguments);
 /// `records settings`.

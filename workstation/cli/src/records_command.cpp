@@ -3,13 +3,13 @@
 #include <set>
 
 #include "arguments.h"
-#include "ew/assessment/attempt_score.h"
+#include "ew/assessment/attempt_result.h"
+#include "ew/assessment/attempt_scoring.h"
 #include "ew/assessment/pseudonym.h"
 #include "ew/library/case.h"
 #include "ew/library/case_words.h"
 #include "ew/library/course.h"
 #include "ew/library/learning.h"
-#include "ew/library/lesson_links.h"
 #include "ew/records/record_store_settings.h"
 #include "ew/records/statement_outbox.h"
 #include "ew/records/xapi.h"
@@ -45,12 +45,10 @@ std::string courseWith(const Attempt& attempt) {
   return std::find(course->lessons.begin(), course->lessons.end(), wanted) != course->lessons.end() ? course->id : std::string();
 }
 
-/// The metrics of the latest score, step by step.
-std::vector<XapiMetric> metricsFor(const fs::path& attempt) {
+/// The metrics of the score that counts, step by step.
+std::vector<XapiMetric> metricsFor(const AttemptResult& result) {
   std::vector<XapiMetric> metrics;
-  const auto score = latestScore(attempt);
-  if (!score) return metrics;
-  for (const StepScore& step : score->steps)
+  for (const StepScore& step : result.counted.steps)
     for (const MetricValue& each : step.metrics) {
       const Metric* known = metricOf(each.id);
       metrics.push_back({each.id, each.version, each.value, known != nullptr ? std::string(known->unit) : std::string(), step.stepId});
@@ -73,14 +71,17 @@ Result<XapiOptions> sayingsOf(const RecordsArguments& arguments) {
 }
 
 Result<std::vector<nlohmann::json>> statementsOfFolder(const fs::path& folder, XapiOptions options, const RecordsArguments& arguments,
-                                                       const std::optional<Pseudonyms>& codes) {
+                                                       const Pseudonyms& codes, AttemptResults& results, Run& run) {
   const auto kept = KeptAttempt::open(folder);
   if (!kept) return passOn(kept.error());
   const Attempt& attempt = kept->attempt();
-  if (codes) options.pseudonym = codes->ofPerson(attempt.person);
-  addLessonTo(options, attempt, arguments.libraryPlace(), arguments.language);
+  options.pseudonym = codes.ofPerson(attempt.person);
+  addLessonTo(options, attempt, results, arguments.language);
   options.courseId = courseWith(attempt);
-  options.metrics = metricsFor(folder);
+  auto result = resultToTell(folder, attempt, results, arguments.libraryPlace(), !arguments.dryRun, run);
+  if (!result) return passOn(result.error());
+  options.metrics = metricsFor(*result);
+  options.result = std::move(*result);
   return statementsOf(attempt, options);
 }
 
@@ -98,12 +99,18 @@ Result<int> takeRecords(const RecordsArguments& arguments, Run& run) {
     outbox.emplace(std::move(*opened));
     staysDone(run);
   }
-  std::size_t taken = 0, known = 0;
+  std::size_t taken = 0, known = 0, leftOut = 0;
+  AttemptResults results(arguments.libraryPlace());
   nlohmann::json shown = nlohmann::json::array();
   for (const fs::path& folder : *folders) {
     if (auto read = run.input(folder / "attempt.json"); !read) return passOn(read.error());
-    const auto statements = statementsOfFolder(folder, *options, arguments, *codes);
-    if (!statements) return passOn(statements.error());
+    const auto statements = statementsOfFolder(folder, *options, arguments, *codes, results, run);
+    if (!statements && statements.error().code == ErrorCode::cancelled) return passOn(statements.error());
+    if (!statements) {  // the others are none the worse for it
+      ++leftOut;
+      run.remark(say<"The attempt in '%1' is left out: %2">(folder, statements.error().message));
+      continue;
+    }
     for (const nlohmann::json& each : *statements) {
       if (arguments.dryRun) {
         shown.push_back(each);
@@ -114,16 +121,18 @@ Result<int> takeRecords(const RecordsArguments& arguments, Run& run) {
       *isNew ? ++taken : ++known;
     }
   }
+  const Error someLeftOut{
+      ErrorCode::badField, say<"Left out: %1 of %2 attempts, see the remarks; nothing of them was taken.">(leftOut, folders->size()), {}};
   if (arguments.dryRun) {
     run.out() << shown.dump(2) << "\n";
     run.isPublished = false;
-    return kDone;
+    return leftOut == 0 ? kDone : run.answer(someLeftOut);
   }
   run.report.options = {{"names", arguments.names}, {"language", arguments.language}};
-  run.report.quality = {{"attempts", folders->size()}, {"taken", taken}, {"known", known}};
-  run.say("Took " + counted(taken, "statement") + " of " + counted(folders->size(), "attempt") + "; " + std::to_string(known) +
+  run.report.quality = {{"attempts", folders->size()}, {"left_out", leftOut}, {"taken", taken}, {"known", known}};
+  run.say("Took " + counted(taken, "statement") + " of " + counted(folders->size() - leftOut, "attempt") + "; " + std::to_string(known) +
           " were in the outbox or sent before. 'echoweave records send' sends them.");
-  return kDone;
+  return leftOut == 0 ? kDone : run.answer(someLeftOut);
 }
 
 Result<int> tellSent(const SendStatementsResult& sent, const StatementOutbox& outbox, Run& run) {
@@ -201,17 +210,32 @@ void addPlaces(CLI::App& app, RecordsArguments& arguments) {
 
 }  // namespace
 
-void addLessonTo(XapiOptions& options, const Attempt& attempt, const fs::path& library, const std::string& language) {
-  const auto folder = ew::findCase(attempt.caseId, library);
-  if (!folder) return;
-  const auto opened = loadCase(*folder / "case.json");
-  if (!opened) return;
-  const CaseWords words = wordsOf(*folder, language);
-  options.caseTitle = words.of(opened->title);
-  const auto lessons = lessonsOf(*opened);
-  if (!lessons) return;
-  for (const Lesson& each : *lessons)
-    if (each.id == attempt.lessonId && contentOf(each) == attempt.lessonContent) options.lesson = translated(each, words);
+void addLessonTo(XapiOptions& options, const Attempt& attempt, AttemptResults& results, const std::string& language) {
+  const TriedLesson* tried = results.lessonOf(attempt);
+  if (tried == nullptr) return;
+  const CaseWords words = wordsOf(tried->home.folder, language);
+  options.caseTitle = words.of(titleForTrainees(tried->home));
+  if (tried->isAsTried) options.lesson = translated(tried->lesson, words);
+}
+
+Result<AttemptResult> resultToTell(const fs::path& folder, const Attempt& attempt, AttemptResults& results, const fs::path& library,
+                                   bool keeps, Run& run) {
+  AttemptResult result = results.of(folder, attempt);
+  if (result.isScored || !result.passed() || results.planOf(attempt).revision == 0) return result;
+  std::optional<Error> problem;
+  if (keeps) {
+    problem = assess({folder}, library, {.threads = 1}, run.progress).front().problem;
+    if (!problem) return results.of(folder, attempt);
+  } else {
+    const auto ground = lessonGroundOf(attempt.caseId, attempt.lessonId, attempt.lessonContent, library, run.progress);
+    auto score = ground ? scoreAttempt(folder, attempt, **ground, run.progress) : passOn(ground.error());
+    if (score) return attemptResultOf(attempt, &(*ground)->lesson, (*ground)->plan, std::move(*score));
+    problem = score.error();
+  }
+  if (problem->code == ErrorCode::cancelled) return passOn(*problem);
+  run.remark(
+      say<"The attempt '%1' cannot be scored by its lesson's plan and is told as the lesson judged it: %2">(attempt.id, problem->message));
+  return result;
 }
 
 void addRecords(CLI::App& root, Selection& selection) {

@@ -3,10 +3,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cctype>
 #include <chrono>
 #include <ostream>
+#include <random>
+#include <set>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "arguments.h"
 #include "ew/library/learning.h"
@@ -17,34 +21,6 @@ namespace ew::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// What an attempt amounts to, as its statements say it.
-struct AttemptResult {
-  std::optional<double> score;  ///< 0 to 1
-  std::optional<bool> success;  ///< empty: not judged yet
-  double worked_s = 0.0;
-};
-
-Result<AttemptResult> resultOf(const fs::path& folder, const Cmi5Launch& launch, const RecordsArguments& arguments) {
-  const auto kept = KeptAttempt::open(folder);
-  if (!kept) return passOn(kept.error());
-  const Attempt& attempt = kept->attempt();
-  if (!attempt.finishedAt)
-    return failure(ErrorCode::badUsage, say<"The attempt in '%1' was stopped in the middle; finish the lesson first.">(folder),
-                   {{"file", folder.string()}});
-  XapiOptions options;
-  options.actor = launch.actor;
-  options.registration = launch.registration;
-  addLessonTo(options, attempt, arguments.libraryPlace(), arguments.language);
-  const auto statements = statementsOf(attempt, options);
-  if (!statements) return passOn(statements.error());
-  AttemptResult result;
-  for (const StepOutcome& outcome : attempt.outcomes) result.worked_s += outcome.seconds;
-  const nlohmann::json& last = statements->back();
-  if (last["result"].contains("success")) result.success = last["result"]["success"].get<bool>();
-  if (last["result"].contains("score")) result.score = last["result"]["score"]["scaled"].get<double>();
-  return result;
-}
 
 Cmi5Session::Moment nowInMilliseconds() { return std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now()); }
 
@@ -77,8 +53,8 @@ class Telling {
     const bool counts = result && session.data().mode == Cmi5Mode::normal;
     if (counts)
       if (auto told = tell(session.completed(nowInMilliseconds(), result->worked_s)); !told) return told;
-    if (counts && result->success)
-      if (auto told = tell(session.judged(result->score, *result->success, nowInMilliseconds(), result->worked_s)); !told) return told;
+    if (counts && result->passed())
+      if (auto told = tell(session.judged(result->score(), *result->passed(), nowInMilliseconds(), result->worked_s)); !told) return told;
     return tell(session.terminated(nowInMilliseconds()));
   }
   Result<SendStatementsResult> send(const Cmi5Session& session, const RecordsArguments& arguments, Run& run) {
@@ -112,33 +88,57 @@ Result<int> finishTelling(Telling& telling, const Cmi5Session& session, const Re
   return kDone;
 }
 
-/// Tells an attempt that was finished before.
-Result<int> tellAttempt(const Cmi5Launch& launch, const Cmi5Options& options, const RecordsArguments& arguments, Run& run) {
-  if (auto read = run.input(fs::path(arguments.attempts.front()) / "attempt.json"); !read) return passOn(read.error());
-  const auto result = resultOf(arguments.attempts.front(), launch, arguments);
-  if (!result) return passOn(result.error());
-  auto telling = Telling::open(arguments, launch);
-  if (!telling) return passOn(telling.error());
-  staysDone(run);
-  auto session = Cmi5Session::begin(launch, options, run.progress);
-  if (!session) return passOn(session.error());
-  if (auto told = telling->tell(session->initialized(nowInMilliseconds())); !told) return passOn(told.error());
-  if (auto told = telling->tellEnd(*session, *result); !told) return passOn(told.error());
-  return finishTelling(*telling, *session, arguments, run);
+/// Who is at the window, as the system that launched it calls them.
+struct Learner {
+  std::string name;     ///< may be empty
+  std::string account;  ///< of the system
+  std::string code;     ///< the same at each of their launches
+};
+
+Learner learnerOf(const Cmi5Launch& launch) {
+  constexpr std::string_view kLearnerSpace = "4d0c8a1f-6d2e-5b0b-9d55-1f7a3f1f0c61";
+  const nlohmann::json& account = launch.actor["account"];
+  Learner learner;
+  learner.account = account["name"].get<std::string>();
+  if (launch.actor.contains("name") && launch.actor["name"].is_string()) learner.name = launch.actor["name"].get<std::string>();
+  learner.code = uuidOfName(kLearnerSpace, account["homePage"].get<std::string>() + "\n" + learner.account);
+  return learner;
 }
 
-/// The program of the window, and the words it is started with.
-Result<int> runWindow(const RecordsArguments& arguments, const std::vector<std::string>& words, const Progress& progress) {
+/// Of one launch of one learner: the window writes it into the attempts that it begins.
+std::string newLaunchOf(const Learner& learner) {
+  std::random_device random;
+  return learner.code + "." + std::to_string(random()) + "-" + std::to_string(random());
+}
+
+/// The environment of the window.
+std::vector<std::string> environmentWith(const std::string& launch) {
+  const std::string ours = std::string(kLaunchVariable) + "=";
+  std::vector<std::string> made = {ours + launch};
+  for (char** each = environ; each != nullptr && *each != nullptr; ++each)
+    if (!std::string_view(*each).starts_with(ours)) made.emplace_back(*each);
+  return made;
+}
+
+std::vector<char*> pointersTo(std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+/// The program of the window, and the words it is started with. @param launch that its attempts belong to
+Result<int> runWindow(const RecordsArguments& arguments, const std::vector<std::string>& words, const std::string& launch,
+                      const Progress& progress) {
   std::error_code error;
   const fs::path program =
       !arguments.window.empty() ? fs::path(arguments.window) : fs::read_symlink("/proc/self/exe", error).parent_path() / "echoweave-window";
   std::vector<std::string> line = {program.string()};
   line.insert(line.end(), words.begin(), words.end());
-  std::vector<char*> pointers;
-  for (std::string& word : line) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
+  std::vector<std::string> environment = environmentWith(launch);
   pid_t child = 0;
-  if (const int problem = ::posix_spawn(&child, program.c_str(), nullptr, nullptr, pointers.data(), environ); problem != 0)
+  if (const int problem = ::posix_spawn(&child, program.c_str(), nullptr, nullptr, pointersTo(line).data(), pointersTo(environment).data());
+      problem != 0)
     return failure(ErrorCode::notFound,
                    say<"The window '%1' cannot be started (%2); the lesson can be worked through there by hand, and told with 'records "
                        "launch ADDRESS ATTEMPT'.">(program, verbatim(std::generic_category().message(problem))));
@@ -160,8 +160,8 @@ struct LaunchedLesson {
   fs::path folder;
 };
 
-/// "CASE/LESSON" of the launch parameters.
-Result<LaunchedLesson> lessonOf(const Cmi5Session& session, const RecordsArguments& arguments) {
+/// "CASE/LESSON" of the launch parameters; the folder is not looked for yet.
+Result<LaunchedLesson> lessonOf(const Cmi5Session& session) {
   const std::string& asked = session.data().launchParameters;
   const std::size_t parts = asked.find('/');
   if (parts == std::string::npos || parts == 0 || parts + 1 == asked.size())
@@ -169,40 +169,124 @@ Result<LaunchedLesson> lessonOf(const Cmi5Session& session, const RecordsArgumen
                    say<"The course does not say which lesson it starts: its launch parameters are '%1'; its author has to put CASE/LESSON "
                        "there.">(asked),
                    {{"field", "launchParameters"}, {"found", asked}});
-  LaunchedLesson lesson{asked.substr(0, parts), asked.substr(parts + 1), {}};
-  const auto folder = ew::findCase(lesson.caseId, arguments.libraryPlace());
+  return LaunchedLesson{asked.substr(0, parts), asked.substr(parts + 1), {}};
+}
+
+/// The same with the folder of its case.
+Result<LaunchedLesson> lessonAtHand(const Cmi5Session& session, const RecordsArguments& arguments) {
+  auto lesson = lessonOf(session);
+  if (!lesson) return lesson;
+  const auto folder = ew::findCase(lesson->caseId, arguments.libraryPlace());
   if (!folder)
     return failure(ErrorCode::notFound,
-                   say<"The case '%1', which the course starts, is not in the library; import it first.">(lesson.caseId),
-                   {{"case", lesson.caseId}});
-  lesson.folder = *folder;
+                   say<"The case '%1', which the course starts, is not in the library; import it first.">(lesson->caseId),
+                   {{"case", lesson->caseId}});
+  lesson->folder = *folder;
   return lesson;
 }
 
-/// The attempt at a lesson that was finished since; the last of several. Empty: none was.
-std::optional<fs::path> finishedSince(const LaunchedLesson& lesson, std::chrono::sys_seconds since, const fs::path& library) {
-  std::optional<fs::path> found;
-  std::chrono::sys_seconds latest = since;
-  for (const auto& [folder, attempt] : listAttempts(attemptsFolder(library)).attempts) {
-    if (attempt.caseId != lesson.caseId || attempt.lessonId != lesson.lessonId) continue;
-    if (!attempt.finishedAt || *attempt.finishedAt < latest) continue;
-    latest = *attempt.finishedAt;
-    found = folder;
+using FoundAttempt = std::pair<fs::path, Attempt>;
+
+/// What came of a launch.
+struct LaunchedAttempts {
+  std::optional<FoundAttempt> finished;  ///< that this launch began, the last of several
+  bool hasOthers = false;                ///< somebody finished the lesson meanwhile in an attempt that this launch did not begin
+};
+LaunchedAttempts attemptsOf(const std::string& launch, const LaunchedLesson& lesson, std::chrono::sys_seconds since,
+                            const fs::path& library) {
+  LaunchedAttempts found;
+  for (auto& each : listAttempts(attemptsFolder(library)).attempts) {
+    const Attempt& attempt = each.second;
+    if (attempt.caseId != lesson.caseId || attempt.lessonId != lesson.lessonId || !attempt.finishedAt) continue;
+    if (attempt.launch != launch)
+      found.hasOthers = found.hasOthers || *attempt.finishedAt >= since;
+    else if (!found.finished || *found.finished->second.finishedAt < *attempt.finishedAt)
+      found.finished = each;
   }
   return found;
+}
+
+Result<AttemptResult> resultOf(const FoundAttempt& attempt, const RecordsArguments& arguments, Run& run) {
+  AttemptResults results(arguments.libraryPlace());
+  return resultToTell(attempt.first, attempt.second, results, arguments.libraryPlace(), true, run);
+}
+
+/// Words of a name in small letters: "Lovelace, Ada" are those of "ada lovelace".
+std::set<std::string> wordsOfName(const std::string& name) {
+  std::set<std::string> words;
+  std::string word;
+  for (const char letter : name + " ") {
+    const bool isLetter = std::isalnum(static_cast<unsigned char>(letter)) != 0 || static_cast<unsigned char>(letter) >= 0x80;
+    if (isLetter) {
+      word += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    } else if (!word.empty()) {
+      words.insert(std::exchange(word, {}));
+    }
+  }
+  return words;
+}
+
+/// Whether an attempt is the learner's: their launch began it, or it bears one of their names or none.
+Result<void> expectOwn(const Attempt& attempt, const Learner& learner, const std::string& claimed) {
+  if (!attempt.launch.empty()) {
+    if (attempt.launch.starts_with(learner.code + ".")) return {};
+    return failure(ErrorCode::badUsage,
+                   say<"The attempt '%1' was begun by somebody else's launch, and this one is for '%2'; nothing was told.">(
+                       attempt.id, learner.name.empty() ? learner.account : learner.name),
+                   {{"attempt", attempt.id}});
+  }
+  const std::set<std::string> person = wordsOfName(attempt.person);
+  if (attempt.person.empty() || attempt.person == claimed || person == wordsOfName(learner.name) || person == wordsOfName(learner.account))
+    return {};
+  return failure(
+      ErrorCode::badUsage,
+      say<"The attempt '%1' is by '%2', and the launch is for '%3'; give --person '%2' when this is the same person. Nothing was "
+          "told.">(attempt.id, attempt.person, learner.name.empty() ? learner.account : learner.name),
+      {{"attempt", attempt.id}});
+}
+
+/// Tells an attempt that was finished before, when it is the learner's and at the lesson that was launched.
+Result<int> tellAttempt(const Cmi5Launch& launch, const Cmi5Options& options, const RecordsArguments& arguments, Run& run) {
+  const fs::path folder = arguments.attempts.front();
+  if (auto read = run.input(folder / "attempt.json"); !read) return passOn(read.error());
+  const auto kept = KeptAttempt::open(folder);
+  if (!kept) return passOn(kept.error());
+  const Attempt& attempt = kept->attempt();
+  if (!attempt.finishedAt)
+    return failure(ErrorCode::badUsage, say<"The attempt in '%1' was stopped in the middle; finish the lesson first.">(folder),
+                   {{"file", folder.string()}});
+  if (auto own = expectOwn(attempt, learnerOf(launch), arguments.person); !own) return passOn(own.error());
+  staysDone(run);
+  auto session = Cmi5Session::begin(launch, options, run.progress);
+  if (!session) return passOn(session.error());
+  const auto lesson = lessonOf(*session);
+  if (!lesson) return passOn(lesson.error());
+  if (attempt.caseId != lesson->caseId || attempt.lessonId != lesson->lessonId)
+    return failure(ErrorCode::badUsage,
+                   say<"The course starts the lesson %1/%2, and the attempt is at %3/%4; nothing was told. Start that lesson in the "
+                       "learning management system, or name an attempt at this one.">(lesson->caseId, lesson->lessonId, attempt.caseId,
+                                                                                      attempt.lessonId),
+                   {{"attempt", attempt.id}});
+  const auto result = resultOf({folder, attempt}, arguments, run);
+  if (!result) return passOn(result.error());
+  auto telling = Telling::open(arguments, launch);
+  if (!telling) return passOn(telling.error());
+  if (auto told = telling->tell(session->initialized(nowInMilliseconds())); !told) return passOn(told.error());
+  if (auto told = telling->tellEnd(*session, *result); !told) return passOn(told.error());
+  return finishTelling(*telling, *session, arguments, run);
 }
 
 /// Asks the learner, opens the lesson in the window, and tells how it ended.
 Result<int> workThrough(const Cmi5Launch& launch, const Cmi5Options& options, const RecordsArguments& arguments, Run& run) {
   staysDone(run);
   if (!arguments.isWantedByHand) {
-    const auto wanted = runWindow(arguments, {"--launched-by", launchHost(launch)}, run.progress);
+    const auto wanted = runWindow(arguments, {"--launched-by", launchHost(launch)}, {}, run.progress);
     if (!wanted) return passOn(wanted.error());
     if (*wanted != 0) return failure(ErrorCode::cancelled, say<"The lesson was not begun; %1 was told nothing.">(launchHost(launch)));
   }
   auto session = Cmi5Session::begin(launch, options, run.progress);
   if (!session) return passOn(session.error());
-  const auto lesson = lessonOf(*session, arguments);
+  const auto lesson = lessonAtHand(*session, arguments);
   if (!lesson) return passOn(lesson.error());
   auto telling = Telling::open(arguments, launch);
   if (!telling) return passOn(telling.error());
@@ -211,15 +295,22 @@ Result<int> workThrough(const Cmi5Launch& launch, const Cmi5Options& options, co
   // That it has begun is told at once; what the network does not take now goes with the rest.
   if (const auto sent = telling->send(*session, arguments, run); !sent && sent.error().code == ErrorCode::cancelled)
     return passOn(sent.error());
-  const auto ended = runWindow(arguments, {lesson->folder.string(), "--lesson", lesson->lessonId}, run.progress);
+  const std::string id = newLaunchOf(learnerOf(launch));
+  const auto ended = runWindow(arguments, {lesson->folder.string(), "--lesson", lesson->lessonId}, id, run.progress);
   if (!ended) return passOn(ended.error());
   std::optional<AttemptResult> result;
-  if (const auto attempt = finishedSince(*lesson, begun, arguments.libraryPlace())) {
-    auto worked = resultOf(*attempt, launch, arguments);
+  const LaunchedAttempts made = attemptsOf(id, *lesson, begun, arguments.libraryPlace());
+  if (made.finished) {
+    auto worked = resultOf(*made.finished, arguments, run);
     if (!worked) return passOn(worked.error());
-    result = *worked;
+    result = std::move(*worked);
   } else {
-    run.remark(say<"The lesson was not finished; %1 is told that the session is over.">(launchHost(launch)));
+    run.remark(
+        say<"The lesson was not finished in an attempt that this launch began; %1 is told that the session is over.">(launchHost(launch)));
+    if (made.hasOthers)
+      run.remark(
+          say<"An attempt that began before, or elsewhere, was finished meanwhile and is not told: 'echoweave records launch ADDRESS "
+              "ATTEMPT' tells one that is the learner's own.">());
   }
   if (auto told = telling->tellEnd(*session, result); !told) return passOn(told.error());
   return finishTelling(*telling, *session, arguments, run);
@@ -249,6 +340,8 @@ void addRecordLaunch(CLI::App& group, Selection& selection, const std::shared_pt
                  "The folder of an attempt that was finished before; without it the window opens the lesson")
       ->expected(0, 1)
       ->type_name("");
+  app.add_option("--person", arguments->person, "What the learner is called in their attempts, when the launch calls them otherwise")
+      ->type_name("NAME");
   app.add_flag("--wanted", arguments->isWantedByHand, "The learner has asked for it: begin without a question");
   app.add_option("--window", arguments->window, "The program that shows the lesson (this one's window)")->type_name("PROGRAM");
   addCount(app, "--rounds", arguments->rounds, 1, 1000, "Tries in a row that bring nothing new (8)");

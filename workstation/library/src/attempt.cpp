@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdio>
+#include <cstdlib>
 #include <random>
 
 #include "ew/core/json_fields.h"
@@ -24,15 +26,15 @@ using std::chrono::sys_seconds;
 constexpr const char* kAttemptFile = "attempt.json";
 constexpr std::size_t kLargestAttempt_bytes = 64u << 20;
 constexpr std::size_t kMostOutcomes = 10'000, kMostRemarks = 1000;
-constexpr std::size_t kLongestPerson = 20'000, kLongestFileName = 240;
+constexpr std::size_t kLongestPerson = 20'000, kLongestFileName = 240, kLongestLaunch = 100;
 
 constexpr std::array<std::pair<std::string_view, StepVerdict>, 4> kVerdicts = {{{"passed", StepVerdict::passed},
                                                                                 {"failed", StepVerdict::failed},
                                                                                 {"skipped", StepVerdict::skipped},
                                                                                 {"handed_in", StepVerdict::handedIn}}};
-constexpr std::array<std::string_view, 12> kAttemptFields = {"format",  "id",      "case",       "lesson",      "lesson_title",
-                                                             "person",  "program", "started_at", "finished_at", "lesson_content",
-                                                             "running", "outcomes"};
+constexpr std::array<std::string_view, 13> kAttemptFields = {"format",  "id",       "case",       "lesson",      "lesson_title",
+                                                             "person",  "program",  "started_at", "finished_at", "lesson_content",
+                                                             "running", "outcomes", "launch"};
 constexpr std::array<std::string_view, 11> kOutcomeFields = {"step",    "verdict",   "score",    "seconds", "hints", "figures",
                                                              "remarks", "recording", "pictures", "answer",  "at"};
 
@@ -102,6 +104,31 @@ Result<void> makeAttemptsFolder(const fs::path& root) {
 
 }  // namespace
 
+Message verdictWord(StepVerdict verdict) {
+  switch (verdict) {
+    case StepVerdict::passed:
+      return passedWord(true);
+    case StepVerdict::failed:
+      return passedWord(false);
+    case StepVerdict::skipped:
+      return say<"skipped">();
+    case StepVerdict::handedIn:
+      return say<"handed in">();
+  }
+  return {};
+}
+
+Message passedWord(bool passed) { return passed ? say<"passed">() : say<"not passed">(); }
+
+std::string launchOfEnvironment() {
+  const char* said = std::getenv(kLaunchVariable);
+  const std::string launch = said != nullptr ? said : "";
+  const bool isOurs = launch.size() <= kLongestLaunch && std::all_of(launch.begin(), launch.end(), [](unsigned char letter) {
+                        return std::isalnum(letter) != 0 || letter == '-' || letter == '.';
+                      });
+  return isOurs ? launch : std::string();
+}
+
 const StepOutcome* Attempt::outcomeOf(const std::string& stepId) const {
   const auto last = std::find_if(outcomes.rbegin(), outcomes.rend(), [&](const StepOutcome& one) { return one.stepId == stepId; });
   return last == outcomes.rend() ? nullptr : &*last;
@@ -137,6 +164,7 @@ Result<Attempt> attemptFromJson(const json& document) {
   made.lessonContent = fields.text("lesson_content", std::string(), 0);
   made.person = fields.text("person", std::string(), 0, kLongestPerson);
   made.program = fields.text("program", std::string(), 0);
+  made.launch = fields.text("launch", std::string(), 0, kLongestLaunch);
   made.startedAt = readMoment(fields, "started_at", true).value_or(sys_seconds{});
   made.finishedAt = readMoment(fields, "finished_at", false);
   made.runningStep = fields.text("running", std::string(), 0, 100);
@@ -159,6 +187,7 @@ json jsonOf(const Attempt& attempt) {
   text("lesson_content", attempt.lessonContent);
   text("person", attempt.person);
   text("program", attempt.program);
+  text("launch", attempt.launch);
   made["started_at"] = momentText(attempt.startedAt);
   if (attempt.finishedAt) made["finished_at"] = momentText(*attempt.finishedAt);
   text("running", attempt.runningStep);
@@ -213,8 +242,9 @@ Result<void> KeptAttempt::beginStep(const std::string& stepId) {
   return keep(std::move(next));
 }
 
-Result<void> KeptAttempt::endStep(StepOutcome outcome) {
+Result<void> KeptAttempt::endStep(StepOutcome outcome, std::optional<sys_seconds> finishedAt) {
   Attempt next = attempt_;
+  if (finishedAt) next.finishedAt = finishedAt;
   next.runningStep.clear();
   next.outcomes.push_back(std::move(outcome));
   return keep(std::move(next));

@@ -69,21 +69,28 @@ fs::path attemptsFolder(const fs::path& library) { return library / "attempts"; 
 
 bool countsFor(const Attempt& attempt, const std::string& person) { return attempt.person.empty() || attempt.person == person; }
 
-Standings::Standings(const AttemptList& attempts, const std::string& person) {
-  for (const auto& each : attempts.attempts)
-    if (countsFor(each.second, person)) attempts_[{each.second.caseId, each.second.lessonId}].push_back(each);
+Standings::Standings(const AttemptList& attempts, const std::string& person, const AttemptJudge& judge) {
+  for (const auto& [folder, attempt] : attempts.attempts) {
+    if (!countsFor(attempt, person)) continue;
+    Judged& one = attempts_[{attempt.caseId, attempt.lessonId}].emplace_back(Judged{folder, attempt, {}});
+    if (judge && attempt.finishedAt) one.tally = judge(folder, attempt);
+  }
 }
 
 LessonStanding Standings::of(const std::string& caseId, const std::string& lessonId, const std::vector<std::string>& steps) const {
   LessonStanding standing;
   const auto found = attempts_.find({caseId, lessonId});
   if (found == attempts_.end()) return standing;
-  for (const auto& [folder, attempt] : found->second) {
+  for (const auto& [folder, attempt, tally] : found->second) {
     standing.last = std::max(standing.last.value_or(std::chrono::sys_seconds{}), lastMoment(attempt));
     if (attempt.finishedAt) {
       ++standing.attempts;
-      standing.bestPassed = std::max(standing.bestPassed, passedSteps(attempt, steps));
-    } else if (&attempt == &found->second.front().second) {
+      const AttemptTally made = tally.value_or(AttemptTally{passedSteps(attempt, steps), 0, false});
+      if (standing.attempts > 1 && std::pair(standing.passed, standing.bestPassed) >= std::pair(made.isPassed, made.passed)) continue;
+      standing.passed = made.isPassed;
+      standing.bestPassed = made.passed;
+      standing.judged = made.judged;
+    } else if (&attempt == &found->second.front().attempt) {
       standing.interrupted = folder;
       standing.interruptedAt = endedSteps(attempt);
     }
@@ -100,7 +107,7 @@ LessonStanding Standings::of(const std::string& caseId, const Lesson& lesson) co
 std::vector<InterruptedLesson> Standings::interrupted() const {
   std::vector<std::pair<std::string, InterruptedLesson>> found;
   for (const auto& [key, attempts] : attempts_) {
-    const auto& [folder, attempt] = attempts.front();
+    const auto& [folder, attempt, tally] = attempts.front();
     if (!attempt.finishedAt)
       found.push_back({attempt.id, {attempt.caseId, attempt.lessonId, attempt.lessonTitle, endedSteps(attempt), folder}});
   }

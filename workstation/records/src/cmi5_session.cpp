@@ -151,7 +151,7 @@ Result<json> Cmi5Session::completed(Moment now, std::optional<double> worked_s) 
   if (data_.mode != Cmi5Mode::normal || isCompleted_)
     return failure(ErrorCode::badUsage, say<"That the lesson was completed is said once, and only when it counts.">());
   json made = statement("completed", now);
-  made["result"] = {{"completion", true}, {"duration", durationText(worked_s.value_or(secondsBetween(*begunAt_, now)))}};
+  made["result"] = {{"completion", true}, {"duration", isoDuration(worked_s.value_or(secondsBetween(*begunAt_, now)))}};
   addCategory(made, kMoveOnCategory);
   isCompleted_ = true;
   return made;
@@ -165,7 +165,7 @@ Result<json> Cmi5Session::judged(std::optional<double> score, bool success, Mome
     return failure(ErrorCode::badField, say<"A score must be a number from 0 to 1.">(), {{"field", "score"}});
   const bool isPassed = score && data_.masteryScore ? *score >= *data_.masteryScore : success;
   json made = statement(isPassed ? "passed" : "failed", now);
-  made["result"] = {{"success", isPassed}, {"duration", durationText(worked_s.value_or(secondsBetween(*begunAt_, now)))}};
+  made["result"] = {{"success", isPassed}, {"duration", isoDuration(worked_s.value_or(secondsBetween(*begunAt_, now)))}};
   if (score) made["result"]["score"] = {{"scaled", *score}};
   if (data_.masteryScore) made["context"]["extensions"][kMasteryExtension] = *data_.masteryScore;
   addCategory(made, kMoveOnCategory);
@@ -176,7 +176,7 @@ Result<json> Cmi5Session::judged(std::optional<double> score, bool success, Mome
 Result<json> Cmi5Session::terminated(Moment now) {
   if (auto open = expectOpen(say<"That the session has ended">()); !open) return passOn(open.error());
   json made = statement("terminated", now);
-  made["result"] = {{"duration", durationText(secondsBetween(*begunAt_, now))}};
+  made["result"] = {{"duration", isoDuration(secondsBetween(*begunAt_, now))}};
   isTerminated_ = true;
   return made;
 }

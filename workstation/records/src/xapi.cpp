@@ -21,7 +21,11 @@ constexpr std::size_t kLongestResponse_bytes = 4000;
 /// Makes the statements of one attempt.
 class AttemptStatements {
  public:
-  AttemptStatements(const Attempt& attempt, const XapiOptions& options) : attempt_(attempt), options_(options) {}
+  AttemptStatements(const Attempt& attempt, const XapiOptions& options)
+      : attempt_(attempt),
+        options_(options),
+        result_(options.result ? *options.result
+                               : attemptResultOf(attempt, options.lesson ? &*options.lesson : nullptr, AssessmentPlan(), std::nullopt)) {}
   std::vector<json> all();
 
  private:
@@ -40,6 +44,7 @@ class AttemptStatements {
 
   const Attempt& attempt_;
   const XapiOptions& options_;
+  const AttemptResult result_;
 };
 
 json scoreOf(double score) { return {{"scaled", score}, {"raw", score * 100.0}, {"min", 0}, {"max", 100}}; }
@@ -124,13 +129,20 @@ json AttemptStatements::statement(XapiVerb verb, const std::string& event, sys_s
   return made;
 }
 
-XapiVerb verbOf(const StepOutcome& outcome, const LessonStep* step) {
-  if (outcome.verdict == StepVerdict::skipped) return XapiVerb::skipped;
+XapiVerb verbOf(StepVerdict verdict, const LessonStep* step) {
   const std::string_view type = typeOfTask(step);
-  if (type == "question") return XapiVerb::answered;
-  if (outcome.verdict == StepVerdict::handedIn) return XapiVerb::completed;  // nobody has judged it yet
-  if (type == "media" && outcome.verdict == StepVerdict::passed) return XapiVerb::completed;
-  return outcome.verdict == StepVerdict::passed ? XapiVerb::passed : XapiVerb::failed;
+  if (type == "question" && verdict != StepVerdict::skipped) return XapiVerb::answered;
+  switch (verdict) {
+    case StepVerdict::skipped:
+      return XapiVerb::skipped;
+    case StepVerdict::handedIn:
+      return XapiVerb::completed;  // nobody has judged it yet
+    case StepVerdict::passed:
+      return type == "media" ? XapiVerb::completed : XapiVerb::passed;
+    case StepVerdict::failed:
+      break;
+  }
+  return XapiVerb::failed;
 }
 
 /// What was entered, as xAPI wants it: a text.
@@ -140,12 +152,13 @@ std::string responseOf(const json& answer) {
 }
 
 json AttemptStatements::ofOutcome(const StepOutcome& outcome, int repetition) {
-  const XapiVerb verb = verbOf(outcome, stepOf(outcome.stepId));
-  const bool isSkipped = outcome.verdict == StepVerdict::skipped, isHandedIn = outcome.verdict == StepVerdict::handedIn;
-  json result = {
-      {"success", outcome.verdict == StepVerdict::passed}, {"completion", !isSkipped}, {"duration", durationText(outcome.seconds)}};
+  const StepScore* counted = attempt_.outcomeOf(outcome.stepId) == &outcome ? result_.counted.of(outcome.stepId) : nullptr;
+  const StepVerdict verdict = counted != nullptr ? counted->verdict : outcome.verdict;
+  const XapiVerb verb = verbOf(verdict, stepOf(outcome.stepId));
+  const bool isSkipped = verdict == StepVerdict::skipped, isHandedIn = verdict == StepVerdict::handedIn;
+  json result = {{"success", verdict == StepVerdict::passed}, {"completion", !isSkipped}, {"duration", isoDuration(outcome.seconds)}};
   if (isHandedIn) result.erase("success");  // nobody has judged it yet
-  if (!isSkipped && !isHandedIn) result["score"] = scoreOf(outcome.score);
+  if (!isSkipped && !isHandedIn) result["score"] = scoreOf(counted != nullptr ? counted->score : outcome.score);
   if (verb == XapiVerb::answered && !outcome.answer.is_null())
     if (std::string response = responseOf(outcome.answer); !response.empty()) result["response"] = std::move(response);
   result["extensions"] = {{iri("extension/hints"), outcome.hints}};
@@ -161,35 +174,18 @@ json AttemptStatements::ofOutcome(const StepOutcome& outcome, int repetition) {
   return statement(verb, event, outcome.at, stepActivity(outcome.stepId), std::move(result), outcome.stepId);
 }
 
-/// Completed, and passed or failed: the latest outcome of each step counts, and a step of the lesson that has none counts as 0.
+/// Completed; and passed or failed, when it is judged.
 void AttemptStatements::sayHowItEnded(std::vector<json>& said) {
-  std::map<std::string, const StepOutcome*> counted;
-  double seconds = 0.0;
   int hints = 0;
-  for (const StepOutcome& outcome : attempt_.outcomes) {
-    counted[outcome.stepId] = &outcome;
-    seconds += outcome.seconds;
-    hints += outcome.hints;
-  }
-  if (options_.lesson) {
-    std::map<std::string, const StepOutcome*> ofLesson;
-    for (const LessonStep& step : options_.lesson->steps) ofLesson[step.id] = attempt_.outcomeOf(step.id);
-    counted = std::move(ofLesson);
-  }
-  double sum = 0.0;
-  bool isPassed = !counted.empty();
-  for (const auto& [id, outcome] : counted) {
-    sum += outcome == nullptr || outcome->verdict == StepVerdict::skipped ? 0.0 : outcome->score;
-    isPassed = isPassed && outcome != nullptr && outcome->verdict == StepVerdict::passed;
-  }
-  json result = {{"completion", true}, {"duration", durationText(seconds)}, {"extensions", {{iri("extension/hints"), hints}}}};
+  for (const StepOutcome& outcome : attempt_.outcomes) hints += outcome.hints;
+  json result = {{"completion", true}, {"duration", isoDuration(result_.worked_s)}, {"extensions", {{iri("extension/hints"), hints}}}};
   if (json metrics = metricsOf({}); !metrics.empty()) result["extensions"][iri("extension/metrics")] = std::move(metrics);
   said.push_back(statement(XapiVerb::completed, "completed", *attempt_.finishedAt, lessonActivity(), result, {}));
-  const auto isOpen = [](const auto& each) { return each.second != nullptr && each.second->verdict == StepVerdict::handedIn; };
-  if (counted.empty() || std::any_of(counted.begin(), counted.end(), isOpen)) return;
-  result["success"] = isPassed;
-  result["score"] = scoreOf(sum / static_cast<double>(counted.size()));
-  said.push_back(statement(isPassed ? XapiVerb::passed : XapiVerb::failed, "judged", *attempt_.finishedAt, lessonActivity(), result, {}));
+  const auto passed = result_.passed();
+  if (!passed || result_.counted.steps.empty()) return;
+  result["success"] = *passed;
+  result["score"] = scoreOf(*result_.score());
+  said.push_back(statement(*passed ? XapiVerb::passed : XapiVerb::failed, "judged", *attempt_.finishedAt, lessonActivity(), result, {}));
 }
 
 std::vector<json> AttemptStatements::all() {

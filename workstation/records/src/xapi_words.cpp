@@ -33,7 +33,7 @@ nlohmann::json jsonOf(XapiVerb verb) {
   return nullptr;
 }
 
-std::string durationText(double seconds) {
+std::string isoDuration(double seconds) {
   const long long hundredths = std::llround(std::max(seconds, 0.0) * 100.0);
   const long long hours = hundredths / 360'000, minutes = hundredths / 6000 % 60, rest = hundredths % 6000;
   std::string text = "PT";

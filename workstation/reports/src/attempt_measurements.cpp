@@ -65,6 +65,17 @@ Worksheet sheetOf(const ReportedAttempt& attempt, const ReportedLesson& lesson) 
   sheet.source = "EchoWeave, lesson " + attempt.attempt.caseId + "/" + attempt.attempt.lessonId;
   sheet.sections.push_back({bothAs(reports::lessonName(attempt.attempt, lesson)), {}});
   sheet.summaries.push_back({{"Attempt", "Versuch"}, bothAs(attempt.attempt.id)});
+  const AttemptResult result = attempt.result();
+  if (result.isKnown && result.passed()) {
+    const std::string percent = percentText(*result.score()).english(), passed = std::to_string(result.stepsPassed);
+    const std::string judged = std::to_string(result.stepsJudged);
+    const Words verdict = *result.passed() ? Words{"passed", "bestanden"} : Words{"not passed", "nicht bestanden"};
+    sheet.summaries.push_back({{"Result", "Ergebnis"},
+                               {percent + ", " + verdict.english + ", " + passed + " of " + judged + " steps passed",
+                                percent + ", " + verdict.german + ", " + passed + " von " + judged + " Schritten bestanden"}});
+  }
+  const std::string worked = durationText(result.worked_s).english();
+  sheet.summaries.push_back({{"Time on steps", "Zeit für die Schritte"}, bothAs(worked)});
   return sheet;
 }
 

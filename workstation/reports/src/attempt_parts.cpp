@@ -46,13 +46,13 @@ ReportTable itemsTable(const KeptRating& kept, const ReportOptions& options) {
 void addRating(const PartOf& of, const KeptRating& kept, Blocks& blocks) {
   const Rating& rating = kept.rating;
   blocks.emplace_back(
-      ReportHeading{3, say<"%1, by %2">(inLanguage(kept.form->title, of.options), calledIn(of.options, of.codes, rating.rater))});
+      ReportHeading{3, say<"%1, by %2">(inLanguage(kept.form->title, of.options), reviewerIn(of.options, of.codes, rating.rater))});
   ReportFacts facts;
   facts.rows.push_back({say<"Given">(), momentWords(rating.at)});
   if (const auto total = totalOf(*kept.form, rating))
     facts.rows.push_back({say<"Total">(), say<"%1 of %2">(figureText(*total, ""), figureText(kept.form->highest, ""))});
   if (const auto passed = passedBy(*kept.form, rating))
-    facts.rows.push_back({say<"Verdict">(), passedText(*passed), *passed ? ReportTone::good : ReportTone::bad});
+    facts.rows.push_back({say<"Verdict">(), passedWord(*passed), *passed ? ReportTone::good : ReportTone::bad});
   facts.rows.push_back({say<"Rater">(), blindingText(rating)});
   if (!rating.remark.empty()) facts.rows.push_back({say<"Remark">(), verbatim(rating.remark)});
   blocks.emplace_back(std::move(facts));
@@ -82,7 +82,7 @@ void addEarlierScores(const PartOf& of, Blocks& blocks) {
     table.rows.push_back({{verbatim(std::to_string(score.number))},
                           {momentWords(score.madeAt)},
                           {percentText(score.score)},
-                          {passedText(score.passed), score.passed ? ReportTone::good : ReportTone::bad},
+                          {passedWord(score.passed), score.passed ? ReportTone::good : ReportTone::bad},
                           {verbatim(std::to_string(score.planRevision))},
                           {verbatim(score.program)}});
   blocks.emplace_back(std::move(table));
@@ -94,7 +94,10 @@ void addOrigin(const PartOf& of, Blocks& blocks) {
   facts.rows = {{say<"Attempt">(), verbatim(of.one.attempt.id)},
                 {say<"Case and lesson">(), verbatim(of.one.attempt.caseId + " / " + of.one.attempt.lessonId)},
                 {say<"Judged in the lesson by">(), verbatim("EchoWeave " + of.one.attempt.program)}};
-  if (const auto& score = of.one.score) {
+  if (!of.result.isScored) {
+    facts.rows.push_back({say<"Judged">(), say<"as in the lesson; it was not scored since">(), ReportTone::caution});
+  } else {
+    const AttemptScore* score = &of.result.counted;
     facts.rows.push_back({say<"Scored">(), say<"%1 by EchoWeave %2">(momentWords(score->madeAt), score->program)});
     facts.rows.push_back({say<"Score number">(), verbatim(std::to_string(score->number))});
     facts.rows.push_back({say<"Version of scoring">(), verbatim(std::to_string(score->scoring))});
@@ -105,9 +108,8 @@ void addOrigin(const PartOf& of, Blocks& blocks) {
     facts.rows.push_back({say<"Key of all that went in">(), verbatim(score->key)});
   }
   blocks.emplace_back(std::move(facts));
-  if (!of.one.score) return;
   ReportList notes;
-  for (const Message& note : of.one.score->notes) notes.items.push_back({inWordsOf(of.lesson.words, note), ReportTone::caution});
+  for (const Message& note : of.result.counted.notes) notes.items.push_back({inWordsOf(of.lesson.words, note), ReportTone::caution});
   if (!notes.items.empty()) blocks.emplace_back(std::move(notes));
 }
 
@@ -123,9 +125,8 @@ ReportTable metricsExplained(const std::vector<std::string>& ids) {
 void addMeaning(const PartOf& of, Blocks& blocks) {
   blocks.emplace_back(ReportHeading{2, say<"What this is worth">()});
   blocks.emplace_back(ReportParagraph{validitySentence()});
-  if (!of.one.score) return;
   std::vector<std::string> ids;
-  for (const StepScore& step : of.one.score->steps)
+  for (const StepScore& step : of.result.counted.steps)
     for (const MetricValue& value : step.metrics) ids.push_back(value.id);
   if (!ids.empty()) blocks.emplace_back(metricsExplained(ids));
 }

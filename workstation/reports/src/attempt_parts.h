@@ -9,6 +9,7 @@ namespace ew::reports {
 /// What the parts of an attempt's report are made of.
 struct PartOf {
   const ReportedAttempt& one;
+  const AttemptResult& result;  ///< of it
   const ReportedLesson& lesson;
   const Pseudonyms& codes;
   const ReportOptions& options;

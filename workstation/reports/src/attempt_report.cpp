@@ -28,7 +28,7 @@ std::vector<StepTime> timesOf(const Attempt& attempt) {
   return times;
 }
 
-ReportPlot timeLineOf(const ReportedAttempt& one, const ReportedLesson& lesson) {
+ReportPlot timeLineOf(const ReportedAttempt& one, const AttemptResult& result, const ReportedLesson& lesson) {
   TimeLinePlot plot;
   const auto times = timesOf(one.attempt);
   std::vector<std::string> rows;
@@ -38,7 +38,7 @@ ReportPlot timeLineOf(const ReportedAttempt& one, const ReportedLesson& lesson) 
     const auto row = static_cast<std::size_t>(known - rows.begin());
     if (known == rows.end()) {
       rows.push_back(outcome.stepId);
-      const StepScore* scored = one.score ? one.score->of(outcome.stepId) : nullptr;
+      const StepScore* scored = result.counted.of(outcome.stepId);
       plot.rows.push_back({verbatim(stepTitle(lesson.words, outcome.stepId, scored == nullptr ? "" : scored->title)), {}});
     }
     plot.rows[row].spans.push_back({times[n].begin_s, times[n].end_s, outcome.verdict == StepVerdict::passed});
@@ -49,12 +49,12 @@ ReportPlot timeLineOf(const ReportedAttempt& one, const ReportedLesson& lesson) 
 
 /// Of a step as it counts in this attempt.
 Message verdictIn(const Attempt& attempt, const StepScore& step) {
-  return attempt.outcomeOf(step.stepId) == nullptr ? say<"not reached">() : verdictText(step.verdict);
+  return attempt.outcomeOf(step.stepId) == nullptr ? say<"not reached">() : verdictWord(step.verdict);
 }
 
-ReportPlot barsOf(const ReportedAttempt& one, const ReportedLesson& lesson) {
+ReportPlot barsOf(const ReportedAttempt& one, const AttemptResult& result, const ReportedLesson& lesson) {
   BarsPlot plot;
-  for (const StepScore& step : one.score->steps) {
+  for (const StepScore& step : result.counted.steps) {
     if (step.weight <= 0.0) continue;
     const Message says = joined({scoreText(step.score, step.passLevel), verdictIn(one.attempt, step)}, ", ");
     plot.bars.push_back({verbatim(stepTitle(lesson.words, step.stepId, step.title)), step.score, step.passLevel,
@@ -63,7 +63,7 @@ ReportPlot barsOf(const ReportedAttempt& one, const ReportedLesson& lesson) {
   return {say<"Score of each step that counts; dashed: what passes">(), std::move(plot)};
 }
 
-ReportTable stepsTable(const ReportedAttempt& one, const ReportedLesson& lesson) {
+ReportTable stepsTable(const ReportedAttempt& one, const AttemptResult& result, const ReportedLesson& lesson) {
   ReportTable table{say<"Steps">(),
                     {{say<"Step">()},
                      {say<"Task">()},
@@ -74,13 +74,13 @@ ReportTable stepsTable(const ReportedAttempt& one, const ReportedLesson& lesson)
                      {say<"Time">(), true},
                      {say<"Hints">(), true}},
                     {}};
-  for (const StepScore& step : one.score->steps) {
+  for (const StepScore& step : result.counted.steps) {
     const StepOutcome* outcome = one.attempt.outcomeOf(step.stepId);
     const Message none = verbatim("–");
     table.rows.push_back({{verbatim(stepTitle(lesson.words, step.stepId, step.title))},
                           {kindText(step.kind)},
                           {verdictIn(one.attempt, step), toneOf(step.verdict)},
-                          {scoreText(step.score, step.passLevel)},
+                          {step.verdict == StepVerdict::handedIn ? none : scoreText(step.score, step.passLevel)},
                           {step.weight > 0.0 ? percentText(step.passLevel) : none},
                           {figureText(step.weight, "")},
                           {outcome == nullptr ? none : durationText(outcome->seconds)},
@@ -89,30 +89,29 @@ ReportTable stepsTable(const ReportedAttempt& one, const ReportedLesson& lesson)
   return table;
 }
 
-double secondsOf(const Attempt& attempt) {
-  double sum_s = 0.0;
-  for (const StepOutcome& outcome : attempt.outcomes) sum_s += outcome.seconds;
-  return sum_s;
-}
-
-ReportFacts factsOf(const ReportedAttempt& one, const ReportedLesson& lesson, const std::string& who) {
+ReportFacts factsOf(const ReportedAttempt& one, const AttemptResult& result, const ReportedLesson& lesson, const std::string& who) {
   ReportFacts facts;
   facts.rows = {{say<"Trainee">(), verbatim(who)},
                 {say<"Case">(), verbatim(lesson.caseTitle)},
                 {say<"Lesson">(), verbatim(lessonName(one.attempt, lesson))},
                 {say<"Began">(), momentWords(one.attempt.startedAt)},
                 {say<"Ended">(), one.attempt.finishedAt ? momentWords(*one.attempt.finishedAt) : say<"not finished">()},
-                {say<"Time on steps">(), durationText(secondsOf(one.attempt))}};
-  if (!one.score) {
+                {say<"Time on steps">(), durationText(result.worked_s)}};
+  if (!result.isKnown) {
     facts.rows.push_back({say<"Score">(), say<"not scored yet">(), ReportTone::caution});
     return facts;
   }
-  facts.rows.push_back({say<"Score">(), percentText(one.score->score)});
-  facts.rows.push_back({say<"Verdict">(), passedText(one.score->passed), one.score->passed ? ReportTone::good : ReportTone::bad});
+  if (const auto score = result.score()) facts.rows.push_back({say<"Score">(), percentText(*score)});
+  facts.rows.push_back({say<"Verdict">(), verdictWord(result), toneOf(result)});
+  if (result.passed()) facts.rows.push_back({say<"Steps passed">(), say<"%1 of %2">(result.stepsPassed, result.stepsJudged)});
   return facts;
 }
 
 }  // namespace
+
+std::string reviewerIn(const ReportOptions& options, const Pseudonyms& codes, const std::string& person) {
+  return options.names ? calledIn(options, codes, person) : codes.ofReviewer(person);
+}
 
 std::string calledIn(const ReportOptions& options, const Pseudonyms& codes, const std::string& person) {
   if (!options.names) return codes.ofPerson(person);
@@ -126,13 +125,14 @@ ReportDocument attemptReport(const ReportedAttempt& one, const ReportedLesson& l
   document.title = say<"%1: %2">(lessonName(one.attempt, lesson), who);
   document.subtitle = joined({verbatim(lesson.caseTitle), momentWords(one.attempt.startedAt)}, " · ");
   auto& blocks = document.blocks;
-  blocks.emplace_back(factsOf(one, lesson, who));
-  if (one.score) {
-    blocks.emplace_back(barsOf(one, lesson));
-    blocks.emplace_back(stepsTable(one, lesson));
+  const AttemptResult result = one.result();
+  blocks.emplace_back(factsOf(one, result, lesson, who));
+  if (result.isKnown) {
+    if (result.passed()) blocks.emplace_back(barsOf(one, result, lesson));
+    blocks.emplace_back(stepsTable(one, result, lesson));
   }
-  if (!one.attempt.outcomes.empty()) blocks.emplace_back(timeLineOf(one, lesson));
-  const PartOf part{one, lesson, codes, options};
+  if (!one.attempt.outcomes.empty()) blocks.emplace_back(timeLineOf(one, result, lesson));
+  const PartOf part{one, result, lesson, codes, options};
   addSteps(part, blocks);
   addRatings(part, blocks);
   addEarlierScores(part, blocks);

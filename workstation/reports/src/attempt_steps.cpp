@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include "attempt_parts.h"
@@ -8,27 +9,29 @@
 namespace ew::reports {
 namespace {
 
-ReportFacts stepFacts(const StepScore& step, const StepOutcome* outcome, std::size_t tries) {
+ReportFacts stepFacts(const StepScore& step, const StepOutcome* outcome, std::size_t tries, bool isScored) {
   ReportFacts facts;
   facts.rows.push_back({say<"Task">(), kindText(step.kind)});
-  facts.rows.push_back({say<"Verdict">(), outcome == nullptr ? say<"not reached">() : verdictText(step.verdict), toneOf(step.verdict)});
+  facts.rows.push_back({say<"Verdict">(), outcome == nullptr ? say<"not reached">() : verdictWord(step.verdict), toneOf(step.verdict)});
   if (outcome == nullptr) return facts;
-  facts.rows.push_back({say<"Score">(), step.weight > 0.0
-                                            ? say<"%1 (passes from %2)">(scoreText(step.score, step.passLevel), percentText(step.passLevel))
-                                            : say<"%1 (does not count)">(percentText(step.score))});
+  const bool isJudged = step.verdict != StepVerdict::skipped && step.verdict != StepVerdict::handedIn;
+  if (step.verdict != StepVerdict::handedIn)
+    facts.rows.push_back(
+        {say<"Score">(), step.weight > 0.0 ? say<"%1 (passes from %2)">(scoreText(step.score, step.passLevel), percentText(step.passLevel))
+                                           : say<"%1 (does not count)">(percentText(step.score))});
   if (step.task != step.score) facts.rows.push_back({say<"Of the task itself">(), percentText(step.task)});
   facts.rows.push_back({say<"Time">(), durationText(outcome->seconds)});
   if (outcome->hints > 0) facts.rows.push_back({say<"Hints">(), figureText(outcome->hints, "")});
   if (tries > 1) facts.rows.push_back({say<"Tries">(), say<"%1, of which the last one counts">(tries)});
   if (step.validShare < 1.0) facts.rows.push_back({say<"Images with a usable pose">(), percentText(step.validShare)});
-  if (!step.isJudgedAnew && outcome->verdict != StepVerdict::skipped)
+  if (isScored && !step.isJudgedAnew && isJudged)
     facts.rows.push_back({say<"Judged">(), say<"as in the lesson; its raw data are not there">(), ReportTone::caution});
   return facts;
 }
 
 /// The weight that a plan gives a metric; empty: it does not count, or nobody knows any more.
 std::optional<double> weightInPlan(const PartOf& of, const StepScore& step, const std::string& metric) {
-  if (of.lesson.plan.revision != of.one.score->planRevision) return std::nullopt;
+  if (of.lesson.plan.revision != of.result.counted.planRevision) return std::nullopt;
   if (const StepPlan* plan = of.lesson.plan.of(step.stepId))
     for (const MetricWeight& weight : plan->metrics)
       if (weight.metric == metric) return weight.weight;
@@ -47,7 +50,7 @@ const MetricValue* expertsOf(const PartOf& of, const StepScore& step, const Metr
 /// Metrics that count or are on, beside the expert's where there are any. Those that are off by default are counted alone: a page of them
 /// says nothing.
 void addMetrics(const PartOf& of, const StepScore& step, Blocks& blocks) {
-  const bool isPlanKnown = of.lesson.plan.revision == of.one.score->planRevision;
+  const bool isPlanKnown = of.lesson.plan.revision == of.result.counted.planRevision;
   std::vector<const MetricValue*> listed;
   for (const MetricValue& value : step.metrics)
     if (weightInPlan(of, step, value.id) || !of.lesson.offByDefault.contains({step.kind, value.id})) listed.push_back(&value);
@@ -88,14 +91,38 @@ void addRemarks(const PartOf& of, const std::vector<AttemptRemark>& remarks, Blo
   if (!list.items.empty()) blocks.emplace_back(std::move(list));
 }
 
-void addComments(const PartOf& of, const std::string& stepId, Blocks& blocks) {
+/// The recordings of a step: each is read once, and only when it is needed.
+class StepRecordings {
+ public:
+  explicit StepRecordings(const std::filesystem::path& folder) : folder_(folder) {}
+  const Result<ScanRecording>& of(const std::string& name) {
+    const auto known = read_.find(name);
+    return known != read_.end() ? known->second
+                                : read_.emplace(name, readRecording(folder_ / std::filesystem::path(name).filename())).first->second;
+  }
+  /// Of a moment on the recording's own clock, from its first image on; empty: it cannot be read.
+  std::optional<double> sinceBegin_s(const std::string& name, double time_s) {
+    if (name.empty()) return std::max(0.0, time_s);  // of no recording: there is no other clock
+    const auto& recording = of(name);
+    if (!recording || recording->log.frameCount() == 0) return std::nullopt;
+    return std::max(0.0, time_s - recording->log.begin_s());
+  }
+
+ private:
+  const std::filesystem::path& folder_;
+  std::map<std::string, Result<ScanRecording>> read_;
+};
+
+void addComments(const PartOf& of, const std::string& stepId, StepRecordings& recordings, Blocks& blocks) {
   ReportList list;
   for (const CommentFile& file : of.one.comments.files)
     for (const ReviewComment& comment : file.comments) {
       if (comment.stepId != stepId) continue;
-      const std::string author = calledIn(of.options, of.codes, file.author);
+      const std::string author = reviewerIn(of.options, of.codes, file.author);
       const Message said = comment.text.empty() ? say<"(a drawing on the picture)">() : verbatim(comment.text);
-      list.items.push_back({say<"%1, at %2 of the scan: %3">(author, durationText(std::max(0.0, comment.time_s)), said)});
+      const auto at_s = recordings.sinceBegin_s(comment.recording, comment.time_s);
+      list.items.push_back(
+          {at_s ? say<"%1, at %2 of the scan: %3">(author, durationText(*at_s), said) : joined({verbatim(author), said}, ": ")});
     }
   if (list.items.empty()) return;
   blocks.emplace_back(ReportHeading{4, say<"Comments">()});
@@ -110,9 +137,9 @@ void addPictures(const PartOf& of, const StepOutcome& outcome, const std::string
                       outcome.pictures.size() == 1 ? say<"Stored picture: %1">(title) : say<"Stored picture %1: %2">(n + 1, title)});
 }
 
-void addPath(const PartOf& of, const StepOutcome& outcome, Blocks& blocks) {
+void addPath(const PartOf& of, const StepOutcome& outcome, StepRecordings& recordings, Blocks& blocks) {
   if (!of.options.pictures || outcome.recording.empty()) return;
-  const auto recording = readRecording(of.one.folder / std::filesystem::path(outcome.recording).filename());
+  const auto& recording = recordings.of(outcome.recording);
   if (!recording) {
     blocks.emplace_back(ReportParagraph{inWordsOf(of.lesson.words, recording.error().message), ReportTone::caution});
     return;
@@ -131,43 +158,22 @@ void addStep(const PartOf& of, const StepScore& step, std::size_t number, Blocks
   const StepOutcome* outcome = of.one.attempt.outcomeOf(step.stepId);
   const auto& all = of.one.attempt.outcomes;
   const auto tries = std::count_if(all.begin(), all.end(), [&](const StepOutcome& each) { return each.stepId == step.stepId; });
-  blocks.emplace_back(stepFacts(step, outcome, static_cast<std::size_t>(tries)));
+  blocks.emplace_back(stepFacts(step, outcome, static_cast<std::size_t>(tries), of.result.isScored));
   addRemarks(of, step.remarks, blocks);
   addFigures(step.figures, blocks);
   if (!step.metrics.empty()) addMetrics(of, step, blocks);
+  StepRecordings recordings(of.one.folder);
   if (outcome != nullptr) {
     addPictures(of, *outcome, title, blocks);
-    addPath(of, *outcome, blocks);
+    addPath(of, *outcome, recordings, blocks);
   }
-  addComments(of, step.stepId, blocks);
-}
-
-/// As the lesson judged it, of an attempt that was never scored.
-StepScore asJudged(const StepOutcome& outcome, const ReportedLesson& lesson) {
-  StepScore step;
-  step.stepId = outcome.stepId;
-  step.verdict = outcome.verdict;
-  step.score = step.task = outcome.score;
-  step.figures = outcome.figures;
-  step.remarks = outcome.remarks;
-  if (!lesson.lesson) return step;
-  for (const LessonStep& known : lesson.lesson->steps) {
-    if (known.id != outcome.stepId) continue;
-    step.title = known.title;
-    step.kind = taskWord(known.task);
-    step.passLevel = passLevelOf(known, lesson.plan);
-    step.weight = weightOf(known, lesson.plan);
-  }
-  return step;
+  addComments(of, step.stepId, recordings, blocks);
 }
 
 }  // namespace
 
 void addSteps(const PartOf& of, Blocks& blocks) {
-  std::vector<StepScore> steps;
-  if (of.one.score) steps = of.one.score->steps;
-  for (const StepOutcome& outcome : of.one.attempt.outcomes)
-    if (!of.one.score && of.one.attempt.outcomeOf(outcome.stepId) == &outcome) steps.push_back(asJudged(outcome, of.lesson));
+  const auto& steps = of.result.counted.steps;
   if (steps.empty()) return;
   blocks.emplace_back(ReportHeading{2, say<"Step by step">()});
   for (std::size_t n = 0; n < steps.size(); ++n) addStep(of, steps[n], n + 1, blocks);

@@ -49,11 +49,19 @@ void addStepScore(ClassStep& step, const StepScore& score, bool isReached) {
     ++step.notReached;
     return;
   }
-  if (score.verdict == StepVerdict::skipped) {
-    ++step.skipped;
-    return;
+  switch (score.verdict) {
+    case StepVerdict::skipped:
+      ++step.skipped;
+      return;
+    case StepVerdict::handedIn:
+      return;  // nobody has judged it yet
+    case StepVerdict::passed:
+      ++step.passed;
+      break;
+    case StepVerdict::failed:
+      ++step.failed;
+      break;
   }
-  ++(score.verdict == StepVerdict::passed ? step.passed : step.failed);
   step.scores.push_back(score.score);
   for (const MetricValue& value : score.metrics) addMetric(step, value);
 }
@@ -79,11 +87,12 @@ void suggest(ClassFigures& figures, const std::vector<ReportedAttempt>& attempts
   std::map<std::string, Groups> steps;
   for (const ReportedAttempt& one : attempts) {
     const Standing standing = figures.standing[one.attempt.id] = standingBy(one.ratings);
-    if (!one.score) continue;
+    const AttemptResult result = one.result();
+    if (!result.isKnown || !result.passed()) continue;
     figures.shouldPass += standing == Standing::shouldPass ? 1 : 0;
     figures.shouldFail += standing == Standing::shouldFail ? 1 : 0;
-    lesson.add(standing, one.score->score);
-    for (const StepScore& step : one.score->steps)
+    lesson.add(standing, result.counted.score);
+    for (const StepScore& step : result.counted.steps)
       if (one.attempt.outcomeOf(step.stepId) != nullptr && step.verdict != StepVerdict::skipped)
         steps[step.stepId].add(standing, step.score);
   }
@@ -102,14 +111,16 @@ double ClassStep::notPassedShare() const {
 ClassFigures classFiguresOf(const std::vector<ReportedAttempt>& attempts) {
   ClassFigures figures;
   for (const ReportedAttempt& one : attempts) {
-    if (!one.score) {
+    const AttemptResult result = one.result();
+    if (!result.isKnown || !result.passed()) {
       ++figures.unscored;
       continue;
     }
     ++figures.scored;
-    figures.passed += one.score->passed ? 1 : 0;
-    figures.scores.push_back(one.score->score);
-    for (const StepScore& step : one.score->steps) addStepScore(stepOf(figures, step), step, one.attempt.outcomeOf(step.stepId) != nullptr);
+    figures.passed += *result.passed() ? 1 : 0;
+    figures.scores.push_back(result.counted.score);
+    for (const StepScore& step : result.counted.steps)
+      addStepScore(stepOf(figures, step), step, one.attempt.outcomeOf(step.stepId) != nullptr);
   }
   for (std::size_t n = 0; n < figures.steps.size(); ++n) {
     const double share = figures.steps[n].weight > 0.0 ? figures.steps[n].notPassedShare() : 0.0;

@@ -96,7 +96,7 @@ ReportTable kappasOf(const ClassOf& of, const RatingForm& form, const RatingStat
   for (const ItemStatistics& item : statistics.items) {
     const RatingItem* known = form.itemOf(item.item);
     for (const PairAgreement& pair : item.pairs) {
-      const std::string raters = calledIn(of.options, of.codes, pair.first) + ", " + calledIn(of.options, of.codes, pair.second);
+      const std::string raters = reviewerIn(of.options, of.codes, pair.first) + ", " + reviewerIn(of.options, of.codes, pair.second);
       table.rows.push_back({{verbatim(known == nullptr ? item.item : known->title.in(of.options.language))},
                             {verbatim(raters)},
                             {verbatim(std::to_string(pair.bothRated))},
@@ -120,7 +120,8 @@ void addForm(const ClassOf& of, const RatingForm& form, std::vector<ReportBlock>
     facts.rows.push_back({say<"Agreement">(), say<"needs two raters and two attempts that both rated, with ratings that differ">()});
   }
   for (const Leniency& each : statistics.leniency)
-    facts.rows.push_back({say<"%1 rates above the others by">(calledIn(of.options, of.codes, each.rater)), figureText(each.aboveMean, "")});
+    facts.rows.push_back(
+        {say<"%1 rates above the others by">(reviewerIn(of.options, of.codes, each.rater)), figureText(each.aboveMean, "")});
   blocks.emplace_back(std::move(facts));
   if (ReportTable kappas = kappasOf(of, form, statistics); !kappas.rows.empty()) blocks.emplace_back(std::move(kappas));
 }
@@ -192,21 +193,16 @@ void addAttemptTable(const ClassOf& of, std::vector<ReportBlock>& blocks) {
                     {}};
   for (std::size_t n = 0; n < of.attempts.size(); ++n) {
     const ReportedAttempt& one = of.attempts[n];
-    std::size_t passed = 0, counting = 0;
-    for (const StepScore& step : one.score ? one.score->steps : std::vector<StepScore>{}) {
-      counting += step.weight > 0.0 ? 1 : 0;
-      passed += step.weight > 0.0 && step.verdict == StepVerdict::passed ? 1 : 0;
-    }
-    const bool isScored = one.score.has_value();
-    table.rows.push_back({{verbatim(calledIn(of.options, of.codes, one.attempt.person)), ReportTone::plain,
-                           n < of.pages.size() ? of.pages[n] : std::string()},
-                          {momentWords(one.attempt.startedAt)},
-                          {isScored ? percentText(one.score->score) : verbatim("–")},
-                          {isScored ? passedText(one.score->passed) : say<"not scored yet">(), !isScored           ? ReportTone::caution
-                                                                                               : one.score->passed ? ReportTone::good
-                                                                                                                   : ReportTone::bad},
-                          {isScored ? say<"%1 of %2">(passed, counting) : verbatim("–")},
-                          {verbatim(std::to_string(one.ratings.ratings.size()))}});
+    const AttemptResult result = one.result();
+    const bool isJudged = result.isKnown && result.passed();
+    table.rows.push_back(
+        {{verbatim(calledIn(of.options, of.codes, one.attempt.person)), ReportTone::plain,
+          n < of.pages.size() ? of.pages[n] : std::string()},
+         {momentWords(one.attempt.startedAt)},
+         {isJudged ? percentText(*result.score()) : verbatim("–")},
+         {result.isKnown ? verdictWord(result) : say<"not scored yet">(), result.isKnown ? toneOf(result) : ReportTone::caution},
+         {isJudged ? say<"%1 of %2">(result.stepsPassed, result.stepsJudged) : verbatim("–")},
+         {verbatim(std::to_string(one.ratings.ratings.size()))}});
   }
   blocks.emplace_back(std::move(table));
 }

@@ -41,11 +41,6 @@ std::string titleOf(const MetricColumn& column) {
   return column.id + " v" + std::to_string(column.version) + unit;
 }
 
-const char* verdictWord(StepVerdict verdict) {
-  const char* words[] = {"passed", "failed", "skipped"};
-  return words[static_cast<int>(verdict)];
-}
-
 const char* yes(bool is) { return is ? "yes" : "no"; }
 
 class CsvLine {
@@ -69,24 +64,55 @@ class CsvLine {
   bool isFirst_ = true;
 };
 
-constexpr std::string_view kColumns[] = {
-    "attempt",      "person",        "case",          "lesson",          "started",    "finished",   "scored",
-    "lesson_score", "lesson_passed", "plan_revision", "scoring_version", "program",    "score_made", "step",
-    "step_title",   "kind",          "verdict",       "score",           "task_score", "pass_level", "weight",
-    "seconds [s]",  "hints",         "judged_anew",   "valid_poses [%]"};
+constexpr std::string_view kColumns[] = {"attempt",
+                                         "person",
+                                         "case",
+                                         "lesson",
+                                         "started",
+                                         "finished",
+                                         "scored",
+                                         "lesson_score",
+                                         "lesson_passed",
+                                         "lesson_verdict",
+                                         "steps_passed",
+                                         "steps_judged",
+                                         "lesson_seconds [s]",
+                                         "plan_revision",
+                                         "scoring_version",
+                                         "program",
+                                         "score_made",
+                                         "step",
+                                         "step_title",
+                                         "kind",
+                                         "verdict",
+                                         "score",
+                                         "task_score",
+                                         "pass_level",
+                                         "weight",
+                                         "seconds [s]",
+                                         "hints",
+                                         "judged_anew",
+                                         "valid_poses [%]"};
 
-CsvLine begun(const ReportedAttempt& one, const Pseudonyms& codes, bool names) {
+CsvLine begun(const ReportedAttempt& one, const AttemptResult& result, const Pseudonyms& codes, bool names) {
   CsvLine line;
   const Attempt& attempt = one.attempt;
   line.add(attempt.id).add(names ? attempt.person : codes.ofPerson(attempt.person)).add(attempt.caseId).add(attempt.lessonId);
-  line.add(momentText(attempt.startedAt)).add(attempt.finishedAt ? momentText(*attempt.finishedAt) : "").add(yes(one.score.has_value()));
-  if (!one.score) return line.skip(6);
-  line.add(one.score->score).add(yes(one.score->passed)).add(one.score->planRevision).add(one.score->scoring).add(one.score->program);
-  return line.add(momentText(one.score->madeAt));
+  line.add(momentText(attempt.startedAt)).add(attempt.finishedAt ? momentText(*attempt.finishedAt) : "").add(yes(result.isScored));
+  const bool isJudged = result.isKnown && result.passed();
+  isJudged ? line.add(*result.score()).add(yes(*result.passed())) : line.skip(2);
+  result.isKnown ? line.add(verdictWord(result).english()) : line.skip();
+  isJudged ? line.add(static_cast<int>(result.stepsPassed)).add(static_cast<int>(result.stepsJudged)) : line.skip(2);
+  line.add(result.worked_s);
+  if (!result.isScored) return line.skip(4);
+  const AttemptScore& score = result.counted;
+  return line.add(score.planRevision).add(score.scoring).add(score.program).add(momentText(score.madeAt));
 }
 
-std::string scoredLine(CsvLine line, const StepScore& step, const StepOutcome* outcome, const std::vector<MetricColumn>& columns) {
-  line.add(step.stepId).add(step.title).add(step.kind).add(verdictWord(step.verdict)).add(step.score).add(step.task).add(step.passLevel);
+std::string stepLine(CsvLine line, const StepScore& step, const StepOutcome* outcome, const std::vector<MetricColumn>& columns) {
+  line.add(step.stepId).add(step.title).add(step.kind).add(verdictWord(step.verdict).english());
+  step.verdict == StepVerdict::handedIn ? line.skip(2) : line.add(step.score).add(step.task);  // nobody has judged it yet
+  line.add(step.passLevel);
   line.add(step.weight);
   outcome == nullptr ? line.skip(2) : line.add(outcome->seconds).add(outcome->hints);
   line.add(yes(step.isJudgedAnew)).add(100.0 * step.validShare);
@@ -99,8 +125,11 @@ std::string scoredLine(CsvLine line, const StepScore& step, const StepOutcome* o
   return line.text();
 }
 
-std::string unscoredLine(CsvLine line, const StepOutcome& outcome, std::size_t columns) {
-  line.add(outcome.stepId).skip(2).add(verdictWord(outcome.verdict)).add(outcome.score).add(outcome.score).skip(2);
+/// Of a step of a lesson that nobody has any more.
+std::string outcomeLine(CsvLine line, const StepOutcome& outcome, std::size_t columns) {
+  line.add(outcome.stepId).skip(2).add(verdictWord(outcome.verdict).english());
+  outcome.verdict == StepVerdict::handedIn ? line.skip(2) : line.add(outcome.score).add(outcome.score);
+  line.skip(2);
   return line.add(outcome.seconds).add(outcome.hints).add(yes(false)).skip(1 + columns).text();
 }
 
@@ -122,12 +151,13 @@ std::string csvOf(const std::vector<ReportedAttempt>& attempts, const Pseudonyms
   for (const MetricColumn& column : columns) heads.add(titleOf(column));
   std::string table = heads.text();
   for (const ReportedAttempt& one : attempts) {
-    const CsvLine begin = begun(one, codes, names);
-    if (one.score)
-      for (const StepScore& step : one.score->steps) table += scoredLine(begin, step, one.attempt.outcomeOf(step.stepId), columns);
+    const AttemptResult result = one.result();
+    const CsvLine begin = begun(one, result, codes, names);
+    if (result.isKnown)
+      for (const StepScore& step : result.counted.steps) table += stepLine(begin, step, one.attempt.outcomeOf(step.stepId), columns);
     else
       for (const StepOutcome& outcome : one.attempt.outcomes)
-        if (one.attempt.outcomeOf(outcome.stepId) == &outcome) table += unscoredLine(begin, outcome, columns.size());
+        if (one.attempt.outcomeOf(outcome.stepId) == &outcome) table += outcomeLine(begin, outcome, columns.size());
   }
   return table;
 }

@@ -46,10 +46,11 @@ Result<Read> readClasses(const ReportRequest& request, Progress& progress) {
   std::map<std::pair<std::string, std::string>, Class> byLesson;
   Read all;
   std::optional<Error> problem;
+  AttemptResults results(request.library);
   for (std::size_t n = 0; n < request.attempts.size(); ++n) {
     if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Writing reports was stopped.">());
     progress.report(say<"Reading attempts">(), static_cast<double>(n) / static_cast<double>(request.attempts.size()));
-    auto read = readReportedAttempt(request.attempts[n]);
+    auto read = readReportedAttempt(request.attempts[n], &results);
     if (!read) {
       problem = read.error();
       const Message why = reports::inWordsOf({}, read.error().message);
@@ -87,8 +88,8 @@ ReportDocument indexOf(const std::vector<Class>& classes, const std::vector<Repo
     table.rows.push_back({{verbatim(reports::lessonName(attempts.front().attempt, lessons[n])), ReportTone::plain, classes[n].page},
                           {verbatim(lessons[n].caseTitle)},
                           {verbatim(std::to_string(attempts.size()))},
-                          {count([](const ReportedAttempt& one) { return one.score && one.score->passed; })},
-                          {count([](const ReportedAttempt& one) { return !one.score; })}});
+                          {count([](const ReportedAttempt& one) { return one.result().isKnown && one.result().passed().value_or(false); })},
+                          {count([](const ReportedAttempt& one) { return !one.result().isKnown || !one.result().passed(); })}});
   }
   document.blocks.emplace_back(std::move(table));
   document.blocks.emplace_back(ReportParagraph{validitySentence()});

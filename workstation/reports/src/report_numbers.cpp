@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "ew/assessment/judging.h"
 #include "ew/reports/report_document.h"
 
 namespace ew {
@@ -36,7 +37,7 @@ Message decimals(double value, int count) { return numeral(reports::fixedText(va
 Message percentText(double share) { return joined({decimals(100.0 * share, 0), verbatim("%")}); }
 
 Message scoreText(double score, double passLevel) {
-  if (score >= passLevel || std::round(100.0 * score) < std::round(100.0 * passLevel)) return percentText(score);
+  if (reachesLevel(score, passLevel) || std::round(100.0 * score) < std::round(100.0 * passLevel)) return percentText(score);
   return joined({decimals(std::floor(1000.0 * score) / 10.0, 1), verbatim("%")});
 }
 

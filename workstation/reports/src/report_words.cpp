@@ -26,18 +26,24 @@ std::string withoutFolders(const std::string& text) {
 
 }  // namespace
 
-Message verdictText(StepVerdict verdict) {
-  if (verdict == StepVerdict::passed) return say<"passed">();
-  if (verdict == StepVerdict::failed) return say<"not passed">();
-  return say<"skipped">();
-}
-
 ReportTone toneOf(StepVerdict verdict) {
-  if (verdict == StepVerdict::passed) return ReportTone::good;
-  return verdict == StepVerdict::failed ? ReportTone::bad : ReportTone::soft;
+  switch (verdict) {
+    case StepVerdict::passed:
+      return ReportTone::good;
+    case StepVerdict::failed:
+      return ReportTone::bad;
+    case StepVerdict::skipped:
+    case StepVerdict::handedIn:
+      break;
+  }
+  return ReportTone::soft;
 }
 
-Message passedText(bool passed) { return passed ? say<"passed">() : say<"not passed">(); }
+ReportTone toneOf(const AttemptResult& result) {
+  const auto passed = result.passed();
+  if (!passed) return ReportTone::soft;
+  return *passed ? ReportTone::good : ReportTone::bad;
+}
 
 Message kindText(std::string_view kind) {
   if (kind == "read") return say<"Read">();

@@ -12,10 +12,9 @@
 
 namespace ew::reports {
 
-[[nodiscard]] Message verdictText(StepVerdict verdict);
 [[nodiscard]] ReportTone toneOf(StepVerdict verdict);
 /// Of a whole lesson.
-[[nodiscard]] Message passedText(bool passed);
+[[nodiscard]] ReportTone toneOf(const AttemptResult& result);
 /// Of a taskWord: "plane" is "Find a plane".
 [[nodiscard]] Message kindText(std::string_view kind);
 /// "2026-11-26 09:30 UTC"; "not known" of a moment that was never set.

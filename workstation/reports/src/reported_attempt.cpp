@@ -57,12 +57,18 @@ std::set<std::pair<std::string, std::string>> metricsOff() {
 
 }  // namespace
 
-Result<ReportedAttempt> readReportedAttempt(const fs::path& folder) {
+AttemptResult ReportedAttempt::result() const { return attemptResultOf(attempt, lesson ? &*lesson : nullptr, plan, score); }
+
+Result<ReportedAttempt> readReportedAttempt(const fs::path& folder, AttemptResults* results) {
   auto kept = KeptAttempt::open(folder);
   if (!kept) return passOn(kept.error());
   ReportedAttempt made;
   made.folder = folder;
   made.attempt = kept->attempt();
+  if (results != nullptr) {
+    if (const TriedLesson* tried = results->lessonOf(made.attempt)) made.lesson = tried->lesson;
+    made.plan = results->planOf(made.attempt);
+  }
   made.earlier = scoresOf(folder);
   if (!made.earlier.empty()) {
     made.score = std::move(made.earlier.back());

@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "ew/assessment/attempt_result.h"
 #include "ew/library/case.h"
 #include "ew/library/lesson_links.h"
 #include "ew/sdk/person.h"
@@ -33,7 +34,7 @@ std::optional<StoppedLesson> stoppedOf(const InterruptedLesson& interrupted, con
 Learning::Known knownBy(const AttemptList& attempts, const std::filesystem::path& library, const std::string& person,
                         const std::string& language) {
   Learning::Known known;
-  known.standings = Standings(attempts, person);
+  known.standings = Standings(attempts, person, attemptJudgeOf(library));
   if (const auto file = shippedCourseFile()) {
     if (auto course = readCourse(*file))
       known.course = standingIn(std::move(*course), known.standings, library, language);

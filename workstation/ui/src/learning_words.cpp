@@ -10,7 +10,7 @@ namespace ew::ui {
 QString standingWords(const LessonStanding& standing, std::size_t steps) {
   if (standing.interrupted) return CourseStrip::tr("Stopped in step %1 of %2").arg(std::min(standing.interruptedAt + 1, steps)).arg(steps);
   if (standing.isPassed(steps)) return CourseStrip::tr("Passed");
-  if (standing.attempts > 0) return CourseStrip::tr("%1 of %2 steps passed").arg(standing.bestPassed).arg(steps);
+  if (standing.attempts > 0) return CourseStrip::tr("%1 of %2 steps passed").arg(standing.bestPassed).arg(standing.counting(steps));
   return CourseStrip::tr("Not begun yet");
 }
 

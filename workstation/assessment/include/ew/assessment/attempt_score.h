@@ -3,6 +3,7 @@
 #include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@
 namespace ew {
 
 inline constexpr int kScoreFormat = 1;     ///< `format` of a score's file; a larger one is refused with newerFormat
-inline constexpr int kScoringVersion = 1;  ///< of how metrics become scores; part of every key
+inline constexpr int kScoringVersion = 2;  ///< of how metrics become scores; part of every key. 2: a value at its tolerance is within it
 
 /// What a step of an attempt is worth by a plan.
 struct StepScore {
@@ -46,9 +47,11 @@ struct AttemptScore {
   std::chrono::sys_seconds madeAt{};
   double score = 0.0;  ///< weighted mean of the steps', 0 to 1
   bool passed = false;
-  std::vector<StepScore> steps;  ///< of the lesson, in its order; one that was never ended counts 0
-  std::vector<Message> notes;    ///< what scoring had to decide, in sentences
-  int number = 0;                ///< of the file it was read from; not saved
+  std::optional<std::size_t> outcomes;  ///< that the attempt had then; empty: scores of version 1 do not say
+  bool wasFinished = false;             ///< the attempt, then
+  std::vector<StepScore> steps;         ///< of the lesson, in its order; one that was never ended counts 0
+  std::vector<Message> notes;           ///< what scoring had to decide, in sentences
+  int number = 0;                       ///< of the file it was read from; not saved
   bool operator==(const AttemptScore&) const = default;
 
   [[nodiscard]] const StepScore* of(const std::string& stepId) const;

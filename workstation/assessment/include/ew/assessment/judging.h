@@ -20,6 +20,17 @@ struct Judgement {
   bool operator==(const Judgement&) const = default;
 };
 
+// A bound belongs to what it bounds, though binary fractions may put a value a few digits beyond it: 12.3 - 12.1 is
+// 0.2000000000000011, and 12.1 lies within 12.3 +- 0.2. Whatever is judged asks these.
+
+/// @param tolerance >= 0
+[[nodiscard]] bool isWithinTolerance(double value, double expected, double tolerance);
+[[nodiscard]] bool isWithinRange(double value, double lowest, double highest);
+/// How far a value is off, in tolerances: at most 1 where, and only where, it is within. @param tolerance > 0
+[[nodiscard]] double shareOfTolerance(double value, double expected, double tolerance);
+/// Whether a score passes. @param score, level 0 to 1
+[[nodiscard]] bool reachesLevel(double score, double level);
+
 /// The score at the tolerance's rim. 1 at no error, falling evenly to it; beyond, falling evenly to 0 at three tolerances.
 inline constexpr double kPassScore = 0.7;
 /// @param shareOfTolerance the worst error in tolerances, >= 0

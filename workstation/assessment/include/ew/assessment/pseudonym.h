@@ -30,12 +30,11 @@ class Pseudonyms {
   ///        notWritable
   [[nodiscard]] static Result<Pseudonyms> ofLibrary(const std::filesystem::path& library);
 
-  /// Of an attempt, for whoever rates it: "A-7F3K-2QXM". Two attempts of one person have two codes, so that a rater does not know them
-  /// again.
-  [[nodiscard]] std::string ofAttempt(std::string_view attemptId) const;
-  /// Of a person as they call themselves, for records and exports: "T-9DC4-XB0M".
+  /// Of a person as they call themselves, wherever attempts are shown, reported, recorded or exported: "T-9DC4-XB0M".
   /// @param person Attempt::person; everybody without a name has the code of the empty one
   [[nodiscard]] std::string ofPerson(std::string_view person) const;
+  /// Of who rates and comments: the same letters behind another first one, "R-9DC4-XB0M", so that nobody is taken for a trainee.
+  [[nodiscard]] std::string ofReviewer(std::string_view person) const;
 
  private:
   Key key_;

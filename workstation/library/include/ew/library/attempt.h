@@ -20,6 +20,10 @@ enum class StepVerdict {
   skipped,  ///< left without trying: counts as not passed
   handedIn  ///< of an examination: kept, and judged afterwards by who can open its answers; counts as not passed until then
 };
+/// What a verdict is called wherever people read it, in window, reports and tables: "passed", "not passed", "skipped", "handed in".
+[[nodiscard]] Message verdictWord(StepVerdict verdict);
+/// The same of a whole lesson.
+[[nodiscard]] Message passedWord(bool passed);
 
 /// A figure of a step, as it was measured: "angle", 4.2, "deg".
 struct AttemptFigure {
@@ -61,6 +65,7 @@ struct Attempt {
   std::string lessonContent;  ///< ContentKey of the lesson's JSON at the start: whether it has changed since
   std::string person;         ///< who tried, as they call themselves; may be empty
   std::string program;        ///< version that judged
+  std::string launch;         ///< of the learning management system's launch that began it (launchOfEnvironment); empty: nobody launched it
   std::chrono::sys_seconds startedAt{};
   std::optional<std::chrono::sys_seconds> finishedAt;  ///< empty: stopped in the middle, and may be gone on with
   std::string runningStep;                             ///< begun and not ended yet; after a crash this is the step that was lost
@@ -75,6 +80,12 @@ struct Attempt {
 /// "20261126-093000-1f4a91c7": sorts by time, of those made now to the millisecond; a random end keeps two workstations on one folder
 /// apart.
 [[nodiscard]] std::string idOfAttempt(std::chrono::sys_seconds now);
+
+/// A launch by a learning management system is told to the window in this variable of its environment, and by the window to the attempts
+/// that it begins.
+inline constexpr const char* kLaunchVariable = "ECHOWEAVE_LAUNCH";
+/// The launch that started this window: letters, digits, '-' and '.', at most 100 of them. Empty: none did, or it says something else.
+[[nodiscard]] std::string launchOfEnvironment();
 
 /// An attempt's JSON. @error badField, newerFormat (with both format numbers)
 [[nodiscard]] Result<Attempt> attemptFromJson(const nlohmann::json& document);
@@ -96,8 +107,9 @@ class KeptAttempt {
 
   /// All of these save; when that fails, nothing has changed. @error notWritable
   [[nodiscard]] Result<void> beginStep(const std::string& stepId);
-  /// @param outcome names files that lie in the folder already
-  [[nodiscard]] Result<void> endStep(StepOutcome outcome);
+  /// @param outcome names files that lie in the folder already @param finishedAt given: the lesson has no step left, and the attempt is
+  /// finished with this one
+  [[nodiscard]] Result<void> endStep(StepOutcome outcome, std::optional<std::chrono::sys_seconds> finishedAt = {});
   /// The step that runs is given up, as if it had not begun.
   [[nodiscard]] Result<void> leaveStep();
   [[nodiscard]] Result<void> finish(std::chrono::sys_seconds now);

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -20,16 +21,29 @@ namespace ew {
 
 [[nodiscard]] std::filesystem::path attemptsFolder(const std::filesystem::path& library);
 
+/// What a finished attempt amounts to, step by step.
+struct AttemptTally {
+  std::size_t passed = 0;
+  std::size_t judged = 0;  ///< steps that count
+  bool isPassed = false;   ///< the lesson
+};
+/// Who says so: the scores stand above this library (AttemptResults of assessment).
+using AttemptJudge = std::function<AttemptTally(const std::filesystem::path& folder, const Attempt& attempt)>;
+
 /// Of one lesson.
 struct LessonStanding {
   std::size_t attempts = 0;                          ///< finished
   std::size_t bestPassed = 0;                        ///< steps, of the best attempt that was finished
+  std::size_t judged = 0;                            ///< steps that count in that attempt; 0: nobody judged it, and all of them do
+  bool passed = false;                               ///< that attempt, where it was judged
   std::optional<std::filesystem::path> interrupted;  ///< the latest attempt, when it was stopped in the middle
   std::size_t interruptedAt = 0;                     ///< steps ended in it, each counted once
   std::optional<std::chrono::sys_seconds> last;      ///< when it was worked on last
   bool operator==(const LessonStanding&) const = default;
 
-  [[nodiscard]] bool isPassed(std::size_t steps) const { return attempts > 0 && bestPassed >= steps; }
+  [[nodiscard]] bool isPassed(std::size_t steps) const { return attempts > 0 && (judged > 0 ? passed : bestPassed >= steps); }
+  /// Of how many steps `bestPassed` are. @param steps of the lesson
+  [[nodiscard]] std::size_t counting(std::size_t steps) const { return judged > 0 ? judged : steps; }
 };
 
 /// A lesson that was stopped in the middle.
@@ -49,7 +63,9 @@ struct InterruptedLesson {
 class Standings {
  public:
   Standings() = default;
-  Standings(const AttemptList& attempts, const std::string& person);
+  /// @param judge asked once for each finished attempt of the person; none: a step is passed by the verdict that the lesson gave, and a
+  /// lesson when all its steps are
+  Standings(const AttemptList& attempts, const std::string& person, const AttemptJudge& judge = {});
 
   /// @param steps ids of those that count, as a lesson has them now; empty: any
   [[nodiscard]] LessonStanding of(const std::string& caseId, const std::string& lessonId, const std::vector<std::string>& steps = {}) const;
@@ -59,8 +75,13 @@ class Standings {
   [[nodiscard]] bool empty() const { return attempts_.empty(); }
 
  private:
-  using Key = std::pair<std::string, std::string>;                                  // case and lesson
-  std::map<Key, std::vector<std::pair<std::filesystem::path, Attempt>>> attempts_;  ///< the latest first
+  struct Judged {
+    std::filesystem::path folder;
+    Attempt attempt;
+    std::optional<AttemptTally> tally;  ///< empty: nobody judged it
+  };
+  using Key = std::pair<std::string, std::string>;  // case and lesson
+  std::map<Key, std::vector<Judged>> attempts_;     ///< the latest first
 };
 
 /// A lesson of a course with what is needed to show and to open it.

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ew/assessment/attempt_result.h"
 #include "ew/core/result.h"
 #include "ew/library/attempt.h"
 #include "ew/library/lesson.h"
@@ -46,9 +47,10 @@ struct XapiOptions {
   std::string language = "en";  ///< of the lesson's texts, as in a locale
   std::string courseId;         ///< of the course it belongs to; empty: none
   std::string caseTitle;        ///< for trainees; empty: not said
-  /// The lesson as it was when it was tried: titles and kinds of steps, and how many there are. Without it a step is named by its id, and
-  /// the attempt counts as passed when every step that was tried was passed.
+  /// The lesson as it was when it was tried: titles and kinds of steps. Without it a step is named by its id.
   std::optional<Lesson> lesson;
+  /// What the attempt amounts to, as an instructor sees it (AttemptResults); empty: by the default plan, from what the lesson said.
+  std::optional<AttemptResult> result;
   std::vector<XapiMetric> metrics;
 };
 
@@ -58,9 +60,8 @@ struct XapiOptions {
 ///
 /// What was handed in and is not judged yet is said without a score, and judged by a statement of its own afterwards.
 ///
-/// Scores are those of the outcomes: scaled 0 to 1, raw 0 to 100. That of the attempt is the mean over its steps (of the lesson, when it is
-/// known), the latest outcome of each; passed is an attempt whose steps all are. Durations leave pauses out. Remarks and recordings
-/// stay here.
+/// Scores are those of the result: scaled 0 to 1, raw 0 to 100, of the attempt and of the latest outcome of each step; those of earlier
+/// tries are as the lesson said them. Durations leave pauses out; the attempt's is that of all tries. Remarks and recordings stay here.
 /// @error badField (home page, pseudonym, registration, base or language that cannot be used; a metric that is not finite; text that is not
 /// UTF-8)
 [[nodiscard]] Result<std::vector<nlohmann::json>> statementsOf(const Attempt& attempt, const XapiOptions& options);
@@ -70,7 +71,7 @@ struct XapiOptions {
 [[nodiscard]] bool saysTheSame(const nlohmann::json& a, const nlohmann::json& b);
 
 /// "PT83.42S", "PT1H2M3S" (ISO 8601, to the hundredth). @param seconds >= 0
-[[nodiscard]] std::string durationText(double seconds);
+[[nodiscard]] std::string isoDuration(double seconds);
 /// "2026-11-26T09:30:00.000Z".
 [[nodiscard]] std::string timestampText(std::chrono::sys_time<std::chrono::milliseconds> moment);
 /// Nothing when it is not "YYYY-MM-DDThh:mm:ss", with or without a fraction, with Z or an offset behind it.

@@ -14,5 +14,7 @@ namespace ew {
 
 /// How people are called in reports: by code, or by name when that is asked for.
 [[nodiscard]] std::string calledIn(const ReportOptions& options, const Pseudonyms& codes, const std::string& person);
+/// The same of who rates and comments.
+[[nodiscard]] std::string reviewerIn(const ReportOptions& options, const Pseudonyms& codes, const std::string& person);
 
 }  // namespace ew

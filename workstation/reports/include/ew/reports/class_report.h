@@ -34,7 +34,7 @@ struct ClassStep {
   /// Of those that reached it, 0..1; skipped is not passed. 0 of nobody.
   [[nodiscard]] double notPassedShare() const;
 };
-/// What a class has done in a lesson, as figures. Attempts without a score do not count, and are counted.
+/// What a class has done in a lesson, as figures. Attempts that nobody has judged do not count, and are counted.
 struct ClassFigures {
   std::size_t scored = 0, unscored = 0, passed = 0;
   std::vector<double> scores;

@@ -14,8 +14,8 @@ namespace ew {
 [[nodiscard]] std::string csvText(std::string_view text);
 
 /// A line of names, then one for each attempt and step: UTF-8, commas, CRLF, decimal points, moments in UTC. Every metric that any of the
-/// attempts has in any step has a column "id v1 [mm]"; what was not worked out is empty, never 0. An attempt without a score has a line for
-/// each step that it ended, with the verdict that the lesson gave ("scored" says no).
+/// attempts has in any step has a column "id v1 [mm]"; what was not worked out is empty, never 0. An attempt that was not scored
+/// has what its lesson said ("scored" says no); of a lesson that is not in the library a line for each step that it ended, and no score.
 /// @param codes of the library, for `person`, unless names are asked for
 [[nodiscard]] std::string csvOf(const std::vector<ReportedAttempt>& attempts, const Pseudonyms& codes, bool names = false);
 

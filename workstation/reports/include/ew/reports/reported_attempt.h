@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ew/assessment/assessment_plan.h"
+#include "ew/assessment/attempt_result.h"
 #include "ew/assessment/attempt_score.h"
 #include "ew/assessment/rating.h"
 #include "ew/assessment/review_comment.h"
@@ -22,13 +23,19 @@ namespace ew {
 struct ReportedAttempt {
   std::filesystem::path folder;
   Attempt attempt;
-  std::optional<AttemptScore> score;  ///< the one that counts; empty: it was never scored
+  std::optional<Lesson> lesson = {};  ///< as it was when it was tried, else as it is now; empty: the library does not have it
+  AssessmentPlan plan = {};           ///< of the lesson, that counts now
+  std::optional<AttemptScore> score;  ///< the latest that was kept; empty: it was never scored
   std::vector<AttemptScore> earlier;  ///< that no longer count, the first one first
   KeptRatings ratings;                ///< of everybody; drafts are left out of reports
   CommentList comments;
+
+  /// What it amounts to, as every other surface says it.
+  [[nodiscard]] AttemptResult result() const;
 };
-/// What lies in an attempt's folder now. @error notFound, badHeader, badField, newerFormat (attempt.json)
-[[nodiscard]] Result<ReportedAttempt> readReportedAttempt(const std::filesystem::path& folder);
+/// What lies in an attempt's folder now. @param results of the library, for lesson and plan; null: without them
+/// @error notFound, badHeader, badField, newerFormat (attempt.json)
+[[nodiscard]] Result<ReportedAttempt> readReportedAttempt(const std::filesystem::path& folder, AttemptResults* results = nullptr);
 
 /// What the reports of a lesson's attempts have in common.
 struct ReportedLesson {
