@@ -69,7 +69,7 @@ void CommentsPage::refresh() {
     for (const CommentFile& file : session_.othersComments())
       for (const ReviewComment& each : file.comments)
         if (each.stepId == scan->scan->choice.stepId && each.recording == scan->scan->choice.outcome->recording)
-          rows_.push_back({each, session_.authorOf(file)});
+          rows_.push_back({each, session_.reviewerCalled(file.author)});
   std::stable_sort(rows_.begin(), rows_.end(), [](const Row& a, const Row& b) { return a.comment.time_s < b.comment.time_s; });
   for (const Row& row : rows_) {
     QString text = row.comment.text.empty() ? tr("(drawing)") : words(row.comment.text);

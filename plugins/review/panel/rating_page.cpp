@@ -244,7 +244,8 @@ void RatingPage::showOthers() {
     if (each.rating.rater == session_.reviewer().toStdString() || !each.rating.finished) continue;
     const auto total = totalOf(*each.form, each.rating);
     lines << tr("%1, %2: %3", "rater, form: total")
-                 .arg(words(each.rating.rater), in(each.form->title), total ? QLocale().toString(*total, 'f', 2) : QStringLiteral("–"));
+                 .arg(session_.reviewerCalled(each.rating.rater), in(each.form->title),
+                      total ? QLocale().toString(*total, 'f', 2) : QStringLiteral("–"));
   }
   if (seen.hiddenRaters > 0)
     lines << (seen.hiddenRaters == 1 ? tr("Another rater has finished; you see it when you have.")

@@ -294,9 +294,9 @@ const Pseudonyms* ReviewSession::codes() const {
   return codes_ ? &*codes_ : nullptr;
 }
 
-QString ReviewSession::authorOf(const CommentFile& file) const {
-  if (showsNames_) return file.author.empty() ? tr("somebody") : words(file.author);
-  return codes() != nullptr ? words(codes()->ofReviewer(file.author)) : tr("without a code");
+QString ReviewSession::reviewerCalled(const std::string& name) const {
+  if (showsNames_) return name.empty() ? tr("somebody") : words(name);
+  return codes() != nullptr ? words(codes()->ofReviewer(name)) : tr("without a code");
 }
 
 QString ReviewSession::personOf(const Attempt& tried) const {

@@ -106,8 +106,8 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   [[nodiscard]] bool showsNames() const { return showsNames_; }
   void setShowsNames(bool names);
   [[nodiscard]] QString personOf(const Attempt& attempt) const;
-  /// Of others' comments, in the same way.
-  [[nodiscard]] QString authorOf(const CommentFile& file) const;
+  /// Of who rates and comments, in the same way.
+  [[nodiscard]] QString reviewerCalled(const std::string& name) const;
   [[nodiscard]] QString reviewer() const { return reviewer_; }
   void setReviewer(const QString& name);
 
