@@ -35,6 +35,8 @@ class NewestOnly final : public Progress {
   int number_;
 };
 
+constexpr int kPauseInSaying_ms = 5000;
+
 }  // namespace
 
 ReviewSession::ReviewSession(sdk::Host& host) : host_(host), shelf_(std::make_shared<const ScanShelf>()) {
@@ -43,6 +45,10 @@ ReviewSession::ReviewSession(sdk::Host& host) : host_(host), shelf_(std::make_sh
   timer_.setInterval(33);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &ReviewSession::tick);
+  pause_.setSingleShot(true);
+  pause_.setInterval(kPauseInSaying_ms);
+  connect(this, &ReviewSession::commentsChanged, &pause_, qOverload<>(&QTimer::start));
+  connect(&pause_, &QTimer::timeout, this, &ReviewSession::saveComments);
 }
 
 ReviewSession::~ReviewSession() { ++*wish_; }

@@ -215,6 +215,7 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   std::shared_ptr<const Alignment> alignment_;  ///< of the two scans that are open; null: not worked out
   double offset_s_ = 0.0;
   QTimer timer_;
+  QTimer pause_;  ///< in what is said: then it is saved, so that a crash takes no more than this
   QElapsedTimer passed_;
   std::optional<CommentHistory> comments_;
   std::vector<CommentFile> others_;
