@@ -1,8 +1,10 @@
 // What was done outlives a kill of the real program: this test starts itself as a window, kills it by its number, and looks at what the
 // next one offers.
 #include <QAction>
+#include <QDialog>
 #include <QMessageBox>
 #include <QProcess>
+#include <QPushButton>
 #include <QSettings>
 #include <csignal>
 #include <filesystem>
@@ -22,6 +24,7 @@ namespace {
 
 constexpr const char* kAsWindow = "EW_KEEPING_WINDOW";    ///< what to do in it; the process is the window then
 constexpr const char* kCase = "EW_KEEPING_CASE";          ///< folder
+constexpr const char* kSweep = "EW_KEEPING_SWEEP";        ///< file
 constexpr const char* kSettings = "EW_KEEPING_SETTINGS";  ///< folder
 constexpr double kRecorded_s = 2.2;
 constexpr const char* kPackage = "abdomen";
@@ -57,6 +60,16 @@ void measure(MainWindow& window) {
   QTest::qWait(600);  // it is kept a moment after the last change
 }
 
+void makeVolume(MainWindow& window) {
+  window.open(qEnvironmentVariable(kSweep));
+  QDialog* dialog = nullptr;
+  waitUntil([&] { return (dialog = window.findChild<QDialog*>(QStringLiteral("importDialog"))) != nullptr && dialog->isVisible(); });
+  auto* make = dialog->findChild<QPushButton*>(QStringLiteral("makeVolume"));
+  waitUntil([&] { return make->isEnabled(); });
+  make->click();
+  waitUntil([&] { return window.isSettled() && !window.document().current(); });
+}
+
 /// Says "ready" once everything is done, and waits to be killed.
 int runAsWindow() {
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, qEnvironmentVariable(kSettings));
@@ -69,6 +82,7 @@ int runAsWindow() {
   const QByteArray what = qgetenv(kAsWindow);
   if (what == "record") record(window);
   if (what == "measure") measure(window);
+  if (what == "volume") makeVolume(window);
   QTest::qWait(300);
   std::cout << "ready" << std::endl;
   return QApplication::exec();
@@ -88,6 +102,7 @@ class KeepingTest : public WindowFixture {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(QLatin1String(kAsWindow), QLatin1String(what));
     environment.insert(QLatin1String(kCase), case_);
+    environment.insert(QLatin1String(kSweep), files_.path(QStringLiteral("made.igs.mha")));
     environment.insert(QLatin1String(kSettings), files_.settings());
     window.setProcessEnvironment(environment);
     window.setProcessChannelMode(QProcess::ForwardedErrorChannel);
@@ -182,6 +197,24 @@ class KeepingTest : public WindowFixture {
       waitForRest();
     }
     QVERIFY(window_->worksheets().filled().empty());
+    QCOMPARE(left(data()), std::size_t{0});
+  }
+
+  void aVolumeThatWasMadeOutlivesAKill() {
+    QVERIFY(!files_.writeSweep(QStringLiteral("made.igs.mha")).isEmpty());
+    doAndBeKilled("volume");
+    {
+      Answers answers({{QStringLiteral("unsavedWorkQuestion"), press("goOnUnsaved")}});
+      startWindow();
+      QVERIFY(waitUntil([&] { return !answers.asked.isEmpty(); }));
+      waitForRest();
+      QCOMPARE(answers.asked, QStringList{QStringLiteral("unsavedWorkQuestion")});
+    }
+    QVERIFY(session().subject().has_value());
+    QVERIFY2(QString::fromStdString(session().subject()->title).startsWith(QLatin1String("made")), session().subject()->title.c_str());
+    Answers answers({{QStringLiteral("unsavedVolumeQuestion"), press(QMessageBox::Discard)}});
+    QVERIFY(window_->close());
+    QCOMPARE(answers.asked, QStringList{QStringLiteral("unsavedVolumeQuestion")});
     QCOMPARE(left(data()), std::size_t{0});
   }
 

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <future>
 
 #include "ew/io/safe_file.h"
 #include "library/temporary_folder.h"
@@ -116,6 +117,28 @@ TEST(Autosave, IsOfferedToOneAskerAndAgainWhenNobodyDecided) {
   again[0].discard();
   EXPECT_TRUE(first.takeLeft(isOfWindow).empty());
   EXPECT_EQ(foldersIn(folder / "kept"), 1U);
+}
+
+TEST(Autosave, WhatIsForgottenIsNotWrittenFirst) {
+  const TemporaryFolder folder;
+  Autosave kept(folder / "kept");
+  std::promise<void> begun, goOn;
+  int made = 0;
+  kept.then([&] {
+    begun.set_value();
+    goOn.get_future().wait();
+  });
+  begun.get_future().wait();  // the thread is at work
+  kept.describe({{"title", "One"}});
+  kept.replaceFile("volume.mha", 3, [&](const fs::path& file) { return ++made, writeFileSafely(file, "abc"); });
+  bool isDone = false;
+  kept.then([&] { isDone = true; });
+  kept.forget();
+  goOn.set_value();
+  kept.flush();
+  EXPECT_EQ(made, 0) << "nobody waits for a large volume that is given up";
+  EXPECT_TRUE(isDone) << "what was to be done afterwards is done all the same";
+  EXPECT_EQ(foldersIn(folder / "kept"), 0U);
 }
 
 TEST(Autosave, HasABoundAndSaysSoOnce) {

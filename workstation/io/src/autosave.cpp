@@ -122,10 +122,11 @@ class Autosave::Writer {
     forget();
   }
 
-  void add(std::function<void()> task) {
+  enum class Does { write, other };
+  void add(std::function<void()> task, Does does = Does::write) {
     {
       const std::lock_guard lock(mutex_);
-      tasks_.push_back(std::move(task));
+      tasks_.push_back({std::move(task), does});
       if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
     }
     changed_.notify_all();
@@ -134,6 +135,12 @@ class Autosave::Writer {
   void flush() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return tasks_.empty() && !isAtWork_; });
+  }
+
+  /// What has not been written yet need not be.
+  void dropWrites() {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(tasks_, [](const Task& task) { return task.does == Does::write; });
   }
 
   /// Of an item that is replaced again before its turn came, the last one alone is written.
@@ -222,7 +229,7 @@ class Autosave::Writer {
     while (true) {
       changed_.wait(lock, [this] { return ends_ || !tasks_.empty(); });
       if (tasks_.empty()) return;
-      const std::function<void()> task = std::move(tasks_.front());
+      const std::function<void()> task = std::move(tasks_.front().work);
       tasks_.pop_front();
       isAtWork_ = true;
       lock.unlock();
@@ -306,7 +313,11 @@ class Autosave::Writer {
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<std::function<void()>> tasks_;
+  struct Task {
+    std::function<void()> work;
+    Does does = Does::write;
+  };
+  std::deque<Task> tasks_;
   std::map<std::string, std::uint64_t> latest_;
   std::uint64_t announced_ = 0;
   bool isAtWork_ = false;
@@ -353,10 +364,11 @@ void Autosave::remove(const std::string& item) {
 }
 
 void Autosave::forget() {
-  writer_->add([this] { writer_->forget(); });
+  writer_->dropWrites();
+  writer_->add([this] { writer_->forget(); }, Writer::Does::other);
 }
 
-void Autosave::then(std::function<void()> done) { writer_->add(std::move(done)); }
+void Autosave::then(std::function<void()> done) { writer_->add(std::move(done), Writer::Does::other); }
 
 void Autosave::flush() { writer_->flush(); }
 

@@ -18,6 +18,7 @@ namespace {
 
 const auto kOpenSetting = QStringLiteral("open/last");
 const auto kOpeningSetting = QStringLiteral("open/opening");  ///< set while it is being opened: a crash there must not come again
+constexpr int kLookAgain_ms = 100;
 const auto kResuming = QStringLiteral("unsaved work");
 
 bool isSamePath(const QString& a, const QString& b) { return QFileInfo(a).absoluteFilePath() == QFileInfo(b).absoluteFilePath(); }
@@ -143,7 +144,11 @@ void MainWindow::resumeNext() {
   Parts& p = *parts_;
   if (p.resumed.empty() || p.isResuming) return;
   const LeftWork& next = p.resumed.front();
-  if (next.step || isOpenFor(next)) return resume();
+  if (next.step || isOpenFor(next)) {
+    // What is still being opened would take the place of what is shown here.
+    if (p.opener->isBusy() && !next.step) return QTimer::singleShot(kLookAgain_ms, this, &MainWindow::resumeNext);
+    return resume();
+  }
   p.opener->open(next.path);
   p.isResuming = p.opener->isBusy();  // what was being opened before has been given up
   if (!p.isResuming) leaveForLater();
@@ -169,7 +174,7 @@ void MainWindow::resume() {
   if (p.resumed.empty()) return;
   const LeftWork work = std::move(p.resumed.front());
   p.resumed.erase(p.resumed.begin());
-  QTimer::singleShot(0, this, &MainWindow::resumeNext);
+  if (!p.resumed.empty()) QTimer::singleShot(0, this, &MainWindow::resumeNext);
   if (work.step) {
     work.left->release();  // the lessons take it up when they go on
     return openLesson(work.path, QString::fromStdString(work.step->lesson));
