@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -38,14 +39,12 @@ template <class T>
 void putUpright(const std::vector<T>& stored, int width, int height, const Orientation& orientation, std::vector<T>& upright) {
   const int across = orientation.swapsSides() ? height : width, down = orientation.swapsSides() ? width : height;
   upright.resize(stored.size());
-  // One step to the right and one down in the upright picture, in the stored one.
-  struct Step {
-    std::ptrdiff_t x, y;
-  };
-  constexpr Step right[] = {{1, 0}, {0, -1}, {-1, 0}, {0, 1}}, below[] = {{0, 1}, {1, 0}, {0, -1}, {-1, 0}};
+  // One step to the right in the upright picture is so many to the right and down in the stored one, by its turns; one step down likewise.
+  constexpr std::ptrdiff_t rightX[] = {1, 0, -1, 0}, rightY[] = {0, -1, 0, 1}, downX[] = {0, 1, 0, -1}, downY[] = {1, 0, -1, 0};
   const int turns = orientation.quarterTurns;
   const std::ptrdiff_t firstX = turns == 2 || turns == 3 ? width - 1 : 0, firstY = turns == 1 || turns == 2 ? height - 1 : 0;
-  std::ptrdiff_t stepX = right[turns].y * width + right[turns].x, stepY = below[turns].y * width + below[turns].x;
+  std::ptrdiff_t stepX = rightY[turns] * width + rightX[turns];
+  const std::ptrdiff_t stepY = downY[turns] * width + downX[turns];
   std::ptrdiff_t first = firstY * width + firstX;
   if (orientation.mirrored) {
     first += stepX * (across - 1);
