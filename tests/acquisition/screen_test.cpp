@@ -515,6 +515,30 @@ TEST(Screen, CorrectionsReplaceAddAndRemove) {
   EXPECT_EQ(corrected(found, {.tick_mm = 5.0}).error().code, ErrorCode::badField);
 }
 
+TEST(Screen, TheRecordingsOwnScaleIsUsedAndHeldAgainstWhatIsStated) {
+  FoundScreen found;
+  found.width_px = 400;
+  found.height_px = 200;
+  FanOutline right;
+  right.shape = FanShape::linear;
+  right.corners_px = {glm::dvec2(220, 20), glm::dvec2(380, 20), glm::dvec2(380, 180), glm::dvec2(220, 180)};
+  found.outline = right;
+  found.scales = {{{0, 0, 200, 200}, glm::dvec2(0.5)}, {{200, 0, 200, 200}, glm::dvec2(0.25)}};
+  const auto own = corrected(found, {});
+  ASSERT_TRUE(own.has_value());
+  EXPECT_EQ(own->pixel_mm, 0.25) << "of the part that holds the scan";
+  ScreenCorrection stated;
+  stated.depth_mm = 80.0;
+  const auto other = corrected(found, stated);
+  ASSERT_TRUE(other.has_value());
+  EXPECT_NEAR(*other->pixel_mm, 0.5, 1e-12);
+  EXPECT_TRUE(std::any_of(other->notes.begin(), other->notes.end(), [](const Message& note) {
+    return note.english().find("By the recording's own scale a pixel has 0.25 mm") != std::string::npos;
+  }));
+  stated.depth_mm = 40.0;
+  EXPECT_TRUE(corrected(found, stated)->notes.empty()) << "they agree";
+}
+
 TEST(Screen, TheFileOfAScreenGivesTheCorrectionBack) {
   const auto file = std::filesystem::temp_directory_path() / ("ew-screen-" + std::to_string(getpid()) + ".screen.json");
   ScreenCorrection correction;

@@ -280,6 +280,39 @@ TEST(ForeignDicom, WhatIsStatedAndNotUsedIsToldAndWhatIsNeutralIsNot) {
   EXPECT_FALSE(contains(readDicomCine(folder.put("b.dcm", cineFile(cine)))->notes, "touches"));
 }
 
+TEST(ForeignDicom, ARecordedScreenTakesTheScaleThatAnImportTakes) {
+  const TempFolder folder;
+  CineOf cine = smallCine();  // 8 x 6 pixels
+  cine.regions = {{0, 0, 7, 5, 0.02, 0.04}};
+  const auto file = folder.put("a.dcm", cineFile(cine));
+  auto reader = CineReader::open(file);
+  ASSERT_TRUE(succeeded(reader));
+  EXPECT_NEAR(reader->info().pixelAspect, 0.5, 1e-12);
+  ASSERT_EQ(reader->info().scales.size(), 1u);
+  EXPECT_EQ(reader->info().scales[0].rect, (PixelRect{0, 0, 8, 12})) << "of square pixels";
+  EXPECT_NEAR(reader->info().scales[0].pixel_mm.y, 0.2, 1e-12);
+  EXPECT_EQ(reader->info().height_px, 12);
+  CineFrame frame;
+  ASSERT_TRUE(*reader->next(frame));
+  EXPECT_EQ(frame.level.height, 12);
+  const auto imported = readDicomCine(file);
+  ASSERT_TRUE(succeeded(imported));
+  EXPECT_NEAR(imported->pixel_mm.x, reader->info().scales[0].pixel_mm.x, 1e-12);
+
+  auto spaced = CineReader::open(folder.put("b.dcm", cineFile(unscaled(DicomWriter().text(0x00280030u, "DS", "0.3\\0.3").bytes()))));
+  ASSERT_TRUE(succeeded(spaced));
+  ASSERT_EQ(spaced->info().scales.size(), 1u);
+  EXPECT_EQ(spaced->info().scales[0].rect, (PixelRect{0, 0, 8, 6}));
+  auto shaped = CineReader::open(folder.put("c.dcm", cineFile(unscaled(DicomWriter().text(0x00280034u, "IS", "1\\2").bytes()))));
+  ASSERT_TRUE(succeeded(shaped));
+  EXPECT_TRUE(shaped->info().scales.empty());
+  EXPECT_EQ(shaped->info().width_px, 16) << "twice as wide as high";
+  cine.regions = {{0, 0, 15, 11, 0.02, 0.04}};
+  auto stale = CineReader::open(folder.put("d.dcm", cineFile(cine)));
+  ASSERT_TRUE(succeeded(stale));
+  EXPECT_TRUE(stale->info().scales.empty()) << "made for another size";
+}
+
 /// One slice of a volume of stills.
 std::string stillAt(double z, int level, const std::string& series = "2.25.7", const std::string& position = "") {
   DicomWriter set;

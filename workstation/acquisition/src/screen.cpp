@@ -66,6 +66,34 @@ bool hardlyMoves(const ScreenStatistics& statistics, const FanOutline& outline) 
 
 Error badStated(const char* field, Message message) { return {ErrorCode::badField, std::move(message), {{"field", field}}}; }
 
+/// The recording's own size of a pixel where its scan is: of the part that holds the middle of the outline, or of the only one there is.
+std::optional<double> ownPixel_mm(const FoundScreen& found, const std::optional<FanOutline>& outline) {
+  if (!outline) return found.scales.size() == 1 ? std::optional(found.scales.front().pixel_mm.x) : std::nullopt;
+  const auto bounds = outline->bounds_px();
+  const glm::dvec2 middle = 0.5 * (bounds[0] + bounds[1]);
+  for (const StatedScale& part : found.scales) {
+    const PixelRect& rect = part.rect;
+    if (middle.x >= rect.x && middle.y >= rect.y && middle.x < rect.x + rect.width && middle.y < rect.y + rect.height)
+      return part.pixel_mm.x;
+  }
+  return std::nullopt;
+}
+
+/// What was stated counts before the recording's own scale, and is held against it.
+void settleScale(const FoundScreen& found, ScreenGeometry& geometry) {
+  const auto own_mm = ownPixel_mm(found, geometry.outline);
+  if (!own_mm) return;
+  const auto shown = [](double mm) { return numeral(textOf(std::round(mm * 1e4) / 1e4)); };
+  if (!geometry.pixel_mm) {
+    geometry.pixel_mm = own_mm;
+    geometry.notes.push_back(say<"The size of a pixel is that of the recording's own scale, %1 mm.">(shown(*own_mm)));
+  } else if (std::abs(*geometry.pixel_mm / *own_mm - 1.0) > 0.03) {
+    geometry.notes.push_back(
+        say<"By the recording's own scale a pixel has %1 mm, by the stated depth or ticks %2 mm; what was stated counts. Check both.">(
+            shown(*own_mm), shown(*geometry.pixel_mm)));
+  }
+}
+
 }  // namespace
 
 const char* nameOf(ScreenPartKind kind) {
@@ -149,6 +177,7 @@ Result<ScreenGeometry> corrected(const FoundScreen& found, const ScreenCorrectio
               numeral(textOf(std::round(byDepth * 1e4) / 1e4)), numeral(textOf(std::round(*geometry.pixel_mm * 1e4) / 1e4))));
     geometry.pixel_mm = byDepth;
   }
+  settleScale(found, geometry);
   std::vector<PixelRect> text;
   for (const ScreenPart& part : found.parts) {
     if (part.kind != ScreenPartKind::text) continue;

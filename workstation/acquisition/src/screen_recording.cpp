@@ -57,6 +57,7 @@ Result<OpenedScreen> openScreen(const std::filesystem::path& recording, const st
     if (const auto usable = corrected(none, {.outline = outline}); !usable) return passOn(usable.error());
   }
   opened.found = findScreen(statistics, outline);
+  opened.found.scales = info.scales;
   if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Looking at the frames was stopped.">());
   progress.report(what, 1.0);
   return opened;

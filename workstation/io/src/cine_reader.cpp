@@ -174,6 +174,34 @@ FilmStream streamOfDicom(const std::string& transferSyntax, std::span<const std:
   return stream;
 }
 
+/// What a data set says of the size and shape of its pixels, as an import takes it: of all calibrated B-mode regions, else by Pixel
+/// Spacing, else the shape alone. Parts of different shapes leave the pictures as they are.
+void takeScale(const DicomItem& data, CineInfo& info) {
+  const DicomScale scale =
+      scaleOf(data, static_cast<std::uint64_t>(std::max(info.width_px, 1)), static_cast<std::uint64_t>(std::max(info.height_px, 1)));
+  info.notes.insert(info.notes.end(), scale.notes.begin(), scale.notes.end());
+  for (const std::size_t n : scale.bModes) info.scales.push_back({scale.regions[n].rect, scale.regions[n].pixel_mm()});
+  if (std::any_of(scale.regions.begin(), scale.regions.end(), [](const UltrasoundRegion& region) { return region.stale; }))
+    info.scales.clear();  // made for another size, and so may be the others
+  if (info.scales.empty() && scale.spacing_mm) info.scales.push_back({{0, 0, info.width_px, info.height_px}, *scale.spacing_mm});
+  constexpr double kAlike = 1e-3;
+  const auto shapeOf = [](const StatedScale& part) { return part.pixel_mm.x / part.pixel_mm.y; };
+  const auto alike = [&](const StatedScale& part) { return std::abs(shapeOf(part) / shapeOf(info.scales.front()) - 1.0) < kAlike; };
+  double shape = scale.heightByWidth ? 1.0 / *scale.heightByWidth : 1.0;
+  if (!info.scales.empty()) {
+    shape = shapeOf(info.scales.front());
+    if (!std::all_of(info.scales.begin(), info.scales.end(), alike)) {
+      info.notes.push_back(
+          say<"The file has parts whose pixels differ in shape, so the pictures were left as they are; state the depth.">());
+      info.scales.clear();
+      shape = 1.0;
+    }
+  }
+  if (shape > 0.125 && shape < 8.0) info.pixelAspect = shape;
+  const auto pixel_mm = info.scales.empty() ? std::optional<glm::dvec2>() : std::optional(info.scales.front().pixel_mm);
+  for (Message& note : unusedFields(data, pixel_mm ? pixel_mm : glm::dvec2(shape, 1.0))) info.notes.push_back(std::move(note));
+}
+
 /// A film inside DICOM: its stream lies in memory under a name of its own, so that nothing of a patient is written anywhere.
 struct DicomFilmSource final : CineReader::Source {
   int memory = -1;
@@ -229,6 +257,7 @@ OpenedSource openDicomFilm(const fs::path& file, const DicomFile& dicom, const R
   source->film = *std::move(film);
   source->info = source->film->info;  // its shape as well
   source->info.removed = identifyingFields(dicom.data);
+  takeScale(dicom.data, source->info);
   // Streams without a container guess their length; the data set knows it.
   source->info.frames = source->film->info.frames = dicom.data.count(0x00280008u).value_or(0);
   source->times_s = frameTimes(dicom.data, source->info.frames, source->info.notes);
@@ -255,6 +284,7 @@ OpenedSource openDicom(const fs::path& file, Progress& progress, const ReadLimit
   info.frames = layout->frames;
   info.notes = layout->notes;
   info.removed = identifyingFields(source->dicom.data);
+  takeScale(source->dicom.data, info);
   source->times_s = frameTimes(source->dicom.data, layout->frames, info.notes);
   info.timesKnown = !source->times_s.empty();
   if (auto found = findRange(*source, progress); !found) return passOn(found.error());
@@ -364,6 +394,8 @@ Result<void> prepare(CineReader::Source& source, const Orientation& asked, const
   source.shown = stored;
   source.shown.width_px = source.shaper->width_px();
   source.shown.height_px = source.shaper->height_px();
+  for (StatedScale& part : source.shown.scales)
+    part = {source.shaper->shaped(part.rect), glm::dvec2(std::min(part.pixel_mm.x, part.pixel_mm.y))};
   auto& notes = source.shown.notes;
   const auto pixels = static_cast<std::uint64_t>(source.shown.width_px) * static_cast<std::uint64_t>(source.shown.height_px);
   if (pixels > (1ull << 28) || pixels * 8 > limits.maxBytes)

@@ -20,8 +20,11 @@ class PictureShaper {
   [[nodiscard]] int squareHeight_px() const { return tall_; }
   [[nodiscard]] bool stretches() const { return stretches_; }
   void shape(CineFrame& frame);
+  /// Where a part of stored pictures lies in those that are given.
+  [[nodiscard]] PixelRect shaped(const PixelRect& stored) const;
 
  private:
+  int storedWide_, storedTall_;
   int wide_, tall_;  ///< with square pixels, before it is turned
   bool stretches_ = false;
   Orientation orientation_;

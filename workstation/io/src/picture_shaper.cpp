@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cine_source.h"
 
@@ -50,13 +51,31 @@ std::vector<T> stretchedTo(const std::vector<T>& stored, int width, int height, 
 }  // namespace
 
 PictureShaper::PictureShaper(const CineInfo& stored, const Orientation& asked)
-    : wide_(stored.width_px), tall_(stored.height_px), orientation_(then(stored.orientation, asked)) {
+    : storedWide_(stored.width_px),
+      storedTall_(stored.height_px),
+      wide_(stored.width_px),
+      tall_(stored.height_px),
+      orientation_(then(stored.orientation, asked)) {
   if (std::abs(stored.pixelAspect - 1.0) < kSquare) return;
   stretches_ = true;
   if (stored.pixelAspect > 1.0)
     wide_ = stretched(wide_, stored.pixelAspect);
   else
     tall_ = stretched(tall_, 1.0 / stored.pixelAspect);
+}
+
+PixelRect PictureShaper::shaped(const PixelRect& stored) const {
+  const auto scaled = [](int value, int from, int to) { return static_cast<int>(std::lround(static_cast<double>(value) * to / from)); };
+  const int left = scaled(stored.x, storedWide_, wide_), top = scaled(stored.y, storedTall_, tall_);
+  PixelRect rect{left, top, scaled(stored.x + stored.width, storedWide_, wide_) - left,
+                 scaled(stored.y + stored.height, storedTall_, tall_) - top};
+  int wide = wide_, tall = tall_;
+  for (int turn = 0; turn < orientation_.quarterTurns; ++turn) {
+    rect = {tall - rect.y - rect.height, rect.x, rect.height, rect.width};
+    std::swap(wide, tall);
+  }
+  if (orientation_.mirrored) rect.x = wide - rect.x - rect.width;
+  return rect;
 }
 
 void PictureShaper::shape(CineFrame& frame) {

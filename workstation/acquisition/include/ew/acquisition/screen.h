@@ -80,7 +80,8 @@ struct FoundScreen {
   double quality = 0.0;  ///< 0..1: how much of the outline is borne out by edges, times how much of what moves lies inside
   std::optional<DepthTicks> ticks = {};
   std::vector<ScreenPart> parts = {};
-  std::vector<Message> notes = {};  ///< what was not found, or found with doubt
+  std::vector<StatedScale> scales = {};  ///< that the recording itself states (CineInfo)
+  std::vector<Message> notes = {};       ///< what was not found, or found with doubt
 };
 
 /// Below this quality the outline counts as not found.
@@ -109,8 +110,9 @@ struct ScreenGeometry {
   int width_px = 0;
   int height_px = 0;
   std::optional<FanOutline> outline = {};
-  std::optional<double> pixel_mm = {};  ///< of square pixels; the stated depth counts before the stated ticks
-  std::vector<PixelRect> text = {};     ///< boxes over the scan, also over its edge; none overlap
+  /// Of square pixels: by the stated depth, else by the stated ticks, else by the recording's own scale.
+  std::optional<double> pixel_mm = {};
+  std::vector<PixelRect> text = {};  ///< boxes over the scan, also over its edge; none overlap
   std::vector<Message> notes = {};
 };
 

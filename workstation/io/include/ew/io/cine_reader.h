@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <glm/glm.hpp>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -34,16 +35,24 @@ struct CineFrame {
   double time_s = 0.0;                      ///< from the first frame on, never running backwards
 };
 
+/// A part of the frames, and how large its pixels are by the file itself.
+struct StatedScale {
+  PixelRect rect = {};
+  glm::dvec2 pixel_mm{0.0};  ///< of the frames that are given both are alike
+  bool operator==(const StatedScale&) const = default;
+};
+
 struct CineInfo {
   CineKind kind = CineKind::film;
   int width_px = 0;  ///< of the frames that are given: upright, with square pixels
   int height_px = 0;
-  Orientation orientation = {};  ///< that the file states
-  double pixelAspect = 1.0;      ///< how much wider than high the file says a stored pixel is
-  std::uint64_t frames = 0;      ///< that the file promises or lets guess; 0: it does not say
-  double rate_hz = 0.0;          ///< that the file promises; 0: it does not say
-  bool timesKnown = false;       ///< false: frames are counted at rate_hz, or 25 a second
-  Removed removed = {};          ///< fields left behind
+  Orientation orientation = {};          ///< that the file states
+  double pixelAspect = 1.0;              ///< how much wider than high the file says a stored pixel is
+  std::uint64_t frames = 0;              ///< that the file promises or lets guess; 0: it does not say
+  double rate_hz = 0.0;                  ///< that the file promises; 0: it does not say
+  bool timesKnown = false;               ///< false: frames are counted at rate_hz, or 25 a second
+  std::vector<StatedScale> scales = {};  ///< calibrated parts: the B-mode regions of DICOM, or the whole by its Pixel Spacing
+  Removed removed = {};                  ///< fields left behind
   std::vector<Message> notes = {};
 };
 
