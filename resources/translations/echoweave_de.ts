@@ -4,12 +4,99 @@
 <context>
     <name>QShortcut</name>
     <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Rücktaste</translation>
+    </message>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Runter</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Pos1</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Einfg</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Bild ab</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Bild auf</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Hoch</translation>
+    </message>
+</context>
+<context>
+    <name>ew::Message</name>
+    <message>
         <source>%1 &quot;%2&quot;</source>
         <translation>%1 „%2“</translation>
     </message>
     <message>
+        <source>%1 %2, was %3</source>
+        <translation>%1 %2, vorher %3</translation>
+    </message>
+    <message>
         <source>%1 DICOM stills were joined by their positions, which became the volume&apos;s place, in mm to the patient&apos;s left, posterior and superior.</source>
         <translation>%1 DICOM-Standbilder wurden nach ihren Positionen verbunden; diese wurden die Lage des Volumens, in mm nach links, posterior und superior des Patienten.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be made (%2); check that you may write there.</source>
+        <translation>%1 kann nicht angelegt werden (%2); prüfen Sie, ob Sie dort schreiben dürfen.</translation>
     </message>
     <message>
         <source>%1 gives its sizes in &quot;%2&quot;, which is no unit of length that is known; give the spacing in mm.</source>
@@ -26,6 +113,10 @@
     <message>
         <source>%1 has more axes than three of space and one of time (%2); export one of its volumes.</source>
         <translation>%1 hat mehr Achsen als drei des Raums und eine der Zeit (%2); eines der Volumen exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 has no image; choose another recording.</source>
+        <translation>%1 hat kein Bild; wählen Sie eine andere Aufzeichnung.</translation>
     </message>
     <message>
         <source>%1 holds %2 DICOM files, more than are joined (%3); put fewer into the folder.</source>
@@ -72,64 +163,24 @@
         <translation>„%1“ ist eine der zwei Dateien eines Analyze- oder NIfTI-Volumens (.hdr + .img); in eine einzelne .nii umwandeln.</translation>
     </message>
     <message>
-        <source>Alt</source>
-        <translation>Alt</translation>
+        <source>A drawing</source>
+        <translation>Eine Zeichnung</translation>
     </message>
     <message>
         <source>Axis %1 of %2 is none of space (%3), but stands between such; save it with that axis as the first or the last.</source>
         <translation>Achse %1 von %2 ist keine des Raums (%3), steht aber zwischen solchen; mit dieser Achse als erster oder letzter speichern.</translation>
     </message>
     <message>
-        <source>Backspace</source>
-        <translation>Rücktaste</translation>
-    </message>
-    <message>
         <source>By the recording&apos;s own scale a pixel has %1 mm, by the stated depth or ticks %2 mm; what was stated counts. Check both.</source>
         <translation>Nach dem eigenen Maßstab der Aufnahme hat ein Bildpunkt %1 mm, nach der angegebenen Tiefe oder den Teilstrichen %2 mm; das Angegebene gilt. Beides prüfen.</translation>
-    </message>
-    <message>
-        <source>Ctrl</source>
-        <translation>Strg</translation>
-    </message>
-    <message>
-        <source>Del</source>
-        <translation>Entf</translation>
-    </message>
-    <message>
-        <source>Down</source>
-        <translation>Runter</translation>
-    </message>
-    <message>
-        <source>End</source>
-        <translation>Ende</translation>
-    </message>
-    <message>
-        <source>Enter</source>
-        <translation>Enter</translation>
-    </message>
-    <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
     </message>
     <message>
         <source>Frame Time Vector has one entry less than there are frames; it was read as the steps between them.</source>
         <translation>Frame Time Vector hat einen Eintrag weniger, als es Bilder gibt; er wurde als Schritte zwischen ihnen gelesen.</translation>
     </message>
     <message>
-        <source>Home</source>
-        <translation>Pos1</translation>
-    </message>
-    <message>
-        <source>Ins</source>
-        <translation>Einfg</translation>
-    </message>
-    <message>
         <source>It does say %1.</source>
         <translation>Sie nennt %1.</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>Links</translation>
     </message>
     <message>
         <source>Looking at the stills</source>
@@ -144,36 +195,8 @@
         <translation>Nur %1 der %2 Bilder von %3 würden verwendet; ihre Lagen und Zeiten prüfen oder sagen, dass so wenige gemeint sind.</translation>
     </message>
     <message>
-        <source>PgDown</source>
-        <translation>Bild ab</translation>
-    </message>
-    <message>
-        <source>PgUp</source>
-        <translation>Bild auf</translation>
-    </message>
-    <message>
         <source>Pixel Aspect Ratio: they are %1 times as high as wide</source>
         <translation>Pixel Aspect Ratio: sie sind %1-mal so hoch wie breit</translation>
-    </message>
-    <message>
-        <source>Return</source>
-        <translation>Eingabe</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Rechts</translation>
-    </message>
-    <message>
-        <source>Shift</source>
-        <translation>Umschalt</translation>
-    </message>
-    <message>
-        <source>Space</source>
-        <translation>Leertaste</translation>
-    </message>
-    <message>
-        <source>Tab</source>
-        <translation>Tab</translation>
     </message>
     <message>
         <source>The DICOM stills of %1 do not lie parallel and in line, so that they are no volume; import them one by one.</source>
@@ -314,293 +337,6 @@
     <message>
         <source>The size of a pixel is that of the recording&apos;s own scale, %1 mm.</source>
         <translation>Die Größe eines Bildpunkts ist die des eigenen Maßstabs der Aufnahme, %1 mm.</translation>
-    </message>
-    <message>
-        <source>The size of a pixel was given as %1 x %2 mm, but by its Pixel Aspect Ratio the file has pixels that are %3 times as high as wide; check it.</source>
-        <translation>Die Größe eines Bildpunkts wurde mit %1 x %2 mm angegeben, nach dem Pixel Aspect Ratio der Datei sind sie aber %3-mal so hoch wie breit; das prüfen.</translation>
-    </message>
-    <message>
-        <source>The size of a pixel was given: %1 x %2 mm instead of the %3 x %4 mm of Pixel Spacing.</source>
-        <translation>Die Größe eines Bildpunkts wurde angegeben: %1 x %2 mm statt der %3 x %4 mm von Pixel Spacing.</translation>
-    </message>
-    <message>
-        <source>The times of the frames are those of %1.</source>
-        <translation>Die Zeiten der Bilder sind die von %1.</translation>
-    </message>
-    <message>
-        <source>Up</source>
-        <translation>Hoch</translation>
-    </message>
-    <message>
-        <source>it has no direction</source>
-        <translation>sie hat keine Richtung</translation>
-    </message>
-    <message>
-        <source>it holds something that is no finite number</source>
-        <translation>sie enthält etwas, das keine endliche Zahl ist</translation>
-    </message>
-    <message>
-        <source>its column %1 holds nothing but 0</source>
-        <translation>ihre Spalte %1 enthält nur 0</translation>
-    </message>
-    <message>
-        <source>its first three columns do not span a space: all points would fall into one plane</source>
-        <translation>ihre ersten drei Spalten spannen keinen Raum auf: Alle Punkte fielen in eine Ebene</translation>
-    </message>
-    <message>
-        <source>its last row is %1 instead of 0 0 0 1</source>
-        <translation>ihre letzte Zeile ist %1 statt 0 0 0 1</translation>
-    </message>
-    <message>
-        <source>its last row is %1 instead of 0 0 0 1, as when rows and columns are exchanged</source>
-        <translation>ihre letzte Zeile ist %1 statt 0 0 0 1, wie wenn Zeilen und Spalten vertauscht sind</translation>
-    </message>
-</context>
-<context>
-    <name>ew::Message</name>
-    <message>
-        <source>%1 &quot;%2&quot;</source>
-        <translation>%1 „%2“</translation>
-    </message>
-    <message>
-        <source>%1 %2, was %3</source>
-        <translation>%1 %2, vorher %3</translation>
-    </message>
-    <message>
-        <source>%1 DICOM stills were joined by their positions, which became the volume&apos;s place, in mm to the patient&apos;s left, posterior and superior.</source>
-        <translation>%1 DICOM-Standbilder wurden nach ihren Positionen verbunden; diese wurden die Lage des Volumens, in mm nach links, posterior und superior des Patienten.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be made (%2); check that you may write there.</source>
-        <translation>%1 kann nicht angelegt werden (%2); prüfen Sie, ob Sie dort schreiben dürfen.</translation>
-    </message>
-    <message>
-        <source>%1 gives its sizes in &quot;%2&quot;, which is no unit of length that is known; give the spacing in mm.</source>
-        <translation>%1 nennt seine Größen in „%2“, was keine bekannte Längeneinheit ist; den Abstand in mm angeben.</translation>
-    </message>
-    <message>
-        <source>%1 has %2 components of %3 per sample, as vectors of a motion have; they are no echo level and no time steps: export the echo levels alone.</source>
-        <translation>%1 hat %2 Komponenten von %3 je Abtastwert wie die Vektoren einer Bewegung; das sind weder Echostärken noch Zeitschritte: nur die Echostärken exportieren.</translation>
-    </message>
-    <message>
-        <source>%1 has %2 components per sample (axis 5 and above, intent %3), as vectors of a motion have; they are no echo level and no time steps: export the echo levels alone.</source>
-        <translation>%1 hat %2 Komponenten je Abtastwert (ab Achse 5, Zweck %3) wie die Vektoren einer Bewegung; das sind weder Echostärken noch Zeitschritte: nur die Echostärken exportieren.</translation>
-    </message>
-    <message>
-        <source>%1 has more axes than three of space and one of time (%2); export one of its volumes.</source>
-        <translation>%1 hat mehr Achsen als drei des Raums und eine der Zeit (%2); eines der Volumen exportieren.</translation>
-    </message>
-    <message>
-        <source>%1 has no image; choose another recording.</source>
-        <translation>%1 hat kein Bild; wählen Sie eine andere Aufzeichnung.</translation>
-    </message>
-    <message>
-        <source>%1 holds %2 DICOM files, more than are joined (%3); put fewer into the folder.</source>
-        <translation>%1 enthält %2 DICOM-Dateien, mehr als verbunden werden (%3); weniger in den Ordner legen.</translation>
-    </message>
-    <message>
-        <source>%1 holds %2 packed pictures, but promises %3 frames; export it again.</source>
-        <translation>%1 enthält %2 gepackte Bilder, verspricht aber %3; neu exportieren.</translation>
-    </message>
-    <message>
-        <source>%1 holds DICOM stills of %2 series; put those of one volume into a folder of their own, or import one by one.</source>
-        <translation>%1 enthält DICOM-Standbilder aus %2 Serien; die eines Volumens in einen eigenen Ordner legen oder einzeln importieren.</translation>
-    </message>
-    <message>
-        <source>%1 holds a cine of %2 frames among the stills of %3; import it by itself.</source>
-        <translation>%1 enthält unter den Standbildern von %3 eine Bildfolge mit %2 Bildern; sie für sich importieren.</translation>
-    </message>
-    <message>
-        <source>%1 holds no pictures (.png, .jpg, .pgm) and no DICOM files with pictures.</source>
-        <translation>%1 enthält keine Bilder (.png, .jpg, .pgm) und keine DICOM-Dateien mit Bildern.</translation>
-    </message>
-    <message>
-        <source>%1 is there and empty; %2 was taken, which follows from the rest.</source>
-        <translation>%1 ist vorhanden und leer; %2 wurde genommen, was sich aus dem Übrigen ergibt.</translation>
-    </message>
-    <message>
-        <source>%1 is written with commas (&quot;%2&quot;); they were read as decimal points.</source>
-        <translation>%1 ist mit Kommas geschrieben („%2“); sie wurden als Dezimalpunkte gelesen.</translation>
-    </message>
-    <message>
-        <source>%1 of the %2 DICOM stills of %3 do not say where they lie (Pixel Spacing, Image Position and Orientation), so that they cannot be joined to a volume; import them one by one.</source>
-        <translation>%1 der %2 DICOM-Standbilder von %3 sagen nicht, wo sie liegen (Pixel Spacing, Image Position und Orientation), und lassen sich nicht zu einem Volumen verbinden; einzeln importieren.</translation>
-    </message>
-    <message>
-        <source>%2 has %1 byte behind its pixels that is no part of them; it was passed over.</source>
-        <translation>%2 hat hinter den Bildpunkten %1 Byte, das nicht dazugehört; es wurde übergangen.</translation>
-    </message>
-    <message>
-        <source>%2 has %1 bytes behind its pixels that are no part of them; they were passed over.</source>
-        <translation>%2 hat hinter den Bildpunkten %1 Bytes, die nicht dazugehören; sie wurden übergangen.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is one of the two files of an Analyze or NIfTI volume (.hdr + .img); convert it to a single .nii.</source>
-        <translation>„%1“ ist eine der zwei Dateien eines Analyze- oder NIfTI-Volumens (.hdr + .img); in eine einzelne .nii umwandeln.</translation>
-    </message>
-    <message>
-        <source>A drawing</source>
-        <translation>Eine Zeichnung</translation>
-    </message>
-    <message>
-        <source>Axis %1 of %2 is none of space (%3), but stands between such; save it with that axis as the first or the last.</source>
-        <translation>Achse %1 von %2 ist keine des Raums (%3), steht aber zwischen solchen; mit dieser Achse als erster oder letzter speichern.</translation>
-    </message>
-    <message>
-        <source>Frame Time Vector has one entry less than there are frames; it was read as the steps between them.</source>
-        <translation>Frame Time Vector hat einen Eintrag weniger, als es Bilder gibt; er wurde als Schritte zwischen ihnen gelesen.</translation>
-    </message>
-    <message>
-        <source>It does say %1.</source>
-        <translation>Sie nennt %1.</translation>
-    </message>
-    <message>
-        <source>Looking at the stills</source>
-        <translation>Standbilder werden angesehen</translation>
-    </message>
-    <message>
-        <source>Only %1 % of the pixels of each image of %2 would be kept; check clip, fan, region and depth, or say that so little is meant.</source>
-        <translation>Nur %1 % der Bildpunkte jedes Bildes von %2 würden behalten; Ausschnitt, Fächer, Region und Tiefe prüfen oder sagen, dass so wenig gemeint ist.</translation>
-    </message>
-    <message>
-        <source>Only %1 of the %2 frames of %3 would be used; check their poses and times, or say that so few are meant.</source>
-        <translation>Nur %1 der %2 Bilder von %3 würden verwendet; ihre Lagen und Zeiten prüfen oder sagen, dass so wenige gemeint sind.</translation>
-    </message>
-    <message>
-        <source>Pixel Aspect Ratio: they are %1 times as high as wide</source>
-        <translation>Pixel Aspect Ratio: sie sind %1-mal so hoch wie breit</translation>
-    </message>
-    <message>
-        <source>The DICOM stills of %1 do not lie parallel and in line, so that they are no volume; import them one by one.</source>
-        <translation>Die DICOM-Standbilder von %1 liegen nicht parallel und in einer Reihe und sind deshalb kein Volumen; einzeln importieren.</translation>
-    </message>
-    <message>
-        <source>The DICOM stills of %1 have different sizes (%2 x %3 and %4 x %5 pixels), so that they are no volume; put those of one volume into a folder, or import them one by one.</source>
-        <translation>Die DICOM-Standbilder von %1 sind verschieden groß (%2 x %3 und %4 x %5 Bildpunkte) und deshalb kein Volumen; die eines Volumens in einen Ordner legen oder einzeln importieren.</translation>
-    </message>
-    <message>
-        <source>The OutputSpacing of the device set is &quot;%1&quot;, which is none; it was not used.</source>
-        <translation>OutputSpacing des Gerätesatzes ist „%1“, also keiner; es wurde nicht verwendet.</translation>
-    </message>
-    <message>
-        <source>The clip rectangle begins at (%1) but has no size; the whole images were taken.</source>
-        <translation>Das Ausschnittsrechteck beginnt bei (%1), hat aber keine Größe; die ganzen Bilder wurden genommen.</translation>
-    </message>
-    <message>
-        <source>The clip rectangle has the size %1, which is none; the whole images were taken.</source>
-        <translation>Das Ausschnittsrechteck hat die Größe %1, also keine; die ganzen Bilder wurden genommen.</translation>
-    </message>
-    <message>
-        <source>The clip rectangle of %1 x %2 px from (%3, %4) on reaches beyond the %5 x %6 px frame, so that it was made for other images; give one that lies inside, or take the whole frame.</source>
-        <translation>Das Ausschnittsrechteck von %1 x %2 px ab (%3, %4) reicht über das Bild von %5 x %6 px hinaus und wurde für andere Bilder gemacht; eines angeben, das innen liegt, oder das ganze Bild nehmen.</translation>
-    </message>
-    <message>
-        <source>The colours are named %1, but each pixel has its own, by the length of the data; they were read so.</source>
-        <translation>Die Farben heißen %1, aber der Länge der Daten nach hat jeder Bildpunkt seine eigene; so wurden sie gelesen.</translation>
-    </message>
-    <message>
-        <source>The colours are named %1, but two pixels share one, by the length of the data; they were read so.</source>
-        <translation>Die Farben heißen %1, aber der Länge der Daten nach teilen sich zwei Bildpunkte eine; so wurden sie gelesen.</translation>
-    </message>
-    <message>
-        <source>The device set names %1 as its reference, but no valid way leads there, so it was not used.</source>
-        <translation>Der Gerätesatz nennt %1 als Bezug, aber kein gültiger Weg führt dorthin; er wurde nicht verwendet.</translation>
-    </message>
-    <message>
-        <source>The file describes its place twice, and the two differ by up to %1 mm (sform and qform); the sform was used.</source>
-        <translation>Die Datei beschreibt ihre Lage zweimal, und beide weichen um bis zu %1 mm ab (sform und qform); die sform wurde verwendet.</translation>
-    </message>
-    <message>
-        <source>The file does not say how many frames it has; %1 are stored in it and were read.</source>
-        <translation>Die Datei sagt nicht, wie viele Bilder sie hat; %1 sind gespeichert und wurden gelesen.</translation>
-    </message>
-    <message>
-        <source>The file gives no usable times of its %1 frames: it has %2, so they have none; a rate can be given.</source>
-        <translation>Die Datei nennt keine brauchbaren Zeiten ihrer %1 Bilder: Sie hat %2; die Bilder haben deshalb keine. Eine Bildrate kann angegeben werden.</translation>
-    </message>
-    <message>
-        <source>The file has no ultrasound region; the size of a pixel is that of its Pixel Spacing, %1 x %2 mm.</source>
-        <translation>Die Datei hat keine Ultraschallregion; die Größe eines Bildpunkts ist die ihres Pixel Spacing, %1 x %2 mm.</translation>
-    </message>
-    <message>
-        <source>The file says nothing about the times of its frames, so they have none; a rate can be given.</source>
-        <translation>Die Datei sagt nichts über die Zeiten ihrer Bilder, sie haben deshalb keine; eine Bildrate kann angegeben werden.</translation>
-    </message>
-    <message>
-        <source>The file says that it has %1 frame, but %2 pictures are stored in it; those beyond were not read.</source>
-        <translation>Die Datei nennt %1 Bild, aber %2 sind gespeichert; die weiteren wurden nicht gelesen.</translation>
-    </message>
-    <message>
-        <source>The file says that it has %1 frames, but %2 pictures are stored in it; those beyond were not read.</source>
-        <translation>Die Datei nennt %1 Bilder, aber %2 sind gespeichert; die weiteren wurden nicht gelesen.</translation>
-    </message>
-    <message>
-        <source>The file says that it has 0 frames; it was read as one picture.</source>
-        <translation>Die Datei nennt 0 Bilder; sie wurde als ein Bild gelesen.</translation>
-    </message>
-    <message>
-        <source>The header also states %1, which is not known here and not used.</source>
-        <translation>Der Kopf nennt auch %1; das ist hier nicht bekannt und wird nicht verwendet.</translation>
-    </message>
-    <message>
-        <source>The header also states %1, which touches how many pictures there are and is not used.</source>
-        <translation>Der Kopf nennt auch %1; das betrifft die Zahl der Bilder und wird nicht verwendet.</translation>
-    </message>
-    <message>
-        <source>The header also states %1, which touches sizes and places and is not used.</source>
-        <translation>Der Kopf nennt auch %1; das betrifft Größe und Lage und wird nicht verwendet.</translation>
-    </message>
-    <message>
-        <source>The header also states %1, which touches the grey levels and is not used.</source>
-        <translation>Der Kopf nennt auch %1; das betrifft die Graustufen und wird nicht verwendet.</translation>
-    </message>
-    <message>
-        <source>The header also states %1, which touches the times and is not used.</source>
-        <translation>Der Kopf nennt auch %1; das betrifft die Zeiten und wird nicht verwendet.</translation>
-    </message>
-    <message>
-        <source>The header promises %1 frame, which takes %2 bytes, but %3 are stored; what lies beyond was not read.</source>
-        <translation>Der Kopf verspricht %1 Bild, das %2 Bytes braucht, aber %3 sind gespeichert; was darüber hinausgeht, wurde nicht gelesen.</translation>
-    </message>
-    <message>
-        <source>The header promises %1 frames, which take %2 bytes, but %3 are stored; what lies beyond was not read.</source>
-        <translation>Der Kopf verspricht %1 Bilder, die %2 Bytes brauchen, aber %3 sind gespeichert; was darüber hinausgeht, wurde nicht gelesen.</translation>
-    </message>
-    <message>
-        <source>The mark that ends the pixels of %1 is missing; they were read as far as they go.</source>
-        <translation>Die Marke am Ende der Bildpunkte von %1 fehlt; sie wurden gelesen, so weit sie reichen.</translation>
-    </message>
-    <message>
-        <source>The matrix of %1 to %2 in the device set cannot be used: %3; correct it, or calibrate again.</source>
-        <translation>Die Matrix von %1 nach %2 im Gerätesatz ist nicht brauchbar: %3; sie berichtigen oder neu kalibrieren.</translation>
-    </message>
-    <message>
-        <source>The matrix of Image to %1 has 0 in its third column, as people write for flat images; it was given the thickness of a pixel.</source>
-        <translation>Die Matrix von Image nach %1 hat in der dritten Spalte 0, wie man es für flache Bilder schreibt; sie bekam die Dicke eines Bildpunkts.</translation>
-    </message>
-    <message>
-        <source>The pictures of %1 have text burned in, which may name the patient; name the rectangles to make black, or say that the text may stay.</source>
-        <translation>In die Bilder von %1 ist Text eingebrannt, der den Patienten nennen kann; die zu schwärzenden Rechtecke nennen oder sagen, dass der Text bleiben darf.</translation>
-    </message>
-    <message>
-        <source>The poses of the images are those in the frame %1, which the device set names as its reference.</source>
-        <translation>Die Lagen der Bilder gelten im Bezugssystem %1, das der Gerätesatz als Bezug nennt.</translation>
-    </message>
-    <message>
-        <source>The rate of the frames was given: they last %1 s instead of the %2 s that the file states.</source>
-        <translation>Die Bildrate wurde angegeben: Die Bilder dauern %1 s statt der %2 s, die die Datei nennt.</translation>
-    </message>
-    <message>
-        <source>The recording&apos;s matrix of %1 to %2 cannot be used in any frame although it is marked as valid: %3; export the recording again.</source>
-        <translation>Die Matrix der Aufnahme von %1 nach %2 ist in keinem Bild brauchbar, obwohl sie als gültig bezeichnet ist: %3; die Aufnahme neu exportieren.</translation>
-    </message>
-    <message>
-        <source>The samples have more than 8 bits: values from %1 to %2 of all stills were mapped to 0 to 255.</source>
-        <translation>Die Abtastwerte haben mehr als 8 Bit: Werte von %1 bis %2 aller Standbilder wurden auf 0 bis 255 abgebildet.</translation>
-    </message>
-    <message>
-        <source>The samples swing about 0, as those of radio frequency lines (RF) or of their demodulated parts (IQ) do; if they are, the grey levels made of them are no brightness: export the B-mode volume instead.</source>
-        <translation>Die Abtastwerte schwingen um 0 wie die von Hochfrequenzlinien (RF) oder ihren demodulierten Teilen (IQ); sind sie solche, sind die Graustufen daraus keine Helligkeit: stattdessen das B-Bild-Volumen exportieren.</translation>
     </message>
     <message>
         <source>The size of a pixel was given as %1 x %2 mm, but by its Pixel Aspect Ratio the file has pixels that are %3 times as high as wide; check it.</source>
