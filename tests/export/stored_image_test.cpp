@@ -17,7 +17,6 @@ StoredImage stored() {
   image.options.depth_mm = 61.25;
   image.options.label = "kidney";
   image.options.taken = std::chrono::sys_seconds(std::chrono::seconds(1764312000));
-  image.options.namesPatient = true;
   image.regions.push_back({CalibratedRegion::Kind::picture, {12, 48, 640, 480}, {0.0123, 0.0123}, {320, -14}, {0.0, 0.0}});
   image.regions.push_back({CalibratedRegion::Kind::strip, {12, 540, 640, 200}, {0.00625, 0.03}, {0, 0}, {0.0, 0.0}});
   image.caption = "Linear, 6.1 cm, 10:00";
@@ -41,7 +40,6 @@ TEST(StoredImage, ComesBackAsTheSameObject) {
   EXPECT_EQ(again->options.carrier_hz, 7.5e6);
   EXPECT_EQ(again->options.depth_mm, 61.25);
   EXPECT_EQ(again->options.taken, image.options.taken);
-  EXPECT_TRUE(again->options.namesPatient);
   EXPECT_EQ(again->regions, image.regions);
   EXPECT_EQ(again->caption, image.caption);
   EXPECT_TRUE(again->hasLeft);

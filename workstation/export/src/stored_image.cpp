@@ -102,7 +102,6 @@ json toJson(const StoredImage& image) {
           {"depth_mm", options.depth_mm},
           {"label", options.label},
           {"taken_s", options.taken.time_since_epoch().count()},
-          {"names_patient", options.namesPatient},
           {"regions", std::move(regions)},
           {"caption", image.caption},
           {"has_left", image.hasLeft},
@@ -120,7 +119,6 @@ Result<StoredImage> storedImageFromJson(const json& document, const Message& whe
   image.options.depth_mm = fields.number("depth_mm", 0.0, 1e5);
   image.options.label = textIn(fields, "label");
   image.options.taken = momentIn(fields, "taken_s");
-  image.options.namesPatient = fields.flag("names_patient");
   for (const JsonFields& each : fields.objects("regions", 0, 100)) image.regions.push_back(regionIn(each));
   image.caption = textIn(fields, "caption");
   image.hasLeft = fields.flag("has_left");
