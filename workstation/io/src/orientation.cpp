@@ -7,11 +7,11 @@
 namespace ew {
 namespace {
 
-using Bytes = std::span<const std::uint8_t>;
+using ExifBytes = std::span<const std::uint8_t>;
 
 /// Numbers of a TIFF header, in its own order of bytes.
 struct TiffNumbers {
-  Bytes bytes;
+  ExifBytes bytes;
   bool big = false;
 
   [[nodiscard]] std::optional<std::uint32_t> at(std::size_t from, std::size_t count) const {
@@ -22,15 +22,17 @@ struct TiffNumbers {
   }
 };
 
-std::uint32_t bigEndian(Bytes bytes, std::size_t from, std::size_t count) { return TiffNumbers{bytes, true}.at(from, count).value_or(0); }
+std::uint32_t bigEndian(ExifBytes bytes, std::size_t from, std::size_t count) {
+  return TiffNumbers{bytes, true}.at(from, count).value_or(0);
+}
 
-bool standsAt(Bytes bytes, std::size_t from, std::string_view text) {
+bool hasTextAt(ExifBytes bytes, std::size_t from, std::string_view text) {
   return bytes.size() >= text.size() && from <= bytes.size() - text.size() &&
          std::memcmp(bytes.data() + from, text.data(), text.size()) == 0;
 }
 
 /// Exif data lie in the first segment APP1 that begins with its name; behind the start of the scan there is none.
-Orientation orientationOfJpeg(Bytes file) {
+Orientation orientationOfJpeg(ExifBytes file) {
   for (std::size_t at = 2; at + 4 <= file.size() && file[at] == 0xFF;) {
     const std::uint8_t marker = file[at + 1];
     if (marker == 0xFF) {  // fill bytes
@@ -40,17 +42,17 @@ Orientation orientationOfJpeg(Bytes file) {
     const std::size_t length = bigEndian(file, at + 2, 2);
     if (marker == 0xDA || length < 2 || length > file.size() - at - 2) return {};
     using namespace std::string_view_literals;
-    if (marker == 0xE1 && length >= 8 && standsAt(file, at + 4, "Exif\0\0"sv)) return orientationOfExif(file.subspan(at + 10, length - 8));
+    if (marker == 0xE1 && length >= 8 && hasTextAt(file, at + 4, "Exif\0\0"sv)) return orientationOfExif(file.subspan(at + 10, length - 8));
     at += 2 + length;
   }
   return {};
 }
 
-Orientation orientationOfPng(Bytes file) {
+Orientation orientationOfPng(ExifBytes file) {
   for (std::size_t at = 8; at + 12 <= file.size();) {
     const std::size_t length = bigEndian(file, at, 4);
     if (length > file.size() - at - 12) return {};
-    if (standsAt(file, at + 4, "eXIf")) return orientationOfExif(file.subspan(at + 8, length));
+    if (hasTextAt(file, at + 4, "eXIf")) return orientationOfExif(file.subspan(at + 8, length));
     at += 12 + length;
   }
   return {};
@@ -98,8 +100,8 @@ std::optional<Orientation> orientationOfMatrix(double a, double b, double c, dou
   return std::nullopt;
 }
 
-Orientation orientationOfExif(Bytes tiff) {
-  if (!standsAt(tiff, 0, "II") && !standsAt(tiff, 0, "MM")) return {};
+Orientation orientationOfExif(ExifBytes tiff) {
+  if (!hasTextAt(tiff, 0, "II") && !hasTextAt(tiff, 0, "MM")) return {};
   const TiffNumbers numbers{tiff, tiff[0] == 'M'};
   if (numbers.at(2, 2) != 42u) return {};
   const std::size_t directory = numbers.at(4, 4).value_or(0);
@@ -113,10 +115,10 @@ Orientation orientationOfExif(Bytes tiff) {
   return {};
 }
 
-Orientation orientationOfPicture(Bytes file) {
+Orientation orientationOfPicture(ExifBytes file) {
   using namespace std::string_view_literals;
-  if (standsAt(file, 0, "\xFF\xD8"sv)) return orientationOfJpeg(file);
-  if (standsAt(file, 0, "\x89PNG\r\n\x1A\n"sv)) return orientationOfPng(file);
+  if (hasTextAt(file, 0, "\xFF\xD8"sv)) return orientationOfJpeg(file);
+  if (hasTextAt(file, 0, "\x89PNG\r\n\x1A\n"sv)) return orientationOfPng(file);
   return {};
 }
 
