@@ -288,6 +288,20 @@ TEST(FilmsInDicom, AreOpenedAsTheirTransferSyntaxSays) {
   }
 }
 
+TEST(FilmsInDicom, PixelsAreAsTheStreamSaysWhereTheDataSetSaysNothing) {
+  const TempFolder folder;
+  FilmOf film{.codec = AV_CODEC_ID_MPEG2VIDEO, .container = "mpeg2video", .width = 96, .height = 48, .aspect = {2, 3}};
+  writeFilm(folder / "film", film);
+  CineOf cine = filmInDicom(kMpeg2, bytesOfFile(folder / "film"), 3);
+  cine.columns = 96;
+  cine.regions.clear();
+  auto reader = CineReader::open(folder.put("film.dcm", cineFile(cine)));
+  ASSERT_TRUE(reader) << reader.error();
+  // MPEG-2 states the shape of the whole picture, of which it knows 4:3, 16:9 and 2.21:1.
+  EXPECT_EQ(reader->info().width_px, 96);
+  EXPECT_EQ(reader->info().height_px, 72);
+}
+
 TEST(FilmsInDicom, AStreamOfAnotherKindThanAnnouncedIsRefused) {
   const TempFolder folder;
   {

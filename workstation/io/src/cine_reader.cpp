@@ -257,7 +257,9 @@ OpenedSource openDicomFilm(const fs::path& file, const DicomFile& dicom, const R
   source->film = *std::move(film);
   source->info = source->film->info;  // its shape as well
   source->info.removed = identifyingFields(dicom.data);
+  const double ofStream = source->info.pixelAspect;
   takeScale(dicom.data, source->info);
+  if (source->info.scales.empty() && source->info.pixelAspect == 1.0) source->info.pixelAspect = ofStream;  // the data set says nothing
   // Streams without a container guess their length; the data set knows it.
   source->info.frames = source->film->info.frames = dicom.data.count(0x00280008u).value_or(0);
   source->times_s = frameTimes(dicom.data, source->info.frames, source->info.notes);
