@@ -22,7 +22,10 @@ class CaseAuthoringPlugin final : public ew::sdk::Plugin {
                                        .place = ew::sdk::MenuPlace::start},
                                       [this, &host] { askForCase(host); });
     host.panels().add("case_authoring", QCoreApplication::translate("ew::case_authoring", "Case").toStdString(),
-                      [&host](QWidget* parent) -> QWidget* { return new ew::case_authoring::CasePanel(host, parent); });
+                      [this, &host](QWidget* parent) -> QWidget* {
+                        return new ew::case_authoring::CasePanel(
+                            host, [this, &host] { askForCase(host); }, parent);
+                      });
     if (auto section = host.caseParts().add(ew::case_authoring::kPlacingPart, ew::case_authoring::placingSchema()))
       placing_ = std::move(*section);
     else

@@ -11354,6 +11354,66 @@
         <source>as in the lesson; it was not scored since</source>
         <translation>wie in der Lektion; seither nicht bewertet</translation>
     </message>
+    <message>
+        <source>front</source>
+        <translation>Vorderseite</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>Rückseite</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>linke Seite</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechte Seite</translation>
+    </message>
+    <message>
+        <source>upper side</source>
+        <translation>obere Seite</translation>
+    </message>
+    <message>
+        <source>lower side</source>
+        <translation>untere Seite</translation>
+    </message>
+    <message>
+        <source>Nobody says from which side the volume was scanned. Its %1 was taken, from which echoes grow fainter or the image wider; look at it before anybody learns from it.</source>
+        <translation>Niemand sagt, von welcher Seite das Volumen geschallt wurde. Angenommen wurde die Seite: %1; von dort werden die Echos schwächer oder das Bild breiter. Ansehen, bevor jemand daran lernt.</translation>
+    </message>
+    <message>
+        <source>Nobody says from which side the volume was scanned, and its voxels do not tell. Its %1 was taken; look at it before anybody learns from it.</source>
+        <translation>Niemand sagt, von welcher Seite das Volumen geschallt wurde, und seine Voxel verraten es nicht. Angenommen wurde die Seite: %1. Ansehen, bevor jemand daran lernt.</translation>
+    </message>
+    <message>
+        <source>There is no usual place for &apos;%1&apos; on this mannequin; the volume lies on the %2. Place it by hand.</source>
+        <translation>Für &apos;%1&apos; gibt es an diesem Mannequin keinen üblichen Ort; das Volumen liegt an: %2. Von Hand platzieren.</translation>
+    </message>
+    <message>
+        <source>Nobody has said from which side the volume was scanned; look whether the probe&apos;s side is at the top, and choose the near face.</source>
+        <translation>Niemand hat gesagt, von welcher Seite das Volumen geschallt wurde; prüfen, ob die Seite des Schallkopfs oben liegt, und die nahe Seite wählen.</translation>
+    </message>
+    <message>
+        <source>There is no case in &apos;%1&apos;; check the name.</source>
+        <translation>In &apos;%1&apos; ist kein Fall; den Namen prüfen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; comes with the program and cannot be taken out of the library.</source>
+        <translation>&apos;%1&apos; gehört zum Programm und kann nicht aus der Bibliothek genommen werden.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not lie in the library &apos;%2&apos;, so that there is nothing to take out of it.</source>
+        <translation>&apos;%1&apos; liegt nicht in der Bibliothek &apos;%2&apos;, es ist also nichts herauszunehmen.</translation>
+    </message>
+    <message>
+        <source>%1 is editing the case at this moment; take it out when it is closed there.</source>
+        <translation>%1 bearbeitet den Fall gerade; ihn herausnehmen, wenn er dort geschlossen ist.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be moved (%2); nothing was changed.</source>
+        <translation>&apos;%1&apos; kann nicht verschoben werden (%2); nichts wurde geändert.</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
@@ -12129,6 +12189,14 @@
         <source>This case has no volume yet, so nothing can be scanned.</source>
         <translation>Dieser Fall hat noch kein Volumen, also lässt sich nichts schallen.</translation>
     </message>
+    <message>
+        <source>New case…</source>
+        <translation>Neuer Fall…</translation>
+    </message>
+    <message>
+        <source>Open a case from the start page, from the File menu, or by dropping its folder on the window, or make a new one, of what is on screen as well. Then its patient, texts and volume can be edited here.</source>
+        <translation>Einen Fall von der Startseite oder aus dem Menü Datei öffnen, seinen Ordner auf das Fenster ziehen oder einen neuen anlegen, auch aus dem, was auf dem Bildschirm ist. Dann können hier Patient, Texte und Volumen bearbeitet werden.</translation>
+    </message>
 </context>
 <context>
     <name>ew::stitching</name>
@@ -12558,6 +12626,10 @@
     <message>
         <source>By the clock, as deforming went here; %1 of it are work of the processor.</source>
         <translation>Nach der Uhr, wie das Verformen hier lief; %1 davon arbeitet der Prozessor.</translation>
+    </message>
+    <message>
+        <source>The rigid pose is aligned; the deformation needs a look.</source>
+        <translation>Die starre Lage ist gefunden; die Verformung braucht einen Blick.</translation>
     </message>
 </context>
 <context>
@@ -13676,6 +13748,10 @@
     <message>
         <source>Volumes</source>
         <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Calibration of %1…</source>
+        <translation>Kalibrierung von %1…</translation>
     </message>
 </context>
 <context>
@@ -17368,6 +17444,24 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Measurements that were not saved: %1.</source>
         <translation>Messungen, die nicht gespeichert sind: %1.</translation>
+        <source>Take out of the library</source>
+        <translation>Aus der Bibliothek nehmen</translation>
+    </message>
+    <message>
+        <source>Take &apos;%1&apos; out of the library?</source>
+        <translation>&apos;%1&apos; aus der Bibliothek nehmen?</translation>
+    </message>
+    <message>
+        <source>Nobody finds it any more. Nothing is deleted: its folder is moved to &apos;withdrawn&apos; in the library, and moved back it is there again. Attempts stay.</source>
+        <translation>Niemand findet ihn mehr. Nichts wird gelöscht: Sein Ordner wird nach &apos;withdrawn&apos; in der Bibliothek verschoben, und zurückverschoben ist er wieder da. Versuche bleiben.</translation>
+    </message>
+    <message>
+        <source>Take it out</source>
+        <translation>Herausnehmen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was taken out of the library; it lies in %2.</source>
+        <translation>&apos;%1&apos; wurde aus der Bibliothek genommen; er liegt in %2.</translation>
     </message>
     <message>
         <source>The archive %1 said that it stored everything (%2); it cannot be asked what it has, so this counts as delivered.</source>
@@ -17879,6 +17973,22 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Search by title, region, lesson, tag…</source>
         <translation>Nach Titel, Region, Lektion, Schlagwort suchen…</translation>
+    </message>
+    <message>
+        <source>Lessons…</source>
+        <translation>Lektionen…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Show its folder</source>
+        <translation>Seinen Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Take it out of the library…</source>
+        <translation>Aus der Bibliothek nehmen…</translation>
     </message>
 </context>
 <context>
@@ -22492,6 +22602,134 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Where the recording does not say it, the fan is found in its images. Without this the black around it counts as tissue without echoes.</source>
         <translation>Wo die Aufnahme ihn nicht nennt, wird der Fächer in ihren Bildern gefunden. Ohne dies gilt das Schwarz um ihn als Gewebe ohne Echos.</translation>
+    </message>
+    <message>
+        <source>What is on screen</source>
+        <translation>Was auf dem Bildschirm ist</translation>
+    </message>
+    <message>
+        <source>%1, as it was opened or reconstructed.</source>
+        <translation>%1, wie es geöffnet oder rekonstruiert wurde.</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>as the recording says</source>
+        <translation>wie die Aufnahme sagt</translation>
+    </message>
+    <message>
+        <source>Device set (.xml) with the calibration from Image to Probe</source>
+        <translation>Gerätesatz (.xml) mit der Kalibrierung von Image nach Probe</translation>
+    </message>
+    <message>
+        <source>Calibration of the sweep</source>
+        <translation>Kalibrierung des Sweeps</translation>
+    </message>
+    <message>
+        <source>Device sets (*.xml);;All files (*)</source>
+        <translation>Gerätesätze (*.xml);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Looking at the file</source>
+        <translation>Die Datei wird angesehen</translation>
+    </message>
+    <message>
+        <source>File, Open asks for it; then begin the case anew, with what is on screen.</source>
+        <translation>Datei, Öffnen fragt danach; dann den Fall neu beginnen, mit dem, was auf dem Bildschirm ist.</translation>
+    </message>
+    <message>
+        <source>Which volume of the file</source>
+        <translation>Welches Volumen der Datei</translation>
+    </message>
+    <message>
+        <source>not chosen</source>
+        <translation>nicht gewählt</translation>
+    </message>
+    <message>
+        <source>Size of a voxel along its rows</source>
+        <translation>Größe eines Voxels entlang der Zeilen</translation>
+    </message>
+    <message>
+        <source>Size of a voxel along its columns</source>
+        <translation>Größe eines Voxels entlang der Spalten</translation>
+    </message>
+    <message>
+        <source>Size of a voxel from slice to slice</source>
+        <translation>Größe eines Voxels von Schicht zu Schicht</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Size of a voxel</source>
+        <translation>Größe eines Voxels</translation>
+    </message>
+    <message>
+        <source>the front of the file</source>
+        <translation>der Vorderseite der Datei</translation>
+    </message>
+    <message>
+        <source>the back of the file</source>
+        <translation>der Rückseite der Datei</translation>
+    </message>
+    <message>
+        <source>the left of the file</source>
+        <translation>der linken Seite der Datei</translation>
+    </message>
+    <message>
+        <source>the right of the file</source>
+        <translation>der rechten Seite der Datei</translation>
+    </message>
+    <message>
+        <source>the upper side of the file</source>
+        <translation>der oberen Seite der Datei</translation>
+    </message>
+    <message>
+        <source>the lower side of the file</source>
+        <translation>der unteren Seite der Datei</translation>
+    </message>
+    <message>
+        <source>The probe was on</source>
+        <translation>Der Schallkopf war an</translation>
+    </message>
+    <message>
+        <source>So it would be seen. The side where the probe was belongs at the top; if it is not there, choose another.</source>
+        <translation>So würde man es sehen. Die Seite, an der der Schallkopf war, gehört nach oben; ist sie nicht dort, eine andere wählen.</translation>
+    </message>
+    <message>
+        <source>The file does not say where the probe was, and its voxels do not tell. Choose a side and look whether it comes to lie at the top.</source>
+        <translation>Die Datei sagt nicht, wo der Schallkopf war, und ihre Voxel verraten es nicht. Eine Seite wählen und prüfen, ob sie oben zu liegen kommt.</translation>
+    </message>
+    <message>
+        <source>The file is being looked at.</source>
+        <translation>Die Datei wird angesehen.</translation>
+    </message>
+    <message>
+        <source>Choose which volume of the file is meant.</source>
+        <translation>Wählen, welches Volumen der Datei gemeint ist.</translation>
+    </message>
+    <message>
+        <source>Give the size of a voxel along all three axes.</source>
+        <translation>Die Größe eines Voxels entlang aller drei Achsen angeben.</translation>
+    </message>
+    <message>
+        <source>This file cannot become a case as it is; what is missing stands beside it.</source>
+        <translation>Aus dieser Datei kann so kein Fall werden; was fehlt, steht daneben.</translation>
+    </message>
+    <message>
+        <source>This file cannot become a case.</source>
+        <translation>Aus dieser Datei kann kein Fall werden.</translation>
+    </message>
+    <message>
+        <source>Choose on which side the probe was.</source>
+        <translation>Wählen, an welcher Seite der Schallkopf war.</translation>
+    </message>
+    <message>
+        <source>Volumes and sweeps (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol);;All files (*)</source>
+        <translation>Volumen und Sweeps (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>

@@ -85,6 +85,7 @@ class AuthorJourneyTest : public WindowFixture {
     hand.type("sourceFile", sweepFile());
     hand.set("sourceSpacing", 1.5);
     keepScreenshot(*shown, "author-02-source");
+    QVERIFY(waitUntil([&] { return hand.seen<QPushButton>("newCaseNext")->isEnabled(); }));
     hand.press("newCaseNext");
     hand.type("newCaseTitle", QStringLiteral("A healthy liver, swept once"));
     hand.type("newCaseTraineeTitle", QStringLiteral("Right upper abdomen"));

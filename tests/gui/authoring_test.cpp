@@ -10,10 +10,12 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QSpinBox>
 #include <QTabWidget>
 #include <QToolButton>
 #include <QTranslator>
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "answers.h"
@@ -22,6 +24,7 @@
 #include "ew/library/case.h"
 #include "ew/library/folder_lease.h"
 #include "ew/library/new_case.h"
+#include "ew/library/placing.h"
 #include "ew/library/published.h"
 #include "ew/library/publishing.h"
 #include "screenshots.h"
@@ -82,6 +85,12 @@ class AuthoringTest : public WindowFixture {
       if (each->objectName() == QLatin1String(name) && each->isVisible()) return each;
     return nullptr;
   }
+  /// Answers from which side the chosen volume was scanned, once that is asked.
+  static void chooseFront(const QWidget& dialog) {
+    auto* side = dialog.findChild<QComboBox*>(QStringLiteral("sourceSide"));
+    QVERIFY(waitUntil([&] { return side->isVisible(); }));
+    side->setCurrentIndex(side->findData(static_cast<int>(BodySide::front)));
+  }
   /// Everything a case needs before it is published, but for what its volume and its start decide.
   void fill() {
     json manifest = document().manifest();
@@ -130,6 +139,7 @@ class AuthoringTest : public WindowFixture {
     QVERIFY2(dialog->findChild<QRadioButton*>(QStringLiteral("sourceSweep"))->isChecked(), "the file says that it is a sweep");
     QVERIFY(dialog->findChild<QWidget*>(QStringLiteral("sourceSpacing"))->isVisible());
     keepScreenshot(*dialog, "new-case-1-sweep");
+    QVERIFY2(waitUntil([&] { return next->isEnabled(); }), "the sweep was looked at");
     next->click();
     QVERIFY2(!next->isEnabled(), "no title yet");
     auto* templates = dialog->findChild<QComboBox*>(QStringLiteral("newCaseTemplate"));
@@ -159,6 +169,70 @@ class AuthoringTest : public WindowFixture {
     QVERIFY(!document().hasUnsavedChanges());
     QVERIFY(waitUntil([] { return topLevel("newCaseDialog") == nullptr; }));
     keepScreenshot(*window_, "new-case-4-opened");
+  }
+
+  /// Three volumes one after the other in a file that knows neither spacing nor side: each question has its field in the dialog.
+  void whatAFileLeavesOpenIsAskedWhereItIsChosen() {
+    const QString file = files_.path(QStringLiteral("three.nrrd"));
+    std::string text =
+        "NRRD0005\ntype: uint8\ndimension: 4\nsizes: 12 20 8 3\nkinds: space space space time\nspace: LPS\n"
+        "space directions: (1,0,0) (0,1,0) (0,0,1) none\nspace origin: (0,0,0)\nencoding: raw\n\n";
+    for (int n = 0; n < 12 * 20 * 8 * 3; ++n) text += static_cast<char>(20 + 5 * ((n / 12) % 20));
+    QVERIFY(writeFileSafely(file.toStdString(), text).has_value());
+    showWindow();
+    QWidget* dialog = newCaseDialog();
+    QVERIFY(dialog != nullptr);
+    auto* next = dialog->findChild<QPushButton*>(QStringLiteral("newCaseNext"));
+    auto* step = dialog->findChild<QSpinBox*>(QStringLiteral("sourceTimeStep"));
+    auto* side = dialog->findChild<QComboBox*>(QStringLiteral("sourceSide"));
+    dialog->findChild<QLineEdit*>(QStringLiteral("sourceFile"))->setText(file);
+    QVERIFY(waitUntil([&] { return step->isVisible(); }));
+    QVERIFY(!next->isEnabled() && !side->isVisible());
+    step->setValue(2);
+    std::array<QDoubleSpinBox*, 3> voxel{};
+    for (std::size_t n = 0; n < 3; ++n) voxel[n] = dialog->findChild<QDoubleSpinBox*>(QStringLiteral("sourceVoxel%1").arg(n));
+    QVERIFY(waitUntil([&] { return voxel[0]->isVisible(); }));
+    keepScreenshot(*dialog, "new-case-1-asked");
+    QVERIFY(!next->isEnabled());
+    for (QDoubleSpinBox* each : voxel) each->setValue(0.5);
+    QVERIFY(waitUntil([&] { return side->isVisible(); }));
+    QVERIFY2(waitUntil([&] { return next->isEnabled(); }), "it grows brighter to its back, which is proposed");
+    QCOMPARE(side->currentData().toInt(), static_cast<int>(BodySide::back));
+    QVERIFY(!dialog->findChild<QLabel*>(QStringLiteral("sourceSideImage"))->pixmap(Qt::ReturnByValue).isNull());
+    keepScreenshot(*dialog, "new-case-1-side");
+    next->click();
+    dialog->findChild<QLineEdit*>(QStringLiteral("newCaseTitle"))->setText(QStringLiteral("Second of three"));
+    next->click();
+    QVERIFY(waitUntil([&] { return next->isEnabled(); }));
+    next->click();
+    QVERIFY(waitUntil([this] { return document().current() && window_->isSettled(); }));
+    const auto axes = sweepAxesOf(*document().current());
+    QVERIFY(axes && axes->depth == glm::dvec3(0, -1, 0) && !assumesAxes(*document().current()));
+  }
+
+  void aVolumeOnScreenBecomesACaseWithoutAFile() {
+    const QString volume = files_.writeCase(QStringLiteral("other")) + QStringLiteral("/volume.mha");
+    showWindow();
+    window_->open(volume);
+    QVERIFY(waitUntil([this] { return session().subject() && window_->isSettled(); }));
+    window_->setWorkspace(Workspace::author);
+    QVERIFY(waitUntil([this] { return panel() != nullptr && panel()->isVisible(); }));
+    inPanel<QPushButton>("newCaseHere")->click();
+    QWidget* dialog = nullptr;
+    QVERIFY(waitUntil([&] { return (dialog = topLevel("newCaseDialog")) != nullptr; }));
+    QVERIFY(dialog->findChild<QRadioButton*>(QStringLiteral("sourceShown"))->isChecked());
+    chooseFront(*dialog);
+    keepScreenshot(*dialog, "new-case-1-shown");
+    auto* next = dialog->findChild<QPushButton*>(QStringLiteral("newCaseNext"));
+    QVERIFY(waitUntil([&] { return next->isEnabled(); }));
+    next->click();
+    dialog->findChild<QLineEdit*>(QStringLiteral("newCaseTitle"))->setText(QStringLiteral("Of the screen"));
+    next->click();
+    QVERIFY(waitUntil([&] { return next->isEnabled(); }));
+    next->click();
+    QVERIFY(waitUntil([this] { return document().current() && window_->isSettled(); }));
+    QVERIFY2(!window_->messages().isError(), qPrintable(window_->messages().text()));
+    QVERIFY(!hasNoVolume(*document().current()));
   }
 
   void aNameThatIsTakenIsRefusedAndNothingIsLost() {
@@ -210,8 +284,9 @@ class AuthoringTest : public WindowFixture {
     QVERIFY(!now->isEnabled());
     give->findChild<QLineEdit*>(QStringLiteral("sourceFile"))->setText(other + QStringLiteral("/volume.mha"));
     give->findChild<QLineEdit*>(QStringLiteral("sourceLicence"))->setText(QStringLiteral("CC0 1.0"));
+    chooseFront(*give);
     keepScreenshot(*give, "give-volume");
-    QVERIFY(now->isEnabled());
+    QVERIFY(waitUntil([&] { return now->isEnabled(); }));
     now->click();
     QVERIFY(waitUntil([this] { return session().subject() && window_->isSettled(); }));
     QVERIFY(!hasNoVolume(*document().current()));
@@ -482,6 +557,9 @@ class AuthoringTest : public WindowFixture {
     keepScreenshot(*dialog, "german-new-1");
     auto* next = dialog->findChild<QPushButton*>(QStringLiteral("newCaseNext"));
     dialog->findChild<QLineEdit*>(QStringLiteral("sourceFile"))->setText(folder + QStringLiteral("/volume.mha"));
+    chooseFront(*dialog);
+    keepScreenshot(*dialog, "german-new-1-side");
+    QVERIFY(waitUntil([&] { return next->isEnabled(); }));
     next->click();
     dialog->findChild<QLineEdit*>(QStringLiteral("newCaseTitle"))->setText(QStringLiteral("Zweiter Fall"));
     keepScreenshot(*dialog, "german-new-2");

@@ -223,7 +223,7 @@ class ImportTest : public QObject {
     QWidget parent;
     Jobs jobs;
     MessageBar messages(&parent);
-    QPointer<ImportDialog> dialog = new ImportDialog(QString::fromStdString(file.string()), jobs, messages, &parent);
+    QPointer<ImportDialog> dialog = new ImportDialog(QString::fromStdString(file.string()), {}, jobs, messages, &parent);
     std::shared_ptr<const Volume> made;
     connect(dialog, &ImportDialog::imported,
             [&](const ew::ScanVoxels& voxels, const QString&, const std::shared_ptr<const ew::Provenance>&) { made = voxels.volume(); });
@@ -260,7 +260,7 @@ class ImportTest : public QObject {
     QWidget parent;
     Jobs jobs;
     MessageBar messages(&parent);
-    QPointer<ImportDialog> dialog = new ImportDialog(QString::fromStdString(file.string()), jobs, messages, &parent);
+    QPointer<ImportDialog> dialog = new ImportDialog(QString::fromStdString(file.string()), {}, jobs, messages, &parent);
     dialog->show();
     auto* frame = dialog->findChild<QComboBox*>(QStringLiteral("frame"));
     QTRY_COMPARE_WITH_TIMEOUT(frame->findData(QStringLiteral("Bed")), 1, static_cast<int>(ew::test::kPatience_ms));

@@ -117,6 +117,94 @@ TEST(MakeCase, OfARecordingBeginsWithoutTheArtefactsOfItsTemplate) {
   ASSERT_TRUE(given) << given.error();
   EXPECT_FALSE(given->edited.scene.reverberation);
   EXPECT_TRUE(std::any_of(given->notes.begin(), given->notes.end(), says));
+TEST(MakeCase, SaysBeforeWhatTheFileLeavesOpen) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(writeVolume(noisyVolume({12, 10, 8}, 3), folder / "unspaced.mha"));
+  const auto spacing = planOfSource(VolumeFile{.file = folder / "unspaced.mha"});
+  ASSERT_FALSE(spacing);
+  EXPECT_EQ(askedFor(spacing.error()), "spacing") << spacing.error();
+  writeText(folder / "four.nrrd",
+            "NRRD0005\ntype: uint8\ndimension: 4\nsizes: 4 4 4 3\nkinds: space space space time\nspace: LPS\n"
+            "space directions: (1,0,0) (0,1,0) (0,0,1.5) none\nspace origin: (0,0,0)\nencoding: raw\n\n" +
+                std::string(192, 'a'));
+  const auto step = planOfSource(VolumeFile{.file = folder / "four.nrrd"});
+  ASSERT_FALSE(step);
+  EXPECT_EQ(askedFor(step.error()), "time-step") << step.error();
+  VolumeFile second{.file = folder / "four.nrrd"};
+  second.answers.timeStep = 2;
+  const auto plan = planOfSource(second);
+  ASSERT_TRUE(plan) << plan.error();
+  EXPECT_EQ(plan->grid.dims, glm::ivec3(4));
+  EXPECT_TRUE(plan->asksForSide);
+}
+
+/// Grey falls from the back to the front, as when the probe was behind the patient.
+Volume fromBehind() {
+  Volume volume = noisyVolume({12, 20, 8}, 3);
+  volume.grid.spacing_mm = glm::dvec3(0.5);
+  for (std::size_t n = 0; n < volume.echo.size(); ++n) volume.echo[n] = static_cast<std::uint8_t>(20 + 10 * ((n / 12) % 20));
+  return volume;
+}
+
+TEST(MakeCase, TellsWhichSideItAssumesAndAsksBeforePublishing) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(writeVolume(fromBehind(), folder / "v.mha"));
+  const NewCase wanted = named("V", VolumeFile{.file = folder / "v.mha"});
+  const auto plan = planCase(wanted);
+  ASSERT_TRUE(plan) << plan.error();
+  EXPECT_TRUE(plan->asksForSide);
+  ASSERT_TRUE(plan->proposedSide);
+  EXPECT_EQ(bodySideOf(plan->proposedSide->axes), BodySide::back);
+  const auto made = makeCase(wanted, folder / "assumed");
+  ASSERT_TRUE(made) << made.error();
+  EXPECT_TRUE(assumesAxes(made->made));
+  EXPECT_EQ(sweepAxesOf(made->made)->depth, glm::dvec3(0, -1, 0));
+  EXPECT_NE(made->notes.back().english().find("Its back was taken"), std::string::npos) << made->notes.back();
+  const auto warned = [&](const Case& one) {
+    const auto list = publishingList(one);
+    return list && std::any_of(list->begin(), list->end(), [](const CheckItem& each) {
+             return each.state == CheckItem::State::warning && each.what.english().find("which side") != std::string::npos;
+           });
+  };
+  EXPECT_TRUE(warned(made->made));
+  EXPECT_FALSE(warned(withSweepAxes(made->made, SweepAxes{}))) << "somebody said it";
+  EXPECT_TRUE(validateCase(folder / "assumed").empty());
+  NewCase said = wanted;
+  said.source = VolumeFile{.file = folder / "v.mha", .answers = {}, .probeSide = BodySide::left};
+  EXPECT_FALSE(planCase(said)->asksForSide);
+  const auto told = makeCase(said, folder / "told");
+  ASSERT_TRUE(told) << told.error();
+  EXPECT_FALSE(assumesAxes(told->made));
+  EXPECT_EQ(sweepAxesOf(told->made)->depth, glm::dvec3(-1, 0, 0));
+}
+
+TEST(MakeCase, OfWhatIsOnScreenNeedsNoFileAndKeepsItsBeams) {
+  const TemporaryFolder folder;
+  const auto shown = std::make_shared<const Volume>(fromBehind());
+  const auto made = makeCase(named("S", VolumeAtHand{shown, SweepAxes{{0, 0, 1}, {1, 0, 0}}}), folder / "s");
+  ASSERT_TRUE(made) << made.error();
+  EXPECT_FALSE(assumesAxes(made->made));
+  EXPECT_EQ(sweepAxesOf(made->made)->depth, glm::dvec3(0, 0, 1));
+  const auto echo = loadCaseVolume(made->made, noProgress());
+  ASSERT_TRUE(echo);
+  EXPECT_EQ(echo->volume.echo, shown->echo);
+  EXPECT_TRUE(planOfSource(VolumeAtHand{shown})->asksForSide);
+}
+
+TEST(MakeCase, SaysThatARegionHasNoUsualPlace) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(writeVolume(fromBehind(), folder / "v.mha"));
+  NewCase wanted = named("V", VolumeFile{.file = folder / "v.mha", .answers = {}, .probeSide = BodySide::front});
+  const auto notesFor = [&](const std::string& region) {
+    wanted.region = region;
+    const auto made = makeCase(wanted, folder / ("region" + std::to_string(region.size())));
+    std::string all;
+    if (made)
+      for (const Message& each : made->notes) all += each.english() + "\n";
+    return all;
+  };
+  EXPECT_NE(notesFor("left big toe").find("no usual place for 'left big toe'"), std::string::npos);
+  EXPECT_EQ(notesFor("neck").find("no usual place"), std::string::npos);
 }
 
 TEST(MakeCase, OfAStitchedResultTakesItsVolumeAndLevel) {

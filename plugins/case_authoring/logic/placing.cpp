@@ -22,10 +22,6 @@ glm::dvec3 placedAlong(const FilePlace& fileToWorld, const glm::dvec3& along) {
   return (fileToWorld * Direction<frame::File>{along}).along;
 }
 
-glm::dvec3 inwardOf(const Grid& own, std::size_t face) {
-  return (face % 2 == 0 ? 1.0 : -1.0) * glm::normalize(own.directions[static_cast<int>(face / 2)]);
-}
-
 /// Half of the box of all voxels along a direction, mm.
 double halfAlong_mm(const Grid& own, const glm::dvec3& direction) {
   double half_mm = 0.0;
@@ -72,23 +68,6 @@ nlohmann::json withAxes(nlohmann::json manifest, const SweepAxes& axes) {
   Case edited;
   edited.otherFields = std::move(manifest);
   return withSweepAxes(std::move(edited), axes).otherFields;
-}
-
-std::array<SweepAxes, 6> axesOfFaces(const Grid& own, const glm::dvec3& lateral) {
-  std::array<SweepAxes, 6> all;
-  for (std::size_t face = 0; face < all.size(); ++face) {
-    all[face].depth = inwardOf(own, face);
-    double most = -1.0;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (axis == static_cast<int>(face / 2)) continue;
-      const glm::dvec3 direction = glm::normalize(own.directions[axis]);
-      const double along = glm::dot(direction, lateral);
-      if (std::abs(along) <= most) continue;
-      most = std::abs(along);
-      all[face].lateral = along < 0.0 ? -direction : direction;
-    }
-  }
-  return all;
 }
 
 std::optional<std::size_t> faceOf(const Grid& own, const SweepAxes& axes) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ew/library/placing.h"
+#include "ew/library/probe_side.h"
 #include "ew/sdk/overlays.h"
 
 namespace ew::case_authoring {
@@ -19,9 +20,6 @@ using HandlesPose = Transform<frame::World, sdk::BodyHandles::Frame>;
 [[nodiscard]] std::optional<SweepAxes> axesOf(const nlohmann::json& manifest);
 [[nodiscard]] nlohmann::json withAxes(nlohmann::json manifest, const SweepAxes& axes);
 
-/// The axes when the near side is one of the six faces of a grid: those where i, j, k are least and greatest, in that order.
-/// @param lateral where the marker points, roughly; the nearest direction of the grid that lies in the face is taken
-[[nodiscard]] std::array<SweepAxes, 6> axesOfFaces(const Grid& own, const glm::dvec3& lateral);
 /// Which of the six faces the beams of `axes` enter squarely, within 2 degrees; nothing when they are oblique to all.
 [[nodiscard]] std::optional<std::size_t> faceOf(const Grid& own, const SweepAxes& axes);
 /// The face on which the probe was, as far as it can be guessed: near to the skin, looking inwards, and best along `beam`, the direction in

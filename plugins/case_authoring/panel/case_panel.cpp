@@ -6,6 +6,7 @@
 #include <QFormLayout>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QSpinBox>
 #include <QStackedWidget>
@@ -34,14 +35,19 @@ using AgeField = sdk::WheelWithFocus<sdk::WithHostUndo<QSpinBox>>;
 
 }  // namespace
 
-CasePanel::CasePanel(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(host) {
+CasePanel::CasePanel(sdk::Host& host, std::function<void()> begin, QWidget* parent) : QWidget(parent), host_(host) {
   setObjectName(QStringLiteral("casePanel"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   pages_ = new QStackedWidget(this);
+  auto* newCase = new QPushButton(tr("New case…"));
+  newCase->setObjectName(QStringLiteral("newCaseHere"));
+  connect(newCase, &QPushButton::clicked, this, std::move(begin));
   pages_->addWidget(
-      sdk::emptyState(tr("No case is open"), tr("Open a case from the start page, from the File menu, or by dropping its folder on the "
-                                                "window. Then its patient, texts and volume can be edited here.")));
+      sdk::emptyState(tr("No case is open"),
+                      tr("Open a case from the start page, from the File menu, or by dropping its folder on the window, or "
+                         "make a new one, of what is on screen as well. Then its patient, texts and volume can be edited here."),
+                      newCase));
   pages_->widget(0)->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);  // its sentence must not make the form taller
   pages_->addWidget(makeForm());
   column->addWidget(pages_, 1);

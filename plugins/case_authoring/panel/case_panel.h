@@ -37,7 +37,8 @@ class CasePanel final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit CasePanel(sdk::Host& host, QWidget* parent = nullptr);
+  /// @param begin what begins a new case
+  CasePanel(sdk::Host& host, std::function<void()> begin, QWidget* parent = nullptr);
 
   /// Saves where the case is, or into a new folder.
   void save(bool elsewhere = false);  ///< asks for a new folder, or saves where the case lies

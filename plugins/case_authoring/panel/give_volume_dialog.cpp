@@ -44,7 +44,7 @@ GiveVolumeDialog::GiveVolumeDialog(sdk::Host& host, QWidget* parent) : QDialog(p
     column->addWidget(sdk::quietLabel(
         tr("The volume keeps its place in the body. Targets and measurements that only the present volume knows are left out; undo brings "
            "everything back.")));
-  source_ = new SourceField(false);
+  source_ = new SourceField(host_, false);
   column->addWidget(source_);
   rights_ = new RightsForm;
   column->addWidget(rights_);
@@ -71,7 +71,9 @@ GiveVolumeDialog::GiveVolumeDialog(sdk::Host& host, QWidget* parent) : QDialog(p
 }
 
 void GiveVolumeDialog::look() {
-  give_->setEnabled(source_->source().has_value());
+  const QString open = source_->openQuestion();
+  give_->setEnabled(open.isEmpty());
+  give_->setToolTip(open);
   sdk::setProblem(problem_, {});
 }
 

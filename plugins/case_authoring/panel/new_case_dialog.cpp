@@ -108,7 +108,7 @@ QWidget* NewCaseDialog::makeFrom() {
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
-  source_ = new SourceField(true);
+  source_ = new SourceField(host_, true);
   column->addWidget(source_);
   column->addStretch(1);
   connect(source_, &SourceField::changed, this, &NewCaseDialog::look);
@@ -242,11 +242,7 @@ void NewCaseDialog::goTo(int step) {
 }
 
 QString NewCaseDialog::problemOf(int step) const {
-  if (step == from) {
-    const auto source = source_->source();
-    // What is wrong with a file is said beside it.
-    return source ? QString() : source_->file().isEmpty() ? words(source.error()) : tr("This file cannot become a case.");
-  }
+  if (step == from) return source_->openQuestion();  // what is wrong with a file is said beside it
   if (step == about) return title_->text().trimmed().isEmpty() ? tr("Give the case a title.") : QString();
   const QString name = name_->text().trimmed();
   if (library_->text().trimmed().isEmpty() || fs::path(library_->text().trimmed().toStdString()).is_relative())
@@ -351,17 +347,19 @@ void NewCaseDialog::showPlan(const NewCasePlan& found) {
 void NewCaseDialog::make() {
   auto made = std::make_shared<MadeCase>();
   const fs::path target = folder();
+  const NewCase asked = wanted();
   hide();
   host_.jobs().start(
       tr("Making the case %1").arg(name_->text().trimmed()).toStdString(),
-      [made, target, asked = wanted()](Progress& progress) -> Result<void> {
+      [made, target, asked](Progress& progress) -> Result<void> {
         auto done = makeCase(asked, target, progress);
         if (!done) return passOn(done.error());
         *made = std::move(*done);
         return {};
       },
-      [this, alive = QPointer<NewCaseDialog>(this), &host = host_, made, target](const Result<void>& outcome) {
+      [this, alive = QPointer<NewCaseDialog>(this), &host = host_, made, target, source = asked.source](const Result<void>& outcome) {
         if (outcome) {
+          if (const auto* shown = std::get_if<VolumeAtHand>(&source)) host.volumes().wasKept(shown->volume);
           for (const Message& note : made->notes) host.window().info(words(note).toStdString());
           host.workspaces().show("author");
           if (const auto opened = host.cases().open(target); !opened) host.window().error(words(opened.error()).toStdString());

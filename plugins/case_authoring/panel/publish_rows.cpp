@@ -263,6 +263,8 @@ void CasePanel::showField(const std::string& path) {
   QTimer::singleShot(0, this, [this, editor = QPointer<QWidget>(row->second.editor)] {
     if (!editor) return;
     scroll_->ensureWidgetVisible(editor, 0, 10 * kGap_px);
+    // The list stays in sight; what is typed next is for the field.
+    editor->activateWindow();
     editor->setFocus(Qt::OtherFocusReason);
   });
 }

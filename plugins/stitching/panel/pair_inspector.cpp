@@ -419,7 +419,10 @@ void PairInspector::showCost() {
   }
   warpedReason_->setVisible(warped != nullptr);
   if (warped != nullptr)
-    warpedReason_->say(briefly(warped->remarks) + (fresh ? QString() : QLatin1Char(' ') + tr("Changed since: deform again.")));
+    warpedReason_->say((session_.pairLine(fixed, moving).warpDoubted
+                            ? tr("The rigid pose is aligned; the deformation needs a look.") + QLatin1Char(' ')
+                            : QString()) +
+                       briefly(warped->remarks) + (fresh ? QString() : QLatin1Char(' ') + tr("Changed since: deform again.")));
   const auto a = session_.volume(fixed);
   const auto b = session_.volume(moving);
   searchCost_->setText(none);

@@ -77,7 +77,9 @@ StitchSession::PairLine StitchSession::pairLine(std::size_t a, std::size_t b) co
   if (line.stale && said.method == PairMethod::byHand) line.mark = Mark::byHand;  // moved away from what was proved
   if (said.decision == Decision::rejected) line.mark = Mark::rejected;
   const bool isHeld = line.mark == Mark::aligned || line.mark == Mark::landmarks;
-  line.needsLook = line.outcome != nullptr && said.decision == Decision::undecided && (line.stale || !isHeld);
+  const WarpedPair* warp = warpedOf(low, high);
+  line.warpDoubted = isHeld && warp != nullptr && warp->verdict != registration::Verdict::aligned;
+  line.needsLook = line.outcome != nullptr && said.decision == Decision::undecided && (line.stale || !isHeld || line.warpDoubted);
   return line;
 }
 
@@ -212,10 +214,12 @@ std::vector<registration::Level> StitchSession::warpLevels() const {
   return warped() != nullptr ? warped()->levels : seen;
 }
 
-const WarpedPair* StitchSession::warped() const {
-  if (!found_ || !pair_) return nullptr;
-  const auto i = foundIndex(pair_->fixed);
-  const auto j = foundIndex(pair_->moving);
+const WarpedPair* StitchSession::warped() const { return pair_ ? warpedOf(pair_->fixed, pair_->moving) : nullptr; }
+
+const WarpedPair* StitchSession::warpedOf(std::size_t a, std::size_t b) const {
+  if (!found_) return nullptr;
+  const auto i = foundIndex(a);
+  const auto j = foundIndex(b);
   if (!i || !j) return nullptr;
   for (const WarpedPair& each : found_->warpedPairs)
     if (std::minmax(each.fixed, each.moving) == std::minmax(*i, *j)) return &each;

@@ -101,7 +101,8 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
     Mark mark = Mark::unknown;
     bool stale = false;                    ///< edited since it was found
     bool wrong = false;                    ///< the graph does not believe it
-    bool needsLook = false;                ///< not aligned, and nobody has decided
+    bool warpDoubted = false;              ///< the rigid pose holds, and the deformation of the last run was not found to be right
+    bool needsLook = false;                ///< not aligned, or deformed in doubt, and nobody has decided
     const PairOutcome* outcome = nullptr;  ///< of the last run; null: none
   };
   /// Every pair that a run has looked at or a person has spoken of; before the first run all of them.
@@ -137,6 +138,7 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   [[nodiscard]] Stage stage() const { return stage_; }
   void setStage(Stage stage);
   [[nodiscard]] bool hasElastic() const;
+  [[nodiscard]] const WarpedPair* warpedOf(std::size_t a, std::size_t b) const;  ///< of the last run; null: it was not warped
   [[nodiscard]] const WarpedPair* warped() const;  ///< of the pair; null: it was not warped
   [[nodiscard]] bool isWarpedStale() const;        ///< it was warped with another effort, or lay elsewhere
   [[nodiscard]] MachinePace warpPace() const;      ///< from the pairs that were warped

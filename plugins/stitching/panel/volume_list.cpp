@@ -45,6 +45,10 @@ class VolumeDelegate final : public QStyledItemDelegate {
       painter->setPen(Qt::NoPen);
       painter->setBrush(colours.color(QPalette::Button));
       painter->drawRoundedRect(box.adjusted(2, 1, -2, -1), 4, 4);
+      // The ground alone is a shade that nobody sees: what the buttons below are about has a bar as well.
+      painter->setBrush(colours.color(QPalette::Highlight));
+      painter->drawRoundedRect(QStyle::visualRect(option.direction, box, QRect(box.left() + 2, box.top() + 4, 3, box.height() - 8)), 1.5,
+                               1.5);
     }
     if (option.state.testFlag(QStyle::State_HasFocus)) {
       painter->setPen(QPen(colours.color(QPalette::Highlight), 1.0));
@@ -207,7 +211,8 @@ void VolumeList::showSweepRow() {
   if (!isSweep) return;
   const ProjectVolume& line = session_.project().volumes[*chosen];
   const QString file = words(line.calibration.filename().string());
-  calibration_->setText(line.calibration.empty() ? tr("Calibration…") : calibration_->fontMetrics().elidedText(file, Qt::ElideMiddle, 110));
+  calibration_->setText(line.calibration.empty() ? tr("Calibration of %1…").arg(words(letterOf(*chosen)))
+                                                 : calibration_->fontMetrics().elidedText(file, Qt::ElideMiddle, 110));
   calibration_->setToolTip(
       line.calibration.empty()
           ? tr("A device set (.xml) that says where the pixels lie on the probe; needed by a sweep that does not say it itself")

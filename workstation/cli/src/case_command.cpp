@@ -4,6 +4,7 @@
 #include "arguments.h"
 #include "case_library.h"
 #include "case_new.h"
+#include "case_withdraw.h"
 #include "command.h"
 #include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
@@ -323,6 +324,7 @@ void addCase(CLI::App& root, Selection& selection) {
 
   addCaseNew(group, selection);
   addCaseLibrary(group, selection);
+  addCaseWithdraw(group, selection);
   addCaseUnseal(group, selection);
 }
 

@@ -29,6 +29,8 @@ struct NewCaseArguments {
   std::string attribution;
   std::string licence;
   std::optional<double> spacing_mm;
+  std::optional<int> timeStep;
+  std::string probeSide;
   std::optional<std::vector<double>> fan;    // left right (degrees), apex x y, start stop radius (pixels)
   std::optional<std::vector<double>> place;  // x y z (mm), about x y z (degrees)
   bool isListing = false;
@@ -103,6 +105,10 @@ Result<CaseSource> sourceOf(const NewCaseArguments& arguments) {
   } else if (auto* volume = std::get_if<VolumeFile>(&*source)) {
     if (arguments.spacing_mm) volume->answers.spacing_mm = glm::dvec3(*arguments.spacing_mm);
     volume->answers.acceptsSmall = arguments.acceptsSmall;
+    volume->answers.timeStep = arguments.timeStep;
+    volume->probeSide = bodySideOf(arguments.probeSide);
+  } else if (auto* stitched = std::get_if<StitchingResult>(&*source)) {
+    stitched->probeSide = bodySideOf(arguments.probeSide);
   }
   return source;
 }
@@ -226,6 +232,12 @@ void addCaseNew(CLI::App& group, Selection& selection) {
                 "device set says, else found in the pictures)");
   app.add_flag("--whole-frames", arguments->takesWholeFrames,
                "Look for no fan in a recording's pictures; what its device set says still holds");
+  addCount(app, "--time-step", arguments->timeStep, 1, 1'000'000, "Which volume of a file that holds several, from 1");
+  app.add_option("--probe-side", arguments->probeSide,
+                 "From which side a volume was scanned: front, back, left, right, upper or lower, as its file has them; without it the "
+                 "side is taken that its voxels suggest, and a remark says so")
+      ->check(CLI::IsMember({"front", "back", "left", "right", "upper", "lower"}))
+      ->type_name("SIDE");
   app.add_option("--calibration", arguments->calibration, "Device set of the recording")->type_name("XML");
   app.add_flag("--accept-small", arguments->acceptsSmall,
                "Make the case also when less than a tenth of the recording's pixels or frames is used");

@@ -52,15 +52,24 @@ tl::unexpected<Error> headerAndImageApart(const fs::path& file) {
       {{"file", file.string()}});
 }
 
+tl::unexpected<Error> askForStep(const fs::path& file, std::uint64_t steps) {
+  return ask(ErrorCode::missingCalibration, "time-step",
+             say<"'%1' holds %2 volumes one after the other; choose one by its number, 1 to %2.">(file.filename(), steps), file);
+}
+
+tl::unexpected<Error> askForSpacing(const fs::path& file) {
+  return ask(ErrorCode::missingCalibration, "spacing",
+             say<"'%1' says 1 x 1 x 1 mm without place or rotation, as converters write when they do not know; give the spacing in mm.">(
+                 file.filename()),
+             file);
+}
+
 Result<ImportedFile> fromVolume(const fs::path& file, const ImportAnswers& answers, Progress& progress, const ReadLimits& limits) {
   VolumeReadOptions options;
   if (answers.timeStep) options.timeStep = static_cast<std::uint64_t>(std::max(*answers.timeStep, 0));
   auto read = readVolume(file, progress, limits, options);
   if (!read) return passOn(read.error());
-  if (read->timeSteps > 1 && !answers.timeStep)
-    return ask(ErrorCode::missingCalibration, "time-step",
-               say<"'%1' holds %2 volumes one after the other; choose one by its number, 1 to %2.">(file.filename(), read->timeSteps),
-               file);
+  if (read->timeSteps > 1 && !answers.timeStep) return askForStep(file, read->timeSteps);
   ImportedFile made;
   made.notes = std::move(read->notes);
   made.warnings = std::move(read->warnings);
@@ -72,10 +81,7 @@ Result<ImportedFile> fromVolume(const fs::path& file, const ImportAnswers& answe
     made.notes.push_back(say<"The spacing was given and replaces that of the file; origin and directions are the file's.">());
   } else if (!read->spacingKnown) {
     if (!read->spacingProblem.empty()) return ask(ErrorCode::missingCalibration, "spacing", read->spacingProblem, file);
-    return ask(ErrorCode::missingCalibration, "spacing",
-               say<"'%1' says 1 x 1 x 1 mm without place or rotation, as converters write when they do not know; give the spacing in mm.">(
-                   file.filename()),
-               file);
+    return askForSpacing(file);
   } else {
     made.notes.push_back(say<"Spacing, origin and directions are the file's own, in LPS.">());
   }
@@ -236,6 +242,17 @@ Result<ImportedFile> importFile(const fs::path& file, const ImportAnswers& answe
   auto made = read(*kind, file, answers, progress, limits);
   if (made) made->kind = *kind;
   return made;
+}
+
+Result<Grid> volumeOf(const fs::path& file, const ImportAnswers& answers) {
+  const auto series = readVolumeSeries(file);
+  if (!series) return passOn(series.error());
+  if (series->volumes > 1 && !answers.timeStep) return askForStep(file, series->volumes);
+  if (!series->spacingKnown && !answers.spacing_mm) return askForSpacing(file);
+  Grid grid = series->grid;
+  if (answers.spacing_mm) grid.spacing_mm = *answers.spacing_mm;
+  if (auto usable = checkGrid(grid); !usable) return passOn(usable.error());
+  return grid;
 }
 
 Result<ImportPreview> previewImport(const fs::path& file, FileKind kind, Progress& progress, const ReadLimits& limits) {

@@ -69,7 +69,7 @@ fs::path targetOf(const fs::path& folder) {
 void takeIn(Case& into, const SourceInCase& put) {
   into.volume.file = put.file;
   into.volume.level = put.level;
-  if (put.axes) into = withSweepAxes(std::move(into), *put.axes);
+  if (put.axes) into = put.assumesAxes ? withAssumedAxes(std::move(into), *put.axes) : withSweepAxes(std::move(into), *put.axes);
 }
 
 /// A recording has its own shadows and reverberation: what a template switches on would come on top of them. @return whether any was on
@@ -97,7 +97,8 @@ void dropWhatIsLost(GivenVolume& given) {
   fresh.fileToWorld = edited.volume.fileToWorld;
   edited.volume = fresh;
   if (edited.otherFields.contains("volume"))
-    for (const char* field : {"depth_direction", "lateral_direction", "attribution", "licence"}) edited.otherFields["volume"].erase(field);
+    for (const char* field : {"depth_direction", "lateral_direction", "probe_side_is_assumed", "attribution", "licence"})
+      edited.otherFields["volume"].erase(field);
 }
 
 }  // namespace
@@ -123,6 +124,10 @@ Result<NewCasePlan> planCase(const NewCase& wanted, Progress& progress) {
     if (const auto draft = draftOf(wanted, {}); !draft) return passOn(draft.error());
     return planSource(wanted.source, progress);
   });
+}
+
+Result<NewCasePlan> planOfSource(const CaseSource& source, Progress& progress) {
+  return guardedCase({}, [&] { return planSource(source, progress); });
 }
 
 Result<MadeCase> makeCase(const NewCase& wanted, const fs::path& folder, Progress& progress) {

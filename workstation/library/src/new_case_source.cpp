@@ -24,6 +24,49 @@ struct MadeVolume {
   std::vector<Message> notes;
 };
 
+constexpr std::uint64_t kMostVoxelsToLookAt = 256ull << 20;
+constexpr int kSeenEdge = 96;  // of what is shown to whoever says where the probe was
+
+Message nameInWords(BodySide side) {
+  switch (side) {
+    case BodySide::front:
+      return say<"front">();
+    case BodySide::back:
+      return say<"back">();
+    case BodySide::left:
+      return say<"left">();
+    case BodySide::right:
+      return say<"right">();
+    case BodySide::upper:
+      return say<"upper side">();
+    case BodySide::lower:
+      return say<"lower side">();
+  }
+  return say<"front">();
+}
+
+Message assumedSide(const ProbeSide& side) {
+  if (side.certainty >= 0.5)
+    return say<
+        "Nobody says from which side the volume was scanned. Its %1 was taken, from which echoes grow fainter or the image wider; "
+        "look at it before anybody learns from it.">(nameInWords(bodySideOf(side.axes)));
+  return say<
+      "Nobody says from which side the volume was scanned, and its voxels do not tell. Its %1 was taken; look at it before anybody "
+      "learns from it.">(nameInWords(bodySideOf(side.axes)));
+}
+
+/// The axes that a person said, where they did.
+template <class Source>
+std::optional<SweepAxes> saidAxes(const Source& given, const Grid& own) {
+  return given.probeSide ? std::optional(axesFrom(own, *given.probeSide)) : std::nullopt;
+}
+
+void lookForSide(NewCasePlan& plan, const Volume& volume) {
+  plan.asksForSide = true;
+  plan.proposedSide = proposedProbeSide(volume);
+  plan.seen = thinned(volume, kSeenEdge);
+}
+
 SweepImportOptions importOptionsFor(const SweepFile& sweep) {
   SweepImportOptions options;
   if (!sweep.calibration.empty()) options.calibrations = {sweep.calibration};
@@ -52,7 +95,12 @@ Result<MadeVolume> madeOf(const VolumeFile& given, const fs::path&, Progress& pr
         say<"'%1' holds pictures one by one and no volume; a case needs a volume, a recording with poses, or a stitched result.">(
             given.file.filename()),
         {{"file", given.file.string()}});
-  return MadeVolume{*std::move(imported->volume), {}, {}, {}, std::move(imported->notes)};
+  const auto axes = saidAxes(given, imported->volume->grid);
+  return MadeVolume{*std::move(imported->volume), {}, axes, {}, std::move(imported->notes)};
+}
+
+Result<MadeVolume> madeOf(const VolumeAtHand& given, const fs::path&, Progress&) {
+  return MadeVolume{*given.volume, {}, given.axes ? given.axes : saidAxes(given, given.volume->grid), {}, {}};
 }
 
 Result<MadeVolume> madeOf(const SweepFile& given, const fs::path&, Progress& progress) {
@@ -93,7 +141,7 @@ Result<StitchProject> readProject(const fs::path& file) {
   return stitching::parseProject(*text, fs::absolute(file).parent_path());
 }
 
-Result<MadeVolume> madeOf(const StitchingResult& given, const fs::path& scratch, Progress& progress) {
+Result<MadeVolume> stitchedOf(const StitchingResult& given, const fs::path& scratch, Progress& progress) {
   if (given.file.extension() != ".json") return readStitched(resultFolderOf(given.file), progress);
   const auto project = readProject(given.file);
   if (!project) return passOn(project.error());
@@ -110,6 +158,12 @@ Result<MadeVolume> madeOf(const StitchingResult& given, const fs::path& scratch,
   if (!made) return made;
   made->notes.insert(made->notes.end(), state->notes.begin(), state->notes.end());
   if (state->verdict != registration::Verdict::aligned && !state->reason.empty()) made->notes.push_back(state->reason);
+  return made;
+}
+
+Result<MadeVolume> madeOf(const StitchingResult& given, const fs::path& scratch, Progress& progress) {
+  auto made = stitchedOf(given, scratch, progress);
+  if (made) made->axes = saidAxes(given, made->volume.grid);
   return made;
 }
 
@@ -136,20 +190,41 @@ NewCasePlan planOfGrid(const Grid& grid) {
   return plan;
 }
 
+/// Of volumes that can be looked at before without much memory: voxels tell which side to propose.
+Result<void> lookAtFile(NewCasePlan& plan, const VolumeFile& given, Progress& progress) {
+  plan.asksForSide = !given.probeSide;
+  if (!plan.asksForSide || plan.grid.voxelCount() > kMostVoxelsToLookAt) return {};
+  const auto made = madeOf(given, {}, progress);
+  if (!made) return passOn(made.error());
+  lookForSide(plan, made->volume);
+  plan.notes = made->notes;
+  return {};
+}
+
 Result<NewCasePlan> planned(const VolumeFile& given, Progress& progress) {
   const auto kind = given.answers.raw ? Result<FileKind>(FileKind::raw) : kindOfFile(given.file);
   if (!kind) return passOn(kind.error());
   if (*kind == FileKind::volume) {
-    const auto header = readVolumeHeader(given.file);
-    if (!header) return passOn(header.error());
-    Grid grid = header->grid;
-    if (given.answers.spacing_mm) grid.spacing_mm = *given.answers.spacing_mm;
-    return planOfGrid(grid);
+    const auto series = volumeOf(given.file, given.answers);
+    if (!series) return passOn(series.error());
+    NewCasePlan plan = planOfGrid(*series);
+    if (auto seen = lookAtFile(plan, given, progress); !seen) return passOn(seen.error());
+    return plan;
   }
   const auto made = madeOf(given, {}, progress);
   if (!made) return passOn(made.error());
   NewCasePlan plan = planOfGrid(made->volume.grid);
+  if (!given.probeSide) lookForSide(plan, made->volume);
   plan.notes = made->notes;
+  return plan;
+}
+
+Result<NewCasePlan> planned(const VolumeAtHand& given, Progress&) {
+  NewCasePlan plan = planOfGrid(given.volume->grid);
+  if (given.axes)
+    plan.axes = *given.axes;
+  else if (!given.probeSide)
+    lookForSide(plan, *given.volume);
   return plan;
 }
 
@@ -167,11 +242,15 @@ Result<NewCasePlan> planned(const SweepFile& given, Progress& progress) {
   return plan;
 }
 
-Result<NewCasePlan> planned(const StitchingResult& given, Progress&) {
+Result<NewCasePlan> planned(const StitchingResult& given, Progress& progress) {
   if (given.file.extension() != ".json") {
-    const auto header = readVolumeHeader(resultFolderOf(given.file) / "volume.mha");
+    const fs::path file = resultFolderOf(given.file) / "volume.mha";
+    const auto header = readVolumeHeader(file);
     if (!header) return passOn(header.error());
-    return planOfGrid(header->grid);
+    NewCasePlan plan = planOfGrid(header->grid);
+    if (auto seen = lookAtFile(plan, VolumeFile{.file = file, .answers = {}, .probeSide = given.probeSide}, progress); !seen)
+      return passOn(seen.error());
+    return plan;
   }
   const auto project = readProject(given.file);
   if (!project) return passOn(project.error());
@@ -214,8 +293,14 @@ Result<SourceInCase> putSource(const CaseSource& source, bool makesLevel, const 
   if (!file) return passOn(file.error());
   const auto level = makesLevel ? addLevel(*made, caseFolder, levelling) : Result<std::string>(std::string());
   if (!level) return passOn(level.error());
-  SourceInCase put{*file, *level, made->axes, {}, made->frames, std::move(made->notes)};
-  put.shape = placingShapeOf(made->volume, made->axes.value_or(SweepAxes{}));
+  SourceInCase put{*file, *level, made->axes, false, {}, made->frames, std::move(made->notes)};
+  if (!put.axes) {
+    const ProbeSide side = proposedProbeSide(made->volume);
+    put.axes = side.axes;
+    put.assumesAxes = true;
+    put.notes.push_back(assumedSide(side));
+  }
+  put.shape = placingShapeOf(made->volume, *put.axes);
   return put;
 }
 
@@ -236,6 +321,9 @@ ChosenPlace choosePlace(const PlacingShape& shape, const std::string& mannequin,
       place.notes.push_back(say<"The volume lies where its file says; place it on the body by hand.">());
       return place;
     }
+    if (!region.empty() && !knowsRegion(*known, region))
+      place.notes.push_back(
+          say<"There is no usual place for '%1' on this mannequin; the volume lies on the %2. Place it by hand.">(region, site->region));
     place.fileToWorld = firstPlacement(shape, **skin, *site);
   }
   if (skin) place.contact = contactOf(shape, place.fileToWorld, **skin);

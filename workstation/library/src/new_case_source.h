@@ -14,6 +14,7 @@ struct SourceInCase {
   std::string file;   ///< "volumes/….mha"
   std::string level;  ///< the same of its level; empty: none was wanted
   std::optional<SweepAxes> axes = {};
+  bool assumesAxes = false;  ///< nobody said them; a note tells what was taken
   PlacingShape shape = {};
   std::optional<SweepCounts> frames = {};
   std::vector<Message> notes = {};

@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 constexpr double kMostTip_rad = 35.0 * std::numbers::pi / 180.0;
 constexpr double kPick_mm = 5.0;  // how well a person finds a place on skin and in a volume
 constexpr const char* kDepthField = "depth_direction";
+constexpr const char* kAssumedField = "probe_side_is_assumed";
 constexpr const char* kLateralField = "lateral_direction";
 
 /// How far a point stands off the skin: > 0 outside the body.
@@ -100,6 +101,17 @@ std::vector<registration::LandmarkPair> withoutPair(const std::vector<registrati
   return rest;
 }
 
+/// The site whose name `region` holds, the longest of several; null: none.
+const PlacingSite* namedSite(const MannequinLandmarks& known, const std::string& region) {
+  const PlacingSite* best = nullptr;
+  std::string spoken = region;
+  std::transform(spoken.begin(), spoken.end(), spoken.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  for (const PlacingSite& each : known.sites)
+    if (spoken.find(each.region) != std::string::npos && (best == nullptr || each.region.size() > best->region.size())) best = &each;
+  return best;
+}
+
 }  // namespace
 
 std::optional<SweepAxes> sweepAxesOf(std::span<const PosedFrame> frames) {
@@ -132,7 +144,20 @@ Case withSweepAxes(Case placed, const SweepAxes& axes) {
   };
   placed.otherFields["volume"][kDepthField] = rounded(axes.depth);
   placed.otherFields["volume"][kLateralField] = rounded(axes.lateral);
+  placed.otherFields["volume"].erase(kAssumedField);
   return placed;
+}
+
+Case withAssumedAxes(Case placed, const SweepAxes& axes) {
+  placed = withSweepAxes(std::move(placed), axes);
+  placed.otherFields["volume"][kAssumedField] = true;
+  return placed;
+}
+
+bool assumesAxes(const Case& placed) {
+  if (!placed.otherFields.is_object() || !placed.otherFields.contains("volume") || !placed.otherFields["volume"].is_object()) return false;
+  const auto& volume = placed.otherFields["volume"];
+  return volume.contains(kAssumedField) && volume[kAssumedField] == true;
 }
 
 Contact contactOf(const PlacingShape& shape, const Transform<frame::World, frame::File>& fileToWorld, const Skin& skin) {
@@ -204,15 +229,11 @@ Result<LandmarkFit> placeByLandmarks(std::span<const PlacingPair> pairs) {
   return *best;
 }
 
+bool knowsRegion(const MannequinLandmarks& known, const std::string& region) { return namedSite(known, region) != nullptr; }
+
 const PlacingSite* siteFor(const MannequinLandmarks& known, const std::string& region) {
-  const PlacingSite* best = nullptr;
-  std::string spoken = region;
-  std::transform(spoken.begin(), spoken.end(), spoken.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  for (const PlacingSite& each : known.sites)
-    if (spoken.find(each.region) != std::string::npos && (best == nullptr || each.region.size() > best->region.size())) best = &each;
-  if (best != nullptr || known.sites.empty()) return best;
-  return &known.sites.front();
+  const PlacingSite* named = namedSite(known, region);
+  return named != nullptr || known.sites.empty() ? named : &known.sites.front();
 }
 
 }  // namespace ew

@@ -62,6 +62,10 @@ void checkVolume(const Case& opened, CheckList& list) {
             say<"Give the licence under which the recording may be passed on.">(), "volume.licence");
   list.need(!rights.attribution.empty(), say<"It says whom to name for the recording.">(), say<"Say whom to name for the recording.">(),
             "volume.attribution");
+  if (assumesAxes(opened))
+    list.warn(say<"Nobody has said from which side the volume was scanned; look whether the probe's side is at the top, and choose the "
+                  "near face.">(),
+              "volume.file_to_world");
 }
 
 void checkStart(const Case& opened, CheckList& list) {

@@ -16,6 +16,8 @@ Volumes::~Volumes() = default;
 void Volumes::showMade(Volume volume, const std::string& title, const std::vector<std::filesystem::path>&) {
   show(std::move(volume), title);
 }
+std::optional<ShownVolume> Volumes::shown() const { return std::nullopt; }
+void Volumes::wasKept(const std::shared_ptr<const Volume>&) {}
 Files::~Files() = default;
 Cases::~Cases() = default;
 Result<void> Cases::makeOwn() { return {}; }

@@ -161,7 +161,10 @@ void CardView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void CardView::contextMenuEvent(QContextMenuEvent* event) {
-  askForLessons(event->reason() == QContextMenuEvent::Keyboard ? currentIndex() : indexAt(event->pos()));
+  const QModelIndex index = event->reason() == QContextMenuEvent::Keyboard ? currentIndex() : indexAt(event->pos());
+  if (!index.isValid() || list_.row(index.row()) == nullptr) return;
+  const QRect card = visualRect(index);
+  Q_EMIT menuAsked(index.row(), QRect(viewport()->mapToGlobal(card.topLeft()), card.size()), event->globalPos());
 }
 
 bool CardView::isOnLessons(const QPoint& point) const {

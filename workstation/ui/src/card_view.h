@@ -26,10 +26,11 @@ class CardView final : public QListView {
 
  Q_SIGNALS:
   void chosen(const QString& folder);
-  void lessonsAsked(int row, const QRect& card_global);  ///< what the case of a row teaches
-  void sightChanged();                                   ///< other cards are in sight
-  void typed(const QString& text);                       ///< letters, which mean the field of the search
-  void leftUpwards();                                    ///< the arrow up in the first row
+  void lessonsAsked(int row, const QRect& card_global);                        ///< what the case of a row teaches
+  void menuAsked(int row, const QRect& card_global, const QPoint& at_global);  ///< what can be done with the case of a row
+  void sightChanged();                                                         ///< other cards are in sight
+  void typed(const QString& text);                                             ///< letters, which mean the field of the search
+  void leftUpwards();                                                          ///< the arrow up in the first row
 
  protected:
   bool event(QEvent* event) override;

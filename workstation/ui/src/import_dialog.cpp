@@ -151,7 +151,7 @@ QStringList filesIn(const QString& text) {
 
 }  // namespace
 
-ImportDialog::ImportDialog(const QString& sweep, Jobs& jobs, MessageBar& messages, QWidget* parent)
+ImportDialog::ImportDialog(const QString& sweep, const QStringList& calibrations, Jobs& jobs, MessageBar& messages, QWidget* parent)
     : FormDialog(QFileInfo(sweep).fileName(), sweep, parent),
       sweep_(sweep),
       jobs_(jobs),
@@ -161,6 +161,7 @@ ImportDialog::ImportDialog(const QString& sweep, Jobs& jobs, MessageBar& message
   setObjectName(QStringLiteral("importDialog"));
   setWindowTitle(tr("Reconstruct sweep"));
   addRows();
+  calibration_->setText(calibrations.join(QStringLiteral("; ")));
   // A spin box changes with every key; one reading after the last change is enough.
   soon_.setSingleShot(true);
   soon_.setInterval(250);

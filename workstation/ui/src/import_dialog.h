@@ -28,7 +28,8 @@ class ImportDialog final : public FormDialog {
   Q_OBJECT
 
  public:
-  ImportDialog(const QString& sweep, Jobs& jobs, MessageBar& messages, QWidget* parent);
+  /// @param calibrations device sets that came with it
+  ImportDialog(const QString& sweep, const QStringList& calibrations, Jobs& jobs, MessageBar& messages, QWidget* parent);
   ~ImportDialog() override;
 
  Q_SIGNALS:

@@ -544,10 +544,22 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const auto file = std::find_if(urls.begin(), urls.end(), [](const QUrl& url) { return url.isLocalFile(); });
   if (file == urls.end()) return;
   event->acceptProposedAction();
-  if (urls.size() > 1) parts_->messages->showNote(tr("Several files were dropped; the first one is opened."));
+  QStringList files, calibrations;
+  for (const QUrl& each : urls) {
+    const QString path = each.toLocalFile();
+    if (path.isEmpty()) continue;
+    (path.endsWith(QStringLiteral(".xml"), Qt::CaseInsensitive) ? calibrations : files) << path;
+  }
+  if (files.isEmpty()) files.swap(calibrations);
+  if (files.size() > 1) parts_->messages->showNote(tr("Several files were dropped; the first one is opened."));
   // After the drop has ended: a question must not keep the program the file came from waiting.
   QMetaObject::invokeMethod(
-      this, [this, path = file->toLocalFile()] { open(path); }, Qt::QueuedConnection);
+      this,
+      [this, path = files.first(), calibrations] {
+        parts_->calibrations = calibrations;
+        open(path);
+      },
+      Qt::QueuedConnection);
 }
 
 bool MainWindow::doKeyInScan(QKeyEvent& event) {

@@ -196,6 +196,7 @@ void MainWindow::connectOpener() {
     if (error.code == ErrorCode::cancelled && stopped) parts_->preparation.stop(stopped->id);
   });
   connect(p.opener, &Opener::ended, this, [this] {
+    parts_->calibrations.clear();
     parts_->dropsEdits = false;
     parts_->waitingRecording = {};
     parts_->restoring.reset();  // what could not be opened keeps its edits
@@ -209,7 +210,7 @@ void MainWindow::connectOpener() {
 void MainWindow::connectImports() {
   Parts& p = *parts_;
   connect(p.opener, &Opener::sweepChosen, this, [this](const QString& path) {
-    auto* dialog = new ImportDialog(path, parts_->jobs, *parts_->messages, this);
+    auto* dialog = new ImportDialog(path, std::exchange(parts_->calibrations, {}), parts_->jobs, *parts_->messages, this);
     connect(dialog, &ImportDialog::imported, this,
             [this, path](const ScanVoxels& voxels, const QString& title, const std::shared_ptr<const Provenance>& provenance) {
               takeMade({path, title, voxels, provenance});
@@ -245,6 +246,13 @@ void MainWindow::connectPreparation() {
 
 void MainWindow::connectPlugins() {
   Parts& p = *parts_;
+  p.host->setShownVolume([this] { return shownVolume(); });
+  connect(p.host, &WorkstationHost::volumeKept, this, [this](const std::shared_ptr<const Volume>& volume) {
+    auto& made = parts_->made;
+    made.erase(std::remove_if(made.begin(), made.end(), [&](const MadeVolume& each) { return each.voxels.volume() == volume; }),
+               made.end());
+    showTitle();
+  });
   p.host->setCaseSaving({[this](const std::filesystem::path& folder) { return saveCaseFor(folder); }, [this] { return makeCaseOwn(); },
                          [this] { return saveCaseCopy({}); }});
   connect(p.host, &WorkstationHost::volumeShown, this,

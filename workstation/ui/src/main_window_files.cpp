@@ -18,7 +18,9 @@
 #include "case_folder_dialog.h"
 #include "ew/core/ending.h"
 #include "ew/io/volume_file.h"
+#include "ew/library/placing.h"
 #include "ew/library/preparation.h"
+#include "ew/library/voxel_source.h"
 #include "main_window_parts.h"
 #include "save_file.h"
 #include "saved_picture.h"
@@ -162,6 +164,17 @@ const MadeVolume* MainWindow::shownMadeVolume() const {
   const auto found = std::find_if(parts_->made.begin(), parts_->made.end(),
                                   [&](const MadeVolume& made) { return subject && made.voxels.volume() == subject->voxels.volume(); });
   return found == parts_->made.end() ? nullptr : &*found;
+}
+
+std::optional<sdk::ShownVolume> MainWindow::shownVolume() const {
+  const auto& subject = parts_->session.subject();
+  if (!subject || parts_->opener->showsCase() || !subject->voxels.volume()) return std::nullopt;
+  sdk::ShownVolume shown{subject->voxels.volume(), subject->title, {}};
+  if (!subject->provenance) return shown;
+  std::vector<PosedFrame> frames;
+  for (const TracedFrame& each : subject->provenance->frames) frames.push_back({{}, each.imageToWorld, {}});
+  if (const auto axes = sweepAxesOf(frames)) shown.depthAndLateral = {axes->depth, axes->lateral};
+  return shown;
 }
 
 void MainWindow::forgetShownVolume() {

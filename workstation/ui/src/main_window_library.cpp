@@ -1,11 +1,14 @@
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
 #include <cmath>
 #include <utility>
 
 #include "ew/library/bundle.h"
 #include "ew/library/case_words.h"
 #include "ew/library/lesson.h"
+#include "ew/library/withdrawn.h"
 #include "main_window_parts.h"
 #include "words.h"
 
@@ -41,8 +44,29 @@ void MainWindow::connectLibrary() {
   connect(&p.learning, &Learning::changed, this, [this] { parts_->startPage->showLearning(parts_->learning.shared()); });
   connect(&p.learning, &Learning::failed, this, [this](const Error& error) { parts_->messages->showError(error); });
   connect(p.startPage, &StartPage::lessonChosen, this, &MainWindow::openLesson);
+  connect(p.startPage, &StartPage::withdrawRequested, this, &MainWindow::withdraw);
   connect(&p.details, &CaseDetails::pictureRead, p.startPage, &StartPage::setThumbnail);
   connect(&p.details, &CaseDetails::caseRead, this, &MainWindow::showPreparation);
+}
+
+void MainWindow::withdraw(const QString& folder, const QString& title) {
+  if (parts_->access.isLocked()) return;
+  QMessageBox question(this);
+  question.setObjectName(QStringLiteral("withdrawQuestion"));
+  question.setWindowTitle(tr("Take out of the library"));
+  question.setText(tr("Take '%1' out of the library?").arg(title));
+  question.setInformativeText(tr(
+      "Nobody finds it any more. Nothing is deleted: its folder is moved to 'withdrawn' in the library, and moved back it is there again. "
+      "Attempts stay."));
+  QPushButton* take = question.addButton(tr("Take it out"), QMessageBox::AcceptRole);
+  take->setObjectName(QStringLiteral("withdrawNow"));
+  question.setDefaultButton(question.addButton(QMessageBox::Cancel));
+  question.exec();
+  if (question.clickedButton() != take) return;
+  const auto moved = withdrawCase(pathOf(folder), libraryFolder());
+  if (!moved) return parts_->messages->showError(moved.error());
+  parts_->messages->showNote(tr("'%1' was taken out of the library; it lies in %2.").arg(title, wordsOf(*moved)));
+  parts_->library.refresh();
 }
 
 void MainWindow::chooseBundle() {

@@ -115,6 +115,7 @@ struct MainWindow::Parts {
   std::optional<KeptEdits::Left> restoring;        ///< edits that are taken over once their case is open
   bool asksAboutKept = false;                      ///< the question about kept edits is open: none is asked in the middle of it
   bool dropsEdits = false;                         ///< the case is being opened again, and the user gave up the changes made here
+  QStringList calibrations;                        ///< dropped together with the sweep that is opened
   QString preparing;                               ///< the case that is opened and has to be made first
   std::map<std::string, QString> readyOffers;      ///< cases by id, with their paths, that are prepared behind what is open
   QString imported;                                ///< folder of the case that was taken into the library and is to be shown there

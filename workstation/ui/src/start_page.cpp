@@ -1,11 +1,14 @@
 #include "start_page.h"
 
 #include <QAction>
+#include <QDesktopServices>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QUrl>
 #include <QVBoxLayout>
 
 #include "card_view.h"
@@ -126,6 +129,7 @@ void StartPage::makeList() {
   static_cast<QVBoxLayout*>(layout())->addWidget(pages_, 1);
   connect(cards_, &CardView::chosen, this, &StartPage::caseChosen);
   connect(cards_, &CardView::lessonsAsked, this, &StartPage::showLessonsOf);
+  connect(cards_, &CardView::menuAsked, this, &StartPage::showMenuOf);
   connect(cards_, &CardView::sightChanged, this, &StartPage::sightChanged);
   connect(cards_, &CardView::leftUpwards, this, &StartPage::focusSearch);
   connect(cards_, &CardView::typed, this, [this](const QString& text) {
@@ -235,6 +239,28 @@ void StartPage::showLessonsOf(int row, const QRect& card_global) {
   connect(lessons, &CaseLessons::lessonChosen, this, &StartPage::lessonChosen);
   connect(lessons, &CaseLessons::caseChosen, this, &StartPage::caseChosen);
   lessons->showAt(card_global);
+}
+
+void StartPage::showMenuOf(int row, const QRect& card_global, const QPoint& at_global) {
+  const CaseRow* shown = list_.row(row);
+  if (shown == nullptr) return;
+  if (!forAuthors_) {
+    if (!shown->lessons.empty()) showLessonsOf(row, card_global);
+    return;
+  }
+  const QString folder = QString::fromStdString(shown->folder.string());
+  const QString title = QString::fromStdString(shown->title);
+  auto* menu = new QMenu(this);
+  menu->setObjectName(QStringLiteral("caseMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  if (!shown->lessons.empty()) menu->addAction(tr("Lessons…"), this, [this, row, card_global] { showLessonsOf(row, card_global); });
+  menu->addAction(tr("Open"), this, [this, folder] { Q_EMIT caseChosen(folder); });
+  menu->addAction(tr("Show its folder"), this, [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
+  auto* withdraw =
+      menu->addAction(tr("Take it out of the library…"), this, [this, folder, title] { Q_EMIT withdrawRequested(folder, title); });
+  withdraw->setObjectName(QStringLiteral("withdrawCase"));
+  withdraw->setEnabled(shown->kind != LibraryKind::shipped);
+  menu->popup(at_global);
 }
 
 void StartPage::clearSearch() {

@@ -66,6 +66,7 @@ class StartPage final : public QWidget {
   void fileChosen(const QString& file);
   void openRequested();
   void backRequested();
+  void withdrawRequested(const QString& folder, const QString& title);
   void sightChanged();  ///< other cards are in sight
   void listed();        ///< the list is another one
   void problem(const ew::Error& error);
@@ -81,6 +82,7 @@ class StartPage final : public QWidget {
   void clearSearch();
   void showCourse();
   void showLessonsOf(int row, const QRect& card_global);
+  void showMenuOf(int row, const QRect& card_global, const QPoint& at_global);
   [[nodiscard]] CaseQuery query() const;
   CaseCatalogue list_;
   QLineEdit* search_ = nullptr;

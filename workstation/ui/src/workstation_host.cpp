@@ -117,6 +117,10 @@ class HostVolumes final : public door::FileVolumes {
   void showMade(Volume volume, const std::string& title, const std::vector<std::filesystem::path>& madeFrom) override {
     Q_EMIT host_.volumeShown(std::make_shared<const Volume>(std::move(volume)), words(title), madeFrom);
   }
+  [[nodiscard]] std::optional<sdk::ShownVolume> shown() const override { return shownNow ? shownNow() : std::nullopt; }
+  void wasKept(const std::shared_ptr<const Volume>& volume) override { Q_EMIT host_.volumeKept(volume); }
+
+  std::function<std::optional<sdk::ShownVolume>()> shownNow;
 
  private:
   WorkstationHost& host_;
@@ -452,6 +456,9 @@ std::string WorkstationHost::panelOf(const QObject* part) {
 }
 
 sdk::Volumes& WorkstationHost::volumes() { return parts_->volumes; }
+void WorkstationHost::setShownVolume(std::function<std::optional<sdk::ShownVolume>()> shown) {
+  parts_->volumes.shownNow = std::move(shown);
+}
 sdk::Files& WorkstationHost::files() { return parts_->files; }
 sdk::Cases& WorkstationHost::cases() { return parts_->cases; }
 sdk::Jobs& WorkstationHost::jobs() { return parts_->jobs; }

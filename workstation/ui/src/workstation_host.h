@@ -61,6 +61,8 @@ class WorkstationHost final : public QObject, public sdk::Host {
   /// How the open case is scanned, and what a case may choose from: the window knows.
   void setScan(std::function<std::optional<sdk::Cases::Scan>()> scan);
   void setChoices(std::function<sdk::Cases::Choices()> choices);
+  /// What is scanned that is no case's: the window knows.
+  void setShownVolume(std::function<std::optional<sdk::ShownVolume>()> shown);
   /// What the lock for trainees lets plugins read and change; it outlives the host. Without one they may everything.
   void setAccess(const AccessPolicy& access);
   void tellAccessChanged();
@@ -94,6 +96,7 @@ class WorkstationHost final : public QObject, public sdk::Host {
   void panelDocumentChanged();
   /// @param madeFrom files that it was made from, as far as they are known
   void volumeShown(std::shared_ptr<const ew::Volume> volume, const QString& title, const std::vector<std::filesystem::path>& madeFrom);
+  void volumeKept(std::shared_ptr<const ew::Volume> volume);
 
  private:
   struct Parts;

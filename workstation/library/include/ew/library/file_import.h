@@ -66,6 +66,9 @@ struct ImportedFile {
 [[nodiscard]] Result<ImportedFile> importFile(const std::filesystem::path& file, const ImportAnswers& answers,
                                               Progress& progress = noProgress(), const ReadLimits& limits = {});
 
+/// The grid that importFile gives a volume file (FileKind::volume), found in its header. @error as importFile, as far as a header tells
+[[nodiscard]] Result<Grid> volumeOf(const std::filesystem::path& file, const ImportAnswers& answers);
+
 /// What a person has to see in order to answer, found without importing.
 struct ImportPreview {
   std::uint64_t volumes = 1;             ///< one after the other in the file: ImportAnswers::timeStep is 1 to this; 0: not known

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -15,13 +16,15 @@
 #include "ew/library/case.h"
 #include "ew/library/file_import.h"
 #include "ew/library/placing.h"
+#include "ew/library/probe_side.h"
 
 namespace ew {
 
 /// A volume in a file: .mha, .mhd, .nrrd, .nii, DICOM, Kretz, pictures; whatever importFile reads.
 struct VolumeFile {
   std::filesystem::path file;
-  ImportAnswers answers = {};  ///< what the file does not say (askedFor tells what is missing)
+  ImportAnswers answers = {};              ///< what the file does not say (askedFor tells what is missing)
+  std::optional<BodySide> probeSide = {};  ///< from which it was scanned, in the file's own frame; absent: nobody said it
 };
 
 /// A tracked recording, which is reconstructed as the window's import does it, with the confidence in its echoes.
@@ -37,10 +40,18 @@ struct SweepFile {
 /// A stitch project (.json), which is stitched, or what stitching made of one: its folder, or the volume.mha in it.
 struct StitchingResult {
   std::filesystem::path file;
+  std::optional<BodySide> probeSide = {};  ///< as of VolumeFile
+};
+
+/// A volume that was made here and lies in no file yet: what is on screen.
+struct VolumeAtHand {
+  std::shared_ptr<const Volume> volume;    ///< in its own frame; not null
+  std::optional<SweepAxes> axes = {};      ///< of the recording it was made of
+  std::optional<BodySide> probeSide = {};  ///< as of VolumeFile, where `axes` does not say it
 };
 
 /// monostate: a case without a volume, which can be given one later.
-using CaseSource = std::variant<std::monostate, VolumeFile, SweepFile, StitchingResult>;
+using CaseSource = std::variant<std::monostate, VolumeFile, SweepFile, StitchingResult, VolumeAtHand>;
 
 /// What a file is as a source of a case: a sweep, a stitching result, or a volume.
 /// @error as kindOfFile; unsupported for what is none of them
@@ -63,17 +74,23 @@ struct NewCase {
 };
 
 struct NewCasePlan {
-  Grid grid;                ///< of the volume in its own file; no voxels when there is no volume, or for a project that is to be stitched
-  SweepAxes axes;           ///< of the recording; SweepAxes' own where nobody knows them
-  std::uint64_t bytes = 0;  ///< memory at the peak
-  std::uint64_t disk_bytes = 0;  ///< that the case may take at most; volumes are compressed
-  double seconds = 0.0;          ///< about, on this machine
+  Grid grid;                 ///< of the volume in its own file; no voxels when there is no volume, or for a project that is to be stitched
+  SweepAxes axes;            ///< of the recording; SweepAxes' own where nobody knows them
+  bool asksForSide = false;  ///< nobody says from which side the volume was scanned
+  std::optional<ProbeSide> proposedSide = {};  ///< then: what its voxels suggest; absent where it is too large to be looked at before
+  Volume seen = {};                            ///< then: its voxels thinned to at most 96 along each edge, for middleImage
+  std::uint64_t bytes = 0;                     ///< memory at the peak
+  std::uint64_t disk_bytes = 0;                ///< that the case may take at most; volumes are compressed
+  double seconds = 0.0;                        ///< about, on this machine
   std::vector<Message> notes = {};
 };
 
 /// What making a case will take, before it is made. Reads headers, and of a sweep its frames.
 /// @error as makeCase, as far as it goes
 [[nodiscard]] Result<NewCasePlan> planCase(const NewCase& wanted, Progress& progress = noProgress());
+
+/// The same of a source alone, before anybody has said what the case is about. @error as planCase
+[[nodiscard]] Result<NewCasePlan> planOfSource(const CaseSource& source, Progress& progress = noProgress());
 
 /// A case that was made, and what is to be told about it.
 struct MadeCase {

@@ -31,8 +31,11 @@ struct SweepAxes {
 
 /// What a case says of its volume ("volume.depth_direction", "volume.lateral_direction"); nothing where it does not.
 [[nodiscard]] std::optional<SweepAxes> sweepAxesOf(const Case& placed);
-/// The case with them. They stand in Case::otherFields.
+/// The case with them, as a person or the recording says. They stand in Case::otherFields.
 [[nodiscard]] Case withSweepAxes(Case placed, const SweepAxes& axes);
+/// The same where nobody said them ("volume.probe_side_is_assumed"): whoever publishes the case is told.
+[[nodiscard]] Case withAssumedAxes(Case placed, const SweepAxes& axes);
+[[nodiscard]] bool assumesAxes(const Case& placed);
 
 /// What of a volume is held against a body, in the volume's own file: few points, so that a hand that drags the volume sees the answer at
 /// once.
@@ -86,6 +89,8 @@ struct MannequinLandmarks {
 /// @error notFound (nobody has named places of this mannequin), badHeader, badField, newerFormat
 [[nodiscard]] Result<MannequinLandmarks> landmarksOf(const std::string& mannequin);
 
+/// Whether a site is known by a word of `region`; an empty one is not.
+[[nodiscard]] bool knowsRegion(const MannequinLandmarks& known, const std::string& region);
 /// The site whose region is the longest one that `region` speaks of ("upper abdomen, right" knows "upper abdomen"), else the first; null
 /// when there are none.
 [[nodiscard]] const PlacingSite* siteFor(const MannequinLandmarks& known, const std::string& region);

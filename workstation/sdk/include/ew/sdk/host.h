@@ -66,6 +66,14 @@ class VolumeWriter {
   [[nodiscard]] virtual Result<void> finish(Progress& progress) = 0;
 };
 
+/// What is scanned where that is no case's: a file that was opened, or a recording that was reconstructed here.
+struct ShownVolume {
+  std::shared_ptr<const Volume> volume;  ///< in its own frame; not null
+  std::string title;
+  /// Where the recording's frames look in that frame, of length 1: away from the probe, and to its marker. Empty: nobody knows.
+  std::optional<std::pair<glm::dvec3, glm::dvec3>> depthAndLateral = {};
+};
+
 /// Volumes in files and in the workstation.
 class Volumes {
  public:
@@ -96,6 +104,10 @@ class Volumes {
   virtual void show(Volume volume, const std::string& title) = 0;
   /// The same of a volume that was made from files: while it is shown nothing is saved over them.
   virtual void showMade(Volume volume, const std::string& title, const std::vector<std::filesystem::path>& madeFrom);
+  /// Empty: nothing is scanned, it is a case's, it stays in its file, or there is no window.
+  [[nodiscard]] virtual std::optional<ShownVolume> shown() const;
+  /// A shown volume was put into a file by somebody else, so that the window need not ask about it any more.
+  virtual void wasKept(const std::shared_ptr<const Volume>& volume);
 };
 
 /// Text files: settings, projects, reports. The text may hold any bytes.

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct PluginStatus;
 namespace ew::sdk {
 class PanelDocument;
 struct MenuEntry;
+struct ShownVolume;
 struct Workspace;
 }  // namespace ew::sdk
 
@@ -230,13 +232,15 @@ class MainWindow final : public QMainWindow {
   void takePresetOfCase();
   void savePreset();
   void importPreset();
+  void withdraw(const QString& folder, const QString& title);  ///< takes a case out of the library, after a question
   void takeMade(const MadeVolume& made);          ///< shows what was just made, or lets it wait
   void takeImported(const MadeVolume& imported);  ///< likewise of what lies in a file of another kind
   void showMade(const MadeVolume& made);
   void showWaitingVolume();
-  [[nodiscard]] const MadeVolume* shownMadeVolume() const;    ///< null: what is shown was not made here, or is saved
-  [[nodiscard]] const MadeVolume* waitingMadeVolume() const;  ///< null: none
-  void keepEdits();                                           ///< of the open case as it is now, or forgets them when there are none
+  [[nodiscard]] const MadeVolume* shownMadeVolume() const;            ///< null: what is shown was not made here, or is saved
+  [[nodiscard]] std::optional<sdk::ShownVolume> shownVolume() const;  ///< that is no case's; empty: none
+  [[nodiscard]] const MadeVolume* waitingMadeVolume() const;          ///< null: none
+  void keepEdits();  ///< of the open case as it is now, or forgets them when there are none
   /// @param caseFolder empty: of whatever case
   void offerKeptEditsOf(const std::filesystem::path& caseFolder);
   void restoreKeptEdits();
