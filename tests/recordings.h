@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <string>
 
+#include "places.h"
+
 namespace ew::test {
 
 /// A file or folder of the real recordings that may lie beside a checkout; a user's clone has none.

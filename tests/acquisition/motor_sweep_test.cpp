@@ -15,6 +15,7 @@
 #include "acquisition/sweeps.h"
 #include "ew/core/numbers.h"
 #include "ew/io/gating_fields.h"
+#include "places.h"
 
 namespace ew::motor_sweep_test {
 namespace {

@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "ew/phantom/body_shape.h"
+#include "places.h"
 
 namespace ew::annotation::body_mark_test {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "ew/annotation/body_mark.h"
 #include "ew/annotation/word_list.h"
+#include "places.h"
 
 namespace ew::annotation::schema_test {
 namespace {

@@ -1,4 +1,5 @@
 #include "ew/annotation/word_list.h"
+#include "places.h"
 
 #include <gtest/gtest.h>
 

@@ -13,6 +13,7 @@
 
 #include "assessment/made_ratings.h"
 #include "library/temporary_folder.h"
+#include "places.h"
 
 namespace ew::rating_form_test {
 namespace {

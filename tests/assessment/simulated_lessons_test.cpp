@@ -5,6 +5,7 @@
 
 #include "ew/assessment/simulated_trainee.h"
 #include "ew/assessment/step_work.h"
+#include "places.h"
 
 namespace ew {
 namespace {

@@ -17,6 +17,7 @@
 #include "ew/assessment/skin_distance.h"
 #include "ew/assessment/step_work.h"
 #include "ew/scanning/contact.h"
+#include "places.h"
 
 namespace ew {
 namespace {

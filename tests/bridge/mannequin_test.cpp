@@ -13,6 +13,7 @@
 
 #include "bridge/meshes.h"
 #include "ew/phantom/patient.h"
+#include "places.h"
 
 namespace ew::bridge::mannequin_test {
 namespace {

@@ -10,6 +10,7 @@
 #include "ew/library/case_truth.h"
 #include "ew/scanning/contact.h"
 #include "ew/scanning/recording.h"
+#include "places.h"
 
 namespace ew::test::lesson_command_test {
 namespace {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/cli_world.h"
+#include "places.h"
 
 namespace ew::test::measure_test {
 namespace {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/cli_world.h"
+#include "places.h"
 
 namespace ew::test::preset_command_test {
 namespace {

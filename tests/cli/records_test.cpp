@@ -4,6 +4,7 @@
 #include "cli/cli_world.h"
 #include "ew/library/attempt.h"
 #include "ew/library/case.h"
+#include "places.h"
 #include "records/record_server.h"
 #include "records/record_world.h"
 

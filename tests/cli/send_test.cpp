@@ -2,6 +2,7 @@
 
 #include "cli/cli_world.h"
 #include "ew/io/dicom.h"
+#include "places.h"
 #include "scanning/small_scan.h"
 
 namespace ew::test::send_command_test {

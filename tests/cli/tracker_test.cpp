@@ -7,6 +7,7 @@
 #include "cli/cli_world.h"
 #include "ew/cli/run_command.h"
 #include "ew/tracking/calibration_file.h"
+#include "places.h"
 
 namespace ew::test::tracker_test {
 namespace {

@@ -1,4 +1,5 @@
 #include "ew/controls/keys_file.h"
+#include "places.h"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 #include "ew/export/dicom_picture.h"
 #include "ew/measurement/package.h"
 #include "export_world.h"
+#include "places.h"
 
 namespace ew::measurement_report_test {
 namespace {

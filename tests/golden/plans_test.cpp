@@ -11,6 +11,7 @@
 #include "ew/imaging/frame.h"
 #include "ew/library/case.h"
 #include "ew/phantom/patient.h"
+#include "places.h"
 
 namespace ew::plans_test {
 namespace {

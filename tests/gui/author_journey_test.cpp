@@ -16,6 +16,7 @@
 #include "ew/scanning/recording.h"
 #include "panel_hand.h"
 #include "pick_layer.h"
+#include "places.h"
 #include "screenshots.h"
 #include "window_fixture.h"
 
@@ -25,7 +26,7 @@ class AuthorJourneyTest : public WindowFixture {
   Q_OBJECT
 
   [[nodiscard]] static QString sweepFile() {
-    return QStringLiteral(EW_SOURCE_DIR) + QStringLiteral("/../shared/data/liver-sweep/liver_sweep.igs.mha");
+    return QString::fromUtf8(EW_SOURCE_DIR) + QStringLiteral("/../shared/data/liver-sweep/liver_sweep.igs.mha");
   }
   [[nodiscard]] CaseDocument& document() const { return window_->document(); }
   [[nodiscard]] const Case& opened() const { return *document().current(); }

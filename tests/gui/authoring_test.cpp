@@ -89,7 +89,7 @@ class AuthoringTest : public WindowFixture {
   static void chooseFront(const QWidget& dialog) {
     auto* side = dialog.findChild<QComboBox*>(QStringLiteral("sourceSide"));
     QVERIFY(waitUntil([&] { return side->isVisible(); }));
-    side->setCurrentIndex(side->findData(static_cast<int>(BodySide::front)));
+    side->setCurrentIndex(side->findData(static_cast<int>(VolumeSide::front)));
   }
   /// Everything a case needs before it is published, but for what its volume and its start decide.
   void fill() {
@@ -197,7 +197,7 @@ class AuthoringTest : public WindowFixture {
     for (QDoubleSpinBox* each : voxel) each->setValue(0.5);
     QVERIFY(waitUntil([&] { return side->isVisible(); }));
     QVERIFY2(waitUntil([&] { return next->isEnabled(); }), "it grows brighter to its back, which is proposed");
-    QCOMPARE(side->currentData().toInt(), static_cast<int>(BodySide::back));
+    QCOMPARE(side->currentData().toInt(), static_cast<int>(VolumeSide::back));
     QVERIFY(!dialog->findChild<QLabel*>(QStringLiteral("sourceSideImage"))->pixmap(Qt::ReturnByValue).isNull());
     keepScreenshot(*dialog, "new-case-1-side");
     next->click();

@@ -13,13 +13,14 @@
 #include "ew/library/schema.h"
 #include "gui/answers.h"
 #include "gui/window_fixture.h"
+#include "places.h"
 #include "saved_picture.h"
 #include "words.h"
 
 namespace ew::ui {
 namespace {
 
-constexpr const char* kBuilt = EW_BINARY_DIR "/tests/guided_sweep/build/lib/plugins";
+const std::string kBuilt = std::string(EW_BINARY_DIR) + "/tests/guided_sweep/build/lib/plugins";
 
 class GuidedSweepTest final : public testing::WindowFixture {
   Q_OBJECT
@@ -108,12 +109,12 @@ class GuidedSweepTest final : public testing::WindowFixture {
 
  private Q_SLOTS:
   void initTestCase() {
-    QVERIFY2(QFile::exists(QString::fromLatin1(kBuilt) + QStringLiteral("/guided_sweep/guided_sweep.so")),
+    QVERIFY2(QFile::exists(QString::fromStdString(kBuilt) + QStringLiteral("/guided_sweep/guided_sweep.so")),
              "ctest builds it first, as the test GuidedSweepBuild");
   }
   void init() {
     QLocale::setDefault(QLocale(QLocale::English));
-    qputenv("ECHOWEAVE_PLUGINS", kBuilt);
+    qputenv("ECHOWEAVE_PLUGINS", kBuilt.c_str());
     folder_ = files_.writeCase(QLatin1String(QTest::currentTestFunction()));  // of its own: nobody asks about edits of the test before
     QVERIFY(!folder_.isEmpty());
   }
@@ -167,7 +168,7 @@ class GuidedSweepTest final : public testing::WindowFixture {
     QVERIFY(window_->document().edit(edited, "Title", "").has_value());
     QVERIFY(window_->document().save().has_value());
     window_.reset();
-    qputenv("ECHOWEAVE_PLUGINS", kBuilt);
+    qputenv("ECHOWEAVE_PLUGINS", kBuilt.c_str());
     openWindow();
     QVERIFY(section() == kept);
   }

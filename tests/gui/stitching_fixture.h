@@ -28,6 +28,7 @@
 #include <random>
 
 #include "ew/phantom/patient.h"
+#include "places.h"
 #include "window_fixture.h"
 
 namespace ew::ui::testing {
@@ -232,7 +233,7 @@ class StitchingFixture : public WindowFixture {
     return glm::length(found - expected);
   }
   void cutPieces() {
-    auto patient = readPatient(EW_SOURCE_DIR "/cases/upper-abdomen-normal/patient.json");
+    auto patient = readPatient(std::string(EW_SOURCE_DIR) + "/cases/upper-abdomen-normal/patient.json");
     QVERIFY2(patient.has_value(), patient ? "" : patient.error().sentence().c_str());
     VoxeliseOptions options;
     options.spacing_mm = 2.0;

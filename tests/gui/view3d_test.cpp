@@ -350,4 +350,5 @@ int main(int argc, char** argv) {
   return QTest::qExec(&test, argc, argv);
 }
 
+#include "places.h"
 #include "view3d_test.moc"

@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include "ew/imaging/settings_json.h"
+#include "places.h"
 
 namespace ew::effect_info_test {
 namespace {
@@ -33,7 +34,7 @@ int effectsOfScene() {
 }
 
 json schemaOfScene() {
-  const json document = json::parse(std::ifstream(EW_SOURCE_DIR "/resources/schemas/case.schema.json"));
+  const json document = json::parse(std::ifstream(std::string(EW_SOURCE_DIR) + "/resources/schemas/case.schema.json"));
   return document["properties"]["scene"]["properties"];
 }
 

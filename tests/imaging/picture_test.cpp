@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ew/imaging/settings_json.h"
+#include "places.h"
 
 namespace ew::picture_test {
 

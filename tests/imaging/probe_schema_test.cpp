@@ -10,6 +10,7 @@
 #include <valijson/validator.hpp>
 
 #include "ew/imaging/probe.h"
+#include "places.h"
 
 namespace ew::probe_schema_test {
 namespace {

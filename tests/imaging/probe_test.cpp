@@ -1,4 +1,5 @@
 #include "ew/imaging/probe.h"
+#include "places.h"
 
 #include <gtest/gtest.h>
 

@@ -8,6 +8,7 @@
 #include "counted_stop.h"
 #include "ew/phantom/patient.h"
 #include "labelling/support.h"
+#include "places.h"
 
 namespace ew::labelling {
 namespace {

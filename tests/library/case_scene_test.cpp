@@ -7,6 +7,7 @@
 #include "ew/library/case.h"
 #include "ew/library/schema.h"
 #include "library/temporary_folder.h"
+#include "places.h"
 
 namespace ew::case_scene_test {
 namespace {

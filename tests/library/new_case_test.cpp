@@ -117,6 +117,8 @@ TEST(MakeCase, OfARecordingBeginsWithoutTheArtefactsOfItsTemplate) {
   ASSERT_TRUE(given) << given.error();
   EXPECT_FALSE(given->edited.scene.reverberation);
   EXPECT_TRUE(std::any_of(given->notes.begin(), given->notes.end(), says));
+}
+
 TEST(MakeCase, SaysBeforeWhatTheFileLeavesOpen) {
   const TemporaryFolder folder;
   ASSERT_TRUE(writeVolume(noisyVolume({12, 10, 8}, 3), folder / "unspaced.mha"));
@@ -154,7 +156,7 @@ TEST(MakeCase, TellsWhichSideItAssumesAndAsksBeforePublishing) {
   ASSERT_TRUE(plan) << plan.error();
   EXPECT_TRUE(plan->asksForSide);
   ASSERT_TRUE(plan->proposedSide);
-  EXPECT_EQ(bodySideOf(plan->proposedSide->axes), BodySide::back);
+  EXPECT_EQ(volumeSideOf(plan->proposedSide->axes), VolumeSide::back);
   const auto made = makeCase(wanted, folder / "assumed");
   ASSERT_TRUE(made) << made.error();
   EXPECT_TRUE(assumesAxes(made->made));
@@ -170,7 +172,7 @@ TEST(MakeCase, TellsWhichSideItAssumesAndAsksBeforePublishing) {
   EXPECT_FALSE(warned(withSweepAxes(made->made, SweepAxes{}))) << "somebody said it";
   EXPECT_TRUE(validateCase(folder / "assumed").empty());
   NewCase said = wanted;
-  said.source = VolumeFile{.file = folder / "v.mha", .answers = {}, .probeSide = BodySide::left};
+  said.source = VolumeFile{.file = folder / "v.mha", .answers = {}, .probeSide = VolumeSide::left};
   EXPECT_FALSE(planCase(said)->asksForSide);
   const auto told = makeCase(said, folder / "told");
   ASSERT_TRUE(told) << told.error();
@@ -194,7 +196,7 @@ TEST(MakeCase, OfWhatIsOnScreenNeedsNoFileAndKeepsItsBeams) {
 TEST(MakeCase, SaysThatARegionHasNoUsualPlace) {
   const TemporaryFolder folder;
   ASSERT_TRUE(writeVolume(fromBehind(), folder / "v.mha"));
-  NewCase wanted = named("V", VolumeFile{.file = folder / "v.mha", .answers = {}, .probeSide = BodySide::front});
+  NewCase wanted = named("V", VolumeFile{.file = folder / "v.mha", .answers = {}, .probeSide = VolumeSide::front});
   const auto notesFor = [&](const std::string& region) {
     wanted.region = region;
     const auto made = makeCase(wanted, folder / ("region" + std::to_string(region.size())));

@@ -66,19 +66,20 @@ TEST(ProbeSide, IsThatFromWhichAFanOpens) {
 TEST(ProbeSide, OfAnEvenVolumeNothingIsProposed) {
   const ProbeSide found = proposedProbeSide(made(turnedGrid(kDims, 0, false), [](const glm::ivec3&) { return 100; }));
   EXPECT_EQ(found.certainty, 0.0);
-  EXPECT_EQ(bodySideOf(found.axes), BodySide::front);
+  EXPECT_EQ(volumeSideOf(found.axes), VolumeSide::front);
   EXPECT_EQ(proposedProbeSide(made(turnedGrid(kDims, 0, false), [](const glm::ivec3&) { return 0; })).certainty, 0.0);
 }
 
 TEST(ProbeSide, IsNamedAsInAPatient) {
   const Grid grid = turnedGrid(kDims, 0, false);
-  for (const BodySide side : {BodySide::front, BodySide::back, BodySide::left, BodySide::right, BodySide::upper, BodySide::lower}) {
-    EXPECT_EQ(bodySideOf(axesFrom(grid, side)), side);
-    EXPECT_EQ(bodySideOf(nameOf(side)), side);
+  for (const VolumeSide side :
+       {VolumeSide::front, VolumeSide::back, VolumeSide::left, VolumeSide::right, VolumeSide::upper, VolumeSide::lower}) {
+    EXPECT_EQ(volumeSideOf(axesFrom(grid, side)), side);
+    EXPECT_EQ(volumeSideOf(nameOf(side)), side);
   }
-  EXPECT_EQ(axesFrom(grid, BodySide::left).depth, glm::dvec3(-1, 0, 0)) << "from the patient's left, where x is greatest";
-  EXPECT_EQ(axesFrom(grid, BodySide::front), SweepAxes{});
-  EXPECT_FALSE(bodySideOf("top"));
+  EXPECT_EQ(axesFrom(grid, VolumeSide::left).depth, glm::dvec3(-1, 0, 0)) << "from the patient's left, where x is greatest";
+  EXPECT_EQ(axesFrom(grid, VolumeSide::front), SweepAxes{});
+  EXPECT_FALSE(volumeSideOf("top"));
 }
 
 TEST(ProbeSide, ItsImageHasTheFaceAtTheTopAndTheMarkerAtTheRight) {

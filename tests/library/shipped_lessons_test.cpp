@@ -7,6 +7,7 @@
 #include "ew/library/course.h"
 #include "ew/library/lesson_links.h"
 #include "ew/scanning/recording.h"
+#include "places.h"
 
 namespace ew::shipped_lessons_test {
 namespace {

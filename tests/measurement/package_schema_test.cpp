@@ -6,6 +6,7 @@
 #include <valijson/validator.hpp>
 
 #include "measurement/packages.h"
+#include "places.h"
 
 namespace ew::measurement::package_schema_test {
 namespace {

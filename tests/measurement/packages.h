@@ -6,6 +6,7 @@
 #include <string>
 
 #include "ew/measurement/package.h"
+#include "places.h"
 
 namespace ew::measurement::test {
 

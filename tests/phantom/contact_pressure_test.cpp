@@ -1,4 +1,5 @@
 #include "ew/phantom/contact_pressure.h"
+#include "places.h"
 
 #include <gtest/gtest.h>
 // gtest before rapidcheck: its header relies on it
@@ -10,10 +11,10 @@
 namespace ew::contact_pressure_test {
 namespace {
 
-Probe probeNamed(const std::string& id) { return readProbe(std::string(EW_SOURCE_DIR "/resources/probes/") + id + ".json").value(); }
+Probe probeNamed(const std::string& id) { return readProbe(std::string(EW_SOURCE_DIR) + "/resources/probes/" + id + ".json").value(); }
 
 const std::vector<Probe>& shippedProbes() {
-  static const auto probes = readProbes(EW_SOURCE_DIR "/resources/probes").value();
+  static const auto probes = readProbes(std::string(EW_SOURCE_DIR) + "/resources/probes").value();
   return probes;
 }
 

@@ -10,10 +10,11 @@
 #include <string>
 
 #include "ew/phantom/patient.h"
+#include "places.h"
 
 namespace ew::testing {
 
-inline std::filesystem::path shippedMannequin() { return EW_SOURCE_DIR "/resources/mannequin/adult.json"; }
+inline std::filesystem::path shippedMannequin() { return std::string(EW_SOURCE_DIR) + "/resources/mannequin/adult.json"; }
 inline std::filesystem::path shippedPatient(const std::string& id = "upper-abdomen-gall-stone") {
   return std::filesystem::path(EW_SOURCE_DIR) / "cases" / id / "patient.json";
 }

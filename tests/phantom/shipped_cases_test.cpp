@@ -5,6 +5,7 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
+#include "places.h"
 #include "recipes.h"
 
 namespace ew::shipped_cases_test {
@@ -18,7 +19,7 @@ nlohmann::json jsonOf(const std::filesystem::path& file) {
 }
 
 bool conforms(const nlohmann::json& recipe, std::string* why = nullptr, const std::string& kind = "patient") {
-  const std::filesystem::path schemas = EW_SOURCE_DIR "/resources/schemas";
+  const std::filesystem::path schemas = std::string(EW_SOURCE_DIR) + "/resources/schemas";
   const nlohmann::json text = jsonOf(schemas / (kind + ".schema.json"));
   valijson::Schema schema;
   valijson::SchemaParser parser;
@@ -68,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, ShippedCase, ::testing::Values("upper-abdomen-ga
 });
 
 TEST(ShippedMannequins, AndTemplatesOfCasesHaveDataThatFollowTheirSchemas) {
-  const std::filesystem::path resources = EW_SOURCE_DIR "/resources";
+  const std::filesystem::path resources = std::string(EW_SOURCE_DIR) + "/resources";
   for (const auto& [folder, kind, count] : {std::tuple{"mannequin/landmarks", "landmarks", 4}, std::tuple{"templates", "template", 6}}) {
     int found = 0;
     for (const auto& entry : std::filesystem::directory_iterator(resources / folder)) {
@@ -104,7 +105,7 @@ TEST_P(ShippedCase, StartsWithTheMarkerTowardsThePatientsRightOrHead) {
 }
 
 TEST(GallStoneCase, HasTheStoneAndTheLongGallBladderInTheExpertsPicture) {
-  const auto manifest = jsonOf(EW_SOURCE_DIR "/cases/upper-abdomen-gall-stone/case.json");
+  const auto manifest = jsonOf(std::string(EW_SOURCE_DIR) + "/cases/upper-abdomen-gall-stone/case.json");
   const glm::dmat4 worldToProbe = glm::inverse(matrixFromRows(manifest.at("expert_pose").get<std::array<double, 16>>()));
   const auto inProbe = [&](const glm::dvec3& p_world) { return glm::dvec3(worldToProbe * glm::dvec4(p_world, 1.0)); };
   const glm::dvec3 stone = inProbe({-51.4, -24.4, -55.2});
@@ -118,7 +119,7 @@ TEST(GallStoneCase, HasTheStoneAndTheLongGallBladderInTheExpertsPicture) {
 /// A trainee is to look for the finding: nothing that is shown before the examination names it, and the probe does not stand on it.
 TEST(ShippedCases, GiveATraineeNoAnswerAway) {
   int cases = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(EW_SOURCE_DIR "/cases")) {
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(EW_SOURCE_DIR) + "/cases")) {
     if (!std::filesystem::exists(entry.path() / "case.json")) continue;
     const auto manifest = jsonOf(entry.path() / "case.json");
     ++cases;
@@ -156,8 +157,8 @@ TEST(PatientSchema, HoldsForEveryRecipeOfTheCasesAndAnatomies) {
     std::string why;
     EXPECT_TRUE(conforms(jsonOf(file), &why)) << file << "\n" << why;
   };
-  for (const auto& entry : std::filesystem::directory_iterator(EW_SOURCE_DIR "/cases")) check(entry.path() / "patient.json");
-  for (const auto& entry : std::filesystem::directory_iterator(EW_SOURCE_DIR "/resources/anatomy")) check(entry.path());
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(EW_SOURCE_DIR) + "/cases")) check(entry.path() / "patient.json");
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(EW_SOURCE_DIR) + "/resources/anatomy")) check(entry.path());
   EXPECT_GE(recipes, 5);
 }
 

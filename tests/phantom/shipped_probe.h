@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ew/imaging/probe.h"
+#include "places.h"
 
 namespace ew::testing {
 

@@ -8,6 +8,7 @@
 #include <valijson/validator.hpp>
 
 #include "ew/phantom/virtual_sweep.h"
+#include "places.h"
 #include "recipes.h"
 
 namespace ew::sweep_recipe_test {
@@ -155,7 +156,7 @@ TEST(SweepRecipe, RefusesWhatIsNoSweepFile) {
 class SweepSchema : public ::testing::Test {
  protected:
   void SetUp() override {
-    const json document = json::parse(std::ifstream(EW_SOURCE_DIR "/resources/schemas/sweep.schema.json"));
+    const json document = json::parse(std::ifstream(std::string(EW_SOURCE_DIR) + "/resources/schemas/sweep.schema.json"));
     valijson::SchemaParser(valijson::SchemaParser::kDraft7).populateSchema(valijson::adapters::NlohmannJsonAdapter(document), schema_);
   }
   bool accepts(const json& sweep) {

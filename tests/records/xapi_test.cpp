@@ -6,6 +6,7 @@
 #include <set>
 
 #include "library/temporary_folder.h"
+#include "places.h"
 #include "records/record_world.h"
 
 namespace ew::test::xapi_test {
@@ -275,7 +276,7 @@ json everyKindOfStatement() {
 TEST(XapiStatements, HaveThePublishedStructure) {
   const TemporaryFolder folder;
   writeText(folder / "s.json", everyKindOfStatement().dump());
-  const std::string command = std::string("/usr/bin/python3 '") + EW_SOURCE_DIR "/tests/records/xapi_schema/validate.py' '" +
+  const std::string command = std::string("/usr/bin/python3 '") + std::string(EW_SOURCE_DIR) + "/tests/records/xapi_schema/validate.py' '" +
                               (folder / "s.json").string() + "' --required > '" + (folder / "said").string() + "' 2>&1";
   const int status = std::system(command.c_str());
   ASSERT_TRUE(WIFEXITED(status));

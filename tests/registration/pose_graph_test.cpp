@@ -12,6 +12,7 @@
 
 #include "graph/links.h"
 #include "graph/pose_residual.h"
+#include "places.h"
 #include "registration/found_views.h"
 #include "registration/graphs.h"
 
@@ -165,7 +166,7 @@ TEST(PoseGraph, TwelveSubvolumesWithTwoWrongPairsAreAllPlacedAndTheWrongOnesName
 /// What matchPartial found between twelve virtual sweeps, pressed in by 1.3 to 2.7 mm, without a tracker; pressed_views_test.cpp (slow)
 /// records and matches them and writes such a file. Forty times two other pairs are put wrong.
 void expectPlaced(const std::string& file, std::size_t gauge, int count, Verdict verdict, const std::string& words) {
-  const auto views = test::readFoundViews(EW_SOURCE_DIR "/tests/registration/" + file);
+  const auto views = test::readFoundViews(std::string(EW_SOURCE_DIR) + "/tests/registration/" + file);
   ASSERT_TRUE(views);
   ASSERT_EQ(views->truth.size(), 12u);
   test::PoseError worst;

@@ -6,6 +6,7 @@
 
 #include "ew/registration/rigid.h"
 #include "found_views.h"
+#include "places.h"
 
 /// Twelve swept views of a virtual patient become one graph: recorded, reconstructed, matched without any tracker, solved.
 namespace ew::registration::pressed_views_test {

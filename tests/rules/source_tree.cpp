@@ -1,4 +1,5 @@
 #include "rules/source_tree.h"
+#include "places.h"
 
 #include <algorithm>
 #include <cctype>

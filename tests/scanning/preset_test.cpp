@@ -13,6 +13,7 @@
 #include <valijson/validator.hpp>
 
 #include "ew/io/safe_file.h"
+#include "places.h"
 
 namespace ew::preset_test {
 namespace {

@@ -17,6 +17,7 @@
 #include "ew/door/door.h"
 #include "ew/io/volume_file.h"
 #include "library/temporary_folder.h"
+#include "places.h"
 #include "sdk/panel_host.h"
 
 using namespace ew;
@@ -57,7 +58,7 @@ class PanelsTest final : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    plugins_ = std::make_unique<door::PluginList>(std::vector<std::filesystem::path>{EW_BINARY_DIR "/lib/plugins"});
+    plugins_ = std::make_unique<door::PluginList>(std::vector<std::filesystem::path>{std::filesystem::path(EW_BINARY_DIR) / "lib/plugins"});
     plugins_->openAll(host_);
     for (const auto& plugin : plugins_->states()) QVERIFY2(plugin.message.empty(), plugin.sentence().c_str());
     QVERIFY(host_.made.count("stitching") == 1 && host_.made.count("case_authoring") == 1);

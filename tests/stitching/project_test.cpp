@@ -6,6 +6,7 @@
 #include <set>
 
 #include "library/temporary_folder.h"
+#include "places.h"
 
 namespace ew::stitching {
 namespace {
@@ -160,7 +161,7 @@ void fieldsOfSchema(const json& schema, const std::string& name, std::set<std::s
 TEST(StitchProject, HasTheFieldsOfItsSchemaAndNoOthers) {
   std::set<std::string> written, described;
   fieldsOf(json::parse(projectText(fullProject(), "/data")), "", written);
-  fieldsOfSchema(json::parse(textOf(EW_SOURCE_DIR "/resources/schemas/stitch.schema.json")), "", described);
+  fieldsOfSchema(json::parse(textOf(std::string(EW_SOURCE_DIR) + "/resources/schemas/stitch.schema.json")), "", described);
   EXPECT_EQ(written, described);
 }
 

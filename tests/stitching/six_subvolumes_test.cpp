@@ -18,6 +18,7 @@
 #include "ew/io/volume_file.h"
 #include "ew/stitching/chain.h"
 #include "library/temporary_folder.h"
+#include "places.h"
 #include "six_subvolumes/recordings.h"
 #include "stitching/memory_watch.h"
 

@@ -8,6 +8,7 @@
 #include <opencv2/videoio.hpp>
 #include <thread>
 
+#include "places.h"
 #include "trackers/camera_pictures.h"
 
 namespace ew {

@@ -11,6 +11,7 @@
 
 #include "ew/core/frames.h"
 #include "ew/trackers/paper_body.h"
+#include "places.h"
 
 namespace ew::marker_body_test {
 namespace {

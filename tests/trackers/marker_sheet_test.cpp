@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "ew/trackers/marker_sheet.h"
+#include "places.h"
 
 namespace ew::marker_sheet_test {
 namespace {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ew/trackers/tracker_settings.h"
+#include "places.h"
 
 namespace ew::settings_test {
 namespace {

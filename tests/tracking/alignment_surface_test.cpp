@@ -5,6 +5,7 @@
 #include "ew/library/body_skin.h"
 #include "ew/tracking/alignment.h"
 #include "made_hands.h"
+#include "places.h"
 #include "skins.h"
 
 namespace ew::alignment_surface_test {

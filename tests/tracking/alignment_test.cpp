@@ -11,6 +11,7 @@
 #include <random>
 
 #include "made_tools.h"
+#include "places.h"
 
 namespace ew::alignment_test {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "ew/library/body_skin.h"
 #include "made_hands.h"
+#include "places.h"
 #include "skins.h"
 
 namespace ew::fit_check_test {

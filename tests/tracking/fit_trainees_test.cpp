@@ -4,6 +4,7 @@
 #include "ew/core/quiet_progress.h"
 #include "ew/library/case.h"
 #include "ew/tracking/fit_check.h"
+#include "places.h"
 #include "skins.h"
 
 namespace ew::fit_trainees_test {

@@ -180,12 +180,12 @@ void SourceField::addAsked() {
   side_ = new ChoiceField;
   side_->setObjectName(QStringLiteral("sourceSide"));
   side_->addItem(tr("not chosen"), -1);
-  const std::array<std::pair<BodySide, QString>, 6> sides{{{BodySide::front, tr("the front of the file")},
-                                                           {BodySide::back, tr("the back of the file")},
-                                                           {BodySide::left, tr("the left of the file")},
-                                                           {BodySide::right, tr("the right of the file")},
-                                                           {BodySide::upper, tr("the upper side of the file")},
-                                                           {BodySide::lower, tr("the lower side of the file")}}};
+  const std::array<std::pair<VolumeSide, QString>, 6> sides{{{VolumeSide::front, tr("the front of the file")},
+                                                             {VolumeSide::back, tr("the back of the file")},
+                                                             {VolumeSide::left, tr("the left of the file")},
+                                                             {VolumeSide::right, tr("the right of the file")},
+                                                             {VolumeSide::upper, tr("the upper side of the file")},
+                                                             {VolumeSide::lower, tr("the lower side of the file")}}};
   for (const auto& [side, text] : sides) side_->addItem(text, static_cast<int>(side));
   asked_->addRow(tr("The probe was on"), side_);
   auto* look = new QWidget;
@@ -217,9 +217,9 @@ SourceField::Kind SourceField::kind() const { return static_cast<Kind>(kinds_->c
 
 QString SourceField::file() const { return kind() == Kind::nothing || kind() == Kind::shown ? QString() : file_->text().trimmed(); }
 
-std::optional<BodySide> SourceField::side() const {
+std::optional<VolumeSide> SourceField::side() const {
   const int chosen = side_->currentData().toInt();
-  return asksSide_ && chosen >= 0 ? std::optional(static_cast<BodySide>(chosen)) : std::nullopt;
+  return asksSide_ && chosen >= 0 ? std::optional(static_cast<VolumeSide>(chosen)) : std::nullopt;
 }
 
 Result<CaseSource> SourceField::source() const {
@@ -315,7 +315,7 @@ void SourceField::askForSide(const NewCasePlan& found) {
     seen_ = found.seen;
     const bool isSure = found.proposedSide && found.proposedSide->certainty >= kSureEnough;
     const QSignalBlocker quiet(side_);
-    side_->setCurrentIndex(isSure ? side_->findData(static_cast<int>(bodySideOf(found.proposedSide->axes))) : 0);
+    side_->setCurrentIndex(isSure ? side_->findData(static_cast<int>(volumeSideOf(found.proposedSide->axes))) : 0);
   }
   askedRows_->setVisible(asksStep_ || asksSpacing_ || asksSide_);
   showSide();

@@ -60,7 +60,7 @@ class SourceField final : public QWidget {
   void askForSide(const NewCasePlan& found);
   void showSide();
   void forget();
-  [[nodiscard]] std::optional<BodySide> side() const;
+  [[nodiscard]] std::optional<VolumeSide> side() const;
   void addKind(Kind kind, const char* name, const QString& title, const QString& text);
   void chooseFile();
   void look();

@@ -15,6 +15,7 @@
 #include "ew/io/sequence.h"
 #include "ew/phantom/patient.h"
 #include "ew/phantom/virtual_sweep.h"
+#include "places.h"
 
 namespace ew::test {
 

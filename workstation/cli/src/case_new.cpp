@@ -106,9 +106,9 @@ Result<CaseSource> sourceOf(const NewCaseArguments& arguments) {
     if (arguments.spacing_mm) volume->answers.spacing_mm = glm::dvec3(*arguments.spacing_mm);
     volume->answers.acceptsSmall = arguments.acceptsSmall;
     volume->answers.timeStep = arguments.timeStep;
-    volume->probeSide = bodySideOf(arguments.probeSide);
+    volume->probeSide = volumeSideOf(arguments.probeSide);
   } else if (auto* stitched = std::get_if<StitchingResult>(&*source)) {
-    stitched->probeSide = bodySideOf(arguments.probeSide);
+    stitched->probeSide = volumeSideOf(arguments.probeSide);
   }
   return source;
 }

@@ -27,19 +27,19 @@ struct MadeVolume {
 constexpr std::uint64_t kMostVoxelsToLookAt = 256ull << 20;
 constexpr int kSeenEdge = 96;  // of what is shown to whoever says where the probe was
 
-Message nameInWords(BodySide side) {
+Message nameInWords(VolumeSide side) {
   switch (side) {
-    case BodySide::front:
+    case VolumeSide::front:
       return say<"front">();
-    case BodySide::back:
+    case VolumeSide::back:
       return say<"back">();
-    case BodySide::left:
+    case VolumeSide::left:
       return say<"left">();
-    case BodySide::right:
+    case VolumeSide::right:
       return say<"right">();
-    case BodySide::upper:
+    case VolumeSide::upper:
       return say<"upper side">();
-    case BodySide::lower:
+    case VolumeSide::lower:
       return say<"lower side">();
   }
   return say<"front">();
@@ -49,10 +49,10 @@ Message assumedSide(const ProbeSide& side) {
   if (side.certainty >= 0.5)
     return say<
         "Nobody says from which side the volume was scanned. Its %1 was taken, from which echoes grow fainter or the image wider; "
-        "look at it before anybody learns from it.">(nameInWords(bodySideOf(side.axes)));
+        "look at it before anybody learns from it.">(nameInWords(volumeSideOf(side.axes)));
   return say<
       "Nobody says from which side the volume was scanned, and its voxels do not tell. Its %1 was taken; look at it before anybody "
-      "learns from it.">(nameInWords(bodySideOf(side.axes)));
+      "learns from it.">(nameInWords(volumeSideOf(side.axes)));
 }
 
 /// The axes that a person said, where they did.

@@ -11,22 +11,23 @@ namespace {
 
 constexpr double kClear = 0.7;  // a side that is twice as bright or half as wide leaves no doubt
 
-constexpr std::array kBodySides{BodySide::front, BodySide::back, BodySide::left, BodySide::right, BodySide::upper, BodySide::lower};
+constexpr std::array kVolumeSides{VolumeSide::front, VolumeSide::back,  VolumeSide::left,
+                                  VolumeSide::right, VolumeSide::upper, VolumeSide::lower};
 
 /// Where beams go that come from a side of a patient in LPS.
-glm::dvec3 inwardFrom(BodySide side) {
+glm::dvec3 inwardFrom(VolumeSide side) {
   switch (side) {
-    case BodySide::front:
+    case VolumeSide::front:
       return {0.0, 1.0, 0.0};
-    case BodySide::back:
+    case VolumeSide::back:
       return {0.0, -1.0, 0.0};
-    case BodySide::left:
+    case VolumeSide::left:
       return {-1.0, 0.0, 0.0};
-    case BodySide::right:
+    case VolumeSide::right:
       return {1.0, 0.0, 0.0};
-    case BodySide::upper:
+    case VolumeSide::upper:
       return {0.0, 0.0, -1.0};
-    case BodySide::lower:
+    case VolumeSide::lower:
       return {0.0, 0.0, 1.0};
   }
   return {0.0, 1.0, 0.0};
@@ -109,38 +110,38 @@ std::array<SweepAxes, 6> axesOfFaces(const Grid& own, const glm::dvec3& lateral)
   return all;
 }
 
-const char* nameOf(BodySide side) {
+const char* nameOf(VolumeSide side) {
   switch (side) {
-    case BodySide::front:
+    case VolumeSide::front:
       return "front";
-    case BodySide::back:
+    case VolumeSide::back:
       return "back";
-    case BodySide::left:
+    case VolumeSide::left:
       return "left";
-    case BodySide::right:
+    case VolumeSide::right:
       return "right";
-    case BodySide::upper:
+    case VolumeSide::upper:
       return "upper";
-    case BodySide::lower:
+    case VolumeSide::lower:
       return "lower";
   }
   return "";
 }
 
-std::optional<BodySide> bodySideOf(std::string_view name) {
-  for (const BodySide side : kBodySides)
+std::optional<VolumeSide> volumeSideOf(std::string_view name) {
+  for (const VolumeSide side : kVolumeSides)
     if (name == nameOf(side)) return side;
   return std::nullopt;
 }
 
-BodySide bodySideOf(const SweepAxes& axes) {
-  return *std::max_element(kBodySides.begin(), kBodySides.end(), [&](BodySide a, BodySide b) {
+VolumeSide volumeSideOf(const SweepAxes& axes) {
+  return *std::max_element(kVolumeSides.begin(), kVolumeSides.end(), [&](VolumeSide a, VolumeSide b) {
     return glm::dot(inwardFrom(a), axes.depth) < glm::dot(inwardFrom(b), axes.depth);
   });
 }
 
-SweepAxes axesFrom(const Grid& own, BodySide side) {
-  const bool isFlank = side == BodySide::left || side == BodySide::right;
+SweepAxes axesFrom(const Grid& own, VolumeSide side) {
+  const bool isFlank = side == VolumeSide::left || side == VolumeSide::right;
   const auto all = axesOfFaces(own, isFlank ? glm::dvec3(0.0, 0.0, 1.0) : SweepAxes{}.lateral);
   const glm::dvec3 inward = inwardFrom(side);
   return *std::max_element(all.begin(), all.end(),
@@ -148,7 +149,7 @@ SweepAxes axesFrom(const Grid& own, BodySide side) {
 }
 
 ProbeSide proposedProbeSide(const Volume& volume) {
-  ProbeSide found{axesFrom(volume.grid, BodySide::front), 0.0};
+  ProbeSide found{axesFrom(volume.grid, VolumeSide::front), 0.0};
   if (volume.echo.empty()) return found;
   const Slabs slabs = slabsOf(volume);
   std::size_t side = 0;
@@ -162,7 +163,7 @@ ProbeSide proposedProbeSide(const Volume& volume) {
   found.certainty = std::min(1.0, most / kClear);
   // What noise alone makes of equal sides proposes nothing.
   if (found.certainty < 0.1) return found;
-  found.axes = axesFrom(volume.grid, bodySideOf(SweepAxes{inwardOf(volume.grid, side), {}}));
+  found.axes = axesFrom(volume.grid, volumeSideOf(SweepAxes{inwardOf(volume.grid, side), {}}));
   return found;
 }
 

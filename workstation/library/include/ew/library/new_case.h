@@ -23,8 +23,8 @@ namespace ew {
 /// A volume in a file: .mha, .mhd, .nrrd, .nii, DICOM, Kretz, pictures; whatever importFile reads.
 struct VolumeFile {
   std::filesystem::path file;
-  ImportAnswers answers = {};              ///< what the file does not say (askedFor tells what is missing)
-  std::optional<BodySide> probeSide = {};  ///< from which it was scanned, in the file's own frame; absent: nobody said it
+  ImportAnswers answers = {};                ///< what the file does not say (askedFor tells what is missing)
+  std::optional<VolumeSide> probeSide = {};  ///< from which it was scanned, in the file's own frame; absent: nobody said it
 };
 
 /// A tracked recording, which is reconstructed as the window's import does it, with the confidence in its echoes.
@@ -40,14 +40,14 @@ struct SweepFile {
 /// A stitch project (.json), which is stitched, or what stitching made of one: its folder, or the volume.mha in it.
 struct StitchingResult {
   std::filesystem::path file;
-  std::optional<BodySide> probeSide = {};  ///< as of VolumeFile
+  std::optional<VolumeSide> probeSide = {};  ///< as of VolumeFile
 };
 
 /// A volume that was made here and lies in no file yet: what is on screen.
 struct VolumeAtHand {
-  std::shared_ptr<const Volume> volume;    ///< in its own frame; not null
-  std::optional<SweepAxes> axes = {};      ///< of the recording it was made of
-  std::optional<BodySide> probeSide = {};  ///< as of VolumeFile, where `axes` does not say it
+  std::shared_ptr<const Volume> volume;      ///< in its own frame; not null
+  std::optional<SweepAxes> axes = {};        ///< of the recording it was made of
+  std::optional<VolumeSide> probeSide = {};  ///< as of VolumeFile, where `axes` does not say it
 };
 
 /// monostate: a case without a volume, which can be given one later.

@@ -20,11 +20,11 @@ namespace ew {
 [[nodiscard]] std::array<SweepAxes, 6> axesOfFaces(const Grid& own, const glm::dvec3& lateral);
 
 /// The side of a patient in LPS: front is where y is least, left where x is greatest, upper where z is greatest.
-enum class BodySide { front, back, left, right, upper, lower };
-[[nodiscard]] const char* nameOf(BodySide side);                          ///< "front"
-[[nodiscard]] std::optional<BodySide> bodySideOf(std::string_view name);  ///< nothing for any other word
-[[nodiscard]] BodySide bodySideOf(const SweepAxes& axes);                 ///< from which its beams come, roughly
-[[nodiscard]] SweepAxes axesFrom(const Grid& own, BodySide side);         ///< the axis of the grid that looks in from there
+enum class VolumeSide { front, back, left, right, upper, lower };
+[[nodiscard]] const char* nameOf(VolumeSide side);                            ///< "front"
+[[nodiscard]] std::optional<VolumeSide> volumeSideOf(std::string_view name);  ///< nothing for any other word
+[[nodiscard]] VolumeSide volumeSideOf(const SweepAxes& axes);                 ///< from which its beams come, roughly
+[[nodiscard]] SweepAxes axesFrom(const Grid& own, VolumeSide side);           ///< the axis of the grid that looks in from there
 
 /// Where the probe was, as far as the voxels tell. It is a proposal and no finding: a volume that is equally bright and wide on all sides
 /// says nothing, and then it is the front.
