@@ -139,9 +139,9 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   void setStage(Stage stage);
   [[nodiscard]] bool hasElastic() const;
   [[nodiscard]] const WarpedPair* warpedOf(std::size_t a, std::size_t b) const;  ///< of the last run; null: it was not warped
-  [[nodiscard]] const WarpedPair* warped() const;  ///< of the pair; null: it was not warped
-  [[nodiscard]] bool isWarpedStale() const;        ///< it was warped with another effort, or lay elsewhere
-  [[nodiscard]] MachinePace warpPace() const;      ///< from the pairs that were warped
+  [[nodiscard]] const WarpedPair* warped() const;                                ///< of the pair; null: it was not warped
+  [[nodiscard]] bool isWarpedStale() const;                                      ///< it was warped with another effort, or lay elsewhere
+  [[nodiscard]] MachinePace warpPace() const;                                    ///< from the pairs that were warped
   [[nodiscard]] MachinePace searchPace() const;
   /// Fixed to moving as it is at present: nudged, found, by landmarks, or from the places.
   [[nodiscard]] Transform<frame::Moving, frame::Fixed> transform() const;

@@ -233,8 +233,8 @@ class MainWindow final : public QMainWindow {
   void savePreset();
   void importPreset();
   void withdraw(const QString& folder, const QString& title);  ///< takes a case out of the library, after a question
-  void takeMade(const MadeVolume& made);          ///< shows what was just made, or lets it wait
-  void takeImported(const MadeVolume& imported);  ///< likewise of what lies in a file of another kind
+  void takeMade(const MadeVolume& made);                       ///< shows what was just made, or lets it wait
+  void takeImported(const MadeVolume& imported);               ///< likewise of what lies in a file of another kind
   void showMade(const MadeVolume& made);
   void showWaitingVolume();
   [[nodiscard]] const MadeVolume* shownMadeVolume() const;            ///< null: what is shown was not made here, or is saved
