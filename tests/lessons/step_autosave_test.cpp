@@ -7,6 +7,7 @@
 
 #include <csignal>
 
+#include "ew/scanning/recording.h"
 #include "lessons/made_scene.h"
 #include "library/temporary_folder.h"
 
