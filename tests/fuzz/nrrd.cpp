@@ -8,6 +8,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     fuzz::checkVolume(read->volume);
   else
     fuzz::checkError(read.error());
+  if (const auto second = readVolume(file, noProgress(), fuzz::kSmall, {.timeStep = 2})) fuzz::checkVolume(second->volume);
   if (const auto labels = readLabelVolume(file, noProgress(), fuzz::kSmall); !labels) fuzz::checkError(labels.error());
   static_cast<void>(mapVolume(file));
   return 0;

@@ -132,6 +132,14 @@ void volumes(const fs::path& folder) {
   put(folder / "nrrd", "raw", nrrd + "raw\n\n" + ramp(24));
   put(folder / "nrrd", "gzip", nrrd + "gzip\n\n" + deflated(ramp(24), true));
   put(folder / "nrrd", "text", nrrd + "ascii\n\n1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24\n");
+  put(folder / "nrrd", "units",
+      "NRRD0005\ntype: uchar\ndimension: 3\nsizes: 4 3 2\nspacings: 0.1 0.2 nan\nunits: \"cm\" \"um\" \"\"\naxis mins: 1 2 nan\n"
+      "axis maxs: 2 3 4\ncenters: cell node none\nthicknesses: 1 1 1\nold min: 0\nencoding: raw\n\n" +
+          ramp(24));
+  put(folder / "nrrd", "woven",
+      "NRRD0005\ntype: uchar\ndimension: 4\nsizes: 3 2 2 2\nkinds: list domain domain domain\nspace: RAS\n"
+      "space directions: none (1,0,0) (0,1,0) (0,0,1)\nspace units: \"m\" \"mm\" \"furlong\"\nencoding: raw\n\n" +
+          ramp(24));
   put(folder / "nifti", "u8", nifti(2, 1));
   put(folder / "nifti", "f32", nifti(16, 4));
   put(folder / "nifti", "packed", deflated(nifti(4, 2), true));
@@ -162,6 +170,10 @@ void sequences(const fs::path& folder) {
       "<PlusConfiguration><CoordinateDefinitions><Transform From=\"Image\" To=\"Probe\" Matrix=\"1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\"/>"
       "</CoordinateDefinitions><DataCollection><Device><VolumeReconstruction OutputSpacing=\"0.5 0.5 0.5\" ClipRectangleOrigin=\"1 2\" "
       "ClipRectangleSize=\"3 4\" FanAnglesDeg=\"-30 30\" Interpolation=\"LINEAR\"/></Device></DataCollection></PlusConfiguration>");
+  put(folder / "device_set", "unset.xml",
+      "<PlusConfiguration><VolumeReconstruction ReferenceCoordinateFrame=\"Phantom\" OutputSpacing=\"0 0 0\" OutputOrigin=\"0 0 0\" "
+      "OutputExtent=\" \" ClipRectangleOrigin=\"-1 -1\" ClipRectangleSize=\"nan nan\" FanAngles=\"0 0\" FanOrigin=\"20 -10\" "
+      "FanDepth=\"25\" SkipInterval=\"2\" Wobble=\"1\"/></PlusConfiguration>");
 }
 
 void others(const fs::path& folder) {
@@ -292,6 +304,22 @@ void films(const fs::path& folder) {
   cine.syntax = "1.2.840.10008.1.2.4.100";
   cine.columns = cine.rows = 16;
   cine.packed = {bytesOfFile(folder / "mpeg2video")};
+  // A TIFF of one grey page: sixteen tags, the orientation and an odd shape of its pixels among them.
+  const auto little = [](std::uint32_t value, int bytes) {
+    std::string text;
+    for (int n = 0; n < bytes; ++n) text += static_cast<char>(value >> (8 * n) & 0xFFu);
+    return text;
+  };
+  std::string tiff = "II" + little(42, 2) + little(8, 4) + little(10, 2);
+  const auto entry = [&](std::uint32_t tag, std::uint32_t value) {
+    tiff += little(tag, 2) + little(4, 2) + little(1, 4) + little(value, 4);
+  };
+  const std::uint32_t pixelsAt = 8 + 2 + 10 * 12 + 4;
+  for (const auto& [tag, value] :
+       {std::pair(256u, 8u), std::pair(257u, 6u), std::pair(258u, 8u), std::pair(259u, 1u), std::pair(262u, 1u), std::pair(273u, pixelsAt),
+        std::pair(274u, 6u), std::pair(277u, 1u), std::pair(278u, 6u), std::pair(279u, 48u)})
+    entry(tag, value);
+  put(folder, "tiff", tiff + little(0, 4) + ramp(48));
   put(folder, "dicom", cineFile(cine));
 }
 

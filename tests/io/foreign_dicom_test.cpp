@@ -4,6 +4,7 @@
 #include "ew/io/cine_reader.h"
 #include "ew/io/dicom.h"
 #include "ew/io/dicom_stack.h"
+#include "packed_pictures.h"
 
 // DICOM as devices and gateways store it: lengths that contradict the header, numbers that are there and empty, bytes behind the data,
 // scales and times in other elements than the usual.
@@ -114,6 +115,57 @@ TEST(ForeignDicom, PackedPicturesMayEndWithoutTheirMark) {
     EXPECT_EQ(read->sequence.pixels[143], static_cast<std::uint8_t>(ramp(48)[47]));
   }
   EXPECT_TRUE(failedWith(readDicomCine(folder.put("b.dcm", unmarked.substr(0, unmarked.size() - 20))), ErrorCode::truncated));
+}
+
+/// The packed pictures of a file cut into fragments, with an offset table or without.
+std::string inFragments(const CineOf& cine, const std::vector<std::vector<std::string>>& pictures, bool withTable) {
+  CineOf one = cine;
+  one.packed = {"x"};
+  std::string file = cineFile(one);
+  file.resize(file.size() - (8 + 2 + 8) - 8);  // the one fragment with its end, and the empty table
+  const DicomWriter bytes;
+  const auto item = [&](const std::string& value) {
+    return bytes.bytes(std::uint16_t{0xFFFE}) + bytes.bytes(std::uint16_t{0xE000}) + bytes.bytes(static_cast<std::uint32_t>(value.size())) +
+           value;
+  };
+  std::string table, all;
+  for (const auto& picture : pictures) {
+    table += bytes.bytes(static_cast<std::uint32_t>(all.size()));
+    for (const std::string& part : picture) all += item(part);
+  }
+  return file + item(withTable ? table : std::string()) + all + bytes.bytes(std::uint16_t{0xFFFE}) + bytes.bytes(std::uint16_t{0xE0DD}) +
+         bytes.bytes(std::uint32_t{0});
+}
+
+TEST(ForeignDicom, PicturesInSeveralFragmentsAreWholeWithAndWithoutAnOffsetTable) {
+  const TempFolder folder;
+  CineOf cine;
+  cine.syntax = kJpegLs;
+  cine.columns = 40;
+  cine.rows = 32;
+  cine.frames = 2;
+  cine.regions = {{0, 0, 39, 31}};
+  std::vector<std::vector<std::string>> pictures;
+  std::string expected;
+  for (int n = 0; n < 2; ++n) {
+    std::string grey;
+    for (int p = 0; p < 40 * 32; ++p) grey += static_cast<char>((p * (n + 3)) % 251);
+    expected += grey;
+    std::string packed = packedBy<gdcm::JPEGLSCodec>(grey, 40, 32, 1, 8);
+    if (packed.size() % 2 != 0) packed += '\0';
+    const std::size_t third = packed.size() / 3 / 2 * 2;
+    pictures.push_back({packed.substr(0, third), packed.substr(third, third), packed.substr(2 * third)});
+  }
+  for (const bool withTable : {false, true}) {
+    const auto read = readDicomCine(folder.put("a.dcm", inFragments(cine, pictures, withTable)));
+    ASSERT_TRUE(succeeded(read)) << withTable;
+    EXPECT_EQ(read->sequence.pixels, std::vector<std::uint8_t>(expected.begin(), expected.end()));
+  }
+  cine.frames = 1;  // the second picture is behind what the header promises
+  const auto first = readDicomCine(folder.put("b.dcm", inFragments(cine, pictures, true)));
+  ASSERT_TRUE(succeeded(first));
+  EXPECT_EQ(first->sequence.pixels, std::vector<std::uint8_t>(expected.begin(), expected.begin() + 40 * 32));
+  EXPECT_TRUE(contains(first->notes, "1 frame, but 2 pictures are stored"));
 }
 
 TEST(ForeignDicom, NumbersThatAreThereAndEmptyFollowFromTheRest) {

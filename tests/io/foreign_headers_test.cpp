@@ -59,6 +59,17 @@ TEST(ForeignDeviceSet, WhatIsNotUsedIsToldAndWhatIsNeutralIsNot) {
   EXPECT_EQ(setWith("ReferenceCoordinateFrame=\"Phantom\"").referenceFrame, "Phantom");
 }
 
+TEST(ForeignDeviceSet, AReconstructionInsideADeviceIsFound) {
+  const TempFolder folder;
+  const auto set = readDeviceSet(
+      folder.put("d.xml",
+                 "<PlusConfiguration><DataCollection><Device Type=\"VirtualVolumeReconstructor\"><VolumeReconstruction "
+                 "OutputSpacing=\"0.5 0.5 0.5\" ClipRectangleOrigin=\"1 2\" ClipRectangleSize=\"3 4\"/></Device></DataCollection>"
+                 "</PlusConfiguration>"));
+  ASSERT_TRUE(succeeded(set));
+  EXPECT_EQ(set->clipSize_px, glm::dvec2(3, 4));
+}
+
 TEST(ForeignDeviceSet, ASpacingOfNothingIsNotUsedAndAHalfOneIsRefused) {
   const TempFolder folder;
   const auto read = [&](const std::string& spacing) {
@@ -217,6 +228,35 @@ TEST(ForeignNrrd, ComponentsOfAVectorAreNoColours) {
                                               std::string(12, '\0')));
   EXPECT_TRUE(failedWith(read, ErrorCode::unsupported));
   EXPECT_TRUE(says(read, "3 components"));
+}
+
+TEST(ForeignSequence, ASweepRewrittenByItkKeepsItsPoses) {
+  // ITK keeps the fields, drops Kinds and writes a geometry of its own.
+  const TempFolder folder;
+  const auto read = readSequence(folder.put(
+      "s.mha",
+      "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = False\n"
+      "TransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = 0 0 0\nCenterOfRotation = 0 0 0\nAnatomicalOrientation = RAI\nElementSpacing = 1 1 1\n"
+      "Seq_Frame0000_ImageStatus = OK\nSeq_Frame0000_ProbeToTrackerTransform = 1 0 0 5 0 1 0 0 0 0 1 0 0 0 0 1\n"
+      "Seq_Frame0000_ProbeToTrackerTransformStatus = OK\nSeq_Frame0000_Timestamp = 1.5\nSeq_Frame0001_Timestamp = 2\n"
+      "UltrasoundImageOrientation = MF\nDimSize = 3 2 2\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n" +
+          ramp(12)));
+  ASSERT_TRUE(succeeded(read));
+  EXPECT_EQ(read->frames.size(), 2u);
+  EXPECT_EQ(read->frames[0].transforms.at(0).matrix[3].x, 5.0);
+  EXPECT_EQ(read->frames[0].time_s, 1.5);
+  EXPECT_EQ(read->orientation, "MF");
+}
+
+TEST(ForeignSequence, AScaleOfTheHeaderThatPosesReplaceIsTold) {
+  const TempFolder folder;
+  const auto read = readSequence(folder.put("s.mha",
+                                            "ObjectType = Image\nNDims = 3\nKinds = domain domain list\nElementSpacing = 0.2 0.3 1\n"
+                                            "Seq_Frame0000_Timestamp = 1\nDimSize = 3 2 2\nElementType = MET_UCHAR\n"
+                                            "ElementDataFile = LOCAL\n" +
+                                                ramp(12)));
+  ASSERT_TRUE(succeeded(read));
+  EXPECT_TRUE(contains(read->notes, "spacing \"0.2 x 0.3 mm a pixel\", which touches sizes"));
 }
 
 std::string metaHeader(const std::string& more, const std::string& file = "LOCAL") {

@@ -150,6 +150,19 @@ TEST(NiftiVolume, WrongHeadersAreRefusedInOneSentence) {
   EXPECT_TRUE(failedWith(huge, ErrorCode::tooLarge));
 }
 
+TEST(NiftiVolume, MetresAndMicrometresHoldForSizesAndPlaces) {
+  const TempFolder folder;
+  for (const auto& [units, scale] : {std::pair(char{1}, 1e-3F), std::pair(char{2}, 1.0F), std::pair(char{3}, 1e3F)}) {
+    Header1 header({2, 3, 2});
+    header.affine({0.5F * scale, 0, 0, 10 * scale, 0, 0.5F * scale, 0, 20 * scale, 0, 0, 2 * scale, 30 * scale});
+    header.set<char>(123, units);
+    const auto loaded = readVolume(folder.put("a.nii", header.bytes + ramp(12)));
+    ASSERT_TRUE(succeeded(loaded));
+    EXPECT_LT(glm::length(loaded->volume.grid.spacing_mm - glm::dvec3(0.5, 0.5, 2.0)), 1e-6);
+    EXPECT_LT(glm::length(loaded->volume.grid.origin_mm - glm::dvec3(-10, -20, 30)), 1e-5);
+  }
+}
+
 TEST(NiftiVolume, TwoPlacesThatDifferAreTold) {
   const TempFolder folder;
   const auto notes = [&](float x) {

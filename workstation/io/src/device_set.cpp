@@ -199,7 +199,11 @@ Result<DeviceSet> readDeviceSet(const fs::path& file) {
       if (auto read = readTransform(file, node, set); !read) return passOn(read.error());
   if (const auto conversion = root.find_node([](const pugi::xml_node& node) { return std::string_view(node.name()) == "ScanConversion"; }))
     for (const auto& attribute : conversion.attributes()) set.scanConversion.emplace_back(attribute.name(), attribute.value());
-  if (const auto reconstruction = root.child("VolumeReconstruction"))
+  // Of a whole device set, or inside the device that reconstructs while it records.
+  auto reconstruction = root.child("VolumeReconstruction");
+  if (!reconstruction)
+    reconstruction = root.find_node([](const pugi::xml_node& node) { return std::string_view(node.name()) == "VolumeReconstruction"; });
+  if (reconstruction)
     if (auto read = readReconstruction(file, reconstruction, set); !read) return passOn(read.error());
   return set;
 }
