@@ -7,6 +7,7 @@
 #include "ew/io/cine_reader.h"
 #include "ew/io/clip_file.h"
 #include "ew/io/image_stack.h"
+#include "ew/io/live_video.h"
 #include "ew/io/orientation.h"
 #include "files.h"
 #include "made_films.h"
@@ -327,6 +328,24 @@ TEST(FilmsInDicom, AStreamOfAnotherKindThanAnnouncedIsRefused) {
     EXPECT_NE(sentence.find("odd.dcm"), std::string::npos) << sentence;
   }
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "") << "what the libraries have to say stays with them";
+}
+
+TEST(Films, OfATrackerAreKnownByTheirContentToo) {
+  const TempFolder folder;
+  {
+    auto clip = ClipWriter::open(folder / "film.avi", 64, 48, 20.0);
+    ASSERT_TRUE(clip) << clip.error();
+    ASSERT_TRUE(clip->add(RgbImage(64, 48, Rgb(90))));
+    ASSERT_TRUE(clip->finish());
+  }
+  const auto opened = [](const fs::path& file) {
+    const auto video = LiveVideo::open({.file = file.string(), .isFilm = true});
+    return video && *video != nullptr;
+  };
+  EXPECT_TRUE(opened(folder / "film.avi"));
+  EXPECT_FALSE(opened(folder.put("list.avi", "#EXTM3U\n#EXTINF:1,\nfilm.avi\n")));
+  EXPECT_FALSE(opened(folder.put("list.mp4", "ffconcat version 1.0\nfile film.avi\n")));
+  EXPECT_FALSE(opened(folder / "none.avi"));
 }
 
 TEST(Clips, PlayInBrowsersAndKeepOddSizes) {

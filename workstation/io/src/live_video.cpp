@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "ew/io/cine_reader.h"
 #include "video_loader.h"
 
 namespace ew {
@@ -13,6 +14,8 @@ struct LiveVideo::Opened {
 Result<std::unique_ptr<LiveVideo>> LiveVideo::open(const Asked& asked) {
   const auto& module = detail::videoModule();
   if (!module) return passOn(module.error());
+  // By its content: what only has the name of a film could be a list that makes a decoder open other files.
+  if (asked.isFilm && !isFilm(asked.file)) return nullptr;
   double rate_hz = asked.rate_hz;
   EwLive* const live = module->openLive(asked.file.c_str(), asked.isFilm ? 1 : 0, asked.width_px, asked.height_px, &rate_hz);
   if (live == nullptr) return nullptr;
