@@ -15115,6 +15115,18 @@
         <source>Reading the slices of %1</source>
         <translation>Schnitte von %1 werden gelesen</translation>
     </message>
+    <message>
+        <source>as the file says</source>
+        <translation>wie die Datei sagt</translation>
+    </message>
+    <message>
+        <source>Images a second</source>
+        <translation>Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>Of a cine whose file does not say when its images were taken, or says it wrongly</source>
+        <translation>Einer Bildfolge, deren Datei nicht oder falsch sagt, wann die Bilder aufgenommen wurden</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::FocusScale</name>
@@ -22730,6 +22742,14 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Volumes and sweeps (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol);;All files (*)</source>
         <translation>Volumen und Sweeps (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Make it all the same</source>
+        <translation>Trotzdem machen</translation>
+    </message>
+    <message>
+        <source>So little is kept</source>
+        <translation>Es bleibt so wenig</translation>
     </message>
 </context>
 <context>
