@@ -271,6 +271,10 @@
         <translation>Die Datei nennt 0 Bilder; sie wurde als ein Bild gelesen.</translation>
     </message>
     <message>
+        <source>The first axis of %1 runs over its %2 frames, so that they are woven into each other; save it with that axis as the last.</source>
+        <translation>Die erste Achse von %1 läuft über die %2 Bilder, sie sind also ineinander verwoben; mit dieser Achse als letzter speichern.</translation>
+    </message>
+    <message>
         <source>The header also states %1, which is not known here and not used.</source>
         <translation>Der Kopf nennt auch %1; das ist hier nicht bekannt und wird nicht verwendet.</translation>
     </message>
