@@ -312,6 +312,37 @@ TEST(OutputSet, WhatAKilledProgramLeftIsRemovedFromAFolderOfOnesOwnAndNothingEls
   EXPECT_TRUE(running.commit());
 }
 
+TEST(OutputSet, WhatAKilledProgramLeftGoesWithTheNextOutputThereButNotTheOnlyCopyOfAFile) {
+  const Folder folder;
+  const auto kill = [&](const auto& work) {
+    const pid_t killed = ::fork();
+    if (killed == 0) {
+      work();
+      ::_exit(0);  // as a kill: nothing is cleaned up
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(killed, &status, 0), killed);
+  };
+  kill([&] {
+    OutputSet outputs;
+    if (outputs.announce(folder / "a.txt")) folder.write(outputs.staged(folder / "a.txt"), "half");
+    ::_exit(0);
+  });
+  ASSERT_EQ(folder.names().size(), 1u);
+  kill([&] {
+    OutputSet outputs;
+    if (!outputs.announce(folder / "b.txt")) return;
+    folder.write(fs::path(outputs.staged(folder / "b.txt")).replace_extension(".txt.earlier"), "the only copy");
+    ::_exit(0);
+  });
+  OutputSet next;
+  ASSERT_TRUE(next.announce(folder / "c.txt"));
+  folder.write(next.staged(folder / "c.txt"), "c");
+  ASSERT_TRUE(next.commit());
+  ASSERT_EQ(folder.names().size(), 2u) << "c.txt, and what holds what a file was before";
+  EXPECT_TRUE(fs::exists(folder / "c.txt"));
+}
+
 TEST(OutputSet, WhatAnotherMachineHasAsideInASharedFolderIsLeftUntilItIsOld) {
   const Folder folder;
   const fs::path young = folder / ".ew-99999999-0-0badcafe", old = folder / ".ew-99999999-1-0badcafe";

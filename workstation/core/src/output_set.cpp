@@ -12,23 +12,20 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <mutex>
 #include <optional>
 #include <system_error>
 
 #include "ew/core/contract.h"
+#include "ew/core/ending.h"
+#include "ew/core/machine_mark.h"
 
 namespace ew {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kAside = ".ew-";
-
-std::string lowerEnding(const fs::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
-  return ending;
-}
+constexpr std::string_view kEarlier = ".earlier";
 
 bool sameFile(const fs::path& a, const fs::path& b) {
   std::error_code problem;
@@ -101,20 +98,6 @@ int renameToFreeName(const fs::path& from, const fs::path& to) {
   return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
-/// What this machine is called, in short: on a folder that two machines share, numbers of processes mean nothing without it.
-const std::string& machineMark() {
-  static const std::string mark = [] {
-    std::array<char, 256> name{};
-    ::gethostname(name.data(), name.size() - 1);
-    std::uint32_t hash = 2166136261u;  // FNV-1a
-    for (const char* at = name.data(); *at != '\0'; ++at) hash = (hash ^ static_cast<unsigned char>(*at)) * 16777619u;
-    std::array<char, 9> digits{};
-    std::snprintf(digits.data(), digits.size(), "%08x", hash);
-    return std::string(digits.data());
-  }();
-  return mark;
-}
-
 struct Maker {
   pid_t process = 0;
   bool isHere = true;  // on this machine
@@ -137,21 +120,45 @@ std::optional<Maker> makerOf(const std::string& name) {
   return maker;
 }
 
-/// Whether nobody can be at work in a folder aside any more. What another machine made is left for as long as any work may last.
+/// Whether it holds what a file was before, of somebody who ended in the middle of putting files in place, or could not put them back: the
+/// only copy there may be.
+bool holdsEarlier(const fs::path& aside) {
+  std::error_code problem;
+  fs::directory_iterator at(aside, problem);
+  for (const fs::directory_iterator end; !problem && at != end; at.increment(problem))
+    if (at->path().filename().string().ends_with(kEarlier)) return true;
+  return static_cast<bool>(problem);
+}
+
+/// Whether nobody can be at work in a folder aside any more, and nothing in it is missed. What another machine made is left for as long as
+/// any work may last.
 bool isLeftover(const fs::path& aside) {
   const auto maker = makerOf(aside.filename().string());
   std::error_code problem;
-  if (!maker || !fs::is_directory(fs::symlink_status(aside, problem))) return false;
-  if (maker->isHere) return maker->process != ::getpid() && ::kill(maker->process, 0) != 0 && errno == ESRCH;
+  if (!maker || !fs::is_directory(fs::symlink_status(aside, problem)) || holdsEarlier(aside)) return false;
+  if (maker->isHere) return maker->process != ::getpid() && !isProcessThere(maker->process);
   constexpr std::chrono::hours kLongestWork(48);
   const auto changed = fs::last_write_time(aside, problem);
   return !problem && fs::file_time_type::clock::now() - changed > kLongestWork;
 }
 
+/// What killed programs left aside in a folder goes before the first output of this program there.
+void sweepOnce(const fs::path& folder) {
+  static std::mutex mutex;
+  static std::set<fs::path> swept;
+  std::error_code problem;
+  const fs::path whole = fs::weakly_canonical(folder, problem);
+  {
+    const std::lock_guard lock(mutex);
+    if (problem || !swept.insert(whole).second) return;
+  }
+  removeLeftovers(folder);
+}
+
 }  // namespace
 
 std::vector<fs::path> filesNamedBy(const fs::path& file) {
-  if (lowerEnding(file) != ".mhd") return {file};
+  if (endingOf(file) != ".mhd") return {file};
   return {fs::path(file).replace_extension(".raw"), file};
 }
 
@@ -181,6 +188,7 @@ Result<fs::path> OutputSet::asideOf(const fs::path& folder, const fs::path& want
   static std::atomic<unsigned> counter{0};
   for (const auto& aside : asides_)
     if (aside.folder == folder) return aside.path;
+  sweepOnce(folder);
   // Asking for permissions answers for the wrong user on some file systems; making something does not.
   for (int attempt = 0; attempt < 100; ++attempt) {
     const fs::path path =
@@ -224,13 +232,13 @@ Result<void> OutputSet::announceOne(const fs::path& given, const fs::path& targe
                       .staged = *aside / target.filename(),
                       .earlier = {},
                       .existedBefore = existed,
-                      .namesSamples = lowerEnding(target) == ".mhd"});
+                      .namesSamples = endingOf(target) == ".mhd"});
   return {};
 }
 
 Result<void> OutputSet::announce(const fs::path& file, std::string_view endings) {
   if (file.empty()) return failure(ErrorCode::badUsage, say<"The name of an output is empty; give a file name.">());
-  const std::string ending = lowerEnding(file);
+  const std::string ending = endingOf(file);
   if (!endings.empty() && (ending.empty() || (" " + std::string(endings) + " ").find(" " + ending + " ") == std::string::npos)) {
     const auto last = endings.rfind(' ');
     std::string first(endings.substr(0, last));
@@ -328,9 +336,9 @@ Result<void> OutputSet::keepEarlier(Output& output) {
   std::error_code problem;
   if (output.isFolder || !fs::exists(fs::symlink_status(output.target, problem))) return {};
   fs::path kept = output.staged;
-  kept += ".earlier";
+  kept += kEarlier;
   for (int n = 0; kept.filename().string().size() > 255 || fs::exists(kept, problem); ++n)
-    kept.replace_filename(std::to_string(n) + ".earlier");
+    kept.replace_filename(std::to_string(n) + std::string(kEarlier));
   fs::create_hard_link(output.target, kept, problem);
   if (problem) {
     problem.clear();

@@ -15,4 +15,12 @@ namespace ew {
                                                     [&](char a, char b) { return lower(a) == lower(b); });
 }
 
+/// What stands behind the last point, with it, its letters A to Z in small; empty when the name has none.
+[[nodiscard]] inline std::string endingOf(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return ending;
+}
+
 }  // namespace ew

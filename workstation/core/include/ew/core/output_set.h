@@ -33,7 +33,7 @@ enum class LateFile {
 ///
 /// Aside is a hidden folder beside each output (".ew-PID-N-MACHINE"), in which an output has the name it will have: a header can name its
 /// samples, names may be as long as the file system allows, and putting in place is a renaming. After the program was killed this folder is
-/// all that stays (removeLeftovers). Not for several threads at once.
+/// all that stays, until the next program that writes there takes it away (removeLeftovers). Not for several threads at once.
 class OutputSet {
  public:
   explicit OutputSet(LateFile late = LateFile::refuse) : late_(late) {}
@@ -112,8 +112,8 @@ class OutputSet {
   std::vector<Listed> listed_;
 };
 
-/// Removes what killed programs left aside in a folder that belongs to this program alone, such as a cache. What a program that still runs
-/// has aside is left; what another machine has aside, in a folder that machines share, is left for two days.
+/// Removes what killed programs left aside in a folder. What a program that still runs has aside is left; what another machine or container
+/// has aside, in a folder that they share, is left for two days; what holds the only copy of a file that was about to be replaced stays.
 void removeLeftovers(const std::filesystem::path& folder);
 
 }  // namespace ew
