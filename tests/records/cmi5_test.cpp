@@ -173,6 +173,35 @@ TEST_F(Cmi5, SaysWhichFieldOfTheLaunchDataCannotBeUsed) {
   EXPECT_NE(whyNot().find("launchMode"), std::string::npos);
 }
 
+TEST_F(Cmi5, OddAnswersAreASentenceAndNothingElse) {
+  fetchAnswer_ = ServerAnswer{200, R"({"error-code": 7, "error-text": 12})", {}};
+  EXPECT_EQ(whyNot(),
+            "The lesson cannot be begun for the learning management system: it gives no token (error 7, '12'). Start it there again.");
+  fetchAnswer_ = ServerAnswer{200, R"({"error-code": {"a": 1}, "error-text": ["b"]})", {}};
+  EXPECT_NE(whyNot().find("error {\"a\":1}"), std::string::npos) << whyNot();
+  std::string deep;
+  for (int n = 0; n < 150'000; ++n) deep += R"({"message":)";
+  for (const int status : {200, 400, 401}) {
+    fetchAnswer_ = ServerAnswer{status, deep, {}};
+    EXPECT_NE(whyNot().find("no token"), std::string::npos) << whyNot();
+  }
+}
+
+TEST_F(Cmi5, ATemplateThatStatementsCannotBePutIntoIsRefusedByName) {
+  launchData_["contextTemplate"]["contextActivities"] = 5;
+  EXPECT_EQ(whyNot(), "'contextTemplate.contextActivities' in LMS.LaunchData is 5; it must be an object.");
+  fetched_ = 0;
+  launchData_["contextTemplate"] = {{"extensions", "none"}};
+  EXPECT_EQ(whyNot(), "'contextTemplate.extensions' in LMS.LaunchData is \"none\"; it must be an object.");
+  fetched_ = 0;
+  launchData_["contextTemplate"] = {{"contextActivities", {{"category", 5}, {"grouping", {{"id", "https://lms.example/1"}}}}},
+                                    {"revision", 4}};
+  Cmi5Session session = begun();
+  const auto said = session.initialized(at(0));
+  ASSERT_TRUE(said);
+  EXPECT_EQ((*said)["context"]["contextActivities"]["category"].size(), 2u);
+}
+
 TEST_F(Cmi5, TellsASessionAsTheProfileWantsIt) {
   Cmi5Session session = begun();
   const json initialized = *session.initialized(at(0));

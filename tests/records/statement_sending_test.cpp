@@ -302,6 +302,30 @@ TEST_F(StatementSending, AnAnswerWithoutEndIsCutOff) {
   expectEachOnce(1);
 }
 
+TEST_F(StatementSending, AnAnswerThatNestsWithoutEndIsNoMoreThanAnOddAnswer) {
+  fill(*outbox_, 2);
+  std::string deep;
+  for (int n = 0; n < 150'000; ++n) deep += R"({"message":)";
+  for (const int status : {200, 400, 401, 503}) {
+    server_.other = [&](const ServerQuestion&) { return ServerAnswer{status, deep, {}}; };
+    options_.mostRounds = 1;
+    static_cast<void>(send());
+    ASSERT_TRUE(outbox_->retryRefused());
+    EXPECT_FALSE(askRecordStore(store_)) << status;
+  }
+  server_.other = nullptr;
+  EXPECT_EQ(send().sent, 2u);
+  expectEachOnce(2);
+}
+
+TEST_F(StatementSending, ANoteOfARefusalThatCannotBeReadHoldsNothingUp) {
+  fill(*outbox_, 2);
+  writeText(folder_ / "o" / (idNumbered(0) + ".refused"), std::string(70'000, 'x'));
+  reopen();
+  EXPECT_EQ(outbox_->count(StatementStatus::refused), 1u);
+  EXPECT_EQ(send().sent, 1u);
+}
+
 TEST_F(StatementSending, WhereTheReceiptCannotBeWrittenNothingIsSentTwiceAfterwards) {
   fill(*outbox_, 4);
   std::filesystem::create_directory(folder_ / "o/sent");

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <regex>
 
 namespace ew::rules {
@@ -112,9 +113,22 @@ const std::vector<Source>& sources() {
 
 std::string codeOf(std::string_view text) { return Blanking(text).done(); }
 
+const std::string& codeOf(const Source& source) {
+  static std::map<const char*, std::string> known;  // of the tree, which stays; a source made for a test is read anew
+  const bool isOfTree = !sources().empty() && &source >= &sources().front() && &source <= &sources().back();
+  static std::string made;
+  if (!isOfTree) return made = codeOf(source.text);
+  const auto [at, isNew] = known.try_emplace(source.text.data());
+  if (isNew) at->second = codeOf(source.text);
+  return at->second;
+}
+
 std::vector<Offence> matchesOf(const Source& source, const std::string& expression) {
-  const std::regex wanted(expression, std::regex::ECMAScript | std::regex::optimize);
-  const std::string code = codeOf(source.text);
+  static std::map<std::string, std::regex> expressions;
+  const auto [at, isNew] = expressions.try_emplace(expression);
+  if (isNew) at->second = std::regex(expression, std::regex::ECMAScript | std::regex::optimize);
+  const std::regex& wanted = at->second;
+  const std::string& code = codeOf(source);
   const auto lines = linesOf(code), asWritten = linesOf(source.text);
   std::vector<Offence> found;
   for (std::size_t n = 0; n < lines.size(); ++n)

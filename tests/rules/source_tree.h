@@ -20,6 +20,9 @@ struct Source {
 /// that `.value("` can be looked for, and no rule trips over a word in a comment or a sentence.
 [[nodiscard]] std::string codeOf(std::string_view text);
 
+/// That of a source; kept for those of the tree, so that many rules read them once. Valid until the next call.
+[[nodiscard]] const std::string& codeOf(const Source& source);
+
 /// A line that breaks a rule.
 struct Offence {
   std::string path;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "ew/core/foreign_json.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/content_name.h"
@@ -32,11 +33,8 @@ bool isLeft(const fs::path& folder) {
 std::optional<KeptPainting::Left> leftIn(const fs::path& folder) {
   const auto text = readTextFile(folder / kPaintingFile, 1u << 20);
   if (!text) return std::nullopt;
-  const auto kept = nlohmann::json::parse(*text, nullptr, false);
-  if (!kept.is_object()) return std::nullopt;
-  const auto field = [&](const char* key) {
-    return kept.contains(key) && kept[key].is_string() ? kept[key].get<std::string>() : std::string();
-  };
+  const auto kept = jsonOrNull(*text);
+  const auto field = [&](const char* key) { return textAt(kept, key); };
   // A name made by addVolume, never a path that leads elsewhere.
   if (field("case_folder").empty() || !isContentNamed(field("labels"))) return std::nullopt;
   return KeptPainting::Left{folder, field("case_folder"), field("labels"), field("before")};

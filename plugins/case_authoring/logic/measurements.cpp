@@ -8,6 +8,8 @@
 #include <string_view>
 #include <utility>
 
+#include "ew/core/foreign_json.h"
+
 namespace ew::case_authoring {
 namespace {
 
@@ -37,7 +39,7 @@ double rounded(double value) { return std::round(value * 100.0) / 100.0; }
 
 Result<nlohmann::json> withCaliper(nlohmann::json expected, const std::vector<sdk::ScanMeasurement>& drawn,
                                    const Transform<frame::File, frame::Probe>& probeToFile) {
-  const std::string wanted = expected.is_object() ? expected.value("kind", std::string()) : std::string();
+  const std::string wanted = textAt(expected, "kind");
   for (auto measured = drawn.rbegin(); measured != drawn.rend(); ++measured) {
     for (const auto& figure : measured->figures) {
       const FigureKind* kind = kindOf(figure);

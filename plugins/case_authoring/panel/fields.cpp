@@ -5,6 +5,7 @@
 #include <QPlainTextEdit>
 #include <algorithm>
 
+#include "ew/core/foreign_json.h"
 #include "panel/pictures_field.h"
 
 namespace ew::case_authoring {
@@ -123,7 +124,7 @@ void ExaminationsField::setFolder(const std::filesystem::path& folder) {
 
 void ExaminationsField::addPictures(std::size_t number, const std::vector<std::string>& files) {
   if (number >= list_.size() || files.empty()) return;
-  nlohmann::json pictures = list_[number].value("pictures", nlohmann::json::array());
+  nlohmann::json pictures = listAt(list_[number], "pictures");
   for (const std::string& file : files)
     if (std::find(pictures.begin(), pictures.end(), file) == pictures.end()) pictures.push_back(file);
   list_[number]["pictures"] = std::move(pictures);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 
+#include "ew/core/foreign_json.h"
 #include "logic/measurements.h"
 #include "panel/fields.h"
 
@@ -28,10 +29,6 @@ constexpr std::array<KindOfMeasurement, 4> kKinds = {{{"distance", "mm"}, {"circ
 QString unitWords(const std::string& unit) {
   if (unit == "cm2") return QStringLiteral("cm²");
   return unit == "deg" ? QStringLiteral("°") : QStringLiteral("mm");
-}
-
-double numberIn(const nlohmann::json& object, const char* key) {
-  return object.contains(key) && object[key].is_number() ? object[key].get<double>() : 0.0;
 }
 
 }  // namespace
@@ -95,7 +92,7 @@ void MeasurementsField::addOne(std::size_t number) {
   name->setObjectName(prefix + QStringLiteral("name"));
   name->setAccessibleName(tr("what is measured"));
   name->setPlaceholderText(tr("what is measured"));
-  name->setText(sdk::words(one.value("name", std::string())));
+  name->setText(sdk::words(textAt(one, "name")));
   connect(name, &QLineEdit::textEdited, this, [this, number](const QString& text) { set(number, "name", text.toStdString()); });
   grid->addWidget(name, 0, 0, 1, 2);
   auto* away = new QPushButton(tr("Remove"));
@@ -114,12 +111,12 @@ void MeasurementsField::addOne(std::size_t number) {
   if (patientKnows_ || !hasValue(one)) kind->addItem(tr("known by the patient"), QString());
   const std::array<QString, 4> names = {tr("distance"), tr("circumference"), tr("area"), tr("angle")};
   for (std::size_t n = 0; n < kKinds.size(); ++n) kind->addItem(names[n], QLatin1String(kKinds[n].kind));
-  kind->setCurrentIndex(std::max(0, kind->findData(sdk::words(one.value("kind", std::string())))));
+  kind->setCurrentIndex(std::max(0, kind->findData(sdk::words(textAt(one, "kind")))));
   grid->addWidget(kind, 1, 0);
-  auto* value = new sdk::NumberField(0.0, kMostValue, 2, unitWords(one.value("unit", std::string("mm"))));
+  auto* value = new sdk::NumberField(0.0, kMostValue, 2, unitWords(textAt(one, "unit", "mm")));
   value->setObjectName(prefix + QStringLiteral("value"));
   value->setAccessibleName(tr("value"));
-  value->setValue(numberIn(one, "value"));
+  value->setValue(numberAt(one, "value").value_or(0.0));
   value->setEnabled(hasValue(one));
   if (!hasValue(one)) value->setToolTip(tr("The value is the virtual patient's; choose a kind to give one"));
   grid->addWidget(value, 1, 1);
@@ -128,17 +125,17 @@ void MeasurementsField::addOne(std::size_t number) {
   take->setToolTip(tr("Take the caliper I have drawn: value, kind and where it stands"));
   grid->addWidget(take, 1, 2);
 
-  auto* tolerance = new sdk::NumberField(0.0, kMostValue, 2, unitWords(one.value("unit", std::string("mm"))));
+  auto* tolerance = new sdk::NumberField(0.0, kMostValue, 2, unitWords(textAt(one, "unit", "mm")));
   tolerance->setObjectName(prefix + QStringLiteral("tolerance"));
   tolerance->setAccessibleName(tr("tolerance"));
   tolerance->setPrefix(QStringLiteral("± "));
   tolerance->setSpecialValueText(tr("usual tolerance"));
-  tolerance->setValue(numberIn(one, "tolerance"));
+  tolerance->setValue(numberAt(one, "tolerance").value_or(0.0));
   grid->addWidget(tolerance, 2, 0, 1, 2);
   auto* reveals = new QCheckBox(tr("Gives the finding away"));
   reveals->setObjectName(prefix + QStringLiteral("reveals"));
   reveals->setToolTip(tr("A trainee sees the name with the findings only"));
-  reveals->setChecked(one.value("reveals_finding", false));
+  reveals->setChecked(flagAt(one, "reveals_finding"));
   grid->addWidget(reveals, 3, 0, 1, 3);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);

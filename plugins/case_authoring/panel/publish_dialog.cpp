@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ew/core/foreign_json.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/bundle.h"
 #include "ew/library/instructor_log.h"
@@ -277,7 +278,7 @@ void PublishDialog::exportCase() {
   if (!saved()) return;
   const auto manifest = host_.cases().current();
   if (!manifest) return;
-  const auto target = askForBundle(tr("Export the case"), words(manifest->value("id", std::string("case"))));
+  const auto target = askForBundle(tr("Export the case"), words(textAt(*manifest, "id", "case")));
   if (!target) return;
   const QString file = words(target->string());
   working_ = true;

@@ -70,13 +70,25 @@ void tellQuality(const ChainState& state, sdk::Commands::Outcome& outcome) {
   }
 }
 
+Message verdictOf(const PairOutcome& pair) {
+  switch (pair.used) {
+    case PairMethod::byHand:
+      return say<"by hand, not checked">();
+    case PairMethod::landmarks:
+      return say<"by landmarks, %1">(messageOf(pair.rigid.verdict));
+    case PairMethod::automatic:
+    case PairMethod::search:
+    case PairMethod::refine:
+      break;
+  }
+  return messageOf(pair.rigid.verdict);
+}
+
 /// What a person should know of a run, a sentence each: how each pair ended, what holds the whole, what joining had to decide.
 std::vector<Message> notesOf(const StitchProject& project, const ChainState& state) {
   std::vector<Message> notes;
   for (const PairOutcome& pair : state.pairs) {
-    const Message verdict = pair.used == PairMethod::byHand      ? say<"by hand, not checked">()
-                            : pair.used == PairMethod::landmarks ? say<"by landmarks, %1">(messageOf(pair.rigid.verdict))
-                                                                 : messageOf(pair.rigid.verdict);
+    const Message verdict = verdictOf(pair);
     const std::string &fixed = project.volumes[pair.fixed].name, &moving = project.volumes[pair.moving].name;
     notes.push_back(pair.wrong ? say<"'%1' with '%2': %3, and the other pairs contradict it. %4">(fixed, moving, verdict, pair.rigid.reason)
                                : say<"'%1' with '%2': %3. %4">(fixed, moving, verdict, pair.rigid.reason));

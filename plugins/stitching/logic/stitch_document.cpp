@@ -7,6 +7,8 @@
 #include <system_error>
 #include <utility>
 
+#include "ew/core/foreign_json.h"
+#include "ew/core/json_fields.h"
 #include "ew/stitching/places.h"
 #include "ew/stitching/value_json.h"
 
@@ -242,9 +244,9 @@ Result<void> StitchDocument::keepRecovery() {
   }
   if (kept_ && *kept_ == now_) return {};
   // Paths are written in full: the recovery file lies elsewhere than the project.
-  nlohmann::json around;
-  around[kRecoveryFile] = file_.string();
-  around[kRecoveryProject] = nlohmann::json::parse(projectText(now_, {}));
+  auto project = parseJson(projectText(now_, {}), say<"the stitch project">());
+  if (!project) return passOn(project.error());
+  const nlohmann::json around = {{kRecoveryFile, file_.string()}, {kRecoveryProject, *std::move(project)}};
   std::error_code ignored;
   fs::create_directories(recovery_.parent_path(), ignored);
   if (auto written = files_.writeText(recovery_, around.dump(1)); !written) return written;
@@ -257,7 +259,7 @@ Result<std::optional<StitchDocument::Left>> StitchDocument::leftIn(const fs::pat
   if (!fs::exists(recovery, ignored)) return std::nullopt;
   auto text = files_.readText(recovery);
   if (!text) return passOn(text.error());
-  const auto around = jsonOfText(*text);
+  const auto around = jsonOrNull(*text);
   if (!around.is_object() || !around.contains(kRecoveryProject) || !around.contains(kRecoveryFile) ||
       !around.at(kRecoveryFile).is_string()) {
     return failure(ErrorCode::badHeader,

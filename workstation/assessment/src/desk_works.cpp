@@ -2,6 +2,7 @@
 #include <cmath>
 #include <set>
 
+#include "ew/core/foreign_json.h"
 #include "step_works.h"
 
 namespace ew {
@@ -19,9 +20,7 @@ class WatchWork final : public StepWork {
     return say<"The expert's scan has not been shown to its end yet.">();
   }
   [[nodiscard]] nlohmann::json answerOf(const Handed& handed) const override { return {{"watched", handed.watched}}; }
-  void judge(const nlohmann::json& answer, StepOutcome& outcome) const override {
-    outcome.score = answer.is_object() && answer.value("watched", nlohmann::json()) == nlohmann::json(true) ? 1.0 : 0.0;
-  }
+  void judge(const nlohmann::json& answer, StepOutcome& outcome) const override { outcome.score = flagAt(answer, "watched") ? 1.0 : 0.0; }
 };
 
 class SettingsWork final : public StepWork {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "ew/core/foreign_json.h"
 #include "step_works.h"
 
 namespace ew {
@@ -24,13 +25,6 @@ std::optional<glm::dvec3> pointOf(const json& value) {
   for (const json& each : value)
     if (!each.is_number()) return std::nullopt;
   return glm::dvec3(value[0].get<double>(), value[1].get<double>(), value[2].get<double>());
-}
-
-const json& memberOf(const json& answer, const char* key) {
-  static const json kNone;
-  if (!answer.is_object()) return kNone;
-  const auto found = answer.find(key);
-  return found == answer.end() ? kNone : *found;
 }
 
 class MeasureWork final : public StepWork {

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include <nlohmann/json.hpp>
+
+#include "ew/core/foreign_json.h"
 #include "http.h"
 #include "iri.h"
 
@@ -84,8 +87,8 @@ Result<void> askRecordStore(const RecordStore& store, const Progress& progress) 
   if (status == 401 || status == 403) return no(say<"it does not accept user and password (%1)">(status));
   if (status >= 300 && status < 400) return no(say<"it sends us elsewhere (%1); put the final address in the settings">(status));
   if (status != 200) return no(say<"it answers %1 %2">(status, records::inQuotes(words)));
-  const auto json = nlohmann::json::parse(answer->body, nullptr, false);
-  if (!json.is_object() || !json.contains("statements")) return no(say<"what answers there is no record store; check the address">());
+  if (const auto json = jsonOrNull(answer->body); !json.is_object() || !json.contains("statements"))
+    return no(say<"what answers there is no record store; check the address">());
   return {};
 }
 

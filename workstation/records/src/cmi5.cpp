@@ -3,6 +3,7 @@
 #include <array>
 #include <map>
 
+#include "ew/core/foreign_json.h"
 #include "ew/core/json_fields.h"
 #include "ew/records/xapi.h"
 #include "iri.h"
@@ -54,12 +55,12 @@ Result<std::map<std::string, std::string>> parametersOf(std::string_view url) {
 
 /// An agent with an account, as 9.2 asks for. Some systems put it into a list of one.
 Result<json> actorOf(const std::string& text) {
-  json actor = json::parse(text, nullptr, false);
+  json actor = jsonOrNull(text);
   if (actor.is_array() && actor.size() == 1) actor = json(actor[0]);
-  const bool isAgent = actor.is_object() && actor.value("objectType", json("Agent")) == json("Agent");
-  const json account = isAgent ? actor.value("account", json()) : json();
-  const bool hasAccount = account.is_object() && account.value("homePage", json()).is_string() && account.value("name", json()).is_string();
-  if (!hasAccount) return unusable("actor", say<"is no agent with an account">());
+  const bool isAgent = memberOf(actor, "objectType").is_null() || textAt(actor, "objectType") == "Agent";
+  const json& account = memberOf(actor, "account");
+  const bool hasAccount = memberOf(account, "homePage").is_string() && memberOf(account, "name").is_string();
+  if (!isAgent || !hasAccount) return unusable("actor", say<"is no agent with an account">());
   actor["objectType"] = "Agent";
   return actor;
 }
@@ -94,8 +95,10 @@ Result<Cmi5LaunchData> cmi5LaunchDataOf(const json& document) {
   JsonReading reading(verbatim("LMS.LaunchData"));
   const JsonFields fields(document, reading);
   Cmi5LaunchData data;
-  data.contextTemplate = fields.object("contextTemplate").value();
+  const JsonFields context = fields.object("contextTemplate");
   if (!fields.has("contextTemplate")) fields.refuse("contextTemplate", say<"an object">());
+  for (const char* part : {"contextActivities", "extensions"}) static_cast<void>(context.object(part));  // statements are put into these
+  data.contextTemplate = context.value();
   data.mode = fields.word("launchMode", kModes);
   data.moveOn = fields.word("moveOn", kMoveOns, std::optional(Cmi5MoveOn::notApplicable));
   if (fields.has("masteryScore") && !fields.find("masteryScore")->is_null()) data.masteryScore = fields.number("masteryScore", 0.0, 1.0);

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "ew/core/foreign_json.h"
 #include "ew/core/json_fields.h"
 #include "ew/records/cmi5.h"
 #include "ew/records/xapi.h"
@@ -34,18 +35,15 @@ tl::unexpected<Error> noAnswer(const records::HttpFailure& failed) {
 Result<std::string> fetchToken(const Cmi5Launch& launch, HttpClient& client, const Progress& progress) {
   const auto answer = client.ask({"POST", launch.fetch, {"Accept: application/json", "Content-Length: 0"}, {}}, progress);
   if (!answer) return noAnswer(answer.error());
-  const json said = json::parse(answer->body, nullptr, false);
+  const json said = jsonOrNull(answer->body);
   if (said.is_object() && said.contains("error-code"))
-    return notBegun(say<"it gives no token (error %1, %2)">(
-        records::tamed(said["error-code"].is_string() ? said["error-code"].get<std::string>() : said["error-code"].dump()),
-        records::inQuotes(said.value("error-text", std::string()))));
+    return notBegun(say<"it gives no token (error %1, %2)">(records::tamed(wordsAt(said, "error-code")),
+                                                            records::inQuotes(wordsAt(said, "error-text"))));
   if (answer->status != 200)
     return notBegun(say<"it gives no token (%1 %2)">(answer->status, records::inQuotes(records::wordsOf(*answer, {}))));
-  if (!said.is_object() || !said.contains("auth-token") || !said["auth-token"].is_string())
-    return notBegun(say<"what it gives is no token">());
-  auto checked = bearerAuthorization(said["auth-token"].get<std::string>());  // letters of a token alone: it goes into a header
-  if (!checked) return notBegun(say<"what it gives is no token">());
-  return "Basic " + said["auth-token"].get<std::string>();
+  const std::string token = textAt(said, "auth-token");
+  if (!bearerAuthorization(token)) return notBegun(say<"what it gives is no token">());  // letters of a token alone: it goes into a header
+  return "Basic " + token;
 }
 
 Result<json> fetchLaunchData(const Cmi5Launch& launch, const RecordStore& store, HttpClient& client, const Progress& progress) {
@@ -64,9 +62,8 @@ std::string fetchLanguage(const Cmi5Launch& launch, const RecordStore& store, Ht
   const std::string resource = "agents/profile?profileId=cmi5LearnerPreferences&agent=" + encoded(launch.actor.dump());
   const auto answer = client.ask(records::questionFor(store, "GET", resource), progress);
   if (!answer || answer->status != 200) return {};
-  const json said = json::parse(answer->body, nullptr, false);
-  const json language = said.is_object() ? said.value("languagePreference", json()) : json();
-  return language.is_string() && language.get<std::string>().size() <= 200 ? language.get<std::string>() : std::string();
+  const std::string language = textAt(jsonOrNull(answer->body), "languagePreference");
+  return language.size() <= 200 ? language : std::string();
 }
 
 /// `theirs` into `ours`: lists of activities are joined, what they say about anything else stands.
@@ -187,7 +184,7 @@ Result<json> Cmi5Session::allowed(json made) const {
   made["context"]["registration"] = launch_.registration;
   mergeTemplate(made["context"], data_.contextTemplate);
   made["context"]["registration"] = launch_.registration;
-  const std::string id = made.value("id", std::string());
+  const std::string id = textAt(made, "id");
   made["id"] = uuidOfName(kCmi5Space, launch_.registration + "\n" + timestampText(*begunAt_) + "\n" + id);
   return made;
 }

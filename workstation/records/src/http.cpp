@@ -10,6 +10,7 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
+#include "ew/core/foreign_json.h"
 #include "ew/core/numbers.h"
 #include "ew/core/version.h"
 #include "iri.h"
@@ -212,12 +213,9 @@ HttpQuestion questionFor(const RecordStore& store, const std::string& method, co
 }
 
 std::string wordsOf(const HttpAnswer& answer, const std::vector<std::string>& secrets) {
-  const auto json = nlohmann::json::parse(answer.body, nullptr, false);
-  if (json.is_object())
-    for (const char* name : {"message", "error-text", "error", "errors", "warnings", "detail", "title"})
-      if (const auto at = json.find(name); at != json.end() && !at->empty())
-        return tamed(at->is_string() ? at->get<std::string>() : at->dump(-1, ' ', false, nlohmann::json::error_handler_t::replace),
-                     secrets);
+  const auto json = jsonOrNull(answer.body);
+  for (const char* name : {"message", "error-text", "error", "errors", "warnings", "detail", "title"})
+    if (!memberOf(json, name).empty()) return tamed(wordsAt(json, name), secrets);
   return tamed(answer.body, secrets);
 }
 

@@ -6,6 +6,8 @@
 #include <cctype>
 #include <memory>
 
+#include "ew/core/printable.h"
+
 namespace ew::records {
 namespace {
 
@@ -177,8 +179,7 @@ std::string tamed(std::string_view text, const std::vector<std::string>& secrets
     else if (!line.empty() && line.back() != ' ')
       line += ' ';
   }
-  // Written out and read back, whatever is not UTF-8 becomes a replacement character.
-  line = nlohmann::json::parse(nlohmann::json(line).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)).get<std::string>();
+  line = printable(line);
   if (line.size() > kLongestSentence_bytes) {
     line.resize(kLongestSentence_bytes);
     while (!line.empty() && (static_cast<unsigned char>(line.back()) & 0xc0) == 0x80) line.pop_back();

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "ew/core/foreign_json.h"
 #include "ew/records/xapi.h"
 #include "iri.h"
 #include "statement_sender.h"
@@ -77,13 +78,13 @@ There StatementSender::askFor(const std::string& id, Next& next) {
     }
     if (answer->status == 401 || answer->status == 403) return There::mayNotRead;
     if (answer->status == 404) continue;
-    const auto theirs = nlohmann::json::parse(answer->body, nullptr, false);
+    const auto theirs = jsonOrNull(answer->body);
     if (answer->status != 200 || !theirs.is_object() || !theirs.contains("verb")) {
       next = refusesUs(*answer);
       return There::unknown;
     }
     const auto text = outbox_.textOf(id);
-    return text && saysTheSame(nlohmann::json::parse(*text, nullptr, false), theirs) ? There::yes : There::other;
+    return text && saysTheSame(jsonOrNull(*text), theirs) ? There::yes : There::other;
   }
   return There::no;
 }

@@ -166,9 +166,8 @@ Result<void> StatementOutbox::Parts::readNotes() {
   for (StatementEntry& entry : entries) {
     if (!fs::exists(noteOf(entry.id), ignored)) continue;
     const auto note = readTextFile(noteOf(entry.id), 64u << 10);
-    if (!note) return passOn(note.error());
-    entry.status = StatementStatus::refused;
-    entry.problem = records::tamed(*note);
+    entry.status = StatementStatus::refused;  // that there is a note says so, whatever it holds
+    entry.problem = records::tamed(note ? *note : note.error().sentence());
   }
   return {};
 }

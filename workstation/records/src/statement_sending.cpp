@@ -3,6 +3,7 @@
 #include <cmath>
 #include <thread>
 
+#include "ew/core/foreign_json.h"
 #include "iri.h"
 #include "statement_sender.h"
 
@@ -34,7 +35,7 @@ Result<Next> StatementSender::judge(const std::vector<std::string>& ids, const H
     isSingly_ = isSingly_ || answer.status == 500;
     return refusesUs(answer);
   }
-  const auto list = json::parse(answer.body, nullptr, false);
+  const auto list = jsonOrNull(answer.body);
   std::vector<std::string> named;
   if (list.is_array())
     for (const json& each : list)
@@ -55,7 +56,7 @@ Result<Next> StatementSender::deliver(std::vector<std::string> ids) {
   std::vector<std::string> whole;
   for (const std::string& id : ids) {
     const auto text = outbox_.textOf(id);
-    if (!text || !json::accept(*text)) {
+    if (!text || !jsonOrNull(*text).is_object()) {
       if (auto kept = refuse(id, text ? "The file in the outbox is damaged." : text.error().sentence()); !kept) return kept;
       continue;
     }

@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "ew/core/foreign_json.h"
 #include "ew/core/json_fields.h"
 #include "ew/door/door.h"
 #include "ew/io/safe_file.h"
@@ -87,11 +88,11 @@ Result<PluginManifest> readPluginManifest(const fs::path& folder) {
   }
   PluginManifest manifest;
   manifest.name = (*json)["name"];
-  manifest.title = json->value("title", manifest.name);
+  manifest.title = textAt(*json, "title", manifest.name);
   manifest.version = (*json)["version"];
   manifest.abi = (*json)["abi"].get<std::uint32_t>();
   if (json->contains("capabilities")) manifest.capabilities = (*json)["capabilities"].get<std::vector<std::string>>();
-  manifest.description = json->value("description", std::string());
+  manifest.description = textAt(*json, "description");
   // The schema allows no slash, so the library lies in this folder; dlopen searches the system's folders unless the path is whole.
   const fs::path whole = fs::absolute(folder / (*json)["library"].get<std::string>(), error);
   if (error || !fs::is_regular_file(whole, error))

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "ew/core/foreign_json.h"
 #include "ew/io/content_key.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/step_store.h"
@@ -31,9 +32,9 @@ FileContents::FileContents(const fs::path& folder) : memory_(folder / "steps" / 
     isForeign_ = true;
     return;
   }
-  json read = jsonOfText(*text);
-  if (!read.is_object() || !read.contains(kFiles) || !read[kFiles].is_object()) return;
-  if (read.value(kContent, json()) == nameOfAll(read[kFiles])) known_ = std::move(read[kFiles]);  // else it was damaged
+  json read = jsonOrNull(*text);
+  if (!memberOf(read, kFiles).is_object()) return;
+  if (textAt(read, kContent) == nameOfAll(read[kFiles])) known_ = std::move(read[kFiles]);  // else it was damaged
 }
 
 Result<std::optional<std::string>> FileContents::keyOf(const fs::path& file, const Progress& progress) {
@@ -42,9 +43,8 @@ Result<std::optional<std::string>> FileContents::keyOf(const fs::path& file, con
   std::error_code ignored;
   const std::string name = fs::absolute(file, ignored).lexically_normal().string();
   const json stamp = {status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_ino};
-  if (const auto at = known_.find(name);
-      at != known_.end() && at->is_object() && at->value("stamp", json()) == stamp && at->contains(kContent) && (*at)[kContent].is_string())
-    return std::optional((*at)[kContent].get<std::string>());
+  if (const auto at = known_.find(name); at != known_.end() && memberOf(*at, "stamp") == stamp && memberOf(*at, kContent).is_string())
+    return std::optional(textAt(*at, kContent));
   auto content = contentOf(file, progress);
   if (!content || !*content) return content;
   known_[name] = {{"stamp", stamp}, {kContent, **content}};

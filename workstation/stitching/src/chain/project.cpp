@@ -102,6 +102,14 @@ const char* nameOf(SeamMethod method) {
   return "graph cut";
 }
 
-const char* nameOf(GridAxes axes) { return axes == GridAxes::world ? "world" : "first"; }
+const char* nameOf(GridAxes axes) {
+  switch (axes) {
+    case GridAxes::first:
+      return "first";
+    case GridAxes::world:
+      return "world";
+  }
+  return "first";
+}
 
 }  // namespace ew::stitching

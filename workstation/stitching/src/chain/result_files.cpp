@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "chain/chain_inputs.h"
+#include "ew/core/foreign_json.h"
 #include "ew/core/output_set.h"
 #include "ew/io/content_key.h"
 #include "ew/io/safe_file.h"
@@ -34,10 +35,9 @@ tl::unexpected<Error> isForeign(const fs::path& file) {
 
 /// Of a provenance: what it says was written beside it. Empty: it is none of this program.
 std::optional<std::vector<ResultFile>> filesOfProvenance(const std::string& text) {
-  const json read = jsonOfText(text);
-  if (!read.is_object() || !read.contains("made_by") || !read["made_by"].is_string() || !read.contains("files")) return std::nullopt;
-  const auto& madeBy = read["made_by"].get_ref<const std::string&>();
-  if (!madeBy.starts_with("EchoWeave") || !madeBy.ends_with(", stitch")) return std::nullopt;
+  const json read = jsonOrNull(text);
+  const std::string madeBy = textAt(read, "made_by");
+  if (!read.contains("files") || !madeBy.starts_with("EchoWeave") || !madeBy.ends_with(", stitch")) return std::nullopt;
   return resultFilesFrom(read["files"]);
 }
 

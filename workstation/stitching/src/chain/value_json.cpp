@@ -3,16 +3,10 @@
 #include <cmath>
 #include <limits>
 
-#include "ew/core/nesting.h"
-
 namespace ew::stitching {
 
 using nlohmann::json;
 using nlohmann::ordered_json;
-
-json jsonOfText(std::string_view text) {
-  return nestsDeeperThan(text) ? json(json::value_t::discarded) : json::parse(text, nullptr, false);
-}
 
 /// JSON has no infinity.
 ordered_json number(double value) {

@@ -11,10 +11,6 @@
 /// Numbers, points, matrices and grids as JSON, to the last bit. The ...From functions throw nlohmann's exceptions when a file was damaged.
 namespace ew::stitching {
 
-/// A text as JSON, whatever it holds. Discarded (is_discarded()) when it is none, or nests deeper than any file of this program
-/// (ew/core/nesting.h): the parser's own work and what walks the value later take stack for each level.
-[[nodiscard]] nlohmann::json jsonOfText(std::string_view text);
-
 /// JSON has no infinity: "inf", "-inf" and "nan" are words.
 [[nodiscard]] nlohmann::ordered_json number(double value);
 [[nodiscard]] double numberFrom(const nlohmann::json& value);
