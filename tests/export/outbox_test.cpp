@@ -187,6 +187,62 @@ TEST(Outbox, BelongsToOneProgramAtATimeAndTakesDicomAlone) {
   EXPECT_TRUE(outbox->entries().empty());
 }
 
+TEST(Outbox, WhatCannotBeReadIsNamedAndHoldsNothingUp) {
+  const TemporaryFolder folder;
+  const fs::path first = writePicture(folder.path(), 1), second = writePicture(folder.path(), 2);
+  fs::path note;
+  {
+    auto outbox = Outbox::open(folder / "outbox");
+    ASSERT_TRUE(outbox->add(first).value());
+    ASSERT_TRUE(outbox->add(second).value());
+    note = outbox->copyOf(outbox->entries().front()).replace_extension(".json");
+  }
+  const std::string good = textOf(note);
+  writeText(folder / "outbox/9.9.9.dcm", "");
+  std::string deep;
+  for (int n = 0; n < 100'000; ++n) deep += "{\"problem\":";
+  for (const std::string& bad : {std::string(R"({"format":"x"})"), std::string("[]"), std::string(R"({"format": 1.5})"),
+                                 std::string(R"({"format": 99})"), deep, std::string()}) {
+    writeText(note, bad);
+    auto outbox = Outbox::open(folder / "outbox");
+    ASSERT_TRUE(succeeded(outbox)) << bad.substr(0, 30);
+    EXPECT_EQ(outbox->entries().size(), 1u);
+    const auto unreadable = outbox->unreadable();
+    ASSERT_EQ(unreadable.size(), 2u);
+    EXPECT_NE((unreadable[0].sentence() + unreadable[1].sentence()).find(note.filename().string()), std::string::npos);
+    EXPECT_NE((unreadable[0].sentence() + unreadable[1].sentence()).find("9.9.9.dcm"), std::string::npos);
+    EXPECT_FALSE(outbox->add(first)) << "whether it was sent before is not known";
+    EXPECT_EQ(textOf(note), bad) << "left as it is";
+    DicomArchive archive;
+    archive.host = "127.0.0.1";
+    archive.port = freePort();
+    archive.aeTitle = "NOBODY";
+    SendOptions options;
+    options.mostRounds = 1;
+    const auto sent = sendOutbox(*outbox, archive, options);
+    ASSERT_TRUE(succeeded(sent));
+    EXPECT_EQ(sent->left, 3u);
+    EXPECT_NE(sent->problem.english().find("9.9.9.dcm"), std::string::npos) << sent->problem;
+  }
+  std::string odd = good;
+  odd.replace(odd.find("\"attempts\": 0"), 13, "\"attempts\": 99999999999999");
+  writeText(note, odd);
+  EXPECT_EQ(Outbox::open(folder / "outbox")->entries().size(), 2u);
+}
+
+TEST(Outbox, IsForItsOwnerAlone) {
+  const TemporaryFolder folder;
+  auto outbox = Outbox::open(folder / "outbox");
+  ASSERT_TRUE(outbox->add(writePicture(folder.path(), 1)).value());
+  EXPECT_EQ(fs::status(folder / "outbox").permissions(), fs::perms::owner_all);
+  for (const auto& each : fs::directory_iterator(folder / "outbox"))
+    EXPECT_EQ(each.status().permissions(), fs::perms::owner_read | fs::perms::owner_write) << each.path();
+  outbox = Result<Outbox>(tl::unexpected(Error{}));
+  writeText(folder / "outbox/.ew-private-Abc123", "half");
+  outbox = Outbox::open(folder / "outbox");
+  EXPECT_FALSE(fs::exists(folder / "outbox/.ew-private-Abc123")) << "left by a program that was ended";
+}
+
 TEST(Sending, WithoutAnArchiveWaitsLongerEachTimeAndLosesNothing) {
   const TemporaryFolder folder;
   auto outbox = Outbox::open(folder / "outbox");

@@ -27,6 +27,18 @@ constexpr auto kInferredFrom = DSRTypes::RT_inferredFrom;
 constexpr const char* kObserverUid = "2.25.203617914683541218537441229043173820";
 
 Code dcm(const char* value, const char* meaning) { return {value, "DCM", meaning}; }
+
+Code selectionOf(Several several) {
+  switch (several) {
+    case Several::mean:
+      return dcm("121412", "Mean value chosen");
+    case Several::last:
+      return dcm("121411", "Most recent value chosen");
+    case Several::selected:
+      return dcm("121410", "User chosen value");
+  }
+  return {};
+}
 Code loinc(const char* value, const char* meaning) { return {value, "LN", meaning}; }
 Code snomed(const char* value, const char* meaning) { return {value, "SCT", meaning}; }
 
@@ -163,11 +175,7 @@ class RowWriter {
       tree_.code(kModifies, dcm("121401", "Derivation"),
                  row.predictionError > 0.0 ? dcm("121427", "Estimated") : dcm("121428", "Calculated"));
     uncertainty(*row.value);
-    if (isChosen)
-      tree_.code(kProperty, dcm("121404", "Selection Status"),
-                 sheet_.several == Several::mean   ? dcm("121412", "Mean value chosen")
-                 : sheet_.several == Several::last ? dcm("121411", "Most recent value chosen")
-                                                   : dcm("121410", "User chosen value"));
+    if (isChosen) tree_.code(kProperty, dcm("121404", "Selection Status"), selectionOf(sheet_.several));
     for (const RangeReading& reading : row.ranges) {
       const std::string& whom = reading.range.applies.english;
       tree_.text(kProperty, dcm("121407", "Normal Range description"),

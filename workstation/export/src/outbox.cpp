@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "dicom_elements.h"
+#include "ew/core/foreign_json.h"
+#include "ew/io/private_file.h"
 #include "ew/io/safe_file.h"
 
 namespace ew {
@@ -18,6 +20,7 @@ using namespace exporting;
 namespace fs = std::filesystem;
 
 constexpr int kOutboxFormat = 1;
+constexpr long long kMostAttempts = 1'000'000'000;
 constexpr OutboxStatus kStatuses[] = {OutboxStatus::waiting, OutboxStatus::stored, OutboxStatus::accepted, OutboxStatus::verified,
                                       OutboxStatus::refused};
 
@@ -56,26 +59,29 @@ nlohmann::ordered_json jsonOf(const OutboxEntry& entry) {
           {"attempts", entry.attempts}, {"problem", entry.problem}};
 }
 
+/// What an archive said need not be UTF-8.
+std::string dumped(const nlohmann::ordered_json& note) {
+  return note.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
 Result<OutboxEntry> readNote(const fs::path& file) {
   const auto text = readTextFile(file, 1U << 20);
   if (!text) return passOn(text.error());
   const auto unusable = [&] {
     return failure(ErrorCode::badField, say<"%1 is no note of an outbox; move it away, and its object is sent again.">(quoted(file)));
   };
-  const auto json = nlohmann::json::parse(*text, nullptr, false);
-  if (!json.is_object()) return unusable();
-  if (json.value("format", 0) > kOutboxFormat)
+  const auto json = jsonOrNull(*text);
+  const auto format = wholeAt(json, "format");
+  if (!format || *format < 1) return unusable();
+  if (*format > kOutboxFormat)
     return failure(ErrorCode::newerFormat, say<"%1 was written by a newer version of EchoWeave; send with that one.">(quoted(file)));
-  const auto word = [&](const char* name) {
-    const auto at = json.find(name);
-    return at != json.end() && at->is_string() ? at->get<std::string>() : std::string();
-  };
+  const auto word = [&](const char* name) { return textAt(json, name); };
   OutboxEntry entry;
   entry.object = {word("class"), word("instance")};
   entry.studyUid = word("study");
   entry.seriesUid = word("series");
   entry.problem = word("problem");
-  if (const auto at = json.find("attempts"); at != json.end() && at->is_number_integer()) entry.attempts = at->get<int>();
+  entry.attempts = static_cast<int>(std::clamp(wholeAt(json, "attempts").value_or(0), 0LL, kMostAttempts));
   const auto* const status =
       std::find_if(std::begin(kStatuses), std::end(kStatuses), [&](OutboxStatus each) { return wordOf(each) == word("status"); });
   if (status == std::end(kStatuses) || !isDicomUid(entry.object.instanceUid) || file.stem() != entry.object.instanceUid) return unusable();
@@ -105,6 +111,7 @@ struct Outbox::Parts {
   fs::path folder;
   int lock = -1;
   std::vector<OutboxEntry> entries;
+  std::map<std::string, Error> unreadable;  ///< by the name of the file without its ending
 
   ~Parts() {
     if (lock >= 0) ::close(lock);  // gives the lock back
@@ -124,32 +131,40 @@ Outbox& Outbox::operator=(Outbox&&) noexcept = default;
 
 Result<Outbox> Outbox::open(const fs::path& folder) {
   std::error_code problem;
-  fs::create_directories(folder, problem);
+  if (!fs::exists(folder, problem))
+    if (auto made = makePrivateFolder(folder); !made) return passOn(made.error());
   auto parts = std::make_unique<Parts>();
   parts->folder = folder;
-  parts->lock = ::open((folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  parts->lock = ::open((folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   if (parts->lock < 0)
     return failure(ErrorCode::notWritable, say<"The outbox %1 cannot be written; check the folder and its permissions.">(quoted(folder)));
   if (::flock(parts->lock, LOCK_EX | LOCK_NB) != 0)
     return failure(ErrorCode::notWritable,
                    say<"Another program is sending from the outbox %1; wait until it has finished.">(quoted(folder)));
   std::map<std::string, OutboxEntry> entries;
-  std::vector<fs::path> copies;
+  std::vector<fs::path> copies, left;
   for (const auto& each : fs::directory_iterator(folder, problem)) {
+    if (each.path().filename().string().starts_with(kPrivateAside)) left.push_back(each.path());
     if (each.path().extension() == ".dcm") copies.push_back(each.path());
     if (each.path().extension() != ".json") continue;
     auto note = readNote(each.path());
-    if (!note) return passOn(note.error());
-    entries.emplace(note->object.instanceUid, std::move(*note));
+    if (note)
+      entries.emplace(note->object.instanceUid, std::move(*note));
+    else
+      parts->unreadable.emplace(each.path().stem().string(), note.error());
   }
+  for (const fs::path& aside : left) fs::remove(aside, problem);  // by whoever had the folder before and was ended
   for (const fs::path& copy : copies) {
+    if (parts->unreadable.contains(copy.stem().string())) continue;  // whether it was sent stands in a note that nobody can read
     if (const auto known = entries.find(copy.stem().string()); known != entries.end()) {
       if (isDone(known->second.status)) fs::remove(copy, problem);  // stopped between note and removal
       continue;
     }
     auto entry = entryOf(copy);  // stopped between copy and note
-    if (!entry) return passOn(entry.error());
-    entries.emplace(entry->object.instanceUid, std::move(*entry));
+    if (entry)
+      entries.emplace(entry->object.instanceUid, std::move(*entry));
+    else
+      parts->unreadable.emplace(copy.stem().string(), entry.error());
   }
   for (auto& [uid, entry] : entries) parts->entries.push_back(std::move(entry));
   return Outbox(std::move(parts));
@@ -159,7 +174,9 @@ Result<bool> Outbox::add(const fs::path& file) {
   auto entry = entryOf(file);
   if (!entry) return passOn(entry.error());
   if (parts_->find(entry->object.instanceUid) != nullptr) return false;
-  const auto copied = writeFileSafely(copyOf(*entry), [&](std::ostream& out) -> Result<void> {
+  if (const auto known = parts_->unreadable.find(entry->object.instanceUid); known != parts_->unreadable.end())
+    return passOn(known->second);
+  const auto copied = writePrivateFile(copyOf(*entry), [&](std::ostream& out) -> Result<void> {
     std::ifstream in(file, std::ios::binary);
     out << in.rdbuf();
     if (!in) return failure(ErrorCode::notReadable, say<"%1 cannot be read; check its permissions.">(quoted(file)));
@@ -175,6 +192,12 @@ Result<bool> Outbox::add(const fs::path& file) {
 
 const std::vector<OutboxEntry>& Outbox::entries() const { return parts_->entries; }
 
+std::vector<Error> Outbox::unreadable() const {
+  std::vector<Error> all;
+  for (const auto& [name, problem] : parts_->unreadable) all.push_back(problem);
+  return all;
+}
+
 std::size_t Outbox::count(OutboxStatus status) const {
   return static_cast<std::size_t>(
       std::count_if(parts_->entries.begin(), parts_->entries.end(), [&](const OutboxEntry& entry) { return entry.status == status; }));
@@ -183,7 +206,7 @@ std::size_t Outbox::count(OutboxStatus status) const {
 fs::path Outbox::copyOf(const OutboxEntry& entry) const { return parts_->folder / (entry.object.instanceUid + ".dcm"); }
 
 Result<void> Outbox::keep(const OutboxEntry& entry) {
-  if (auto written = writeFileSafely(parts_->noteOf(entry.object.instanceUid), jsonOf(entry).dump(2) + "\n"); !written) return written;
+  if (auto written = writePrivateFile(parts_->noteOf(entry.object.instanceUid), dumped(jsonOf(entry))); !written) return written;
   if (OutboxEntry* known = parts_->find(entry.object.instanceUid)) *known = entry;
   std::error_code ignored;
   if (isDone(entry.status)) fs::remove(copyOf(entry), ignored);

@@ -308,7 +308,10 @@ Result<SendResult> sendOutbox(Outbox& outbox, const DicomArchive& archive, const
     if (!(options.wait ? options.wait(wait_s) : sleepFor(wait_s, progress))) break;
     wait_s = std::min(2.0 * wait_s, options.longestWait_s);
   }
-  result.left = left();
+  const auto unreadable = outbox.unreadable();
+  result.left = left() + unreadable.size();
+  for (const Error& each : unreadable)
+    result.problem = result.problem.empty() ? each.message : joined({std::move(result.problem), each.message});
   return result;
 }
 

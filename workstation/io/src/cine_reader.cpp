@@ -423,8 +423,21 @@ Result<void> prepare(CineReader::Source& source, const Orientation& asked, const
 }  // namespace
 
 const char* nameOf(CineKind kind) {
-  constexpr std::array names{"film", "film in DICOM", "DICOM pictures", "TIFF", "sequence", "pictures"};
-  return names[static_cast<std::size_t>(kind)];
+  switch (kind) {
+    case CineKind::film:
+      return "film";
+    case CineKind::dicomFilm:
+      return "film in DICOM";
+    case CineKind::dicom:
+      return "DICOM pictures";
+    case CineKind::pages:
+      return "TIFF";
+    case CineKind::sequence:
+      return "sequence";
+    case CineKind::pictures:
+      return "pictures";
+  }
+  return "";
 }
 
 bool isFilm(const fs::path& file) { return checkIsFile(file) && beginsAsFilm(beginningOf(file)); }

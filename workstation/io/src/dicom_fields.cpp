@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "ew/core/figures.h"
 #include "ew/core/numbers.h"
 #include "header_fields.h"
 #include "image_header.h"
@@ -38,7 +39,7 @@ Message UltrasoundRegion::describe(std::size_t number) const {
   const Message kind = kindOf(*this);
   const Message told = unitsX == 3 && unitsY == 3
                            ? say<"%1: %2, %3 x %4 pixels at (%5, %6), %7 x %8 mm a pixel">(
-                                 number, kind, rect.width, rect.height, rect.x, rect.y, textOf(pixel_mm().x), textOf(pixel_mm().y))
+                                 number, kind, rect.width, rect.height, rect.x, rect.y, figureText(pixel_mm().x), figureText(pixel_mm().y))
                            : say<"%1: %2, %3 x %4 pixels at (%5, %6)">(number, kind, rect.width, rect.height, rect.x, rect.y);
   return problem.empty() ? told : say<"%1 (%2)">(told, problem);
 }

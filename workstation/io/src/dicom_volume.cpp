@@ -4,6 +4,7 @@
 #include <new>
 
 #include "dicom_fields.h"
+#include "ew/core/figures.h"
 #include "ew/core/numbers.h"
 #include "ew/io/dicom.h"
 #include "grey_samples.h"
@@ -133,7 +134,7 @@ Result<Opened> openPlanes(const fs::path& file, const DicomVolumeOptions& option
   const double chosen_s = times_s[static_cast<std::size_t>(step) - 1];
   std::erase_if(opened.planes, [&](const VolumePlane& plane) { return plane.time_s != chosen_s; });
   if (times_s.size() > 1)
-    opened.notes.push_back(say<"Volume %1 of %2 was read, %3 s after the first.">(step, times_s.size(), textOf(chosen_s)));
+    opened.notes.push_back(say<"Volume %1 of %2 was read, %3 s after the first.">(step, times_s.size(), figureText(chosen_s)));
   opened.notes.push_back(
       say<"Coordinates are those of the file's own volume frame of reference, in mm; where it lies in the patient is not in the file.">());
   return opened;

@@ -9,6 +9,7 @@
 #include <new>
 
 #include "byte_source.h"
+#include "ew/core/figures.h"
 #include "ew/core/large_pages.h"
 #include "ew/core/numbers.h"
 
@@ -182,10 +183,10 @@ Result<void> toGrey(const ImageHeader& header, const std::vector<std::uint8_t>& 
     notes.push_back(told.warnings.back());
   }
   if (rescale && width > 0.0)
-    notes.push_back(
-        say<"The samples are %1: values from %2 to %3 were mapped to 0 to 255.">(nameOf(header.type), textOf(lowest), textOf(highest)));
+    notes.push_back(say<"The samples are %1: values from %2 to %3 were mapped to 0 to 255.">(nameOf(header.type), figureText(lowest, 6),
+                                                                                             figureText(highest, 6)));
   else if (rescale && lowest <= highest)
-    notes.push_back(say<"The samples are %1 and all have the value %2; they became 0.">(nameOf(header.type), textOf(lowest)));
+    notes.push_back(say<"The samples are %1 and all have the value %2; they became 0.">(nameOf(header.type), figureText(lowest, 6)));
   return {};
 }
 

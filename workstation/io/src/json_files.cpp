@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "ew/core/ending.h"
 #include "ew/core/json_fields.h"
 #include "ew/io/safe_file.h"
 
@@ -24,7 +25,7 @@ Result<std::vector<fs::path>> jsonFilesIn(const fs::path& folder, const Message&
                    {{"folder", folder.string()}});
   std::vector<fs::path> files;
   while (entries != fs::directory_iterator()) {
-    if (entries->path().extension() == ".json") files.push_back(entries->path());
+    if (hasEnding(entries->path(), ".json")) files.push_back(entries->path());
     entries.increment(problem);
     if (problem)
       return failure(ErrorCode::notReadable, say<"The folder %1 with the %2 cannot be read: %3.">(folder.string(), what, problem.message()),

@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "dicom_fields.h"
+#include "ew/core/figures.h"
 #include "ew/core/numbers.h"
 #include "ew/core/parallel.h"
 #include "grey_samples.h"
@@ -196,7 +197,7 @@ Result<Grid> gridOf(const Torus& torus, double spacing_mm, double hand, const fs
   if (!(2.0 * voxels <= static_cast<double>(limits.maxBytes)) || *std::max_element(sizes.begin(), sizes.end()) > 1e9)
     return failure(ErrorCode::tooLarge,
                    say<"At %1 mm the volume of %2 would need %3 bytes of memory, but the limit is %4; choose a coarser spacing.">(
-                       textOf(spacing_mm), quoted(file), textOf(std::round(2.0 * voxels)), limits.maxBytes),
+                       figureText(spacing_mm), quoted(file), figureText(std::round(2.0 * voxels)), limits.maxBytes),
                    {{"file", file.string()}, {"ask", "spacing"}});
   for (int axis = 0; axis < 3; ++axis) grid.dims[axis] = static_cast<int>(sizes[static_cast<std::size_t>(axis)]);
   grid.origin_mm = lowest;
@@ -365,7 +366,7 @@ Result<KretzVolume> readBytes(Bytes bytes, const fs::path& file, const KretzOpti
   auto volume = converted(torus, *grid, hand, options.threads, file, progress);
   if (!volume) return passOn(volume.error());
   made.volume = *std::move(volume);
-  made.notes.push_back(conversionNote(options.mirrored, textOf(spacing_mm)));
+  made.notes.push_back(conversionNote(options.mirrored, figureText(spacing_mm)));
   made.notes.push_back(say<"The layout of Kretz files is not published by its maker; distances are as good as what is known of it.">());
   return made;
 }

@@ -50,14 +50,25 @@ std::uint64_t residentFileBytes(int statm) {
   return std::strtoull(at, nullptr, 10) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
+/// Why the samples do not lie in the file as they would lie in memory; nothing when they do.
+Message whyNotMappable(const ImageHeader& header) {
+  switch (header.packing) {
+    case Packing::raw:
+      break;
+    case Packing::deflated:
+      return say<"compressed">();
+    case Packing::text:
+      return say<"written as text">();
+  }
+  if (header.type != SampleType::u8) return say<"%1 samples">(nameOf(header.type));
+  if (header.channels != 1) return say<"%1 values a voxel">(header.channels);
+  if (!(header.slope > 0.0)) return say<"rescaled with a slope that is not positive">();
+  return {};
+}
+
 /// Success when the samples lie in the file as they would lie in memory.
 Result<void> checkMappable(const ImageHeader& header) {
-  const Message found = header.packing == Packing::deflated ? say<"compressed">()
-                        : header.packing == Packing::text   ? say<"written as text">()
-                        : header.type != SampleType::u8     ? say<"%1 samples">(nameOf(header.type))
-                        : header.channels != 1              ? say<"%1 values a voxel">(header.channels)
-                        : !(header.slope > 0.0)             ? say<"rescaled with a slope that is not positive">()
-                                                            : Message();
+  const Message found = whyNotMappable(header);
   if (found.empty()) return {};
   return failure(
       ErrorCode::unsupported,

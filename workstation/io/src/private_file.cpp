@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdlib>
+#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -80,18 +81,43 @@ Result<void> makePrivateFolder(const fs::path& folder) {
   return {};
 }
 
-Result<void> writePrivateFile(const fs::path& file, std::string_view text) {
-  std::string aside = (file.parent_path() / ".ew-private-XXXXXX").string();
+namespace {
+
+/// @param write through the descriptor; an error that says nothing is errno's
+Result<void> writeAside(const fs::path& file, const std::function<Result<void>(int descriptor, const std::string& aside)>& write) {
+  std::string aside = (file.parent_path() / (std::string(kPrivateAside) + "XXXXXX")).string();
   const OpenFile out(::mkostemp(aside.data(), O_CLOEXEC));
   if (!out.isOpen()) return notPrivate(file, reasonNow());
-  const bool written = ::fchmod(out.get(), 0600) == 0 && writeAll(out.get(), text) && ::fsync(out.get()) == 0;
-  if (!written || ::rename(aside.c_str(), file.c_str()) != 0) {
-    const Message reason = reasonNow();
+  Result<void> written = ::fchmod(out.get(), 0600) == 0 ? write(out.get(), aside) : notPrivate(file, reasonNow());
+  if (written && (::fsync(out.get()) != 0 || ::rename(aside.c_str(), file.c_str()) != 0)) written = notPrivate(file, reasonNow());
+  if (!written)
     ::unlink(aside.c_str());
-    return notPrivate(file, reason);
-  }
-  syncFolder(file.parent_path());
-  return {};
+  else
+    syncFolder(file.parent_path());
+  return written;
+}
+
+}  // namespace
+
+Result<void> writePrivateFile(const fs::path& file, std::string_view text) {
+  return writeAside(file, [&](int descriptor, const std::string&) -> Result<void> {
+    if (!writeAll(descriptor, text)) return notPrivate(file, reasonNow());
+    return {};
+  });
+}
+
+Result<void> writePrivateFile(const fs::path& file, const std::function<Result<void>(std::ostream&)>& write) {
+  return writeAside(file, [&](int, const std::string& aside) -> Result<void> {
+    std::ofstream out(aside, std::ios::binary);  // its mode is set already
+    if (out)
+      if (auto written = write(out); !written) return written;
+    errno = 0;
+    out.flush();
+    const bool isGood = out.good();
+    const Message reason = errno != 0 ? reasonNow() : say<"the medium is full or gone">();
+    if (!isGood) return notPrivate(file, reason);
+    return {};
+  });
 }
 
 Result<std::string> readPrivateFile(const fs::path& file, std::size_t maxBytes) {

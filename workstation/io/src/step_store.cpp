@@ -13,7 +13,7 @@
 #include <thread>
 #include <tuple>
 
-#include "ew/core/nesting.h"
+#include "ew/core/foreign_json.h"
 #include "ew/core/output_set.h"
 #include "ew/core/version.h"
 #include "ew/io/content_key.h"
@@ -29,11 +29,6 @@ tl::unexpected<Error> storeNotWritable(const fs::path& folder, const Message& re
   return failure(ErrorCode::notWritable,
                  say<"The folder '%1' cannot be written (%2); choose one you may write to.">(folder.string(), reason),
                  {{"file", folder.string()}});
-}
-
-/// Discarded when it is none, or nests deeper than any file of this program.
-json jsonOfEntry(std::string_view text) {
-  return nestsDeeperThan(text) ? json(json::value_t::discarded) : json::parse(text, nullptr, false);
 }
 
 constexpr std::size_t kKeyLength = 32;
@@ -175,8 +170,8 @@ std::optional<json> StepStore::entryOf(const std::string& step, const std::strin
   if (!fs::is_regular_file(entry, ignored)) return std::nullopt;
   const auto text = readTextFile(entry);
   if (!text) return std::nullopt;
-  json read = jsonOfEntry(*text);
-  if (!read.is_object() || read.value("key", json()) != key || read.value("content", json()) != contentOfEntry(read)) return std::nullopt;
+  json read = jsonOrNull(*text);
+  if (!read.is_object() || memberOf(read, "key") != key || memberOf(read, "content") != contentOfEntry(read)) return std::nullopt;
   return read;
 }
 
@@ -279,7 +274,7 @@ Result<void> StepStore::keep(const std::string& step, const std::string& key, nl
   const auto textOf = [](const nlohmann::ordered_json& document) {
     return document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
   };
-  entry["content"] = contentOfEntry(jsonOfEntry(textOf(entry)));  // as it will be read
+  entry["content"] = contentOfEntry(jsonOrNull(textOf(entry)));  // as it will be read
   use(step, key);
   return writeFileSafely(folder_ / "steps" / step / (key + ".json"), textOf(entry));
 }

@@ -34,24 +34,26 @@ struct OutboxEntry {
   bool operator==(const OutboxEntry&) const = default;
 };
 
-/// Objects on their way to one archive, in a folder of their own: UID.dcm is a copy of the object, UID.json where it stands. Each file is
-/// written complete or not at all, the copy before the note, so that after a crash or without a network nothing is lost; an object keeps
-/// its identifier, and one that is here already, or was sent from here, is not taken again, so that nothing gets there twice. One program
-/// at a time has the folder.
+/// Objects on their way to one archive, in a folder of their own: UID.dcm is a copy of the object, UID.json where it stands. Only the owner
+/// can read them. Each file is written complete or not at all, the copy before the note, so that after a crash or without a network nothing
+/// is lost; an object keeps its identifier, and one that is here already, or was sent from here, is not taken again, so that nothing gets
+/// there twice. One program at a time has the folder.
 class Outbox {
  public:
-  /// Makes the folder when it is not there. A copy without a note counts as waiting.
-  /// @error notWritable (also when another program has it), badField (a note that cannot be read, with its name)
+  /// Makes the folder when it is not there, for its owner alone. A copy without a note counts as waiting; what cannot be read is left out
+  /// and left where it is (unreadable()). @error notWritable (also when another program has it)
   [[nodiscard]] static Result<Outbox> open(const std::filesystem::path& folder);
   ~Outbox();
   Outbox(Outbox&&) noexcept;
   Outbox& operator=(Outbox&&) noexcept;
 
   /// Takes a copy of a DICOM file. @return false when the object is here already or was sent before
-  /// @error notFound, notReadable, badHeader (no DICOM object with its identifiers), notWritable
+  /// @error notFound, notReadable, badHeader (no DICOM object with its identifiers), notWritable, what unreadable() says of its note
   [[nodiscard]] Result<bool> add(const std::filesystem::path& file);
   /// By identifier.
   [[nodiscard]] const std::vector<OutboxEntry>& entries() const;
+  /// Notes and copies that lie here and cannot be read, each with its name and what to do.
+  [[nodiscard]] std::vector<Error> unreadable() const;
   [[nodiscard]] std::size_t count(OutboxStatus status) const;
   [[nodiscard]] std::filesystem::path copyOf(const OutboxEntry& entry) const;
   /// Keeps where an object stands now; the copy of a verified or accepted one is removed. @error notWritable
@@ -86,9 +88,9 @@ struct SendResult {
   std::size_t verified = 0;  ///< in this call
   std::size_t accepted = 0;  ///< in this call
   std::size_t refused = 0;   ///< in this call
-  std::size_t left = 0;      ///< waiting, or stored and not yet verified
+  std::size_t left = 0;      ///< waiting, stored and not yet verified, or not readable
   int rounds = 0;
-  Message problem;  ///< of the last round; empty: it had none
+  Message problem;  ///< of the last round, then what cannot be read; empty: there was none
 };
 
 /// Sends what waits (C-STORE), and asks the archive afterwards for every object (C-FIND at IMAGE level); only what it finds counts as done.

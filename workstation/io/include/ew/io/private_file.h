@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <iosfwd>
 #include <string>
 #include <string_view>
 
@@ -18,6 +20,10 @@ namespace ew {
 /// Writes a file of mode 0600, whole or not at all: aside, synced, renamed. A link of that name is replaced, not followed.
 /// @error notWritable
 [[nodiscard]] Result<void> writePrivateFile(const std::filesystem::path& file, std::string_view text);
+/// The same of what `write` puts into the stream; an error of it leaves everything as it was.
+[[nodiscard]] Result<void> writePrivateFile(const std::filesystem::path& file, const std::function<Result<void>(std::ostream&)>& write);
+/// How a file of writePrivateFile begins until it has its name: one that is found was left by a program that was ended meanwhile.
+inline constexpr std::string_view kPrivateAside = ".ew-private-";
 
 /// Reads a file that only its owner, who is the account the program runs as, can read or write.
 /// @error notFound, notReadable (a link, no regular file, another account's, a mode wider than 0600: with what to do), tooLarge
