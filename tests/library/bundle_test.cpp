@@ -1,10 +1,14 @@
 #include "ew/library/bundle.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <clocale>
+#include <vector>
 
 #include "ew/library/case.h"
+#include "ew/library/published.h"
 #include "library/bundle_world.h"
 #include "library/small_case.h"
 
@@ -106,6 +110,42 @@ TEST(Bundle, OfTheSameContentIsTakenInOnceAndOfAnotherAsTheNextRevision) {
   ASSERT_TRUE(next) << next.error();
   EXPECT_EQ(next->revision, 2) << "1 is another content here";
   EXPECT_EQ(latestPublished(folder / "library", "knee")->revision, 2);
+}
+
+TEST(Bundle, ThatManyTakeInAtOnceIsOneRevision) {
+  const TemporaryFolder folder;
+  makeVolumeCase(folder / "mine", "knee");
+  ASSERT_TRUE(exportBundle(folder / "mine", folder / "knee.ewcase"));
+  constexpr int kTakers = 6;
+  // Programs of their own, which begin together: whoever reads the pipe goes on when it is closed.
+  int gate[2];
+  ASSERT_EQ(::pipe(gate), 0);
+  std::vector<pid_t> takers;
+  for (int n = 0; n < kTakers; ++n) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::close(gate[1]);
+      char nothing = 0;
+      static_cast<void>(::read(gate[0], &nothing, 1));
+      const auto imported = importBundle(folder / "knee.ewcase", folder / "library");
+      ::_exit(!imported ? 2 : imported->wasThere ? 1 : 0);
+    }
+    takers.push_back(child);
+  }
+  ::close(gate[0]);
+  ::close(gate[1]);
+  int made = 0, found = 0;
+  for (const pid_t taker : takers) {
+    int status = 0;
+    ASSERT_EQ(::waitpid(taker, &status, 0), taker);
+    ASSERT_TRUE(WIFEXITED(status));
+    made += WEXITSTATUS(status) == 0 ? 1 : 0;
+    found += WEXITSTATUS(status) == 1 ? 1 : 0;
+  }
+  EXPECT_EQ(made, 1);
+  EXPECT_EQ(found, kTakers - 1);
+  EXPECT_EQ(publishedRevisions(folder / "library", "knee").size(), 1u);
+  EXPECT_EQ(takenPublished(folder / "library", "knee").size(), 1u);
 }
 
 TEST(Bundle, KeepsTheRevisionThatItWasPublishedAsWhereThatIsFree) {

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "ew/core/machine_mark.h"
 #include "ew/library/bundle.h"
 #include "library/bundle_world.h"
 
@@ -27,9 +28,13 @@ std::string hostName() {
 }
 
 /// A lease as another computer would have left it, so many seconds ago.
-void leaveLease(const fs::path& folder, int number, int age_s, const std::string& host = "elsewhere", long long process = 1) {
+void leaveLease(const fs::path& folder, int number, int age_s, const std::string& host = "elsewhere", long long process = 1,
+                const std::string& machine = {}) {
   const fs::path file = folder / (".ew-lease-" + std::to_string(number));
-  writeText(file, nlohmann::json{{"user", "anna"}, {"host", host}, {"process", process}, {"since", 1'760'000'000}, {"free", false}}.dump());
+  writeText(file,
+            nlohmann::json{
+                {"user", "anna"}, {"host", host}, {"process", process}, {"since", 1'760'000'000}, {"free", false}, {"machine", machine}}
+                .dump());
   timespec now{};
   ::clock_gettime(CLOCK_REALTIME, &now);
   const timespec times[2] = {{now.tv_sec - age_s, 0}, {now.tv_sec - age_s, 0}};
@@ -86,6 +91,16 @@ TEST(FolderLease, OfAProcessOfThisComputerThatIsGoneIsTakenOverAtOnce) {
   // A process of the same number that is another one: 1 is there on every computer.
   leaveLease(folder.path(), 90, 0, hostName(), 1);
   EXPECT_FALSE(FolderLease::take(folder.path())) << "it does not say when it began, and may be the holder";
+}
+
+TEST(FolderLease, OfAnotherMachineOfThisNameIsNotJudgedByTheProcessesHere) {
+  const TemporaryFolder folder;
+  constexpr long long kNobody = 99'999'999;  // no process here has this number
+  leaveLease(folder.path(), 1, 0, hostName(), kNobody, "0badcafe");
+  EXPECT_TRUE(FolderLease::holderOf(folder.path())) << "another machine, or a container, of the same name";
+  EXPECT_FALSE(FolderLease::take(folder.path()));
+  leaveLease(folder.path(), 2, 0, hostName(), kNobody, machineMark());
+  EXPECT_TRUE(FolderLease::take(folder.path())) << "of this one, and gone";
 }
 
 TEST(FolderLease, OfSomebodyWhoWokeUpLateIsLostAndSaidToBe) {

@@ -1,15 +1,15 @@
 #include "logic/expert_recorder.h"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
-#include <cstdlib>
+#include <charconv>
+#include <chrono>
 #include <functional>
 
+#include "ew/core/machine_mark.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/checksums.h"
 
@@ -25,17 +25,25 @@ constexpr std::string_view kAside = ".ew-new-";
 /// A name that nobody else uses and that no list of a case's files has.
 fs::path nameAside(const fs::path& folder, std::string_view ending) {
   static std::atomic<int> count = 0;
-  return folder / (std::string(kAside) + std::to_string(::getpid()) + "-" + std::to_string(++count) + std::string(ending));
+  return folder /
+         (std::string(kAside) + std::to_string(::getpid()) + "-" + machineMark() + "-" + std::to_string(++count) + std::string(ending));
 }
 
-/// What programs that were killed have left aside goes.
+/// What programs that were killed have left aside goes; what another machine has aside in a folder that both share stays for two days.
 void sweepOut(const fs::path& folder) {
+  constexpr std::chrono::hours kLongestWork(48);
   std::error_code ignored;
   for (const auto& each : fs::directory_iterator(folder, ignored)) {
     const std::string name = each.path().filename().string();
     if (!name.starts_with(kAside)) continue;
-    const pid_t maker = static_cast<pid_t>(std::atoi(name.c_str() + kAside.size()));
-    if (maker > 0 && maker != ::getpid() && ::kill(maker, 0) != 0 && errno == ESRCH) fs::remove(each.path(), ignored);
+    pid_t maker = 0;
+    const auto read = std::from_chars(name.data() + kAside.size(), name.data() + name.size(), maker);
+    if (read.ec != std::errc{} || maker <= 0 || maker == ::getpid()) continue;
+    const bool isFromHere =
+        std::string_view(read.ptr, static_cast<std::size_t>(name.data() + name.size() - read.ptr)).starts_with("-" + machineMark() + "-");
+    const auto changed = fs::last_write_time(each.path(), ignored);
+    const bool isOld = !ignored && fs::file_time_type::clock::now() - changed > kLongestWork;
+    if (isFromHere ? !isProcessThere(maker) : isOld) fs::remove(each.path(), ignored);
   }
 }
 

@@ -1,6 +1,5 @@
 #include "logic/outline.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -41,27 +40,6 @@ class LabelShare {
   Transform<frame::Voxel, frame::World> worldToVoxel_;
   int label_;
 };
-
-/// Binomial weights over each place and its eight neighbours, of those that lie in the fan: labels end at voxels, and a grid that is
-/// coarser than these would show it.
-std::vector<float> smoothed(const std::vector<float>& shares, int columns, int rows) {
-  std::vector<float> made = shares;
-  const auto place = [&](int column, int row) { return static_cast<std::size_t>(row * columns + column); };
-  for (int row = 0; row < rows; ++row)
-    for (int column = 0; column < columns; ++column) {
-      if (shares[place(column, row)] < 0.0F) continue;
-      float sum = 0.0F, weights = 0.0F;
-      for (int y = std::max(0, row - 1); y <= std::min(rows - 1, row + 1); ++y)
-        for (int x = std::max(0, column - 1); x <= std::min(columns - 1, column + 1); ++x) {
-          const float weight = static_cast<float>((2 - std::abs(x - column)) * (2 - std::abs(y - row)));
-          if (shares[place(x, y)] < 0.0F) continue;
-          sum += weight * shares[place(x, y)];
-          weights += weight;
-        }
-      made[place(column, row)] = sum / weights;
-    }
-  return made;
-}
 
 /// The lines in which a cell's four corners, in order around it, are passed through by the border at a half.
 void addCell(const std::array<glm::dvec2, 4>& corners, const std::array<float, 4>& shares,
@@ -111,7 +89,6 @@ std::vector<sdk::OverlayLine<frame::Probe>> outlineOf(const sdk::Scanned& scanne
       const glm::dvec2 p = at(column, row);
       if (isInFan(image.probe, depth_mm, p)) of(column, row) = share.at((image.pose.probeToWorld * Point<frame::Probe>{{p, 0.0}}).at);
     }
-  shares = smoothed(shares, columns, rows);
   for (int row = 0; row + 1 < rows; ++row)
     for (int column = 0; column + 1 < columns; ++column)
       addCell({at(column, row), at(column + 1, row), at(column + 1, row + 1), at(column, row + 1)},

@@ -91,7 +91,8 @@ Result<PublishedCase> importBundle(const fs::path& file, const fs::path& library
     if (!header) return passOn(header.error());
     if (auto same = revisionWith(library, header->id, header->files)) return *same;
     if (auto room = checkRoom(library, bytesOf(header->files)); !room) return passOn(room.error());
-    return makeRevision(library, header->id, header->revision, header->files, [&](const fs::path& aside) -> Result<void> {
+    const auto there = [&] { return revisionWith(library, header->id, header->files); };
+    return makeRevision(library, header->id, header->revision, header->files, there, [&](const fs::path& aside) -> Result<void> {
       auto bundle = BundleReader::open(file, limits, progress);
       if (!bundle) return passOn(bundle.error());
       if (bundle->header() != *header)

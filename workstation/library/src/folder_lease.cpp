@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "ew/core/json_fields.h"
+#include "ew/core/machine_mark.h"
 #include "ew/io/safe_file.h"
 
 namespace ew {
@@ -63,7 +64,8 @@ std::string userNow() {
   return std::to_string(::geteuid());
 }
 
-/// When a process began, in the system's own count: its number may be another process's by now. 0: there is none.
+/// When a process began, in the system's own count: its number may be another process's by now. 0: there is none, or the system does not
+/// tell.
 unsigned long long startOf(long long process) {
   std::ifstream in("/proc/" + std::to_string(process) + "/stat");
   std::string text((std::istreambuf_iterator<char>(in)), {});
@@ -82,6 +84,7 @@ unsigned long long startOf(long long process) {
 struct Lease {
   LeaseHolder holder;
   unsigned long long processStart = 0;
+  std::string machine;  ///< whose processes the number is one of; empty: of a program that did not say
   bool isFree = false;
   timespec touched{};
 };
@@ -91,6 +94,7 @@ std::string textOf(const LeaseHolder& holder, bool isFree) {
                                            {"host", holder.host},
                                            {"process", holder.process},
                                            {"process_start", startOf(holder.process)},
+                                           {"machine", machineMark()},
                                            {"since", holder.since.time_since_epoch().count()},
                                            {"free", isFree}};
   return document.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) + "\n";
@@ -121,6 +125,7 @@ std::optional<Lease> readLease(const fs::path& file) {
                   .process = fields.whole("process", 0, kMost, 0),
                   .since = std::chrono::sys_seconds(std::chrono::seconds(fields.whole("since", 0, 1ll << 40, 0)))};
   lease.processStart = static_cast<unsigned long long>(fields.whole("process_start", 0, kMost, 0));
+  lease.machine = fields.text("machine", std::string(), 0);
   lease.isFree = fields.flag("free", false);
   return lease;
 }
@@ -129,13 +134,19 @@ double secondsFromTo(const timespec& from, const timespec& to) {
   return static_cast<double>(to.tv_sec - from.tv_sec) + 1e-9 * static_cast<double>(to.tv_nsec - from.tv_nsec);
 }
 
+/// Whether the process that made a lease has ended, as far as this machine can tell: a process of another machine or container it does not
+/// know, and of another account's it may see the number alone.
+bool hasEnded(const Lease& lease) {
+  if (lease.machine != machineMark()) return false;
+  const auto process = static_cast<pid_t>(lease.holder.process);
+  if (!isProcessThere(process)) return true;
+  const auto start = startOf(process);
+  return start != 0 && lease.processStart != 0 && start != lease.processStart;
+}
+
 /// Nobody holds it any more. @param now by the clock of whoever keeps the files
 bool isOver(const Lease& lease, const std::optional<timespec>& now, const LeaseOptions& options) {
-  if (lease.isFree) return true;
-  if (!lease.holder.host.empty() && lease.holder.host == hostNow()) {
-    const auto start = startOf(lease.holder.process);
-    if (start == 0 || (lease.processStart != 0 && start != lease.processStart)) return true;
-  }
+  if (lease.isFree || hasEnded(lease)) return true;
   return now && secondsFromTo(lease.touched, *now) > static_cast<double>(options.staleAfter.count());
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "ew/core/foreign_json.h"
 #include "ew/core/message_json.h"
 
 namespace ew {
@@ -314,8 +315,7 @@ std::vector<CaseProblem> IndexStore::problems() {
   std::vector<CaseProblem> all;
   sqlite::Statement read(database_, "SELECT folder, problem FROM case_entry WHERE problem IS NOT NULL ORDER BY folder");
   while (read.step()) {
-    const auto stored = nlohmann::json::parse(read.text(1), nullptr, false);
-    all.push_back({read.text(0), stored.is_discarded() ? Message() : stored.get<Message>()});
+    all.push_back({read.text(0), jsonOrNull(read.text(1)).get<Message>()});
   }
   return all;
 }

@@ -14,6 +14,23 @@ constexpr double kNewShare = 0.5;  // of what was just measured: a machine's loa
 // Two cores of 2.5 GHz: s a patient, s for a million voxels, s for a million resolution cells, the same, s for a million voxels swept.
 constexpr std::array<double, kPreparationSteps.size()> kNominal = {0.5, 1.2, 1.6, 0.15, 0.3};
 
+/// In the file.
+const char* wordOf(PreparationStep step) {
+  switch (step) {
+    case PreparationStep::patient:
+      return "patient";
+    case PreparationStep::voxelise:
+      return "voxelise";
+    case PreparationStep::record:
+      return "recording";
+    case PreparationStep::reconstruct:
+      return "reconstructing";
+    case PreparationStep::stitch:
+      return "stitch";
+  }
+  return "";
+}
+
 nlohmann::json readKept(const std::filesystem::path& folder) {
   const auto text = readTextFile(folder / kSpeedFile, 1u << 16);
   if (!text) return nlohmann::json::object();
@@ -37,7 +54,7 @@ MachineSpeed readMachineSpeed(const std::filesystem::path& folder) {
   double slower = 0.0;
   int known = 0;
   for (std::size_t n = 0; n < kPreparationSteps.size(); ++n) {
-    const auto rate = keptRate(kept, kPreparationSteps[n]);
+    const auto rate = keptRate(kept, wordOf(kPreparationSteps[n]));
     if (!rate) continue;
     speed.secondsPerWork[n] = *rate;
     speed.isMeasured[n] = true;
@@ -54,7 +71,7 @@ MachineSpeed readMachineSpeed(const std::filesystem::path& folder) {
 void keepMachineSpeed(const std::filesystem::path& folder, PreparationStep kind, double work, double seconds) {
   if (!(work > 0.0) || !(seconds > 0.0)) return;
   nlohmann::json kept = readKept(folder);
-  const char* name = kPreparationSteps[static_cast<std::size_t>(kind)];
+  const char* name = wordOf(kind);
   const double rate = seconds / work;
   const auto before = keptRate(kept, name);
   kept[name] = before ? (1.0 - kNewShare) * *before + kNewShare * rate : rate;

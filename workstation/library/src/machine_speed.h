@@ -8,7 +8,9 @@ namespace ew {
 
 /// The kinds of steps of a preparation, each with a unit of work of its own.
 enum class PreparationStep { patient, voxelise, record, reconstruct, stitch };
-inline constexpr std::array<const char*, 5> kPreparationSteps = {"patient", "voxelise", "recording", "reconstructing", "stitch"};
+inline constexpr std::array kPreparationSteps = {PreparationStep::patient, PreparationStep::voxelise, PreparationStep::record,
+                                                 PreparationStep::reconstruct, PreparationStep::stitch};
+static_assert(kPreparationSteps.size() == 1 + static_cast<std::size_t>(PreparationStep::stitch));
 
 /// Seconds per unit of work of each kind of step, as earlier preparations took them.
 struct MachineSpeed {

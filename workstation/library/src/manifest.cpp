@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "ew/acquisition/reconstruct_words.h"
+#include "ew/core/foreign_json.h"
 #include "ew/core/json_fields.h"
 #include "ew/imaging/settings_json.h"
 #include "ew/library/schema.h"
@@ -137,7 +138,7 @@ void checkVolumeFile(const std::filesystem::path& folder, const json& owner, con
 
 /// The default mannequin and those of the program need no file in the case folder.
 void checkMannequin(const std::filesystem::path& folder, const json& manifest, std::vector<Error>& problems) {
-  const std::string name = manifest.value("mannequin", std::string());
+  const std::string name = textAt(manifest, "mannequin");
   if (name.empty()) return;
   auto own = fileOfCase(folder, name, "mannequin");
   if (own || own.error().code != ErrorCode::notFound) {
@@ -240,14 +241,14 @@ namespace {
 CaseReconstruction reconstructionOf(const json& object) {
   CaseReconstruction made;
   if (object.contains("spacing_mm")) made.spacing_mm = object["spacing_mm"].get<double>();
-  made.interpolation = meaningOf(kInterpolationWords, object.value("interpolation", ""));
-  made.compounding = meaningOf(kCompoundingWords, object.value("compounding", ""));
+  made.interpolation = meaningOf(kInterpolationWords, textAt(object, "interpolation"));
+  made.compounding = meaningOf(kCompoundingWords, textAt(object, "compounding"));
   if (object.contains("fill_reach_mm")) made.fillReach_mm = object["fill_reach_mm"].get<double>();
-  const std::string seam = object.value("seam", stitching::nameOf(made.seam));
+  const std::string seam = textAt(object, "seam", stitching::nameOf(made.seam));
   for (const auto method : {stitching::SeamMethod::feather, stitching::SeamMethod::nearest, stitching::SeamMethod::graphCut})
     if (seam == stitching::nameOf(method)) made.seam = method;
-  made.feather_mm = object.value("feather_mm", made.feather_mm);
-  made.labelsSpacing_mm = object.value("labels_spacing_mm", made.labelsSpacing_mm);
+  made.feather_mm = numberAt(object, "feather_mm").value_or(made.feather_mm);
+  made.labelsSpacing_mm = numberAt(object, "labels_spacing_mm").value_or(made.labelsSpacing_mm);
   return made;
 }
 
@@ -275,6 +276,18 @@ std::optional<Pose> poseIn(const json& object, const char* field) {
   return pose;
 }
 
+const char* wordOf(CaseTarget::Kind kind) {
+  switch (kind) {
+    case CaseTarget::Kind::point:
+      return "point";
+    case CaseTarget::Kind::plane:
+      return "plane";
+    case CaseTarget::Kind::structure:
+      return "structure";
+  }
+  return "";
+}
+
 CaseTarget targetOf(const json& object) {
   CaseTarget target;
   const std::string kind = object["kind"];
@@ -285,9 +298,9 @@ CaseTarget targetOf(const json& object) {
   if (object.contains("probe_to_world")) target.probeToFile = transformOf<frame::File, frame::Probe>(object["probe_to_world"]);
   target.positionTolerance_mm = numberIn(object, "position_tolerance_mm");
   target.angleTolerance_deg = numberIn(object, "angle_tolerance_deg");
-  target.organ = object.value("organ", "");
+  target.organ = textAt(object, "organ");
   if (object.contains("label")) target.label = object["label"].get<int>();
-  target.revealsFinding = object.value("reveals_finding", false);
+  target.revealsFinding = flagAt(object, "reveals_finding");
   target.otherFields = without(object, kTargetFields);
   return target;
 }
@@ -298,8 +311,7 @@ void add(ordered_json& into, const json& others) {
 }
 
 ordered_json toJson(const CaseTarget& target) {
-  const char* kind = target.kind == CaseTarget::Kind::point ? "point" : target.kind == CaseTarget::Kind::plane ? "plane" : "structure";
-  ordered_json object = {{"kind", kind}, {"name", target.name}};
+  ordered_json object = {{"kind", wordOf(target.kind)}, {"name", target.name}};
   if (target.at_mm) object["at_mm"] = {target.at_mm->x, target.at_mm->y, target.at_mm->z};
   if (target.tolerance_mm) object["tolerance_mm"] = *target.tolerance_mm;
   if (target.probeToFile) object["probe_to_world"] = rowsOf(*target.probeToFile);
@@ -317,24 +329,24 @@ CaseMeasurement measurementOf(const json& object) {
   measurement.name = object["name"];
   measurement.tolerance = numberIn(object, "tolerance");
   measurement.value = numberIn(object, "value");
-  measurement.kind = object.value("kind", "");
-  measurement.unit = object.value("unit", "");
-  for (const json& point : object.value("points_mm", json::array())) measurement.points_mm.push_back({point[0], point[1], point[2]});
-  measurement.revealsFinding = object.value("reveals_finding", false);
+  measurement.kind = textAt(object, "kind");
+  measurement.unit = textAt(object, "unit");
+  for (const json& point : listAt(object, "points_mm")) measurement.points_mm.push_back({point[0], point[1], point[2]});
+  measurement.revealsFinding = flagAt(object, "reveals_finding");
   measurement.otherFields = without(object, kMeasurementFields);
   return measurement;
 }
 
 /// History, earlier findings and what is expected: everything a lesson asks about.
 void readExpectations(const json& manifest, Case& made) {
-  for (const json& each : manifest.value("previous_examinations", json::array()))
-    made.previousExaminations.push_back({each.value("when", ""), each.value("kind", ""), each.value("findings", ""),
-                                         each.value("pictures", std::vector<std::string>()), without(each, kExaminationFields)});
-  for (const json& each : manifest.value("laboratory", json::array()))
-    made.laboratory.push_back({each.value("when", ""), each.value("findings", ""), without(each, kLaboratoryFields)});
+  for (const json& each : listAt(manifest, "previous_examinations"))
+    made.previousExaminations.push_back({textAt(each, "when"), textAt(each, "kind"), textAt(each, "findings"), textsAt(each, "pictures"),
+                                         without(each, kExaminationFields)});
+  for (const json& each : listAt(manifest, "laboratory"))
+    made.laboratory.push_back({textAt(each, "when"), textAt(each, "findings"), without(each, kLaboratoryFields)});
   if (manifest.contains("findings")) made.findings = manifest["findings"].get<std::vector<std::string>>();
-  for (const json& each : manifest.value("targets", json::array())) made.targets.push_back(targetOf(each));
-  for (const json& each : manifest.value("measurements", json::array())) made.measurements.push_back(measurementOf(each));
+  for (const json& each : listAt(manifest, "targets")) made.targets.push_back(targetOf(each));
+  for (const json& each : listAt(manifest, "measurements")) made.measurements.push_back(measurementOf(each));
 }
 
 ordered_json examinationsOf(const Case& edited) {
@@ -387,32 +399,32 @@ Result<Case> caseFromManifest(const json& given, const std::filesystem::path& fo
   Case made;
   made.id = manifest["id"];
   made.title = manifest["title"];
-  made.titleForTrainees = manifest.value("title_for_trainees", "");
-  made.region = manifest.value("region", "");
+  made.titleForTrainees = textAt(manifest, "title_for_trainees");
+  made.region = textAt(manifest, "region");
   if (manifest.contains("patient")) {
     const json& patient = manifest["patient"];
-    made.patient.name = patient.value("name", "");
-    made.patient.sex = patient.value("sex", "");
+    made.patient.name = textAt(patient, "name");
+    made.patient.sex = textAt(patient, "sex");
     if (patient.contains("age_years")) made.patient.age_years = patient["age_years"].get<int>();
   }
-  made.complaint = manifest.value("complaint", "");
-  made.history = manifest.value("history", "");
-  made.indication = manifest.value("indication", "");
-  made.diagnosis = manifest.value("diagnosis", "");
-  made.differential = manifest.value("differential", std::vector<std::string>());
+  made.complaint = textAt(manifest, "complaint");
+  made.history = textAt(manifest, "history");
+  made.indication = textAt(manifest, "indication");
+  made.diagnosis = textAt(manifest, "diagnosis");
+  made.differential = textsAt(manifest, "differential");
   if (manifest.contains("difficulty")) made.difficulty = manifest["difficulty"].get<int>();
-  made.tags = manifest.value("tags", std::vector<std::string>());
+  made.tags = textsAt(manifest, "tags");
   readExpectations(manifest, made);
   const json& volume = manifest["volume"];
-  made.volume.file = volume.value("file", "");
-  made.volume.labels = volume.value("labels", "");
-  made.volume.level = volume.value("level", "");
-  made.volume.recipe = volume.value("recipe", "");
-  made.volume.recipeSpacing_mm = volume.value("recipe_spacing_mm", 1.0);
+  made.volume.file = textAt(volume, "file");
+  made.volume.labels = textAt(volume, "labels");
+  made.volume.level = textAt(volume, "level");
+  made.volume.recipe = textAt(volume, "recipe");
+  made.volume.recipeSpacing_mm = numberAt(volume, "recipe_spacing_mm").value_or(1.0);
   if (volume.contains("sweeps")) made.volume.sweeps = volume["sweeps"].get<std::vector<std::string>>();
   if (volume.contains("reconstruct")) made.volume.reconstruct = reconstructionOf(volume["reconstruct"]);
   if (volume.contains("file_to_world")) made.volume.fileToWorld = transformOf<frame::World, frame::File>(volume["file_to_world"]);
-  made.mannequin = manifest.value("mannequin", "");
+  made.mannequin = textAt(manifest, "mannequin");
   if (manifest.contains("probes")) made.probes = manifest["probes"].get<std::vector<std::string>>();
   if (manifest.contains("scene")) {
     json unknown;

@@ -122,12 +122,12 @@ Case withRights(Case edited, const RecordingRights& rights) {
 Result<NewCasePlan> planCase(const NewCase& wanted, Progress& progress) {
   return guardedCase({}, [&]() -> Result<NewCasePlan> {
     if (const auto draft = draftOf(wanted, {}); !draft) return passOn(draft.error());
-    return planSource(wanted.source, progress);
+    return planSource(wanted.source, wanted.makesLevel, progress);
   });
 }
 
 Result<NewCasePlan> planOfSource(const CaseSource& source, Progress& progress) {
-  return guardedCase({}, [&] { return planSource(source, progress); });
+  return guardedCase({}, [&] { return planSource(source, true, progress); });
 }
 
 Result<MadeCase> makeCase(const NewCase& wanted, const fs::path& folder, Progress& progress) {
@@ -136,7 +136,6 @@ Result<MadeCase> makeCase(const NewCase& wanted, const fs::path& folder, Progres
     const fs::path target = targetOf(folder);
     auto draft = draftOf(wanted, target);
     if (!draft) return passOn(draft.error());
-    if (target.parent_path() == targetOf(ownCasesFolder())) removeLeftovers(target.parent_path());
     OutputSet outputs;
     if (auto made = outputs.announceFolder(target.parent_path()); !made) return passOn(made.error());
     if (auto announced = outputs.announceNewFolder(target); !announced) return passOn(announced.error());

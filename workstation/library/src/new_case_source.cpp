@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ew/core/ending.h"
 #include "ew/imaging/tissue_level.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
@@ -142,7 +143,7 @@ Result<StitchProject> readProject(const fs::path& file) {
 }
 
 Result<MadeVolume> stitchedOf(const StitchingResult& given, const fs::path& scratch, Progress& progress) {
-  if (given.file.extension() != ".json") return readStitched(resultFolderOf(given.file), progress);
+  if (!hasEnding(given.file, ".json")) return readStitched(resultFolderOf(given.file), progress);
   const auto project = readProject(given.file);
   if (!project) return passOn(project.error());
   PartOfProgress stitching(progress, 0.0, 0.95), reading(progress, 0.95, 1.0);
@@ -179,14 +180,14 @@ Result<std::string> addLevel(const MadeVolume& made, const fs::path& caseFolder,
   return addVolume(Volume{made.volume.grid, *std::move(level), {}}, caseFolder, writing);
 }
 
-NewCasePlan planOfGrid(const Grid& grid) {
+NewCasePlan planOfGrid(const Grid& grid, bool makesLevel) {
   NewCasePlan plan;
   plan.grid = grid;
   const std::uint64_t voxels = grid.voxelCount();
-  // Echoes, coverage and level, and what levelling holds beside them.
-  plan.bytes = 3 * voxels + levelForecast_bytes(grid, {});
-  plan.disk_bytes = 2 * voxels + (64u << 10);
-  plan.seconds = 0.5 + 3.5e-7 * static_cast<double>(voxels);
+  // Echoes and coverage; the level, and what levelling holds beside them.
+  plan.bytes = 2 * voxels + (makesLevel ? voxels + levelForecast_bytes(grid, {}) : 0);
+  plan.disk_bytes = (makesLevel ? 2 : 1) * voxels + (64u << 10);
+  plan.seconds = 0.5 + (makesLevel ? 3.5e-7 : 0.5e-7) * static_cast<double>(voxels);
   return plan;
 }
 
@@ -201,26 +202,26 @@ Result<void> lookAtFile(NewCasePlan& plan, const VolumeFile& given, Progress& pr
   return {};
 }
 
-Result<NewCasePlan> planned(const VolumeFile& given, Progress& progress) {
+Result<NewCasePlan> planned(const VolumeFile& given, bool makesLevel, Progress& progress) {
   const auto kind = given.answers.raw ? Result<FileKind>(FileKind::raw) : kindOfFile(given.file);
   if (!kind) return passOn(kind.error());
   if (*kind == FileKind::volume) {
     const auto series = volumeOf(given.file, given.answers);
     if (!series) return passOn(series.error());
-    NewCasePlan plan = planOfGrid(*series);
+    NewCasePlan plan = planOfGrid(*series, makesLevel);
     if (auto seen = lookAtFile(plan, given, progress); !seen) return passOn(seen.error());
     return plan;
   }
   const auto made = madeOf(given, {}, progress);
   if (!made) return passOn(made.error());
-  NewCasePlan plan = planOfGrid(made->volume.grid);
+  NewCasePlan plan = planOfGrid(made->volume.grid, makesLevel);
   if (!given.probeSide) lookForSide(plan, made->volume);
   plan.notes = made->notes;
   return plan;
 }
 
-Result<NewCasePlan> planned(const VolumeAtHand& given, Progress&) {
-  NewCasePlan plan = planOfGrid(given.volume->grid);
+Result<NewCasePlan> planned(const VolumeAtHand& given, bool makesLevel, Progress&) {
+  NewCasePlan plan = planOfGrid(given.volume->grid, makesLevel);
   if (given.axes)
     plan.axes = *given.axes;
   else if (!given.probeSide)
@@ -228,12 +229,12 @@ Result<NewCasePlan> planned(const VolumeAtHand& given, Progress&) {
   return plan;
 }
 
-Result<NewCasePlan> planned(const SweepFile& given, Progress& progress) {
+Result<NewCasePlan> planned(const SweepFile& given, bool makesLevel, Progress& progress) {
   if (auto usable = checkSpacing(given); !usable) return passOn(usable.error());
   const auto opened = openSweep(given.file, importOptionsFor(given), progress);
   if (!opened) return passOn(opened.error());
   if (auto enough = checkKept(opened->plan.kept, opened->plan.acceptsSmall, given.file); !enough) return passOn(enough.error());
-  NewCasePlan plan = planOfGrid(opened->plan.grid);
+  NewCasePlan plan = planOfGrid(opened->plan.grid, makesLevel);
   plan.bytes = std::max(plan.bytes, opened->plan.bytes);
   if (const auto axes = sweepAxesOf(posedFrames(*opened))) plan.axes = *axes;
   const Sequence& sequence = opened->sequence;
@@ -242,12 +243,12 @@ Result<NewCasePlan> planned(const SweepFile& given, Progress& progress) {
   return plan;
 }
 
-Result<NewCasePlan> planned(const StitchingResult& given, Progress& progress) {
-  if (given.file.extension() != ".json") {
+Result<NewCasePlan> planned(const StitchingResult& given, bool makesLevel, Progress& progress) {
+  if (!hasEnding(given.file, ".json")) {
     const fs::path file = resultFolderOf(given.file) / "volume.mha";
     const auto header = readVolumeHeader(file);
     if (!header) return passOn(header.error());
-    NewCasePlan plan = planOfGrid(header->grid);
+    NewCasePlan plan = planOfGrid(header->grid, makesLevel);
     if (auto seen = lookAtFile(plan, VolumeFile{.file = file, .answers = {}, .probeSide = given.probeSide}, progress); !seen)
       return passOn(seen.error());
     return plan;
@@ -262,13 +263,13 @@ Result<NewCasePlan> planned(const StitchingResult& given, Progress& progress) {
   return plan;
 }
 
-Result<NewCasePlan> planned(const std::monostate&, Progress&) { return NewCasePlan{}; }
+Result<NewCasePlan> planned(const std::monostate&, bool, Progress&) { return NewCasePlan{}; }
 
 }  // namespace
 
 Result<CaseSource> sourceOf(const fs::path& file) {
   std::error_code ignored;
-  if (file.extension() == ".json" && fs::is_regular_file(file, ignored)) return CaseSource(StitchingResult{file});
+  if (hasEnding(file, ".json") && fs::is_regular_file(file, ignored)) return CaseSource(StitchingResult{file});
   if (fs::is_directory(file, ignored) && fs::is_regular_file(file / "volume.mha", ignored)) return CaseSource(StitchingResult{file});
   if (file.filename() == "volume.mha" && fs::is_regular_file(file.parent_path() / "provenance.json", ignored))
     return CaseSource(StitchingResult{file});
@@ -304,8 +305,8 @@ Result<SourceInCase> putSource(const CaseSource& source, bool makesLevel, const 
   return put;
 }
 
-Result<NewCasePlan> planSource(const CaseSource& source, Progress& progress) {
-  return std::visit([&](const auto& given) { return planned(given, progress); }, source);
+Result<NewCasePlan> planSource(const CaseSource& source, bool makesLevel, Progress& progress) {
+  return std::visit([&](const auto& given) { return planned(given, makesLevel, progress); }, source);
 }
 
 ChosenPlace choosePlace(const PlacingShape& shape, const std::string& mannequin, const fs::path& caseFolder, const std::string& region,

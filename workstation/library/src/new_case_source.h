@@ -28,7 +28,7 @@ struct SourceInCase {
                                              const std::filesystem::path& scratch, Progress& progress);
 
 /// What putSource will take. @error as putSource, as far as it goes
-[[nodiscard]] Result<NewCasePlan> planSource(const CaseSource& source, Progress& progress);
+[[nodiscard]] Result<NewCasePlan> planSource(const CaseSource& source, bool makesLevel, Progress& progress);
 
 /// Where a volume comes to lie when nobody says: at the usual place of a region.
 /// @return the identity and a note where the mannequin has no named places or no skin

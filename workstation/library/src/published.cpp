@@ -1,6 +1,11 @@
 #include "ew/library/published.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 
 #include "ew/core/output_set.h"
@@ -17,6 +22,24 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kPublished = "published";
+
+/// The revisions of one case, for as long as it takes to look whether one is there and to give the next its number. A folder is locked, so
+/// that nothing is left behind; where the file system cannot, the second of two who look at once may make a revision of the same content.
+class RevisionsLock {
+ public:
+  explicit RevisionsLock(const fs::path& folder) : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    while (folder_ >= 0 && ::flock(folder_, LOCK_EX) != 0 && errno == EINTR) {
+    }
+  }
+  ~RevisionsLock() {
+    if (folder_ >= 0) ::close(folder_);
+  }
+  RevisionsLock(const RevisionsLock&) = delete;
+  RevisionsLock& operator=(const RevisionsLock&) = delete;
+
+ private:
+  int folder_;
+};
 
 std::optional<int> numberOfRevision(const std::string& name) {
   int revision = 0;
@@ -146,6 +169,15 @@ std::optional<PublishedCase> latestPublished(const fs::path& library, const std:
   return std::nullopt;
 }
 
+std::vector<PublishedCase> takenPublished(const fs::path& library, const std::string& id) {
+  std::vector<PublishedCase> found;
+  if (!isCaseId(id)) return found;
+  const fs::path folder = publishedFolder(library) / id;
+  for (const int revision : takenRevisions(folder))
+    found.push_back({.id = id, .revision = revision, .folder = folder / std::to_string(revision)});
+  return found;
+}
+
 std::vector<PublishedCase> listPublished(const fs::path& library) {
   std::vector<PublishedCase> found;
   std::error_code problem;
@@ -171,6 +203,7 @@ std::optional<PublishedCase> revisionWith(const fs::path& library, const std::st
 }
 
 Result<PublishedCase> makeRevision(const fs::path& library, const std::string& id, int wanted, const std::vector<FileSum>& files,
+                                   const std::function<std::optional<PublishedCase>()>& there,
                                    const std::function<Result<void>(const fs::path&)>& fill) {
   if (!hasManifest(files))
     return failure(ErrorCode::notFound, say<"What is to be published holds no case.json, so it is not a case; choose a case folder.">());
@@ -189,6 +222,8 @@ Result<PublishedCase> makeRevision(const fs::path& library, const std::string& i
     if (auto filled = fill(aside); !filled) return passOn(outputs.inGivenNames(filled.error()));
     if (const auto opened = loadCase(aside); !opened) return passOn(outputs.inGivenNames(opened.error()));
     if (auto written = writeSums(files, aside); !written) return passOn(outputs.inGivenNames(written.error()));
+    const RevisionsLock lock(folder);
+    if (auto same = there()) return *same;
     auto committed = outputs.commit();
     if (committed) return PublishedCase{.id = id, .revision = revision, .folder = place};
     std::error_code ignored;
@@ -206,7 +241,8 @@ Result<PublishedCase> publishCase(const fs::path& caseFolder, const fs::path& li
     const auto latest = latestPublished(library, id);
     if (auto same = sameAsLatest(*from, library, latest)) return *same;
     if (auto room = checkRoom(library, bytesOf(from->files)); !room) return passOn(room.error());
-    return makeRevision(library, id, 0, from->files, [&](const fs::path& aside) {
+    const auto there = [&] { return sameAsLatest(*from, library, latestPublished(library, id)); };
+    return makeRevision(library, id, 0, from->files, there, [&](const fs::path& aside) {
       ByteCount count(say<"Publishing the case">(), bytesOf(from->files), copying);
       return copyFiles(*from, latest, aside, count);
     });

@@ -142,14 +142,17 @@ void checkTargets(const Case& opened, const CheckSources& sources, CheckList& li
     }
   }
   if (opened.targets.empty()) return list.warn(say<"It has no target; say what is to be found.">(), "targets");
-  if (good == opened.targets.size()) list.done(say<"All %1 targets can be reached.">(good), "targets");
+  if (good == opened.targets.size())
+    list.done(good == 1 ? say<"Its target can be reached.">() : say<"All %1 targets can be reached.">(good), "targets");
 }
 
 void checkFiles(const Case& opened, CheckList& list) {
   if (opened.folder.empty()) return;
   const auto unused = unusedFiles(opened);
   if (unused.empty()) return list.done(say<"Every file of its folder is used.">(), "");
-  list.warn(say<"%1 files of its folder are used by nothing, '%2' first; they would be handed on as well.">(unused.size(), unused.front()),
+  list.warn(unused.size() == 1 ? say<"A file of its folder is used by nothing, '%1'; it would be handed on as well.">(unused.front())
+                               : say<"%1 files of its folder are used by nothing, '%2' first; they would be handed on as well.">(
+                                     unused.size(), unused.front()),
             "");
 }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,11 +22,14 @@ namespace ew {
 
 /// Makes a revision aside and puts it in place when it is whole: sums are written, the case can be opened from there. Takes away what
 /// killed programs left. When somebody else took the revision's number meanwhile, it is made again with another one.
+/// @param there  whether it is there already; asked again under the lock under which the revision gets its number, so that of two who hand
+///               on the same at once one makes a revision and the other finds it
 /// @param wanted its number; taken already, or 0: the one after the highest
 /// @param fill   puts every file into a new folder
 /// @error notWritable, of `fill`, as loadCase; then everything is as it was before
 [[nodiscard]] Result<PublishedCase> makeRevision(const std::filesystem::path& library, const std::string& id, int wanted,
                                                  const std::vector<FileSum>& files,
+                                                 const std::function<std::optional<PublishedCase>()>& there,
                                                  const std::function<Result<void>(const std::filesystem::path&)>& fill);
 
 }  // namespace ew

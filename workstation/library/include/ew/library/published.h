@@ -44,7 +44,9 @@ struct PublishedCase {
 /// The complete revisions of a case, the lowest first. Complete: sums.json can be read, and every file it names is there with its size
 /// (verifyCase reads them, too).
 [[nodiscard]] std::vector<PublishedCase> publishedRevisions(const std::filesystem::path& library, const std::string& id);
-/// The highest of them.
+/// Every revision that has a number, the lowest first, also those that are no longer complete.
+[[nodiscard]] std::vector<PublishedCase> takenPublished(const std::filesystem::path& library, const std::string& id);
+/// The highest that is complete.
 [[nodiscard]] std::optional<PublishedCase> latestPublished(const std::filesystem::path& library, const std::string& id);
 /// The highest complete revision of every case, by id. Takes away what killed programs left behind.
 [[nodiscard]] std::vector<PublishedCase> listPublished(const std::filesystem::path& library);
