@@ -10,6 +10,7 @@
 #include <set>
 #include <sstream>
 
+#include "../counted_stop.h"
 #include "../library/temporary_folder.h"
 #include "../tracking/skins.h"
 #include "ew/assessment/hand_path.h"
@@ -449,6 +450,28 @@ TEST(SimulatedTrainee, StopsWhenTheTimeOfAStepIsOver) {
     EXPECT_LE(step.log.end_s() - step.log.begin_s(), 6.0 + 1e-9) << step.stepId;
   }
   EXPECT_TRUE(steps[7].answer.is_null()) << "nobody sets calipers in no time";
+}
+
+TEST(SimulatedTrainee, StopsAtOnceWhenToldInTheMiddleOfAScan) {
+  Trunk trunk;
+  trunk.lesson().steps.back().time_s.reset();
+  const TraineeCase on = trunk.made();
+  int asked = 0;
+  constexpr int kUntil = 200;
+  const auto steps = simulateAttempt(trunk.lesson(), on, habitsOf(SkillLevel::expert), 2,
+                                     {.shortest_s = 3600.0, .stopped = [&] { return ++asked > kUntil; }});
+  std::size_t images = 0;
+  for (const SimulatedStep& step : steps) images += step.log.frameCount();
+  EXPECT_LE(images, static_cast<std::size_t>(kUntil));
+  EXPECT_LT(asked, kUntil + 20) << "one question more for each level of calls";
+
+  const auto whole = simulateAttempt(trunk.lesson(), on, habitsOf(SkillLevel::expert), 2);
+  const test::TemporaryFolder folder;
+  auto stop = test::CountedStop::atQuestion(50);
+  const auto kept = keepSimulatedAttempt(trunk.lesson(), on, whole, {SkillLevel::expert, 1, 2}, {}, folder.path(), stop);
+  ASSERT_FALSE(kept);
+  EXPECT_EQ(kept.error().code, ErrorCode::cancelled);
+  EXPECT_LE(stop.questionsAfter(), test::kMostQuestionsAfter);
 }
 
 TEST(SimulatedTrainee, LooksAboutUntilThereIsEnough) {

@@ -89,6 +89,20 @@ TEST_F(Recording, OfABodyAtRestHasNoWordOfItAndOneWithoutThatWordIsAtRest) {
   EXPECT_NE(body, BodyState{});
 }
 
+TEST_F(Recording, GapsOfMorePlacesThanALineHoldsAreReadBackWhole) {
+  ScanRecording written;
+  written.size_px = {320, 240};
+  ScanState state = test::movingState(0);
+  state.gaps_mm.clear();
+  for (int n = 0; n < 300; ++n) state.gaps_mm.push_back(0.125F * static_cast<float>(n));
+  written.log.addFrame(state);
+  ASSERT_TRUE(writeRecording(written, folder / "r.seq.mha"));
+  EXPECT_LT(OtherProgram(folder / "r.seq.mha").longestLine, 1000U);
+  const auto read = readRecording(folder / "r.seq.mha");
+  ASSERT_TRUE(read) << read.error();
+  EXPECT_EQ(read->log.frame(0).gaps_mm, state.gaps_mm);
+}
+
 TEST_F(Recording, OtherProgramsReadItAsASequenceOfTransforms) {
   const ScanRecording written = recordingOf(120);
   ASSERT_TRUE(writeRecording(written, folder / "r.seq.mha"));

@@ -101,6 +101,26 @@ TEST(SequenceDevice, BeginsAgainAtItsEndWithAClockThatGoesOn) {
   fs::remove(file);
 }
 
+TEST(SequenceDevice, ASingleFrameComesAtTheUsualPaceAndNotAThousandTimesASecond) {
+  Sequence sequence;
+  sequence.width = sequence.height = 2;
+  SequenceFrame frame;
+  frame.time_s = 5.0;
+  frame.transforms = {at("Probe", 1.0)};
+  sequence.frames.push_back(frame);
+  sequence.pixels.assign(4, 0);
+  const fs::path file = fs::path(::testing::TempDir()) / "ew_tracker_one.igs.mha";
+  ASSERT_TRUE(writeSequence(sequence, file));
+  const auto device = makeSequenceDevice({.file = file, .speed = 10.0, .loops = true});
+  device->start();
+  ASSERT_TRUE(waitUntil([&] { return device->status().readings > 5; }));
+  device->stop();
+  const auto readings = device->take();
+  for (std::size_t n = 1; n < readings.size(); ++n)
+    EXPECT_NEAR(readings[n].device_s - readings[n - 1].device_s, 1.0 / 300, 1e-6) << "thirty a second, at ten times the speed";
+  fs::remove(file);
+}
+
 TEST(SequenceDevice, StandsStillWhilePausedAndGoesOnWhereItWas) {
   const fs::path file = written("ew_tracker_pause.igs.mha");
   const auto device = makeSequenceDevice({.file = file, .speed = 0.5, .loops = false});

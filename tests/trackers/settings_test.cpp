@@ -67,6 +67,23 @@ TEST(TrackerSettings, ComeBackAsTheyWereWritten) {
   EXPECT_EQ(readTrackers(file).error().code, ErrorCode::notFound);
 }
 
+TEST(TrackerSettings, AreNeverMoreThanCanBeReadAgain) {
+  TrackerList list;
+  for (std::size_t n = 0; n <= TrackerList::kMost; ++n)
+    list.trackers.push_back({"t" + std::to_string(n), "Tracker", HandControllerSettings{}, {}});
+  const fs::path file = fs::path(::testing::TempDir()) / "ew_trackers_many.json";
+  const auto refused = writeTrackers(list, file);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().sentence(), "A list of trackers holds at most 50; remove those that are not used any more.");
+  EXPECT_FALSE(fs::exists(file));
+  list.trackers.pop_back();
+  ASSERT_TRUE(writeTrackers(list, file));
+  const auto again = readTrackers(file);
+  ASSERT_TRUE(again) << again.error();
+  EXPECT_EQ(*again, list);
+  fs::remove(file);
+}
+
 TEST(TrackerSettings, WorkWithNothingButWhatTheyCannotBeWithout) {
   const auto read = settings_test::read({{"format", 1}, {"trackers", {{{"id", "a"}, {"name", "A"}, {"source", "openigtlink"}}}}});
   ASSERT_TRUE(read) << read.error();

@@ -171,7 +171,15 @@ Judgement nothingToJudge(Message why) {
 }  // namespace
 
 std::string_view wordOf(ExerciseKind kind) {
-  return kind == ExerciseKind::findPlane ? "plane" : kind == ExerciseKind::pointAtOrgan ? "point" : "measure";
+  switch (kind) {
+    case ExerciseKind::findPlane:
+      return "plane";
+    case ExerciseKind::pointAtOrgan:
+      return "point";
+    case ExerciseKind::measure:
+      return "measure";
+  }
+  return {};
 }
 
 ExerciseDifficulty difficultyOf(int level) {

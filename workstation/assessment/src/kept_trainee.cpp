@@ -21,10 +21,14 @@ std::string idOf(sys_seconds begun, std::uint64_t seed) {
 }
 
 /// @param at when the step ended
-Result<StepOutcome> judged(const LessonStep& step, const SimulatedStep& made, const TraineeCase& on, sys_seconds at) {
+Result<StepOutcome> judged(const LessonStep& step, const SimulatedStep& made, const TraineeCase& on, sys_seconds at,
+                           const Progress& progress) {
   auto work = workOf(step, on.ground());
   if (!work) return passOn(work.error());
-  for (std::size_t n = 0; n < made.log.frameCount(); ++n) (*work)->see(made.log.frame(n));
+  for (std::size_t n = 0; n < made.log.frameCount(); ++n) {
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Stopped as asked; nothing was written.">());
+    (*work)->see(made.log.frame(n));
+  }
   StepOutcome outcome;
   outcome.stepId = step.id;
   outcome.seconds = made.seconds;
@@ -44,7 +48,7 @@ std::string SimulatedPerson::name() const {
 }
 
 Result<fs::path> keepSimulatedAttempt(const Lesson& lesson, const TraineeCase& on, const std::vector<SimulatedStep>& steps,
-                                      const SimulatedPerson& person, sys_seconds begun, const fs::path& root) {
+                                      const SimulatedPerson& person, sys_seconds begun, const fs::path& root, Progress& progress) {
   Attempt attempt;
   attempt.id = idOf(begun, person.seed);
   attempt.startedAt = begun;
@@ -61,7 +65,7 @@ Result<fs::path> keepSimulatedAttempt(const Lesson& lesson, const TraineeCase& o
   for (std::size_t n = 0; n < steps.size(); ++n) {
     elapsed_s += steps[n].seconds;
     if (auto begunStep = kept->beginStep(steps[n].stepId); !begunStep) return passOn(begunStep.error());
-    auto outcome = judged(lesson.steps[n], steps[n], on, begun + std::chrono::seconds(static_cast<long>(elapsed_s)));
+    auto outcome = judged(lesson.steps[n], steps[n], on, begun + std::chrono::seconds(static_cast<long>(elapsed_s)), progress);
     if (!outcome) return passOn(outcome.error());
     if (steps[n].log.frameCount() > 0) {
       outcome->recording = kept->nameForFile(steps[n].stepId, ".seq.mha");
@@ -69,7 +73,7 @@ Result<fs::path> keepSimulatedAttempt(const Lesson& lesson, const TraineeCase& o
       recording.caseId = on.teaching().opened.id;
       recording.title = lesson.steps[n].title;
       recording.log = steps[n].log;
-      if (auto written = writeRecording(recording, kept->folder() / outcome->recording); !written) return passOn(written.error());
+      if (auto written = writeRecording(recording, kept->folder() / outcome->recording, progress); !written) return passOn(written.error());
     }
     if (auto ended = kept->endStep(*std::move(outcome)); !ended) return passOn(ended.error());
   }

@@ -178,7 +178,7 @@ class Working {
     const double until_s = std::min(plan.end_s(), limit_s_);
     const assessment::Liftings liftings(habits_.contactLoss, plan.begin_s(), until_s, random_);
     assessment::Filming(*on_.teaching().skin, on_.skinDistance(), options_.rate_hz, noise_)
-        .film(plan, habits_, liftings, until_s, state_, made.log);
+        .film(plan, habits_, liftings, until_s, state_, made.log, options_.stopped);
     if (made.log.frameCount() > 0) now_ = plan.end_s() <= limit_s_ ? plan.now() : holdFor(state_.pose, *on_.teaching().skin);
     time_s_ = until_s;
     scanned_s_ += until_s - plan.begin_s();
@@ -189,7 +189,7 @@ class Working {
   void lookOn(TraineeHand& hand, HandPlan& plan) {
     if (!isLastScan_) return;
     const double missing_s = options_.shortest_s - scanned_s_ - (plan.end_s() - plan.begin_s());
-    if (missing_s > 0.0) hand.wanderUntil(plan.end_s() + missing_s);
+    if (missing_s > 0.0 && !(options_.stopped && options_.stopped())) hand.wanderUntil(plan.end_s() + missing_s);
   }
 
   const TraineeCase& on_;
@@ -217,6 +217,7 @@ std::vector<SimulatedStep> simulateAttempt(const Lesson& lesson, const TraineeCa
   Working working(on, habits, seed, options);
   const auto lastScan = std::find_if(lesson.steps.rbegin(), lesson.steps.rend(), [](const LessonStep& s) { return isScanned(s.task); });
   for (std::size_t n = 0; n < lesson.steps.size(); ++n) {
+    if (options.stopped && options.stopped()) break;
     const LessonStep& step = lesson.steps[n];
     steps.push_back(working.work(step, n, lastScan != lesson.steps.rend() && &step == &*lastScan));
   }

@@ -72,8 +72,15 @@ void limit(TraineeHabits& habits) {
 }  // namespace
 
 std::string_view wordOf(SkillLevel level) {
-  constexpr std::array<std::string_view, 3> kWords = {"novice", "intermediate", "expert"};
-  return kWords.at(static_cast<std::size_t>(level));
+  switch (level) {
+    case SkillLevel::novice:
+      return "novice";
+    case SkillLevel::intermediate:
+      return "intermediate";
+    case SkillLevel::expert:
+      return "expert";
+  }
+  return {};
 }
 
 std::span<const HabitRange> habitRanges() { return kRanges; }

@@ -161,11 +161,12 @@ Pose Filming::lifted(const Probe& probe, const Pose& pose, double lifting) const
 }
 
 void Filming::film(const HandPlan& plan, const TraineeHabits& habits, const Liftings& liftings, double until_s, ScanState& state,
-                   ScanLog& log) const {
+                   ScanLog& log, const std::function<bool()>& stopped) const {
   std::size_t part = 0, setting = 0;
   const auto timeOf = [&](std::uint64_t number) { return static_cast<double>(number) / rate_hz_; };
   while (timeOf(state.number) < plan.begin_s() - 1e-9) ++state.number;
   for (; timeOf(state.number) < std::min(plan.end_s(), until_s) - 1e-9; ++state.number) {
+    if (stopped && stopped()) return;
     state.time_s = timeOf(state.number);
     for (; setting < plan.settings().size() && plan.settings()[setting].time_s <= state.time_s; ++setting) {
       state.probe = plan.settings()[setting].probe;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -115,8 +116,8 @@ class Filming {
       : skin_(skin), distance_(distance), rate_hz_(rate_hz), noise_(noise) {}
   /// @param state probe, knobs, scene and number of the images; afterwards as of the last image
   /// @param until_s no frame from there on
-  void film(const HandPlan& plan, const TraineeHabits& habits, const Liftings& liftings, double until_s, ScanState& state,
-            ScanLog& log) const;
+  void film(const HandPlan& plan, const TraineeHabits& habits, const Liftings& liftings, double until_s, ScanState& state, ScanLog& log,
+            const std::function<bool()>& stopped = {}) const;
 
  private:
   [[nodiscard]] Pose disturbed(const Pose& meant, double speed_mmPerS, double time_s, const TraineeHabits& habits) const;

@@ -102,7 +102,7 @@ Result<void> takeFrame(const SequenceFrame& frame, std::size_t n, const fs::path
     return badEvent(file, say<"frame %1">(n), say<"a ProbeToWorldTransform and a Timestamp">());
   made.pose.probeToWorld.matrix = pose->matrix;
   made.pose.status = pose->status;
-  if (const std::string gaps = valueOf(frame.otherFields, kGapsField); !gaps.empty()) {
+  if (const std::string gaps = joinedText(frame.otherFields, kGapsField); !gaps.empty()) {
     const auto numbers = parseNumbers(gaps);
     if (!numbers || numbers->size() > kMostGaps) return bad(kGapsField, say<"distances in mm">());
     for (const double gap_mm : *numbers) made.gaps_mm.push_back(static_cast<float>(gap_mm));

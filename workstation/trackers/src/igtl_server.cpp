@@ -21,6 +21,7 @@ namespace ew {
 namespace {
 
 constexpr std::size_t kIgtlMostClients = 16;
+constexpr double kIgtlAcceptAgain_s = 0.5;      // after the system refused one, for want of descriptors or memory
 constexpr std::size_t kIgtlMostHandedOver = 4;  // frames the thread has not packed yet
 
 /// LPS to RAS is half a turn about the axis to the head: what is rigid stays rigid.
@@ -69,6 +70,7 @@ struct IgtlServer::State {
   std::vector<IgtlServerClient*> ended;
   std::optional<IgtlHandedOver> latest;  ///< without its image
   double latestSent_s = 0.0;
+  double acceptsFrom_s = 0.0;  ///< until then whoever wants to connect waits
   std::uint64_t sent = 0, droppedImages = 0, droppedPoses = 0;
   std::uint32_t id = 0;
 };
@@ -128,10 +130,12 @@ IgtlServerStatus IgtlServer::status() const {
 void IgtlServer::State::run() {
   latestSent_s = steadyNow_s();
   while (!stopping) {
-    std::vector<pollfd> asked = {{wake.number(), POLLIN, 0}, {listening.socket.number(), POLLIN, 0}};
+    const bool accepts = steadyNow_s() >= acceptsFrom_s;
+    std::vector<pollfd> asked = {{wake.number(), POLLIN, 0}, {listening.socket.number(), static_cast<short>(accepts ? POLLIN : 0), 0}};
     for (const auto& client : clients)
       asked.push_back({client->number(), static_cast<short>(client->hasMore() ? POLLIN | POLLOUT : POLLIN), 0});
-    const double idle_s = std::max(0.0, latestSent_s + options.idleAfter_s - steadyNow_s());
+    double idle_s = std::max(0.0, latestSent_s + options.idleAfter_s - steadyNow_s());
+    if (!accepts) idle_s = std::min(idle_s, std::max(0.0, acceptsFrom_s - steadyNow_s()));
     ::poll(asked.data(), asked.size(), static_cast<int>(idle_s * 1e3) + 1);
     if (asked[0].revents != 0) wake.answer();
 
@@ -161,7 +165,12 @@ void IgtlServer::State::run() {
 void IgtlServer::State::acceptClients() {
   while (true) {
     Descriptor socket(::accept4(listening.socket.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
-    if (!socket) return;
+    if (!socket) {
+      // Whoever waits goes on waiting, and poll() would say so at once, again and again.
+      if (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR && errno != ECONNABORTED)
+        acceptsFrom_s = steadyNow_s() + kIgtlAcceptAgain_s;
+      return;
+    }
     if (clients.size() == kIgtlMostClients) continue;  // closed again: more than that is no classroom but a fault
     clients.push_back(std::make_unique<IgtlServerClient>(std::move(socket)));
   }

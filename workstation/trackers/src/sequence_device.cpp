@@ -143,9 +143,9 @@ class RecordingAsTracker final : public SequenceDevice {
       if (!waitFor(kTryAgain_s)) return;
     }
     if (ends_) return;
-    // A single frame has no length of its own; repeated, it comes at the usual pace.
+    // A single frame, and several of one moment, have no pace of their own; repeated, they come at the usual one.
     const double last_s = moments.back().time_s;
-    const double period_s = moments.size() > 1 ? last_s / static_cast<double>(moments.size() - 1) : 0.0;
+    const double period_s = moments.size() > 1 && last_s > 0.0 ? last_s / static_cast<double>(moments.size() - 1) : kFramePeriod_s;
     {
       const std::scoped_lock lock(mutex_);
       length_s_ = last_s;

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "ew/core/data_file.h"
+#include "ew/core/foreign_json.h"
 #include "ew/core/json_fields.h"
 #include "ew/io/json_files.h"
 #include "ew/io/safe_file.h"
@@ -14,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kMostTrackers = 50, kLongestPath = 4096;
+constexpr std::size_t kLongestPath = 4096;
 
 enum class SourceKind { igtl, camera, recording, spaceMouse, gameController };
 constexpr std::array kSourceWords{
@@ -115,7 +116,7 @@ json jsonOf(const CameraSource& source) {
                {"tracking", jsonOf(camera.tracking)},
                {"film_loops", camera.filmLoops},
                {"film_speed", camera.filmSpeed}};
-  if (camera.model) made["model"] = json::parse(cameraModelText(*camera.model));
+  if (camera.model) made["model"] = jsonOrNull(cameraModelText(*camera.model));
   return made;
 }
 
@@ -226,7 +227,7 @@ Result<TrackerList> trackersFromJson(const json& document, const Message& where)
   fields.only({"format", "trackers", "chosen", "starts_on", "sounds_lost", "serves", "serve_port", "serves_network"});
   TrackerList read;
   std::set<std::string> ids;
-  for (const JsonFields& each : fields.objects("trackers", 0, kMostTrackers)) {
+  for (const JsonFields& each : fields.objects("trackers", 0, TrackerList::kMost)) {
     read.trackers.push_back(trackerIn(each));
     if (each.good() && !ids.insert(read.trackers.back().id).second) each.refuse("id", say<"one that no other tracker of the list has">());
   }
@@ -262,6 +263,10 @@ Result<TrackerList> readTrackers(const std::filesystem::path& file) {
 }
 
 Result<void> writeTrackers(const TrackerList& list, const std::filesystem::path& file) {
+  if (list.trackers.size() > TrackerList::kMost)
+    return failure(ErrorCode::badField,
+                   say<"A list of trackers holds at most %1; remove those that are not used any more.">(TrackerList::kMost),
+                   {{"field", "trackers"}});
   return writeFileSafely(file, toJson(list).dump(2, ' ', false, json::error_handler_t::replace) + "\n");
 }
 

@@ -7,6 +7,7 @@
 #include <QListWidget>
 #include <QLocale>
 #include <QMenu>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -150,6 +151,12 @@ void TrackerPage::addListButtons(QVBoxLayout& column) {
 }
 
 void TrackerPage::addTracker(int kind) {
+  if (trackers_.all().size() >= TrackerList::kMost) {
+    QMessageBox::information(
+        this, tr("Add a tracker"),
+        tr("The list holds %1 trackers, as many as it can; remove one that is not used any more.").arg(TrackerList::kMost));
+    return;
+  }
   TrackerSettings made = newTrackers()[static_cast<std::size_t>(kind)];
   if (auto* recording = std::get_if<SequenceSettings>(&made.source)) {
     const QString file = askRecordingFile(this);

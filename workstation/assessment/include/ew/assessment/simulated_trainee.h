@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -25,6 +26,8 @@ struct SimulatedStep {
 struct SimulationOptions {
   double rate_hz = 20.0;    ///< of images, > 0; the motion does not depend on it
   double shortest_s = 0.0;  ///< of all scanning together: whoever is done sooner looks about; 0: nobody does
+  /// Asked for every image; once it is true, what there is of the attempt is returned at once and is of no use. Empty: nobody stops it.
+  std::function<bool()> stopped = {};
 };
 
 /// A person works through a lesson from its first step to its last. The same steps for the same habits, seed and options on every machine.
@@ -45,9 +48,10 @@ struct SimulatedPerson {
 /// Writes an attempt as the window keeps it, judged by the rules of its steps: ROOT/ID/attempt.json and a recording of each step that was
 /// scanned in. Times stand as if it had begun at `begun`; the id is made of that and the seed.
 /// @return the attempt's folder
-/// @error as KeptAttempt, writeRecording, workOf
+/// @error as KeptAttempt, writeRecording, workOf; cancelled, within 0.1 s
 [[nodiscard]] Result<std::filesystem::path> keepSimulatedAttempt(const Lesson& lesson, const TraineeCase& on,
                                                                  const std::vector<SimulatedStep>& steps, const SimulatedPerson& person,
-                                                                 std::chrono::sys_seconds begun, const std::filesystem::path& root);
+                                                                 std::chrono::sys_seconds begun, const std::filesystem::path& root,
+                                                                 Progress& progress = noProgress());
 
 }  // namespace ew

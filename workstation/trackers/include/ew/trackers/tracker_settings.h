@@ -38,6 +38,7 @@ struct TrackerSettings {
 /// The user's trackers: resources/schemas/trackers.schema.json.
 struct TrackerList {
   static constexpr int kFormat = 1;
+  static constexpr std::size_t kMost = 50;  ///< trackers in a list that can be written and read
   std::vector<TrackerSettings> trackers;
   std::string chosen;       ///< id; empty: the mouse
   bool startsOn = false;    ///< the chosen one was in use when the program ended
