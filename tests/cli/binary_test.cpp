@@ -1,5 +1,9 @@
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/ioctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -128,6 +132,53 @@ TEST(Program, AnInterruptInTheMiddleOfTheWorkEndsItAndLeavesNothing) {
   EXPECT_EQ(statusOf(child), 1) << readText(folder / "stderr");
   EXPECT_NE(readText(folder / "stderr").find("Stopped as asked"), std::string::npos) << readText(folder / "stderr");
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"s.igs.mha", "stderr", "stdout"}));
+}
+
+/// A terminal of which this process has the far end.
+struct FarEnd {
+  FarEnd() : far(::posix_openpt(O_RDWR | O_NOCTTY)) {
+    if (far < 0 || ::grantpt(far) != 0 || ::unlockpt(far) != 0) return;
+    near = ::open(::ptsname(far), O_RDWR | O_NOCTTY);  // held open, so that its settings outlive the program
+  }
+  ~FarEnd() {
+    ::close(near);
+    ::close(far);
+  }
+  [[nodiscard]] bool shows() const {
+    termios now{};
+    ::tcgetattr(near, &now);
+    return (now.c_lflag & ECHO) != 0;
+  }
+  int far = -1, near = -1;
+};
+
+TEST(Program, AnInterruptAtThePassphraseEndsItAndTheTerminalShowsWhatIsTypedAgain) {
+  for (const char* key : {"\x03", "\x1c"}) {  // Ctrl-C and Ctrl-backslash
+    const TemporaryFolder folder;
+    const FarEnd terminal;
+    ASSERT_GE(terminal.near, 0);
+    ASSERT_TRUE(terminal.shows());
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::setsid();
+      ::ioctl(terminal.near, TIOCSCTTY, 0);
+      for (int stream = 0; stream < 3; ++stream) ::dup2(terminal.near, stream);
+      rlimit none{0, 0};
+      ::setrlimit(RLIMIT_CORE, &none);
+      ::setenv("ECHOWEAVE_LIBRARY", (folder / "library").c_str(), 1);
+      ::execl(EW_PROGRAM, EW_PROGRAM, "access", "lock", static_cast<char*>(nullptr));
+      ::_exit(127);
+    }
+    while (terminal.shows() && ::waitpid(child, nullptr, WNOHANG) == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ASSERT_EQ(::write(terminal.far, key, 1), 1);
+    const int status = statusOf(child);
+    EXPECT_EQ(status, *key == '\x03' ? 1 : -SIGQUIT);
+    EXPECT_TRUE(terminal.shows());
+    std::string said(4096, ' ');
+    said.resize(static_cast<std::size_t>(std::max<ssize_t>(0, ::read(terminal.far, said.data(), said.size()))));
+    EXPECT_NE(said.find("passphrase"), std::string::npos) << said;
+    EXPECT_EQ(said.find("Stopped as asked") != std::string::npos, *key == '\x03') << said;
+  }
 }
 
 }  // namespace

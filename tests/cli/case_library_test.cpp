@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <sstream>
 
 #include "cli/cli_world.h"
 #include "ew/io/volume_file.h"
@@ -86,6 +88,82 @@ TEST(CaseLibrary, VerifyNamesEveryFileThatIsWrongAndFails) {
   ASSERT_EQ(report["cases"].size(), 3u) << report;
   EXPECT_GE(report["cases"][0]["problems"].size(), 2u);
   EXPECT_EQ(report["cases"][2]["problems"].size(), 0u);
+}
+
+TEST(CaseLibrary, VerifyReadsEveryRevisionOfAnId) {
+  const TemporaryFolder folder;
+  const EnvironmentValue library("ECHOWEAVE_LIBRARY", folder / "library");
+  makeCase(folder / "mine", "knee");
+  for (int revision = 1; revision <= 2; ++revision) {
+    writeText(folder / "mine/notes.txt", std::to_string(revision));
+    ASSERT_EQ(run({"case", "publish", folder / "mine"}).status, 0);
+  }
+  const auto good = run({"case", "verify", "knee"});
+  EXPECT_EQ(good.status, 0) << good.err;
+  for (const char* part : {"knee, revision 1: ", "knee, revision 2: "}) EXPECT_NE(good.out.find(part), std::string::npos) << good.out;
+  const std::string volume = folder / "library/published/knee/2/volumes/v.mha";
+  fs::permissions(volume, fs::perms::owner_all);
+  const std::string whole = readText(volume);
+  fs::remove(volume);  // the revisions share it by a hard link
+  writeText(volume, whole + "x");
+  const auto damaged = run({"case", "verify", "knee"});
+  EXPECT_EQ(damaged.status, 1) << damaged.out;
+  EXPECT_NE(damaged.out.find("knee, revision 2: "), std::string::npos) << damaged.out;
+  EXPECT_NE(damaged.out.find("volumes/v.mha"), std::string::npos) << damaged.out;
+  EXPECT_NE(damaged.out.find("knee, revision 1: 3 files, all as they were kept"), std::string::npos) << damaged.out;
+  const auto exported = run({"case", "export", "knee", "-o", folder / "k.ewcase"});
+  EXPECT_EQ(exported.status, 0) << exported.err;
+  EXPECT_NE(exported.err.find("Revision 2 of 'knee' is not complete, so revision 1 is taken"), std::string::npos) << exported.err;
+}
+
+TEST(CaseLibrary, OwnPublishedAndShippedCasesAreListedAndKnownByTheirIds) {
+  const TemporaryFolder folder;
+  const EnvironmentValue library("ECHOWEAVE_LIBRARY", folder / "library");
+  makeCase(folder / "mine", "knee");
+  makeCase(folder / "library/cases/own-elbow", "own-elbow");
+  ASSERT_EQ(run({"case", "export", folder / "mine", "-o", folder / "k.ewcase"}).status, 0);
+  ASSERT_EQ(run({"case", "import", folder / "k.ewcase"}).status, 0);
+  const auto listed = run({"case", "list"});
+  ASSERT_EQ(listed.status, 0) << listed.err;
+  std::map<std::string, std::string> lines;
+  std::istringstream in(listed.out);
+  for (std::string line; std::getline(in, line);) lines[line.substr(0, line.find(' '))] = line;
+  EXPECT_TRUE(lines["own-elbow"].ends_with("  own")) << listed.out;
+  EXPECT_TRUE(lines["knee"].ends_with("  published, revision 1")) << listed.out;
+  EXPECT_NE(lines["liver-sweep-recorded"].find("  shipped"), std::string::npos) << listed.out;
+  for (const char* id : {"knee", "own-elbow"}) {
+    for (const char* command : {"show", "validate"}) EXPECT_EQ(run({"case", command, id}).status, 0) << command << " " << id;
+    for (const char* command : {"list", "check"}) EXPECT_EQ(run({"lesson", command, id}).status, 0) << command << " " << id;
+  }
+  const auto unknown = run({"case", "show", "nothing"});
+  EXPECT_EQ(unknown.status, 1);
+  EXPECT_NE(unknown.err.find("There is no case 'nothing'"), std::string::npos) << unknown.err;
+}
+
+TEST(CaseLibrary, WhatATitleHoldsCannotSteerTheTerminalNorPretendToBeALine) {
+  const TemporaryFolder folder;
+  makeCase(folder / "cases/knee", "knee");
+  nlohmann::json manifest = readJson(folder / "cases/knee/case.json");
+  const std::string evil =
+      "Knee\x1b[2J\x1b]0;pwned\x07\xc2\x9b"
+      "31m\r\b\nroot: all is well";
+  for (const char* field : {"title", "region", "diagnosis"}) manifest[field] = evil;
+  writeText(folder / "cases/knee/case.json", manifest.dump());
+  for (const auto& words : std::vector<std::vector<std::string>>{{"case", "list", folder / "cases"},
+                                                                 {"case", "show", folder / "cases/knee"},
+                                                                 {"case", "show", folder / "cases/knee", "--json"},
+                                                                 {"lesson", "list", folder / "cases/knee"},
+                                                                 {"case", "show", evil},
+                                                                 {"case", "publish", folder / "cases/knee", "--library", folder / "l"}}) {
+    const auto said = run(words);
+    for (const std::string& stream : {said.out, said.err}) {
+      for (const char letter : stream)
+        EXPECT_TRUE(letter == '\n' || static_cast<unsigned char>(letter) >= 0x20) << words[1] << ": " << stream;
+      EXPECT_EQ(stream.find("\xc2\x9b"), std::string::npos) << words[1] << ": " << stream;
+      EXPECT_FALSE(stream.starts_with("root:")) << stream;
+      EXPECT_EQ(stream.find("\nroot:"), std::string::npos) << words[1] << ": " << stream;
+    }
+  }
 }
 
 TEST(CaseLibrary, RefusedCommandsWriteNothing) {

@@ -41,6 +41,26 @@ TEST(CaseNew, MakesACaseOfASweepAndSaysHowItLies) {
   EXPECT_EQ(readJson(folder / "cases/liver/case.json"), manifest);
 }
 
+TEST(CaseNew, SaysWhenItKnowsNoPlaceForARegionAndForecastsTheLevelOnlyWhenItIsMade) {
+  const TemporaryFolder folder;
+  makeSweep(folder / "s.igs.mha");
+  const auto made = [&](const std::string& to, const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"case", "new",      folder / "s.igs.mha", "-o", folder / to, "--spacing",
+                                      "1",    "--report", folder / "r.json"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  };
+  const auto unknown = made("a", {"--region", "left big toe", "--no-level"});
+  ASSERT_EQ(unknown.status, 0) << unknown.err;
+  EXPECT_NE(unknown.err.find("There is no usual place for 'left big toe'"), std::string::npos) << unknown.err;
+  EXPECT_NE(unknown.err.find("upper abdomen"), std::string::npos) << unknown.err;
+  const double without = readJson(folder / "r.json")["quality"]["forecast_mib"];
+  const auto known = made("b", {"--region", "Right upper quadrant, in deep breath"});
+  ASSERT_EQ(known.status, 0) << known.err;
+  EXPECT_EQ(known.err.find("no usual place"), std::string::npos) << known.err;
+  EXPECT_LT(without, readJson(folder / "r.json")["quality"]["forecast_mib"].get<double>());
+}
+
 TEST(CaseNew, PutsItWhereItIsTold) {
   const TemporaryFolder folder;
   makeSweep(folder / "s.igs.mha");

@@ -169,6 +169,8 @@ TEST_F(LessonCommand, ShowsTheCourseAndNamesWhatItLacks) {
   const auto whole = run({"lesson", "course", (cases_ / "course.json").string(), "--language", "de"});
   EXPECT_EQ(whole.status, 0) << whole.err;
   EXPECT_LT(whole.out.find("Orientierung und Bewegungen"), whole.out.find("Drei Standardebenen")) << whole.out;
+  EXPECT_NE(whole.out.find("Drei Standardebenen (Stufe 2, etwa 25 Minuten, 8 Schritte)"), std::string::npos) << whole.out;
+  EXPECT_EQ(whole.out.find("level "), std::string::npos) << whole.out;
   json course = readJson((cases_ / "course.json").string());
   course["lessons"].push_back({{"case", "fetal-biometry"}, {"lesson", "nothing"}});
   writeText(folder_ / "course.json", course.dump());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 
 #include "cli/cli_world.h"
 
@@ -167,6 +168,26 @@ TEST_F(ReconstructCommand, QuietSaysNothing) {
   const auto outcome = reconstruct({"--spacing", "1", "--quiet"});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.out + outcome.err, "");
+}
+
+TEST_F(ReconstructCommand, SaysWhatItNeedsBeforeItTakesIt) {
+  const auto said = reconstruct({"--spacing", "0.3999999943166175"});
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_NE(said.err.find(" voxels of 0.4 mm needs about "), std::string::npos) << said.err;
+  EXPECT_NE(said.out.find(" voxels of 0.4 mm in the frame"), std::string::npos) << said.out;
+}
+
+TEST_F(ReconstructCommand, ProgressNeverGoesBack) {
+  const auto said = reconstruct({"--spacing", "1", "--interpolation", "centred"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  int before = -1;
+  std::istringstream in(said.err);
+  for (std::string line; std::getline(in, line);) {
+    if (line.find(" %  ") == std::string::npos) continue;
+    const int now = std::stoi(line);
+    EXPECT_GE(now, before) << said.err;
+    before = now;
+  }
 }
 
 TEST_F(ReconstructCommand, ProgressIsPlainLinesInAFileAndABarOnATerminal) {

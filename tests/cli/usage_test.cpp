@@ -114,6 +114,12 @@ TEST(Usage, WrongWordsAreOneSentenceAndStatusTwo) {
   EXPECT_TRUE(folder.names().empty());
 }
 
+TEST(Usage, WhatWasNotExpectedIsNamedInTheOrderItWasGiven) {
+  const auto outcome = run({"plugins", "list", "first", "--second", "third"});
+  EXPECT_EQ(outcome.status, cli::kWrongUsage);
+  EXPECT_EQ(outcome.err, "echoweave: Not expected: 'first', '--second', 'third'; 'echoweave plugins list --help' shows how.\n");
+}
+
 TEST(Usage, TheInstructionSetHoldsForOneCommandAndStandsInItsReport) {
   const TemporaryFolder folder;
   const auto simdOf = [&](std::vector<std::string> words) {

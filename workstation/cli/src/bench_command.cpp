@@ -16,6 +16,7 @@
 #include "bench_teaching_commands.h"
 #include "bench_tracking.h"
 #include "command.h"
+#include "ew/core/foreign_json.h"
 #include "ew/core/numbers.h"
 #include "ew/core/simd.h"
 #include "ew/io/safe_file.h"
@@ -82,8 +83,8 @@ void printEchoes(std::ostream& out, const json& measured) {
 void printResults(std::ostream& out, const json& measured) {
   if (measured.contains("totals")) printEchoes(out, measured);
   std::size_t nameWidth = 4;
-  for (const auto& row : measured.value("results", json::array())) nameWidth = std::max(nameWidth, textIn(row, "name").size());
-  for (const auto& row : measured.value("results", json::array())) {
+  for (const auto& row : listAt(measured, "results")) nameWidth = std::max(nameWidth, textIn(row, "name").size());
+  for (const auto& row : listAt(measured, "results")) {
     if (row.contains("removed_percent") || row.contains("derivative_ratio") || row.contains("decorrelation")) continue;
     std::string name = textIn(row, "name");
     name.resize(nameWidth + 2, ' ');
@@ -113,28 +114,28 @@ void printResults(std::ostream& out, const json& measured) {
           << " mm ->" << right(numberIn(row, "error_mm", 3), 7) << " mm, 95 % below" << right(numberIn(row, "error_p95_mm", 3), 7)
           << " mm  " << (row.contains("verdict") ? textIn(row, "verdict") : std::string()) << "\n";
     }
-  for (const auto& row : measured.value("results", json::array()))
+  for (const auto& row : listAt(measured, "results"))
     if (row.contains("derivative_ratio"))
       out << textIn(row, "name") << ": " << rounded(row["median_us"].get<double>() * 1e-3, 1) << " ms, derivative across the seam "
           << numberIn(row, "derivative_ratio", 3) << ", speckle " << numberIn(row, "speckle_ratio", 3) << ", step "
           << numberIn(row, "step_db", 2) << " dB, shadow off by " << numberIn(row, "shadow_error_db", 2) << " dB\n";
-  for (const auto& name : measured.value("peers_missing", json::array()))
+  for (const auto& name : listAt(measured, "peers_missing"))
     out << name.get<std::string>() << " is not installed here; nothing was compared with it\n";
-  for (const auto& row : measured.value("threads_measured", json::array()))
+  for (const auto& row : listAt(measured, "threads_measured"))
     if (row.contains("same_voxels"))
       out << textIn(row, "name") << ", two threads: " << numberIn(row, "times_faster", 2) << " times as fast as one, "
           << (row["same_voxels"].get<bool>() ? "the same voxels\n" : "OTHER VOXELS\n");
-  for (const auto& row : measured.value("confidence", json::array()))
+  for (const auto& row : listAt(measured, "confidence"))
     out << textIn(row, "name") << ": " << numberIn(row, "median_us", 0) << " us a frame, area under the curve "
         << numberIn(row, "area_under_curve", 4) << ", mean in shadow " << numberIn(row, "mean_in_shadow", 2) << " and in sight "
         << numberIn(row, "mean_in_sight", 2) << "\n";
-  for (const auto& row : measured.value("ratios", json::array()))
+  for (const auto& row : listAt(measured, "ratios"))
     out << textIn(row, "quality") << ", " << numberIn(row, "volume_side", 0) << " cubed, " << textIn(row, "pose_kind")
         << " poses: " << numberIn(row, "times_faster", 2) << " times as fast as the peer\n";
-  for (const auto& row : measured.value("promises", json::array()))
+  for (const auto& row : listAt(measured, "promises"))
     out << textIn(row, "what") << ": " << numberIn(row, "found", 2) << ", wanted at least " << numberIn(row, "bar", 2)
         << (row["passed"].get<bool>() ? ": met\n" : ": NOT MET\n");
-  for (const auto& row : measured.value("must_show", json::array()))
+  for (const auto& row : listAt(measured, "must_show"))
     out << textIn(row, "name") << ": " << numberIn(row, "value", 3) << ", wanted at most " << numberIn(row, "limit", 2)
         << (row["met"].get<bool>() ? ": met\n" : ": NOT MET\n");
 }

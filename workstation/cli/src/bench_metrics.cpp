@@ -10,6 +10,7 @@
 #include "ew/assessment/step_metrics.h"
 #include "ew/assessment/step_work.h"
 #include "ew/core/parallel.h"
+#include "ew/core/quiet_progress.h"
 #include "ew/core/simd.h"
 #include "ew/core/version.h"
 #include "metric_study.h"
@@ -229,12 +230,15 @@ Result<json> benchAttempts(const AttemptsBenchOptions& options, Progress& progre
     const std::uint64_t seed = seedOfPerson(options.seed, level, static_cast<std::uint64_t>(n));
     SimulationOptions simulated;
     simulated.shortest_s = 60.0 * options.minutes;
+    simulated.stopped = [&] { return writing.cancelRequested(); };
     // The last scan may be against the clock, and so may be over too soon for the length that is asked for.
     Lesson unhurried = *lesson;
     for (LessonStep& step : unhurried.steps) step.time_s.reset();
     const auto steps = simulateAttempt(unhurried, *on, onOneDay(personOf(level, seed), seed), seed, simulated);
-    const auto kept =
-        keepSimulatedAttempt(*lesson, *on, steps, {level, n + 1, seed}, firstMorning() + std::chrono::minutes(20 * n), options.folder);
+    if (simulated.stopped()) return;
+    QuietProgress quiet(writing);
+    const auto kept = keepSimulatedAttempt(*lesson, *on, steps, {level, n + 1, seed}, firstMorning() + std::chrono::minutes(20 * n),
+                                           options.folder, quiet);
     const std::lock_guard lock(guard);
     if (!kept && !problem) problem = kept.error();
     for (const SimulatedStep& step : steps) {

@@ -108,8 +108,15 @@ struct ReconstructSetting {
 };
 
 const char* nameOf(Interpolation interpolation) {
-  if (interpolation == Interpolation::centred) return "centred";
-  return interpolation == Interpolation::linear ? "linear" : "nearest";
+  switch (interpolation) {
+    case Interpolation::nearest:
+      return "nearest";
+    case Interpolation::linear:
+      return "linear";
+    case Interpolation::centred:
+      return "centred";
+  }
+  return {};
 }
 
 const char* fillNameOf(const ReconstructOptions& options) {

@@ -74,7 +74,17 @@ Result<std::unique_ptr<SlicingScene>> makeScene(const BenchOptions& options, int
 
 /// What an own slicer reads: what the program chooses for each slice, or one layout always.
 enum class Read { chosen, rows, bricks };
-const char* wordOf(Read read) { return read == Read::chosen ? "chosen" : read == Read::rows ? "rows" : "bricks"; }
+const char* wordOf(Read read) {
+  switch (read) {
+    case Read::chosen:
+      return "chosen";
+    case Read::rows:
+      return "rows";
+    case Read::bricks:
+      return "bricks";
+  }
+  return "";
+}
 
 SliceSource sourceOf(const SlicingScene& scene, Read read) {
   const LayoutChoice choice = read == Read::chosen ? scene.times.choice() : read == Read::rows ? LayoutChoice() : LayoutChoice().set();

@@ -79,8 +79,15 @@ double shadowError_db(const Views& made, const JoinResult& joined) {
 }
 
 const char* nameOf(SeamMethod method) {
-  if (method == SeamMethod::feather) return "feather";
-  return method == SeamMethod::nearest ? "nearest" : "graph_cut";
+  switch (method) {
+    case SeamMethod::feather:
+      return "feather";
+    case SeamMethod::nearest:
+      return "nearest";
+    case SeamMethod::graphCut:
+      return "graph_cut";
+  }
+  return "";
 }
 
 struct StitchSetting {

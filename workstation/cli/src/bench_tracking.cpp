@@ -18,6 +18,20 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
+const char* wordOf(FilterKind kind) {
+  switch (kind) {
+    case FilterKind::automatic:
+      return "automatic";
+    case FilterKind::none:
+      return "none";
+    case FilterKind::kalman:
+      return "kalman";
+    case FilterKind::oneEuro:
+      return "one_euro";
+  }
+  return "";
+}
+
 struct TruthFrame {
   GreyImage picture;
   double time_s = 0.0;
@@ -212,9 +226,7 @@ class TrackingRun {
             {"resolution", setting_.half ? "half" : "full"},
             {"markers", setting_.markers},
             {"corners", nameOf(setting_.corners)},
-            {"filter", setting_.filter == FilterKind::kalman    ? "kalman"
-                       : setting_.filter == FilterKind::oneEuro ? "one_euro"
-                                                                : "none"},
+            {"filter", wordOf(setting_.filter)},
             {"peer", setting_.plain},
             {"median_us", medianOf(times_us_)},
             {"p95_us", partOf(times_us_, 0.95)},

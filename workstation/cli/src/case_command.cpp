@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <ostream>
 
 #include "arguments.h"
@@ -6,13 +8,17 @@
 #include "case_new.h"
 #include "case_withdraw.h"
 #include "command.h"
+#include "ew/core/figures.h"
 #include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
+#include "ew/core/printable.h"
 #include "ew/door/door.h"
 #include "ew/door/headless_host.h"
 #include "ew/imaging/effect_info.h"
 #include "ew/io/safe_file.h"
+#include "ew/library/case_truth.h"
 #include "ew/library/preparation.h"
+#include "ew/library/published.h"
 #include "ew/library/schema.h"
 #include "volume_input.h"
 
@@ -44,7 +50,8 @@ std::string volumeText(const CaseVolume& volume) {
   if (!volume.file.empty()) return volume.file;
   if (!volume.sweeps.empty())
     return "made from " + counted(volume.sweeps.size(), "sweep") + " of " + volume.recipe +
-           (volume.reconstruct.spacing_mm ? " at " + textOf(*volume.reconstruct.spacing_mm) + " mm" : " at the spacing their frames carry");
+           (volume.reconstruct.spacing_mm ? " at " + figureText(*volume.reconstruct.spacing_mm) + " mm"
+                                          : " at the spacing their frames carry");
   if (!volume.recipe.empty()) return "made from " + volume.recipe + " at " + textOf(volume.recipeSpacing_mm) + " mm";
   return "none";
 }
@@ -58,11 +65,38 @@ std::string sceneText(const Scene& scene) {
 }
 
 const char* nameOf(CaseTarget::Kind kind) {
-  return kind == CaseTarget::Kind::point ? "point" : kind == CaseTarget::Kind::plane ? "plane" : "structure";
+  switch (kind) {
+    case CaseTarget::Kind::point:
+      return "point";
+    case CaseTarget::Kind::plane:
+      return "plane";
+    case CaseTarget::Kind::structure:
+      return "structure";
+  }
+  return "";
+}
+
+/// Units of the measurements that the patient knows, by name: what is measured stands in the recipe.
+std::map<std::string, std::string> unitsOfPatient(const Case& opened, Run& run) {
+  std::map<std::string, std::string> units;
+  const bool isAsked = std::any_of(opened.measurements.begin(), opened.measurements.end(),
+                                   [](const CaseMeasurement& each) { return each.tolerance && each.unit.empty(); });
+  if (!isAsked || opened.volume.recipe.empty()) return units;
+  const auto truth = loadCaseTruth(opened, run.progress);
+  if (!truth) return units;  // the patient cannot be read: 'case validate' says why
+  for (const ExpectedMeasurement& each : truth->measurements) units[each.name] = each.unit;
+  return units;
+}
+
+/// "gall stone, width (12.4 mm), tolerance 2 mm".
+std::string measurementText(const CaseMeasurement& measurement, const std::string& unit) {
+  const std::string behind = unit.empty() ? "" : " " + unit;
+  return measurement.name + (measurement.value ? " (" + textOf(*measurement.value) + behind + ")" : "") +
+         (measurement.tolerance ? ", tolerance " + textOf(*measurement.tolerance) + behind : "");
 }
 
 /// What is looked for and measured, a line each.
-std::vector<std::pair<std::string, std::string>> expectedLines(const Case& opened) {
+std::vector<std::pair<std::string, std::string>> expectedLines(const Case& opened, const std::map<std::string, std::string>& units) {
   std::vector<std::pair<std::string, std::string>> lines;
   for (const auto& each : opened.previousExaminations)
     lines.emplace_back("Before",
@@ -70,7 +104,8 @@ std::vector<std::pair<std::string, std::string>> expectedLines(const Case& opene
   for (const auto& finding : opened.findings) lines.emplace_back("Finding", finding);
   for (const auto& target : opened.targets) lines.emplace_back("Target", target.name + " (" + nameOf(target.kind) + ")");
   for (const auto& each : opened.measurements)
-    lines.emplace_back("Measurement", each.name + (each.tolerance ? ", tolerance " + textOf(*each.tolerance) : ""));
+    lines.emplace_back("Measurement",
+                       measurementText(each, each.unit.empty() && units.contains(each.name) ? units.at(each.name) : each.unit));
   return lines;
 }
 
@@ -82,47 +117,104 @@ Result<void> protectCasesOf(const std::filesystem::path& folder, Run& run) {
   return {};
 }
 
-Result<int> listAll(const CaseArguments& arguments, Run& run) {
-  std::filesystem::path folder = arguments.folder;
-  if (folder.empty()) {
-    const auto shipped = shippedCasesFolder();
-    if (!shipped) return passOn(shipped.error());
-    folder = *shipped;
-  }
+/// A case as it is listed, and what it is to whoever asks.
+struct Listed {
+  Case entry;
+  std::string kind;  ///< "own", "published", "shipped"; empty: of a folder that was named
+  int revision = 0;  ///< of a published one
+};
+
+struct Listing {
+  std::vector<Listed> cases;
+  std::vector<Error> problems;
+  std::vector<std::filesystem::path> noCases;
+};
+
+Result<void> addFolder(Listing& all, const std::filesystem::path& folder, const std::string& kind, Run& run) {
   std::error_code ignored;
-  if (!std::filesystem::is_directory(folder, ignored))
-    return failure(ErrorCode::notFound, say<"There is no folder '%1'; give a folder that holds case folders.">(folder.string()),
-                   {{"file", folder.string()}});
-  if (auto kept = run.input(folder); !kept) return passOn(kept.error());
-  if (auto kept = protectCasesOf(folder, run); !kept) return passOn(kept.error());
-  const auto list = listCases(folder);
-  run.report.quality = {{"cases", list.cases.size()}, {"problems", list.problems.size()}};
+  if (!std::filesystem::is_directory(folder, ignored)) return {};
+  if (auto kept = run.input(folder); !kept) return kept;
+  if (auto kept = protectCasesOf(folder, run); !kept) return kept;
+  auto list = listCases(folder);
+  for (auto& each : list.cases) all.cases.push_back({std::move(each), kind});
+  std::move(list.problems.begin(), list.problems.end(), std::back_inserter(all.problems));
+  std::move(list.noCases.begin(), list.noCases.end(), std::back_inserter(all.noCases));
+  return {};
+}
+
+/// The cases that an id can name: the user's own, those that are published (imported ones are), the shipped ones.
+Result<Listing> everyCase(Run& run) {
+  Listing all;
+  if (auto own = addFolder(all, ownCasesFolder(), "own", run); !own) return passOn(own.error());
+  for (const PublishedCase& each : listPublished(libraryFolder())) {
+    if (auto kept = run.input(each.folder / "case.json"); !kept) return passOn(kept.error());
+    auto opened = loadCase(each.folder);
+    if (opened)
+      all.cases.push_back({*std::move(opened), "published", each.revision});
+    else
+      all.problems.push_back(opened.error());
+  }
+  const auto shipped = shippedCasesFolder();
+  if (!shipped) return passOn(shipped.error());
+  if (auto added = addFolder(all, *shipped, "shipped", run); !added) return passOn(added.error());
+  return all;
+}
+
+Result<Listing> listingOf(const CaseArguments& arguments, Run& run) {
+  if (arguments.folder.empty()) return everyCase(run);
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(arguments.folder, ignored))
+    return failure(ErrorCode::notFound, say<"There is no folder '%1'; give a folder that holds case folders.">(arguments.folder),
+                   {{"file", arguments.folder}});
+  Listing all;
+  if (auto added = addFolder(all, arguments.folder, {}, run); !added) return passOn(added.error());
+  return all;
+}
+
+json jsonOf(const Listing& all, const std::string& folder) {
+  json shown = {{"cases", json::array()}, {"problems", json::array()}, {"no_cases", json::array()}};
+  if (!folder.empty()) shown["folder"] = folder;
+  for (const auto& [each, kind, revision] : all.cases) {
+    json row = {{"id", each.id},
+                {"title", each.title},
+                {"region", each.region},
+                {"indication", each.indication},
+                {"folder", each.folder.string()},
+                {"prepared", !caseNeedsPreparation(each)}};
+    if (!kind.empty()) row["kind"] = kind;
+    if (revision > 0) row["revision"] = revision;
+    shown["cases"].push_back(std::move(row));
+  }
+  for (const auto& problem : all.problems) shown["problems"].push_back(problemJson(problem));
+  for (const auto& other : all.noCases) shown["no_cases"].push_back(other.string());
+  return shown;
+}
+
+Result<int> listAll(const CaseArguments& arguments, Run& run) {
+  const auto all = listingOf(arguments, run);
+  if (!all) return passOn(all.error());
+  run.report.quality = {{"cases", all->cases.size()}, {"problems", all->problems.size()}};
   if (arguments.asJson) {
-    json shown = {{"folder", folder.string()}, {"cases", json::array()}, {"problems", json::array()}, {"no_cases", json::array()}};
-    for (const auto& each : list.cases)
-      shown["cases"].push_back({{"id", each.id},
-                                {"title", each.title},
-                                {"region", each.region},
-                                {"indication", each.indication},
-                                {"folder", each.folder.string()},
-                                {"prepared", !caseNeedsPreparation(each)}});
-    for (const auto& problem : list.problems) shown["problems"].push_back(problemJson(problem));
-    for (const auto& other : list.noCases) shown["no_cases"].push_back(other.string());
-    run.out() << dumped(shown) << "\n";
+    run.out() << dumped(jsonOf(*all, arguments.folder)) << "\n";
     return kDone;
   }
-  std::size_t idWidth = 2, titleWidth = 5;
-  for (const auto& each : list.cases) {
+  std::size_t idWidth = 2, titleWidth = 5, regionWidth = 0;
+  for (const auto& [each, kind, revision] : all->cases) {
     idWidth = std::max(idWidth, each.id.size());
     titleWidth = std::max(titleWidth, each.title.size());
+    regionWidth = std::max(regionWidth, each.region.size());
   }
-  for (const auto& each : list.cases)
-    run.out() << each.id << std::string(idWidth - each.id.size() + 2, ' ') << each.title
-              << std::string(titleWidth - each.title.size() + 2, ' ') << each.region
+  const auto padded = [](const std::string& text, std::size_t width) {
+    return printableLine(text) + std::string(width - text.size() + 2, ' ');
+  };
+  for (const auto& [each, kind, revision] : all->cases)
+    run.out() << padded(each.id, idWidth) << padded(each.title, titleWidth)
+              << (kind.empty() ? printableLine(each.region) : padded(each.region, regionWidth) + kind)
+              << (revision > 0 ? ", revision " + std::to_string(revision) : "")
               << (caseNeedsPreparation(each) ? "  (not prepared yet)" : "") << "\n";
-  if (list.cases.empty()) run.out() << "No cases in " << folder.string() << ".\n";
-  for (const auto& problem : list.problems) run.remark(problem.message);
-  for (const auto& other : list.noCases) run.remark(say<"The folder '%1' is left out: it holds no case.json.">(other.filename().string()));
+  if (all->cases.empty()) run.out() << "No cases in " << arguments.folder << ".\n";
+  for (const auto& problem : all->problems) run.remark(problem.message);
+  for (const auto& other : all->noCases) run.remark(say<"The folder '%1' is left out: it holds no case.json.">(other.filename().string()));
   return kDone;
 }
 
@@ -137,7 +229,7 @@ Result<int> show(const CaseArguments& arguments, Run& run) {
   const auto line = [&](std::string name, const std::string& value) {
     if (value.empty()) return;
     name.resize(14, ' ');
-    run.out() << name << value << "\n";
+    run.out() << name << printableLine(value) << "\n";
   };
   std::string patient = found->patient.name;
   if (!found->patient.sex.empty()) patient += (patient.empty() ? "" : ", ") + found->patient.sex;
@@ -152,7 +244,7 @@ Result<int> show(const CaseArguments& arguments, Run& run) {
   line("History", found->history);
   line("Indication", found->indication);
   line("Diagnosis", found->diagnosis);
-  for (const auto& [name, value] : expectedLines(*found)) line(name, value);
+  for (const auto& [name, value] : expectedLines(*found, unitsOfPatient(*found, run))) line(name, value);
   line("Volume", volumeText(found->volume) + (caseNeedsPreparation(*found) ? " (not prepared yet)" : ""));
   line("Probes", probes.empty() ? "all" : probes);
   line("Mannequin", found->mannequin.empty() ? "default" : found->mannequin);
@@ -294,26 +386,32 @@ void addCase(CLI::App& root, Selection& selection) {
   group.require_subcommand(1);
   auto arguments = std::make_shared<CaseArguments>();
 
-  auto& list = addCommand(group, selection, "list", "The cases of a folder, by title", {"case list", "case list my-cases --json"},
-                          [arguments](Run& run) { return listAll(*arguments, run); });
-  list.add_option("FOLDER", arguments->folder, "A folder that holds case folders (the shipped cases)")->type_name("");
+  auto& list = addCommand(group, selection, "list", "The cases there are: your own, published or imported ones, and the shipped ones",
+                          {"case list", "case list my-cases --json"}, [arguments](Run& run) { return listAll(*arguments, run); });
+  list.add_option("FOLDER", arguments->folder, "Only those of this folder, which holds case folders")->type_name("");
   list.add_flag("--json", arguments->asJson, "As JSON");
 
   auto& shown =
       addCommand(group, selection, "show", "What a case holds", {"case show upper-abdomen-gall-stone", "case show my-cases/knee --json"},
                  [arguments](Run& run) { return show(*arguments, run); });
-  shown.add_option("CASE", arguments->chosen, "A case folder, its case.json, or a shipped case's id")->required()->type_name("");
+  shown
+      .add_option("CASE", arguments->chosen, "A case folder, its case.json, or the id of a case of your own, a published or a shipped one")
+      ->required()
+      ->type_name("");
   shown.add_flag("--json", arguments->asJson, "The manifest as JSON");
 
   auto& checked = addCommand(group, selection, "validate", "Every problem of a case, one a line; exit status 1 when there are any",
                              {"case validate my-cases/knee"}, [arguments](Run& run) { return validate(*arguments, run); });
-  checked.add_option("CASE", arguments->chosen, "A case folder, its case.json, or a shipped case's id")->required()->type_name("");
+  checked
+      .add_option("CASE", arguments->chosen, "A case folder, its case.json, or the id of a case of your own, a published or a shipped one")
+      ->required()
+      ->type_name("");
   checked.add_flag("--json", arguments->asJson, "As JSON");
 
   auto& prepared = addCommand(group, selection, "prepare", "Make the volumes of cases that come as recipes, so that they open at once",
                               {"case prepare --all", "case prepare upper-abdomen-gall-stone --keep-sweeps recordings"},
                               [arguments](Run& run) { return prepare(*arguments, run); });
-  prepared.add_option("CASES", arguments->several, "Case folders, case.json files or ids of shipped cases")->type_name("");
+  prepared.add_option("CASES", arguments->several, "Case folders, case.json files or ids of cases")->type_name("");
   prepared.add_flag("--all", arguments->all, "All shipped cases, the one that is ready soonest first");
   prepared.add_flag("--first", arguments->first, "The shipped case that is ready soonest, unless one is ready already");
   prepared

@@ -38,11 +38,17 @@ bool isBundle(const fs::path& named) {
 }
 
 /// The folder of a case: as findCase, but a case that cannot be opened has one, too, and so has the latest revision of an id.
-Result<fs::path> folderOfCase(const std::string& caseOrId) {
+Result<fs::path> folderOfCase(const std::string& caseOrId, Run& run) {
   std::error_code ignored;
   if (fs::is_directory(caseOrId, ignored)) return fs::path(caseOrId);
   if (fs::exists(caseOrId, ignored)) return fs::absolute(caseOrId, ignored).parent_path();
-  if (const auto published = latestPublished(libraryFolder(), caseOrId)) return published->folder;
+  const auto taken = takenPublished(libraryFolder(), caseOrId);
+  if (const auto published = latestPublished(libraryFolder(), caseOrId)) {
+    if (taken.back().revision != published->revision)
+      run.remark(say<"Revision %1 of '%2' is not complete, so revision %3 is taken; 'echoweave case verify %2' says what is wrong.">(
+          taken.back().revision, caseOrId, published->revision));
+    return published->folder;
+  }
   const auto found = findCase(caseOrId);
   if (!found) return passOn(found.error());
   return found->folder;
@@ -107,7 +113,7 @@ Result<int> exportCase(const LibraryArguments& arguments, Run& run) {
   if (arguments.isExamination != !arguments.forWhom.empty())
     return failure(ErrorCode::badUsage,
                    say<"--examination and --for go together: answers are sealed for somebody who can judge with them.">());
-  const auto folder = folderOfCase(arguments.chosen);
+  const auto folder = folderOfCase(arguments.chosen, run);
   if (!folder) return passOn(folder.error());
   if (auto kept = readsCase(*folder, run); !kept) return passOn(kept.error());
   if (auto announced = run.output(arguments.output, kBundleEnding); !announced) return passOn(announced.error());
@@ -174,7 +180,15 @@ CaseById caseByIdFor(const Case& opened) {
 }
 
 const char* wordOf(CheckItem::State state) {
-  return state == CheckItem::State::missing ? "missing" : state == CheckItem::State::warning ? "look at" : "done";
+  switch (state) {
+    case CheckItem::State::done:
+      return "done";
+    case CheckItem::State::warning:
+      return "look at";
+    case CheckItem::State::missing:
+      return "missing";
+  }
+  return "";
 }
 
 /// The list an author goes through; what is done goes into the report alone.
@@ -189,7 +203,7 @@ void tellList(const std::vector<CheckItem>& list, Run& run) {
 }
 
 Result<int> publish(const LibraryArguments& arguments, Run& run) {
-  const auto folder = folderOfCase(arguments.chosen);
+  const auto folder = folderOfCase(arguments.chosen, run);
   if (!folder) return passOn(folder.error());
   if (auto kept = readsCase(*folder, run); !kept) return passOn(kept.error());
   if (const auto opened = loadCase(*folder)) {
@@ -220,14 +234,33 @@ json rowOf(const std::string& name, const CaseCheck& check) {
   return {{"name", name}, {"files", check.files}, {"bytes", check.bytes}, {"has_sums", check.hasSums}, {"problems", problems}};
 }
 
-/// A bundle or a folder, checked to its last byte. What is wrong with it is the answer; that it is not there or cannot be read is an error.
-Result<CaseCheck> checkOne(const std::string& named, Run& run, Progress& progress) {
-  if (!isBundle(named)) {
-    const auto folder = folderOfCase(named);
-    if (!folder) return passOn(folder.error());
-    if (auto kept = readsCase(*folder, run); !kept) return passOn(kept.error());
-    return verifyCase(*folder, progress);
+/// One thing to check, and how it is called.
+struct Checked {
+  std::string name;
+  fs::path folder;  ///< empty: a bundle of that name
+};
+
+/// What a word stands for: a bundle, a folder, or every revision of a published case, also those that are no longer complete.
+Result<std::vector<Checked>> checkedBy(const std::string& named, Run& run) {
+  std::error_code ignored;
+  std::vector<Checked> all;
+  if (!fs::exists(named, ignored))
+    for (const PublishedCase& each : takenPublished(libraryFolder(), named))
+      all.push_back({named + ", revision " + std::to_string(each.revision), each.folder});
+  if (!all.empty()) return all;
+  if (isBundle(named)) return std::vector<Checked>{{named, {}}};
+  auto folder = folderOfCase(named, run);
+  if (!folder) return passOn(folder.error());
+  return std::vector<Checked>{{named, *std::move(folder)}};
+}
+
+/// Checked to its last byte. What is wrong with it is the answer; that it is not there or cannot be read is an error.
+Result<CaseCheck> checkOne(const Checked& wanted, Run& run, Progress& progress) {
+  if (!wanted.folder.empty()) {
+    if (auto kept = readsCase(wanted.folder, run); !kept) return passOn(kept.error());
+    return verifyCase(wanted.folder, progress);
   }
+  const std::string& named = wanted.name;
   if (auto kept = run.input(named); !kept) return passOn(kept.error());
   const auto header = verifyBundle(named, {}, progress);
   CaseCheck check{.hasSums = true, .files = 0, .bytes = 0, .problems = {}};
@@ -246,12 +279,18 @@ Result<int> verify(const LibraryArguments& arguments, Run& run) {
   run.stopped = say<"Stopped as asked before everything was checked.">();
   std::size_t problems = 0;
   run.report.details["cases"] = json::array();
-  for (std::size_t n = 0; n < arguments.several.size(); ++n) {
-    const std::string& named = arguments.several[n];
-    const auto all = static_cast<double>(arguments.several.size());
+  std::vector<Checked> wanted;
+  for (const std::string& word : arguments.several) {
+    auto meant = checkedBy(word, run);
+    if (!meant) return passOn(meant.error());
+    std::move(meant->begin(), meant->end(), std::back_inserter(wanted));
+  }
+  for (std::size_t n = 0; n < wanted.size(); ++n) {
+    const std::string& named = wanted[n].name;
+    const auto all = static_cast<double>(wanted.size());
     PartOfProgress part(run.progress, static_cast<double>(n) / all, static_cast<double>(n + 1) / all);
     const StepClock clock(run.report, "verify");
-    const auto check = checkOne(named, run, part);
+    const auto check = checkOne(wanted[n], run, part);
     if (!check) return passOn(check.error());
     run.report.details["cases"].push_back(rowOf(named, *check));
     for (const Error& problem : check->problems) run.out() << named << ": " << problem.sentence() << "\n";
@@ -262,7 +301,7 @@ Result<int> verify(const LibraryArguments& arguments, Run& run) {
     if (!check->hasSums && check->problems.empty())
       run.remark(say<"'%1' was not published: it has no sums, so nobody can tell whether its files have changed.">(named));
   }
-  run.report.quality = {{"checked", arguments.several.size()}, {"problems", problems}};
+  run.report.quality = {{"checked", wanted.size()}, {"problems", problems}};
   run.out() << std::flush;
   if (problems == 0) return kDone;
   return run.answer({ErrorCode::badField, say<"%1 found; what is listed says what to do.">(counted(problems, "problem")), {}});
@@ -272,7 +311,7 @@ Result<int> verify(const LibraryArguments& arguments, Run& run) {
 
 void addCaseLibrary(CLI::App& group, Selection& selection) {
   auto arguments = std::make_shared<LibraryArguments>();
-  constexpr const char* kCaseText = "A case folder, its case.json, or the id of a published or shipped case";
+  constexpr const char* kCaseText = "A case folder, its case.json, or the id of a case: published, your own, or shipped";
   constexpr const char* kLibraryText = "The library's folder (ECHOWEAVE_LIBRARY, else ~/EchoWeave)";
 
   auto& exported =
@@ -303,7 +342,7 @@ void addCaseLibrary(CLI::App& group, Selection& selection) {
   auto& verified = addCommand(group, selection, "verify", "Read every byte of cases and bundles; exit status 1 when something is wrong",
                               {"case verify knee.ewcase", "case verify ~/EchoWeave/published/knee/3 my-cases/knee"},
                               [arguments](Run& run) { return verify(*arguments, run); });
-  verified.add_option("CASES", arguments->several, "Bundles, case folders, or ids of published or shipped cases")
+  verified.add_option("CASES", arguments->several, "Bundles, case folders, or ids of cases; of a published one every revision is read")
       ->required()
       ->type_name("");
 }

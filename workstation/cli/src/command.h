@@ -13,6 +13,7 @@
 #include "ew/cli/run_command.h"
 #include "ew/core/output_set.h"
 #include "ew/core/result.h"
+#include "printable_stream.h"
 #include "report.h"
 
 namespace ew::cli {
@@ -20,14 +21,15 @@ namespace ew::cli {
 /// One run of one command: what it may touch.
 class Run {
  public:
-  Run(const Surroundings& surroundings, bool quiet) : progress(surroundings, quiet), surroundings_(surroundings), quiet_(quiet) {}
+  Run(const Surroundings& surroundings, bool quiet)
+      : progress(surroundings, quiet), out_(surroundings.out), err_(surroundings.err), quiet_(quiet) {}
 
   ConsoleProgress progress;
   Report report;
   OutputSet outputs;
 
   /// What the user asked to see, on the output stream, quiet or not.
-  std::ostream& out() { return surroundings_.out; }
+  std::ostream& out() { return out_; }
   /// A line that says what was done, told once every output is in place; not when quiet.
   void say(const std::string& line);
   /// A remark on the error stream: something the user should know although it worked; not when quiet.
@@ -59,7 +61,7 @@ class Run {
   void tellWhatWasDone();
 
  private:
-  Surroundings surroundings_;
+  PrintableStream out_, err_;
   bool quiet_;
   std::vector<std::string> said_;
   std::optional<Error> answer_;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <ostream>
 
+#include "ew/core/printable.h"
+
 namespace ew::cli {
 namespace {
 
@@ -19,7 +21,8 @@ bool ConsoleProgress::cancelRequested() const { return surroundings_.cancel && s
 void ConsoleProgress::report(const Message& what, double fraction) {
   if (quiet_ || !std::isfinite(fraction)) return;
   const std::lock_guard lock(mutex_);
-  fraction = std::clamp(fraction, 0.0, 1.0);
+  fraction = fraction_ =
+      std::max(fraction_, std::clamp(fraction, 0.0, 1.0));  // a step that is done in two ways begins anew, a bar does not
   const bool newStep = what != what_;
   if (newStep) what_ = what;
   if (surroundings_.errIsTerminal) {
@@ -40,14 +43,15 @@ void ConsoleProgress::drawBar(double fraction) {
   std::string bar = "\r\x1b[2K[";
   for (int cell = 0; cell < kBarWidth; ++cell) bar += cell < full ? '#' : '.';
   const std::string percent = std::to_string(std::lround(fraction * 100.0));
-  bar += "] " + std::string(3 - std::min<std::size_t>(3, percent.size()), ' ') + percent + " %  " + what_.english();
+  bar += "] " + std::string(3 - std::min<std::size_t>(3, percent.size()), ' ') + percent + " %  " + printableLine(what_.english());
   surroundings_.err << bar << std::flush;
   barShown_ = true;
 }
 
 void ConsoleProgress::writeLine(double fraction) {
   const std::string percent = std::to_string(std::lround(fraction * 100.0));
-  surroundings_.err << std::string(3 - std::min<std::size_t>(3, percent.size()), ' ') + percent + " %  " + what_.english() + "\n"
+  surroundings_.err << std::string(3 - std::min<std::size_t>(3, percent.size()), ' ') + percent + " %  " + printableLine(what_.english()) +
+                           "\n"
                     << std::flush;
 }
 

@@ -32,6 +32,7 @@ class ConsoleProgress final : public Progress {
   std::mutex mutex_;
   Message what_;
   int shownTenth_ = -1;
+  double fraction_ = 0.0;  ///< the furthest so far
   bool barShown_ = false;
   std::chrono::steady_clock::time_point lastDrawn_{};
 };

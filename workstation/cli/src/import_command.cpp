@@ -4,6 +4,7 @@
 #include "asked_option.h"
 #include "command.h"
 #include "ew/core/ending.h"
+#include "ew/core/figures.h"
 #include "ew/core/numbers.h"
 #include "ew/io/sequence.h"
 #include "ew/library/file_import.h"
@@ -154,8 +155,8 @@ Result<int> import(const ImportArguments& arguments, Run& run) {
     if (auto written = writeVolume(*read->volume, out, writing); !written) return passOn(written.error());
     run.report.quality = {{"voxels", grid.voxelCount()}, {"spacing_mm", {grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z}}};
     run.say("Wrote " + arguments.output + ": " + std::to_string(grid.dims.x) + " x " + std::to_string(grid.dims.y) + " x " +
-            std::to_string(grid.dims.z) + " voxels of " + textOf(grid.spacing_mm.x) + " x " + textOf(grid.spacing_mm.y) + " x " +
-            textOf(grid.spacing_mm.z) + " mm.");
+            std::to_string(grid.dims.z) + " voxels of " + figureText(grid.spacing_mm.x) + " x " + figureText(grid.spacing_mm.y) + " x " +
+            figureText(grid.spacing_mm.z) + " mm.");
     return kDone;
   }
   if (hasEnding(arguments.output, ".mhd"))
@@ -174,8 +175,8 @@ Result<int> import(const ImportArguments& arguments, Run& run) {
                         {"pixel_mm", {cine.pixel_mm.x, cine.pixel_mm.y}},
                         {"coloured_share", cine.colouredShare}};
   run.say("Wrote " + arguments.output + ": " + counted(cine.sequence.frames.size(), "frame") + " of " +
-          std::to_string(cine.sequence.width) + " x " + std::to_string(cine.sequence.height) + " pixels of " + textOf(cine.pixel_mm.x) +
-          " x " + textOf(cine.pixel_mm.y) + " mm.");
+          std::to_string(cine.sequence.width) + " x " + std::to_string(cine.sequence.height) + " pixels of " + figureText(cine.pixel_mm.x) +
+          " x " + figureText(cine.pixel_mm.y) + " mm.");
   return kDone;
 }
 

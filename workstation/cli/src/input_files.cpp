@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "ew/core/nesting.h"
+#include "ew/core/ending.h"
+#include "ew/core/foreign_json.h"
 #include "ew/core/output_set.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
@@ -17,13 +18,6 @@ using nlohmann::json;
 constexpr std::size_t kMostJson_bytes = 16u << 20;
 constexpr std::size_t kMostFiles = 20000;
 
-std::string lowerEnding(const fs::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
-  return ending;
-}
-
 bool isFile(const fs::path& path) {
   std::error_code ignored;
   return fs::is_regular_file(path, ignored);
@@ -33,7 +27,7 @@ std::vector<fs::path> picturesIn(const fs::path& folder) {
   std::vector<fs::path> pictures;
   std::error_code problem;
   for (fs::directory_iterator at(folder, problem), end; !problem && at != end && pictures.size() < kMostFiles; at.increment(problem)) {
-    const std::string ending = lowerEnding(at->path());
+    const std::string ending = endingOf(at->path());
     if (ending == ".png" || ending == ".jpg" || ending == ".jpeg" || ending == ".pgm") pictures.push_back(at->path());
   }
   return pictures;
@@ -45,7 +39,7 @@ class Walk {
   void take(const fs::path& file) {
     if (files.size() >= kMostFiles || std::find(files.begin(), files.end(), file) != files.end()) return;
     files.push_back(file);
-    const std::string ending = lowerEnding(file);
+    const std::string ending = endingOf(file);
     if (ending == ".json") takeNamedByJson(file);
     if (ending != ".mhd" && ending != ".nhdr") return;
     if (const auto header = readVolumeHeader(file)) files.insert(files.end(), header->files.begin(), header->files.end());
@@ -56,8 +50,7 @@ class Walk {
  private:
   void takeNamedByJson(const fs::path& file) {
     const auto text = readTextFile(file, kMostJson_bytes);
-    if (!text || nestsDeeperThan(*text)) return;
-    takeNamedIn(json::parse(*text, nullptr, false), file.parent_path());
+    if (text) takeNamedIn(jsonOrNull(*text), file.parent_path());
   }
 
   void takeNamedIn(const json& value, const fs::path& folder) {

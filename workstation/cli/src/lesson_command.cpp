@@ -4,6 +4,7 @@
 #include "arguments.h"
 #include "command.h"
 #include "ew/core/numbers.h"
+#include "ew/core/printable.h"
 #include "ew/library/body_skin.h"
 #include "ew/library/case_words.h"
 #include "ew/library/course.h"
@@ -50,8 +51,12 @@ Result<Lesson> lessonOf(const Home& home, const std::string& id) {
                  {{"lesson", id}});
 }
 
-/// "level 2, about 15 minutes, 8 steps".
-std::string sizeOf(const Lesson& lesson) {
+/// "level 2, about 15 minutes, 8 steps". In German where the titles beside it are: a line is in one language.
+std::string sizeOf(const Lesson& lesson, const std::string& language) {
+  if (language.starts_with("de"))
+    return "Stufe " + std::to_string(lesson.level) + ", etwa " + std::to_string(lesson.minutes) +
+           (lesson.minutes == 1 ? " Minute, " : " Minuten, ") + std::to_string(lesson.steps.size()) +
+           (lesson.steps.size() == 1 ? " Schritt" : " Schritte");
   return "level " + std::to_string(lesson.level) + ", about " + counted(static_cast<std::size_t>(lesson.minutes), "minute") + ", " +
          counted(lesson.steps.size(), "step");
 }
@@ -63,7 +68,8 @@ Result<int> list(const LessonArguments& arguments, Run& run) {
   std::size_t width = 0;
   for (const Lesson& lesson : home->lessons) width = std::max(width, lesson.id.size());
   for (const Lesson& lesson : home->lessons)
-    run.out() << lesson.id << std::string(width - lesson.id.size() + 2, ' ') << words.of(lesson.title) << " (" << sizeOf(lesson) << ")\n";
+    run.out() << lesson.id << std::string(width - lesson.id.size() + 2, ' ') << printableLine(words.of(lesson.title)) << " ("
+              << sizeOf(lesson, arguments.language) << ")\n";
   if (home->lessons.empty()) run.out() << "The case " << home->opened.id << " has no lessons.\n";
   run.report.quality = {{"lessons", home->lessons.size()}};
   return kDone;
@@ -72,7 +78,7 @@ Result<int> list(const LessonArguments& arguments, Run& run) {
 /// The texts of a step below its title.
 void showStep(const LessonStep& step, Run& run) {
   const auto line = [&](const std::string& name, const std::string& text) {
-    if (!text.empty()) run.out() << "   " << name << text << "\n";
+    if (!text.empty()) run.out() << "   " << name << printableLine(text) << "\n";
   };
   line("", step.text);
   line("Look for: ", step.lookFor);
@@ -95,12 +101,12 @@ Result<int> show(const LessonArguments& arguments, Run& run) {
   const auto found = lessonOf(*home, arguments.lesson);
   if (!found) return passOn(found.error());
   const Lesson shown = translated(*found, wordsOf(home->opened.folder, arguments.language));
-  run.out() << shown.title << "\n" << sizeOf(shown) << "\n";
-  if (!shown.aim.empty()) run.out() << "Aim: " << shown.aim << "\n";
-  for (const std::string& source : shown.sources) run.out() << "After: " << source << "\n";
+  run.out() << printableLine(shown.title) << "\n" << sizeOf(shown, arguments.language) << "\n";
+  if (!shown.aim.empty()) run.out() << "Aim: " << printableLine(shown.aim) << "\n";
+  for (const std::string& source : shown.sources) run.out() << "After: " << printableLine(source) << "\n";
   for (std::size_t n = 0; n < shown.steps.size(); ++n) {
     const LessonStep& step = shown.steps[n];
-    run.out() << "\n" << n + 1 << " " << step.title << " [" << taskWord(step.task);
+    run.out() << "\n" << n + 1 << " " << printableLine(step.title) << " [" << taskWord(step.task);
     if (step.time_s) run.out() << ", " << textOf(*step.time_s) << " s";
     run.out() << "]\n";
     showStep(step, run);
@@ -245,7 +251,8 @@ Result<int> course(const LessonArguments& arguments, Run& run) {
     const auto lesson = home ? lessonOf(*home, each.lessonId) : passOn(home.error());
     if (lesson) {
       const CaseWords words = wordsOf(home->opened.folder, arguments.language);
-      run.out() << words.of(lesson->title) << " (" << sizeOf(*lesson) << ")  " << each.caseId << " " << each.lessonId << "\n";
+      run.out() << printableLine(words.of(lesson->title)) << " (" << sizeOf(*lesson, arguments.language) << ")  " << each.caseId << " "
+                << each.lessonId << "\n";
     } else {
       ++missing;
       run.remark(lesson.error().message);
@@ -264,7 +271,9 @@ void addLanguage(CLI::App& app, std::string& language) {
 }
 
 void addCaseArgument(CLI::App& app, std::string& chosen) {
-  app.add_option("CASE", chosen, "A case folder, its case.json, or a shipped case's id")->required()->type_name("");
+  app.add_option("CASE", chosen, "A case folder, its case.json, or the id of a case of your own, a published or a shipped one")
+      ->required()
+      ->type_name("");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/sinks/ostream_sink.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
@@ -9,11 +9,14 @@
 #include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "ew/cli/run_command.h"
 #include "ew/cli/window_arguments.h"
+#include "ew/core/printable.h"
+#include "printable_stream.h"
 
 namespace {
 
@@ -51,7 +54,7 @@ int openWindow(char** argv) {
     return ew::cli::kFailed;
   }
   execv(window.c_str(), argv);
-  std::cerr << "echoweave: The window in '" << window.string() << "' could not be started (" << std::strerror(errno)
+  std::cerr << "echoweave: The window in '" << ew::printableLine(window.string()) << "' could not be started (" << std::strerror(errno)
             << "); install EchoWeave again.\n";
   return ew::cli::kFailed;
 }
@@ -59,8 +62,9 @@ int openWindow(char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a sentence and a clean folder, not the end of the program
-  spdlog::set_default_logger(spdlog::stderr_logger_mt("echoweave"));  // the output stream is for results
+  std::signal(SIGXFSZ, SIG_IGN);                   // a file that may not grow is a sentence and a clean folder, not the end of the program
+  static ew::cli::PrintableStream err(std::cerr);  // the output stream is for results
+  spdlog::set_default_logger(std::make_shared<spdlog::logger>("echoweave", std::make_shared<spdlog::sinks::ostream_sink_mt>(err, true)));
   const std::vector<std::string> args(argv + 1, argv + argc);
   if (ew::cli::isHeadless(args)) return runHeadless(args);
   const auto wish = ew::cli::windowArguments(args);
@@ -69,6 +73,6 @@ int main(int argc, char** argv) {
   if (!args.empty() && !args.front().starts_with("-") && wish.error().code == ew::ErrorCode::notFound &&
       args.front().find_first_of("/.") == std::string::npos)
     return runHeadless(args);
-  std::cerr << "echoweave: " << wish.error().sentence() << "\n";
+  err << "echoweave: " << wish.error().sentence() << "\n" << std::flush;
   return wish.error().code == ew::ErrorCode::badUsage ? ew::cli::kWrongUsage : ew::cli::kFailed;
 }

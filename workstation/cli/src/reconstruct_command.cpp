@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -6,8 +7,10 @@
 #include "command.h"
 #include "ew/acquisition/import.h"
 #include "ew/acquisition/reconstruct_words.h"
+#include "ew/core/figures.h"
 #include "ew/core/numbers.h"
 #include "ew/io/volume_file.h"
+#include "ew/stitching/common_grid.h"
 #include "reconstruct_phases.h"
 
 namespace ew::cli {
@@ -33,6 +36,7 @@ struct ReconstructArguments {
   std::optional<std::vector<double>> fan;      // left right (degrees), apex x y, start stop radius (pixels)
   bool noClip = false;
   bool acceptsSmall = false;
+  bool isBeyondMemory = false;
   AcquisitionArguments acquisition;
 };
 
@@ -171,13 +175,28 @@ void reportMade(const ReconstructArguments& arguments, const ImportPlan& plan, c
                                 {"spacing_mm", {grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z}},
                                 {"origin_mm", {grid.origin_mm.x, grid.origin_mm.y, grid.origin_mm.z}}};
   run.say("Wrote " + arguments.output + ": " + std::to_string(grid.dims.x) + " x " + std::to_string(grid.dims.y) + " x " +
-          std::to_string(grid.dims.z) + " voxels of " + textOf(grid.spacing_mm.x) + " mm in the frame " + plan.toFrame + ".");
+          std::to_string(grid.dims.z) + " voxels of " + figureText(grid.spacing_mm.x) + " mm in the frame " + plan.toFrame + ".");
   std::string frames = "Used " + std::to_string(plan.frames.used) + " of " + counted(plan.frames.total, "frame");
   if (plan.frames.invalid + plan.frames.missing > 0)
     frames += " (" + std::to_string(plan.frames.invalid) + " invalid, " + std::to_string(plan.frames.missing) + " without a pose)";
   const double share = 100.0 / static_cast<double>(grid.voxelCount());
   run.say(frames + "; " + rounded(share * static_cast<double>(made.measuredVoxels), 1) + " % of the voxels are measured, " +
           rounded(share * static_cast<double>(made.interpolatedVoxels), 1) + " % interpolated.");
+}
+
+/// What it will take, said before it is taken; more than the machine has free is not begun unasked.
+Result<void> tellForecast(const ReconstructArguments& arguments, const ImportPlan& plan, Run& run) {
+  const glm::ivec3 dims = plan.grid.dims;
+  const auto mebibytes = [](std::uint64_t bytes) { return std::max<std::uint64_t>(1, bytes >> 20); };
+  run.remark(say<"Reconstructing %1 x %2 x %3 voxels of %4 mm needs about %5 MiB of memory.">(
+      dims.x, dims.y, dims.z, numeral(figureText(plan.grid.spacing_mm.x)), mebibytes(plan.bytes)));
+  const auto free = stitching::availableMemory_bytes();
+  if (arguments.isBeyondMemory || !free || plan.bytes <= *free) return {};
+  return failure(
+      ErrorCode::tooLarge,
+      say<"Reconstructing this needs about %1 MiB of memory, and %2 MiB are free; give a coarser --spacing, or --beyond-memory to "
+          "do it all the same.">(mebibytes(plan.bytes), mebibytes(*free)),
+      {{"bytes", std::to_string(plan.bytes)}, {"free", std::to_string(*free)}});
 }
 
 Result<int> reconstructSweep(const ReconstructArguments& arguments, Run& run) {
@@ -191,6 +210,7 @@ Result<int> reconstructSweep(const ReconstructArguments& arguments, Run& run) {
   if (!opened) return withOption(opened.error());
   for (const auto& note : opened->plan.notes) run.remark(note);
   run.report.addStep("read", opened->readSeconds * 1e6);
+  if (auto fits = tellForecast(arguments, opened->plan, run); !fits) return passOn(fits.error());
   if (delayUntold(opened->plan, run)) return kVerdict;
   if (arguments.acquisition.phases) {
     run.report.options = optionsReport(arguments, opened->plan);
@@ -235,6 +255,7 @@ void addReconstruct(CLI::App& root, Selection& selection) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_option("--image-to", arguments->toFrame, "The recording's frame that becomes the world (Reference, else Tracker, else World)")
       ->type_name("FRAME");
+  app.add_flag("--beyond-memory", arguments->isBeyondMemory, "Begin also when it needs more memory than is free");
   addNumber(app, "--spacing", arguments->spacing_mm, {1e-6, 1e6},
             "Size of a voxel in mm (the calibration file's, else from pixels and the distance of the frames, 0.3 to 1)");
   app.add_option(

@@ -6,6 +6,7 @@
 #include "ew/assessment/attempt_result.h"
 #include "ew/assessment/attempt_scoring.h"
 #include "ew/assessment/pseudonym.h"
+#include "ew/core/foreign_json.h"
 #include "ew/library/case.h"
 #include "ew/library/case_words.h"
 #include "ew/library/course.h"
@@ -184,7 +185,7 @@ Result<int> listRecords(const RecordsArguments& arguments, Run& run) {
   nlohmann::json rows = nlohmann::json::array();
   for (const StatementEntry& each : outbox->entries()) {
     const auto text = outbox->textOf(each.id);
-    const auto statement = text ? nlohmann::json::parse(*text, nullptr, false) : nlohmann::json();
+    const auto statement = text ? jsonOrNull(*text) : nlohmann::json();
     const auto word = [&](const char* path) {
       const nlohmann::json::json_pointer at(path);
       return statement.is_object() && statement.contains(at) && statement[at].is_string() ? statement[at].get<std::string>()

@@ -9,6 +9,7 @@
 #include "arguments.h"
 #include "command.h"
 #include "ew/core/guarded.h"
+#include "ew/core/printable.h"
 #include "ew/core/simd.h"
 #include "ew/core/version.h"
 #include "ew/io/safe_file.h"
@@ -38,9 +39,19 @@ std::vector<std::string> builtInNames() {
           "assess", "key",    "access",      "measure",  "preset", "send",  "records", "tracker", "plugins", "bench"};
 }
 
+/// What CLI11 did not expect, in the order it was given: CLI11 lists it from the back.
+std::string unexpected(const CLI::App& root) {
+  std::string listed;
+  const auto left = root.remaining(true);
+  for (const std::string& word : left) listed += (listed.empty() ? "'" : ", '") + word + "'";
+  return listed;
+}
+
 /// CLI11's messages, as one sentence with a full stop.
-std::string sentenceOf(const CLI::ParseError& error, const std::string& command) {
+std::string sentenceOf(const CLI::ParseError& error, const std::string& command, const CLI::App& root) {
   std::string text = error.what();
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError))
+    if (const std::string words = unexpected(root); !words.empty()) text = "Not expected: " + words;
   std::replace(text.begin(), text.end(), '\n', ' ');
   while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
   if (text.empty()) text = "The command line could not be understood";
@@ -55,11 +66,12 @@ std::string selectedName(const CLI::App& root) {
   return name;
 }
 
-void tell(std::ostream& err, const Error& error, bool verbose) {
-  err << "echoweave: " << error.sentence() << "\n";
+void tell(std::ostream& terminal, const Error& error, bool verbose) {
+  PrintableStream err(terminal);
+  err << "echoweave: " << printableLine(error.sentence()) << "\n";
   if (verbose) {
     err << "  " << nameOf(error.code);
-    for (const auto& [name, value] : error.context) err << "; " << name << ": " << value;
+    for (const auto& [name, value] : error.context) err << "; " << name << ": " << printableLine(value);
     err << "\n";
   }
   err << std::flush;
@@ -128,15 +140,15 @@ void Run::say(const std::string& line) { said_.push_back(line); }
 
 void Run::tellWhatWasDone() {
   if (!quiet_)
-    for (const auto& line : said_) surroundings_.out << line << "\n";
-  surroundings_.out << std::flush;
+    for (const auto& line : said_) out_ << printableLine(line) << "\n";
+  out_ << std::flush;
   said_.clear();
 }
 
 void Run::remark(const Message& line) {
   if (quiet_) return;
   progress.clear();
-  surroundings_.err << "note: " << line << "\n" << std::flush;
+  err_ << "note: " << printableLine(line.english()) << "\n" << std::flush;
 }
 
 int Run::answer(Error error) {
@@ -247,10 +259,12 @@ int runCommand(std::span<const std::string> args, const Surroundings& surroundin
     std::reverse(words.begin(), words.end());  // CLI11 takes the words from the back
     root.parse(words);
   } catch (const CLI::Success& wish) {
-    root.exit(wish, surroundings.out, surroundings.err);
+    PrintableStream out(surroundings.out), err(surroundings.err);  // plugins describe their commands themselves
+    root.exit(wish, out, err);
+    out.flush();
     return kDone;
   } catch (const CLI::ParseError& error) {
-    tell(surroundings.err, {ErrorCode::badUsage, verbatim(sentenceOf(error, selectedName(root))), {}}, false);
+    tell(surroundings.err, {ErrorCode::badUsage, verbatim(sentenceOf(error, selectedName(root), root)), {}}, false);
     return kWrongUsage;
   }
   return finish(selection, surroundings);

@@ -432,8 +432,7 @@ void addScan(CLI::App& root, Selection& selection) {
              "SCENE.json is one object; an effect that is missing does not run:\n"
              "  { \"focus\": true, \"attenuation\": { \"expected_db_per_cm_mhz\": 0.5 } }\n" +
              sceneManual());
-  app.add_option("SOURCE", arguments->source,
-                 "A volume (.mha, .mhd, .nrrd, .nii, .nii.gz), a case folder, a case.json, or a shipped case's id")
+  app.add_option("SOURCE", arguments->source, "A volume (.mha, .mhd, .nrrd, .nii, .nii.gz), a case folder, a case.json, or a case's id")
       ->required()
       ->type_name("");
   app.add_option("--probe", arguments->probe, "A probe's id or name, or a probe's .json file (a case: its first probe)")->type_name("NAME");

@@ -3,6 +3,7 @@
 
 #include "arguments.h"
 #include "command.h"
+#include "ew/core/figures.h"
 #include "ew/core/numbers.h"
 #include "ew/imaging/slicing.h"
 #include "ew/io/image_file.h"
@@ -106,7 +107,7 @@ Result<int> sliceVolume(const SliceArguments& arguments, Run& run) {
   run.report.quality = {{"inside_share_mean", sumInside / static_cast<double>(poses->size())}, {"inside_share_min", leastInside}};
   if (writes)
     run.say("Wrote " + counted(poses->size(), "slice") + " of " + std::to_string(arguments.size_px.x) + " x " +
-            std::to_string(arguments.size_px.y) + " pixels of " + textOf(pixel_mm) + " mm.");
+            std::to_string(arguments.size_px.y) + " pixels of " + figureText(pixel_mm) + " mm.");
   else
     run.say("Sliced " + counted(poses->size(), "pose") + " " + counted(static_cast<std::size_t>(rounds), "time") + ", median " +
             rounded(run.report.median_us("slice"), 0) + " us a slice.");

@@ -1,8 +1,10 @@
 #include "volume_input.h"
 
 #include "arguments.h"
+#include "ew/core/ending.h"
 #include "ew/core/numbers.h"
 #include "ew/io/volume_file.h"
+#include "ew/library/learning.h"
 
 namespace ew::cli {
 namespace fs = std::filesystem;
@@ -45,25 +47,23 @@ Result<std::vector<Pose>> readPoses(Run& run, const std::string& argument) {
 bool meansCase(const std::string& argument) {
   std::error_code ignored;
   const fs::path path(argument);
-  if (fs::is_directory(path, ignored) || path.extension() == ".json") return true;
+  if (fs::is_directory(path, ignored) || hasEnding(path, ".json")) return true;
   return !fs::exists(path, ignored) && !path.has_extension() && !path.has_parent_path();
 }
 
 Result<Case> findCase(const std::string& caseOrId) {
   std::error_code ignored;
   if (fs::exists(caseOrId, ignored)) return loadCase(caseOrId);
+  if (const auto known = ew::findCase(caseOrId, libraryFolder())) return loadCase(*known);
   const auto shipped = shippedCasesFolder();
-  if (!shipped) return passOn(shipped.error());
-  const auto list = listCases(*shipped);
   std::string ids;
-  for (const auto& each : list.cases) {
-    if (each.id == caseOrId) return each;
-    ids += (ids.empty() ? "" : ", ") + each.id;
-  }
-  return failure(ErrorCode::notFound,
-                 say<"There is no case '%1'; give a case folder, its case.json, or a shipped case (%2).">(
-                     caseOrId, ids.empty() ? say<"none found">() : verbatim(ids)),
-                 {{"case", caseOrId}});
+  if (shipped)
+    for (const auto& each : listCases(*shipped).cases) ids += (ids.empty() ? "" : ", ") + each.id;
+  return failure(
+      ErrorCode::notFound,
+      say<"There is no case '%1'; give a case folder, its case.json, the id of a case that is your own or published, or a shipped "
+          "case (%2). 'echoweave case list' shows them all.">(caseOrId, ids.empty() ? say<"none found">() : verbatim(ids)),
+      {{"case", caseOrId}});
 }
 
 Result<CaseContents> readCaseContents(Run& run, const Case& opened) {

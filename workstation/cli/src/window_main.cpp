@@ -1,8 +1,9 @@
-#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/sinks/ostream_sink.h>
 #include <spdlog/spdlog.h>
 
 #include <csignal>
 #include <iostream>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,18 +11,20 @@
 #include "ew/cli/window_arguments.h"
 #include "ew/core/simd.h"
 #include "ew/ui/run.h"
+#include "printable_stream.h"
 
 /// The window: `echoweave` becomes this program when its words name no command.
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // as in the command
-  spdlog::set_default_logger(spdlog::stderr_logger_mt("echoweave"));
+  static ew::cli::PrintableStream err(std::cerr);
+  spdlog::set_default_logger(std::make_shared<spdlog::logger>("echoweave", std::make_shared<spdlog::sinks::ostream_sink_mt>(err, true)));
   const auto wish = ew::cli::windowArguments(std::vector<std::string>(argv + 1, argv + argc));
   if (!wish) {
-    std::cerr << "echoweave: " << wish.error().sentence() << "\n";
+    err << "echoweave: " << wish.error().sentence() << "\n" << std::flush;
     return wish.error().code == ew::ErrorCode::badUsage ? ew::cli::kWrongUsage : ew::cli::kFailed;
   }
   if (const auto chosen = ew::useSimd(ew::simdOfEnvironment()); !chosen) {
-    std::cerr << "echoweave: ECHOWEAVE_SIMD: " << chosen.error().sentence() << "\n";
+    err << "echoweave: ECHOWEAVE_SIMD: " << chosen.error().sentence() << "\n" << std::flush;
     return ew::cli::kWrongUsage;
   }
   ew::ui::WindowOptions options;

@@ -14,6 +14,7 @@
 #include <QTimer>
 #include <iostream>
 
+#include "ew/core/printable.h"
 #include "ew/core/version.h"
 #include "ew/ui/main_window.h"
 #include "guarded_application.h"
@@ -41,7 +42,7 @@ class Screenshot final : public QObject {
  private:
   void giveUp(const QString& why) {
     poll_.stop();
-    std::cerr << "echoweave: " << why.toStdString() << std::endl;
+    std::cerr << "echoweave: " << printableLine(why.toStdString()) << std::endl;
     QApplication::exit(1);
   }
 
