@@ -3,7 +3,9 @@
 add_library(ew_warnings INTERFACE)
 add_library(ew::warnings ALIAS ew_warnings)
 target_compile_options(ew_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
-  $<$<NOT:$<BOOL:$<TARGET_PROPERTY:EW_COMPILED_QUICKLY>>>:-Wnull-dereference> -Wdouble-promotion $<$<BOOL:${EW_WARNINGS_AS_ERRORS}>:-Werror>)
+  $<$<NOT:$<BOOL:$<TARGET_PROPERTY:EW_COMPILED_QUICKLY>>>:-Wnull-dereference> -Wdouble-promotion $<$<BOOL:${EW_WARNINGS_AS_ERRORS}>:-Werror>
+  # An enumerator that is added has to be given its words and its ways, in every preset (tests/rules/words_of_enums_test.cpp).
+  $<$<NOT:$<BOOL:${EW_WARNINGS_AS_ERRORS}>>:-Werror=switch>)
 
 # At -O3 GCC 12 warns about the inside of std::string (its bug 105651) and of the JSON library; at -O2, where warnings are errors, it does not.
 target_compile_options(ew_warnings INTERFACE $<$<CONFIG:Release>:-Wno-restrict> $<$<CONFIG:Release>:-Wno-null-dereference>)

@@ -271,10 +271,6 @@
         <translation>Die Datei nennt 0 Bilder; sie wurde als ein Bild gelesen.</translation>
     </message>
     <message>
-        <source>The first axis of %1 runs over its %2 frames, so that they are woven into each other; save it with that axis as the last.</source>
-        <translation>Die erste Achse von %1 läuft über die %2 Bilder, sie sind also ineinander verwoben; mit dieser Achse als letzter speichern.</translation>
-    </message>
-    <message>
         <source>The header also states %1, which is not known here and not used.</source>
         <translation>Der Kopf nennt auch %1; das ist hier nicht bekannt und wird nicht verwendet.</translation>
     </message>
@@ -7419,6 +7415,26 @@
         <translation>%1 fehlt eine Kennung, die Archive brauchen; nur vollständige DICOM-Objekte lassen sich senden.</translation>
     </message>
     <message>
+        <source>%1 is longer than %2 bytes, which no such document is; check that it is the right one.</source>
+        <translation>%1 ist länger als %2 Byte, was kein solches Dokument ist; prüfen Sie, ob es das richtige ist.</translation>
+    </message>
+    <message>
+        <source>%1 nests deeper than %2 levels, which no such document does; check that it is the right one.</source>
+        <translation>%1 ist tiefer als %2 Ebenen verschachtelt, was kein solches Dokument ist; prüfen Sie, ob es das richtige ist.</translation>
+    </message>
+    <message>
+        <source>A list of trackers holds at most %1; remove those that are not used any more.</source>
+        <translation>Eine Liste von Trackern hat höchstens %1; entfernen Sie die, die nicht mehr benutzt werden.</translation>
+    </message>
+    <message>
+        <source>Its target can be reached.</source>
+        <translation>Sein Ziel ist erreichbar.</translation>
+    </message>
+    <message>
+        <source>A file of its folder is used by nothing, &apos;%1&apos;; it would be handed on as well.</source>
+        <translation>Eine Datei seines Ordners wird von nichts benutzt, „%1“; sie würde mit weitergegeben.</translation>
+    </message>
+    <message>
         <source>%1 is no note of an outbox; move it away, and its object is sent again.</source>
         <translation>%1 ist keine Notiz eines Postausgangs; verschieben Sie sie, und ihr Objekt wird noch einmal gesendet.</translation>
     </message>
@@ -13819,6 +13835,18 @@
 <context>
     <name>ew::ui::CaliperWords</name>
     <message>
+        <source>Ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>Volume, ellipsoid</source>
+        <translation>Volumen, Ellipsoid</translation>
+    </message>
+    <message>
+        <source>Volume, discs of two planes</source>
+        <translation>Volumen, Scheiben zweier Ebenen</translation>
+    </message>
+    <message>
         <source>Distance</source>
         <translation>Distanz</translation>
     </message>
@@ -15118,18 +15146,6 @@
     <message>
         <source>Reading the slices of %1</source>
         <translation>Schnitte von %1 werden gelesen</translation>
-    </message>
-    <message>
-        <source>as the file says</source>
-        <translation>wie die Datei sagt</translation>
-    </message>
-    <message>
-        <source>Images a second</source>
-        <translation>Bilder je Sekunde</translation>
-    </message>
-    <message>
-        <source>Of a cine whose file does not say when its images were taken, or says it wrongly</source>
-        <translation>Einer Bildfolge, deren Datei nicht oder falsch sagt, wann die Bilder aufgenommen wurden</translation>
     </message>
 </context>
 <context>
@@ -22747,14 +22763,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>Volumes and sweeps (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol);;All files (*)</source>
         <translation>Volumen und Sweeps (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol);;Alle Dateien (*)</translation>
     </message>
-    <message>
-        <source>Make it all the same</source>
-        <translation>Trotzdem machen</translation>
-    </message>
-    <message>
-        <source>So little is kept</source>
-        <translation>Es bleibt so wenig</translation>
-    </message>
 </context>
 <context>
     <name>ew::case_authoring::NewCaseDialog</name>
@@ -24902,6 +24910,14 @@ Zeit: %3</translation>
 </context>
 <context>
     <name>ew::ui::TrackerPage</name>
+    <message>
+        <source>Add a tracker</source>
+        <translation>Tracker hinzufügen</translation>
+    </message>
+    <message>
+        <source>The list holds %1 trackers, as many as it can; remove one that is not used any more.</source>
+        <translation>Die Liste hat %1 Tracker, so viele wie möglich; entfernen Sie einen, der nicht mehr benutzt wird.</translation>
+    </message>
     <message>
         <source>Camera</source>
         <translation>Kamera</translation>

@@ -105,7 +105,13 @@ QString titleOf(TrackKind kind) {
 }
 
 QString wordOf(Who who) {
-  return who == Who::expert ? QCoreApplication::translate("ew::review", "Expert") : QCoreApplication::translate("ew::review", "Trainee");
+  switch (who) {
+    case Who::trainee:
+      return QCoreApplication::translate("ew::review", "Trainee");
+    case Who::expert:
+      return QCoreApplication::translate("ew::review", "Expert");
+  }
+  return {};
 }
 
 void drawMarkOf(QPainter& painter, Who who, const QPointF& at, double radius_px) {

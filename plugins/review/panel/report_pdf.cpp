@@ -37,9 +37,18 @@ QColor inkOf(ReportTone tone) {
 }
 
 QString signFor(ReportTone tone) {
-  if (tone == ReportTone::good) return QStringLiteral("\u2713");
-  if (tone == ReportTone::bad) return QStringLiteral("\u2717");
-  return tone == ReportTone::caution ? QStringLiteral("!") : QStringLiteral("\u2022");
+  switch (tone) {
+    case ReportTone::plain:
+    case ReportTone::soft:
+      return QStringLiteral("\u2022");
+    case ReportTone::good:
+      return QStringLiteral("\u2713");
+    case ReportTone::bad:
+      return QStringLiteral("\u2717");
+    case ReportTone::caution:
+      return QStringLiteral("!");
+  }
+  return {};
 }
 
 /// A table with its columns measured.

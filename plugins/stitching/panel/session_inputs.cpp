@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "ew/core/ending.h"
 #include "ew/sdk/panel.h"
 #include "panel/folders.h"
 #include "panel/session_parts.h"
@@ -19,12 +20,12 @@ namespace {
 namespace fs = std::filesystem;
 using sdk::words;
 
-bool isProject(const fs::path& file) { return file.extension() == ".json"; }
+bool isProject(const fs::path& file) { return hasEnding(file, ".json"); }
 
 /// A file's name without what only tells its kind, which is two words for sweeps and packed volumes.
 std::string nameOfFile(const fs::path& file) {
   const fs::path stem = file.stem();
-  return (stem.extension() == ".igs" || stem.extension() == ".nii") && stem.stem() != stem ? stem.stem().string() : stem.string();
+  return (hasEnding(stem, ".igs") || hasEnding(stem, ".nii")) && stem.stem() != stem ? stem.stem().string() : stem.string();
 }
 
 /// Files are read one after the other: sweeps are made volumes in one folder, in which one run can be at work.

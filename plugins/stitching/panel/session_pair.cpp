@@ -33,10 +33,18 @@ void StitchSession::setPlace(std::size_t index, const Transform<frame::World, fr
 void StitchSession::setPlacement(std::size_t index, Placement placement) {
   if (index >= project().volumes.size()) return;
   const QString name = words(letterOf(index));
-  edit(withPlace(project(), index, project().volumes[index].toWorld, placement),
-       placement == Placement::unknown   ? tr("clear the pose of %1").arg(name)
-       : placement == Placement::tracker ? tr("believe the tracker about %1").arg(name)
-                                         : tr("take the pose of %1 as a start").arg(name));
+  const auto done = [&] {
+    switch (placement) {
+      case Placement::unknown:
+        return tr("clear the pose of %1").arg(name);
+      case Placement::tracker:
+        return tr("believe the tracker about %1").arg(name);
+      case Placement::hand:
+        return tr("take the pose of %1 as a start").arg(name);
+    }
+    return QString();
+  };
+  edit(withPlace(project(), index, project().volumes[index].toWorld, placement), done());
 }
 
 QString StitchSession::nameOfPair() const {
@@ -117,10 +125,18 @@ void StitchSession::setDecision(Decision decision) {
   if (!pair_) return;
   const Decision before = pairOf(project(), pair_->fixed, pair_->moving).decision;
   const Decision next = before == decision ? Decision::undecided : decision;
-  const QString what = next == Decision::accepted   ? tr("accept %1").arg(nameOfPair())
-                       : next == Decision::rejected ? tr("reject %1").arg(nameOfPair())
-                                                    : tr("clear decision on %1").arg(nameOfPair());
-  editPair([&](ProjectPair& pair) { pair.decision = next; }, what);
+  const auto what = [&] {
+    switch (next) {
+      case Decision::undecided:
+        return tr("clear decision on %1").arg(nameOfPair());
+      case Decision::accepted:
+        return tr("accept %1").arg(nameOfPair());
+      case Decision::rejected:
+        return tr("reject %1").arg(nameOfPair());
+    }
+    return QString();
+  };
+  editPair([&](ProjectPair& pair) { pair.decision = next; }, what());
 }
 
 void StitchSession::setTransform(const Transform<frame::Moving, frame::Fixed>& fixedToMoving, const QString& what,

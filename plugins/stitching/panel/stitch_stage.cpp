@@ -39,6 +39,20 @@ void chooseIn(QComboBox* box, int data) {
   if (at >= 0) box->setCurrentIndex(at);
 }
 
+QString titleOf(Tools::Fourth fourth) {
+  switch (fourth) {
+    case Tools::Fourth::placement:
+      return StitchStage::tr("where they lie");
+    case Tools::Fourth::displacement:
+      return StitchStage::tr("10 mm grid");
+    case Tools::Fourth::seam:
+      return {};
+    case Tools::Fourth::result:
+      return StitchStage::tr("the result");
+  }
+  return {};
+}
+
 QComboBox* smallCombo(const char* name, const QString& hint) {
   auto* box = new QComboBox;
   box->setObjectName(QLatin1String(name));
@@ -260,8 +274,7 @@ void StitchStage::showTitles() {
     put(titles_[1], tr("both"), {});
     put(titles_[2], tr("moving"), {});
   }
-  const QString fourths[] = {tr("where they lie"), tr("10 mm grid"), {}, tr("the result")};
-  put(titles_[3], fourths[static_cast<int>(tools_.fourth)], {});
+  put(titles_[3], titleOf(tools_.fourth), {});
   for (QWidget* control : {static_cast<QWidget*>(cut_), static_cast<QWidget*>(linked_), static_cast<QWidget*>(overlay_),
                            static_cast<QWidget*>(stageChoice_), static_cast<QWidget*>(halves_), static_cast<QWidget*>(fourthChoice_)})
     control->setVisible(pair.has_value());

@@ -29,6 +29,18 @@ constexpr int kRow_px = 44;
 
 enum Role { kLine = Qt::UserRole, kMark, kBroken };
 
+QString placementWords(Placement placement) {
+  switch (placement) {
+    case Placement::unknown:
+      return VolumeList::tr("pose unknown");
+    case Placement::tracker:
+      return VolumeList::tr("recorded");
+    case Placement::hand:
+      return VolumeList::tr("manual");
+  }
+  return {};
+}
+
 /// Letter, name, size and where it lies; at the right what holds it.
 class VolumeDelegate final : public QStyledItemDelegate {
  public:
@@ -244,9 +256,7 @@ void VolumeList::refresh() {
       item->setFlags((item->flags() | Qt::ItemIsEditable) & ~Qt::ItemIsDropEnabled);
     }
     const auto volume = session_.volume(n);
-    const QString place = volumes[n].placement == Placement::unknown   ? tr("pose unknown")
-                          : volumes[n].placement == Placement::tracker ? tr("recorded")
-                                                                       : tr("manual");
+    const QString place = placementWords(volumes[n].placement);
     const auto mark = session_.markOf(n);
     item->setText(words(volumes[n].name));
     item->setData(kLine, volume                     ? sizeOf(volume->grid) + QStringLiteral(", ") + place

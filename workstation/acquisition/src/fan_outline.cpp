@@ -28,8 +28,15 @@ void addArc(std::vector<glm::dvec2>& points, const FanOutline& fan, double radiu
 }  // namespace
 
 const char* nameOf(FanShape shape) {
-  constexpr std::array names{"linear", "convex", "sector"};
-  return names[static_cast<std::size_t>(shape)];
+  switch (shape) {
+    case FanShape::linear:
+      return "linear";
+    case FanShape::convex:
+      return "convex";
+    case FanShape::sector:
+      return "sector";
+  }
+  return "";
 }
 
 const char* FanOutline::word() const {

@@ -13,6 +13,7 @@
 #include "ew/acquisition/line_data.h"
 #include "ew/acquisition/sweep_geometry.h"
 #include "ew/core/contract.h"
+#include "ew/core/figures.h"
 #include "ew/core/numbers.h"
 #include "ew/io/gating_fields.h"
 
@@ -69,11 +70,15 @@ Result<void> turnToMarkerFar(Sequence& sequence, std::vector<Message>& notes, Pr
 enum class ClipSaidBy { deviceSet, recording };
 
 Message clippedTo(bool fan, ClipSaidBy who) {
-  if (who == ClipSaidBy::recording)
-    return fan ? say<"The images were clipped to the fan of the recording.">()
-               : say<"The images were clipped to the rectangle of the recording.">();
-  return fan ? say<"The images were clipped to the fan of the device set.">()
-             : say<"The images were clipped to the rectangle of the device set.">();
+  switch (who) {
+    case ClipSaidBy::deviceSet:
+      return fan ? say<"The images were clipped to the fan of the device set.">()
+                 : say<"The images were clipped to the rectangle of the device set.">();
+    case ClipSaidBy::recording:
+      return fan ? say<"The images were clipped to the fan of the recording.">()
+                 : say<"The images were clipped to the rectangle of the recording.">();
+  }
+  return {};
 }
 
 std::optional<Clip> clipOf(const DeviceSet& device, ClipSaidBy who, std::vector<Message>& notes) {
@@ -97,7 +102,7 @@ Result<void> takeSpacing(const DeviceSet& device, ReconstructOptions& options) {
   if (spacing_mm.x != spacing_mm.y || spacing_mm.x != spacing_mm.z)
     return failure(ErrorCode::badField,
                    say<"The OutputSpacing of the device set differs between axes (%1, %2, %3 mm), but voxels are cubes; choose their size "
-                       "yourself (--spacing).">(textOf(spacing_mm.x), textOf(spacing_mm.y), textOf(spacing_mm.z)),
+                       "yourself (--spacing).">(figureText(spacing_mm.x), figureText(spacing_mm.y), figureText(spacing_mm.z)),
                    {{"field", "OutputSpacing"}});
   options.spacing_mm = spacing_mm.x;
   return {};
@@ -370,7 +375,7 @@ Result<void> arrange(OpenedSweep& opened, const DeviceSet* calibration, const Sw
   if (grid->voxelCount() == 1)
     return failure(ErrorCode::badField,
                    say<"With voxels of %1 mm the whole recording would be one voxel; use a finer spacing, or check the calibration for a "
-                       "wrong scale.">(textOf(plan.reconstruct.spacing_mm)),
+                       "wrong scale.">(figureText(plan.reconstruct.spacing_mm)),
                    {{"field", "spacing"}});
   plan.grid = *grid;
   plan.frameBytes = opened.sequence.pixels.size();
@@ -406,7 +411,7 @@ Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImp
     sequence = std::move(converted);
     opened.sectorOfScanLines = clipOf(*geometry);
     opened.readNotes.push_back(say<"The recording holds scan lines; they were converted to images of %1 x %2 pixels of %3 mm.">(
-        sequence->width, sequence->height, textOf(geometry->pixel_mm)));
+        sequence->width, sequence->height, figureText(geometry->pixel_mm)));
   }
   opened.readNotes.insert(opened.readNotes.begin(), sequence->notes.begin(), sequence->notes.end());
   opened.sequence = std::move(*sequence);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <sstream>
 
+#include "ew/core/figures.h"
 #include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
 #include "ew/core/parallel.h"
@@ -126,7 +127,7 @@ Result<LineGeometry> lineGeometryOf(const Sequence& sequence, const DeviceSet* d
   if (std::abs(spacing_mm[0] - spacing_mm[1]) > 1e-6 * spacing_mm[0])
     return failure(ErrorCode::unsupported,
                    say<"The converted picture shall have pixels of %1 x %2 mm; give a ScanConversion with square pixels.">(
-                       textOf(spacing_mm[0]), textOf(spacing_mm[1])),
+                       figureText(spacing_mm[0]), figureText(spacing_mm[1])),
                    {{"field", std::string(fields::kOutputSpacing)}});
   geometry.size_px = {static_cast<int>(size[0]), static_cast<int>(size[1])};
   geometry.pixel_mm = spacing_mm[0];

@@ -8,6 +8,7 @@
 
 #include "clip_spans.h"
 #include "ew/acquisition/fill_holes.h"
+#include "ew/core/figures.h"
 #include "ew/core/large_pages.h"
 #include "ew/core/numbers.h"
 #include "fill_sweep.h"
@@ -83,7 +84,7 @@ Result<void> checkFrames(std::span<const PosedFrame> frames) {
 Result<void> checkOptions(const ReconstructOptions& options) {
   if (!(options.spacing_mm > 0.0) || !std::isfinite(options.spacing_mm))
     return failure(ErrorCode::badField,
-                   say<"A voxel spacing of %1 mm cannot be used; give a positive number of millimetres.">(textOf(options.spacing_mm)),
+                   say<"A voxel spacing of %1 mm cannot be used; give a positive number of millimetres.">(figureText(options.spacing_mm)),
                    {{"field", "spacing"}});
   if (options.threads < 0)
     return failure(ErrorCode::badField, say<"The number of threads is negative; give 0 for all cores or a positive number.">(),
@@ -159,7 +160,7 @@ Result<Grid> checkedOnto(const Grid& grid, std::span<const PosedFrame> frames, c
   if (grid.spacing_mm != glm::dvec3(options.spacing_mm) || grid.directions != glm::dmat3(1.0) || !holds)
     return failure(ErrorCode::badField,
                    say<"The grid asked for does not hold every frame at a spacing of %1 mm; use the grid of all frames together.">(
-                       textOf(options.spacing_mm)),
+                       figureText(options.spacing_mm)),
                    {{"field", "grid"}});
   return checkedGrid({grid.origin_mm, glm::dvec3(grid.dims)}, options);
 }

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ew/acquisition/screen.h"
+#include "ew/core/ending.h"
 #include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
 #include "ew/io/safe_file.h"
@@ -123,7 +124,7 @@ Orientation orientationOf(const JsonFields& fields) {
 std::filesystem::path screenFileBeside(const std::filesystem::path& recording) {
   // "liver.1.igs.mha" and "liver.2.igs.mha" have files of their own.
   std::filesystem::path name = recording.filename().stem();
-  if (name.extension() == ".igs") name = name.stem();
+  if (hasEnding(name, ".igs")) name = name.stem();
   return recording.parent_path() / (name.string() + ".screen.json");
 }
 

@@ -39,7 +39,15 @@ void readArrow(const JsonFields& fields, Annotation& one) {
 
 }  // namespace
 
-std::string_view wordOf(AnnotationKind kind) { return kKinds[kind == AnnotationKind::arrow ? 1 : 0].first; }
+std::string_view wordOf(AnnotationKind kind) {
+  switch (kind) {
+    case AnnotationKind::text:
+      return "text";
+    case AnnotationKind::arrow:
+      return "arrow";
+  }
+  return {};
+}
 
 json toJson(const Annotations& annotations) {
   json all = json::array();

@@ -16,18 +16,13 @@
 #include <new>
 
 #include "ew/bridge/mesh_skin.h"
+#include "ew/core/ending.h"
 #include "ew/core/numbers.h"
 #include "ew/phantom/patient.h"
 #include "mesh_file.h"
 
 namespace ew::bridge {
 namespace {
-
-std::string lowerEnding(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
 
 /// Six times the volume the triangles enclose; negative when they face inwards. Taken about the first corner, which keeps the digits
 /// of a body far from the origin.
@@ -164,7 +159,7 @@ Result<Mannequin> loadMannequin(const std::filesystem::path& file, const Mannequ
   if (!std::filesystem::is_regular_file(file, problem))
     return failure(ErrorCode::notFound, say<"There is no file %1; choose a mannequin recipe or a mesh.">(file.string()),
                    {{"file", file.string()}});
-  const std::string ending = lowerEnding(file);
+  const std::string ending = endingOf(file);
   try {
     if (ending == ".json") {
       auto body = readBodyShape(file);

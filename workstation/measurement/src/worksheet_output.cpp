@@ -12,7 +12,17 @@ using nlohmann::ordered_json;
 
 constexpr int kWorksheetFormat = 1;
 
-const char* wordOf(Several several) { return several == Several::mean ? "mean" : several == Several::last ? "last" : "selected"; }
+const char* wordOf(Several several) {
+  switch (several) {
+    case Several::mean:
+      return "mean";
+    case Several::last:
+      return "last";
+    case Several::selected:
+      return "selected";
+  }
+  return "";
+}
 
 ordered_json jsonOf(const Quantity& quantity) {
   ordered_json made = {{"value", quantity.value}};
@@ -62,7 +72,15 @@ std::string listed(const Parts& parts, Text text) {
 }  // namespace
 
 std::string_view wordOf(RangeVerdict verdict) {
-  return verdict == RangeVerdict::within ? "within" : verdict == RangeVerdict::below ? "below" : "above";
+  switch (verdict) {
+    case RangeVerdict::below:
+      return "below";
+    case RangeVerdict::within:
+      return "within";
+    case RangeVerdict::above:
+      return "above";
+  }
+  return {};
 }
 
 std::string rangeText(const ReferenceRange& range) {

@@ -82,6 +82,21 @@ Result<SweepForecast> forecast(const Patient& patient, const Probe& probe, const
   return result;
 }
 
+/// As recordings name the way a motor moves.
+const char* motorWordOf(SweepKind kind) {
+  switch (kind) {
+    case SweepKind::freehand:
+      return "";
+    case SweepKind::parallel:
+      return "PARALLEL";
+    case SweepKind::fan:
+      return "FAN";
+    case SweepKind::rotational:
+      return "ROTATIONAL";
+  }
+  return "";
+}
+
 /// Fields of the whole recording.
 void describe(const Probe& probe, const SweepRecipe& recipe, const Trajectory& trajectory, const DisplayGeometry& picture,
               Sequence& sequence) {
@@ -90,7 +105,7 @@ void describe(const Probe& probe, const SweepRecipe& recipe, const Trajectory& t
   add("SweepOrigin", "virtual patient, simulation, not for diagnosis");
   add("ProbeName", probe.id);
   if (recipe.kind != SweepKind::freehand) {
-    add(fields::kMotorKind, recipe.kind == SweepKind::parallel ? "PARALLEL" : recipe.kind == SweepKind::fan ? "FAN" : "ROTATIONAL");
+    add(fields::kMotorKind, motorWordOf(recipe.kind));
     if (recipe.kind == SweepKind::fan) add(fields::kMotorAxisBehindFace, textOf(recipe.axisBehindFace_mm));
     add(fields::kMotorStart, listOf(trajectory.start().matrix));
   }

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "ew/core/foreign_json.h"
 #include "ew/core/numbers.h"
 #include "expression.h"
 
@@ -27,7 +28,7 @@ const std::set<std::string> kWords{"name", "note", "source", "unit"};  // never 
 /// Where in a list an entry of this name stands; its size when there is none.
 std::size_t placeOf(const json& list, const std::string& name) {
   for (std::size_t n = 0; n < list.size(); ++n) {
-    if (list[n].is_object() && list[n].value("name", json()) == name) return n;
+    if (memberOf(list[n], "name") == name) return n;
   }
   return list.size();
 }

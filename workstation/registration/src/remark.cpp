@@ -263,6 +263,8 @@ Message ofBending(const Remark& remark, Wording wording) {
 
 }  // namespace
 
+static_assert(std::ranges::none_of(kNames, [](const char* name) { return name == nullptr; }), "each remark has a name");
+
 const char* nameOf(RemarkCode what) { return what < RemarkCode::count_ ? kNames[static_cast<std::size_t>(what)] : ""; }
 
 std::optional<RemarkCode> saysFrom(std::string_view name) {

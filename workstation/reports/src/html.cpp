@@ -8,14 +8,35 @@ namespace ew {
 namespace {
 
 std::string wordOf(ReportTone tone) {
-  const char* words[] = {"", "soft", "good", "bad", "caution"};
-  return words[static_cast<int>(tone)];
+  switch (tone) {
+    case ReportTone::plain:
+      return "";
+    case ReportTone::soft:
+      return "soft";
+    case ReportTone::good:
+      return "good";
+    case ReportTone::bad:
+      return "bad";
+    case ReportTone::caution:
+      return "caution";
+  }
+  return {};
 }
 
 /// Beside the colour.
 std::string signOf(ReportTone tone) {
-  const char* signs[] = {"•", "•", "✓", "✗", "!"};
-  return signs[static_cast<int>(tone)];
+  switch (tone) {
+    case ReportTone::plain:
+    case ReportTone::soft:
+      return "•";
+    case ReportTone::good:
+      return "✓";
+    case ReportTone::bad:
+      return "✗";
+    case ReportTone::caution:
+      return "!";
+  }
+  return {};
 }
 
 std::string classOf(const std::string& words) { return words.empty() ? std::string() : " class='" + words + "'"; }

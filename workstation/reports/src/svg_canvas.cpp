@@ -23,6 +23,18 @@ std::string painting(const std::string& colour, bool isFilled) {
   return attribute("fill", isFilled ? std::string_view(colour) : "none") + attribute("stroke", colour) + attribute("stroke-width", "1.5");
 }
 
+const char* wordOf(Anchor anchor) {
+  switch (anchor) {
+    case Anchor::start:
+      return "start";
+    case Anchor::middle:
+      return "middle";
+    case Anchor::end:
+      return "end";
+  }
+  return "";
+}
+
 }  // namespace
 
 double widthOf(std::string_view text) {
@@ -30,8 +42,7 @@ double widthOf(std::string_view text) {
 }
 
 void SvgCanvas::text(double x, double y, Anchor anchor, const std::string& said, bool isSoft) {
-  const char* anchors[] = {"start", "middle", "end"};
-  shapes_ += "<text" + attribute("x", x) + attribute("y", y) + attribute("text-anchor", anchors[static_cast<int>(anchor)]) +
+  shapes_ += "<text" + attribute("x", x) + attribute("y", y) + attribute("text-anchor", wordOf(anchor)) +
              attribute("fill", isSoft ? colours.soft : colours.text) + ">" + htmlEscaped(said) + "</text>";
 }
 

@@ -37,9 +37,14 @@ QString CaliperWords::nameOf(CaliperKind kind) {
       return tr("Slope");
     case CaliperKind::depthDistance:
       return tr("Depth");
-    default:
-      return QString::fromStdString(std::string(wordOf(kind)));
+    case CaliperKind::ratio:
+      return tr("Ratio");
+    case CaliperKind::ellipsoid:
+      return tr("Volume, ellipsoid");
+    case CaliperKind::biplane:
+      return tr("Volume, discs of two planes");
   }
+  return QString::fromStdString(std::string(wordOf(kind)));
 }
 
 QString CaliperWords::nameOf(FigureKind kind) {
@@ -66,9 +71,8 @@ QString CaliperWords::nameOf(FigureKind kind) {
       return tr("heart rate");
     case FigureKind::ratio:
       return tr("ratio");
-    default:
-      return QString::fromStdString(std::string(wordOf(kind)));
   }
+  return QString::fromStdString(std::string(wordOf(kind)));
 }
 
 QString CaliperWords::titleOf(const measurement::Measurement& measurement) {
@@ -103,9 +107,12 @@ QString CaliperWords::hintOf(CaliperKind kind) {
       return tr("Slope: click both ends along the moving echo in the strip.");
     case CaliperKind::depthDistance:
       return tr("Depth: click both depths in the strip.");
-    default:
-      return {};
+    case CaliperKind::ratio:
+    case CaliperKind::ellipsoid:
+    case CaliperKind::biplane:
+      break;  // of several measurements, none of which is drawn for it
   }
+  return {};
 }
 
 QString CaliperWords::iconOf(CaliperKind kind) {
@@ -133,7 +140,13 @@ QString CaliperWords::otherResults(const measurement::Measured& measured, const 
 }
 
 QString CaliperWords::numberOf(Where where, int number) {
-  return where == Where::strip ? tr("M%1", "number of a measurement in the M-mode").arg(number) : QString::number(number);
+  switch (where) {
+    case Where::picture:
+      return QString::number(number);
+    case Where::strip:
+      return tr("M%1", "number of a measurement in the M-mode").arg(number);
+  }
+  return {};
 }
 
 QString CaliperWords::snapWord(const measurement::SnapTarget& target, bool isInStrip) {
@@ -189,9 +202,9 @@ QString CaliperWords::howItCameAbout(const Calipers::Line& line) {
       const QString time = tr("the time of a column and between two beams (%1 ms)").arg(range(pixel_ms, 0));
       const QString depth = tr("the pixel (%1 mm) and the resolution along the beam (%2 mm)").arg(range(row, 2), range(axial, 1));
       const auto kind = line.measurement.caliper.kind;
-      said = kind == CaliperKind::depthDistance ? tr("± from %1.", "what an uncertainty comes from").arg(depth)
-             : kind == CaliperKind::slope       ? tr("± from %1, and from %2.", "what an uncertainty comes from").arg(time, depth)
-                                                : tr("± from %1.", "what an uncertainty comes from").arg(time);
+      const bool isOfDepth = kind == CaliperKind::depthDistance, isOfBoth = kind == CaliperKind::slope;
+      said = isOfBoth ? tr("± from %1, and from %2.", "what an uncertainty comes from").arg(time, depth)
+                      : tr("± from %1.", "what an uncertainty comes from").arg(isOfDepth ? depth : time);
       if (kind == CaliperKind::heartRate)
         said = tr("Heart beats between the cursors: %1.").arg(line.measurement.caliper.cycles) + QLatin1Char(' ') + said;
     }

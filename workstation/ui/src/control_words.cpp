@@ -45,7 +45,12 @@ QString ControlWords::nameOf(Encoding encoding) {
 }
 
 QString ControlWords::sentenceOf(Learner::Needs needs, controls::Target::Kind wanted) {
-  if (wanted == controls::Target::Kind::action) return tr("Press the button that shall do it.");
+  switch (wanted) {
+    case controls::Target::Kind::action:
+      return tr("Press the button that shall do it.");
+    case controls::Target::Kind::setting:
+      break;
+  }
   switch (needs) {
     case Learner::Needs::move:
       return tr("Turn the knob, or move the fader, that shall do it.");

@@ -39,9 +39,11 @@ QString FindingWords::inputOf(CombinationKind kind, std::size_t n) {
       return n == 0 ? tr("Length") : n == 1 ? tr("Width") : tr("Height");
     case CombinationKind::biplane:
       return n == 0 ? tr("First plane") : tr("Second plane");
-    default:
+    case CombinationKind::ratio:
+    case CombinationKind::percent:
       return n == 0 ? tr("A") : tr("B");
   }
+  return {};
 }
 
 QString FindingWords::numberOf(const Combination& combination) {

@@ -18,6 +18,7 @@
 #include "body_aids.h"
 #include "case_folder_dialog.h"
 #include "column_tabs.h"
+#include "ew/core/ending.h"
 #include "ew/library/new_case.h"
 #include "host_overlays.h"
 #include "host_scan.h"
@@ -46,7 +47,7 @@ sdk::Cases::Choices choicesForCases(const std::vector<Probe>& probes, const std:
   for (const Probe& probe : probes) choices.probes.emplace_back(probe.id, probe.name);
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(mannequins, ignored))
-    if (entry.path().extension() == ".json") choices.mannequins.push_back(entry.path().filename().string());
+    if (hasEnding(entry.path(), ".json")) choices.mannequins.push_back(entry.path().filename().string());
   std::sort(choices.mannequins.begin(), choices.mannequins.end());
   return choices;
 }

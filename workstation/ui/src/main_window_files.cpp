@@ -17,6 +17,7 @@
 
 #include "case_folder_dialog.h"
 #include "ew/core/ending.h"
+#include "ew/core/foreign_json.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/placing.h"
 #include "ew/library/preparation.h"
@@ -265,7 +266,7 @@ void MainWindow::offerKeptEditsOf(const std::filesystem::path& caseFolder) {
     question.setIcon(QMessageBox::NoIcon);
     const auto at = QDateTime::fromSecsSinceEpoch(std::chrono::system_clock::to_time_t(left.at));
     question.setText(tr("The case '%1' has changes of %2 that were not saved when the program ended.")
-                         .arg(words(left.manifest.value("title", std::string())), QLocale().toString(at, QLocale::ShortFormat)));
+                         .arg(words(textAt(left.manifest, "title")), QLocale().toString(at, QLocale::ShortFormat)));
     question.setInformativeText(tr("Folder: %1").arg(wordsOf(left.caseFolder)));
     auto* open = question.addButton(tr("Open with these changes"), QMessageBox::AcceptRole);
     auto* discard = question.addButton(tr("Throw them away"), QMessageBox::DestructiveRole);

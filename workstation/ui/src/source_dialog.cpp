@@ -268,9 +268,10 @@ QString SourceDialog::wordsOfVoxel() const {
       return tr("measured: of all frames that reached it, a pixel of the source frame lies nearest");
     case Coverage::interpolated:
       return tr("invented: no pixel fell into it, it was filled from its neighbours, of which the source frame is the nearest");
-    default:
+    case Coverage::absent:
       return tr("absent");
   }
+  return {};
 }
 
 void SourceDialog::showAll() {

@@ -32,11 +32,21 @@ QLabel* TrackerStep::addSentence(const char* objectName) {
 
 void TrackerStep::say(QLabel& label, const QString& sentence, Tone tone) {
   const Theme& theme = currentTheme();
-  const QString sign = tone == Tone::good ? QStringLiteral("✓ ") : tone == Tone::bad ? QStringLiteral("! ") : QString();
+  QString sign, colour;
+  switch (tone) {
+    case Tone::plain:
+      break;
+    case Tone::good:
+      sign = QStringLiteral("✓ ");
+      colour = QStringLiteral("color: %1;").arg(theme.accent.name());
+      break;
+    case Tone::bad:
+      sign = QStringLiteral("! ");
+      colour = QStringLiteral("color: %1;").arg(theme.danger.name());
+      break;
+  }
   if (label.text() == sign + sentence) return;
-  label.setStyleSheet(tone == Tone::good  ? QStringLiteral("color: %1;").arg(theme.accent.name())
-                      : tone == Tone::bad ? QStringLiteral("color: %1;").arg(theme.danger.name())
-                                          : QString());
+  label.setStyleSheet(colour);
   label.setText(sentence.isEmpty() ? QString() : sign + sentence);
 }
 

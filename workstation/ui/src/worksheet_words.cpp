@@ -23,13 +23,23 @@ constexpr double kDaysOfAWeek = 7.0;
 
 QString localised(QString number) { return number.replace(QLatin1Char('.'), QLocale().decimalPoint()); }
 
+QString verdictWord(RangeVerdict verdict) {
+  switch (verdict) {
+    case RangeVerdict::below:
+      return WorksheetWords::tr("low");
+    case RangeVerdict::within:
+      return WorksheetWords::tr("usual");
+    case RangeVerdict::above:
+      return WorksheetWords::tr("high");
+  }
+  return {};
+}
+
 QString rangesOf(const WorksheetRow& row) {
   QStringList all;
   for (const auto& reading : row.ranges) {
     const QString range = localised(QString::fromStdString(rangeText(reading.range)));
-    const QString verdict = reading.verdict == RangeVerdict::within  ? WorksheetWords::tr("usual")
-                            : reading.verdict == RangeVerdict::below ? WorksheetWords::tr("low")
-                                                                     : WorksheetWords::tr("high");
+    const QString verdict = verdictWord(reading.verdict);
     const QString whom = words(reading.range.applies);
     all << (whom.isEmpty()
                 ? WorksheetWords::tr("%1 (usual: %2)", "verdict and range").arg(verdict, range)

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "ew/core/foreign_json.h"
 #include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
 #include "settings_fields.h"
@@ -220,7 +221,7 @@ class Writer {
       written["label"] = item.label;
       if (all != nullptr)
         for (const json& more : *all)
-          if (more.is_object() && more.value("label", json()) == item.label) written.update(more);
+          if (memberOf(more, "label") == item.label) written.update(more);
       object[key].push_back(std::move(written));
     }
   }

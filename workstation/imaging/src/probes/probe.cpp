@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "ew/core/contract.h"
+#include "ew/core/ending.h"
 #include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
 #include "ew/imaging/settings_json.h"
@@ -223,7 +224,7 @@ Result<std::vector<Probe>> readProbes(const std::filesystem::path& folder) {
     if (problem)
       return failure(ErrorCode::notReadable, say<"The folder of probes %1 cannot be read: %2.">(folder.string(), problem.message()),
                      {{"folder", folder.string()}});
-    if (entries->path().extension() != ".json") continue;
+    if (!hasEnding(entries->path(), ".json")) continue;
     auto probe = readProbe(entries->path());
     if (!probe) return passOn(probe.error());
     probes.push_back(std::move(*probe));
