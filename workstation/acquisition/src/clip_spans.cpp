@@ -61,14 +61,6 @@ Result<ClipRectangle> clipRectangle(const Clip& clip, int width, int height) {
                    say<"The clip rectangle begins at (%1, %2) px, outside the %3 x %4 px frame; give an origin inside the frame.">(
                        textOf(rectangle.left), textOf(rectangle.top), width, height),
                    {{"field", "clip rectangle origin"}});
-  // Writers count the last pixel in or out; what reaches further was made for other images.
-  if (clip.size_px && (clip.origin_px.x + size_px.x > width + 1.0 || clip.origin_px.y + size_px.y > height + 1.0))
-    return failure(
-        ErrorCode::badField,
-        say<"The clip rectangle of %1 x %2 px from (%3, %4) on reaches beyond the %5 x %6 px frame, so that it was made for other "
-            "images; give one that lies inside, or take the whole frame.">(textOf(size_px.x), textOf(size_px.y), textOf(clip.origin_px.x),
-                                                                           textOf(clip.origin_px.y), width, height),
-        {{"field", "clip rectangle size"}});
   if (rectangle.right < rectangle.left || rectangle.bottom < rectangle.top)
     return failure(ErrorCode::badField, say<"The clip rectangle has a negative size; give its width and height in pixels.">(),
                    {{"field", "clip rectangle size"}});

@@ -307,6 +307,20 @@ Result<std::optional<DeviceSet>> deviceOf(const SweepImportOptions& options) {
   return device;
 }
 
+/// A clip that was typed is cut to the images; one that is stated and reaches beyond them was made for others.
+Result<void> checkStated(const Clip& clip, const Sequence& sequence) {
+  // Writers count the last pixel in or out.
+  if (!clip.size_px ||
+      (clip.origin_px.x + clip.size_px->x <= sequence.width + 1.0 && clip.origin_px.y + clip.size_px->y <= sequence.height + 1.0))
+    return {};
+  return failure(ErrorCode::badField,
+                 say<"The clip rectangle of %1 x %2 px from (%3, %4) on reaches beyond the %5 x %6 px frame, so that it was made for other "
+                     "images; give one that lies inside, or take the whole frame.">(textOf(clip.size_px->x), textOf(clip.size_px->y),
+                                                                                    textOf(clip.origin_px.x), textOf(clip.origin_px.y),
+                                                                                    sequence.width, sequence.height),
+                 {{"field", "ClipRectangleSize"}});
+}
+
 /// How much of the recording the plan keeps, and what there is to ask about it.
 Result<void> tellKept(OpenedSweep& opened, const SweepImportOptions& options) {
   const Sequence& sequence = opened.sequence;
@@ -347,11 +361,15 @@ Result<void> arrange(OpenedSweep& opened, const DeviceSet* calibration, const Sw
   const auto frames = posedFrames(opened);
   ReconstructOptions said = options.reconstruct;
   if (options.clipFromCalibration && calibration != nullptr)
-    if (auto clip = clipOf(*calibration, ClipSaidBy::deviceSet, plan.notes)) said.clip = *clip;
+    if (auto clip = clipOf(*calibration, ClipSaidBy::deviceSet, plan.notes)) {
+      if (const auto fits = checkStated(*clip, opened.sequence); !fits) return fits;
+      said.clip = *clip;
+    }
   auto made = defaultsFor(frames, calibration, options.usual, said, plan.notes);
   if (!made) return passOn(made.error());
   plan.reconstruct = *made;
   if (sector && plan.reconstruct.clip == Clip{}) {
+    if (const auto fits = checkStated(*sector, opened.sequence); !fits) return fits;
     plan.reconstruct.clip = *sector;
     plan.notes.insert(plan.notes.end(), sectorNotes.begin(), sectorNotes.end());
   }
