@@ -154,7 +154,7 @@ Result<void> takeType(const Nifti& nifti, ImageHeader& header) {
 }
 
 /// Millimetres per unit of length of the file.
-double lengthUnit_mm(int units) {
+double niftiUnit_mm(int units) {
   switch (units & 7) {
     case 1:
       return 1000.0;
@@ -221,7 +221,7 @@ void notePlacings(const Nifti& nifti, const std::array<double, 3>& pixel, double
 }
 
 Result<void> takeGeometry(const Nifti& nifti, ImageHeader& header) {
-  const double mm = lengthUnit_mm(nifti.units);
+  const double mm = niftiUnit_mm(nifti.units);
   glm::dmat3 axes(1.0);  // columns: a step along i, j, k in the file's right-anterior-superior mm
   glm::dvec3 origin(0.0);
   std::array<double, 3> pixel{};
