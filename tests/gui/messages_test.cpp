@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTest>
+#include <QTimer>
 
 #include "message_bar.h"
 
@@ -55,6 +56,25 @@ class MessagesTest : public QObject {
     bar.showNote(text("Saved."));
     bar.showError(text("No such file."));
     QCOMPARE(bar.count(), 2);
+  }
+
+  void aNotePassesOnceItWasInSightAndAnErrorStays() {
+    QWidget parent;
+    MessageBar bar(&parent);
+    const auto* passes = bar.findChild<QTimer*>(text("notePasses"));
+    QVERIFY(passes != nullptr && !passes->isActive());
+    bar.showNote(text("Said."));
+    QVERIFY(passes->isActive());
+    bar.showError(text("It went wrong."));
+    QVERIFY2(!passes->isActive(), "nobody sees the note, and an error is for a person to dismiss");
+    bar.dismiss();
+    QVERIFY(passes->isActive());
+    bar.showNotes(text("Several."), {verbatim("One."), verbatim("Two.")});
+    bar.findChild<QPushButton*>(text("unfoldMessage"))->setChecked(true);
+    QVERIFY2(!passes->isActive(), "it is being read");
+    bar.findChild<QPushButton*>(text("unfoldMessage"))->setChecked(false);
+    bar.setNotesPassAfter(1);
+    QTRY_COMPARE(bar.count(), 0);
   }
 
   void whatAnImportHasToSayIsOneMessageWithAFold() {

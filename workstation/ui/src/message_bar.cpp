@@ -17,6 +17,7 @@
 namespace ew::ui {
 namespace {
 
+constexpr int kNoteStays_ms = 60000;
 constexpr int kMostDetails_px = 120;  ///< six lines; more are scrolled, so that a small window keeps its views
 
 }  // namespace
@@ -78,7 +79,15 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
   rows->addWidget(fold_);
   connect(unfold_, &QPushButton::toggled, this, [this] {
     fold_->setVisible(unfold_->isChecked());
+    waitForPassing(true);
     Q_EMIT rearranged();
+  });
+  passes_.setObjectName(QStringLiteral("notePasses"));
+  passes_.setSingleShot(true);
+  passes_.setInterval(kNoteStays_ms);
+  connect(&passes_, &QTimer::timeout, this, [this] {
+    if (underMouse()) return passes_.start();  // somebody is about to do something with it
+    dismiss();
   });
   connect(close_, &QPushButton::clicked, this, &MessageBar::dismiss);
   refreshIcons();
@@ -149,11 +158,13 @@ void MessageBar::dismiss() {
 void MessageBar::refresh() {
   const Line* first = front();
   setVisible(first != nullptr);
+  bool isOther = true;
   if (first != nullptr) {
     setProperty("kind", first->kind == Kind::error ? QStringLiteral("error") : QStringLiteral("note"));
     style()->unpolish(this);
     style()->polish(this);
     const bool same = sentence_->text() == first->sentence && details_->text() == first->details;
+    isOther = !same;
     sentence_->setText(first->sentence);
     sentence_->setToolTip(first->tip);
     details_->setText(first->details);
@@ -168,7 +179,21 @@ void MessageBar::refresh() {
     more_->setText(others > 0 ? tr("%n more", nullptr, others) : QString());
     more_->setVisible(others > 0);
   }
+  waitForPassing(isOther);
   Q_EMIT rearranged();
+}
+
+void MessageBar::setNotesPassAfter(int stay_ms) {
+  passes_.setInterval(stay_ms);
+  waitForPassing(true);
+}
+
+void MessageBar::waitForPassing(bool isOther) {
+  const Line* first = front();
+  if (first == nullptr || first->kind == Kind::error || first->run || unfold_->isChecked())
+    passes_.stop();
+  else if (isOther || !passes_.isActive())
+    passes_.start();
 }
 
 }  // namespace ew::ui

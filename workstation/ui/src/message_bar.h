@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QFrame>
+#include <QTimer>
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,7 +14,8 @@ class QScrollArea;
 
 namespace ew::ui {
 
-/// One sentence above the views that stays until it is dismissed or past: errors with a red edge, notes with the accent. Several wait and
+/// One sentence above the views that stays until it is dismissed or past: errors with a red edge, notes with the accent. A note that was
+/// in sight for a minute is past; one that is unfolded, under the pointer or offers something stays. Several wait and
 /// are counted; the newest error is in front, then the newest note. Whoever holds it lays it over what is no image and no button, so that
 /// nothing moves when it comes.
 ///
@@ -43,6 +45,8 @@ class MessageBar final : public QFrame {
   [[nodiscard]] int count() const { return static_cast<int>(waiting_.size()); }
   [[nodiscard]] int heightFor(int width_px) const;  ///< that its words need
   void dismiss();
+  /// How long a note is in sight before it goes by itself.
+  void setNotesPassAfter(int stay_ms);
   void refreshIcons();
 
  Q_SIGNALS:
@@ -61,8 +65,10 @@ class MessageBar final : public QFrame {
   };
   void add(Line message);
   void refresh();
+  void waitForPassing(bool isOther);
   [[nodiscard]] const Line* front() const;
 
+  QTimer passes_{this};        ///< runs while a note is in sight
   std::vector<Line> waiting_;  ///< notes, then errors, each with the newest last: the last one is in sight
   QLabel* sentence_ = nullptr;
   QLabel* more_ = nullptr;
