@@ -136,10 +136,11 @@ void TopBar::placeTitle() {
   for (const Button& each : workspaces_)
     if (!each.button->isHidden()) needed_px += each.button->sizeHint().width() + kGrid_px;
   needed_px += 4 * kGrid_px;
-  const int title_px = title_->fontMetrics().horizontalAdvance(fullTitle_) + 2 * kGapOfTitle_px;
+  // Room for a usual title, not for the one at hand: nothing moves when another case is opened.
+  constexpr int kUsualTitle_px = 220;
   disclaimer_->setVisible(needed_px + disclaimer_->sizeHint().width() <= width());
   if (!disclaimer_->isHidden()) needed_px += disclaimer_->sizeHint().width();
-  brand_->setVisible(needed_px + title_px + brand_->sizeHint().width() + 2 * kGrid_px <= width());
+  brand_->setVisible(needed_px + scaled(kUsualTitle_px) + 2 * kGapOfTitle_px + brand_->sizeHint().width() + 2 * kGrid_px <= width());
   layout()->activate();
   constexpr int kGap_px = kGapOfTitle_px;
   const auto placed = [this](const QRect& rect) { return QStyle::visualRect(layoutDirection(), this->rect(), rect); };
@@ -147,8 +148,10 @@ void TopBar::placeTitle() {
   const int right = disclaimer_->isHidden() ? width() - kGrid_px : placed(disclaimer_->geometry()).left() - kGap_px;
   const int room = std::max(0, right - left);
   const int wanted = remark_->text().isEmpty() ? 0 : remark_->sizeHint().width() + kGap_px;
-  const int remarkWidth = wanted <= room ? wanted : 0;
   const QFontMetrics metrics = title_->fontMetrics();
+  // What is open is named before what is remarked about it.
+  constexpr int kReadable_px = 160;
+  const int remarkWidth = wanted + std::min(metrics.horizontalAdvance(fullTitle_) + 4, scaled(kReadable_px)) <= room ? wanted : 0;
   const int titleWidth = std::min(metrics.horizontalAdvance(fullTitle_) + 4, std::max(0, room - remarkWidth));
   title_->setText(metrics.elidedText(fullTitle_, Qt::ElideRight, titleWidth));
   const int all = titleWidth + remarkWidth;
