@@ -262,6 +262,30 @@ const std::string kCase = R"({"format": 1, "id": "x", "title": "X", "patient": {
 const std::string kNext = "\n%%\n";  // see folder.h
 
 /// Small recipes, cases and manifests that use every kind of field, and those that are shipped.
+/// What is kept of an attempt, what a learning system says, what an outbox notes.
+void records(const fs::path& folder) {
+  put(folder / "attempt", "attempt",
+      R"({"format": 1, "id": "20260105-090000-885f5f0e", "case": "c", "lesson": "l", "lesson_title": "L", "lesson_content": "0", "person": "a",)"
+      R"( "started_at": "2026-01-05T09:00:00Z", "program": "0.1.0", "outcomes": [{"step": "s", "verdict": "passed", "score": 0.5, "seconds": 2,)"
+      R"( "answer": {"chosen": [0]}, "figures": [{"name": "angle", "value": 4.2, "unit": "deg"}]}]})");
+  put(folder / "attempt", "score",
+      R"({"format": 1, "score": 0.5, "passed": false, "steps": [{"step": "s", "score": 0.5, "verdict": "passed"}]})");
+  std::error_code error;
+  for (const auto& form : fs::directory_iterator(fs::path(EW_SOURCE_DIR) / "resources" / "rating_forms", error))
+    put(folder / "attempt", form.path().stem().string(), textOf(form.path()));
+  put(folder / "lms", "launch",
+      "echoweave-cmi5:?endpoint=https%3A%2F%2Flms.example%2Fxapi%2F&fetch=https%3A%2F%2Flms.example%2Ff&registration="
+      "886313e1-3b8a-5372-9b90-0c9aee199e5d&activityId=https%3A%2F%2Flms.example%2F1&actor=%7B%22account%22%3A%7B%22homePage%22%3A%22"
+      "https%3A%2F%2Flms.example%2F%22%2C%22name%22%3A%22a%22%7D%7D" +
+          kNext +
+          R"({"contextTemplate": {"contextActivities": {"grouping": []}, "extensions": {}}, "launchMode": "Normal", "moveOn": "Passed"})" +
+          kNext + "Wed, 21 Oct 2026 07:28:00 GMT");
+  put(folder / "lms", "refusal",
+      "x" + kNext + R"({"error-code": "1", "error-text": "no secret here", "message": {"a": [1]}})" + kNext + "120");
+  put(folder / "outbox_note", "note",
+      R"({"format": 1, "class": "1.2", "instance": "1.2.3", "study": "1.3", "series": "1.4", "status": "waiting", "attempts": 2, "problem": ""})");
+}
+
 void texts(const fs::path& folder) {
   put(folder / "recipe", "whole", kPatient);
   put(folder / "recipe", "child", kChild + kNext + kPatient + kNext + kBall);
@@ -381,6 +405,7 @@ int main(int argc, char** argv) {
   others(folder);
   stitching(folder);
   texts(folder);
+  records(folder);
   films(folder / "film");
 #ifdef EW_HAS_TRACKERS
   igtl(folder / "igtl");
