@@ -8,6 +8,7 @@
 #include <QDialog>
 #include <QFocusEvent>
 #include <QKeyEvent>
+#include <QMenuBar>
 #include <QPointer>
 #include <QScrollArea>
 #include <QTabBar>
@@ -33,7 +34,8 @@ bool worksWith(const QObject& control, int key) {
 /// Whether what is typed is meant for it, however it came to have the focus.
 bool isTypedInto(const QWidget& widget) {
   return widget.testAttribute(Qt::WA_InputMethodEnabled) || qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr ||
-         qobject_cast<const QComboBox*>(&widget) != nullptr || qobject_cast<const QAbstractItemView*>(&widget) != nullptr;
+         qobject_cast<const QComboBox*>(&widget) != nullptr || qobject_cast<const QAbstractItemView*>(&widget) != nullptr ||
+         qobject_cast<const QMenuBar*>(&widget) != nullptr;
 }
 
 }  // namespace
@@ -63,7 +65,7 @@ bool FocusKeys::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::FocusIn: {
       const Qt::FocusReason reason = static_cast<QFocusEvent*>(event)->reason();
       // Another window, or a menu, may have had the keys for a while.
-      if (reason != Qt::ActiveWindowFocusReason && reason != Qt::PopupFocusReason)
+      if (reason != Qt::ActiveWindowFocusReason && reason != Qt::PopupFocusReason && reason != Qt::MenuBarFocusReason)
         way_ = isReachedByKeys(reason) ? Way::byTab : reason == Qt::MouseFocusReason ? Way::byMouse : Way::byProgram;
       break;
     }
