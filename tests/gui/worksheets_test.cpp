@@ -18,6 +18,7 @@
 #include "window_fixture.h"
 #include "worksheet_dialog.h"
 #include "worksheet_file.h"
+#include "worksheet_words.h"
 
 namespace ew::ui::testing {
 
@@ -184,6 +185,32 @@ class WorksheetsTest : public WindowFixture {
     QVERIFY(worksheets().current() != nullptr);  // the same kind of examination, empty
     QVERIFY(worksheets().current()->isEmpty());
     QVERIFY(worksheets().unsaved() == nullptr);
+  }
+
+  void aSheetSaysWhoseItIsAndItsRangesReadAsSentences() {
+    choosePackage("abdomen");
+    session().setFrozen(true);
+    worksheets().measure("AORTA", "");
+    calipers().changeIn(Where::picture, [](measurement::CaliperDrawing& drawing) {
+      for (const glm::dvec2 at : {glm::dvec2(-17.0, 50.0), glm::dvec2(16.0, 50.0)}) {
+        drawing.press(at, 1.0);
+        drawing.release(at, 1.0);
+      }
+    });
+    QVERIFY(worksheets().current() != nullptr);
+    const measurement::Worksheet sheet = worksheets().current()->worksheet();
+    const QString html = WorksheetWords::htmlOf(sheet, QStringLiteral("#505050"));
+    QVERIFY2(html.contains(QLatin1String("high (usual: up to 2.9 cm; an aneurysm from 3.0 cm on)")), qPrintable(html));
+    const QDateTime at(QDate(2026, 11, 24), QTime(10, 0));
+    const auto written = [&](const char* name) {
+      const QString path = files_.path(QLatin1String(name));
+      if (!writeWorksheet(sheet, QStringLiteral("Pain, \"here\""), at, path.toStdString(), {}, QStringLiteral("Anna"))) return QByteArray();
+      QFile file(path);
+      return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    const QByteArray json = written("whose.json"), csv = written("whose.csv");
+    QVERIFY(json.contains("\"patient\"") && json.contains("\"examined_by\": \"Anna\""));
+    QVERIFY2(csv.contains(",patient,,,\"Pain, \"\"here\"\"\"") && csv.contains(",examined_by,,,\"Anna\""), csv.constData());
   }
 
   void filesCarryTheSheetAndItsCaution() {
