@@ -43,6 +43,11 @@ class OneResult : public ::testing::Test {
       lesson.steps.push_back(std::move(step));
     }
     world_.teach(std::move(lesson));
+    writeText(outputs_ / "password", "secret-word\n");
+    std::string words;
+    said({"records", "settings", "--endpoint", "https://records.example/xapi/", "--user", "mona", "--secret-from",
+          (outputs_ / "password").string(), "--settings", (outputs_ / "settings").string(), "--no-keyring"},
+         &words);
     server_.authorization = "Basic dG9rZW4tMTc=";
     server_.other = [](const ServerQuestion& asked) -> std::optional<ServerAnswer> {
       if (asked.target == "/fetch") return ServerAnswer{200, R"({"auth-token": "dG9rZW4tMTc="})", {}};
