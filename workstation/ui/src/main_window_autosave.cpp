@@ -87,7 +87,11 @@ void MainWindow::rememberOpen(const QString& path) {
   followPatient();
 }
 
-void MainWindow::rememberStartPage() { QSettings().setValue(kOpenSetting, QString()); }
+void MainWindow::rememberClosing() {
+  QSettings settings;
+  settings.remove(kOpeningSetting);  // it was not the end of the program
+  if (parts_->pages->currentWidget() == parts_->startPage) settings.setValue(kOpenSetting, QString());
+}
 
 void MainWindow::keepMadeVolumes() {
   std::vector<WorkAutosave::MadeHere> made;

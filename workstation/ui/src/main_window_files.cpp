@@ -228,7 +228,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   QSettings().setValue(QStringLiteral("window"), saveGeometry());
-  if (parts_->pages->currentWidget() == parts_->startPage) rememberStartPage();
+  rememberClosing();
   parts_->preparation.pause();  // what it has made is kept; the next start goes on from there
   parts_->jobs.cancelAllAndWait();
   parts_->keepSoon.stop();

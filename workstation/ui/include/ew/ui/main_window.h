@@ -245,7 +245,7 @@ class MainWindow final : public QMainWindow {
   void offerKeptEditsOf(const std::filesystem::path& caseFolder);
   void restoreKeptEdits();
   void rememberOpen(const QString& path);  ///< for openWhereOneWas
-  void rememberStartPage();
+  void rememberClosing();
   void keepMadeVolumes();  ///< against a crash
   void askAboutLeft(std::vector<LeftWork> left);
   void resumeNext();  ///< opens what the first of Parts::resumed belongs to
