@@ -18,18 +18,18 @@ using measurement::WorksheetRow;
 
 /// A step that asks for a measurement, as the lesson or else the score has it.
 struct MeasureStep {
-  std::string id, title, caseId, measurement;
+  std::string id, title, caseId;
 };
 
 std::vector<MeasureStep> measureSteps(const ReportedAttempt& attempt, const ReportedLesson& lesson) {
   std::vector<MeasureStep> steps;
   if (lesson.lesson) {
     for (const LessonStep& step : lesson.lesson->steps)
-      if (const auto* task = std::get_if<MeasureTask>(&step.task))
-        steps.push_back({step.id, step.title, step.caseId.empty() ? attempt.attempt.caseId : step.caseId, task->measurement});
+      if (std::holds_alternative<MeasureTask>(step.task))
+        steps.push_back({step.id, step.title, step.caseId.empty() ? attempt.attempt.caseId : step.caseId});
   } else if (attempt.score) {
     for (const StepScore& step : attempt.score->steps)
-      if (step.kind == "measure") steps.push_back({step.stepId, step.title, attempt.attempt.caseId, step.title});
+      if (step.kind == "measure") steps.push_back({step.stepId, step.title, attempt.attempt.caseId});
   }
   return steps;
 }
@@ -50,7 +50,7 @@ Words bothAs(const std::string& text) { return {text, text}; }
 WorksheetRow rowOf(const MeasureStep& step, const Quantity& value, const nlohmann::json& answer, std::size_t number) {
   WorksheetRow row;
   row.label = "M" + std::to_string(number);
-  row.title = bothAs(step.measurement);
+  row.title = bothAs(step.title);  // the measurement's own name may be the finding, which the trainee was not told
   row.value = value;
   row.measured = {value};
   const std::string caliper = answer.contains("caliper") && answer["caliper"].is_string() ? answer["caliper"].get<std::string>() : "";
