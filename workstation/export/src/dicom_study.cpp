@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <random>
+#include <span>
+
+#include "ew/library/checksums.h"
 
 namespace ew {
 namespace {
@@ -61,9 +64,22 @@ bool isDicomUid(std::string_view text) {
   return true;
 }
 
+namespace {
+
+/// The same for all examinations of a case. A case with a title for trainees hides its finding, which its id often names.
+std::string patientIdOf(const Case& examined) {
+  constexpr std::size_t kDigits = 10;
+  if (titleForTrainees(examined) == examined.title) return "EWSIM-" + examined.id;
+  Sha256 sum;
+  sum.add(std::as_bytes(std::span(examined.id)));
+  return "EWSIM-" + sum.hex().substr(0, kDigits);
+}
+
+}  // namespace
+
 DicomStudy beginStudy(const Case& examined, std::chrono::sys_seconds now) {
   DicomStudy study = begun(now);
-  study.patient = {examined.patient.name, "EWSIM-" + examined.id, examined.patient.sex, examined.patient.age_years};
+  study.patient = {examined.patient.name, patientIdOf(examined), examined.patient.sex, examined.patient.age_years};
   if (study.patient.name.empty()) study.patient.name = "Simulation";
   study.title = titleForTrainees(examined);
   study.region = examined.region;
