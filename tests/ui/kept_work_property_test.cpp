@@ -10,6 +10,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <set>
 #include <stdexcept>
 
 #include "assessment/made_ratings.h"
@@ -164,12 +165,15 @@ class Program {
 
   // --- the list, as the window makes it
   void hold() {
-    const auto answer = [this] { return upTo(3); };  // save, discard, cancel
+    const auto answer = [this](const char* name) {
+      asked_.insert(name);
+      return upTo(3);  // save, discard, cancel
+    };
     unsaved_.add({"case",
                   {Loss::opening, Loss::closing},
                   [this] { return document_.hasUnsavedChanges(); },
                   [this, answer](Loss, const std::string&) {
-                    const int said = answer();
+                    const int said = answer("case");
                     if (said == 0) save();
                     return said != 2;
                   }});
@@ -177,7 +181,7 @@ class Program {
                   {Loss::closing},
                   [this] { return !comments_.isSaved(); },
                   [this, answer](Loss, const std::string&) {
-                    const int said = answer();
+                    const int said = answer("comments");
                     if (said == 0) keepComments();
                     return said != 2;
                   }});
@@ -188,8 +192,22 @@ class Program {
                     keepDraft();  // without a question
                     return true;
                   }});
-    unsaved_.add(
-        {"painting", {Loss::closing}, [this] { return painting_ > 0; }, [answer](Loss, const std::string&) { return answer() == 1; }});
+    unsaved_.add({"painting",
+                  {Loss::closing},
+                  [this] { return painting_ > 0; },
+                  [answer](Loss, const std::string&) { return answer("painting") == 1; }});
+  }
+
+  /// Asks the list, and holds against it what is known beside it.
+  bool maySomethingGo(Loss loss) {
+    asked_.clear();
+    std::set<std::string> wouldGo;
+    if (clean_ != now_) wouldGo.insert("case");
+    if (loss == Loss::closing && textsNow() != model_.at["comments"][attempt_]) wouldGo.insert("comments");
+    if (loss == Loss::closing && painting_ > 0) wouldGo.insert("painting");
+    if (!unsaved_.mayLose(loss, {})) return false;
+    for (const std::string& name : wouldGo) expect(asked_.contains(name), name + " went without a question");
+    return true;
   }
 
   // --- the case
@@ -204,7 +222,7 @@ class Program {
     offerPainting();
   }
   void openOther() {
-    if (!unsaved_.mayLose(Loss::opening, "other")) return;
+    if (!maySomethingGo(Loss::opening)) return;
     open(open_ == "a" ? "b" : "a");
   }
   void editTitle() {
@@ -372,9 +390,9 @@ class Program {
   }
   void forgetAside() {
     aside_->forget();
+    while (aside_->isBusy()) runJob();
     for (auto& [painter, kept] : asides_)
       if (painter.lock() == aside_) kept.second = 0;
-    while (aside_->isBusy()) runJob();
   }
   /// Another case comes: what is not kept in this one is left for whoever opens it again.
   void leavePainting() {
@@ -412,7 +430,7 @@ class Program {
 
   // --- the end
   bool mayEnd() {
-    if (!unsaved_.mayLose(Loss::closing, {})) return false;
+    if (!maySomethingGo(Loss::closing)) return false;
     // The user has decided about everything.
     keptEdits_.forget();
     forgetAside();
@@ -443,6 +461,7 @@ class Program {
   Model& model_;
   std::mt19937& chance_;
   UnsavedWork unsaved_;
+  std::set<std::string> asked_;
   CaseDocument document_;
   KeptEdits keptEdits_;
   std::string open_;
@@ -466,7 +485,8 @@ void makeWorld(const fs::path& home) {
                                                     {"patient", {{"name", "Test Person"}, {"sex", "female"}, {"age_years", 40}}},
                                                     {"history", "None."},
                                                     {"indication", "To be looked at."},
-                                                    {"diagnosis", "Healthy."}}
+                                                    {"diagnosis", "Healthy."},
+                                                    {"volume", json::object()}}
                                                    .dump());
   for (const char* name : {"one", "two"}) {
     Attempt attempt;
