@@ -8,9 +8,11 @@
 
 namespace ew {
 
-using nlohmann::json;
+namespace {
+using Json = nlohmann::json;
+}  // namespace
 
-Result<json> parseJson(std::string_view text, const Message& where, const JsonLimits& limits) {
+Result<Json> parseJson(std::string_view text, const Message& where, const JsonLimits& limits) {
   if (text.size() > limits.bytes)
     return failure(ErrorCode::tooLarge,
                    say<"%1 is longer than %2 bytes, which no such document is; check that it is the right one.">(where, limits.bytes),
@@ -22,57 +24,57 @@ Result<json> parseJson(std::string_view text, const Message& where, const JsonLi
   return parseJson(text, where);
 }
 
-json jsonOrNull(std::string_view text, const JsonLimits& limits) {
+Json jsonOrNull(std::string_view text, const JsonLimits& limits) {
   auto read = parseJson(text, {}, limits);
-  return read ? std::move(*read) : json();
+  return read ? std::move(*read) : Json();
 }
 
-const json& memberOf(const json& of, std::string_view key) {
-  static const json kNone;
+const Json& memberOf(const Json& of, std::string_view key) {
+  static const Json kNone;
   if (!of.is_object()) return kNone;
   const auto found = of.find(key);
   return found == of.end() ? kNone : *found;
 }
 
-std::string textAt(const json& of, std::string_view key, std::string fallback) {
-  const json& found = memberOf(of, key);
+std::string textAt(const Json& of, std::string_view key, std::string fallback) {
+  const Json& found = memberOf(of, key);
   return found.is_string() ? found.get<std::string>() : fallback;
 }
 
-std::string wordsAt(const json& of, std::string_view key) {
-  const json& found = memberOf(of, key);
+std::string wordsAt(const Json& of, std::string_view key) {
+  const Json& found = memberOf(of, key);
   if (found.is_null()) return {};
-  return found.is_string() ? found.get<std::string>() : found.dump(-1, ' ', false, json::error_handler_t::replace);
+  return found.is_string() ? found.get<std::string>() : found.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::optional<double> numberAt(const json& of, std::string_view key) {
-  const json& found = memberOf(of, key);
+std::optional<double> numberAt(const Json& of, std::string_view key) {
+  const Json& found = memberOf(of, key);
   if (!found.is_number() || !std::isfinite(found.get<double>())) return std::nullopt;
   return found.get<double>();
 }
 
-std::optional<long long> wholeAt(const json& of, std::string_view key) {
-  const json& found = memberOf(of, key);
+std::optional<long long> wholeAt(const Json& of, std::string_view key) {
+  const Json& found = memberOf(of, key);
   if (!found.is_number_integer()) return std::nullopt;
   if (found.is_number_unsigned() && found.get<unsigned long long>() > std::numeric_limits<long long>::max()) return std::nullopt;
   return found.get<long long>();
 }
 
-bool flagAt(const json& of, std::string_view key, bool fallback) {
-  const json& found = memberOf(of, key);
+bool flagAt(const Json& of, std::string_view key, bool fallback) {
+  const Json& found = memberOf(of, key);
   return found.is_boolean() ? found.get<bool>() : fallback;
 }
 
-std::vector<std::string> textsAt(const json& of, std::string_view key) {
+std::vector<std::string> textsAt(const Json& of, std::string_view key) {
   std::vector<std::string> texts;
-  for (const json& each : listAt(of, key))
+  for (const Json& each : listAt(of, key))
     if (each.is_string()) texts.push_back(each.get<std::string>());
   return texts;
 }
 
-const json& listAt(const json& of, std::string_view key) {
-  static const json kEmpty = json::array();
-  const json& found = memberOf(of, key);
+const Json& listAt(const Json& of, std::string_view key) {
+  static const Json kEmpty = Json::array();
+  const Json& found = memberOf(of, key);
   return found.is_array() ? found : kEmpty;
 }
 

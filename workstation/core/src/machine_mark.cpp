@@ -8,14 +8,16 @@
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
-#include <iterator>
+#include <string>
 
 namespace ew {
 namespace {
 
-std::string textOfFile(const char* file) {
+std::string lineOfFile(const char* file) {
   std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
+  std::string line;
+  std::getline(in, line);
+  return line;
 }
 
 /// FNV-1a.
@@ -34,8 +36,8 @@ const std::string& machineMark() {
     std::array<char, 256> host{}, processes{};
     ::gethostname(host.data(), host.size() - 1);
     static_cast<void>(::readlink("/proc/self/ns/pid", processes.data(), processes.size() - 1));
-    return digitsOf(std::string(host.data()) + '\n' + processes.data() + '\n' + textOfFile("/etc/machine-id") +
-                    textOfFile("/proc/sys/kernel/random/boot_id"));
+    return digitsOf(std::string(host.data()) + '\n' + processes.data() + '\n' + lineOfFile("/etc/machine-id") + '\n' +
+                    lineOfFile("/proc/sys/kernel/random/boot_id"));
   }();
   return mark;
 }

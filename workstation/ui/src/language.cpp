@@ -52,7 +52,9 @@ std::vector<std::unique_ptr<QTranslator>> speak(QApplication& app) {
   const QLocale locale = chosen.isEmpty() ? QLocale::system() : QLocale(chosen);
   QLocale::setDefault(locale);  // so that 3.5 is written as the words around it are
   auto ours = std::make_unique<QTranslator>(), qts = std::make_unique<QTranslator>();
-  const bool hasOurs = ours->load(locale, QStringLiteral("echoweave"), QStringLiteral("_"), QStringLiteral(":/ew/translations"));
+  // Without words of its own a language reads English, which has a catalogue for what goes with a number.
+  const bool hasOurs = ours->load(locale, QStringLiteral("echoweave"), QStringLiteral("_"), QStringLiteral(":/ew/translations")) ||
+                       ours->load(QStringLiteral(":/ew/translations/echoweave_en.qm"));
   const bool hasQts =
       qts->load(locale, QStringLiteral("qtbase"), QStringLiteral("_"), QLibraryInfo::location(QLibraryInfo::TranslationsPath));
   speakIt(app, spoken, std::move(ours), hasOurs);
