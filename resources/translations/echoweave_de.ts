@@ -179,8 +179,8 @@
         <translation>Frame Time Vector hat einen Eintrag weniger, als es Bilder gibt; er wurde als Schritte zwischen ihnen gelesen.</translation>
     </message>
     <message>
-        <source>It does say %1.</source>
-        <translation>Sie nennt %1.</translation>
+        <source>Of its pixels the file says: %1.</source>
+        <translation>Über ihre Bildpunkte sagt die Datei: %1.</translation>
     </message>
     <message>
         <source>Looking at the stills</source>

@@ -393,6 +393,7 @@ TEST(DicomStack, StillsAreJoinedByTheirPositionsWhateverTheirNames) {
   EXPECT_EQ(grid.origin_mm, glm::dvec3(10, 20, 1));
   for (int k = 0; k < 3; ++k) EXPECT_EQ(read->volume.echo[grid.indexOf(1, 1, k)], 10 * (k + 1));
   EXPECT_TRUE(contains(read->removed.fields, "Patient's Name"));
+  EXPECT_FALSE(contains(read->notes, "is not used")) << "spacing, position and orientation are";
 }
 
 TEST(DicomStack, WhatIsNoVolumeIsSaid) {

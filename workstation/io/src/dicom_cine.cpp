@@ -49,7 +49,7 @@ void noteShape(const DicomScale& scale, const glm::dvec2& given_mm, std::vector<
 Message hintOf(const DicomScale& scale) {
   std::vector<Message> hints = scale.hints;
   if (scale.heightByWidth) hints.push_back(say<"Pixel Aspect Ratio: they are %1 times as high as wide">(number(*scale.heightByWidth)));
-  return hints.empty() ? Message() : say<"It does say %1.">(joined(std::move(hints), ", "));
+  return hints.empty() ? Message() : say<"Of its pixels the file says: %1.">(joined(std::move(hints), ", "));
 }
 
 Result<Chosen> choose(const fs::path& file, const PixelLayout& layout, const DicomScale& scale, const CineOptions& options,

@@ -66,7 +66,6 @@ Result<void> lookAt(const DicomFile& dicom, const PixelLayout& layout, Stills& s
     stills.columns = layout.columns;
     stills.rows = layout.rows;
     stills.notes = layout.notes;
-    for (Message& note : unusedFields(dicom.data, {}, true)) stills.notes.push_back(std::move(note));
   } else if (layout.columns != stills.columns || layout.rows != stills.rows) {
     return notOneVolume(folder,
                         say<"The DICOM stills of %1 have different sizes (%2 x %3 and %4 x %5 pixels), so that they are no volume; put "
@@ -77,6 +76,8 @@ Result<void> lookAt(const DicomFile& dicom, const PixelLayout& layout, Stills& s
   const auto pixel_mm = scale.spacing_mm   ? scale.spacing_mm
                         : scale.onlyRegion ? std::optional(scale.regions[*scale.onlyRegion].pixel_mm())
                                            : std::nullopt;
+  if (stills.files.empty())
+    for (Message& note : unusedFields(dicom.data, pixel_mm, true)) stills.notes.push_back(std::move(note));
   const auto plane = pixel_mm ? planeOf(dicom.data, *pixel_mm) : std::nullopt;
   if (plane) {
     stills.planes.push_back(*plane);
