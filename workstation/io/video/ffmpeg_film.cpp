@@ -18,26 +18,15 @@ extern "C" {
 #include <limits>
 #include <utility>
 
+#include "ffmpeg_owners.h"
 #include "film_parts.h"
 
 namespace {
 
-template <auto release>
-struct Frees {
-  template <class T>
-  void operator()(T* it) const {
-    release(&it);
-  }
-};
-using Frame = std::unique_ptr<AVFrame, Frees<av_frame_free>>;
-using Packet = std::unique_ptr<AVPacket, Frees<av_packet_free>>;
-using Decoder = std::unique_ptr<AVCodecContext, Frees<avcodec_free_context>>;
-
-std::string saidOf(int problem) {
-  std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
-  av_strerror(problem, text.data(), text.size());
-  return text.data();
-}
+using ew_video::Codec;
+using ew_video::Frame;
+using ew_video::Packet;
+using ew_video::saidOf;
 
 double secondsOf(std::int64_t time, AVRational base) { return static_cast<double>(time) * av_q2d(base); }
 
@@ -304,7 +293,7 @@ class Video final : public EwFilmParts {
   OwnBytes bytes_;
   AVFormatContext* in_ = nullptr;
   AVStream* stream_ = nullptr;
-  Decoder decoder_;
+  Codec decoder_;
   Frame frame_, packed_;
   Packet packet_;
   SwsContext* toRgb_ = nullptr;
