@@ -59,7 +59,9 @@ class StoringTest : public WindowFixture {
   }
   [[nodiscard]] QString stored() const { return files_.path(QStringLiteral("library/stored-images")); }
   /// From now on the library cannot keep images: what is stored would be lost.
-  [[nodiscard]] bool keepsNothing() const { return writeFileSafely(stored().toStdString(), "in the way").has_value(); }
+  [[nodiscard]] bool keepsNothing() const {
+    return QDir().mkpath(files_.path(QStringLiteral("library"))) && writeFileSafely(stored().toStdString(), "in the way").has_value();
+  }
   /// A case of another patient.
   [[nodiscard]] QString writeSecondCase() const {
     const QString folder = files_.writeCase(QStringLiteral("second"));
