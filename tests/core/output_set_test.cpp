@@ -291,6 +291,9 @@ TEST(OutputSet, AWholeFolderTakesThePlaceOfNothingOrOfAnEmptyOne) {
 
 TEST(OutputSet, WhatAKilledProgramLeftIsRemovedFromAFolderOfOnesOwnAndNothingElse) {
   const Folder folder;
+  OutputSet running;
+  ASSERT_TRUE(running.announce(folder / "b.txt"));
+  folder.write(running.staged(folder / "b.txt"), "running");
   const pid_t killed = ::fork();
   if (killed == 0) {
     OutputSet outputs;
@@ -299,9 +302,6 @@ TEST(OutputSet, WhatAKilledProgramLeftIsRemovedFromAFolderOfOnesOwnAndNothingEls
   }
   int status = 0;
   ASSERT_EQ(::waitpid(killed, &status, 0), killed);
-  OutputSet running;
-  ASSERT_TRUE(running.announce(folder / "b.txt"));
-  folder.write(running.staged(folder / "b.txt"), "running");
   fs::create_directory(folder / ".ew-notes");
   folder.write(folder / ".ew-1-x", "a file");
   ASSERT_EQ(folder.names().size(), 4u);
