@@ -9,6 +9,7 @@
 #include <QSettings>
 #include <QSpinBox>
 #include <QTemporaryDir>
+#include <QUndoStack>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -229,7 +230,7 @@ class StoringTest : public WindowFixture {
     };
     give("gravid.json");
     QCOMPARE(in<QListWidget>(dialog(), "storedImages")->count(), 1);
-    window_->document().undo();
+    window_->document().history().undo();
     QVERIFY(waitUntil([&] { return window_->isSettled(); }, 4.0 * test::kPatience_ms));
     QCOMPARE(in<QListWidget>(dialog(), "storedImages")->count(), 1);
     QVERIFY2(answers.asked.isEmpty(), "nothing was lost, so nothing is asked");
@@ -260,13 +261,13 @@ class StoringTest : public WindowFixture {
     QCOMPARE(in<QListWidget>(dialog(), "storedImages")->count(), 1);
     {
       Answers nobody({});
-      window_->document().undo();  // the volume is that of the case again
+      window_->document().history().undo();  // the volume is that of the case again
       settles();
       QVERIFY(nobody.asked.isEmpty());
     }
     QCOMPARE(in<QListWidget>(dialog(), "storedImages")->count(), 1);
     Answers discard({{QStringLiteral("unsavedStoredQuestion"), press(QMessageBox::Discard)}});
-    window_->document().redo();
+    window_->document().history().redo();
     settles();
     QCOMPARE(discard.asked, QStringList{QStringLiteral("unsavedStoredQuestion")});
     QVERIFY(session().subject()->voxels.volume() != shown);
@@ -335,8 +336,8 @@ class StoringTest : public WindowFixture {
         if (each->text().startsWith(QStringLiteral("Save &image as"))) each->trigger();
       QVERIFY2(QFile::exists(file), name);
       const QByteArray start = QByteArray(name).endsWith("DCM")   ? QByteArray(128, '\0') + "DICM"
-                               : QByteArray(name).endsWith("PNG") ? "\x89PNG"
-                                                                  : "ObjectType";
+                               : QByteArray(name).endsWith("PNG") ? QByteArray("\x89PNG")
+                                                                  : QByteArray("ObjectType");
       QVERIFY2(begins(file, start), name);
     }
   }
