@@ -1,6 +1,5 @@
 // Calipers on the scan and the worksheets they fill: their menu, and who hears of them.
 #include <QDateTime>
-#include <QMessageBox>
 #include <algorithm>
 #include <chrono>
 

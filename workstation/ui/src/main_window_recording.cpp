@@ -1,6 +1,5 @@
 // Recording a scan, playing one, and keeping what was recorded until the user has decided about it.
 #include <QFileInfo>
-#include <QMessageBox>
 #include <algorithm>
 #include <utility>
 

@@ -2,7 +2,6 @@
 #include <QDateTime>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
 #include <chrono>
 
 #include "ew/core/ending.h"
