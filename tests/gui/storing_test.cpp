@@ -221,6 +221,17 @@ class StoringTest : public WindowFixture {
   void imagesStayWithTheirPatientWhenTheCaseGivesItAnotherBody() {
     session().setFrozen(true);
     storeImage();
+    window_->worksheets().choose("abdomen");
+    window_->worksheets().measure("AORTA", "");
+    window_->calipers().changeIn(Where::picture, [](measurement::CaliperDrawing& drawing) {
+      for (const glm::dvec2 at : {glm::dvec2(-17.0, 50.0), glm::dvec2(16.0, 50.0)}) {
+        drawing.press(at, 1.0);
+        drawing.release(at, 1.0);
+      }
+    });
+    QCOMPARE(window_->calipers().findings().all().size(), std::size_t{1});
+    const measurement::Examination sheet = *window_->worksheets().current();
+    QVERIFY(!sheet.isEmpty());
     Answers answers({});
     const auto give = [&](const char* mannequin) {
       auto manifest = window_->document().manifest();
@@ -230,6 +241,8 @@ class StoringTest : public WindowFixture {
     };
     give("gravid.json");
     QCOMPARE(in<QListWidget>(dialog(), "storedImages")->count(), 1);
+    QCOMPARE(window_->calipers().findings().all().size(), std::size_t{1});
+    QVERIFY(*window_->worksheets().current() == sheet);
     window_->document().history().undo();
     QVERIFY(waitUntil([&] { return window_->isSettled(); }, 4.0 * test::kPatience_ms));
     QCOMPARE(in<QListWidget>(dialog(), "storedImages")->count(), 1);
