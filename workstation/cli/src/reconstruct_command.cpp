@@ -253,7 +253,8 @@ void addReconstruct(CLI::App& root, Selection& selection) {
       ->type_name("XML")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  app.add_option("--image-to", arguments->toFrame, "The recording's frame that becomes the world (Reference, else Tracker, else World)")
+  app.add_option("--image-to", arguments->toFrame,
+                 "The recording's frame that becomes the world (the calibration file's reference, else Reference, Tracker or World)")
       ->type_name("FRAME");
   app.add_flag("--beyond-memory", arguments->isBeyondMemory, "Begin also when it needs more memory than is free");
   addNumber(app, "--spacing", arguments->spacing_mm, {1e-6, 1e6},
