@@ -252,6 +252,19 @@ TEST(ScreenOfRecordings, WideCurvilinearScanLines) {
   tell("curvilinear scan lines", worst);
 }
 
+TEST(ScreenOfRecordings, EchoesOfATankAreNotTakenForText) {
+  EW_NEEDS_RECORDING("curvilinear-scanlines/UltrasonixCurvilinearScanConvertedData.igs.mha");
+  const auto opened = openScreen(recording("curvilinear-scanlines/UltrasonixCurvilinearScanConvertedData.igs.mha"));
+  ASSERT_TRUE(opened) << opened.error();
+  std::size_t possible = 0;
+  for (const ScreenPart& part : opened->found.parts) {
+    EXPECT_NE(part.kind, ScreenPartKind::text) << part.rect.x << " " << part.rect.y;
+    possible += part.kind == ScreenPartKind::possibleText ? 1 : 0;
+  }
+  EXPECT_GT(possible, 0u) << "sharp echoes that stand still, and no text";
+  EXPECT_TRUE(corrected(opened->found, {})->text.empty());
+}
+
 TEST(ScreenOfRecordings, LinearSimulatedSweep) {
   EW_NEEDS_RECORDING("simulated-liver-pair/liver_sim_l2.igs.mha");
   const auto sweep = readSequence(recording("simulated-liver-pair/liver_sim_l2.igs.mha"));

@@ -47,17 +47,18 @@ double shareUnder(const std::vector<PixelRect>& boxes, const FanOutline& outline
   return whole == 0 ? 0.0 : static_cast<double>(under) / static_cast<double>(whole);
 }
 
-constexpr float kHardlyMoves = 0.25f;  ///< the share of changes of half the scan's pixels; of live scans it is three times as much
+/// Levels by which half of the echoes deviate over time. Five pictures of a tank have 5, scans that move 12 to 30.
+constexpr float kHardlyMoves = 7.0f;
 
 /// Whether half of what a scan shows is as still as text over it: then sharp echoes cannot be told from characters.
 bool hardlyMoves(const ScreenStatistics& statistics, const FanOutline& outline) {
   constexpr float kEcho = 16.0f;  // levels above black, which is still in every scan
   if (statistics.frames() < 3) return true;
   const GreyImage inside = maskOf(outline, statistics.width_px(), statistics.height_px());
-  const Image<float> mean = statistics.mean(), activity = statistics.activity();
+  const Image<float> mean = statistics.mean(), deviation = statistics.deviation();
   std::vector<float> echoes;
   for (std::size_t n = 0; n < inside.pixels.size(); ++n)
-    if (inside.pixels[n] != 0 && mean.pixels[n] > kEcho) echoes.push_back(activity.pixels[n]);
+    if (inside.pixels[n] != 0 && mean.pixels[n] > kEcho) echoes.push_back(deviation.pixels[n]);
   if (echoes.empty()) return true;
   const auto middle = echoes.begin() + static_cast<std::ptrdiff_t>(echoes.size() / 2);
   std::nth_element(echoes.begin(), middle, echoes.end());
