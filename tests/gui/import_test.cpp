@@ -283,7 +283,7 @@ class ImportTest : public QObject {
     QWidget parent;
     Jobs jobs;
     MessageBar messages(&parent);
-    ImportDialog dialog(QString::fromStdString((folder / "sweep.igs.mha").string()), jobs, messages, &parent);
+    ImportDialog dialog(QString::fromStdString((folder / "sweep.igs.mha").string()), {}, jobs, messages, &parent);
     dialog.show();
     auto* spacing = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("spacing"));
     auto* interpolation = dialog.findChild<QComboBox*>(QStringLiteral("interpolation"));

@@ -13,6 +13,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "hand_input.h"
+#include "places.h"
 
 using namespace ew;
 
@@ -350,5 +351,4 @@ int main(int argc, char** argv) {
   return QTest::qExec(&test, argc, argv);
 }
 
-#include "places.h"
 #include "view3d_test.moc"
