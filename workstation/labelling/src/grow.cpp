@@ -96,9 +96,11 @@ class Growing {
   /// Scales fit the structure: in a thin one less is averaged, the seed's neighbourhood is smaller, and narrower passages belong to it.
   bool fit() {
     Block<float> looked = level_;
-    if (!blur(looked, std::min(kFirstLook_mm, options_.smoothing_mm) * perMm_, progress_)) return false;
+    // Of a voxel at least: single grains are no structure.
+    const double voxel_mm = 1.0 / std::min({perMm_.x, perMm_.y, perMm_.z});
+    if (!blur(looked, std::min(std::max(kFirstLook_mm, voxel_mm), options_.smoothing_mm) * perMm_, progress_)) return false;
     const double half_mm = halfThickness_mm(looked);
-    options_.smoothing_mm = std::min(options_.smoothing_mm, kSmoothedShare * half_mm);
+    options_.smoothing_mm = std::min(options_.smoothing_mm, std::max(kSmoothedShare * half_mm, voxel_mm));
     options_.neck_mm = std::min(options_.neck_mm, half_mm);
     neighbourhood_mm_ = std::min(kNeighbourhood_mm, kNeighbourhoodShare * half_mm);
     return true;
