@@ -219,6 +219,7 @@ TEST(CineReader, AFilmInsideDicomHasItsTimesAndNoFieldOfAPatient) {
 TEST(CineReader, DicomCinesAndSequencesComeThroughTheSameReader) {
   const TempFolder folder;
   CineOf cine;
+  cine.regions.front().deltaY = cine.regions.front().deltaX;  // square pixels, which stay as they are
   for (int n = 0; n < 3 * 8 * 6; ++n) cine.pixels += static_cast<char>(n);
   auto dicom = CineReader::open(folder.put("cine.dcm", cineFile(cine)));
   ASSERT_TRUE(dicom) << dicom.error();
