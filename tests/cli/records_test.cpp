@@ -146,7 +146,7 @@ TEST_F(RecordsCommand, TellsAnAttemptToTheSystemThatLaunchedIt) {
       "&registration=886313e1-3b8a-5372-9b90-0c9aee199e5d&activityId=https://lms.example/au/1";
   const std::string attempt = folder_ / ("library/attempts/" + made.id);
   const auto others = run({"records", "launch", url, attempt, "--rounds", "1"});
-  EXPECT_EQ(others.status, 1);
+  EXPECT_EQ(others.status, 2);
   EXPECT_NE(others.err.find("is by 'Ada Lovelace', and the launch is for 'l'"), std::string::npos) << others.err;
   EXPECT_EQ(fetched, 0) << "a launch that tells nothing can be used again";
   const auto told = run({"records", "launch", url, attempt, "--rounds", "1", "--person", "Ada Lovelace"});
@@ -179,7 +179,7 @@ TEST_F(RecordsCommand, TellsNothingOfAnAttemptAtAnotherLesson) {
       "/fetch&actor=%7B%22name%22%3A%22Lovelace%2C%20Ada%22%2C%22account%22%3A%7B%22homePage%22%3A%22https%3A%2F%2Flms.example%2F%22%2C"
       "%22name%22%3A%22l%22%7D%7D&registration=886313e1-3b8a-5372-9b90-0c9aee199e5d&activityId=https://lms.example/au/1";
   const auto told = run({"records", "launch", url, folder_ / ("library/attempts/" + someAttempt().id), "--rounds", "1"});
-  EXPECT_EQ(told.status, 1);
+  EXPECT_EQ(told.status, 2);
   EXPECT_NE(told.err.find("starts the lesson fetal-biometry/three-standard-planes, and the attempt is at "
                           "upper-abdomen-normal/first-movements"),
             std::string::npos)
@@ -303,7 +303,7 @@ TEST_F(LaunchedLesson, OfTwoLearnersOnOneLibraryTellsEachTheirOwn) {
   // Nor is another learner's attempt told to this one by its folder.
   const auto others =
       run({"records", "launch", address(), folder_ / "library/attempts/20991231-000000-eeeeeeee", "--person", "Ada Lovelace"});
-  EXPECT_EQ(others.status, 1);
+  EXPECT_EQ(others.status, 2);
   EXPECT_NE(others.err.find("somebody else's launch"), std::string::npos) << others.err;
   const auto own = run({"records", "launch", address(), folder_ / "library/attempts/20991231-000000-dddddddd", "--rounds", "1"});
   EXPECT_EQ(own.status, 0) << own.err;

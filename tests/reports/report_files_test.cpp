@@ -148,7 +148,7 @@ TEST(ReportFiles, OfAWholeClassHaveItsRatingsCommentsPicturesAndTheExpert) {
   for (const char* part : {"Hardest step", "How far raters agree", "Weighted kappa", "attempts should pass", "weight 1"})
     EXPECT_TRUE(holds(index, part)) << part;
   for (const char* part :
-       {"src='data:image/png;base64,", "Earlier scores", "&lt;wait&gt; &amp; look.", ">the expert</text>", "Two items, by T-", "weight 1"})
+       {"src='data:image/png;base64,", "Earlier scores", "&lt;wait&gt; &amp; look.", ">the expert</text>", "Two items, by R-", "weight 1"})
     EXPECT_TRUE(holds(page, part)) << part;
   for (const char* name : {"Rita", "Sven", "Somebody"}) {
     EXPECT_FALSE(holds(index, name)) << name;
