@@ -147,8 +147,8 @@ TEST(ReportOfAClass, HasTheAgreementOfItsRatersWithoutTheirNames) {
   }
   const std::string text = plainTextOf(classReport(attempts, madeLesson(), someCodes()));
   EXPECT_TRUE(holds(text, "How far raters agree"));
-  EXPECT_TRUE(holds(
-      text, "Item plan | " + someCodes().ofReviewer("Rita Rater") + ", " + someCodes().ofReviewer("Sven Rater") + " | 4 | 1 (95 % interval"))
+  EXPECT_TRUE(holds(text, "Item plan | " + someCodes().ofReviewer("Rita Rater") + ", " + someCodes().ofReviewer("Sven Rater") +
+                              " | 4 | 1 (95 % interval"))
       << text;
   EXPECT_FALSE(holds(text, "Rita"));
 }
