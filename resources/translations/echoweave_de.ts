@@ -179,6 +179,10 @@
         <translation>Frame Time Vector hat einen Eintrag weniger, als es Bilder gibt; er wurde als Schritte zwischen ihnen gelesen.</translation>
     </message>
     <message>
+        <source>It does say %1.</source>
+        <translation>Sie nennt %1.</translation>
+    </message>
+    <message>
         <source>Of its pixels the file says: %1.</source>
         <translation>Über ihre Bildpunkte sagt die Datei: %1.</translation>
     </message>
@@ -269,6 +273,10 @@
     <message>
         <source>The file says that it has 0 frames; it was read as one picture.</source>
         <translation>Die Datei nennt 0 Bilder; sie wurde als ein Bild gelesen.</translation>
+    </message>
+    <message>
+        <source>The first axis of %1 runs over its %2 frames, so that they are woven into each other; save it with that axis as the last.</source>
+        <translation>Die erste Achse von %1 läuft über die %2 Bilder, sie sind also ineinander verwoben; mit dieser Achse als letzter speichern.</translation>
     </message>
     <message>
         <source>The header also states %1, which is not known here and not used.</source>
@@ -15147,6 +15155,18 @@
         <source>Reading the slices of %1</source>
         <translation>Schnitte von %1 werden gelesen</translation>
     </message>
+    <message>
+        <source>as the file says</source>
+        <translation>wie die Datei sagt</translation>
+    </message>
+    <message>
+        <source>Images a second</source>
+        <translation>Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>Of a cine whose file does not say when its images were taken, or says it wrongly</source>
+        <translation>Einer Bildfolge, deren Datei nicht oder falsch sagt, wann die Bilder aufgenommen wurden</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::FocusScale</name>
@@ -22762,6 +22782,14 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Volumes and sweeps (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol);;All files (*)</source>
         <translation>Volumen und Sweeps (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Make it all the same</source>
+        <translation>Trotzdem machen</translation>
+    </message>
+    <message>
+        <source>So little is kept</source>
+        <translation>Es bleibt so wenig</translation>
     </message>
 </context>
 <context>

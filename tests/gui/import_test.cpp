@@ -12,6 +12,7 @@
 #include <array>
 #include <cstring>
 
+#include "answers.h"
 #include "even_sweep.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/sequence.h"
@@ -181,6 +182,35 @@ class ImportTest : public QObject {
     blank->setText(blank->text() + QStringLiteral(" 0,0,5,5"));
     QTest::mouseClick(picture, Qt::RightButton, {}, at(45, 11));
     QCOMPARE(blank->text(), QStringLiteral("0,0,5,5"));
+  }
+
+  void aPartOfAlmostNothingIsAskedAbout() {
+    const test::TempFolder folder;
+    test::CineOf cine;
+    cine.columns = 64;
+    cine.rows = 48;
+    cine.frames = 1;
+    cine.pixels = test::ramp(64 * 48);
+    cine.regions = {{.x0 = 2, .y0 = 4, .x1 = 9, .y1 = 11}};
+    const QString file = QString::fromStdString(folder.put("still.dcm", test::cineFile(cine)).string());
+    QWidget parent;
+    Jobs jobs;
+    MessageBar messages(&parent);
+    QPointer<FileImportDialog> dialog = new FileImportDialog(file, FileKind::dicomPictures, QString(), jobs, messages, &parent);
+    dialog->show();
+    auto* import = dialog->findChild<QPushButton*>(QStringLiteral("importFile"));
+    {
+      testing::Answers back({});  // an unknown question is answered with Back
+      import->click();
+      QTRY_VERIFY_WITH_TIMEOUT(back.asked.contains(QStringLiteral("smallResultQuestion")), static_cast<int>(ew::test::kPatience_ms));
+      QVERIFY(back.texts.join(QString()).contains(QStringLiteral("Only 2.1 % of the pixels")));
+      QTRY_VERIFY_WITH_TIMEOUT(!jobs.isRunning(), static_cast<int>(ew::test::kPatience_ms));
+      QVERIFY(!back.asked.contains(QStringLiteral("fileDialog")));
+    }
+    testing::Answers yes({{QStringLiteral("smallResultQuestion"),
+                           [](QWidget& question) { question.findChild<QPushButton*>(QStringLiteral("acceptSmall"))->click(); }}});
+    import->click();
+    QTRY_VERIFY_WITH_TIMEOUT(yes.asked.contains(QStringLiteral("fileDialog")), static_cast<int>(ew::test::kPatience_ms));
   }
 
   void aSeriesSaysHowManyVolumesAndWhatSpacingItHolds() {

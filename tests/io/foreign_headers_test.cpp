@@ -214,6 +214,16 @@ TEST(ForeignNrrd, AFirstAxisOfTimeHoldsVolumesWhateverTheirCount) {
   }
 }
 
+TEST(ForeignNrrd, FramesThatAreWovenIntoEachOtherAreNotDropped) {
+  const TempFolder folder;
+  const auto read = readSequence(folder.put("s.nrrd",
+                                            "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 3 2\nkinds: list domain domain\nencoding: raw\n"
+                                            "Seq_Frame0000_Timestamp:=1\nSeq_Frame0003_Timestamp:=2\n\n" +
+                                                ramp(24)));
+  EXPECT_TRUE(failedWith(read, ErrorCode::unsupported));
+  EXPECT_TRUE(says(read, "runs over its 4 frames"));
+}
+
 TEST(ForeignNrrd, AnAxisOfTimeInTheMiddleIsNamed) {
   const auto read = nrrd("dimension: 4\nsizes: 2 3 2 1\nkinds: domain list domain domain\n");
   EXPECT_TRUE(failedWith(read, ErrorCode::unsupported));

@@ -44,6 +44,15 @@ TEST(RawVolume, SamplesThatStillSwingSayAtOnceWhatTheyAre) {
   EXPECT_FALSE(warned(std::vector<std::int16_t>(400, 7)));
 }
 
+TEST(ImageStack, WhatAPictureStatesAndNobodyUsesIsTold) {
+  const TempFolder folder;
+  const GreyImage picture(4, 3);
+  ASSERT_TRUE(succeeded(writeImage(viewOf(picture), 0.1, folder / "p1.png")));
+  const auto read = readImageStack(folder / "p1.png", {.spacing_mm = glm::dvec3(0.5), .colour = ColourRule::keepGrey, .blank = {}});
+  ASSERT_TRUE(succeeded(read));
+  EXPECT_TRUE(contains(read->notes, "pHYs \"10000 x 10000 a metre\", which touches sizes"));
+}
+
 TEST(RawVolume, EveryTypeAndByteOrderGivesTheSameLevels) {
   const TempFolder folder;
   const auto levels = [&](const std::string& bytes, const std::string& type) {

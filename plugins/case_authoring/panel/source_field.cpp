@@ -84,6 +84,7 @@ SourceField::SourceField(sdk::Host& host, bool offersNothing, QWidget* parent)
   connect(fan_, &QCheckBox::toggled, this, &SourceField::changed);
   connect(calibration_, &QLineEdit::textChanged, this, &SourceField::lookSoon);
   connect(timeStep_, QOverload<int>::of(&QSpinBox::valueChanged), this, &SourceField::lookSoon);
+  connect(acceptsSmall_, &QCheckBox::toggled, this, &SourceField::lookSoon);
   for (sdk::NumberField* each : voxel_) connect(each, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &SourceField::lookSoon);
   connect(side_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] {
     showSide();
@@ -188,6 +189,9 @@ void SourceField::addAsked() {
                                                              {VolumeSide::lower, tr("the lower side of the file")}}};
   for (const auto& [side, text] : sides) side_->addItem(text, static_cast<int>(side));
   asked_->addRow(tr("The probe was on"), side_);
+  acceptsSmall_ = new QCheckBox(tr("Make it all the same"));
+  acceptsSmall_->setObjectName(QStringLiteral("sourceAcceptsSmall"));
+  asked_->addRow(tr("So little is kept"), acceptsSmall_);
   auto* look = new QWidget;
   auto* seen = new QHBoxLayout(look);
   seen->setContentsMargins(0, 0, 0, 0);
@@ -235,9 +239,11 @@ Result<CaseSource> SourceField::source() const {
   if (auto* sweep = std::get_if<SweepFile>(&*found)) {
     if (spacing_->value() > 0.0) sweep->spacing_mm = spacing_->value();
     sweep->looksForFan = fan_->isChecked();
+    sweep->acceptsSmall = asksSmall_ && acceptsSmall_->isChecked();
     sweep->calibration = std::filesystem::path(calibration_->text().trimmed().toStdString());
   } else if (auto* volume = std::get_if<VolumeFile>(&*found)) {
     if (asksStep_ && timeStep_->value() > 0) volume->answers.timeStep = timeStep_->value();
+    volume->answers.acceptsSmall = asksSmall_ && acceptsSmall_->isChecked();
     const glm::dvec3 voxel_mm(voxel_[0]->value(), voxel_[1]->value(), voxel_[2]->value());
     if (asksSpacing_ && glm::all(glm::greaterThan(voxel_mm, glm::dvec3(0.0)))) volume->answers.spacing_mm = voxel_mm;
     volume->probeSide = side();
@@ -299,12 +305,14 @@ void SourceField::ask(const Error& question) {
   const std::string asked = askedFor(question);
   asksStep_ = asksStep_ || asked == "time-step";
   asksSpacing_ = asksSpacing_ || asked == "spacing";
+  asksSmall_ = asksSmall_ || asked == "accept-small";
+  setShown(*asked_, acceptsSmall_, asksSmall_);
   setShown(*asked_, timeStep_, asksStep_);
   setShown(*asked_, voxelRow_, asksSpacing_);
-  askedRows_->setVisible(asksStep_ || asksSpacing_ || asksSide_);
+  askedRows_->setVisible(asksStep_ || asksSpacing_ || asksSide_ || asksSmall_);
   isRefused_ = true;
   QString sentence = sdk::words(question);
-  const bool hasField = asked.empty() || asked == "time-step" || asked == "spacing" || asked == "calibration";
+  const bool hasField = asked.empty() || asked == "time-step" || asked == "spacing" || asked == "calibration" || asked == "accept-small";
   if (!hasField) sentence += QLatin1Char(' ') + tr("File, Open asks for it; then begin the case anew, with what is on screen.");
   sdk::setProblem(remark_, sentence);
 }
@@ -317,7 +325,7 @@ void SourceField::askForSide(const NewCasePlan& found) {
     const QSignalBlocker quiet(side_);
     side_->setCurrentIndex(isSure ? side_->findData(static_cast<int>(volumeSideOf(found.proposedSide->axes))) : 0);
   }
-  askedRows_->setVisible(asksStep_ || asksSpacing_ || asksSide_);
+  askedRows_->setVisible(asksStep_ || asksSpacing_ || asksSide_ || asksSmall_);
   showSide();
 }
 
@@ -349,8 +357,13 @@ QString SourceField::openQuestion() const {
 }
 
 void SourceField::forget() {
-  asksStep_ = asksSpacing_ = asksSide_ = isRefused_ = false;
+  asksStep_ = asksSpacing_ = asksSide_ = asksSmall_ = isRefused_ = false;
   seen_ = {};
+  {
+    const QSignalBlocker quiet(acceptsSmall_);
+    acceptsSmall_->setChecked(false);
+  }
+  setShown(*asked_, acceptsSmall_, false);
   setShown(*asked_, timeStep_, false);
   setShown(*asked_, voxelRow_, false);
   showSide();

@@ -82,6 +82,7 @@ class SourceField final : public QWidget {
   QFormLayout* asked_ = nullptr;
   QWidget* askedRows_ = nullptr;
   QSpinBox* timeStep_ = nullptr;
+  QCheckBox* acceptsSmall_ = nullptr;
   std::array<sdk::NumberField*, 3> voxel_{};
   QWidget* voxelRow_ = nullptr;
   QComboBox* side_ = nullptr;
@@ -89,6 +90,7 @@ class SourceField final : public QWidget {
   QLabel* sideText_ = nullptr;
   Volume seen_;
   bool asksStep_ = false;
+  bool asksSmall_ = false;
   bool asksSpacing_ = false;
   bool asksSide_ = false;
 };

@@ -1,6 +1,7 @@
 #include "ew/io/image_stack.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <new>
@@ -9,6 +10,7 @@
 #include "ew/core/numbers.h"
 #include "ew/io/orientation.h"
 #include "grey_samples.h"
+#include "header_fields.h"
 #include "image_header.h"
 #include "png_pixels.h"
 #include "stack_picture.h"
@@ -110,6 +112,50 @@ Result<JpegGrey> readPgm(Bytes bytes, const fs::path& file) {
   return picture;
 }
 
+/// What a picture's own header can say beside what is read of it.
+constexpr std::array kPictureFields{
+    KnownField{"pHYs", FieldTouches::geometry}, KnownField{"JFIF density", FieldTouches::geometry},
+    KnownField{"gAMA", FieldTouches::levels},   KnownField{"iCCP", FieldTouches::levels},
+    KnownField{"acTL", FieldTouches::count},
+};
+
+/// Chunks of a PNG, or the density of a JPEG, that state something a stack does not use.
+std::vector<Message> unusedOf(Bytes file) {
+  HeaderFields fields(kPictureFields);
+  const auto number = [&](std::size_t at, std::size_t bytes) {
+    std::uint32_t value = 0;
+    for (std::size_t n = 0; n < bytes; ++n) value = value << 8 | file[at + n];
+    return value;
+  };
+  constexpr std::string_view png = "\x89PNG\r\n\x1A\n";
+  if (file.size() > png.size() && std::equal(png.begin(), png.end(), reinterpret_cast<const char*>(file.data()))) {
+    for (std::size_t at = png.size(); file.size() - at >= 12;) {
+      const std::uint32_t length = number(at, 4);
+      const std::string name(reinterpret_cast<const char*>(file.data()) + at + 4, 4);
+      if (name == "IDAT" || length > file.size() - at - 12) break;
+      if (name == "pHYs" && length == 9)
+        fields.meet(
+            name, std::to_string(number(at + 8, 4)) + " x " + std::to_string(number(at + 12, 4)) + (file[at + 16] == 1 ? " a metre" : ""));
+      else if (name == "gAMA" && length == 4)
+        fields.meet(name, textOf(number(at + 8, 4) / 100000.0));
+      else if (name == "acTL" && length == 8)
+        fields.meet(name, std::to_string(number(at + 8, 4)));
+      else if (name == "iCCP")
+        fields.meet(name, "...");
+      at += 12 + length;
+    }
+  } else if (file.size() > 18 && number(0, 4) == 0xFFD8FFE0u && number(6, 4) == 0x4A464946u) {
+    const std::uint32_t unit = file[13], across = number(14, 2), down = number(16, 2);
+    // Without a unit it is a shape; 72 and 96 an inch are what programs write when they know no better.
+    if (unit == 0 ? across != down : across != down || (across != 72 && across != 96 && across > 1))
+      fields.meet("JFIF density", std::to_string(across) + " x " + std::to_string(down) +
+                                      (unit == 1   ? " an inch"
+                                       : unit == 2 ? " a cm"
+                                                   : ""));
+  }
+  return fields.unused();
+}
+
 /// A picture as its camera says that it is to be seen.
 void putUpright(JpegGrey& picture, const Orientation& orientation) {
   if (orientation.isUpright()) return;
@@ -202,6 +248,7 @@ Result<StackVolume> readImageStack(const fs::path& folderOrPicture, const StackO
                    say<"Pictures do not say how large a pixel is and how far apart they lie; give the spacing in mm.">(),
                    {{"file", folderOrPicture.string()}, {"ask", "spacing"}});
   StackVolume made;
+  if (const auto first = readWholeFile(files->front(), kLargestFile)) made.notes = unusedOf(*first);
   Volume& volume = made.volume;
   std::uint64_t colouredPixels = 0;
   for (std::size_t n = 0; n < files->size(); ++n) {

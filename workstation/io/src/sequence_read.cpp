@@ -217,6 +217,12 @@ Result<Sequence> sequenceOf(const Result<ImageHeader>& header, const fs::path& f
     return failure(ErrorCode::unsupported,
                    say<"%1 is a volume, not a recorded sweep: its voxels have a place of their own; open it as a volume.">(quoted(file)),
                    {{"file", file.string()}});
+  if (header->wantedChannel)
+    return failure(
+        ErrorCode::unsupported,
+        say<"The first axis of %1 runs over its %2 frames, so that they are woven into each other; save it with that axis as the "
+            "last.">(quoted(file), header->channels),
+        {{"file", file.string()}});
   const auto layout = layoutOf(*header);
   if (!layout) return passOn(layout.error());
   const std::array<std::uint64_t, 3> sizes{layout->width, layout->height, layout->frames};

@@ -78,8 +78,8 @@ void FileImportDialog::addRows() {
   form->setVerticalSpacing(8);
   form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  if (kind_ == FileKind::dicomPictures || kind_ == FileKind::pictures) addPictureRows(*form);
-  if (kind_ != FileKind::dicomPictures && kind_ != FileKind::dicomVolume) {
+  if (kind_ == FileKind::dicomPictures || kind_ == FileKind::dicomStack || kind_ == FileKind::pictures) addPictureRows(*form);
+  if (kind_ != FileKind::dicomPictures && kind_ != FileKind::dicomVolume && kind_ != FileKind::dicomStack) {
     spacing_ = {lengthBox(QStringLiteral("spacingX")), lengthBox(QStringLiteral("spacingY")), lengthBox(QStringLiteral("spacingZ"))};
     form->addRow(kind_ == FileKind::kretz ? tr("Spacing to convert to") : tr("Spacing x, y, z"),
                  kind_ == FileKind::kretz ? inRow(std::array{spacing_[0]}) : inRow(spacing_));
@@ -124,7 +124,7 @@ void FileImportDialog::addRows() {
   import_->setProperty("primary", true);
   import_->setDefault(true);
   auto* cancel = new QPushButton(tr("Cancel"));
-  if (picture_ != nullptr) {
+  if (picture_ != nullptr && kind_ != FileKind::dicomStack) {
     auto* screen = new QPushButton(tr("Clean as a recorded screen…"));
     screen->setObjectName(QStringLiteral("cleanScreen"));
     screen->setAutoDefault(false);
@@ -167,6 +167,12 @@ void FileImportDialog::addPictureRows(QFormLayout& form) {
     pixel_ = {lengthBox(QStringLiteral("pixelX")), lengthBox(QStringLiteral("pixelY"))};
     form.addRow(tr("Part of the image"), region_);
     form.addRow(tr("Size of a pixel"), inRow(pixel_));
+    rate_ = new QDoubleSpinBox;
+    rate_->setObjectName(QStringLiteral("rate"));
+    rate_->setRange(0.0, 10000.0);
+    rate_->setSpecialValueText(tr("as the file says"));
+    rate_->setToolTip(tr("Of a cine whose file does not say when its images were taken, or says it wrongly"));
+    form.addRow(tr("Images a second"), rate_);
     connect(region_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
       const int region = region_->currentData().toInt();
       region_->setToolTip(region_->currentText());
@@ -188,7 +194,7 @@ void FileImportDialog::addPictureRows(QFormLayout& form) {
   connect(blank_, &QLineEdit::textChanged, this, &FileImportDialog::showBlanked);
   connect(picture_, &PictureChooser::drawn, this, &FileImportDialog::blankMore);
   connect(picture_, &PictureChooser::blankRemoved, this, &FileImportDialog::blankLess);
-  if (kind_ != FileKind::dicomPictures) return;
+  if (kind_ == FileKind::pictures) return;
   keepText_ = new QCheckBox(tr("Text burned into the images may stay"));
   form.addRow(QString(), keepText_);
 }
@@ -372,6 +378,7 @@ Result<ImportAnswers> FileImportDialog::answers() const {
   if (region_ != nullptr && region_->currentData().toInt() >= 0) answers.region = region_->currentData().toInt();
   if (pixel_[0] != nullptr && pixel_[0]->value() > 0.0 && pixel_[1]->value() > 0.0)
     answers.pixel_mm = glm::dvec2(pixel_[0]->value(), pixel_[1]->value());
+  if (rate_ != nullptr && rate_->value() > 0.0) answers.rate_hz = rate_->value();
   if (colour_ != nullptr) answers.colour = static_cast<ColourRule>(colour_->currentData().toInt());
   if (keepText_ != nullptr) answers.keepText = keepText_->isChecked();
   if (mirrored_ != nullptr) answers.mirrored = mirrored_->isChecked();

@@ -74,6 +74,7 @@ class FileImportDialog final : public FormDialog {
   std::array<QDoubleSpinBox*, 3> spacing_{};
   QComboBox* colour_ = nullptr;
   QSpinBox* timeStep_ = nullptr;
+  QDoubleSpinBox* rate_ = nullptr;
   QLineEdit* blank_ = nullptr;
   QCheckBox* keepText_ = nullptr;
   QCheckBox* mirrored_ = nullptr;
