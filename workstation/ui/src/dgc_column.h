@@ -18,9 +18,8 @@ class DgcColumn final : public QWidget {
  public:
   explicit DgcColumn(Session& session, QWidget* parent = nullptr);
   /// @param top, bottom widget y of depth 0 and of the full depth; bottom lies above top when the picture stands upside down
-  /// @param room_px     free beside the fan at each slider; one that has less than its width is shorter, so that it does not lie on the
-  /// image
-  void place(double top, double bottom, const std::array<int, kDgcSliders>& room_px);
+  /// @param room_px     free beside the fan at every slider; where that is less than their width they are shorter, and lie on no image
+  void place(double top, double bottom, int room_px);
   void refreshIcons();
 
   [[nodiscard]] static int wanted_px();  ///< its width
@@ -42,16 +41,14 @@ class DgcColumn final : public QWidget {
   void set(int slider, int value);
   void showKnobs();
   void showHeld(QSlider* slider);
-  /// @param value    in the knob's unit
-  /// @param position from 0 at the face to 1 at the full depth
-  [[nodiscard]] double xOf(double value, double position) const;
-  [[nodiscard]] double widthAt(double position) const;  ///< of the slider there, between two of them in between
+  /// @param value in the knob's unit
+  [[nodiscard]] double xOf(double value) const;
 
   Session& session_;
   bool showing_ = false;
   double top_ = 0.0, bottom_ = 0.0;
   std::array<QSlider*, kDgcSliders> sliders_{};
-  std::array<int, kDgcSliders> widths_px_{};
+  int width_px_ = 0;  ///< of the sliders
   QPushButton* reset_ = nullptr;
 };
 

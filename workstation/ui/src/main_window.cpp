@@ -206,15 +206,16 @@ void MainWindow::makeViews() {
 /// What leads to columns that are not seen: tabs where they take turns, an edge to press where the scan is alone.
 void MainWindow::makeColumnHandles() {
   Parts& p = *parts_;
-  for (QWidget* column : {static_cast<QWidget*>(p.panels), static_cast<QWidget*>(p.body), static_cast<QWidget*>(p.console)}) {
+  const std::pair<Column, QWidget*> columns[] = {{Column::panels, p.panels}, {Column::body, p.body}, {Column::console, p.console}};
+  for (const auto& [column, widget] : columns) {
     auto* tabs = new ColumnTabs;
-    static_cast<QVBoxLayout*>(column->layout())->insertWidget(0, tabs);
+    static_cast<QVBoxLayout*>(widget->layout())->insertWidget(0, tabs);
     connect(tabs, &ColumnTabs::asked, this, [this](Column which) {
       // Later: the bar that was pressed is hidden by it.
       QMetaObject::invokeMethod(
           this, [this, which] { showColumn(which); }, Qt::QueuedConnection);
     });
-    p.columnTabs.push_back(tabs);
+    p.columnTabs.emplace_back(column, tabs);
   }
   p.comeBack = new QPushButton(QStringLiteral("\u25c2"));
   p.comeBack->setObjectName(QStringLiteral("showColumns"));
@@ -429,7 +430,11 @@ void MainWindow::showColumnTabs(const WindowLayout& layout) {
         break;
     }
   }
-  for (ColumnTabs* each : p.columnTabs) each->showTabs(tabs, layout.front);
+  // A column that takes no turns has nothing to lead to.
+  for (const auto& [column, bar] : p.columnTabs) {
+    const bool takesTurns = std::find(layout.tabs.begin(), layout.tabs.end(), column) != layout.tabs.end();
+    bar->showTabs(takesTurns ? tabs : std::vector<ColumnTabs::Tab>(), layout.front);
+  }
 }
 
 void MainWindow::showColumn(Column column) {

@@ -163,9 +163,9 @@ struct MainWindow::Parts {
   bool staged = false;
   QHBoxLayout* work = nullptr;  ///< columns and console
   QSplitter* columns = nullptr;
-  std::vector<ColumnTabs*> columnTabs;  ///< of panels, body and console
-  QPushButton* comeBack = nullptr;      ///< from the scan alone
-  std::optional<Column> askedColumn;    ///< of those that take turns, when somebody has chosen
+  std::vector<std::pair<Column, ColumnTabs*>> columnTabs;  ///< of panels, body and console
+  QPushButton* comeBack = nullptr;                         ///< from the scan alone
+  std::optional<Column> askedColumn;                       ///< of those that take turns, when somebody has chosen
   View3D* view3d = nullptr;
   QTimer coverageSoon;                     ///< runs out when what is scanned is not moved any more
   std::weak_ptr<const Volume> coverageOf;  ///< whose tint the skin has

@@ -186,7 +186,7 @@ void ScanView::fitMargins() {
   if (!session_.subject()) {
     left_px_ = leftRoom_px();
     right_px_ = rightRoom_px();
-    besideFan_px_.fill(leftRoom_px());
+    besideFan_px_ = leftRoom_px();
     fitted_ = {};
     return;
   }
@@ -213,7 +213,7 @@ int ScanView::leftMost_px() const { return isCompact_ ? kLeastMargin_px : leftRo
 int ScanView::rightMost_px() const { return isCompact_ ? kLeastMargin_px : rightRoom_px(); }
 
 bool ScanView::fitsBeside(const Knobs& whole) {
-  besideFan_px_.fill(leftRoom_px());
+  besideFan_px_ = leftRoom_px();
   const int width_px = width() - left_px_ - right_px_;
   const int height_px = height() - topRoom_px() - bottomRoom_px();
   if (width_px < 1 || height_px < 1) return false;
@@ -232,7 +232,7 @@ bool ScanView::fitsBeside(const Knobs& whole) {
       left_px = std::min(left_px, left_px_ + runs[0].begin);
       if (at == row) right_px = right_px_ + width_px - runs[runs.size() - 1].end;
     }
-    besideFan_px_[static_cast<std::size_t>(i)] = left_px;
+    besideFan_px_ = std::min(besideFan_px_, left_px);
     tooFewLeft += left_px < DgcColumn::least_px() ? 1 : 0;
     tooFewRight += right_px < rightRoom_px() ? 1 : 0;
   }
@@ -268,9 +268,8 @@ void ScanView::arrange() {
                           static_cast<int>(std::lround(box.height() * devicePixelRatioF())));
   const int head = DgcColumn::head_px();
   dgc_->setGeometry(0, box.top() - head, leftRoom_px(), box.height() + head);
-  std::array<int, kDgcSliders> room_px = besideFan_px_;
   // A zoomed image, a strip and one that is made smaller do not keep the fan's outline.
-  if (mode() != DisplayMode::bMode) room_px.fill(leftRoom_px());
+  const int room_px = mode() == DisplayMode::bMode ? besideFan_px_ : leftRoom_px();
   dgc_->place(yOfDepth(0.0) - dgc_->y(), yOfDepth(session_.geometry().depth_mm) - dgc_->y(), room_px);
   scale_->setGeometry(width() - rightRoom_px(), box.top(), rightRoom_px(), box.height());
   showSliders();

@@ -3,7 +3,6 @@
 #include <QImage>
 #include <QTimer>
 #include <QWidget>
-#include <array>
 #include <functional>
 #include <optional>
 
@@ -109,8 +108,8 @@ class ScanView final : public QWidget {
   Session& session_;
   DgcColumn* dgc_ = nullptr;
   FocusScale* scale_ = nullptr;
-  int left_px_ = 0, right_px_ = 0;               ///< kept free beside the picture
-  std::array<int, kDgcSliders> besideFan_px_{};  ///< what is free left of the fan at each slider
+  int left_px_ = 0, right_px_ = 0;  ///< kept free beside the picture
+  int besideFan_px_ = 0;            ///< what is free left of the fan at every slider
   bool isCompact_ = false;
   bool isNearSliders_ = false;  ///< the pointer
   struct Fitted {
