@@ -95,6 +95,7 @@ void expectAllThere(const Orthanc& archive, int pictures) {
     CineOptions whole;
     whole.region = 0;
     whole.pixel_mm = glm::dvec2(1.0);
+    whole.keepText = true;  // the words of the simulation are burnt in, and the object says so
     const auto cine = readDicomCine(file, whole);
     if (!cine) {
       ++reports;
@@ -417,6 +418,7 @@ TEST(Sending, TakesTheWordOfAnArchiveThatCannotBeAsked) {
       CineOptions whole;
       whole.region = 0;
       whole.pixel_mm = glm::dvec2(1.0);
+      whole.keepText = true;  // the words of the simulation are burnt in, and the object says so
       const auto cine = readDicomCine(file, whole);
       if (!cine || cine->sequence.frames.size() != 1) continue;
       ++pictures;
