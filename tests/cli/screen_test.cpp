@@ -79,8 +79,8 @@ TEST(ScreenCommand, ACorrectionIsReadAndItsOutlineCounts) {
   writeText(folder / "c.json",
             R"({"correction": {"outline": {"shape": "linear", "corners_px": [[150, 80], [250, 80], [250, 200], [150, 200]]},
                                    "depth_mm": 60, "added": [[160, 100, 20, 10]]}})");
-  const auto made = run(
-      {"screen", folder / "screen.avi", "-o", folder / "scan.igs.mha", "--correction", folder / "c.json", "--report", folder / "r.json"});
+  const auto made = run({"screen", folder / "screen.avi", "-o", folder / "scan.igs.mha", "--correction", folder / "c.json",
+                         "--accept-small", "--report", folder / "r.json"});
   ASSERT_EQ(made.status, 0) << made.err;
   const auto report = readJson(folder / "r.json");
   EXPECT_EQ(report["outline"]["shape"], "rectangle");
@@ -93,7 +93,10 @@ TEST(ScreenCommand, ACorrectionIsReadAndItsOutlineCounts) {
   const auto again = readScreenCorrection(folder / "scan.screen.json");
   ASSERT_TRUE(again) << again.error();
   EXPECT_EQ(again, readScreenCorrection(folder / "c.json"));
-  EXPECT_EQ(run({"screen", folder / "screen.avi", "-o", folder / "other.igs.mha", "--correction", folder / "scan.screen.json"}).status, 0);
+  EXPECT_EQ(
+      run({"screen", folder / "screen.avi", "-o", folder / "other.igs.mha", "--correction", folder / "scan.screen.json", "--accept-small"})
+          .status,
+      0);
 
   writeText(folder / "bad.json", R"({"correction": {"depth_mm": -3}})");
   const auto refused = run({"screen", folder / "screen.avi", "-o", folder / "no.igs.mha", "--correction", folder / "bad.json"});

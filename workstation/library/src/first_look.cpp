@@ -77,8 +77,9 @@ std::optional<FirstLook> firstLookAt(const PlacingShape& shape, std::span<const 
     }
   }
   if (nearest == nullptr || !(depth_mm > 0.0)) return std::nullopt;
-  constexpr double kStep_mm = 5.0, kBelow_mm = 2.0;
-  const double wanted_mm = kStep_mm * std::ceil((depth_mm + kBelow_mm) / kStep_mm);
+  // A shape's points are few, and the deepest lies some way before the end of what was recorded.
+  constexpr double kStep_mm = 5.0, kBeyond = 1.1;
+  const double wanted_mm = kStep_mm * std::ceil(kBeyond * depth_mm / kStep_mm);
   return FirstLook{nearest->id, std::clamp(wanted_mm, nearest->minDepth_mm, nearest->maxDepth_mm)};
 }
 

@@ -17,7 +17,7 @@ struct FirstLook {
   double depth_mm = 0.0;  ///< of the image, within the probe's own limits, in steps of 5 mm
 };
 
-/// How deep a volume reaches behind its near face, along its beams, mm. 0: it has no points.
+/// How deep the points of a volume reach behind its near face, along its beams, mm: a tenth less than it all. 0: it has none.
 [[nodiscard]] double depthOf_mm(const PlacingShape& shape);
 
 /// Whether an image of that depth shows a volume neither as a stamp nor cut off: two fifths of it at least, and no more than 1.4 times it.
