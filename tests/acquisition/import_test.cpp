@@ -496,7 +496,7 @@ TEST_F(ImportSweep, AResultOfAlmostNothingIsAskedAbout) {
   SweepImportOptions options = nearestAt(0.5, device);
   const auto asked = importSweep(file, options, noProgress());
   ASSERT_FALSE(asked.has_value());
-  EXPECT_EQ(asked.error().code, ErrorCode::badUsage);
+  EXPECT_EQ(asked.error().code, ErrorCode::unsupported);
   EXPECT_NE(asked.error().sentence().find("Only 6 % of the pixels"), std::string::npos) << asked.error();
   const auto plan = planImport(file, options, noProgress());
   ASSERT_TRUE(plan.has_value()) << "what there is to ask can be shown first";

@@ -263,7 +263,7 @@ TEST(ForeignDicom, ARegionOfAFewPixelsIsAskedAbout) {
   cine.regions = {{0, 0, 1, 1}};
   const auto file = folder.put("a.dcm", cineFile(cine));
   const auto asked = readDicomCine(file);
-  EXPECT_TRUE(failedWith(asked, ErrorCode::badUsage));
+  EXPECT_TRUE(failedWith(asked, ErrorCode::unsupported));
   EXPECT_TRUE(says(asked, "Only 8.3 % of the pixels"));
   CineOptions yes;
   yes.acceptsSmall = true;

@@ -107,7 +107,7 @@ Result<int> cleanScreen(const ScreenArguments& arguments, Run& run) {
     if (auto announced = run.output(arguments.deviceSet, ".xml"); !announced) return passOn(announced.error());
   const CleaningOptions cleaning{.fill = arguments.fill == "black" ? TextFill::black : TextFill::neighbours,
                                  .keepOutside = arguments.keepOutside,
-                                 .acceptsSmall = arguments.acceptsSmall};
+                                 .acceptsSmall = arguments.acceptsSmall || correction->outline.has_value()};
   run.report.options = {{"fill", arguments.fill}, {"keep_outside", arguments.keepOutside}};
   if (correction->depth_mm) run.report.options["depth_mm"] = *correction->depth_mm;
   if (correction->tick_mm) run.report.options["tick_mm"] = *correction->tick_mm;

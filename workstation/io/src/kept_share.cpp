@@ -34,7 +34,7 @@ Result<void> checkKept(const KeptShare& kept, bool accepted, const std::filesyst
   if (accepted) return {};
   Message question = questionAbout(kept, name);
   if (question.empty()) return {};
-  return failure(ErrorCode::badUsage, std::move(question), {{"file", name.string()}, {"ask", "accept-small"}});
+  return failure(ErrorCode::unsupported, std::move(question), {{"file", name.string()}, {"ask", "accept-small"}});
 }
 
 }  // namespace ew

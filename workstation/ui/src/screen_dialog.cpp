@@ -618,7 +618,8 @@ bool ScreenDialog::import() {
     return false;
   }
   CleaningOptions cleaning;
-  if (geometry->outline)
+  cleaning.acceptsSmall = edit_->correction().outline.has_value();  // who draws it has looked
+  if (geometry->outline && !cleaning.acceptsSmall)
     if (const Message small = questionAbout(keptOf(opened_->screen, *geometry, cleaning), pathOf(file_)); !small.empty()) {
       if (!askAcceptsSmall(this, words(small))) return false;
       cleaning.acceptsSmall = true;

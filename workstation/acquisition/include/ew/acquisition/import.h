@@ -135,7 +135,7 @@ struct WeighedFrames {
 };
 
 /// The frames of posedFrames, weighed by confidence when the plan's compounding is weighted.
-/// @error as confidenceOfFrames; badUsage (too little is kept and nobody said yes, with the context entry "ask": "accept-small")
+/// @error as confidenceOfFrames; unsupported (too little is kept and nobody said yes, with the context entry "ask": "accept-small")
 [[nodiscard]] Result<WeighedFrames> weighedFrames(const OpenedSweep& opened, Progress& progress);
 
 /// Bytes at the peak of an import of the plan's sweep onto `grid` with `options`, as ImportPlan::bytes counts them.

@@ -56,7 +56,7 @@ struct CleanedScreen {
 
 /// Reads the recording again and writes it cleaned as .igs.mha, frame by frame.
 /// @param geometry with an outline, unless the outside is kept
-/// @error as CineReader::next and writeSequence; unsupported (no outline), badUsage (too little is kept and nobody said yes, with the
+/// @error as CineReader::next and writeSequence; unsupported (no outline), unsupported (too little is kept and nobody said yes, with the
 /// context
 ///        entry "ask": "accept-small"), cancelled
 [[nodiscard]] Result<CleanedScreen> writeCleaned(OpenedScreen& opened, const ScreenGeometry& geometry, const CleaningOptions& options,

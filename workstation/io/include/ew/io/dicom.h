@@ -94,7 +94,7 @@ struct Cine {
 /// names the option whose answer is missing.
 /// @error as inspectDicom; missingCalibration (several regions, stale ones or none and no Pixel Spacing: asked), unsupported (coloured and
 /// not
-///        told what to do, burned-in text), badUsage (too little is kept: asked), cancelled
+///        told what to do, burned-in text), too little kept (asked), cancelled
 [[nodiscard]] Result<Cine> readDicomCine(const std::filesystem::path& file, const CineOptions& options = {},
                                          Progress& progress = noProgress(), const ReadLimits& limits = {});
 

@@ -25,7 +25,7 @@ struct KeptShare {
 [[nodiscard]] Message questionAbout(const KeptShare& kept, const std::filesystem::path& name);
 
 /// Refuses a result that keeps too little and that nobody said yes to.
-/// @error badUsage, with the context entry "ask": "accept-small"
+/// @error unsupported, with the context entry "ask": "accept-small"
 [[nodiscard]] Result<void> checkKept(const KeptShare& kept, bool accepted, const std::filesystem::path& name);
 
 }  // namespace ew
