@@ -11253,6 +11253,8 @@
     <message>
         <source>There is no window that could ask where the case is to be saved.</source>
         <translation>Es gibt kein Fenster, das fragen könnte, wo der Fall gespeichert werden soll.</translation>
+    </message>
+    <message>
         <source>The plane is %1 degrees off, the probe above all rotated about its beam; %2 degrees are allowed.</source>
         <translation>Die Ebene weicht um %1 Grad ab, vor allem ist der Schallkopf um seinen Strahl gedreht; %2 Grad sind erlaubt.</translation>
     </message>
@@ -11375,6 +11377,8 @@
     <message>
         <source>Shadows and reverberation, which the template switches on, are off: the recording has its own.</source>
         <translation>Schatten und Wiederholungsechos, die die Vorlage einschaltet, sind aus: Die Aufnahme hat ihre eigenen.</translation>
+    </message>
+    <message>
         <source>handed in</source>
         <translation>abgegeben</translation>
     </message>
@@ -11441,6 +11445,14 @@
     <message>
         <source>&apos;%1&apos; cannot be moved (%2); nothing was changed.</source>
         <translation>&apos;%1&apos; kann nicht verschoben werden (%2); nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Nothing was pointed at yet; click it in the image.</source>
+        <translation>Noch wurde auf nichts gezeigt; klicken Sie es im Bild an.</translation>
+    </message>
+    <message>
+        <source>true while nobody has said on which side of the volume the probe was: depth_direction and lateral_direction are assumed</source>
+        <translation>wahr, solange niemand gesagt hat, auf welcher Seite des Volumens die Sonde war: depth_direction und lateral_direction sind angenommen</translation>
     </message>
 </context>
 <context>
@@ -16273,6 +16285,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>shipped case, not saved</source>
         <translation>mitgelieferter Fall, nicht gespeichert</translation>
+    </message>
+    <message>
         <source>Drag, arrows</source>
         <translation>Ziehen, Pfeile</translation>
     </message>
@@ -16459,6 +16473,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>cm</source>
         <translation>cm</translation>
+    </message>
+    <message>
         <source>Click a point of the picture to see the frame it came from</source>
         <translation>Einen Punkt des Bildes anklicken, um das Bild zu sehen, aus dem er stammt</translation>
     </message>
@@ -17496,6 +17512,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Measurements that were not saved: %1.</source>
         <translation>Messungen, die nicht gespeichert sind: %1.</translation>
+    </message>
+    <message>
         <source>Take out of the library</source>
         <translation>Aus der Bibliothek nehmen</translation>
     </message>
@@ -23809,6 +23827,8 @@ Zeit: %3</translation>
     <message>
         <source>What was written about the scan before could not be kept, so that one stays open; see to the message and choose again.</source>
         <translation>Was über die Aufnahme davor geschrieben wurde, konnte nicht aufbewahrt werden; deshalb bleibt sie offen. Beachten Sie die Meldung und wählen Sie noch einmal.</translation>
+    </message>
+    <message>
         <source>somebody</source>
         <translation>jemand</translation>
     </message>
@@ -24119,6 +24139,8 @@ Zeit: %3</translation>
     <message>
         <source>A recording from a file …</source>
         <translation>Eine Aufzeichnung aus einer Datei …</translation>
+    </message>
+    <message>
         <source>%1, %2 on the steps</source>
         <comment>attempt, time</comment>
         <translation>%1, %2 für die Schritte</translation>
