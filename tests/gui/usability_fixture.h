@@ -123,6 +123,17 @@ class UsabilityFixture : public WindowFixture {
     }
   }
 
+  [[nodiscard]] QPushButton* visibleButton(const char* name) const {
+    for (QPushButton* each : window_->findChildren<QPushButton*>(QLatin1String(name)))
+      if (each->isVisible()) return each;
+    return nullptr;
+  }
+  /// Once what has just changed, as a clock does, has its room.
+  [[nodiscard]] QStringList textsStillCut() {
+    static_cast<void>(waitUntil([this] { return cutTexts(*window_).isEmpty(); }, 1000.0));
+    return cutTexts(*window_);
+  }
+
   /// Whether it can be pressed: whole in the window, once its page is scrolled to it.
   [[nodiscard]] bool isReachedByMouse(const QWidget* widget) const {
     if (widget == nullptr) return false;
@@ -152,7 +163,7 @@ class UsabilityFixture : public WindowFixture {
         for (const char* first : {"presets", "focus", "modeB", "flip"}) look(first);
       if (n == 2) look("probe");
       if (n == 3) look("caliper-distance");
-      for (const QString& each : cutTexts(*window_)) missing << QStringLiteral("page %1: ").arg(n + 1) + each;
+      for (const QString& each : textsStillCut()) missing << QStringLiteral("page %1: ").arg(n + 1) + each;
     }
     pages->setCurrentIndex(0);
     return missing;
