@@ -44,21 +44,31 @@ TEST(CaseNew, MakesACaseOfASweepAndSaysHowItLies) {
 TEST(CaseNew, SaysWhenItKnowsNoPlaceForARegionAndForecastsTheLevelOnlyWhenItIsMade) {
   const TemporaryFolder folder;
   makeSweep(folder / "s.igs.mha");
-  const auto made = [&](const std::string& to, const std::vector<std::string>& more) {
+  const auto makes = [&](const std::string& to, const std::vector<std::string>& more) {
     std::vector<std::string> words = {"case", "new",      folder / "s.igs.mha", "-o", folder / to, "--spacing",
                                       "1",    "--report", folder / "r.json"};
     words.insert(words.end(), more.begin(), more.end());
     return run(words);
   };
-  const auto unknown = made("a", {"--region", "left big toe", "--no-level"});
+  const auto unknown = makes("a", {"--region", "left big toe", "--no-level"});
   ASSERT_EQ(unknown.status, 0) << unknown.err;
   EXPECT_NE(unknown.err.find("There is no usual place for 'left big toe'"), std::string::npos) << unknown.err;
   EXPECT_NE(unknown.err.find("upper abdomen"), std::string::npos) << unknown.err;
-  const double without = readJson(folder / "r.json")["quality"]["forecast_mib"];
-  const auto known = made("b", {"--region", "Right upper quadrant, in deep breath"});
+  const auto known = makes("b", {"--region", "Right upper quadrant, in deep breath"});
   ASSERT_EQ(known.status, 0) << known.err;
   EXPECT_EQ(known.err.find("no usual place"), std::string::npos) << known.err;
-  EXPECT_LT(without, readJson(folder / "r.json")["quality"]["forecast_mib"].get<double>());
+  ASSERT_TRUE(writeVolume(rampVolume({60, 50, 40}), folder / "v.mha"));
+  std::vector<double> forecast_mib;
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--no-level"}, std::vector<std::string>{}}) {
+    std::vector<std::string> words = {
+        "case", "new", folder / "v.mha", "-o", folder / ("v" + std::to_string(more.size())), "--report", folder / "r.json"};
+    words.insert(words.end(), more.begin(), more.end());
+    const auto made = run(words);
+    ASSERT_EQ(made.status, 0) << made.err;
+    forecast_mib.push_back(readJson(folder / "r.json")["quality"]["forecast_mib"]);
+  }
+  EXPECT_NEAR(forecast_mib[0], 2.0 * 60 * 50 * 40 / 1048576.0, 1e-3) << "echoes and coverage";
+  EXPECT_GT(forecast_mib[1], 1.5 * forecast_mib[0]);
 }
 
 TEST(CaseNew, PutsItWhereItIsTold) {

@@ -176,7 +176,7 @@ TEST_F(Cmi5, SaysWhichFieldOfTheLaunchDataCannotBeUsed) {
 TEST_F(Cmi5, OddAnswersAreASentenceAndNothingElse) {
   fetchAnswer_ = ServerAnswer{200, R"({"error-code": 7, "error-text": 12})", {}};
   EXPECT_EQ(whyNot(),
-            "The lesson cannot be begun for the learning management system: it gives no token (error 7, '12'). Start it there again.");
+            "The lesson cannot be begun for the learning management system: it gives no token (error 7, \"12\"). Start it there again.");
   fetchAnswer_ = ServerAnswer{200, R"({"error-code": {"a": 1}, "error-text": ["b"]})", {}};
   EXPECT_NE(whyNot().find("error {\"a\":1}"), std::string::npos) << whyNot();
   std::string deep;
