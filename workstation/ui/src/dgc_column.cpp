@@ -90,6 +90,7 @@ double DgcColumn::xOf(double value) const {
   return kColumnLeft_px + handle_px() / 2.0 + share * (width_px_ - handle_px());
 }
 
+/// All sliders have one width, so that the curve through their handles is straight where they are neutral.
 void DgcColumn::place(double top, double bottom, int room_px) {
   top_ = top;
   bottom_ = bottom;

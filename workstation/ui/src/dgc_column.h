@@ -18,7 +18,7 @@ class DgcColumn final : public QWidget {
  public:
   explicit DgcColumn(Session& session, QWidget* parent = nullptr);
   /// @param top, bottom widget y of depth 0 and of the full depth; bottom lies above top when the picture stands upside down
-  /// @param room_px     free beside the fan at every slider; where that is less than their width they are shorter, and lie on no image
+  /// @param room_px     free beside the fan at every slider; where that is less than their width all are shorter, and lie on no image
   void place(double top, double bottom, int room_px);
   void refreshIcons();
 

@@ -163,7 +163,7 @@ struct MainWindow::Parts {
   bool staged = false;
   QHBoxLayout* work = nullptr;  ///< columns and console
   QSplitter* columns = nullptr;
-  std::vector<std::pair<Column, ColumnTabs*>> columnTabs;  ///< of panels, body and console
+  std::vector<std::pair<Column, ColumnTabs*>> columnTabs;  ///< one in each of panels, body and console
   QPushButton* comeBack = nullptr;                         ///< from the scan alone
   std::optional<Column> askedColumn;                       ///< of those that take turns, when somebody has chosen
   View3D* view3d = nullptr;
