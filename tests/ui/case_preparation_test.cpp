@@ -59,7 +59,7 @@ class PreparationInTheBackground : public testing::Test {
 
 TEST_F(PreparationInTheBackground, MakesOneCaseAfterTheOtherTheQuickerOneFirst) {
   Jobs jobs;
-  CasePreparation preparation(jobs);
+  CasePreparation preparation(jobs, nullptr, 0);  // whatever else runs on the machine of the test
   std::vector<std::string> order;
   QObject::connect(&preparation, &CasePreparation::prepared, [&](const QString& id) { order.push_back(id.toStdString()); });
   preparation.start(cases_);
@@ -75,7 +75,7 @@ TEST_F(PreparationInTheBackground, MakesOneCaseAfterTheOtherTheQuickerOneFirst) 
 
 TEST_F(PreparationInTheBackground, CancelMeansNotNowForAllThatNobodyAskedFor) {
   Jobs jobs;
-  CasePreparation preparation(jobs);
+  CasePreparation preparation(jobs, nullptr, 0);  // whatever else runs on the machine of the test
   preparation.start(cases_);
   jobs.cancel(jobs.seen().front().id);
   ASSERT_TRUE(waitUntil([&] { return preparation.isIdle(); }));
@@ -90,7 +90,7 @@ TEST_F(PreparationInTheBackground, CancelMeansNotNowForAllThatNobodyAskedFor) {
 
 TEST_F(PreparationInTheBackground, WhatIsAskedForGoesFirstAndThrowsNothingAway) {
   Jobs jobs;
-  CasePreparation preparation(jobs);
+  CasePreparation preparation(jobs, nullptr, 0);  // whatever else runs on the machine of the test
   std::vector<std::string> order;
   QObject::connect(&preparation, &CasePreparation::prepared, [&](const QString& id) { order.push_back(id.toStdString()); });
   preparation.start(cases_);  // "one" is at work
@@ -102,7 +102,7 @@ TEST_F(PreparationInTheBackground, WhatIsAskedForGoesFirstAndThrowsNothingAway) 
 
 TEST_F(PreparationInTheBackground, ASecondWishWaitsForTheFirst) {
   Jobs jobs;
-  CasePreparation preparation(jobs);
+  CasePreparation preparation(jobs, nullptr, 0);  // whatever else runs on the machine of the test
   std::vector<std::string> order;
   QObject::connect(&preparation, &CasePreparation::prepared, [&](const QString& id) { order.push_back(id.toStdString()); });
   preparation.ask(named("two"));
@@ -114,7 +114,7 @@ TEST_F(PreparationInTheBackground, ASecondWishWaitsForTheFirst) {
 
 TEST_F(PreparationInTheBackground, IsHeldBesideAnAuthorsWorkUnlessSomebodyWantsACase) {
   Jobs jobs;
-  CasePreparation preparation(jobs);
+  CasePreparation preparation(jobs, nullptr, 0);  // whatever else runs on the machine of the test
   preparation.hold(true);
   preparation.start(cases_);
   EXPECT_TRUE(jobs.seen().empty());
@@ -136,7 +136,7 @@ TEST(AboutMinutes, TellsAPersonNoMoreThanCanBeKnown) {
 
 TEST_F(PreparationInTheBackground, GivesTheMachineAwayAndGoesOnAfterwards) {
   Jobs jobs;
-  CasePreparation preparation(jobs);
+  CasePreparation preparation(jobs, nullptr, 0);  // whatever else runs on the machine of the test
   preparation.start(cases_);
   preparation.pause();
   ASSERT_TRUE(waitUntil([&] { return jobs.seen().empty(); }));

@@ -16,18 +16,16 @@
 namespace ew::ui {
 namespace {
 
-constexpr int kQuiet = 19;  // the most there is: what a user does goes first, and an idle machine is used in full
-
 // The threads of the machine's pool belong to everybody and give way to nobody: what nobody waits for leaves them alone.
 constexpr int kOneThread = 1;
 constexpr int kAllThreads = 0;
 
 /// Lets the calling thread, and those it starts, give way to others.
-void giveWay() { static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), kQuiet)); }
+void giveWay(int quiet) { static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), quiet)); }
 
 }  // namespace
 
-CasePreparation::CasePreparation(Jobs& jobs, QObject* parent) : QObject(parent), jobs_(jobs) {
+CasePreparation::CasePreparation(Jobs& jobs, QObject* parent, int quiet) : QObject(parent), jobs_(jobs), quiet_(quiet) {
   poll_.setInterval(250);
   connect(&poll_, &QTimer::timeout, this, &CasePreparation::changed);
 }
@@ -142,10 +140,12 @@ void CasePreparation::next() {
   running_ = std::move(waiting_.front());
   waiting_.pop_front();
   auto notes = std::make_shared<std::vector<Message>>();
+  const bool isWanted = isAskedFor(running_->id);
   job_ = jobs_.start(
       tr("Preparing %1").arg(shownTitle(*running_)),
-      [opened = *running_, notes, threads = isAskedFor(running_->id) ? kAllThreads : kOneThread](Progress& progress) -> Result<void> {
-        giveWay();
+      [opened = *running_, notes, threads = isWanted ? kAllThreads : kOneThread,
+       quiet = isWanted ? quiet_ / 2 : quiet_](Progress& progress) -> Result<void> {
+        giveWay(quiet);
         PreparationOptions how;
         how.threads = threads;
         auto made = prepareCase(opened, how, progress);

@@ -29,7 +29,9 @@ class CasePreparation final : public QObject {
     QString step;
   };
 
-  explicit CasePreparation(Jobs& jobs, QObject* parent = nullptr);
+  /// How far the threads give way, 0 to 19: to everything when nobody waits for the case, half as far when somebody does.
+  static constexpr int kMostQuiet = 19;
+  explicit CasePreparation(Jobs& jobs, QObject* parent = nullptr, int quiet = kMostQuiet);
 
   /// Prepares these, which nobody has asked for, in the order of preparationOrder; cases that were stopped by the user are not asked again.
   void start(const std::vector<Case>& cases);
@@ -62,6 +64,7 @@ class CasePreparation final : public QObject {
   [[nodiscard]] bool mayRun(const Case& each) const { return !isHeld_ || isAskedFor(each.id); }
 
   Jobs& jobs_;
+  const int quiet_;
   std::deque<Case> waiting_;
   std::vector<std::string> stopped_;
   std::vector<std::string> asked_;
