@@ -161,7 +161,7 @@ TEST(DicomPicture, SaysWhoTheInventedPatientIsAndThatItIsASimulation) {
   for (const char* part :
        {"(0010,0010) PN [Ödland^Änne von der]", "(0010,0020) LO [EWSIM-test]", "(0010,0040) CS [F]", "(0010,1010) AS [029Y]",
         "(0008,0005) CS [ISO_IR 192]", "(0020,4000) LT [Simulation, not for diagnosis.", "(0010,4000) LT [Invented patient",
-        "(0028,0300) CS [YES]", "(0028,0301) CS [NO]", "(0008,2111) ST [Simulated", "(0008,0020) DA [20261125]", "(0008,0030) TM [070005]",
+        "(0028,0300) CS [YES]", "(0028,0301) CS [YES]", "(0008,2111) ST [Simulated", "(0008,0020) DA [20261125]", "(0008,0030) TM [070005]",
         "(0018,6031) CS [LINEAR]", "(0018,5050) IS [50]", "(0020,0013) IS [3]"})
     EXPECT_NE(dump.find(part), std::string::npos) << part << "\n" << dump;
 }
