@@ -48,6 +48,12 @@ TEST(ImageStack, WhatAPictureStatesAndNobodyUsesIsTold) {
   const TempFolder folder;
   const GreyImage picture(4, 3);
   ASSERT_TRUE(succeeded(writeImage(viewOf(picture), 0.1, folder / "p1.png")));
+  // Behind the signature and IHDR: 10000 pixels a metre.
+  const std::string body("pHYs\0\0\x27\x10\0\0\x27\x10\x01", 13);
+  const auto check = static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(body.data()), 13));
+  std::string png = bytesOfFile(folder / "p1.png");
+  png.insert(33, std::string("\0\0\0\x09", 4) + body + bytesOf(std::vector<std::uint32_t>{check}, true));
+  static_cast<void>(folder.put("p1.png", png));
   const auto read = readImageStack(folder / "p1.png", {.spacing_mm = glm::dvec3(0.5), .colour = ColourRule::keepGrey, .blank = {}});
   ASSERT_TRUE(succeeded(read));
   EXPECT_TRUE(contains(read->notes, "pHYs \"10000 x 10000 a metre\", which touches sizes"));
