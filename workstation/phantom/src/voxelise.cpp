@@ -289,8 +289,13 @@ bool VolumePainter::recall(int piece, std::vector<std::uint8_t>& bytes) {
   if (!options_.pieces->recall(piece, bytes)) return false;
   std::size_t voxels = 0;
   forRowsOf(piece, [&](std::span<std::uint8_t> row) { voxels += row.size(); });
+  // How many feet there are stands at the end, so that what was cut off is not taken for less.
   constexpr std::size_t kFoot = sizeof(phantom::SurfaceFoot);
-  if (bytes.size() < voxels || (bytes.size() - voxels) % kFoot != 0 || (!made_.maps && bytes.size() != voxels)) return false;
+  std::uint64_t count = 0;
+  if (bytes.size() < voxels + sizeof(count)) return false;
+  std::memcpy(&count, bytes.data() + bytes.size() - sizeof(count), sizeof(count));
+  if (count > (bytes.size() - voxels) / kFoot || bytes.size() != voxels + count * kFoot + sizeof(count)) return false;
+  if (!made_.maps && count > 0) return false;
   const std::uint8_t* from = bytes.data();
   forRowsOf(piece, [&](std::span<std::uint8_t> row) {
     std::copy_n(from, row.size(), row.data());
@@ -298,8 +303,8 @@ bool VolumePainter::recall(int piece, std::vector<std::uint8_t>& bytes) {
   });
   if (!made_.maps) return true;
   auto& feet = feetOfPiece_[static_cast<std::size_t>(piece)];
-  feet.resize((bytes.size() - voxels) / kFoot);
-  std::memcpy(feet.data(), from, feet.size() * kFoot);
+  feet.resize(count);
+  if (count > 0) std::memcpy(feet.data(), from, count * kFoot);
   return true;
 }
 
@@ -308,8 +313,11 @@ void VolumePainter::keep(int piece, const std::vector<phantom::SurfaceFoot>& fee
   std::vector<std::uint8_t> bytes;
   forRowsOf(piece, [&](std::span<std::uint8_t> row) { bytes.insert(bytes.end(), row.begin(), row.end()); });
   const std::size_t voxels = bytes.size();
-  bytes.resize(voxels + feet.size() * sizeof(phantom::SurfaceFoot));
-  if (!feet.empty()) std::memcpy(bytes.data() + voxels, feet.data(), bytes.size() - voxels);
+  const std::uint64_t count = feet.size();
+  const std::size_t feetBytes = feet.size() * sizeof(phantom::SurfaceFoot);
+  bytes.resize(voxels + feetBytes + sizeof(count));
+  if (count > 0) std::memcpy(bytes.data() + voxels, feet.data(), feetBytes);
+  std::memcpy(bytes.data() + voxels + feetBytes, &count, sizeof(count));
   options_.pieces->keep(piece, bytes);
 }
 
