@@ -312,7 +312,8 @@ QString ReviewSession::personOf(const Attempt& tried) const {
 
 void ReviewSession::setReviewer(const QString& name) {
   const QString tidy = name.simplified().left(sdk::kLongestPersonName);
-  if (tidy == reviewer_ || !keepAll()) return Q_EMIT reviewerChanged();
+  // What nobody had signed yet stays begun, and is signed by whoever is named now.
+  if (tidy == reviewer_ || !(reviewer_.isEmpty() ? saveComments() : keepAll())) return Q_EMIT reviewerChanged();
   reviewer_ = tidy;
   QSettings().setValue(kReviewerSetting, tidy);
   if (!openComments()) comments_.reset();
