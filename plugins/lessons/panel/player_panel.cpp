@@ -113,11 +113,22 @@ void PlayerPanel::stop() {
   showCase();
 }
 
+/// As the library judges, but by the lessons of the open case while these are as they were tried: it may lie where no library looks.
+AttemptJudge PlayerPanel::judge() const {
+  return [this, byLibrary = attemptJudgeOf(libraryFolder())](const std::filesystem::path& folder, const Attempt& attempt) {
+    const Lesson* lesson = lessonOf(attempt.lessonId);
+    if (lesson == nullptr || contentOf(*lesson) != attempt.lessonContent) return byLibrary(folder, attempt);
+    const auto plan = readPlan(libraryFolder(), attempt.caseId, attempt.lessonId);
+    const AttemptResult result = attemptResultOf(attempt, lesson, plan ? *plan : AssessmentPlan{}, latestScore(folder));
+    return AttemptTally{result.stepsPassed, result.stepsJudged, result.passed().value_or(false)};
+  };
+}
+
 void PlayerPanel::showLessons() {
   if (!case_ || (lessons_.empty() && !ExerciseCard::couldAsk(*case_))) return pages_->setCurrentIndex(kEmpty);
   AttemptList attempts = listAttempts(ownAttempts());
   std::erase_if(attempts.attempts, [this](const auto& each) { return each.second.caseId != case_->id; });
-  const Standings standings(attempts, sdk::personWhoLearns(), attemptJudgeOf(libraryFolder()));
+  const Standings standings(attempts, sdk::personWhoLearns(), judge());
   words_ = wordsOf(case_->folder, QLocale().name().toStdString());
   std::vector<LessonStanding> stands;
   std::vector<Lesson> shown;

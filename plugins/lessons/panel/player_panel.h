@@ -8,6 +8,7 @@
 
 #include "ew/library/case.h"
 #include "ew/library/case_words.h"
+#include "ew/library/learning.h"
 #include "ew/sdk/host.h"
 #include "logic/lesson_run.h"
 #include "logic/step_autosave.h"
@@ -43,6 +44,7 @@ class PlayerPanel final : public QWidget {
   void stop();
   void fail(const Error& problem);
   [[nodiscard]] bool isAtWork() const;
+  [[nodiscard]] AttemptJudge judge() const;
   [[nodiscard]] const Lesson* lessonOf(const std::string& id) const;
 
   sdk::Host& host_;
