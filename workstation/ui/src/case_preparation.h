@@ -29,7 +29,7 @@ class CasePreparation final : public QObject {
     QString step;
   };
 
-  /// How far the threads give way, 0 to 19: to everything when nobody waits for the case, half as far when somebody does.
+  /// How far the threads give way, 0 to 19: to everything else when nobody waits for the case, half as far when somebody does.
   static constexpr int kMostQuiet = 19;
   explicit CasePreparation(Jobs& jobs, QObject* parent = nullptr, int quiet = kMostQuiet);
 
