@@ -57,7 +57,9 @@ TEST(CaseNew, SaysWhenItKnowsNoPlaceForARegionAndForecastsTheLevelOnlyWhenItIsMa
   const auto known = makes("b", {"--region", "Right upper quadrant, in deep breath"});
   ASSERT_EQ(known.status, 0) << known.err;
   EXPECT_EQ(known.err.find("no usual place"), std::string::npos) << known.err;
-  ASSERT_TRUE(writeVolume(rampVolume({60, 50, 40}), folder / "v.mha"));
+  Volume spaced = rampVolume({60, 50, 40});
+  spaced.grid.spacing_mm = glm::dvec3(0.5);
+  ASSERT_TRUE(writeVolume(spaced, folder / "v.mha"));
   std::vector<double> forecast_mib;
   for (const std::vector<std::string>& more : {std::vector<std::string>{"--no-level"}, std::vector<std::string>{}}) {
     std::vector<std::string> words = {

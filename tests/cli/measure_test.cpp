@@ -88,7 +88,7 @@ TEST_F(MeasureCommand, SaysWhatIsWrongWithTheLine) {
   EXPECT_EQ(error({"measure", "--package", "obstetric", "--value", "BPD=about 82mm"}),
             "echoweave: --value BPD=about 82mm is not a number with its unit; write it as in BPD=82mm or BPD=82+-0.8mm.\n");
   EXPECT_EQ(error({"measure", "--package", "obstetric", "--value", "BPD=82mm", "--gestation", "32"}),
-            "echoweave: --gestation '32' is no gestational age; write it as in 32w1d, up to 45 weeks.\n");
+            "echoweave: --gestation '32' is no gestational age; write it as in 32w1d or 32+1, up to 45 weeks.\n");
   EXPECT_EQ(error({"measure", "--package", "trauma", "--value", "RUQ=maybe"}),
             "echoweave: RUQ is answered by one of seen, not_seen, not_adequate.\n");
 }

@@ -215,6 +215,7 @@ class LessonEditorTest : public WindowFixture {
 
     addStep("plane");
     QVERIFY(!text("stepMissingParts").isEmpty());
+    type("stepText", QStringLiteral("Show the liver lengthwise."));
     choose("stepTarget", QStringLiteral("liver lengthwise"));
     set("planeAngle", 20.0);
     QCOMPARE(std::get<PlaneTask>(stepOf("plane").task).angleTolerance_deg, std::optional<double>(20.0));
@@ -229,18 +230,22 @@ class LessonEditorTest : public WindowFixture {
     back();
 
     addStep("sweep");
+    type("stepText", QStringLiteral("Pass through the whole liver."));
     choose("stepTarget", QStringLiteral("liver"));
     set("sweepShare", 60.0);
     keepScreenshot(*window_, "lesson-editor-08-sweep");
     back();
     addStep("measure");
+    type("stepText", QStringLiteral("Measure the aorta across."));
     choose("stepTarget", QStringLiteral("aorta, across"));
     keepScreenshot(*window_, "lesson-editor-09-measure");
     back();
     addStep("point");
+    type("stepText", QStringLiteral("Point at the liver."));
     choose("stepTarget", QStringLiteral("liver"));
     back();
     addStep("settings");
+    type("stepText", QStringLiteral("Set the machine for a deep look."));
     press("takeSettings");
     const auto settings = std::get<SettingsTask>(stepOf("settings").task);
     QCOMPARE(settings.probes, std::vector<std::string>{"convex-3.5"});
@@ -260,6 +265,7 @@ class LessonEditorTest : public WindowFixture {
     keepScreenshot(*window_, "lesson-editor-11-answer");
     back();
     addStep("free");
+    type("stepText", QStringLiteral("Scan on your own."));
     set("freeShortest", 30.0);
     press("freeTarget");
     keepScreenshot(*window_, "lesson-editor-12-free");
@@ -318,6 +324,7 @@ class LessonEditorTest : public WindowFixture {
     QVERIFY(openAuthor(QStringLiteral("gone")));
     addLesson(0);
     addStep("plane");
+    type("stepText", QStringLiteral("Show the liver lengthwise."));
     choose("stepTarget", QStringLiteral("liver lengthwise"));
     QVERIFY(text("stepMissingParts").isEmpty());
     auto manifest = window_->document().manifest();
