@@ -522,7 +522,11 @@ void MainWindow::placeOverlays() {
   QWidget* below = isOverScan                                   ? static_cast<QWidget*>(p.pictures)
                    : p.staged && p.stages->isVisibleTo(p.pages) ? static_cast<QWidget*>(p.stages)
                                                                 : p.pages;
-  const QRect room(below->mapTo(p.central, QPoint(0, 0)), below->size());
+  QRect room(below->mapTo(p.central, QPoint(0, 0)), below->size());
+  // Of more than one line it would lie on the button above the sliders.
+  if (isOverScan)
+    for (const auto* reset : p.pictures->findChildren<QPushButton*>(QStringLiteral("dgcReset")))
+      if (reset->isVisible()) room.setLeft(std::max(room.left(), reset->mapTo(p.central, QPoint(reset->width(), 0)).x() + 8));
   const int height_px = std::min(p.messages->heightFor(room.width()), room.height());
   p.messages->setGeometry(room.left(), isOverScan ? room.top() : room.bottom() + 1 - height_px, room.width(), height_px);
   p.messages->raise();
