@@ -123,7 +123,7 @@ TEST(LoadCaseVolume, GoesOnWithARecipeWhereItWasStopped) {
   const auto isPieces = [](const std::filesystem::path& file) { return file.filename() == "pieces"; };
   auto files = filesIn(folder / "cache");
   const auto pieces = std::find_if(files.begin(), files.end(), isPieces);
-  ASSERT_NE(pieces, files.end());
+  ASSERT_NE(pieces, files.end()) << "stopped at " << stopped.furthest << ", files: " << files.size();
   const auto size = std::filesystem::file_size(*pieces);
   ASSERT_GT(size, 1000u);
   std::filesystem::resize_file(*pieces, size - 7);  // as a program leaves it that is killed while it writes
