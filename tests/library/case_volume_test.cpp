@@ -100,7 +100,6 @@ TEST(LoadCaseVolume, MakesARecipeOnceAndThenReadsItFromTheCache) {
   EXPECT_TRUE(caseNeedsPreparation(made)) << "another recipe is another volume";
 }
 
-/// Stops at a fraction; remembers where it began.
 bool isPieces(const std::filesystem::path& file) { return file.filename() == "pieces"; }
 
 /// Stops a preparation once some of it lies in the cache, however fast the machine is.
