@@ -220,6 +220,9 @@ class KeepingTest : public WindowFixture {
       Answers answers({{QStringLiteral("unsavedWorkQuestion"), press("goOnUnsaved")}});
       startWindow();
       QVERIFY(waitUntil([&] { return !answers.asked.isEmpty(); }));
+      // The case is opened first, and then gives way to the volume.
+      QVERIFY(waitUntil(
+          [this] { return session().subject() && QString::fromStdString(session().subject()->title).startsWith(QLatin1String("made")); }));
       waitForRest();
       QCOMPARE(answers.asked, QStringList{QStringLiteral("unsavedWorkQuestion")});
     }
