@@ -74,7 +74,9 @@ bool FocusKeys::eventFilter(QObject* watched, QEvent* event) {
         QMetaObject::invokeMethod(
             this,
             [this, clicked = QPointer<QWidget>(&widget)] {
-              if (clicked != nullptr && clicked->hasFocus()) backToScan();
+              // A button that vanishes with its click hands the focus to its neighbour as Tab would, which nobody pressed.
+              const bool isGone = clicked == nullptr || !clicked->isVisible();
+              if (isGone ? way_ == Way::byTab : clicked->hasFocus()) backToScan();
             },
             Qt::QueuedConnection);
       break;
