@@ -60,7 +60,7 @@ void LessonList::showLessons(const std::vector<Lesson>& lessons, const std::vect
       done->setObjectName(QStringLiteral("lessonProgress"));
       rows->addWidget(done);
     }
-    auto* buttons = new QHBoxLayout;
+    auto* buttons = new QVBoxLayout;  // beside each other their words are wider than the column in large type
     buttons->setSpacing(kGap_px);
     const QString id = words(lesson.id);
     if (stands.interrupted) {
@@ -68,7 +68,7 @@ void LessonList::showLessons(const std::vector<Lesson>& lessons, const std::vect
       goOn->setObjectName(QStringLiteral("goOnWithLesson"));
       goOn->setProperty("primary", true);
       connect(goOn, &QPushButton::clicked, this, [this, id] { Q_EMIT goOnAsked(id); });
-      buttons->addWidget(goOn);
+      buttons->addWidget(goOn, 0, Qt::AlignLeft);
     }
     auto* start = new QPushButton(stands.interrupted ? tr("Begin again") : tr("Start"));
     start->setObjectName(QStringLiteral("startLesson"));
@@ -76,8 +76,7 @@ void LessonList::showLessons(const std::vector<Lesson>& lessons, const std::vect
     start->setAccessibleName(tr("%1: %2").arg(start->text(), words(lesson.title)));
     start->setEnabled(!lesson.steps.empty());
     connect(start, &QPushButton::clicked, this, [this, id] { Q_EMIT startAsked(id); });
-    buttons->addWidget(start);
-    buttons->addStretch(1);
+    buttons->addWidget(start, 0, Qt::AlignLeft);
     rows->addLayout(buttons);
     rows_->rows()->addWidget(card);
   }
