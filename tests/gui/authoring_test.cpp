@@ -20,6 +20,7 @@
 
 #include "answers.h"
 #include "card_view.h"
+#include "ew/io/volume_file.h"
 #include "ew/library/bundle.h"
 #include "ew/library/case.h"
 #include "ew/library/folder_lease.h"
@@ -171,29 +172,24 @@ class AuthoringTest : public WindowFixture {
     keepScreenshot(*window_, "new-case-4-opened");
   }
 
-  /// Three volumes one after the other in a file that knows neither spacing nor side: each question has its field in the dialog.
+  /// A file that knows neither spacing nor side: each question has its field in the dialog.
   void whatAFileLeavesOpenIsAskedWhereItIsChosen() {
-    const QString file = files_.path(QStringLiteral("three.nrrd"));
-    std::string text =
-        "NRRD0005\ntype: uint8\ndimension: 4\nsizes: 12 20 8 3\nkinds: space space space time\nspace: LPS\n"
-        "space directions: (1,0,0) (0,1,0) (0,0,1) none\nspace origin: (0,0,0)\nencoding: raw\n\n";
-    for (int n = 0; n < 12 * 20 * 8 * 3; ++n) text += static_cast<char>(20 + 5 * ((n / 12) % 20));
-    QVERIFY(writeFileSafely(file.toStdString(), text).has_value());
+    const QString file = files_.path(QStringLiteral("unspaced.mha"));
+    Volume volume;
+    volume.grid.dims = {12, 20, 8};
+    for (int n = 0; n < 12 * 20 * 8; ++n) volume.echo.push_back(static_cast<std::uint8_t>(20 + 5 * ((n / 12) % 20)));
+    QVERIFY(writeVolume(volume, file.toStdString()).has_value());
     showWindow();
     QWidget* dialog = newCaseDialog();
     QVERIFY(dialog != nullptr);
     auto* next = dialog->findChild<QPushButton*>(QStringLiteral("newCaseNext"));
-    auto* step = dialog->findChild<QSpinBox*>(QStringLiteral("sourceTimeStep"));
     auto* side = dialog->findChild<QComboBox*>(QStringLiteral("sourceSide"));
-    dialog->findChild<QLineEdit*>(QStringLiteral("sourceFile"))->setText(file);
-    QVERIFY(waitUntil([&] { return step->isVisible(); }));
-    QVERIFY(!next->isEnabled() && !side->isVisible());
-    step->setValue(2);
     std::array<QDoubleSpinBox*, 3> voxel{};
     for (std::size_t n = 0; n < 3; ++n) voxel[n] = dialog->findChild<QDoubleSpinBox*>(QStringLiteral("sourceVoxel%1").arg(n));
+    dialog->findChild<QLineEdit*>(QStringLiteral("sourceFile"))->setText(file);
     QVERIFY(waitUntil([&] { return voxel[0]->isVisible(); }));
     keepScreenshot(*dialog, "new-case-1-asked");
-    QVERIFY(!next->isEnabled());
+    QVERIFY(!next->isEnabled() && !side->isVisible());
     for (QDoubleSpinBox* each : voxel) each->setValue(0.5);
     QVERIFY(waitUntil([&] { return side->isVisible(); }));
     QVERIFY2(waitUntil([&] { return next->isEnabled(); }), "it grows brighter to its back, which is proposed");
@@ -201,7 +197,7 @@ class AuthoringTest : public WindowFixture {
     QVERIFY(!dialog->findChild<QLabel*>(QStringLiteral("sourceSideImage"))->pixmap(Qt::ReturnByValue).isNull());
     keepScreenshot(*dialog, "new-case-1-side");
     next->click();
-    dialog->findChild<QLineEdit*>(QStringLiteral("newCaseTitle"))->setText(QStringLiteral("Second of three"));
+    dialog->findChild<QLineEdit*>(QStringLiteral("newCaseTitle"))->setText(QStringLiteral("Without spacing"));
     next->click();
     QVERIFY(waitUntil([&] { return next->isEnabled(); }));
     next->click();
@@ -417,10 +413,12 @@ class AuthoringTest : public WindowFixture {
     // The name is completed before it is asked about: "final" is "final.ewcase", which somebody has already.
     const QString others = files_.path(QStringLiteral("final.ewcase"));
     QVERIFY(writeFileSafely(others.toStdString(), "precious"));
-    const Answers keep({{QStringLiteral("fileDialog"), type(files_.path(QStringLiteral("final")))},
-                        {QStringLiteral("replaceQuestion"), press(QMessageBox::Cancel)}});
-    dialog->findChild<QPushButton*>(QStringLiteral("exportCase"))->click();
-    QCOMPARE(keep.asked, (QStringList{QStringLiteral("fileDialog"), QStringLiteral("replaceQuestion")}));
+    {
+      const Answers keep({{QStringLiteral("fileDialog"), type(files_.path(QStringLiteral("final")))},
+                          {QStringLiteral("replaceQuestion"), press(QMessageBox::Cancel)}});
+      dialog->findChild<QPushButton*>(QStringLiteral("exportCase"))->click();
+      QCOMPARE(keep.asked, (QStringList{QStringLiteral("fileDialog"), QStringLiteral("replaceQuestion")}));
+    }
     QFile still(others);
     QVERIFY(still.open(QIODevice::ReadOnly) && still.readAll() == "precious");
     dialog->close();

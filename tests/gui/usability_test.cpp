@@ -122,41 +122,6 @@ class UsabilityTest : public UsabilityFixture {
     failOn(wrong);
   }
 
-  void everyShippedCaseLeavesTheConsoleItsRoom_data() {
-    QTest::addColumn<QString>("language");
-    QTest::addColumn<int>("text_percent");
-    QTest::addColumn<QSize>("size");
-    QTest::newRow("English, a laptop") << QStringLiteral("en") << 100 << QSize(1280, 720);
-    QTest::newRow("German, the smallest window with the largest words") << QStringLiteral("de") << 200 << QSize(1024, 640);
-  }
-  void everyShippedCaseLeavesTheConsoleItsRoom() {
-    QFETCH(QString, language);
-    QFETCH(int, text_percent);
-    QFETCH(QSize, size);
-    const auto shipped = shippedCasesFolder();
-    QVERIFY(shipped.has_value());
-    QStringList wrong;
-    int seen = 0;
-    for (const Case& each : listCases(*shipped).cases) {
-      showWindow(language, text_percent, size);  // where nothing is open the case that gets ready opens by itself
-      const QString folder = coarseCopyOf(each);
-      QVERIFY2(openCase(folder), qPrintable(folder));
-      QVERIFY(waitUntil([&] { return window_->document().current()->id == each.id && window_->isSettled(); }));
-      QTest::qWait(50);
-      const QString name = QString::fromStdString(each.id);
-      for (const char* column : {"Lessons", "Body"}) {
-        bringToFront(column);
-        for (const QString& cut : cutTexts(*window_)) wrong << name + QStringLiteral(": ") + cut;
-      }
-      for (const QString& missing : whatIsNotReachedOnTheConsole()) wrong << name + QStringLiteral(": ") + missing;
-      keepScreenshot(*window_, qPrintable(QStringLiteral("shipped-%1-%2").arg(language, name)));
-      ++seen;
-    }
-    QVERIFY2(seen >= 8, qPrintable(QString::number(seen)));
-    wrong.removeDuplicates();
-    failOn(wrong);
-  }
-
   void theScanAloneHasAnEdgeThatLeadsBack() {
     showWindow(QStringLiteral("en"), 100, {1280, 720});
     action("Scan &only")->trigger();
