@@ -211,18 +211,36 @@ class AuthorJourneyTest : public WindowFixture {
     };
     step("read", [&] { hand.type("stepText", QStringLiteral("The liver lies below the right ribs.")); });
     step("watch", [&] { recordTheExpert(hand); });
-    step("plane", [&] { hand.choose("stepTarget", QStringLiteral("across the liver")); });
-    step("sweep", [&] { hand.choose("stepTarget", QStringLiteral("right lobe")); });
-    step("measure", [&] { hand.choose("stepTarget", QStringLiteral("hepatic vein, across")); });
-    step("point", [&] { hand.choose("stepTarget", QStringLiteral("middle of the liver")); });
-    step("settings", [&] { hand.press("takeSettings"); });
+    step("plane", [&] {
+      hand.type("stepText", QStringLiteral("Show the liver across."));
+      hand.choose("stepTarget", QStringLiteral("across the liver"));
+    });
+    step("sweep", [&] {
+      hand.type("stepText", QStringLiteral("Pass through the whole right lobe."));
+      hand.choose("stepTarget", QStringLiteral("right lobe"));
+    });
+    step("measure", [&] {
+      hand.type("stepText", QStringLiteral("Measure the hepatic vein across."));
+      hand.choose("stepTarget", QStringLiteral("hepatic vein, across"));
+    });
+    step("point", [&] {
+      hand.type("stepText", QStringLiteral("Point at the middle of the liver."));
+      hand.choose("stepTarget", QStringLiteral("middle of the liver"));
+    });
+    step("settings", [&] {
+      hand.type("stepText", QStringLiteral("Set the machine for the liver."));
+      hand.press("takeSettings");
+    });
     step("answer", [&] {
       hand.type("stepText", QStringLiteral("What bounds the liver above?"));
       hand.type("optionText_0", QStringLiteral("The diaphragm"));
       hand.type("optionText_1", QStringLiteral("The stomach"));
       hand.press("optionRight_0");
     });
-    step("free", [&] { hand.set("freeShortest", 20.0); });
+    step("free", [&] {
+      hand.type("stepText", QStringLiteral("Scan the liver on your own."));
+      hand.set("freeShortest", 20.0);
+    });
     if (QTest::currentTestFailed()) return;
     const auto lessons = lessonsOf(opened());
     QVERIFY(lessons && lessons->size() == 1);
