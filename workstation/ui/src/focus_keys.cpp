@@ -74,9 +74,7 @@ bool FocusKeys::eventFilter(QObject* watched, QEvent* event) {
         QMetaObject::invokeMethod(
             this,
             [this, clicked = QPointer<QWidget>(&widget)] {
-              // A button that vanishes with its click hands the focus to its neighbour as Tab would, which nobody pressed.
-              const bool isGone = clicked == nullptr || !clicked->isVisible();
-              if (isGone ? way_ == Way::byTab : clicked->hasFocus()) backToScan();
+              if (clicked != nullptr && clicked->hasFocus()) backToScan();
             },
             Qt::QueuedConnection);
       break;
