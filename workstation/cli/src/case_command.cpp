@@ -64,18 +64,6 @@ std::string sceneText(const Scene& scene) {
   return text.empty() ? "bare" : text;
 }
 
-const char* nameOf(CaseTarget::Kind kind) {
-  switch (kind) {
-    case CaseTarget::Kind::point:
-      return "point";
-    case CaseTarget::Kind::plane:
-      return "plane";
-    case CaseTarget::Kind::structure:
-      return "structure";
-  }
-  return "";
-}
-
 /// Units of the measurements that the patient knows, by name: what is measured stands in the recipe.
 std::map<std::string, std::string> unitsOfPatient(const Case& opened, Run& run) {
   std::map<std::string, std::string> units;

@@ -156,6 +156,18 @@ void checkMannequin(const std::filesystem::path& folder, const json& manifest, s
 
 }  // namespace
 
+const char* nameOf(CaseTarget::Kind kind) {
+  switch (kind) {
+    case CaseTarget::Kind::point:
+      return "point";
+    case CaseTarget::Kind::plane:
+      return "plane";
+    case CaseTarget::Kind::structure:
+      return "structure";
+  }
+  return "";
+}
+
 json ofToday(const json& manifest) {
   if (!manifest.is_object() || !manifest.contains("format") || manifest["format"] != 1) return manifest;
   json migrated = manifest;
@@ -276,18 +288,6 @@ std::optional<Pose> poseIn(const json& object, const char* field) {
   return pose;
 }
 
-const char* wordOf(CaseTarget::Kind kind) {
-  switch (kind) {
-    case CaseTarget::Kind::point:
-      return "point";
-    case CaseTarget::Kind::plane:
-      return "plane";
-    case CaseTarget::Kind::structure:
-      return "structure";
-  }
-  return "";
-}
-
 CaseTarget targetOf(const json& object) {
   CaseTarget target;
   const std::string kind = object["kind"];
@@ -311,7 +311,7 @@ void add(ordered_json& into, const json& others) {
 }
 
 ordered_json toJson(const CaseTarget& target) {
-  ordered_json object = {{"kind", wordOf(target.kind)}, {"name", target.name}};
+  ordered_json object = {{"kind", nameOf(target.kind)}, {"name", target.name}};
   if (target.at_mm) object["at_mm"] = {target.at_mm->x, target.at_mm->y, target.at_mm->z};
   if (target.tolerance_mm) object["tolerance_mm"] = *target.tolerance_mm;
   if (target.probeToFile) object["probe_to_world"] = rowsOf(*target.probeToFile);

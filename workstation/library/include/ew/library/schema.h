@@ -6,8 +6,11 @@
 #include <vector>
 
 #include "ew/core/result.h"
+#include "ew/library/case.h"
 
 namespace ew {
+
+[[nodiscard]] const char* nameOf(CaseTarget::Kind kind);  ///< the word of case.json: "plane"
 
 /// The schemas of resources/schemas, compiled in, so that checking a file depends on no other file.
 enum class SchemaName { caseManifest, pluginManifest };
