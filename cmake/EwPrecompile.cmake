@@ -2,7 +2,7 @@
 # not once for each source; with EW_PRECOMPILE alone. KIND says how the target is compiled as well, since a compiler takes headers only
 # from a target compiled the same way: library, commands and window as parts of libraries, test and window_test as programs.
 option(EW_PRECOMPILE "Precompile the headers that nearly every source includes, which shortens a whole build" OFF)
-set(EW_PRECOMPILED ${CMAKE_CURRENT_LIST_DIR}/precompiled)
+set(EW_PRECOMPILED ${CMAKE_CURRENT_LIST_DIR})
 
 function(ew_precompile target kind)
   if(NOT EW_PRECOMPILE)
@@ -11,9 +11,9 @@ function(ew_precompile target kind)
   set(owner ew_precompiled_${kind})
   if(NOT TARGET ${owner})
     if(kind MATCHES "test$")
-      add_executable(${owner} ${EW_PRECOMPILED}/nothing.cpp)
+      add_executable(${owner} ${EW_PRECOMPILED}/precompiled/nothing.cpp)
     else()
-      add_library(${owner} OBJECT ${EW_PRECOMPILED}/nothing.cpp)
+      add_library(${owner} OBJECT ${EW_PRECOMPILED}/precompiled/nothing.cpp)
     endif()
     target_link_libraries(${owner} PRIVATE glm::glm tl::expected nlohmann_json::nlohmann_json Threads::Threads ew::warnings ew::sanitizers)
     if(kind STREQUAL "commands")
@@ -31,7 +31,9 @@ function(ew_precompile target kind)
       ew_compile_quickly(${owner})
     endif()
     target_compile_options(${owner} PRIVATE -fpch-preprocess) # for ccache
-    target_precompile_headers(${owner} PRIVATE ${EW_PRECOMPILED}/${kind}.h)
+    # Named from an include folder and not by its whole path, so that two clones make the same file and ccache knows one from the other.
+    target_include_directories(${owner} PRIVATE ${EW_PRECOMPILED})
+    target_precompile_headers(${owner} PRIVATE <precompiled/${kind}.h>)
   endif()
   # With precompiled headers GCC 12 warns about the inside of std::string (its bug 105651); without, as the sanitizers' builds are, it does not.
   target_compile_options(${target} PRIVATE -fpch-preprocess -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow)
