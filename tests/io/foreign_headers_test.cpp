@@ -214,6 +214,21 @@ TEST(ForeignNrrd, AFirstAxisOfTimeHoldsVolumesWhateverTheirCount) {
   }
 }
 
+TEST(ForeignNrrd, ALastAxisOfTimeHoldsVolumesWithAndWithoutAPlaceInSpace) {
+  const TempFolder folder;
+  const std::string placed = "space: LPS\nspace directions: (0.5,0,0) (0,0.5,0) (0,0,0.5) none\n";
+  for (const std::string& geometry : {placed, std::string("spacings: 0.5 0.5 0.5 nan\n"), std::string()})
+    for (const char* last : {"time", "list"}) {
+      const std::string header = "dimension: 4\nsizes: 2 2 2 3\nkinds: space space space " + std::string(last) + "\n" + geometry;
+      const auto file = folder.put("t.nrrd", "NRRD0005\ntype: uchar\nencoding: raw\n" + header + "\n" + ramp(24));
+      EXPECT_EQ(isSequence(file), Result<bool>(false)) << header;
+      const auto second = readVolume(file, noProgress(), {}, {.timeStep = 2});
+      ASSERT_TRUE(succeeded(second)) << header;
+      EXPECT_EQ(second->timeSteps, 3u) << header;
+      EXPECT_EQ(second->volume.echo, (std::vector<std::uint8_t>{8, 9, 10, 11, 12, 13, 14, 15})) << header;
+    }
+}
+
 TEST(ForeignNrrd, FramesThatAreWovenIntoEachOtherAreNotDropped) {
   const TempFolder folder;
   const auto read = readSequence(folder.put("s.nrrd",

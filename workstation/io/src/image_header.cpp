@@ -76,7 +76,8 @@ bool describesSequence(const ImageHeader& header) {
       std::any_of(header.fields.begin(), header.fields.end(), [](const auto& field) { return frameKey(field.first).has_value(); });
   if (!header.kinds.empty()) {
     const std::string last = lowerCase(header.kinds.back());
-    if (last == "list" || last == "time") return hasFrames || !header.hasGeometry;
+    const bool ofVolumes = header.sizes.size() == 4 && header.sizes[2] > 1;
+    if (last == "list" || last == "time") return hasFrames || (!header.hasGeometry && !ofVolumes);
     const bool allInSpace = std::all_of(header.kinds.begin(), header.kinds.end(), [](const std::string& kind) {
       const std::string lower = lowerCase(kind);
       return lower == "domain" || lower == "space";
