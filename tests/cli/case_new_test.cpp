@@ -73,6 +73,38 @@ TEST(CaseNew, SaysWhenItKnowsNoPlaceForARegionAndForecastsTheLevelOnlyWhenItIsMa
   EXPECT_GT(forecast_mib[1], 1.5 * forecast_mib[0]);
 }
 
+TEST(CaseNew, TakesAStepOfAFileOfVolumesAndOneLengthOrThreeForItsVoxels) {
+  const TemporaryFolder folder;
+  writeText(folder / "beats.nrrd",
+            "NRRD0005\ntype: uint8\ndimension: 4\nsizes: 24 20 10 2\nkinds: space space space time\nencoding: raw\n\n" +
+                std::string(24 * 20 * 10, 'a') + std::string(24 * 20 * 10, 'b'));
+  const auto makes = [&](const std::string& to, const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"case", "new", folder / "beats.nrrd", "-o", folder / to, "--no-level"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  };
+  const auto unasked = makes("a", {});
+  EXPECT_EQ(unasked.status, 1);
+  EXPECT_NE(unasked.err.find("--time-step N"), std::string::npos) << unasked.err;
+  const auto unspaced = makes("a", {"--time-step", "2"});
+  EXPECT_EQ(unspaced.status, 1);
+  EXPECT_NE(unspaced.err.find("--spacing X[,Y,Z]"), std::string::npos) << unspaced.err;
+  for (const char* wrong : {"1,2", "0", "a", "1,1,-1"}) {
+    const auto refused = makes("a", {"--time-step", "2", "--spacing", wrong});
+    EXPECT_EQ(refused.status, 2) << wrong;
+    EXPECT_NE(refused.err.find("one length or 3"), std::string::npos) << refused.err;
+  }
+  ASSERT_EQ(makes("a", {"--time-step", "2", "--spacing", "1,1,2.5"}).status, 0);
+  const auto volume = readVolume(std::filesystem::path(folder / "a") / readJson(folder / "a/case.json")["volume"]["file"].get<std::string>());
+  ASSERT_TRUE(volume) << volume.error();
+  EXPECT_EQ(volume->volume.grid.spacing_mm, glm::dvec3(1.0, 1.0, 2.5));
+  EXPECT_EQ(volume->volume.echo.front(), 'b');
+  makeSweep(folder / "s.igs.mha");
+  const auto uneven = run({"case", "new", folder / "s.igs.mha", "-o", folder / "b", "--spacing", "1,1,2"});
+  EXPECT_EQ(uneven.status, 2);
+  EXPECT_NE(uneven.err.find("one --spacing along all axes"), std::string::npos) << uneven.err;
+}
+
 TEST(CaseNew, PutsItWhereItIsTold) {
   const TemporaryFolder folder;
   makeSweep(folder / "s.igs.mha");

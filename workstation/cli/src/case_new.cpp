@@ -10,6 +10,7 @@
 #include "ew/io/json_files.h"
 #include "ew/library/new_case.h"
 #include "ew/library/templates.h"
+#include "length_option.h"
 
 namespace ew::cli {
 namespace {
@@ -28,7 +29,7 @@ struct NewCaseArguments {
   std::string calibration;
   std::string attribution;
   std::string licence;
-  std::optional<double> spacing_mm;
+  std::string spacing_mm;
   std::optional<int> timeStep;
   std::string probeSide;
   std::optional<std::vector<double>> fan;    // left right (degrees), apex x y, start stop radius (pixels)
@@ -38,6 +39,8 @@ struct NewCaseArguments {
   bool takesWholeFrames = false;
   bool acceptsSmall = false;
 };
+
+constexpr double kFinestOfSweep_mm = 0.1, kCoarsestOfSweep_mm = 10.0;
 
 /// Rotations about x, then y, then z of the world, then the way.
 Transform<frame::World, frame::File> placeOf(const std::vector<double>& six) {
@@ -92,18 +95,33 @@ Clip clipOf(const std::vector<double>& six) {
   return clip;
 }
 
+Result<std::optional<glm::dvec3>> spacingGiven(const NewCaseArguments& arguments) {
+  if (arguments.spacing_mm.empty()) return std::optional<glm::dvec3>();
+  const auto given = lengthsGiven("--spacing", arguments.spacing_mm, 3);
+  if (!given) return passOn(given.error());
+  return std::optional(glm::dvec3((*given)[0], (*given)[1], (*given)[2]));
+}
+
 Result<CaseSource> sourceOf(const NewCaseArguments& arguments) {
   if (arguments.source.empty()) return CaseSource{};
   auto source = ew::sourceOf(arguments.source);
   if (!source) return source;
+  const auto given_mm = spacingGiven(arguments);
+  if (!given_mm) return passOn(given_mm.error());
+  const std::optional<glm::dvec3>& spacing_mm = *given_mm;
   if (auto* sweep = std::get_if<SweepFile>(&*source)) {
-    sweep->spacing_mm = arguments.spacing_mm;
+    if (spacing_mm &&
+        !(spacing_mm->x >= kFinestOfSweep_mm && spacing_mm->x <= kCoarsestOfSweep_mm && *spacing_mm == glm::dvec3(spacing_mm->x)))
+      return failure(ErrorCode::badUsage,
+                     say<"The volume of a recording has one --spacing along all axes, from %1 to %2 mm; not '%3'.">(
+                         numeral(rounded(kFinestOfSweep_mm, 1)), numeral(rounded(kCoarsestOfSweep_mm, 0)), arguments.spacing_mm));
+    if (spacing_mm) sweep->spacing_mm = spacing_mm->x;
     sweep->calibration = arguments.calibration;
     if (arguments.fan) sweep->clip = clipOf(*arguments.fan);
     sweep->looksForFan = !arguments.takesWholeFrames;
     sweep->acceptsSmall = arguments.acceptsSmall;
   } else if (auto* volume = std::get_if<VolumeFile>(&*source)) {
-    if (arguments.spacing_mm) volume->answers.spacing_mm = glm::dvec3(*arguments.spacing_mm);
+    volume->answers.spacing_mm = spacing_mm;
     volume->answers.acceptsSmall = arguments.acceptsSmall;
     volume->answers.timeStep = arguments.timeStep;
     volume->probeSide = volumeSideOf(arguments.probeSide);
@@ -188,7 +206,9 @@ Result<int> makeNew(const NewCaseArguments& arguments, Run& run) {
   if (!plan) return withOption(plan.error());
   run.remark(say<"Making the case needs about %1 MiB of memory and at most %2 MiB on disk.">(plan->bytes >> 20, plan->disk_bytes >> 20));
   run.report.options = {{"template", arguments.templateId}, {"region", arguments.region}, {"mannequin", arguments.mannequin}};
-  run.report.options["spacing_mm"] = arguments.spacing_mm ? nlohmann::json(*arguments.spacing_mm) : nlohmann::json();
+  const auto spacing_mm = spacingGiven(arguments);
+  if (!spacing_mm) return passOn(spacing_mm.error());
+  run.report.options["spacing_mm"] = *spacing_mm ? nlohmann::json{(*spacing_mm)->x, (*spacing_mm)->y, (*spacing_mm)->z} : nlohmann::json();
   const auto made = [&] {
     const StepClock clock(run.report, "make");
     return makeCase(*wanted, arguments.output, making);
@@ -225,8 +245,10 @@ void addCaseNew(CLI::App& group, Selection& selection) {
                 "Where the volume lies: mm, then degrees about x, then y, then z (where the region's probe usually stands)");
   app.add_option("--landmarks", arguments->landmarks, "Pairs of places in the volume and on the body, by which it is placed")
       ->type_name("JSON");
-  addNumber(app, "--spacing", arguments->spacing_mm, {0.1, 10.0},
-            "Size of a voxel in mm: of a recording as fine as its frames carry; of a volume that does not know its own");
+  app.add_option("--spacing", arguments->spacing_mm,
+                 "Size of a voxel in mm: of a recording one length (as fine as its frames carry); of a volume that does not know its own "
+                 "one length or three")
+      ->type_name("X[,Y,Z]");
   addNumberList(app, "--fan", arguments->fan, 6, "LEFT RIGHT X Y START STOP",
                 "Which part of a recording's pictures is image: angles (degrees from down), apex and radii of its fan (pixels; as its "
                 "device set says, else found in the pictures)");

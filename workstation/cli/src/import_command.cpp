@@ -8,6 +8,7 @@
 #include "ew/core/numbers.h"
 #include "ew/io/sequence.h"
 #include "ew/library/file_import.h"
+#include "length_option.h"
 
 namespace ew::cli {
 namespace {
@@ -32,19 +33,6 @@ struct ImportArguments {
   std::optional<double> rate_hz;
 };
 
-/// "0.5" or "0.5,0.5,1.2": `count` numbers above 0, or one for all.
-Result<std::vector<double>> lengths(const std::string& option, const std::string& text, std::size_t count) {
-  std::string spaced = text;
-  std::replace(spaced.begin(), spaced.end(), ',', ' ');
-  auto values = parseNumbers(spaced);
-  if (values && values->size() == 1) values->resize(count, values->front());
-  if (!values || values->size() != count ||
-      !std::all_of(values->begin(), values->end(), [](double value) { return value > 0.0 && value < 1e6; }))
-    return failure(ErrorCode::badUsage,
-                   say<"%1 takes one length or %2 with commas between them, in mm, above 0; not '%3'.">(option, count, text));
-  return *values;
-}
-
 Result<ImportAnswers> answersOf(const ImportArguments& arguments) {
   ImportAnswers answers;
   if (arguments.region == "all") {
@@ -56,12 +44,12 @@ Result<ImportAnswers> answersOf(const ImportArguments& arguments) {
     answers.region = static_cast<int>(number->front());
   }
   if (!arguments.pixel_mm.empty()) {
-    const auto values = lengths("--pixel-mm", arguments.pixel_mm, 2);
+    const auto values = lengthsGiven("--pixel-mm", arguments.pixel_mm, 2);
     if (!values) return passOn(values.error());
     answers.pixel_mm = glm::dvec2((*values)[0], (*values)[1]);
   }
   if (!arguments.spacing_mm.empty()) {
-    const auto values = lengths("--spacing", arguments.spacing_mm, 3);
+    const auto values = lengthsGiven("--spacing", arguments.spacing_mm, 3);
     if (!values) return passOn(values.error());
     answers.spacing_mm = glm::dvec3((*values)[0], (*values)[1], (*values)[2]);
   }
