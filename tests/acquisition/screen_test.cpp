@@ -15,6 +15,8 @@
 #include "ew/acquisition/screen_recording.h"
 #include "ew/io/clip_file.h"
 #include "ew/io/sequence.h"
+#include "io/files.h"
+#include "io/made_films.h"
 #include "recordings.h"
 
 namespace ew::test::screen_test {
@@ -375,6 +377,38 @@ TEST(ScreenRecording, AFilmBecomesACleanedSequence) {
     }
     tell(name, worst);
   }
+}
+
+TEST(ScreenRecording, AGuessedNumberOfFramesIsHeldAgainstNobody) {
+  const TempFolder folder;
+  FilmOf film;  // Matroska counts no frames; that there are 25 a second is said and is not so
+  film.level = [](int n, int x, int y) { return static_cast<std::uint8_t>(16 + (x + y + 40 * n) % 200); };
+  film.times_s.clear();
+  for (int n = 0; n < 20; ++n) film.times_s.push_back(5.0 * n);
+  writeFilm(folder / "slow.mkv", film);
+  const ScreenGeometry geometry{.width_px = 64, .height_px = 48};
+  const CleaningOptions options{.keepOutside = true};
+
+  auto opened = openScreen(folder / "slow.mkv");
+  ASSERT_TRUE(opened) << opened.error();
+  EXPECT_GT(opened->reader.info().frames, 2000u);
+  EXPECT_FALSE(opened->brokenOff) << opened->brokenOff->sentence();
+  EXPECT_EQ(opened->times_s.size(), 20u);
+  EXPECT_EQ(opened->found.frames, 20) << "all were looked at";
+  const KeptShare kept = keptOf(*opened, geometry, options);
+  EXPECT_EQ(kept.frames, 20u);
+  EXPECT_EQ(kept.framesOf, 20u);
+  const auto cleaned = writeCleaned(*opened, geometry, options, folder / "clean.igs.mha");
+  ASSERT_TRUE(cleaned) << cleaned.error();
+  EXPECT_EQ(cleaned->frames, 20u);
+
+  const std::string bytes = bytesOfFile(folder / "slow.mkv");
+  const auto half = openScreen(folder.put("half.mkv", bytes.substr(0, bytes.size() / 2)));
+  ASSERT_TRUE(half) << half.error();
+  ASSERT_TRUE(half->brokenOff);
+  const KeptShare ofHalf = keptOf(*half, geometry, options);
+  EXPECT_LT(ofHalf.frames, 15u);
+  EXPECT_NEAR(static_cast<double>(ofHalf.framesOf), 20.0, 1.0) << "those that were lost are counted too";
 }
 
 /// Pictures of one size, made by `draw` from their number.

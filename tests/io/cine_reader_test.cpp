@@ -164,6 +164,20 @@ TEST(CineReader, BrokenFilesAreOneSentence) {
   EXPECT_EQ(CineReader::open(folder / "none.mp4").error().code, ErrorCode::notFound);
 }
 
+TEST(CineReader, AFolderOfDicomStillsSaysWhatReadsIt) {
+  const TempFolder folder;
+  EXPECT_NE(CineReader::open(folder.path()).error().sentence().find("holds no pictures"), std::string::npos);
+  CineOf still;
+  still.frames = 1;
+  still.pixels = ramp(48);
+  static_cast<void>(folder.put("I0001", cineFile(still)));
+  const auto refused = CineReader::open(folder.path());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::unsupported);
+  EXPECT_NE(refused.error().sentence().find("is a folder of DICOM stills"), std::string::npos) << refused.error();
+  EXPECT_NE(refused.error().sentence().find("echoweave import"), std::string::npos) << refused.error();
+}
+
 TEST(CineReader, PagesOfATiffAreFrames) {
   const TempFolder folder;
   const std::string bytes = tiffOf(5, 16, 8);

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 
 #include "dicom_files.h"
 #include "ew/io/cine_reader.h"
@@ -250,6 +252,80 @@ TEST(Films, AFilmOfVaryingRateIsWholeWhenItsLastTimeIsReached) {
   EXPECT_NE(half->brokenOff()->sentence().find(std::to_string(given) + " frames"), std::string::npos) << half->brokenOff()->sentence();
 }
 
+/// Of a MOV whose pictures are of different lengths: one sample loses its bytes to the next.
+std::string withoutSample(std::string mov, std::size_t sample) {
+  const std::size_t table = mov.find("stsz") + 16;  // behind type, version, size and count
+  const auto lengthAt = [&](std::size_t n) {
+    std::uint32_t length = 0;
+    for (std::size_t at = table + 4 * n; at < table + 4 * n + 4; ++at) length = length << 8 | static_cast<std::uint8_t>(mov[at]);
+    return length;
+  };
+  const auto setLength = [&](std::size_t n, std::uint32_t length) {
+    for (std::size_t byte = 0; byte < 4; ++byte) mov[table + 4 * n + byte] = static_cast<char>(length >> (24 - 8 * byte) & 0xFF);
+  };
+  setLength(sample + 1, lengthAt(sample) + lengthAt(sample + 1));
+  setLength(sample, 0);
+  return mov;
+}
+
+TEST(Films, AFrameThatWasDroppedInRecordingIsNoDamage) {
+  const TempFolder folder;
+  FilmOf film{.codec = AV_CODEC_ID_PNG, .container = "mov"};
+  film.times_s.clear();
+  for (int n = 0; n < 10; ++n) film.times_s.push_back(0.04 * n);
+  film.level = [](int n, int x, int y) { return static_cast<std::uint8_t>(x < 4 * n ? x * y : 20 * n); };
+  writeFilm(folder / "film.mov", film);
+  constexpr std::size_t dropped = 4;
+  auto reader = CineReader::open(folder.put("gap.mov", withoutSample(bytesOfFile(folder / "film.mov"), dropped)));
+  ASSERT_TRUE(reader) << reader.error();
+  CineFrame frame;
+  for (std::size_t n = 0; n < film.times_s.size(); ++n) {
+    if (n == dropped) continue;
+    const auto got = reader->next(frame);
+    ASSERT_TRUE(got && *got) << n;
+    EXPECT_NEAR(frame.time_s, film.times_s[n], 1e-6);
+  }
+  EXPECT_FALSE(*reader->next(frame));
+  EXPECT_FALSE(reader->brokenOff()) << reader->brokenOff()->sentence();
+}
+
+TEST(Films, SayWhetherTheirFramesAreCounted) {
+  const TempFolder folder;
+  writeFilm(folder / "film.mkv", {});
+  writeFilm(folder / "film.mov", {.codec = AV_CODEC_ID_PNG, .container = "mov"});
+  for (const auto& [name, guessed] : {std::pair("film.mkv", true), std::pair("film.mov", false)}) {
+    const auto reader = CineReader::open(folder / name);
+    ASSERT_TRUE(reader) << reader.error();
+    EXPECT_EQ(reader->info().frames, 3u) << name;
+    EXPECT_EQ(reader->info().framesGuessed, guessed) << name;
+  }
+}
+
+TEST(Films, AnotherOneUnderTheSameNameIsNotReadOn) {
+  const TempFolder folder;
+  const fs::path file = folder / "film.mkv";
+  writeFilm(file, {});
+  const std::string bytes = bytesOfFile(file);
+  auto reader = CineReader::open(file);
+  const GreyImage picture = firstOf(reader);
+  FilmOf longer;
+  longer.times_s.push_back(1.0);
+  for (const FilmOf& other : {FilmOf{.width = 512, .height = 384}, FilmOf{.width = 32, .height = 24}, FilmOf{.aspect = {4, 3}}, longer}) {
+    writeFilm(file, other);
+    CineFrame frame;
+    const auto again = reader->rewind();
+    EXPECT_TRUE(failedWith(again, ErrorCode::notReadable) && says(again, "was changed while it was in use"));
+    EXPECT_TRUE(failedWith(reader->next(frame), ErrorCode::notReadable));
+  }
+  fs::remove(file);
+  CineFrame frame;
+  EXPECT_FALSE(reader->rewind());
+  EXPECT_TRUE(failedWith(reader->next(frame), ErrorCode::notReadable));
+  static_cast<void>(folder.put("film.mkv", bytes));
+  EXPECT_TRUE(succeeded(reader->rewind())) << "it is the one that was opened";
+  EXPECT_EQ(firstOf(reader), picture);
+}
+
 CineOf filmInDicom(const std::string& syntax, const std::string& film, int frames) {
   CineOf cine;
   cine.syntax = syntax;
@@ -286,6 +362,26 @@ TEST(FilmsInDicom, AreOpenedAsTheirTransferSyntaxSays) {
     }
     EXPECT_FALSE(*reader->next(frame));
     EXPECT_FALSE(reader->brokenOff()) << container << reader->brokenOff()->sentence();
+  }
+}
+
+TEST(FilmsInDicom, MoreFramesThanTheStreamCanHaveAreNotBelieved) {
+  const TempFolder folder;
+  writeFilm(folder / "film", {.codec = AV_CODEC_ID_MPEG2VIDEO, .container = "mpeg2video"});
+  const std::string stream = bytesOfFile(folder / "film");
+  for (const int stated : {static_cast<int>(stream.size()) + 2, (1 << 24) + 1, 999999999}) {
+    auto reader = CineReader::open(folder.put("film.dcm", cineFile(filmInDicom(kMpeg2, stream, stated))));
+    ASSERT_TRUE(reader) << reader.error();
+    EXPECT_EQ(reader->info().frames, 0u) << stated;
+    EXPECT_TRUE(contains(reader->info().notes, "more than its film can have"));
+    CineFrame frame;
+    for (int n = 0; n < 3; ++n) {
+      const auto got = reader->next(frame);
+      ASSERT_TRUE(got && *got) << n;
+      EXPECT_NEAR(frame.time_s, 0.04 * n, 1e-9);
+    }
+    EXPECT_FALSE(*reader->next(frame));
+    EXPECT_FALSE(reader->brokenOff()) << reader->brokenOff()->sentence();
   }
 }
 
@@ -366,6 +462,59 @@ TEST(Clips, PlayInBrowsersAndKeepOddSizes) {
   }
   if (canWrite(AV_CODEC_ID_H264)) {
     EXPECT_NE(bytesOfFile(folder / "odd.mp4").find("avc1"), std::string::npos) << "H.264, which browsers play";
+  }
+}
+
+/// No file grows beyond this while it lives, as on a full disk.
+class FullDisk {
+ public:
+  explicit FullDisk(std::uintmax_t most_bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &usual_);
+    rlimit tight = usual_;
+    tight.rlim_cur = most_bytes;
+    ::setrlimit(RLIMIT_FSIZE, &tight);
+  }
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &usual_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  rlimit usual_{};
+  void (*handler_)(int);
+};
+
+/// Ten pictures of noise.
+Result<void> writeNoise(const fs::path& file) {
+  auto clip = ClipWriter::open(file, 64, 48, 20.0);
+  if (!clip) return passOn(clip.error());
+  std::uint32_t random = 1;
+  for (int n = 0; n < 10; ++n) {
+    RgbImage picture(64, 48);
+    for (Rgb& pixel : picture.pixels) pixel = Rgb(static_cast<std::uint8_t>((random = random * 1664525u + 1013904223u) >> 24));
+    if (auto added = clip->add(picture); !added) return added;
+  }
+  return clip->finish();
+}
+
+TEST(Clips, ThatDoNotFitOnTheDiskAreNotReportedAsWritten) {
+  const TempFolder folder;
+  for (const char* name : {"film.mp4", "film.avi"}) {
+    ASSERT_TRUE(succeeded(writeNoise(folder / name)));
+    const std::uintmax_t whole_bytes = fs::file_size(folder / name);
+    for (const std::uintmax_t room_bytes : {whole_bytes - 1, whole_bytes - 60, whole_bytes / 2, whole_bytes / 10, std::uintmax_t{100}}) {
+      Result<void> written;
+      {
+        const FullDisk disk(room_bytes);
+        written = writeNoise(folder / name);
+      }
+      EXPECT_TRUE(failedWith(written, ErrorCode::notWritable) && says(written, name)) << room_bytes << " of " << whole_bytes;
+      if (written) continue;
+      EXPECT_EQ(written.error().sentence().find(": ;"), std::string::npos) << "a reason is given: " << written.error();
+    }
+    EXPECT_TRUE(succeeded(writeNoise(folder / name))) << "with room again";
   }
 }
 

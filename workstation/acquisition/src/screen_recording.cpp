@@ -23,6 +23,20 @@ glm::dvec2 faceOf(const FanOutline& outline) {
   return outline.apex_px + outline.near_px * glm::dvec2(std::sin(middle), std::cos(middle));
 }
 
+/// Frames of the recording, those that cannot be read with them. One that was read to its end has what it gave, whatever it promises; of
+/// one that broke off a guessed number is made anew, by the mean rate of what was read.
+std::uint64_t framesThere(const OpenedScreen& opened) {
+  const std::uint64_t given = opened.times_s.size();
+  if (!opened.brokenOff) return given;
+  const CineInfo& info = opened.reader.info();
+  const double read_s = opened.times_s.back();
+  if (!info.framesGuessed || !(read_s > 0.0) || !(info.rate_hz > 0.0)) return std::max(info.frames, given);
+  const double whole_s = static_cast<double>(info.frames) / info.rate_hz;
+  constexpr double kMost = 1e9;
+  const double steps = static_cast<double>(given - 1) * whole_s / read_s;
+  return std::max(given, 1 + static_cast<std::uint64_t>(std::round(std::min(steps, kMost))));
+}
+
 }  // namespace
 
 Result<OpenedScreen> openScreen(const std::filesystem::path& recording, const std::optional<FanOutline>& outline, Progress& progress,
@@ -34,7 +48,9 @@ Result<OpenedScreen> openScreen(const std::filesystem::path& recording, const st
   const CineInfo& info = opened.reader.info();
   ScreenStatistics statistics(info.width_px, info.height_px);
   const std::uint64_t promised = std::max<std::uint64_t>(info.frames, 1);
-  std::uint64_t every = std::max<std::uint64_t>(1, promised / static_cast<std::uint64_t>(std::max(mostFrames, 2)));
+  const bool isCounted = info.frames > 0 && !info.framesGuessed;
+  const auto most = static_cast<std::uint64_t>(std::max(mostFrames, 2));
+  std::uint64_t every = isCounted ? std::max<std::uint64_t>(1, promised / most) : 1;
   CineFrame frame;
   const Message what = say<"Looking at the frames">();
   while (true) {
@@ -43,8 +59,8 @@ Result<OpenedScreen> openScreen(const std::filesystem::path& recording, const st
     if (!*got) break;
     const std::uint64_t n = opened.times_s.size();
     opened.times_s.push_back(frame.time_s);
-    // A film that does not say how long it is: the later, the sparser.
-    if (info.frames == 0 && n >= 2 * every * static_cast<std::uint64_t>(mostFrames)) every *= 2;
+    // A film that does not say how many frames it has: the later, the sparser.
+    if (!isCounted && n >= 2 * every * most) every *= 2;
     if (n % every == 0) statistics.add(frame);
     if (n == 0 || n == promised / 2) opened.picture = frame.level;
     looking.report(what, std::min(1.0, static_cast<double>(n + 1) / static_cast<double>(promised)));
@@ -123,7 +139,7 @@ DeviceSet deviceSetOf(const ScreenGeometry& geometry, const PixelRect& kept) {
 
 KeptShare keptOf(const OpenedScreen& opened, const ScreenGeometry& geometry, const CleaningOptions& options) {
   const auto areaOf = [](std::uint64_t width, std::uint64_t height) { return width * height; };
-  KeptShare kept{.frames = opened.times_s.size(), .framesOf = std::max<std::uint64_t>(opened.reader.info().frames, opened.times_s.size())};
+  KeptShare kept{.frames = opened.times_s.size(), .framesOf = framesThere(opened)};
   kept.pixels = kept.pixelsOf = areaOf(static_cast<std::uint64_t>(geometry.width_px), static_cast<std::uint64_t>(geometry.height_px));
   if (!options.keepOutside && geometry.outline) {
     const PixelRect part = ScreenCleaner(geometry, options).kept();

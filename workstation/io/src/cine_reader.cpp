@@ -15,6 +15,7 @@
 #include "dicom_pixels.h"
 #include "ew/core/numbers.h"
 #include "ew/io/dicom.h"
+#include "ew/io/dicom_stack.h"
 #include "ew/io/image_stack.h"
 #include "ew/io/sequence.h"
 #include "grey_samples.h"
@@ -230,6 +231,18 @@ struct DicomFilmSource final : CineReader::Source {
   }
 };
 
+/// Number of Frames, where that can be: 0 when it is not stated, is more than is read of any DICOM file (pixelLayoutOf), or more than the
+/// stream has bytes. Nothing else holds the stream to what a data set says of it, and times take memory for every frame.
+std::uint64_t framesByDataSet(const DicomItem& data, const DicomElement& pixels, std::vector<Message>& notes) {
+  constexpr std::uint64_t kMost = 1u << 24;
+  const std::uint64_t frames = data.count(0x00280008u).value_or(0);
+  std::uint64_t stream_bytes = 0;
+  for (std::size_t n = 1; n < pixels.fragments.size(); ++n) stream_bytes += pixels.fragments[n].size();
+  if (frames <= std::min(kMost, stream_bytes)) return frames;
+  notes.push_back(say<"The file says that it has %1 frames, more than its film can have; those that are in it count.">(frames));
+  return 0;
+}
+
 OpenedSource openDicomFilm(const fs::path& file, const DicomFile& dicom, const ReadLimits& limits) {
   const DicomElement* const pixels = dicom.data.find(0x7FE00010u);
   if (pixels == nullptr || pixels->fragments.size() < 2)
@@ -261,7 +274,8 @@ OpenedSource openDicomFilm(const fs::path& file, const DicomFile& dicom, const R
   takeScale(dicom.data, source->info);
   if (source->info.scales.empty() && source->info.pixelAspect == 1.0) source->info.pixelAspect = ofStream;  // the data set says nothing
   // Streams without a container guess their length; the data set knows it.
-  source->info.frames = source->film->info.frames = dicom.data.count(0x00280008u).value_or(0);
+  source->info.frames = source->film->info.frames = framesByDataSet(dicom.data, *pixels, source->info.notes);
+  source->info.framesGuessed = false;
   source->times_s = frameTimes(dicom.data, source->info.frames, source->info.notes);
   source->info.timesKnown = source->info.timesKnown || !source->times_s.empty();
   return std::unique_ptr<CineReader::Source>(std::move(source));
@@ -359,6 +373,11 @@ struct PicturesSource final : CineReader::Source {
 
 OpenedSource openPictures(const fs::path& file) {
   auto files = stackFiles(file);
+  if (!files && files.error().code == ErrorCode::unsupported && !dicomFilesIn(file).empty())
+    return failure(ErrorCode::unsupported,
+                   say<"%1 is a folder of DICOM stills, which are not cleaned together; make a volume of them with echoweave import, or "
+                       "choose one of the files.">(quoted(file)),
+                   {{"file", file.string()}});
   if (!files) return passOn(files.error());
   auto source = std::make_unique<PicturesSource>();
   source->files = *std::move(files);

@@ -14,9 +14,14 @@ namespace fs = std::filesystem;
 
 tl::unexpected<Error> notWritten(const fs::path& file, const Message& reason) {
   return failure(ErrorCode::notWritable,
-                 say<"%1 could not be written: %2; check the folder and the free space, or write .avi.">(quoted(file), reason),
+                 hasEnding(file, ".avi")
+                     ? say<"%1 could not be written: %2; check the folder and the free space.">(quoted(file), reason)
+                     : say<"%1 could not be written: %2; check the folder and the free space, or write .avi.">(quoted(file), reason),
                  {{"file", file.string()}, {"reason", reason.english()}});
 }
+
+/// What a library said, or what is known without it.
+Message reasonOr(const Reason& why, Message otherwise) { return why.front() == '\0' ? std::move(otherwise) : verbatim(why.data()); }
 
 }  // namespace
 
@@ -49,7 +54,7 @@ Result<ClipWriter> ClipWriter::open(const fs::path& file, int width_px, int heig
   if (!videoModule()) return passOn(videoModule().error());
   Reason why{};
   EwClip* const clip = (*videoModule()->open)(file.c_str(), width_px, height_px, rate_hz, why.data(), why.size());
-  if (clip == nullptr) return notWritten(file, why.front() == '\0' ? say<"the film could not be begun">() : verbatim(why.data()));
+  if (clip == nullptr) return notWritten(file, reasonOr(why, say<"the film could not be begun">()));
   auto parts = std::make_unique<Parts>();
   parts->file = file;
   parts->width_px = width_px;
@@ -62,12 +67,17 @@ Result<void> ClipWriter::add(const RgbImage& image) {
   EW_EXPECTS(parts_->clip != nullptr && image.width == parts_->width_px && image.height == parts_->height_px);
   Reason why{};
   const auto* const bytes = reinterpret_cast<const unsigned char*>(image.pixels.data());
-  if (!(*videoModule()->add)(parts_->clip, bytes, why.data(), why.size())) return notWritten(parts_->file, verbatim(why.data()));
+  if (!(*videoModule()->add)(parts_->clip, bytes, why.data(), why.size()))
+    return notWritten(parts_->file, reasonOr(why, say<"a picture could not be added">()));
   return {};
 }
 
 Result<void> ClipWriter::finish() {
+  EW_EXPECTS(parts_->clip != nullptr);
+  Reason why{};
+  const bool isWhole = (*videoModule()->finish)(parts_->clip, why.data(), why.size());
   parts_->close();
+  if (!isWhole) return notWritten(parts_->file, reasonOr(why, say<"the end of the film is missing">()));
   std::error_code problem;
   const auto size = fs::file_size(parts_->file, problem);
   if (problem || size == 0) return notWritten(parts_->file, problem ? verbatim(problem.message()) : say<"it is empty">());

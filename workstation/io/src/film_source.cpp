@@ -26,6 +26,7 @@ struct FilmSource final : CineReader::Source {
   fs::path shown;
   FilmStream stream;
   EwFilm* film = nullptr;
+  EwFilmFacts said = {};  ///< with a pixelAspect that can be used
   double duration_s = 0.0, longestPause_s = 0.0, before_s = 0.0;
   std::vector<unsigned char> rgb;
 
@@ -55,9 +56,12 @@ struct FilmSource final : CineReader::Source {
               : say<"%1 is a film of which nothing can be read: its index is missing (the recording was not ended), it is "
                     "damaged, or its codec is not installed; record or export it again.">(quoted(shown)),
           {{"file", shown.string()}, {"reason", why.data()}});
+    facts.pixelAspect = usableAspect(facts.pixelAspect);
+    said = facts;
     info.width_px = facts.width_px;
     info.height_px = facts.height_px;
     info.frames = static_cast<std::uint64_t>(facts.frames);
+    info.framesGuessed = facts.framesAreGuess != 0;
     info.rate_hz = facts.rate_hz;
     duration_s = facts.duration_s;
     longestPause_s = before_s = 0.0;
@@ -65,7 +69,7 @@ struct FilmSource final : CineReader::Source {
     return {};
   }
   void takeShape(const EwFilmFacts& facts) {
-    info.pixelAspect = usableAspect(facts.pixelAspect);
+    info.pixelAspect = facts.pixelAspect;
     info.orientation = orientationOfTag(facts.orientationTag).value_or(Orientation{});
     const auto& matrix = facts.matrix;
     if (std::all_of(std::begin(matrix), std::end(matrix), [](double value) { return value == 0.0; })) return;
@@ -79,6 +83,7 @@ struct FilmSource final : CineReader::Source {
     brokenOff = Error{code, std::move(message), {{"file", shown.string()}, {"frames", std::to_string(given)}}};
   }
   Result<bool> read(CineFrame& frame, const Progress&) override {
+    if (film == nullptr) return changed();  // the last rewind failed
     double time_s = -1.0;
     Reason why{};
     const int got = (*videoModule()->nextOfFilm)(film, rgb.data(), &time_s, why.data(), why.size());
@@ -144,7 +149,21 @@ struct FilmSource final : CineReader::Source {
     // Some films give every frame the time 0.
     frame.time_s = info.kind != CineKind::pages && std::isfinite(time_s) && (time_s > 0.0 || given == 0) ? time_s : counted_s;
   }
-  Result<void> rewind() override { return begin(); }
+  tl::unexpected<Error> changed() const {
+    return failure(ErrorCode::notReadable, say<"%1 was changed while it was in use; open it again.">(quoted(shown)),
+                   {{"file", shown.string()}});
+  }
+  /// Buffers, and what was found in the pictures, were made for the film that was opened: another one under its name is none of theirs.
+  Result<void> rewind() override {
+    const EwFilmFacts opened = said;
+    const CineInfo before = info;
+    if (auto begun = begin(); !begun) return begun;
+    if (said == opened) return {};
+    close();
+    said = opened;
+    info = before;
+    return changed();
+  }
 };
 
 }  // namespace

@@ -17,6 +17,7 @@ Result<VideoModule> load() {
   if (module != nullptr) {
     video.open = reinterpret_cast<EwClipOpen*>(dlsym(module, "ewClipOpen"));
     video.add = reinterpret_cast<EwClipAdd*>(dlsym(module, "ewClipAdd"));
+    video.finish = reinterpret_cast<EwClipFinish*>(dlsym(module, "ewClipFinish"));
     video.close = reinterpret_cast<EwClipClose*>(dlsym(module, "ewClipClose"));
     video.openFilm = reinterpret_cast<EwFilmOpen*>(dlsym(module, "ewFilmOpen"));
     video.nextOfFilm = reinterpret_cast<EwFilmNext*>(dlsym(module, "ewFilmNext"));
@@ -26,9 +27,9 @@ Result<VideoModule> load() {
     video.nextOfLive = reinterpret_cast<EwLiveNext*>(dlsym(module, "ewLiveNext"));
     video.closeLive = reinterpret_cast<EwLiveClose*>(dlsym(module, "ewLiveClose"));
   }
-  if (video.open == nullptr || video.add == nullptr || video.close == nullptr || video.openFilm == nullptr || video.nextOfFilm == nullptr ||
-      video.faultsOfFilm == nullptr || video.closeFilm == nullptr || video.openLive == nullptr || video.nextOfLive == nullptr ||
-      video.closeLive == nullptr) {
+  if (video.open == nullptr || video.add == nullptr || video.finish == nullptr || video.close == nullptr || video.openFilm == nullptr ||
+      video.nextOfFilm == nullptr || video.faultsOfFilm == nullptr || video.closeFilm == nullptr || video.openLive == nullptr ||
+      video.nextOfLive == nullptr || video.closeLive == nullptr) {
     const char* const reason = dlerror();
     return failure(ErrorCode::unsupported,
                    say<"Films can be neither written nor read, because a part of the program is missing; install EchoWeave again.">(),

@@ -11,6 +11,7 @@ namespace ew::detail {
 struct VideoModule {
   EwClipOpen* open = nullptr;
   EwClipAdd* add = nullptr;
+  EwClipFinish* finish = nullptr;
   EwClipClose* close = nullptr;
   EwFilmOpen* openFilm = nullptr;
   EwFilmNext* nextOfFilm = nullptr;

@@ -11,7 +11,9 @@ using EwClip = struct EwClipParts;
 using EwClipOpen = EwClip*(const char* file, int width_px, int height_px, double rate_hz, char* why, std::size_t room);
 /// @param rgb width_px x height_px pixels of three bytes, row after row. @return whether it was written
 using EwClipAdd = bool(EwClip* clip, const unsigned char* rgb, char* why, std::size_t room);
-/// Ends the film and forgets it.
+/// Ends the film, to which nothing can be added any more. @return whether all of it is in its file
+using EwClipFinish = bool(EwClip* clip, char* why, std::size_t room);
+/// Forgets the film; one that was not finished is of no use.
 using EwClipClose = void(EwClip* clip);
 
 using EwFilm = struct EwFilmParts;
@@ -20,12 +22,14 @@ struct EwFilmFacts {
   int width_px;
   int height_px;
   double frames;       ///< as promised, or guessed from duration and rate; 0: it does not say
+  int framesAreGuess;  ///< from duration and rate: of a film of varying rate it may be far off
   double rate_hz;      ///< 0: it does not say
   double duration_s;   ///< as its header states; 0: it does not say
   double pixelAspect;  ///< how much wider than high a stored pixel is; 0: it does not say
   double matrix[4];    ///< x' = [0] x + [2] y, y' = [1] x + [3] y puts a stored picture upright; all 0: it does not say
   int orientationTag;  ///< of a TIFF, 1 to 8; 0: it does not say
   int isOtherCodec;    ///< it was not opened, because its codec is none of those that were named
+  bool operator==(const EwFilmFacts&) const = default;
 };
 enum EwFilmKind { ewFilmOfVideo, ewFilmOfPages };
 /// @param container of a video: the short name of the one FFmpeg demuxer that may open it; nothing but `file` is opened whatever stands in

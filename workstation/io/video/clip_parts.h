@@ -11,6 +11,8 @@ struct EwClipParts {
   EwClipParts& operator=(const EwClipParts&) = delete;
   virtual ~EwClipParts() = default;
   virtual bool add(const unsigned char* rgb, std::string& why) = 0;
+  /// Once, after the last picture. @return whether all of the film is in its file
+  virtual bool finish(std::string& why) = 0;
 };
 
 /// H.264 in an MP4, or MPEG-4 part 2 where the installed FFmpeg cannot write that. Null: it cannot be begun.

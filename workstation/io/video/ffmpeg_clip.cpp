@@ -7,6 +7,7 @@ extern "C" {
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "clip_parts.h"
 #include "ffmpeg_owners.h"
@@ -24,10 +25,7 @@ class Mp4 final : public EwClipParts {
  public:
   Mp4(int width_px, int height_px) : width_px_(width_px), height_px_(height_px) {}
   ~Mp4() override {
-    if (isBegun_) {
-      if (avcodec_send_frame(encoder_.get(), nullptr) >= 0) writeReady();
-      av_write_trailer(out_);
-    }
+    if (isBegun_) av_write_trailer(out_);  // of a film that was given up: it frees what the muxer holds
     sws_freeContext(toYuv_);
     if (out_ != nullptr) avio_closep(&out_->pb);
     avformat_free_context(out_);
@@ -60,9 +58,27 @@ class Mp4 final : public EwClipParts {
     }
     sws_scale(toYuv_, packed_->data, packed_->linesize, 0, packed_->height, yuv_->data, yuv_->linesize);
     yuv_->pts = count_++;
-    const int problem = avcodec_send_frame(encoder_.get(), yuv_.get());
+    int problem = avcodec_send_frame(encoder_.get(), yuv_.get());
+    if (problem >= 0) problem = writeReady();
     if (problem < 0) why = saidOf(problem);
-    return problem >= 0 && writeReady();
+    return problem >= 0;
+  }
+
+  /// What the encoder still holds, and the index, without which no player shows anything of the film.
+  bool finish(std::string& why) override {
+    if (!std::exchange(isBegun_, false)) return false;
+    int sent = avcodec_send_frame(encoder_.get(), nullptr);
+    if (sent >= 0) sent = writeReady();
+    const int ended = av_write_trailer(out_);  // whatever came before: it frees what the muxer holds
+    avio_flush(out_->pb);
+    const int written = out_->pb->error;
+    const int closed = avio_closep(&out_->pb);
+    for (const int problem : {sent, ended, written, closed}) {
+      if (problem >= 0) continue;
+      why = saidOf(problem);
+      return false;
+    }
+    return true;
   }
 
  private:
@@ -106,14 +122,17 @@ class Mp4 final : public EwClipParts {
                             SWS_BILINEAR | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INP, nullptr, nullptr, nullptr);
     return toYuv_ != nullptr;
   }
-  bool writeReady() {
-    while (avcodec_receive_packet(encoder_.get(), packet_.get()) >= 0) {
+  /// @return 0, or the number of FFmpeg's problem
+  int writeReady() {
+    while (true) {
+      const int got = avcodec_receive_packet(encoder_.get(), packet_.get());
+      if (got == AVERROR(EAGAIN) || got == AVERROR_EOF) return 0;
+      if (got < 0) return got;
       packet_->duration = packet_->duration > 0 ? packet_->duration : 1;
       av_packet_rescale_ts(packet_.get(), encoder_->time_base, stream_->time_base);
       packet_->stream_index = stream_->index;
-      if (av_interleaved_write_frame(out_, packet_.get()) < 0) return false;
+      if (const int written = av_interleaved_write_frame(out_, packet_.get()); written < 0) return written;
     }
-    return true;
   }
 
   int width_px_, height_px_;

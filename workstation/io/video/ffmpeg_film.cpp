@@ -187,7 +187,8 @@ class Video final : public EwFilmParts {
         return avcodec_send_packet(decoder_.get(), nullptr) >= 0;
       }
       noteReach();
-      const bool isOurs = packet_->stream_index == stream_->index;
+      // A frame that was dropped while the film was made has no bytes. To a decoder that is the end of all frames, or a fault.
+      const bool isOurs = packet_->stream_index == stream_->index && packet_->size > 0;
       const int sent = isOurs ? avcodec_send_packet(decoder_.get(), packet_.get()) : 0;
       av_packet_unref(packet_.get());
       if (isOurs && sent >= 0) return true;
@@ -222,8 +223,12 @@ class Video final : public EwFilmParts {
     // Of an AVI that was cut off FFmpeg shortens the duration to what is there; its header still counts all frames.
     if (std::strcmp(in_->iformat->name, "avi") == 0 && facts.rate_hz > 0.0 && counted < 1e9)
       facts.duration_s = std::max(facts.duration_s, counted / facts.rate_hz);
-    const double guessed = std::round(facts.duration_s * facts.rate_hz);
-    facts.frames = counted > 0.0 && counted < 1e9 ? counted : guessed < 1e9 ? guessed : 0.0;
+    const bool isCounted = counted > 0.0 && counted < 1e9;
+    // A rate that stands in for a mean one is as fine as the times of frames are written (1000 Hz), and counts nothing.
+    const double mean_hz = stream_->avg_frame_rate.num > 0 && stream_->avg_frame_rate.den > 0 ? facts.rate_hz : 0.0;
+    const double guessed = std::round(facts.duration_s * mean_hz);
+    facts.frames = isCounted ? counted : guessed < 1e9 ? guessed : 0.0;
+    facts.framesAreGuess = !isCounted && facts.frames > 0.0 ? 1 : 0;
   }
   void sayShape() {
     const AVRational aspect = av_guess_sample_aspect_ratio(in_, stream_, nullptr);

@@ -1,7 +1,11 @@
 #include "video_module.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <exception>
+#include <filesystem>
+#include <fstream>
 #include <opencv2/videoio.hpp>
 
 #include "clip_parts.h"
@@ -16,6 +20,7 @@ class Avi final : public EwClipParts {
  public:
   Avi(int width_px, int height_px) : width_px_(width_px), height_px_(height_px) {}
   bool open(const char* file, double rate_hz) {
+    file_ = file;
     const cv::Size size((width_px_ + 1) & ~1, (height_px_ + 1) & ~1);
     if (!writer_.open(file, cv::CAP_OPENCV_MJPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), rate_hz, size, true)) return false;
     writer_.set(cv::VIDEOWRITER_PROP_QUALITY, 95.0);
@@ -33,8 +38,20 @@ class Avi final : public EwClipParts {
     writer_.write(out);
     return true;
   }
+  /// OpenCV tells nobody that it could not write. The length in the file's beginning comes last, and not at all after something failed.
+  bool finish(std::string&) override {
+    writer_.release();
+    constexpr std::uintmax_t kBeforeLength_bytes = 8;
+    std::array<unsigned char, kBeforeLength_bytes> head{};
+    std::ifstream(file_, std::ios::binary).read(reinterpret_cast<char*>(head.data()), head.size());
+    std::uintmax_t length_bytes = 0;
+    for (std::size_t n = head.size(); n-- > 4;) length_bytes = length_bytes << 8 | head[n];
+    std::error_code ignored;
+    return length_bytes > 0 && std::filesystem::file_size(file_, ignored) == kBeforeLength_bytes + length_bytes;
+  }
 
  private:
+  std::filesystem::path file_;
   int width_px_, height_px_;
   cv::VideoWriter writer_;
   cv::Mat blueGreenRed_;
@@ -52,6 +69,7 @@ extern "C" {
 
 __attribute__((visibility("default"))) EwClipOpen ewClipOpen;
 __attribute__((visibility("default"))) EwClipAdd ewClipAdd;
+__attribute__((visibility("default"))) EwClipFinish ewClipFinish;
 __attribute__((visibility("default"))) EwClipClose ewClipClose;
 
 EwClip* ewClipOpen(const char* file, int width_px, int height_px, double rate_hz, char* why, std::size_t room) {
@@ -74,6 +92,18 @@ bool ewClipAdd(EwClip* clip, const unsigned char* rgb, char* why, std::size_t ro
     const bool isAdded = clip->add(rgb, reason);
     if (!isAdded && !reason.empty()) tell(reason.c_str(), why, room);
     return isAdded;
+  } catch (const std::exception& problem) {
+    tell(problem.what(), why, room);
+    return false;
+  }
+}
+
+bool ewClipFinish(EwClip* clip, char* why, std::size_t room) {
+  try {
+    std::string reason;
+    const bool isWhole = clip->finish(reason);
+    if (!isWhole && !reason.empty()) tell(reason.c_str(), why, room);
+    return isWhole;
   } catch (const std::exception& problem) {
     tell(problem.what(), why, room);
     return false;

@@ -43,7 +43,7 @@ struct OpenedScreen {
 /// to "Probe" with the origin in the middle of the probe's face.
 [[nodiscard]] DeviceSet deviceSetOf(const ScreenGeometry& geometry, const PixelRect& kept);
 
-/// How much of the recording is stored: pixels of the part that is cut out, and frames of those the file promises.
+/// How much of the recording is stored: pixels of the part that is cut out, and frames of all those that the recording has.
 [[nodiscard]] KeptShare keptOf(const OpenedScreen& opened, const ScreenGeometry& geometry, const CleaningOptions& options);
 
 struct CleanedScreen {

@@ -49,6 +49,7 @@ struct CineInfo {
   Orientation orientation = {};          ///< that the file states
   double pixelAspect = 1.0;              ///< how much wider than high the file says a stored pixel is
   std::uint64_t frames = 0;              ///< that the file promises or lets guess; 0: it does not say
+  bool framesGuessed = false;            ///< from duration and rate: of a film of varying rate `frames` may be far off
   double rate_hz = 0.0;                  ///< that the file promises; 0: it does not say
   bool timesKnown = false;               ///< false: frames are counted at rate_hz, or 25 a second
   std::vector<StatedScale> scales = {};  ///< calibrated parts: the B-mode regions of DICOM, or the whole by its Pixel Spacing
@@ -91,7 +92,7 @@ class CineReader {
   /// Why there were fewer frames than promised; empty while there is nothing to complain of.
   [[nodiscard]] const std::optional<Error>& brokenOff() const;
 
-  /// The next frame is the first again. @error as open()
+  /// The next frame is the first again. @error as open(); notReadable (a film that was changed since; then next() has no frame either)
   [[nodiscard]] Result<void> rewind();
 
   struct Source;  ///< of the implementation

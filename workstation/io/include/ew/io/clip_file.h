@@ -21,7 +21,8 @@ class ClipWriter {
 
   /// Expects an image of the size that was named. @error notWritable
   [[nodiscard]] Result<void> add(const RgbImage& image);
-  /// @error notWritable when the file is not there or is empty (the disk was full)
+  /// Writes the end of the film; nothing is added after it.
+  /// @error notWritable when not all of the film is in its file (the disk was full): no player may show anything of it
   [[nodiscard]] Result<void> finish();
 
  private:
