@@ -190,6 +190,26 @@ TEST(NiftiVolume, ComponentsOfVectorsAreNoStepsOfTime) {
   EXPECT_EQ(steps->timeSteps, 3u);
 }
 
+TEST(NiftiVolume, MoreComponentsThanCanBeCountedAreRefusedToo) {
+  const TempFolder folder;
+  std::string bytes(544, '\0');
+  const auto set = [&](std::size_t offset, const std::string& raw) { bytes.replace(offset, raw.size(), raw); };
+  set(0, bytesOf(std::vector<std::int32_t>{540}));
+  set(4, std::string("n+2\0\r\n\x1a\n", 8));
+  set(12, bytesOf(std::vector<std::int16_t>{2, 8}));
+  set(104, bytesOf(std::vector<double>{1, 0.5, 0.5, 2, 1, 1, 1, 1}));
+  set(168, bytesOf(std::vector<std::int64_t>{544}));
+  constexpr std::int64_t kMany = std::int64_t{1} << 40;
+  for (const auto& [fifth, others, said] :
+       {std::tuple(kMany, std::int64_t{1}, "1099511627776 components"), std::tuple(kMany, kMany, "more than 10^19 components"),
+        std::tuple(std::int64_t{1}, kMany, "more than 10^19 components")}) {
+    set(16, bytesOf(std::vector<std::int64_t>{7, 2, 2, 1, 1, fifth, others, others}));
+    const auto refused = readVolume(folder.put("a.nii", bytes + ramp(4)));
+    EXPECT_TRUE(failedWith(refused, ErrorCode::unsupported)) << said;
+    EXPECT_TRUE(says(refused, said));
+  }
+}
+
 TEST(NiftiVolume, ARangeThatIsToBeShownIsTold) {
   const TempFolder folder;
   Header1 header({2, 3, 2});

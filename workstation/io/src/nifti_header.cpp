@@ -271,15 +271,15 @@ constexpr std::array kNiftiFields{KnownField{"cal_min cal_max", FieldTouches::le
 
 /// The fifth axis holds the components of a vector or the like (the sixth and seventh what the file likes): no steps of time.
 Result<void> checkComponents(const Nifti& nifti, const ImageHeader& header) {
-  std::int64_t components = 1;
-  for (std::size_t axis = 5; axis <= static_cast<std::size_t>(nifti.dim[0]); ++axis)
-    components *= std::max<std::int64_t>(nifti.dim[axis], 1);
-  if (components <= 1) return {};
+  std::vector<std::uint64_t> lengths;
+  for (std::size_t axis = 4; axis < header.sizes.size(); ++axis) lengths.push_back(std::max<std::uint64_t>(header.sizes[axis], 1));
+  const auto components = productOf(lengths);  // empty: more than can be counted
+  if (components && *components <= 1) return {};
   return failure(
       ErrorCode::unsupported,
       say<"%1 has %2 components per sample (axis 5 and above, intent %3), as vectors of a motion have; they are no echo level and no time "
-          "steps: export the echo levels alone.">(quoted(header.file), components, nifti.intent),
-      {{"file", header.file.string()}, {"channels", std::to_string(components)}});
+          "steps: export the echo levels alone.">(quoted(header.file), countText(components), nifti.intent),
+      {{"file", header.file.string()}, {"channels", countText(components).english()}});
 }
 
 tl::unexpected<Error> notNifti(const fs::path& file) {
