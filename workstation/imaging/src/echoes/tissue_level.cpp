@@ -186,7 +186,8 @@ class Leveller {
     };
     const bool isEach = stride_ == glm::ivec3(1);
     if (!isEach)
-      for (std::size_t n = 0; n < mine.seen.size(); ++n) mine.seen[n] = mine.wideWeight[n] > 0.0F ? seenAt(n, mine) : -1.0F;
+      for (std::size_t n = 0; n < mine.seen.size(); ++n)  // what only the wide Gaussian reaches is too far to tell
+        mine.seen[n] = mine.wideWeight[n] > 0.0F && mine.narrowWeight[n] > 0.0F ? seenAt(n, mine) : -1.0F;
     std::size_t to = 0;
     for (int k = 0; k < size.z; ++k)
       for (int j = 0; j < size.y; ++j)
@@ -226,7 +227,7 @@ class Leveller {
 
   [[nodiscard]] static std::uint8_t levelOfSeen(float seen) { return static_cast<std::uint8_t>(std::lround(seen)); }
 
-  /// The level of a voxel that counts, 1 to 255.
+  /// The level of a voxel that counts, 1 to 255; both Gaussians reach some with data.
   [[nodiscard]] float seenAt(std::size_t n, const Scratch& mine) const {
     const float wide = mine.wideDecibels[n] / mine.wideWeight[n], narrow = mine.narrowDecibels[n] / mine.narrowWeight[n];
     // Speckle of this power has its decibels so far lower; where more of it was averaged the mean of the decibels tells.
