@@ -10,6 +10,7 @@
 #include <string>
 
 #include "ew/acquisition/sweep_geometry.h"
+#include "ew/acquisition/sweep_volume.h"
 #include "ew/io/volume_file.h"
 #include "recordings.h"
 
@@ -516,6 +517,21 @@ TEST_F(ImportSweep, AResultOfAlmostNothingIsAskedAbout) {
   const auto frames = importSweep(written(few), nearestAt(0.5, deviceSet("")), noProgress());
   ASSERT_FALSE(frames.has_value());
   EXPECT_NE(frames.error().sentence().find("Only 2 of the 30 frames"), std::string::npos) << frames.error();
+}
+
+TEST_F(ImportSweep, ASubvolumeOfAlmostNothingIsAskedAboutToo) {
+  const fs::path file = written(sweep());
+  SweepVolumeOptions options{.spacing_mm = 0.5, .calibration = deviceSet("ClipRectangleOrigin=\"3 3\" ClipRectangleSize=\"1 5\"")};
+  const auto opened = openSweepVolume(file, options, noProgress());
+  ASSERT_TRUE(opened.has_value()) << "what there is to ask can be shown first";
+  const auto asked = makeSweepVolume(*opened, noProgress());
+  ASSERT_FALSE(asked.has_value());
+  EXPECT_EQ(asked.error().code, ErrorCode::unsupported);
+  EXPECT_NE(asked.error().sentence().find("Only 6 % of the pixels"), std::string::npos) << asked.error();
+  options.acceptsSmall = true;
+  const auto accepted = openSweepVolume(file, options, noProgress());
+  ASSERT_TRUE(accepted.has_value()) << accepted.error();
+  EXPECT_TRUE(makeSweepVolume(*accepted, noProgress()).has_value());
 }
 
 TEST_F(ImportSweep, TheReferenceThatADeviceSetNamesBecomesTheWorld) {

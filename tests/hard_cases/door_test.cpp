@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "ew/io/sequence.h"
 #include "hard_cases/keeping_host.h"
 #include "library/temporary_folder.h"
 
@@ -49,6 +50,31 @@ void expectOneSentence(const std::vector<std::string>& told, const std::string& 
   EXPECT_NE(told[0].find("'Odd one'"), std::string::npos) << told[0];
   EXPECT_NE(told[0].find(why), std::string::npos) << told[0];
   EXPECT_TRUE(told[0].ends_with('.')) << told[0];
+}
+
+TEST(HardCasesDoor, ASweepOfAlmostNothingIsNoVolumeForAPlugin) {
+  const TemporaryFolder folder;
+  Sequence sweep;
+  sweep.width = sweep.height = 10;
+  sweep.orientation = "MF";
+  sweep.imageType = "BRIGHTNESS";
+  for (int n = 0; n < 30; ++n) {
+    SequenceFrame frame;
+    frame.time_s = 0.1 * n;
+    glm::dmat4 imageToReference(1.0);
+    imageToReference[3].z = n;
+    frame.transforms.push_back({"Image", "Reference", imageToReference, n < 2 ? PoseStatus::ok : PoseStatus::invalid});
+    sweep.frames.push_back(frame);
+  }
+  sweep.pixels.assign(3000, 9);
+  ASSERT_TRUE(writeSequence(sweep, folder / "few.igs.mha"));
+  HeadlessHost host;
+  EXPECT_TRUE(host.volumes().planSweep(folder / "few.igs.mha", {}, noProgress())) << "planning makes nothing";
+  const auto refused = host.volumes().reconstruct(folder / "few.igs.mha", {}, noProgress());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::unsupported);
+  EXPECT_NE(refused.error().sentence().find("Only 2 of the 30 frames"), std::string::npos) << refused.error();
+  EXPECT_NE(refused.error().sentence().find("reconstruct the sweep by itself"), std::string::npos) << refused.error();
 }
 
 TEST(HardCasesDoor, WhatAPluginRegisteredBeforeItFailedIsTakenBack) {

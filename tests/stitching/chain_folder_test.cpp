@@ -117,6 +117,28 @@ TEST(ChainFolder, MakesAgainWhatAMediumDamagedWithoutAChangeOfSize) {
   for (const std::string& step : stepFolders()) EXPECT_TRUE(folders.contains("steps/" + step)) << step << " keeps no file";
 }
 
+TEST(ChainFolder, ASweepOfAlmostNothingIsRefusedUntilItsEntryAcceptsIt) {
+  WorldWithASweep world;
+  auto& line = world.project.volumes[0];
+  line.calibration = world.folder / "a.xml";
+  test::writeText(line.calibration,
+                  "<PlusConfiguration version=\"2.1\"><VolumeReconstruction ClipRectangleOrigin=\"0 0\" "
+                  "ClipRectangleSize=\"2 31\"/></PlusConfiguration>");
+  const fs::path into = world.folder / "out";
+  ChainOptions options;
+  options.until = Step::reconstruct;
+  const auto refused = world.run(into, noProgress(), options);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::unsupported);
+  EXPECT_NE(refused.error().sentence().find("Only 8.3 % of the pixels"), std::string::npos) << refused.error();
+  EXPECT_NE(refused.error().sentence().find("\"accept_small\": true in the entry of 'a.mha'"), std::string::npos) << refused.error();
+  line.acceptsSmall = true;
+  const auto accepted = world.run(into, noProgress(), options);
+  EXPECT_TRUE(accepted) << accepted.error();
+  line.acceptsSmall = false;
+  EXPECT_FALSE(world.run(into, noProgress(), options)) << "taken back";
+}
+
 TEST(ChainFolder, FindsASeamInWhichTwoViewsWereExchangedAndMakesItAgain) {
   ChainWorld world;
   const fs::path into = world.folder / "out";

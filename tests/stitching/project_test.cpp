@@ -42,6 +42,7 @@ StitchProject fullProject() {
   sweep.file = "/elsewhere/b.igs.mha";
   sweep.calibration = "/data/set.xml";
   sweep.spacing_mm = 0.7;
+  sweep.acceptsSmall = true;
   sweep.placement = Placement::unknown;
   sweep.name = "b.igs.mha";
   ProjectVolume third;

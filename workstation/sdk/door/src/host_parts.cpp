@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ew/acquisition/sweep_volume.h"
+#include "ew/io/kept_share.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
 #include "ew/io/volume_stream.h"
@@ -13,7 +14,17 @@ namespace ew::door {
 namespace {
 
 SweepVolumeOptions optionsOf(const sdk::SweepOptions& asked) {
-  return {asked.spacing_mm, asked.calibration, asked.threads, asked.maxBytes};
+  return {.spacing_mm = asked.spacing_mm, .calibration = asked.calibration, .threads = asked.threads, .maxBytes = asked.maxBytes};
+}
+
+/// As checkKept, with what a person can do about it who is asked nothing here.
+Result<void> checkKeptOf(const OpenedSweep& opened) {
+  auto enough = checkKept(opened.plan.kept, opened.plan.acceptsSmall, opened.sweep);
+  if (enough) return {};
+  Error question = enough.error();
+  question.message =
+      say<"%1 To say so, reconstruct the sweep by itself, which asks about it, and choose its volume instead.">(question.message);
+  return passOn(std::move(question));
 }
 
 }  // namespace
@@ -56,6 +67,7 @@ Result<sdk::SweepVolume> FileVolumes::reconstruct(const std::filesystem::path& s
   PartOfProgress reading(progress, 0.0, 0.3), making(progress, 0.3, 1.0);
   auto opened = openSweepVolume(sweep, optionsOf(options), reading);
   if (!opened) return passOn(opened.error());
+  if (auto enough = checkKeptOf(*opened); !enough) return passOn(enough.error());
   auto made = makeSweepVolume(*opened, making);
   if (!made) return passOn(made.error());
   return sdk::SweepVolume{std::move(made->volume), std::move(made->confidence), made->beams, std::move(made->notes)};

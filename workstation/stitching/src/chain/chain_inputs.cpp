@@ -6,6 +6,7 @@
 #include "ew/acquisition/sweep_volume.h"
 #include "ew/core/message_json.h"
 #include "ew/core/quiet_progress.h"
+#include "ew/io/kept_share.h"
 #include "ew/io/safe_file.h"
 
 #include "chain/chain_json.h"
@@ -21,6 +22,17 @@ using nlohmann::ordered_json;
 
 /// Of a sweep's volume, in the store.
 constexpr std::array<const char*, 3> kSweepFiles = {"volume.mha", "coverage.mha", "confidence.mha"};
+
+/// As checkKept, with what a person can do about it here.
+Result<void> checkKeptOf(const OpenedSweep& opened, const std::string& name) {
+  auto enough = checkKept(opened.plan.kept, opened.plan.acceptsSmall, opened.sweep);
+  if (enough) return {};
+  Error question = enough.error();
+  question.message =
+      say<"%1 A stitch project says so with \"accept_small\": true in the entry of '%2'; or reconstruct the sweep by itself and take its "
+          "volume instead.">(question.message, name);
+  return passOn(std::move(question));
+}
 
 }  // namespace
 
@@ -45,6 +57,7 @@ Result<std::string> ChainInputs::keyOf(std::size_t v, Progress& progress) {
   const VolumeHeader& header = inputs_[v].header;
   ContentKey key = newKey("input", kInputFormat);
   key.add(header.sequence).add(asked.spacing_mm);
+  if (header.sequence && asked.acceptsSmall) key.add("accept_small");  // taken back it is asked about again
   std::vector<fs::path> files = header.files;
   for (const fs::path& beside : {asked.coverage, asked.confidence, asked.calibration}) {
     key.add(!beside.empty());
@@ -91,7 +104,11 @@ bool ChainInputs::isToBeMade(std::size_t v) const { return inputs_[v].header.seq
 
 SweepVolumeOptions ChainInputs::sweepOptions(std::size_t v) const {
   const ProjectVolume& asked = project_.volumes[v];
-  return {.spacing_mm = asked.spacing_mm, .calibration = asked.calibration, .threads = options_.threads, .maxBytes = options_.maxBytes};
+  return {.spacing_mm = asked.spacing_mm,
+          .calibration = asked.calibration,
+          .threads = options_.threads,
+          .maxBytes = options_.maxBytes,
+          .acceptsSmall = asked.acceptsSmall};
 }
 
 Result<void> ChainInputs::plan(std::size_t v, Progress& progress) {
@@ -107,6 +124,7 @@ Result<void> ChainInputs::make(std::size_t v, Progress& progress) {
   PartOfProgress reading(progress, 0.0, 0.25), making(progress, 0.25, 0.8), writing(progress, 0.8, 1.0);
   const auto opened = openSweepVolume(project_.volumes[v].file, sweepOptions(v), reading);
   if (!opened) return passOn(opened.error());
+  if (auto enough = checkKeptOf(*opened, project_.volumes[v].name); !enough) return enough;
   auto made = makeSweepVolume(*opened, making);
   if (!made) return passOn(made.error());
   const std::string& key = inputs_[v].key;

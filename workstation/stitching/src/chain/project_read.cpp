@@ -57,7 +57,7 @@ ProjectVolume volumeOf(const JsonFields& entry, int format, const fs::path& fold
   if (format == 1) {
     entry.only({"file", "coverage", "name", "to_world"});
   } else {
-    entry.only({"file", "coverage", "confidence", "calibration", "spacing_mm", "placement", "name", "to_world"});
+    entry.only({"file", "coverage", "confidence", "calibration", "spacing_mm", "accept_small", "placement", "name", "to_world"});
   }
   ProjectVolume volume;
   if (!entry.has("file")) entry.refuse("file", say<"the name of a volume or sweep file">());
@@ -68,6 +68,7 @@ ProjectVolume volumeOf(const JsonFields& entry, int format, const fs::path& fold
   volume.name = entry.text("name", "", 1, kLongestPath, say<"a name">());
   volume.spacing_mm =
       entry.number("spacing_mm", 0.0, 100.0, volume.spacing_mm, say<"a number up to 100, in mm, or 0 to choose it from the sweep">());
+  volume.acceptsSmall = entry.flag("accept_small", volume.acceptsSmall);
   volume.placement = wordOf(entry, "placement", kPlacements, Placement::tracker);
   if (const auto pose = poseOf<frame::World, frame::View>(entry, "to_world", folder)) volume.toWorld = *pose;
   return volume;

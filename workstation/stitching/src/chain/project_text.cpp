@@ -29,6 +29,7 @@ nlohmann::ordered_json entryOf(const ProjectVolume& volume, const fs::path& fold
   if (!volume.confidence.empty()) entry["confidence"] = relativeText(volume.confidence, folder);
   if (!volume.calibration.empty()) entry["calibration"] = relativeText(volume.calibration, folder);
   if (volume.spacing_mm != 0.0) entry["spacing_mm"] = volume.spacing_mm;
+  if (volume.acceptsSmall) entry["accept_small"] = true;
   entry["placement"] = nameOf(volume.placement);
   entry["to_world"] = rowsOf(volume.toWorld);
   return entry;

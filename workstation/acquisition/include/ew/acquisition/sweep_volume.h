@@ -29,10 +29,11 @@ struct SweepVolumeOptions {
   std::filesystem::path calibration;  ///< device set; empty: the recording says everything itself
   int threads = 0;
   std::uint64_t maxBytes = 16ull << 30;
+  bool acceptsSmall = false;  ///< a volume is made also when less than a tenth of pixels or frames is kept (KeptShare)
 };
 
 /// Opens a sweep to be made into a volume as defaultsFor (import.h) says.
-/// @error as openSweep; a volume over maxBytes is not an error here
+/// @error as openSweep; a volume over maxBytes, or of too little, is not an error here
 [[nodiscard]] Result<OpenedSweep> openSweepVolume(const std::filesystem::path& sweep, const SweepVolumeOptions& options,
                                                   Progress& progress);
 
@@ -41,7 +42,8 @@ struct SweepVolumeOptions {
 
 /// Reconstructs an opened sweep by its plan, the confidence of its frames the same way, so that it lies where the echoes do. The voxels do
 /// not depend on the number of threads.
-/// @error as reconstructOnto and confidenceOfFrames; tooLarge (sweepVolumeBytes above the plan's maxBytes); cancelled
+/// @error as reconstructOnto and confidenceOfFrames; unsupported (checkKept: too little is kept and nobody said yes); tooLarge
+/// (sweepVolumeBytes above the plan's maxBytes); cancelled
 [[nodiscard]] Result<SweepVolume> makeSweepVolume(const OpenedSweep& opened, Progress& progress);
 
 }  // namespace ew
