@@ -1,4 +1,6 @@
 #include <gtest/gtest.h>
+#include <sched.h>
+#include <sys/mount.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <atomic>
@@ -140,6 +142,114 @@ TEST(LoadCaseVolume, GoesOnWithARecipeWhereItWasStopped) {
   ASSERT_TRUE(atOnce);
   EXPECT_EQ(wentOn->volume.echo, atOnce->volume.echo);
   EXPECT_EQ(wentOn->labels->echo, atOnce->labels->echo);
+}
+
+/// Sees what becomes of a folder while a case is prepared.
+class Watched final : public Progress {
+ public:
+  explicit Watched(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  void report(const Message&, double) override {}
+  [[nodiscard]] bool cancelRequested() const override {
+    std::error_code gone;
+    std::filesystem::recursive_directory_iterator at(folder_, gone);
+    for (; !gone && at != std::filesystem::recursive_directory_iterator(); at.increment(gone)) {
+      isUsed_ = true;
+      std::error_code removed;
+      const std::uintmax_t bytes = isPieces(at->path()) ? at->file_size(removed) : 0;
+      if (!removed && bytes > pieces_bytes_) pieces_bytes_ = bytes;
+    }
+    return false;
+  }
+  [[nodiscard]] bool isUsed() const { return isUsed_; }
+  [[nodiscard]] std::uintmax_t pieces_bytes() const { return pieces_bytes_; }
+
+ private:
+  std::filesystem::path folder_;
+  mutable std::atomic<bool> isUsed_{false};
+  mutable std::atomic<std::uintmax_t> pieces_bytes_{0};
+};
+
+TEST(LoadCaseVolume, OfARecipeThatCannotBeKeptIsPaintedOnceAndOpensAllTheSame) {
+  const TemporaryFolder folder;
+  const Case made = coarseCase(folder / "case");
+  std::filesystem::create_directories(folder / "temporary");
+  const EnvironmentValue temporary("TMPDIR", folder / "temporary");
+  const EnvironmentValue cache("ECHOWEAVE_CACHE", folder / "cache");
+  writeText(folder / "cache/steps/maps", "where the folder of the maps would have to be");
+  Watched aside(folder / "temporary");
+  const auto echo = loadCaseVolume(made, aside);
+  ASSERT_TRUE(echo) << echo.error();
+  EXPECT_FALSE(aside.isUsed()) << "it was painted again in a folder of its own";
+  ASSERT_EQ(echo->notes.size(), 1u);
+  EXPECT_NE(echo->notes[0].english().find("ECHOWEAVE_CACHE"), std::string::npos) << echo->notes[0];
+  const auto files = filesIn(folder / "cache");
+  EXPECT_TRUE(std::none_of(files.begin(), files.end(), isPieces)) << "they would take the room of the next start";
+  const EnvironmentValue other("ECHOWEAVE_CACHE", folder / "other");
+  const auto kept = loadCaseVolume(made, noProgress());
+  ASSERT_TRUE(kept) << kept.error();
+  EXPECT_EQ(echo->volume, kept->volume);
+  EXPECT_EQ(*echo->tissue, *kept->tissue);
+}
+
+TEST(LoadCaseVolume, OfARecipeWithoutACacheKeepsNoPieces) {
+  const TemporaryFolder folder;
+  const Case made = coarseCase(folder / "case");
+  std::filesystem::create_directories(folder / "temporary");
+  const EnvironmentValue temporary("TMPDIR", folder / "temporary");
+  writeText(folder / "file", "where the cache would have to be");
+  const EnvironmentValue cache("ECHOWEAVE_CACHE", folder / "file");
+  Watched aside(folder / "temporary");
+  const auto echo = loadCaseVolume(made, aside);
+  ASSERT_TRUE(echo) << echo.error();
+  EXPECT_EQ(echo->notes.size(), 1u);
+  EXPECT_TRUE(aside.isUsed());
+  EXPECT_EQ(aside.pieces_bytes(), 0u) << "nobody would go on with them";
+}
+
+/// Mounts a medium of so many bytes that this process alone sees. @return false where nobody may
+bool mountMedium(const std::filesystem::path& at, std::uintmax_t bytes) {
+  const auto user = ::geteuid();
+  const auto group = ::getegid();
+  if (::unshare(CLONE_NEWNS) != 0) {
+    if (::unshare(CLONE_NEWNS | CLONE_NEWUSER) != 0) return false;
+    std::ofstream("/proc/self/setgroups") << "deny";
+    std::ofstream("/proc/self/uid_map") << "0 " << user << " 1";
+    std::ofstream("/proc/self/gid_map") << "0 " << group << " 1";
+  }
+  return ::mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
+         ::mount("tmpfs", at.c_str(), "tmpfs", 0, ("size=" + std::to_string(bytes)).c_str()) == 0;
+}
+
+TEST(LoadCaseVolume, OfARecipeIsKeptWhereThereIsRoomForItOnce) {
+  const TemporaryFolder folder;
+  Case made = coarseCase(folder / "case");
+  made.volume.recipeSpacing_mm = 6.0;
+  std::uintmax_t bytes = 0;
+  {
+    const EnvironmentValue cache("ECHOWEAVE_CACHE", folder / "cache");
+    Watched watched(folder / "cache");
+    ASSERT_TRUE(loadCaseVolume(made, watched));
+    constexpr std::uintmax_t kPage = 4096;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "cache"))
+      if (entry.is_regular_file()) bytes += (entry.file_size() + kPage - 1) / kPage * kPage;
+    ASSERT_GT(watched.pieces_bytes(), 256u << 10) << "else there is nothing to be seen here";
+    bytes += watched.pieces_bytes() / 2;
+  }
+  std::filesystem::create_directories(folder / "medium");
+  const EnvironmentValue cache("ECHOWEAVE_CACHE", folder / "medium");
+  constexpr int kKept = 0, kNot = 1, kNoMedium = 77;
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    if (!mountMedium(folder / "medium", bytes)) ::_exit(kNoMedium);
+    const auto echo = loadCaseVolume(made, noProgress());
+    ::_exit(echo && echo->notes.empty() && !caseNeedsPreparation(made) ? kKept : kNot);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFEXITED(status));
+  if (WEXITSTATUS(status) == kNoMedium) GTEST_SKIP() << "no medium can be mounted here";
+  EXPECT_EQ(WEXITSTATUS(status), kKept);
 }
 
 TEST(LoadCaseVolume, GivesWithARecipeTheTissueOfEveryVoxel) {

@@ -98,6 +98,30 @@ TEST(ImportFile, VolumesWovenIntoEachOtherAndUnknownUnitsAreAskedAbout) {
   EXPECT_TRUE(says(odd, "\"cubit\""));
 }
 
+TEST(VolumeOf, AsksForTheSpacingByTheCauseThatImportingNames) {
+  const TempFolder folder;
+  const std::string meta = "ObjectType = Image\nNDims = 3\nDimSize = 2 2 1\n", data = "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n";
+  for (const auto& [file, cause] :
+       {std::pair(folder.put("u.nrrd",
+                             "NRRD0005\ntype: uchar\nencoding: raw\ndimension: 3\nsizes: 2 2 1\nspace: LPS\n"
+                             "space units: \"cubit\" \"cubit\" \"cubit\"\nspace directions: (2,0,0) (0,2,0) (0,0,2)\n\n" +
+                                 ramp(4)),
+                  "\"cubit\""),
+        std::pair(folder.put("u.mha", meta + "ElementSpacing = 2 2 2\nDistanceUnits = cubit\n" + data + ramp(4)), "\"cubit\""),
+        std::pair(folder.put("v.mha", meta + data + ramp(4)), "says 1 x 1 x 1 mm")}) {
+    const auto looked = volumeOf(file, {});
+    ASSERT_FALSE(looked.has_value()) << file;
+    EXPECT_EQ(askedFor(looked.error()), "spacing");
+    EXPECT_TRUE(says(looked, cause));
+    const auto imported = importFile(file, {});
+    ASSERT_FALSE(imported.has_value()) << file;
+    EXPECT_EQ(looked.error().sentence(), imported.error().sentence());
+    ImportAnswers answers;
+    answers.spacing_mm = glm::dvec3(0.5);
+    EXPECT_TRUE(succeeded(volumeOf(file, answers))) << file;
+  }
+}
+
 TEST(ImportFile, AnswersAreTakenAsGivenAndToldInTheNotes) {
   const TempFolder folder;
   ImportAnswers answers;

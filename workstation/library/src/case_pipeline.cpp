@@ -49,16 +49,22 @@ class MonotonicProgress final : public Progress {
 };
 
 constexpr const char* kJoins = "joins";  ///< of the cache: a folder for each chain that is at work
+Message notKept(const Error& error) {
+  return say<"The prepared volume could not be kept for the next start; set ECHOWEAVE_CACHE to a folder you may write to. %1">(
+      error.message);
+}
 Message waiting() { return say<"Waiting for another EchoWeave that prepares the same case">(); }
 
 /// One case's way from recipe to volume.
 class Preparation {
  public:
+  enum class Home { cache, passing };  ///< passing: gone with all that is in it once the case is prepared
   /// @param store shared, of `home`: the cache, or a folder of its own when that cannot be written
-  Preparation(const Case& opened, const CasePlan& plan, fs::path home, const StepStore& store, const PreparationOptions& options,
+  Preparation(const Case& opened, const CasePlan& plan, Home kind, fs::path home, const StepStore& store, const PreparationOptions& options,
               Progress& progress, std::vector<Message>& notes)
       : case_(opened),
         plan_(plan),
+        isPassing_(kind == Home::passing),
         home_(std::move(home)),
         store_(store),
         options_(options),
@@ -124,7 +130,7 @@ class Preparation {
   Result<Prepared> voxelised() {
     auto patient = patientOf();
     if (!patient) return passOn(patient.error());
-    if (auto kept = keepMotion(); !kept) return passOn(kept.error());
+    if (auto moves = makeMotion(); !moves) return passOn(moves.error());
     // What was there before motion was kept beside it is not made anew.
     if (auto there = readPrepared(plan_, store_, silent_)) return there;
     begin(PreparationStep::voxelise, say<"Building the virtual patient">());
@@ -132,16 +138,18 @@ class Preparation {
     double painted = 1.0;
     const fs::path folder = home_ / kJoins / plan_.volume;  // of what is painted so far; gone when the volume is kept
     auto voxels = [&] {
-      KeptPieces pieces(folder / "pieces", [&](double share) {
-        painted = 1.0 - share;
-        clock_.goOn(share);
-      });
+      std::optional<KeptPieces> pieces;
+      if (!isPassing_)  // nobody would go on with them
+        pieces.emplace(folder / "pieces", [&](double share) {
+          painted = 1.0 - share;
+          clock_.goOn(share);
+        });
       return voxelise(**patient,
                       {.spacing_mm = case_.volume.recipeSpacing_mm,
                        .threads = options_.threads,
                        .maxBytes = options_.maxBytes,
                        .maps = true,
-                       .pieces = &pieces},
+                       .pieces = pieces ? &*pieces : nullptr},
                       most);
     }();
     if (!voxels) return passOn(voxels.error());
@@ -149,17 +157,37 @@ class Preparation {
     if (painted > 0.5) keepMachineSpeed(cacheFolder(), PreparationStep::voxelise, painted * voxeliseWork(case_), clock_.sinceBegin_s());
     Prepared made{std::move(voxels->volume), {}};
     made.labels = {made.volume.grid, std::move(voxels->labels), {}};
-    if (voxels->maps) {
-      made.maps = std::make_shared<TissueMaps>(std::move(*voxels->maps));
-      if (auto kept = keepMaps(store_, kMaps, plan_.maps, *made.maps); !kept) return passOn(kept.error());
-    }
+    if (voxels->maps) made.maps = std::make_shared<TissueMaps>(std::move(*voxels->maps));
     if (!plan_.motion.empty()) made.motion = std::move(motion_);
+    if (isPassing_) return made;
     PartOfProgress rest(clock_, 0.9, 1.0);
-    if (auto kept = keepPrepared(store_, kVolumes, plan_.volume, made, rest); !kept) return passOn(kept.error());
+    auto kept = keepVoxels(made, rest);
+    if (!kept && kept.error().code != ErrorCode::notWritable) return passOn(kept.error());
+    // All of it is in memory: where there is no room for it twice, the pieces make room for the whole.
     std::error_code ignored;
     fs::remove_all(folder, ignored);
+    if (!kept) kept = keepVoxels(made, rest);
+    if (!kept && kept.error().code != ErrorCode::notWritable) return passOn(kept.error());
+    if (!kept) {
+      removeParts();
+      notes_.push_back(notKept(kept.error()));
+    }
     keepTruth();
     return made;
+  }
+
+  Result<void> keepVoxels(const Prepared& made, Progress& progress) {
+    if (!plan_.motion.empty() && !isMotionKept_)
+      if (auto kept = keepMotion(store_, kMotions, plan_.motion, made.motion.get()); !kept) return kept;
+    if (made.maps)
+      if (auto kept = keepMaps(store_, kMaps, plan_.maps, *made.maps); !kept) return kept;
+    return keepPrepared(store_, kVolumes, plan_.volume, made, progress);
+  }
+
+  /// Of voxels that could not be kept as a whole: nobody reads them, and the medium is probably full.
+  void removeParts() {
+    store_.remove(kMaps, plan_.maps);
+    if (!store_.find(kVolumes, plan_.volume)) store_.remove(kVolumes, plan_.volume);
   }
 
   Result<PatientPtr> patientOf() {
@@ -173,12 +201,14 @@ class Preparation {
     return patient_;
   }
 
-  Result<void> keepMotion() {
+  /// Keeps it as well, if there is room now.
+  Result<void> makeMotion() {
     if (plan_.motion.empty()) return {};
     auto motion = tissueMotionOf(*patient_, options_.threads, silent_);
     if (!motion) return passOn(motion.error());
     motion_ = std::move(*motion);
-    return ew::keepMotion(store_, kMotions, plan_.motion, motion_.get());
+    isMotionKept_ = !isPassing_ && keepMotion(store_, kMotions, plan_.motion, motion_.get());
+    return {};
   }
 
   void keepTruth() {
@@ -224,6 +254,7 @@ class Preparation {
     import.reconstruct.fillReach_mm = asked.fillReach_mm.value_or(import.reconstruct.fillReach_mm);
     import.reconstruct.threads = options_.threads;
     import.reconstruct.maxBytes = options_.maxBytes;
+    import.acceptsSmall = true;  // recorded here a moment ago: there is nothing to misunderstand, and nobody to ask
     PartOfProgress reading(clock_, 0.0, 0.2), making(clock_, 0.2, 1.0);
     const auto opened = openSweep(fileOf(sweep, kImagesFile), import, reading);
     if (!opened) return passOn(opened.error());
@@ -362,6 +393,7 @@ class Preparation {
 
   const Case& case_;
   const CasePlan& plan_;
+  const bool isPassing_;
   const fs::path home_;
   const StepStore& store_;
   const PreparationOptions& options_;
@@ -370,6 +402,7 @@ class Preparation {
   QuietProgress silent_;
   PatientPtr patient_;
   std::shared_ptr<TissueMotion> motion_;
+  bool isMotionKept_ = false;
   bool isNamedFolderInTheWay_ = false;
 };
 
@@ -430,7 +463,7 @@ Result<Prepared> makePrepared(const Case& opened, const CasePlan& plan, const Pr
     }
     if (progress.cancelRequested()) return stopped();
     removeOld(*cache);
-    Preparation preparation(opened, plan, cacheFolder(), *cache, options, progress, notes);
+    Preparation preparation(opened, plan, Preparation::Home::cache, cacheFolder(), *cache, options, progress, notes);
     auto prepared = preparation.run();
     isNamedFolderInTheWay = preparation.isNamedFolderInTheWay();
     return prepared;
@@ -438,13 +471,12 @@ Result<Prepared> makePrepared(const Case& opened, const CasePlan& plan, const Pr
   if (made || made.error().code != ErrorCode::notWritable || isNamedFolderInTheWay) return made;
   // Without a cache the case still opens; it is only made anew next time, and the user is told why, once. The way leads through files all
   // the same, in a folder that nobody else can write to.
-  notes.push_back(say<"The prepared volume could not be kept for the next start; set ECHOWEAVE_CACHE to a folder you may write to. %1">(
-      made.error().message));
+  notes.push_back(notKept(made.error()));
   const auto aside = PrivateFolder::make();
   if (!aside) return made;
   const auto store = StepStore::share(aside->path(), preparationSteps());
   if (!store) return passOn(store.error());
-  return Preparation(opened, plan, aside->path(), *store, options, progress, notes).run();
+  return Preparation(opened, plan, Preparation::Home::passing, aside->path(), *store, options, progress, notes).run();
 }
 
 Result<Volume> makeLabels(const Case& opened, const CasePlan& plan, const PreparationOptions& options, Progress& progress) {

@@ -57,7 +57,9 @@ tl::unexpected<Error> askForStep(const fs::path& file, std::uint64_t steps) {
              say<"'%1' holds %2 volumes one after the other; choose one by its number, 1 to %2.">(file.filename(), steps), file);
 }
 
-tl::unexpected<Error> askForSpacing(const fs::path& file) {
+/// @param problem why the spacing is not known although the file states one; empty: it states none
+tl::unexpected<Error> askForSpacing(const fs::path& file, const Message& problem) {
+  if (!problem.empty()) return ask(ErrorCode::missingCalibration, "spacing", problem, file);
   return ask(ErrorCode::missingCalibration, "spacing",
              say<"'%1' says 1 x 1 x 1 mm without place or rotation, as converters write when they do not know; give the spacing in mm.">(
                  file.filename()),
@@ -80,8 +82,7 @@ Result<ImportedFile> fromVolume(const fs::path& file, const ImportAnswers& answe
     std::erase(made.notes, read->spacingProblem);
     made.notes.push_back(say<"The spacing was given and replaces that of the file; origin and directions are the file's.">());
   } else if (!read->spacingKnown) {
-    if (!read->spacingProblem.empty()) return ask(ErrorCode::missingCalibration, "spacing", read->spacingProblem, file);
-    return askForSpacing(file);
+    return askForSpacing(file, read->spacingProblem);
   } else {
     made.notes.push_back(say<"Spacing, origin and directions are the file's own, in LPS.">());
   }
@@ -248,7 +249,7 @@ Result<Grid> volumeOf(const fs::path& file, const ImportAnswers& answers) {
   const auto series = readVolumeSeries(file);
   if (!series) return passOn(series.error());
   if (series->volumes > 1 && !answers.timeStep) return askForStep(file, series->volumes);
-  if (!series->spacingKnown && !answers.spacing_mm) return askForSpacing(file);
+  if (!series->spacingKnown && !answers.spacing_mm) return askForSpacing(file, series->spacingProblem);
   Grid grid = series->grid;
   if (answers.spacing_mm) grid.spacing_mm = *answers.spacing_mm;
   if (auto usable = checkGrid(grid); !usable) return passOn(usable.error());
