@@ -244,6 +244,35 @@ TEST(Outbox, IsForItsOwnerAlone) {
   EXPECT_FALSE(fs::exists(folder / "outbox/.ew-private-Abc123")) << "left by a program that was ended";
 }
 
+TEST(Outbox, OfAnEarlierVersionIsClosedToOthersAndWhatElseLiesThereIsNot) {
+  const TemporaryFolder folder;
+  const auto loose = fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read | fs::perms::others_read;
+  const auto closed = fs::perms::owner_read | fs::perms::owner_write;
+  const auto modeOf = [](const fs::path& file) { return fs::status(file).permissions(); };
+  std::vector<fs::path> own = {folder / "outbox/.lock", folder / "outbox/9.9.9.dcm", folder / "outbox/9.9.9.json"};
+  {
+    auto outbox = Outbox::open(folder / "outbox");
+    ASSERT_TRUE(succeeded(outbox));
+    ASSERT_TRUE(outbox->add(writePicture(folder.path(), 1)).value());
+    own.push_back(outbox->copyOf(outbox->entries().front()));
+    own.push_back(fs::path(own.back()).replace_extension(".json"));
+  }
+  writeText(folder / "outbox/9.9.9.dcm", "cannot be read");
+  writeText(folder / "outbox/9.9.9.json", "nor can its note");
+  const std::vector<fs::path> others = {folder / "outbox/holiday.dcm", folder / "outbox/settings.json", folder / "outbox/1.2.3.txt",
+                                        folder / "elsewhere.dcm"};
+  for (const fs::path& file : others) writeText(file, "of somebody else");
+  fs::create_symlink(folder / "elsewhere.dcm", folder / "outbox/1.2.3.dcm");
+  for (const fs::path& file : own) fs::permissions(file, loose);
+  for (const fs::path& file : others) fs::permissions(file, loose);
+  fs::permissions(folder / "outbox", fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec);
+  const auto outbox = Outbox::open(folder / "outbox");
+  ASSERT_TRUE(succeeded(outbox));
+  EXPECT_EQ(outbox->entries().size(), 1u);
+  for (const fs::path& file : own) EXPECT_EQ(modeOf(file), closed) << file;
+  for (const fs::path& file : others) EXPECT_EQ(modeOf(file), loose) << file;
+}
+
 TEST(Sending, WithoutAnArchiveWaitsLongerEachTimeAndLosesNothing) {
   const TemporaryFolder folder;
   auto outbox = Outbox::open(folder / "outbox");

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -89,6 +90,16 @@ Result<OutboxEntry> readNote(const fs::path& file) {
   return entry;
 }
 
+/// Earlier versions left what they wrote open to others. Links and what another account owns stay as they are.
+void leaveToOwner(const fs::path& file) {
+  const int opened = ::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (opened < 0) return;
+  struct stat found {};
+  const bool isOwn = ::fstat(opened, &found) == 0 && S_ISREG(found.st_mode) && found.st_uid == ::geteuid();
+  if (isOwn && (found.st_mode & 077) != 0) ::fchmod(opened, 0600);
+  ::close(opened);
+}
+
 }  // namespace
 
 std::string_view wordOf(OutboxStatus status) {
@@ -141,12 +152,16 @@ Result<Outbox> Outbox::open(const fs::path& folder) {
   if (::flock(parts->lock, LOCK_EX | LOCK_NB) != 0)
     return failure(ErrorCode::notWritable,
                    say<"Another program is sending from the outbox %1; wait until it has finished.">(quoted(folder)));
+  leaveToOwner(folder / ".lock");
   std::map<std::string, OutboxEntry> entries;
   std::vector<fs::path> copies, left;
   for (const auto& each : fs::directory_iterator(folder, problem)) {
     if (each.path().filename().string().starts_with(kPrivateAside)) left.push_back(each.path());
-    if (each.path().extension() == ".dcm") copies.push_back(each.path());
-    if (each.path().extension() != ".json") continue;
+    const bool isCopy = each.path().extension() == ".dcm", isNote = each.path().extension() == ".json";
+    // The folder itself may be anybody's, and hold other things.
+    if ((isCopy || isNote) && isDicomUid(each.path().stem().string())) leaveToOwner(each.path());
+    if (isCopy) copies.push_back(each.path());
+    if (!isNote) continue;
     auto note = readNote(each.path());
     if (note)
       entries.emplace(note->object.instanceUid, std::move(*note));
