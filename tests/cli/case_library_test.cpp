@@ -6,6 +6,7 @@
 
 #include "cli/cli_world.h"
 #include "ew/io/volume_file.h"
+#include "ew/library/instructor_log.h"
 
 namespace ew::test::case_library_test {
 namespace {
@@ -138,6 +139,100 @@ TEST(CaseLibrary, OwnPublishedAndShippedCasesAreListedAndKnownByTheirIds) {
   const auto unknown = run({"case", "show", "nothing"});
   EXPECT_EQ(unknown.status, 1);
   EXPECT_NE(unknown.err.find("There is no case 'nothing'"), std::string::npos) << unknown.err;
+}
+
+TEST(CaseLibrary, AnIdMeansTheAuthorsOwnCaseBeforeThePublishedOne) {
+  const TemporaryFolder folder;
+  const EnvironmentValue library("ECHOWEAVE_LIBRARY", folder / "library");
+  makeCase(folder / "library/cases/knee", "knee");
+  ASSERT_EQ(run({"case", "publish", "knee"}).status, 0);
+  const auto same = run({"case", "publish", "knee"});
+  EXPECT_NE(same.out.find("Nothing has changed since"), std::string::npos) << same.out;
+  writeText(folder / "library/cases/knee/notes.txt", "edited");
+  const auto edited = run({"case", "publish", "knee"});
+  ASSERT_EQ(edited.status, 0) << edited.err;
+  EXPECT_NE(edited.out.find("Published knee, revision 2"), std::string::npos) << edited.out;
+  EXPECT_TRUE(fs::exists(folder / "library/published/knee/2/notes.txt"));
+
+  writeText(folder / "library/cases/knee/more.txt", "edited again");
+  const auto exported = run({"case", "export", "knee", "-o", folder / "own.ewcase"});
+  ASSERT_EQ(exported.status, 0) << exported.err;
+  EXPECT_NE(exported.out.find("Exported knee (4 files"), std::string::npos) << exported.out;
+  for (const char* part : {"your own case", "revision 2", "library/published/knee/2'"})
+    EXPECT_NE(exported.err.find(part), std::string::npos) << exported.err;
+  const auto revision = run({"case", "export", folder / "library/published/knee/2", "-o", folder / "published.ewcase"});
+  EXPECT_NE(revision.out.find("Exported knee, revision 2 (3 files"), std::string::npos) << revision.out;
+  EXPECT_EQ(revision.err.find("your own case"), std::string::npos) << revision.err;
+
+  writeText(folder / "library/cases/knee/case.json", "{");
+  const auto broken = run({"case", "publish", "knee"});
+  EXPECT_EQ(broken.status, 1) << broken.out << "it cannot be opened, which does not make it the published one";
+}
+
+TEST(CaseLibrary, WithdrawsAnOwnCaseByItsId) {
+  const TemporaryFolder folder;
+  const EnvironmentValue library("ECHOWEAVE_LIBRARY", folder / "library");
+  makeCase(folder / "library/cases/first try", "knee");
+  const auto taken = run({"case", "withdraw", "knee", "--report", folder / "r.json"});
+  ASSERT_EQ(taken.status, 0) << taken.err;
+  EXPECT_FALSE(fs::exists(folder / "library/cases/first try"));
+  const auto report = readJson(folder / "r.json");
+  EXPECT_EQ(report["case"]["id"], "knee");
+  EXPECT_TRUE(fs::exists(report["case"]["folder"].get<std::string>() + "/case.json"));
+  const auto log = readInstructorLog(folder / "library");
+  ASSERT_TRUE(log && log->changes.size() == 1);
+  EXPECT_EQ(log->changes[0].what, "case withdrawn");
+  EXPECT_EQ(log->changes[0].of, "knee");
+  EXPECT_EQ(run({"case", "withdraw", "knee"}).status, 1) << "there is none any more";
+  const auto shipped = run({"case", "withdraw", "liver-sweep-recorded"});
+  EXPECT_EQ(shipped.status, 2);
+  EXPECT_NE(shipped.err.find("comes with the program"), std::string::npos) << shipped.err;
+}
+
+TEST(CaseLibrary, WithdrawsAPublishedCaseByItsIdAndItComesBackAsItSays) {
+  const TemporaryFolder folder;
+  const EnvironmentValue library("ECHOWEAVE_LIBRARY", folder / "library");
+  makeCase(folder / "mine", "knee");
+  ASSERT_EQ(run({"case", "publish", folder / "mine"}).status, 0);
+  const auto taken = run({"case", "withdraw", "knee", "--report", folder / "r.json"});
+  ASSERT_EQ(taken.status, 0) << taken.err;
+  const auto log = readInstructorLog(folder / "library");
+  ASSERT_TRUE(log && log->changes.size() == 1) << "and not twice";
+  EXPECT_EQ(log->changes[0].of, "knee");
+  EXPECT_EQ(run({"case", "show", "knee"}).status, 1);
+  writeText(folder / "mine/notes.txt", "edited");
+  const auto again = run({"case", "publish", folder / "mine"});
+  EXPECT_NE(again.out.find("Published knee, revision 2"), std::string::npos) << again.out;
+  const auto verified = run({"case", "verify", "knee"});
+  EXPECT_EQ(verified.status, 0) << verified.out << verified.err;
+  EXPECT_EQ(verified.out.find("revision 1"), std::string::npos) << verified.out;
+  ASSERT_EQ(run({"case", "withdraw", folder / "library/published/knee/"}).status, 0);
+  EXPECT_EQ(readInstructorLog(folder / "library")->changes.back().of, "knee");
+
+  const auto report = readJson(folder / "r.json");
+  const std::string from = report["case"]["from"];
+  EXPECT_NE(taken.out.find("Moved back to " + from), std::string::npos) << taken.out;
+  ASSERT_FALSE(fs::exists(from)) << "else `mv` puts the case into it";
+  fs::rename(report["case"]["folder"].get<std::string>(), from);
+  EXPECT_EQ(run({"case", "show", "knee"}).status, 0);
+  EXPECT_EQ(run({"case", "verify", "knee"}).status, 0);
+}
+
+TEST(CaseLibrary, WithdrawsNeitherOfTwoCasesWithTheId) {
+  const TemporaryFolder folder;
+  const EnvironmentValue library("ECHOWEAVE_LIBRARY", folder / "library");
+  makeCase(folder / "library/cases/mine", "knee");
+  ASSERT_EQ(run({"case", "publish", "knee"}).status, 0);
+  const auto refused = run({"case", "withdraw", "knee"});
+  EXPECT_EQ(refused.status, 2);
+  for (const char* each : {"library/cases/mine", "library/published/knee"})
+    EXPECT_NE(refused.err.find("'" + (folder / each) + "'"), std::string::npos) << refused.err;
+  EXPECT_TRUE(fs::exists(folder / "library/cases/mine/case.json"));
+  EXPECT_TRUE(fs::exists(folder / "library/published/knee/1/case.json"));
+  EXPECT_EQ(run({"case", "withdraw", folder / "library/cases/mine/case.json"}).status, 0);
+  EXPECT_FALSE(fs::exists(folder / "library/cases/mine"));
+  EXPECT_EQ(run({"case", "withdraw", folder / "library/published/knee"}).status, 0);
+  EXPECT_FALSE(fs::exists(folder / "library/published/knee"));
 }
 
 TEST(CaseLibrary, WhatATitleHoldsCannotSteerTheTerminalNorPretendToBeALine) {

@@ -198,6 +198,21 @@ TEST(FindCase, TakesTheAuthorsOwnThenTheLatestPublishedThenTheShipped) {
   for (const char* none : {"", "..", "../own", "a/b"}) EXPECT_FALSE(findCase(none, folder.path())) << none;
 }
 
+TEST(OwnCases, AreThoseOfTheIdAndAFolderOfThatNameThatCannotBeOpened) {
+  const TemporaryFolder folder;
+  const fs::path own = folder / "cases";
+  makeTaughtCase(own / "other", "home", "Home");
+  makeTaughtCase(own / "elsewhere", "elsewhere", "Elsewhere");
+  EXPECT_EQ(ownCases("home", folder.path()), std::vector<fs::path>{own / "other"});
+  test::writeText(own / "home/case.json", "{");
+  EXPECT_EQ(ownCases("home", folder.path()), (std::vector<fs::path>{own / "other", own / "home"}));
+  makeTaughtCase(own / "home", "home", "Home");
+  EXPECT_EQ(ownCases("home", folder.path()), (std::vector<fs::path>{own / "home", own / "other"})) << "as findCase takes them";
+  makeTaughtCase(own / "home", "far", "Far");
+  EXPECT_EQ(ownCases("home", folder.path()), std::vector<fs::path>{own / "other"});
+  for (const char* none : {"", ".", "..", "../cases", "a/b", "nowhere"}) EXPECT_TRUE(ownCases(none, folder.path()).empty()) << none;
+}
+
 /// Works through lessons of three steps as fast as it can, and tells through the pipe how many steps and lessons have ended.
 [[noreturn]] void learnUntilKilled(const fs::path& root, int pipe) {
   for (unsigned n = 1;; ++n) {

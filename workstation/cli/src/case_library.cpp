@@ -9,6 +9,7 @@
 #include "ew/core/numbers.h"
 #include "ew/library/bundle.h"
 #include "ew/library/instructor_log.h"
+#include "ew/library/learning.h"
 #include "ew/library/preparation.h"
 #include "ew/library/publishing.h"
 #include "ew/library/sealed_answers.h"
@@ -37,11 +38,12 @@ bool isBundle(const fs::path& named) {
   return hasEnding(named, kBundleEnding) || (fs::is_regular_file(named, ignored) && named.filename() != "case.json");
 }
 
-/// The folder of a case: as findCase, but a case that cannot be opened has one, too, and so has the latest revision of an id.
+/// The folder of a case: as findCase, the author's own first, but a case that cannot be opened has one, too.
 Result<fs::path> folderOfCase(const std::string& caseOrId, Run& run) {
   std::error_code ignored;
   if (fs::is_directory(caseOrId, ignored)) return fs::path(caseOrId);
   if (fs::exists(caseOrId, ignored)) return fs::absolute(caseOrId, ignored).parent_path();
+  if (const auto own = ownCases(caseOrId, libraryFolder()); !own.empty()) return own.front();
   const auto taken = takenPublished(libraryFolder(), caseOrId);
   if (const auto published = latestPublished(libraryFolder(), caseOrId)) {
     if (taken.back().revision != published->revision)
@@ -52,6 +54,16 @@ Result<fs::path> folderOfCase(const std::string& caseOrId, Run& run) {
   const auto found = findCase(caseOrId);
   if (!found) return passOn(found.error());
   return found->folder;
+}
+
+/// Of an id that an author's own case and a published one share: which of them is exported, and how to export the other.
+void tellWhichIsExported(const std::string& caseOrId, const fs::path& folder, Run& run) {
+  std::error_code ignored;
+  if (fs::exists(caseOrId, ignored)) return;
+  const auto published = latestPublished(libraryFolder(), caseOrId);
+  if (!published || published->folder == folder) return;
+  run.remark(say<"'%1' means your own case in '%2'; to export revision %3, which is published, name its folder '%4'.">(
+      caseOrId, folder, published->revision, published->folder));
 }
 
 /// Every file of the case is read: no output may lie over one.
@@ -115,6 +127,7 @@ Result<int> exportCase(const LibraryArguments& arguments, Run& run) {
                    say<"--examination and --for go together: answers are sealed for somebody who can judge with them.">());
   const auto folder = folderOfCase(arguments.chosen, run);
   if (!folder) return passOn(folder.error());
+  tellWhichIsExported(arguments.chosen, *folder, run);
   if (auto kept = readsCase(*folder, run); !kept) return passOn(kept.error());
   if (auto announced = run.output(arguments.output, kBundleEnding); !announced) return passOn(announced.error());
   const fs::path to = run.outputs.staged(arguments.output);
@@ -311,7 +324,7 @@ Result<int> verify(const LibraryArguments& arguments, Run& run) {
 
 void addCaseLibrary(CLI::App& group, Selection& selection) {
   auto arguments = std::make_shared<LibraryArguments>();
-  constexpr const char* kCaseText = "A case folder, its case.json, or the id of a case: published, your own, or shipped";
+  constexpr const char* kCaseText = "A case folder, its case.json, or the id of a case: your own, else published, else shipped";
   constexpr const char* kLibraryText = "The library's folder (ECHOWEAVE_LIBRARY, else ~/EchoWeave)";
 
   auto& exported =

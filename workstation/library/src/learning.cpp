@@ -35,6 +35,11 @@ std::chrono::sys_seconds lastMoment(const Attempt& attempt) {
   return last;
 }
 
+/// Whether it is no more than a name, which leads out of no folder.
+bool isName(const std::string& id) { return !id.empty() && id.find('/') == std::string::npos && id != "." && id != ".."; }
+
+fs::path ownCasesOf(const fs::path& library) { return library == libraryFolder() ? ownCasesFolder() : library / "cases"; }
+
 /// The case of a folder of cases: by the folder's name, as nearly all are named, or by looking into each.
 std::optional<fs::path> caseIn(const fs::path& cases, const std::string& id) {
   if (const auto named = loadCase(cases / id); named && named->id == id) return named->folder;
@@ -141,10 +146,22 @@ CourseStanding standingIn(Course course, const Standings& standings, const fs::p
   return made;
 }
 
+std::vector<fs::path> ownCases(const std::string& id, const fs::path& library) {
+  std::vector<fs::path> found;
+  if (!isName(id)) return found;
+  const fs::path own = ownCasesOf(library);
+  const auto named = loadCase(own / id);
+  if (named && named->id == id) found.push_back(named->folder);
+  for (const Case& each : listCases(own).cases)
+    if (each.id == id && each.folder.filename() != id) found.push_back(each.folder);
+  std::error_code ignored;
+  if (!named && fs::exists(own / id / "case.json", ignored)) found.push_back(own / id);
+  return found;
+}
+
 std::optional<fs::path> findCase(const std::string& id, const fs::path& library) {
-  if (id.empty() || id.find('/') != std::string::npos || id == "..") return std::nullopt;
-  const fs::path own = library == libraryFolder() ? ownCasesFolder() : library / "cases";
-  if (auto found = caseIn(own, id)) return found;
+  if (!isName(id)) return std::nullopt;
+  if (auto found = caseIn(ownCasesOf(library), id)) return found;
   if (const auto published = latestPublished(library, id)) return published->folder;
   if (const auto shipped = shippedCasesFolder()) return caseIn(*shipped, id);
   return std::nullopt;

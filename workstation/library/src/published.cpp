@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <fstream>
 
 #include "ew/core/output_set.h"
 #include "ew/library/publishing.h"
@@ -22,6 +23,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kPublished = "published";
+constexpr const char* kNumbers = ".numbers";  // hidden, so that no list takes it for a case
+
+/// Numbers of revisions that were taken away: an empty file each, because a folder without files does not survive every copying.
+fs::path numbersFolder(const fs::path& library, const std::string& id) { return publishedFolder(library) / kNumbers / id; }
 
 /// The revisions of one case, for as long as it takes to look whether one is there and to give the next its number. A folder is locked, so
 /// that nothing is left behind; where the file system cannot, the second of two who look at once may make a revision of the same content.
@@ -56,6 +61,29 @@ std::vector<int> takenRevisions(const fs::path& folder) {
     if (const auto revision = numberOfRevision(at->path().filename().string())) taken.push_back(*revision);
   std::sort(taken.begin(), taken.end());
   return taken;
+}
+
+/// Every number that was given to a revision of the case, also of one that was taken away.
+std::vector<int> takenNumbers(const fs::path& library, const std::string& id) {
+  std::vector<int> taken = takenRevisions(publishedFolder(library) / id);
+  for (const int kept : takenRevisions(numbersFolder(library, id))) taken.push_back(kept);
+  std::sort(taken.begin(), taken.end());
+  return taken;
+}
+
+/// @error notWritable
+Result<void> keepNumbers(const fs::path& library, const std::string& id) {
+  const fs::path folder = numbersFolder(library, id);
+  std::error_code ignored;
+  for (const int revision : takenRevisions(publishedFolder(library) / id)) {
+    fs::create_directories(folder, ignored);
+    if (!std::ofstream(folder / std::to_string(revision), std::ios::app))
+      return failure(ErrorCode::notWritable,
+                     say<"The numbers of the revisions of '%1' cannot be kept in '%2', so nothing was changed; check that you may write "
+                         "there.">(id, folder),
+                     {{"file", folder.string()}});
+  }
+  return {};
 }
 
 /// The sums of a revision whose files are all there.
@@ -173,8 +201,12 @@ std::vector<PublishedCase> takenPublished(const fs::path& library, const std::st
   std::vector<PublishedCase> found;
   if (!isCaseId(id)) return found;
   const fs::path folder = publishedFolder(library) / id;
-  for (const int revision : takenRevisions(folder))
-    found.push_back({.id = id, .revision = revision, .folder = folder / std::to_string(revision)});
+  std::error_code ignored;
+  for (const int revision : takenRevisions(folder)) {
+    const fs::path place = folder / std::to_string(revision);
+    if (fs::is_empty(place, ignored)) continue;  // earlier programs kept the number of what was withdrawn in this way
+    found.push_back({.id = id, .revision = revision, .folder = place});
+  }
   return found;
 }
 
@@ -211,7 +243,7 @@ Result<PublishedCase> makeRevision(const fs::path& library, const std::string& i
   removeLeftovers(folder);
   constexpr int kAttempts = 5;
   for (int attempt = 1;; ++attempt) {
-    const auto taken = takenRevisions(folder);
+    const auto taken = takenNumbers(library, id);
     const bool isFree = wanted > 0 && !std::binary_search(taken.begin(), taken.end(), wanted);
     const int revision = isFree ? wanted : taken.empty() ? 1 : taken.back() + 1;
     const fs::path place = folder / std::to_string(revision);
@@ -229,6 +261,12 @@ Result<PublishedCase> makeRevision(const fs::path& library, const std::string& i
     std::error_code ignored;
     if (attempt == kAttempts || !fs::exists(place, ignored)) return passOn(committed.error());
   }
+}
+
+Result<void> takeRevisionsAway(const fs::path& library, const std::string& id, const std::function<Result<void>()>& move) {
+  const RevisionsLock lock(publishedFolder(library) / id);
+  if (auto kept = keepNumbers(library, id); !kept) return kept;
+  return move();
 }
 
 Result<PublishedCase> publishCase(const fs::path& caseFolder, const fs::path& library, Progress& progress) {

@@ -24,12 +24,19 @@ namespace ew {
 /// killed programs left. When somebody else took the revision's number meanwhile, it is made again with another one.
 /// @param there  whether it is there already; asked again under the lock under which the revision gets its number, so that of two who hand
 ///               on the same at once one makes a revision and the other finds it
-/// @param wanted its number; taken already, or 0: the one after the highest
+/// @param wanted its number; taken already, or 0: the one after the highest that was ever given
 /// @param fill   puts every file into a new folder
 /// @error notWritable, of `fill`, as loadCase; then everything is as it was before
 [[nodiscard]] Result<PublishedCase> makeRevision(const std::filesystem::path& library, const std::string& id, int wanted,
                                                  const std::vector<FileSum>& files,
                                                  const std::function<std::optional<PublishedCase>()>& there,
                                                  const std::function<Result<void>(const std::filesystem::path&)>& fill);
+
+/// Takes all revisions of a case away, under the lock under which a revision gets its number. Their numbers stay taken, whatever becomes of
+/// their folders: attempts name a revision, and must not find another content under it.
+/// @param move moves published/ID
+/// @error notWritable (then `move` was not called), of `move`
+[[nodiscard]] Result<void> takeRevisionsAway(const std::filesystem::path& library, const std::string& id,
+                                             const std::function<Result<void>()>& move);
 
 }  // namespace ew

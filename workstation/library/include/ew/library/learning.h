@@ -110,6 +110,9 @@ struct CourseStanding {
 [[nodiscard]] CourseStanding standingIn(Course course, const Standings& standings, const std::filesystem::path& library,
                                         const std::string& language);
 
+/// The author's own cases with this id, the one that findCase takes first; after them a folder of that name whose case cannot be opened,
+/// so that nobody knows its id.
+[[nodiscard]] std::vector<std::filesystem::path> ownCases(const std::string& id, const std::filesystem::path& library);
 /// The folder of a case by its id: the author's own, else the latest published revision, else the shipped one.
 [[nodiscard]] std::optional<std::filesystem::path> findCase(const std::string& id, const std::filesystem::path& library);
 

@@ -13,6 +13,7 @@ namespace ew {
 // A library is a folder:
 //   cases/FOLDER/                   the author's own cases, which are edited
 //   published/CASE-ID/REVISION/     copies that never change again, each with sums.json; trainees see the highest complete one
+//   published/.numbers/CASE-ID/     numbers of revisions that were withdrawn, an empty file each: no other revision gets them
 //   attempts/ATTEMPT-ID/            what trainees did (attempt.h)
 // Where it is: libraryFolder() (case.h).
 
@@ -44,7 +45,7 @@ struct PublishedCase {
 /// The complete revisions of a case, the lowest first. Complete: sums.json can be read, and every file it names is there with its size
 /// (verifyCase reads them, too).
 [[nodiscard]] std::vector<PublishedCase> publishedRevisions(const std::filesystem::path& library, const std::string& id);
-/// Every revision that has a number, the lowest first, also those that are no longer complete.
+/// Every revision that is there, the lowest first, also those that are no longer complete. An empty folder is none.
 [[nodiscard]] std::vector<PublishedCase> takenPublished(const std::filesystem::path& library, const std::string& id);
 /// The highest that is complete.
 [[nodiscard]] std::optional<PublishedCase> latestPublished(const std::filesystem::path& library, const std::string& id);
