@@ -113,13 +113,14 @@ class OneResult : public ::testing::Test {
     EXPECT_EQ(all.back()["timestamp"], "2026-11-26T09:31:40.000Z");
     EXPECT_EQ(all.front()["timestamp"], "2026-11-26T09:30:00.000Z");
   }
+  [[nodiscard]] std::string address() {
+    return "echoweave-cmi5:?endpoint=" + server_.endpoint() + "&fetch=http://127.0.0.1:" + std::to_string(server_.port()) +
+           "/fetch&actor=%7B%22account%22%3A%7B%22homePage%22%3A%22https%3A%2F%2Flms.example%2F%22%2C%22name%22%3A%22Anna%22%7D%7D"
+           "&registration=886313e1-3b8a-5372-9b90-0c9aee199e5d&activityId=https://lms.example/au/1";
+  }
   void expectOfLearningSystem(const fs::path& folder, const Expected& expected) {
-    const std::string address =
-        "echoweave-cmi5:?endpoint=" + server_.endpoint() + "&fetch=http://127.0.0.1:" + std::to_string(server_.port()) +
-        "/fetch&actor=%7B%22account%22%3A%7B%22homePage%22%3A%22https%3A%2F%2Flms.example%2F%22%2C%22name%22%3A%22Anna%22%7D%7D"
-        "&registration=886313e1-3b8a-5372-9b90-0c9aee199e5d&activityId=https://lms.example/au/1";
     std::string words;
-    said({"records", "launch", address, folder.string(), "--rounds", "1"}, &words);
+    said({"records", "launch", address(), folder.string(), "--rounds", "1"}, &words);
     const auto order = server_.order();
     ASSERT_GE(order.size(), 4u) << words;
     expectOfStatement(server_.stored(order[order.size() - 2]), expected);
@@ -209,6 +210,59 @@ TEST_F(OneResult, IsThatOfThePlanOnEverySurface) {
   expectOfWindow(folder, stricter);
 }
 
+TEST_F(OneResult, OfALessonThatIsNotInTheLibraryIsNeitherPassedNorFailed) {
+  const fs::path folder = attempt();
+  AssessmentPlan plan;
+  plan.caseId = "ball";
+  plan.lessonId = "about-balls";
+  plan.passLevel = 0.1;
+  ASSERT_TRUE(keepPlan(world_.library(), plan)) << "it would make a pass of anything";
+  fs::rename(world_.caseFolder(), outputs_ / "aside");
+  const AttemptResult unknown = AttemptResults(world_.library()).of(folder, KeptAttempt::open(folder)->attempt());
+  EXPECT_FALSE(unknown.isKnown);
+  EXPECT_FALSE(unknown.score());
+  EXPECT_FALSE(unknown.passed());
+  EXPECT_EQ(verdictWord(unknown).english(), "not scored yet");
+  const json all = said({"records", "add", folder.string(), "--dry-run", "--settings", (outputs_ / "settings").string(), "--no-keyring"});
+  EXPECT_EQ(all.back()["verb"]["display"]["en"], "completed");
+  std::string words;
+  said({"records", "launch", address(), folder.string(), "--rounds", "1"}, &words);
+  const auto order = server_.order();
+  ASSERT_EQ(order.size(), 3u) << words;
+  EXPECT_EQ(server_.stored(order[1])["verb"]["display"]["en"], "completed");
+  // With the case it is judged.
+  fs::rename(outputs_ / "aside", world_.caseFolder());
+  EXPECT_EQ(AttemptResults(world_.library()).of(folder, KeptAttempt::open(folder)->attempt()).passed(), true);
+}
+TEST_F(OneResult, IsThatOfThePlanAlsoWhereItsScoreCannotBeKept) {
+  const fs::path folder = attempt();
+  AssessmentPlan plan;
+  plan.caseId = "ball";
+  plan.lessonId = "about-balls";
+  plan.passLevel = 0.6;
+  plan.at("second").weight = 0.5;
+  ASSERT_TRUE(keepPlan(world_.library(), plan));
+  writeText(folder / "scores", "a file where the folder would be");
+  expectOfLearningSystem(folder, {(1.0 + 0.85 + 0.0) / 2.5, true, 2, 3});
+  EXPECT_EQ(textOf(folder / "scores"), "a file where the folder would be");
+}
+TEST_F(OneResult, OfAPlanThatCannotBeReadIsNotTold) {
+  const fs::path folder = attempt();
+  AssessmentPlan plan;
+  plan.caseId = "ball";
+  plan.lessonId = "about-balls";
+  plan.passLevel = 0.9;
+  ASSERT_TRUE(keepPlan(world_.library(), plan));
+  const fs::path file = planFolder(world_.library(), "ball", "about-balls") / "0001.json";
+  ASSERT_TRUE(fs::exists(file));
+  writeText(file, "{ damaged");
+  std::ostringstream out, err;
+  const std::vector<std::string> shown = {
+      "records", "add", folder.string(), "--dry-run", "--settings", (outputs_ / "settings").string(), "--no-keyring"};
+  EXPECT_EQ(cli::runCommand(shown, out, err), 1);
+  EXPECT_EQ(out.str(), "[]\n");
+  EXPECT_NE(err.str().find("0001.json"), std::string::npos) << err.str();
+}
 TEST_F(OneResult, OfAnAttemptThatWentOnAfterItWasScoredIsOfItsEnd) {
   const fs::path folder = attempt();
   std::string words;

@@ -4,6 +4,7 @@
 #include "cli/cli_world.h"
 #include "ew/library/attempt.h"
 #include "ew/library/case.h"
+#include "ew/library/lesson.h"
 #include "places.h"
 #include "records/record_server.h"
 #include "records/record_world.h"
@@ -125,6 +126,11 @@ TEST_F(RecordsCommand, TellsAnAttemptToTheSystemThatLaunchedIt) {
   made.caseId = "school";
   made.id = "20261126-110000-4f2a91c9";
   ASSERT_TRUE(KeptAttempt::begin(folder_.path() / "library/attempts", made));
+  Lesson known = someLesson();
+  known.steps[2].task = AnswerTask{{{"a", true, ""}, {"b", false, ""}}, {}, 0.0, ""};
+  const nlohmann::json manifest = {
+      {"format", 1}, {"id", "school"}, {"title", "School"}, {"parts", {{"lessons", jsonOf(std::vector<Lesson>{known})}}}};
+  writeText(folder_ / "library/cases/school/case.json", manifest.dump());
   server_.authorization = "Basic dG9rZW4tMTc=";
   server_.other = [&](const ServerQuestion& question) -> std::optional<ServerAnswer> {
     if (question.target == "/fetch")
@@ -133,7 +139,7 @@ TEST_F(RecordsCommand, TellsAnAttemptToTheSystemThatLaunchedIt) {
     if (question.target.starts_with("/xapi/activities/state"))
       return ServerAnswer{
           200,
-          R"({"contextTemplate": {"extensions": {"urn:s": "42"}}, "launchMode": "Normal", "moveOn": "Passed", "masteryScore": 0.3,
+          R"({"contextTemplate": {"extensions": {"urn:s": "42"}}, "launchMode": "Normal", "moveOn": "Passed", "masteryScore": 0.2,
               "launchParameters": ")" +
               lesson + R"("})",
           {}};
@@ -157,7 +163,7 @@ TEST_F(RecordsCommand, TellsAnAttemptToTheSystemThatLaunchedIt) {
   std::vector<std::string> verbs;
   for (const std::string& id : order) verbs.push_back(server_.stored(id)["verb"]["display"]["en"]);
   EXPECT_EQ(verbs, (std::vector<std::string>{"initialized", "completed", "passed", "terminated"}));
-  EXPECT_EQ(server_.stored(order[2])["result"]["score"]["scaled"], (1.0 + 0.75) / 4.0) << "above the mastery score of the course";
+  EXPECT_EQ(server_.stored(order[2])["result"]["score"]["scaled"], (0.75 + 0.0 + 0.0) / 3.0) << "above the mastery score of the course";
   EXPECT_EQ(server_.stored(order[1])["result"]["duration"], "PT2M55.92S");
   const auto again = run({"records", "launch", url, attempt, "--rounds", "1", "--person", "Ada Lovelace"});
   EXPECT_EQ(again.status, 1);
@@ -260,8 +266,11 @@ class LaunchedLesson : public RecordsCommand {
   }
   /// An attempt that was finished just now, beside the library; the line of shell puts it there. @param launch that began it; the
   /// window's own where it says so
-  std::string finishesALesson(const std::string& launch = "THIS-LAUNCH", const std::string& id = "20991231-000000-aaaaaaaa") {
+  std::string finishesALesson(const std::string& launch = "THIS-LAUNCH", const std::string& id = "20991231-000000-aaaaaaaa",
+                              const std::string& person = "Ada Lovelace", int after_s = 0) {
     Attempt attempt = someAttempt();
+    attempt.person = person;
+    attempt.startedAt += std::chrono::seconds(after_s);
     attempt.caseId = "fetal-biometry";
     attempt.lessonId = "three-standard-planes";
     attempt.id = id;
@@ -307,6 +316,19 @@ TEST_F(LaunchedLesson, OfTwoLearnersOnOneLibraryTellsEachTheirOwn) {
   EXPECT_NE(others.err.find("somebody else's launch"), std::string::npos) << others.err;
   const auto own = run({"records", "launch", address(), folder_ / "library/attempts/20991231-000000-dddddddd", "--rounds", "1"});
   EXPECT_EQ(own.status, 0) << own.err;
+}
+
+TEST_F(LaunchedLesson, OfWhoeverSitsDownNextInTheSameWindowIsNotTold) {
+  // The learner stops; the next one types another name into the window and finishes the lesson.
+  const std::string window = windowThat(0, finishesALesson("THIS-LAUNCH", "20991231-000000-abababab", "Ada Lovelace") + "; " +
+                                               finishesALesson("THIS-LAUNCH", "20991231-000000-cdcdcdcd", "Grace Hopper", 60));
+  const auto told = run({"records", "launch", address(), "--wanted", "--window", window, "--rounds", "1"});
+  ASSERT_EQ(told.status, 0) << told.err;
+  EXPECT_NE(told.err.find("'Grace Hopper' finished the lesson in the same window"), std::string::npos) << told.err;
+  EXPECT_EQ(verbs(), (std::vector<std::string>{"initialized", "completed", "failed", "terminated"})) << "the learner's own";
+  const auto others = run({"records", "launch", address(), folder_ / "library/attempts/20991231-000000-cdcdcdcd"});
+  EXPECT_EQ(others.status, 2);
+  EXPECT_NE(others.err.find("is by 'Grace Hopper'"), std::string::npos) << others.err;
 }
 
 TEST_F(LaunchedLesson, IsNothingToAnybodyWhenTheLearnerDoesNotWantIt) {

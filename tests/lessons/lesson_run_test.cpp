@@ -125,6 +125,21 @@ TEST(LessonRunOfALesson, IsFinishedWhenAnAttemptWhoseStepsHaveAllEndedIsGoneOnWi
   EXPECT_EQ(run->result({}).passed(), true);
 }
 
+TEST(LessonRunOfALesson, ThatWasRevisedMeanwhileIsTheOneTheAttemptGoesOnAt) {
+  const TemporaryFolder folder;
+  auto begun = LessonRun::begin(lesson(), "home", "", folder.path());
+  ASSERT_TRUE(begun) << begun.error();
+  const auto place = begun->attempt()->folder();
+  Lesson revised = lesson();
+  revised.title = "Revised";
+  revised.steps.pop_back();
+  const auto run = LessonRun::goOnWith(revised, *KeptAttempt::open(place));
+  ASSERT_TRUE(run) << run.error();
+  const Attempt kept = KeptAttempt::open(place)->attempt();
+  EXPECT_EQ(kept.lessonContent, contentOf(revised)) << "what window, reports and learning systems judge it by";
+  EXPECT_EQ(kept.lessonTitle, "Revised");
+}
+
 TEST(LessonRunOfALesson, SaysWhichLaunchBeganIt) {
   const TemporaryFolder folder;
   const EnvironmentValue launch(kLaunchVariable, "0a5f-17.4");
@@ -225,6 +240,31 @@ TEST(LessonRunOfALesson, KeepsAStepThatIsTriedAgain) {
   ASSERT_TRUE(run.startStep(scene(), 2.0));
   ASSERT_TRUE(run.endStep({}, 3.0));
   EXPECT_EQ(run.outcomeOf("read")->verdict, StepVerdict::passed);
+}
+
+TEST(LessonRunOfALesson, GoesBackToAStepThatWasLostWhileItWasTriedAgain) {
+  const TemporaryFolder folder;
+  std::filesystem::path kept;
+  {
+    auto run = LessonRun::begin(lesson(), "home", "", folder.path());
+    ASSERT_TRUE(run);
+    kept = run->attempt()->folder();
+    ASSERT_TRUE(run->startStep(scene(), 0.0));
+    ASSERT_TRUE(run->endStep({}, 1.0));
+    ASSERT_TRUE(run->startStep(scene(), 2.0));
+  }  // as if it were killed
+  LessonRun run(lesson(), *KeptAttempt::open(kept));
+  EXPECT_EQ(run.step().id, "plane") << "what was ended before stands";
+  ASSERT_TRUE(run.goBackToLost());
+  EXPECT_EQ(run.step().id, "read");
+  ASSERT_TRUE(run.startStep(scene(), 3.0));
+  ASSERT_TRUE(run.endStep({}, 4.0));
+  ASSERT_TRUE(run.next());
+  EXPECT_EQ(run.step().id, "plane") << "and it goes on from there";
+  ASSERT_TRUE(run.startStep(scene(), 5.0));
+  LessonRun lost(lesson(), *KeptAttempt::open(kept));
+  EXPECT_FALSE(lost.goBackToLost()) << "a step that nobody has ended is the one it stands at";
+  EXPECT_EQ(lost.step().id, "plane");
 }
 
 TEST(LessonRunOfALesson, GoesOnWithTheStepWhenItsOutcomeCannotBeKept) {

@@ -260,6 +260,9 @@ TEST_F(OfAHandedInAttempt, IsTakenAsOneAtTheCaseWithItsFiles) {
   EXPECT_EQ(kept->attempt().caseId, "secretid");
   EXPECT_EQ(kept->attempt().outcomes.at(0).stepId, "secretstep-plane");
   EXPECT_EQ(sealedAnswersOf(kept->attempt()), "") << "it can be scored now";
+  const Attempt theirs = KeptAttempt::open(folder)->attempt();
+  EXPECT_EQ(triedAs(kept->attempt()), (TriedAs{theirs.caseId, theirs.lessonId})) << "a course that started it knows it again";
+  EXPECT_EQ(triedAs(theirs), (TriedAs{theirs.caseId, theirs.lessonId}));
   EXPECT_FALSE(takeExamined(folder, *opened_, world_.folder / "scored")) << "once";
 }
 

@@ -238,6 +238,17 @@ TEST_F(Cmi5, SaysHowLongALessonTookThatWasWorkedOnBefore) {
   EXPECT_EQ((*session.terminated(at(2)))["result"]["duration"], "PT2S") << "the session took what it took";
 }
 
+TEST_F(Cmi5, ALastDigitBelowTheMasteryScoreReachesIt) {
+  launchData_["masteryScore"] = 0.7;
+  Cmi5Session session = begun();
+  ASSERT_TRUE(session.initialized(at(0)));
+  const double mean = (0.7 + 0.7 + 0.7) / 3.0;
+  ASSERT_LT(mean, 0.7);
+  const json judged = *session.judged(mean, true, at(1));
+  EXPECT_EQ(judged["verb"]["id"], "http://adlnet.gov/expapi/verbs/passed");
+  EXPECT_EQ(judged["result"]["score"]["scaled"], 0.7) << "a learning system refuses a pass below its mastery score";
+}
+
 TEST_F(Cmi5, KeepsTheOrder) {
   Cmi5Session session = begun();
   EXPECT_FALSE(session.completed(at(1)));

@@ -58,6 +58,7 @@ Result<LessonRun> LessonRun::begin(Lesson lesson, const std::string& caseId, con
 }
 
 Result<LessonRun> LessonRun::goOnWith(Lesson lesson, KeptAttempt attempt) {
+  if (auto moved = attempt.goOnAt(lesson); !moved) return passOn(moved.error());
   LessonRun run(std::move(lesson), std::move(attempt));
   const Attempt& tried = run.attempt_->attempt();
   if (run.isOver() && !tried.finishedAt && !tried.outcomes.empty())
@@ -274,6 +275,16 @@ void LessonRun::goBackTo(std::size_t step) {
   EW_EXPECTS(!isRunning() && isOver() && step < lesson_.steps.size());
   at_ = step;
   isRepeated_ = true;
+}
+
+bool LessonRun::goBackToLost() {
+  EW_EXPECTS(!isRunning());
+  const auto ended = lesson_.steps.begin() + static_cast<std::ptrdiff_t>(at_);  // those before it have an outcome
+  const auto lost = std::find_if(lesson_.steps.begin(), ended, [&](const LessonStep& step) { return step.id == lostStep_; });
+  if (lost == ended) return false;
+  isRepeated_ = isOver();
+  at_ = static_cast<std::size_t>(lost - lesson_.steps.begin());
+  return true;
 }
 
 Result<void> LessonRun::leave() {

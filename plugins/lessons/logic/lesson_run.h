@@ -84,6 +84,9 @@ class LessonRun {
   [[nodiscard]] Result<void> next();
   /// Back to a step that was ended, to try it once more; next() then leads to the end again. Expects that none runs.
   void goBackTo(std::size_t step);
+  /// Back to the step that a crash took while it was tried once more; next() then leads on from there. Expects that none runs.
+  /// @return whether that was so
+  bool goBackToLost();
   /// Gives up the running step, as if it had not begun. @error as KeptAttempt::leaveStep
   [[nodiscard]] Result<void> leave();
 

@@ -83,10 +83,12 @@ std::vector<fs::path> foldersOf(const std::string& caseId, const fs::path& libra
 
 }  // namespace
 
-std::optional<double> AttemptResult::score() const { return stepsHandedIn > 0 ? std::nullopt : std::optional(counted.score); }
-std::optional<bool> AttemptResult::passed() const { return stepsHandedIn > 0 ? std::nullopt : std::optional(counted.passed); }
+std::optional<double> AttemptResult::score() const { return isKnown && stepsHandedIn == 0 ? std::optional(counted.score) : std::nullopt; }
+
+std::optional<bool> AttemptResult::passed() const { return score() ? std::optional(counted.passed) : std::nullopt; }
 
 Message verdictWord(const AttemptResult& result) {
+  if (!result.isKnown) return say<"not scored yet">();
   const auto passed = result.passed();
   return passed ? passedWord(*passed) : verdictWord(StepVerdict::handedIn);
 }
@@ -114,10 +116,10 @@ AttemptResult attemptResultOf(const Attempt& attempt, const Lesson* lesson, cons
   result.isScored = kept && kept->planRevision >= plan.revision && isOfNow(*kept, attempt);
   result.isKnown = result.isScored || lesson != nullptr;
   result.counted = result.isScored ? std::move(*kept) : asJudged(attempt, lesson, plan);
-  const bool areAlike = !weighsAnything(result.counted);
+  result.areAlike = !weighsAnything(result.counted);
   for (const StepScore& step : result.counted.steps) {
     result.stepsHandedIn += step.verdict == StepVerdict::handedIn ? 1 : 0;
-    if (!areAlike && step.weight <= 0.0) continue;
+    if (!result.areAlike && step.weight <= 0.0) continue;
     ++result.stepsJudged;
     result.stepsPassed += step.verdict == StepVerdict::passed ? 1 : 0;
   }
@@ -163,16 +165,17 @@ const TriedLesson* AttemptResults::lessonOf(const Attempt& attempt) {
   return at->second.get();
 }
 
-const AssessmentPlan& AttemptResults::planOf(const Attempt& attempt) {
-  const auto [at, isNew] = plans_.try_emplace({attempt.caseId, attempt.lessonId});
-  if (isNew)
-    if (auto plan = readPlan(library_, attempt.caseId, attempt.lessonId)) at->second = std::move(*plan);
+const Result<AssessmentPlan>& AttemptResults::planOf(const Attempt& attempt) {
+  const std::pair lesson(attempt.caseId, attempt.lessonId);
+  auto at = plans_.find(lesson);
+  if (at == plans_.end()) at = plans_.emplace(lesson, readPlan(library_, attempt.caseId, attempt.lessonId)).first;
   return at->second;
 }
 
 AttemptResult AttemptResults::of(const fs::path& folder, const Attempt& attempt) {
   const TriedLesson* tried = lessonOf(attempt);
-  return attemptResultOf(attempt, tried != nullptr ? &tried->lesson : nullptr, planOf(attempt), latestScore(folder));
+  const Result<AssessmentPlan>& plan = planOf(attempt);
+  return attemptResultOf(attempt, tried != nullptr ? &tried->lesson : nullptr, plan ? *plan : AssessmentPlan(), latestScore(folder));
 }
 
 }  // namespace ew

@@ -46,7 +46,7 @@ StepScore readStepScore(const JsonFields& fields) {
   step.passLevel = fields.number("pass_level", 0.0, 1.0);
   step.weight = fields.number("weight", 0.0, 1e6);
   step.isJudgedAnew = fields.flag("judged_anew", false);
-  step.validShare = fields.number("valid_share", 0.0, 1.0, 1.0);
+  if (fields.has("valid_share")) step.validShare = fields.number("valid_share", 0.0, 1.0);
   for (const JsonFields& each : fields.objects("metrics", 0, kMostOfAScore))
     step.metrics.push_back({each.text("id", {}, 1, 100), static_cast<int>(each.whole("version", 1, 1'000'000)),
                             each.number("value", -kFarthestValue, kFarthestValue)});
@@ -59,8 +59,9 @@ StepScore readStepScore(const JsonFields& fields) {
 }
 
 json jsonOf(const StepScore& step) {
-  json made = {{"step", step.stepId}, {"title", step.title},          {"kind", step.kind},     {"task", step.task},
-               {"score", step.score}, {"pass_level", step.passLevel}, {"weight", step.weight}, {"valid_share", step.validShare}};
+  json made = {{"step", step.stepId}, {"title", step.title},          {"kind", step.kind},    {"task", step.task},
+               {"score", step.score}, {"pass_level", step.passLevel}, {"weight", step.weight}};
+  if (step.validShare) made["valid_share"] = *step.validShare;
   if (step.isJudgedAnew) made["judged_anew"] = true;
   for (const auto& [word, verdict] : kScoreVerdicts)
     if (verdict == step.verdict) made["verdict"] = word;

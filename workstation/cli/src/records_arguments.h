@@ -56,9 +56,11 @@ inline void staysDone(Run& run) {
 void addSettingsPlace(CLI::App& app, RecordsArguments& arguments);
 /// What the library knows of an attempt's lesson, as a trainee may read it; without it statements name steps by their ids.
 void addLessonTo(XapiOptions& options, const Attempt& attempt, AttemptResults& results, const std::string& language);
+/// Whether a score has to be made before an attempt is told: there is none by its plan, or one of an earlier way of scoring.
+[[nodiscard]] bool needsScore(const AttemptResult& result, const AssessmentPlan& plan);
 /// What is told of an attempt: what an instructor sees. Where the lesson has a plan and the attempt no score by it, it is scored now; what
 /// keeps it from that is remarked, and it is told as its lesson judged it. @param keeps the score, beside the attempt
-/// @error cancelled
+/// @error cancelled; as readPlan, for nobody knows then what counts
 [[nodiscard]] Result<AttemptResult> resultToTell(const std::filesystem::path& folder, const Attempt& attempt, AttemptResults& results,
                                                  const std::filesystem::path& library, bool keeps, Run& run);
 /// `records launch`.

@@ -57,6 +57,21 @@ std::vector<XapiMetric> metricsFor(const AttemptResult& result) {
   return metrics;
 }
 
+/// Scores what has none by its plan yet, at once, so that what many attempts share is read once. What fails is told of one by one.
+Result<void> scoreBefore(const std::vector<fs::path>& folders, AttemptResults& results, const fs::path& library, Run& run) {
+  std::vector<fs::path> unscored;
+  for (const fs::path& folder : folders) {
+    const auto kept = KeptAttempt::open(folder);
+    if (!kept) continue;
+    const auto& plan = results.planOf(kept->attempt());
+    if (plan && needsScore(results.of(folder, kept->attempt()), *plan)) unscored.push_back(folder);
+  }
+  if (unscored.empty()) return {};
+  for (const auto& each : assess(unscored, library, {.threads = 1}, run.progress))
+    if (each.problem && each.problem->code == ErrorCode::cancelled) return passOn(*each.problem);
+  return {};
+}
+
 /// How statements of this machine speak of people and activities.
 Result<XapiOptions> sayingsOf(const RecordsArguments& arguments) {
   const auto place = arguments.settingsPlace();
@@ -102,6 +117,8 @@ Result<int> takeRecords(const RecordsArguments& arguments, Run& run) {
   }
   std::size_t taken = 0, known = 0, leftOut = 0;
   AttemptResults results(arguments.libraryPlace());
+  if (!arguments.dryRun)
+    if (auto scored = scoreBefore(*folders, results, arguments.libraryPlace(), run); !scored) return passOn(scored.error());
   nlohmann::json shown = nlohmann::json::array();
   for (const fs::path& folder : *folders) {
     if (auto read = run.input(folder / "attempt.json"); !read) return passOn(read.error());
@@ -219,23 +236,30 @@ void addLessonTo(XapiOptions& options, const Attempt& attempt, AttemptResults& r
   if (tried->isAsTried) options.lesson = translated(tried->lesson, words);
 }
 
+bool needsScore(const AttemptResult& result, const AssessmentPlan& plan) {
+  return result.passed() && (result.isScored ? result.counted.scoring < kScoringVersion : plan.revision > 0);
+}
+
 Result<AttemptResult> resultToTell(const fs::path& folder, const Attempt& attempt, AttemptResults& results, const fs::path& library,
                                    bool keeps, Run& run) {
+  const auto& plan = results.planOf(attempt);
+  if (!plan) return passOn(plan.error());
   AttemptResult result = results.of(folder, attempt);
-  if (result.isScored || !result.passed() || results.planOf(attempt).revision == 0) return result;
-  std::optional<Error> problem;
-  if (keeps) {
-    problem = assess({folder}, library, {.threads = 1}, run.progress).front().problem;
-    if (!problem) return results.of(folder, attempt);
-  } else {
-    const auto ground = lessonGroundOf(attempt.caseId, attempt.lessonId, attempt.lessonContent, library, run.progress);
-    auto score = ground ? scoreAttempt(folder, attempt, **ground, run.progress) : passOn(ground.error());
-    if (score) return attemptResultOf(attempt, &(*ground)->lesson, (*ground)->plan, std::move(*score));
-    problem = score.error();
-  }
-  if (problem->code == ErrorCode::cancelled) return passOn(*problem);
-  run.remark(
-      say<"The attempt '%1' cannot be scored by its lesson's plan and is told as the lesson judged it: %2">(attempt.id, problem->message));
+  if (!result.isKnown && attempt.finishedAt)
+    run.remark(
+        say<"The lesson of the attempt '%1' is not in the library, so it is told as completed, and neither as passed nor as failed.">(
+            attempt.id));
+  if (!needsScore(result, *plan)) return result;
+  if (keeps && !assess({folder}, library, {.threads = 1}, run.progress).front().problem) return results.of(folder, attempt);
+  // What is told under the statement's id is told for good: a score that cannot be kept counts all the same.
+  const auto ground = lessonGroundOf(attempt.caseId, attempt.lessonId, attempt.lessonContent, library, run.progress);
+  auto score = ground ? scoreAttempt(folder, attempt, **ground, run.progress) : passOn(ground.error());
+  if (score) return attemptResultOf(attempt, &(*ground)->lesson, (*ground)->plan, std::move(*score));
+  if (score.error().code == ErrorCode::cancelled) return passOn(score.error());
+  run.remark(result.isScored
+                 ? say<"The attempt '%1' cannot be scored anew and is told as it was scored before: %2">(attempt.id, score.error().message)
+                 : say<"The attempt '%1' cannot be scored by its lesson's plan and is told as the lesson judged it: %2">(
+                       attempt.id, score.error().message));
   return result;
 }
 

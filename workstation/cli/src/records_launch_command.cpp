@@ -14,6 +14,7 @@
 
 #include "arguments.h"
 #include "ew/library/learning.h"
+#include "ew/library/sealed_answers.h"
 #include "ew/records/cmi5.h"
 #include "records_arguments.h"
 
@@ -187,25 +188,6 @@ Result<LaunchedLesson> lessonAtHand(const Cmi5Session& session, const RecordsArg
 
 using FoundAttempt = std::pair<fs::path, Attempt>;
 
-/// What came of a launch.
-struct LaunchedAttempts {
-  std::optional<FoundAttempt> finished;  ///< that this launch began, the last of several
-  bool hasOthers = false;                ///< somebody finished the lesson meanwhile in an attempt that this launch did not begin
-};
-LaunchedAttempts attemptsOf(const std::string& launch, const LaunchedLesson& lesson, std::chrono::sys_seconds since,
-                            const fs::path& library) {
-  LaunchedAttempts found;
-  for (auto& each : listAttempts(attemptsFolder(library)).attempts) {
-    const Attempt& attempt = each.second;
-    if (attempt.caseId != lesson.caseId || attempt.lessonId != lesson.lessonId || !attempt.finishedAt) continue;
-    if (attempt.launch != launch)
-      found.hasOthers = found.hasOthers || *attempt.finishedAt >= since;
-    else if (!found.finished || *found.finished->second.finishedAt < *attempt.finishedAt)
-      found.finished = each;
-  }
-  return found;
-}
-
 Result<AttemptResult> resultOf(const FoundAttempt& attempt, const RecordsArguments& arguments, Run& run) {
   AttemptResults results(arguments.libraryPlace());
   return resultToTell(attempt.first, attempt.second, results, arguments.libraryPlace(), true, run);
@@ -226,23 +208,59 @@ std::set<std::string> wordsOfName(const std::string& name) {
   return words;
 }
 
-/// Whether an attempt is the learner's: their launch began it, or it bears one of their names or none.
-Result<void> expectOwn(const Attempt& attempt, const Learner& learner, const std::string& claimed) {
-  if (!attempt.launch.empty()) {
-    if (attempt.launch.starts_with(learner.code + ".")) return {};
-    return failure(ErrorCode::badUsage,
-                   say<"The attempt '%1' was begun by somebody else's launch, and this one is for '%2'; nothing was told.">(
-                       attempt.id, learner.name.empty() ? learner.account : learner.name),
-                   {{"attempt", attempt.id}});
-  }
-  const std::set<std::string> person = wordsOfName(attempt.person);
-  if (attempt.person.empty() || attempt.person == claimed || person == wordsOfName(learner.name) || person == wordsOfName(learner.account))
-    return {};
+/// Whether a person's own word for themselves is one of the learner's names. @param claimed what --person says; may be empty
+bool isCalled(const std::string& person, const Learner& learner, const std::string& claimed) {
+  const std::set<std::string> words = wordsOfName(person);
+  return person == claimed || words == wordsOfName(learner.name) || words == wordsOfName(learner.account);
+}
+
+/// Who first gave a name in the window that a launch opened: the learner, whatever they call themselves. Empty: nobody.
+std::string firstPersonOf(const std::string& launch, const fs::path& library) {
+  std::optional<Attempt> first;
+  for (auto& each : listAttempts(attemptsFolder(library)).attempts)
+    if (each.second.launch == launch && !each.second.person.empty() && (!first || each.second.startedAt < first->startedAt))
+      first = std::move(each.second);
+  return first ? first->person : std::string();
+}
+
+/// Whether an attempt is the learner's: their launch began it and nobody else sat down meanwhile, or it bears one of their names or none.
+Result<void> expectOwn(const Attempt& attempt, const Learner& learner, const RecordsArguments& arguments) {
+  const std::string& called = learner.name.empty() ? learner.account : learner.name;
+  if (!attempt.launch.empty() && !attempt.launch.starts_with(learner.code + "."))
+    return failure(
+        ErrorCode::badUsage,
+        say<"The attempt '%1' was begun by somebody else's launch, and this one is for '%2'; nothing was told.">(attempt.id, called),
+        {{"attempt", attempt.id}});
+  if (attempt.person.empty() || isCalled(attempt.person, learner, arguments.person)) return {};
+  if (!attempt.launch.empty() && attempt.person == firstPersonOf(attempt.launch, arguments.libraryPlace())) return {};
   return failure(
       ErrorCode::badUsage,
       say<"The attempt '%1' is by '%2', and the launch is for '%3'; give --person '%2' when this is the same person. Nothing was "
-          "told.">(attempt.id, attempt.person, learner.name.empty() ? learner.account : learner.name),
+          "told.">(attempt.id, attempt.person, called),
       {{"attempt", attempt.id}});
+}
+
+/// What came of a launch.
+struct LaunchedAttempts {
+  std::optional<FoundAttempt> finished;  ///< that this launch began, the last of several
+  bool hasOthers = false;                ///< somebody finished the lesson meanwhile in an attempt that this launch did not begin
+  std::string other;                     ///< who else finished it in the window that this launch opened; empty: nobody
+};
+LaunchedAttempts attemptsOf(const std::string& launch, const Learner& learner, const LaunchedLesson& lesson, std::chrono::sys_seconds since,
+                            const RecordsArguments& arguments) {
+  LaunchedAttempts found;
+  const std::string first = firstPersonOf(launch, arguments.libraryPlace());
+  for (auto& each : listAttempts(attemptsFolder(arguments.libraryPlace())).attempts) {
+    const Attempt& attempt = each.second;
+    if (attempt.caseId != lesson.caseId || attempt.lessonId != lesson.lessonId || !attempt.finishedAt) continue;
+    if (attempt.launch != launch)
+      found.hasOthers = found.hasOthers || *attempt.finishedAt >= since;
+    else if (!attempt.person.empty() && attempt.person != first && !isCalled(attempt.person, learner, arguments.person))
+      found.other = attempt.person;
+    else if (!found.finished || *found.finished->second.finishedAt < *attempt.finishedAt)
+      found.finished = each;
+  }
+  return found;
 }
 
 /// Tells an attempt that was finished before, when it is the learner's and at the lesson that was launched.
@@ -255,18 +273,19 @@ Result<int> tellAttempt(const Cmi5Launch& launch, const Cmi5Options& options, co
   if (!attempt.finishedAt)
     return failure(ErrorCode::badUsage, say<"The attempt in '%1' was stopped in the middle; finish the lesson first.">(folder),
                    {{"file", folder.string()}});
-  if (auto own = expectOwn(attempt, learnerOf(launch), arguments.person); !own) return passOn(own.error());
+  if (auto own = expectOwn(attempt, learnerOf(launch), arguments); !own) return passOn(own.error());
   staysDone(run);
   auto session = Cmi5Session::begin(launch, options, run.progress);
   if (!session) return passOn(session.error());
   const auto lesson = lessonOf(*session);
   if (!lesson) return passOn(lesson.error());
-  if (attempt.caseId != lesson->caseId || attempt.lessonId != lesson->lessonId)
-    return failure(ErrorCode::badUsage,
-                   say<"The course starts the lesson %1/%2, and the attempt is at %3/%4; nothing was told. Start that lesson in the "
-                       "learning management system, or name an attempt at this one.">(lesson->caseId, lesson->lessonId, attempt.caseId,
-                                                                                      attempt.lessonId),
-                   {{"attempt", attempt.id}});
+  const TriedAs tried = triedAs(attempt);
+  if (tried != TriedAs{lesson->caseId, lesson->lessonId})
+    return failure(
+        ErrorCode::badUsage,
+        say<"The course starts the lesson %1/%2, and the attempt is at %3/%4; nothing was told. Start that lesson in the "
+            "learning management system, or name an attempt at this one.">(lesson->caseId, lesson->lessonId, tried.caseId, tried.lessonId),
+        {{"attempt", attempt.id}});
   const auto result = resultOf({folder, attempt}, arguments, run);
   if (!result) return passOn(result.error());
   auto telling = Telling::open(arguments, launch);
@@ -299,7 +318,7 @@ Result<int> workThrough(const Cmi5Launch& launch, const Cmi5Options& options, co
   const auto ended = runWindow(arguments, {lesson->folder.string(), "--lesson", lesson->lessonId}, id, run.progress);
   if (!ended) return passOn(ended.error());
   std::optional<AttemptResult> result;
-  const LaunchedAttempts made = attemptsOf(id, *lesson, begun, arguments.libraryPlace());
+  const LaunchedAttempts made = attemptsOf(id, learnerOf(launch), *lesson, begun, arguments);
   if (made.finished) {
     auto worked = resultOf(*made.finished, arguments, run);
     if (!worked) return passOn(worked.error());
@@ -312,6 +331,11 @@ Result<int> workThrough(const Cmi5Launch& launch, const Cmi5Options& options, co
           say<"An attempt that began before, or elsewhere, was finished meanwhile and is not told: 'echoweave records launch ADDRESS "
               "ATTEMPT' tells one that is the learner's own.">());
   }
+  if (!made.other.empty())
+    run.remark(
+        say<"'%1' finished the lesson in the same window, and is not told as '%2'; when they are the same person, 'echoweave records "
+            "launch ADDRESS ATTEMPT --person NAME' tells it.">(
+            made.other, learnerOf(launch).name.empty() ? learnerOf(launch).account : learnerOf(launch).name));
   if (auto told = telling->tellEnd(*session, result); !told) return passOn(told.error());
   return finishTelling(*telling, *session, arguments, run);
 }

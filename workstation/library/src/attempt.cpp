@@ -264,6 +264,15 @@ Result<void> KeptAttempt::finish(sys_seconds now) {
   return keep(std::move(next));
 }
 
+Result<void> KeptAttempt::goOnAt(const Lesson& lesson) {
+  const std::string content = contentOf(lesson);
+  if (attempt_.lessonContent == content) return {};
+  Attempt next = attempt_;
+  next.lessonTitle = lesson.title;
+  next.lessonContent = content;
+  return keep(std::move(next));
+}
+
 std::string KeptAttempt::nameForFile(const std::string& stepId, const std::string& ending) const {
   std::array<char, 24> number{};
   std::snprintf(number.data(), number.size(), "step-%02zu-", attempt_.outcomes.size() + 1);

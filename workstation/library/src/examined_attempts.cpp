@@ -12,6 +12,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr const char* kAttemptField = "sealed_answers";
+constexpr const char* kExaminedField = "examined_as";
 
 /// A file that an outcome names, when it is one: an attempt comes from a trainee, and may name anything.
 bool isOwnFile(const fs::path& folder, const std::string& name) {
@@ -34,6 +35,17 @@ std::string sealedAnswersOf(const Attempt& attempt) {
   return value.is_string() ? value.get<std::string>() : std::string();
 }
 
+TriedAs triedAs(const Attempt& attempt) {
+  const auto text = [](const json& fields, const char* name) {
+    const auto found = fields.find(name);
+    return found != fields.end() && found->is_string() ? found->get<std::string>() : std::string();
+  };
+  const auto examined = attempt.otherFields.is_object() ? attempt.otherFields.find(kExaminedField) : attempt.otherFields.end();
+  TriedAs tried;
+  if (examined != attempt.otherFields.end() && examined->is_object()) tried = {text(*examined, "case"), text(*examined, "lesson")};
+  return tried.caseId.empty() || tried.lessonId.empty() ? TriedAs{attempt.caseId, attempt.lessonId} : tried;
+}
+
 Attempt withSealedAnswers(Attempt attempt, const std::string& sha256) {
   attempt.otherFields[kAttemptField] = sha256;
   return attempt;
@@ -52,7 +64,7 @@ Result<Attempt> asAttemptAtTheCase(const Attempt& attempt, const OpenedExaminati
     return refuse(say<"The attempt '%1' is at the lesson '%2', which the examination does not have.">(attempt.id, attempt.lessonId));
   Attempt made = attempt;
   made.otherFields.erase(kAttemptField);
-  made.otherFields["examined_as"] = {{"case", attempt.caseId}, {"lesson", attempt.lessonId}, {kAttemptField, opened.sealedSha256}};
+  made.otherFields[kExaminedField] = {{"case", attempt.caseId}, {"lesson", attempt.lessonId}, {kAttemptField, opened.sealedSha256}};
   made.caseId = opened.caseId;
   made.lessonId = lesson->second.id;
   const auto rename = [&](std::string& step) {

@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cmath>
 
+#include "ew/assessment/judging.h"
 #include "ew/core/foreign_json.h"
 #include "ew/core/json_fields.h"
 #include "ew/records/cmi5.h"
@@ -160,7 +162,9 @@ Result<json> Cmi5Session::judged(std::optional<double> score, bool success, Mome
     return failure(ErrorCode::badUsage, say<"Whether the lesson was passed is said once, and only when it counts.">());
   if (score && !(*score >= 0.0 && *score <= 1.0))
     return failure(ErrorCode::badField, say<"A score must be a number from 0 to 1.">(), {{"field", "score"}});
-  const bool isPassed = score && data_.masteryScore ? *score >= *data_.masteryScore : success;
+  const bool isMeasured = score && data_.masteryScore;
+  const bool isPassed = isMeasured ? reachesLevel(*score, *data_.masteryScore) : success;
+  if (isMeasured && isPassed) score = std::max(*score, *data_.masteryScore);  // a "passed" below it, by a last digit, is refused
   json made = statement(isPassed ? "passed" : "failed", now);
   made["result"] = {{"success", isPassed}, {"duration", isoDuration(worked_s.value_or(secondsBetween(*begunAt_, now)))}};
   if (score) made["result"]["score"] = {{"scaled", *score}};

@@ -23,7 +23,8 @@ struct AttemptResult {
   /// what the lesson said of each step, weighted and passed by the plan: metrics do not count in it, for nobody has worked them out.
   AttemptScore counted;
   bool isScored = false;  ///< `counted` was kept
-  bool isKnown = true;    ///< false: there is neither a score nor the lesson, so nobody knows which steps count; they count alike
+  bool isKnown = true;    ///< false: there is neither a score nor the lesson, so nobody knows which steps count, and nothing is judged
+  bool areAlike = false;  ///< no step weighs anything (a lesson of reading alone), so that all count alike
   std::size_t stepsPassed = 0;
   std::size_t stepsJudged = 0;    ///< those that count in the score; reading and watching do not, unless the plan says so
   std::size_t stepsHandedIn = 0;  ///< that wait for somebody who can open the answers
@@ -31,14 +32,14 @@ struct AttemptResult {
   std::chrono::sys_seconds startedAt{};
   std::optional<std::chrono::sys_seconds> finishedAt;  ///< empty: it was stopped in the middle
 
-  /// 0 to 1; empty: it waits to be judged.
+  /// 0 to 1; empty: it waits to be judged, or nobody knows what counts.
   [[nodiscard]] std::optional<double> score() const;
   [[nodiscard]] std::optional<bool> passed() const;
 };
-/// "passed", "not passed", "handed in".
+/// "passed", "not passed", "handed in", "not scored yet".
 [[nodiscard]] Message verdictWord(const AttemptResult& result);
 
-/// @param lesson as it was tried; null: it is not known, and every step that was ended counts alike @param kept the latest score
+/// @param lesson as it was tried; null: it is not known @param kept the latest score
 [[nodiscard]] AttemptResult attemptResultOf(const Attempt& attempt, const Lesson* lesson, const AssessmentPlan& plan,
                                             std::optional<AttemptScore> kept);
 
@@ -64,17 +65,17 @@ struct TriedLesson {
 class AttemptResults {
  public:
   explicit AttemptResults(std::filesystem::path library) : library_(std::move(library)) {}
-  /// @param folder of the attempt
+  /// By the plan of revision 0 where planOf has none. @param folder of the attempt
   [[nodiscard]] AttemptResult of(const std::filesystem::path& folder, const Attempt& attempt);
   /// The lesson as the library has it; null: not at all.
   [[nodiscard]] const TriedLesson* lessonOf(const Attempt& attempt);
-  /// The plan that counts; one of revision 0 where there is none or it cannot be read.
-  [[nodiscard]] const AssessmentPlan& planOf(const Attempt& attempt);
+  /// The plan that counts; one of revision 0 where there is none. @error as readPlan
+  [[nodiscard]] const Result<AssessmentPlan>& planOf(const Attempt& attempt);
 
  private:
   std::filesystem::path library_;
   std::map<std::tuple<std::string, std::string, std::string>, std::shared_ptr<const TriedLesson>> lessons_;  ///< by case, id and content
-  std::map<std::pair<std::string, std::string>, AssessmentPlan> plans_;                                      ///< by case and lesson
+  std::map<std::pair<std::string, std::string>, Result<AssessmentPlan>> plans_;                              ///< by case and lesson
 };
 
 }  // namespace ew

@@ -22,12 +22,12 @@ struct StepScore {
   std::string title;  ///< as the lesson has it
   std::string kind;   ///< taskWord
   StepVerdict verdict = StepVerdict::skipped;
-  double task = 0.0;          ///< score of the task itself, 0 to 1
-  double score = 0.0;         ///< with what else counts, 0 to 1
-  double passLevel = 0.7;     ///< that the verdict was given by
-  double weight = 1.0;        ///< in the lesson's score
-  bool isJudgedAnew = false;  ///< from the raw data; false: as it was judged in the lesson, for the raw data are not there
-  double validShare = 1.0;    ///< of the images' poses, 0..1; metrics stand on these alone
+  double task = 0.0;                 ///< score of the task itself, 0 to 1
+  double score = 0.0;                ///< with what else counts, 0 to 1
+  double passLevel = 0.7;            ///< that the verdict was given by
+  double weight = 1.0;               ///< in the lesson's score
+  bool isJudgedAnew = false;         ///< from the raw data; false: as it was judged in the lesson, for the raw data are not there
+  std::optional<double> validShare;  ///< of the images' poses, 0..1; metrics stand on these alone; empty: there was no recording to look at
   std::vector<MetricValue> metrics;
   std::vector<AttemptFigure> figures;
   std::vector<AttemptRemark> remarks;

@@ -12,6 +12,8 @@
 
 namespace ew {
 
+struct Lesson;
+
 inline constexpr int kAttemptFormat = 1;  ///< `format` of attempt.json; a larger one is refused with newerFormat
 
 enum class StepVerdict {
@@ -62,7 +64,7 @@ struct Attempt {
   std::string caseId;  ///< of the case that holds the lesson
   std::string lessonId;
   std::string lessonTitle;    ///< as it was shown
-  std::string lessonContent;  ///< ContentKey of the lesson's JSON at the start: whether it has changed since
+  std::string lessonContent;  ///< ContentKey of the lesson's JSON when it was begun or last gone on with: whether it has changed since
   std::string person;         ///< who tried, as they call themselves; may be empty
   std::string program;        ///< version that judged
   std::string launch;         ///< of the learning management system's launch that began it (launchOfEnvironment); empty: nobody launched it
@@ -113,6 +115,8 @@ class KeptAttempt {
   /// The step that runs is given up, as if it had not begun.
   [[nodiscard]] Result<void> leaveStep();
   [[nodiscard]] Result<void> finish(std::chrono::sys_seconds now);
+  /// The attempt goes on at the lesson as it is now: what it is judged by, from its first step on.
+  [[nodiscard]] Result<void> goOnAt(const Lesson& lesson);
 
   /// A name for a file of a step that is not there yet: "step-03-find-the-kidney.seq.mha". @param ending with its dot
   [[nodiscard]] std::string nameForFile(const std::string& stepId, const std::string& ending) const;

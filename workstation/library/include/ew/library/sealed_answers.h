@@ -94,6 +94,12 @@ struct OpenedExamination {
 
 /// "sealed_answers" of an attempt's otherFields: the SHA-256 of the answers it is to be judged by; empty: an attempt at no examination.
 [[nodiscard]] std::string sealedAnswersOf(const Attempt& attempt);
+/// Of a copy that takeExamined made: what the trainee tried. Else the case and lesson of the attempt itself.
+struct TriedAs {
+  std::string caseId, lessonId;
+  bool operator==(const TriedAs&) const = default;
+};
+[[nodiscard]] TriedAs triedAs(const Attempt& attempt);
 [[nodiscard]] Attempt withSealedAnswers(Attempt attempt, const std::string& sha256);
 
 }  // namespace ew
