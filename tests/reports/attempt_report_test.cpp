@@ -78,6 +78,63 @@ TEST(ReportOfAnAttempt, ListsEarlierScoresAndRatings) {
   EXPECT_TRUE(holds(text, "Item plan | 4 of 5"));
 }
 
+TEST(ReportOfAnAttempt, ListsTheLatestScoreAmongTheEarlierOnesWhereThePlanHasChangedSince) {
+  ReportedAttempt one = madeAttempt(1, 0.9, 0.2);
+  one.lesson = test::triedLesson();
+  const std::string listed = "2 | 2026-11-01 11:01 UTC | 55 % | not passed | 0 | 0.1.0";
+  EXPECT_FALSE(holds(plainTextOf(attemptReport(one, madeLesson(), someCodes())), listed)) << "it counts";
+  one.plan.revision = 1;
+  const std::string text = plainTextOf(attemptReport(one, madeLesson(), someCodes()));
+  EXPECT_TRUE(holds(text, "Earlier scores")) << text;
+  EXPECT_TRUE(holds(text, listed)) << text;
+  EXPECT_TRUE(holds(text, "Judged: as in the lesson; score 2 was made by an earlier revision of the plan")) << text;
+  EXPECT_FALSE(holds(text, "not scored since")) << text;
+  EXPECT_FALSE(holds(text, "Score number")) << "of what counts there is none: " << text;
+}
+
+TEST(ReportOfAnAttempt, SaysThatItsScoreIsOfAnEarlierStateOfIt) {
+  ReportedAttempt one = madeAttempt(1, 0.9, 0.2);
+  one.lesson = test::triedLesson();
+  one.score->outcomes = 2;
+  one.score->wasFinished = true;
+  const std::string text = plainTextOf(attemptReport(one, madeLesson(), someCodes()));
+  EXPECT_TRUE(holds(text, "Judged: as in the lesson; score 2 was made of an earlier state of the attempt")) << text;
+  EXPECT_TRUE(holds(text, "2 | 2026-11-01 11:01 UTC | 55 % | not passed | 0 | 0.1.0")) << text;
+}
+
+TEST(ReportOfAnAttempt, SaysOfALessonThatIsGoneThatItsScoreDoesNotCountRatherThanThatThereIsNone) {
+  ReportedAttempt one = madeAttempt(1, 0.9, 0.2);
+  one.plan.revision = 1;
+  const std::string text = plainTextOf(attemptReport(one, madeLesson(), someCodes()));
+  EXPECT_TRUE(holds(text, "Score: none that counts now")) << text;
+  EXPECT_FALSE(holds(text, "not scored yet")) << text;
+  EXPECT_FALSE(holds(text, "passes from")) << "nobody knows which steps count: " << text;
+}
+
+TEST(ReportOfAnAttempt, OfReadingAloneSaysThatAllStepsCountAlike) {
+  ReportedAttempt unscored = test::readingAttempt(), scored = unscored;
+  scored.score = scored.result().counted;  // what scoring makes of such a lesson
+  scored.score->number = 1;
+  scored.score->key = "0123456789abcdef";
+  for (const ReportedAttempt& one : {unscored, scored}) {
+    const ReportDocument document = attemptReport(one, madeLesson(), someCodes());
+    const std::string text = plainTextOf(document);
+    EXPECT_TRUE(holds(text, "Score: 90 % | Verdict: passed | Steps passed: 2 of 2")) << text;
+    EXPECT_FALSE(holds(text, "does not count")) << text;
+    EXPECT_TRUE(holds(text, "Score: 80 % (passes from 70 %; all steps count alike)")) << text;
+    EXPECT_EQ(test::countOf(text, "all steps count alike"), 2u) << text;
+    EXPECT_TRUE(holds(text, "Step watch | Watch the expert | passed | 80 % | 70 % | 1 |")) << text;
+    std::size_t bars = 0;
+    for (const ReportBlock& block : document.blocks)
+      if (const auto* plot = std::get_if<ReportPlot>(&block))
+        if (const auto* shown = std::get_if<BarsPlot>(&plot->data)) bars += shown->bars.size();
+    EXPECT_EQ(bars, 2u);
+  }
+  const ReportedAttempt usual = madeAttempt(1, 0.9, 0.9);
+  EXPECT_EQ(test::countOf(plainTextOf(attemptReport(usual, madeLesson(), someCodes())), "(does not count)"), 1u)
+      << "where others count, reading does not";
+}
+
 TEST(ReportOfAnAttempt, WithoutAScoreHasWhatTheLessonSaid) {
   ReportedAttempt one = madeAttempt(1, 0.9, 0.2);
   one.score.reset();

@@ -112,6 +112,18 @@ TEST(ReportOfAClass, HasEveryAttemptTheHardestStepAndMarksWhatIsOff) {
   for (const std::string& page : pages) EXPECT_TRUE(holds(htmlOf(document, {}), "href='./" + page + "'"));
 }
 
+TEST(ReportOfAClass, AtALessonOfReadingAloneCountsAllStepsAlike) {
+  ReportedAttempt failed = test::readingAttempt();
+  failed.attempt.outcomes[1].verdict = StepVerdict::failed;
+  const std::vector<ReportedAttempt> attempts = {test::readingAttempt(), failed};
+  const ClassFigures figures = classFiguresOf(attempts);
+  ASSERT_EQ(figures.steps.size(), 2u);
+  for (const ClassStep& step : figures.steps) EXPECT_EQ(step.weight, 1.0) << step.stepId;
+  const std::string text = plainTextOf(classReport(attempts, madeLesson(), someCodes()));
+  EXPECT_TRUE(holds(text, "Hardest step: 'Step watch', which 1 of 2 did not pass.")) << text;
+  EXPECT_FALSE(holds(text, "does not count")) << text;
+}
+
 TEST(ReportOfAClass, OfNobodySaysSo) {
   const std::string text = plainTextOf(classReport({}, madeLesson(), someCodes()));
   EXPECT_TRUE(holds(text, "Attempts: 0"));

@@ -46,6 +46,47 @@ TEST(Table, HasALineForEachAttemptAndStepWithEveryMetric) {
   EXPECT_EQ(lines[0]["hints v1"], "");
 }
 
+TEST(Table, SaysOnlyOfPosesThatScoringLookedAtHowManyAreValid) {
+  EW_NEEDS_PROGRAM("python3");
+  ReportedAttempt scored = madeAttempt(1, 0.9, 0.25);
+  scored.attempt.outcomes[1].recording = "plane.seq.mha";
+  scored.score->steps[1].validShare = 0.5;
+  ReportedAttempt unscored = scored;
+  unscored.lesson = test::triedLesson();
+  unscored.score.reset();
+  const json lines = readByPython(csvOf({scored, unscored}, someCodes()));
+  ASSERT_EQ(lines.size(), 6u);
+  EXPECT_EQ(lines[0]["valid_poses [%]"], "") << "nothing was recorded in this step";
+  EXPECT_EQ(lines[1]["valid_poses [%]"], "50");
+  for (std::size_t n = 3; n < 6; ++n) {
+    EXPECT_EQ(lines[n]["scored"], "no");
+    EXPECT_EQ(lines[n]["valid_poses [%]"], "") << "nobody has worked it out";
+  }
+}
+
+TEST(Table, HasNoColumnsOfAScoreThatNoLongerCounts) {
+  EW_NEEDS_PROGRAM("python3");
+  ReportedAttempt one = madeAttempt(1, 0.9, 0.25);
+  one.lesson = test::triedLesson();
+  one.plan.revision = one.score->planRevision + 1;
+  const json lines = readByPython(csvOf({one}, someCodes()));
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[1]["scored"], "no");
+  EXPECT_EQ(lines[1]["plan_revision"], "");
+  EXPECT_FALSE(lines[1].contains("path_length v1 [mm]")) << lines[1];
+}
+
+TEST(Table, WeighsAllStepsAlikeWhereNoneWeighsAnything) {
+  EW_NEEDS_PROGRAM("python3");
+  const json lines = readByPython(csvOf({test::readingAttempt()}, someCodes()));
+  ASSERT_EQ(lines.size(), 2u);
+  for (const json& line : lines) {
+    EXPECT_EQ(line["weight"], "1");
+    EXPECT_EQ(line["steps_judged"], "2");
+    EXPECT_EQ(line["lesson_score"], "0.9");
+  }
+}
+
 TEST(Table, GuardsSpreadsheetsAgainstTextsThatAreFormulas) {
   EXPECT_EQ(csvText("=HYPERLINK(\"http://x\")"), "\"'=HYPERLINK(\"\"http://x\"\")\"");
   for (const std::string text : {"+1", "-1", "@x", "\tx", "=1"}) EXPECT_EQ(csvText(text), "'" + text);

@@ -76,6 +76,26 @@ TEST(ReportFiles, ShowTheExpertBesideTheTrainee) {
       << "nobody is compared with themselves";
 }
 
+TEST(ReportFiles, ListAScoreOfAnEarlierPlanAsSuchUntilTheAttemptIsScoredAgain) {
+  const AssessedWorld world;
+  const test::TemporaryFolder out;
+  const auto folders = keptAttempts(world);
+  AssessmentPlan plan = *readPlan(world.library(), "ball", "about-balls");
+  plan.passLevel = 0.5;
+  ASSERT_TRUE(keepPlan(world.library(), plan));
+  const ReportRequest request{.attempts = folders, .library = world.library(), .html = out / "pages", .csv = out / "all.csv"};
+  ASSERT_TRUE(test::succeeded(writeReports(request)));
+  const std::string page = textOf(out / "pages" / "attempt-20261101-100000-aaaaaaaa.html"), table = textOf(out / "all.csv");
+  EXPECT_TRUE(holds(page, "Earlier scores"));
+  EXPECT_TRUE(holds(page, "score 1 was made by an earlier revision of the plan"));
+  EXPECT_FALSE(holds(page, "not scored since"));
+  EXPECT_FALSE(holds(table, "path_length")) << "no metric counts, so there is no column that nothing could fill";
+  ASSERT_EQ(assess(folders, world.library()).size(), 2u);
+  ASSERT_TRUE(test::succeeded(writeReports(request)));
+  EXPECT_TRUE(holds(textOf(out / "pages" / "attempt-20261101-100000-aaaaaaaa.html"), "Score number</dt><dd>2</dd>"));
+  EXPECT_TRUE(holds(textOf(out / "all.csv"), "path_length"));
+}
+
 TEST(ReportFiles, OfSeveralLessonsHaveAnIndexOfTheirClasses) {
   const AssessedWorld world;
   const test::TemporaryFolder out;

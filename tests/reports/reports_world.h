@@ -95,6 +95,32 @@ inline ReportedAttempt madeAttempt(int number, double plane, double answer, cons
   return one;
 }
 
+/// The lesson of madeAttempt(): with it an attempt without a score that counts has what its lesson said.
+inline Lesson triedLesson() {
+  Lesson lesson;
+  for (const auto& [id, task] :
+       {std::pair<const char*, LessonTask>{"read", ReadTask{}}, {"plane", PlaneTask{}}, {"answer", AnswerTask{}}}) {
+    LessonStep& step = lesson.steps.emplace_back();
+    step.id = id;
+    step.title = std::string("Step ") + id;
+    step.task = task;
+  }
+  return lesson;
+}
+
+/// An attempt at a lesson of reading and watching alone, without a score: 100 % and 80 %, both passed.
+inline ReportedAttempt readingAttempt() {
+  ReportedAttempt one = madeAttempt(1, 0.8, 0.8);
+  one.score.reset();
+  one.attempt.outcomes.pop_back();
+  one.lesson = triedLesson();
+  one.lesson->steps.pop_back();
+  one.attempt.outcomes[1].stepId = one.lesson->steps[1].id = "watch";
+  one.lesson->steps[1].title = "Step watch";
+  one.lesson->steps[1].task = WatchTask{};
+  return one;
+}
+
 inline ReportedLesson madeLesson() {
   ReportedLesson lesson;
   lesson.caseId = "ball";

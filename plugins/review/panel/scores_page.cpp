@@ -202,6 +202,19 @@ void ScoresPage::refresh() {
   showMetricPlan();
 }
 
+QString ScoresPage::howItWasMade(const ew::AttemptResult& result, const StepScore& counted, const StepOutcome& outcome) const {
+  if (!result.isScored)
+    return latestScore(session_.attempt()->first) ? tr("As it was judged in the lesson; its last score no longer counts.")
+                                                  : tr("As it was judged in the lesson; it was not scored since.");
+  const QString task = percent(counted.task);
+  // An earlier version wrote a share of steps without a recording, too.
+  return counted.validShare && !outcome.recording.empty()
+             ? tr("The task alone %1. Poses known in %2 of the images. Scored with revision %3 of what counts.")
+                   .arg(task, percent(*counted.validShare))
+                   .arg(result.counted.planRevision)
+             : tr("The task alone %1. Scored with revision %2 of what counts.").arg(task).arg(result.counted.planRevision);
+}
+
 void ScoresPage::showVerdict() {
   const LessonStep* step = session_.step();
   made_->setText({});
@@ -217,10 +230,7 @@ void ScoresPage::showVerdict() {
   }
   verdict_->setText(
       tr("%1, pass level %2: %3").arg(percentBeside(counted->score, counted->passLevel), percent(counted->passLevel), verdict));
-  made_->setText(result.isScored ? tr("The task alone %1. Poses known in %2 of the images. Scored with revision %3 of what counts.")
-                                       .arg(percent(counted->task), percent(counted->validShare))
-                                       .arg(result.counted.planRevision)
-                                 : tr("As it was judged in the lesson; it was not scored since."));
+  made_->setText(howItWasMade(result, *counted, *outcome));
 }
 
 void ScoresPage::showTable() {

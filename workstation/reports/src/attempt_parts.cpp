@@ -59,6 +59,18 @@ void addRating(const PartOf& of, const KeptRating& kept, Blocks& blocks) {
   blocks.emplace_back(itemsTable(kept, of.options));
 }
 
+/// The latest score, where it was kept but does not count: null where it does, and where there is none.
+const AttemptScore* outdatedScore(const PartOf& of) { return of.one.score && !of.result.isScored ? &*of.one.score : nullptr; }
+
+/// Why the verdicts of the lesson itself are what counts.
+Message unscoredText(const PartOf& of) {
+  const AttemptScore* outdated = outdatedScore(of);
+  if (outdated == nullptr) return say<"as in the lesson; it was not scored since">();
+  if (outdated->planRevision < of.one.plan.revision)
+    return say<"as in the lesson; score %1 was made by an earlier revision of the plan">(outdated->number);
+  return say<"as in the lesson; score %1 was made of an earlier state of the attempt">(outdated->number);
+}
+
 }  // namespace
 
 void addRatings(const PartOf& of, Blocks& blocks) {
@@ -72,19 +84,22 @@ void addRatings(const PartOf& of, Blocks& blocks) {
 }
 
 void addEarlierScores(const PartOf& of, Blocks& blocks) {
-  if (of.one.earlier.empty()) return;
+  std::vector<const AttemptScore*> earlier;
+  for (const AttemptScore& score : of.one.earlier) earlier.push_back(&score);
+  if (const AttemptScore* outdated = outdatedScore(of)) earlier.push_back(outdated);
+  if (earlier.empty()) return;
   blocks.emplace_back(ReportHeading{2, say<"Earlier scores">()});
   ReportTable table{
       say<"Kept as they were; they no longer count">(),
       {{say<"Number">()}, {say<"Scored">()}, {say<"Score">(), true}, {say<"Verdict">()}, {say<"Plan">(), true}, {say<"Program">()}},
       {}};
-  for (const AttemptScore& score : of.one.earlier)
-    table.rows.push_back({{verbatim(std::to_string(score.number))},
-                          {momentWords(score.madeAt)},
-                          {percentText(score.score)},
-                          {passedWord(score.passed), score.passed ? ReportTone::good : ReportTone::bad},
-                          {verbatim(std::to_string(score.planRevision))},
-                          {verbatim(score.program)}});
+  for (const AttemptScore* score : earlier)
+    table.rows.push_back({{verbatim(std::to_string(score->number))},
+                          {momentWords(score->madeAt)},
+                          {percentText(score->score)},
+                          {passedWord(score->passed), score->passed ? ReportTone::good : ReportTone::bad},
+                          {verbatim(std::to_string(score->planRevision))},
+                          {verbatim(score->program)}});
   blocks.emplace_back(std::move(table));
 }
 
@@ -95,7 +110,7 @@ void addOrigin(const PartOf& of, Blocks& blocks) {
                 {say<"Case and lesson">(), verbatim(of.one.attempt.caseId + " / " + of.one.attempt.lessonId)},
                 {say<"Judged in the lesson by">(), verbatim("EchoWeave " + of.one.attempt.program)}};
   if (!of.result.isScored) {
-    facts.rows.push_back({say<"Judged">(), say<"as in the lesson; it was not scored since">(), ReportTone::caution});
+    facts.rows.push_back({say<"Judged">(), unscoredText(of), ReportTone::caution});
   } else {
     const AttemptScore* score = &of.result.counted;
     facts.rows.push_back({say<"Scored">(), say<"%1 by EchoWeave %2">(momentWords(score->madeAt), score->program)});

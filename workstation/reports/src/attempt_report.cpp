@@ -55,7 +55,7 @@ Message verdictIn(const Attempt& attempt, const StepScore& step) {
 ReportPlot barsOf(const ReportedAttempt& one, const AttemptResult& result, const ReportedLesson& lesson) {
   BarsPlot plot;
   for (const StepScore& step : result.counted.steps) {
-    if (step.weight <= 0.0) continue;
+    if (weightIn(result, step) <= 0.0) continue;
     const Message says = joined({scoreText(step.score, step.passLevel), verdictIn(one.attempt, step)}, ", ");
     plot.bars.push_back({verbatim(stepTitle(lesson.words, step.stepId, step.title)), step.score, step.passLevel,
                          step.verdict == StepVerdict::passed, says});
@@ -77,12 +77,13 @@ ReportTable stepsTable(const ReportedAttempt& one, const AttemptResult& result, 
   for (const StepScore& step : result.counted.steps) {
     const StepOutcome* outcome = one.attempt.outcomeOf(step.stepId);
     const Message none = verbatim("–");
+    const double weight = weightIn(result, step);
     table.rows.push_back({{verbatim(stepTitle(lesson.words, step.stepId, step.title))},
                           {kindText(step.kind)},
                           {verdictIn(one.attempt, step), toneOf(step.verdict)},
                           {step.verdict == StepVerdict::handedIn ? none : scoreText(step.score, step.passLevel)},
-                          {step.weight > 0.0 ? percentText(step.passLevel) : none},
-                          {figureText(step.weight, "")},
+                          {weight > 0.0 ? percentText(step.passLevel) : none},
+                          {figureText(weight, "")},
                           {outcome == nullptr ? none : durationText(outcome->seconds)},
                           {outcome == nullptr ? none : figureText(outcome->hints, "")}});
   }
@@ -98,7 +99,7 @@ ReportFacts factsOf(const ReportedAttempt& one, const AttemptResult& result, con
                 {say<"Ended">(), one.attempt.finishedAt ? momentWords(*one.attempt.finishedAt) : say<"not finished">()},
                 {say<"Time on steps">(), durationText(result.worked_s)}};
   if (!result.isKnown) {
-    facts.rows.push_back({say<"Score">(), say<"not scored yet">(), ReportTone::caution});
+    facts.rows.push_back({say<"Score">(), one.score ? say<"none that counts now">() : say<"not scored yet">(), ReportTone::caution});
     return facts;
   }
   if (const auto score = result.score()) facts.rows.push_back({say<"Score">(), percentText(*score)});

@@ -9,22 +9,27 @@
 namespace ew::reports {
 namespace {
 
-ReportFacts stepFacts(const StepScore& step, const StepOutcome* outcome, std::size_t tries, bool isScored) {
+/// With what it has to reach, or why it has to reach nothing.
+Message stepScoreText(const AttemptResult& result, const StepScore& step) {
+  if (!result.isKnown) return percentText(step.score);  // nobody knows what counts, and from where on it passes
+  if (weightIn(result, step) <= 0.0) return say<"%1 (does not count)">(percentText(step.score));
+  const Message score = scoreText(step.score, step.passLevel), level = percentText(step.passLevel);
+  return result.areAlike ? say<"%1 (passes from %2; all steps count alike)">(score, level) : say<"%1 (passes from %2)">(score, level);
+}
+
+ReportFacts stepFacts(const AttemptResult& result, const StepScore& step, const StepOutcome* outcome, std::size_t tries) {
   ReportFacts facts;
   facts.rows.push_back({say<"Task">(), kindText(step.kind)});
   facts.rows.push_back({say<"Verdict">(), outcome == nullptr ? say<"not reached">() : verdictWord(step.verdict), toneOf(step.verdict)});
   if (outcome == nullptr) return facts;
   const bool isJudged = step.verdict != StepVerdict::skipped && step.verdict != StepVerdict::handedIn;
-  if (step.verdict != StepVerdict::handedIn)
-    facts.rows.push_back(
-        {say<"Score">(), step.weight > 0.0 ? say<"%1 (passes from %2)">(scoreText(step.score, step.passLevel), percentText(step.passLevel))
-                                           : say<"%1 (does not count)">(percentText(step.score))});
+  if (step.verdict != StepVerdict::handedIn) facts.rows.push_back({say<"Score">(), stepScoreText(result, step)});
   if (step.task != step.score) facts.rows.push_back({say<"Of the task itself">(), percentText(step.task)});
   facts.rows.push_back({say<"Time">(), durationText(outcome->seconds)});
   if (outcome->hints > 0) facts.rows.push_back({say<"Hints">(), figureText(outcome->hints, "")});
   if (tries > 1) facts.rows.push_back({say<"Tries">(), say<"%1, of which the last one counts">(tries)});
-  if (step.validShare < 1.0) facts.rows.push_back({say<"Images with a usable pose">(), percentText(step.validShare)});
-  if (isScored && !step.isJudgedAnew && isJudged)
+  if (step.validShare && *step.validShare < 1.0) facts.rows.push_back({say<"Images with a usable pose">(), percentText(*step.validShare)});
+  if (result.isScored && !step.isJudgedAnew && isJudged)
     facts.rows.push_back({say<"Judged">(), say<"as in the lesson; its raw data are not there">(), ReportTone::caution});
   return facts;
 }
@@ -158,7 +163,7 @@ void addStep(const PartOf& of, const StepScore& step, std::size_t number, Blocks
   const StepOutcome* outcome = of.one.attempt.outcomeOf(step.stepId);
   const auto& all = of.one.attempt.outcomes;
   const auto tries = std::count_if(all.begin(), all.end(), [&](const StepOutcome& each) { return each.stepId == step.stepId; });
-  blocks.emplace_back(stepFacts(step, outcome, static_cast<std::size_t>(tries), of.result.isScored));
+  blocks.emplace_back(stepFacts(of.result, step, outcome, static_cast<std::size_t>(tries)));
   addRemarks(of, step.remarks, blocks);
   addFigures(step.figures, blocks);
   if (!step.metrics.empty()) addMetrics(of, step, blocks);

@@ -40,10 +40,10 @@ void addMetric(ClassStep& step, const MetricValue& value) {
   known->values.push_back(value.value);
 }
 
-void addStepScore(ClassStep& step, const StepScore& score, bool isReached) {
+void addStepScore(ClassStep& step, const StepScore& score, double weight, bool isReached) {
   step.title = score.title;
   step.kind = score.kind;
-  step.weight = score.weight;
+  step.weight = weight;
   step.passLevel = score.passLevel;
   if (!isReached) {
     ++step.notReached;
@@ -120,7 +120,7 @@ ClassFigures classFiguresOf(const std::vector<ReportedAttempt>& attempts) {
     figures.passed += *result.passed() ? 1 : 0;
     figures.scores.push_back(result.counted.score);
     for (const StepScore& step : result.counted.steps)
-      addStepScore(stepOf(figures, step), step, one.attempt.outcomeOf(step.stepId) != nullptr);
+      addStepScore(stepOf(figures, step), step, weightIn(result, step), one.attempt.outcomeOf(step.stepId) != nullptr);
   }
   for (std::size_t n = 0; n < figures.steps.size(); ++n) {
     const double share = figures.steps[n].weight > 0.0 ? figures.steps[n].notPassedShare() : 0.0;

@@ -20,15 +20,14 @@ std::size_t placeOf(const std::string& id) {
   return static_cast<std::size_t>(std::find_if(all.begin(), all.end(), [&](const Metric& one) { return one.id == id; }) - all.begin());
 }
 
-/// In the order of the registry; of those it does not know any more, by name.
-std::vector<MetricColumn> columnsOf(const std::vector<ReportedAttempt>& attempts) {
+/// In the order of the registry; of those it does not know any more, by name. A score that no longer counts has no line, so no column.
+std::vector<MetricColumn> columnsOf(const std::vector<AttemptResult>& results) {
   std::vector<MetricColumn> columns;
-  for (const ReportedAttempt& one : attempts)
-    if (one.score)
-      for (const StepScore& step : one.score->steps)
-        for (const MetricValue& value : step.metrics)
-          if (const MetricColumn column{value.id, value.version}; std::find(columns.begin(), columns.end(), column) == columns.end())
-            columns.push_back(column);
+  for (const AttemptResult& result : results)
+    for (const StepScore& step : result.counted.steps)
+      for (const MetricValue& value : step.metrics)
+        if (const MetricColumn column{value.id, value.version}; std::find(columns.begin(), columns.end(), column) == columns.end())
+          columns.push_back(column);
   std::sort(columns.begin(), columns.end(), [](const MetricColumn& a, const MetricColumn& b) {
     return std::tuple(placeOf(a.id), a.id, a.version) < std::tuple(placeOf(b.id), b.id, b.version);
   });
@@ -109,13 +108,20 @@ CsvLine begun(const ReportedAttempt& one, const AttemptResult& result, const Pse
   return line.add(score.planRevision).add(score.scoring).add(score.program).add(momentText(score.madeAt));
 }
 
-std::string stepLine(CsvLine line, const StepScore& step, const StepOutcome* outcome, const std::vector<MetricColumn>& columns) {
+/// Whether scoring has looked at the poses of a step: an earlier version wrote 1 of steps without a recording, too.
+bool arePosesCounted(const StepScore& step, const StepOutcome* outcome) {
+  return step.validShare && outcome != nullptr && !outcome->recording.empty();
+}
+
+std::string stepLine(CsvLine line, const AttemptResult& result, const StepScore& step, const StepOutcome* outcome,
+                     const std::vector<MetricColumn>& columns) {
   line.add(step.stepId).add(step.title).add(step.kind).add(verdictWord(step.verdict).english());
   step.verdict == StepVerdict::handedIn ? line.skip(2) : line.add(step.score).add(step.task);  // nobody has judged it yet
   line.add(step.passLevel);
-  line.add(step.weight);
+  line.add(weightIn(result, step));
   outcome == nullptr ? line.skip(2) : line.add(outcome->seconds).add(outcome->hints);
-  line.add(yes(step.isJudgedAnew)).add(100.0 * step.validShare);
+  line.add(yes(step.isJudgedAnew));
+  arePosesCounted(step, outcome) ? line.add(100.0 * *step.validShare) : line.skip();
   for (const MetricColumn& column : columns) {
     const auto value = std::find_if(step.metrics.begin(), step.metrics.end(), [&](const MetricValue& one) {
       return MetricColumn{one.id, one.version} == column;
@@ -145,16 +151,20 @@ std::string csvText(std::string_view text) {
 }
 
 std::string csvOf(const std::vector<ReportedAttempt>& attempts, const Pseudonyms& codes, bool names) {
-  const std::vector<MetricColumn> columns = columnsOf(attempts);
+  std::vector<AttemptResult> results;
+  for (const ReportedAttempt& one : attempts) results.push_back(one.result());
+  const std::vector<MetricColumn> columns = columnsOf(results);
   CsvLine heads;
   for (const std::string_view name : kColumns) heads.add(name);
   for (const MetricColumn& column : columns) heads.add(titleOf(column));
   std::string table = heads.text();
-  for (const ReportedAttempt& one : attempts) {
-    const AttemptResult result = one.result();
+  for (std::size_t n = 0; n < attempts.size(); ++n) {
+    const ReportedAttempt& one = attempts[n];
+    const AttemptResult& result = results[n];
     const CsvLine begin = begun(one, result, codes, names);
     if (result.isKnown)
-      for (const StepScore& step : result.counted.steps) table += stepLine(begin, step, one.attempt.outcomeOf(step.stepId), columns);
+      for (const StepScore& step : result.counted.steps)
+        table += stepLine(begin, result, step, one.attempt.outcomeOf(step.stepId), columns);
     else
       for (const StepOutcome& outcome : one.attempt.outcomes)
         if (one.attempt.outcomeOf(outcome.stepId) == &outcome) table += outcomeLine(begin, outcome, columns.size());

@@ -57,6 +57,8 @@ std::set<std::pair<std::string, std::string>> metricsOff() {
 
 }  // namespace
 
+double weightIn(const AttemptResult& result, const StepScore& step) { return result.areAlike ? 1.0 : step.weight; }
+
 AttemptResult ReportedAttempt::result() const { return attemptResultOf(attempt, lesson ? &*lesson : nullptr, plan, score); }
 
 Result<ReportedAttempt> readReportedAttempt(const fs::path& folder, AttemptResults* results) {
@@ -67,7 +69,7 @@ Result<ReportedAttempt> readReportedAttempt(const fs::path& folder, AttemptResul
   made.attempt = kept->attempt();
   if (results != nullptr) {
     if (const TriedLesson* tried = results->lessonOf(made.attempt)) made.lesson = tried->lesson;
-    made.plan = results->planOf(made.attempt);
+    if (const auto& plan = results->planOf(made.attempt)) made.plan = *plan;
   }
   made.earlier = scoresOf(folder);
   if (!made.earlier.empty()) {

@@ -25,14 +25,17 @@ struct ReportedAttempt {
   Attempt attempt;
   std::optional<Lesson> lesson = {};  ///< as it was when it was tried, else as it is now; empty: the library does not have it
   AssessmentPlan plan = {};           ///< of the lesson, that counts now
-  std::optional<AttemptScore> score;  ///< the latest that was kept; empty: it was never scored
-  std::vector<AttemptScore> earlier;  ///< that no longer count, the first one first
+  std::optional<AttemptScore> score;  ///< the latest that was kept, counts where result().isScored; empty: never scored
+  std::vector<AttemptScore> earlier;  ///< that were kept before it and no longer count, the first one first
   KeptRatings ratings;                ///< of everybody; drafts are left out of reports
   CommentList comments;
 
   /// What it amounts to, as every other surface says it.
   [[nodiscard]] AttemptResult result() const;
 };
+/// What a step weighs in the score of its attempt: 1 where no step weighs anything, for all count alike then.
+[[nodiscard]] double weightIn(const AttemptResult& result, const StepScore& step);
+
 /// What lies in an attempt's folder now. @param results of the library, for lesson and plan; null: without them
 /// @error notFound, badHeader, badField, newerFormat (attempt.json)
 [[nodiscard]] Result<ReportedAttempt> readReportedAttempt(const std::filesystem::path& folder, AttemptResults* results = nullptr);
