@@ -101,7 +101,8 @@ std::vector<std::string_view> linesOf(std::string_view text) {
 }
 
 bool covers(const Exception& exception, const std::string& path) {
-  return exception.path.ends_with('/') ? path.starts_with(exception.path) : path == exception.path;
+  const bool isBegin = exception.path.ends_with('/') || exception.path.ends_with('_');
+  return isBegin ? path.starts_with(exception.path) : path == exception.path;
 }
 
 }  // namespace

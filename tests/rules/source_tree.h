@@ -33,7 +33,7 @@ struct Offence {
 
 /// Why a file may break a rule all the same.
 struct Exception {
-  std::string path;    ///< as in Source; a folder when it ends in "/"
+  std::string path;    ///< as in Source; a folder when it ends in "/", all files whose names begin so when it ends in "_"
   std::string reason;  ///< a sentence
 };
 

@@ -38,6 +38,13 @@ TEST(SourceTree, WhatBreaksARuleIsSaidWithItsPlaceAndWhatToDo) {
   };
   EXPECT_EQ(brokenBy(one, {}, "do it right"), "workstation/core/src/pose.cpp:7: x\nInstead: do it right\n");
   EXPECT_EQ(brokenBy(one, {{"workstation/core/src/", "All of them."}}, "do it right"), "");
+  const Rule begun = [](const Source& source) {
+    return source.path == "workstation/core/src/json_fields.cpp" ? std::vector<Offence>{{source.path, 7, "x"}} : std::vector<Offence>();
+  };
+  EXPECT_EQ(brokenBy(begun, {{"workstation/core/src/json_", "All whose names begin so."}}, "do it right"), "");
+  EXPECT_EQ(brokenBy(begun, {{"workstation/core/src/json", "No such file."}}, "do it right"),
+            "workstation/core/src/json_fields.cpp:7: x\nInstead: do it right\n"
+            "workstation/core/src/json needs its exception no longer; take it out of the rule.\n");
 }
 
 }  // namespace
