@@ -2,20 +2,30 @@
 // next one offers.
 #include <QAction>
 #include <QDialog>
+#include <QDir>
 #include <QFile>
 #include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
 #include <QSettings>
+#include <QSpinBox>
+#include <algorithm>
+#include <array>
+#include <chrono>
 #include <csignal>
+#include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "answers.h"
 #include "calipers.h"
 #include "ew/io/autosave.h"
+#include "ew/scanning/recording_journal.h"
 #include "recorder.h"
 #include "replay_bar.h"
+#include "scanning/small_scan.h"
 #include "start_page.h"
 #include "window_fixture.h"
 #include "worksheets.h"
@@ -85,6 +95,25 @@ void makeVolume(MainWindow& window) {
   waitUntil([&] { return window.isSettled() && !window.document().current(); });
 }
 
+/// NIfTI-1 of 32 x 32 x 32 voxels of 3 mm, twice: which of them is meant has to be asked.
+std::string twoInOneFile() {
+  constexpr std::int16_t kSide = 32;
+  std::string bytes(352, '\0');
+  const auto put = [&](std::size_t at, auto value) { std::memcpy(bytes.data() + at, &value, sizeof value); };
+  put(0, std::int32_t{348});
+  const std::array<std::int16_t, 5> dims{4, kSide, kSide, kSide, 2};
+  for (std::size_t n = 0; n < dims.size(); ++n) put(40 + 2 * n, dims[n]);
+  put(70, std::int16_t{2});
+  put(72, std::int16_t{8});
+  for (std::size_t n = 0; n < 8; ++n) put(76 + 4 * n, n >= 1 && n <= 3 ? 3.0F : 1.0F);
+  put(108, 352.0F);
+  put(254, std::int16_t{1});
+  for (std::size_t n = 0; n < 3; ++n) put(280 + 20 * n, 3.0F);
+  bytes.replace(344, 4, std::string("n+1\0", 4));
+  for (int n = 0; n < 2 * kSide * kSide * kSide; ++n) bytes += static_cast<char>(n % 199);
+  return bytes;
+}
+
 /// Says "ready" once everything is done, and waits to be killed.
 int runAsWindow() {
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, qEnvironmentVariable(kSettings));
@@ -140,6 +169,44 @@ class KeepingTest : public WindowFixture {
     window_->openWhereOneWas();
     window_->offerUnsavedWork();
   }
+  /// What a window left that was killed: a recording of so many frames. @param path of what it was made of; empty: that lies in no file
+  void leaveRecording(const char* name, const QString& path, int frames, const std::shared_ptr<const Volume>& shown = nullptr) const {
+    const QString folder = data() + QStringLiteral("/echoweave/unsaved-work/") + QLatin1String(name);
+    QVERIFY(QDir().mkpath(folder));
+    ScanRecording recording;
+    recording.size_px = {320, 240};
+    recording.title = name;
+    for (int n = 0; n < frames; ++n) recording.log.addFrame(test::movingState(n));
+    nlohmann::json about = {{"kind", "window"}, {"path", path.toStdString()}, {"title", name}, {"volumes", nlohmann::json::array()}};
+    if (shown) {
+      about["volumes"].push_back({{"path", "/made/of.igs.mha"}, {"title", name}, {"item", "volume-1.mha"}, {"shown", true}});
+      QVERIFY(writeVolume(*shown, (folder + QStringLiteral("/volume-1.mha")).toStdString()).has_value());
+    }
+    const std::pair<const char*, std::string> items[] = {
+        {"lock", {}}, {"about.json", about.dump()}, {"recording.jsonl", journalHead(recording) + journalLines(recording.log, 0)}};
+    for (const auto& [item, text] : items)
+      QVERIFY(writeFileSafely((folder + QLatin1Char('/') + QLatin1String(item)).toStdString(), text).has_value());
+  }
+  [[nodiscard]] bool isLeft(const char* name) const {
+    return QFile::exists(data() + QStringLiteral("/echoweave/unsaved-work/") + QLatin1String(name));
+  }
+  [[nodiscard]] std::size_t framesHere() const {
+    const auto recording = window_->replayBar().recording();
+    return recording ? recording->log.frameCount() : 0;
+  }
+  /// Whether a sentence with these words is among the messages; all of them go.
+  [[nodiscard]] bool wasSaid(const char* words) const {
+    bool found = false;
+    for (; window_->messages().count() > 0; window_->messages().dismiss())
+      found = found || window_->messages().text().contains(QLatin1String(words));
+    return found;
+  }
+  void closeWithoutSaving() {
+    Answers answers({{QStringLiteral("unsavedRecordingQuestion"), press(QMessageBox::Discard)},
+                     {QStringLiteral("unsavedVolumeQuestion"), press(QMessageBox::Discard)}});
+    QVERIFY(window_->close());
+    window_.reset();
+  }
   void waitForRest() const {
     QVERIFY(waitUntil([this] { return window_->isSettled() && window_->jobs().seen().empty(); }));
   }
@@ -147,6 +214,7 @@ class KeepingTest : public WindowFixture {
  private Q_SLOTS:
   void init() {
     QSettings().clear();
+    QDir(data() + QStringLiteral("/echoweave/unsaved-work")).removeRecursively();
     case_ = files_.writeCase(QStringLiteral("case"));
   }
   void cleanup() { window_.reset(); }
@@ -231,6 +299,136 @@ class KeepingTest : public WindowFixture {
     Answers answers({{QStringLiteral("unsavedVolumeQuestion"), press(QMessageBox::Discard)}});
     QVERIFY(window_->close());
     QCOMPARE(answers.asked, QStringList{QStringLiteral("unsavedVolumeQuestion")});
+    QCOMPARE(left(data()), std::size_t{0});
+  }
+
+  void whatWasOfAnotherPatientIsNotPutOnTheCaseThatIsOpen() {
+    leaveRecording("stitched", {}, 6);
+    QSettings().setValue(QStringLiteral("open/last"), case_);
+    for (int start = 0; start < 2; ++start) {  // and is offered as often as somebody asks
+      {
+        Answers answers({{QStringLiteral("unsavedWorkQuestion"), press("goOnUnsaved")}});
+        startWindow();
+        QVERIFY(waitUntil([this] { return framesHere() > 0 || wasSaid("'stitched' lies in no file"); }));
+        waitForRest();
+      }
+      QVERIFY(window_->document().current());
+      QCOMPARE(framesHere(), std::size_t{0});
+      QVERIFY(!session().isPlaying());
+      closeWithoutSaving();
+      QVERIFY(isLeft("stitched"));
+    }
+  }
+
+  void whatLiesInNoFileCanStillBeSaved() {
+    leaveRecording("stitched", {}, 6);
+    QSettings().setValue(QStringLiteral("open/last"), case_);
+    const QString file = files_.path(QStringLiteral("rescued.seq.mha"));
+    Answers answers({{QStringLiteral("unsavedWorkQuestion"), press("goOnUnsaved")}, {QStringLiteral("fileDialog"), type(file)}});
+    startWindow();
+    const auto offered = [this]() -> QPushButton* {
+      for (QPushButton* each : window_->messages().findChildren<QPushButton*>())
+        if (each->isVisible() && each->text() == MainWindow::tr("Save recording as…")) return each;
+      return nullptr;
+    };
+    QVERIFY(waitUntil([&] { return offered() != nullptr; }));
+    waitForRest();
+    QVERIFY(offered());
+    QTest::mouseClick(offered(), Qt::LeftButton);
+    QVERIFY(waitUntil([&] { return QFile::exists(file) && !isLeft("stitched"); }));
+    waitForRest();
+    closeWithoutSaving();
+  }
+
+  void aRecordingComesBackWithItsOwnVolumeAlone() {
+    leaveRecording("made", {}, 6, test::waves());
+    leaveRecording("earlier", case_, 4);  // is gone on with first, so that the volume has to ask
+    const std::filesystem::path folder = (data() + QStringLiteral("/echoweave/unsaved-work/made")).toStdString();
+    for (const auto& item : std::filesystem::directory_iterator(folder))
+      std::filesystem::last_write_time(item.path(), std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
+    QSettings().setValue(QStringLiteral("open/last"), case_);
+    {
+      Answers answers({{QStringLiteral("unsavedWorkQuestion"), press("goOnUnsaved")},
+                       {QStringLiteral("unsavedRecordingQuestion"), press(QMessageBox::Cancel)}});
+      startWindow();
+      QVERIFY(waitUntil([&] { return answers.asked.contains(QStringLiteral("unsavedRecordingQuestion")); }));
+      waitForRest();
+      QTest::qWait(300);
+    }
+    QCOMPARE(framesHere(), std::size_t{4});
+    QVERIFY(isLeft("made"));
+    QVERIFY(wasSaid("comes back when it is shown"));
+    Answers answers({{QStringLiteral("unsavedRecordingQuestion"), press(QMessageBox::Discard)}});
+    const auto actions = window_->findChildren<QAction*>();
+    const auto show = std::find_if(actions.begin(), actions.end(), [](const QAction* each) {
+      return each->text() == MainWindow::tr("Show the volume made from %1").arg(QStringLiteral("made"));
+    });
+    QVERIFY(show != actions.end());
+    (*show)->trigger();
+    QVERIFY(waitUntil([this] { return framesHere() == 6; }));
+    QVERIFY(session().subject() && session().subject()->title == "made");
+    QVERIFY(waitUntil([this] { return !isLeft("made"); }));
+    waitForRest();
+    closeWithoutSaving();
+  }
+
+  void theSecondOfTwoRecordingsDoesNotTakeTheFirstOnesPlace() {
+    leaveRecording("one", case_, 5);
+    leaveRecording("two", case_, 7);
+    QSettings().setValue(QStringLiteral("open/last"), case_);
+    {
+      Answers answers({{QStringLiteral("unsavedWorkQuestion"), press("goOnUnsaved")}});
+      startWindow();
+      QVERIFY(waitUntil([&] { return answers.asked.size() == 2; }));
+      QVERIFY(waitUntil([this] { return framesHere() > 0 && isLeft("one") != isLeft("two"); }));
+      waitForRest();
+      QTest::qWait(300);
+    }
+    const std::size_t first = framesHere();
+    QVERIFY2(isLeft(first == 5 ? "two" : "one") && !isLeft(first == 5 ? "one" : "two"), "what is here has gone there, and nothing else");
+    QVERIFY(wasSaid(first == 5 ? "what was not saved of 'two' before is kept" : "what was not saved of 'one' before is kept"));
+    closeWithoutSaving();
+    Answers answers({{QStringLiteral("unsavedWorkQuestion"), press("goOnUnsaved")}});
+    startWindow();
+    QVERIFY(waitUntil([&] { return framesHere() == 12 - first; }));
+    waitForRest();
+    QCOMPARE(answers.asked, QStringList{QStringLiteral("unsavedWorkQuestion")});
+    closeWithoutSaving();
+    QCOMPARE(left(data()), std::size_t{0});
+  }
+
+  void aFileThatAsksIsGoneOnWithOnceItIsAnswered() {
+    const QString file = files_.path(QStringLiteral("two.nii"));
+    QVERIFY(writeFileSafely(file.toStdString(), twoInOneFile()).has_value());
+    leaveRecording("asking", file, 6);
+    QSettings().setValue(QStringLiteral("open/last"), QString());
+    {
+      Answers answers({{QStringLiteral("unsavedWorkQuestion"), press("goOnUnsaved")},
+                       {QStringLiteral("fileImportDialog"), [](QWidget& dialog) { qobject_cast<QDialog*>(&dialog)->reject(); }}});
+      startWindow();
+      QVERIFY(waitUntil([&] { return answers.asked.contains(QStringLiteral("fileImportDialog")); }));
+      waitForRest();
+      QTest::qWait(300);
+    }
+    QVERIFY(wasSaid("two.nii' was not opened, so what was not saved of it is kept"));
+    closeWithoutSaving();
+    QVERIFY(isLeft("asking"));
+    Answers answers({{QStringLiteral("unsavedWorkQuestion"), press("goOnUnsaved")}, {QStringLiteral("fileImportDialog"), [](QWidget&) {}}});
+    startWindow();
+    QVERIFY(waitUntil([&] { return answers.asked.contains(QStringLiteral("fileImportDialog")); }));
+    auto* dialog = find<QDialog>("fileImportDialog");
+    QVERIFY(dialog);
+    auto* number = dialog->findChild<QSpinBox*>(QStringLiteral("timeStep"));
+    QVERIFY(waitUntil([&] { return number->maximum() == 2; }));
+    QTest::qWait(300);
+    QVERIFY2(!wasSaid("is kept and offered at the next start"), "while the dialog stands there");
+    number->setValue(2);
+    dialog->findChild<QPushButton*>(QStringLiteral("importFile"))->click();
+    QVERIFY(waitUntil([this] { return framesHere() == 6; }));
+    QVERIFY(waitUntil([this] { return !isLeft("asking"); }));
+    waitForRest();
+    QVERIFY(!wasSaid("is kept and offered at the next start"));
+    closeWithoutSaving();
     QCOMPARE(left(data()), std::size_t{0});
   }
 

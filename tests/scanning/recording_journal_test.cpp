@@ -85,7 +85,6 @@ TEST_F(RecordingJournal, DamageInTheMiddleEndsItWithANote) {
 TEST_F(RecordingJournal, RefusesWhatIsNone) {
   const ScanRecording recording = grown(1);
   EXPECT_EQ(readJournal(folder / "none.jsonl").error().code, ErrorCode::notFound);
-  EXPECT_FALSE(readJournal(keep("")));
   EXPECT_FALSE(readJournal(keep("[1, 2]\n")));
   EXPECT_FALSE(readJournal(keep(R"({"recording": 1, "case": "a", "title": "b", "size_px": [0, -4]})"
                                 "\n")));
@@ -94,7 +93,17 @@ TEST_F(RecordingJournal, RefusesWhatIsNone) {
                 .error()
                 .code,
             ErrorCode::newerFormat);
-  EXPECT_EQ(readJournal(keep(journalHead(recording))).error().code, ErrorCode::badField) << "no image";
+}
+
+TEST_F(RecordingJournal, ThatEndsBeforeItsFirstImageIsToldFromOneThatCannotBeRead) {
+  const ScanRecording recording = grown(1);
+  const std::string head = journalHead(recording), lines = journalLines(recording.log, 0);
+  for (const std::string& cut : {std::string(), head.substr(0, head.size() / 2), head, head + lines.substr(0, lines.find('\n'))})
+    EXPECT_EQ(readJournal(keep(cut)).error().code, ErrorCode::truncated) << cut;
+  const auto damaged = readJournal(keep(head + "#" + lines));
+  ASSERT_FALSE(damaged);
+  EXPECT_EQ(damaged.error().code, ErrorCode::badField) << "there may be images in it";
+  EXPECT_NE(damaged.error().sentence().find("line 2"), std::string::npos) << damaged.error();
 }
 
 }  // namespace

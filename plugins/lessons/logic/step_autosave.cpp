@@ -74,7 +74,8 @@ void StepAutosave::grow(const LessonRun& run, double now_s) {
   events_ = log.events().size();
 }
 
-void StepAutosave::endStep() {
+void StepAutosave::endStep(const LessonRun& run) {
+  if (run.attempt() && run.attempt()->attempt().finishedAt) return forget();
   kept_.remove(kStepItem);
   events_ = 0;
 }
@@ -91,18 +92,30 @@ std::optional<StepAutosave::Left> StepAutosave::takeLeft(const fs::path& attempt
     const JsonFields fields(about, reading);
     return fields.text("kind", "", 0) == kKindOfStep && fields.text("attempt", "", 0, 10000) == attempt.string();
   });
-  if (found.empty()) return std::nullopt;
-  Left left;
-  left.kept = std::make_shared<Autosave::Left>(std::move(found.front()));
-  JsonReading reading(verbatim("about"));
-  left.stepId = JsonFields(left.kept->about(), reading).text("step_id", "", 0);
-  if (!left.kept->has(kStepItem)) return left;
-  if (const auto read = readJournal(left.kept->fileOf(kStepItem))) left.log = withoutStand(read->log, left.used_s, left.hints);
+  std::optional<Left> left;
+  for (Autosave::Left& each : found) {
+    JsonReading reading(verbatim("about"));
+    const std::string stepId = JsonFields(each.about(), reading).text("step_id", "", 0);
+    const auto read = each.has(kStepItem) ? readJournal(each.fileOf(kStepItem)) : Result<ScanRecording>(ScanRecording());
+    if (!read && read.error().code != ErrorCode::truncated) continue;  // a newer program may read it
+    // A program that took up a step and could not keep it has left less of it than the one before.
+    Left seen{attempt, stepId, {}, 0.0, 0, nullptr};
+    if (read) seen.log = withoutStand(read->log, seen.used_s, seen.hints);
+    if (left && (left->stepId != stepId || left->log.frameCount() >= seen.log.frameCount())) continue;
+    seen.kept = std::make_shared<Autosave::Left>(std::move(each));
+    left = std::move(seen);
+  }
   return left;
 }
 
+std::optional<StepAutosave::Left> StepAutosave::takeLeftOfAny(const std::vector<fs::path>& attempts) const {
+  for (const fs::path& each : attempts)
+    if (auto left = takeLeft(each)) return left;
+  return std::nullopt;
+}
+
 void StepAutosave::discardOnceKept(const std::shared_ptr<Autosave::Left>& left) {
-  if (left) kept_.then([left] { left->discard(); });
+  if (left) kept_.discardOnceKept(left);
 }
 
 }  // namespace ew::lessons

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ew/io/autosave.h"
 #include "logic/lesson_run.h"
@@ -18,6 +19,7 @@ class StepAutosave {
  public:
   /// What a crash has left of a step.
   struct Left {
+    std::filesystem::path attempt;  ///< its folder
     std::string stepId;
     ScanLog log;  ///< what was scanned in it, on the clock of that time
     double used_s = 0.0;
@@ -31,12 +33,15 @@ class StepAutosave {
   void begin(const LessonRun& run, const std::filesystem::path& caseFolder, const std::string& title);
   /// What has been seen since.
   void grow(const LessonRun& run, double now_s);
-  /// The step was ended, skipped or left; the lesson goes on.
-  void endStep();
+  /// The step was ended or skipped. With the last one that was open the attempt is finished, and there is nothing to offer any more.
+  void endStep(const LessonRun& run);
   /// The lesson was left or finished.
   void forget();
-  /// What was left of an attempt's running step. @param attempt its folder
+  /// What was left of an attempt's running step. When several programs left something, because one that went on with it could not keep it,
+  /// it is what has most of it; the rest stays, as does what cannot be read. @param attempt its folder
   [[nodiscard]] std::optional<Left> takeLeft(const std::filesystem::path& attempt) const;
+  /// The same of the first of these attempts of which something was left.
+  [[nodiscard]] std::optional<Left> takeLeftOfAny(const std::vector<std::filesystem::path>& attempts) const;
   /// Once what was handed over before is kept here, what was left behind goes.
   void discardOnceKept(const std::shared_ptr<Autosave::Left>& left);
   void flush() { kept_.flush(); }

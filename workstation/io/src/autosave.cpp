@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -74,6 +75,35 @@ std::chrono::system_clock::time_point latestIn(const fs::path& folder) {
   return now - std::chrono::duration_cast<std::chrono::system_clock::duration>(fs::file_time_type::clock::now() - latest);
 }
 
+/// On the medium, so that a power cut does not take it; false with errno.
+bool syncAt(const fs::path& place) {
+  const int opened = ::open(place.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+  if (opened < 0) return false;
+  const int problem = ::fsync(opened) == 0 ? 0 : errno;
+  ::close(opened);
+  errno = problem;
+  return problem == 0;
+}
+
+/// What lies beyond was written in part.
+bool cutTo(int file, std::uint64_t bytes) {
+  struct stat found {};
+  if (::fstat(file, &found) != 0) return false;
+  return static_cast<std::uint64_t>(found.st_size) <= bytes || ::ftruncate(file, static_cast<off_t>(bytes)) == 0;
+}
+
+/// At the end of a file; false with errno: not all of it.
+bool addTo(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written == 0) errno = ENOSPC;
+    if (written <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
 }  // namespace
 
 Autosave::Left::Left(Left&& other) noexcept
@@ -98,6 +128,15 @@ bool Autosave::Left::has(const std::string& item) const {
   return fs::is_regular_file(folder_ / item, ignored);
 }
 
+std::vector<std::string> Autosave::Left::items() const {
+  std::vector<std::string> names;
+  std::error_code failed;
+  for (fs::directory_iterator at(folder_, failed); !failed && at != fs::directory_iterator(); at.increment(failed))
+    if (std::string name = at->path().filename().string(); isPlainName(name) && name != kAboutItem) names.push_back(std::move(name));
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 void Autosave::Left::discard() {
   if (lock_ < 0) return;
   std::error_code ignored;
@@ -119,6 +158,7 @@ class Autosave::Writer {
     }
     changed_.notify_all();
     if (thread_.joinable()) thread_.join();
+    others_.clear();  // who asks next decides
     forget();
   }
 
@@ -150,80 +190,88 @@ class Autosave::Writer {
   }
 
   void describe(const json& about) {
-    if (auto made = makeFolder(); !made) return tell(made);
-    tell(writePrivateFile(folder_ / kAboutItem, about.dump(-1, ' ', false, json::error_handler_t::replace)));
+    about_ = about.dump(-1, ' ', false, json::error_handler_t::replace);
+    isAboutBehind_ = true;
+    tell(makeReady());
   }
 
-  void replace(const std::string& item, std::uint64_t number, const std::function<Result<std::string>()>& make) {
-    if (!isLatest(item, number)) return;
-    if (auto made = makeFolder(); !made) return tell(made);
-    const auto bytes = attempt<Result<std::string>>(make);
-    if (!bytes) return tell(passOn(bytes.error()));
-    if (auto room = roomFor(bytes->size(), item); !room) return tell(room);
-    const auto written = writePrivateFile(folder_ / item, *bytes);
-    if (written) sizes_[item] = bytes->size();
-    tell(written);
+  void replace(const std::string& name, std::uint64_t number, const std::function<Result<std::string>()>& make) {
+    if (!isLatest(name, number)) return leaveToLater(name);
+    std::uint64_t size = 0;
+    const auto written = [&]() -> Result<void> {
+      if (auto made = makeReady(); !made) return made;
+      const auto bytes = attempt<Result<std::string>>(make);
+      if (!bytes) return passOn(bytes.error());
+      if (auto room = roomFor(bytes->size(), name); !room) return room;
+      size = bytes->size();
+      return writePrivateFile(folder_ / name, *bytes);
+    }();
+    settleReplaced(name, written, {.size = size});
   }
 
-  void replaceFile(const std::string& item, std::uint64_t number, std::uint64_t bytes,
+  void replaceFile(const std::string& name, std::uint64_t number, std::uint64_t bytes,
                    const std::function<Result<void>(const fs::path&)>& write) {
-    if (!isLatest(item, number)) return;
-    if (auto made = makeFolder(); !made) return tell(made);
-    if (auto room = roomFor(bytes, item); !room) return tell(room);
-    const fs::path aside = folder_ / (".new-" + item);  // keeps the ending, by which writers choose a form
+    if (!isLatest(name, number)) return leaveToLater(name);
     std::error_code failed;
-    if (const auto written = attempt<Result<void>>([&] { return write(aside); }); !written) {
-      fs::remove(aside, failed);
-      return tell(written);
-    }
-    fs::permissions(aside, fs::perms::owner_read | fs::perms::owner_write, failed);
-    fs::rename(aside, folder_ / item, failed);
-    if (failed) return tell(refuse(failed.message()));
-    const auto size = fs::file_size(folder_ / item, failed);
-    sizes_[item] = failed ? bytes : size;
-    tell({});
-  }
-
-  void append(const std::string& item, std::string_view bytes) {
-    if (auto made = makeFolder(); !made) return tell(made);
-    if (auto room = roomFor(sizes_[item] + bytes.size(), item); !room) return tell(room);
-    const int file = ::open((folder_ / item).c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0600);
-    if (file < 0) return tell(refuse(std::generic_category().message(errno)));
-    Result<void> outcome;
-    while (!bytes.empty() && outcome) {
-      const ssize_t written = ::write(file, bytes.data(), bytes.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written <= 0) {
-        outcome = refuse(std::generic_category().message(written < 0 ? errno : ENOSPC));
-        break;
+    const auto written = [&]() -> Result<void> {
+      if (auto made = makeReady(); !made) return made;
+      if (auto room = roomFor(bytes, name); !room) return room;
+      const fs::path aside = folder_ / (".new-" + name);  // keeps the ending, by which writers choose a form
+      auto made = attempt<Result<void>>([&] { return write(aside); });
+      if (made) {
+        fs::permissions(aside, fs::perms::owner_read | fs::perms::owner_write, failed);
+        fs::rename(aside, folder_ / name, failed);
+        if (failed) made = refuse(failed.message());
       }
-      sizes_[item] += static_cast<std::uint64_t>(written);
-      bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    if (const auto now = Clock::now(); now - syncedAt_ > kSyncEvery) {
-      ::fdatasync(file);
-      syncedAt_ = now;
-    }
-    ::close(file);
-    tell(outcome);
+      if (!made) fs::remove(aside, failed);
+      return made;
+    }();
+    const auto size = written ? fs::file_size(folder_ / name, failed) : 0;
+    settleReplaced(name, written, {.size = failed ? bytes : size, .isSynced = false});
   }
 
-  void remove(const std::string& item) {
+  void append(const std::string& name, std::string_view bytes) {
+    Item& item = items_[name];
+    if (item.isEnded) return;  // and was told
+    item.held += bytes;
+    item.isBehind = true;
+    const auto added = addHeld(name, item);
+    if (!added && item.held.size() > limits_.most_held_bytes) end(item);
+    tell(added);
+    if (added) catchUp();
+  }
+
+  void remove(const std::string& name) {
     std::error_code ignored;
-    if (lock_ >= 0) fs::remove(folder_ / item, ignored);
-    sizes_.erase(item);
+    if (lock_ >= 0) fs::remove(folder_ / name, ignored);
+    items_.erase(name);
+    catchUp();  // there may be room now
   }
 
   void forget() {
+    for (const std::shared_ptr<Left>& other : others_) other->discard();
+    others_.clear();
+    items_.clear();
+    about_.clear();
+    isAboutBehind_ = false;
     if (lock_ < 0) return;
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
     ::close(std::exchange(lock_, -1));
     folder_.clear();
-    sizes_.clear();
   }
 
+  void discardOnceKept(std::shared_ptr<Left> left) { others_.push_back(std::move(left)); }
+
  private:
+  struct Item {
+    std::uint64_t size = 0;  ///< bytes that are whole; a file that has more has them from a write that broke off
+    std::string held = {};   ///< to be added, once that can be done
+    bool isSynced = true;
+    bool isBehind = false;  ///< something of it is not written
+    bool isEnded = false;   ///< what is added to it would come after a gap
+  };
+
   void run() {
     std::unique_lock lock(mutex_);
     while (true) {
@@ -234,6 +282,7 @@ class Autosave::Writer {
       isAtWork_ = true;
       lock.unlock();
       task();
+      discardOthers();
       lock.lock();
       isAtWork_ = false;
       changed_.notify_all();
@@ -243,6 +292,78 @@ class Autosave::Writer {
   bool isLatest(const std::string& item, std::uint64_t number) {
     const std::lock_guard lock(mutex_);
     return latest_[item] == number;
+  }
+
+  /// What comes later for the item takes the place of this.
+  void leaveToLater(const std::string& name) { items_[name].isBehind = true; }
+
+  static void end(Item& item) {
+    item.isBehind = item.isEnded = true;
+    item.held = std::string();  // gives the memory back
+  }
+
+  void settleReplaced(const std::string& name, const Result<void>& written, Item now) {
+    if (written)
+      items_[name] = std::move(now);
+    else
+      end(items_[name]);
+    tell(written);
+    if (written) catchUp();
+  }
+
+  /// Where something can be written, what waits may be as well; whoever handed it over was told when it could not.
+  void catchUp() {
+    for (auto& [name, item] : items_)
+      if (!item.held.empty() && !addHeld(name, item)) return;
+  }
+
+  /// All that waits for an item, or nothing of it.
+  [[nodiscard]] Result<void> addHeld(const std::string& name, Item& item) {
+    if (auto made = makeReady(); !made) return made;
+    if (auto room = roomFor(item.size + item.held.size(), name); !room) return room;
+    const int file = ::open((folder_ / name).c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0600);
+    Result<void> outcome;
+    if (file < 0 || !cutTo(file, item.size) || !addTo(file, item.held)) outcome = refuse(std::generic_category().message(errno));
+    if (outcome) {
+      item.size += item.held.size();
+      item.held = std::string();
+      item.isSynced = item.isBehind = false;
+      if (const auto now = Clock::now(); now - syncedAt_ > kSyncEvery) {
+        syncedAt_ = now;
+        item.isSynced = ::fdatasync(file) == 0;
+        if (!item.isSynced) {  // what of it is on the medium nobody knows
+          outcome = refuse(std::generic_category().message(errno));
+          end(item);
+        }
+      }
+    } else if (file >= 0) {
+      cutTo(file, item.size);  // else the next attempt does
+    }
+    if (file >= 0) ::close(file);
+    return outcome;
+  }
+
+  /// Whether a power cut would leave the description and every item as they were handed over last.
+  [[nodiscard]] bool isAllKept() {
+    if (items_.empty() && !isAboutBehind_) return true;
+    if (isAboutBehind_ || about_.empty()) return false;
+    if (std::any_of(items_.begin(), items_.end(), [](const auto& each) { return each.second.isBehind; })) return false;
+    for (auto& [name, item] : items_) {
+      if (item.isSynced) continue;
+      item.isSynced = syncAt(folder_ / name);
+      if (item.isSynced) continue;
+      end(item);
+      tell(refuse(std::generic_category().message(errno)));
+      return false;
+    }
+    for (const fs::path& folder : {folder_, root_}) syncAt(folder);  // some media cannot
+    return true;
+  }
+
+  void discardOthers() {
+    if (others_.empty() || !isAllKept()) return;
+    for (const std::shared_ptr<Left>& other : others_) other->discard();
+    others_.clear();
   }
 
   /// None of what a caller's function throws crosses the thread.
@@ -259,6 +380,15 @@ class Autosave::Writer {
     return failure(ErrorCode::notWritable,
                    say<"Unsaved work cannot be kept in '%1' (%2), so a crash would lose it; save it yourself.">(root_.string(), reason),
                    {{"folder", root_.string()}});
+  }
+
+  /// The folder, with the description.
+  [[nodiscard]] Result<void> makeReady() {
+    if (auto made = makeFolder(); !made) return made;
+    if (!isAboutBehind_) return {};
+    auto written = writePrivateFile(folder_ / kAboutItem, about_);
+    isAboutBehind_ = !written;
+    return written;
   }
 
   [[nodiscard]] Result<void> makeFolder() {
@@ -282,7 +412,7 @@ class Autosave::Writer {
   /// Whether an item may have so many bytes.
   [[nodiscard]] Result<void> roomFor(std::uint64_t bytes, const std::string& item) const {
     std::uint64_t all = bytes, before = 0;
-    for (const auto& [name, size] : sizes_) (name == item ? before : all) += size;
+    for (const auto& [name, each] : items_) (name == item ? before : all) += each.size;
     std::error_code failed;
     const auto space = fs::space(folder_, failed);
     const std::uint64_t more = bytes > before ? bytes - before : 0;
@@ -307,7 +437,10 @@ class Autosave::Writer {
   Limits limits_;
   fs::path folder_;
   int lock_ = -1;
-  std::map<std::string, std::uint64_t> sizes_;
+  std::string about_;
+  bool isAboutBehind_ = false;  ///< as described last it is not written
+  std::map<std::string, Item> items_;
+  std::vector<std::shared_ptr<Left>> others_;  ///< whose work is kept here, once it is
   Clock::time_point syncedAt_{};
   bool isTold_ = false;
 
@@ -368,7 +501,10 @@ void Autosave::forget() {
   writer_->add([this] { writer_->forget(); }, Writer::Does::other);
 }
 
-void Autosave::then(std::function<void()> done) { writer_->add(std::move(done), Writer::Does::other); }
+void Autosave::discardOnceKept(std::shared_ptr<Left> left) {
+  EW_EXPECTS(left != nullptr);
+  writer_->add([this, left = std::move(left)] { writer_->discardOnceKept(left); }, Writer::Does::other);
+}
 
 void Autosave::flush() { writer_->flush(); }
 

@@ -58,6 +58,10 @@ std::string journalLines(const ScanLog& log, std::size_t from) {
 }
 
 Result<ScanRecording> recordingFromJournal(std::string_view text, const Message& where) {
+  const auto withoutImage = [&] {
+    return failure(ErrorCode::truncated, say<"The recording '%1' holds no image; record the scan again.">(where));
+  };
+  if (text.find('\n') == std::string_view::npos) return withoutImage();  // the crash fell into the head
   std::string_view rest = text;
   auto recording = readHead(nextLine(rest), where);
   if (!recording) return recording;
@@ -73,8 +77,8 @@ Result<ScanRecording> recordingFromJournal(std::string_view text, const Message&
     }
     recording->log.add(std::move(*event));
   }
-  if (recording->log.frameCount() == 0)
-    return failure(ErrorCode::badField, say<"The recording '%1' holds no image; record the scan again.">(where));
+  if (recording->log.frameCount() == 0 && recording->notes.empty()) return withoutImage();
+  if (recording->log.frameCount() == 0) return failure(ErrorCode::badField, recording->notes.front());
   return recording;
 }
 

@@ -34,6 +34,24 @@ Result<std::shared_ptr<const Volume>> readMade(const std::filesystem::path& file
   return std::make_shared<const Volume>(std::move(volume));
 }
 
+QString keptForLater(const QString& what) {
+  return MainWindow::tr("'%1' could not be opened, so what was not saved of it is kept and offered at the next start.").arg(what);
+}
+
+QString notOpened(const QString& what) {
+  return MainWindow::tr("'%1' was not opened, so what was not saved of it is kept and offered at the next start.").arg(what);
+}
+
+QString titleOf(const LeftWork& work) { return work.title.isEmpty() ? wordsOf(work.left->folder()) : work.title; }
+
+/// As all that is said of kept work it concerns what lies in the program's own folder: it has no topic, and stays whatever is opened
+/// meanwhile.
+QString unreadIn(const LeftWork& work) {
+  QStringList sentences(keptForLater(wordsOf(work.left->folder())));
+  for (const Message& why : work.unread) sentences << words(why);
+  return sentences.join(QLatin1Char(' '));
+}
+
 enum class Decision { goOn, discard, later };
 
 Decision askAboutLeftWork(QWidget* parent, const LeftWork& work) {
@@ -83,7 +101,8 @@ void MainWindow::rememberOpen(const QString& path) {
   settings.remove(kOpeningSetting);
   if (current || !again.isEmpty()) settings.setValue(kOpenSetting, again);
   settings.sync();  // a kill must not take it
-  parts_->autosave.setOpen(again);
+  // A volume that belongs to no case may be scanned beside an open one, and is nobody of that.
+  parts_->autosave.setOpen(current && !parts_->opener->showsCase() ? QString() : again);
   followPatient();
 }
 
@@ -119,7 +138,11 @@ void MainWindow::askAboutLeft(std::vector<LeftWork> left) {
   for (LeftWork& work : left) {
     if (work.kind == kExpertScanWork && p.access.isLocked()) continue;  // it is an author's, and waits
     if (work.isEmpty()) {
-      if (work.kind == kWindowWork) work.left->discard();
+      if (!work.unread.empty()) {
+        p.messages->showError(unreadIn(work));
+      } else if (work.kind == kWindowWork) {
+        work.left->discard();
+      }
       continue;
     }
     switch (askAboutLeftWork(this, work)) {
@@ -140,36 +163,86 @@ void MainWindow::askAboutLeft(std::vector<LeftWork> left) {
 
 bool MainWindow::isOpenFor(const LeftWork& work) const {
   const auto& current = parts_->document.current();
+  const auto& subject = parts_->session.subject();
+  if (work.scanned && subject && subject->voxels.volume() == work.scanned) return true;
   const QString open = current && parts_->opener->showsCase() ? wordsOf(current->folder) : parts_->autosave.path();
-  return work.path.isEmpty() || (!open.isEmpty() && isSamePath(open, work.path));
+  return !work.path.isEmpty() && !open.isEmpty() && isSamePath(open, work.path);
 }
 
 void MainWindow::resumeNext() {
   Parts& p = *parts_;
-  if (p.resumed.empty() || p.isResuming) return;
+  if (p.isResuming) return;
+  // What waits until its own volume is shown is gone on with then.
+  std::stable_partition(p.resumed.begin(), p.resumed.end(), [](const LeftWork& work) { return !work.scanned; });
+  if (p.resumed.empty() || p.resumed.front().scanned) return;
   const LeftWork& next = p.resumed.front();
-  if (next.step || isOpenFor(next)) {
+  if (next.step || next.path.isEmpty() || isOpenFor(next)) {
     // What is still being opened would take the place of what is shown here.
     if (p.opener->isBusy() && !next.step) return QTimer::singleShot(kLookAgain_ms, this, &MainWindow::resumeNext);
     return resume();
   }
   p.opener->open(next.path);
-  p.isResuming = p.opener->isBusy();  // what was being opened before has been given up
+  p.isResuming = p.opener->isOpening(next.path);  // what was being opened before has been given up
   if (!p.isResuming) leaveForLater();
 }
 
 void MainWindow::resumeIfOpen() {
-  if (parts_->isResuming && !parts_->resumed.empty() && isOpenFor(parts_->resumed.front())) resume();
+  Parts& p = *parts_;
+  if (p.isResuming && !p.resumed.empty() && isOpenFor(p.resumed.front())) return resume();
+  const auto waiting =
+      std::find_if(p.resumed.begin(), p.resumed.end(), [this](const LeftWork& work) { return work.scanned && isOpenFor(work); });
+  if (waiting == p.resumed.end()) return;
+  const LeftWork work = std::move(*waiting);
+  p.resumed.erase(waiting);
+  showLeftMeasured(work);
+}
+
+void MainWindow::resumeWithAnswersOf(const QDialog& dialog, const QString& path) {
+  Parts& p = *parts_;
+  if (!p.isResuming || p.resumed.empty() || !isSamePath(p.resumed.front().path, path)) return;
+  p.resumed.front().isAsked = true;
+  // One that is hidden while it makes something, and then closes, is never finished. Without the window nobody is told.
+  connect(&dialog, &QObject::destroyed, &p.autosave, [this, asked = p.resumed.front().left.get()] {
+    Parts& now = *parts_;
+    if (now.resumed.empty() || now.resumed.front().left.get() != asked) return;  // it was opened, and gone on with
+    now.isResuming = false;
+    leaveForLater();
+  });
 }
 
 void MainWindow::leaveForLater() {
   Parts& p = *parts_;
   if (p.resumed.empty()) return;
-  p.messages->showError(
-      tr("'%1' could not be opened, so what was not saved of it is kept and offered at the next start.").arg(p.resumed.front().path),
-      kResuming);
+  p.messages->showError(notOpened(p.resumed.front().path));
   p.resumed.erase(p.resumed.begin());
   QTimer::singleShot(0, this, &MainWindow::resumeNext);
+}
+
+void MainWindow::leaveUnshown(const LeftWork& work) {
+  Parts& p = *parts_;
+  const auto made = std::find_if(p.made.begin(), p.made.end(),
+                                 [&](const MadeVolume& each) { return work.scanned && each.voxels.volume() == work.scanned; });
+  if (made != p.made.end()) {
+    p.messages->showNote(tr("The volume made from %1 is kept: View, Show the volume made from %1.").arg(made->title) + QLatin1Char(' ') +
+                         tr("What was recorded and measured of it comes back when it is shown, and is else offered at the next start."));
+    return p.resumed.push_back(work);
+  }
+  if (!work.path.isEmpty()) return p.messages->showError(notOpened(titleOf(work)));
+  const QString folder = wordsOf(work.left->folder());
+  const QString sentence =
+      tr("'%1' lies in no file and is not here any more, so what was recorded and measured of it cannot be shown. It is "
+         "kept in %2 and offered again at the next start.")
+          .arg(titleOf(work), folder);
+  if (!work.recording) return p.messages->showError(sentence);
+  p.messages->showOffer(
+      sentence, tr("Save recording as…"),
+      [this, work] {
+        const auto saved = [this, work] {
+          if (work.measured.isEmpty() && work.unread.empty()) parts_->autosave.keeper().discardOnceKept(work.left);
+        };
+        if (!saveRecordingAs(work.recording, tr("Save the recording"), tr("scan"), saved)) leaveUnshown(work);
+      },
+      kResuming + QLatin1Char(' ') + folder);
 }
 
 void MainWindow::resume() {
@@ -178,16 +251,16 @@ void MainWindow::resume() {
   if (p.resumed.empty()) return;
   const LeftWork work = std::move(p.resumed.front());
   p.resumed.erase(p.resumed.begin());
+  if (!work.step && !work.volumes.empty()) return takeLeftVolumes(work);
   if (!p.resumed.empty()) QTimer::singleShot(0, this, &MainWindow::resumeNext);
   if (work.step) {
     work.left->release();  // the lessons take it up when they go on
     return openLesson(work.path, QString::fromStdString(work.step->lesson));
   }
-  if (!work.volumes.empty()) return takeLeftVolumes(work);
   showLeftMeasured(work);
 }
 
-void MainWindow::takeLeftVolumes(const LeftWork& work) {
+void MainWindow::takeLeftVolumes(const LeftWork& left) {
   struct Made {
     LeftWork::MadeVolume of;
     ScanVoxels voxels;
@@ -195,7 +268,7 @@ void MainWindow::takeLeftVolumes(const LeftWork& work) {
   auto made = std::make_shared<std::vector<Made>>();
   parts_->jobs.start(
       tr("Reading what was not saved"),
-      [made, volumes = work.volumes](Progress& progress) -> Result<void> {
+      [made, volumes = left.volumes](Progress& progress) -> Result<void> {
         for (const LeftWork::MadeVolume& each : volumes) {
           if (each.file.empty()) continue;
           auto volume = readMade(each.file, progress);
@@ -206,22 +279,34 @@ void MainWindow::takeLeftVolumes(const LeftWork& work) {
         }
         return {};
       },
-      [this, made, work](const Result<void>& outcome) {
-        if (!outcome) return parts_->messages->showError(outcome.error(), kResuming);
+      [this, made, left](const Result<void>& outcome) {
+        if (!outcome) {
+          parts_->messages->showError(outcome.error());
+          return resumeNext();
+        }
+        LeftWork work = left;
         std::optional<MadeVolume> shown;
         for (const Made& each : *made) {
           parts_->made.push_back({each.of.path, each.of.title, each.voxels, nullptr});
           if (each.of.isShown) shown = parts_->made.back();
         }
+        if (shown) work.scanned = shown->voxels.volume();
         keepMadeVolumes();
         if (shown && mayReplaceShown(shown->title)) showMade(*shown);
         showTitle();
         showLeftMeasured(work);
+        resumeNext();  // not before: somebody was asked
       });
 }
 
 void MainWindow::showLeftMeasured(const LeftWork& work) {
   Parts& p = *parts_;
+  if (work.isOfPatient() && !isOpenFor(work)) return leaveUnshown(work);
+  if (work.isOfPatient() &&
+      (p.recorder.isRecording() || isRecordingUnsaved() || p.calipers.isUnsaved() || p.worksheets.unsaved() != nullptr))
+    return p.messages->showError(tr("What was recorded or measured here is not saved yet, so what was not saved of '%1' before is kept and "
+                                    "offered at the next start.")
+                                     .arg(titleOf(work)));
   std::vector<StillPicture> frames;
   auto shown = work.recording;
   if (!work.measured.images.empty() && !shown) {
@@ -232,7 +317,9 @@ void MainWindow::showLeftMeasured(const LeftWork& work) {
       frames.push_back({true, false, images.log.frameTime_s(n), images.log.frame(n).number});
     shown = std::make_shared<const ScanRecording>(std::move(images));
   }
-  if (shown && p.session.subject()) {
+  if (shown && !p.session.subject())  // what it is a scan of is not there
+    return p.messages->showError(keptForLater(titleOf(work)));
+  if (shown) {
     if (!work.recording) p.savedRecording = shown;  // images that were measured are no recording that one would miss
     p.replayed.clear();
     p.replayBar->load(shown);
@@ -251,8 +338,9 @@ void MainWindow::showLeftMeasured(const LeftWork& work) {
                            ? tr("The expert's scan is here again. Save it, then choose it in its step of the lesson (Choose a recording…).")
                            : tr("What was not saved when the program ended is here again. Save what is to stay."),
                        kResuming);
+  if (!work.unread.empty()) return p.messages->showError(unreadIn(work));  // it stays there, with what is here again
   // Here first, before it is gone there.
-  p.autosave.keeper().then([left = work.left] { left->discard(); });
+  p.autosave.keeper().discardOnceKept(work.left);
 }
 
 }  // namespace ew::ui

@@ -78,10 +78,14 @@ void MainWindow::connectSession() {
     showPicture();
   });
   connect(&p.recorder, &Recorder::changed, this, &MainWindow::showRecordingState);
-  // A case whose volume was exchanged has its images again.
+  // A case whose volume was exchanged has its images again, and one whose own volume is scanned again its recordings. With changes that are
+  // not saved its folder may hold another volume than what is scanned.
   connect(&p.session, &Session::patientReplaced, this, [this] { parts_->patientSoon = true; });
   connect(&p.session, &Session::subjectChanged, this, [this] {
-    if (std::exchange(parts_->patientSoon, false) && parts_->opener->showsCase()) followPatient();
+    if (!std::exchange(parts_->patientSoon, false) || !parts_->opener->showsCase()) return;
+    if (const auto& current = parts_->document.current(); current && !parts_->document.hasUnsavedChanges())
+      parts_->autosave.setOpen(wordsOf(current->folder));
+    followPatient();
   });
   connect(&p.stored, &StoredExamination::notKept, this, [this](const Error& error) { parts_->messages->showError(error, kKeepingWork); });
   connect(&p.autosave, &WorkAutosave::failed, this, [this](const Error& error) { parts_->messages->showError(error, kKeepingWork); });
@@ -200,7 +204,9 @@ void MainWindow::connectOpener() {
     parts_->dropsEdits = false;
     parts_->waitingRecording = {};
     parts_->restoring.reset();  // what could not be opened keeps its edits
-    if (std::exchange(parts_->isResuming, false)) leaveForLater();
+    // What a dialog asks about may still be opened.
+    const bool isAsked = !parts_->resumed.empty() && parts_->resumed.front().isAsked;
+    if (!isAsked && std::exchange(parts_->isResuming, false)) leaveForLater();
     if (std::exchange(parts_->preparing, {}).isEmpty()) return;
     parts_->preparation.resume();
     showPreparation();
@@ -216,10 +222,15 @@ void MainWindow::connectImports() {
               takeMade({path, title, voxels, provenance});
             });
     dialog->open();
+    resumeWithAnswersOf(*dialog, path);
   });
   connect(p.opener, &Opener::recordingOpened, this, &MainWindow::takeRecording);
   connect(p.opener, &Opener::bundleChosen, this, &MainWindow::importCase);
-  const auto askAboutScreen = [this](const QString& path) { (new ScreenDialog(path, parts_->jobs, *parts_->messages, this))->open(); };
+  const auto askAboutScreen = [this](const QString& path) {
+    auto* dialog = new ScreenDialog(path, parts_->jobs, *parts_->messages, this);
+    dialog->open();
+    resumeWithAnswersOf(*dialog, path);
+  };
   connect(p.opener, &Opener::answersNeeded, this, [this, askAboutScreen](const QString& path, FileKind kind, const QString& question) {
     if (kind == FileKind::film) return askAboutScreen(path);
     auto* dialog = new FileImportDialog(path, kind, question, parts_->jobs, *parts_->messages, this);
@@ -229,6 +240,7 @@ void MainWindow::connectImports() {
     connect(dialog, &FileImportDialog::screenChosen, this, [askAboutScreen, path] { askAboutScreen(path); });
     connect(dialog, &FileImportDialog::sequenceSaved, parts_->opener, &Opener::sweepChosen);
     dialog->open();
+    resumeWithAnswersOf(*dialog, path);
   });
 }
 
@@ -266,8 +278,10 @@ void MainWindow::connectPlugins() {
           });
   if (const auto* application = qobject_cast<GuardedApplication*>(QCoreApplication::instance()))
     connect(application, &GuardedApplication::thrown, this, &MainWindow::showThrown);
+  // Whoever asks waits for the case to be there, however long it takes: it is not prepared behind what is open.
   p.host->setOpening([this](const std::filesystem::path& folder) -> Result<void> {
-    open(wordsOf(folder));
+    const QString path = wordsOf(folder);
+    if (mayOpenPath(path)) parts_->opener->open(path);
     return {};
   });
   p.host->setScan([this]() -> std::optional<sdk::Cases::Scan> {

@@ -24,6 +24,7 @@ constexpr int kKeepMeasuredAfter_ms = 400;
 constexpr std::size_t kLongestMeasured_bytes = 64u << 20;
 constexpr const char* kRecordingItem = "recording.jsonl";
 constexpr const char* kMeasuredItem = "measured.json";
+constexpr const char* kVolumeBeginning = "volume-";
 constexpr const char* kCoverageEnding = "-coverage.mha";
 
 std::string journalOf(const ScanRecording& recording) { return journalHead(recording) + journalLines(recording.log, 0); }
@@ -34,17 +35,19 @@ QString minutesOf(const ScanRecording& recording) {
   return QStringLiteral("%1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0'));
 }
 
-void readMeasured(const std::filesystem::path& file, MeasuredWork& into) {
+Result<MeasuredWork> readMeasured(const std::filesystem::path& file) {
   const auto text = readTextFile(file, kLongestMeasured_bytes);
-  if (!text) return;
+  if (!text) return passOn(text.error());
   const Message where = verbatim(file.string());
   const auto document = parseJsonObject(*text, where);
-  if (!document) return;
+  if (!document) return passOn(document.error());
   JsonReading reading(where);
   const JsonFields fields(*document, reading);
   const auto states = recordingFromJournal(fields.text("states", "", 0, kLongestMeasured_bytes), where);
-  auto read = measuredWorkFrom(fields.object("work").value(), states ? *states : ScanRecording{}, where);
-  if (read) into = std::move(*read);
+  const JsonFields work = fields.object("work");
+  if (reading.problem()) return passOn(*reading.problem());
+  if (const auto* images = work.find("images"); !states && images != nullptr && !images->empty()) return passOn(states.error());
+  return measuredWorkFrom(work.value(), states ? *states : ScanRecording{}, where);
 }
 
 }  // namespace
@@ -142,7 +145,7 @@ void WorkAutosave::setVolumes(const std::vector<MadeHere>& volumes) {
   for (const MadeHere& each : volumes) {
     const auto known =
         std::find_if(volumes_.begin(), volumes_.end(), [&](const KeptVolume& one) { return one.made.volume == each.volume; });
-    now.push_back({each, known != volumes_.end() ? known->item : "volume-" + std::to_string(nextVolume_++) + ".mha"});
+    now.push_back({each, known != volumes_.end() ? known->item : kVolumeBeginning + std::to_string(nextVolume_++) + ".mha"});
   }
   const std::vector<KeptVolume> before = std::exchange(volumes_, std::move(now));
   isDescribed_ = false;
@@ -234,11 +237,28 @@ LeftWork readLeftWork(Autosave::Left kept) {
     work.step = LeftWork::Step{step.text("lesson"), QString::fromStdString(step.text("title", "", 0, 10000)),
                                static_cast<int>(step.whole("number", 1, 10000, 1)), static_cast<int>(step.whole("count", 1, 10000, 1))};
   }
-  if (!reading.good()) return work;  // what was read before it counts
-  if (left.has(kRecordingItem))
-    if (auto recording = readJournal(left.fileOf(kRecordingItem)))
+  if (reading.problem()) {  // what was read before it counts
+    if (!left.items().empty()) work.unread.push_back(reading.problem()->message);
+    return work;
+  }
+  if (left.has(kRecordingItem)) {
+    if (auto recording = readJournal(left.fileOf(kRecordingItem))) {
+      work.unread = recording->notes;
       work.recording = std::make_shared<const ScanRecording>(std::move(*recording));
-  if (left.has(kMeasuredItem)) readMeasured(left.fileOf(kMeasuredItem), work.measured);
+    } else if (recording.error().code != ErrorCode::truncated) {
+      work.unread.push_back(recording.error().message);
+    }
+  }
+  if (left.has(kMeasuredItem)) {
+    if (auto measured = readMeasured(left.fileOf(kMeasuredItem)))
+      work.measured = std::move(*measured);
+    else
+      work.unread.push_back(measured.error().message);
+  }
+  // Volumes that are not described were given up; anything else is what a newer program keeps.
+  for (const std::string& item : left.items())
+    if (work.kind == kWindowWork && item != kRecordingItem && item != kMeasuredItem && !item.starts_with(kVolumeBeginning))
+      work.unread.push_back(verbatim(left.fileOf(item).string()));
   return work;
 }
 
@@ -257,6 +277,7 @@ QStringList linesOf(const LeftWork& work) {
   if (work.step)
     lines << MainWindow::tr("The lesson '%1', in step %2 of %3")
                  .arg(work.step->title, QString::number(work.step->number), QString::number(work.step->count));
+  for (const Message& why : work.unread) lines << words(why);
   return lines;
 }
 

@@ -113,9 +113,15 @@ struct LeftWork {
   MeasuredWork measured;
   std::vector<MadeVolume> volumes;
   std::optional<Step> step;
+  std::vector<Message> unread;  ///< of what lies there and cannot be read, or not to its end: why
+  // While it is gone on with.
+  std::shared_ptr<const Volume> scanned;  ///< of the volumes the one that all else is of, once it is here again; null: what `path` names
+  bool isAsked = false;                   ///< what `path` names is opened, and a dialog asks how
 
-  /// Nothing that somebody would miss.
+  /// Nothing that somebody would miss, of what could be read.
   [[nodiscard]] bool isEmpty() const { return !recording && measured.isEmpty() && volumes.empty() && !step; }
+  /// Some of it means nothing with another patient.
+  [[nodiscard]] bool isOfPatient() const { return recording || !measured.isEmpty(); }
 };
 /// Off the window's thread: a recording of an hour is tens of megabytes.
 [[nodiscard]] LeftWork readLeftWork(Autosave::Left left);

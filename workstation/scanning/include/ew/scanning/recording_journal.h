@@ -19,7 +19,8 @@ namespace ew {
 
 /// What is whole of a journal: readJournal of head and lines gives the recording again, to the bit. A last line without its end is left
 /// out; a line in the middle that cannot be read ends it, with a note.
-/// @error notFound, notReadable, tooLarge (1 GiB), badHeader (no journal), badField (no frame), newerFormat
+/// @error notFound, notReadable, tooLarge (1 GiB), badHeader (no journal), badField, newerFormat, truncated (it ends before the first
+/// frame, so nothing is in it)
 [[nodiscard]] Result<ScanRecording> readJournal(const std::filesystem::path& file);
 /// The same of a text. @param where how sentences name it
 [[nodiscard]] Result<ScanRecording> recordingFromJournal(std::string_view text, const Message& where);

@@ -33,6 +33,7 @@ struct Workspace;
 }  // namespace ew::sdk
 
 class QAction;
+class QDialog;
 class QMenu;
 
 namespace ew::ui {
@@ -249,10 +250,15 @@ class MainWindow final : public QMainWindow {
   void keepMadeVolumes();  ///< against a crash
   void askAboutLeft(std::vector<LeftWork> left);
   void resumeNext();  ///< opens what the first of Parts::resumed belongs to
+  /// Whether what it was recorded and measured on is scanned now.
   [[nodiscard]] bool isOpenFor(const LeftWork& work) const;
   void resumeIfOpen();
+  /// What is resumed is opened by a dialog that asks about its file: the dialog's end decides.
+  void resumeWithAnswersOf(const QDialog& dialog, const QString& path);
   void resume();         ///< the first of Parts::resumed, as it is open
-  void leaveForLater();  ///< it cannot be opened: the next start offers it again
+  void leaveForLater();  ///< it was not opened: the next start offers it again
+  /// What it is of is not scanned: it stays where it is, and says how it comes back.
+  void leaveUnshown(const LeftWork& work);
   void showLeftMeasured(const LeftWork& work);
   void takeLeftVolumes(const LeftWork& work);
   void remember(const QString& path);  ///< as opened recently

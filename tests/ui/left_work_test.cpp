@@ -1,0 +1,75 @@
+// What a window left behind that ended without being asked: what of it cannot be read is told from what is not there.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "ew/scanning/recording_journal.h"
+#include "library/temporary_folder.h"
+#include "scanning/small_scan.h"
+#include "work_autosave.h"
+
+namespace ew::ui::left_work_test {
+namespace {
+
+LeftWork leftWith(const std::map<std::string, std::string>& items) {
+  const test::TemporaryFolder folder;
+  const auto own = folder / "kept" / "one";
+  test::writeText(own / "lock", "");
+  test::writeText(own / "about.json", R"({"kind": "window", "path": "/cases/one", "volumes": []})");
+  for (const auto& [name, text] : items) test::writeText(own / name, text);
+  return readLeftWork(std::move(Autosave(folder / "kept").takeLeft().at(0)));
+}
+
+std::string scanned(int frames) {
+  ScanRecording recording;
+  recording.size_px = {320, 240};
+  for (int n = 0; n < frames; ++n) recording.log.addFrame(test::movingState(n));
+  return journalHead(recording) + journalLines(recording.log, 0);
+}
+
+TEST(LeftWork, IsNothingWhereNobodyWouldMissAnything) {
+  const std::string scan = scanned(1);
+  const std::vector<std::map<std::string, std::string>> nothing = {
+      {},
+      {{"recording.jsonl", ""}},
+      {{"recording.jsonl", scan.substr(0, scan.find('\n') + 20)}},
+      {{"volume-7.mha", "given up"}, {".new-volume-8.mha", "half"}},
+  };
+  for (const auto& items : nothing) {
+    const LeftWork work = leftWith(items);
+    EXPECT_TRUE(work.isEmpty());
+    EXPECT_TRUE(work.unread.empty());
+  }
+}
+
+TEST(LeftWork, SaysWhatOfItCannotBeRead) {
+  std::string newer = scanned(3);
+  newer.replace(newer.find("\"recording\":1,"), 14, "\"recording\":99,");
+  for (const auto& [name, text] : std::map<std::string, std::string>{
+           {"recording.jsonl", newer}, {"measured.json", "{\"work\": {}, "}, {"film.mkv", "of a newer program"}}) {
+    const LeftWork work = leftWith({{name, text}});
+    EXPECT_TRUE(work.isEmpty()) << name;
+    ASSERT_EQ(work.unread.size(), 1u) << name;
+    EXPECT_NE(work.unread[0].english().find(name), std::string::npos) << work.unread[0].english();
+    EXPECT_EQ(linesOf(work).size(), 1) << name;
+  }
+}
+
+TEST(LeftWork, BelongsToAPatientOnceSomethingOfItWasRecorded) {
+  EXPECT_FALSE(leftWith({}).isOfPatient());
+  EXPECT_TRUE(leftWith({{"recording.jsonl", scanned(3)}}).isOfPatient());
+}
+
+TEST(LeftWork, HasWhatCouldBeReadBesideWhatCouldNot) {
+  std::string scan = scanned(6);
+  const std::size_t ofTheLast = scan.rfind("\"number\"");
+  ASSERT_NE(ofTheLast, std::string::npos);
+  scan[ofTheLast] = '#';
+  const LeftWork work = leftWith({{"recording.jsonl", scan}});
+  ASSERT_TRUE(work.recording);
+  EXPECT_EQ(work.recording->log.frameCount(), 5u);
+  EXPECT_EQ(work.unread.size(), 1u);
+}
+
+}  // namespace
+}  // namespace ew::ui::left_work_test
