@@ -58,25 +58,43 @@ bool FocusKeys::press(QWidget& watched, QKeyEvent& key) {
   return way_ != Way::byTab && watched.hasFocus() && !isTypedInto(watched) && isBesideScan(watched) && doInScan(key);
 }
 
+/// A clicked button that vanishes, at once or when the session answers, hands the focus to its neighbour as Tab would.
+bool FocusKeys::wasHandedOn(const QWidget& widget, Qt::FocusReason reason) const {
+  return isLastInputMouse_ && (reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason) && isBesideScan(widget);
+}
+
+/// After the event that is being delivered.
+void FocusKeys::backToScanFrom(QWidget& widget) {
+  QMetaObject::invokeMethod(
+      this,
+      [this, left = QPointer<QWidget>(&widget)] {
+        if (left != nullptr && left->hasFocus()) backToScan();
+      },
+      Qt::QueuedConnection);
+}
+
 bool FocusKeys::eventFilter(QObject* watched, QEvent* event) {
   if (!watched->isWidgetType()) return QObject::eventFilter(watched, event);
   auto& widget = *static_cast<QWidget*>(watched);
   switch (event->type()) {
     case QEvent::FocusIn: {
       const Qt::FocusReason reason = static_cast<QFocusEvent*>(event)->reason();
+      if (wasHandedOn(widget, reason)) {
+        way_ = Way::byMouse;
+        backToScanFrom(widget);
+        break;
+      }
       // Another window, or a menu, may have had the keys for a while.
       if (reason != Qt::ActiveWindowFocusReason && reason != Qt::PopupFocusReason && reason != Qt::MenuBarFocusReason)
         way_ = isReachedByKeys(reason) ? Way::byTab : reason == Qt::MouseFocusReason ? Way::byMouse : Way::byProgram;
       break;
     }
+    case QEvent::MouseButtonPress:
+      isLastInputMouse_ = true;
+      break;
     case QEvent::MouseButtonRelease:
       if (way_ == Way::byMouse && widget.hasFocus() && qobject_cast<QAbstractButton*>(watched) != nullptr && isBesideScan(widget))
-        QMetaObject::invokeMethod(
-            this,
-            [this, clicked = QPointer<QWidget>(&widget)] {
-              if (clicked != nullptr && clicked->hasFocus()) backToScan();
-            },
-            Qt::QueuedConnection);
+        backToScanFrom(widget);
       break;
     case QEvent::ShortcutOverride:
       if (overrides(*watched, *static_cast<QKeyEvent*>(event))) {
@@ -85,6 +103,7 @@ bool FocusKeys::eventFilter(QObject* watched, QEvent* event) {
       }
       break;
     case QEvent::KeyPress:
+      isLastInputMouse_ = false;
       if (press(widget, *static_cast<QKeyEvent*>(event))) return true;
       break;
     default:

@@ -12,7 +12,8 @@ namespace ew::ui {
 ///   a text field, a list or a choice with the focus: always that
 ///   a control that was reached with Tab: it has the keys that work it, Space and Return a button, arrows and Page Down a slider
 ///   a button that has its ring because the program put the focus there: Space and Return press it; the arrows drive the probe
-///   after a click on anything else beside the scan: the arrows drive the probe, Space freezes; a clicked button keeps no ring
+///   after a click on anything else beside the scan: the arrows drive the probe, Space freezes; a clicked button keeps no ring, and
+///   one that vanishes with its click hands it to none
 class FocusKeys final : public QObject {
  public:
   using QObject::QObject;
@@ -30,7 +31,10 @@ class FocusKeys final : public QObject {
   enum class Way { byTab, byMouse, byProgram };
   [[nodiscard]] bool overrides(const QObject& watched, const QKeyEvent& key) const;
   [[nodiscard]] bool press(QWidget& watched, QKeyEvent& key);
+  [[nodiscard]] bool wasHandedOn(const QWidget& widget, Qt::FocusReason reason) const;
+  void backToScanFrom(QWidget& widget);
 
+  bool isLastInputMouse_ = false;
   Way way_ = Way::byProgram;  ///< how the widget with the focus came to have it
 };
 
