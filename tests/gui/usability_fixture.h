@@ -76,6 +76,17 @@ class UsabilityFixture : public WindowFixture {
     setTextSize(100);
   }
 
+  /// One row for each language and size of text, named by them after what stands before.
+  static void addLanguagesAndSizes(
+      const QString& before = {}, const std::function<void(QTestData&)>& more = [](QTestData&) {}) {
+    for (const char* language : {"en", "de"})
+      for (const int percent : {100, 150, 200}) {
+        QTestData& row = QTest::newRow(qPrintable(QStringLiteral("%1%2 %3 %").arg(before, QLatin1String(language)).arg(percent)))
+                         << QString::fromLatin1(language) << percent;
+        more(row);
+      }
+  }
+
   void showWindow(const QString& language, int text_percent = 100, const QSize& size = {1440, 900}) {
     speak(language);
     QSettings().setValue(QStringLiteral("textSize"), text_percent);
@@ -94,10 +105,11 @@ class UsabilityFixture : public WindowFixture {
   }
 
   /// A shipped case with everything but fine voxels, so that it opens at once.
-  [[nodiscard]] QString coarseCopyOf(const Case& shipped) const {
-    const std::filesystem::path folder = files_.path(QStringLiteral("shipped-") + QString::fromStdString(shipped.id)).toStdString();
-    std::filesystem::copy(shipped.folder, folder, std::filesystem::copy_options::recursive | std::filesystem::copy_options::skip_existing);
-    std::ifstream from(shipped.folder / "case.json");
+  [[nodiscard]] QString coarseCopyOf(const std::filesystem::path& shipped) const {
+    const std::filesystem::path folder =
+        files_.path(QStringLiteral("shipped-") + QString::fromStdString(shipped.filename().string())).toStdString();
+    std::filesystem::copy(shipped, folder, std::filesystem::copy_options::recursive | std::filesystem::copy_options::skip_existing);
+    std::ifstream from(shipped / "case.json");
     nlohmann::json manifest = nlohmann::json::parse(from);
     if (manifest["volume"].contains("recipe")) {
       for (const char* fine : {"sweeps", "reconstruct"}) manifest["volume"].erase(fine);
@@ -167,6 +179,47 @@ class UsabilityFixture : public WindowFixture {
     }
     pages->setCurrentIndex(0);
     return missing;
+  }
+
+  /// What of console, lesson and body is not reached, or cut, at each size a laptop's window has.
+  [[nodiscard]] QStringList whatIsNotReachedAtAnySize(const QString& name, bool inLesson) {
+    QStringList wrong;
+    for (const QSize& size : {QSize(1440, 900), QSize(1366, 768), QSize(1280, 720), QSize(1024, 640)}) {
+      window_->resize(size);
+      QTest::qWait(20);
+      const QString where =
+          QStringLiteral("%1 x %2%3").arg(size.width()).arg(size.height()).arg(inLesson ? QStringLiteral(", in a lesson") : QString());
+      const auto keep = [&](const char* what) {
+        keepScreenshot(*window_,
+                       qPrintable(QStringLiteral("%1-%2-%3%4").arg(name).arg(size.width()).arg(QLatin1String(what)).arg(inLesson ? 1 : 0)));
+      };
+      if (window_->size() != size) wrong << QStringLiteral("%1 became %2 x %3").arg(where).arg(window_->width()).arg(window_->height());
+      bringToFront("Lessons");
+      if (!isReachedByMouse(visibleButton(inLesson ? "leaveLesson" : "startLesson")))
+        wrong << where + QStringLiteral(": the lesson is not reached");
+      for (const QString& each : textsStillCut()) wrong << where + QStringLiteral(", lesson: ") + each;
+      keep("lesson");
+      for (const QString& each : whatIsNotReachedOnTheConsole()) wrong << where + QStringLiteral(": ") + each;
+      bringToFront("Body");
+      if (!window_->view3d().isVisible()) wrong << where + QStringLiteral(": the body is not reached");
+      for (const QString& each : textsStillCut()) wrong << where + QStringLiteral(", body: ") + each;
+      keep("body");
+    }
+    return wrong;
+  }
+
+  /// Before a lesson and in it.
+  [[nodiscard]] QStringList whatIsNotReachedBeforeAndInALesson(const QString& name) {
+    bringToFront("Lessons");  // a panel is made when it is first seen
+    if (!waitUntil([this] { return visibleButton("startLesson") != nullptr; })) return {QStringLiteral("no lesson can be started")};
+    QStringList wrong = whatIsNotReachedAtAnySize(name, false);
+    bringToFront("Lessons");
+    visibleButton("startLesson")->click();
+    if (!waitUntil([this] { return visibleButton("leaveLesson") != nullptr && window_->isSettled(); }))
+      return wrong << QStringLiteral("the lesson did not start");
+    wrong << whatIsNotReachedAtAnySize(name, true);
+    wrong.removeDuplicates();
+    return wrong;
   }
 
   [[nodiscard]] QAction* action(const char* source) const {

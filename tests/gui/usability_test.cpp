@@ -20,13 +20,10 @@ class UsabilityTest : public UsabilityFixture {
     QTest::newRow("English") << QStringLiteral("en");
     QTest::newRow("German") << QStringLiteral("de");
   }
-  static void addLanguagesAndSizes() {
+  static void addLanguagesAndSizesOfText() {
     QTest::addColumn<QString>("language");
     QTest::addColumn<int>("text_percent");
-    for (const char* language : {"en", "de"})
-      for (const int percent : {100, 150, 200})
-        QTest::newRow(qPrintable(QStringLiteral("%1 %2 %").arg(QLatin1String(language)).arg(percent)))
-            << QString::fromLatin1(language) << percent;
+    addLanguagesAndSizes();
   }
   static void failOn(const QStringList& wrong) {
     for (const QString& each : wrong) fprintf(stderr, "  %s\n", qPrintable(each));  // a long message would be cut
@@ -53,7 +50,7 @@ class UsabilityTest : public UsabilityFixture {
     failOn(wrong);
   }
 
-  void noTextIsCut_data() { addLanguagesAndSizes(); }
+  void noTextIsCut_data() { addLanguagesAndSizesOfText(); }
   void noTextIsCut() {
     QFETCH(QString, language);
     QFETCH(int, text_percent);
@@ -82,44 +79,12 @@ class UsabilityTest : public UsabilityFixture {
   }
 
   /// Whoever scans has the console at any size: by itself, or behind a tab that is there.
-  void theConsoleIsReachedAtAnySize_data() { addLanguagesAndSizes(); }
+  void theConsoleIsReachedAtAnySize_data() { addLanguagesAndSizesOfText(); }
   void theConsoleIsReachedAtAnySize() {
     QFETCH(QString, language);
     QFETCH(int, text_percent);
     showWindow(language, text_percent);
-    bringToFront("Lessons");  // a panel is made when it is first seen
-    QVERIFY(waitUntil([this] { return visibleButton("startLesson") != nullptr; }));
-    QStringList wrong;
-    for (const bool inLesson : {false, true}) {
-      if (inLesson) {
-        bringToFront("Lessons");
-        visibleButton("startLesson")->click();
-        QVERIFY(waitUntil([this] { return visibleButton("leaveLesson") != nullptr && window_->isSettled(); }));
-      }
-      for (const QSize& size : {QSize(1440, 900), QSize(1366, 768), QSize(1280, 720), QSize(1024, 640)}) {
-        window_->resize(size);
-        QTest::qWait(20);
-        const QString where =
-            QStringLiteral("%1 x %2%3").arg(size.width()).arg(size.height()).arg(inLesson ? QStringLiteral(", in a lesson") : QString());
-        if (window_->size() != size) wrong << QStringLiteral("%1 became %2 x %3").arg(where).arg(window_->width()).arg(window_->height());
-        bringToFront("Lessons");
-        if (!isReachedByMouse(visibleButton(inLesson ? "leaveLesson" : "startLesson")))
-          wrong << where + QStringLiteral(": the lesson is not reached");
-        for (const QString& each : textsStillCut()) wrong << where + QStringLiteral(", lesson: ") + each;
-        keepScreenshot(
-            *window_,
-            qPrintable(QStringLiteral("%1-%2-%3-lesson%4").arg(language).arg(text_percent).arg(size.width()).arg(inLesson ? 1 : 0)));
-        for (const QString& each : whatIsNotReachedOnTheConsole()) wrong << where + QStringLiteral(": ") + each;
-        bringToFront("Body");
-        if (!window_->view3d().isVisible()) wrong << where + QStringLiteral(": the body is not reached");
-        for (const QString& each : textsStillCut()) wrong << where + QStringLiteral(", body: ") + each;
-        keepScreenshot(
-            *window_,
-            qPrintable(QStringLiteral("%1-%2-%3-body%4").arg(language).arg(text_percent).arg(size.width()).arg(inLesson ? 1 : 0)));
-      }
-    }
-    wrong.removeDuplicates();
-    failOn(wrong);
+    failOn(whatIsNotReachedBeforeAndInALesson(QStringLiteral("%1-%2").arg(language).arg(text_percent)));
   }
 
   void theScanAloneHasAnEdgeThatLeadsBack() {
@@ -255,6 +220,7 @@ class UsabilityTest : public UsabilityFixture {
       QApplication::setActiveWindow(&root);
       const std::vector<QWidget*> stops = tabStops(root);
       if (stops.empty()) return;
+      QTest::keyClick(&root, Qt::Key_Tab);
       stops.front()->setFocus(Qt::TabFocusReason);
       std::set<const QWidget*> reached;
       QString way;
