@@ -195,6 +195,14 @@
         <translation>Nur %1 % der Bildpunkte jedes Bildes von %2 würden behalten; Ausschnitt, Fächer, Region und Tiefe prüfen oder sagen, dass so wenig gemeint ist.</translation>
     </message>
     <message>
+        <source>%1 A stitch project says so with &quot;accept_small&quot;: true in the entry of &apos;%2&apos;; or reconstruct the sweep by itself and take its volume instead.</source>
+        <translation>%1 Ein Stitching-Projekt sagt das mit &quot;accept_small&quot;: true im Eintrag von „%2“; oder den Schwenk für sich rekonstruieren und stattdessen sein Volumen nehmen.</translation>
+    </message>
+    <message>
+        <source>%1 To say so, reconstruct the sweep by itself, which asks about it, and choose its volume instead.</source>
+        <translation>%1 Um das zu sagen, den Schwenk für sich rekonstruieren, wobei danach gefragt wird, und stattdessen sein Volumen wählen.</translation>
+    </message>
+    <message>
         <source>Only %1 of the %2 frames of %3 would be used; check their poses and times, or say that so few are meant.</source>
         <translation>Nur %1 der %2 Bilder von %3 würden verwendet; ihre Lagen und Zeiten prüfen oder sagen, dass so wenige gemeint sind.</translation>
     </message>
@@ -1443,6 +1451,10 @@
         <translation>%1 enthält keine Bilder (.png, .jpg, .pgm); einen Ordner mit Bildern wählen.</translation>
     </message>
     <message>
+        <source>%1 is a folder of DICOM stills, which are not cleaned together; make a volume of them with echoweave import, or choose one of the files.</source>
+        <translation>%1 ist ein Ordner mit DICOM-Standbildern, die nicht zusammen bereinigt werden; mit echoweave import ein Volumen daraus machen oder eine der Dateien wählen.</translation>
+    </message>
+    <message>
         <source>%1 holds no tissue intensities (only flow or other data); export the B-mode volume.</source>
         <translation>%1 enthält keine Gewebehelligkeiten (nur Fluss oder andere Daten); das B-Mode-Volumen exportieren.</translation>
     </message>
@@ -1833,6 +1845,22 @@
     <message>
         <source>%1 was changed while it was in use; open it again.</source>
         <translation>%1 wurde während der Benutzung geändert; neu öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 could not be written: %2; check the folder and the free space.</source>
+        <translation>%1 ließ sich nicht schreiben: %2; Ordner und freien Platz prüfen.</translation>
+    </message>
+    <message>
+        <source>a picture could not be added</source>
+        <translation>ein Bild ließ sich nicht anfügen</translation>
+    </message>
+    <message>
+        <source>the end of the film is missing</source>
+        <translation>das Ende des Films fehlt</translation>
+    </message>
+    <message>
+        <source>The file says that it has %1 frames, more than its film can have; those that are in it count.</source>
+        <translation>Die Datei gibt %1 Bilder an, mehr als ihr Film haben kann; es zählen die, die darin sind.</translation>
     </message>
     <message>
         <source>%1 with %2</source>
@@ -11387,6 +11415,22 @@
         <translation>wie in der Lektion; seither nicht bewertet</translation>
     </message>
     <message>
+        <source>as in the lesson; score %1 was made by an earlier revision of the plan</source>
+        <translation>wie in der Lektion; das Ergebnis %1 entstand nach einer früheren Revision des Plans</translation>
+    </message>
+    <message>
+        <source>as in the lesson; score %1 was made of an earlier state of the attempt</source>
+        <translation>wie in der Lektion; das Ergebnis %1 entstand aus einem früheren Stand des Versuchs</translation>
+    </message>
+    <message>
+        <source>%1 (passes from %2; all steps count alike)</source>
+        <translation>%1 (bestanden ab %2; alle Schritte zählen gleich)</translation>
+    </message>
+    <message>
+        <source>none that counts now</source>
+        <translation>keines, das jetzt zählt</translation>
+    </message>
+    <message>
         <source>front</source>
         <translation>Vorderseite</translation>
     </message>
@@ -11445,6 +11489,18 @@
     <message>
         <source>&apos;%1&apos; cannot be moved (%2); nothing was changed.</source>
         <translation>&apos;%1&apos; kann nicht verschoben werden (%2); nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The numbers of the revisions of &apos;%1&apos; cannot be kept in &apos;%2&apos;, so nothing was changed; check that you may write there.</source>
+        <translation>Die Nummern der Fassungen von &apos;%1&apos; können in &apos;%2&apos; nicht festgehalten werden, daher wurde nichts geändert; prüfen Sie, ob Sie dort schreiben dürfen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is the id of several cases; name the folder of the one to take out: %2.</source>
+        <translation>&apos;%1&apos; ist die Kennung mehrerer Fälle; den Ordner dessen nennen, der herausgenommen werden soll: %2.</translation>
+    </message>
+    <message>
+        <source>There is no case &apos;%1&apos; in the library &apos;%2&apos;; give the folder or the id of a case that is your own or published.</source>
+        <translation>In der Bibliothek &apos;%2&apos; ist kein Fall &apos;%1&apos;; den Ordner oder die Kennung eines eigenen oder veröffentlichten Falls angeben.</translation>
     </message>
     <message>
         <source>Nothing was pointed at yet; click it in the image.</source>
@@ -15511,6 +15567,22 @@
         <translation>&amp;Aufnahme</translation>
     </message>
     <message>
+        <source>&apos;%1&apos; was not opened, so what was not saved of it is kept and offered at the next start.</source>
+        <translation>„%1“ wurde nicht geöffnet; was davon nicht gespeichert war, bleibt aufgehoben und wird beim nächsten Start angeboten.</translation>
+    </message>
+    <message>
+        <source>What was recorded and measured of it comes back when it is shown, and is else offered at the next start.</source>
+        <translation>Was daran aufgezeichnet und gemessen wurde, kommt zurück, wenn es gezeigt wird, und wird sonst beim nächsten Start angeboten.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; lies in no file and is not here any more, so what was recorded and measured of it cannot be shown. It is kept in %2 and offered again at the next start.</source>
+        <translation>„%1“ liegt in keiner Datei und ist nicht mehr da; was daran aufgezeichnet und gemessen wurde, lässt sich deshalb nicht zeigen. Es bleibt in %2 aufgehoben und wird beim nächsten Start wieder angeboten.</translation>
+    </message>
+    <message>
+        <source>What was recorded or measured here is not saved yet, so what was not saved of &apos;%1&apos; before is kept and offered at the next start.</source>
+        <translation>Was hier aufgezeichnet oder gemessen wurde, ist noch nicht gespeichert; was von „%1“ früher nicht gespeichert war, bleibt deshalb aufgehoben und wird beim nächsten Start angeboten.</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; could not be opened, so what was not saved of it is kept and offered at the next start.</source>
         <translation>„%1“ ließ sich nicht öffnen; was davon nicht gespeichert war, bleibt aufgehoben und wird beim nächsten Start angeboten.</translation>
     </message>
@@ -17518,20 +17590,24 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Aus der Bibliothek nehmen</translation>
     </message>
     <message>
+        <source>&apos;%1&apos; is in use in this window. Close it first, by opening another case; then it can be taken out of the library.</source>
+        <translation>„%1“ wird in diesem Fenster benutzt. Schließen Sie den Fall zuerst, indem Sie einen anderen öffnen; dann lässt er sich aus der Bibliothek nehmen.</translation>
+    </message>
+    <message>
         <source>Take &apos;%1&apos; out of the library?</source>
         <translation>&apos;%1&apos; aus der Bibliothek nehmen?</translation>
     </message>
     <message>
-        <source>Nobody finds it any more. Nothing is deleted: its folder is moved to &apos;withdrawn&apos; in the library, and moved back it is there again. Attempts stay.</source>
-        <translation>Niemand findet ihn mehr. Nichts wird gelöscht: Sein Ordner wird nach &apos;withdrawn&apos; in der Bibliothek verschoben, und zurückverschoben ist er wieder da. Versuche bleiben.</translation>
+        <source>Nobody finds it any more. Nothing is deleted: its folder is moved to &apos;withdrawn&apos; in the library, and moved back to its place it is there again. Attempts stay.</source>
+        <translation>Niemand findet ihn mehr. Nichts wird gelöscht: Sein Ordner wird nach &apos;withdrawn&apos; in der Bibliothek verschoben, und an seinen Platz zurückverschoben ist der Fall wieder da. Versuche bleiben.</translation>
     </message>
     <message>
         <source>Take it out</source>
         <translation>Herausnehmen</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; was taken out of the library; it lies in %2.</source>
-        <translation>&apos;%1&apos; wurde aus der Bibliothek genommen; er liegt in %2.</translation>
+        <source>&apos;%1&apos; was taken out of the library. It lies in %2; moved back to %3, it is there again.</source>
+        <translation>&apos;%1&apos; wurde aus der Bibliothek genommen. Der Fall liegt in %2; nach %3 zurückverschoben, ist er wieder da.</translation>
     </message>
     <message>
         <source>The archive %1 said that it stored everything (%2); it cannot be asked what it has, so this counts as delivered.</source>
@@ -19580,6 +19656,22 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Was Sie in „%1“ berichtigt haben, ist in keiner Aufnahme gespeichert.</translation>
     </message>
     <message>
+        <source>The cleaned recording of &apos;%1&apos; is still being written.</source>
+        <translation>Die bereinigte Aufnahme von „%1“ wird noch geschrieben.</translation>
+    </message>
+    <message>
+        <source>If you close the dialog now and writing fails, what you corrected is lost.</source>
+        <translation>Wenn Sie den Dialog jetzt schließen und das Schreiben misslingt, geht verloren, was Sie berichtigt haben.</translation>
+    </message>
+    <message>
+        <source>Close anyway</source>
+        <translation>Trotzdem schließen</translation>
+    </message>
+    <message>
+        <source>Nothing was saved, because the recording is still being worked on. Save again when that has ended.</source>
+        <translation>Es wurde nichts gespeichert, denn an der Aufnahme wird noch gearbeitet. Speichern Sie noch einmal, wenn das beendet ist.</translation>
+    </message>
+    <message>
         <source>not turned</source>
         <translation>nicht gedreht</translation>
     </message>
@@ -20051,6 +20143,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>This attempt began before the learning system started the lesson; its result is not told there.</source>
         <translation>Dieser Versuch begann, bevor das Lernsystem die Lektion gestartet hat; sein Ergebnis wird dort nicht gemeldet.</translation>
     </message>
+    <message>
+        <source>This lesson was finished before the program ended; nothing of it was lost.</source>
+        <translation>Diese Lektion war abgeschlossen, bevor das Programm endete; nichts davon ging verloren.</translation>
+    </message>
 </context>
 <context>
     <name>ew::lessons::LessonPlayer</name>
@@ -20073,6 +20169,14 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>The lesson was left because another case was opened; it can be gone on with in its own case.</source>
         <translation>Die Lektion wurde verlassen, weil ein anderer Fall geöffnet wurde; sie kann in ihrem eigenen Fall fortgesetzt werden.</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Back to the lessons; the lesson can be gone on with later</source>
+        <translation>Zurück zu den Lektionen; die Lektion kann später fortgesetzt werden</translation>
     </message>
 </context>
 <context>
@@ -21824,6 +21928,30 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>The recording is still there: Stop tries again to keep it.</source>
         <translation>Die Aufzeichnung ist noch da: Beenden versucht noch einmal, sie aufzubewahren.</translation>
     </message>
+    <message>
+        <source>End the recording and save it in a file</source>
+        <translation>Die Aufnahme beenden und in einer Datei speichern</translation>
+    </message>
+    <message>
+        <source>A scan of another case is being recorded. Open that to keep it in its step; Stop saves it in a file, without the moments that were marked.</source>
+        <translation>Eine Untersuchung in einem anderen Fall wird aufgenommen. Diesen öffnen, um sie in ihrem Schritt aufzuheben; „Beenden“ speichert sie in einer Datei, ohne die markierten Momente.</translation>
+    </message>
+    <message>
+        <source>Save the expert&apos;s scan</source>
+        <translation>Untersuchung des Experten speichern</translation>
+    </message>
+    <message>
+        <source>scan</source>
+        <translation>Untersuchung</translation>
+    </message>
+    <message>
+        <source>Recordings of a scan (*.seq.mha)</source>
+        <translation>Aufnahmen einer Untersuchung (*.seq.mha)</translation>
+    </message>
+    <message>
+        <source>Saved to %1. Open the case it is for, and choose it in its step.</source>
+        <translation>Gespeichert in %1. Den Fall öffnen, für den sie ist, und sie dort in ihrem Schritt auswählen.</translation>
+    </message>
 </context>
 <context>
     <name>ew::lessons::WordsPage</name>
@@ -22020,6 +22148,14 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Removing the structure</source>
         <translation>Struktur wird entfernt</translation>
+    </message>
+    <message>
+        <source>What was painted in &apos;%1&apos; lies in this window alone and is lost when that closes. Open the case again to go on with it, or try again on the page Targets.</source>
+        <translation>Was in „%1“ gemalt wurde, liegt nur in diesem Fenster und geht verloren, wenn es geschlossen wird. Den Fall wieder öffnen, um damit weiterzumachen, oder es auf der Seite Ziele noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>What was painted in &apos;%1&apos; is kept neither in its case nor aside.</source>
+        <translation>Was in „%1“ gemalt wurde, ist weder in seinem Fall aufgehoben noch beiseite gesichert.</translation>
     </message>
 </context>
 <context>
@@ -22516,6 +22652,22 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>+ Structure</source>
         <translation>+ Struktur</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>Keep it aside, for whoever opens that case again</source>
+        <translation>Es beiseite sichern, bis jener Fall wieder geöffnet wird</translation>
+    </message>
+    <message>
+        <source>Give up what was painted there</source>
+        <translation>Das dort Gemalte aufgeben</translation>
+    </message>
+    <message>
+        <source>What was painted in &apos;%1&apos; lies in this window alone.</source>
+        <translation>Was in „%1“ gemalt wurde, liegt nur in diesem Fenster.</translation>
     </message>
 </context>
 <context>
@@ -24247,6 +24399,14 @@ Zeit: %3</translation>
     <message>
         <source>As it was judged in the lesson; it was not scored since.</source>
         <translation>Wie es in der Lektion beurteilt wurde; seither nicht ausgewertet.</translation>
+    </message>
+    <message>
+        <source>As it was judged in the lesson; its last score no longer counts.</source>
+        <translation>Wie es in der Lektion beurteilt wurde; die letzte Auswertung zählt nicht mehr.</translation>
+    </message>
+    <message>
+        <source>The task alone %1. Scored with revision %2 of what counts.</source>
+        <translation>Die Aufgabe allein %1. Ausgewertet nach Revision %2 dessen, was zählt.</translation>
     </message>
     <message>
         <source>This attempt has not ended this step</source>

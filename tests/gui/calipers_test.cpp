@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "answers.h"
 #include "caliper_layer.h"
 #include "calipers.h"
 #include "cine_bar.h"
@@ -14,6 +15,7 @@
 #include "ew/library/case_truth.h"
 #include "saved_picture.h"
 #include "window_fixture.h"
+#include "worksheets.h"
 
 /// Outside of any namespace, as the macro demands.
 static void initTranslations() { Q_INIT_RESOURCE(translations); }
@@ -314,6 +316,47 @@ class CalipersTest : public WindowFixture {
     const QString file = files_.path(QStringLiteral("measured.png"));
     QVERIFY(writeShownPicture(session(), at, file.toStdString(), &calipers()).has_value());
     QVERIFY(QImage(file).size() == saved.size());
+  }
+
+  void theQuestionCountsWhatWasMeasuredForNoItemAndIsNotSaved() {
+    const auto draw = [this](double depth_mm) {
+      click({-20.0, depth_mm});
+      click({20.0, depth_mm});
+    };
+    const auto unsaved = [this] { return calipers().unsavedCount(); };
+    take(Qt::Key_4);
+    draw(40.0);
+    draw(50.0);
+    QCOMPARE(count(), std::size_t{2});
+    QCOMPARE(unsaved(), std::size_t{2});
+    const auto picture = *calipers().picture();
+    calipers().combine(measurement::CombinationKind::ratio, {{picture, calipers().lines()[0].measurement.number, FigureKind::length},
+                                                             {picture, calipers().lines()[1].measurement.number, FigureKind::length}});
+    QCOMPARE(unsaved(), std::size_t{3});
+    {
+      const Answers answers({{QStringLiteral("fileDialog"), testing::type(files_.path(QStringLiteral("measured.csv")))}});
+      for (QAction* each : window_->findChildren<QAction*>())
+        if (each->text().startsWith(QStringLiteral("&Save measurements"))) each->trigger();
+      QCOMPARE(answers.asked, QStringList{QStringLiteral("fileDialog")});
+    }
+    QCOMPARE(unsaved(), std::size_t{0});
+    // What stands in a worksheet is the worksheet's.
+    window_->worksheets().choose("abdomen");
+    window_->worksheets().measure("AORTA", "");
+    QApplication::setActiveWindow(window_.get());
+    draw(60.0);
+    QCOMPARE(count(), std::size_t{3});
+    QCOMPARE(unsaved(), std::size_t{0});
+    QVERIFY(window_->worksheets().unsaved() != nullptr);
+    calipers().changeIn(Where::picture, [](measurement::CaliperDrawing& drawing) { drawing.take(CaliperKind::distance, {}); });
+    draw(70.0);
+    QCOMPARE(count(), std::size_t{4});
+    QCOMPARE(unsaved(), std::size_t{1});
+    const Answers answers({{QStringLiteral("unsavedWorksheetQuestion"), press(QMessageBox::Discard)},
+                           {QStringLiteral("unsavedMeasurementsQuestion"), press(QMessageBox::Cancel)}});
+    QVERIFY(!window_->close());
+    QCOMPARE(answers.asked, (QStringList{QStringLiteral("unsavedWorksheetQuestion"), QStringLiteral("unsavedMeasurementsQuestion")}));
+    QVERIFY2(answers.texts.last().endsWith(QStringLiteral(" 1.")), qPrintable(answers.texts.last()));
   }
 
   void whereOnlyTheStripIsShownADistanceIsOneOfDepthAndTheRestIsRefusedWithAWord() {

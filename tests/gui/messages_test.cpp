@@ -103,6 +103,60 @@ class MessagesTest : public QObject {
     QVERIFY(!bar.isVisible());
   }
 
+  void whoPressesMeansTheMessageThatWasInSight() {
+    QWidget parent;
+    parent.resize(800, 400);
+    MessageBar bar(&parent);
+    bar.resize(800, 200);
+    parent.show();
+    auto* dismiss = bar.findChild<QPushButton*>(text("dismissMessage"));
+    bar.showNote(text("Saved."));
+    QTest::mousePress(dismiss, Qt::LeftButton);
+    bar.showError(text("The disk is full."));
+    QTest::mouseRelease(dismiss, Qt::LeftButton);
+    QCOMPARE(bar.text(), text("The disk is full."));
+    QCOMPARE(bar.count(), 1);
+    // Said again it is the same, also to whoever is just dismissing it; said otherwise it is not.
+    QTest::mousePress(dismiss, Qt::LeftButton);
+    bar.showError(text("The disk is full."));
+    QTest::mouseRelease(dismiss, Qt::LeftButton);
+    QCOMPARE(bar.count(), 0);
+    bar.showError(text("a.mha cannot be written."), text("save"));
+    QTest::mousePress(dismiss, Qt::LeftButton);
+    bar.showError(text("b.mha cannot be written."), text("save"));
+    QTest::mouseRelease(dismiss, Qt::LeftButton);
+    QCOMPARE(bar.text(), text("b.mha cannot be written."));
+    dismiss->click();
+    QCOMPARE(bar.count(), 0);
+  }
+
+  void whoTakesAnOfferTakesTheOneThatWasInSight() {
+    QWidget parent;
+    parent.resize(800, 400);
+    MessageBar bar(&parent);
+    bar.resize(800, 200);
+    parent.show();
+    QStringList taken;
+    const auto offer = [&](const char* name, const char* topic) {
+      bar.showOffer(
+          text("%1 is ready.").arg(text(name)), text("Open"), [&taken, name] { taken << text(name); }, text(topic));
+    };
+    auto* open = bar.findChild<QPushButton*>(text("takeOffer"));
+    offer("A", "a");
+    QTest::mousePress(open, Qt::LeftButton);
+    offer("B", "b");
+    QTest::mouseRelease(open, Qt::LeftButton);
+    QCOMPARE(taken, QStringList{text("A")});
+    QCOMPARE(bar.text(), text("B is ready."));
+    QTest::mousePress(open, Qt::LeftButton);
+    offer("C", "b");  // in its place
+    QTest::mouseRelease(open, Qt::LeftButton);
+    QCOMPARE(taken, QStringList{text("A")});
+    open->click();
+    QCOMPARE(taken, (QStringList{text("A"), text("C")}));
+    QCOMPARE(bar.count(), 0);
+  }
+
   void onlyWhatConcernsTheProgramIsLeftWhenSomethingElseIsOpen() {
     QWidget parent;
     MessageBar bar(&parent);

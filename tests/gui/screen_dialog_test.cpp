@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSlider>
+#include <QTimer>
 #include <algorithm>
 #include <cmath>
 
@@ -351,6 +352,82 @@ class ScreenDialogTest : public testing::WindowFixture {
     in<QPushButton>("screenClose")->click();
     QCOMPARE(discard.asked, QStringList{QStringLiteral("unsavedScreenQuestion")});
     QVERIFY(waitUntil([&] { return dialog() == nullptr || !dialog()->isVisible(); }));
+  }
+
+  void closingWhileWhatWasCorrectedIsWrittenIsADecision() {
+    window_->open(write(madeFan().frames));
+    QVERIFY(waitUntil([&] { return isReady(); }));
+    in<QDoubleSpinBox>("screenDepth")->setValue(80.0);
+    const QString target = folder_ + QStringLiteral("/written.igs.mha");
+    {
+      Answers stay({{QStringLiteral("fileDialog"), testing::type(target)},
+                    {QStringLiteral("writingScreenQuestion"), testing::press(QMessageBox::Cancel)}});
+      in<QPushButton>("screenImport")->click();
+      QVERIFY2(dialog()->isUnsaved(), "it may still fail");
+      in<QPushButton>("screenClose")->click();  // the end of the job is an event that has not been seen yet
+      QCOMPARE(stay.asked, (QStringList{QStringLiteral("fileDialog"), QStringLiteral("writingScreenQuestion")}));
+      QVERIFY(dialog()->isVisible());
+    }
+    QVERIFY(waitUntil([&] { return !window_->jobs().isRunning(); }));
+    QVERIFY2(QFile::exists(target), qPrintable(sentence()));
+    QVERIFY(!dialog()->isUnsaved());
+    Answers nobody({});
+    in<QPushButton>("screenClose")->click();
+    QVERIFY(nobody.asked.isEmpty());
+    QVERIFY(waitUntil([&] { return dialog() == nullptr || !dialog()->isVisible(); }));
+  }
+
+  void whatCouldNotBeWrittenIsStillAskedAbout() {
+    window_->open(write(madeFan().frames));
+    QVERIFY(waitUntil([&] { return isReady(); }));
+    in<QDoubleSpinBox>("screenDepth")->setValue(80.0);
+    const QString gone = folder_ + QStringLiteral("/gone");
+    QVERIFY(QDir().mkpath(gone));
+    {
+      // Whoever wants to close it while it is written answers when that has failed.
+      Answers close({{QStringLiteral("fileDialog"),
+                      [gone](QWidget& dialog) {
+                        testing::type(gone + QStringLiteral("/written.igs.mha"))(dialog);
+                        QDir(gone).removeRecursively();
+                      }},
+                     {QStringLiteral("writingScreenQuestion"), [this](QWidget& question) {
+                        auto* poll = new QTimer(&question);
+                        connect(poll, &QTimer::timeout, &question, [this, &question] {
+                          if (!window_->jobs().isRunning()) question.findChild<QPushButton*>(QStringLiteral("closeWhileWriting"))->click();
+                        });
+                        poll->start(10);
+                      }}});
+      in<QPushButton>("screenImport")->click();
+      in<QPushButton>("screenClose")->click();
+      QCOMPARE(close.asked, (QStringList{QStringLiteral("fileDialog"), QStringLiteral("writingScreenQuestion")}));
+    }
+    QVERIFY(dialog()->isVisible());
+    QVERIFY2(dialog()->isUnsaved(), qPrintable(sentence()));
+    Answers stay({{QStringLiteral("unsavedScreenQuestion"), testing::press(QMessageBox::Cancel)}});
+    in<QPushButton>("screenClose")->click();
+    QCOMPARE(stay.asked, QStringList{QStringLiteral("unsavedScreenQuestion")});
+    QVERIFY(dialog()->isVisible());
+  }
+
+  void whoSavesWhileItIsLookedThroughIsToldThatNothingWasSaved() {
+    window_->open(write(madeFan().frames));
+    QVERIFY(waitUntil([&] { return isReady(); }));
+    in<QDoubleSpinBox>("screenDepth")->setValue(80.0);
+    auto* const turn = in<QComboBox>("screenTurn");
+    turn->setCurrentIndex(2);
+    Q_EMIT turn->activated(2);
+    QVERIFY2(!turn->isEnabled(), "while it is looked through");
+    bool isLooking = false;
+    Answers save({{QStringLiteral("unsavedScreenQuestion"), [&](QWidget& question) {
+                     isLooking = !turn->isEnabled();
+                     testing::press(QMessageBox::Save)(question);
+                   }}});
+    in<QPushButton>("screenClose")->click();
+    QCOMPARE(save.asked.constFirst(), QStringLiteral("unsavedScreenQuestion"));
+    if (!isLooking) QSKIP("it was looked through before anybody could answer");
+    QVERIFY2(sentence().contains(QStringLiteral("Nothing was saved")), qPrintable(sentence()));
+    QVERIFY(dialog()->isVisible());
+    QVERIFY(waitUntil([&] { return turn->isEnabled(); }));
   }
 
   void theDialogFitsASmallScreen() {

@@ -73,6 +73,24 @@ class StoringTest : public WindowFixture {
     return folder;
   }
   [[nodiscard]] QString outbox() const { return files_.path(QStringLiteral("outbox")); }
+  void saveAsCopy() const {
+    QDir(files_.path(QStringLiteral("own cases"))).removeRecursively();
+    QAction* saveAs = nullptr;
+    for (QAction* each : window_->findChildren<QAction*>())
+      if (each->text().startsWith(QStringLiteral("Save case &as"))) saveAs = each;
+    QVERIFY(saveAs != nullptr);
+    Answers answers({{QStringLiteral("caseFolderDialog"), press("saveCaseFolder")}});
+    const auto before = window_->document().current()->folder;
+    saveAs->trigger();
+    QCOMPARE(answers.asked, QStringList{QStringLiteral("caseFolderDialog")});
+    QVERIFY(window_->document().current()->folder != before);
+  }
+  /// Whether a case that is opened by another start has so many images.
+  [[nodiscard]] bool hasImagesAtItsNextStart(const QString& folder, std::size_t count) {
+    window_.reset();
+    showWindowWithCase(folder);
+    return waitUntil([&] { return window_->stored().items().size() == count; });
+  }
 
  private Q_SLOTS:
   void init() {
@@ -184,6 +202,81 @@ class StoringTest : public WindowFixture {
     QCOMPARE(in<QListWidget>(dialog(), "storedImages")->count(), 2);
     for (const QFileInfo& file : QDir(stored()).entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot))
       QCOMPARE(file.permissions() & (QFile::ReadGroup | QFile::ReadOther), QFile::Permissions());
+  }
+
+  void imagesGoAlongWhenTheCaseIsSavedAsACopy() {
+    const QString original = files_.path(QStringLiteral("case"));
+    session().setFrozen(true);
+    storeImage();
+    storeImage();
+    saveAsCopy();
+    const QString copy = QString::fromStdString(window_->document().current()->folder.string());
+    QCOMPARE(window_->stored().items().size(), std::size_t{2});
+    storeImage();
+    QCOMPARE(window_->stored().items().size(), std::size_t{3});  // the same patient, and the same examination
+    QCOMPARE(window_->stored().items().back().still.options.number, 3);
+    QCOMPARE(window_->stored().files(DicomStudy(), QDateTime::currentDateTime()).pictures.size(), std::size_t{3});
+    QCOMPARE(QSettings().value(QStringLiteral("open/last")).toString(), copy);
+    QVERIFY(hasImagesAtItsNextStart(copy, 3));
+    QVERIFY2(hasImagesAtItsNextStart(original, 2), "those that were taken of it");
+  }
+
+  void imagesThatNothingKeepsStayWhenTheCaseIsSavedAsACopy() {
+    QVERIFY(keepsNothing());
+    session().setFrozen(true);
+    storeImage();
+    QVERIFY(waitUntil([&] { return window_->stored().atRiskCount() == 1; }));
+    saveAsCopy();
+    Answers nobody({});
+    storeImage();
+    QCOMPARE(window_->stored().items().size(), std::size_t{2});
+    QVERIFY(nobody.asked.isEmpty());
+    QVERIFY(waitUntil([&] { return window_->stored().atRiskCount() == 2; }));
+  }
+
+  void imagesStayTogetherWhileTheScanStaysAndTheCaseHoldsAnotherVolume() {
+    QVERIFY(keepsNothing());
+    const QString folder = QString::fromStdString(window_->document().current()->folder.string());
+    QVERIFY(QFile::exists(folder + QStringLiteral("/second.mha")) ||
+            QFile::copy(folder + QStringLiteral("/volume.mha"), folder + QStringLiteral("/second.mha")));
+    session().setFrozen(true);
+    storeImage();
+    QVERIFY(waitUntil([&] { return window_->stored().atRiskCount() == 1; }));
+    {
+      Answers stay({{QStringLiteral("unsavedStoredQuestion"), press(QMessageBox::Cancel)}});
+      auto manifest = window_->document().manifest();
+      manifest["volume"]["file"] = "second.mha";
+      QVERIFY(window_->document().edit(manifest, "Change the volume", {}).has_value());
+      QCoreApplication::processEvents();
+      QVERIFY(waitUntil([&] { return window_->isSettled(); }));
+      QCOMPARE(stay.asked, QStringList{QStringLiteral("unsavedStoredQuestion")});
+    }
+    Answers nobody({});
+    session().setFrozen(true);
+    storeImage();
+    QCOMPARE(window_->stored().items().size(), std::size_t{2});
+    QVERIFY(nobody.asked.isEmpty());
+  }
+
+  void whoBeginsToLearnHereIsAskedAboutImagesThatNothingKeeps() {
+    QVERIFY(keepsNothing());
+    session().setFrozen(true);
+    storeImage();
+    QVERIFY(waitUntil([&] { return window_->stored().atRiskCount() == 1; }));
+    const auto first = window_->stored().items().front().revision;
+    QSettings().setValue(QStringLiteral("learning/person"), QStringLiteral("Somebody else"));
+    {
+      Answers stay({{QStringLiteral("unsavedStoredQuestion"), press(QMessageBox::Cancel)}});
+      storeImage();
+      QCOMPARE(stay.asked, QStringList{QStringLiteral("unsavedStoredQuestion")});
+      QCOMPARE(window_->stored().items().size(), std::size_t{1});
+      QCOMPARE(window_->stored().items().front().revision, first);
+    }
+    Answers discard({{QStringLiteral("unsavedStoredQuestion"), press(QMessageBox::Discard)}});
+    storeImage();
+    QCOMPARE(discard.asked, QStringList{QStringLiteral("unsavedStoredQuestion")});
+    QCOMPARE(window_->stored().items().size(), std::size_t{1});
+    QVERIFY(window_->stored().items().front().revision != first);
   }
 
   void anImageThatTheLibraryCannotKeepIsAskedAbout() {

@@ -497,6 +497,31 @@ class UnsavedTest : public WindowFixture {
     QVERIFY(waitForRest());
   }
 
+  void aCaseThatIsOpenHereIsNotTakenOutOfTheLibrary() {
+    const QString own = files_.path(QStringLiteral("own cases/mine"));
+    QVERIFY(QDir().mkpath(QFileInfo(own).path()) && QDir().rename(writeCaseCalled(QStringLiteral("mine")), own));
+    auto* page = find<StartPage>("startPage");
+    window_->open(own);
+    QVERIFY(waitUntil([this] { return openTitle() == QLatin1String("mine"); }, kPatience_ms));
+    QVERIFY(waitForRest());
+    {
+      const Answers nobody({});
+      Q_EMIT page->withdrawRequested(own, QStringLiteral("mine"));
+      QVERIFY(nobody.asked.isEmpty());
+      QVERIFY(QFile::exists(own + QStringLiteral("/case.json")));
+      QVERIFY(window_->messages().isError());
+      QVERIFY2(window_->messages().text().contains(QStringLiteral("in use in this window")), qPrintable(window_->messages().text()));
+    }
+    window_->open(folder_);
+    QVERIFY(waitUntil([this] { return openTitle() == QLatin1String("first"); }, kPatience_ms));
+    QVERIFY(waitForRest());
+    const Answers take({{QStringLiteral("withdrawQuestion"), press("withdrawNow")}});
+    Q_EMIT page->withdrawRequested(own, QStringLiteral("mine"));
+    QCOMPARE(take.asked, QStringList{QStringLiteral("withdrawQuestion")});
+    QVERIFY2(!QFile::exists(own), qPrintable(window_->messages().text()));
+    QVERIFY(waitForRest());
+  }
+
   void aShippedCaseIsChangedInACopyOfTheUsersOwn() {
     // A program's folder of this test's own: the resources as they are, and one case.
     const QString program = files_.path(QStringLiteral("program"));
@@ -532,6 +557,7 @@ class UnsavedTest : public WindowFixture {
     QCOMPARE(saved->id, std::string("shipped-case"));
     QVERIFY(saved->id != json::parse(before)["id"]);
     QCOMPARE(QSettings().value(QStringLiteral("recent")).toStringList().constFirst(), QString::fromStdString(own->folder.string()));
+    QCOMPARE(QSettings().value(QStringLiteral("open/last")).toString(), QString::fromStdString(own->folder.string()));
     window_->showStartPage();
     // The program's, and the copy.
     QVERIFY(waitUntil([this] { return window_->isSettled() && find<QAbstractItemView>("caseCards")->model()->rowCount() == 2; }));

@@ -34,9 +34,12 @@ class WindowTest : public WindowFixture {
   Q_OBJECT
 
  private:
-  void drop(const QString& file) const {
+  void drop(const QString& file) const { drop(QStringList{file}); }
+  void drop(const QStringList& files) const {
     QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(file)});
+    QList<QUrl> urls;
+    for (const QString& file : files) urls << QUrl::fromLocalFile(file);
+    data.setUrls(urls);
     QDragEnterEvent enter(QPoint(100, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(window_.get(), &enter);
     QVERIFY(enter.isAccepted());
@@ -301,6 +304,35 @@ class WindowTest : public WindowFixture {
     QCOMPARE(place().matrix[3].x, 30.0);
   }
 
+  void aCalibrationIsForTheSweepItWasDroppedWithAndForNoOther() {
+    const QString sweep = files_.writeSweep(QStringLiteral("calibrated.igs.mha"));
+    const QString device = files_.path(QStringLiteral("device.xml")), bundle = files_.path(QStringLiteral("no bundle.ewcase"));
+    for (const QString& file : {device, bundle}) QVERIFY(writeFileSafely(file.toStdString(), "<nothing/>\n").has_value());
+    const auto calibrationAsked = [&](QString& calibration) {
+      QDialog* dialog = nullptr;
+      QVERIFY(waitUntil([&] { return (dialog = find<QDialog>("importDialog")) != nullptr && dialog->isVisible(); }));
+      calibration = dialog->findChild<QLineEdit*>(QStringLiteral("calibration"))->text();
+      dialog->reject();
+      QVERIFY(waitUntil([&] { return find<QDialog>("importDialog") == nullptr; }));
+    };
+    QString calibration;
+    window_->open(files_.writeCase(QStringLiteral("gives way")));  // an opening that ends when the sweep takes its place
+    drop(QStringList{device, sweep});
+    calibrationAsked(calibration);
+    QCOMPARE(calibration, device);
+    QVERIFY(waitUntil([this] { return window_->isSettled(); }));
+    drop(QStringList{bundle, device});
+    QVERIFY(waitUntil([this] { return window_->isSettled() && window_->messages().isError(); }));
+    window_->open(sweep);
+    calibrationAsked(calibration);
+    QCOMPARE(calibration, QString());
+    window_->open(sweep);
+    drop(QStringList{bundle, device});  // the sweep is being opened, without it
+    calibrationAsked(calibration);
+    QCOMPARE(calibration, QString());
+    QVERIFY(waitUntil([this] { return window_->isSettled(); }));
+  }
+
   void aSweepDroppedOnTheWindowBecomesAVolume() {
     const QString sweep = files_.writeSweep(QStringLiteral("dropped.igs.mha"));
     QVERIFY(!sweep.isEmpty());
@@ -387,6 +419,30 @@ class WindowTest : public WindowFixture {
     window_->jobs().cancelAllAndWait();
     QVERIFY(waitUntil([&] { return !line->isVisible(); }));
     window_->messages().dismiss();
+  }
+
+  void aCancelThatWasPressedForOneJobStopsNoOther() {
+    const auto ends = std::make_shared<std::atomic<bool>>(false);
+    const auto work = [ends](bool byItself) {
+      return [ends, byItself](Progress& progress) -> Result<void> {
+        while (!progress.cancelRequested() && !(byItself && *ends)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        if (progress.cancelRequested()) return failure(ErrorCode::cancelled, verbatim("Stopped."));
+        return {};
+      };
+    };
+    window_->jobs().start(QStringLiteral("Ends by itself"), work(true), {});
+    window_->jobs().start(QStringLiteral("Goes on"), work(false), {});
+    auto* cancel = find<QPushButton>("cancelJob");
+    QVERIFY(waitUntil([&] { return cancel->isVisible() && find<QPushButton>("moreJobs")->isVisible(); }));
+    QCOMPARE(find<QLabel>("jobTitle")->text(), QStringLiteral("Ends by itself"));
+    QTest::mousePress(cancel, Qt::LeftButton);
+    *ends = true;
+    QVERIFY(waitUntil([&] { return window_->jobs().seen().size() == 1 && find<QLabel>("jobTitle")->text() == QLatin1String("Goes on"); }));
+    QTest::mouseRelease(cancel, Qt::LeftButton);
+    QCOMPARE(window_->jobs().seen().size(), std::size_t{1});
+    QVERIFY2(!window_->jobs().seen().front().cancelling, "it was not in front when the button was pressed");
+    cancel->click();
+    QVERIFY(waitUntil([this] { return window_->jobs().seen().empty(); }));
   }
 
   /// A case that takes long to be prepared takes nothing away when it is ready: it is offered.

@@ -365,14 +365,25 @@ void Calipers::forgetDrawn() {
   Q_EMIT changed();
 }
 
-bool Calipers::isUnsaved() const {
-  // What was measured for an item stands in its worksheet, which asks for itself.
-  const bool isOwn = !findings_.combinations().empty() || std::any_of(findings_.all().begin(), findings_.all().end(),
-                                                                      [](const auto& each) { return each.measurement.item.empty(); });
-  return isOwn && toJson(findings_, {}).dump() != saved_;
+std::size_t Calipers::unsavedCount() const {
+  const auto isAsWritten = [this](std::uint64_t picture, int number) {
+    const measurement::Finding *now = findings_.find(picture, number), *then = saved_.find(picture, number);
+    if (now == nullptr || then == nullptr) return now == then;  // a result may be left of a measurement that was deleted
+    return now->measurement == then->measurement;
+  };
+  const auto measured = std::count_if(findings_.all().begin(), findings_.all().end(), [&](const measurement::Finding& each) {
+    return each.measurement.item.empty() && !isAsWritten(each.picture, each.measurement.number);
+  });
+  const auto& written = saved_.combinations();
+  const auto combined =
+      std::count_if(findings_.combinations().begin(), findings_.combinations().end(), [&](const measurement::Combination& each) {
+        return std::find(written.begin(), written.end(), each) == written.end() ||
+               !std::all_of(each.of.begin(), each.of.end(), [&](const auto& ref) { return isAsWritten(ref.picture, ref.number); });
+      });
+  return static_cast<std::size_t>(measured + combined);
 }
 
-void Calipers::setSaved(const measurement::Findings& written) { saved_ = toJson(written, {}).dump(); }
+void Calipers::setSaved(const measurement::Findings& written) { saved_ = written; }
 
 void Calipers::forget() {
   if (!drawn_.forget()) return;

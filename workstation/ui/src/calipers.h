@@ -96,8 +96,10 @@ class Calipers final : public QObject {
 
   /// All that was measured for this patient, and results over several pictures.
   [[nodiscard]] const measurement::Findings& findings() const { return findings_; }
-  /// Whether there are some that were not written to a file as they are now.
-  [[nodiscard]] bool isUnsaved() const;
+  /// Of these, how many were not written to a file as they are now. What was measured for an item is none of them: it stands in its
+  /// worksheet, which asks for itself.
+  [[nodiscard]] std::size_t unsavedCount() const;
+  [[nodiscard]] bool isUnsaved() const { return unsavedCount() > 0; }
   void setSaved(const measurement::Findings& written);
   /// All that was measured before the program ended, in place of what there is. Its images are shown as the frames of a recording, if they
   /// are: then the calipers are drawn on them.
@@ -155,7 +157,7 @@ class Calipers final : public QObject {
   Where where_ = Where::picture;
   measurement::UncertaintyAt stripAt_;
   measurement::Findings findings_;
-  std::string saved_;  ///< as they were written last
+  measurement::Findings saved_;  ///< as they were written last
   bool followsEdges_ = false;
   bool snaps_ = false;
 };

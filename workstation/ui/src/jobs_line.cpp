@@ -84,7 +84,9 @@ JobsLine::JobsLine(Jobs& jobs, QWidget* parent) : QWidget(parent), jobs_(jobs) {
   connect(&poll_, &QTimer::timeout, this, &JobsLine::refresh);
   connect(&jobs_, &Jobs::started, &poll_, qOverload<>(&QTimer::start));
   connect(&jobs_, &Jobs::finished, this, &JobsLine::refresh);
-  connect(cancel_, &QPushButton::clicked, this, [this] { jobs_.cancel(shown_); });
+  // Another job may come to the front between press and click; keys and click() press, too.
+  connect(cancel_, &QPushButton::pressed, this, [this] { pressed_ = shown_; });
+  connect(cancel_, &QPushButton::clicked, this, [this] { jobs_.cancel(pressed_); });
   connect(more_, &QPushButton::toggled, this, &JobsLine::fold);
   hide();
 }

@@ -37,6 +37,7 @@ class JobsLine final : public QWidget {
   QTimer poll_;
   std::vector<Jobs::Seen> seen_;  ///< that are shown, the one in front first
   int shown_ = 0;                 ///< id of the one in front
+  int pressed_ = 0;               ///< of the one that stood in front when the button was pressed
   ElidedLabel* title_ = nullptr;
   FigureLabel* percent_ = nullptr;
   QPushButton* cancel_ = nullptr;

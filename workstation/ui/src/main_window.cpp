@@ -566,8 +566,10 @@ void MainWindow::dropEvent(QDropEvent* event) {
   QMetaObject::invokeMethod(
       this,
       [this, path = files.first(), calibrations] {
-        parts_->calibrations = calibrations;
         open(path);
+        // Afterwards: an opening that gives way to this one ends, and takes what was dropped with it along. A bundle, or a case that is
+        // made behind what is open, is no opening, and its calibrations must not go to the next sweep.
+        parts_->calibrations = parts_->opener->isOpening(path) ? calibrations : QStringList();
       },
       Qt::QueuedConnection);
 }

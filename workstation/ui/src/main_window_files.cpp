@@ -377,6 +377,7 @@ Result<void> MainWindow::saveCaseCopy(const QString& why) {
   const std::filesystem::path folder = dialog.folder();
   if (auto saved = document.save(folder); !saved) return saved;
   remember(wordsOf(folder));
+  rememberOpen(wordsOf(folder));
   parts_->messages->showNote(tr("Saved in %1.").arg(wordsOf(folder)), kSavingCase);
   return {};
 }
@@ -384,9 +385,10 @@ Result<void> MainWindow::saveCaseCopy(const QString& why) {
 Result<void> MainWindow::saveCaseFor(const std::filesystem::path& folder) {
   if (auto allowed = parts_->access.require(Permission::editCases); !allowed) return allowed;
   if (folder.empty()) return saveCaseInPlace();
-  auto saved = parts_->document.save(folder);
-  if (saved) remember(wordsOf(folder));
-  return saved;
+  if (auto saved = parts_->document.save(folder); !saved) return saved;
+  remember(wordsOf(folder));
+  rememberOpen(wordsOf(folder));
+  return {};
 }
 
 Result<void> MainWindow::makeCaseOwn() {

@@ -2,13 +2,16 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "ew/library/bundle.h"
 #include "ew/library/case_words.h"
 #include "ew/library/lesson.h"
+#include "ew/library/published.h"
 #include "ew/library/withdrawn.h"
+#include "ew/sdk/person.h"
 #include "main_window_parts.h"
 #include "words.h"
 
@@ -18,6 +21,17 @@ namespace ew::ui {
 namespace {
 
 constexpr int kDetailsAfter_ms = 40;  // of rest: whoever scrolls through a thousand cards does not wait for their pictures
+const auto kWithdrawing = QStringLiteral("withdraw");
+
+/// Whether a file goes with a case that is taken out of the library: it lies in its folder, or with another revision of a published one.
+bool goesWith(const std::filesystem::path& caseFolder, const std::filesystem::path& file) {
+  std::error_code failed;
+  std::filesystem::path goes = std::filesystem::weakly_canonical(caseFolder, failed);
+  if (goes.parent_path().parent_path() == std::filesystem::weakly_canonical(publishedFolder(libraryFolder()), failed))
+    goes = goes.parent_path();
+  const auto inside = std::filesystem::weakly_canonical(file, failed).lexically_relative(goes);
+  return !inside.empty() && *inside.begin() != "..";
+}
 
 }  // namespace
 
@@ -51,21 +65,34 @@ void MainWindow::connectLibrary() {
 
 void MainWindow::withdraw(const QString& folder, const QString& title) {
   if (parts_->access.isLocked()) return;
+  const auto isUsedHere = [this, folder] {
+    const std::vector<std::filesystem::path> used = parts_->opener->sources();
+    return parts_->opener->isOpening(folder) ||
+           std::any_of(used.begin(), used.end(), [&](const auto& file) { return goesWith(pathOf(folder), file); });
+  };
+  const auto refuse = [this, title] {
+    parts_->messages->showError(
+        tr("'%1' is in use in this window. Close it first, by opening another case; then it can be taken out of the library.").arg(title),
+        kWithdrawing);
+  };
+  if (isUsedHere()) return refuse();
   QMessageBox question(this);
   question.setObjectName(QStringLiteral("withdrawQuestion"));
   question.setWindowTitle(tr("Take out of the library"));
   question.setText(tr("Take '%1' out of the library?").arg(title));
   question.setInformativeText(tr(
-      "Nobody finds it any more. Nothing is deleted: its folder is moved to 'withdrawn' in the library, and moved back it is there again. "
-      "Attempts stay."));
+      "Nobody finds it any more. Nothing is deleted: its folder is moved to 'withdrawn' in the library, and moved back to its place it is "
+      "there again. Attempts stay."));
   QPushButton* take = question.addButton(tr("Take it out"), QMessageBox::AcceptRole);
   take->setObjectName(QStringLiteral("withdrawNow"));
   question.setDefaultButton(question.addButton(QMessageBox::Cancel));
   question.exec();
   if (question.clickedButton() != take) return;
-  const auto moved = withdrawCase(pathOf(folder), libraryFolder());
-  if (!moved) return parts_->messages->showError(moved.error());
-  parts_->messages->showNote(tr("'%1' was taken out of the library; it lies in %2.").arg(title, wordsOf(*moved)));
+  if (isUsedHere()) return refuse();  // it was opened meanwhile
+  const auto taken = withdrawCase(pathOf(folder), libraryFolder(), sdk::personWhoLearns());
+  if (!taken) return parts_->messages->showError(taken.error());
+  parts_->messages->showNote(tr("'%1' was taken out of the library. It lies in %2; moved back to %3, it is there again.")
+                                 .arg(title, wordsOf(taken->folder), wordsOf(taken->from)));
   parts_->library.refresh();
 }
 

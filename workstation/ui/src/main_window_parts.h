@@ -138,6 +138,7 @@ struct MainWindow::Parts {
   WorkAutosave autosave;          ///< what was recorded, measured and made, against a crash
   std::vector<LeftWork> resumed;  ///< what a crash has left and is gone on with, one after the other, the first first
   bool isResuming = false;        ///< what the first one belongs to is being opened
+  std::string storesFor;          ///< who stored the images of the examination, as they call themselves
   bool isSending = false;
   bool patientSoon = false;  ///< another patient is about to be scanned
   AnnotatedPictures annotated{session};

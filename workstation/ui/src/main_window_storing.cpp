@@ -129,13 +129,22 @@ void MainWindow::addStoringMenu(QMenu& file) {
 
 void MainWindow::followPatient() {
   Parts& p = *parts_;
+  if (!p.session.subject()) return;
+  const std::string person = sdk::personWhoLearns();
+  if (person != p.storesFor) {
+    if (p.stored.atRiskCount() > 0) return;  // whoever stores the next one is asked about them
+    p.stored.clear();
+    p.storesFor = person;
+  }
   const std::string scanned = recordedCase();
+  // While the patient is the same the images stay together: what the case holds by now, or where it was saved, does not part them. A case
+  // that has another id is opened again as that, so that its images are kept there as well.
+  if (scanned.empty() && !p.stored.folder().empty()) return;
   const QString& file = p.autosave.path();
   const std::string patient = !scanned.empty()  ? "case " + scanned
                               : !file.isEmpty() ? "file " + QFileInfo(file).absoluteFilePath().toStdString()
                                                 : std::string();
-  p.stored.setPatient(patient.empty() || !p.session.subject() ? fs::path()
-                                                              : ImageStore::folderOf(libraryFolder(), patient, sdk::personWhoLearns()));
+  if (!patient.empty()) p.stored.keepIn(ImageStore::folderOf(libraryFolder(), patient, person));
 }
 
 DicomStudy MainWindow::studyNow() const {
@@ -148,7 +157,12 @@ DicomStudy MainWindow::studyNow() const {
 void MainWindow::storePicture() {
   Parts& p = *parts_;
   if (p.pages->currentWidget() != p.workspacePage || !p.keepsScan()) return;
-  followPatient();  // somebody else may have begun to learn here
+  // Somebody else may have begun to learn here.
+  if (p.stored.atRiskCount() > 0 && p.storesFor != sdk::personWhoLearns()) {
+    if (!mayLeaveStored({})) return;
+    p.stored.clear();
+  }
+  followPatient();
   if (!p.stored.store(shownParts(), pictureColumns(), studyNow(), QDateTime::currentDateTime())) return;
   p.scanView->say(tr("Image %1 is stored.").arg(p.stored.items().size()));
 }

@@ -143,8 +143,8 @@ bool MainWindow::mayLeaveStored(const QString& next) {
 }
 
 bool MainWindow::mayLeaveMeasurements(const QString& next) {
-  const auto answer = askAbout(this, "unsavedMeasurementsQuestion",
-                               tr("Measurements that were not saved: %1.").arg(parts_->calipers.findings().all().size()), next);
+  const auto answer =
+      askAbout(this, "unsavedMeasurementsQuestion", tr("Measurements that were not saved: %1.").arg(parts_->calipers.unsavedCount()), next);
   return answer == QMessageBox::Discard || (answer == QMessageBox::Save && saveMeasurements());
 }
 

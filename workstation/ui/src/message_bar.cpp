@@ -50,10 +50,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
   offer_->setProperty("primary", true);
   offer_->setFocusPolicy(Qt::TabFocus);
   connect(offer_, &QPushButton::clicked, this, [this] {
-    if (front() == nullptr) return;
-    const std::function<void()> run = front()->run;
-    dismiss();
-    if (run) run();
+    if (const auto taken = takePressed(); taken && taken->run) taken->run();
   });
   close_ = new QPushButton;
   close_->setObjectName(QStringLiteral("dismissMessage"));
@@ -89,7 +86,10 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
     if (underMouse()) return passes_.start();  // somebody is about to do something with it
     dismiss();
   });
-  connect(close_, &QPushButton::clicked, this, &MessageBar::dismiss);
+  connect(close_, &QPushButton::clicked, this, &MessageBar::takePressed);
+  // Another message may come to the front between press and click; keys and click() press, too.
+  for (const QPushButton* button : {offer_, close_})
+    connect(button, &QPushButton::pressed, this, [this] { pressed_ = front() != nullptr ? front()->id : 0; });
   refreshIcons();
   refresh();
 }
@@ -129,10 +129,12 @@ void MessageBar::forget(const QString& topic) {
 }
 
 void MessageBar::add(Line message) {
+  const auto isSaidAgain = [&](const Line& one) { return one.kind == message.kind && one.sentence == message.sentence; };
+  const auto again = std::find_if(waiting_.begin(), waiting_.end(), isSaidAgain);
+  // Whoever dismisses a message means it however often it is said; of two offers only the one that was pressed is taken.
+  message.id = again != waiting_.end() && !again->run && !message.run ? again->id : nextId_++;
   // What is said again tells nothing new, and what was said of the same topic before is past.
-  std::erase_if(waiting_, [&](const Line& one) {
-    return (!message.topic.isEmpty() && one.topic == message.topic) || (one.kind == message.kind && one.sentence == message.sentence);
-  });
+  std::erase_if(waiting_, [&](const Line& one) { return (!message.topic.isEmpty() && one.topic == message.topic) || isSaidAgain(one); });
   const auto at = message.kind == Kind::error
                       ? waiting_.end()
                       : std::find_if(waiting_.begin(), waiting_.end(), [](const Line& one) { return one.kind == Kind::error; });
@@ -153,6 +155,15 @@ int MessageBar::heightFor(int width_px) const {
 void MessageBar::dismiss() {
   if (!waiting_.empty()) waiting_.pop_back();
   refresh();
+}
+
+std::optional<MessageBar::Line> MessageBar::takePressed() {
+  const auto pressed = std::find_if(waiting_.begin(), waiting_.end(), [this](const Line& one) { return one.id == pressed_; });
+  if (pressed == waiting_.end()) return std::nullopt;
+  Line taken = std::move(*pressed);
+  waiting_.erase(pressed);
+  refresh();
+  return taken;
 }
 
 void MessageBar::refresh() {

@@ -3,6 +3,7 @@
 #include <QFrame>
 #include <QTimer>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,14 +63,19 @@ class MessageBar final : public QFrame {
     QString topic;
     QString button = {};  ///< empty: nothing is offered
     std::function<void()> run = {};
+    int id = 0;
   };
   void add(Line message);
   void refresh();
   void waitForPassing(bool isOther);
   [[nodiscard]] const Line* front() const;
+  /// The message that was in sight when a button was pressed goes. @return it; empty: it has gone meanwhile
+  std::optional<Line> takePressed();
 
   QTimer passes_{this};        ///< runs while a note is in sight
   std::vector<Line> waiting_;  ///< notes, then errors, each with the newest last: the last one is in sight
+  int nextId_ = 1;
+  int pressed_ = 0;  ///< id of the message that was in sight when a button was pressed
   QLabel* sentence_ = nullptr;
   QLabel* more_ = nullptr;
   QLabel* details_ = nullptr;

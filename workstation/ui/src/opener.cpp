@@ -239,6 +239,8 @@ void Opener::startOpening(const QString& path, Jobs::Work work, std::function<vo
   openingPath_ = QFileInfo(path).absoluteFilePath();
 }
 
+bool Opener::isOpening(const QString& path) const { return openingJob_ != 0 && QFileInfo(path).absoluteFilePath() == openingPath_; }
+
 void Opener::giveUpOpening() {
   if (openingJob_ == 0) return;
   jobs_.cancel(openingJob_);

@@ -56,6 +56,8 @@ class Opener final : public QObject {
   [[nodiscard]] bool showsCase() const { return showsCase_; }
   [[nodiscard]] bool hasCaseVolume() const { return contents_.has_value(); }
   [[nodiscard]] bool isBusy() const { return busy_ > 0; }
+  /// Whether this is what is being opened now; ended() follows.
+  [[nodiscard]] bool isOpening(const QString& path) const;
   /// The files that what is shown was read or made from, those of the open case among them: nothing may be saved over them.
   [[nodiscard]] std::vector<std::filesystem::path> sources() const;
 

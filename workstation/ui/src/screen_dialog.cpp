@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstring>
 #include <mutex>
+#include <utility>
 
 #include "caliper_words.h"
 #include "ew/acquisition/screen_frames.h"
@@ -592,8 +593,22 @@ void ScreenDialog::measureAll() {
 
 bool ScreenDialog::isUnsaved() const { return edit_ && !(edit_->correction() == ScreenCorrection()) && !(edit_->correction() == written_); }
 
+bool ScreenDialog::mayLeaveWriting() {
+  QMessageBox question(this);
+  question.setObjectName(QStringLiteral("writingScreenQuestion"));
+  question.setIcon(QMessageBox::NoIcon);
+  question.setText(tr("The cleaned recording of '%1' is still being written.").arg(QFileInfo(file_).fileName()));
+  question.setInformativeText(tr("If you close the dialog now and writing fails, what you corrected is lost."));
+  auto* close = question.addButton(tr("Close anyway"), QMessageBox::DestructiveRole);
+  close->setObjectName(QStringLiteral("closeWhileWriting"));
+  question.setDefaultButton(question.addButton(QMessageBox::Cancel));
+  question.exec();
+  return question.clickedButton() == close && (writing_ || !isUnsaved());  // it may have failed meanwhile
+}
+
 bool ScreenDialog::mayLeave(bool waits) {
   if (!isUnsaved()) return true;
+  if (writing_ && edit_->correction() == *writing_) return waits || mayLeaveWriting();
   QMessageBox question(this);
   question.setObjectName(QStringLiteral("unsavedScreenQuestion"));
   question.setIcon(QMessageBox::NoIcon);
@@ -610,7 +625,11 @@ void ScreenDialog::reject() {
 }
 
 bool ScreenDialog::import() {
-  if (!edit_ || !opened_ || job_ != 0) return false;
+  if (!edit_ || !opened_) return false;
+  if (job_ != 0) {
+    say(tr("Nothing was saved, because the recording is still being worked on. Save again when that has ended."), true);
+    return false;
+  }
   setPlaying(false);
   const auto geometry = edit_->geometry();
   if (!geometry) {
@@ -637,8 +656,7 @@ bool ScreenDialog::import() {
                          {pathOf(file_)}});
   if (target.isEmpty()) return false;
   auto cleaned = std::make_shared<CleanedScreen>();
-  writing_ = true;
-  written_ = edit_->correction();
+  writing_ = edit_->correction();
   // Once it runs it ends whether the dialog is there or not: it takes all it needs along.
   job_ = jobs_.start(
       tr("Writing %1").arg(QFileInfo(target).fileName()),
@@ -668,12 +686,12 @@ bool ScreenDialog::import() {
 
 void ScreenDialog::endImport(const QString& target, const Result<void>& outcome, const std::vector<Message>& removed) {
   job_ = 0;
-  writing_ = false;
+  const auto correction = std::exchange(writing_, std::nullopt);
+  if (outcome && correction) written_ = *correction;
   setBusy(false);
   follow();
   fetch();
   if (!outcome) {
-    written_ = {};
     if (outcome.error().code == ErrorCode::cancelled)
       say(tr("Writing was stopped; nothing was stored."), false);
     else

@@ -39,8 +39,8 @@ class ScreenDialog final : public FormDialog {
   [[nodiscard]] int shownFrame() const { return shownFrame_; }
   /// Whether a person has corrected something that no recording was written with.
   [[nodiscard]] bool isUnsaved() const;
-  /// Asks what is to become of the corrections. @param waits whether the window waits for what is being written; else the dialog stays
-  /// until it is @return whether it may close
+  /// Asks what is to become of the corrections, also while they are being written: writing may fail. @param waits whether the window waits
+  /// for what is being written and stays when that fails; else the dialog stays until it is written @return whether it may close
   [[nodiscard]] bool mayLeave(bool waits);
 
   void reject() override;
@@ -75,7 +75,8 @@ class ScreenDialog final : public FormDialog {
   void advance();
   [[nodiscard]] measurement::CaliperDrawing& drawing();
   void measureAll();
-  bool import();  ///< @return whether it began
+  [[nodiscard]] bool mayLeaveWriting();
+  bool import();  ///< @return whether it began; when not, the dialog says why
   void endImport(const QString& target, const Result<void>& outcome, const std::vector<Message>& removed);
 
   QString file_;
@@ -83,12 +84,12 @@ class ScreenDialog final : public FormDialog {
   MessageBar& messages_;
   std::shared_ptr<Opened> opened_;
   std::optional<ScreenEdit> edit_;
-  Orientation turned_;     ///< of what is or will be looked at
-  bool tookBack_ = false;  ///< corrections, because the pictures were turned
-  int job_ = 0;            ///< that reads and finds, or writes; 0: none
-  int frameJob_ = 0;       ///< that reads the frame to show
-  bool writing_ = false;
-  ScreenCorrection written_;  ///< that the recording was written with last, or is being written with
+  Orientation turned_;                       ///< of what is or will be looked at
+  bool tookBack_ = false;                    ///< corrections, because the pictures were turned
+  int job_ = 0;                              ///< that reads and finds, or writes; 0: none
+  int frameJob_ = 0;                         ///< that reads the frame to show
+  std::optional<ScreenCorrection> writing_;  ///< that the recording is being written with; empty: none is
+  ScreenCorrection written_;                 ///< that the recording was written with last
   int wantedFrame_ = 0;
   int shownFrame_ = -1;
   int changes_ = 0;       ///< of what makes a cleaned frame

@@ -113,10 +113,14 @@ void StoredExamination::keep(const Item& item) {
   store_.keep(item.picture, {item.still.options, item.still.still.regions, item.caption.toStdString(), item.hasLeft, *study_});
 }
 
-void StoredExamination::setPatient(const std::filesystem::path& folder) {
+void StoredExamination::keepIn(const std::filesystem::path& folder) {
   if (folder == store_.folder()) return;
-  clear();
   store_.turnTo(folder);
+  for (Item& item : items_) {
+    item.isKept = !folder.empty();
+    keep(item);
+  }
+  if (!items_.empty()) Q_EMIT changed();
 }
 
 /// What was stored of this patient before stands before what was stored since it was asked for.

@@ -56,8 +56,10 @@ class StoredExamination final : public QObject {
   [[nodiscard]] std::size_t atRiskCount() const;
   /// What was there at a revision was saved or sent; what was stored since was not.
   void setSaved(std::uint64_t revision);
-  /// Where the pictures of this patient are kept (ImageStore::folderOf): those that lie there come back. Empty: nowhere.
-  void setPatient(const std::filesystem::path& folder);
+  /// Where the pictures of this patient are kept from now on (ImageStore::folderOf): those that are here are kept there as well, and those
+  /// that lie there come back. Another patient, or somebody else who stores, begins with clear().
+  void keepIn(const std::filesystem::path& folder);
+  [[nodiscard]] const std::filesystem::path& folder() const { return store_.folder(); }  ///< empty: they are kept nowhere yet
   /// Waits until every picture is written.
   void flush() { store_.flush(); }
   /// Every picture goes.
