@@ -13,6 +13,7 @@
 #include <QPushButton>
 #include <QTabWidget>
 
+#include "answers.h"
 #include "ew/library/attempt.h"
 #include "ew/library/case.h"
 #include "ew/library/case_words.h"
@@ -394,6 +395,71 @@ class LessonEditorTest : public WindowFixture {
     scan(3);
     press("stopRecording");
     QVERIFY(waitUntil([this] { return !std::get<WatchTask>(stepOf("watch").task).recording.empty(); }));
+  }
+
+  void aCaseThatIsSavedElsewhereTakesItsRecordingAlong() {
+    QVERIFY(openAuthor(QStringLiteral("before the copy")));
+    addLesson(0);
+    addStep("watch");
+    QVERIFY(window_->document().save());
+    press("recordExpert");
+    scan(3);
+    const std::filesystem::path copy = files_.path(QStringLiteral("the copy")).toStdString();
+    QVERIFY(window_->document().save(copy));
+    QVERIFY2(waitUntil([this] { return text("takeLength").contains(QStringLiteral("Recording")); }), "it goes on, in the copy");
+    scan(3);
+    press("stopRecording");
+    QVERIFY(waitUntil([this] { return !std::get<WatchTask>(stepOf("watch").task).recording.empty(); }));
+    QVERIFY(std::filesystem::exists(copy / "parts/lessons" / std::get<WatchTask>(stepOf("watch").task).recording));
+  }
+
+  void aRecordingOfAnotherStepIsEndedWhereItIsInTheWay() {
+    QVERIFY(openAuthor(QStringLiteral("two steps")));
+    addLesson(0);
+    addStep("watch");
+    press("recordExpert");
+    scan(3);
+    back();
+    addStep("watch");
+    QVERIFY(text("recordingState").startsWith(QStringLiteral("Another step")));
+    QVERIFY(seen<QPushButton>(QStringLiteral("discardRecording")) && !seen<QPushButton>(QStringLiteral("pauseRecording")));
+    press("stopRecording");
+    QVERIFY(waitUntil([this] { return !std::get<WatchTask>(lessons().front().steps.at(0).task).recording.empty(); }));
+    QVERIFY(std::get<WatchTask>(lessons().front().steps.at(1).task).recording.empty());
+    QVERIFY(seen<QPushButton>(QStringLiteral("stopRecording")) == nullptr);
+    QVERIFY(seen<QPushButton>(QStringLiteral("recordExpert"))->isEnabled());
+  }
+
+  void aRecordingOfAnotherCaseIsSavedInAFileOrDiscarded() {
+    QVERIFY(openAuthor(QStringLiteral("its own")));
+    addLesson(0);
+    addStep("watch");
+    QVERIFY(window_->document().save());
+    press("recordExpert");
+    scan(3);
+    QVERIFY(openCase(files_.writeCase(QStringLiteral("not its own"))));
+    addLesson(0);
+    addStep("watch");
+    QVERIFY(window_->document().save());
+    QVERIFY(text("recordingState").startsWith(QStringLiteral("A scan of another case")));
+    const QString file = files_.path(QStringLiteral("taken.seq.mha"));
+    {
+      const Answers answers({{QStringLiteral("fileDialog"), testing::type(file)}});
+      press("stopRecording");
+      QVERIFY(waitUntil([this] { return seen<QPushButton>(QStringLiteral("recordExpert"))->isEnabled(); }));
+      QCOMPARE(answers.asked, QStringList{QStringLiteral("fileDialog")});
+    }
+    QVERIFY(readRecording(file.toStdString()).has_value());
+    QVERIFY(std::get<WatchTask>(stepOf("watch").task).recording.empty());
+
+    press("recordExpert");
+    scan(3);
+    QVERIFY(openCase(files_.writeCase(QStringLiteral("a third"))));
+    addLesson(0);
+    addStep("watch");
+    press("discardRecording");
+    QVERIFY(seen<QPushButton>(QStringLiteral("stopRecording")) == nullptr);
+    QVERIFY(seen<QPushButton>(QStringLiteral("recordExpert"))->isEnabled());
   }
 
   void aStepIsTriedAsATraineeSeesItAndNothingIsKept() {

@@ -17,6 +17,8 @@
 #include "ew/library/case.h"
 #include "ew/library/lesson.h"
 #include "ew/scanning/recording.h"
+#include "library/small_case.h"
+#include "library/temporary_folder.h"
 #include "pick_layer.h"
 #include "screenshots.h"
 #include "window_fixture.h"
@@ -33,6 +35,58 @@ class LessonsTest : public WindowFixture {
     made.text = "What to do in this step.";
     made.task = std::move(task);
     return made;
+  }
+
+  /// Whether a file of a step's work is kept where a crash does not take it.
+  [[nodiscard]] bool isKept(const char* item) const {
+    std::error_code ignored;
+    for (std::filesystem::directory_iterator at(keptFolder(), ignored); !ignored && at != std::filesystem::directory_iterator();
+         at.increment(ignored))
+      if (std::filesystem::exists(at->path() / item, ignored)) return true;
+    return false;
+  }
+  [[nodiscard]] std::filesystem::path keptFolder() const {
+    return files_.path(QStringLiteral("data/echoweave/unsaved-work")).toStdString();
+  }
+  /// Waits until the scan of the step that runs is kept.
+  [[nodiscard]] bool isScanKept() {
+    return waitUntil([this] {
+      session().refresh();
+      session().makePictureNow();
+      return isKept("step.jsonl");
+    });
+  }
+  /// As a kill leaves it: the files of now, and nobody who holds them.
+  void kill() {
+    namespace fs = std::filesystem;
+    const fs::path kept = keptFolder(), attempts = files_.path(QStringLiteral("library/attempts")).toStdString(),
+                   aside = files_.path(QStringLiteral("as it was")).toStdString();
+    fs::remove_all(aside);
+    fs::create_directories(aside);
+    fs::copy(kept, aside / "kept", fs::copy_options::recursive);
+    fs::copy(attempts, aside / "attempts", fs::copy_options::recursive);
+    window_.reset();
+    QVERIFY2(!fs::exists(kept) || fs::is_empty(kept), "a window that ends in order leaves nothing");
+    fs::remove_all(kept);
+    fs::remove_all(attempts);
+    fs::rename(aside / "kept", kept);
+    fs::rename(aside / "attempts", attempts);
+  }
+  /// The next start, in which somebody goes on with what the kill has left.
+  void startAndGoOn(const char* step) {
+    window_ = std::make_unique<MainWindow>();
+    window_->resize(1280, 720);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get(), static_cast<int>(test::kPatience_ms)));
+    QApplication::setActiveWindow(window_.get());
+    window_->openPlugins();
+    Answers answers({{QStringLiteral("unsavedWorkQuestion"), testing::press("goOnUnsaved")}});
+    window_->openWhereOneWas();
+    window_->offerUnsavedWork();
+    QVERIFY(waitUntil([&] { return !answers.asked.isEmpty() && player() != nullptr; }));
+    QVERIFY(waitUntil([this] { return window_->messages().text().contains(QLatin1String("goes on where it stood")); }));
+    waitForStep(step);
+    QCOMPARE(answers.asked, QStringList{QStringLiteral("unsavedWorkQuestion")});
   }
 
   /// The usual test case with a labelled ball below where the probe stands at the start, a plane there, and a lesson with a step of each
@@ -134,6 +188,23 @@ class LessonsTest : public WindowFixture {
     keepScreenshot(*window_, "lessons-01-list");
     press("startLesson");
     waitForStep("read");
+  }
+  /// The same case with a lesson of these steps.
+  void beginWith(std::vector<LessonStep> steps) {
+    const QString folder = writeTaught();
+    auto opened = loadCase(folder.toStdString());
+    QVERIFY(opened.has_value());
+    Lesson lesson;
+    lesson.id = "first";
+    lesson.title = "The ball";
+    lesson.steps = std::move(steps);
+    opened->otherFields["parts"]["lessons"] = jsonOf(std::vector<Lesson>{lesson});
+    QVERIFY(saveCase(*opened, folder.toStdString()).has_value());
+    showWindowWithCase(folder);
+    window_->openPlugins();
+    openLessons();
+    press("startLesson");
+    waitForStep(lesson.steps.front().id.c_str());
   }
   void skipTo(const char* id) {
     for (const char* each : {"read", "watch", "plane", "sweep", "measure", "point", "settings", "answer", "free"}) {
@@ -284,11 +355,33 @@ class LessonsTest : public WindowFixture {
       QCOMPARE(find<QSlider>("gain")->value(), gain);
     }
     // A control that was reached with Tab has its own keys.
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
     find<QSlider>("gain")->clearFocus();  // it was clicked above, and what has the focus is not reached anew
     find<QSlider>("gain")->setFocus(Qt::TabFocusReason);
     const int gain = find<QSlider>("gain")->value();
     QVERIFY(!slidesBy(Qt::Key_Right));
     QVERIFY(find<QSlider>("gain")->value() != gain);
+  }
+
+  void aClickedButtonThatVanishesLeavesTheKeysToTheScan() {
+    begin();
+    skipTo("plane");
+    QVERIFY(waitUntil([this] { return seen("showHint") != nullptr; }));
+    for (int n = 0; n < 10 && seen("showHint") != nullptr; ++n) {
+      QTest::mouseClick(seen("showHint"), Qt::LeftButton);
+      QTest::qWait(50);
+    }
+    QVERIFY2(seen("showHint") == nullptr, "the last hint was shown, and its button stayed");
+    QVERIFY(QApplication::focusWidget() != nullptr);
+    const auto* explore = find<QPushButton>("workspaceExplore");
+    QVERIFY2(!explore->hasFocus(), "a button that nobody reached has the keys");
+    QVERIFY(!session().isFrozen());
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+    QVERIFY2(session().isFrozen(), qPrintable(QApplication::focusWidget()->objectName()));
+    const Hold before = session().hold();
+    session().setFrozen(false);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Left);
+    QVERIFY2(!(session().hold() == before), qPrintable(QApplication::focusWidget()->objectName()));
   }
 
   void aLessonThatWasLeftIsGoneOnWith() {
@@ -303,47 +396,70 @@ class LessonsTest : public WindowFixture {
   }
 
   void aStepThatAKillTookIsOfferedAndGoesOnWhereItStood() {
-    namespace fs = std::filesystem;
     begin();
     skipTo("sweep");
-    const fs::path kept = files_.path(QStringLiteral("data/echoweave/unsaved-work")).toStdString();
-    const fs::path attempts = files_.path(QStringLiteral("library/attempts")).toStdString(),
-                   aside = files_.path(QStringLiteral("as it was")).toStdString();
-    const auto isKept = [&] {
-      session().refresh();
-      session().makePictureNow();
-      std::error_code ignored;
-      for (fs::directory_iterator at(kept, ignored); !ignored && at != fs::directory_iterator(); at.increment(ignored))
-        if (fs::exists(at->path() / "step.jsonl", ignored)) return true;
-      return false;
-    };
-    QVERIFY2(waitUntil(isKept), "what is scanned in the step is kept as it grows");
-    // As a kill leaves it: the files of now, and nobody who holds them.
-    fs::create_directories(aside);
-    fs::copy(kept, aside / "kept", fs::copy_options::recursive);
-    fs::copy(attempts, aside / "attempts", fs::copy_options::recursive);
-    window_.reset();
-    QVERIFY2(!fs::exists(kept) || fs::is_empty(kept), "a window that ends in order leaves nothing");
-    fs::remove_all(kept);
-    fs::remove_all(attempts);
-    fs::rename(aside / "kept", kept);
-    fs::rename(aside / "attempts", attempts);
-
-    window_ = std::make_unique<MainWindow>();
-    window_->resize(1280, 720);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get(), static_cast<int>(test::kPatience_ms)));
-    QApplication::setActiveWindow(window_.get());
-    window_->openPlugins();
-    Answers answers({{QStringLiteral("unsavedWorkQuestion"), testing::press("goOnUnsaved")}});
-    window_->openWhereOneWas();
-    window_->offerUnsavedWork();
-    QVERIFY(waitUntil([&] { return !answers.asked.isEmpty() && player() != nullptr; }));
-    waitForStep("sweep");
-    QVERIFY(waitUntil([this] { return window_->messages().text().contains(QLatin1String("goes on where it stood")); }));
-    QCOMPARE(answers.asked, QStringList{QStringLiteral("unsavedWorkQuestion")});
+    QVERIFY2(isScanKept(), "what is scanned in the step is kept as it grows");
+    kill();
+    startAndGoOn("sweep");
     press("skipStep");
     waitForStep("measure");
+  }
+
+  void aLessonThatIsFinishedIsNotOfferedButForAStepThatIsTriedOnceMore() {
+    beginWith({step("plane", PlaneTask{"start plane", {}, {}})});
+    QVERIFY(waitUntil([this] { return isKept("about.json"); }));
+    const std::size_t tried = attempts().attempts.size();
+    session().setHold(slid(session().hold(), *session().skin(), 0.0, 25.0));
+    QVERIFY(waitUntil([this] { return !text("stepLive").isEmpty(); }));
+    press("stepDone");
+    QVERIFY(waitUntil([this] { return text("outcomeHeading").startsWith(QStringLiteral("Not passed yet")); }));
+    QVERIFY2(waitUntil([this] { return !isKept("about.json"); }), "the attempt is finished: a kill takes nothing any more");
+    press("nextStep");
+    press("repeatStep");
+    waitForStep("plane");
+    QVERIFY(isScanKept());
+    kill();
+    startAndGoOn("plane");
+    QVERIFY2(attempts().attempts.size() == tried, "it goes on in its own attempt");
+    session().setHold(slid(session().hold(), *session().skin(), 0.0, -5.0));
+    session().makePictureNow();
+    press("stepDone");
+    press("nextStep");
+    QVERIFY(waitUntil([this] { return text("outcomeHeading").startsWith(QStringLiteral("Lesson")); }));
+    QVERIFY2(attempts().attempts.front().second.outcomes.size() == 2, "what was scanned before the kill counts");
+    QVERIFY2(waitUntil([this] { return !isKept("about.json"); }), "and nothing is offered at the next start");
+  }
+
+  void aStepOfACaseThatIsNotPreparedOpensItByItself() {
+    test::makeSmallCase(files_.path(QStringLiteral("own cases/small")).toStdString());
+    const QString cache = files_.path(QStringLiteral("cache of steps"));
+    const test::EnvironmentValue there("ECHOWEAVE_CACHE", cache.toStdString());
+    // As on a machine that is a million times slower.
+    QDir().mkpath(cache);
+    QVERIFY(writeFileSafely((cache + QStringLiteral("/speed.json")).toStdString(), R"({"recording": 1e6})"));
+    LessonStep elsewhere = step("elsewhere", ReadTask{});
+    elsewhere.caseId = "small";
+    beginWith({step("read", ReadTask{}), elsewhere});
+    press("stepDone");
+    waitForStep("elsewhere");
+    QCOMPARE(QString::fromStdString(window_->document().current()->id), QStringLiteral("small"));
+  }
+
+  void aStepWhoseCaseDoesNotOpenCanBeLeft() {
+    const QString broken = files_.writeCase(QStringLiteral("own cases/broken"));
+    auto made = loadCase(broken.toStdString());
+    QVERIFY(made.has_value());
+    made->id = "broken";
+    QVERIFY(saveCase(*made, broken.toStdString()).has_value());
+    QFile volume(broken + QStringLiteral("/volume.mha"));
+    QVERIFY(volume.resize(volume.size() / 2));
+    LessonStep elsewhere = step("elsewhere", ReadTask{});
+    elsewhere.caseId = "broken";
+    beginWith({step("read", ReadTask{}), elsewhere});
+    press("stepDone");
+    press("leaveWaiting");
+    QVERIFY(waitUntil([this] { return seen("goOnWithLesson") != nullptr; }));
+    QCOMPARE(attempts().attempts.front().second.outcomes.size(), std::size_t(1));
   }
 
   void anotherCaseInTheMiddleLosesNothing() {

@@ -121,6 +121,19 @@ class TargetsTest : public WindowFixture {
     Q_EMIT choice.activated(at);
     QVERIFY(waitUntil([this] { return window_->isSettled(); }));
   }
+  /// A stroke, and a file where what is painted would be kept aside. @return the file
+  [[nodiscard]] QString paintWithoutRoomAside() {
+    const QString aside = files_.path(QStringLiteral("data/echoweave/unsaved-labels"));
+    QDir(aside).removeRecursively();
+    QDir().mkpath(QFileInfo(aside).path());
+    QFile inTheWay(aside);
+    if (!inTheWay.open(QIODevice::WriteOnly)) return {};
+    press("addStructure");
+    if (!window_->document().save()) return {};
+    press("toolPaint");
+    strokeTo({{0.0, 40.0}});
+    return aside;
+  }
   void keep() {
     press("paintKeep");
     QVERIFY2(waitUntil([this] { return in<QLabel>("paintState").text().startsWith(QStringLiteral("The case holds")); }),
@@ -334,6 +347,40 @@ class TargetsTest : public WindowFixture {
     QVERIFY(waitUntil([&] { return ml(1) == painted_ml; }));
     keep();
     QVERIFY(!in<QWidget>("paintLeft").isVisible());
+  }
+
+  void whatCannotBeKeptAsideIsKeptWhenItIsTriedAgain() {
+    const QString inTheWay = paintWithoutRoomAside();
+    const double painted_ml = ml(1);
+    QVERIFY(painted_ml > 0.05);
+    QVERIFY(openCase(files_.writeCase(QStringLiteral("other"))));
+    QVERIFY(waitUntil([this] { return in<QWidget>("paintUnkept").isVisible(); }));
+    QVERIFY2(window_->messages().text().contains(QStringLiteral("in this window alone")), qPrintable(window_->messages().text()));
+    QVERIFY2(!window_->messages().text().contains(QStringLiteral("is offered")), "it was not kept");
+    keepScreenshot(*window_, "targets-08-unkept");
+    QVERIFY(QFile::remove(inTheWay));
+    press("paintKeepElsewhere");
+    QVERIFY(waitUntil([this] { return window_->messages().text().contains(QStringLiteral("is offered when")); }));
+    QVERIFY(!in<QWidget>("paintUnkept").isVisible());
+    QVERIFY(openCase(folder_));
+    QVERIFY(waitUntil([this] { return in<QWidget>("paintLeft").isVisible(); }));
+    press("paintGoOn");
+    QVERIFY(waitUntil([&] { return ml(1) == painted_ml; }));
+  }
+
+  void whatCannotBeKeptAsideWaitsInTheWindowForItsCase() {
+    const QString inTheWay = paintWithoutRoomAside();
+    const double painted_ml = ml(1);
+    QVERIFY(openCase(files_.writeCase(QStringLiteral("other"))));
+    QVERIFY(waitUntil([this] { return in<QWidget>("paintUnkept").isVisible(); }));
+    QVERIFY(openCase(folder_));
+    QVERIFY(waitUntil([this] { return in<QWidget>("paintLeft").isVisible(); }));
+    QVERIFY(!in<QWidget>("paintUnkept").isVisible());
+    press("paintGoOn");
+    QVERIFY(waitUntil([&] { return ml(1) == painted_ml; }));
+    keep();
+    QVERIFY(!in<QWidget>("paintLeft").isVisible());
+    QVERIFY(QFile::remove(inTheWay));
   }
 
   void itLooksGoodInBothThemesInASmallWindowAndInGerman() {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "logic/kept_painting.h"
 
@@ -25,6 +26,8 @@ class KeepingAside final : public std::enable_shared_from_this<KeepingAside> {
 
   KeepingAside(std::filesystem::path root, Start start) : kept_(std::move(root)), start_(std::move(start)) {}
 
+  /// From now on work is started so.
+  void startWith(Start start) { start_ = std::move(start); }
   /// In place of what was kept before, and of what waits for its turn. @param told what came of it; not called for what was replaced
   void keep(Painted painted, Done told);
   /// The user has decided: nothing is kept any more, also not what is on its way.

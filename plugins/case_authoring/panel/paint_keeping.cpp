@@ -23,23 +23,99 @@ void PaintWork::rememberCase() {
   caseFolder_ = host_.cases().currentFolder();
   const auto manifest = host_.cases().current();
   before_ = manifest ? textOf(*manifest, "volume.labels") : std::string();
+  title_ = manifest ? sdk::words(textOf(*manifest, "title")) : QString();
+  if (title_.isEmpty()) title_ = sdk::words(caseFolder_.filename().string());
 }
 
 void PaintWork::startKeepingAside() {
   aside_->keep({painting_->labels(), caseFolder_, before_},
                [self = QPointer<PaintWork>(this), aside = aside_, earlier = takenOver_](const Result<void>& outcome) {
                  if (outcome && earlier) KeptPainting::remove(*earlier);
-                 if (!self) return;
-                 if (self->aside_ == aside) {
-                   if (outcome) self->takenOver_.reset();
-                 } else if (!self->painting_) {
-                   // Another case was opened meanwhile, and perhaps this one again.
-                   const auto folder = self->host_.cases().currentFolder();
-                   self->left_ = folder.empty() ? std::nullopt : self->aside_->kept().leftFor(folder);
-                   if (self->onChanged) self->onChanged();
-                 }
+                 if (!self || self->aside_ != aside) return;  // another case was opened meanwhile, and all of it is being kept
+                 if (outcome) self->takenOver_.reset();
                  if (!outcome) self->say(outcome.error());
                });
+}
+
+/// What is not kept in its case is kept aside for whoever opens that again.
+void PaintWork::part(const std::shared_ptr<KeepingAside>& aside) {
+  auto parted = std::make_shared<Parted>(Parted{{painting_->labels(), caseFolder_, before_}, aside, takenOver_, title_});
+  aside->startWith(starting(true));
+  parted_.push_back(parted);
+  keepParted(parted);
+}
+
+void PaintWork::keepParted(const std::shared_ptr<Parted>& parted) {
+  parted->isTried = true;
+  parted->aside->keep(parted->painted, [self = QPointer<PaintWork>(this), parted](const Result<void>& outcome) {
+    if (outcome && parted->earlier) KeptPainting::remove(*parted->earlier);
+    if (outcome || !self) parted->aside->leave();
+    if (self) self->settle(parted, outcome);
+  });
+  if (onChanged) onChanged();
+}
+
+void PaintWork::settle(const std::shared_ptr<Parted>& parted, const Result<void>& outcome) {
+  if (outcome) {
+    std::erase(parted_, parted);
+    host_.window().warn(tr("What was painted was not kept in its case; it is offered when that is opened again.").toStdString(),
+                        "painting");
+    const auto folder = host_.cases().currentFolder();  // its own again, perhaps
+    if (!painting_) left_ = folder.empty() ? std::nullopt : aside_->kept().leftFor(folder);
+  } else {
+    parted->isTried = false;
+    QStringList sentences;
+    if (outcome.error().code != ErrorCode::cancelled) {
+      host_.log().warn(outcome.error().sentence());
+      sentences << sdk::words(outcome.error().message);
+    }
+    sentences << tr("What was painted in '%1' lies in this window alone and is lost when that closes. Open the case again to go on with "
+                    "it, or try again on the page Targets.")
+                     .arg(parted->title);
+    host_.window().error(sentences.join(QLatin1Char(' ')).toStdString(), "painting");
+  }
+  if (onChanged) onChanged();
+}
+
+void PaintWork::drop(const std::shared_ptr<Parted>& parted) {
+  parted->aside->forget();
+  if (parted->earlier) KeptPainting::remove(*parted->earlier);
+  std::erase(parted_, parted);
+  if (onChanged) onChanged();
+}
+
+std::shared_ptr<PaintWork::Parted> PaintWork::unkeptHere() const {
+  const auto found = std::find_if(parted_.begin(), parted_.end(), [folder = host_.cases().currentFolder()](const auto& each) {
+    return !each->isTried && each->painted.caseFolder == folder;
+  });
+  return found == parted_.end() ? nullptr : *found;
+}
+
+std::shared_ptr<PaintWork::Parted> PaintWork::unkeptThere() const {
+  const auto found = std::find_if(parted_.begin(), parted_.end(), [folder = host_.cases().currentFolder()](const auto& each) {
+    return !each->isTried && each->painted.caseFolder != folder;
+  });
+  return found == parted_.end() ? nullptr : *found;
+}
+
+QString PaintWork::unkeptElsewhere() const {
+  const auto parted = unkeptThere();
+  return parted ? parted->title : QString();
+}
+
+void PaintWork::keepUnkept() {
+  const auto now = parted_;  // what is kept is none of them any more
+  for (const auto& each : now)
+    if (!each->isTried) keepParted(each);
+}
+
+void PaintWork::discardElsewhere() {
+  if (const auto parted = unkeptThere()) drop(parted);
+}
+
+QString PaintWork::closingSentence() const {
+  const auto unkept = std::find_if(parted_.begin(), parted_.end(), [](const auto& each) { return !each->isTried; });
+  return unkept == parted_.end() ? QString() : tr("What was painted in '%1' is kept neither in its case nor aside.").arg((*unkept)->title);
 }
 
 /// Nothing is painted any more.
@@ -153,23 +229,16 @@ void PaintWork::followCase() {
     return;
   }
   if (painting_) {
-    const bool wasUnkept = hasUnkept();
     take({});
-    // It is kept aside for whoever opens that case again.
-    if (wasUnkept) {
-      startKeepingAside();
-      aside_->leave();
-    } else {
-      aside_->forget();
-    }
     keepSoon_.stop();
+    const auto parting = std::exchange(aside_, newAside());
+    if (hasUnkept())
+      part(parting);
+    else
+      parting->forget();
     painting_.reset();
     voxels_.reset();
     takenOver_.reset();
-    aside_ = newAside();
-    if (wasUnkept)
-      host_.window().warn(tr("What was painted was not kept in its case; it is offered when that is opened again.").toStdString(),
-                          "painting");
   }
   left_ = folder.empty() ? std::nullopt : aside_->kept().leftFor(folder);
   if (onChanged) onChanged();
@@ -178,22 +247,29 @@ void PaintWork::followCase() {
 void PaintWork::goOnWithLeft() {
   const auto scanned = host_.scan().scanned();
   const auto place = fileToWorld();
-  if (!left_ || isBusy_ || painting_) return;
+  const auto unkept = unkeptHere();
+  if ((!left_ && !unkept) || isBusy_ || painting_) return;
   if (!scanned || !place || !host_.cases().scan())
     return say(tr("The volume of this case is not what is scanned at the moment; choose View, Scan the case's volume."));
-  auto labels = KeptPainting::read(*left_, noProgress());
+  auto labels = unkept ? Result<Volume>(unkept->painted.labels) : KeptPainting::read(*left_, noProgress());
   if (!labels) return say(labels.error());
   auto begun = Painting::goOn(std::move(*labels), *scanned, *place);
   if (!begun) return say(begun.error());
   painting_ = std::move(*begun);
   voxels_ = scanned->voxels;
   rememberCase();
-  takenOver_ = std::exchange(left_, std::nullopt);  // until it is kept aside by this program
+  if (unkept) {
+    aside_ = unkept->aside;
+    aside_->startWith(starting(false));
+    std::erase(parted_, unkept);
+  }
+  takenOver_ = unkept ? unkept->earlier : std::exchange(left_, std::nullopt);  // until it is kept aside by this program
   painted();
   keepAside();
 }
 
 void PaintWork::discardLeft() {
+  if (const auto unkept = unkeptHere()) return drop(unkept);
   if (left_) KeptPainting::remove(*left_);
   left_.reset();
   if (onChanged) onChanged();

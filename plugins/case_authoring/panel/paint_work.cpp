@@ -10,6 +10,7 @@
 #include "ew/sdk/window.h"
 #include "logic/edits.h"
 #include "logic/targets.h"
+#include "logic/until_told.h"
 
 namespace ew::case_authoring {
 namespace {
@@ -21,18 +22,6 @@ std::filesystem::path rootOfKept() {
          "unsaved-labels";
 }
 
-/// Goes on until the job, or somebody at the panel, has enough.
-class UntilTold final : public Progress {
- public:
-  UntilTold(Progress& progress, const std::atomic<bool>& stop) : progress_(progress), stop_(stop) {}
-  void report(const Message& what, double fraction) override { progress_.report(what, fraction); }
-  [[nodiscard]] bool cancelRequested() const override { return stop_.load() || progress_.cancelRequested(); }
-
- private:
-  Progress& progress_;
-  const std::atomic<bool>& stop_;
-};
-
 }  // namespace
 
 PaintWork::PaintWork(sdk::Host& host, QObject* parent) : QObject(parent), host_(host), aside_(newAside()) {
@@ -41,16 +30,26 @@ PaintWork::PaintWork(sdk::Host& host, QObject* parent) : QObject(parent), host_(
   connect(&keepSoon_, &QTimer::timeout, this, &PaintWork::keepAside);
   closing_ = host_.window().onClosing(
       [this] { return hasUnkept() ? tr("What was painted is not kept in the case yet.").toStdString() : std::string(); });
+  const auto tryAgain = [this] {
+    keepUnkept();
+    return true;
+  };
+  holding_ = host_.window().holdUnsaved({[this] { return closingSentence().toStdString(); }, tryAgain});
 }
 
 PaintWork::~PaintWork() { aside_->forget(); }
 
-std::shared_ptr<KeepingAside> PaintWork::newAside() const {
-  const auto start = [&host = host_](KeepingAside::Work work, KeepingAside::Done done) {
-    host.jobs().start(tr("Keeping what is painted").toStdString(), std::move(work), std::move(done));
+KeepingAside::Start PaintWork::starting(bool isSaving) const {
+  return [&host = host_, isSaving](KeepingAside::Work work, KeepingAside::Done done) {
+    const std::string title = tr("Keeping what is painted").toStdString();
+    if (isSaving)
+      host.jobs().startSaving(title, std::move(work), std::move(done));
+    else
+      host.jobs().start(title, std::move(work), std::move(done));
   };
-  return std::make_shared<KeepingAside>(rootOfKept(), start);
 }
+
+std::shared_ptr<KeepingAside> PaintWork::newAside() const { return std::make_shared<KeepingAside>(rootOfKept(), starting(false)); }
 
 void PaintWork::say(const QString& sentence) const {
   if (onSaid) onSaid(sentence);

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "ew/sdk/host.h"
 #include "ew/sdk/scan.h"
@@ -17,7 +18,7 @@ namespace ew::case_authoring {
 
 /// Painting in the labels of the open case: from the first stroke until it is kept in the case, which is one step of the case, or
 /// discarded. Meanwhile image and body show what is painted, and it is kept aside, so that a crash loses at most what was painted in the
-/// last second.
+/// last second. When another case is opened it is kept aside for whoever opens its own again; what cannot be stays here.
 class PaintWork final : public QObject {
   Q_OBJECT
 
@@ -54,10 +55,15 @@ class PaintWork final : public QObject {
 
   /// Another case was opened, or this one has another folder now.
   void followCase();
-  /// Whether a program that ended too early has left something that was painted in this case.
-  [[nodiscard]] bool hasLeft() const { return left_.has_value(); }
+  /// Whether something that was painted in this case waits: a program that ended too early has left it, or another case was opened.
+  [[nodiscard]] bool hasLeft() const { return left_.has_value() || unkeptHere() != nullptr; }
   void goOnWithLeft();
   void discardLeft();
+  /// The title of another case, in which something was painted that could not be kept aside and lies here alone; empty: none.
+  [[nodiscard]] QString unkeptElsewhere() const;
+  void discardElsewhere();
+  /// Tries again with all that could not be kept aside.
+  void keepUnkept();
 
   std::function<void()> onChanged;                      ///< what is painted, the tool, or whether it is busy
   std::function<void(const QString& sentence)> onSaid;  ///< what is wrong or to be known; empty: nothing any more
@@ -75,9 +81,27 @@ class PaintWork final : public QObject {
   /// Adds labels to the case in a job, and tells `done` their file when the case is still open.
   void addLabels(const QString& title, std::function<Result<Volume>(Progress&)> make, std::function<void(const std::string& file)> done);
   void keepAside();
+  /// @param isSaving it is all there is of it: nobody cancels it, or closes the window, without being asked
+  [[nodiscard]] KeepingAside::Start starting(bool isSaving) const;
   [[nodiscard]] std::shared_ptr<KeepingAside> newAside() const;
   /// Keeps what is painted now; what another program left of it goes once that is done.
   void startKeepingAside();
+  /// What was painted in a case that another was opened in place of, until it is kept aside.
+  struct Parted {
+    KeepingAside::Painted painted;
+    std::shared_ptr<KeepingAside> aside;        ///< which holds what was kept of it before
+    std::optional<KeptPainting::Left> earlier;  ///< of another program; it goes once this is kept
+    QString title;                              ///< of the case
+    bool isTried = true;                        ///< it is being kept; false: it could not be
+  };
+  void part(const std::shared_ptr<KeepingAside>& aside);
+  void keepParted(const std::shared_ptr<Parted>& parted);
+  void settle(const std::shared_ptr<Parted>& parted, const Result<void>& outcome);
+  void drop(const std::shared_ptr<Parted>& parted);
+  /// What could not be kept aside; null: nothing. Of the case that is open, or of another.
+  [[nodiscard]] std::shared_ptr<Parted> unkeptHere() const;
+  [[nodiscard]] std::shared_ptr<Parted> unkeptThere() const;
+  [[nodiscard]] QString closingSentence() const;
   void rememberCase();
   void end();
   void say(const QString& sentence) const;
@@ -91,9 +115,11 @@ class PaintWork final : public QObject {
   std::filesystem::path caseFolder_;
   std::shared_ptr<const Volume> voxels_;  ///< that are painted over
   std::string before_;                    ///< what the case named as its labels, as it was last seen open
+  QString title_;                         ///< of the case
   std::shared_ptr<KeepingAside> aside_;
   std::optional<KeptPainting::Left> left_, takenOver_;
-  sdk::Ticket asking_, closing_;
+  std::vector<std::shared_ptr<Parted>> parted_;
+  sdk::Ticket asking_, closing_, holding_;
   bool isBusy_ = false;
   std::shared_ptr<std::atomic<bool>> growing_;  ///< true: it is to stop; null: nothing grows
   QTimer keepSoon_;

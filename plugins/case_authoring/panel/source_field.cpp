@@ -20,6 +20,7 @@
 #include <memory>
 
 #include "ew/sdk/panel.h"
+#include "logic/until_told.h"
 #include "panel/fields.h"
 
 namespace ew::case_authoring {
@@ -92,6 +93,8 @@ SourceField::SourceField(sdk::Host& host, bool offersNothing, QWidget* parent)
   });
   look();
 }
+
+SourceField::~SourceField() { giveUpLook(); }
 
 void SourceField::addFile() {
   fileRow_ = new QWidget;
@@ -266,10 +269,18 @@ void SourceField::chooseFile() {
   if (!chosen.isEmpty()) file_->setText(chosen);
 }
 
+void SourceField::giveUpLook() {
+  ++look_;
+  isLooking_ = false;
+  if (looking_) looking_->store(true);
+  looking_.reset();
+}
+
 void SourceField::lookSoon() {
   sdk::setProblem(remark_, {});
   isRefused_ = false;
-  ++look_;
+  giveUpLook();
+  isLooking_ = true;
   soon_.start();
   Q_EMIT changed();
 }
@@ -278,15 +289,18 @@ void SourceField::lookInside() {
   const auto source = this->source();
   const int mine = look_;
   const auto end = [this] {
-    look_ = 0;
+    isLooking_ = false;
+    looking_.reset();
     Q_EMIT changed();
   };
   if (!source || std::holds_alternative<std::monostate>(*source)) return end();
   auto found = std::make_shared<NewCasePlan>();
+  looking_ = std::make_shared<std::atomic<bool>>(false);
   host_.jobs().start(
       tr("Looking at the file").toStdString(),
-      [found, source = *source](Progress& progress) -> Result<void> {
-        auto planned = planOfSource(source, progress);
+      [found, source = *source, stop = looking_](Progress& progress) -> Result<void> {
+        UntilTold told(progress, *stop);
+        auto planned = planOfSource(source, told);
         if (!planned) return passOn(planned.error());
         *found = std::move(*planned);
         return {};
@@ -347,7 +361,7 @@ void SourceField::showSide() {
 QString SourceField::openQuestion() const {
   const auto found = source();
   if (!found) return file().isEmpty() ? sdk::words(found.error()) : tr("This file cannot become a case.");
-  if (look_ != 0) return tr("The file is being looked at.");
+  if (isLooking_) return tr("The file is being looked at.");
   if (asksStep_ && timeStep_->value() == 0) return tr("Choose which volume of the file is meant.");
   if (asksSpacing_ && (voxel_[0]->value() <= 0.0 || voxel_[1]->value() <= 0.0 || voxel_[2]->value() <= 0.0))
     return tr("Give the size of a voxel along all three axes.");
@@ -387,14 +401,14 @@ void SourceField::look() {
   }
   sweepRow_->setVisible(kind() == Kind::sweep);
   fan_->setVisible(kind() == Kind::sweep);
+  giveUpLook();
   if (!source() || kind() == Kind::nothing) {
-    look_ = 0;
     soon_.stop();
     Q_EMIT changed();
     return;
   }
   isRefused_ = false;
-  ++look_;
+  isLooking_ = true;
   soon_.start();
   Q_EMIT changed();
 }

@@ -4,7 +4,9 @@
 #include <QTimer>
 #include <QWidget>
 #include <array>
+#include <atomic>
 #include <functional>
+#include <memory>
 
 #include "ew/library/new_case.h"
 #include "ew/sdk/host.h"
@@ -35,6 +37,7 @@ class SourceField final : public QWidget {
   /// What is on screen is offered when that is no case's. A job of the host looks at what was chosen.
   /// @param offersNothing whether "nothing yet" can be chosen
   SourceField(sdk::Host& host, bool offersNothing, QWidget* parent = nullptr);
+  ~SourceField() override;
 
   [[nodiscard]] Kind kind() const;
   [[nodiscard]] QString file() const;  ///< as it is written in the field; empty for nothing
@@ -54,6 +57,8 @@ class SourceField final : public QWidget {
   /// Looks at the source once what is typed has come to rest.
   void lookSoon();
   void lookInside();
+  /// What was looked at is not what is chosen any more: its job ends, and what it still says is not taken.
+  void giveUpLook();
   /// Reveals the field for what a look at the source asked (askedFor); what has none is said beside the file.
   void ask(const Error& question);
   /// Asks from which side the volume was scanned, and shows its middle as it would be seen.
@@ -67,8 +72,10 @@ class SourceField final : public QWidget {
 
   sdk::Host& host_;
   QTimer soon_;
-  int look_ = 0;            ///< number of the look that is waited for; 0: none
-  bool isRefused_ = false;  ///< what the look said stands beside the file
+  int look_ = 0;                                ///< number of the latest look, which no other ever has
+  bool isLooking_ = false;                      ///< its answer is waited for
+  std::shared_ptr<std::atomic<bool>> looking_;  ///< true: its job is to stop; null: none runs
+  bool isRefused_ = false;                      ///< what the look said stands beside the file
   QButtonGroup* kinds_ = nullptr;
   QWidget* fileRow_ = nullptr;
   QLineEdit* file_ = nullptr;

@@ -43,6 +43,7 @@ TargetsPanel::TargetsPanel(sdk::Host& host, QWidget* parent)
   setObjectName(QStringLiteral("targetsPanel"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(makeUnkept());
   pages_ = new QStackedWidget;
   pages_->addWidget(sdk::emptyState(tr("No case is open"), tr("Open a case from the start page or the File menu. Then what a trainee is to "
                                                               "find in it can be pointed out here.")));
@@ -93,6 +94,27 @@ QWidget* TargetsPanel::makeLeft() {
           [this] { work_->discardLeft(); });
   column->addLayout(row);
   return left_;
+}
+
+QWidget* TargetsPanel::makeUnkept() {
+  unkept_ = new QWidget;
+  unkept_->setObjectName(QStringLiteral("paintUnkept"));
+  auto* column = new QVBoxLayout(unkept_);
+  column->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 0);
+  unkeptText_ = new QLabel;
+  unkeptText_->setObjectName(QStringLiteral("paintUnkeptText"));
+  unkeptText_->setTextFormat(Qt::PlainText);
+  unkeptText_->setWordWrap(true);
+  column->addWidget(unkeptText_);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(kGap_px);
+  connect(targetButton(tr("Try again"), tr("Keep it aside, for whoever opens that case again"), "paintKeepElsewhere", row),
+          &QPushButton::clicked, this, [this] { work_->keepUnkept(); });
+  connect(targetButton(tr("Discard"), tr("Give up what was painted there"), "paintDiscardElsewhere", row), &QPushButton::clicked, this,
+          [this] { work_->discardElsewhere(); });
+  column->addLayout(row);
+  unkept_->hide();
+  return unkept_;
 }
 
 QWidget* TargetsPanel::makeList() {
@@ -340,6 +362,9 @@ void TargetsPanel::showChosen() {
 
 void TargetsPanel::followWork() {
   left_->setVisible(work_->hasLeft());
+  const QString unkept = work_->unkeptElsewhere();
+  unkept_->setVisible(!unkept.isEmpty());
+  unkeptText_->setText(tr("What was painted in '%1' lies in this window alone.").arg(unkept));
   drawer_.setPainting(work_->painting());
   if (kindOf(targetAt(manifest_, chosen_)) == "structure") structure_->followWork();
   if (const auto image = host_.scan().state()) drawer_.see(*image);

@@ -40,6 +40,7 @@ class TargetsPanel final : public QWidget {
   QWidget* makeList();
   QWidget* makeEditor();
   QWidget* makeLeft();
+  QWidget* makeUnkept();
   void addPoint();
   void addPlane();
   void addStructure();
@@ -64,10 +65,10 @@ class TargetsPanel final : public QWidget {
   QStackedWidget* pages_ = nullptr;
   QListWidget* list_ = nullptr;
   QPushButton *up_ = nullptr, *down_ = nullptr, *remove_ = nullptr;
-  QWidget *editor_ = nullptr, *left_ = nullptr;
+  QWidget *editor_ = nullptr, *left_ = nullptr, *unkept_ = nullptr;
   QLineEdit* name_ = nullptr;
   QCheckBox* reveals_ = nullptr;
-  QLabel *lessons_ = nullptr, *problem_ = nullptr, *empty_ = nullptr;
+  QLabel *lessons_ = nullptr, *problem_ = nullptr, *empty_ = nullptr, *unkeptText_ = nullptr;
   PointPage* point_ = nullptr;
   PlanePage* plane_ = nullptr;
   StructurePage* structure_ = nullptr;

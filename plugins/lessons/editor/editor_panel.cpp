@@ -26,7 +26,7 @@ enum EditorPage { kNoCase, kLessonsPage, kLessonPage, kStepPage, kWordsPage, kTr
 
 }  // namespace
 
-EditorPanel::EditorPanel(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(host), document_(host), take_(host) {
+EditorPanel::EditorPanel(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(host), take_(host), document_(host) {
   setObjectName(QStringLiteral("lessonEditor"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);

@@ -43,8 +43,8 @@ class EditorPanel final : public QWidget {
   void say(const QString& problem);
 
   sdk::Host& host_;
+  ExpertTake take_;  // before the document: it has followed a case that was saved elsewhere when that is told of
   LessonDocument document_;
-  ExpertTake take_;
   std::string lessonId_, stepId_;  ///< that are edited; empty: none
   /// Where a trial was begun, to come back to.
   struct Tried {

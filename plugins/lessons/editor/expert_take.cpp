@@ -1,5 +1,7 @@
 #include "editor/expert_take.h"
 
+#include <utility>
+
 #include "ew/scanning/recording_journal.h"
 #include "ew/sdk/case_parts.h"
 #include "ew/sdk/scan.h"
@@ -11,22 +13,32 @@ namespace ew::lessons {
 ExpertTake::ExpertTake(sdk::Host& host, QObject* parent) : QObject(parent), host_(host), kept_(autosaveFolder()) {
   timer_.setInterval(200);
   connect(&timer_, &QTimer::timeout, this, &ExpertTake::tick);
-  tickets_ = {
-      host_.scan().onEvent([this](const ScanEvent& event) {
-        if (!recorder_.isRecording()) return;
-        const Picture picture = host_.scan().picture();
-        recorder_.see(event, host_.scan().state(), {picture.width(), picture.height()});
-      }),
-      host_.caseParts().onOpened([this](const std::filesystem::path& folder) {
-        if (!recorder_.isRecording() || recorder_.isPaused() || folder == folder_) return;
-        pause();
-        host_.window().info(
-            tr("The recording of the expert's scan is paused, because another case was opened; it goes on in its own case.").toStdString(),
-            "expert scan");
-      }),
-      host_.window().onClosing([this] {
-        return recorder_.isRecording() ? tr("An expert's scan is being recorded and not kept yet.").toStdString() : std::string();
-      })};
+  tickets_ = {host_.scan().onEvent([this](const ScanEvent& event) {
+                if (!recorder_.isRecording()) return;
+                const Picture picture = host_.scan().picture();
+                recorder_.see(event, host_.scan().state(), {picture.width(), picture.height()});
+              }),
+              host_.caseParts().onOpened([this](const std::filesystem::path& folder) { followCase(folder); }),
+              host_.window().onClosing([this] {
+                return recorder_.isRecording() ? tr("An expert's scan is being recorded and not kept yet.").toStdString() : std::string();
+              })};
+}
+
+void ExpertTake::followCase(const std::filesystem::path& folder) {
+  const std::filesystem::path before = std::exchange(open_, folder);
+  if (!recorder_.isRecording() || folder == folder_) return;
+  // A case that is saved elsewhere is scanned as before; the volume of another one is not scanned yet when it is told of.
+  if (before == folder_ && !folder.empty() && host_.cases().scan()) {
+    folder_ = folder;
+    if (events_ > 0) describe();
+    Q_EMIT changed();
+    return;
+  }
+  if (recorder_.isPaused()) return;
+  pause();
+  host_.window().info(
+      tr("The recording of the expert's scan is paused, because another case was opened; it goes on in its own case.").toStdString(),
+      "expert scan");
 }
 
 Result<void> ExpertTake::start(const std::string& lessonId, const std::string& stepId, const std::string& caseId,
@@ -34,7 +46,7 @@ Result<void> ExpertTake::start(const std::string& lessonId, const std::string& s
   const auto image = host_.scan().state();
   if (!image) return failure(ErrorCode::badUsage, say<"Nothing is scanned; wait until the volume of the case is shown.">());
   if (auto live = host_.scan().setFrozen(false); !live) return live;
-  folder_ = host_.cases().currentFolder();
+  folder_ = open_ = host_.cases().currentFolder();
   title_ = title;
   forgetKept();
   lessonId_ = lessonId;
@@ -50,8 +62,10 @@ Result<void> ExpertTake::start(const std::string& lessonId, const std::string& s
 }
 
 bool ExpertTake::isFor(const std::string& lessonId, const std::string& stepId) const {
-  return recorder_.isRecording() && lessonId == lessonId_ && stepId == stepId_ && host_.cases().currentFolder() == folder_;
+  return isOfOpenCase() && lessonId == lessonId_ && stepId == stepId_;
 }
+
+bool ExpertTake::isOfOpenCase() const { return recorder_.isRecording() && host_.cases().currentFolder() == folder_; }
 
 double ExpertTake::length_s() const { return recorder_.length_s(host_.scan().now_s()); }
 
@@ -98,11 +112,13 @@ void ExpertTake::forgetKept() {
   kept_.forget();
 }
 
+void ExpertTake::describe() { kept_.describe({{"kind", "expert_scan"}, {"path", folder_.string()}, {"title", title_}}); }
+
 /// What was recorded since it was kept last.
 void ExpertTake::keep() {
   const ScanRecording& growing = recorder_.growing();
   if (growing.log.frameCount() == 0 || growing.log.events().size() == events_) return;
-  if (events_ == 0) kept_.describe({{"kind", "expert_scan"}, {"path", folder_.string()}, {"title", title_}});
+  if (events_ == 0) describe();
   kept_.append("recording.jsonl", (events_ == 0 ? journalHead(growing) : std::string()) + journalLines(growing.log, events_));
   events_ = growing.log.events().size();
 }

@@ -12,7 +12,8 @@
 
 namespace ew::lessons {
 
-/// The expert's scan that is being recorded for one step of the open case. When another case is opened it pauses, and goes on in its own.
+/// The expert's scan that is being recorded for one step of the open case. When another case is opened it pauses, and goes on in its own;
+/// when the case is saved elsewhere it goes on there.
 class ExpertTake final : public QObject {
   Q_OBJECT
 
@@ -26,6 +27,8 @@ class ExpertTake final : public QObject {
   [[nodiscard]] bool isPaused() const { return recorder_.isPaused(); }
   /// Whether what is recorded is for this step of the case that is open.
   [[nodiscard]] bool isFor(const std::string& lessonId, const std::string& stepId) const;
+  /// Whether it is for a step of the case that is open.
+  [[nodiscard]] bool isOfOpenCase() const;
   [[nodiscard]] const std::string& lessonId() const { return lessonId_; }
   [[nodiscard]] const std::string& stepId() const { return stepId_; }
   [[nodiscard]] double length_s() const;
@@ -46,8 +49,10 @@ class ExpertTake final : public QObject {
   void full();     ///< it is as long as it may be: it has been paused
 
  private:
+  void followCase(const std::filesystem::path& folder);
   void tick();
   void keep();
+  void describe();
   void forgetKept();
 
   sdk::Host& host_;
@@ -56,6 +61,7 @@ class ExpertTake final : public QObject {
   std::size_t events_ = 0;        ///< so many are kept
   std::string title_;             ///< of what is scanned
   std::filesystem::path folder_;  ///< of the case it is for
+  std::filesystem::path open_;    ///< of the case that is open
   std::string lessonId_, stepId_;
   bool keeping_ = false;
   QTimer timer_;

@@ -112,6 +112,7 @@ void WatchForm::stop() {
   std::vector<double> marks_s;
   auto made = take_.stop(marks_s);
   if (!made) return say(tl::unexpected(made.error()));
+  if (!take_.isOfOpenCase()) return saveTaken(std::move(*made));
   keep(std::move(*made), marks_s, true);
 }
 
@@ -138,7 +139,7 @@ Result<void> WatchForm::nameInStep(const EditedStep& at, const ScanToKeep& kept)
   return named;
 }
 
-/// @param isTaken it was recorded here, and the take goes only when it is kept and named
+/// @param isTaken it was recorded, for this step or another, and the take goes only when it is kept and named
 void WatchForm::keep(ScanRecording made, const std::vector<double>& marks_s, bool isTaken) {
   auto kept = std::make_shared<ScanToKeep>(ScanToKeep{std::move(made), marks_s, edited().document.folder()});
   if (isTaken) take_.setKeeping(true);
@@ -152,7 +153,7 @@ void WatchForm::keep(ScanRecording made, const std::vector<double>& marks_s, boo
         return {};
       },
       [form = QPointer<WatchForm>(this), document = QPointer<LessonDocument>(&edited().document), take = QPointer<ExpertTake>(&take_),
-       at = edited(), kept, isTaken](const Result<void>& done) {
+       at = isTaken ? EditedStep{edited().document, take_.lessonId(), take_.stepId()} : edited(), kept, isTaken](const Result<void>& done) {
         if (!document || !take) return;
         const Result<void> named = done ? nameInStep(at, *kept) : done;
         const QString problem =
@@ -168,6 +169,33 @@ void WatchForm::keep(ScanRecording made, const std::vector<double>& marks_s, boo
       });
 }
 
+/// The step it was recorded for is in a case that is not open: into a file, which is chosen there.
+void WatchForm::saveTaken(ScanRecording made) {
+  sdk::Host& host = edited().document.host();
+  const QPointer<WatchForm> form(this);  // while somebody thinks about a name another case may be opened
+  const QPointer<ExpertTake> take(&take_);
+  const auto file = host.window().askSaveFile({.title = tr("Save the expert's scan").toStdString(),
+                                               .proposal = tr("scan").toStdString() + ".seq.mha",
+                                               .filter = tr("Recordings of a scan (*.seq.mha)").toStdString(),
+                                               .endings = {".seq.mha"}});
+  if (!file || !take) return;  // it is paused, and still there
+  take->setKeeping(true);
+  host.jobs().startSaving(
+      tr("Keeping the expert's scan").toStdString(),
+      [recording = std::make_shared<const ScanRecording>(std::move(made)), to = *file](Progress& progress) {
+        return writeRecording(*recording, to, progress);
+      },
+      [form, take, &host, to = *file](const Result<void>& done) {
+        if (!take) return;
+        done ? take->discard() : take->setKeeping(false);
+        if (!done) return host.window().error(words(done.error()).toStdString(), "expert scan");
+        host.window().info(
+            tr("Saved to %1. Open the case it is for, and choose it in its step.").arg(QString::fromStdString(to.string())).toStdString(),
+            "expert scan");
+        if (form) form->showTask(false);
+      });
+}
+
 void WatchForm::choose(const std::filesystem::path& file) {
   auto read = readRecording(file);
   if (!read) return say(tl::unexpected(read.error()));
@@ -176,9 +204,14 @@ void WatchForm::choose(const std::filesystem::path& file) {
 }
 
 void WatchForm::showTake() {
+  if (takePart_->isHidden() == take_.isRecording()) showTask(true);
+  if (!take_.isRecording()) return;
   const bool isMine = take_.isFor(edited().lessonId, edited().stepId);
-  if (takePart_->isHidden() == isMine) showTask(true);
-  if (!isMine) return;
+  for (auto* each : {pause_, takeMark_}) each->setVisible(isMine);
+  const QString stops =
+      take_.isOfOpenCase() ? tr("End the recording and keep it in the case") : tr("End the recording and save it in a file");
+  stop_->setToolTip(stops);
+  stop_->setAccessibleName(stops);
   length_->setText((take_.isPaused() ? tr("Paused at %1 of at most %2") : tr("\u25cf Recording: %1 of at most %2"))
                        .arg(clockText(take_.length_s()), clockText(kLongestExpertScan_s)));
   pause_->setText(take_.isPaused() ? tr("Go on") : tr("Pause"));
@@ -190,7 +223,7 @@ void WatchForm::showTask(bool typed) {
   const WatchTask task = edited().task<WatchTask>();
   const bool isMine = take_.isFor(edited().lessonId, edited().stepId);
   const bool elsewhere = take_.isRecording() && !isMine;
-  takePart_->setVisible(isMine);
+  takePart_->setVisible(take_.isRecording());
   if (isMine && record_->hasFocus()) stop_->setFocus();  // else the focus would go on by itself, and the form scroll to it
   record_->setVisible(!isMine && isHome());
   record_->setEnabled(!elsewhere);
@@ -200,13 +233,16 @@ void WatchForm::showTask(bool typed) {
   record_->style()->polish(record_);
   choose_->setVisible(!isMine);
   if (elsewhere)
-    state_->setText(tr("Another step's scan is being recorded; end that first."));
+    state_->setText(take_.isOfOpenCase()
+                        ? tr("Another step's scan is being recorded; end that first.")
+                        : tr("A scan of another case is being recorded. Open that to keep it in its step; Stop saves it in a file, without "
+                             "the moments that were marked."));
   else if (isMine)
     state_->setText(tr("Scan now, as the trainee is to see it."));
   else if (task.recording.empty())
     state_->setText(isHome() ? tr("Nothing is recorded yet.")
                              : tr("This step scans another case. Record the scan there, save it, and choose it here."));
-  if (isMine) showTake();
+  showTake();
   if (shown_ != task.recording) load();
   showRecording();
   if (!typed) showMarks(task);

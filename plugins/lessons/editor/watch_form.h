@@ -37,6 +37,7 @@ class WatchForm final : public TaskForm {
   void showTake();
   struct ScanToKeep;
   void keep(ScanRecording made, const std::vector<double>& marks_s, bool isTaken);
+  void saveTaken(ScanRecording made);
   [[nodiscard]] static Result<void> nameInStep(const EditedStep& at, const ScanToKeep& kept);
   void choose(const std::filesystem::path& file);
   void load();

@@ -1,7 +1,9 @@
 #include "panel/lesson_player.h"
 
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPointer>
+#include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -40,10 +42,7 @@ LessonPlayer::LessonPlayer(sdk::Host& host, QWidget* parent) : QWidget(parent), 
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   pages_ = new QStackedWidget;
-  waiting_ = sdk::quietLabel({});
-  waiting_->setObjectName(QStringLiteral("lessonWaiting"));
-  waiting_->setAlignment(Qt::AlignCenter);
-  pages_->addWidget(waiting_);
+  pages_->addWidget(makeWaiting());
   step_ = new StepPage(host_);
   pages_->addWidget(step_);
   outcome_ = new OutcomePage;
@@ -81,6 +80,28 @@ LessonPlayer::~LessonPlayer() {
   if (run_ && run_->isRunning()) static_cast<void>(run_->leave());  // the window closes: the step begins anew next time
 }
 
+QWidget* LessonPlayer::makeWaiting() {
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(2 * sdk::kGap_px, sdk::kGap_px, 2 * sdk::kGap_px, 2 * sdk::kGap_px);
+  leaveWaiting_ = new QPushButton(tr("Leave"));
+  leaveWaiting_->setObjectName(QStringLiteral("leaveWaiting"));
+  leaveWaiting_->setToolTip(tr("Back to the lessons; the lesson can be gone on with later"));
+  QSizePolicy place = leaveWaiting_->sizePolicy();
+  place.setRetainSizeWhenHidden(true);
+  leaveWaiting_->setSizePolicy(place);
+  connect(leaveWaiting_, &QPushButton::clicked, this, &LessonPlayer::leave);
+  auto* top = new QHBoxLayout;
+  top->addWidget(leaveWaiting_);
+  top->addStretch(1);
+  column->addLayout(top);
+  waiting_ = sdk::quietLabel({});
+  waiting_->setObjectName(QStringLiteral("lessonWaiting"));
+  waiting_->setAlignment(Qt::AlignCenter);
+  column->addWidget(waiting_, 1);
+  return page;
+}
+
 std::optional<Case> LessonPlayer::openCase() const { return caseAtHand(host_); }
 
 void LessonPlayer::play(LessonRun run, const Case& home, CaseWords words, std::optional<StepAutosave::Left> left) {
@@ -93,7 +114,11 @@ void LessonPlayer::play(LessonRun run, const Case& home, CaseWords words, std::o
   run_.emplace(std::move(run));
   truth_.reset();  // the case may have been edited since
   ++loads_;
-  if (run_->isOver()) return showSummary();  // the window was closed on its last outcome
+  if (run_->isOver()) {  // the window was closed on its last outcome
+    if (left_) left_->kept->discard();
+    left_.reset();
+    return showSummary();
+  }
   openStep();
 }
 
@@ -110,17 +135,22 @@ void LessonPlayer::openStep() {
   const std::string wanted = run_->step().caseId.empty() ? homeCase_ : run_->step().caseId;
   Q_EMIT problemGone();
   waiting_->setText(tr("Getting the step ready…"));
+  leaveWaiting_->hide();  // what is gone in a moment is not to be pressed by mistake
   pages_->setCurrentIndex(kWaiting);
   const auto opened = openCase();
   if (!opened || opened->id != wanted) {
     const auto folder = wanted == homeCase_ ? Result<std::filesystem::path>(homeFolder_) : folderOfCase(wanted);
     if (!folder) return fail(folder.error());
     if (auto opening = host_.cases().open(*folder); !opening) return fail(opening.error());
-    waiting_->setText(tr("Opening the case of this step…"));
-    return;
+    return waitFor(tr("Opening the case of this step…"));
   }
   if (truth_) return startStep(truth_);
   loadTruth(*opened);
+}
+
+void LessonPlayer::waitFor(const QString& what) {
+  waiting_->setText(what);
+  leaveWaiting_->show();
 }
 
 void LessonPlayer::loadTruth(const Case& opened) {
@@ -145,7 +175,7 @@ void LessonPlayer::loadTruth(const Case& opened) {
 void LessonPlayer::startStep(std::shared_ptr<const CaseTruth> truth) {
   const auto scanned = host_.scan().scanned();
   if (!scanned) {  // the volume is being prepared: the first image of it goes on
-    waiting_->setText(tr("The volume of this case is being made ready…"));
+    waitFor(tr("The volume of this case is being made ready…"));
     timer_.start();
     return;
   }
@@ -270,7 +300,7 @@ void LessonPlayer::endStep() {
       run_->endStep(step_->handed(), host_.scan().now_s(), [this](const KeptAttempt& attempt) { return keepPicture(attempt); });
   if (!outcome) return fail(outcome.error());
   timer_.stop();
-  kept_.endStep();
+  kept_.endStep(*run_);
   before_.reset();
   const LessonStep& ended = run_->step();
   const auto scanned = host_.scan().scanned();
@@ -292,7 +322,7 @@ void LessonPlayer::endStep() {
 void LessonPlayer::skipStep() {
   if (!run_ || !run_->isRunning()) return;
   if (const auto outcome = run_->skipStep(host_.scan().now_s()); !outcome) return fail(outcome.error());
-  kept_.endStep();
+  kept_.endStep(*run_);
   step_->end();
   giveSettingsBack();
   nextStep();

@@ -14,6 +14,7 @@
 #include "logic/step_autosave.h"
 
 class QLabel;
+class QPushButton;
 class QStackedWidget;
 
 namespace ew::lessons {
@@ -47,7 +48,10 @@ class LessonPlayer final : public QWidget {
 
  private:
   void take(const ScanEvent& event);
+  [[nodiscard]] QWidget* makeWaiting();
   void openStep();  ///< makes ready what the step scans, and starts it
+  /// Says what a step waits for that may take long, or never come: the lesson can be left meanwhile.
+  void waitFor(const QString& what);
   void loadTruth(const Case& opened);
   void startStep(std::shared_ptr<const CaseTruth> truth);
   void takeUpLeft();
@@ -85,6 +89,7 @@ class LessonPlayer final : public QWidget {
 
   QStackedWidget* pages_ = nullptr;
   QLabel* waiting_ = nullptr;
+  QPushButton* leaveWaiting_ = nullptr;
   StepPage* step_ = nullptr;
   OutcomePage* outcome_ = nullptr;
 };

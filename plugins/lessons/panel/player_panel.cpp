@@ -59,7 +59,7 @@ PlayerPanel::PlayerPanel(sdk::Host& host, std::function<void(bool)> working, QWi
   column->addWidget(pages_, 1);
 
   connect(list_, &LessonList::startAsked, this, [this](const QString& id) { begin(id.toStdString()); });
-  connect(list_, &LessonList::goOnAsked, this, [this](const QString& id) { goOn(id.toStdString()); });
+  connect(list_, &LessonList::goOnAsked, this, [this](const QString& id) { goOn(id.toStdString(), Asked::byList); });
   connect(card_, &ExerciseCard::startAsked, this, &PlayerPanel::beginExercises);
   connect(card_, &ExerciseCard::personChanged, this, &PlayerPanel::showLessons);
   connect(player_, &LessonPlayer::ended, this, &PlayerPanel::stop);
@@ -75,7 +75,8 @@ PlayerPanel::PlayerPanel(sdk::Host& host, std::function<void(bool)> working, QWi
                 if (lessonOf(item) == nullptr) return;
                 player_->leave();
                 exercises_->leave();
-                goOn(item, !launchOfEnvironment().empty() && !std::exchange(hasBegunLaunched_, true));
+                const bool isLaunched = !launchOfEnvironment().empty() && !std::exchange(hasBegunLaunched_, true);
+                goOn(item, isLaunched ? Asked::byLaunch : Asked::byWindow);
               })};
   showCase();
 }
@@ -159,22 +160,37 @@ void PlayerPanel::begin(const std::string& lessonId) {
   take(LessonRun::begin(*lesson, case_->id, sdk::personWhoLearns(), ownAttempts(), case_->sealed ? case_->sealed->sha256 : std::string()));
 }
 
-void PlayerPanel::goOn(const std::string& lessonId, bool isLaunched) {
+std::optional<StepAutosave::Left> PlayerPanel::leftOf(const std::string& lessonId, const AttemptList& attempts) const {
+  std::vector<std::filesystem::path> tried;
+  for (const auto& [folder, attempt] : attempts.attempts)
+    if (attempt.caseId == case_->id && attempt.lessonId == lessonId && countsFor(attempt, sdk::personWhoLearns())) tried.push_back(folder);
+  return player_->kept().takeLeftOfAny(tried);
+}
+
+void PlayerPanel::goOn(const std::string& lessonId, Asked asked) {
   const Lesson* lesson = lessonOf(lessonId);
   if (lesson == nullptr || !case_) return;
-  const LessonStanding standing = Standings(listAttempts(ownAttempts()), sdk::personWhoLearns()).of(case_->id, *lesson);
-  if (!standing.interrupted) return begin(lessonId);
-  auto kept = KeptAttempt::open(*standing.interrupted);
+  const AttemptList attempts = listAttempts(ownAttempts());
+  const auto interrupted = Standings(attempts, sdk::personWhoLearns()).of(case_->id, *lesson).interrupted;
+  auto left = asked != Asked::byList ? leftOf(lessonId, attempts) : interrupted ? player_->kept().takeLeft(*interrupted) : std::nullopt;
+  if (!left && !interrupted) return begin(lessonId);
+  auto kept = KeptAttempt::open(left ? left->attempt : *interrupted);
   if (!kept) return fail(kept.error());
   const std::string launch = launchOfEnvironment();
   const bool isUntold = !launch.empty() && kept->attempt().launch != launch;
-  if (isUntold && isLaunched) return begin(lessonId);
+  if (isUntold && asked == Asked::byLaunch) return begin(lessonId);
+  const bool hasScanned = left && left->log.frameCount() > 0 && left->stepId == kept->attempt().runningStep;
+  if (left && !hasScanned && kept->attempt().finishedAt) {  // the program ended after the lesson did
+    left->kept->discard();
+    if (interrupted || asked == Asked::byLaunch) return goOn(lessonId, asked);
+    return host_.window().info(tr("This lesson was finished before the program ended; nothing of it was lost.").toStdString(), "step lost");
+  }
   const bool isChanged = kept->attempt().lessonContent != contentOf(*lesson);
   auto run = LessonRun::goOnWith(*lesson, std::move(*kept));
   if (!run) return fail(run.error());
-  const bool isLost = !run->lostStep().empty();
-  auto left = player_->kept().takeLeft(*standing.interrupted);
-  const bool isKept = left && left->stepId == run->lostStep() && left->log.frameCount() > 0;
+  if (hasScanned) static_cast<void>(run->goBackToLost());
+  const bool isLost = !run->isOver() && run->step().id == run->lostStep();
+  const bool isKept = isLost && hasScanned;
   take(std::move(run), std::move(left));
   if (isUntold)
     host_.window().info(tr("This attempt began before the learning system started the lesson; its result is not told there.").toStdString(),

@@ -37,8 +37,12 @@ class PlayerPanel final : public QWidget {
   void showCase();
   void showLessons();
   void begin(const std::string& lessonId);
-  /// @param isLaunched a learning system started the window for it: it is told of an attempt that begins now, and of no other
-  void goOn(const std::string& lessonId, bool isLaunched = false);
+  /// Who asks: the list here; the window, which offers what a crash has left; or a learning system that started the window for the lesson,
+  /// which is told of an attempt that begins now, and of no other.
+  enum class Asked { byList, byWindow, byLaunch };
+  void goOn(const std::string& lessonId, Asked asked);
+  /// What a crash has left of the lesson, of whichever attempt: one that is finished has a step that was tried once more.
+  [[nodiscard]] std::optional<StepAutosave::Left> leftOf(const std::string& lessonId, const AttemptList& attempts) const;
   void take(Result<LessonRun> run, std::optional<StepAutosave::Left> left = std::nullopt);
   void beginExercises();
   void stop();
