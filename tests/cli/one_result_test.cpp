@@ -113,6 +113,13 @@ class OneResult : public ::testing::Test {
     EXPECT_EQ(all.back()["timestamp"], "2026-11-26T09:31:40.000Z");
     EXPECT_EQ(all.front()["timestamp"], "2026-11-26T09:30:00.000Z");
   }
+  [[nodiscard]] static AssessmentPlan planFrom(double passLevel) {
+    AssessmentPlan plan;
+    plan.caseId = "ball";
+    plan.lessonId = "about-balls";
+    plan.passLevel = passLevel;
+    return plan;
+  }
   [[nodiscard]] std::string address() {
     return "echoweave-cmi5:?endpoint=" + server_.endpoint() + "&fetch=http://127.0.0.1:" + std::to_string(server_.port()) +
            "/fetch&actor=%7B%22account%22%3A%7B%22homePage%22%3A%22https%3A%2F%2Flms.example%2F%22%2C%22name%22%3A%22Anna%22%7D%7D"
@@ -187,10 +194,7 @@ TEST_F(OneResult, IsTheSameOnEverySurfaceWithoutAPlan) {
 
 TEST_F(OneResult, IsThatOfThePlanOnEverySurface) {
   const fs::path folder = attempt();
-  AssessmentPlan plan;
-  plan.caseId = "ball";
-  plan.lessonId = "about-balls";
-  plan.passLevel = 0.6;
+  AssessmentPlan plan = planFrom(0.6);
   plan.at("second").weight = 0.5;
   plan.at("measure").metrics = {{"measurement_error", 1.0, 10.0, 0.0}};  // 2.5 % are worth 0.75
   ASSERT_TRUE(keepPlan(world_.library(), plan));
@@ -212,10 +216,7 @@ TEST_F(OneResult, IsThatOfThePlanOnEverySurface) {
 
 TEST_F(OneResult, OfALessonThatIsNotInTheLibraryIsNeitherPassedNorFailed) {
   const fs::path folder = attempt();
-  AssessmentPlan plan;
-  plan.caseId = "ball";
-  plan.lessonId = "about-balls";
-  plan.passLevel = 0.1;
+  AssessmentPlan plan = planFrom(0.1);
   ASSERT_TRUE(keepPlan(world_.library(), plan)) << "it would make a pass of anything";
   fs::rename(world_.caseFolder(), outputs_ / "aside");
   const AttemptResult unknown = AttemptResults(world_.library()).of(folder, KeptAttempt::open(folder)->attempt());
@@ -236,10 +237,7 @@ TEST_F(OneResult, OfALessonThatIsNotInTheLibraryIsNeitherPassedNorFailed) {
 }
 TEST_F(OneResult, IsThatOfThePlanAlsoWhereItsScoreCannotBeKept) {
   const fs::path folder = attempt();
-  AssessmentPlan plan;
-  plan.caseId = "ball";
-  plan.lessonId = "about-balls";
-  plan.passLevel = 0.6;
+  AssessmentPlan plan = planFrom(0.6);
   plan.at("second").weight = 0.5;
   ASSERT_TRUE(keepPlan(world_.library(), plan));
   writeText(folder / "scores", "a file where the folder would be");
@@ -248,10 +246,7 @@ TEST_F(OneResult, IsThatOfThePlanAlsoWhereItsScoreCannotBeKept) {
 }
 TEST_F(OneResult, OfAPlanThatCannotBeReadIsNotTold) {
   const fs::path folder = attempt();
-  AssessmentPlan plan;
-  plan.caseId = "ball";
-  plan.lessonId = "about-balls";
-  plan.passLevel = 0.9;
+  AssessmentPlan plan = planFrom(0.9);
   ASSERT_TRUE(keepPlan(world_.library(), plan));
   const fs::path file = planFolder(world_.library(), "ball", "about-balls") / "0001.json";
   ASSERT_TRUE(fs::exists(file));

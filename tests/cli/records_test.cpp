@@ -5,6 +5,8 @@
 #include "ew/library/attempt.h"
 #include "ew/library/case.h"
 #include "ew/library/lesson.h"
+#include "ew/library/lesson_links.h"
+#include "library/small_case.h"
 #include "places.h"
 #include "records/record_server.h"
 #include "records/record_world.h"
@@ -128,9 +130,16 @@ TEST_F(RecordsCommand, TellsAnAttemptToTheSystemThatLaunchedIt) {
   ASSERT_TRUE(KeptAttempt::begin(folder_.path() / "library/attempts", made));
   Lesson known = someLesson();
   known.steps[2].task = AnswerTask{{{"a", true, ""}, {"b", false, ""}}, {}, 0.0, ""};
-  const nlohmann::json manifest = {
-      {"format", 1}, {"id", "school"}, {"title", "School"}, {"parts", {{"lessons", jsonOf(std::vector<Lesson>{known})}}}};
-  writeText(folder_ / "library/cases/school/case.json", manifest.dump());
+  const EnvironmentValue own("ECHOWEAVE_CASES", folder_ / "own");
+  makeSmallCase(folder_ / "own/school");
+  auto manifest = readJson(folder_ / "own/school/case.json");
+  manifest["id"] = "school";
+  manifest["parts"]["lessons"] = jsonOf(std::vector<Lesson>{known});
+  writeText(folder_ / "own/school/case.json", manifest.dump());
+  const auto school = loadCase(folder_ / "own/school");
+  ASSERT_TRUE(school) << school.error();
+  const auto taught = lessonsOf(*school);
+  ASSERT_TRUE(taught) << taught.error();
   server_.authorization = "Basic dG9rZW4tMTc=";
   server_.other = [&](const ServerQuestion& question) -> std::optional<ServerAnswer> {
     if (question.target == "/fetch")

@@ -358,17 +358,19 @@ class KeepingTest : public WindowFixture {
     QCOMPARE(framesHere(), std::size_t{4});
     QVERIFY(isLeft("made"));
     QVERIFY(wasSaid("comes back when it is shown"));
-    Answers answers({{QStringLiteral("unsavedRecordingQuestion"), press(QMessageBox::Discard)}});
-    const auto actions = window_->findChildren<QAction*>();
-    const auto show = std::find_if(actions.begin(), actions.end(), [](const QAction* each) {
-      return each->text() == MainWindow::tr("Show the volume made from %1").arg(QStringLiteral("made"));
-    });
-    QVERIFY(show != actions.end());
-    (*show)->trigger();
-    QVERIFY(waitUntil([this] { return framesHere() == 6; }));
-    QVERIFY(session().subject() && session().subject()->title == "made");
-    QVERIFY(waitUntil([this] { return !isLeft("made"); }));
-    waitForRest();
+    {
+      Answers answers({{QStringLiteral("unsavedRecordingQuestion"), press(QMessageBox::Discard)}});
+      const auto actions = window_->findChildren<QAction*>();
+      const auto show = std::find_if(actions.begin(), actions.end(), [](const QAction* each) {
+        return each->text() == MainWindow::tr("Show the volume made from %1").arg(QStringLiteral("made"));
+      });
+      QVERIFY(show != actions.end());
+      (*show)->trigger();
+      QVERIFY(waitUntil([this] { return framesHere() == 6; }));
+      QVERIFY(session().subject() && session().subject()->title == "made");
+      QVERIFY(waitUntil([this] { return !isLeft("made"); }));
+      waitForRest();
+    }
     closeWithoutSaving();
   }
 
@@ -388,11 +390,13 @@ class KeepingTest : public WindowFixture {
     QVERIFY2(isLeft(first == 5 ? "two" : "one") && !isLeft(first == 5 ? "one" : "two"), "what is here has gone there, and nothing else");
     QVERIFY(wasSaid(first == 5 ? "what was not saved of 'two' before is kept" : "what was not saved of 'one' before is kept"));
     closeWithoutSaving();
-    Answers answers({{QStringLiteral("unsavedWorkQuestion"), press("goOnUnsaved")}});
-    startWindow();
-    QVERIFY(waitUntil([&] { return framesHere() == 12 - first; }));
-    waitForRest();
-    QCOMPARE(answers.asked, QStringList{QStringLiteral("unsavedWorkQuestion")});
+    {
+      Answers answers({{QStringLiteral("unsavedWorkQuestion"), press("goOnUnsaved")}});
+      startWindow();
+      QVERIFY(waitUntil([&] { return framesHere() == 12 - first; }));
+      waitForRest();
+      QCOMPARE(answers.asked, QStringList{QStringLiteral("unsavedWorkQuestion")});
+    }
     closeWithoutSaving();
     QCOMPARE(left(data()), std::size_t{0});
   }
@@ -413,21 +417,24 @@ class KeepingTest : public WindowFixture {
     QVERIFY(wasSaid("two.nii' was not opened, so what was not saved of it is kept"));
     closeWithoutSaving();
     QVERIFY(isLeft("asking"));
-    Answers answers({{QStringLiteral("unsavedWorkQuestion"), press("goOnUnsaved")}, {QStringLiteral("fileImportDialog"), [](QWidget&) {}}});
-    startWindow();
-    QVERIFY(waitUntil([&] { return answers.asked.contains(QStringLiteral("fileImportDialog")); }));
-    auto* dialog = find<QDialog>("fileImportDialog");
-    QVERIFY(dialog);
-    auto* number = dialog->findChild<QSpinBox*>(QStringLiteral("timeStep"));
-    QVERIFY(waitUntil([&] { return number->maximum() == 2; }));
-    QTest::qWait(300);
-    QVERIFY2(!wasSaid("is kept and offered at the next start"), "while the dialog stands there");
-    number->setValue(2);
-    dialog->findChild<QPushButton*>(QStringLiteral("importFile"))->click();
-    QVERIFY(waitUntil([this] { return framesHere() == 6; }));
-    QVERIFY(waitUntil([this] { return !isLeft("asking"); }));
-    waitForRest();
-    QVERIFY(!wasSaid("is kept and offered at the next start"));
+    {
+      Answers answers(
+          {{QStringLiteral("unsavedWorkQuestion"), press("goOnUnsaved")}, {QStringLiteral("fileImportDialog"), [](QWidget&) {}}});
+      startWindow();
+      QVERIFY(waitUntil([&] { return answers.asked.contains(QStringLiteral("fileImportDialog")); }));
+      auto* dialog = find<QDialog>("fileImportDialog");
+      QVERIFY(dialog);
+      auto* number = dialog->findChild<QSpinBox*>(QStringLiteral("timeStep"));
+      QVERIFY(waitUntil([&] { return number->maximum() == 2; }));
+      QTest::qWait(300);
+      QVERIFY2(!wasSaid("is kept and offered at the next start"), "while the dialog stands there");
+      number->setValue(2);
+      dialog->findChild<QPushButton*>(QStringLiteral("importFile"))->click();
+      QVERIFY(waitUntil([this] { return framesHere() == 6; }));
+      QVERIFY(waitUntil([this] { return !isLeft("asking"); }));
+      waitForRest();
+      QVERIFY(!wasSaid("is kept and offered at the next start"));
+    }
     closeWithoutSaving();
     QCOMPARE(left(data()), std::size_t{0});
   }

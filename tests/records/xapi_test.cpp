@@ -108,7 +108,7 @@ TEST(XapiStatements, JudgeTheAttemptByTheLatestOutcomeOfEachStepOfTheLesson) {
   XapiOptions known = withLesson();
   known.lesson->steps.resize(2);
   EXPECT_EQ(verbsOf(statements(good, known)).back(), "passed");
-  EXPECT_EQ(verbsOf(statements(good, someOptions())).back(), "passed");
+  EXPECT_EQ(verbsOf(statements(good, someOptions())).back(), "completed") << "nobody knows which steps count";
   EXPECT_EQ(verbsOf(statements(good, withLesson())).back(), "failed") << "two steps of the lesson were never tried";
 }
 
@@ -144,13 +144,13 @@ TEST(XapiStatements, HaveIdsThatAreTheSameWhereverAndHoweverTheyAreTold) {
   other.homePage = "https://other.example/";
   other.language = "de";
   const auto two = statements(someAttempt(), other);
-  ASSERT_EQ(one.size(), two.size());
-  std::set<std::string> ids;
-  for (std::size_t n = 0; n < one.size(); ++n) {
+  ASSERT_EQ(one.size(), two.size() + 1) << "without the lesson nobody judges the attempt";
+  for (std::size_t n = 0; n < two.size(); ++n) {
     EXPECT_EQ(one[n]["id"], two[n]["id"]);
     EXPECT_EQ(one[n]["context"]["registration"], two[n]["context"]["registration"]);
-    ids.insert(one[n]["id"]);
   }
+  std::set<std::string> ids;
+  for (const json& each : one) ids.insert(each["id"]);
   EXPECT_EQ(ids.size(), one.size());
   // Written down: whoever changes how ids are made sends everything a second time.
   EXPECT_EQ(one[0]["id"], uuidOfName("6a1b0c52-4f5b-5d0e-9f0e-3a7c5f8e2d41",
