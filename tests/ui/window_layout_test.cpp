@@ -140,6 +140,13 @@ TEST(WindowLayout, ShowsNothingButTheScanOrTheStageWhereThatIsAsked) {
   EXPECT_TRUE(layout.showsPanels && !layout.showsBody && !layout.showsConsole);
 }
 
+TEST(WindowLayout, IsNoLargerThanTheScreenWhenItIsFirstSeen) {
+  EXPECT_EQ(firstSizeOn(1920, 1040), (FirstSize{1600, 900, false}));
+  EXPECT_EQ(firstSizeOn(1366, 728), (FirstSize{1366, 728, true}));
+  EXPECT_EQ(firstSizeOn(1600, 900), (FirstSize{1600, 900, true})) << "its frame has no room";
+  EXPECT_EQ(firstSizeOn(1920, 800), (FirstSize{1600, 800, true}));
+}
+
 TEST(WindowLayout, ShortensTheConsoleInALowWindow) {
   EXPECT_FALSE(layoutOf(scanning(1280, 720, 100)).isConsoleShort);
   EXPECT_TRUE(layoutOf(scanning(1024, 640, 100)).isConsoleShort);

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QPushButton>
+#include <QScreen>
 #include <QSettings>
 #include <QStyle>
 #include <QVBoxLayout>
@@ -27,6 +28,7 @@
 #include "picture_buttons.h"
 #include "theme.h"
 #include "time_line_access.h"
+#include "window_layout.h"
 #include "words.h"
 
 /// A static library's resources are known to Qt once this has run; outside of any namespace, as the macro demands.
@@ -92,7 +94,10 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), parts_(std::make_
   connectParts();
   connectKeys();
   refreshTheme();
-  resize(1600, 900);
+  const QSize room = QGuiApplication::primaryScreen()->availableSize();
+  const FirstSize first = firstSizeOn(room.width(), room.height());
+  resize(first.width_px, first.height_px);
+  if (first.isMaximised) setWindowState(Qt::WindowMaximized);
   restoreGeometry(settings.value(QStringLiteral("window")).toByteArray());
 
   auto resources = resourceFolder();

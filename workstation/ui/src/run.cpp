@@ -123,7 +123,9 @@ int runWorkstation(int argc, char** argv, const WindowOptions& options) {
       QSettings().remove(QStringLiteral("theme"));
     }
   }
-  if (options.size_px.x > 0 && options.size_px.y > 0) {
+  const bool isSized = options.size_px.x > 0 && options.size_px.y > 0;
+  if (isSized || isScreenshot) window.setWindowState(Qt::WindowNoState);
+  if (isSized) {
     window.setMinimumSize(0, 0);
     window.resize(options.size_px.x, options.size_px.y);
   } else if (isScreenshot) {

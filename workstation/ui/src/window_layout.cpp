@@ -106,4 +106,13 @@ class Arrangement {
 
 WindowLayout layoutOf(const LayoutRequest& request) { return Arrangement(request).made(); }
 
+FirstSize firstSizeOn(int width_px, int height_px) {
+  constexpr int kFrame_px = 40;
+  FirstSize size;
+  size.isMaximised = width_px < size.width_px + kFrame_px || height_px < size.height_px + kFrame_px;
+  size.width_px = std::min(size.width_px, width_px);
+  size.height_px = std::min(size.height_px, height_px);
+  return size;
+}
+
 }  // namespace ew::ui

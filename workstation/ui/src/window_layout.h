@@ -41,6 +41,16 @@ struct WindowLayout {
 /// width all three do. What takes turns has a tab, so nothing is ever without a handle.
 [[nodiscard]] WindowLayout layoutOf(const LayoutRequest& request);
 
+/// Of a window that nobody has sized yet.
+struct FirstSize {
+  int width_px = 1600, height_px = 900;
+  bool isMaximised = false;
+  bool operator==(const FirstSize&) const = default;
+};
+/// The usual one, or all of a screen that has no room for it and its frame: the console stands at the window's edge, and must not lie
+/// beyond the screen's. @param width_px, height_px of the screen, without its bars
+[[nodiscard]] FirstSize firstSizeOn(int width_px, int height_px);
+
 inline constexpr int kConsoleWidth_px = 248;  ///< at 100 %
 inline constexpr int kLeastScan_px = 420;     ///< an image narrower than this teaches nothing, whatever the size of the words
 
