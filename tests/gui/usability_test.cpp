@@ -87,6 +87,17 @@ class UsabilityTest : public UsabilityFixture {
     failOn(whatIsNotReachedBeforeAndInALesson(QStringLiteral("%1-%2").arg(language).arg(text_percent)));
   }
 
+  void theFirstMessageIsWholeWhateverTheSizeOfWords() {
+    showWindow(QStringLiteral("en"), 200, {1366, 768});
+    window_->messages().showNote(
+        QStringLiteral("The step goes on where it stood when the program ended; what was entered by hand has to be entered again."));
+    QTest::qWait(100);
+    const auto* said = window_->messages().findChild<QLabel*>(QStringLiteral("messageText"));
+    QVERIFY(said != nullptr && said->isVisible());
+    QVERIFY2(said->height() >= said->heightForWidth(said->width()),
+             qPrintable(QStringLiteral("%1 of %2 px").arg(said->height()).arg(said->heightForWidth(said->width()))));
+  }
+
   void theScanAloneHasAnEdgeThatLeadsBack() {
     showWindow(QStringLiteral("en"), 100, {1280, 720});
     action("Scan &only")->trigger();

@@ -133,6 +133,7 @@ void MainWindow::openLesson(const QString& folder, const QString& lessonId) {
   Parts& p = *parts_;
   setWorkspace(Workspace::explore);
   p.host->askFor(pathOf(folder), std::string(kLessonsPart), lessonId.toStdString());
+  showColumn(Column::panels);  // where it is worked on; behind a tab it would not even begin
   const auto& present = p.document.current();
   if (present && p.opener->showsCase() && present->folder == pathOf(folder)) return backToWork();
   open(folder);

@@ -148,6 +148,9 @@ QString MessageBar::details() const { return front() != nullptr ? front()->detai
 bool MessageBar::isError() const { return front() != nullptr && front()->kind == Kind::error; }
 
 int MessageBar::heightFor(int width_px) const {
+  // What was never in sight has not got the size of its words yet.
+  for (QWidget* each : {static_cast<QWidget*>(sentence_), static_cast<QWidget*>(details_), static_cast<QWidget*>(more_)})
+    each->ensurePolished();
   const QLayout& rows = *layout();
   return rows.hasHeightForWidth() ? rows.totalHeightForWidth(width_px) : rows.totalSizeHint().height();
 }

@@ -181,7 +181,10 @@ void Tour::follow() {
   if (now_ < 0) return;
   if (thingOf(now_) == nullptr) {
     for (int step = 0; step < static_cast<int>(steps_.size()); ++step)
-      if (thingOf(step) != nullptr && std::find(way_.begin(), way_.end(), step) == way_.end()) return show(step);
+      if (thingOf(step) != nullptr && std::find(way_.begin(), way_.end(), step) == way_.end()) {
+        way_.pop_back();  // it went before it was read, and comes again
+        return show(step);
+      }
   }
   place();
 }
