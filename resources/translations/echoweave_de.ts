@@ -99,6 +99,46 @@
         <translation>%1 kann nicht angelegt werden (%2); prüfen Sie, ob Sie dort schreiben dürfen.</translation>
     </message>
     <message>
+        <source>%1 gives a place but no spacing along any of its axes; give the spacing in mm.</source>
+        <translation>%1 nennt eine Lage, aber für keine seiner Achsen einen Abstand; den Abstand in mm angeben.</translation>
+    </message>
+    <message>
+        <source>%1 gives no spacing along its axis %2; give the spacing in mm.</source>
+        <translation>%1 nennt für seine Achse %2 keinen Abstand; den Abstand in mm angeben.</translation>
+    </message>
+    <message>
+        <source>%1 gives no spacing along its axes %2 and %3; give the spacing in mm.</source>
+        <translation>%1 nennt für seine Achsen %2 und %3 keinen Abstand; den Abstand in mm angeben.</translation>
+    </message>
+    <message>
+        <source>ElementSpacing &quot;%1&quot; was used; ElementSize &quot;%2&quot; says another size and was not.</source>
+        <translation>ElementSpacing „%1“ wurde verwendet; ElementSize „%2“ nennt eine andere Größe und wurde es nicht.</translation>
+    </message>
+    <message>
+        <source>%1 holds %2 values of the kind &quot;%3&quot; per sample, which are neither an echo level nor red, green and blue; export the echo levels alone.</source>
+        <translation>%1 enthält je Abtastwert %2 Werte der Art „%3“; das sind weder Echostärken noch Rot, Grün und Blau: nur die Echostärken exportieren.</translation>
+    </message>
+    <message>
+        <source>The file gives two voxel sizes: %1 mm by its sform, which was used, and %2 mm by its pixdim.</source>
+        <translation>Die Datei nennt zwei Voxelgrößen: %1 mm nach ihrer sform, die verwendet wurde, und %2 mm nach ihrem pixdim.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; holds both pictures (.png, .jpg, .pgm: %2) and DICOM files (%3), and one volume is made of one kind; put them into folders of their own.</source>
+        <translation>„%1“ enthält sowohl Bilder (.png, .jpg, .pgm: %2) als auch DICOM-Dateien (%3), und ein Volumen entsteht aus einer Art; legen Sie sie in eigene Ordner.</translation>
+    </message>
+    <message>
+        <source>The header promises %1 frame, which takes %2 bytes, but %3 are stored, exactly %4 times as many: the length and the layout disagree, so that the samples per pixel or the number of frames may be wrong; what lies beyond was not read.</source>
+        <translation>Der Kopf verspricht %1 Bild, das %2 Bytes braucht, aber %3 sind gespeichert, genau %4-mal so viele: Länge und Aufbau widersprechen sich, sodass die Werte je Bildpunkt oder die Zahl der Bilder falsch sein können; was darüber hinausgeht, wurde nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>The header promises %1 frames, which take %2 bytes, but %3 are stored, exactly %4 times as many: the length and the layout disagree, so that the samples per pixel or the number of frames may be wrong; what lies beyond was not read.</source>
+        <translation>Der Kopf verspricht %1 Bilder, die %2 Bytes brauchen, aber %3 sind gespeichert, genau %4-mal so viele: Länge und Aufbau widersprechen sich, sodass die Werte je Bildpunkt oder die Zahl der Bilder falsch sein können; was darüber hinausgeht, wurde nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>The times of the frames are those of %1; another rate is that of %2, which was not used.</source>
+        <translation>Die Zeiten der Bilder sind die von %1; eine andere Rate nennt %2, was nicht verwendet wurde.</translation>
+    </message>
+    <message>
         <source>%1 gives its sizes in &quot;%2&quot;, which is no unit of length that is known; give the spacing in mm.</source>
         <translation>%1 nennt seine Größen in „%2“, was keine bekannte Längeneinheit ist; den Abstand in mm angeben.</translation>
     </message>
@@ -7653,6 +7693,42 @@
     <message>
         <source>No evenly spaced marks of a depth scale were found; the depth has to be stated.</source>
         <translation>Es wurden keine gleichmäßigen Marken einer Tiefenskala gefunden; die Tiefe muss angegeben werden.</translation>
+    </message>
+    <message>
+        <source>The file gives no usable times of its %1 frames: it has %2.</source>
+        <translation>Die Datei gibt keine brauchbaren Zeiten ihrer %1 Bilder an: Sie hat %2.</translation>
+    </message>
+    <message>
+        <source>Region %1 was not used for the scale.</source>
+        <translation>Bereich %1 wurde für den Maßstab nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>The other regions may have been made for another size of the pictures as well, so none was used.</source>
+        <translation>Auch die anderen Bereiche können für eine andere Größe der Bilder gemacht sein, deshalb wurde keiner verwendet.</translation>
+    </message>
+    <message>
+        <source>Frames without a time: %1 of %2.</source>
+        <translation>Bilder ohne Zeit: %1 von %2.</translation>
+    </message>
+    <message>
+        <source>The rate of the pictures was stated, %1 a second; the times in the file were not used.</source>
+        <translation>Die Bildrate wurde angegeben, %1 in der Sekunde; die Zeiten in der Datei wurden nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>The file does not say when its pictures were recorded; %1 a second were assumed.</source>
+        <translation>Die Datei gibt nicht an, wann ihre Bilder aufgenommen wurden; %1 in der Sekunde wurden angenommen.</translation>
+    </message>
+    <message>
+        <source>%1 mm at (%2, %3), %4 x %5 pixels</source>
+        <translation>%1 mm bei (%2, %3), %4 x %5 Pixel</translation>
+    </message>
+    <message>
+        <source>The outline reaches over parts of the recording whose pixels differ in size (%1; %2), so none of its scales was used; put the outline around one part, or state the depth.</source>
+        <translation>Der Umriss reicht über Teile der Aufnahme, deren Pixel verschieden groß sind (%1; %2), deshalb wurde keiner ihrer Maßstäbe verwendet; den Umriss um einen Teil legen oder die Tiefe angeben.</translation>
+    </message>
+    <message>
+        <source>The recording has several scales; the size of a pixel is that of the part where the middle of the scan lies, %1. The others: %2. Check that it is the right one.</source>
+        <translation>Die Aufnahme hat mehrere Maßstäbe; die Größe eines Pixels ist die des Teils, in dem die Mitte des Ultraschallbilds liegt, %1. Die anderen: %2. Prüfen, ob es der richtige ist.</translation>
     </message>
     <message>
         <source>The stated outline holds no part of the pictures; correct it.</source>

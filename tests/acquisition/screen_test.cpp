@@ -586,6 +586,46 @@ TEST(Screen, TheRecordingsOwnScaleIsUsedAndHeldAgainstWhatIsStated) {
   EXPECT_TRUE(corrected(found, stated)->notes.empty()) << "they agree";
 }
 
+bool says(const ScreenGeometry& geometry, const char* words) {
+  return std::any_of(geometry.notes.begin(), geometry.notes.end(),
+                     [&](const Message& note) { return note.english().find(words) != std::string::npos; });
+}
+
+TEST(Screen, WhichOfSeveralScalesWasTakenIsSaid) {
+  FoundScreen found;
+  found.width_px = 400;
+  found.height_px = 200;
+  found.outline = rectangleOf(220, 20, 380, 180);
+  found.scales = {{{0, 0, 200, 200}, glm::dvec2(0.5)}, {{200, 0, 200, 200}, glm::dvec2(0.3)}};
+  const auto right = corrected(found, {});
+  ASSERT_TRUE(right);
+  EXPECT_EQ(right->pixel_mm, 0.3);
+  EXPECT_TRUE(says(*right, "0.3 mm at (200, 0), 200 x 200 pixels. The others: 0.5 mm at (0, 0)"));
+  found.outline = rectangleOf(20, 20, 380, 180);
+  const auto both = corrected(found, {});
+  ASSERT_TRUE(both);
+  EXPECT_FALSE(both->pixel_mm);
+  EXPECT_TRUE(says(*both, "put the outline around one part, or state the depth"));
+  const auto stated = corrected(found, {.depth_mm = 80.0});
+  ASSERT_TRUE(stated);
+  EXPECT_NEAR(*stated->pixel_mm, 0.5, 1e-12);
+  EXPECT_TRUE(stated->notes.empty());
+  found.scales[1].pixel_mm = found.scales[0].pixel_mm;
+  EXPECT_EQ(corrected(found, {})->pixel_mm, 0.5) << "one scale in two parts";
+}
+
+TEST(Screen, TheDepthIsAskedForOnlyWhereNothingSaysIt) {
+  FoundScreen found;
+  found.width_px = 400;
+  found.height_px = 200;
+  found.outline = rectangleOf(20, 20, 380, 180);
+  constexpr const char* kAsks = "the depth has to be stated";
+  EXPECT_TRUE(says(*corrected(found, {}), kAsks));
+  EXPECT_FALSE(says(*corrected(found, {.depth_mm = 80.0}), kAsks));
+  found.scales = {{{0, 0, 400, 200}, glm::dvec2(0.5)}};
+  EXPECT_FALSE(says(*corrected(found, {}), kAsks));
+}
+
 TEST(Screen, TheFileOfAScreenGivesTheCorrectionBack) {
   const auto file = std::filesystem::temp_directory_path() / ("ew-screen-" + std::to_string(getpid()) + ".screen.json");
   ScreenCorrection correction;

@@ -8,6 +8,7 @@
 #include "ew/acquisition/import.h"
 #include "ew/acquisition/screen.h"
 #include "ew/io/clip_file.h"
+#include "ew/io/image_file.h"
 #include "ew/io/sequence.h"
 
 namespace ew::test::screen_test {
@@ -114,6 +115,33 @@ TEST(ScreenCommand, WhatIsNotFoundIsSaidAndNothingIsWritten) {
   EXPECT_EQ(readJson(folder / "r.json")["verdict"], "not found");
   EXPECT_EQ(run({"screen", folder / "none.mp4", "-o", folder / "scan.igs.mha"}).status, 1);
   EXPECT_EQ(run({"screen", folder / "empty.avi", "-o", folder / "scan.txt"}).status, 2);
+}
+
+TEST(ScreenCommand, AStatedRateTakesThePlaceOfTheAssumedOne) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "p");
+  const GreyImage mask = maskOf(drawnFan(), 420, 300);
+  std::mt19937 random(7);
+  for (int n = 0; n < 10; ++n) {
+    GreyImage picture(420, 300);
+    for (std::size_t p = 0; p < picture.pixels.size(); ++p)
+      if (mask.pixels[p] != 0) picture.pixels[p] = static_cast<std::uint8_t>(40 + random() % 180);
+    ASSERT_TRUE(writeImage(viewOf(picture), 1.0, std::filesystem::path(folder / "p") / (std::to_string(n) + ".png")));
+  }
+  const auto assumed = run({"screen", folder / "p", "-o", folder / "a.igs.mha", "--depth", "100"});
+  ASSERT_EQ(assumed.status, 0) << assumed.err;
+  const std::string told = assumed.out + assumed.err;
+  EXPECT_NE(told.find("25 a second were assumed"), std::string::npos) << told;
+  EXPECT_NE(told.find("--rate"), std::string::npos) << told;
+  EXPECT_EQ(told.find("the depth has to be stated"), std::string::npos) << "it was";
+  const auto stated =
+      run({"screen", folder / "p", "-o", folder / "b.igs.mha", "--depth", "100", "--rate", "10", "--report", folder / "r.json"});
+  ASSERT_EQ(stated.status, 0) << stated.err;
+  EXPECT_EQ((stated.out + stated.err).find("assumed"), std::string::npos);
+  EXPECT_EQ(readJson(folder / "r.json")["options"]["rate_hz"], 10.0);
+  const auto sequence = readSequence(folder / "b.igs.mha");
+  ASSERT_TRUE(sequence) << sequence.error();
+  EXPECT_NEAR(*sequence->frames[3].time_s, 0.3, 1e-6);
 }
 
 TEST(ScreenCommand, PicturesAreTurnedAndMirroredAsAsked) {

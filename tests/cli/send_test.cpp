@@ -87,5 +87,12 @@ TEST_F(SendCommand, KeepsWhatNoArchiveTookAndTakesNothingTwice) {
   EXPECT_NE(send({"--archive", "a title that is far too long"}).status, 0);
 }
 
+TEST_F(SendCommand, SaysThatNothingWasWaiting) {
+  const auto outcome = send({});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("Nothing was waiting"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("The archive has"), std::string::npos) << outcome.out;
+}
+
 }  // namespace
 }  // namespace ew::test::send_command_test

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <algorithm>
 
@@ -6,6 +7,7 @@
 #include "dicom_files.h"
 #include "ew/io/cine_reader.h"
 #include "ew/io/clip_file.h"
+#include "ew/io/image_file.h"
 #include "ew/io/sequence.h"
 #include "files.h"
 #include "memory_in_use.h"
@@ -260,6 +262,84 @@ TEST(CineReader, DicomCinesAndSequencesComeThroughTheSameReader) {
     EXPECT_EQ(frame.level.pixels.back(), static_cast<std::uint8_t>(48 * n + 47));
     EXPECT_NEAR(frame.time_s, 0.04 * n, 1e-9);
   }
+}
+
+/// A cine of 3 frames, and what its file says of the time between them.
+CineOf timedBy(const std::string& frameTime) {
+  CineOf cine;
+  cine.regions.front().deltaY = cine.regions.front().deltaX;
+  cine.pixels = std::string(3 * 8 * 6, '\x40');
+  cine.frameTime = frameTime;
+  return cine;
+}
+
+TEST(CineReader, ARateThatNobodyStatedIsSaidToBeAssumed) {
+  const TempFolder folder;
+  for (int n = 0; n < 3; ++n) ASSERT_TRUE(writeImage(viewOf(GreyImage(6, 4, 90)), 1.0, folder / ("p" + std::to_string(n) + ".png")));
+  const auto pages = folder.put("stack.tif", tiffOf(3, 16, 8));
+  std::string bytes = cineFile(timedBy("40"));
+  const std::string frameTime("\x18\0\x63\x10", 4);
+  ASSERT_NE(bytes.find(frameTime), std::string::npos);
+  ++bytes[bytes.find(frameTime) + 2];  // another field
+  const auto silent = folder.put("a.dcm", bytes), wrong = folder.put("b.dcm", cineFile(timedBy("soon")));
+  for (const auto& file : {pages, silent, wrong, folder / "p0.png"}) {
+    auto reader = CineReader::open(file);
+    ASSERT_TRUE(reader) << reader.error();
+    EXPECT_EQ(reader->info().assumedRate_hz, 25.0) << file;
+    EXPECT_TRUE(contains(reader->info().notes, "25 a second were assumed")) << file;
+    EXPECT_FALSE(contains(reader->info().notes, "they have none")) << file;
+    EXPECT_EQ(contains(reader->info().notes, "\"soon\""), file == wrong);
+    auto stated = CineReader::open(file, noProgress(), {}, {}, 10.0);
+    ASSERT_TRUE(stated) << stated.error();
+    EXPECT_TRUE(stated->info().timesKnown);
+    EXPECT_FALSE(contains(stated->info().notes, "assumed"));
+    CineFrame frame;
+    for (int n = 0; n < 3; ++n) {
+      ASSERT_TRUE(*stated->next(frame));
+      EXPECT_NEAR(frame.time_s, 0.1 * n, 1e-12) << file;
+    }
+  }
+  const auto timed = folder.put("c.dcm", cineFile(timedBy("40")));
+  EXPECT_FALSE(contains(CineReader::open(timed)->info().notes, "assumed"));
+  EXPECT_TRUE(contains(CineReader::open(timed, noProgress(), {}, {}, 10.0)->info().notes, "The rate of the pictures was stated, 10"));
+}
+
+TEST(CineReader, RegionsThatGiveNoScaleAreNamed) {
+  const TempFolder folder;
+  CineOf cine = timedBy("40");
+  cine.regions = {{0, 0, 3, 5, 0.02, 0.02}, {4, 0, 7, 5, 0.03, 0.03, 0}};
+  auto reader = CineReader::open(folder.put("a.dcm", cineFile(cine)));
+  ASSERT_TRUE(reader) << reader.error();
+  EXPECT_EQ(reader->info().scales.size(), 1u);
+  EXPECT_TRUE(contains(reader->info().notes, "Region 2: tissue"));
+  EXPECT_TRUE(contains(reader->info().notes, "(its units are not cm) was not used for the scale"));
+  cine.regions[1] = {4, 0, 15, 5, 0.03, 0.03};
+  auto beyond = CineReader::open(folder.put("b.dcm", cineFile(cine)));
+  ASSERT_TRUE(beyond) << beyond.error();
+  EXPECT_TRUE(beyond->info().scales.empty());
+  EXPECT_TRUE(contains(beyond->info().notes, "it reaches beyond the picture of 8 x 6 pixels"));
+  EXPECT_TRUE(contains(beyond->info().notes, "so none was used"));
+}
+
+TEST(CineReader, PicturesWhosePixelsAreNotSquareBecomeSquare) {
+  const TempFolder folder;
+  ASSERT_TRUE(writeImage(viewOf(GreyImage(8, 6, 90)), 1.0, folder / "p1.png"));
+  const std::string png = bytesOfFile(folder / "p1.png");
+  // Behind the signature and IHDR: 2000 x 4000 pixels a metre, a pixel being twice as wide as high.
+  const std::string body("pHYs\0\0\x07\xD0\0\0\x0F\xA0\x01", 13);
+  const auto check = static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(body.data()), 13));
+  std::string chunk("\0\0\0\x09", 4);
+  chunk += body;
+  for (const int shift : {24, 16, 8, 0}) chunk += static_cast<char>(check >> shift & 0xFF);
+  static_cast<void>(folder.put("p1.png", png.substr(0, 33) + chunk + png.substr(33)));
+  auto reader = CineReader::open(folder / "p1.png");
+  ASSERT_TRUE(reader) << reader.error();
+  EXPECT_EQ(reader->info().width_px, 16);
+  EXPECT_EQ(reader->info().height_px, 6);
+  EXPECT_TRUE(contains(reader->info().notes, "its pixels are 2 times as wide as high"));
+  CineFrame frame;
+  ASSERT_TRUE(*reader->next(frame));
+  EXPECT_EQ(frame.level.pixels, std::vector<std::uint8_t>(96, 90));
 }
 
 TEST(CineReader, ALongFilmTakesTheMemoryOfOneFrameAndStopsWhenAsked) {

@@ -252,6 +252,39 @@ TEST(Films, AFilmOfVaryingRateIsWholeWhenItsLastTimeIsReached) {
   EXPECT_NE(half->brokenOff()->sentence().find(std::to_string(given) + " frames"), std::string::npos) << half->brokenOff()->sentence();
 }
 
+/// Pictures that come before the end of what is there of a film.
+std::size_t countOf(CineReader& reader) {
+  CineFrame frame;
+  std::size_t count = 0;
+  while (true) {
+    const auto got = reader.next(frame);
+    EXPECT_TRUE(got) << got.error();
+    if (!got || !*got) return count;
+    ++count;
+  }
+}
+
+TEST(Films, ThatAreShortAndMissPicturesSayHowManyWereRead) {
+  const TempFolder folder;
+  FilmOf film;
+  film.times_s.clear();
+  for (int n = 0; n < 8; ++n) film.times_s.push_back(0.04 * n);
+  film.level = [](int n, int x, int y) { return static_cast<std::uint8_t>(16 + (x * 7 + y * 13 + x * y * (n + 3)) % 200); };
+  writeFilm(folder / "whole.mkv", film);
+  auto whole = CineReader::open(folder / "whole.mkv");
+  ASSERT_TRUE(whole) << whole.error();
+  EXPECT_EQ(countOf(*whole), 8u);
+  EXPECT_FALSE(whole->brokenOff()) << whole->brokenOff()->sentence();
+  const std::string bytes = bytesOfFile(folder / "whole.mkv");
+  auto half = CineReader::open(folder.put("half.mkv", bytes.substr(0, bytes.size() / 2)));
+  ASSERT_TRUE(half) << half.error();
+  const std::size_t given = countOf(*half);
+  EXPECT_GE(given, 2u);
+  EXPECT_LE(given, 4u);
+  ASSERT_TRUE(half->brokenOff()) << given;
+  EXPECT_NE(half->brokenOff()->sentence().find(std::to_string(given) + " frames"), std::string::npos) << half->brokenOff()->sentence();
+}
+
 /// Of a MOV whose pictures are of different lengths: one sample loses its bytes to the next.
 std::string withoutSample(std::string mov, std::size_t sample) {
   const std::size_t table = mov.find("stsz") + 16;  // behind type, version, size and count

@@ -87,6 +87,17 @@ TEST(ForeignDicom, PicturesBeyondTheNamedNumberAreTold) {
   EXPECT_FALSE(contains(readDicomCine(folder.put("b.dcm", cineFile(smallCine())))->notes, "are stored"));
 }
 
+TEST(ForeignDicom, ALengthOfAWholeMultipleContradictsTheLayout) {
+  const TempFolder folder;
+  CineOf cine = smallCine();
+  cine.frames = 1;
+  const auto read = readDicomCine(folder.put("a.dcm", cineFile(cine)));
+  ASSERT_TRUE(succeeded(read));
+  EXPECT_TRUE(contains(read->notes, "exactly 3 times as many: the length and the layout disagree"));
+  cine.frames = 2;
+  EXPECT_FALSE(contains(readDicomCine(folder.put("b.dcm", cineFile(cine)))->notes, "disagree"));
+}
+
 TEST(ForeignDicom, BytesBehindThePixelsCostNothing) {
   const TempFolder folder;
   const std::string good = cineFile(smallCine());
@@ -298,6 +309,24 @@ TEST(ForeignDicom, TimesAreTakenFromWhicheverElementHasThem) {
   ASSERT_TRUE(succeeded(nothing));
   EXPECT_FALSE(nothing->sequence.frames[1].time_s.has_value());
   EXPECT_TRUE(contains(nothing->notes, "Cine Rate \"0\"")) << "what was found is shown";
+}
+
+TEST(ForeignDicom, ARateThatContradictsTheTimesIsTold) {
+  const TempFolder folder;
+  const auto notes = [&](const char* frameTime, const char* rate) {
+    CineOf cine = smallCine();
+    cine.frameTime = frameTime;
+    std::string set = dataSetOf(cine);
+    DicomWriter tag;
+    const std::string mark = tag.bytes(std::uint16_t{0x0018}) + tag.bytes(std::uint16_t{0x1063}) + "DS";
+    set.insert(set.find(mark), DicomWriter().text(0x00180040u, "IS", rate).bytes());
+    const auto read = readDicomCine(folder.put("a.dcm", dicomFile(kExplicitLittle, set)));
+    EXPECT_TRUE(succeeded(read));
+    return read ? read->notes : std::vector<Message>();
+  };
+  EXPECT_TRUE(contains(notes("40", "50"), "are those of Frame Time \"40\"; another rate is that of Cine Rate \"50\""));
+  EXPECT_FALSE(contains(notes("33.33", "30"), "another rate"));
+  EXPECT_FALSE(contains(notes("34", "29"), "another rate")) << "rates are whole numbers";
 }
 
 TEST(ForeignDicom, ACommaInAFrameTimeIsAPointAndARateCanBeGiven) {

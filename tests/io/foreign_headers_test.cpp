@@ -255,6 +255,24 @@ TEST(ForeignNrrd, ComponentsOfAVectorAreNoColours) {
   EXPECT_TRUE(says(read, "3 components"));
 }
 
+TEST(ForeignNrrd, ValuesOfAKindThatIsNoColourHaveNoLuminance) {
+  const auto ofKind = [](const std::string& kind, int count) {
+    return nrrd("dimension: 4\nsizes: " + std::to_string(count) + " 1 2 2\nkinds: " + kind + " domain domain domain\n",
+                ramp(static_cast<std::size_t>(4 * count)));
+  };
+  for (const auto& [kind, count] :
+       {std::pair("3-gradient", 3), std::pair("3-normal", 3), std::pair("covariant-vector", 3), std::pair("4-vector", 4),
+        std::pair("quaternion", 4), std::pair("HSV-color", 3), std::pair("XYZ-color", 3)}) {
+    const auto read = ofKind(kind, count);
+    EXPECT_TRUE(failedWith(read, ErrorCode::unsupported)) << kind;
+    EXPECT_TRUE(says(read, std::string("of the kind \"") + kind + "\"")) << kind;
+  }
+  for (const auto& [kind, count] :
+       {std::pair("vector", 3), std::pair("vector", 4), std::pair("RGB-color", 3), std::pair("RGBA-color", 4), std::pair("3-color", 3)})
+    EXPECT_TRUE(succeeded(ofKind(kind, count))) << kind;
+  EXPECT_TRUE(failedWith(ofKind("vector", 2), ErrorCode::unsupported));
+}
+
 TEST(ForeignSequence, ASweepRewrittenByItkKeepsItsPoses) {
   // ITK keeps the fields, drops Kinds and writes a geometry of its own.
   const TempFolder folder;
@@ -340,6 +358,17 @@ TEST(ForeignMeta, WordsThatContradictTheMatrixAreTold) {
   EXPECT_FALSE(contains(notes("LPS", "1 0 0 0 1 0 0 0 1"), "AnatomicalOrientation")) << "the same, meant as where the axes go";
   EXPECT_FALSE(contains(notes("???", "0 0 1 1 0 0 0 1 0"), "AnatomicalOrientation"));
   EXPECT_TRUE(contains(notes("RAI", "0 0 1 1 0 0 0 1 0"), "AnatomicalOrientation \"RAI\", which touches sizes and places"));
+}
+
+TEST(ForeignMeta, ASizeOfSamplesThatIsNotTheirSpacingIsTold) {
+  const TempFolder folder;
+  const auto notes = [&](const std::string& size) {
+    const auto read = readVolume(folder.put("a.mha", metaHeader("ElementSpacing = 0.5 0.5 2\nElementSize = " + size + "\n") + ramp(12)));
+    EXPECT_TRUE(succeeded(read));
+    return read ? read->notes : std::vector<Message>();
+  };
+  EXPECT_FALSE(contains(notes("0.5 0.50 2"), "ElementSize"));
+  EXPECT_TRUE(contains(notes("0.5 0.5 1"), "ElementSpacing \"0.5 0.5 2\" was used; ElementSize \"0.5 0.5 1\""));
 }
 
 TEST(ForeignMeta, NoZeroHasASign) {

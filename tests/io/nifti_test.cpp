@@ -180,6 +180,20 @@ TEST(NiftiVolume, TwoPlacesThatDifferAreTold) {
   EXPECT_TRUE(contains(notes(15.0f), "differ by up to 5 mm (sform and qform)"));
 }
 
+TEST(NiftiVolume, VoxelSizesThatDifferFromTheAffineAreTold) {
+  const TempFolder folder;
+  const auto notes = [&](float size) {
+    Header1 header({2, 3, 2});
+    header.affine({0.5f, 0, 0, 10, 0, 0.5f, 0, 20, 0, 0, 0.5f, 30});
+    for (std::size_t axis = 0; axis < 3; ++axis) header.set<float>(80 + 4 * axis, size);
+    const auto loaded = readVolume(folder.put("a.nii", header.bytes + ramp(12)));
+    EXPECT_TRUE(succeeded(loaded));
+    return loaded ? loaded->notes : std::vector<Message>();
+  };
+  EXPECT_TRUE(notes(0.5f).empty());
+  EXPECT_TRUE(contains(notes(2.0f), "0.5 x 0.5 x 0.5 mm by its sform, which was used, and 2 x 2 x 2 mm by its pixdim"));
+}
+
 TEST(NiftiVolume, ComponentsOfVectorsAreNoStepsOfTime) {
   const TempFolder folder;
   const auto vectors = readVolume(folder.put("a.nii", Header1({2, 2, 1, 1, 3}).bytes + ramp(12)));

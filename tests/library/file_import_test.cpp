@@ -62,7 +62,9 @@ TEST(ImportFile, AFolderIsPicturesOrDicomStillsAndHalfAVolumeSaysSo) {
   EXPECT_EQ(*kind, FileKind::dicomStack);
   EXPECT_TRUE(says(importFile(folder.path(), {}), "do not say where they lie"));
   static_cast<void>(folder.put("p1.pgm", "P5\n2 2\n255\n" + ramp(4)));
-  EXPECT_EQ(*kindOfFile(folder.path()), FileKind::pictures);
+  const auto both = kindOfFile(folder.path());
+  EXPECT_TRUE(failedWith(both, ErrorCode::unsupported));
+  EXPECT_TRUE(says(both, "pictures (.png, .jpg, .pgm: 1) and DICOM files (1)"));
 
   const TempFolder pair;
   const auto header = pair.put("brain.hdr", std::string("\x5C\x01\0\0", 4) + std::string(344, '\0'));
@@ -120,6 +122,33 @@ TEST(VolumeOf, AsksForTheSpacingByTheCauseThatImportingNames) {
     answers.spacing_mm = glm::dvec3(0.5);
     EXPECT_TRUE(succeeded(volumeOf(file, answers))) << file;
   }
+}
+
+TEST(ImportFile, ASpacingThatIsNotStatedAlongAnAxisIsAskedFor) {
+  const TempFolder folder;
+  const std::string nrrd = "NRRD0005\ntype: uchar\nencoding: raw\ndimension: 3\nsizes: 2 2 2\n";
+  const std::string meta = "ObjectType = Image\nNDims = 3\nDimSize = 2 2 2\nElementType = MET_UCHAR\n", data = "ElementDataFile = LOCAL\n";
+  for (const auto& [file, cause] :
+       {std::pair(folder.put("a.nrrd", nrrd + "spacings: 0.5 0.5 nan\n\n" + ramp(8)), "no spacing along its axis 3"),
+        std::pair(folder.put("b.nrrd", nrrd + "spacings: nan 0.5 nan\n\n" + ramp(8)), "no spacing along its axes 1 and 3"),
+        std::pair(folder.put("c.nrrd", nrrd + "space: LPS\nspace directions: (0.5,0,0) (0,0.5,0) none\n\n" + ramp(8)),
+                  "no spacing along its axis 3"),
+        std::pair(folder.put("d.nrrd", nrrd + "space: LPS\nspace origin: (1,2,3)\n\n" + ramp(8)), "no spacing along any"),
+        std::pair(folder.put("e.nrrd", nrrd + "axis mins: 1 2 3\n\n" + ramp(8)), "no spacing along any"),
+        std::pair(folder.put("f.nrrd", nrrd + "thicknesses: nan nan 0.5\n\n" + ramp(8)), "says 1 x 1 x 1 mm"),
+        std::pair(folder.put("g.mha", meta + "Offset = 1 2 3\n" + data + ramp(8)), "no spacing along any")}) {
+    const auto asked = importFile(file, {});
+    ASSERT_FALSE(asked.has_value()) << file;
+    EXPECT_EQ(askedFor(asked.error()), "spacing") << file;
+    EXPECT_TRUE(says(asked, cause)) << file;
+    ImportAnswers answers;
+    answers.spacing_mm = glm::dvec3(0.5, 0.5, 2.0);
+    const auto given = importFile(file, answers);
+    ASSERT_TRUE(succeeded(given)) << file;
+    EXPECT_EQ(given->volume->grid.spacing_mm, glm::dvec3(0.5, 0.5, 2.0)) << file;
+    EXPECT_FALSE(contains(given->notes, cause)) << file;
+  }
+  EXPECT_TRUE(succeeded(importFile(folder.put("h.nrrd", nrrd + "spacings: 0.5 0.5 1\n\n" + ramp(8)), {})));
 }
 
 TEST(ImportFile, AnswersAreTakenAsGivenAndToldInTheNotes) {

@@ -67,31 +67,78 @@ bool hardlyMoves(const ScreenStatistics& statistics, const FanOutline& outline) 
 
 Error badStated(const char* field, Message message) { return {ErrorCode::badField, std::move(message), {{"field", field}}}; }
 
-/// The recording's own size of a pixel where its scan is: of the part that holds the middle of the outline, or of the only one there is.
-std::optional<double> ownPixel_mm(const FoundScreen& found, const std::optional<FanOutline>& outline) {
-  if (!outline) return found.scales.size() == 1 ? std::optional(found.scales.front().pixel_mm.x) : std::nullopt;
-  const auto bounds = outline->bounds_px();
-  const glm::dvec2 middle = 0.5 * (bounds[0] + bounds[1]);
-  for (const StatedScale& part : found.scales) {
-    const PixelRect& rect = part.rect;
-    if (middle.x >= rect.x && middle.y >= rect.y && middle.x < rect.x + rect.width && middle.y < rect.y + rect.height)
-      return part.pixel_mm.x;
+constexpr double kSameScale = 0.01;  ///< parts whose pixels differ by less have one scale
+
+std::string rounded(double mm) { return textOf(std::round(mm * 1e4) / 1e4); }
+bool differ(const StatedScale& a, const StatedScale& b) { return std::abs(a.pixel_mm.x / b.pixel_mm.x - 1.0) > kSameScale; }
+
+/// Of the recording's own scales that of the part where its scan is; the others are those of another size.
+struct OwnScale {
+  const StatedScale* part = nullptr;
+  std::vector<const StatedScale*> others = {};
+  bool spansOthers = false;  ///< the outline reaches over a part of another scale
+};
+
+/// The part that holds the middle of the outline, or the only one there is.
+OwnScale ownScaleOf(const FoundScreen& found, const std::optional<FanOutline>& outline) {
+  constexpr double kSpans = 0.1;  // of the outline's box: less is how roughly regions are drawn
+  OwnScale own;
+  if (!outline) {
+    if (found.scales.size() == 1) own.part = &found.scales.front();
+    return own;
   }
-  return std::nullopt;
+  const auto bounds = outline->bounds_px();
+  const glm::dvec2 middle = 0.5 * (bounds[0] + bounds[1]), size = bounds[1] - bounds[0];
+  const auto holdsMiddle = [middle](const PixelRect& rect) {
+    return middle.x >= rect.x && middle.y >= rect.y && middle.x < rect.x + rect.width && middle.y < rect.y + rect.height;
+  };
+  for (const StatedScale& part : found.scales)
+    if (own.part == nullptr && holdsMiddle(part.rect)) own.part = &part;
+  if (own.part == nullptr) return own;
+  const PixelRect box{static_cast<int>(std::floor(bounds[0].x)), static_cast<int>(std::floor(bounds[0].y)),
+                      static_cast<int>(std::ceil(size.x)), static_cast<int>(std::ceil(size.y))};
+  for (const StatedScale& part : found.scales) {
+    if (!differ(part, *own.part)) continue;
+    own.others.push_back(&part);
+    own.spansOthers = own.spansOthers || commonArea(part.rect, box) > kSpans * areaOf(box);
+  }
+  return own;
+}
+
+Message describe(const StatedScale& part) {
+  return say<"%1 mm at (%2, %3), %4 x %5 pixels">(numeral(rounded(part.pixel_mm.x)), part.rect.x, part.rect.y, part.rect.width,
+                                                  part.rect.height);
+}
+Message describe(const std::vector<const StatedScale*>& parts) {
+  std::vector<Message> each;
+  for (const StatedScale* const part : parts) each.push_back(describe(*part));
+  return joined(std::move(each), "; ");
 }
 
 /// What was stated counts before the recording's own scale, and is held against it.
 void settleScale(const FoundScreen& found, ScreenGeometry& geometry) {
-  const auto own_mm = ownPixel_mm(found, geometry.outline);
-  if (!own_mm) return;
-  const auto shown = [](double mm) { return numeral(textOf(std::round(mm * 1e4) / 1e4)); };
+  const OwnScale own = ownScaleOf(found, geometry.outline);
+  if (own.part == nullptr) return;
+  const double own_mm = own.part->pixel_mm.x;
+  const auto shown = [](double mm) { return numeral(rounded(mm)); };
+  if (own.spansOthers) {
+    if (!geometry.pixel_mm)
+      geometry.notes.push_back(
+          say<"The outline reaches over parts of the recording whose pixels differ in size (%1; %2), so none of its scales was used; put "
+              "the outline around one part, or state the depth.">(describe(*own.part), describe(own.others)));
+    return;
+  }
   if (!geometry.pixel_mm) {
     geometry.pixel_mm = own_mm;
-    geometry.notes.push_back(say<"The size of a pixel is that of the recording's own scale, %1 mm.">(shown(*own_mm)));
-  } else if (std::abs(*geometry.pixel_mm / *own_mm - 1.0) > 0.03) {
+    geometry.notes.push_back(
+        own.others.empty()
+            ? say<"The size of a pixel is that of the recording's own scale, %1 mm.">(shown(own_mm))
+            : say<"The recording has several scales; the size of a pixel is that of the part where the middle of the scan lies, %1. The "
+                  "others: %2. Check that it is the right one.">(describe(*own.part), describe(own.others)));
+  } else if (std::abs(*geometry.pixel_mm / own_mm - 1.0) > 0.03) {
     geometry.notes.push_back(
         say<"By the recording's own scale a pixel has %1 mm, by the stated depth or ticks %2 mm; what was stated counts. Check both.">(
-            shown(*own_mm), shown(*geometry.pixel_mm)));
+            shown(own_mm), shown(*geometry.pixel_mm)));
   }
 }
 
@@ -133,7 +180,6 @@ FoundScreen findScreen(const ScreenStatistics& statistics, const std::optional<F
   }
   const float background = detail::backgroundOf(statistics);
   found.ticks = detail::findTicks(statistics, *found.outline, background);
-  if (!found.ticks) found.notes.push_back(say<"No evenly spaced marks of a depth scale were found; the depth has to be stated.">());
   const auto text = detail::findText(statistics, *found.outline);
   if (shareUnder(text, *found.outline, found.width_px, found.height_px) > kMostUnderText)
     found.notes.push_back(
@@ -179,6 +225,8 @@ Result<ScreenGeometry> corrected(const FoundScreen& found, const ScreenCorrectio
     geometry.pixel_mm = byDepth;
   }
   settleScale(found, geometry);
+  if (found.outline && !found.ticks && !geometry.pixel_mm)  // without an outline nobody looked for them
+    geometry.notes.push_back(say<"No evenly spaced marks of a depth scale were found; the depth has to be stated.">());
   std::vector<PixelRect> text;
   for (const ScreenPart& part : found.parts) {
     if (part.kind != ScreenPartKind::text) continue;

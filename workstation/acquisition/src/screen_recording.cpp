@@ -40,9 +40,9 @@ std::uint64_t framesThere(const OpenedScreen& opened) {
 }  // namespace
 
 Result<OpenedScreen> openScreen(const std::filesystem::path& recording, const std::optional<FanOutline>& outline, Progress& progress,
-                                const ReadLimits& limits, int mostFrames, const Orientation& turned) {
+                                const ReadLimits& limits, int mostFrames, const Orientation& turned, const std::optional<double>& rate_hz) {
   PartOfProgress opening(progress, 0.0, 0.05), looking(progress, 0.05, 0.9);
-  auto reader = CineReader::open(recording, opening, limits, turned);
+  auto reader = CineReader::open(recording, opening, limits, turned, rate_hz);
   if (!reader) return passOn(reader.error());
   OpenedScreen opened{.recording = recording, .reader = *std::move(reader), .found = {}, .times_s = {}, .picture = {}, .brokenOff = {}};
   const CineInfo& info = opened.reader.info();

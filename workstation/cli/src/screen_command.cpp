@@ -21,6 +21,7 @@ struct ScreenArguments {
   std::string deviceSet;
   std::optional<double> depth_mm;
   std::optional<double> tick_mm;
+  std::optional<double> rate_hz;
   std::string fill = "neighbours";
   bool keepOutside = false;
   int turn_deg = 0;
@@ -111,6 +112,7 @@ Result<int> cleanScreen(const ScreenArguments& arguments, Run& run) {
   run.report.options = {{"fill", arguments.fill}, {"keep_outside", arguments.keepOutside}};
   if (correction->depth_mm) run.report.options["depth_mm"] = *correction->depth_mm;
   if (correction->tick_mm) run.report.options["tick_mm"] = *correction->tick_mm;
+  if (arguments.rate_hz) run.report.options["rate_hz"] = *arguments.rate_hz;
   if (!correction->turned.isUpright()) {
     run.report.options["turn_deg"] = correction->turned.degrees();
     run.report.options["mirror"] = correction->turned.mirrored;
@@ -119,10 +121,11 @@ Result<int> cleanScreen(const ScreenArguments& arguments, Run& run) {
   PartOfProgress looking(run.progress, 0.0, 0.6), writing(run.progress, 0.6, 1.0);
   auto opened = [&] {
     const StepClock clock(run.report, "find");
-    return openScreen(arguments.recording, correction->outline, looking, {}, kScreenFrames, correction->turned);
+    return openScreen(arguments.recording, correction->outline, looking, {}, kScreenFrames, correction->turned, arguments.rate_hz);
   }();
   if (!opened) return passOn(opened.error());
   for (const Message& note : opened->reader.info().notes) run.remark(note);
+  if (opened->reader.info().assumedRate_hz > 0.0) run.remark(ew::say<"If the pictures have another rate, state it with --rate.">());
   for (const Message& note : opened->found.notes) run.remark(note);
   if (opened->brokenOff) run.remark(opened->brokenOff->message);
   const auto geometry = corrected(opened->found, *correction);
@@ -180,6 +183,8 @@ void addScreen(CLI::App& root, Selection& selection) {
   addNumber(app, "--depth", arguments->depth_mm, {1.0, 1000.0},
             "Depth of the scan in mm, as the screen states it: from its near to its far edge");
   addNumber(app, "--tick", arguments->tick_mm, {0.05, 500.0}, "Distance of neighbouring marks of the depth scale in mm");
+  addNumber(app, "--rate", arguments->rate_hz, {0.001, 100000.0},
+            "Pictures a second of a recording that does not say it, or says it wrongly");
   app.add_option("--correction", arguments->correction,
                  "Outline, depth, boxes to add or to remove: a .screen.json as this command writes, edited")
       ->type_name("C.json");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <new>
@@ -86,6 +87,20 @@ void keepColourWhereItIs(CineFrame& frame) {
   if (std::find(frame.coloured.begin(), frame.coloured.end(), 1) != frame.coloured.end()) return;
   frame.coloured.clear();
   frame.colour = {};
+}
+
+/// Times of the frames by the data set. A note that there are none is for those who then store none: here they are counted all the same,
+/// and what is left to say is what the file has instead.
+std::vector<double> timesByDataSet(const DicomItem& data, std::uint64_t frames, std::vector<Message>& notes) {
+  std::vector<Message> found;
+  auto times_s = frameTimes(data, frames, found);
+  if (times_s.empty() && !found.empty()) {
+    const std::vector<Message> said = found.back().arguments();
+    found.pop_back();
+    if (said.size() > 1) found.push_back(say<"The file gives no usable times of its %1 frames: it has %2.">(said[0], said[1]));
+  }
+  notes.insert(notes.end(), found.begin(), found.end());
+  return times_s;
 }
 
 /// DICOM whose frames are unpacked one by one.
@@ -181,9 +196,18 @@ void takeScale(const DicomItem& data, CineInfo& info) {
   const DicomScale scale =
       scaleOf(data, static_cast<std::uint64_t>(std::max(info.width_px, 1)), static_cast<std::uint64_t>(std::max(info.height_px, 1)));
   info.notes.insert(info.notes.end(), scale.notes.begin(), scale.notes.end());
+  const bool anyStale =
+      std::any_of(scale.regions.begin(), scale.regions.end(), [](const UltrasoundRegion& region) { return region.stale; });
+  for (std::size_t n = 0; n < scale.regions.size(); ++n) {
+    const UltrasoundRegion& region = scale.regions[n];
+    // Traces, bars and colour flow have no scale of a scan to lose.
+    if (region.stale || (!region.usable() && region.spatialFormat <= 1 && region.dataType <= 1))
+      info.notes.push_back(say<"Region %1 was not used for the scale.">(region.describe(n + 1)));
+  }
+  if (anyStale && !scale.bModes.empty())
+    info.notes.push_back(say<"The other regions may have been made for another size of the pictures as well, so none was used.">());
   for (const std::size_t n : scale.bModes) info.scales.push_back({scale.regions[n].rect, scale.regions[n].pixel_mm()});
-  if (std::any_of(scale.regions.begin(), scale.regions.end(), [](const UltrasoundRegion& region) { return region.stale; }))
-    info.scales.clear();  // made for another size, and so may be the others
+  if (anyStale) info.scales.clear();  // made for another size, and so may be the others
   if (info.scales.empty() && scale.spacing_mm) info.scales.push_back({{0, 0, info.width_px, info.height_px}, *scale.spacing_mm});
   constexpr double kAlike = 1e-3;
   const auto shapeOf = [](const StatedScale& part) { return part.pixel_mm.x / part.pixel_mm.y; };
@@ -276,7 +300,7 @@ OpenedSource openDicomFilm(const fs::path& file, const DicomFile& dicom, const R
   // Streams without a container guess their length; the data set knows it.
   source->info.frames = source->film->info.frames = framesByDataSet(dicom.data, *pixels, source->info.notes);
   source->info.framesGuessed = false;
-  source->times_s = frameTimes(dicom.data, source->info.frames, source->info.notes);
+  source->times_s = timesByDataSet(dicom.data, source->info.frames, source->info.notes);
   source->info.timesKnown = source->info.timesKnown || !source->times_s.empty();
   return std::unique_ptr<CineReader::Source>(std::move(source));
 }
@@ -301,7 +325,7 @@ OpenedSource openDicom(const fs::path& file, Progress& progress, const ReadLimit
   info.notes = layout->notes;
   info.removed = identifyingFields(source->dicom.data);
   takeScale(source->dicom.data, info);
-  source->times_s = frameTimes(source->dicom.data, layout->frames, info.notes);
+  source->times_s = timesByDataSet(source->dicom.data, layout->frames, info.notes);
   info.timesKnown = !source->times_s.empty();
   if (auto found = findRange(*source, progress); !found) return passOn(found.error());
   return std::unique_ptr<CineReader::Source>(std::move(source));
@@ -337,6 +361,10 @@ OpenedSource openSequence(const fs::path& file, Progress& progress, const ReadLi
   source->info.timesKnown =
       std::all_of(sequence->frames.begin(), sequence->frames.end(), [](const SequenceFrame& frame) { return frame.time_s.has_value(); });
   source->info.notes = sequence->notes;
+  const auto untimed =
+      std::count_if(sequence->frames.begin(), sequence->frames.end(), [](const SequenceFrame& frame) { return !frame.time_s; });
+  if (untimed > 0 && static_cast<std::size_t>(untimed) < sequence->frames.size())
+    source->info.notes.push_back(say<"Frames without a time: %1 of %2.">(untimed, sequence->frames.size()));
   source->sequence = *std::move(sequence);
   return std::unique_ptr<CineReader::Source>(std::move(source));
 }
@@ -386,6 +414,7 @@ OpenedSource openPictures(const fs::path& file) {
   source->info.width_px = first->width;
   source->info.height_px = first->height;
   source->info.kind = CineKind::pictures;
+  source->info.pixelAspect = pixelAspectOfPicture(source->files.front());
   source->info.frames = source->files.size();
   return std::unique_ptr<CineReader::Source>(std::move(source));
 }
@@ -408,6 +437,23 @@ OpenedSource openAny(const fs::path& file, Progress& progress, const ReadLimits&
                  {{"file", file.string()}});
 }
 
+/// Says how the frames are timed where the file does not say it, or a person said it. Films have times in their streams.
+void settleTimes(CineReader::Source& source) {
+  CineInfo& info = source.shown;
+  const auto shown = [](double rate_hz) { return numeral(textOf(std::round(rate_hz * 1e3) / 1e3)); };
+  if (source.statedRate_hz) {
+    if (info.timesKnown)
+      info.notes.push_back(
+          say<"The rate of the pictures was stated, %1 a second; the times in the file were not used.">(shown(*source.statedRate_hz)));
+    info.rate_hz = *source.statedRate_hz;
+    info.timesKnown = true;
+    return;
+  }
+  if (info.timesKnown || info.frames == 1 || info.kind == CineKind::film || info.kind == CineKind::dicomFilm) return;
+  info.assumedRate_hz = info.kind == CineKind::pages && info.rate_hz > 0.0 ? info.rate_hz : kUnknownRate_hz;
+  info.notes.push_back(say<"The file does not say when its pictures were recorded; %1 a second were assumed.">(shown(info.assumedRate_hz)));
+}
+
 /// Says what becomes of the pictures, and makes ready for it.
 Result<void> prepare(CineReader::Source& source, const Orientation& asked, const fs::path& file, const ReadLimits& limits) {
   const CineInfo& stored = source.info;
@@ -417,6 +463,7 @@ Result<void> prepare(CineReader::Source& source, const Orientation& asked, const
   source.shown.height_px = source.shaper->height_px();
   for (StatedScale& part : source.shown.scales)
     part = {source.shaper->shaped(part.rect), glm::dvec2(std::min(part.pixel_mm.x, part.pixel_mm.y))};
+  settleTimes(source);
   auto& notes = source.shown.notes;
   const auto pixels = static_cast<std::uint64_t>(source.shown.width_px) * static_cast<std::uint64_t>(source.shown.height_px);
   if (pixels > (1ull << 28) || pixels * 8 > limits.maxBytes)
@@ -472,9 +519,11 @@ CineReader::~CineReader() = default;
 CineReader::CineReader(CineReader&&) noexcept = default;
 CineReader& CineReader::operator=(CineReader&&) noexcept = default;
 
-Result<CineReader> CineReader::open(const fs::path& file, Progress& progress, const ReadLimits& limits, const Orientation& asked) try {
+Result<CineReader> CineReader::open(const fs::path& file, Progress& progress, const ReadLimits& limits, const Orientation& asked,
+                                    const std::optional<double>& rate_hz) try {
   auto source = openAny(file, progress, limits);
   if (!source) return passOn(source.error());
+  (*source)->statedRate_hz = rate_hz;
   if (auto there = prepare(**source, asked, file, limits); !there) return passOn(there.error());
   return CineReader(*std::move(source));
 } catch (const std::bad_alloc&) {
@@ -494,6 +543,7 @@ Result<bool> CineReader::next(CineFrame& frame, const Progress& progress) {
   if (!got) return passOn(got.error());
   if (!*got) return false;
   source_->shaper->shape(frame);
+  if (source_->statedRate_hz) frame.time_s = static_cast<double>(source_->given) / *source_->statedRate_hz;
   if (source_->given > 0) frame.time_s = std::max(frame.time_s, before_s);
   ++source_->given;
   return true;

@@ -43,6 +43,7 @@ struct CineReader::Source {
   CineInfo info;        ///< of pictures as they are stored
   CineInfo shown = {};  ///< of pictures as they are given
   std::optional<detail::PictureShaper> shaper = {};
+  std::optional<double> statedRate_hz = {};  ///< of the frames, by a person
   std::uint64_t given = 0;
   std::optional<Error> brokenOff;
 };

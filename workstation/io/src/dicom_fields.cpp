@@ -254,6 +254,29 @@ std::vector<double> times_msBySteps(const DicomItem& data, std::uint64_t frames,
   return times_ms;
 }
 
+/// Fields that give a frame time or rate other than that of the times which were taken from `used`. Rates are whole numbers.
+std::vector<Message> otherTimes(const DicomItem& data, const NumberField& used, const std::vector<double>& times_s) {
+  std::vector<Message> others;
+  const std::uint64_t frames = times_s.size();
+  const double period_ms = 1000.0 * times_s.back() / static_cast<double>(frames - 1);
+  if (!(period_ms > 0.0)) return others;
+  for (const NumberField& field : {kFrameTime, kFrameTimeVector, kCineRate, kDisplayRate}) {
+    if (field.tag == used.tag) continue;
+    std::optional<double> other_ms = field.tag == kFrameTimeVector.tag ? std::nullopt : period_msBy(data, field, frames);
+    std::vector<Message> ignored;
+    if (field.tag == kFrameTimeVector.tag)
+      if (const auto times_ms = times_msBySteps(data, frames, ignored); !times_ms.empty() && times_ms.back() > 0.0)
+        other_ms = times_ms.back() / static_cast<double>(frames - 1);
+    if (!other_ms) continue;
+    const auto isRate = [](const NumberField& each) { return each.tag == kCineRate.tag || each.tag == kDisplayRate.tag; };
+    const double rate_hz = 1000.0 / period_ms, other_hz = 1000.0 / *other_ms;
+    const bool rounded = (isRate(field) || isRate(used)) && (std::abs(rate_hz - other_hz) <= 0.5 || std::max(rate_hz, other_hz) <= 1.0);
+    if (!rounded && std::abs(*other_ms - period_ms) > 0.01 * period_ms)
+      others.push_back(say<"%1 \"%2\"">(verbatim(field.name), shortened(data.text(field.tag))));
+  }
+  return others;
+}
+
 /// Of a rectangle's two numbers the file gives rows first: x and y of a pixel.
 std::optional<glm::dvec2> pairOf(const DicomItem& data, const NumberField& field) {
   const auto values = data.numbers(field.tag);
@@ -384,7 +407,10 @@ std::vector<double> frameTimes(const DicomItem& data, std::uint64_t frames, std:
     }
     if (times_s.empty()) continue;
     noteCommas(data, field, notes);
-    if (field.tag != kFrameTime.tag && field.tag != kFrameTimeVector.tag)
+    if (auto others = otherTimes(data, field, times_s); !others.empty())
+      notes.push_back(say<"The times of the frames are those of %1; another rate is that of %2, which was not used.">(
+          found.back(), joined(std::move(others), ", ")));
+    else if (field.tag != kFrameTime.tag && field.tag != kFrameTimeVector.tag)
       notes.push_back(say<"The times of the frames are those of %1.">(found.back()));
     return times_s;
   }

@@ -303,7 +303,18 @@ void settleFrames(const DicomFile& dicom, const DicomElement& pixels, PixelLayou
     return;
   }
   const std::uint64_t promised = perFrame * layout.frames;
-  if (pixels.value.size() > promised + 1)
+  if (pixels.value.size() <= promised + 1) return;
+  // So many bytes too many are no rest of something: other samples or frames than the header says were written.
+  const std::uint64_t times = pixels.value.size() / promised, rest = pixels.value.size() % promised;
+  if (times > 1 && rest <= times * promised % 2)
+    layout.notes.push_back(
+        counted<
+            "The header promises %1 frame, which takes %2 bytes, but %3 are stored, exactly %4 times as many: the length and the layout "
+            "disagree, so that the samples per pixel or the number of frames may be wrong; what lies beyond was not read.",
+            "The header promises %1 frames, which take %2 bytes, but %3 are stored, exactly %4 times as many: the length and the layout "
+            "disagree, so that the samples per pixel or the number of frames may be wrong; what lies beyond was not read.">(
+            layout.frames, promised, pixels.value.size(), times));
+  else
     layout.notes.push_back(counted<"The header promises %1 frame, which takes %2 bytes, but %3 are stored; what lies beyond was not read.",
                                    "The header promises %1 frames, which take %2 bytes, but %3 are stored; what lies beyond was not read.">(
         layout.frames, promised, pixels.value.size()));

@@ -15,8 +15,9 @@ namespace fs = std::filesystem;
 
 /// A data set counts frames of which no decoder may give the last ones back.
 constexpr double kFewMissing = 2.0;
-/// A film whose last frames stand long ends before its duration by no more than this, or than its longest pause so far.
-constexpr double kLeastMissing_s = 0.5;
+/// A film may end before its duration by so many frames or by this share of it, as containers round it, but by no more than this time; or
+/// by its longest pause so far, as its last frame may stand long.
+constexpr double kFramesShort = 3.0, kShareShort = 0.02, kMostShort_s = 0.5;
 
 /// What a pixel is said to be wider than high, where that can be.
 double usableAspect(double aspect) { return std::isfinite(aspect) && aspect > 0.125 && aspect < 8.0 ? aspect : 1.0; }
@@ -112,7 +113,9 @@ struct FilmSource final : CineReader::Source {
   /// what an edit list leaves out.
   void judgeEnd(int got, double reached_s) {
     const double last_s = std::max(before_s, reached_s);
-    if (got == -1 || duration_s > last_s + std::max(kLeastMissing_s, longestPause_s))
+    // As many as were counted, not guessed, are all, whatever the times say. More are those of fragments, which the count knows nothing of.
+    const bool hasAll = !info.framesGuessed && info.frames > 0 && given == info.frames;
+    if (got == -1 || (!hasAll && duration_s > last_s + std::max(mostShort_s(), longestPause_s)))
       return breakOff(
           ErrorCode::truncated,
           say<"%1 ends early or is damaged: of its %2 s the first %3 s were read, %4 frames; get the file again if the others are needed.">(
@@ -121,6 +124,14 @@ struct FilmSource final : CineReader::Source {
       breakOff(ErrorCode::truncated,
                say<"%1 is damaged: at %2 places no frame could be read, and %3 frames were; get the file again if the others are needed.">(
                    quoted(shown), faults, given));
+  }
+  /// The mean step of the frames that were read counts before the promised rate, which may be no rate of frames (1000 Hz).
+  double mostShort_s() const {
+    const double step_s = given > 1 && before_s > 0.0 ? before_s / static_cast<double>(given - 1)
+                          : info.rate_hz > 0.0        ? 1.0 / info.rate_hz
+                                                      : kMostShort_s;
+    // Half a step more, so that no rounding of three of them decides.
+    return std::min(kMostShort_s, std::max((kFramesShort + 0.5) * step_s, kShareShort * duration_s));
   }
   static std::string rounded(double seconds) { return textOf(std::round(seconds * 100.0) / 100.0); }
   void take(CineFrame& frame, double time_s) {

@@ -246,6 +246,23 @@ void completeGeometry(ImageHeader& header) {
                        header.geometry.directions != neutral.directions;
 }
 
+void noteUnstatedSpacing(ImageHeader& header, const std::array<bool, 3>& stated) {
+  const auto known = std::count(stated.begin(), stated.end(), true);
+  if (known == 3 || !header.spacingProblem.empty() || (known == 0 && !header.hasGeometry)) return;
+  if (known == 0) {
+    header.spacingProblem = say<"%1 gives a place but no spacing along any of its axes; give the spacing in mm.">(quoted(header.file));
+    return;
+  }
+  const auto missing = static_cast<int>(std::find(stated.begin(), stated.end(), false) - stated.begin());
+  if (known == 2) {
+    header.spacingProblem = say<"%1 gives no spacing along its axis %2; give the spacing in mm.">(quoted(header.file), missing + 1);
+    return;
+  }
+  const int other = stated[2] ? 2 : 3;
+  header.spacingProblem =
+      say<"%1 gives no spacing along its axes %2 and %3; give the spacing in mm.">(quoted(header.file), missing + 1, other);
+}
+
 Result<ImageHeader> readImageHeader(const fs::path& file) {
   if (const auto status = checkIsFile(file); !status) return passOn(status.error());
   const std::string name = lowerCase(file.filename().string());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -39,7 +40,7 @@ struct ImageHeader {
   std::vector<std::uint64_t> sizes;            ///< x fastest, without channels
   Grid geometry;                               ///< spacing, origin and directions (LPS); dims are in `sizes`
   bool hasGeometry = false;                    ///< spacing or place differ from 1 x 1 x 1 mm at the origin, and their unit is known
-  Message spacingProblem;                      ///< why the spacing is not known although the file states one; empty otherwise
+  Message spacingProblem;                      ///< why the spacing is not known although the file states one, or a place; empty otherwise
   std::vector<std::string> kinds;              ///< of the axes in `sizes`; empty when the file says nothing
   double slope = 1.0;                          ///< value = slope * stored + intercept
   double intercept = 0.0;
@@ -107,5 +108,9 @@ template <Literal one, Literal many, class... More>
 
 /// A third direction and spacing for flat images, and whether the place is anything but neutral.
 void completeGeometry(ImageHeader& header);
+
+/// Says in `spacingProblem` along which axes the file states no spacing, so that the 1 mm there is nobody's. Nothing is said where a unit
+/// is the problem already, or where the file says nothing about its place at all, which completeGeometry() knows.
+void noteUnstatedSpacing(ImageHeader& header, const std::array<bool, 3>& stated);
 
 }  // namespace ew::detail

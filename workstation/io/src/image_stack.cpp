@@ -181,6 +181,13 @@ Result<JpegGrey> detail::readStackPicture(const fs::path& file, const Progress& 
   return picture;
 }
 
+double detail::pixelAspectOfPicture(const fs::path& file) {
+  const auto bytes = readWholeFile(file, kLargestFile);
+  if (!bytes) return 1.0;
+  const double stored = pixelAspectOfPng(*bytes);
+  return orientationOfPicture(*bytes).swapsSides() ? 1.0 / stored : stored;
+}
+
 Result<void> detail::settleStackColours(std::uint64_t colouredPixels, std::uint64_t pixels, ColourRule rule, const fs::path& named,
                                         std::vector<Message>& notes) {
   const double share = static_cast<double>(colouredPixels) / static_cast<double>(pixels);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "ew/core/numbers.h"
 #include "header_fields.h"
@@ -140,10 +141,14 @@ Result<void> takeGeometry(MetaDraft& draft) {
   const std::size_t spatial = std::min<std::size_t>(n, 3);
   // ElementSpacing is the distance between samples; ElementSize, their extent, only stands in for it.
   const bool spaced = !draft.spacing.empty();
+  std::array<bool, 3> stated{};
   if (const std::string& text = spaced ? draft.spacing : draft.size_mm; !text.empty()) {
     const auto numbers = numbersFor(header, spaced ? "ElementSpacing" : "ElementSize", text, n);
     if (!numbers) return passOn(numbers.error());
-    for (std::size_t axis = 0; axis < spatial; ++axis) header.geometry.spacing_mm[static_cast<int>(axis)] = (*numbers)[axis];
+    for (std::size_t axis = 0; axis < spatial; ++axis) {
+      header.geometry.spacing_mm[static_cast<int>(axis)] = (*numbers)[axis];
+      stated[axis] = true;
+    }
   }
   if (!draft.offset.empty()) {
     const auto numbers = numbersFor(header, "Offset", draft.offset, n);
@@ -169,7 +174,18 @@ Result<void> takeGeometry(MetaDraft& draft) {
   }
   completeGeometry(header);
   if (!header.spacingProblem.empty()) header.hasGeometry = false;
+  noteUnstatedSpacing(header, stated);
   return {};
+}
+
+/// The extent of a sample may be stated as another than the distance from one to the next; whoever wrote it meant one of them.
+void noteSizes(const MetaDraft& draft, std::vector<Message>& notes) {
+  if (draft.spacing.empty() || draft.size_mm.empty()) return;
+  const auto spacing = parseNumbers(draft.spacing), size = parseNumbers(draft.size_mm);
+  const auto same = [](double one, double other) { return std::abs(one - other) <= 1e-3 * std::abs(one); };
+  if (spacing && size && std::equal(spacing->begin(), spacing->end(), size->begin(), size->end(), same)) return;
+  notes.push_back(say<"ElementSpacing \"%1\" was used; ElementSize \"%2\" says another size and was not.">(shortened(draft.spacing),
+                                                                                                           shortened(draft.size_mm)));
 }
 
 /// Whether the words and the matrix say the same, in either of the two ways in which such words are meant (coming from, or going to).
@@ -195,6 +211,7 @@ void noteUnused(MetaDraft& draft) {
     draft.fields.use("ElementToIntensityFunctionSlope");
   if (draft.fields.stated("ElementToIntensityFunctionOffset") == std::optional<std::string>("0"))
     draft.fields.use("ElementToIntensityFunctionOffset");
+  noteSizes(draft, header.notes);
   for (Message& note : draft.fields.unused()) header.notes.push_back(std::move(note));
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "ew/core/figures.h"
 #include "ew/core/numbers.h"
 #include "header_fields.h"
 #include "image_header.h"
@@ -220,6 +221,23 @@ void notePlacings(const Nifti& nifti, const std::array<double, 3>& pixel, double
         textOf(std::round(apart * mm * 100.0) / 100.0)));
 }
 
+/// Voxel sizes may contradict the affine too; those of the quaternion's place are told by notePlacings().
+void noteSizes(const Nifti& nifti, const std::array<double, 3>& pixel, const glm::dmat3& axes, double mm, std::vector<Message>& notes) {
+  const bool compared = nifti.qformCode > 0 && nifti.dim[0] >= 3;
+  std::array<std::string, 2> sizes;
+  bool differ = false;
+  for (int axis = 0; axis < std::min<std::int64_t>(nifti.dim[0], 3); ++axis) {
+    const double used = glm::length(axes[axis]), stated = pixel[static_cast<std::size_t>(axis)];
+    differ = differ || (stated > 0.0 && std::abs(used - stated) > 0.01 * used);
+    sizes[0] += (axis > 0 ? " x " : "") + figureText(used * mm);
+    sizes[1] += (axis > 0 ? " x " : "") + figureText(stated * mm);
+  }
+  const bool unset = pixel == std::array{1.0, 1.0, 1.0};  // what writers of an affine leave there
+  if (differ && !compared && !unset)
+    notes.push_back(
+        say<"The file gives two voxel sizes: %1 mm by its sform, which was used, and %2 mm by its pixdim.">(sizes[0], sizes[1]));
+}
+
 Result<void> takeGeometry(const Nifti& nifti, ImageHeader& header) {
   const double mm = niftiUnit_mm(nifti.units);
   glm::dmat3 axes(1.0);  // columns: a step along i, j, k in the file's right-anterior-superior mm
@@ -237,6 +255,7 @@ Result<void> takeGeometry(const Nifti& nifti, ImageHeader& header) {
     const Placing placing = placingByAffine(nifti);
     axes = placing.axes;
     origin = placing.origin;
+    noteSizes(nifti, pixel, axes, mm, header.notes);
     for (int axis = static_cast<int>(std::max<std::int64_t>(nifti.dim[0], 0)); axis < 3; ++axis)
       if (!(glm::length(axes[axis]) > 0.0) && axis == 2) axes[2] = glm::normalize(glm::cross(axes[0], axes[1]));
   } else if (nifti.qformCode > 0) {
@@ -258,6 +277,11 @@ Result<void> takeGeometry(const Nifti& nifti, ImageHeader& header) {
   }
   header.geometry.origin_mm = origin * toLps * mm;
   completeGeometry(header);
+  std::array<bool, 3> stated{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    stated[axis] = static_cast<std::int64_t>(axis) < nifti.dim[0] ||
+                   (nifti.sformCode > 0 && glm::length(placingByAffine(nifti).axes[static_cast<int>(axis)]) > 0.0);
+  noteUnstatedSpacing(header, stated);
   // One millimetre in every direction and nothing moved is what converters write when they know no better, in either hand.
   const bool unitSpacing = header.geometry.spacing_mm == glm::dvec3(1.0);
   const bool alongAxes = glm::abs(header.geometry.directions[0]) == glm::dvec3(1, 0, 0) &&

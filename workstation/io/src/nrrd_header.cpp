@@ -234,6 +234,20 @@ FirstAxis firstAxisOf(const ImageHeader& header, const std::optional<std::vector
   return kind == "list" || kind == "time" || undirected || unnamed ? FirstAxis::volumes : FirstAxis::space;
 }
 
+/// Values of a kind that is neither an echo level nor a colour of red, green and blue have no luminance. `vector` says nothing more than
+/// that there are several, and is what some write for a colour.
+Result<void> checkKind(const ImageHeader& header) {
+  const std::string kind = header.kinds.empty() ? "" : lowerCase(header.kinds.front());
+  bool refused = kind.starts_with("hsv") || kind.starts_with("xyz");
+  for (const char* word : {"-vector", "matrix", "normal", "gradient", "quaternion", "complex"})
+    refused = refused || kind.find(word) != std::string::npos;
+  if (!refused || header.channels == 1) return {};
+  return failure(ErrorCode::unsupported,
+                 say<"%1 holds %2 values of the kind \"%3\" per sample, which are neither an echo level nor red, green and blue; export "
+                     "the echo levels alone.">(quoted(header.file), header.channels, shortened(header.kinds.front())),
+                 {{"file", header.file.string()}, {"channels", std::to_string(header.channels)}});
+}
+
 /// Takes an axis of colours, components or volumes out of the sizes: it must be the fastest.
 Result<std::size_t> takeChannels(NrrdDraft& draft, const std::optional<std::vector<Axis>>& axes) {
   ImageHeader& header = draft.header;
@@ -244,6 +258,7 @@ Result<std::size_t> takeChannels(NrrdDraft& draft, const std::optional<std::vect
   if (header.channels == 0)
     return badField(header.file, verbatim("sizes"), verbatim(sizesText(header.sizes)), say<"at least one value per sample">());
   header.coloursNamed = first == FirstAxis::colours;
+  if (auto usable = checkKind(header); !usable) return passOn(usable.error());
   if (first == FirstAxis::volumes && header.channels > 1) header.wantedChannel = 0;
   header.sizes.erase(header.sizes.begin());
   if (!header.kinds.empty()) header.kinds.erase(header.kinds.begin());
@@ -306,7 +321,8 @@ Result<std::vector<double>> numbersPerAxis(NrrdDraft& draft, const char* field, 
 
 /// Spacing and place of axes that have lengths and no directions: `spacings`, and `axis mins` (and `axis maxs` where there are no
 /// spacings), which are edges of the first (and last) cell where samples stand in cells, as they do unless the file says `node`.
-Result<void> takeExtents(NrrdDraft& draft, std::size_t spatial, std::size_t channelAxes) {
+/// @param stated which axes have a spacing
+Result<void> takeExtents(NrrdDraft& draft, std::size_t spatial, std::size_t channelAxes, std::array<bool, 3>& stated) {
   ImageHeader& header = draft.header;
   const std::size_t all = header.sizes.size() + channelAxes;
   const auto spacings = numbersPerAxis(draft, "spacings", all);
@@ -331,8 +347,9 @@ Result<void> takeExtents(NrrdDraft& draft, std::size_t spatial, std::size_t chan
     if (!spacing && lowest && highest && *highest > *lowest && samples > 1.0)
       spacing = (*highest - *lowest) / (onNodes ? samples - 1.0 : samples);
     if (spacing) header.geometry.spacing_mm[i] = *spacing * units_mm[axis];
+    stated[axis] = spacing.has_value();
     if (lowest && draft.origin.empty())
-      header.geometry.origin_mm[i] = (*lowest + (onNodes ? 0.0 : 0.5 * spacing.value_or(1.0))) * units_mm[axis];
+      header.geometry.origin_mm[i] = (*lowest + (onNodes ? 0.0 : 0.5 * spacing.value_or(0.0))) * units_mm[axis];
   }
   return {};
 }
@@ -362,8 +379,8 @@ Result<void> takeGeometry(NrrdDraft& draft, const std::optional<std::vector<Axis
   // Units of a space are those of the components of its vectors.
   const std::array<double, 3> space_mm =
       axes || !draft.origin.empty() ? unitsOf(draft, "space units", 0, 3) : std::array<double, 3>{1.0, 1.0, 1.0};
+  std::array<bool, 3> given{};  // along which axes the file states a spacing
   if (axes) {
-    std::array<bool, 3> given{};
     for (std::size_t axis = 0; axis < spatial; ++axis) {
       const Axis& step = (*axes)[axis + channelAxes];
       if (!step) continue;
@@ -384,7 +401,7 @@ Result<void> takeGeometry(NrrdDraft& draft, const std::optional<std::vector<Axis
       const glm::dvec3 upright = glm::cross(header.geometry.directions[0], header.geometry.directions[1]);
       if (glm::length(upright) > 1e-6) header.geometry.directions[2] = glm::normalize(upright);
     }
-  } else if (auto taken = takeExtents(draft, spatial, channelAxes); !taken) {
+  } else if (auto taken = takeExtents(draft, spatial, channelAxes, given); !taken) {
     return taken;
   }
   if (!draft.origin.empty()) {
@@ -398,6 +415,7 @@ Result<void> takeGeometry(NrrdDraft& draft, const std::optional<std::vector<Axis
   }
   completeGeometry(header);
   if (!header.spacingProblem.empty()) header.hasGeometry = false;
+  noteUnstatedSpacing(header, given);
   return {};
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <string_view>
 
 #include "image_header.h"
 
@@ -13,6 +14,10 @@ namespace {
 
 constexpr std::size_t kSignature = 8;
 constexpr std::size_t kChunkFrame = 12;  // length, type and checksum of a chunk
+
+std::size_t bigEndianAt(Bytes png, std::size_t at) {
+  return std::size_t{png[at]} << 24 | std::size_t{png[at + 1]} << 16 | std::size_t{png[at + 2]} << 8 | png[at + 3];
+}
 
 bool isAboutScreens(const std::uint8_t* type) {
   for (const char* each : {"gAMA", "sRGB", "cHRM", "iCCP"})
@@ -25,7 +30,7 @@ std::vector<std::uint8_t> withoutScreens(Bytes png) {
   std::vector<std::uint8_t> kept(png.begin(), png.begin() + static_cast<std::ptrdiff_t>(std::min(png.size(), kSignature)));
   std::size_t at = kept.size();
   while (png.size() - at >= kChunkFrame) {
-    const std::size_t length = std::size_t{png[at]} << 24 | std::size_t{png[at + 1]} << 16 | std::size_t{png[at + 2]} << 8 | png[at + 3];
+    const std::size_t length = bigEndianAt(png, at);
     if (length > png.size() - at - kChunkFrame) break;
     const Bytes chunk = png.subspan(at, kChunkFrame + length);
     if (!isAboutScreens(chunk.data() + 4)) kept.insert(kept.end(), chunk.begin(), chunk.end());
@@ -36,6 +41,24 @@ std::vector<std::uint8_t> withoutScreens(Bytes png) {
 }
 
 }  // namespace
+
+double pixelAspectOfPng(Bytes png) {
+  constexpr std::string_view signature = "\x89PNG\r\n\x1A\n";
+  if (png.size() < kSignature || std::memcmp(png.data(), signature.data(), kSignature) != 0) return 1.0;
+  for (std::size_t at = kSignature; png.size() - at >= kChunkFrame;) {
+    const std::size_t length = bigEndianAt(png, at);
+    const auto is = [&](const char* type) { return std::memcmp(png.data() + at + 4, type, 4) == 0; };
+    if (length > png.size() - at - kChunkFrame || is("IDAT")) break;
+    if (is("pHYs") && length == 9) {
+      // Pixels in a length: the more of them, the smaller.
+      const auto across = static_cast<double>(bigEndianAt(png, at + 8)), down = static_cast<double>(bigEndianAt(png, at + 12));
+      const double aspect = across > 0.0 ? down / across : 1.0;
+      return aspect > 0.125 && aspect < 8.0 ? aspect : 1.0;
+    }
+    at += kChunkFrame + length;
+  }
+  return 1.0;
+}
 
 std::uint8_t luminanceOf(std::uint8_t red, std::uint8_t green, std::uint8_t blue) {
   return static_cast<std::uint8_t>(std::lround(0.299 * red + 0.587 * green + 0.114 * blue));

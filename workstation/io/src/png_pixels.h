@@ -22,6 +22,9 @@ struct PngPixels {
 /// @error badHeader (damaged), tooLarge (more than `mostPixels`, before memory is taken)
 [[nodiscard]] Result<PngPixels> readPngPixels(Bytes png, const std::filesystem::path& file, std::uint64_t mostPixels);
 
+/// How much wider than high the pixels of a PNG are by its pHYs; 1 where it says nothing that can be, or the file is no PNG.
+[[nodiscard]] double pixelAspectOfPng(Bytes png);
+
 /// ITU-R BT.601, as of other coloured pictures.
 [[nodiscard]] std::uint8_t luminanceOf(std::uint8_t red, std::uint8_t green, std::uint8_t blue);
 

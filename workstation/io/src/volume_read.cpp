@@ -46,7 +46,7 @@ Result<LoadedVolume> readVolume(const fs::path& file, Progress& progress, const 
   loaded.notes = header->notes;
   auto extent = volumeExtentOf(*header, loaded.notes);
   if (!extent) return passOn(extent.error());
-  loaded.spacingKnown = header->hasGeometry;
+  loaded.spacingKnown = header->hasGeometry && header->spacingProblem.empty();
   loaded.spacingProblem = header->spacingProblem;
   loaded.timeSteps = extent->volumes;
   if (auto there = skipTo(options.timeStep, *header, *extent, loaded.notes); !there) return passOn(there.error());

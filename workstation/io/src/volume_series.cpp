@@ -12,7 +12,7 @@ Result<VolumeSeries> readVolumeSeries(const std::filesystem::path& file) {
   std::vector<Message> ignored;
   const auto extent = volumeExtentOf(*header, ignored);
   if (!extent) return passOn(extent.error());
-  return VolumeSeries{extent->volumes, extent->grid, header->hasGeometry, header->spacingProblem};
+  return VolumeSeries{extent->volumes, extent->grid, header->hasGeometry && header->spacingProblem.empty(), header->spacingProblem};
 }
 
 }  // namespace ew

@@ -190,7 +190,16 @@ Result<FileKind> kindOfFile(const fs::path& file) {
   std::error_code ec;
   if (!fs::exists(file, ec))
     return failure(ErrorCode::notFound, say<"There is no file or folder '%1'; check the name.">(file), {{"file", file.string()}});
-  if (fs::is_directory(file, ec)) return !stackFiles(file) && !dicomFilesIn(file).empty() ? FileKind::dicomStack : FileKind::pictures;
+  if (fs::is_directory(file, ec)) {
+    const auto pictures = stackFiles(file);
+    const auto dicom = dicomFilesIn(file);
+    if (dicom.empty()) return FileKind::pictures;
+    if (!pictures) return FileKind::dicomStack;
+    return failure(ErrorCode::unsupported,
+                   say<"'%1' holds both pictures (.png, .jpg, .pgm: %2) and DICOM files (%3), and one volume is made of one kind; put them "
+                       "into folders of their own.">(file.filename(), pictures->size(), dicom.size()),
+                   {{"file", file.string()}});
+  }
   // Opening a pipe to see what it begins with would wait for whoever writes into it.
   if (!fs::is_regular_file(file, ec))
     return failure(ErrorCode::notReadable,

@@ -40,6 +40,7 @@ class GameController final : public AxisDeviceThread {
       if (!owner) rest({LinkState::connecting, say<"Another part of the program uses the game controller.">(), {}});
       pause(1.0);
     }
+    SDL_TLSCleanup();  // the thread is not SDL's, which keeps an error's words for each that called it
   }
 
  private:

@@ -30,10 +30,12 @@ struct OpenedScreen {
 /// @param outline one that is known, see findScreen()
 /// @param mostFrames of those looked at, spread over the recording; all are counted and timed
 /// @param turned what a person says of how the pictures lie, on top of what the file says
+/// @param rate_hz of the pictures by a person, instead of the times that the file states or that are assumed
 /// @error as CineReader::open; badField (an outline that is not in the pictures), cancelled
 [[nodiscard]] Result<OpenedScreen> openScreen(const std::filesystem::path& recording, const std::optional<FanOutline>& outline = {},
                                               Progress& progress = noProgress(), const ReadLimits& limits = {},
-                                              int mostFrames = kScreenFrames, const Orientation& turned = {});
+                                              int mostFrames = kScreenFrames, const Orientation& turned = {},
+                                              const std::optional<double>& rate_hz = {});
 
 /// What a cleaned recording is: its frames without pixels, "Image" to "Picture" (mm from the upper left pixel) where the size of a pixel is
 /// known, and the fan's geometry as fields.

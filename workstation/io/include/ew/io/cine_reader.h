@@ -52,6 +52,7 @@ struct CineInfo {
   bool framesGuessed = false;            ///< from duration and rate: of a film of varying rate `frames` may be far off
   double rate_hz = 0.0;                  ///< that the file promises; 0: it does not say
   bool timesKnown = false;               ///< false: frames are counted at rate_hz, or 25 a second
+  double assumedRate_hz = 0.0;           ///< at which frames are counted because nothing states their times, as a note says; 0: none
   std::vector<StatedScale> scales = {};  ///< calibrated parts: the B-mode regions of DICOM, or the whole by its Pixel Spacing
   Removed removed = {};                  ///< fields left behind
   std::vector<Message> notes = {};
@@ -75,9 +76,11 @@ struct CineInfo {
 class CineReader {
  public:
   /// @param asked to turn and mirror the pictures on top of what the file says
+  /// @param rate_hz of the frames, instead of what the file says or what is assumed
   /// @error notFound, notReadable, badHeader (nothing of it can be read), truncated, tooLarge, unsupported, cancelled
   [[nodiscard]] static Result<CineReader> open(const std::filesystem::path& file, Progress& progress = noProgress(),
-                                               const ReadLimits& limits = {}, const Orientation& asked = {});
+                                               const ReadLimits& limits = {}, const Orientation& asked = {},
+                                               const std::optional<double>& rate_hz = {});
   ~CineReader();
   CineReader(CineReader&&) noexcept;
   CineReader& operator=(CineReader&&) noexcept;
