@@ -171,7 +171,13 @@ TEST(MetaImageVolume, SaysWhenTheSpacingIsProbablyUnknown) {
   const auto placed =
       readVolume(folder.put("b.mha", header("NDims = 3\nDimSize = 2 1 1\nOffset = 0 0 1\nElementType = MET_UCHAR\n") + ramp(2)));
   ASSERT_TRUE(succeeded(placed));
-  EXPECT_TRUE(placed->notes.empty());
+  EXPECT_FALSE(placed->spacingKnown) << "a place says nothing of the spacing";
+  EXPECT_TRUE(contains(placed->notes, "no spacing"));
+  const auto stated = readVolume(folder.put(
+      "c.mha", header("NDims = 3\nDimSize = 2 1 1\nOffset = 0 0 1\nElementSpacing = 1 1 1\nElementType = MET_UCHAR\n") + ramp(2)));
+  ASSERT_TRUE(succeeded(stated));
+  EXPECT_TRUE(stated->spacingKnown);
+  EXPECT_TRUE(stated->notes.empty());
 }
 
 TEST(MetaImageVolume, KnownHeaderSizesAndTrailingSamplesAreHonoured) {
