@@ -95,7 +95,8 @@ TEST(CaseNew, TakesAStepOfAFileOfVolumesAndOneLengthOrThreeForItsVoxels) {
     EXPECT_NE(refused.err.find("one length or 3"), std::string::npos) << refused.err;
   }
   ASSERT_EQ(makes("a", {"--time-step", "2", "--spacing", "1,1,2.5"}).status, 0);
-  const auto volume = readVolume(std::filesystem::path(folder / "a") / readJson(folder / "a/case.json")["volume"]["file"].get<std::string>());
+  const auto volume =
+      readVolume(std::filesystem::path(folder / "a") / readJson(folder / "a/case.json")["volume"]["file"].get<std::string>());
   ASSERT_TRUE(volume) << volume.error();
   EXPECT_EQ(volume->volume.grid.spacing_mm, glm::dvec3(1.0, 1.0, 2.5));
   EXPECT_EQ(volume->volume.echo.front(), 'b');
