@@ -110,7 +110,7 @@ function(ew_add_test name)
   endif()
   include(GoogleTest)
   math(EXPR timeout_s "${arg_TIMEOUT} * ${EW_TEST_SLOWDOWN}")
-  gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${timeout_s})
+  gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 300 PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${timeout_s})
   if(EW_SANITIZE)
     target_compile_definitions(test_${name} PRIVATE EW_TEST_SLOWDOWN=${EW_TEST_SLOWDOWN})
     # The PROPERTIES of gtest_discover_tests cannot carry a list; ctest reads this file after the tests were discovered.
