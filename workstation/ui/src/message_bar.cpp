@@ -147,10 +147,14 @@ QString MessageBar::text() const { return front() != nullptr ? front()->sentence
 QString MessageBar::details() const { return front() != nullptr ? front()->details : QString(); }
 bool MessageBar::isError() const { return front() != nullptr && front()->kind == Kind::error; }
 
+/// Its words get their size only when it is in sight, after whoever places it has asked for its height.
+bool MessageBar::event(QEvent* event) {
+  const bool isDone = QFrame::event(event);
+  if (event->type() == QEvent::LayoutRequest && !isHidden()) Q_EMIT rearranged();
+  return isDone;
+}
+
 int MessageBar::heightFor(int width_px) const {
-  // What was never in sight has not got the size of its words yet.
-  for (QWidget* each : {static_cast<QWidget*>(sentence_), static_cast<QWidget*>(details_), static_cast<QWidget*>(more_)})
-    each->ensurePolished();
   const QLayout& rows = *layout();
   return rows.hasHeightForWidth() ? rows.totalHeightForWidth(width_px) : rows.totalSizeHint().height();
 }

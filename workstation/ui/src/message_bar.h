@@ -53,6 +53,9 @@ class MessageBar final : public QFrame {
  Q_SIGNALS:
   void rearranged();  ///< its height may have changed, or it came or went
 
+ protected:
+  bool event(QEvent* event) override;
+
  private:
   enum class Kind { note, error };
   struct Line {
