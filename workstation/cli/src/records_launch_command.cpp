@@ -215,12 +215,11 @@ bool isCalled(const std::string& person, const Learner& learner, const std::stri
 }
 
 /// Who first gave a name in the window that a launch opened: the learner, whatever they call themselves. Empty: nobody.
-std::string firstPersonOf(const std::string& launch, const fs::path& library) {
-  std::optional<Attempt> first;
-  for (auto& each : listAttempts(attemptsFolder(library)).attempts)
-    if (each.second.launch == launch && !each.second.person.empty() && (!first || each.second.startedAt < first->startedAt))
-      first = std::move(each.second);
-  return first ? first->person : std::string();
+std::string firstPersonOf(const std::string& launch, const AttemptList& list) {
+  const Attempt* first = nullptr;
+  for (const auto& [folder, attempt] : list.attempts)
+    if (attempt.launch == launch && !attempt.person.empty() && (first == nullptr || attempt.startedAt < first->startedAt)) first = &attempt;
+  return first != nullptr ? first->person : std::string();
 }
 
 /// Whether an attempt is the learner's: their launch began it and nobody else sat down meanwhile, or it bears one of their names or none.
@@ -232,7 +231,8 @@ Result<void> expectOwn(const Attempt& attempt, const Learner& learner, const Rec
         say<"The attempt '%1' was begun by somebody else's launch, and this one is for '%2'; nothing was told.">(attempt.id, called),
         {{"attempt", attempt.id}});
   if (attempt.person.empty() || isCalled(attempt.person, learner, arguments.person)) return {};
-  if (!attempt.launch.empty() && attempt.person == firstPersonOf(attempt.launch, arguments.libraryPlace())) return {};
+  if (!attempt.launch.empty() && attempt.person == firstPersonOf(attempt.launch, listAttempts(attemptsFolder(arguments.libraryPlace()))))
+    return {};
   return failure(
       ErrorCode::badUsage,
       say<"The attempt '%1' is by '%2', and the launch is for '%3'; give --person '%2' when this is the same person. Nothing was "
@@ -249,8 +249,9 @@ struct LaunchedAttempts {
 LaunchedAttempts attemptsOf(const std::string& launch, const Learner& learner, const LaunchedLesson& lesson, std::chrono::sys_seconds since,
                             const RecordsArguments& arguments) {
   LaunchedAttempts found;
-  const std::string first = firstPersonOf(launch, arguments.libraryPlace());
-  for (auto& each : listAttempts(attemptsFolder(arguments.libraryPlace())).attempts) {
+  const AttemptList list = listAttempts(attemptsFolder(arguments.libraryPlace()));
+  const std::string first = firstPersonOf(launch, list);
+  for (const auto& each : list.attempts) {
     const Attempt& attempt = each.second;
     if (attempt.caseId != lesson.caseId || attempt.lessonId != lesson.lessonId || !attempt.finishedAt) continue;
     if (attempt.launch != launch)
