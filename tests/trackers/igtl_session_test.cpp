@@ -216,6 +216,27 @@ TEST(IgtlSession, AConnectionThatIsSilentForLongOrLostItsStepIsOpenedAnew) {
   EXPECT_EQ(it.queue.status().refused, 1u);
 }
 
+TEST(IgtlSession, ATickAtItsTimeDoesWhatIsDueAtEveryHourOfAComputersClock) {
+  std::mt19937 random(38);
+  for (int n = 0; n < 4000; ++n) {
+    Simulated it;
+    it.now_s = std::exp(std::uniform_real_distribution<double>(0.0, std::log(4e7))(random));  // a second to a year since it started
+    it.session.opened(it.now_s);
+    it.now_s += 0.01;
+    Bytes heard;
+    if (n % 4 != 0) heard = igtlBytes(test::statusMessage(n % 4 == 1 ? 12 : 1));
+    if (n % 4 == 3) append(heard, igtlBytes(test::transformMessage(test::igtlPoseNumber(n))));
+    if (n % 8 >= 4) heard.insert(heard.end(), 20, 1);  // a message that never ends
+    ASSERT_TRUE(it.hear(heard));
+    for (bool isOpen = true; isOpen;) {
+      const double due_s = it.session.tick_s();
+      ASSERT_GT(due_s, it.now_s) << "due for ever at " << std::hexfloat << due_s;
+      it.now_s = due_s;
+      isOpen = it.session.tick(due_s);
+    }
+  }
+}
+
 TEST(IgtlSession, AStreamOfMadeUpNamesDoesNotFillTheMemory) {
   Simulated it;
   it.session.opened(it.now_s);

@@ -11,6 +11,10 @@ constexpr std::size_t kIgtlMostTools = 64;  // as the queue: made-up names must 
 constexpr double kIgtlTroubleLasts_s = 2.0;
 constexpr double kIgtlLookEvery_s = 0.25;  // PLUS says STATUS as often when it has nothing else to say
 
+/// Whether @p wait_s is over. The end of the wait is the same sum that tick_s() gives: the difference of two clock readings can be a last
+/// digit short of it, and who is called at tick_s() would then be called for ever.
+bool isOver(double since_s, double wait_s, double now_s) { return now_s >= since_s + wait_s; }
+
 std::string igtlAddressText(const IgtlSettings& settings) {
   const bool isIpv6 = settings.host.find(':') != std::string::npos;
   return (isIpv6 ? "[" + settings.host + "]" : settings.host) + ":" + std::to_string(settings.port);
@@ -122,25 +126,27 @@ void IgtlSession::lookForMissing(double now_s) {
 
 bool IgtlSession::tick(double now_s) {
   if (!isOpen_) return true;
-  if (now_s - bytes_s_ >= timing_.anewAfter_s) {
+  if (isOver(bytes_s_, timing_.anewAfter_s, now_s)) {
     closed(now_s, say<"Nothing came from %1 for long; the connection is opened anew. Check that the server runs and sends.">(address_));
     return false;
   }
-  if (now_s - message_s_ >= timing_.stepLostAfter_s && bytes_s_ > message_s_) {
+  if (bytes_s_ > message_s_ && isOver(message_s_, timing_.stepLostAfter_s, now_s)) {
     closed(now_s, say<"What %1 sends holds no message any more; the connection is opened anew.">(address_));
     return false;
   }
-  if (now_s - message_s_ >= timing_.silentAfter_s) {
+  if (isOver(message_s_, timing_.silentAfter_s, now_s)) {
     tell(Told::noBytes, now_s);
-  } else if (now_s - pose_s_ >= timing_.silentAfter_s && told_ != Told::trouble) {
+  } else if (isOver(pose_s_, timing_.silentAfter_s, now_s) && told_ != Told::trouble) {
     tell(Told::noPoses, now_s);
   }
-  if (!heardPose_ && now_s - asked_s_ >= (asked_s_ > opened_s_ ? timing_.asksEvery_s : timing_.asksAfter_s)) {
+  if (!heardPose_ && isOver(asked_s_, questionPause_s(), now_s)) {
     asked_s_ = now_s;
     ask("STT_TDATA", igtlStartTrackingContent(), 1);
   }
   return true;
 }
+
+double IgtlSession::questionPause_s() const { return asked_s_ > opened_s_ ? timing_.asksEvery_s : timing_.asksAfter_s; }
 
 double IgtlSession::tick_s() const {
   if (!isOpen_) return attempt_s_;
@@ -148,7 +154,7 @@ double IgtlSession::tick_s() const {
   if (bytes_s_ > message_s_) next_s = std::min(next_s, message_s_ + timing_.stepLostAfter_s);
   if (told_ == Told::connected) next_s = std::min(next_s, pose_s_ + timing_.silentAfter_s);
   if (told_ == Told::noPoses || told_ == Told::trouble) next_s = std::min(next_s, message_s_ + timing_.silentAfter_s);
-  if (!heardPose_) next_s = std::min(next_s, asked_s_ + (asked_s_ > opened_s_ ? timing_.asksEvery_s : timing_.asksAfter_s));
+  if (!heardPose_) next_s = std::min(next_s, asked_s_ + questionPause_s());
   return next_s;
 }
 

@@ -26,6 +26,7 @@ class IgtlSession {
   /// What time alone brings: to be called at tick_s() or earlier.
   /// @return as received()
   [[nodiscard]] bool tick(double now_s);
+  /// When tick() is due next, seconds. A tick at exactly this time does what is due: afterwards it is later, or the connection is closed.
   [[nodiscard]] double tick_s() const;
   [[nodiscard]] double attempt_s() const { return attempt_s_; }
   /// What is to be sent; given once.
@@ -46,6 +47,7 @@ class IgtlSession {
   void takeStatus(const IgtlStatus& status, double now_s);
   void sayMissing(const std::string& tool, double device_s, double now_s);
   void lookForMissing(double now_s);
+  [[nodiscard]] double questionPause_s() const;
   void tell(Told what, double now_s);
   [[nodiscard]] Message sentenceFor(Told what) const;
   void ask(const char* type, std::vector<std::uint8_t> content, int version);
