@@ -7,7 +7,7 @@
 #include <QSignalBlocker>
 
 #include "case_catalogue.h"
-#include "flow_layout.h"
+#include "ew/sdk/flow_layout.h"
 #include "theme.h"
 #include "words.h"
 
@@ -19,7 +19,7 @@ constexpr int kShortestChoice = 12;  // letters
 }  // namespace
 
 CaseFilters::CaseFilters(QWidget* parent) : QWidget(parent) {
-  auto* line = new FlowLayout(kGrid_px);
+  auto* line = new sdk::FlowLayout(kGrid_px);
   setLayout(line);
   kind_ = addChoice("kindFilter", tr("Where cases come from"));
   region_ = addChoice("regionFilter", tr("Region"));
