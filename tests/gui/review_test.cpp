@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPlainTextEdit>
+#include <QScrollBar>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QTranslator>
@@ -122,7 +123,11 @@ class ReviewTest final : public WindowFixture {
   }
 
  private Q_SLOTS:
-  void cleanup() { window_.reset(); }
+  void cleanup() {
+    window_.reset();
+    QSettings().remove(QStringLiteral("textSize"));
+    setTextSize(100);
+  }
 
   void twoScansGoOnOneClockAndAligned() {
     openReview();
@@ -464,18 +469,24 @@ class ReviewTest final : public WindowFixture {
 
   void everyPageFitsHasNamesAndIsReachedInBothLanguages_data() {
     QTest::addColumn<QString>("language");
-    QTest::newRow("English") << QStringLiteral("en");
-    QTest::newRow("German") << QStringLiteral("de");
+    QTest::addColumn<int>("text_percent");
+    QTest::addColumn<QSize>("size");
+    QTest::newRow("English") << QStringLiteral("en") << 100 << QSize(1280, 720);
+    QTest::newRow("German") << QStringLiteral("de") << 100 << QSize(1280, 720);
+    QTest::newRow("German, large words") << QStringLiteral("de") << 200 << QSize(1366, 768);
   }
   void everyPageFitsHasNamesAndIsReachedInBothLanguages() {
     QFETCH(QString, language);
+    QFETCH(int, text_percent);
+    QFETCH(QSize, size);
+    QSettings().setValue(QStringLiteral("textSize"), text_percent);
     QTranslator german;
     if (language == QLatin1String("de")) {
       QVERIFY(german.load(QStringLiteral(":/ew/translations/echoweave_de.qm")));
       QVERIFY(QApplication::installTranslator(&german));
       QLocale::setDefault(QLocale(QStringLiteral("de_DE")));
     }
-    openReview();
+    openReview(size);
     if (QTest::currentTestFailed()) return;
     chooseAnn();
     showTab(1);
@@ -486,11 +497,14 @@ class ReviewTest final : public WindowFixture {
     QStringList wrong;
     const auto look = [&](const char* page) {
       settle();
-      if (window_->width() > 1280 || window_->height() > 720)
-        wrong << QLatin1String(page) + QStringLiteral(" makes the window larger") << wideWidgets(*window_, 1280);
+      if (window_->width() > size.width() || window_->height() > size.height())
+        wrong << QLatin1String(page) + QStringLiteral(" makes the window larger") << wideWidgets(*window_, size.width());
       for (const QString& each : cutTexts(*window_)) wrong << QLatin1String(page) + QStringLiteral(", cut: ") + each;
       for (const QString& each : namelessControls(*window_)) wrong << QLatin1String(page) + QStringLiteral(", without a name: ") + each;
-      const std::string name = "review-" + language.toStdString() + "-" + page;
+      for (const QScrollBar* each : find<QWidget>("panel_review")->findChildren<QScrollBar*>())
+        if (each->orientation() == Qt::Horizontal && each->isVisible())
+          wrong << QLatin1String(page) + QStringLiteral(" is read sideways: ") + nameOf(*each);
+      const std::string name = "review-" + language.toStdString() + (text_percent > 100 ? "-large-" : "-") + page;
       keep(name.c_str());
     };
     const char* pages[] = {"scans", "comments", "scores", "rating"};

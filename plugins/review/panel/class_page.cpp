@@ -114,6 +114,7 @@ QWidget* ClassPage::makeDetails() {
   rows->addWidget(numbers_);
   auto* levelRow = new QHBoxLayout;
   auto* levelName = new QLabel(tr("Pass level of this step"));
+  levelName->setWordWrap(true);
   level_ = new sdk::NumberField(0.0, 100.0, 0, QStringLiteral("%"));
   level_->setObjectName(QStringLiteral("classLevel"));
   level_->setAccessibleName(tr("Pass level of this step"));

@@ -3,6 +3,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
@@ -25,7 +26,7 @@ constexpr double kComment_s = 1.0;     // so near to its moment a drawing is see
 constexpr double kLeastStep_mm = 0.3;  // between two points of a line
 
 /// Two columns of settings below each other.
-constexpr int kSettingColumns = 2;
+constexpr int kSettingColumns = 2, kSettingRows = 5;
 
 }  // namespace
 
@@ -70,10 +71,10 @@ void PictureView::setDrawn(std::vector<CommentStroke> strokes) {
 }
 
 int PictureView::headHeight() const { return withText(28, font()); }
-int PictureView::settingsHeight() const {
-  const int rows = (10 + kSettingColumns - 1) / kSettingColumns;
-  return rows * withText(17, font()) + kGap_px;
-}
+/// Where all of them would leave the image less than twice their own height, only those are written that differ.
+bool PictureView::showsAllSettings() const { return height() - headHeight() >= 3 * settingsHeight(kSettingRows); }
+int PictureView::settingsHeight(int rows) const { return rows * withText(17, font()) + kGap_px; }
+int PictureView::settingsHeight() const { return settingsHeight(showsAllSettings() ? kSettingRows : 1); }
 
 QRectF PictureView::imageRect() const { return QRectF(0, headHeight(), width(), std::max(40, height() - headHeight() - settingsHeight())); }
 
@@ -86,13 +87,19 @@ void PictureView::ask() {
 
 void PictureView::show(const std::shared_ptr<const MadePicture>& picture) {
   picture_ = picture;
-  update();
-  if (other_ != nullptr) other_->update();  // its settings may differ from new ones
+  showSettings();
+  if (other_ != nullptr) other_->showSettings();  // its settings may differ from new ones
   Q_EMIT shown();
+}
+
+void PictureView::showSettings() {
+  setToolTip(showsAllSettings() ? QString() : shownSettings().join(QLatin1Char('\n')));
+  update();
 }
 
 void PictureView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  showSettings();
   ask();
 }
 
@@ -231,7 +238,8 @@ void PictureView::paintStroke(QPainter& painter, const CommentStroke& stroke, co
 }
 
 void PictureView::paintSettings(QPainter& painter) const {
-  const QStringList lines = shownSettings();
+  QStringList lines = shownSettings();
+  if (!showsAllSettings()) lines = lines.filter(QRegularExpression(QStringLiteral("^≠"))).mid(0, kSettingColumns);
   painter.setFont(smaller(*this));
   const int row = withText(17, font());
   const double wide = (width() - 2.0 * kGap_px) / kSettingColumns;

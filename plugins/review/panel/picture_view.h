@@ -59,7 +59,10 @@ class PictureView final : public QWidget {
   void paintSettings(QPainter& painter) const;
   void paintEmpty(QPainter& painter) const;
   [[nodiscard]] int headHeight() const;
+  [[nodiscard]] bool showsAllSettings() const;
+  [[nodiscard]] int settingsHeight(int rows) const;
   [[nodiscard]] int settingsHeight() const;
+  void showSettings();
 
   Side side_;
   ReviewSession& session_;

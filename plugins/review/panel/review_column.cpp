@@ -15,6 +15,7 @@
 #include <set>
 
 #include "ew/reports/report_document.h"
+#include "ew/sdk/flow_layout.h"
 #include "ew/sdk/panel.h"
 #include "ew/sdk/person.h"
 #include "panel/comments_page.h"
@@ -122,10 +123,14 @@ void ScansPage::makeButtons(QVBoxLayout& rows) {
   again->setToolTip(tr("Looks for attempts that were made meanwhile"));
   connect(again, &QPushButton::clicked, this, [this] { session_.readShelf(); });
   rows.addLayout(buttons);
-  auto* more = new QHBoxLayout;
-  more->addWidget(file, 1);
-  more->addWidget(again, 1);
-  rows.addLayout(more);
+  auto* more = new QWidget;
+  auto* flow = new sdk::FlowLayout(kGap_px);
+  more->setLayout(flow);
+  for (QPushButton* each : {file, again}) {
+    each->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    flow->addWidget(each);
+  }
+  rows.addWidget(more);
 }
 
 void ScansPage::refresh() {

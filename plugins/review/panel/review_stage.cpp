@@ -10,6 +10,7 @@
 #include <QToolButton>
 
 #include "ew/bridge/scene3d.h"
+#include "ew/sdk/flow_layout.h"
 #include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
 #include "panel/class_page.h"
@@ -43,6 +44,24 @@ QPushButton* smallButton(const QString& text, const QString& tip, const char* na
   button->setToolTip(tip);
   button->setFocusPolicy(Qt::TabFocus);
   return button;
+}
+
+/// Buttons that are one choice: no gap between them, and no end of a line.
+QWidget* together(const std::vector<QPushButton*>& segments) {
+  auto* group = new QWidget;
+  auto* row = new QHBoxLayout(group);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  for (QPushButton* each : segments) row->addWidget(each);
+  return group;
+}
+
+/// A row of controls that goes on in a next line where text is large and the window small.
+sdk::FlowLayout* controlRow(QWidget* bar) {
+  auto* row = new sdk::FlowLayout(kGap_px / 2);
+  row->setContentsMargins(kGap_px, kGap_px / 2, kGap_px, kGap_px / 2);
+  bar->setLayout(row);
+  return row;
 }
 
 QWidget* hairline() {
@@ -147,13 +166,14 @@ QWidget* ReviewStage::makeBodyFrame() {
   connect(planes, &QPushButton::toggled, this, [this](bool on) { body_->setPlanesShown(on); });
   auto* front = smallButton(tr("Front"), tr("Look from the front"), "reviewFront");
   connect(front, &QPushButton::clicked, this, [this] { body_->showFrom(bridge::CameraPreset::front); });
-  auto* head = new QHBoxLayout;
-  head->setContentsMargins(kGap_px / 2, kGap_px / 2, kGap_px / 2, kGap_px / 2);
-  head->setSpacing(kGap_px / 2);
-  head->addWidget(heat_, 1);
-  head->addWidget(planes);
-  head->addWidget(front);
-  rows->addLayout(head);
+  heat_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  auto* head = new QWidget;
+  sdk::FlowLayout* row = controlRow(head);
+  row->setContentsMargins(kGap_px / 2, kGap_px / 2, kGap_px / 2, kGap_px / 2);
+  row->addWidget(heat_);
+  row->addWidget(planes);
+  row->addWidget(front);
+  rows->addWidget(head);
   rows->addWidget(body_, 1);
   return frame;
 }
@@ -171,9 +191,7 @@ QToolButton* ReviewStage::iconButton(const char* name, const char* icon, const Q
 
 QWidget* ReviewStage::makeTransport() {
   auto* bar = new QWidget;
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(kGap_px, kGap_px / 2, kGap_px, kGap_px / 2);
-  row->setSpacing(kGap_px / 2);
+  sdk::FlowLayout* row = controlRow(bar);
   const auto button = [&](const char* name, const char* icon, const QString& tip, auto does) {
     auto* made = iconButton(name, icon, tip);
     connect(made, &QToolButton::clicked, this, does);
@@ -204,17 +222,13 @@ QWidget* ReviewStage::makeTransport() {
   atEnd_->setCheckable(true);
   connect(atEnd_, &QPushButton::clicked, this, [this](bool on) { session_.setAtEnd(on ? AtEnd::beginAnew : AtEnd::rest); });
   row->addWidget(atEnd_);
-  row->addStretch(1);
+  row->addStretch();
   oneClock_ = segment(tr("One clock"), tr("Both scans go on in the same seconds, each from its beginning"), "reviewOneClock", "first");
   aligned_ = segment(tr("Aligned"), tr("The expert's scan follows the trainee's probe: the same places at the same time (T)"),
                      "reviewAligned", "last");
   connect(oneClock_, &QPushButton::clicked, this, [this] { session_.setAligned(false); });
   connect(aligned_, &QPushButton::clicked, this, [this] { session_.setAligned(true); });
-  auto* modes = new QHBoxLayout;
-  modes->setSpacing(0);
-  modes->addWidget(oneClock_);
-  modes->addWidget(aligned_);
-  row->addLayout(modes);
+  row->addWidget(together({oneClock_, aligned_}));
   offset_ = new sdk::NumberField(-kMostOffset_s, kMostOffset_s, 1, QStringLiteral("s"));
   offset_->setObjectName(QStringLiteral("reviewOffset"));
   offset_->setProperty("small", true);
@@ -230,32 +244,26 @@ QWidget* ReviewStage::makeTransport() {
 
 QWidget* ReviewStage::makeDrawing() {
   drawing_ = new QWidget;
-  auto* row = new QHBoxLayout(drawing_);
-  row->setContentsMargins(kGap_px, kGap_px / 2, kGap_px, kGap_px / 2);
-  row->setSpacing(kGap_px / 2);
+  sdk::FlowLayout* row = controlRow(drawing_);
   const auto tool = [&](const QString& text, const QString& tip, const char* name, const char* place, CommentStroke::Kind kind) {
     auto* made = segment(text, tip, name, place);
     connect(made, &QPushButton::clicked, this, [this, kind](bool on) { chooseTool(on ? std::optional(kind) : std::nullopt); });
-    row->addWidget(made);
     tools_.push_back(made);
   };
-  row->setSpacing(0);
   tool(tr("Line"), tr("Draw a line on the trainee's image (D)"), "reviewLine", "first", CommentStroke::Kind::line);
   tool(tr("Arrow"), tr("Draw an arrow on the trainee's image"), "reviewArrow", "true", CommentStroke::Kind::arrow);
   tool(tr("Circle"), tr("Draw a circle on the trainee's image, from its middle"), "reviewCircle", "last", CommentStroke::Kind::circle);
+  row->addWidget(together(tools_));
   dropDrawing_ = smallButton(tr("Clear"), tr("Take away what was drawn (Escape)"), "reviewDropDrawing");
   connect(dropDrawing_, &QPushButton::clicked, this, [this] { reviewed_->setDrawn({}); });
-  row->addSpacing(kGap_px / 2);
   row->addWidget(dropDrawing_);
   commentText_ = new QLineEdit;
   commentText_->setObjectName(QStringLiteral("reviewCommentText"));
   commentText_->setMaxLength(2000);
   commentText_->setPlaceholderText(tr("What do you see at this moment?"));
   commentText_->setAccessibleName(tr("Comment at this moment"));
-  row->addSpacing(kGap_px);
-  row->addWidget(commentText_, 1);
+  row->addWidget(commentText_);
   addComment_ = smallButton(tr("Comment"), tr("Keep text and drawing as a comment at this moment (Enter)"), "reviewAddComment");
-  row->addSpacing(kGap_px / 2);
   row->addWidget(addComment_);
   connect(commentText_, &QLineEdit::returnPressed, this, &ReviewStage::writeComment);
   connect(commentText_, &QLineEdit::textEdited, this, [this] {
