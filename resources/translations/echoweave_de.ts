@@ -239,6 +239,10 @@
         <translation>%1 Ein Stitching-Projekt sagt das mit &quot;accept_small&quot;: true im Eintrag von „%2“; oder den Schwenk für sich rekonstruieren und stattdessen sein Volumen nehmen.</translation>
     </message>
     <message>
+        <source>%1 Below the list it can be taken as it is.</source>
+        <translation>%1 Unter der Liste kann er genommen werden, wie er ist.</translation>
+    </message>
+    <message>
         <source>%1 To say so, reconstruct the sweep by itself, which asks about it, and choose its volume instead.</source>
         <translation>%1 Um das zu sagen, den Schwenk für sich rekonstruieren, wobei danach gefragt wird, und stattdessen sein Volumen wählen.</translation>
     </message>
@@ -13171,6 +13175,14 @@
 <context>
     <name>ew::stitching::StitchSession</name>
     <message>
+        <source>take %1 as it is</source>
+        <translation>%1 nehmen, wie es ist</translation>
+    </message>
+    <message>
+        <source>ask about %1 again</source>
+        <translation>wieder nach %1 fragen</translation>
+    </message>
+    <message>
         <source>aligned</source>
         <translation>passt</translation>
     </message>
@@ -13805,6 +13817,14 @@
 </context>
 <context>
     <name>ew::stitching::VolumeList</name>
+    <message>
+        <source>Take it although little is kept</source>
+        <translation>Nehmen, obwohl wenig bleibt</translation>
+    </message>
+    <message>
+        <source>Less than a tenth of this sweep&apos;s pixels or frames becomes part of the volume, and that is meant</source>
+        <translation>Weniger als ein Zehntel der Bildpunkte oder Bilder dieses Schwenks wird Teil des Volumens, und das ist gemeint</translation>
+    </message>
     <message>
         <source>call %1 &apos;%2&apos;</source>
         <translation>%1 „%2“ nennen</translation>

@@ -76,6 +76,32 @@ class StitchingCareTest : public StitchingFixture {
     keepPicture("32-calibrated");
   }
 
+  void aSweepOfWhichLittleIsKeptIsTakenOnceThatIsMeant() {
+    openWindow(files_.writeCase(QStringLiteral("little case")));
+    drop({writeUncalibrated(QStringLiteral("strip.igs.mha"))});
+    QVERIFY(jobsEnd());
+    QVERIFY(!find<QCheckBox>("acceptsSmall")->isVisible());
+    const QString device = files_.path(QStringLiteral("strip.xml"));
+    QVERIFY(writeFileSafely(device.toStdString(),
+                            "<PlusConfiguration><CoordinateDefinitions><Transform From=\"Image\" To=\"Probe\" "
+                            "Matrix=\"1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\"/></CoordinateDefinitions>"
+                            "<VolumeReconstruction ClipRectangleOrigin=\"4 0\" ClipRectangleSize=\"2 30\"/></PlusConfiguration>"));
+    QMetaObject::invokeMethod(stitching(), "setCalibrationFile", Q_ARG(int, 0), Q_ARG(QString, device));
+    QVERIFY(jobsEnd());
+    QVERIFY2(problem().startsWith(QStringLiteral("Only 7.5 % of the pixels")), qPrintable(problem()));
+    QVERIFY2(!problem().contains(QStringLiteral("accept_small")), qPrintable(problem()));
+    QCOMPARE(lineOf(0), QStringLiteral("sweep, not yet a volume"));
+    QVERIFY(find<QCheckBox>("acceptsSmall")->isVisible());
+    checkNoTextIsCut();
+    keepPicture("34-little");
+    QTest::mouseClick(find<QCheckBox>("acceptsSmall"), Qt::LeftButton, {}, QPoint(8, find<QCheckBox>("acceptsSmall")->height() / 2));
+    QVERIFY(jobsEnd());
+    QVERIFY2(problem().isEmpty(), qPrintable(problem()));
+    QVERIFY2(lineOf(0).contains(QStringLiteral("×")), qPrintable(lineOf(0)));
+    QCOMPARE(project()["volumes"].toArray()[0].toObject()["accept_small"].toBool(), true);
+    QVERIFY2(find<QCheckBox>("acceptsSmall")->isVisible(), "it can be taken back");
+  }
+
   void whatAHandPlacedIsNotSaidToBeProvedAndMatchingAllMatchesIt() {
     openWindow(files_.writeCase(QStringLiteral("hand case")));
     drop({parts_[0].file, parts_[1].file});

@@ -42,8 +42,24 @@ bool isSweepFile(const fs::path& file, sdk::Volumes& volumes) {
   return info && info->sweep;
 }
 
+bool asksForConsent(const Error& problem) {
+  return std::find(problem.context.begin(), problem.context.end(), std::pair<std::string, std::string>("ask", "accept-small")) !=
+         problem.context.end();
+}
+
 /// A sweep of which something has to be said before it is a volume: it stays in the list, where that can be done.
-bool canBeMended(const Error& problem) { return problem.code == ErrorCode::missingCalibration || problem.code == ErrorCode::tooLarge; }
+bool canBeMended(const Error& problem) {
+  return problem.code == ErrorCode::missingCalibration || problem.code == ErrorCode::tooLarge || asksForConsent(problem);
+}
+
+/// The chain says how a project's text answers; here a box below the list does.
+Error asAskedHere(Error problem) {
+  if (asksForConsent(problem) && !problem.message.arguments().empty()) {
+    const Message question = problem.message.arguments().front();
+    problem.message = ew::say<"%1 Below the list it can be taken as it is.">(question);
+  }
+  return problem;
+}
 
 /// A volume as it is, a sweep as the chain's first step makes one of it.
 Result<Volume> readOne(const ProjectVolume& line, bool isSweep, const fs::path& folder, sdk::Volumes& volumes, Progress& progress) {
@@ -59,7 +75,7 @@ Result<Volume> readOne(const ProjectVolume& line, bool isSweep, const fs::path& 
   options.until = Step::reconstruct;
   options.isFolderOwn = true;
   auto state = runChain(one, folder, options, progress);
-  if (!state) return passOn(state.error());
+  if (!state) return passOn(asAskedHere(state.error()));
   if (state->volumes.empty() || !state->volumes.front())
     return failure(ErrorCode::notReadable, say<"'%1' gave no volume; check what kind of file it is.">(line.file));
   return *state->volumes.front();
@@ -88,6 +104,7 @@ Result<void> readLines(const std::vector<ProjectVolume>& lines, const fs::path& 
     if (!isSweep || !canBeMended(volume.error())) continue;
     into.volumes.emplace_back(lines[n], nullptr);
     into.reasons[keyOf(lines[n])] = volume.error().message;
+    if (asksForConsent(volume.error())) into.little.insert(keyOf(lines[n]));
   }
   if (first) return passOn(*first);
   return {};
@@ -165,6 +182,7 @@ void StitchSession::takeRead(FilesRead& read, const Result<void>& outcome) {
     added.push_back(line);
   }
   sweeps_.merge(read.sweeps);
+  little_.merge(read.little);
   if (!added.empty()) {
     const QString step =
         added.size() == 1 ? tr("add %1").arg(words(added.front().name)) : tr("add %n volumes", nullptr, static_cast<int>(added.size()));
@@ -187,6 +205,7 @@ void StitchSession::readVolumes() {
   struct Read {
     std::vector<std::pair<std::string, std::shared_ptr<const Volume>>> volumes;  ///< null: it cannot be read
     std::map<std::string, Message> reasons;                                      ///< of these
+    std::set<std::string> little;                                                ///< of these, those with too little
     std::set<fs::path> sweeps;
     std::optional<Error> first;
   };
@@ -208,6 +227,7 @@ void StitchSession::readVolumes() {
           if (progress.cancelRequested()) return failure(ErrorCode::cancelled, ew::say<"Reading was cancelled.">());
           if (!volume && !read->first) read->first = volume.error();
           if (!volume) read->reasons[keyOf(lines[n])] = volume.error().message;
+          if (!volume && asksForConsent(volume.error())) read->little.insert(keyOf(lines[n]));
           read->volumes.emplace_back(keyOf(lines[n]), volume ? std::make_shared<const Volume>(std::move(*volume)) : nullptr);
         }
         return {};
@@ -223,6 +243,7 @@ void StitchSession::readVolumes() {
             session->unreadable_[key] = read->reasons[key];
         }
         session->sweeps_.merge(read->sweeps);
+        session->little_.merge(read->little);
         if (!outcome)  // cancelled: not asked again until the file is added anew
           for (const auto& line : lines)
             if (session->volumes_.count(keyOf(line)) == 0) session->unreadable_.try_emplace(keyOf(line));
@@ -236,6 +257,21 @@ std::shared_ptr<const Volume> StitchSession::volume(std::size_t index) const {
   if (index >= project().volumes.size()) return nullptr;
   const auto at = volumes_.find(keyOf(project().volumes[index]));
   return at != volumes_.end() ? at->second : nullptr;
+}
+
+bool StitchSession::asksAboutLittle(std::size_t index) const {
+  if (index >= project().volumes.size()) return false;
+  const ProjectVolume& line = project().volumes[index];
+  return line.acceptsSmall || little_.count(keyOf(line)) != 0;
+}
+
+void StitchSession::setAcceptsSmall(std::size_t index, bool accepts) {
+  if (index >= project().volumes.size() || project().volumes[index].acceptsSmall == accepts) return;
+  StitchProject next = project();
+  next.volumes[index].acceptsSmall = accepts;
+  Q_EMIT problem({});
+  edit(std::move(next),
+       accepts ? tr("take %1 as it is").arg(words(letterOf(index))) : tr("ask about %1 again").arg(words(letterOf(index))));
 }
 
 bool StitchSession::isUnreadable(std::size_t index) const {

@@ -24,6 +24,7 @@ struct StitchSession::Inbox {
 struct FilesRead {
   std::vector<std::pair<ProjectVolume, std::shared_ptr<const Volume>>> volumes;  ///< null: a sweep that still needs something
   std::map<std::string, Message> reasons;                                        ///< of these, by keyOf
+  std::set<std::string> little;  ///< keyOf those that are asked about: too little of them is kept
   std::set<std::filesystem::path> sweeps;
   int failed = 0;
 };
@@ -47,7 +48,7 @@ struct ChainMade {
 /// What makes two lines of a project the same voxels.
 [[nodiscard]] inline std::string keyOf(const ProjectVolume& volume) {
   return volume.file.string() + '\n' + volume.coverage.string() + '\n' + volume.confidence.string() + '\n' + volume.calibration.string() +
-         '\n' + std::to_string(volume.spacing_mm);
+         '\n' + std::to_string(volume.spacing_mm) + (volume.acceptsSmall ? "\naccepts small" : "");
 }
 
 }  // namespace ew::stitching

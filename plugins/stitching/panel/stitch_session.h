@@ -83,6 +83,9 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   // What was found.
   [[nodiscard]] std::shared_ptr<const Volume> volume(std::size_t index) const;  ///< null: not read yet, or it cannot be read
   [[nodiscard]] bool isUnreadable(std::size_t index) const;
+  /// So little of a sweep is kept that a person has to say it is meant, or one has said so.
+  [[nodiscard]] bool asksAboutLittle(std::size_t index) const;
+  void setAcceptsSmall(std::size_t index, bool accepts);
   [[nodiscard]] QString whyUnreadable(std::size_t index) const;
   [[nodiscard]] bool isSweep(std::size_t index) const;  ///< as far as it was looked at
   /// How a sweep becomes a volume; it is read again.
@@ -274,6 +277,7 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
 
   std::map<std::string, std::shared_ptr<const Volume>> volumes_;  ///< by keyOf
   std::map<std::string, Message> unreadable_;                     ///< by keyOf: why
+  std::set<std::string> little_;                                  ///< keyOf those of which too little is kept
   std::set<std::filesystem::path> sweeps_;                        ///< files that were seen to be some
   bool reading_ = false;
   bool running_ = false;

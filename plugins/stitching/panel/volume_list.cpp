@@ -1,5 +1,6 @@
 #include "panel/volume_list.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFileDialog>
 #include <QHBoxLayout>
@@ -183,6 +184,13 @@ QWidget* VolumeList::makeChosenBox() {
   connect(small(tr("Remove"), tr("Take this volume off the list; its file stays (Delete)"), "remove"), &QPushButton::clicked, this,
           &VolumeList::removeChosen);
   column->addWidget(makeSweepRow());
+  acceptsSmall_ = new QCheckBox(tr("Take it although little is kept"));
+  acceptsSmall_->setObjectName(QStringLiteral("acceptsSmall"));
+  acceptsSmall_->setToolTip(tr("Less than a tenth of this sweep's pixels or frames becomes part of the volume, and that is meant"));
+  connect(acceptsSmall_, &QCheckBox::clicked, this, [this](bool on) {
+    if (const auto chosen = session_.chosenVolume()) session_.setAcceptsSmall(*chosen, on);
+  });
+  column->addWidget(acceptsSmall_);
   return chosenBox_;
 }
 
@@ -220,6 +228,7 @@ void VolumeList::showSweepRow() {
   const auto chosen = session_.chosenVolume();
   const bool isSweep = chosen && session_.isSweep(*chosen);
   sweepRow_->setVisible(isSweep);
+  acceptsSmall_->setVisible(isSweep && session_.asksAboutLittle(*chosen));
   if (!isSweep) return;
   const ProjectVolume& line = session_.project().volumes[*chosen];
   const QString file = words(line.calibration.filename().string());
@@ -230,6 +239,7 @@ void VolumeList::showSweepRow() {
           ? tr("A device set (.xml) that says where the pixels lie on the probe; needed by a sweep that does not say it itself")
           : tr("Calibration from %1; click to choose another file").arg(words(line.calibration.string())));
   sweepSpacing_->setValue(line.spacing_mm);
+  acceptsSmall_->setChecked(line.acceptsSmall);
 }
 
 void VolumeList::chooseCalibration() {

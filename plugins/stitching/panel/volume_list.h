@@ -4,6 +4,7 @@
 
 #include "panel/stitch_session.h"
 
+class QCheckBox;
 class QComboBox;
 class QListWidget;
 class QPushButton;
@@ -46,6 +47,7 @@ class VolumeList final : public QWidget {
   QWidget* sweepRow_ = nullptr;  ///< how the chosen sweep becomes a volume
   QPushButton* calibration_ = nullptr;
   sdk::NumberField* sweepSpacing_ = nullptr;
+  QCheckBox* acceptsSmall_ = nullptr;
   bool showing_ = false;
 };
 

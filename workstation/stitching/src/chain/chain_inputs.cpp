@@ -23,7 +23,7 @@ using nlohmann::ordered_json;
 /// Of a sweep's volume, in the store.
 constexpr std::array<const char*, 3> kSweepFiles = {"volume.mha", "coverage.mha", "confidence.mha"};
 
-/// As checkKept, with what a person can do about it here.
+/// As checkKept, with what a person can do about it here. The message's first argument is the question: a window answers it otherwise.
 Result<void> checkKeptOf(const OpenedSweep& opened, const std::string& name) {
   auto enough = checkKept(opened.plan.kept, opened.plan.acceptsSmall, opened.sweep);
   if (enough) return {};
