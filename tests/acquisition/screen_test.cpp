@@ -31,6 +31,11 @@ struct Worst {
   int screensWithText = 0;
 };
 
+bool isDoubted(const FoundScreen& found) {
+  return std::any_of(found.notes.begin(), found.notes.end(),
+                     [](const Message& note) { return note.english().find("found with doubt") != std::string::npos; });
+}
+
 /// The outline beside the drawn one: says every figure and keeps the worst.
 void compareOutline(const DrawnScreen& screen, const FoundScreen& found, unsigned seed, Worst& worst) {
   ASSERT_TRUE(found.outline) << "screen " << seed << ", quality " << found.quality;
@@ -40,6 +45,7 @@ void compareOutline(const DrawnScreen& screen, const FoundScreen& found, unsigne
   EXPECT_GE(overlap, 0.98) << seed;
   worst.overlap = std::min(worst.overlap, overlap);
   worst.quality = std::min(worst.quality, found.quality);
+  EXPECT_EQ(isDoubted(found), found.quality < 0.9) << seed << ", quality " << found.quality;
   if (screen.truth.shape == FanShape::linear || found.outline->shape == FanShape::linear) return;
   const double apex_mm = glm::distance(found.outline->apex_px, screen.truth.apex_px) * screen.pixel_mm;
   const double angle_deg =

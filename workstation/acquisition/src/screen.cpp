@@ -178,6 +178,9 @@ FoundScreen findScreen(const ScreenStatistics& statistics, const std::optional<F
     found.notes.push_back(say<"The outline of the scan was not found; state it in a correction.">());
     return found;
   }
+  if (found.quality < kSureQuality)
+    found.notes.push_back(
+        say<"The outline of the scan was found with doubt; compare it with a picture, and correct it where it is wrong.">());
   const float background = detail::backgroundOf(statistics);
   found.ticks = detail::findTicks(statistics, *found.outline, background);
   const auto text = detail::findText(statistics, *found.outline);

@@ -86,6 +86,8 @@ struct FoundScreen {
 
 /// Below this quality the outline counts as not found.
 inline constexpr double kLeastQuality = 0.4;
+/// Below this one it is given with a note of doubt: recorded and made screens whose outline was right had 0.93 and more.
+inline constexpr double kSureQuality = 0.9;
 
 /// Finds everything. The outline: what changes from frame to frame (or, of one still picture, what is bright) is cleaned by morphology;
 /// candidates of two straight sides come from a seeded random sample of its silhouette; outline points are then measured along the normals
