@@ -108,6 +108,86 @@ TEST(LiveEchoes, AreTheSamePixelsOnEveryTargetAndWithAnyNumberOfThreads) {
   testing::onEveryTarget([&](const char* target) { EXPECT_EQ(pictureOf(maps, shot), one) << target; });
 }
 
+TEST(LiveEchoes, AreBrighterWhereTheBeamIsFocusedAsItsEnergySays) {
+  const TissueMaps tissue = tissueOf([](const glm::dvec3&) { return 140.0; });
+  constexpr double kDepth_mm = 120.0;  // the probe's
+  const auto meanNear = [&](double focus_mm, double at_mm) {
+    Shot shot;
+    shot.knobs.focus_mm = focus_mm;
+    return meanOf(levelsBetween(pictureOf(tissue, shot), shot, at_mm - 5.0, at_mm + 5.0, 30.0));
+  };
+  // The energy of a Gaussian beam as wide as an apodised aperture's, two-way with dynamic reception, written out once more.
+  const auto brightness_db = [&](double focus_mm, double at_mm) {
+    const double wavelength = 1540.0 / 3500.0, width = 1.4 * wavelength / 2.3548200450309493, aperture = 0.75 * convex().aperture_mm;
+    const double waist = width * std::max(2.0, focus_mm / aperture), range = 2.0 * std::numbers::pi * waist * waist / wavelength;
+    const double transmit = waist * std::hypot(1.0, (at_mm - focus_mm) / range), receive = std::max(2.0 * width, width * at_mm / aperture);
+    return 10.0 * std::log10(receive / std::hypot(transmit, receive));
+  };
+  for (const double focus_mm : {20.0, 90.0, 110.0})
+    for (const double at_mm : {20.0, 60.0, 105.0}) {
+      const double raw_db = brightness_db(focus_mm, at_mm) - brightness_db(0.5 * kDepth_mm, at_mm);
+      EXPECT_NEAR((meanNear(focus_mm, at_mm) - meanNear(0.0, at_mm)) / kGreyPerDb, 6.0 * std::tanh(raw_db / 6.0), 0.7)
+          << "focus " << focus_mm << " mm, seen at " << at_mm << " mm";
+    }
+}
+
+TEST(LiveEchoes, KeepTheirScatterersAndTheirUsualBrightnessWhateverTheFocus) {
+  const TissueMaps tissue = tissueOf([](const glm::dvec3&) { return 140.0; });
+  Shot shot, half;
+  half.knobs.focus_mm = 60.0;
+  EXPECT_EQ(pictureOf(tissue, half), pictureOf(tissue, shot)) << "half of the depth is the usual focus";
+  for (const double carrier_hz : {2.5e6, 3.5e6, 5e6}) {
+    Shot usual, turned;
+    usual.knobs.carrier_hz = turned.knobs.carrier_hz = carrier_hz;
+    turned.knobs.focus_mm = 40.0;
+    EXPECT_GT(correlation(levelsBetween(pictureOf(tissue, usual), usual, 20.0, 110.0),
+                          levelsBetween(pictureOf(tissue, turned), turned, 20.0, 110.0)),
+              0.7)
+        << carrier_hz;
+  }
+  // What comes behind the beam does not know of it.
+  const TissueMaps nothing = tissueOf([](const glm::dvec3&) { return 0.0; });
+  Shot noise;
+  noise.scene.noise = NoiseEffect{.atFace_db = -30.0, .growth_dbPerCmMhz = 0.0};
+  Shot turned = noise;
+  turned.knobs.focus_mm = 20.0;
+  EXPECT_EQ(pictureOf(nothing, turned), pictureOf(nothing, noise));
+}
+
+TEST(LiveEchoes, OfSurfacesAreBrightenedByTheFocusAsSpeckleIs) {
+  TissueMaps maps = tissueOf([](const glm::dvec3&) { return 0.0; });
+  addPlane(maps, {.name = "plane", .echoLevel = 170.0, .rough_db = -60.0}, 100.0);
+  const TissueMaps tissue = tissueOf([](const glm::dvec3&) { return 140.0; });
+  const auto peakOf = [&](double focus_mm) {
+    Shot shot;
+    shot.scene.sliceThickness.reset();
+    shot.knobs.focus_mm = focus_mm;
+    const std::vector<double> levels = levelsBetween(pictureOf(maps, shot), shot, 95.0, 105.0, 4.0);
+    return *std::max_element(levels.begin(), levels.end());
+  };
+  const auto speckleOf = [&](double focus_mm) {
+    Shot shot;
+    shot.knobs.focus_mm = focus_mm;
+    return meanOf(levelsBetween(pictureOf(tissue, shot), shot, 95.0, 105.0, 30.0));
+  };
+  const double mirror_db = (peakOf(20.0) - peakOf(0.0)) / kGreyPerDb, speckle_db = (speckleOf(20.0) - speckleOf(0.0)) / kGreyPerDb;
+  EXPECT_LT(speckle_db, -3.0);
+  EXPECT_NEAR(mirror_db, speckle_db, 1.0);
+}
+
+TEST(LiveEchoes, OfSeveralFociAreAtEachDepthThoseOfTheNarrowest) {
+  const TissueMaps tissue = tissueOf([](const glm::dvec3&) { return 140.0; });
+  const auto meanNear = [&](double first_mm, double second_mm, double at_mm) {
+    Shot shot;
+    shot.knobs.focus_mm = first_mm;
+    shot.knobs.moreFoci_mm[0] = second_mm;
+    return meanOf(levelsBetween(pictureOf(tissue, shot), shot, at_mm - 5.0, at_mm + 5.0, 30.0)) / kGreyPerDb;
+  };
+  EXPECT_NEAR(meanNear(25.0, 105.0, 25.0), meanNear(25.0, 0.0, 25.0), 0.2);
+  EXPECT_NEAR(meanNear(25.0, 105.0, 105.0), meanNear(105.0, 0.0, 105.0), 0.2);
+  EXPECT_GT(meanNear(25.0, 105.0, 105.0), meanNear(25.0, 0.0, 105.0) + 3.0);
+}
+
 TEST(LiveEchoes, MirrorWhereASurfaceLiesSquareToTheBeam) {
   // A plane at 60 mm, square to the middle beam, or turned away by 20 degrees.
   const auto peakOf = [](double lean_deg) {

@@ -20,15 +20,30 @@ double rayleighRange_mm(double oneWaySigma_mm, double wavelength_mm) {
 
 }  // namespace
 
-double EchoBeams::lateralSigma_mm(double depth_mm) const {
+double EchoBeams::Transmit::sigma_mm(double depth_mm, bool widens) const {
+  const double off = widens ? (depth_mm - focus_mm) / range_mm : 0.0;
+  return waist_mm * std::sqrt(1.0 + off * off);
+}
+
+double EchoBeams::transmitSigma_mm(double depth_mm) const {
   double transmit = std::numeric_limits<double>::infinity();
-  for (int n = 0; n < foci; ++n) {
-    const Transmit& each = transmits[static_cast<std::size_t>(n)];
-    const double off = focuses ? (depth_mm - each.focus_mm) / each.range_mm : 0.0;
-    transmit = std::min(transmit, each.waist_mm * std::sqrt(1.0 + off * off));
-  }
+  for (int n = 0; n < foci; ++n) transmit = std::min(transmit, transmits[static_cast<std::size_t>(n)].sigma_mm(depth_mm, focuses));
+  return transmit;
+}
+
+double EchoBeams::twoWaySigma_mm(double transmit_mm, double depth_mm) const {
   const double receive = std::max(receiveLeast_mm, receivePerDepth * depth_mm);
-  return lateralScale * transmit * receive / std::sqrt(transmit * transmit + receive * receive);
+  return lateralScale * transmit_mm * receive / std::sqrt(transmit_mm * transmit_mm + receive * receive);
+}
+
+double EchoBeams::lateralSigma_mm(double depth_mm) const { return twoWaySigma_mm(transmitSigma_mm(depth_mm), depth_mm); }
+double EchoBeams::usualLateralSigma_mm(double depth_mm) const { return twoWaySigma_mm(usual.sigma_mm(depth_mm, focuses), depth_mm); }
+
+double EchoBeams::focusGain_db(double depth_mm) const {
+  if (!focuses || (foci == 1 && transmits[0] == usual)) return 0.0;
+  const double receive = std::max(receiveLeast_mm, receivePerDepth * depth_mm);
+  const double set = std::hypot(transmitSigma_mm(depth_mm), receive), with = std::hypot(usual.sigma_mm(depth_mm, true), receive);
+  return focusStrength * kMostFocusGain_db * std::tanh(10.0 * std::log10(with / set) / kMostFocusGain_db);
 }
 
 double EchoBeams::elevationalSigma_mm(double depth_mm) const {
@@ -48,11 +63,14 @@ EchoBeams echoBeamsOf(const Probe& probe, const Knobs& knobs, const Scene& scene
   const double width = kApodisedWidth * beams.wavelength_mm / kFwhmOfSigma;
   const double aperture_mm = effect.apertureShare * probe.aperture_mm;
   beams.foci = 0;
-  const auto addFocus = [&](double focus_mm) {
+  const auto focusedAt = [&](double focus_mm) -> EchoBeams::Transmit {
     const double waist = width * std::max(kFNumber, focus_mm / aperture_mm);
-    beams.transmits[static_cast<std::size_t>(beams.foci++)] = {focus_mm, waist, rayleighRange_mm(waist, beams.wavelength_mm)};
+    return {focus_mm, waist, rayleighRange_mm(waist, beams.wavelength_mm)};
   };
-  addFocus(probe.kind == ProbeKind::sweptSector ? probe.elevationalFocus_mm : knobs.focus_mm > 0.0 ? knobs.focus_mm : 0.5 * depth_mm);
+  const auto addFocus = [&](double focus_mm) { beams.transmits[static_cast<std::size_t>(beams.foci++)] = focusedAt(focus_mm); };
+  const double usual_mm = probe.kind == ProbeKind::sweptSector ? probe.elevationalFocus_mm : 0.5 * depth_mm;
+  beams.usual = focusedAt(usual_mm);
+  addFocus(probe.kind != ProbeKind::sweptSector && knobs.focus_mm > 0.0 ? knobs.focus_mm : usual_mm);
   if (probe.kind != ProbeKind::sweptSector) {
     for (const double more_mm : knobs.moreFoci_mm) {
       if (more_mm > 0.0) addFocus(more_mm);
@@ -61,6 +79,7 @@ EchoBeams echoBeamsOf(const Probe& probe, const Knobs& knobs, const Scene& scene
   beams.focuses = scene.focus.has_value() && scene.focus->strength > 0.0;
   beams.receivePerDepth = width / aperture_mm;
   beams.receiveLeast_mm = width * effect.receiveFNumber;
+  beams.focusStrength = beams.focuses ? std::min(1.0, scene.focus->strength) : 0.0;
   beams.lateralScale = effect.lineFilterWidth * (beams.focuses ? scene.focus->strength : 1.0);
 
   const double thickness_mm = probe.elevationalThickness_mm * (scene.sliceThickness ? scene.sliceThickness->scale : 1.0);

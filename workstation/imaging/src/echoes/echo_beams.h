@@ -14,6 +14,8 @@ namespace ew::detail {
 ///   receive    r = s max(N_r, z / D): focused at every depth, N_r the effect's F-number
 ///   lateral    t r / sqrt(t^2 + r^2), times the width of the line filter (machines add up neighbouring lines)
 ///   elevation  w sqrt(1 + ((z - F_e) / Z_e)^2): a lens, opened to the elements' height at the face
+/// A beam carries the same energy wherever it is focused, so that tissue is brighter where it is narrow: intensity r / sqrt(t^2 + r^2).
+/// The machine's own depth compensation is set for the usual focus (half the depth), which therefore shows tissue as it is.
 /// Source: Gaussian beams as in Cobbold, Foundations of Biomedical Ultrasound (2007), ch. 3. Ours departs: no side lobes (the haze of
 /// echo_lines.h stands for them), one carrier at every depth.
 struct EchoBeams {
@@ -27,13 +29,16 @@ struct EchoBeams {
     double waist_mm = 1.0;
     double range_mm = 40.0;
     bool operator==(const Transmit&) const = default;
+    [[nodiscard]] double sigma_mm(double depth_mm, bool widens) const;
   };
   std::array<Transmit, kMostFoci> transmits{};
   int foci = 1;
+  Transmit usual{};     ///< where the machine focuses when nobody says where
   bool focuses = true;  ///< else as narrow everywhere as at the focus
   double receivePerDepth = 0.01;
   double receiveLeast_mm = 0.2;
   double lateralScale = 1.0;
+  double focusStrength = 1.0;  ///< of what the focus does to the brightness, 0..1
 
   bool isSlice = true;  ///< the elevational beam is as thick as the probe's; else as thin everywhere as at its focus
   double lensFocus_mm = 80.0;
@@ -43,13 +48,24 @@ struct EchoBeams {
   bool operator==(const EchoBeams&) const = default;
 
   [[nodiscard]] double lateralSigma_mm(double depth_mm) const;
+  /// The same with the usual focus.
+  [[nodiscard]] double usualLateralSigma_mm(double depth_mm) const;
   [[nodiscard]] double elevationalSigma_mm(double depth_mm) const;
+  /// How much brighter the foci make echoes than the usual one does: 0 when it is the usual one, within kMostFocusGain_db both ways.
+  [[nodiscard]] double focusGain_db(double depth_mm) const;
   /// Looks are taken at wave numbers (both ways) this far apart: intensities of neighbours correlate by 1/e^2.
   [[nodiscard]] double lookStep_radPerMm() const { return 2.0 / axialSigma_mm; }
+
+ private:
+  [[nodiscard]] double transmitSigma_mm(double depth_mm) const;
+  [[nodiscard]] double twoWaySigma_mm(double transmit_mm, double depth_mm) const;
 };
 
 /// @param knobs within limits, with a carrier the probe has
 [[nodiscard]] EchoBeams echoBeamsOf(const Probe& probe, const Knobs& knobs, const Scene& scene, double depth_mm);
+
+/// What a machine's compensation leaves of the focus at most (ours: a beam of Gaussians would say more far from a shallow focus).
+inline constexpr double kMostFocusGain_db = 6.0;
 
 /// Full width at half maximum over the standard deviation of a Gaussian.
 inline constexpr double kFwhmOfSigma = 2.3548200450309493;

@@ -35,16 +35,20 @@ void layRows(EchoLayout& layout) {
   layout.tiles = (layout.columns + kTileColumns - 1) / kTileColumns;
 }
 
-/// The squares of the lateral beam have the integral 1, whatever its width: speckle keeps its level with depth.
+/// The squares of the lateral beam have the integral 1, whatever its width: speckle keeps its level with depth, but for what the focus
+/// does.
 void layLateral(EchoLayout& layout) {
   layout.lateral.assign(static_cast<std::size_t>(layout.tiles), {});
   layout.reachOfTile.assign(static_cast<std::size_t>(layout.tiles), 1);
+  layout.focusFactor.resize(static_cast<std::size_t>(layout.tiles * kTileColumns));
   constexpr int kWidth = 2 * kTileColumns;
   for (int tile = 0; tile < layout.tiles; ++tile) {
     std::vector<double> sigma(kTileColumns), spacing(kTileColumns);
     int& reach = layout.reachOfTile[static_cast<std::size_t>(tile)];
     for (int c = 0; c < kTileColumns; ++c) {
       const double depth_mm = std::clamp(layout.depthOfColumn_mm(tile * kTileColumns + c), 0.0, layout.depth_mm);
+      layout.focusFactor[static_cast<std::size_t>(tile * kTileColumns + c)] =
+          static_cast<float>(std::pow(10.0, 0.05 * layout.beams.focusGain_db(depth_mm)));
       spacing[static_cast<std::size_t>(c)] = std::max(layout.rowSpacing_mm(depth_mm), 1e-6);
       sigma[static_cast<std::size_t>(c)] = layout.beams.lateralSigma_mm(depth_mm) / spacing[static_cast<std::size_t>(c)];
       reach = std::max(reach, static_cast<int>(std::ceil(kLateralReach * sigma[static_cast<std::size_t>(c)])));
@@ -56,7 +60,8 @@ void layLateral(EchoLayout& layout) {
       const double width = sigma[static_cast<std::size_t>(c)];
       double power = 0.0;
       for (int t = -reach; t <= reach; ++t) power += std::exp(-(t * t) / (width * width));
-      const double strength = 1.0 / std::sqrt(power * spacing[static_cast<std::size_t>(c)]);
+      const double strength = static_cast<double>(layout.focusFactor[static_cast<std::size_t>(tile * kTileColumns + c)]) /
+                              std::sqrt(power * spacing[static_cast<std::size_t>(c)]);
       for (int t = 0; t <= reach; ++t) {
         const auto weight = static_cast<float>(strength * std::exp(-0.5 * t * t / (width * width)));
         weights[static_cast<std::size_t>(t * kWidth + 2 * c)] = weights[static_cast<std::size_t>(t * kWidth + 2 * c + 1)] = weight;
@@ -103,7 +108,7 @@ double echoPitch_mm(const EchoBeams& beams, double depth_mm, double scatterersPe
   double cell_mm3 = std::numeric_limits<double>::infinity();
   for (int n = 0; n <= 64; ++n) {
     const double at_mm = depth_mm * n / 64.0;
-    cell_mm3 = std::min(cell_mm3, beams.lateralSigma_mm(at_mm) * beams.elevationalSigma_mm(at_mm));
+    cell_mm3 = std::min(cell_mm3, beams.usualLateralSigma_mm(at_mm) * beams.elevationalSigma_mm(at_mm));
   }
   cell_mm3 *= beams.axialSigma_mm * kFwhmOfSigma * kFwhmOfSigma * kFwhmOfSigma;
   const double steps = std::floor(2.0 * std::log2(std::cbrt(cell_mm3 / scatterersPerCell) / kCoarsest_mm));

@@ -32,6 +32,7 @@ struct EchoLayout {
   /// Lateral beam, symmetric: by tile, by distance in rows 0 .. reachOfTile, a weight per column, twice (real and imaginary parts).
   std::vector<std::vector<float>> lateral;
   std::vector<int> reachOfTile;
+  std::vector<float> focusFactor;         ///< by column: what the focus does to amplitudes (EchoBeams::focusGain_db); in `lateral` already
   std::vector<float> pulse;               ///< by distance in columns
   std::vector<std::vector<float>> turns;  ///< by look: the phase that brings its carrier to the middle, per column, as (cos, sin)
   double lookScale = 1.0;                 ///< keeps the mean level that one look has
@@ -44,7 +45,8 @@ struct EchoLayout {
 /// Distance of samples along a line that the pulse of these beams asks for.
 [[nodiscard]] double echoSpacing_mm(const EchoBeams& beams, const LiveEchoesEffect& effect);
 
-/// Pitch of the lattice of scatterers: as few as the smallest resolution cell needs.
+/// Pitch of the lattice of scatterers: as few as the smallest resolution cell needs with the usual focus, so that who turns the focus sees
+/// the same scatterers.
 [[nodiscard]] double echoPitch_mm(const EchoBeams& beams, double depth_mm, double scatterersPerCell);
 
 /// @param grid made with echoSpacing_mm

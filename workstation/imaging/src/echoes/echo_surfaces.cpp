@@ -165,7 +165,9 @@ void EchoSurfaces::configure(const EchoLayout& layout) {
       sum += (t == 0 ? 1.0 : 2.0) * weight;
       power += (t == 0 ? 1.0 : 2.0) * weight * weight;
     }
-    const double rest = static_cast<double>(layout.pulse.front()) * layout.lookScale * kDepositUnit;
+    // What the focus does to speckle it does to surfaces: divided out of the weights it stays in.
+    const double rest = static_cast<double>(layout.pulse.front()) * layout.lookScale * kDepositUnit /
+                        static_cast<double>(layout.focusFactor[static_cast<std::size_t>(column)]);
     mirrorScale_[static_cast<std::size_t>(column)] = static_cast<float>(1.0 / (sum * rest));
     roughScale_[static_cast<std::size_t>(column)] = static_cast<float>(1.0 / (std::sqrt(power) * rest));
   }
