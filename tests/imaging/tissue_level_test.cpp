@@ -211,7 +211,7 @@ TEST(TissueLevel, ShowsTheGreyOfTheRecordingThroughTheCurveItWasShownWith) {
   Volume volume = volumeOf({20, 20, 20}, 1.0);
   std::fill(volume.echo.begin(), volume.echo.end(), std::uint8_t{34});
   const double level = meanOf(madeOf(volume, LevelOptions{}));
-  EXPECT_NEAR(shownLevel(tone, level + kGreyPerDb * LiveEchoesEffect{}.gain_db), 34.0, 1.0);
+  EXPECT_NEAR(shownLevel(tone, level + kGreyPerDb * kLevelGain_db), 34.0, 1.0);
 }
 
 TEST(TissueLevel, SaysWhatItNeedsAndStopsWhenAsked) {

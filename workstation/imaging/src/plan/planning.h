@@ -4,6 +4,7 @@
 #include "ew/imaging/effects/beam_gain.h"
 #include "ew/imaging/effects/gain.h"
 #include "ew/imaging/frame.h"
+#include "ew/imaging/tissue_level.h"
 
 namespace ew::detail {
 
@@ -19,13 +20,17 @@ struct FrameSize {
 [[nodiscard]] double beamSpacing_mm(const DisplayGeometry& geometry, const Grid& grid);
 
 /// The scene without what cannot be done for want of tissue maps, or of a recorded volume's grain; and without the little walls and the
-/// texture of drawn tissue where tissue was recorded, which has its own. Live echoes are as good as the knobs ask.
+/// texture of drawn tissue where tissue was recorded, which has its own, as it has the brightness of its machine. Live echoes are as good
+/// as the knobs ask.
 [[nodiscard]] inline Scene knownScene(Scene scene, bool hasTissue, bool isRecorded, Quality quality) {
   if (!hasTissue) scene.liveEchoes.reset();
   if (!scene.liveEchoes) return scene;
   scene.liveEchoes = qualityOf(*scene.liveEchoes, quality);
   if (!isRecorded) scene.liveEchoes->ownGrain = 0.0;
-  if (isRecorded) scene.liveEchoes->fragmentsPerCm3 = scene.liveEchoes->texture_db = 0.0;
+  if (isRecorded) {
+    scene.liveEchoes->fragmentsPerCm3 = scene.liveEchoes->texture_db = 0.0;
+    scene.liveEchoes->gain_db -= LiveEchoesEffect{}.gain_db - kLevelGain_db;
+  }
   return scene;
 }
 /// Whether live echoes take up the grain of the recorded volume.

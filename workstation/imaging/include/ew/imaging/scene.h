@@ -80,11 +80,11 @@ struct LiveEchoesEffect {
   double receiveFNumber = 2.0;    ///< depth over aperture on reception, at least: near the face the aperture opens with depth, 1..4
   double lineFilterWidth = 1.0;   ///< how much neighbouring lines, added up, widen the beam, 1..3
   double lineAverage = 0.25;      ///< what each neighbouring line adds to the envelope of a line, 0..0.3
-  double gain_db = 6.5;           ///< between the levels of the maps and those of the picture, -30..30
+  double gain_db = 9.0;           ///< between the levels of the maps and those of the picture, -30..30
   double texture_db = 1.2;        ///< scatter of the scatterers' strength beside speckle, standard deviation of a normal one, 0..6
   double fragmentsPerCm3 = 37.0;  ///< little walls and fissures too small for maps, of all directions, 0..37; few are seen from one side
   double fragment_db = 16.0;      ///< their echo above the tissue around them, where they lie square to the beam, -20..40
-  double speckleReduction = 0.5;  ///< by how much the machine's filter flattens grain about the mean of 2 mm, 0 (no filter)..0.8
+  double speckleReduction = 0.3;  ///< by how much the machine's filter flattens grain about the mean of 2 mm, 0 (no filter)..0.8
   double haze_db = -29.0;         ///< side lobes' echo of everything at the same depth within 8 mm, below its own, -80 (none)..-10
   double ownGrain = 0.8;          ///< of a recorded volume: how much of its own grain is kept, 0 (all grain is formed anew)..1 (its slice)
   bool operator==(const LiveEchoesEffect&) const = default;

@@ -16,15 +16,19 @@
 
 namespace ew {
 
+/// Decibels that are taken off the level of a recorded volume when it is made, and that live echoes of it add again. Kept levels lie on
+/// disks: this number never changes, whatever gain drawn tissue is shown with.
+inline constexpr double kLevelGain_db = 6.5;
+
 /// How the level of a recorded volume is made.
 struct LevelOptions {
-  double sigma_mm = 1.2;                        ///< of the Gaussian within which power is averaged in even tissue, 0.2..5
-  GreyMap shownWith = GreyMap::clinical;        ///< the curve that made decibels grey when the volume was recorded; never automatic
-  double recordedDynamicRange_db = 60.0;        ///< what grey 0..255 spans along that curve, 20..120
-  double gain_db = LiveEchoesEffect{}.gain_db;  ///< that live echoes add: taken off, so that they show the recording's brightness
-  int threads = 0;                              ///< 0: one per processor; the level does not depend on it
-  int block_voxels = 64;                        ///< edge of the blocks, 8..256; the level does not depend on it
-  std::uint64_t maxBytes = 4ull << 30;  ///< that the threads may hold beside volume and level: fewer work when that is not enough for all
+  double sigma_mm = 1.2;                  ///< of the Gaussian within which power is averaged in even tissue, 0.2..5
+  GreyMap shownWith = GreyMap::clinical;  ///< the curve that made decibels grey when the volume was recorded; never automatic
+  double recordedDynamicRange_db = 60.0;  ///< what grey 0..255 spans along that curve, 20..120
+  double gain_db = kLevelGain_db;         ///< taken off, so that live echoes show the recording's brightness
+  int threads = 0;                        ///< 0: one per processor; the level does not depend on it
+  int block_voxels = 64;                  ///< edge of the blocks, 8..256; the level does not depend on it
+  std::uint64_t maxBytes = 4ull << 30;    ///< that the threads may hold beside volume and level: fewer work when that is not enough for all
 };
 
 /// Grey 0..255 of a recording as the level (0..255, on the scale of its recorded dynamic range) that `shownWith` shows as this grey: the
