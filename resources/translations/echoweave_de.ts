@@ -7691,6 +7691,10 @@
         <translation>Zu viel vom Ultraschallbild steht still, als dass sich Text darüber von Echos unterscheiden ließe; nach Text suchen und seine Kästen hinzufügen.</translation>
     </message>
     <message>
+        <source>The outline of the scan was found with doubt; compare it with a picture, and correct it where it is wrong.</source>
+        <translation>Der Umriss des Scans wurde nur unsicher gefunden; mit einem Bild vergleichen und berichtigen, wo er falsch ist.</translation>
+    </message>
+    <message>
         <source>The outline of the scan was not found; state it in a correction.</source>
         <translation>Der Umriss des Ultraschallbilds wurde nicht gefunden; ihn in einer Korrektur angeben.</translation>
     </message>
@@ -14887,8 +14891,8 @@
         <translation>Zeilen außerhalb des Fokus werden gröber abgetastet und wieder gestreckt (%1)</translation>
     </message>
     <message>
-        <source>Levels this far below full white become black (%1)</source>
-        <translation>So weit unter vollem Weiß wird es schwarz (%1)</translation>
+        <source>How many decibels lie between black and white: fewer give more contrast about the middle greys (%1)</source>
+        <translation>Wie viele Dezibel zwischen Schwarz und Weiß liegen: Weniger ergeben mehr Kontrast um die mittleren Grautöne (%1)</translation>
     </message>
     <message>
         <source>Quality may fall while the probe moves fast, and refines at rest (%1)</source>

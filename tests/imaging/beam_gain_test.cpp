@@ -187,6 +187,7 @@ TEST(BeamGain, OpensBlackByWhatBringsItBackToBlackAndKeepsOrderAndAllLevelsAbove
     for (double& slider : setting.tgc_db) slider = *rc::gen::inRange(-200, 201) / 10.0;
     setting.recordedDynamicRange_db = *rc::gen::inRange(20, 121);
     setting.dynamicRange_db = *rc::gen::inRange(20, 121);
+    setting.middleLevel = *rc::gen::inRange(0, 256);
     const BeamGain gain = makeBeamGain(setting, grid);
     BeamImage echoes(256, grid.samples);
     for (int s = 0; s < grid.samples; ++s)
@@ -197,7 +198,9 @@ TEST(BeamGain, OpensBlackByWhatBringsItBackToBlackAndKeepsOrderAndAllLevelsAbove
     for (int s = 0; s < grid.samples; ++s) {
       const double position = s / (grid.samples - 1.0);
       const double tgc_db = dgcAt(setting.tgc_db, position);
-      const double lift_db = setting.gain_db + tgc_db + setting.dynamicRange_db - setting.recordedDynamicRange_db;
+      const double middle_db = (255.0 - setting.middleLevel) / 255.0 * setting.recordedDynamicRange_db;  // below white
+      const double lift_db =
+          setting.gain_db + tgc_db + setting.middleLevel / 255.0 * (setting.dynamicRange_db - setting.recordedDynamicRange_db);
       RC_ASSERT(lift_db <= setting.largestLift_db() + 1e-9);
       RC_ASSERT(viewOf(shown).at(0, s) < 1e-3F);
       for (int v = 0; v < 256; ++v) {
@@ -205,7 +208,8 @@ TEST(BeamGain, OpensBlackByWhatBringsItBackToBlackAndKeepsOrderAndAllLevelsAbove
         if (v >= 16 || lift_db <= 0.0) RC_ASSERT(viewOf(echoes).at(v, s) == static_cast<float>(v));
         if (v < 16) continue;
         const double below_db = (255.0 - v) / 255.0 * setting.recordedDynamicRange_db - setting.gain_db - tgc_db;
-        RC_ASSERT(std::abs(static_cast<double>(viewOf(shown).at(v, s)) - 255.0 * (1.0 - below_db / setting.dynamicRange_db)) < 0.01);
+        const double expected = setting.middleLevel + 255.0 * (middle_db - below_db) / setting.dynamicRange_db;
+        RC_ASSERT(std::abs(static_cast<double>(viewOf(shown).at(v, s)) - expected) < 0.01);
       }
     }
   }));
@@ -282,6 +286,31 @@ TEST(GainLaws, KeepTheValuesOfTheOtherAndDoNothingWithThem) {
   EXPECT_EQ(made(body, both).picture, made(body, onlyFactors).picture);
   both.gainLaw = GainLaw::paper;
   EXPECT_EQ(made(body, both).picture, made(body, onlyFactors).picture);
+}
+
+TEST(DynamicRange, TurnsAboutTheGreyOfParenchymaByBothLawsAndForBothKindsOfScene) {
+  EXPECT_EQ(middleLevel(false), kMiddleGrey);
+  EXPECT_NEAR(shownLevel({.map = usualGreyMap(true)}, middleLevel(true)), kMiddleGrey, 0.01);
+  std::mt19937 random(4);
+  const Volume body = bodyOf([&](int, int, int) { return 25.0 + random() % 41; });  // about 45
+  const auto spread = [](const Made& picture) {
+    const double mean = picture.mean();
+    double sum = 0.0, count = 0.0;
+    for (int y = 0; y < picture.picture.height; ++y)
+      for (const RowSpan& span : picture.spans[static_cast<std::size_t>(y)])
+        for (int x = span.begin; x < span.end; ++x, ++count) sum += std::pow(viewOf(picture.picture).at(x, y) - mean, 2.0);
+    return std::sqrt(sum / count);
+  };
+  const Made plain = made(body, {});
+  for (const GainLaw law : {GainLaw::decibel, GainLaw::paper})
+    for (const double range_db : {40.0, 80.0}) {
+      Knobs knobs;
+      knobs.gainLaw = law;
+      knobs.dynamicRange_db = range_db;
+      const Made turned = made(body, knobs);
+      EXPECT_NEAR(turned.mean(), plain.mean(), 0.6) << range_db;
+      EXPECT_NEAR(spread(turned) / spread(plain), 60.0 / range_db, 0.04) << range_db;
+    }
 }
 
 TEST(Resolved, IsThePapersAndLinearForARecordedVolumeAndAMachinesForEchoesFormedAnew) {

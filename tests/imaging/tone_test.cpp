@@ -26,7 +26,8 @@ std::vector<std::uint8_t> tableOf(double gain, const Sliders& dgc, const Tone& t
 Tone anyTone() {
   return {.recordedDynamicRange_db = static_cast<double>(*rc::gen::inRange(20, 121)),
           .dynamicRange_db = static_cast<double>(*rc::gen::inRange(20, 121)),
-          .map = *rc::gen::elementOf(kMaps)};
+          .map = *rc::gen::elementOf(kMaps),
+          .middleLevel = static_cast<double>(*rc::gen::inRange(0, 256))};
 }
 
 Sliders anySliders() {
@@ -54,27 +55,35 @@ TEST(Tone, OfTheRecordedRangeAndTheLinearMapIsNeutralAndGivesThePlainTable) {
   }
 }
 
-TEST(Tone, ShowsALevelThatIsNotFaintAtItsDistanceBelowWhiteInDecibels) {
+TEST(Tone, ShowsALevelThatIsNotFaintAtItsDistanceFromTheMiddleInDecibels) {
   EXPECT_TRUE(rc::check("levels", [] {
     const Tone tone{.recordedDynamicRange_db = static_cast<double>(*rc::gen::inRange(20, 121)),
-                    .dynamicRange_db = static_cast<double>(*rc::gen::inRange(20, 121))};
+                    .dynamicRange_db = static_cast<double>(*rc::gen::inRange(20, 121)),
+                    .middleLevel = static_cast<double>(*rc::gen::inRange(0, 256))};
     const double level = *rc::gen::inRange(1600, 25501) / 100.0;
-    const double below_db = (255.0 - level) / 255.0 * tone.recordedDynamicRange_db;
-    RC_ASSERT(std::abs(shownLevel(tone, level) - 255.0 * std::clamp(1.0 - below_db / tone.dynamicRange_db, 0.0, 1.0)) < 1e-9);
+    const double above_db = (level - tone.middleLevel) / 255.0 * tone.recordedDynamicRange_db;
+    RC_ASSERT(std::abs(shownLevel(tone, level) - std::clamp(tone.middleLevel + 255.0 * above_db / tone.dynamicRange_db, 0.0, 255.0)) <
+              1e-9);
   }));
 }
 
-TEST(Tone, NarrowerThanRecordedBlackensTheWeakestAndWiderLeavesBlackBlack) {
-  EXPECT_NEAR(shownLevel({.dynamicRange_db = 40.0}, 85.0), 0.0, 1e-9) << "85 of 255 lies 40 dB below white";
-  EXPECT_EQ(shownLevel({.dynamicRange_db = 40.0}, 60.0), 0.0);
-  EXPECT_NEAR(shownLevel({.dynamicRange_db = 40.0}, 170.0), 127.5, 1e-9);
-  EXPECT_NEAR(shownLevel({.dynamicRange_db = 90.0}, 51.0), 119.0, 1e-9) << "48 dB below white of 90";
+TEST(Tone, NarrowerThanRecordedAddsContrastAboutTheMiddleAndWiderLeavesBlackBlack) {
+  for (const double range_db : {20.0, 40.0, 60.0, 90.0, 120.0})
+    for (const double middle : {45.0, 101.5}) {
+      const Tone tone{.dynamicRange_db = range_db, .middleLevel = middle};
+      EXPECT_NEAR(shownLevel(tone, middle), middle, 1e-9) << "the middle stays";
+      EXPECT_NEAR(shownLevel(tone, middle + 8.0) - shownLevel(tone, middle - 8.0), 16.0 * 60.0 / range_db, 1e-9) << range_db;
+    }
+  EXPECT_NEAR(shownLevel({.dynamicRange_db = 40.0}, 15.0), 0.0, 1e-9) << "30 levels below the middle of 45, half as much again";
+  EXPECT_EQ(shownLevel({.dynamicRange_db = 40.0}, 12.0), 0.0);
+  EXPECT_EQ(shownLevel({.dynamicRange_db = 40.0}, 185.0), 255.0) << "140 above it";
+  EXPECT_NEAR(shownLevel({.dynamicRange_db = 90.0}, 51.0), 49.0, 1e-9);
   for (const double range_db : {61.0, 90.0, 120.0}) {
     EXPECT_NEAR(shownLevel({.dynamicRange_db = range_db}, 0.0), 0.0, 1e-9) << "outside stays outside";
     for (int n = 1; n <= 400; ++n)
       ASSERT_GT(shownLevel({.dynamicRange_db = range_db}, n / 10.0), shownLevel({.dynamicRange_db = range_db}, (n - 1) / 10.0));
   }
-  for (const double range_db : {20.0, 40.0, 90.0, 120.0}) EXPECT_EQ(shownLevel({.dynamicRange_db = range_db}, 255.0), 255.0);
+  for (const double range_db : {20.0, 40.0, 60.0}) EXPECT_EQ(shownLevel({.dynamicRange_db = range_db}, 255.0), 255.0);
 }
 
 TEST(GreyMaps, KeepBlackWhiteAndTheOrder) {
@@ -94,7 +103,8 @@ TEST(GreyMaps, ClinicalGoesThroughWhatWasMeasuredAndRejectsTheWeakest) {
   for (const auto& [ours, shown] : kMeasured) EXPECT_NEAR(shownLevel(clinical, ours), shown, 1e-9);
   for (double below_db = 52.0; below_db <= 60.0; below_db += 0.5) EXPECT_EQ(shownLevel(clinical, 255.0 * (1.0 - below_db / 60.0)), 0.0);
   EXPECT_GT(shownLevel(clinical, 255.0 * (1.0 - 49.0 / 60.0)), 0.5);
-  EXPECT_NEAR(shownLevel({.dynamicRange_db = 40.0, .map = GreyMap::clinical}, 170.0), shownLevel(clinical, 127.5), 1e-9)
+  EXPECT_NEAR(shownLevel({.dynamicRange_db = 40.0, .map = GreyMap::clinical, .middleLevel = 100.0}, 120.0), shownLevel(clinical, 130.0),
+              1e-9)
       << "the curve is of the range that is shown";
 }
 

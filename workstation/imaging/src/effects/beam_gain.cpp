@@ -11,7 +11,7 @@ BeamGain makeBeamGain(const BeamGainSetting& setting, const BeamGrid& grid) {
   EW_EXPECTS(grid.samples >= 2);
   const double greyPerDb = 255.0 / setting.recordedDynamicRange_db;
   const double scale = setting.recordedDynamicRange_db / setting.dynamicRange_db;
-  const double wider_db = setting.dynamicRange_db - setting.recordedDynamicRange_db;
+  const double wider_db = setting.middleLevel / 255.0 * (setting.dynamicRange_db - setting.recordedDynamicRange_db);
   const auto rows = static_cast<std::size_t>(grid.samples);
   BeamGain gain{static_cast<float>(scale), std::vector<float>(rows), std::vector<float>(rows)};
   for (std::size_t row = 0; row < rows; ++row) {

@@ -34,7 +34,7 @@ double usableRange_db(double range_db, double otherwise_db) { return std::clamp(
 
 /// 255 f(x) of shownLevel with its numbers worked out: f = first x + second x^2 + third x^3, or the clinical curve.
 struct ToneCurve {
-  double recordedOverShown = 1.0;
+  double recordedOverShown = 1.0, middle = kMiddleGrey;
   double lift = 0.0;  ///< levels below 0 that a wider range makes 0
   double first = 1.0, second = 0.0, third = 0.0;
   const MonotoneCurve<11>* clinical = nullptr;
@@ -43,7 +43,8 @@ struct ToneCurve {
     const double recorded_db = usableRange_db(tone.recordedDynamicRange_db, 60.0);
     const double shown_db = usableRange_db(tone.dynamicRange_db, recorded_db);
     recordedOverShown = recorded_db / shown_db;
-    lift = std::max(0.0, 255.0 * (shown_db / recorded_db - 1.0));
+    middle = std::clamp(tone.middleLevel, 0.0, 255.0);
+    lift = std::max(0.0, middle * (shown_db / recorded_db - 1.0));
     if (tone.map == GreyMap::soft) first = 2.0, second = -3.0, third = 2.0;
     if (tone.map == GreyMap::contrast) first = 0.0, second = 3.0, third = -2.0;
     if (tone.map == GreyMap::bright) first = 1.7, second = -0.7;
@@ -52,7 +53,7 @@ struct ToneCurve {
   [[nodiscard]] bool isIdentity() const { return recordedOverShown == 1.0 && first == 1.0 && clinical == nullptr; }
   [[nodiscard]] double at(double level) const {
     const double opened = lift > 0.0 ? withBlackOpened(level, lift) : level;
-    const double x = std::max(1.0 - (255.0 - opened) * (recordedOverShown / 255.0), 0.0);
+    const double x = std::clamp(opened * recordedOverShown + middle * (1.0 - recordedOverShown), 0.0, 255.0) / 255.0;
     if (clinical != nullptr) return clinical->at(255.0 * x);
     return 255.0 * x * (first + x * (second + x * third));
   }

@@ -149,7 +149,8 @@ Knobs withCarrierOf(const Probe& probe, const Knobs& knobs) {
 
 BeamGainSetting beamGainOf(const Knobs& knobs, const Scene& scene) {
   const double recorded_db = scene.recordedDynamicRange_db;
-  BeamGainSetting setting{.recordedDynamicRange_db = recorded_db, .dynamicRange_db = recorded_db};
+  BeamGainSetting setting{
+      .recordedDynamicRange_db = recorded_db, .dynamicRange_db = recorded_db, .middleLevel = middleLevel(formsEchoes(scene))};
   if (resolvedGainLaw(knobs, scene) != GainLaw::decibel) return setting;
   setting.dynamicRange_db = shownDynamicRange_db(knobs, scene);
   if (!scene.gainAndDgc) return setting;
@@ -161,7 +162,8 @@ BeamGainSetting beamGainOf(const Knobs& knobs, const Scene& scene) {
 Tone toneOf(const Knobs& knobs, const Scene& scene) {
   const bool isOnBeams = resolvedGainLaw(knobs, scene) == GainLaw::decibel;
   const double recorded_db = scene.recordedDynamicRange_db;
-  return {recorded_db, isOnBeams ? recorded_db : shownDynamicRange_db(knobs, scene), resolvedGreyMap(knobs, scene)};
+  return {recorded_db, isOnBeams ? recorded_db : shownDynamicRange_db(knobs, scene), resolvedGreyMap(knobs, scene),
+          middleLevel(formsEchoes(scene))};
 }
 
 bool hasPaperGain(const Knobs& knobs, const Scene& scene) { return scene.gainAndDgc && resolvedGainLaw(knobs, scene) == GainLaw::paper; }

@@ -29,6 +29,9 @@ enum class DisplayMode { bMode, mMode, both };
 inline constexpr int kDgcSliders = 8;
 inline constexpr int kMostFoci = 4;
 
+/// The grey that stays when the dynamic range is turned: parenchyma, as machines show it (the liver sweep's: 39 to 48).
+inline constexpr double kMiddleGrey = 45.0;
+
 /// The console. Defaults are neutral: an effect at its neutral setting is not run.
 struct Knobs {
   double gain = 1.0;                                            ///< factor of Eq. 3, >= 0; 1 is neutral
@@ -41,7 +44,7 @@ struct Knobs {
   std::array<double, kMostFoci - 1> moreFoci_mm{};  ///< further foci, 0: not used
   FocusMethod focusMethod = FocusMethod::lateralKernel;
   double carrier_hz = 0.0;       ///< one of the probe's frequencies; 0: the probe's own
-  double dynamicRange_db = 0.0;  ///< shown range below full white, 20..120; 0: the range the volume was recorded with
+  double dynamicRange_db = 0.0;  ///< shown about kMiddleGrey, 20..120; 0: the range the volume was recorded with
   GreyMap greyMap = GreyMap::automatic;
   double edgeEnhancement = 0.0;  ///< 0 (neutral)..1
   double persistence = 0.0;      ///< share of the last picture that stays, 0 (neutral)..0.95

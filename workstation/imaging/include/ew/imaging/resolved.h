@@ -14,6 +14,9 @@ namespace ew {
 [[nodiscard]] GainLaw usualGainLaw(bool formsEchoes);
 [[nodiscard]] GreyMap usualGreyMap(bool formsEchoes);
 
+/// The level that the usual map shows as kMiddleGrey: a narrower range adds contrast about it, and blackens nothing that is brighter.
+[[nodiscard]] double middleLevel(bool formsEchoes);
+
 /// What acts: the knobs' own choice, or the usual one of the scene; never `automatic`.
 [[nodiscard]] GainLaw resolvedGainLaw(const Knobs& knobs, const Scene& scene);
 [[nodiscard]] GreyMap resolvedGreyMap(const Knobs& knobs, const Scene& scene);

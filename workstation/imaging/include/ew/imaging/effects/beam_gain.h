@@ -17,7 +17,8 @@ struct BeamGainSetting {
   double gain_db = 0.0;
   std::array<double, kDgcSliders> tgc_db{};  ///< near to far; between them the curve of dgcAt (effects/gain.h)
   double recordedDynamicRange_db = 60.0;     ///< what 0..255 span, > 0
-  double dynamicRange_db = 60.0;             ///< shown, > 0: full white stays, levels this far below it become black
+  double dynamicRange_db = 60.0;             ///< shown, > 0
+  double middleLevel = kMiddleGrey;                 ///< that stays when the range is another than recorded (resolved.h), 0..255
   bool operator==(const BeamGainSetting&) const = default;
 
   [[nodiscard]] bool isNeutral() const {
@@ -26,14 +27,14 @@ struct BeamGainSetting {
   }
   /// How far below recorded black a level comes into sight at most; negative when recorded levels go out of sight at every depth.
   [[nodiscard]] double largestLift_db() const {
-    return gain_db + *std::max_element(tgc_db.begin(), tgc_db.end()) + dynamicRange_db - recordedDynamicRange_db;
+    return gain_db + *std::max_element(tgc_db.begin(), tgc_db.end()) + middleLevel / 255.0 * (dynamicRange_db - recordedDynamicRange_db);
   }
 };
 
 /// The same worked out for each row (depth) of a beam grid: level' = scale * level + offset[row].
 struct BeamGain {
   float scale = 1.0F;         ///< recorded over shown dynamic range
-  std::vector<float> offset;  ///< scale * greyPerDb * (gain_db + TGC(depth)) + 255 (1 - scale)
+  std::vector<float> offset;  ///< scale * greyPerDb * (gain_db + TGC(depth)) + middleLevel (1 - scale)
   std::vector<float> lift;    ///< how many levels below 0 become 0, >= 0
 };
 [[nodiscard]] BeamGain makeBeamGain(const BeamGainSetting& setting, const BeamGrid& grid);

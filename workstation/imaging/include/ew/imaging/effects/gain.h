@@ -28,15 +28,16 @@ void buildGainTable(double gain, const std::array<double, kDgcSliders>& dgc, std
 /// Ranges are brought into 20..120 dB; one that is no number above 0 counts as 60 (recorded) or as the recorded one (shown).
 struct Tone {
   double recordedDynamicRange_db = 60.0;  ///< what 0..255 span
-  double dynamicRange_db = 60.0;          ///< shown: full white stays, levels this far below it become black
+  double dynamicRange_db = 60.0;          ///< shown
   GreyMap map = GreyMap::linear;
+  double middleLevel = kMiddleGrey;  ///< that stays when the range is another than recorded (resolved.h), 0..255
   bool operator==(const Tone&) const = default;
   [[nodiscard]] bool isNeutral() const { return map == GreyMap::linear && dynamicRange_db == recordedDynamicRange_db; }
 };
 
-/// The grey level shown for an echo level 0..255 (before rounding): monotone, 255 stays 255 for every map.
-/// A level lies d = (255 - level) / 255 * recorded dB below full white; with x = 1 - d / shown, clamped to 0..1, it is shown as
-/// 255 f(x), where f keeps 0, 1 and the order, and S(x) = 3 x^2 - 2 x^3:
+/// The grey level shown for an echo level 0..255 (before rounding): monotone, 255 stays 255 for every map of the recorded range.
+/// With m the middle level, 255 x = m + (level - m) recorded / shown, clamped to 0..255: a narrower range adds contrast about m, a wider
+/// one takes some. It is shown as 255 f(x), where f keeps 0, 1 and the order, and S(x) = 3 x^2 - 2 x^3:
 ///   linear    f = x
 ///   soft      f = 2 x - S(x)         half the slope in the middle greys, twice at both ends: flatter tissue, nothing lost in the dark
 ///   contrast  f = S(x)               the slope 1.5 in the middle greys, 0 at both ends
