@@ -68,6 +68,7 @@ TEST(Presets, OfTheProgramFitTheirProbesAndNameWhatThereIs) {
     EXPECT_TRUE(titles.insert(preset.probe + preset.title.english).second) << preset.id;
     EXPECT_TRUE(preset.id.ends_with("-" + preset.probe)) << preset.id;
     EXPECT_FALSE(preset.source.empty()) << preset.id;
+    EXPECT_NE(preset.knobs.greyMap, GreyMap::clinical) << preset.id << ": a recording went through that curve already";
     for (const auto& [folder, id] : {std::pair{"annotations", preset.annotations}, std::pair{"body_marks", preset.bodyMark},
                                      std::pair{"measurements", preset.measurements}})
       EXPECT_TRUE(id.empty() || fs::exists(kResources / folder / (id + ".json"))) << preset.id << ": " << folder << "/" << id;
