@@ -140,6 +140,17 @@ ew_tally() {
     }' "$@"
 }
 
+# ew_sanitizers_run: whether a program with the address and undefined-behaviour sanitizers ends well here (leaks are looked for by way of
+# ptrace, which some containers do not allow).
+ew_sanitizers_run() {
+  local folder status=0
+  folder=$(mktemp -d)
+  printf 'int main() { return 0; }\n' >"$folder/one.cpp"
+  c++ -fsanitize=address,undefined -o "$folder/one" "$folder/one.cpp" 2>/dev/null && "$folder/one" 2>/dev/null || status=1
+  rm -rf "$folder"
+  return "$status"
+}
+
 # ew_finish: the last two lines of ./check, and its exit status.
 ew_finish() {
   local status=$ew_failed
