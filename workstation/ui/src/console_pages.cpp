@@ -88,8 +88,9 @@ void ConsolePanel::addImagePage(QVBoxLayout* rows) {
     return rounded(asked_db > 0.0 ? asked_db : session_.scene().recordedDynamicRange_db);
   };
   addSlider(rows, {tr("Dynamic range"), QStringLiteral("dynamicRange"), QStringLiteral("120 dB"),
-                   tipWithKeys(tr("How many decibels lie between black and white: fewer give more contrast about the middle greys (%1)"), "range.wider | range.narrower"), 20, 120, 5,
-                   shownRange_db,
+                   tipWithKeys(tr("How many decibels lie between black and white: fewer give more contrast about the middle greys (%1)"),
+                               "range.wider | range.narrower"),
+                   20, 120, 5, shownRange_db,
                    [this](int v) {
                      change([this, v](Knobs& k) { k.dynamicRange_db = v == rounded(session_.scene().recordedDynamicRange_db) ? 0.0 : v; });
                    },

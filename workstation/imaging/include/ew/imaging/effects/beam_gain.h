@@ -18,7 +18,7 @@ struct BeamGainSetting {
   std::array<double, kDgcSliders> tgc_db{};  ///< near to far; between them the curve of dgcAt (effects/gain.h)
   double recordedDynamicRange_db = 60.0;     ///< what 0..255 span, > 0
   double dynamicRange_db = 60.0;             ///< shown, > 0
-  double middleLevel = kMiddleGrey;                 ///< that stays when the range is another than recorded (resolved.h), 0..255
+  double middleLevel = kMiddleGrey;          ///< that stays when the range is another than recorded (resolved.h), 0..255
   bool operator==(const BeamGainSetting&) const = default;
 
   [[nodiscard]] bool isNeutral() const {
