@@ -1,12 +1,19 @@
 #include "ew/core/parallel.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <mutex>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
+
+#include "ew/core/quiet_work.h"
 
 namespace ew::parallel_test {
 namespace {
@@ -95,6 +102,33 @@ TEST(ForEachTask, NoTwoTasksAtOnceHaveTheSameWorker) {
 
 TEST(ForEachTask, HasNothingToDoWithoutTasks) {
   EXPECT_TRUE(forEachTask(0, 4, noProgress(), {}, [](int) { FAIL(); }));
+}
+
+int niceness() { return ::getpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid))); }
+
+TEST(QuietWork, RunsOnThreadsAsLowInPriorityAsItsOwnAlsoWithinItsTasks) {
+  std::atomic<int> tasks{0}, loud{0};
+  const int own = niceness(), low = std::min(own + 7, 19);
+  std::jthread([&] {
+    {
+      const QuietWork quietly(low);
+      forEachTask(40, 4, noProgress(), {}, [&](int) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));  // so that no thread does all
+        if (niceness() != low) ++loud;
+        forEachTask(4, 2, noProgress(), {}, [&](int) {
+          ++tasks;
+          if (niceness() != low) ++loud;
+        });
+      });
+    }
+    EXPECT_EQ(niceness(), low) << "it stays low";
+  }).join();
+  EXPECT_EQ(tasks, 160);
+  EXPECT_EQ(loud, 0);
+  forEachTask(40, 4, noProgress(), {}, [&](int) {
+    if (niceness() != own) ++loud;
+  });
+  EXPECT_EQ(loud, 0) << "the shared threads are nobody's";
 }
 
 TEST(ThreadCount, IsWhatWasAskedOrOnePerProcessor) {

@@ -1,8 +1,14 @@
 #include "ew/core/parallel.h"
 
-#ifdef __SANITIZE_THREAD__
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
 #include <vector>
-#else
+
+#include "ew/core/quiet_work.h"
+
+#ifndef __SANITIZE_THREAD__
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
@@ -10,18 +16,36 @@
 
 namespace ew {
 
-#ifdef __SANITIZE_THREAD__
+namespace {
 
-// oneTBB is built without the sanitizer, which would not see how a thread is handed its task.
-void callOnThreads(int calls, int workers, const std::function<void(int)>& call) {
+thread_local bool isQuiet = false;
+
+/// On threads that begin here, with the priority of the one that calls.
+void callOnOwnThreads(int calls, int workers, const std::function<void(int)>& call) {
   std::atomic<int> next{0};
-  const auto run = [&](int worker) {
+  const auto run = [&, quiet = isQuiet](int worker) {
+    isQuiet = quiet;
     while (next++ < calls) call(worker);
   };
   std::vector<std::jthread> others;
   for (int worker = 1; worker < workers; ++worker) others.emplace_back(run, worker);
   run(0);
 }
+
+}  // namespace
+
+QuietWork::QuietWork(int nice) : before_(isQuiet) {
+  isQuiet = true;
+  const auto thread = static_cast<id_t>(::syscall(SYS_gettid));
+  if (nice > ::getpriority(PRIO_PROCESS, thread)) static_cast<void>(::setpriority(PRIO_PROCESS, thread, nice));
+}
+
+QuietWork::~QuietWork() { isQuiet = before_; }
+
+#ifdef __SANITIZE_THREAD__
+
+// oneTBB is built without the sanitizer, which would not see how a thread is handed its task.
+void callOnThreads(int calls, int workers, const std::function<void(int)>& call) { callOnOwnThreads(calls, workers, call); }
 
 #else
 
@@ -49,6 +73,7 @@ void callOnThreads(int calls, int workers, const std::function<void(int)>& call)
     for (int n = 0; n < calls; ++n) call(0);
     return;
   }
+  if (isQuiet) return callOnOwnThreads(calls, workers, call);
   // Isolated: who waits here never takes up a task of whoever called, whose locks it may hold.
   tbb::this_task_arena::isolate([&] {
     CallChains chains{.call = call, .calls = calls, .next = {}, .group = {}};

@@ -3,6 +3,7 @@
 #include <QPointer>
 
 #include "ew/core/progress.h"
+#include "ew/core/quiet_work.h"
 #include "ew/scanning/subject.h"
 #include "thumbnails.h"
 #include "words.h"
@@ -11,6 +12,7 @@ namespace ew::ui {
 namespace {
 
 const QSize kPicture_px(544, 320);
+constexpr int kQuiet = 10;  // a card is no reason to make the scan wait
 
 /// Goes on until the program ends.
 class UntilTheEnd final : public Progress {
@@ -63,6 +65,7 @@ void CaseDetails::readOne(const QString& folder, int round, int epoch) {
         if (probes_.empty())
           if (const auto resources = resourceFolder())
             if (auto probes = readProbes(*resources / "probes")) probes_ = std::move(*probes);
+        const QuietWork quietly(kQuiet);
         UntilTheEnd progress(ends_);
         if (auto contents = readContents(*read->opened, progress)) {
           read->picture = thumbnailOf(subjectOf(*read->opened, *contents), probes_, kPicture_px);

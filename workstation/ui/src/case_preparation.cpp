@@ -1,14 +1,11 @@
 #include "case_preparation.h"
 
-#include <sys/resource.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "ew/core/quiet_work.h"
 #include "ew/library/case_words.h"
 #include "ew/library/preparation.h"
 #include "words.h"
@@ -16,12 +13,8 @@
 namespace ew::ui {
 namespace {
 
-// The threads of the machine's pool belong to everybody and give way to nobody: what nobody waits for leaves them alone.
 constexpr int kOneThread = 1;
 constexpr int kAllThreads = 0;
-
-/// Lets the calling thread, and those it starts, give way to others.
-void giveWay(int quiet) { static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), quiet)); }
 
 }  // namespace
 
@@ -145,7 +138,7 @@ void CasePreparation::next() {
       tr("Preparing %1").arg(shownTitle(*running_)),
       [opened = *running_, notes, threads = isWanted ? kAllThreads : kOneThread,
        quiet = isWanted ? quiet_ / 2 : quiet_](Progress& progress) -> Result<void> {
-        giveWay(quiet);
+        const QuietWork quietly(quiet);
         PreparationOptions how;
         how.threads = threads;
         auto made = prepareCase(opened, how, progress);
