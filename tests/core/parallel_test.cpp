@@ -109,11 +109,19 @@ int niceness() { return ::getpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(
 TEST(QuietWork, RunsOnThreadsAsLowInPriorityAsItsOwnAlsoWithinItsTasks) {
   std::atomic<int> tasks{0}, loud{0};
   const int own = niceness(), low = std::min(own + 7, 19);
+  // Each takes long enough that no thread does all.
+  const auto loudly = [&] {
+    forEachTask(40, 4, noProgress(), {}, [&](int) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      if (niceness() != own) ++loud;
+    });
+  };
+  loudly();  // the shared threads begin as low as whoever needs them first
   std::jthread([&] {
     {
       const QuietWork quietly(low);
       forEachTask(40, 4, noProgress(), {}, [&](int) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));  // so that no thread does all
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
         if (niceness() != low) ++loud;
         forEachTask(4, 2, noProgress(), {}, [&](int) {
           ++tasks;
@@ -125,9 +133,7 @@ TEST(QuietWork, RunsOnThreadsAsLowInPriorityAsItsOwnAlsoWithinItsTasks) {
   }).join();
   EXPECT_EQ(tasks, 160);
   EXPECT_EQ(loud, 0);
-  forEachTask(40, 4, noProgress(), {}, [&](int) {
-    if (niceness() != own) ++loud;
-  });
+  loudly();
   EXPECT_EQ(loud, 0) << "the shared threads are nobody's";
 }
 
