@@ -111,7 +111,7 @@ TEST(QuietWork, RunsOnThreadsAsLowInPriorityAsItsOwnAlsoWithinItsTasks) {
   const int own = niceness(), low = std::min(own + 7, 19);
   // Each takes long enough that no thread does all.
   const auto loudly = [&] {
-    forEachTask(40, 4, noProgress(), {}, [&](int) {
+    forEachTask(200, 4, noProgress(), {}, [&](int) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       if (niceness() != own) ++loud;
     });
@@ -120,7 +120,7 @@ TEST(QuietWork, RunsOnThreadsAsLowInPriorityAsItsOwnAlsoWithinItsTasks) {
   std::jthread([&] {
     {
       const QuietWork quietly(low);
-      forEachTask(40, 4, noProgress(), {}, [&](int) {
+      forEachTask(200, 4, noProgress(), {}, [&](int) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
         if (niceness() != low) ++loud;
         forEachTask(4, 2, noProgress(), {}, [&](int) {
@@ -131,7 +131,7 @@ TEST(QuietWork, RunsOnThreadsAsLowInPriorityAsItsOwnAlsoWithinItsTasks) {
     }
     EXPECT_EQ(niceness(), low) << "it stays low";
   }).join();
-  EXPECT_EQ(tasks, 160);
+  EXPECT_EQ(tasks, 800);
   EXPECT_EQ(loud, 0);
   loudly();
   EXPECT_EQ(loud, 0) << "the shared threads are nobody's";
