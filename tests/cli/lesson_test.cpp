@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/cli_world.h"
+#include "ew/imaging/settings_json.h"
 #include "ew/library/case_truth.h"
 #include "ew/scanning/contact.h"
 #include "ew/scanning/recording.h"
@@ -93,6 +94,30 @@ TEST_F(LessonCommand, RecordsAShippedPathAgainAsItWasRecorded) {
     EXPECT_TRUE(shipped->log.events() == again->log.events()) << scan << ": every pose and gap, to the bit";
     fs::remove(folder_ / "again.seq.mha");
   }
+}
+
+TEST_F(LessonCommand, EveryShippedScanWasMadeInTheSceneOfItsCase) {
+  int scans = 0;
+  for (const auto& each : fs::directory_iterator(cases_)) {
+    const fs::path folder = each.path() / "parts/lessons/scans";
+    if (!fs::exists(folder)) continue;
+    const auto opened = loadCase(each.path());
+    ASSERT_TRUE(opened) << opened.error();
+    Scene expected = opened->scene;
+    expected.tissues.clear();  // of the patient: who plays a scan knows them
+    for (const auto& file : fs::directory_iterator(folder)) {
+      if (!file.path().string().ends_with(".seq.mha")) continue;
+      const auto recorded = readRecording(file.path());
+      ASSERT_TRUE(recorded) << recorded.error();
+      for (std::size_t n = 0; n < recorded->log.frameCount(); n += 20) {
+        Scene scene = recorded->log.frame(n).scene;
+        scene.tissues.clear();
+        EXPECT_TRUE(scene == expected) << file.path() << ", frame " << n << ": " << toJson(scene) << " and not " << toJson(expected);
+      }
+      ++scans;
+    }
+  }
+  EXPECT_GE(scans, 16);
 }
 
 TEST_F(LessonCommand, RecordsTheSameScanTwiceAlongTheStationsOfAPath) {
