@@ -154,22 +154,19 @@ void EchoSurfaces::configure(const EchoLayout& layout) {
   elevation_mm_.clear();
   for (double depth_mm = 0.0; depth_mm < layout.depth_mm + 2.0; depth_mm += 1.0)
     elevation_mm_.push_back(static_cast<float>(layout.beams.elevationalSigma_mm(depth_mm + 0.5)));
-  mirrorScale_.resize(static_cast<std::size_t>(layout.columns));
-  roughScale_.resize(static_cast<std::size_t>(layout.columns));
+  scale_.resize(static_cast<std::size_t>(layout.columns));
   for (int column = 0; column < layout.columns; ++column) {
     const int tile = column / kTileColumns;
     const std::vector<float>& weights = layout.lateral[static_cast<std::size_t>(tile)];
-    double sum = 0.0, power = 0.0;
+    double sum = 0.0;
     for (int t = 0; t <= layout.reachOfTile[static_cast<std::size_t>(tile)]; ++t) {
       const double weight = static_cast<double>(weights[static_cast<std::size_t>(2 * (t * kTileColumns + column % kTileColumns))]);
       sum += (t == 0 ? 1.0 : 2.0) * weight;
-      power += (t == 0 ? 1.0 : 2.0) * weight * weight;
     }
     // What the focus does to speckle it does to surfaces: divided out of the weights it stays in.
     const double rest = static_cast<double>(layout.pulse.front()) * layout.lookScale * kDepositUnit /
                         static_cast<double>(layout.focusFactor[static_cast<std::size_t>(column)]);
-    mirrorScale_[static_cast<std::size_t>(column)] = static_cast<float>(1.0 / (sum * rest));
-    roughScale_[static_cast<std::size_t>(column)] = static_cast<float>(1.0 / (std::sqrt(power) * rest));
+    scale_[static_cast<std::size_t>(column)] = static_cast<float>(1.0 / (sum * rest));
   }
 }
 
@@ -234,22 +231,21 @@ void EchoSurfaces::meet(int line, float range_mm, bool entering, float weight, c
   const float sine2 = 1.0F - cosine * cosine;
   const glm::dvec3 mm = glm::dvec3(at) * map.maps.grid.spacing_mm;
   const double mirror = static_cast<double>(weight * surface->mirror * std::exp(-sine2 * surface->sharpness));
-  const double uneven = std::clamp(2.4 * unevenAt(mm) - 0.35, 0.12, 1.0);
+  const double uneven = std::clamp(1.6 * unevenAt(mm) + 0.1, 0.4, 1.0);
   // Neighbouring rows meet the surface a little earlier or later.
   const float across = slope.x * way.y - slope.y * way.x;
   const float lean = std::clamp(-across / std::copysign(std::max(std::abs(down), 0.2F), down), -3.0F, 3.0F);
+  // What is rough is in quadrature and coherent along the surface too: of random signs it was a string of beads.
   deposit(line, static_cast<double>(range_mm), static_cast<double>(lean), uneven * mirror, static_cast<double>(weight * surface->rough),
-          hashOf(glm::ivec3(glm::floor(mm / 0.3))), fine, stride);
+          fine, stride);
 }
 
-void EchoSurfaces::deposit(int line, double range_mm, double lean, double amplitude, double rough, std::uint32_t hash, std::int32_t* fine,
+void EchoSurfaces::deposit(int line, double range_mm, double lean, double amplitude, double rough, std::int32_t* fine,
                            std::ptrdiff_t stride) const {
   const double spacing_mm = layout_->rowSpacing_mm(range_mm);
   for (int n = 0; n < layout_->rowsPerLine; ++n) {
-    const double offset = n - layout_->rowsPerLine / 2;
-    hash = hash * 0x9E3779B1U + 0x85EBCA77U;
-    add(line * layout_->rowsPerLine + n - layout_->rowsPerLine / 2, range_mm + lean * offset * spacing_mm, amplitude,
-        hash & 0x10000U ? rough : -rough, fine, stride);
+    const int aside = n - layout_->rowsPerLine / 2;
+    add(line * layout_->rowsPerLine + aside, range_mm + lean * aside * spacing_mm, amplitude, rough, fine, stride);
   }
 }
 
@@ -260,7 +256,8 @@ void EchoSurfaces::add(int row, double range_mm, double amplitude, double rough,
   const int whole = static_cast<int>(column);
   const double part = column - whole;
   const auto c = static_cast<std::size_t>(whole);
-  const double re = amplitude * static_cast<double>(mirrorScale_[c]), im = rough * static_cast<double>(roughScale_[c]);
+  const auto scale = static_cast<double>(scale_[c]);
+  const double re = amplitude * scale, im = rough * scale;
   std::int32_t* first = fine + at * stride + 2 * whole;
   const auto rounded = [](double x) { return static_cast<std::int32_t>(std::floor(x + 0.5)); };
   first[0] += rounded((1.0 - part) * re);

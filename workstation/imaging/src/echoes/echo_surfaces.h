@@ -18,10 +18,10 @@ inline constexpr double kFragmentCell_mm = 3.0;
 
 /// Mirrors: each line is followed through a few planes of the slice to where it crosses a reflecting surface, and adds an echo there, as
 /// strong as the surface lies square to it:
-///   a = A (u exp(-sin^2 b / (2 sin^2 fall)) + r),  A as ReflectingSurface::echoLevel says, b the incidence, r rough and of random sign,
-/// u uneven within 3 to 6 mm, so that a capsule is a broken line. In the field all mirrors have one phase: laterally they add up to a line
-/// as wide as the beam, and a surface that leans in elevation is spread over the depths at which it is met.
-/// Source: incidence as facts of the field have it (20 dB at 20 degrees for capsules and diaphragm); the formula is ours.
+///   a = A (u exp(-sin^2 b / (2 sin^2 fall)) + r),  A as ReflectingSurface::echoLevel says, b the incidence, r rough and in
+/// quadrature, u uneven within 3 to 6 mm, by 8 dB at most. In the field all mirrors have one phase, and all that is rough has: laterally
+/// they add up to a line as wide as the beam, without beads, and a surface that leans in elevation is spread over the depths at which it is
+/// met. Source: incidence as facts of the field have it (20 dB at 20 degrees for capsules and diaphragm); the formula is ours.
 class EchoSurfaces {
  public:
   void configure(const EchoLayout& layout);
@@ -46,13 +46,11 @@ class EchoSurfaces {
             std::ptrdiff_t stride) const;
   /// To a row counted from the first line's.
   void add(int row, double range_mm, double amplitude, double rough, std::int32_t* fine, std::ptrdiff_t stride) const;
-  void deposit(int line, double range_mm, double lean, double amplitude, double rough, std::uint32_t hash, std::int32_t* fine,
-               std::ptrdiff_t stride) const;
+  void deposit(int line, double range_mm, double lean, double amplitude, double rough, std::int32_t* fine, std::ptrdiff_t stride) const;
 
   const EchoLayout* layout_ = nullptr;
   std::vector<float> elevation_mm_;             ///< one standard deviation, by whole mm of depth
-  std::vector<float> mirrorScale_;              ///< by column: of a mirror's amplitude, to what is added to each row
-  std::vector<float> roughScale_;               ///< the same of what is rough
+  std::vector<float> scale_;                    ///< by column: of a surface's amplitude, to what is added to each row
   std::array<std::vector<glm::vec3>, 3> back_;  ///< by ray: EchoMotion::rowsOf, in voxels
 };
 
