@@ -1,7 +1,5 @@
 #include "ew/imaging/resolved.h"
 
-#include "ew/imaging/tissue_level.h"
-
 namespace ew {
 
 bool formsEchoes(const Scene& scene) { return scene.liveEchoes.has_value(); }
@@ -10,8 +8,9 @@ GainLaw usualGainLaw(bool formsEchoes) { return formsEchoes ? GainLaw::decibel :
 GreyMap usualGreyMap(bool formsEchoes) { return formsEchoes ? GreyMap::clinical : GreyMap::linear; }
 
 double middleLevel(bool formsEchoes) {
-  static const double formed = static_cast<double>(levelsShownAs(usualGreyMap(true))[static_cast<std::size_t>(kMiddleGrey)]);
-  return formsEchoes ? formed : kMiddleGrey;
+  // Where the clinical curve is kMiddleGrey: a number, so that a frame whose range nobody turned runs nothing of the grey maps.
+  constexpr double kFormed = 101.7262;
+  return formsEchoes ? kFormed : kMiddleGrey;
 }
 
 GainLaw resolvedGainLaw(const Knobs& knobs, const Scene& scene) {
