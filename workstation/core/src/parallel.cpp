@@ -18,13 +18,15 @@ namespace ew {
 
 namespace {
 
-thread_local bool isQuiet = false;
+// Not a zero at first: mold 1.10.1 lets the protected part of a program begin at zeros of threads (.tbss), which have no page of their own;
+// where they lie 16 bytes or less before one, the program does not start ("cannot apply additional memory protection after relocation").
+thread_local bool isShared = true;
 
 /// On threads that begin here, with the priority of the one that calls.
 void callOnOwnThreads(int calls, int workers, const std::function<void(int)>& call) {
   std::atomic<int> next{0};
-  const auto run = [&, quiet = isQuiet](int worker) {
-    isQuiet = quiet;
+  const auto run = [&, shared = isShared](int worker) {
+    isShared = shared;
     while (next++ < calls) call(worker);
   };
   std::vector<std::jthread> others;
@@ -34,13 +36,13 @@ void callOnOwnThreads(int calls, int workers, const std::function<void(int)>& ca
 
 }  // namespace
 
-QuietWork::QuietWork(int nice) : before_(isQuiet) {
-  isQuiet = true;
+QuietWork::QuietWork(int nice) : wasShared_(isShared) {
+  isShared = false;
   const auto thread = static_cast<id_t>(::syscall(SYS_gettid));
   if (nice > ::getpriority(PRIO_PROCESS, thread)) static_cast<void>(::setpriority(PRIO_PROCESS, thread, nice));
 }
 
-QuietWork::~QuietWork() { isQuiet = before_; }
+QuietWork::~QuietWork() { isShared = wasShared_; }
 
 #ifdef __SANITIZE_THREAD__
 
@@ -73,7 +75,7 @@ void callOnThreads(int calls, int workers, const std::function<void(int)>& call)
     for (int n = 0; n < calls; ++n) call(0);
     return;
   }
-  if (isQuiet) return callOnOwnThreads(calls, workers, call);
+  if (!isShared) return callOnOwnThreads(calls, workers, call);
   // Isolated: who waits here never takes up a task of whoever called, whose locks it may hold.
   tbb::this_task_arena::isolate([&] {
     CallChains chains{.call = call, .calls = calls, .next = {}, .group = {}};

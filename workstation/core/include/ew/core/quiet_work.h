@@ -14,7 +14,7 @@ class QuietWork {
   QuietWork& operator=(const QuietWork&) = delete;
 
  private:
-  bool before_;
+  bool wasShared_;
 };
 
 }  // namespace ew
