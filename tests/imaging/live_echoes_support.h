@@ -118,21 +118,26 @@ inline double correlation(const std::vector<double>& a, const std::vector<double
   return ab / std::sqrt(aa * bb);
 }
 
-/// A plane of reflecting surface through the maps, at a depth and leaning about the z axis, mm.
-inline void addPlane(TissueMaps& maps, const ReflectingSurface& surface, double depth_mm, double lean_rad = 0.0) {
+/// A reflecting surface through the maps, where a signed distance of a place in mm is 0.
+template <class Distance>
+void addSurface(TissueMaps& maps, const ReflectingSurface& surface, const Distance& distanceOf) {
   maps.surfaces.push_back(surface);
   maps.surfaceDistance.resize(maps.level.size(), 0);
   maps.surfaceKind.resize(maps.level.size(), 0);
   for (int k = 0; k < maps.grid.dims.z; ++k)
     for (int j = 0; j < maps.grid.dims.y; ++j)
       for (int i = 0; i < maps.grid.dims.x; ++i) {
-        const glm::dvec3 p = maps.grid.origin_mm + maps.grid.spacing_mm * glm::dvec3(i, j, k);
-        const double distance_mm = (depth_mm - p.y) * std::cos(lean_rad) + p.x * std::sin(lean_rad);
+        const double distance_mm = distanceOf(maps.grid.origin_mm + maps.grid.spacing_mm * glm::dvec3(i, j, k));
         if (std::abs(distance_mm) > TissueMaps::kSurfaceReach_mm) continue;
         const std::size_t n = maps.grid.indexOf(i, j, k);
         maps.surfaceDistance[n] = static_cast<std::uint8_t>(std::lround(128.0 + TissueMaps::kDistanceStepsPerMm * distance_mm));
         maps.surfaceKind[n] = static_cast<std::uint8_t>(maps.surfaces.size());
       }
+}
+
+/// A plane, at a depth and leaning about the z axis, mm.
+inline void addPlane(TissueMaps& maps, const ReflectingSurface& surface, double depth_mm, double lean_rad = 0.0) {
+  addSurface(maps, surface, [=](const glm::dvec3& p) { return (depth_mm - p.y) * std::cos(lean_rad) + p.x * std::sin(lean_rad); });
 }
 
 /// Label 1 everywhere, 2 from a depth on.

@@ -203,28 +203,12 @@ TEST(LiveEchoes, MirrorWhereASurfaceLiesSquareToTheBeam) {
   EXPECT_NEAR((square - peakOf(20.0)) / kGreyPerDb, 20.0, 4.0);
 }
 
-/// A tube along z around a point of the plane, of reflecting surface.
-void addTube(TissueMaps& maps, const ReflectingSurface& surface, const glm::dvec2& middle_mm, double radius_mm) {
-  maps.surfaces.push_back(surface);
-  maps.surfaceDistance.resize(maps.level.size(), 0);
-  maps.surfaceKind.resize(maps.level.size(), 0);
-  for (int k = 0; k < maps.grid.dims.z; ++k)
-    for (int j = 0; j < maps.grid.dims.y; ++j)
-      for (int i = 0; i < maps.grid.dims.x; ++i) {
-        const glm::dvec3 p = maps.grid.origin_mm + maps.grid.spacing_mm * glm::dvec3(i, j, k);
-        const double distance_mm = glm::distance(glm::dvec2(p), middle_mm) - radius_mm;
-        if (std::abs(distance_mm) > TissueMaps::kSurfaceReach_mm) continue;
-        const std::size_t n = maps.grid.indexOf(i, j, k);
-        maps.surfaceDistance[n] = static_cast<std::uint8_t>(std::lround(128.0 + TissueMaps::kDistanceStepsPerMm * distance_mm));
-        maps.surfaceKind[n] = static_cast<std::uint8_t>(maps.surfaces.size());
-      }
-}
-
 TEST(LiveEchoes, OfACurvedSurfaceAreALineWithoutBeads) {
   const glm::dvec2 middle_mm(0.0, 65.0);
   constexpr double kRadius_mm = 30.0;
   TissueMaps maps = tissueOf([](const glm::dvec3&) { return 0.0; });
-  addTube(maps, {.name = "tube", .echoLevel = 250.0}, middle_mm, kRadius_mm);
+  addSurface(maps, {.name = "tube", .echoLevel = 250.0},
+             [&](const glm::dvec3& p) { return glm::distance(glm::dvec2(p), middle_mm) - kRadius_mm; });
   for (const double carrier_hz : {2.5e6, 3.5e6, 5e6}) {
     Shot shot;
     shot.probe.lines = 600;  // what lies between lines is a mean of their levels

@@ -306,6 +306,7 @@ bool StitchSession::openProject(const fs::path& file) {
   pair_.reset();
   chosenVolume_.reset();
   unreadable_.clear();
+  little_.clear();
   afterEdit();
   takeUp();
   return true;
