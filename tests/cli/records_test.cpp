@@ -116,7 +116,7 @@ TEST_F(RecordsCommand, WhatIsRefusedIsSaidAndTriedAgainOnlyWhenAsked) {
   EXPECT_NE(sent.err.find("is not known here"), std::string::npos) << sent.err;
   EXPECT_NE(sent.err.find("--retry"), std::string::npos) << sent.err;
   EXPECT_NE(records({"list"}).out.find("1 refused, 7 sent"), std::string::npos);
-  server_.bad.clear();
+  server_.bad = std::set<std::string>();
   EXPECT_EQ(records({"send", "--retry"}).status, 0);
   EXPECT_EQ(server_.arrivals().size(), 8u);
 }

@@ -55,7 +55,9 @@ class Cmi5 : public testing::Test {
       if (++fetched_ > 1) return ServerAnswer{200, R"({"error-code": "1", "error-text": "The token was given already."})", {}};
       return ServerAnswer{200, R"({"auth-token": "dG9rZW4tMTc="})", {}};
     }
-    if (question.headers.contains("authorization") && question.headers.at("authorization") != server_.authorization) return std::nullopt;
+    if (question.headers.contains("authorization") &&
+        server_.authorization.with([&](const std::string& wanted) { return question.headers.at("authorization") != wanted; }))
+      return std::nullopt;
     if (question.target.starts_with("/xapi/activities/state?stateId=LMS.LaunchData"))
       return launchData_.is_null() ? ServerAnswer{404, "none", {}} : ServerAnswer{200, launchData_.dump(), {}};
     if (question.target.starts_with("/xapi/agents/profile?profileId=cmi5LearnerPreferences"))

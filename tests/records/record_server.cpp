@@ -129,14 +129,15 @@ void RecordServer::serve() {
 bool RecordServer::talk(int connection) {
   const auto question = readQuestion(connection);
   if (!question) return false;
-  Fault what = Fault::none;
   {
     const std::lock_guard lock(mutex_);
     questions_.push_back(*question);
-    if (fault) what = fault(*question);
   }
+  const Fault what = fault.with([&](const auto& ask) { return ask ? ask(*question) : Fault::none; });
   std::vector<std::string> busy;
-  if (!retryAfter.empty()) busy.push_back("Retry-After: " + retryAfter);
+  retryAfter.with([&](const std::string& after) {
+    if (!after.empty()) busy.push_back("Retry-After: " + after);
+  });
   if (what == Fault::goAway) isAway_ = true;
   if (what == Fault::closeBeforeTaking || what == Fault::goAway) return false;
   const auto only = [&](const ServerAnswer& answer) {
@@ -153,7 +154,10 @@ bool RecordServer::talk(int connection) {
   if (what == Fault::otherPage) return only({200, "<html><h1>Log in</h1></html>", {}});
   bool tookSomething = false;
   ServerAnswer answer = answerTo(*question, tookSomething);
-  if (tookSomething && taken) taken();
+  if (tookSomething)
+    taken.with([](const auto& then) {
+      if (then) then();
+    });
   if (what == Fault::closeAfterTaking) return false;
   if (what == Fault::failAfter) answer = {500, "oops", {}};
   const std::string text = textOf(answer, !keepsConnections);
@@ -163,11 +167,12 @@ bool RecordServer::talk(int connection) {
 }
 
 ServerAnswer RecordServer::answerTo(const ServerQuestion& question, bool& tookSomething) {
+  if (auto answer = other.with([&](const auto& ask) { return ask ? ask(question) : std::nullopt; })) return *answer;
   const std::lock_guard lock(mutex_);
-  if (other)
-    if (auto answer = other(question)) return *answer;
-  if (!authorization.empty() && (!question.headers.contains("authorization") || question.headers.at("authorization") != authorization))
-    return {401, "{\"message\": \"who are you\"}", {}};
+  const bool isKnown = authorization.with([&](const std::string& wanted) {
+    return wanted.empty() || (question.headers.contains("authorization") && question.headers.at("authorization") == wanted);
+  });
+  if (!isKnown) return {401, "{\"message\": \"who are you\"}", {}};
   if (!question.headers.contains("x-experience-api-version")) return {400, "version is missing", {}};
   if (!question.target.starts_with("/xapi/statements")) return {404, "no such resource", {}};
   if (question.method == "GET") return mayBeRead ? find(question.target) : ServerAnswer{403, "not for you", {}};
@@ -191,8 +196,9 @@ ServerAnswer RecordServer::take(const json& list, bool isPut) {
   json ids = json::array();
   for (const json& each : list) {
     const std::string id = each.value("id", std::string());
-    if (bad.contains(id)) return {400, "{\"message\": \"The verb of " + id + " is not known here.\"}", {}};
-    if (poison.contains(id)) return {500, "{\"message\": \"a fault\"}", {}};
+    if (bad.with([&](const auto& wrong) { return wrong.contains(id); }))
+      return {400, "{\"message\": \"The verb of " + id + " is not known here.\"}", {}};
+    if (poison.with([&](const auto& wrong) { return wrong.contains(id); })) return {500, "{\"message\": \"a fault\"}", {}};
     const auto known = statements_.find(id);
     if (known != statements_.end() && (refusesWhatIsThere || known->second != each)) return {409, "{\"message\": \"conflict\"}", {}};
     if (voided_.contains(id)) return {409, "voided", {}};

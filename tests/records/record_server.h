@@ -43,6 +43,29 @@ enum class Fault {
   goAway       ///< closes before taking, and nobody listens until comeBack()
 };
 
+/// What a test may tell the server at any time: the server uses it on its own thread, and what is told waits until that is done.
+template <class T>
+class Told {
+ public:
+  Told() = default;
+  explicit Told(T value) : value_(std::move(value)) {}
+  Told(const Told&) = delete;
+  Told& operator=(const Told&) = delete;
+  void operator=(T value) {
+    const std::lock_guard lock(mutex_);
+    value_ = std::move(value);
+  }
+  template <class Use>
+  auto with(const Use& use) const {
+    const std::lock_guard lock(mutex_);
+    return use(value_);
+  }
+
+ private:
+  mutable std::recursive_mutex mutex_;
+  T value_{};
+};
+
 /// A record store for tests on 127.0.0.1. It stores a statement as often as it is told to, unless `knowsIds`: what arrives twice is seen.
 class RecordServer {
  public:
@@ -56,19 +79,19 @@ class RecordServer {
   void goAway();    ///< nobody listens any more
   void comeBack();  ///< on the same port
 
-  // Set before the first question.
-  bool knowsIds = false;            ///< as the standard asks: what is there already is not stored again
-  bool refusesWhatIsThere = false;  ///< 409 also when it is the same
-  bool mayBeRead = true;            ///< else GET is 403
-  bool keepsConnections = false;    ///< open after an answer, as most servers do
-  bool namesWhatItTook = true;      ///< else POST answers []
-  std::string authorization;        ///< asked for when not empty
-  std::string retryAfter = "7";     ///< of 429 and 503; empty: not said
-  std::set<std::string> bad;        ///< ids that are 400
-  std::set<std::string> poison;     ///< ids over which it fails with 500
-  std::function<Fault(const ServerQuestion&)> fault;
-  std::function<std::optional<ServerAnswer>(const ServerQuestion&)> other;  ///< asked first
-  std::function<void()> taken;                                              ///< after storing, before the answer
+  // Set before the first question; what is told, at any time.
+  bool knowsIds = false;               ///< as the standard asks: what is there already is not stored again
+  bool refusesWhatIsThere = false;     ///< 409 also when it is the same
+  bool mayBeRead = true;               ///< else GET is 403
+  bool keepsConnections = false;       ///< open after an answer, as most servers do
+  bool namesWhatItTook = true;         ///< else POST answers []
+  Told<std::string> authorization;     ///< asked for when not empty
+  Told<std::string> retryAfter{"7"};   ///< of 429 and 503; empty: not said
+  Told<std::set<std::string>> bad;     ///< ids that are 400
+  Told<std::set<std::string>> poison;  ///< ids over which it fails with 500
+  Told<std::function<Fault(const ServerQuestion&)>> fault;
+  Told<std::function<std::optional<ServerAnswer>(const ServerQuestion&)>> other;  ///< asked first
+  Told<std::function<void()>> taken;                                              ///< after storing, before the answer
 
   /// How often each id was stored.
   [[nodiscard]] std::map<std::string, int> arrivals() const;
@@ -89,7 +112,7 @@ class RecordServer {
   ServerAnswer find(const std::string& target) const;
 
   int port_ = 0;
-  int listener_ = -1;
+  std::atomic<int> listener_{-1};
   std::atomic<bool> stops_{false};
   std::atomic<bool> isAway_{false};
   std::atomic<int> connections_{0};

@@ -88,7 +88,7 @@ TEST(RecordsKilled, BetweenTheServersTakingAndOurNoteNothingArrivesTwice) {
     program.start(server.endpoint());
     EXPECT_TRUE(program.wasKilled());
     server.goAway();
-    server.taken = {};
+    server.taken = nullptr;
     server.comeBack();
     sendAll(outbox, server.endpoint());
     expectEachOnce(server);

@@ -183,7 +183,7 @@ TEST_F(StatementSending, OneThatIsRefusedDoesNotHoldUpTheOthersAndTheServersWord
   EXPECT_EQ(outbox_->entries()[0].id, idNumbered(3));
   EXPECT_EQ(outbox_->entries()[0].problem, "400 The verb of " + idNumbered(3) + " is not known here");
   EXPECT_EQ(send().sent, 0u) << "it is not tried again by itself";
-  server_.bad.clear();
+  server_.bad = std::set<std::string>();
   ASSERT_TRUE(outbox_->retryRefused());
   EXPECT_EQ(send().sent, 1u);
   expectEachOnce(8);
@@ -251,7 +251,7 @@ TEST_F(StatementSending, APageThatWantsALoginIsNoRecordStore) {
     EXPECT_EQ(sent.rounds, 1);
     EXPECT_NE(sent.problem.english().find("does not act like a record store"), std::string::npos) << sent.problem;
   }
-  server_.fault = {};
+  server_.fault = nullptr;
   EXPECT_EQ(send().sent, 2u);
   expectEachOnce(2);
 }
@@ -386,7 +386,7 @@ TEST_F(StatementSending, GoesOnWhereAStoppedCallEnded) {
   EXPECT_EQ(send().left, 2u);
   reopen();
   EXPECT_EQ(outbox_->count(StatementStatus::doubtful), 2u);
-  server_.fault = {};
+  server_.fault = nullptr;
   EXPECT_EQ(send().sent, 2u);
   expectEachOnce(2);
 }
