@@ -26,7 +26,7 @@ struct Layers {
     shot.labels = &labels;
     shot.scene.attenuation = AttenuationEffect{};
     shot.scene.reverberation = ReverberationEffect{};
-    shot.scene.reverberation->clutter_db = -60.0;
+    shot.scene.reverberation->clutter_db = shot.scene.reverberation->shadowHaze_db = -60.0;
     shot.scene.tissues = {
         {.label = 1, .name = "tissue", .attenuation_dbPerCmMhz = 0.5},
         {.label = 2, .name = "air", .attenuation_dbPerCmMhz = 12.0, .reflection_db = 40.0, .impedance_mrayl = impedance_mrayl}};
@@ -39,6 +39,19 @@ struct Layers {
 constexpr double kGas_mrayl = 0.0004;
 constexpr double kLung_mrayl = 0.18;
 constexpr auto kEven = [](const glm::dvec3&) { return 170.0; };
+
+TEST(LiveReverberation, FillsWhatSendsNothingBackWithAHazeOfWhatLiesInFront) {
+  Layers layers(kEven, 1.5);
+  EXPECT_LT(layers.meanBetween(80.0, 100.0), 5.0);
+  const double tissue = layers.meanBetween(35.0, 55.0);
+  for (const double haze_db : {-10.0, -14.0}) {
+    layers.shot.scene.reverberation->shadowHaze_db = haze_db;
+    // The mean of what lies in front: 60 mm of tissue.
+    const double expected_db = -haze_db + 10.0 * std::log10(90.0 / 60.0);
+    EXPECT_NEAR((tissue - layers.meanBetween(80.0, 100.0)) / kGreyPerDb, expected_db, 2.0) << haze_db;
+    EXPECT_NEAR(layers.meanBetween(35.0, 55.0), tissue, 0.5 * kGreyPerDb) << "what sends back is hardly brighter";
+  }
+}
 
 TEST(LiveReverberation, RingsDownBehindGasAsFastAsItIsTold) {
   Layers layers(kEven, kGas_mrayl);
@@ -88,7 +101,7 @@ TEST(LiveReverberation, RepeatsThePleuraAtTwiceItsDepth) {
   const Volume labels = layersOf(maps, 40.0);
   Shot shot;
   shot.labels = &labels;
-  shot.scene.reverberation = ReverberationEffect{};
+  shot.scene.reverberation = ReverberationEffect{.shadowHaze_db = -60.0};
   shot.scene.tissues = {{.label = 2, .name = "lung", .reflection_db = 40.0, .impedance_mrayl = kLung_mrayl}};
   const auto peak = [&](double from_mm, double to_mm) {
     const std::vector<double> levels = levelsBetween(pictureOf(maps, shot), shot, from_mm, to_mm, 2.0);
@@ -107,7 +120,7 @@ TEST(LiveReverberation, LaysClutterIntoFluidBehindABrightWall) {
   shot.labels = &labels;
   shot.scene.tissues = {{.label = 1, .name = "wall"}, {.label = 2, .name = "bile", .attenuation_dbPerCmMhz = 0.0}};
   const double clean = meanOf(levelsBetween(pictureOf(maps, shot), shot, 33.0, 36.0));
-  shot.scene.reverberation = ReverberationEffect{};
+  shot.scene.reverberation = ReverberationEffect{.shadowHaze_db = -60.0};
   const GreyImage cluttered = pictureOf(maps, shot);
   const double near = meanOf(levelsBetween(cluttered, shot, 33.0, 36.0)), far = meanOf(levelsBetween(cluttered, shot, 39.5, 42.5));
   EXPECT_LT(clean, 5.0);

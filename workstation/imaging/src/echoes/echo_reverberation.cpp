@@ -19,6 +19,9 @@ constexpr double kRough_db = 8.0;  // lost by a bounce at a rough front beyond t
 constexpr double kPatchSpread_db = 5.0;
 constexpr double kNoRingDown_db = -60.0;
 constexpr double kNoClutter_db = -60.0;
+constexpr double kNoHaze_db = -60.0;
+constexpr double kSkin_mm = 5.0;        // under the face: neither makes haze nor shows any
+constexpr double kSamePlace_mm = 0.4;   // a probe that moved less sees the same haze
 constexpr double kFaintest_db = -46.0;  // below full white: what rings fainter is left out
 constexpr int kPatchesOfATail = 9;      // of a pleura, one has a comet tail
 constexpr int kPatchBlend = 3;          // lines over which neighbouring patches run into one another, on each side
@@ -54,6 +57,15 @@ float normalOf(std::uint32_t hash) {
   return (sum - 510.0F) * (1.0F / 147.8F);
 }
 
+/// Nearly normal numbers of deviation 1, to begin anywhere in.
+struct NoiseTable {
+  static constexpr std::size_t kSize = 8192;
+  std::array<float, 2 * kSize> numbers;
+  NoiseTable() {
+    for (std::size_t n = 0; n < kSize; ++n) numbers[n] = numbers[n + kSize] = normalOf(static_cast<std::uint32_t>(n) * 0x9E3779B9U);
+  }
+};
+
 }  // namespace
 
 EchoReverberation::Aerated EchoReverberation::aeratedOf(const TissueAcoustics& tissue) {
@@ -80,6 +92,9 @@ void EchoReverberation::find(const SliceSource& labels, const Transform<frame::V
   const LabelBlend blend{labels, isGas_, isLung_};
   const glm::dmat4& m = probeToLabel.matrix;
   if (motion.moves()) motion.rowsOf(0.0, glm::mat3(m), bands, back_);
+  const glm::dvec3 face_mm = glm::dvec3(m[3]) * labels.grid.spacing_mm, far_mm = glm::dvec3(m * glm::dvec4(30.0, 100.0, 0.0, 1.0));
+  place_ = hashOf(glm::ivec3(glm::floor(face_mm / kSamePlace_mm))) ^
+           spread(hashOf(glm::ivec3(glm::floor(far_mm * labels.grid.spacing_mm / kSamePlace_mm))));
   const auto lines = static_cast<int>(fronts_.size());
   bands.run(lines, [&](int first, int count, int) {
     for (int line = first; line < first + count; ++line) {
@@ -113,6 +128,7 @@ void EchoReverberation::find(const SliceSource& labels, const Transform<frame::V
 void EchoReverberation::add(int line, std::span<float> field, std::vector<float>& before) const {
   before.assign(field.begin(), field.end());
   if (effect_.clutter_db > kNoClutter_db) clutter(before.data(), field);
+  if (effect_.shadowHaze_db > kNoHaze_db) haze(line, before.data(), field);
   const Front& front = fronts_[static_cast<std::size_t>(line)];
   if (front.range_mm < 0.0) return;
   const Echo echo = frontEcho(front, before.data());
@@ -204,6 +220,28 @@ void EchoReverberation::mirror(const Echo& echo, const float* before, std::span<
     const int from = 2 * (echo.column - n);
     field[to] += weight * before[from];
     field[to + 1] += weight * before[from + 1];
+  }
+}
+
+void EchoReverberation::haze(int line, const float* before, std::span<float> field) const {
+  static const NoiseTable noise;
+  constexpr int kBlock = 16;  // columns of one mean
+  const auto share = static_cast<float>(0.5 * amplitudeOf(2.0 * effect_.shadowHaze_db));
+  float power = 0.0F;
+  int counted = 0;
+  for (int begin = layout_->columnPadding + static_cast<int>(kSkin_mm / layout_->grid.sampleSpacing_mm); begin < layout_->columns;
+       begin += kBlock) {
+    const int count = std::min(kBlock, layout_->columns - begin);
+    const float strength = counted > 0 ? std::sqrt(share * power / static_cast<float>(counted)) : 0.0F;
+    const std::uint32_t key = spread(place_ + static_cast<std::uint32_t>(line) * 0x9E3779B9U + static_cast<std::uint32_t>(begin));
+    const float* numbers = noise.numbers.data() + key % NoiseTable::kSize;
+    float* to = field.data() + 2 * begin;
+    const float* from = before + 2 * begin;
+    for (int n = 0; n < 2 * count; ++n) {
+      to[n] += strength * numbers[n];
+      power += from[n] * from[n];
+    }
+    counted += count;
   }
 }
 

@@ -21,6 +21,8 @@ namespace ew::detail {
 ///          back as lines at 2 R, 3 R (A-lines); 8 dB less behind gas, whose front is rough
 /// and everywhere copies of the line 3.1 to 13.7 mm deeper, clutter_db below, falling by 1 dB a mm: layers of the body's wall, seen in
 /// what is dark behind them.
+/// and everywhere a haze of sound that wandered about between the layers in front: noise whose power is the mean of the line's so far,
+/// shadowHaze_db below it. Shadows fill with it; it changes with the probe's place and stands where that stands.
 /// Patches are fixed in the tissue. A line is made from itself alone, so pixels do not depend on threads.
 /// Source: ring-down, comet tails, A-lines and mirror images as Kremkau, Sonography: Principles and Instruments (chapter on artifacts) and
 /// Lichtenstein, Whole Body Ultrasonography in the Critically Ill (2010) describe them; the formulas and figures are ours.
@@ -57,12 +59,14 @@ class EchoReverberation {
   void bounce(const Front& front, const Echo& echo, const float* before, std::span<float> field) const;
   void mirror(const Echo& echo, const float* before, std::span<float> field) const;
   void clutter(const float* before, std::span<float> field) const;
+  void haze(int line, const float* before, std::span<float> field) const;
 
   const EchoLayout* layout_ = nullptr;
   ReverberationEffect effect_;
   float noiseScale_ = 1.0F;  ///< of one part of complex white noise whose power is 1 behind the pulse's filter
   std::array<float, 256> isGas_{};
   std::array<float, 256> isLung_{};
+  std::uint32_t place_ = 0;  ///< hash of where the probe is
   std::vector<Front> fronts_;
   std::vector<glm::vec3> back_;  ///< scratch: as EchoMotion::rowsOf gives it
 };

@@ -112,6 +112,7 @@ void visitFields(Visitor& field, const ReverberationEffect*) {
   field.number("ring_down_db", &ReverberationEffect::ringDown_db, -60.0, 20.0, say<"of live gas, below its front; -60 is none">);
   field.number("ring_down_fall_db_per_mm", &ReverberationEffect::ringDownFall_dbPerMm, 0.05, 10.0, say<"with depth">);
   field.number("clutter_db", &ReverberationEffect::clutter_db, -60.0, 0.0, say<"of live layers, copied deeper; -60 is none">);
+  field.number("shadow_haze_db", &ReverberationEffect::shadowHaze_db, -60.0, 0.0, say<"of live echoes, what fills shadows; -60 is none">);
 }
 
 template <class Visitor>

@@ -50,6 +50,7 @@ struct ReverberationEffect {
   double ringDown_db = -8.0;           ///< live echoes: ring-down of gas where it begins, below the front's echo, -60 (none)..20
   double ringDownFall_dbPerMm = 0.65;  ///< live echoes: its fall, 0.05..10
   double clutter_db = -22.0;           ///< live echoes: copies of layers a few mm deeper, -60 (none)..0
+  double shadowHaze_db = -14.0;        ///< live echoes: sound that wandered about, below the mean of what lies in front, -60 (none)..0
   bool operator==(const ReverberationEffect&) const = default;
 };
 
