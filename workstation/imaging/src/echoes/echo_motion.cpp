@@ -18,6 +18,16 @@ constexpr float kExactBack_mm2 = 4e-4F;
 constexpr double kBeyondNodes = 0.12;  // of the differences
 constexpr double kBeyondNodes_mm = 0.3;
 
+constexpr int kFacePlaces = 33;
+constexpr int kSmoothPlaces = 3;           // to either side
+constexpr double kFarthestSkin_mm = 12.0;  // below the skin; a face that stands deeper presses no more
+constexpr double kSkinStep_mm = 0.4;
+constexpr double kGel_mm = 3.0;
+constexpr double kLeastPress_mm = 0.3;
+constexpr double kGives_mm = 35.0;
+constexpr double kStands_mm = 80.0;  // what lies deeper is not moved
+constexpr double kNode_mm = 4.0;
+
 /// Between nodes of a grid, three linear steps; beyond as at its edge.
 glm::vec3 between(const glm::vec3* nodes, std::ptrdiff_t row, std::ptrdiff_t plane, const glm::vec3& last, const glm::vec3& p) {
   const glm::vec3 at = glm::clamp(p, glm::vec3(0.0F), last);
@@ -56,9 +66,8 @@ glm::vec3 EchoMotion::backAt(const glm::vec3& now_mm, const glm::vec3& guess) co
   return back;
 }
 
-void EchoMotion::find(const EchoLayout& layout, const TissueMotion& motion, const BodyState& body, double strength,
-                      const Transform<frame::Probe, frame::World>& motionToProbe, Bands& bands) {
-  fields_.clear();
+void EchoMotion::take(const TissueMotion& motion, const BodyState& body, double strength,
+                      const Transform<frame::Probe, frame::World>& motionToProbe) {
   for (const TissueMotion::Mode& mode : motion.modes) {
     const double amplitude = strength * amplitudeOf(mode.kind, body);
     if (amplitude == 0.0) continue;
@@ -74,6 +83,75 @@ void EchoMotion::find(const EchoLayout& layout, const TissueMotion& motion, cons
                        .plane = std::ptrdiff_t{mode.grid.dims.x} * mode.grid.dims.y,
                        .shift = mode.shift_mm.data()});
   }
+}
+
+void EchoMotion::press(const EchoLayout& layout, const SliceSource& level, const Transform<frame::Voxel, frame::Probe>& probeToVoxel) {
+  const FanShape& fan = layout.fan;
+  const auto isTissue = [&](const glm::dvec2& p_mm) {
+    const glm::ivec3 voxel(glm::floor(glm::dvec3(probeToVoxel.matrix * glm::dvec4(p_mm, 0.0, 1.0)) + 0.5));
+    return level.grid.contains(voxel) && level.voxels[level.grid.indexOf(voxel.x, voxel.y, voxel.z)] != 0;
+  };
+  // How far the face stands below the skin, at places along it; negative in front of it.
+  std::array<double, kFacePlaces> found_mm{};
+  for (int place = 0; place < kFacePlaces; ++place) {
+    const FanShape::Line line = fan.lineAt(2.0 * place / (kFacePlaces - 1) - 1.0);
+    const bool isIn = isTissue(line.origin_mm);
+    double away_mm = 0.0;
+    while (away_mm < kFarthestSkin_mm && isTissue(line.origin_mm - (isIn ? away_mm : -away_mm) * line.direction) == isIn)
+      away_mm += kSkinStep_mm;
+    if (away_mm >= kFarthestSkin_mm) away_mm = isIn ? kFarthestSkin_mm : 0.0;
+    // Gel brings skin to the face; what is farther away lies in the air.
+    found_mm[static_cast<std::size_t>(place)] =
+        isIn ? away_mm - 0.5 * kSkinStep_mm : -away_mm * std::clamp((2.0 * kGel_mm - away_mm) / kGel_mm, 0.0, 1.0);
+  }
+  // Voxels are steps of a skin that is smooth.
+  std::array<double, kFacePlaces> press_mm{};
+  double most_mm = 0.0;
+  for (int place = 0; place < kFacePlaces; ++place) {
+    double sum = 0.0, weight = 0.0;
+    for (int aside = -kSmoothPlaces; aside <= kSmoothPlaces; ++aside) {
+      const double share = kSmoothPlaces + 1 - std::abs(aside);
+      sum += share * found_mm[static_cast<std::size_t>(std::clamp(place + aside, 0, kFacePlaces - 1))];
+      weight += share;
+    }
+    press_mm[static_cast<std::size_t>(place)] = sum / weight;
+    most_mm = std::max(most_mm, std::abs(sum / weight));
+  }
+  if (most_mm < kLeastPress_mm) return;
+
+  const FanShape::Box box = fan.box(kStands_mm);
+  const double lowest_mm = box.top_mm - kFarthestSkin_mm, width_mm = box.halfWidth_mm + kNode_mm;
+  const glm::ivec3 dims(static_cast<int>(std::ceil(2.0 * width_mm / kNode_mm)) + 1,
+                        static_cast<int>(std::ceil((kStands_mm + kFarthestSkin_mm - lowest_mm) / kNode_mm)) + 1, 2);
+  pressed_.resize(static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(dims.z));
+  const std::size_t plane = pressed_.size() / 2;
+  for (int j = 0; j < dims.y; ++j)
+    for (int i = 0; i < dims.x; ++i) {
+      const glm::dvec2 rest_mm(i * kNode_mm - width_mm, j * kNode_mm + lowest_mm);
+      const FanShape::Place at = fan.placeOf(rest_mm);
+      const double along = (std::clamp(at.across, -1.0, 1.0) + 1.0) * 0.5 * (kFacePlaces - 1);
+      const int low = std::min(static_cast<int>(along), kFacePlaces - 2);
+      const double press = std::lerp(press_mm[static_cast<std::size_t>(low)], press_mm[static_cast<std::size_t>(low) + 1], along - low);
+      const double below_mm = std::max(at.depth_mm + press, 0.0);
+      const double share = std::exp(-below_mm * below_mm / (kGives_mm * kGives_mm)) * std::clamp((kStands_mm - below_mm) / 10.0, 0.0, 1.0);
+      const glm::dvec2 shift_mm = press * share * fan.directionThrough(rest_mm);
+      const std::size_t node = static_cast<std::size_t>(j) * static_cast<std::size_t>(dims.x) + static_cast<std::size_t>(i);
+      pressed_[node] = pressed_[node + plane] = glm::vec3(shift_mm, 0.0);
+    }
+  constexpr double kAside_mm = 50.0;  // the same at all places beside the slice
+  glm::dmat3 toNode(1.0 / kNode_mm);
+  toNode[2] = {0.0, 0.0, 0.5 / kAside_mm};
+  fields_.push_back({.isEverywhere = true,
+                     .probeToNode = glm::mat3(toNode),
+                     .nodeOfProbe = glm::vec3(width_mm / kNode_mm, -lowest_mm / kNode_mm, 0.5),
+                     .toProbe = glm::mat3(1.0F),
+                     .last = glm::vec3(dims - 1),
+                     .row = dims.x,
+                     .plane = static_cast<std::ptrdiff_t>(plane),
+                     .shift = pressed_.data()});
+}
+
+void EchoMotion::find(const EchoLayout& layout, Bands& bands) {
   if (!moves()) return;
 
   lines_ = static_cast<int>(layout.grid.lines.size());

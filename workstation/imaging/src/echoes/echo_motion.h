@@ -9,6 +9,7 @@
 
 #include "echo_layout.h"
 #include "ew/imaging/bands.h"
+#include "ew/imaging/slice_source.h"
 #include "ew/imaging/tissue_motion.h"
 
 namespace ew::detail {
@@ -21,8 +22,15 @@ class EchoMotion {
   void rest() { fields_.clear(); }
   /// @param motionToProbe from the frame of the motion's grids, rigid
   /// @param strength of every field, 0..1
-  void find(const EchoLayout& layout, const TissueMotion& motion, const BodyState& body, double strength,
-            const Transform<frame::Probe, frame::World>& motionToProbe, Bands& bands);
+  void take(const TissueMotion& motion, const BodyState& body, double strength, const Transform<frame::Probe, frame::World>& motionToProbe);
+  /// Tissue gives way to the face that presses into it: along each line the skin comes to lie on the face, and what is below it moves as
+  ///   p exp(-(s / S)^2),  p how far the face stands below the skin there, s the depth below the skin at rest, S kGives_mm,
+  /// so that layers near the face follow its curve and get thinner. Skin up to kGel_mm in front of a face comes to it with the gel. The
+  /// formula is ours; layers of the abdominal wall that follow a curved face as in recorded sweeps are the aim.
+  /// @param level of tissue, 0 where none is
+  void press(const EchoLayout& layout, const SliceSource& level, const Transform<frame::Voxel, frame::Probe>& probeToVoxel);
+  /// Of what was taken since rest(): where all of it has gone, along the lines.
+  void find(const EchoLayout& layout, Bands& bands);
   [[nodiscard]] bool moves() const { return !fields_.empty(); }
 
   /// How far what rests at a place has gone, mm.
@@ -66,6 +74,7 @@ class EchoMotion {
   }
 
   std::vector<Field> fields_;
+  std::vector<glm::vec3> pressed_;  ///< shifts at the nodes of press()
   double knot_mm_ = 4.0;
   float perKnot_ = 0.25F;
   int knots_ = 0;

@@ -64,9 +64,12 @@ void LiveEchoes::layHaze(double haze_db) {
 }
 
 void LiveEchoes::move(const TissueMotion* motion, const BodyState& body, double strength,
-                      const Transform<frame::Probe, frame::World>& motionToProbe, Bands& bands) {
-  if (motion == nullptr || body == BodyState{} || !(strength > 0.0)) return motion_.rest();
-  motion_.find(layout_, *motion, body, strength, motionToProbe, bands);
+                      const Transform<frame::Probe, frame::World>& motionToProbe, const SliceSource* giving,
+                      const Transform<frame::Voxel, frame::Probe>& probeToGiving, Bands& bands) {
+  motion_.rest();
+  if (motion != nullptr && !(body == BodyState{}) && strength > 0.0) motion_.take(*motion, body, strength, motionToProbe);
+  if (giving != nullptr) motion_.press(layout_, *giving, probeToGiving);
+  motion_.find(layout_, bands);
 }
 
 void LiveEchoes::scatter(const TissueMaps& maps, const Grid& placed, const Transform<frame::World, frame::Probe>& probeToWorld,

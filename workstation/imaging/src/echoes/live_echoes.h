@@ -31,8 +31,9 @@ class LiveEchoes {
   /// @param motion null: nothing moves
   /// @param strength of it, 0..1
   /// @param motionToProbe from the frame of its grids, rigid
+  /// @param giving level of tissue that gives way to the face; null: it stands still
   void move(const TissueMotion* motion, const BodyState& body, double strength, const Transform<frame::Probe, frame::World>& motionToProbe,
-            Bands& bands);
+            const SliceSource* giving, const Transform<frame::Voxel, frame::Probe>& probeToGiving, Bands& bands);
   /// @param placed where the maps lie now
   void scatter(const TissueMaps& maps, const Grid& placed, const Transform<frame::World, frame::Probe>& probeToWorld, Bands& bands);
   void lose(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, const SliceSource& level,

@@ -163,8 +163,12 @@ void BeamPath::loseContact(Bands& bands, std::span<ThreadScratch> scratch) {
 
 void BeamPath::scatter(const FrameInput& input, Bands& bands) {
   const Transform<frame::World, frame::World> ownToWorld = input.tissueGrid.voxelToWorld() * input.tissue->grid.worldToVoxel();
+  // Tissue that a probe was pressed into when it was recorded has given way already.
+  const SliceSource level(VolumeView<const std::uint8_t>{input.tissue->level.data(), input.tissueGrid});
+  const bool gives = scene_.contact && !input.tissue->isRecorded;
   live_.move(scene_.motion ? input.motion : nullptr, input.body, scene_.motion ? scene_.motion->strength : 0.0,
-             inverse(input.pose.probeToWorld) * ownToWorld, bands);
+             inverse(input.pose.probeToWorld) * ownToWorld, gives ? &level : nullptr,
+             input.tissueGrid.worldToVoxel() * input.pose.probeToWorld, bands);
   live_.scatter(*input.tissue, input.tissueGrid, input.pose.probeToWorld, bands);
   hasField_ = true;
 }
