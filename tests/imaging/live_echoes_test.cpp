@@ -203,11 +203,55 @@ TEST(LiveEchoes, MirrorWhereASurfaceLiesSquareToTheBeam) {
   EXPECT_NEAR((square - peakOf(20.0)) / kGreyPerDb, 20.0, 4.0);
 }
 
+/// How far a usual surface's echo lies below that of one that is square to the beam.
+double usualLobes_db(double lean_deg) {
+  const double sine2 = std::pow(std::sin(lean_deg * std::numbers::pi / 180.0), 2.0);
+  const auto lobe = [&](double fall_deg) { return std::exp(-0.5 * sine2 / std::pow(std::sin(fall_deg * std::numbers::pi / 180.0), 2.0)); };
+  const ReflectingSurface usual;
+  return -20.0 * std::log10(std::hypot(lobe(usual.fall_deg), std::pow(10.0, 0.05 * usual.rough_db) * lobe(usual.roughFall_deg)));
+}
+
+TEST(LiveEchoes, ShowASurfaceThirtyToFortyDegreesOffByWhatIsRoughOfIt) {
+  const auto peakOf = [](double lean_deg) {
+    TissueMaps maps = tissueOf([](const glm::dvec3&) { return 0.0; });
+    addPlane(maps, {.name = "plane", .echoLevel = 250.0}, 60.0, lean_deg * std::numbers::pi / 180.0);
+    Shot shot;
+    shot.scene.sliceThickness.reset();
+    const std::vector<double> levels = levelsBetween(pictureOf(maps, shot), shot, 50.0, 70.0, 4.0);
+    return *std::max_element(levels.begin(), levels.end());
+  };
+  const double square = peakOf(0.0);
+  // The lines of a beam meet a plane that leans at other depths: what they add up to is longer, and fainter by up to 7 dB.
+  for (const double lean_deg : {20.0, 30.0, 40.0}) {
+    const double found_db = (square - peakOf(lean_deg)) / kGreyPerDb;
+    EXPECT_GT(found_db, usualLobes_db(lean_deg) - 2.0) << lean_deg;
+    EXPECT_LT(found_db, usualLobes_db(lean_deg) + 7.0) << lean_deg;
+  }
+}
+
+TEST(LiveEchoes, ShowTheSheetsOfASurfaceOneBehindTheOther) {
+  TissueMaps maps = tissueOf([](const glm::dvec3&) { return 0.0; });
+  addPlane(maps, {.name = "plane", .echoLevel = 220.0, .sheets = 3, .sheetGap_mm = 2.0}, 60.0);
+  Shot shot;
+  shot.scene.sliceThickness.reset();
+  const GreyImage picture = pictureOf(maps, shot);
+  const auto peakNear = [&](double depth_mm) {
+    const std::vector<double> levels = levelsBetween(picture, shot, depth_mm - 0.7, depth_mm + 0.7, 4.0);
+    return *std::max_element(levels.begin(), levels.end());
+  };
+  // 2.5 dB each, and unevenness of at most 4.
+  EXPECT_NEAR((peakNear(60.0) - peakNear(62.0)) / kGreyPerDb, 2.5, 4.5);
+  EXPECT_NEAR((peakNear(62.0) - peakNear(64.0)) / kGreyPerDb, 2.5, 4.5);
+  EXPECT_LT(peakNear(66.0), peakNear(64.0) - 20.0);
+  EXPECT_LT(meanOf(levelsBetween(picture, shot, 60.8, 61.2, 4.0)), peakNear(60.0) - 20.0) << "dark between them";
+}
+
 TEST(LiveEchoes, OfACurvedSurfaceAreALineWithoutBeads) {
   const glm::dvec2 middle_mm(0.0, 65.0);
   constexpr double kRadius_mm = 30.0;
   TissueMaps maps = tissueOf([](const glm::dvec3&) { return 0.0; });
-  addSurface(maps, {.name = "tube", .echoLevel = 250.0},
+  // What is rough of it shows at every angle here: a slope of its brightness would be no beads.
+  addSurface(maps, {.name = "tube", .echoLevel = 250.0, .rough_db = -20.0, .roughFall_deg = 90.0},
              [&](const glm::dvec3& p) { return glm::distance(glm::dvec2(p), middle_mm) - kRadius_mm; });
   for (const double carrier_hz : {2.5e6, 3.5e6, 5e6}) {
     Shot shot;

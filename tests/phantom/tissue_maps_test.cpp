@@ -150,6 +150,26 @@ TEST(TissueMaps, KnowTheDistanceToAPlaneAsFarAsTheyReach) {
   });
 }
 
+TEST(TissueMaps, DrawASheetThatIsThinnerThanTheirVoxelsOnceAlongItsMiddle) {
+  // 40 mm below a skin of 60 mm radius: from one side to the other the distance changes its sign, as a line that crosses it has to see.
+  const auto made = mapped(recipeOf(R"({"name": "sheet", "tissue": "bright", "border": {"echo_level": 200, "width_mm": 0.4, "sheets": 2},
+      "shape": {"sheets": {"of": "skin surface", "from_depth_mm": 40, "to_depth_mm": 41, "spacing_mm": 50, "thickness_mm": 0.3,
+                           "undulation_mm": 0, "missing": 0}}})"));
+  const TissueMaps& maps = *made.maps;
+  ASSERT_EQ(maps.surfaces.size(), 1u);
+  EXPECT_EQ(maps.surfaces[0].sheets, 2);
+  int above = 0, below = 0;
+  forEachVoxel(maps.grid, [&](std::size_t at, const glm::dvec3& p) {
+    const double d = glm::length(p) - 20.0;
+    if (std::abs(d) > 1.5 * kSpacing_mm) return;
+    ASSERT_EQ(maps.surfaceKind[at], 1) << d;
+    ASSERT_NEAR(distanceAt(maps, at), d, 0.3);  // the skin is kept on a grid, and 40 mm below it its distance is less exact
+    ++(d > 0.0 ? above : below);
+  });
+  EXPECT_GT(above, 1000);
+  EXPECT_GT(below, 1000);
+}
+
 TEST(TissueMaps, ChooseTheNearerOfTwoSurfaces) {
   const auto made = mapped(recipeOf(std::string(kBall) + R"(, {"name": "other", "tissue": "dark",
       "border": {"echo_level": 240, "width_mm": 1, "shine": "front"},

@@ -22,8 +22,9 @@ auto filesOf(Maps& maps) {
 }
 
 nlohmann::ordered_json jsonOf(const ReflectingSurface& surface) {
-  return {{"name", surface.name},         {"echo_level", surface.echoLevel}, {"thickness_mm", surface.thickness_mm},
-          {"fall_deg", surface.fall_deg}, {"rough_db", surface.rough_db},    {"front_only", surface.frontOnly}};
+  return {{"name", surface.name},         {"echo_level", surface.echoLevel},     {"thickness_mm", surface.thickness_mm},
+          {"fall_deg", surface.fall_deg}, {"rough_db", surface.rough_db},        {"rough_fall_deg", surface.roughFall_deg},
+          {"sheets", surface.sheets},     {"sheet_gap_mm", surface.sheetGap_mm}, {"front_only", surface.frontOnly}};
 }
 
 ReflectingSurface surfaceOf(const json& kept) {
@@ -33,6 +34,9 @@ ReflectingSurface surfaceOf(const json& kept) {
   kept.at("thickness_mm").get_to(surface.thickness_mm);
   kept.at("fall_deg").get_to(surface.fall_deg);
   kept.at("rough_db").get_to(surface.rough_db);
+  kept.at("rough_fall_deg").get_to(surface.roughFall_deg);
+  kept.at("sheets").get_to(surface.sheets);
+  kept.at("sheet_gap_mm").get_to(surface.sheetGap_mm);
   kept.at("front_only").get_to(surface.frontOnly);
   return surface;
 }

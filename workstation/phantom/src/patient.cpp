@@ -15,7 +15,7 @@ namespace {
 constexpr double kSkinSpacing_mm = 4.0;
 constexpr double kLargestBox_mm3 = 1e9;          // a cubic metre holds a person lying down; the skin is sampled all over the box
 constexpr double kMostSolidsOfOrgans = 50000.0;  // asked for one point inside all organs
-constexpr std::uint64_t kVoxelVersion = 1;       // raise when the same recipe starts to give other voxels
+constexpr std::uint64_t kVoxelVersion = 2;       // raise when the same recipe starts to give other voxels
 
 std::uint64_t fnv1a(const std::string& text, std::uint64_t hash) {
   for (const char letter : text) hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211ull;
@@ -103,11 +103,13 @@ constexpr std::array<std::pair<std::string_view, phantom::Shine>, 3> kShines{
 std::optional<phantom::Border> readBorder(const JsonFields& object) {
   if (!object.has("border")) return std::nullopt;
   const JsonFields border = object.object("border");
-  border.only({"echo_level", "width_mm", "shine"});
+  border.only({"echo_level", "width_mm", "shine", "sheets", "sheet_gap_mm"});
   phantom::Border read;
   read.echoLevel = border.number("echo_level", 0.0, 255.0);
   read.width_mm = border.number("width_mm", 0.05, 50.0);
   read.shine = border.word("shine", kShines, std::optional(phantom::Shine::glint));
+  read.sheets = static_cast<int>(border.number("sheets", 1.0, 4.0, 1.0));
+  read.sheetGap_mm = border.number("sheet_gap_mm", 0.3, 10.0, read.sheetGap_mm);
   return read;
 }
 

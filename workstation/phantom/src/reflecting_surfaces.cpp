@@ -22,13 +22,21 @@ constexpr double kBoundary_mm = 0.8;
 constexpr double kWallFall_deg = 12.0;  // of vessels: 12 dB at 20 degrees; the others: 20 dB
 // Of bone, stone and gas, whose faces are rough at the scale of a wavelength: a rib that crosses the slice obliquely has its bright cap.
 constexpr double kRoughFall_deg = 12.0;
+constexpr double kRoughWall_db = -9.0;  // of capsules and walls
+// Of fasciae and septa, which are felts of fibres.
+constexpr double kSheetFall_deg = 15.0;
+constexpr double kRoughSheet_db = -6.0;
 constexpr double kRoughFront_db = -13.0;
+constexpr double kRoughFrontFall_deg = 60.0;
 constexpr std::uint16_t kBorderKey = 255;
 
 // A voxel lies above a surface, and not beside its rim, when what leads to its foot leans from the normal by no more than the feet are
 // apart, and more where the surface curves between them.
 constexpr double kBesideInVoxels = 0.9;
 constexpr double kBesidePerMm = 0.35;
+
+// A sheet of less than about one and a half voxels is drawn once, along its middle.
+constexpr double kThinnestSolid = 1.7;
 
 constexpr int kSlices = 48;  // spread at once
 constexpr int kMostKinds = 255;
@@ -41,24 +49,31 @@ std::optional<SurfaceFoot> SurfaceFinder::nearest(const glm::dvec3& p_mm, double
                                                   const std::vector<double>& distances_mm) const {
   std::optional<SurfaceFoot> found;
   for (std::size_t n = 0; n < distances_mm.size(); ++n) {
-    const double d = distances_mm[n];
     const double nearest_mm = found ? std::abs(static_cast<double>(found->distance_mm)) : reach_mm_;
-    if (std::abs(d) > kSurfaceReserve * nearest_mm) continue;
+    if (std::abs(distances_mm[n]) > kSurfaceReserve * nearest_mm) continue;
     const Organ& organ = *near[n];
+    // Both faces of a sheet that is thinner than the voxels face away from each other, and between them no distance would change its sign.
+    const double thickness_mm = organ.shape->sheetThickness_mm();
+    const bool isSheet = thickness_mm > 0.0 && thickness_mm < kThinnestSolid * reach_mm_;
+    const auto distanceAt = [&](const glm::dvec3& at_mm) {
+      return isSheet ? organ.shape->middle_mm(at_mm) : organ.shape->distance_mm(at_mm);
+    };
+    const double d = isSheet ? distanceAt(p_mm) : distances_mm[n];
     glm::dvec3 slope;
     for (int axis = 0; axis < 3; ++axis) {
       glm::dvec3 step(0.0);
       step[axis] = kSlopeStep_mm;
-      slope[axis] = (organ.shape->distance_mm(p_mm + step) - d) / kSlopeStep_mm;
+      slope[axis] = (distanceAt(p_mm + step) - d) / kSlopeStep_mm;
     }
     const double steep = glm::length(slope);
     if (!(steep > 0.0) || std::abs(d) > reach_mm_ * steep) continue;
     const glm::dvec3 normal = slope / steep;
     // A second step of Newton's: first-order distances of curved shapes are off by the square of the first, over their radius.
     double exact = d / steep;
-    if (std::abs(exact) > kExact_mm) exact += organ.shape->distance_mm(p_mm - exact * normal) / steep;
+    if (std::abs(exact) > kExact_mm) exact += distanceAt(p_mm - exact * normal) / steep;
     if (found && std::abs(exact) >= nearest_mm) continue;
     const glm::dvec3 foot = p_mm - exact * normal;
+    if (isSheet && organ.shape->distance_mm(foot) > kSameSurface_mm) continue;  // a gap
     if (isHidden(foot, std::abs(exact), skin_mm, n, near, distances_mm)) continue;
     const auto key = keyAt(foot, normal, organ, near);
     if (!key) continue;
@@ -108,14 +123,22 @@ ReflectingSurface SurfaceFinder::surfaceOf(std::uint16_t key) const {
   const Organ& organ = patient_.organs[key >> 8];
   ReflectingSurface surface;
   surface.name = organ.name;
+  surface.rough_db = kRoughWall_db;
   surface.frontOnly = organ.border && organ.border->shine == Shine::front;
   if (organ.shape->centreLine() && !surface.frontOnly) surface.fall_deg = kWallFall_deg;
+  if (organ.shape->sheetThickness_mm() > 0.0) {
+    surface.fall_deg = kSheetFall_deg;
+    surface.rough_db = kRoughSheet_db;
+  }
   if (surface.frontOnly) {
     surface.fall_deg = kRoughFall_deg;
     surface.rough_db = kRoughFront_db;
+    surface.roughFall_deg = kRoughFrontFall_deg;
   }
   if (organ.border) {
     surface.echoLevel = organ.border->echoLevel;
+    surface.sheets = organ.border->sheets;
+    surface.sheetGap_mm = organ.border->sheetGap_mm;
     surface.thickness_mm = std::min(organ.border->width_mm, surface.frontOnly ? kThickestFront_mm : kThickestWall_mm);
   } else {
     const Tissue& outside = patient_.tissues[key & 255u];

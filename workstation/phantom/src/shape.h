@@ -34,6 +34,11 @@ class Shape {
   [[nodiscard]] virtual const CentreLine* centreLine() const { return nullptr; }
   /// Of an ellipsoid, in the world; null for everything else.
   [[nodiscard]] virtual const Ellipsoid* ellipsoid() const { return nullptr; }
+  /// Of thin sheets, how thick they are: where voxels are wider no two faces can be told apart, and middle_mm stands for both. 0: a solid.
+  [[nodiscard]] virtual double sheetThickness_mm() const { return 0.0; }
+  /// Of thin sheets, the signed distance to the middle of the nearest one, which changes its sign across it and jumps half way to the next;
+  /// where that has a gap it goes on. Of everything else the distance.
+  [[nodiscard]] virtual double middle_mm(const glm::dvec3& p_mm) const { return distance_mm(p_mm); }
   /// Of a tree of vessels; null for everything else.
   [[nodiscard]] virtual const VesselTree* vessels() const { return nullptr; }
   /// Solids that one call of distance_mm may ask, a shared one counted at every use: what a point costs.

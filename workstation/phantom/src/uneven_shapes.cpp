@@ -68,29 +68,41 @@ class SheetsBelow final : public Shape {
     }
     solids_ += static_cast<double>(depths_.size());
   }
-  double distance_mm(const glm::dvec3& p_mm) const override {
+  double distance_mm(const glm::dvec3& p_mm) const override { return nearest(p_mm).distance_mm; }
+  double sheetThickness_mm() const override { return sheets_.thickness_mm; }
+  double middle_mm(const glm::dvec3& p_mm) const override { return nearest(p_mm).middle_mm; }
+
+ private:
+  struct Nearest {
+    double distance_mm;
+    double middle_mm;  ///< above it positive
+  };
+  [[nodiscard]] Nearest nearest(const glm::dvec3& p_mm) const {
     const double depth = -below_->distance_mm(p_mm), far = reach_ + 1.0;
-    if (depth < depths_.front() - far) return depths_.front() - depth - reach_;
-    if (depth > depths_.back() + far) return depth - depths_.back() - reach_;
+    if (depth < depths_.front() - far) return {depths_.front() - depth - reach_, depths_.front() - depth};
+    if (depth > depths_.back() + far) return {depth - depths_.back() - reach_, depths_.back() - depth};
     const glm::dvec3 at = p_mm / sheets_.length_mm;
     const double together = 0.6 * reach_ * valueNoise(sheets_.seed, at);
-    double nearest = std::numeric_limits<double>::infinity();
+    constexpr double kNowhere = std::numeric_limits<double>::infinity();
+    Nearest found{kNowhere, kNowhere};
     for (std::size_t n = 0; n < depths_.size(); ++n) {
       const double away = std::abs(depth - depths_[n]) - 2.0 * reach_;
-      if (away > nearest) continue;
+      if (away > found.distance_mm && away > std::abs(found.middle_mm)) continue;
       const double own = 0.8 * reach_ * valueNoise(sheets_.seed + 1 + n, at);
-      double d = (std::abs(depth - depths_[n] - together - own) - 0.5 * sheets_.thickness_mm) * perSlope_;
-      if (sheets_.missing > 0.0 && d < nearest) {
+      const double above = depths_[n] + together + own - depth;
+      if (std::abs(above) * perSlope_ < std::abs(found.middle_mm)) found.middle_mm = above * perSlope_;
+      if (away > found.distance_mm) continue;
+      double d = (std::abs(above) - 0.5 * sheets_.thickness_mm) * perSlope_;
+      if (sheets_.missing > 0.0 && d < found.distance_mm) {
         const double length = 1.6 * sheets_.length_mm;
         const double gap = levelAbove(1.0 - sheets_.missing) - valueNoise((sheets_.seed + 1 + n) ^ kGapSeed, p_mm / length);
         d = std::max(d, gap * length / (2.0 * kNoiseSlope));
       }
-      nearest = std::min(nearest, d);
+      found.distance_mm = std::min(found.distance_mm, d);
     }
-    return nearest;
+    return found;
   }
 
- private:
   ShapePtr below_;
   Sheets sheets_;
   std::vector<double> depths_;
@@ -110,11 +122,16 @@ class SeptaBelow final : public Shape {
     const double skin = below_->distance_mm(p_mm);
     const double layer = std::max(skin + septa_.fromDepth_mm, -skin - septa_.toDepth_mm);
     if (layer > 1.0) return layer;
-    return std::max(layer, wall_mm({kAround_mm * std::atan2(p_mm.x, -p_mm.y), -skin, p_mm.z}) - 0.5 * septa_.thickness_mm);
+    return std::max(layer, std::abs(wall_mm(unrolled(p_mm, skin))) - 0.5 * septa_.thickness_mm);
   }
+  double sheetThickness_mm() const override { return septa_.thickness_mm; }
+  double middle_mm(const glm::dvec3& p_mm) const override { return wall_mm(unrolled(p_mm, below_->distance_mm(p_mm))); }
 
  private:
-  /// Distance to the nearest face between two lobules.
+  [[nodiscard]] static glm::dvec3 unrolled(const glm::dvec3& p_mm, double skin_mm) {
+    return {kAround_mm * std::atan2(p_mm.x, -p_mm.y), -skin_mm, p_mm.z};
+  }
+  /// Signed distance to the nearest face between two lobules: positive in the one that comes first along x, y and z.
   [[nodiscard]] double wall_mm(const glm::dvec3& p) const {
     const glm::dvec3 scale = 1.0 / septa_.lobule_mm, q = p * scale, floor = glm::floor(q);
     const auto i = static_cast<std::int64_t>(floor.x), j = static_cast<std::int64_t>(floor.y), k = static_cast<std::int64_t>(floor.z);
@@ -136,14 +153,18 @@ class SeptaBelow final : public Shape {
           centres[count++] = centre;
         }
     double wall2 = std::numeric_limits<double>::infinity();
+    bool isFirst = true;
     for (std::size_t n = 0; n < count; ++n) {
       if (n == own) continue;
       const glm::dvec3 across = centres[n] - centres[own];
       const double beyond = std::max(0.0, glm::dot(0.5 * (centres[n] + centres[own]) - q, across));
       const glm::dvec3 slope = across * scale;
-      wall2 = std::min(wall2, beyond * beyond / glm::dot(slope, slope));
+      const double here2 = beyond * beyond / glm::dot(slope, slope);
+      if (here2 >= wall2) continue;
+      wall2 = here2;
+      isFirst = own < n;
     }
-    return std::sqrt(wall2);
+    return isFirst ? std::sqrt(wall2) : -std::sqrt(wall2);
   }
 
   ShapePtr below_;

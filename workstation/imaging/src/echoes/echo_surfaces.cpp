@@ -21,7 +21,10 @@ constexpr float kBlind_mm = 0.8F;  // at least, where no surface is known
 struct Strength {
   float mirror = 0.0F;
   float rough = 0.0F;
-  float sharpness = 0.0F;  ///< the mirror falls as exp(-sharpness sin^2 b)
+  float sharpness = 0.0F;       ///< the mirror falls as exp(-sharpness sin^2 b)
+  float roughSharpness = 0.0F;  ///< and what is rough
+  int sheets = 1;
+  float sheetGap_mm = 0.0F;
   bool frontOnly = false;
 };
 
@@ -97,6 +100,8 @@ constexpr float kFine_mm = 0.3F;    // steps across a surface
 constexpr float kClose_mm = 0.35F;  // from here on steps are fine
 constexpr float kTrust = 0.85F;     // of a distance, which is first order, and between voxels
 constexpr double kGrain_mm = 4.5;   // of unevenness
+constexpr int kMostSheets = 4;
+constexpr double kNextSheet = 0.75;  // as strong as the one in front of it
 constexpr double kDecibelPerLevel = 60.0 / 255.0;
 
 std::uint32_t hashOf(const glm::ivec3& at) {
@@ -110,6 +115,9 @@ std::uint32_t hashOf(const glm::ivec3& at) {
 constexpr double kFragmentScale_mm = 1.6;  // of the Gamma distribution (shape 2) of their lengths
 constexpr double kFragmentSpread_db = 4.0;
 constexpr double kFragmentFall_deg = 9.0;
+constexpr double kMostBend_perMm = 0.08;
+constexpr double kPairs = 0.4;                // of them: the two walls of a little vessel
+constexpr double kSecondWall = 0.7;           // as strong as the one in front
 constexpr double kSteepestFragment = 0.15;    // squared sine of the incidence: beyond, less than -13 dB are left
 constexpr std::uint8_t kFaintestTissue = 40;  // no walls in fluids
 
@@ -175,9 +183,13 @@ void EchoSurfaces::add(const TissueMaps& maps, const Transform<frame::Voxel, fra
   std::vector<Strength> strengths;
   for (const ReflectingSurface& surface : maps.surfaces) {
     const double amplitude = std::pow(10.0, 0.05 * ((surface.echoLevel - 255.0) * kDecibelPerLevel + layout_->effect.gain_db));
-    const double fall = std::sin(surface.fall_deg * std::numbers::pi / 180.0);
+    const auto sharpnessOf = [](double fall_deg) {
+      const double fall = std::sin(fall_deg * std::numbers::pi / 180.0);
+      return static_cast<float>(0.5 / (fall * fall));
+    };
     strengths.push_back({static_cast<float>(amplitude), static_cast<float>(amplitude * std::pow(10.0, 0.05 * surface.rough_db)),
-                         static_cast<float>(0.5 / (fall * fall)), surface.frontOnly});
+                         sharpnessOf(surface.fall_deg), sharpnessOf(surface.roughFall_deg), std::clamp(surface.sheets, 1, kMostSheets),
+                         static_cast<float>(surface.sheetGap_mm), surface.frontOnly});
   }
   const SurfaceMap map{maps, std::move(strengths), glm::mat4(probeToVoxel.matrix),
                        glm::mat3(glm::transpose(glm::dmat3(probeToVoxel.matrix)))};
@@ -205,6 +217,26 @@ void EchoSurfaces::addLine(int line, const SurfaceMap& map, const EchoMotion& mo
       if constexpr (!kMoves) return straight;
       return straight + motion.backOn(back_[n], line, range_mm);
     };
+    // As the surface lies now: tissue that gives way turns it.
+    const auto slopeAt = [&](float range_mm, const glm::vec3& at) {
+      const glm::vec3 rest = map.slopeAt(at) / static_cast<float>(TissueMaps::kDistanceStepsPerMm);
+      if constexpr (!kMoves) return rest;
+      const auto lines = static_cast<int>(layout_->grid.lines.size());
+      const auto distanceOn = [&](int other, float there_mm) {
+        const BeamGrid::Line& its = layout_->grid.lines[static_cast<std::size_t>(other)];
+        const glm::vec3 place(glm::vec2(its.origin_mm) + there_mm * glm::vec2(its.direction),
+                              ray.sigmas * elevation_mm_[static_cast<std::size_t>(range_mm)]);
+        return map.distanceAt(glm::vec3(map.probeToVoxel * glm::vec4(place, 1.0F)) + motion.backOn(back_[n], other, there_mm));
+      };
+      const int low = std::max(line - 1, 0), high = std::min(line + 1, lines - 1);
+      if (low == high) return rest;
+      const float down = distanceOn(line, range_mm + kFine_mm) - distanceOn(line, std::max(range_mm - kFine_mm, 0.0F));
+      const float across = distanceOn(high, range_mm) - distanceOn(low, range_mm);
+      if (std::isnan(down) || std::isnan(across)) return rest;
+      const auto aside_mm = static_cast<float>((high - low) * layout_->grid.lineSpacing_mm(static_cast<double>(range_mm)));
+      const glm::vec2 alongLine(way.direction);
+      return glm::vec3(down / (2.0F * kFine_mm) * alongLine + across / aside_mm * glm::vec2(alongLine.y, -alongLine.x), rest.z);
+    };
     float before = SurfaceMap::kUnknown;
     for (float range_mm = 0.0F, step_mm = 0.0F; range_mm < depth_mm; range_mm += step_mm) {
       const float last_mm = step_mm, last = before, here = map.distanceAt(voxelAt(range_mm));
@@ -212,18 +244,17 @@ void EchoSurfaces::addLine(int line, const SurfaceMap& map, const EchoMotion& mo
       step_mm = std::isnan(here) ? map.blind_mm : std::abs(here) > kClose_mm ? std::max(kTrust * std::abs(here), kFine_mm) : kFine_mm;
       // Not a number compares false. A jump between two surfaces is no crossing.
       if (!(here * last <= 0.0F && std::abs(here - last) < 1.4F * last_mm && here != last)) continue;
-      meet(line, range_mm - last_mm * here / (here - last), here < last, ray.weight, map, voxelAt, fine, stride);
+      const float met_mm = range_mm - last_mm * here / (here - last);
+      const glm::vec3 at = voxelAt(met_mm);
+      meet(line, met_mm, here < last, ray.weight, map, at, slopeAt(met_mm, at), fine, stride);
     }
   }
 }
 
-template <class VoxelAt>
-void EchoSurfaces::meet(int line, float range_mm, bool entering, float weight, const SurfaceMap& map, const VoxelAt& voxelAt,
-                        std::int32_t* fine, std::ptrdiff_t stride) const {
-  const glm::vec3 at = voxelAt(range_mm);
+void EchoSurfaces::meet(int line, float range_mm, bool entering, float weight, const SurfaceMap& map, const glm::vec3& at,
+                        const glm::vec3& slope, std::int32_t* fine, std::ptrdiff_t stride) const {
   const Strength* surface = map.surfaceAt(at);
   if (surface == nullptr || (surface->frontOnly && !entering)) return;
-  const glm::vec3 slope = map.slopeAt(at);
   const float steep = glm::length(slope);
   if (!(steep > 0.0F)) return;
   const glm::vec2 way(layout_->grid.lines[static_cast<std::size_t>(line)].direction);
@@ -231,13 +262,23 @@ void EchoSurfaces::meet(int line, float range_mm, bool entering, float weight, c
   const float sine2 = 1.0F - cosine * cosine;
   const glm::dvec3 mm = glm::dvec3(at) * map.maps.grid.spacing_mm;
   const double mirror = static_cast<double>(weight * surface->mirror * std::exp(-sine2 * surface->sharpness));
-  const double uneven = std::clamp(1.6 * unevenAt(mm) + 0.1, 0.4, 1.0);
+  const double uneven = std::clamp(1.2 * unevenAt(mm) + 0.3, 0.6, 1.0);
+  const double rough = static_cast<double>(weight * surface->rough * std::exp(-sine2 * surface->roughSharpness));
   // Neighbouring rows meet the surface a little earlier or later.
   const float across = slope.x * way.y - slope.y * way.x;
   const float lean = std::clamp(-across / std::copysign(std::max(std::abs(down), 0.2F), down), -3.0F, 3.0F);
   // What is rough is in quadrature and coherent along the surface too: of random signs it was a string of beads.
-  deposit(line, static_cast<double>(range_mm), static_cast<double>(lean), uneven * mirror, static_cast<double>(weight * surface->rough),
-          fine, stride);
+  deposit(line, static_cast<double>(range_mm), static_cast<double>(lean), uneven * mirror, rough, fine, stride);
+  // What lies behind it, as the beam goes: each sheet is uneven at places of its own.
+  double fainter = 1.0;
+  for (int sheet = 1; sheet < surface->sheets; ++sheet) {
+    fainter *= kNextSheet;
+    const double gap_mm =
+        static_cast<double>(surface->sheetGap_mm * static_cast<float>(sheet)) / static_cast<double>(std::max(cosine, 0.3F));
+    const double own = std::clamp(1.2 * unevenAt(mm + 97.0 * sheet) + 0.3, 0.6, 1.0);
+    deposit(line, static_cast<double>(range_mm) + (entering ? gap_mm : -gap_mm), static_cast<double>(lean), own * fainter * mirror,
+            fainter * rough, fine, stride);
+  }
 }
 
 void EchoSurfaces::deposit(int line, double range_mm, double lean, double amplitude, double rough, std::int32_t* fine,
@@ -308,11 +349,17 @@ void EchoSurfaces::addFragments(const SliceSource& level, const EchoPlace& fragm
     const double spacing_mm = layout_->rowSpacing_mm(place.depth_mm), elevation_mm = layout_->beams.elevationalSigma_mm(place.depth_mm);
     const double lean = -(normal.x * way.y - normal.y * way.x) / cosine;
     const double middle = (middleLine + middleLine * place.across) * layout_->rowsPerLine;
+    const double bend_perMm = kMostBend_perMm * (2.0 * hashed.even() - 1.0);
+    const bool isPair = hashed.even() < kPairs;
+    const double apart_mm = 1.2 + 1.8 * hashed.even();
     for (int row = static_cast<int>(std::ceil(middle - radius_mm / spacing_mm)); row <= middle + radius_mm / spacing_mm; ++row) {
       const double aside_mm = (row - middle) * spacing_mm, half_mm = std::sqrt(std::max(0.0, radius_mm * radius_mm - aside_mm * aside_mm));
       const auto below = [&](double z_mm) { return 0.5 * std::erf(z_mm / (std::numbers::sqrt2 * elevation_mm)); };
-      const double seen = below(at_mm.z + half_mm) - below(at_mm.z - half_mm);
-      add(row, place.depth_mm + lean * aside_mm, amplitude * seen, 0.0, fine, stride);
+      // Curved, and fading towards its ends.
+      const double seen = (below(at_mm.z + half_mm) - below(at_mm.z - half_mm)) * half_mm * half_mm / (radius_mm * radius_mm);
+      const double range_mm = place.depth_mm + lean * aside_mm + 0.5 * bend_perMm * aside_mm * aside_mm;
+      add(row, range_mm, amplitude * seen, 0.0, fine, stride);
+      if (isPair) add(row, range_mm + apart_mm, kSecondWall * amplitude * seen, 0.0, fine, stride);
     }
   }
 }

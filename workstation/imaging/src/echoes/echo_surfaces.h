@@ -18,22 +18,23 @@ inline constexpr double kFragmentCell_mm = 3.0;
 
 /// Mirrors: each line is followed through a few planes of the slice to where it crosses a reflecting surface, and adds an echo there, as
 /// strong as the surface lies square to it:
-///   a = A (u exp(-sin^2 b / (2 sin^2 fall)) + r),  A as ReflectingSurface::echoLevel says, b the incidence, r rough and in
-/// quadrature, u uneven within 3 to 6 mm, by 8 dB at most. In the field all mirrors have one phase, and all that is rough has: laterally
-/// they add up to a line as wide as the beam, without beads, and a surface that leans in elevation is spread over the depths at which it is
-/// met. Source: incidence as facts of the field have it (20 dB at 20 degrees for capsules and diaphragm); the formula is ours.
+///   a = A (u exp(-sin^2 b / (2 sin^2 fall)) + i r exp(-sin^2 b / (2 sin^2 roughFall))),  A as ReflectingSurface::echoLevel says, b the
+/// incidence, r what is rough, in quadrature, u uneven within 3 to 6 mm, by 4 dB at most. In the field all mirrors have one phase, and all
+/// that is rough has: laterally they add up to a line as wide as the beam, without beads, and a surface that leans in elevation is spread
+/// over the depths at which it is met. Source: incidence as facts of the field have it (20 dB at 20 degrees for capsules and diaphragm);
+/// the formula is ours.
 class EchoSurfaces {
  public:
   void configure(const EchoLayout& layout);
   /// Adds to the fine grid, in units of kDepositUnit. Every line has rows of its own.
   /// @param maps with surfaces
-  /// @param motion of what they show. A surface that tissue shears is met where it has gone, at the incidence it has at rest.
+  /// @param motion of what they show. A surface that moves is met where it has gone and as it lies there.
   void add(const TissueMaps& maps, const Transform<frame::Voxel, frame::Probe>& probeToVoxel, const EchoMotion& motion, Bands& bands,
            std::int32_t* fine, std::ptrdiff_t stride);
 
-  /// Little walls and fissures, at most one in each block: discs of hashed place, direction and size, seen where they lie square to the
-  /// beam, as much above the level around them as LiveEchoesEffect says, give or take 4 dB.
-  /// Aim: 0.4 bright dashes of 3 mm and more in 4 cm2, as in a recorded liver.
+  /// Little walls and fissures, at most one in each block: bent discs of hashed place, direction and size that fade towards their rim, two
+  /// in five of them with a second wall 1.2 to 3 mm behind, seen where they lie square to the beam, as much above the level around them as
+  /// LiveEchoesEffect says, give or take 4 dB. Aim: 0.4 bright dashes of 3 mm and more in 4 cm2, as in a recorded liver.
   /// @param fragments lattice of which kBlockCells cells are kFragmentCell_mm
   void addFragments(const SliceSource& level, const EchoPlace& fragments, const std::vector<ScatterBlock>& blocks, std::int32_t* fine,
                     std::ptrdiff_t stride) const;
@@ -41,9 +42,9 @@ class EchoSurfaces {
  private:
   template <bool kMoves>
   void addLine(int line, const SurfaceMap& map, const EchoMotion& motion, std::int32_t* fine, std::ptrdiff_t stride) const;
-  template <class VoxelAt>
-  void meet(int line, float range_mm, bool entering, float weight, const SurfaceMap& map, const VoxelAt& voxelAt, std::int32_t* fine,
-            std::ptrdiff_t stride) const;
+  /// @param at voxel @param slope of the distance there, in the probe frame
+  void meet(int line, float range_mm, bool entering, float weight, const SurfaceMap& map, const glm::vec3& at, const glm::vec3& slope,
+            std::int32_t* fine, std::ptrdiff_t stride) const;
   /// To a row counted from the first line's.
   void add(int row, double range_mm, double amplitude, double rough, std::int32_t* fine, std::ptrdiff_t stride) const;
   void deposit(int line, double range_mm, double lean, double amplitude, double rough, std::int32_t* fine, std::ptrdiff_t stride) const;

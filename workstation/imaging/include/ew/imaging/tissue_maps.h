@@ -8,15 +8,18 @@
 
 namespace ew {
 
-/// How a smooth surface between tissues sends sound back: like a mirror where the beam meets it square, and a little into every direction.
+/// How a surface between tissues sends sound back: like a mirror where the beam meets it square, and what is rough of it into a wide lobe.
 struct ReflectingSurface {
   std::string name;  ///< "liver", as in the patient's list of organs
   double echoLevel =
       200.0;  ///< grey level of its echo where it lies square to the beam, on the scale of TissueMaps::level; above 255 possible
-  double thickness_mm = 0.8;  ///< full width at half maximum of the layer that echoes
-  double fall_deg = 9.0;      ///< the mirror's amplitude falls with the incidence b as exp(-sin^2 b / (2 sin^2 fall_deg))
-  double rough_db = -25.0;    ///< what it sends into every direction, below echoLevel
-  bool frontOnly = false;     ///< bone, stone, gas: seen from outside alone
+  double thickness_mm = 0.8;    ///< full width at half maximum of the layer that echoes
+  double fall_deg = 9.0;        ///< the mirror's amplitude falls with the incidence b as exp(-sin^2 b / (2 sin^2 fall_deg))
+  double rough_db = -12.0;      ///< what is rough of it sends back square to the beam, below echoLevel ...
+  double roughFall_deg = 26.0;  ///< ... and falls as the mirror does, only slower: so that it is seen 30 to 40 degrees off
+  int sheets = 1;               ///< one behind the other, each a little fainter: peritoneum, muscle and pleura of a diaphragm; 1 to 4
+  double sheetGap_mm = 1.5;     ///< between them, into the surface's organ
+  bool frontOnly = false;       ///< bone, stone, gas: seen from outside alone
   bool operator==(const ReflectingSurface&) const = default;
 };
 
