@@ -89,28 +89,14 @@ TEST(ShippedCases, MeasureFluidFromOneOfItsBordersToTheOther) {
     EXPECT_NEAR(signedDistance_mm(**patient, "free fluid in Morison's pouch", p_mm).value_or(1e9), 0.0, 0.1);
 }
 
-TEST(ShippedCases, HoldTheirProbesToTheSkinOfTheirPatients) {
+TEST(ShippedCases, NameProbesThatThereAre) {
   const auto resources = resourceFolder();
   ASSERT_TRUE(resources);
-  std::size_t swept = 0;
   for (const Case& each : listCases(*shippedCasesFolder()).cases) {
     const auto probes = readProbes(*resources / "probes");
     for (const std::string& id : each.probes)
       EXPECT_TRUE(std::any_of(probes->begin(), probes->end(), [&](const Probe& p) { return p.id == id; })) << each.id << ": " << id;
-    if (each.volume.sweeps.empty()) continue;
-    ++swept;
-    const auto patient = readPatient(each.folder / each.volume.recipe, *resources / "mannequin");
-    ASSERT_TRUE(patient) << each.id << ": " << patient.error();
-    for (const std::string& file : each.volume.sweeps) {
-      const auto recipe = readSweepRecipe(each.folder / file);
-      ASSERT_TRUE(recipe) << each.id << ": " << recipe.error();
-      const auto probe = readProbe(*resources / "probes" / (recipe->probe + ".json"));
-      ASSERT_TRUE(probe) << probe.error();
-      const auto forecast = forecastSweep(**patient, *probe, *recipe);
-      EXPECT_TRUE(forecast) << each.id << ", " << file << ": " << forecast.error();
-    }
   }
-  EXPECT_EQ(swept, 1u);
 }
 
 /// Share of a fan's body that lies beyond the patient's box, where nothing is known: the picture would end there.
