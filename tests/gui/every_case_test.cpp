@@ -46,6 +46,8 @@ class EveryCaseTest : public WindowFixture {
  private:
   std::vector<QString> folders_;
   std::vector<Expected> expected_;
+  std::vector<Probe> probes_;
+  std::vector<Preset> presets_;
 
   static constexpr int kPatience_ms = 300000;
 
@@ -65,7 +67,10 @@ class EveryCaseTest : public WindowFixture {
   /// Other sizes, placements, bodies, probes, effects and origins, and two of the same size.
   void writeStandIns() {
     writeVolumeOf("large", "volume.mha", patterned({96, 80, 88}, 2.0, {-95.0, -110.0, -100.0}, 0));
-    writeStandIn("large", {{"volume", {{"file", "volume.mha"}}}, {"probes", {"convex-3.5"}}, {"scene", {{"gain_and_dgc", true}}}});
+    writeStandIn("large", {{"volume", {{"file", "volume.mha"}}},
+                           {"probes", {"convex-3.5"}},
+                           {"presets", {"trauma-convex-3.5"}},
+                           {"scene", {{"gain_and_dgc", true}}}});
     writeVolumeOf("labelled", "volume.mha", patterned({50, 40, 30}, 3.0, {-75.0, -110.0, -45.0}, 3));
     Volume labels = patterned({25, 20, 15}, 6.0, {-75.0, -110.0, -45.0}, 5);
     for (std::uint8_t& label : labels.echo) label = label > 120 ? 1 : 0;
@@ -74,7 +79,8 @@ class EveryCaseTest : public WindowFixture {
         "labelled",
         {{"volume",
           {{"file", "volume.mha"}, {"labels", "labels.mha"}, {"file_to_world", {1, 0, 0, 12, 0, 1, 0, -4, 0, 0, 1, 30, 0, 0, 0, 1}}}},
-         {"probes", {"linear-7.5"}},
+         {"probes", {"linear-12", "linear-7.5"}},
+         {"presets", {"nobodys", "carotid-linear-7.5"}},
          {"mannequin", "neck-extended.json"},
          {"scene", {{"gain_and_dgc", true}, {"tissues", {{{"label", 1}, {"attenuation_db_per_cm_mhz", 0.5}}}}}}});
     writeVolumeOf("same-size", "volume.mha", patterned({96, 80, 88}, 2.0, {-95.0, -110.0, -100.0}, 7));
@@ -144,7 +150,10 @@ class EveryCaseTest : public WindowFixture {
     QVERIFY2(subject->scene == sceneWithTissues(expected.opened.scene, expected.echo.tissues), qPrintable(what));
     QVERIFY2(session().scene() == subject->scene, qPrintable(what));
     QVERIFY2(subject->probes == expected.opened.probes, qPrintable(what));
-    if (!expected.opened.probes.empty()) QVERIFY2(session().probe().id == expected.opened.probes.front(), qPrintable(what));
+    // Whatever was scanned before, the console stands as a scan of this case begins.
+    const auto begun = firstState(*subject, probes_, presets_);
+    QVERIFY2(begun && session().probe().id == begun->probe.id, qPrintable(what));
+    QVERIFY2(session().knobs() == begun->knobs, qPrintable(what));
     session().makePictureNow();
     const std::vector<std::uint8_t> picture = pixelsOf(session());
     QVERIFY2(std::any_of(picture.begin(), picture.end(), [](std::uint8_t level) { return level > 0; }), qPrintable(what));
@@ -160,6 +169,13 @@ class EveryCaseTest : public WindowFixture {
       qputenv("ECHOWEAVE_CACHE", files_.path(QStringLiteral("cache")).toUtf8());
       writeStandIns();
     }
+    const auto resources = resourceFolder();
+    QVERIFY(resources.has_value());
+    auto probes = readProbes(*resources / "probes");
+    auto presets = presetsThere(*resources);
+    QVERIFY(probes && presets);
+    probes_ = std::move(*probes);
+    presets_ = std::move(*presets);
     for (const QString& folder : folders_) {
       auto opened = loadCase(folder.toStdString());
       QVERIFY2(opened, opened ? "" : opened.error().sentence().c_str());
@@ -184,10 +200,6 @@ class EveryCaseTest : public WindowFixture {
   void windowCardCommandAndContactSheetShowTheSamePixels() {
     constexpr int kWidth = 320, kHeight = 240;
     const QStringList size{QStringLiteral("--size"), QStringLiteral("%1x%2").arg(kWidth).arg(kHeight)};
-    const auto resources = resourceFolder();
-    QVERIFY(resources.has_value());
-    const auto probes = readProbes(*resources / "probes");
-    QVERIFY(probes.has_value());
     const auto rowsOf = [](const GreyImage& image, int left, int top) {
       std::vector<std::uint8_t> pixels;
       for (int y = top; y < top + kHeight; ++y)
@@ -200,7 +212,7 @@ class EveryCaseTest : public WindowFixture {
       if (QTest::currentTestFailed()) return;
       const QString what = QString::fromStdString(expected_[index].opened.id);
       const ScanSubject subject = *session().subject();
-      auto state = firstState(subject, *probes);
+      auto state = firstState(subject, probes_, presets_);
       QVERIFY2(state.has_value(), qPrintable(what));
       session().setPictureSize(kWidth, kHeight);
       session().play(*state);
@@ -208,9 +220,14 @@ class EveryCaseTest : public WindowFixture {
       const std::vector<std::uint8_t> inWindow = pixelsOf(session());
       QCOMPARE(inWindow.size(), std::size_t{kWidth * kHeight});
       QVERIFY2(std::any_of(inWindow.begin(), inWindow.end(), [](std::uint8_t level) { return level > 0; }), qPrintable(what));
+      ScanState neutral = *state;
+      neutral.knobs = Knobs();
+      session().play(neutral);
+      session().makePictureNow();
+      const std::vector<std::uint8_t> inSheet = pixelsOf(session());
       session().play({});
 
-      const QImage card = thumbnailOf(subject, *probes, {kWidth, kHeight});
+      const QImage card = thumbnailOf(subject, probes_, presets_, {kWidth, kHeight});
       for (int y = 0; y < kHeight; ++y)
         QVERIFY2(std::equal(card.constScanLine(y), card.constScanLine(y) + kWidth, inWindow.data() + std::ptrdiff_t{y} * kWidth),
                  qPrintable(what));
@@ -233,7 +250,7 @@ class EveryCaseTest : public WindowFixture {
       constexpr int kName = 18;
       bool found = false;
       for (int top = 0; top + kHeight <= tiles->height && !found; top += kHeight + kName)
-        for (int left = 0; left + kWidth <= tiles->width && !found; left += kWidth) found = rowsOf(*tiles, left, top) == inWindow;
+        for (int left = 0; left + kWidth <= tiles->width && !found; left += kWidth) found = rowsOf(*tiles, left, top) == inSheet;
       QVERIFY2(found, qPrintable(what + QStringLiteral(": no tile shows the case as it asks")));
     }
   }

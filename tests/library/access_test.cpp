@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "ew/library/bundle.h"
+#include "ew/library/case_start.h"
 #include "ew/library/case_truth.h"
 #include "ew/library/index.h"
 #include "ew/library/instructor_log.h"
@@ -442,8 +443,9 @@ TEST_F(WhileLocked, DetailsOfACaseAreRead) {
   const Case shown = shownCase(*loadCase(folder_ / "case"), policy());
   const std::string text = manifestOf(shown).dump();
   for (const char* word : {"SECRETTITLE", "SECRETFINDING", "SECRETDIAGNOSIS", "SECRETDIFFERENTIAL", "SECRETTARGET", "SECRETMEASUREMENT",
-                           "SECRETWHY", "SECRETFUTURE", "SECRETTISSUE", "31.4159"})
+                           "SECRETWHY", "SECRETFUTURE", "SECRETTISSUE", "SECRETPRESET", "31.4159"})
     EXPECT_EQ(text.find(word), std::string::npos) << word;
+  EXPECT_EQ(presetsOf(shown), std::vector<std::string>{"abdomen-convex-3.5"}) << "whoever reads it scans as others do";
   AccessPolicy open = policy();
   ASSERT_TRUE(open.unlock(kWords));
   EXPECT_EQ(shownCase(*loadCase(folder_ / "case"), open), *loadCase(folder_ / "case"));

@@ -33,6 +33,11 @@ TEST(CaseStart, WithPresetsReplacesThemAndNoneLeavesNoField) {
   EXPECT_FALSE(edited.otherFields.contains("presets"));
 }
 
+TEST(CaseStart, OfPresetsOnlyThoseOfTheProgramAreForEverybody) {
+  const Case opened = withPresets({}, {"stone-in-the-duct", "abdomen-convex-3.5", "../presets/aorta-convex-3.5", "trauma-convex-3.5"});
+  EXPECT_EQ(shippedPresetsOf(opened), (std::vector<std::string>{"abdomen-convex-3.5", "trauma-convex-3.5"}));
+}
+
 TEST(CaseStart, WhatIsNoListOfIdsIsRefusedWithItsField) {
   for (const auto& [presets, marks, field] :
        {std::tuple{json("trunk"), json::array(), "presets"}, {json::array(), json({7}), "body_marks"}}) {

@@ -21,10 +21,11 @@ inline constexpr PassphraseCost kCheapCost{.passes = 1, .memory_bytes = 64 << 10
 
 /// Words of the answer key of makeAnsweredCase, each of which stands in one field that trainees may not read.
 inline const std::vector<std::string> kAnswerWords = {
-    "SECRETTITLE",    "SECRETFINDING",   "SECRETDIAGNOSIS", "SECRETDIFFERENTIAL", "SECRETTAG",    "SECRETTARGET", "SECRETMEASUREMENT",
-    "SECRETAIM",      "SECRETLESSONTAG", "SECRETSOURCE",    "SECRETHINT",         "SECRETAFTER",  "SECRETWHY",    "SECRETLOOK",
-    "SECRETMARK",     "SECRETLATE",      "SECRETTISSUE",    "secretstep",         "secretlesson", "secretid",     "secret-scan",
-    "secret-picture", "SECRETGERMAN",    "SECRETFUTURE",    "SECRETPNGTEXT",      "SECRETPLUGIN", "SECRETFILE",   "SECRETSETTING"};
+    "SECRETTITLE",  "SECRETFINDING",     "SECRETDIAGNOSIS", "SECRETDIFFERENTIAL", "SECRETTAG",      "SECRETPRESET",
+    "SECRETTARGET", "SECRETMEASUREMENT", "SECRETAIM",       "SECRETLESSONTAG",    "SECRETSOURCE",   "SECRETHINT",
+    "SECRETAFTER",  "SECRETWHY",         "SECRETLOOK",      "SECRETMARK",         "SECRETLATE",     "SECRETTISSUE",
+    "secretstep",   "secretlesson",      "secretid",        "secret-scan",        "secret-picture", "SECRETGERMAN",
+    "SECRETFUTURE", "SECRETPNGTEXT",     "SECRETPLUGIN",    "SECRETFILE",         "SECRETSETTING"};
 /// ... and numbers.
 inline const std::vector<std::string> kAnswerNumbers = {"31.4159", "27.1828", "16.1803", "14.1421",
                                                         "17.3205", "22.3606", "26.4575", "0.61803"};
@@ -118,6 +119,7 @@ inline nlohmann::json manifestOfAnsweredCase() {
       {"findings", {"SECRETFINDING"}},
       {"diagnosis", "SECRETDIAGNOSIS"},
       {"differential", {"SECRETDIFFERENTIAL"}},
+      {"presets", {"SECRETPRESET", "abdomen-convex-3.5"}},
       {"difficulty", 4},
       {"tags", {"SECRETTAG"}},
       {"targets",

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "ew/library/bundle.h"
+#include "ew/library/case_start.h"
 #include "ew/library/case_words.h"
 #include "ew/library/lesson_links.h"
 #include "library/examination_world.h"
@@ -65,6 +66,7 @@ TEST(SealedAnswers, LeaveTraineesWhatTheyNeedToWork) {
   EXPECT_EQ(view->history, "She fell.");
   EXPECT_EQ(view->previousExaminations.at(0).pictures.at(0), "media/picture-1.png");
   EXPECT_TRUE(view->startPose);
+  EXPECT_EQ(presetsOf(*view), std::vector<std::string>{"abdomen-convex-3.5"}) << "the console stands as in training";
   const auto lessons = lessonsOf(*view);
   ASSERT_TRUE(lessons) << lessons.error();
   ASSERT_EQ(lessons->size(), 1u);

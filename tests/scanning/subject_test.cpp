@@ -201,21 +201,43 @@ TEST(ScanSubject, TheFirstStateIsTheCasesProbeAtItsStart) {
   const Probe other = test::smallProbe();
   Probe wanted = other;
   wanted.id = "wanted";
-  auto state = firstState(subject, {other, wanted});
+  std::vector<Preset> presets;
+  auto state = firstState(subject, {other, wanted}, presets);
   ASSERT_TRUE(state);
   EXPECT_EQ(state->probe.id, "small") << "any probe";
   EXPECT_EQ(glm::dvec3(state->pose.probeToWorld.matrix[3]).y, boundsOf(subject.placedGrid).lowest_mm.y + Hold().press_mm);
   subject.probes = {"wanted", "small"};
   subject.startPose = test::movingState(3).pose;
   subject.scene.focus.emplace();
-  state = firstState(subject, {other, wanted});
+  state = firstState(subject, {other, wanted}, presets);
   ASSERT_TRUE(state);
   EXPECT_EQ(state->probe.id, "wanted");
   EXPECT_EQ(state->pose, *subject.startPose);
   EXPECT_EQ(state->scene, subject.scene);
   EXPECT_EQ(state->knobs, Knobs());
+  subject.presets = {"lost", "of another", "too deep", "fits", "fits too"};
+  const auto preset = [](const char* id, const std::string& probe, double depth_mm) {
+    Preset made;
+    made.id = id;
+    made.probe = probe;
+    made.knobs.depth_mm = depth_mm;
+    made.knobs.gain_db = 4.0;
+    return made;
+  };
+  const double depth_mm = other.minDepth_mm;
+  presets = {preset("fits too", "wanted", depth_mm + 1.0), preset("of another", "nobody's", depth_mm),
+             preset("too deep", "wanted", other.maxDepth_mm + 1.0), preset("fits", "small", depth_mm)};
+  state = firstState(subject, {other, wanted}, presets);
+  ASSERT_TRUE(state);
+  EXPECT_EQ(state->probe.id, "small") << "the preset's";
+  EXPECT_EQ(state->knobs, applied(presets[3], Knobs()))
+      << "the first of the subject's that is there, for one of its probes, and can be set";
+  subject.probes = {"wanted"};
+  state = firstState(subject, {other, wanted}, presets);
+  ASSERT_TRUE(state);
+  EXPECT_EQ(state->knobs.depth_mm, depth_mm + 1.0) << "the other is for a probe that may not be used";
   subject.probes = {"none"};
-  EXPECT_FALSE(firstState(subject, {other, wanted}));
+  EXPECT_FALSE(firstState(subject, {other, wanted}, presets));
 }
 
 }  // namespace ew::subject_test

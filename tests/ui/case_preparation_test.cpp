@@ -112,6 +112,18 @@ TEST_F(PreparationInTheBackground, ASecondWishWaitsForTheFirst) {
   EXPECT_EQ(order, (std::vector<std::string>{"two", "one"}));
 }
 
+TEST_F(PreparationInTheBackground, TheOneWhoseDraftIsOnShowGoesFirst) {
+  Jobs jobs;
+  CasePreparation preparation(jobs, nullptr, 0);  // whatever else runs on the machine of the test
+  std::vector<std::string> order;
+  QObject::connect(&preparation, &CasePreparation::prepared, [&](const QString& id) { order.push_back(id.toStdString()); });
+  preparation.ask(named("one"));
+  EXPECT_EQ(preparation.seen(named("one")).state, CasePreparation::State::running);
+  preparation.askForShown(named("two"));
+  ASSERT_TRUE(waitUntil([&] { return preparation.isIdle(); }));
+  EXPECT_EQ(order, (std::vector<std::string>{"two", "one"})) << "and what was under way goes on behind it";
+}
+
 TEST_F(PreparationInTheBackground, IsHeldBesideAnAuthorsWorkUnlessSomebodyWantsACase) {
   Jobs jobs;
   CasePreparation preparation(jobs, nullptr, 0);  // whatever else runs on the machine of the test

@@ -76,7 +76,7 @@ void PictureMaker::run() {
       made->image = imageOf(replay->make(wish.frame, wish.size_px.width(), wish.size_px.height()));
       made->geometry = replay->scanner().geometry();
       made->frame = wish.frame;
-      made->state = replay->state(wish.frame);
+      made->state = log.frame(wish.frame);
     }
     lock.lock();
     isWorking_ = false;

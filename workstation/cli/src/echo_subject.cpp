@@ -107,7 +107,7 @@ Result<EchoSubject> readEchoSubject(const Case& opened, Progress& progress) {
 
   const auto probes = readProbes(*resources / "probes");
   if (!probes) return passOn(probes.error());
-  const auto state = firstState(made.subject, *probes);
+  const auto state = firstState(made.subject, *probes, {});
   if (!state) return failure(ErrorCode::notFound, say<"The probe of the case '%1' is not there.">(opened.id));
   made.probe = state->probe;
   made.scene = comparedScene(made.subject);

@@ -1,6 +1,7 @@
 #include "expert_path.h"
 
 #include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "ew/assessment/hand_path.h"
@@ -9,6 +10,7 @@
 #include "ew/core/numbers.h"
 #include "ew/imaging/settings_json.h"
 #include "ew/io/safe_file.h"
+#include "ew/library/case_start.h"
 #include "ew/scanning/contact.h"
 
 namespace ew::cli {
@@ -104,7 +106,7 @@ class Frames {
 
 }  // namespace
 
-Result<ExpertPath> readExpertPath(const std::filesystem::path& file) {
+Result<ExpertPath> readExpertPath(const std::filesystem::path& file, const ExpertConsole& console) {
   const auto text = readTextFile(file, kLargestPath_bytes);
   if (!text) return passOn(text.error());
   const Message where = verbatim(file.filename().string());
@@ -117,7 +119,15 @@ Result<ExpertPath> readExpertPath(const std::filesystem::path& file) {
   ExpertPath path;
   path.probe = fields.text("probe", std::string(), 0);
   path.rate_hz = fields.number("rate_hz", 1.0, 60.0, path.rate_hz);
-  json knobs = fields.object("knobs").value();
+  const auto isWanted = [&](const Probe& each) { return path.probe.empty() || each.id == path.probe; };
+  std::vector<Probe> usable = usableOf(console.opened.probes, console.probes);
+  std::erase_if(usable, std::not_fn(isWanted));
+  json knobs = json::object();
+  if (const Preset* start = startPreset(presetsOf(console.opened), console.presets, usable)) {
+    path.probe = start->probe;
+    knobs = toJson(start->knobs);
+  }
+  knobs.merge_patch(fields.object("knobs").value());
   for (const JsonFields& each : fields.objects("stations", 1, kMostStations)) path.stations.push_back(readStation(each, where, knobs));
   if (reading.problem()) return passOn(*reading.problem());
   return path;

@@ -7,6 +7,7 @@
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/library/case_truth.h"
+#include "ew/scanning/preset.h"
 #include "ew/scanning/recording.h"
 #include "ew/tracking/hand.h"
 
@@ -30,16 +31,23 @@ struct ExpertStation {
 
 /// The path of an expert's scan, which is recorded without a window.
 struct ExpertPath {
-  std::string probe;  ///< id; empty: the case's first
+  std::string probe;  ///< id; empty: that of the case's start preset, or its first
   double rate_hz = 10.0;
   std::vector<ExpertStation> stations;
 };
 
+/// What the expert scans with.
+struct ExpertConsole {
+  const Case& opened;
+  const std::vector<Probe>& probes;
+  const std::vector<Preset>& presets;
+};
+
 /// {"format": 1, "probe": "convex-3.5", "rate_hz": 10, "knobs": {...}, "stations": [{"plane": "femur", "offset": {"slide_mm": [0, 20],
-/// "rotation_deg": 0, "tilt_deg": 0, "rock_deg": 0}, "travel_s": 3, "stay_s": 2, "knobs": {...}}, ...]}. A station's knobs change those
-/// before it and stay changed.
+/// "rotation_deg": 0, "tilt_deg": 0, "rock_deg": 0}, "travel_s": 3, "stay_s": 2, "knobs": {...}}, ...]}. The scan begins with the case's
+/// start preset, which "knobs" change; a station's knobs change those before it and stay changed.
 /// @error badHeader, badField (field, value found, value expected), newerFormat, notRigid, as knobsFromJson
-[[nodiscard]] Result<ExpertPath> readExpertPath(const std::filesystem::path& file);
+[[nodiscard]] Result<ExpertPath> readExpertPath(const std::filesystem::path& file, const ExpertConsole& console);
 
 /// What the hand scans on.
 struct ExpertGround {

@@ -185,15 +185,11 @@ Result<int> check(const LessonArguments& arguments, Run& run) {
                      {{"case", arguments.chosen}}});
 }
 
-Result<Probe> probeOf(const Case& opened, const std::string& wanted) {
-  const auto resources = resourceFolder();
-  if (!resources) return passOn(resources.error());
-  const auto probes = readProbes(*resources / "probes");
-  if (!probes) return passOn(probes.error());
-  const std::string id = !wanted.empty() ? wanted : opened.probes.empty() ? probes->front().id : opened.probes.front();
+Result<Probe> probeOf(const Case& opened, const std::vector<Probe>& probes, const std::string& wanted) {
+  const std::string id = !wanted.empty() ? wanted : opened.probes.empty() ? probes.front().id : opened.probes.front();
   const bool isAllowed = opened.probes.empty() || std::find(opened.probes.begin(), opened.probes.end(), id) != opened.probes.end();
-  const auto found = std::find_if(probes->begin(), probes->end(), [&](const Probe& each) { return each.id == id; });
-  if (found == probes->end() || !isAllowed)
+  const auto found = std::find_if(probes.begin(), probes.end(), [&](const Probe& each) { return each.id == id; });
+  if (found == probes.end() || !isAllowed)
     return failure(ErrorCode::badField, say<"The case '%1' has no probe '%2'; choose one of its own.">(opened.id, id),
                    {{"field", "probe"}, {"found", id}});
   return *found;
@@ -213,9 +209,15 @@ Result<int> record(const LessonArguments& arguments, Run& run) {
   for (const fs::path& file : {opened->folder / "case.json", fs::path(arguments.path)})
     if (auto kept = run.input(file); !kept) return passOn(kept.error());
   if (auto announced = run.output(arguments.output, ".seq.mha .igs.mha .mha"); !announced) return passOn(announced.error());
-  const auto path = readExpertPath(arguments.path);
+  const auto resources = resourceFolder();
+  if (!resources) return passOn(resources.error());
+  const auto probes = readProbes(*resources / "probes");
+  if (!probes) return passOn(probes.error());
+  const auto presets = presetsThere(*resources);
+  if (!presets) return passOn(presets.error());
+  const auto path = readExpertPath(arguments.path, {*opened, *probes, *presets});
   if (!path) return passOn(path.error());
-  const auto probe = probeOf(*opened, path->probe);
+  const auto probe = probeOf(*opened, *probes, path->probe);
   if (!probe) return passOn(probe.error());
   const auto skin = skinOf(*opened);
   if (!skin) return passOn(skin.error());

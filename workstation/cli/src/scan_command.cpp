@@ -9,7 +9,9 @@
 #include "ew/core/numbers.h"
 #include "ew/imaging/latency.h"
 #include "ew/imaging/settings_json.h"
+#include "ew/library/case_start.h"
 #include "ew/scanning/picture_file.h"
+#include "ew/scanning/preset.h"
 #include "ew/scanning/scanner.h"
 #include "knobs_file.h"
 #include "volume_input.h"
@@ -270,6 +272,7 @@ Result<void> checkScanUsage(const ScanArguments& arguments, Run& run) {
 struct ScanPlan {
   Wanted wanted;
   Knobs knobs;
+  std::string preset;  ///< id of the one that `knobs` are; empty: they are given, or neutral
   Probe probe;
   std::vector<Pose> poses;
   std::vector<float> gaps_mm;
@@ -277,6 +280,24 @@ struct ScanPlan {
   [[nodiscard]] bool isStrip() const { return knobs.mode == DisplayMode::mMode; }
   [[nodiscard]] std::size_t outputs() const { return isStrip() ? 1 : poses.size(); }
 };
+
+/// Probe and settings as the window begins the case with them. Poses of a file are pictures of their own: nothing of one shows in the next.
+Result<void> beginLikeWindow(const Case& opened, bool choosesProbe, ScanPlan& plan) {
+  const auto resources = resourceFolder();
+  if (!resources) return passOn(resources.error());
+  const auto presets = presetsThere(*resources);
+  if (!presets) return passOn(presets.error());
+  const auto probes = readProbes(*resources / "probes");
+  if (!probes) return passOn(probes.error());
+  const std::vector<Probe> usable = choosesProbe ? usableOf(opened.probes, *probes) : std::vector<Probe>{plan.probe};
+  const Preset* start = startPreset(presetsOf(opened), *presets, usable);
+  if (start == nullptr) return {};
+  plan.probe = *std::find_if(usable.begin(), usable.end(), [&](const Probe& each) { return each.id == start->probe; });
+  plan.knobs = applied(*start, plan.knobs);
+  plan.knobs.persistence = 0.0;
+  plan.preset = start->id;
+  return {};
+}
 
 Result<ScanPlan> readScanPlan(const ScanArguments& arguments, Run& run) {
   ScanPlan plan;
@@ -292,7 +313,10 @@ Result<ScanPlan> readScanPlan(const ScanArguments& arguments, Run& run) {
     if (auto kept = run.protect(arguments.probe); !kept) return passOn(kept.error());
   auto probe = findProbe(arguments.probe, wanted->opened ? wanted->opened->probes : std::vector<std::string>());
   if (!probe) return passOn(probe.error());
-  if (auto fits = checkDepth(plan.knobs, *probe); !fits) return passOn(fits.error());
+  plan.probe = std::move(*probe);
+  if (wanted->opened && arguments.knobs.empty())
+    if (auto begun = beginLikeWindow(*wanted->opened, arguments.probe.empty(), plan); !begun) return passOn(begun.error());
+  if (auto fits = checkDepth(plan.knobs, plan.probe); !fits) return passOn(fits.error());
   auto poses = posesFor(arguments, *wanted, run);
   if (!poses) return passOn(poses.error());
   if (arguments.times_s.size() > 1 && poses->size() == 1) poses->resize(arguments.times_s.size(), poses->front());
@@ -306,7 +330,6 @@ Result<ScanPlan> readScanPlan(const ScanArguments& arguments, Run& run) {
     run.remark(
         say<"Nothing shows that a part of the face is off the skin, because the scene has no contact effect; give one with --scene.">());
   plan.wanted = std::move(*wanted);
-  plan.probe = std::move(*probe);
   plan.poses = std::move(*poses);
   plan.gaps_mm = std::move(*gaps_mm);
   return plan;
@@ -317,6 +340,7 @@ nlohmann::json scanOptions(const ScanArguments& arguments, const ScanPlan& plan,
           {"pose", arguments.pose},
           {"poses", plan.poses.size()},
           {"knobs", toJson(plan.knobs)},
+          {"preset", plan.preset},
           {"scene", toJson(subject.scene)},
           {"size", {arguments.size_px.x, arguments.size_px.y}},
           {"repeat", arguments.repeat},
@@ -423,7 +447,9 @@ void addScan(CLI::App& root, Selection& selection) {
                           "scan upper-abdomen-gall-stone --size 320x240 --contact-sheet effects.png"},
                          [arguments](Run& run) { return scan(*arguments, run); });
   app.footer(app.get_footer() +
-             "\n\nKNOBS.json is one object; what is missing stays neutral:\n"
+             "\n\nWithout --knobs a case is scanned with the preset it begins with in the window, but without persistence: each pose is a\n"
+             "picture of its own.\n"
+             "KNOBS.json is one object; what is missing stays neutral:\n"
              "  { \"gain_db\": 3, \"tgc_db\": [-6, -3, 0, 0, 0, 2, 4, 6], \"depth_mm\": 160, \"focus_mm\": [60, 100] }\n" +
              knobsManual() +
              "Without \"gain_law\" the one acts whose values are given: gain_db and tgc_db in decibels along the beams, or gain and dgc,\n"
@@ -441,7 +467,7 @@ void addScan(CLI::App& root, Selection& selection) {
          "16 numbers, row by row, from probe to world in mm (LPS), or a file with one pose a line (a case: its start pose). Several "
          "poses number their outputs: out_0000.png …")
       ->type_name("POSE");
-  app.add_option("--knobs", arguments->knobs, "Settings of the console (neutral)")->type_name("KNOBS.json");
+  app.add_option("--knobs", arguments->knobs, "Settings of the console (a case: its preset; else neutral)")->type_name("KNOBS.json");
   app.add_option("--scene", arguments->scene, "Which effects the scene calls for (the case's, or none)")->type_name("SCENE.json");
   addSize(app, "--size", arguments->size_px, "Pixels of the picture (640x480)");
   app.add_option("-o,--output", arguments->output,

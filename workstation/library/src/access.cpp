@@ -4,6 +4,7 @@
 
 #include "ew/core/json_fields.h"
 #include "ew/io/private_file.h"
+#include "ew/library/case_start.h"
 #include "ew/library/instructor_log.h"
 #include "ew/library/learning.h"
 #include "ew/library/lesson.h"
@@ -157,7 +158,7 @@ Case shownCase(const Case& opened, const AccessPolicy& policy) {
   for (CaseExamination& each : shown.previousExaminations) each.otherFields = json::object();
   for (CaseLaboratory& each : shown.laboratory) each.otherFields = json::object();
   shown.otherFields = json::object();
-  return shown;
+  return withPresets(std::move(shown), shippedPresetsOf(opened));
 }
 
 Result<void> mayOpen(const Attempt& attempt, const std::string& person, const AccessPolicy& policy) {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "case_truth_file.h"
+#include "draft_maps.h"
 #include "ew/acquisition/import.h"
 #include "ew/acquisition/sweep_volume.h"
 #include "ew/core/quiet_progress.h"
@@ -477,6 +478,37 @@ Result<Prepared> makePrepared(const Case& opened, const CasePlan& plan, const Pr
   const auto store = StepStore::share(aside->path(), preparationSteps());
   if (!store) return passOn(store.error());
   return Preparation(opened, plan, Preparation::Home::passing, aside->path(), *store, options, progress, notes).run();
+}
+
+bool isWorthDrafting(const Case& opened, const CasePlan& plan) {
+  constexpr double kWorthIt_s = 2.0;
+  return plan.sweeps.empty() && !plan.isDone() && estimateOf(opened, plan).seconds > kWorthIt_s;
+}
+
+Result<Prepared> makeDraft(const Case& opened, const CasePlan& plan, const PreparationOptions& options, Progress& progress) {
+  PartOfProgress reading(progress, 0.0, 0.2), moving(progress, 0.2, 0.4), painting(progress, 0.4, 0.9), spreading(progress, 0.9, 1.0);
+  const auto patient = readPatient(plan.patientFile, plan.mannequins, {}, reading);
+  if (!patient) return passOn(patient.error());
+  Prepared made;
+  if (!plan.motion.empty()) {
+    auto motion = tissueMotionOf(**patient, options.threads, moving);
+    if (!motion) return passOn(motion.error());
+    made.motion = std::move(*motion);
+  }
+  auto voxels = voxelise(**patient,
+                         {.spacing_mm = kDraftCoarseness * opened.volume.recipeSpacing_mm,
+                          .threads = options.threads,
+                          .maxBytes = options.maxBytes,
+                          .maps = true},
+                         painting);
+  if (!voxels) return passOn(voxels.error());
+  made.volume = std::move(voxels->volume);
+  made.labels = {made.volume.grid, std::move(voxels->labels), {}};
+  if (!voxels->maps) return made;
+  auto maps = spreadOn(*voxels->maps, voxelGridOf(**patient, opened.volume.recipeSpacing_mm), options.threads, spreading);
+  if (!maps) return stopped();
+  made.maps = std::make_shared<TissueMaps>(std::move(*maps));
+  return made;
 }
 
 Result<Volume> makeLabels(const Case& opened, const CasePlan& plan, const PreparationOptions& options, Progress& progress) {

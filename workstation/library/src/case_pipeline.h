@@ -16,6 +16,12 @@ namespace ew {
 [[nodiscard]] Result<Prepared> makePrepared(const Case& opened, const CasePlan& plan, const PreparationOptions& options, Progress& progress,
                                             std::vector<Message>& notes);
 
+/// Whether a draft comes sooner than the volume itself.
+[[nodiscard]] bool isWorthDrafting(const Case& opened, const CasePlan& plan);
+/// A case of a recipe without sweeps at once, from coarser voxels; nothing is kept.
+/// @error as makePrepared
+[[nodiscard]] Result<Prepared> makeDraft(const Case& opened, const CasePlan& plan, const PreparationOptions& options, Progress& progress);
+
 /// The labels alone: those that are kept, else made now; of sweeps only with the volume. On the labels' own grid, not placed.
 /// @error as makePrepared
 [[nodiscard]] Result<Volume> makeLabels(const Case& opened, const CasePlan& plan, const PreparationOptions& options, Progress& progress);

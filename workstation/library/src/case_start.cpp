@@ -1,5 +1,6 @@
 #include "ew/library/case_start.h"
 
+#include <filesystem>
 #include <utility>
 
 namespace ew {
@@ -19,6 +20,17 @@ std::vector<std::string> idsIn(const Case& opened, const char* field) {
 }  // namespace
 
 std::vector<std::string> presetsOf(const Case& opened) { return idsIn(opened, kPresets); }
+std::vector<std::string> shippedPresetsOf(const Case& opened) {
+  std::vector<std::string> ids = presetsOf(opened);
+  const auto resources = resourceFolder();
+  if (!resources) return {};
+  std::error_code ignored;
+  std::erase_if(ids, [&](const std::string& id) {
+    return id.find('/') != std::string::npos || !std::filesystem::is_regular_file(*resources / "presets" / (id + ".json"), ignored);
+  });
+  return ids;
+}
+
 std::vector<std::string> bodyMarksOf(const Case& opened) { return idsIn(opened, kBodyMarks); }
 
 Case withPresets(Case edited, const std::vector<std::string>& ids) {

@@ -30,6 +30,17 @@ Result<CaseEcho> fromRecipe(const Case& opened, const PreparationOptions& option
   auto tissues = acousticsOf(*plan);
   if (!tissues) return passOn(tissues.error());
   CaseEcho found;
+  if (options.draft && isWorthDrafting(opened, *plan)) {
+    auto draft = makeDraft(opened, *plan, options, progress);
+    if (!draft) return passOn(draft.error());
+    found.volume = std::move(draft->volume);
+    found.labels = std::move(draft->labels);
+    found.tissue = std::move(draft->maps);
+    found.motion = std::move(draft->motion);
+    found.tissues = std::move(*tissues);
+    found.isDraft = true;
+    return found;
+  }
   auto made = makePrepared(opened, *plan, options, progress, found.notes);
   if (!made) return passOn(made.error());
   found.volume = std::move(made->volume);
@@ -130,6 +141,12 @@ bool caseNeedsPreparation(const Case& opened) {
   if (opened.volume.recipe.empty()) return false;
   const auto plan = planOf(opened);
   return plan && !plan->isDone();
+}
+
+bool mayBeDrafted(const Case& opened) {
+  if (opened.volume.recipe.empty()) return false;
+  const auto plan = planOf(opened);
+  return plan && isWorthDrafting(opened, *plan);
 }
 
 Result<PreparationEstimate> estimatePreparation(const Case& opened) {

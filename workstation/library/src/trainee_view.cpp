@@ -4,6 +4,8 @@
 #include <tuple>
 #include <variant>
 
+#include "ew/library/case_start.h"
+
 namespace ew {
 namespace {
 
@@ -88,7 +90,7 @@ Result<Case> traineeView(const Case& original, const std::string& id) {
   made.mannequin = original.mannequin;
   made.probes = original.probes;
   made.startPose = original.startPose;
-  return made;
+  return withPresets(std::move(made), shippedPresetsOf(original));
 }
 
 Result<LessonsView> traineeView(const std::vector<Lesson>& lessons) {

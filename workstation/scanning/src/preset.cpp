@@ -160,6 +160,23 @@ Result<void> checkPreset(const Preset& preset, const std::vector<Probe>& probes)
                  {{"field", "probe"}, {"found", preset.probe}, {"in", preset.id}});
 }
 
+std::vector<Probe> usableOf(const std::vector<std::string>& ids, const std::vector<Probe>& probes) {
+  if (ids.empty()) return probes;
+  std::vector<Probe> usable;
+  for (const std::string& id : ids)
+    for (const Probe& probe : probes)
+      if (probe.id == id) usable.push_back(probe);
+  return usable;
+}
+
+const Preset* startPreset(const std::vector<std::string>& ids, const std::vector<Preset>& presets, const std::vector<Probe>& usable) {
+  for (const std::string& id : ids) {
+    const auto found = std::find_if(presets.begin(), presets.end(), [&](const Preset& each) { return each.id == id; });
+    if (found != presets.end() && checkPreset(*found, usable)) return &*found;
+  }
+  return nullptr;
+}
+
 Knobs applied(const Preset& preset, const Knobs& present) {
   Knobs knobs = preset.knobs;
   knobs.quality = present.quality;
@@ -207,6 +224,13 @@ OwnPresets readOwnPresets(const fs::path& folder) {
   std::stable_sort(own.presets.begin(), own.presets.end(),
                    [](const Preset& a, const Preset& b) { return a.title.english < b.title.english; });
   return own;
+}
+
+Result<std::vector<Preset>> presetsThere(const fs::path& resources) {
+  auto presets = readPresets(resources / "presets");
+  if (!presets) return presets;
+  for (Preset& own : readOwnPresets(ownPresetsFolder()).presets) presets->push_back(std::move(own));
+  return presets;
 }
 
 Result<fs::path> saveOwnPreset(const Preset& preset, const fs::path& folder) {

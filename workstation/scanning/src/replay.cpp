@@ -7,7 +7,7 @@
 
 namespace ew {
 
-Replay::Replay(const ScanLog& log, ScanSubject subject, int threads) : log_(log), tissues_(subject.scene.tissues), scanner_(threads) {
+Replay::Replay(const ScanLog& log, ScanSubject subject, int threads) : log_(log), scanner_(threads) {
   EW_EXPECTS(log.frameCount() > 0);
   scanner_.show(std::move(subject));
 }
@@ -23,12 +23,6 @@ std::size_t Replay::history(const ScanLog& log, std::size_t frame) {
   return before;
 }
 
-ScanState Replay::state(std::size_t frame) const {
-  ScanState state = log_.frame(frame);
-  if (state.scene.tissues.empty()) state.scene.tissues = tissues_;
-  return state;
-}
-
 Picture Replay::make(std::size_t frame, int width_px, int height_px) {
   EW_EXPECTS(frame < log_.frameCount());
   std::size_t next = last_ ? *last_ + 1 : 0;
@@ -39,9 +33,9 @@ Picture Replay::make(std::size_t frame, int width_px, int height_px) {
       next = from;
     }
   }
-  for (; next < frame; ++next) scanner_.make(state(next), width_px, height_px);
+  for (; next < frame; ++next) scanner_.make(log_.frame(next), width_px, height_px);
   last_ = frame;
-  return scanner_.make(state(frame), width_px, height_px);
+  return scanner_.make(log_.frame(frame), width_px, height_px);
 }
 
 }  // namespace ew

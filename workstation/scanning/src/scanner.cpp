@@ -18,6 +18,11 @@ void Scanner::show(ScanSubject subject) {
   maker_.forget();
 }
 
+void Scanner::refine(ScanSubject better) {
+  EW_EXPECTS(subject_.has_value());
+  subject_ = std::move(better);
+}
+
 void Scanner::clear() {
   subject_.reset();
   maker_.forget();
@@ -49,7 +54,14 @@ void Scanner::setLabels(std::shared_ptr<const Volume> labels) {
 
 void Scanner::prepare(const ScanState& state, int width_px, int height_px) {
   EW_EXPECTS(subject_.has_value());
-  maker_.configure(state.probe, state.knobs, state.scene, subject_->placedGrid, width_px, height_px, subject_->labels != nullptr, state.pan,
+  const Scene* scene = &state.scene;
+  Scene joined;
+  if (scene->tissues.empty() && !subject_->scene.tissues.empty()) {
+    joined = state.scene;
+    joined.tissues = subject_->scene.tissues;
+    scene = &joined;
+  }
+  maker_.configure(state.probe, state.knobs, *scene, subject_->placedGrid, width_px, height_px, subject_->labels != nullptr, state.pan,
                    subject_->tissue != nullptr, subject_->tissue != nullptr && subject_->tissue->isRecorded);
 }
 

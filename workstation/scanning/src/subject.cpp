@@ -8,6 +8,7 @@
 #include "ew/core/contract.h"
 #include "ew/imaging/tissue_level.h"
 #include "ew/io/volume_file.h"
+#include "ew/library/case_start.h"
 #include "ew/tracking/hand.h"
 #include "kept_layouts.h"
 
@@ -110,12 +111,16 @@ void ScanSubject::place(const Transform<frame::World, frame::World>& ownToWorld)
   if (tissue) placedTissue = placed(tissue->grid, ownToWorld);
 }
 
-std::optional<ScanState> firstState(const ScanSubject& subject, const std::vector<Probe>& probes) {
+std::optional<ScanState> firstState(const ScanSubject& subject, const std::vector<Probe>& probes, const std::vector<Preset>& presets) {
   const auto probe =
       std::find_if(probes.begin(), probes.end(), [&](const Probe& p) { return subject.probes.empty() || p.id == subject.probes.front(); });
   if (probe == probes.end()) return std::nullopt;
   ScanState state;
   state.probe = *probe;
+  if (const Preset* start = startPreset(subject.presets, presets, usableOf(subject.probes, probes))) {
+    state.probe = *std::find_if(probes.begin(), probes.end(), [&](const Probe& p) { return p.id == start->probe; });
+    state.knobs = applied(*start, state.knobs);
+  }
   state.scene = subject.scene;
   if (subject.startPose) {
     state.pose = *subject.startPose;
@@ -150,7 +155,8 @@ Result<CaseContents> readContents(const Case& opened, Progress& progress, const 
                         .motion = std::move(echo->motion),
                         .tissues = std::move(echo->tissues),
                         .fileToWorld = opened.volume.fileToWorld,
-                        .notes = std::move(echo->notes)};
+                        .notes = std::move(echo->notes),
+                        .isDraft = echo->isDraft};
   if (echo->labels) contents.labels = std::make_shared<const Volume>(std::move(*echo->labels));
   return contents;
 }
@@ -176,7 +182,9 @@ ScanSubject subjectOf(const Case& edited, const CaseContents& contents) {
   subject.motion = contents.motion;
   subject.scene = subject.known(sceneWithTissues(edited.scene, contents.tissues));
   subject.probes = edited.probes;
+  subject.presets = presetsOf(edited);
   subject.startPose = edited.startPose;
+  subject.isDraft = contents.isDraft;
   subject.place(ownToWorldOf(edited, contents));
   return subject;
 }

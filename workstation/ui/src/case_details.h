@@ -9,6 +9,7 @@
 
 #include "ew/imaging/probe.h"
 #include "ew/library/case.h"
+#include "ew/scanning/preset.h"
 #include "worker.h"
 
 namespace ew::ui {
@@ -49,6 +50,7 @@ class CaseDetails final : public QObject {
   int epoch_ = 0;              ///< what was read in an earlier one is forgotten
   std::atomic<bool> ends_{false};
   std::vector<Probe> probes_;  ///< of the worker
+  std::vector<Preset> presets_;
   Worker worker_;
 };
 

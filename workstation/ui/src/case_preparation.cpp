@@ -38,6 +38,16 @@ bool CasePreparation::isAskedFor(const std::string& caseId) const {
 }
 
 void CasePreparation::ask(const Case& wanted) {
+  if (shown_ == wanted.id) shown_.clear();
+  queue(wanted, false);
+}
+
+void CasePreparation::askForShown(const Case& shown) {
+  shown_ = shown.id;
+  queue(shown, true);
+}
+
+void CasePreparation::queue(const Case& wanted, bool isFirst) {
   std::erase(stopped_, wanted.id);
   const bool wasAsked = isAskedFor(wanted.id);
   if (!wasAsked) asked_.push_back(wanted.id);
@@ -45,9 +55,10 @@ void CasePreparation::ask(const Case& wanted) {
     if (!wasAsked) giveBackRunning();  // it goes on with all of the machine
   } else {
     std::erase_if(waiting_, [&](const Case& each) { return each.id == wanted.id; });
-    const auto behind = std::find_if(waiting_.begin(), waiting_.end(), [&](const Case& each) { return !isAskedFor(each.id); });
+    const auto behind =
+        isFirst ? waiting_.begin() : std::find_if(waiting_.begin(), waiting_.end(), [&](const Case& each) { return !isAskedFor(each.id); });
     waiting_.insert(behind, wanted);
-    if (running_ && !isAskedFor(running_->id)) giveBackRunning();
+    if (running_ && (isFirst || !isAskedFor(running_->id))) giveBackRunning();
   }
   next();
   Q_EMIT changed();
@@ -95,6 +106,7 @@ void CasePreparation::stop(const std::string& caseId) {
 
 void CasePreparation::ended(const Result<void>& outcome) {
   const Case done = std::move(*running_);
+  forget();
   running_.reset();
   job_ = 0;
   const bool wasGivenBack = std::exchange(isGivenBack_, false);
@@ -108,7 +120,7 @@ void CasePreparation::ended(const Result<void>& outcome) {
     Q_EMIT failed(outcome.error());
   } else if (wasGivenBack) {
     // It goes on next of those like it.
-    const auto at = wasAsked ? waiting_.begin()
+    const auto at = wasAsked ? waiting_.begin() + (!waiting_.empty() && waiting_.front().id == shown_ ? 1 : 0)
                              : std::find_if(waiting_.begin(), waiting_.end(), [&](const Case& each) { return !isAskedFor(each.id); });
     waiting_.insert(at, done);
   } else {
@@ -137,7 +149,7 @@ void CasePreparation::next() {
   job_ = jobs_.start(
       tr("Preparing %1").arg(shownTitle(*running_)),
       [opened = *running_, notes, threads = isWanted ? kAllThreads : kOneThread,
-       quiet = isWanted ? quiet_ / 2 : quiet_](Progress& progress) -> Result<void> {
+       quiet = isWanted && running_->id != shown_ ? quiet_ / 2 : quiet_](Progress& progress) -> Result<void> {
         const QuietWork quietly(quiet);
         PreparationOptions how;
         how.threads = threads;
@@ -165,10 +177,17 @@ CasePreparation::Seen CasePreparation::seen(const Case& shown) const {
     }
     return found;
   }
-  if (!caseNeedsPreparation(shown)) return found;
+  auto left = left_.find(shown.folder);
+  if (left == left_.end()) {
+    Left asked{caseNeedsPreparation(shown), 0.0};
+    if (asked.isAny)
+      if (const auto estimate = estimatePreparation(shown)) asked.estimate_s = estimate->seconds;
+    left = left_.emplace(shown.folder, asked).first;
+  }
+  if (!left->second.isAny) return found;
   const bool waits = std::any_of(waiting_.begin(), waiting_.end(), [&](const Case& each) { return each.id == shown.id; });
   found.state = waits ? State::waiting : State::stopped;
-  if (const auto estimate = estimatePreparation(shown)) found.estimate_s = estimate->seconds;
+  found.estimate_s = left->second.estimate_s;
   return found;
 }
 

@@ -4,6 +4,7 @@
 #include <QString>
 #include <QTimer>
 #include <deque>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -37,6 +38,8 @@ class CasePreparation final : public QObject {
   void start(const std::vector<Case>& cases);
   /// Prepares a case that somebody wants, at once: behind others that were asked for, before the rest, and also while that is held.
   void ask(const Case& wanted);
+  /// The same of a case whose draft is on show: before all others, on all threads, and each of them gives way to everything else.
+  void askForShown(const Case& shown);
   [[nodiscard]] bool isAskedFor(const std::string& caseId) const;
   /// Whether cases that nobody has asked for wait, because somebody works with the machine.
   void hold(bool holds);
@@ -47,8 +50,10 @@ class CasePreparation final : public QObject {
   void resume();
   /// A case whose preparation the user stopped: it waits until it is asked for again.
   void stop(const std::string& caseId);
-  /// What is known of a case, by its files; quick.
+  /// What is known of a case. Its files are asked once, until a preparation ends or forget().
   [[nodiscard]] Seen seen(const Case& shown) const;
+  /// Files may have changed.
+  void forget() { left_.clear(); }
   [[nodiscard]] bool isIdle() const { return job_ == 0 && waiting_.empty(); }
 
  Q_SIGNALS:
@@ -59,15 +64,24 @@ class CasePreparation final : public QObject {
 
  private:
   void next();
+  void queue(const Case& wanted, bool isFirst);
   void giveBackRunning();
   void ended(const Result<void>& outcome);
   [[nodiscard]] bool mayRun(const Case& each) const { return !isHeld_ || isAskedFor(each.id); }
 
+  /// Of the preparation of a case.
+  struct Left {
+    bool isAny = false;
+    double estimate_s = 0.0;
+  };
+
   Jobs& jobs_;
+  mutable std::map<std::filesystem::path, Left> left_;
   const int quiet_;
   std::deque<Case> waiting_;
   std::vector<std::string> stopped_;
   std::vector<std::string> asked_;
+  std::string shown_;  ///< of these, the one whose draft is on show
   std::optional<Case> running_;
   QTimer poll_;
   int job_ = 0;

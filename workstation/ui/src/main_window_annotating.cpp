@@ -72,11 +72,14 @@ std::vector<Preset> MainWindow::presetsOfCase() const {
   return offered;
 }
 
-void MainWindow::takePresetOfCase() {
-  if (parts_->session.isFrozen() || parts_->session.isPlaying()) return;
+void MainWindow::beginScanOfCase() {
+  Session& session = parts_->session;
+  if (session.isFrozen() || session.isPlaying() || !session.subject() || !parts_->opener->showsCase()) return;
   const std::vector<Preset> offered = presetsOfCase();
-  if (offered.empty() || !checkPreset(offered.front(), parts_->session.probes())) return;
-  takePreset(offered.front());
+  if (const Preset* start = startPreset(session.subject()->presets, offered, session.probes()))
+    takePreset(*start);
+  else
+    session.setNeutral();
 }
 
 void MainWindow::addAnnotateMenu(QMenu& annotate) {

@@ -4,6 +4,7 @@
 
 #include <QLayout>
 
+#include "ew/library/preparation.h"
 #include "file_import_dialog.h"
 #include "guarded_application.h"
 #include "host_scan.h"
@@ -182,7 +183,7 @@ void MainWindow::connectOpener() {
     parts_->scanView->setFocus();
     if (const auto waiting = std::exchange(parts_->waitingRecording, {}); waiting.recording) takeRecording(waiting.path, waiting.recording);
     parts_->imported.clear();
-    takePresetOfCase();
+    beginScanOfCase();
     if (const auto& current = parts_->document.current()) parts_->messages->forget(readyTopic(current->id));
     rememberOpen(path);
     if (parts_->restoring)
@@ -249,8 +250,21 @@ void MainWindow::connectPreparation() {
   connect(&p.preparation, &CasePreparation::changed, this, &MainWindow::showPreparation);
   connect(&p.preparation, &CasePreparation::prepared, this, [this](const QString& caseId) {
     parts_->details.forget();
+    parts_->preparation.forget();
     readDetails();
     offerReady(caseId);
+    parts_->opener->refine();
+  });
+  connect(p.opener, &Opener::draftShown, this, [this] {
+    const auto& shown = parts_->document.current();
+    parts_->preparation.askForShown(*shown);
+    if (const auto estimate = estimatePreparation(*shown))
+      parts_->messages->showNote(
+          tr("'%1' is shown coarsely at first and gets finer by itself, in %2.").arg(shownTitle(*shown), aboutMinutes(estimate->seconds)),
+          draftTopic(shown->id));
+  });
+  connect(p.opener, &Opener::refined, this, [this] {
+    if (const auto& shown = parts_->document.current()) parts_->messages->forget(draftTopic(shown->id));
   });
   connect(&p.preparation, &CasePreparation::failed, this, [this](const Error& error) { parts_->messages->showError(error); });
   connect(&p.preparation, &CasePreparation::noted, this, [this](const QString& note) { parts_->messages->showNote(note); });

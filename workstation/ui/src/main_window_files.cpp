@@ -87,7 +87,7 @@ bool MainWindow::prepareBehind(const QString& path, bool isSomethingWorkedWith) 
   constexpr double kWorthWaitingFor_s = 5.0;
   if (!isSomethingWorkedWith) return false;  // it is shown as soon as it is there
   const auto wanted = loadCase(pathOf(path));
-  if (!wanted || !caseNeedsPreparation(*wanted)) return false;
+  if (!wanted || !caseNeedsPreparation(*wanted) || mayBeDrafted(*wanted)) return false;
   const auto estimate = estimatePreparation(*wanted);
   if (!estimate || estimate->seconds < kWorthWaitingFor_s) return false;
   p.readyOffers[wanted->id] = path;

@@ -178,6 +178,7 @@ void MainWindow::fillStartPage() {
   parts_->startPage->setProblem(shipped ? QString() : words(shipped.error().message));
   parts_->startPage->setReading(true);
   parts_->details.forget();
+  parts_->preparation.forget();
   parts_->library.refresh();
   parts_->learning.refresh();
   if (parts_->library.index() == nullptr) parts_->startPage->setReading(false);

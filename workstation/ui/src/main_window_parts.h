@@ -94,6 +94,7 @@ inline const std::string kAuthor = "author";
 
 /// Of messages about a case that is prepared behind what is open.
 inline QString readyTopic(const std::string& caseId) { return QStringLiteral("ready ") + QString::fromStdString(caseId); }
+inline QString draftTopic(const std::string& caseId) { return QStringLiteral("draft ") + QString::fromStdString(caseId); }
 
 /// What the window is made of. Values first, so that they outlive the widgets and plugins that use them.
 struct MainWindow::Parts {

@@ -2,9 +2,12 @@
 
 #include <QFileInfo>
 #include <algorithm>
+#include <future>
 #include <utility>
 
 #include "ew/core/ending.h"
+#include "ew/core/quiet_progress.h"
+#include "ew/core/quiet_work.h"
 #include "ew/io/image_stack.h"
 #include "ew/io/sequence.h"
 #include "ew/io/volume_file.h"
@@ -44,6 +47,8 @@ Result<std::shared_ptr<const bridge::Mannequin>> readMannequin(const fs::path& f
 bool isNifti(const QString& path) {
   return path.endsWith(QLatin1String(".nii"), Qt::CaseInsensitive) || path.endsWith(QLatin1String(".nii.gz"), Qt::CaseInsensitive);
 }
+
+constexpr int kQuiet = 19;  ///< what nobody waits for gives way to everything else
 
 const QString kOpening = QStringLiteral("open");  ///< topic of what opening something has to say
 
@@ -117,6 +122,9 @@ Opener::Opener(Session& session, CaseDocument& document, Jobs& jobs, MessageBar&
   });
   connect(&hand_, &HandInput::moved, &session_, &Session::setHold);
   connect(&session_, &Session::echoesWanted, this, &Opener::findTissue);
+  constexpr int kLookAgain_ms = 500;
+  finerSoon_.setInterval(kLookAgain_ms);
+  connect(&finerSoon_, &QTimer::timeout, this, &Opener::takeFiner);
   connect(&session_, &Session::subjectReplaced, this, [this] {
     if (tissueJob_ != 0) jobs_.cancel(std::exchange(tissueJob_, 0));
   });
@@ -262,18 +270,28 @@ Result<void> Opener::load(Loading& into, const fs::path& presentMannequin, Progr
   auto body = mannequinFileOf(opened);
   if (!body) return passOn(body.error());
   into.contents.sources = sourcesOf(opened);
+  // The body is read beside the contents: neither waits for the other.
+  std::future<Result<std::shared_ptr<const bridge::Mannequin>>> mannequin;
+  if (*body != presentMannequin)
+    mannequin = std::async(std::launch::async, [file = *body, &progress] {
+      QuietProgress silent(progress);
+      return readMannequin(file, silent);
+    });
+  Result<void> contents;
   if (!hasNoVolume(opened)) {
-    PartOfProgress most(progress, 0.0, 0.9);
-    auto read = readContents(opened, most);
+    auto read = readContents(opened, progress, {.draft = true});
+    if (read)
+      into.contents.read = std::move(*read);
+    else
+      contents = passOn(read.error());
+  }
+  if (mannequin.valid()) {
+    auto read = mannequin.get();
+    if (!contents) return contents;
     if (!read) return passOn(read.error());
-    into.contents.read = std::move(*read);
+    into.mannequin = std::move(*read);
   }
-  if (*body != presentMannequin) {
-    PartOfProgress rest(progress, 0.9, 1.0);
-    auto mannequin = readMannequin(*body, rest);
-    if (!mannequin) return passOn(mannequin.error());
-    into.mannequin = std::move(*mannequin);
-  }
+  if (!contents) return contents;
   into.mannequinFile = std::move(*body);
   return {};
 }
@@ -425,6 +443,46 @@ void Opener::scanCase() {
     session_.setScene(scene);
   }
   takeStart();
+  if (showsDraft()) Q_EMIT draftShown();
+}
+
+void Opener::refine() {
+  const auto& opened = document_.current();
+  if (!opened || !contents_ || !contents_->read.isDraft || refineJob_ != 0 || caseNeedsPreparation(*opened)) return;
+  auto read = std::make_shared<Contents>();
+  read->sources = contents_->sources;
+  refineJob_ = jobs_.start(
+      tr("Reading the finer volume"),
+      [read, opened = *opened](Progress& progress) -> Result<void> {
+        const QuietWork quietly(kQuiet);
+        auto made = readContents(opened, progress);
+        if (!made) return passOn(made.error());
+        read->read = std::move(*made);
+        return {};
+      },
+      [this, read](const Result<void>& outcome) {
+        refineJob_ = 0;
+        if (!outcome) {
+          if (outcome.error().code != ErrorCode::cancelled) messages_.showError(outcome.error(), kOpening);
+          return;
+        }
+        finer_ = std::move(*read);
+        takeFiner();
+      },
+      Jobs::Kind::background);
+}
+
+void Opener::takeFiner() {
+  const auto& opened = document_.current();
+  const bool isWanted = finer_ && opened && contents_ && contents_->read.isDraft && contents_->sources == finer_->sources;
+  if (isWanted && showsCase_ && !session_.canRefine()) return finerSoon_.start();
+  finerSoon_.stop();
+  const auto finer = std::exchange(finer_, std::nullopt);
+  if (!isWanted) return;
+  contents_->read = finer->read;
+  if (!showsCase_) return;
+  session_.refine(subjectOf(*opened, contents_->read));
+  Q_EMIT refined();
 }
 
 void Opener::openImage(const QString& path) {
@@ -530,6 +588,7 @@ void Opener::showVolume(const ScanVoxels& voxels, const QString& title, bool kee
   showsCase_ = false;
   startTaken_ = false;
   session_.show(std::move(subject));
+  session_.setNeutral();
   lookAtWhole(shape);
   takeStart();
 }

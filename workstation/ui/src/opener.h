@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -55,6 +56,11 @@ class Opener final : public QObject {
   void showCaseVolume();
   [[nodiscard]] bool showsCase() const { return showsCase_; }
   [[nodiscard]] bool hasCaseVolume() const { return contents_.has_value(); }
+  /// Whether the open case is scanned as a draft, until its volume is made.
+  [[nodiscard]] bool showsDraft() const { return showsCase_ && contents_ && contents_->read.isDraft; }
+  /// The volume of the open case may have been made: reads it in the background, and puts it in the place of the draft as soon as that
+  /// disturbs nobody.
+  void refine();
   [[nodiscard]] bool isBusy() const { return busy_ > 0; }
   /// Whether this is what is being opened now; ended() follows.
   [[nodiscard]] bool isOpening(const QString& path) const;
@@ -65,6 +71,8 @@ class Opener final : public QObject {
   void preparing(const QString& path);  ///< a case is being opened whose volume has to be made first
   void ended();                         ///< nothing is being opened any more, whatever came of it; another opening may follow
   void opened(const QString& path);
+  void draftShown();                       ///< the volume of the open case is still to be made
+  void refined();                          ///< the open case is scanned as it asks for
   void sweepChosen(const QString& path);   ///< a sweep needs answers before it becomes a volume
   void bundleChosen(const QString& path);  ///< a case of another workstation, which goes into the library before it is opened
   /// A file of another kind leaves something open, or holds pictures that are no volume.
@@ -117,6 +125,7 @@ class Opener final : public QObject {
   /// What the scan takes over from edits at once: title, scene, placement.
   void followEdits(const Case& edited);
   void takeStart();
+  void takeFiner();
   /// Another probe and depth where the present ones would show a stamp, or cut the volume off.
   void lookAtWhole(const PlacingShape& shape);
 
@@ -128,7 +137,9 @@ class Opener final : public QObject {
   HandInput& hand_;
   std::function<bool(const QString& next)> mayReplace_ = [](const QString&) { return true; };
   std::function<bool(const QString& next)> mayScan_ = [](const QString&) { return true; };
-  std::optional<Contents> contents_;              ///< of the open case; empty without one
+  std::optional<Contents> contents_;  ///< of the open case; empty without one
+  std::optional<Contents> finer_;     ///< waits to take the place of a draft
+  QTimer finerSoon_;
   std::optional<Sources> reloading_;              ///< what the open case is being loaded for again
   std::optional<Sources> refused_;                ///< that could not be loaded: not tried again until they change or are asked for
   std::filesystem::path mannequinFile_;           ///< of the body that is shown or on its way
@@ -139,6 +150,7 @@ class Opener final : public QObject {
   QString openingPath_;      ///< what is being opened; empty: nothing
   int openingJob_ = 0;
   int tissueJob_ = 0;
+  int refineJob_ = 0;
   int busy_ = 0;
 };
 

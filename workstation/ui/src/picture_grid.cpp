@@ -215,8 +215,8 @@ void PictureGrid::followSubject() {
   bool isGone = false;
   for (KeptPicture* each : kept_) {
     if (each == nullptr || each->isEmpty()) continue;
-    // It could not be formed again from voxels that lie elsewhere now.
-    if (each->session().subject()->placedGrid == subject->placedGrid) {
+    // It could not be formed again from voxels that lie elsewhere now. One of the draft keeps that until it is taken in hand.
+    if (each->session().subject()->placedGrid == subject->placedGrid || each->session().subject()->isDraft) {
       each->session().setTitle(subject->title);
     } else {
       each->clear();

@@ -110,6 +110,19 @@ void Session::show(ScanSubject shown, Patient patient) {
   Q_EMIT subjectChanged();
 }
 
+bool Session::canRefine() const {
+  return subject() && subject()->isDraft && !frozen_ && !played_ && !wide_ && subject()->labels == caseLabels_;
+}
+
+void Session::refine(ScanSubject better) {
+  EW_EXPECTS(canRefine());
+  scanner_.refine(std::move(better));
+  caseLabels_ = subject()->labels;
+  recorded_ = Recorded(*subject());
+  due();
+  Q_EMIT subjectChanged();
+}
+
 void Session::clear(Patient patient) {
   showWide({});
   play({});
@@ -163,6 +176,7 @@ void Session::exchangePicture(Session& other) {
   // The subject may have been edited while the picture stood aside.
   if (other.subject() && subject()) {
     const ScanSubject& edited = *other.subject();
+    if (subject()->isDraft && !edited.isDraft) scanner_.refine(edited);
     scanner_.setTitle(edited.title);
     scanner_.setScene(edited.scene);
     if (edited.tissue && !subject()->tissue) scanner_.know(edited.tissue);
@@ -363,6 +377,12 @@ void Session::resetTgc() {
   else
     reset.dgc = Knobs{}.dgc;
   setKnobs(reset);
+}
+
+void Session::setNeutral() {
+  Knobs neutral;
+  neutral.quality = knobs().quality;
+  setKnobs(neutral);
 }
 
 void Session::setHold(const Hold& hold) {

@@ -46,6 +46,10 @@ class Session final : public QObject {
   enum class Patient { same, another };
   void show(ScanSubject subject, Patient patient = Patient::another);
   void clear(Patient patient = Patient::another);
+  /// Whether what is shown is a draft and may become finer now: not while somebody looks at a picture that stands or is played, or paints.
+  [[nodiscard]] bool canRefine() const;
+  /// The subject of a draft as it was asked for: nothing else changes, neither console nor hand, and what was recorded goes on.
+  void refine(ScanSubject better);
   [[nodiscard]] const std::optional<ScanSubject>& subject() const { return scanner_.subject(); }
   /// The picture and all that it is made with change places with those of another session of the same subject: its console, its cine loop
   /// and who makes it, so that nothing is formed again. Expects that neither runs: frozen, or without a picture; and that none plays.
@@ -90,6 +94,8 @@ class Session final : public QObject {
   [[nodiscard]] GainLaw gainLaw() const { return resolvedGainLaw(knobs(), scene()); }
   /// The sliders of the law that acts, back to neutral.
   void resetTgc();
+  /// All settings as they are before anybody turned them, but the quality, which is the machine's.
+  void setNeutral();
 
   /// Whether quality may fall while the probe moves fast (imaging/adaptive_quality.h). A frozen picture is always made in full.
   void setAdaptive(bool adaptive);

@@ -26,8 +26,8 @@ QString stemOf(const Case& shown) {
 }
 
 QString fileOf(const Case& shown, const QSize& size) {
-  // 2: as it is scanned, with labels and their tissues.
-  QStringList parts{QLatin1String(kVersion), QStringLiteral("2"), QStringLiteral("%1x%2").arg(size.width()).arg(size.height())};
+  // 3: as it is scanned, with labels and their tissues, and begins: with its preset.
+  QStringList parts{QLatin1String(kVersion), QStringLiteral("3"), QStringLiteral("%1x%2").arg(size.width()).arg(size.height())};
   QDirIterator files(wordsOf(shown.folder), QDir::Files, QDirIterator::Subdirectories);
   while (files.hasNext()) {
     files.next();
@@ -57,8 +57,8 @@ void keepThumbnail(const Case& shown, const QImage& picture) {
   }
 }
 
-QImage thumbnailOf(const ScanSubject& subject, const std::vector<Probe>& probes, const QSize& size) {
-  const auto state = firstState(subject, probes);
+QImage thumbnailOf(const ScanSubject& subject, const std::vector<Probe>& probes, const std::vector<Preset>& presets, const QSize& size) {
+  const auto state = firstState(subject, probes, presets);
   if (!state) return {};
   Scanner scanner;
   scanner.show(subject);

@@ -6,6 +6,7 @@
 
 namespace ew {
 struct Case;
+struct Preset;
 struct Probe;
 struct ScanSubject;
 }  // namespace ew
@@ -21,6 +22,7 @@ namespace ew::ui {
 void keepThumbnail(const Case& shown, const QImage& picture);
 
 /// The first picture of a subject's scan. Null when its probe is not among `probes`.
-[[nodiscard]] QImage thumbnailOf(const ScanSubject& subject, const std::vector<Probe>& probes, const QSize& size);
+[[nodiscard]] QImage thumbnailOf(const ScanSubject& subject, const std::vector<Probe>& probes, const std::vector<Preset>& presets,
+                                 const QSize& size);
 
 }  // namespace ew::ui

@@ -210,13 +210,21 @@ struct CaseEcho {
   std::shared_ptr<TissueMotion> motion;  ///< of that tissue; null where the patient does not move
   std::vector<TissueAcoustics> tissues;  ///< of the labels, by rising label, as the recipe has them; none for a label file
   std::vector<Message> notes;
+  bool isDraft = false;  ///< coarser than the case asks for; see PreparationOptions::draft
 };
 
 struct PreparationOptions {
   int threads = 0;                        ///< 0: all cores; the voxels do not depend on it
   std::uint64_t maxBytes = 8ull << 30;    ///< that a step may hold
   std::filesystem::path keepSweeps = {};  ///< a folder for the recordings (NAME.igs.mha) of the sweeps that are made; empty: not kept
+  /// A case whose volume would have to be made first (mayBeDrafted) comes within seconds, and nothing is kept: volume and labels with
+  /// voxels kDraftCoarseness times as wide, the maps of tissue from those on the case's own grid, so that the same place has the same
+  /// speckle once they are made. For pictures until then, and never to be judged by.
+  bool draft = false;
 };
+inline constexpr int kDraftCoarseness = 3;
+/// Whether a draft comes sooner than the volume itself: a recipe without sweeps that is not prepared and takes its time.
+[[nodiscard]] bool mayBeDrafted(const Case& opened);
 
 /// Echo, labels and maps of tissue of a case, all placed in the world: from its files, or from its recipe by way of the cache, making them
 /// when they are not there (see preparation.h).

@@ -42,6 +42,14 @@ struct Preset {
 /// @error badField, each with the value found and the values expected
 [[nodiscard]] Result<void> checkPreset(const Preset& preset, const std::vector<Probe>& probes);
 
+/// The probes that may be used, in the order of `ids`; all when there are none.
+[[nodiscard]] std::vector<Probe> usableOf(const std::vector<std::string>& ids, const std::vector<Probe>& probes);
+/// The preset that a scan begins with: the first of `ids` that is among `presets`, is for one of `usable` and can be set. Presets earlier
+/// in the list win over later ones of the same id.
+/// @return null when there is none: the scan begins with neutral settings
+[[nodiscard]] const Preset* startPreset(const std::vector<std::string>& ids, const std::vector<Preset>& presets,
+                                        const std::vector<Probe>& usable);
+
 /// The console with the preset on it: all but the quality of the machine.
 [[nodiscard]] Knobs applied(const Preset& preset, const Knobs& present);
 /// The console as a preset of that probe; quality, zoom and M-mode stay out of it.
@@ -57,6 +65,11 @@ struct OwnPresets {
 };
 /// Nothing when the folder is not there.
 [[nodiscard]] OwnPresets readOwnPresets(const std::filesystem::path& folder);
+
+/// The presets of the program, then the user's own; those of the user that cannot be read are left out.
+/// @param resources the program's folder of them all
+/// @error as readPresets
+[[nodiscard]] Result<std::vector<Preset>> presetsThere(const std::filesystem::path& resources);
 
 /// Writes it into the folder, which is made; its file is named after title and probe, and no other preset's file is written over. One of
 /// the same title and probe is replaced. Such a file can be handed on: whoever puts it into his folder has it.

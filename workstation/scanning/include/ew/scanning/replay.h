@@ -20,9 +20,6 @@ class Replay {
 
   /// The n-th image; its views stay valid until the next one.
   Picture make(std::size_t frame, int width_px, int height_px);
-  /// What it is made with: as it was recorded. A scene that was recorded without the tissues of the subject's labels gets those, since
-  /// without them every structure would attenuate alike.
-  [[nodiscard]] ScanState state(std::size_t frame) const;
   [[nodiscard]] const Scanner& scanner() const { return scanner_; }
 
   /// How many images before the n-th still show in it: those that persistence has not yet brought below half a grey level, or that stand
@@ -31,7 +28,6 @@ class Replay {
 
  private:
   const ScanLog& log_;
-  std::vector<TissueAcoustics> tissues_;
   Scanner scanner_;
   std::optional<std::size_t> last_;
 };

@@ -20,6 +20,9 @@ class Scanner {
 
   /// What is scanned from now on; earlier pictures are forgotten.
   void show(ScanSubject subject);
+  /// The same subject with better voxels, labels and maps; title, scene and place are those of `better`. What earlier pictures leave in
+  /// later ones stays.
+  void refine(ScanSubject better);
   void clear();
   /// Earlier pictures no longer show in later ones: persistence and M-mode start afresh.
   void forget() { maker_.forget(); }
@@ -37,7 +40,8 @@ class Scanner {
 
   /// Tables for a state, made now rather than with the next picture.
   void prepare(const ScanState& state, int width_px, int height_px);
-  /// The picture of a state; its views stay valid until the next one. Expects a subject.
+  /// The picture of a state; its views stay valid until the next one. Expects a subject. A scene that names no tissues, as those of
+  /// recordings do, has the subject's: one pose with one console is the same picture whoever asks for it.
   /// A pose that is not PoseStatus::ok, or whose matrix checkRigid refuses, gives a black picture; one that is not ok also
   /// forgets what was before it: behind a gap a scan begins anew.
   Picture make(const ScanState& state, int width_px, int height_px);

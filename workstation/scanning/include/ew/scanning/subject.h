@@ -16,6 +16,7 @@
 #include "ew/imaging/tissue_motion.h"
 #include "ew/io/mapped_volume.h"
 #include "ew/library/case.h"
+#include "ew/scanning/preset.h"
 #include "ew/scanning/state.h"
 
 namespace ew {
@@ -77,8 +78,10 @@ struct ScanSubject {
   std::shared_ptr<const TissueMotion> motion = nullptr;    ///< how that tissue moves, in the frame of its own grid; null: it does not
   Scene scene = {};                                        ///< what the case calls for, with the tissues of the labels
   std::vector<std::string> probes = {};                    ///< ids that may be used, the first is the default; empty: all
+  std::vector<std::string> presets = {};                   ///< ids of the console's presets it offers; its scan begins with the first
   std::optional<Pose> startPose = {};                      ///< where whoever scans begins
   std::shared_ptr<const Provenance> provenance = nullptr;  ///< which frame each voxel came from; null: nobody knows
+  bool isDraft = false;                                    ///< shown until the voxels that the case asks for are made
 
   /// A scene without what cannot be shown of this subject: live echoes where no tissue is known, motion where it does not move.
   [[nodiscard]] Scene known(Scene asked) const {
@@ -110,11 +113,14 @@ struct ScanSubject {
 [[nodiscard]] Result<std::shared_ptr<const TissueMaps>> recordedTissueOf(const ScanVoxels& voxels, const Scene& scene, int threads,
                                                                          Progress& progress);
 
-/// How the scan of a subject begins: its first probe, its start pose, the settings neutral, the effects of its scene, everything touching.
-/// Without a start pose the probe stands across the middle of the front of its voxels.
+/// How the scan of a subject begins: probe and settings of its start preset (startPreset), else its first probe and neutral settings; its
+/// start pose, the effects of its scene, everything touching. Without a start pose the probe stands across the middle of the front of its
+/// voxels. Window, command line and cards begin so and nowhere else.
 /// @param probes there are
+/// @param presets there are
 /// @return empty when the subject's first probe is not among them
-[[nodiscard]] std::optional<ScanState> firstState(const ScanSubject& subject, const std::vector<Probe>& probes);
+[[nodiscard]] std::optional<ScanState> firstState(const ScanSubject& subject, const std::vector<Probe>& probes,
+                                                  const std::vector<Preset>& presets);
 
 /// A volume that belongs to no case, where its own coordinates say.
 [[nodiscard]] ScanSubject subjectOf(ScanVoxels voxels, std::string title);
@@ -129,6 +135,7 @@ struct CaseContents {
   std::vector<TissueAcoustics> tissues = {};              ///< of the labels, as the recipe has them
   Transform<frame::World, frame::File> fileToWorld = {};  ///< the grids are placed with it
   std::vector<Message> notes;
+  bool isDraft = false;  ///< as of CaseEcho
 };
 /// @error as loadCaseVolume; cancelled
 [[nodiscard]] Result<CaseContents> readContents(const Case& opened, Progress& progress, const PreparationOptions& options = {});

@@ -230,7 +230,7 @@ class MainWindow final : public QMainWindow {
   void showPresets(QMenu& menu);
   void takePreset(const Preset& preset);
   [[nodiscard]] std::vector<Preset> presetsOfCase() const;  ///< that the case on show offers, the one it starts with first
-  void takePresetOfCase();
+  void beginScanOfCase();                                   ///< as firstState has it
   void savePreset();
   void importPreset();
   void withdraw(const QString& folder, const QString& title);  ///< takes a case out of the library, after a question

@@ -1,0 +1,116 @@
+#include "draft_maps.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ew/core/contract.h"
+#include "ew/core/large_pages.h"
+#include "ew/core/parallel.h"
+
+namespace ew {
+namespace {
+
+/// Where the voxels of one axis of the finer grid lie between those of the coarser one.
+struct Between {
+  int first = 0;
+  float share = 0.0F;  ///< of the next
+};
+
+std::vector<Between> alongAxis(const Grid& coarse, const Grid& fine, int axis) {
+  std::vector<Between> places(static_cast<std::size_t>(fine.dims[axis]));
+  const double from = glm::dot(fine.origin_mm - coarse.origin_mm, glm::dvec3(coarse.directions[axis]));
+  for (std::size_t n = 0; n < places.size(); ++n) {
+    const double at = (from + fine.spacing_mm[axis] * static_cast<double>(n)) / coarse.spacing_mm[axis];
+    const double within = std::clamp(at, 0.0, static_cast<double>(coarse.dims[axis] - 1));
+    places[n].first = std::min(static_cast<int>(within), std::max(0, coarse.dims[axis] - 2));
+    places[n].share = static_cast<float>(within - places[n].first);
+  }
+  return places;
+}
+
+class Spreading {
+ public:
+  Spreading(const TissueMaps& coarse, TissueMaps& fine) : coarse_(coarse), fine_(fine), hasSurfaces_(!coarse.surfaceKind.empty()) {
+    for (int axis = 0; axis < 3; ++axis) places_[static_cast<std::size_t>(axis)] = alongAxis(coarse.grid, fine.grid, axis);
+    for (int corner = 0; corner < 8; ++corner)
+      offsets_[static_cast<std::size_t>(corner)] = coarse.grid.indexOf(corner & 1, (corner >> 1) & 1, (corner >> 2) & 1);
+  }
+
+  void row(int j, int k) const {
+    const Between y = places_[1][static_cast<std::size_t>(j)], z = places_[2][static_cast<std::size_t>(k)];
+    const std::array<float, 4> across{(1.0F - y.share) * (1.0F - z.share), y.share * (1.0F - z.share), (1.0F - y.share) * z.share,
+                                      y.share * z.share};
+    std::size_t at = fine_.grid.indexOf(0, j, k);
+    for (const Between& x : places_[0]) {
+      const std::size_t from = coarse_.grid.indexOf(x.first, y.first, z.first);
+      std::array<float, 8> weights{};
+      for (std::size_t pair = 0; pair < 4; ++pair) {
+        weights[2 * pair] = across[pair] * (1.0F - x.share);
+        weights[2 * pair + 1] = across[pair] * x.share;
+      }
+      fine_.level[at] = mean(coarse_.level, from, weights);
+      if (hasSurfaces_) surface(at, from, weights);
+      ++at;
+    }
+  }
+
+ private:
+  /// Of the corners that hold anything; 0 where these are the smaller half.
+  [[nodiscard]] std::uint8_t mean(const std::vector<std::uint8_t>& values, std::size_t from, const std::array<float, 8>& weights) const {
+    float sum = 0.0F, weight = 0.0F;
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+      const std::uint8_t value = values[from + offsets_[corner]];
+      sum += weights[corner] * static_cast<float>(value);
+      weight += value != 0 ? weights[corner] : 0.0F;
+    }
+    return weight >= 0.5F ? static_cast<std::uint8_t>(sum / weight + 0.5F) : std::uint8_t{0};
+  }
+
+  void surface(std::size_t at, std::size_t from, const std::array<float, 8>& weights) const {
+    std::size_t nearest = 0;
+    for (std::size_t corner = 1; corner < 8; ++corner)
+      if (weights[corner] > weights[nearest]) nearest = corner;
+    const std::uint8_t kind = coarse_.surfaceKind[from + offsets_[nearest]];
+    if (kind == 0) return;
+    float sum = 0.0F, weight = 0.0F;
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+      const std::size_t there = from + offsets_[corner];
+      if (coarse_.surfaceKind[there] != kind || coarse_.surfaceDistance[there] == 0) continue;
+      sum += weights[corner] * static_cast<float>(coarse_.surfaceDistance[there]);
+      weight += weights[corner];
+    }
+    // What lies beyond the rim of the surface, or nearer to another one, would be a guess.
+    if (weight < 0.5F) return;
+    fine_.surfaceKind[at] = kind;
+    fine_.surfaceDistance[at] = static_cast<std::uint8_t>(std::clamp(sum / weight + 0.5F, 1.0F, 255.0F));
+  }
+
+  const TissueMaps& coarse_;
+  TissueMaps& fine_;
+  bool hasSurfaces_;
+  std::array<std::vector<Between>, 3> places_{};
+  std::array<std::size_t, 8> offsets_{};
+};
+
+}  // namespace
+
+std::optional<TissueMaps> spreadOn(const TissueMaps& coarse, const Grid& fine, int threads, Progress& progress) {
+  EW_EXPECTS(glm::all(glm::greaterThan(coarse.grid.dims, glm::ivec3(1))));
+  TissueMaps made;
+  made.grid = fine;
+  made.surfaces = coarse.surfaces;
+  made.isRecorded = coarse.isRecorded;
+  std::vector<std::vector<std::uint8_t>*> taken{&made.level};
+  if (!coarse.surfaceKind.empty()) taken.insert(taken.end(), {&made.surfaceDistance, &made.surfaceKind});
+  for (std::vector<std::uint8_t>* values : taken)
+    if (!growInLargePages(*values, fine.voxelCount(), progress)) return std::nullopt;
+  const Spreading spreading(coarse, made);
+  const bool isWhole = forEachTask(fine.dims.z, threads, progress, say<"Showing the virtual patient">(), [&](int k) {
+    for (int j = 0; j < fine.dims.y; ++j) spreading.row(j, k);
+  });
+  if (!isWhole) return std::nullopt;
+  return made;
+}
+
+}  // namespace ew
