@@ -229,6 +229,32 @@ TEST(LiveEchoes, ShowASurfaceThirtyToFortyDegreesOffByWhatIsRoughOfIt) {
   }
 }
 
+TEST(LiveEchoes, ShowTissueThatGivesWayToTheFaceWhereTheSceneHasContact) {
+  // The face stands 5 mm below a flat skin, a plane 10 mm and another 75 mm below it.
+  TissueMaps maps = tissueOf([](const glm::dvec3& p) { return p.y > -5.0 ? 20.0 : 0.0; });
+  Shot shot;
+  const auto brightestBetween = [&](double plane_mm, double from_mm, double to_mm) {
+    maps.surfaces.clear();
+    addPlane(maps, {.name = "plane", .echoLevel = 230.0}, plane_mm);
+    const GreyImage picture = pictureOf(maps, shot);
+    double at_mm = 0.0, most = 0.0;
+    for (double depth_mm = from_mm; depth_mm < to_mm; depth_mm += 0.1) {
+      const std::vector<double> levels = levelsBetween(picture, shot, depth_mm - 0.15, depth_mm + 0.15, 2.0);
+      if (!levels.empty() && meanOf(levels) > most) {
+        most = meanOf(levels);
+        at_mm = depth_mm;
+      }
+    }
+    return at_mm;
+  };
+  EXPECT_NEAR(brightestBetween(5.0, 2.0, 14.0), 5.0, 0.4) << "as it lies at rest";
+  shot.scene.contact = ContactEffect{};
+  EXPECT_NEAR(brightestBetween(5.0, 2.0, 14.0), 5.0 + 5.0 * std::exp(-std::pow(10.0 / 35.0, 2.0)), 0.5);
+  EXPECT_NEAR(brightestBetween(70.0, 65.0, 75.0), 70.0, 0.4) << "too deep to be moved";
+  maps.isRecorded = true;
+  EXPECT_NEAR(brightestBetween(5.0, 2.0, 14.0), 5.0, 0.4) << "what was recorded was pressed then";
+}
+
 TEST(LiveEchoes, ShowTheSheetsOfASurfaceOneBehindTheOther) {
   TissueMaps maps = tissueOf([](const glm::dvec3&) { return 0.0; });
   addPlane(maps, {.name = "plane", .echoLevel = 220.0, .sheets = 3, .sheetGap_mm = 2.0}, 60.0);

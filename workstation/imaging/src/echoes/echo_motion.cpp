@@ -25,7 +25,9 @@ constexpr double kSkinStep_mm = 0.4;
 constexpr double kGel_mm = 3.0;
 constexpr double kLeastPress_mm = 0.3;
 constexpr double kGives_mm = 35.0;
-constexpr double kStands_mm = 80.0;  // what lies deeper is not moved
+constexpr double kStands_mm = 60.0;  // what lies deeper is not moved
+constexpr double kFades_mm = 15.0;   // towards there
+constexpr double kBeyondStands_mm = 12.0;
 constexpr double kNode_mm = 4.0;
 
 /// Between nodes of a grid, three linear steps; beyond as at its edge.
@@ -82,6 +84,7 @@ void EchoMotion::take(const TissueMotion& motion, const BodyState& body, double 
                        .row = mode.grid.dims.x,
                        .plane = std::ptrdiff_t{mode.grid.dims.x} * mode.grid.dims.y,
                        .shift = mode.shift_mm.data()});
+    deepest_mm_ = std::numeric_limits<float>::infinity();
   }
 }
 
@@ -133,7 +136,8 @@ void EchoMotion::press(const EchoLayout& layout, const SliceSource& level, const
       const int low = std::min(static_cast<int>(along), kFacePlaces - 2);
       const double press = std::lerp(press_mm[static_cast<std::size_t>(low)], press_mm[static_cast<std::size_t>(low) + 1], along - low);
       const double below_mm = std::max(at.depth_mm + press, 0.0);
-      const double share = std::exp(-below_mm * below_mm / (kGives_mm * kGives_mm)) * std::clamp((kStands_mm - below_mm) / 10.0, 0.0, 1.0);
+      const double share =
+          std::exp(-below_mm * below_mm / (kGives_mm * kGives_mm)) * std::clamp((kStands_mm - below_mm) / kFades_mm, 0.0, 1.0);
       const glm::dvec2 shift_mm = press * share * fan.directionThrough(rest_mm);
       const std::size_t node = static_cast<std::size_t>(j) * static_cast<std::size_t>(dims.x) + static_cast<std::size_t>(i);
       pressed_[node] = pressed_[node + plane] = glm::vec3(shift_mm, 0.0);
@@ -149,6 +153,9 @@ void EchoMotion::press(const EchoLayout& layout, const SliceSource& level, const
                      .row = dims.x,
                      .plane = static_cast<std::ptrdiff_t>(plane),
                      .shift = pressed_.data()});
+  // Between nodes of the field and of whoever asks it, shifts end a little deeper than it does.
+  pressedTo_mm_ = static_cast<float>(kStands_mm + kNode_mm + kBeyondStands_mm);
+  deepest_mm_ = std::max(deepest_mm_, pressedTo_mm_);
 }
 
 void EchoMotion::find(const EchoLayout& layout, Bands& bands) {

@@ -19,7 +19,10 @@ namespace ew::detail {
 class EchoMotion {
  public:
   /// From here on nothing moves.
-  void rest() { fields_.clear(); }
+  void rest() {
+    fields_.clear();
+    deepest_mm_ = pressedTo_mm_ = 0.0F;
+  }
   /// @param motionToProbe from the frame of the motion's grids, rigid
   /// @param strength of every field, 0..1
   void take(const TissueMotion& motion, const BodyState& body, double strength, const Transform<frame::Probe, frame::World>& motionToProbe);
@@ -32,6 +35,10 @@ class EchoMotion {
   /// Of what was taken since rest(): where all of it has gone, along the lines.
   void find(const EchoLayout& layout, Bands& bands);
   [[nodiscard]] bool moves() const { return !fields_.empty(); }
+  /// Whether anything may move that deep or deeper.
+  [[nodiscard]] bool movesFrom(double depth_mm) const { return moves() && depth_mm < static_cast<double>(deepest_mm_); }
+  /// Whether tissue gives way to the face there.
+  [[nodiscard]] bool isPressed(float depth_mm) const { return depth_mm < pressedTo_mm_; }
 
   /// How far what rests at a place has gone, mm.
   [[nodiscard]] glm::vec3 shiftAt(const glm::vec3& rest_mm) const;
@@ -50,6 +57,7 @@ class EchoMotion {
   [[nodiscard]] double knot_mm() const { return knot_mm_; }
   /// Of rowsOf, between the knots around a range on a line.
   [[nodiscard]] glm::vec3 backOn(const std::vector<glm::vec3>& rows, int line, float range_mm) const {
+    if (range_mm >= deepest_mm_) return glm::vec3(0.0F);
     const float at = range_mm * perKnot_;
     const int knot = std::min(static_cast<int>(at), knots_ - 2);
     const glm::vec3* near = rows.data() + static_cast<std::ptrdiff_t>(knot) * lines_ + line;
@@ -75,6 +83,8 @@ class EchoMotion {
 
   std::vector<Field> fields_;
   std::vector<glm::vec3> pressed_;  ///< shifts at the nodes of press()
+  float deepest_mm_ = 0.0F;         ///< from there on nothing moves
+  float pressedTo_mm_ = 0.0F;       ///< the same of press() alone
   double knot_mm_ = 4.0;
   float perKnot_ = 0.25F;
   int knots_ = 0;

@@ -221,6 +221,7 @@ void EchoSurfaces::addLine(int line, const SurfaceMap& map, const EchoMotion& mo
     const auto slopeAt = [&](float range_mm, const glm::vec3& at) {
       const glm::vec3 rest = map.slopeAt(at) / static_cast<float>(TissueMaps::kDistanceStepsPerMm);
       if constexpr (!kMoves) return rest;
+      if (!motion.isPressed(range_mm)) return rest;
       const auto lines = static_cast<int>(layout_->grid.lines.size());
       const auto distanceOn = [&](int other, float there_mm) {
         const BeamGrid::Line& its = layout_->grid.lines[static_cast<std::size_t>(other)];

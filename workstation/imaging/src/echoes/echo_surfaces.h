@@ -28,7 +28,8 @@ class EchoSurfaces {
   void configure(const EchoLayout& layout);
   /// Adds to the fine grid, in units of kDepositUnit. Every line has rows of its own.
   /// @param maps with surfaces
-  /// @param motion of what they show. A surface that moves is met where it has gone and as it lies there.
+  /// @param motion of what they show. A surface that moves is met where it has gone, at the
+  /// incidence it has at rest but where tissue gives way to the face: there as it lies.
   void add(const TissueMaps& maps, const Transform<frame::Voxel, frame::Probe>& probeToVoxel, const EchoMotion& motion, Bands& bands,
            std::int32_t* fine, std::ptrdiff_t stride);
 

@@ -188,11 +188,12 @@ void findBlocks(const EchoLayout& layout, const EchoPlace& place, const EchoMoti
   const double mostStretch_mm = 0.5 * kPiece_mm - kBent_mm - kApart_mm - size.radius_mm;
   EW_EXPECTS(mostStretch_mm > 0.0);
   const Piece piece = pieceOf(layout, size, number);
+  const bool moves = motion.movesFrom(piece.nearest_mm);
   // Where what is seen rests.
   glm::dvec3 from_mm = piece.lowest_mm, to_mm = piece.highest_mm;
   glm::dvec3 stretched_mm(0.0);
   double radius_mm = size.radius_mm;
-  if (motion.moves()) {
+  if (moves) {
     stretched_mm = (kStretched - 1.0) * size.half_mm;
     radius_mm *= kStretched;
     const EchoMotion::Reach back = motion.reachBetween(piece.nearest_mm, piece.farthest_mm);
@@ -211,17 +212,17 @@ void findBlocks(const EchoLayout& layout, const EchoPlace& place, const EchoMoti
   highest = glm::min(highest, glm::dvec3(dims - 1) / place.voxelsPerCell);
   if (!glm::all(glm::lessThan(lowest, highest))) return;
   const glm::ivec3 begin(glm::floor(lowest / double{kBlockCells})), end(glm::floor(highest / double{kBlockCells}));
-  if (motion.moves()) shifts.begin(motion, place.cellToProbe, kBlockCells, begin, end);
+  if (moves) shifts.begin(motion, place.cellToProbe, kBlockCells, begin, end);
   const glm::dvec3 blockStep(place.cellToProbe[0] * double{kBlockCells});
   for (int k = begin.z; k <= end.z; ++k)
     for (int j = begin.y; j <= end.y; ++j) {
       const glm::dvec3 start(place.cellToProbe * glm::dvec4(double{kBlockCells} * (glm::dvec3(0, j, k) + 0.5), 1.0));
       int first = begin.x, last = end.x;
       for (const int axis : {2, 1, 0}) narrow(start[axis], blockStep[axis], from_mm[axis], to_mm[axis], first, last);
-      if (motion.moves() && first <= last) shifts.row(first, last, j, k);
+      if (moves && first <= last) shifts.row(first, last, j, k);
       for (int i = first; i <= last; ++i) {
         glm::dvec3 middle_mm = start + static_cast<double>(i) * blockStep;
-        if (motion.moves()) {
+        if (moves) {
           middle_mm += glm::dvec3(shifts.shiftAt(i));
           if (!liesIn(piece, middle_mm, stretched_mm)) continue;
         }
@@ -231,7 +232,7 @@ void findBlocks(const EchoLayout& layout, const EchoPlace& place, const EchoMoti
         ScatterBlock& block = blocks.emplace_back();
         for (int axis = 0; axis < 3; ++axis)
           block.cell[static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>(kBlockCells * glm::ivec3(i, j, k)[axis]);
-        if (motion.moves()) moveBlock(shifts, i, mostStretch_mm, block);
+        if (moves) moveBlock(shifts, i, mostStretch_mm, block);
         block.probe_mm = glm::vec3(glm::dvec3(place.cellToProbe * glm::dvec4(cell, 1.0)) + glm::dvec3(block.shift_mm));
         block.voxel = glm::ivec3(whole);
         block.voxelFraction = glm::vec3(voxel - whole);
