@@ -163,7 +163,7 @@ TEST_F(LessonCommand, RecordsTheSameScanTwiceAlongTheStationsOfAPath) {
   };
   expectNear(recording->log.frame(5), planeOf("transthalamic"));
   expectNear(recording->log.frame(39), planeOf("femur"));
-  EXPECT_EQ(recording->log.frame(5).knobs.depth_mm, 0.0);
+  EXPECT_EQ(recording->log.frame(5).knobs.depth_mm, 130.0) << "of the case's preset";
   EXPECT_EQ(recording->log.frame(39).knobs.depth_mm, 120.0);
   for (std::size_t n = 0; n < recording->log.frameCount(); ++n) {
     const ScanState frame = recording->log.frame(n);

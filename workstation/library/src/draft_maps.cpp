@@ -29,9 +29,52 @@ std::vector<Between> alongAxis(const Grid& coarse, const Grid& fine, int axis) {
   return places;
 }
 
+/// Distances of the coarser maps in mm, and one voxel farther than they reach: cells of voxels so wide have corners that know no surface
+/// although it crosses them. There the distance goes on as it does from the last but one voxel to the last.
+struct Reaching {
+  std::vector<float> distance_mm;
+  std::vector<std::uint8_t> kind;
+
+  explicit Reaching(const TissueMaps& maps) : distance_mm(maps.surfaceKind.size(), 0.0F), kind(maps.surfaceKind) {
+    const Grid& grid = maps.grid;
+    const auto known = [&](std::size_t at) {
+      return static_cast<float>((maps.surfaceDistance[at] - 128.0) / TissueMaps::kDistanceStepsPerMm);
+    };
+    for (int k = 0; k < grid.dims.z; ++k)
+      for (int j = 0; j < grid.dims.y; ++j)
+        for (int i = 0; i < grid.dims.x; ++i) {
+          const std::size_t at = grid.indexOf(i, j, k);
+          if (kind[at] != 0) {
+            distance_mm[at] = known(at);
+            continue;
+          }
+          float sum = 0.0F;
+          int count = 0;
+          std::uint8_t found = 0;
+          for (int axis = 0; axis < 3; ++axis)
+            for (const int way : {-1, 1}) {
+              glm::ivec3 next(i, j, k), last(i, j, k);
+              next[axis] += way;
+              last[axis] += 2 * way;
+              if (!grid.contains(last)) continue;
+              const std::size_t first = grid.indexOf(next.x, next.y, next.z), second = grid.indexOf(last.x, last.y, last.z);
+              const std::uint8_t there = maps.surfaceKind[first];
+              if (there == 0 || maps.surfaceKind[second] != there || (found != 0 && found != there)) continue;
+              found = there;
+              sum += 2.0F * known(first) - known(second);
+              ++count;
+            }
+          if (count == 0) continue;
+          kind[at] = found;
+          distance_mm[at] = sum / static_cast<float>(count);
+        }
+  }
+};
+
 class Spreading {
  public:
-  Spreading(const TissueMaps& coarse, TissueMaps& fine) : coarse_(coarse), fine_(fine), hasSurfaces_(!coarse.surfaceKind.empty()) {
+  Spreading(const TissueMaps& coarse, TissueMaps& fine)
+      : coarse_(coarse), fine_(fine), hasSurfaces_(!coarse.surfaceKind.empty()), reaching_(coarse) {
     for (int axis = 0; axis < 3; ++axis) places_[static_cast<std::size_t>(axis)] = alongAxis(coarse.grid, fine.grid, axis);
     for (int corner = 0; corner < 8; ++corner)
       offsets_[static_cast<std::size_t>(corner)] = coarse.grid.indexOf(corner & 1, (corner >> 1) & 1, (corner >> 2) & 1);
@@ -71,24 +114,27 @@ class Spreading {
     std::size_t nearest = 0;
     for (std::size_t corner = 1; corner < 8; ++corner)
       if (weights[corner] > weights[nearest]) nearest = corner;
-    const std::uint8_t kind = coarse_.surfaceKind[from + offsets_[nearest]];
+    const std::uint8_t kind = reaching_.kind[from + offsets_[nearest]];
     if (kind == 0) return;
     float sum = 0.0F, weight = 0.0F;
     for (std::size_t corner = 0; corner < 8; ++corner) {
       const std::size_t there = from + offsets_[corner];
-      if (coarse_.surfaceKind[there] != kind || coarse_.surfaceDistance[there] == 0) continue;
-      sum += weights[corner] * static_cast<float>(coarse_.surfaceDistance[there]);
+      if (reaching_.kind[there] != kind) continue;
+      sum += weights[corner] * reaching_.distance_mm[there];
       weight += weights[corner];
     }
     // What lies beyond the rim of the surface, or nearer to another one, would be a guess.
-    if (weight < 0.5F) return;
+    const double distance_mm = static_cast<double>(sum / std::max(weight, 0.5F));
+    if (weight < 0.5F || std::abs(distance_mm) > TissueMaps::kSurfaceReach_mm) return;
     fine_.surfaceKind[at] = kind;
-    fine_.surfaceDistance[at] = static_cast<std::uint8_t>(std::clamp(sum / weight + 0.5F, 1.0F, 255.0F));
+    fine_.surfaceDistance[at] =
+        static_cast<std::uint8_t>(std::clamp(128.0 + TissueMaps::kDistanceStepsPerMm * distance_mm + 0.5, 1.0, 255.0));
   }
 
   const TissueMaps& coarse_;
   TissueMaps& fine_;
   bool hasSurfaces_;
+  Reaching reaching_;
   std::array<std::vector<Between>, 3> places_{};
   std::array<std::size_t, 8> offsets_{};
 };
