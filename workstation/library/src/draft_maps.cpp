@@ -80,37 +80,50 @@ class Spreading {
       offsets_[static_cast<std::size_t>(corner)] = coarse.grid.indexOf(corner & 1, (corner >> 1) & 1, (corner >> 2) & 1);
   }
 
-  void row(int j, int k) const {
+  /// What the voxels of one coarse line, between four, share with a row of the fine grid.
+  struct Line {
+    std::vector<float> sum, weight;  ///< of levels
+    std::vector<char> hasSurface;
+  };
+
+  void row(int j, int k, Line& line) const {
     const Between y = places_[1][static_cast<std::size_t>(j)], z = places_[2][static_cast<std::size_t>(k)];
     const std::array<float, 4> across{(1.0F - y.share) * (1.0F - z.share), y.share * (1.0F - z.share), (1.0F - y.share) * z.share,
                                       y.share * z.share};
+    const auto count = static_cast<std::size_t>(coarse_.grid.dims.x);
+    const std::size_t start = coarse_.grid.indexOf(0, y.first, z.first);
+    line.sum.assign(count, 0.0F);
+    line.weight.assign(count, 0.0F);
+    line.hasSurface.assign(count, 0);
+    for (std::size_t pair = 0; pair < 4; ++pair) {
+      const std::uint8_t* level = coarse_.level.data() + start + offsets_[2 * pair];
+      for (std::size_t n = 0; n < count; ++n) {
+        line.sum[n] += across[pair] * static_cast<float>(level[n]);
+        line.weight[n] += level[n] != 0 ? across[pair] : 0.0F;
+      }
+      if (!hasSurfaces_) continue;
+      const std::uint8_t* kind = reaching_.kind.data() + start + offsets_[2 * pair];
+      for (std::size_t n = 0; n < count; ++n) line.hasSurface[n] = line.hasSurface[n] != 0 || kind[n] != 0;
+    }
     std::size_t at = fine_.grid.indexOf(0, j, k);
     for (const Between& x : places_[0]) {
-      const std::size_t from = coarse_.grid.indexOf(x.first, y.first, z.first);
-      std::array<float, 8> weights{};
-      for (std::size_t pair = 0; pair < 4; ++pair) {
-        weights[2 * pair] = across[pair] * (1.0F - x.share);
-        weights[2 * pair + 1] = across[pair] * x.share;
-      }
-      fine_.level[at] = mean(coarse_.level, from, weights);
-      if (hasSurfaces_) surface(at, from, weights);
+      const auto n = static_cast<std::size_t>(x.first);
+      // Of the voxels that hold anything; nothing where these are the smaller half.
+      const float weight = line.weight[n] + x.share * (line.weight[n + 1] - line.weight[n]);
+      const float sum = line.sum[n] + x.share * (line.sum[n + 1] - line.sum[n]);
+      fine_.level[at] = weight >= 0.5F ? static_cast<std::uint8_t>(sum / weight + 0.5F) : std::uint8_t{0};
+      if (line.hasSurface[n] != 0 || line.hasSurface[n + 1] != 0) surface(at, start + n, x.share, across);
       ++at;
     }
   }
 
  private:
-  /// Of the corners that hold anything; 0 where these are the smaller half.
-  [[nodiscard]] std::uint8_t mean(const std::vector<std::uint8_t>& values, std::size_t from, const std::array<float, 8>& weights) const {
-    float sum = 0.0F, weight = 0.0F;
-    for (std::size_t corner = 0; corner < 8; ++corner) {
-      const std::uint8_t value = values[from + offsets_[corner]];
-      sum += weights[corner] * static_cast<float>(value);
-      weight += value != 0 ? weights[corner] : 0.0F;
+  void surface(std::size_t at, std::size_t from, float share, const std::array<float, 4>& across) const {
+    std::array<float, 8> weights{};
+    for (std::size_t pair = 0; pair < 4; ++pair) {
+      weights[2 * pair] = across[pair] * (1.0F - share);
+      weights[2 * pair + 1] = across[pair] * share;
     }
-    return weight >= 0.5F ? static_cast<std::uint8_t>(sum / weight + 0.5F) : std::uint8_t{0};
-  }
-
-  void surface(std::size_t at, std::size_t from, const std::array<float, 8>& weights) const {
     std::size_t nearest = 0;
     for (std::size_t corner = 1; corner < 8; ++corner)
       if (weights[corner] > weights[nearest]) nearest = corner;
@@ -153,7 +166,8 @@ std::optional<TissueMaps> spreadOn(const TissueMaps& coarse, const Grid& fine, i
     if (!growInLargePages(*values, fine.voxelCount(), progress)) return std::nullopt;
   const Spreading spreading(coarse, made);
   const bool isWhole = forEachTask(fine.dims.z, threads, progress, say<"Showing the virtual patient">(), [&](int k) {
-    for (int j = 0; j < fine.dims.y; ++j) spreading.row(j, k);
+    Spreading::Line line;
+    for (int j = 0; j < fine.dims.y; ++j) spreading.row(j, k, line);
   });
   if (!isWhole) return std::nullopt;
   return made;
