@@ -60,8 +60,8 @@ void CaseDetails::readOne(const QString& folder, int round, int epoch) {
     if (auto opened = loadCase(pathOf(folder))) read->opened = std::move(*opened);
     if (read->opened) {
       read->picture = keptThumbnail(*read->opened, kPicture_px);
-      // A draft is made within seconds. The others keep their drawn card: a start page is no reason to compute for minutes.
-      if (read->picture.isNull() && (!caseNeedsPreparation(*read->opened) || mayBeDrafted(*read->opened))) {
+      // The others keep their drawn card: a start page is no reason to compute for minutes.
+      if (read->picture.isNull() && !caseNeedsPreparation(*read->opened)) {
         if (probes_.empty())
           if (const auto resources = resourceFolder()) {
             if (auto probes = readProbes(*resources / "probes")) probes_ = std::move(*probes);
@@ -69,9 +69,9 @@ void CaseDetails::readOne(const QString& folder, int round, int epoch) {
           }
         const QuietWork quietly(kQuiet);
         UntilTheEnd progress(ends_);
-        if (auto contents = readContents(*read->opened, progress, {.draft = true})) {
+        if (auto contents = readContents(*read->opened, progress)) {
           read->picture = thumbnailOf(subjectOf(*read->opened, *contents), probes_, presets_, kPicture_px);
-          if (!contents->isDraft) keepThumbnail(*read->opened, read->picture);
+          keepThumbnail(*read->opened, read->picture);
         }
       }
     }
