@@ -991,6 +991,10 @@
         <translation>eine Zahl von -60 bis 0 (von Schichten bei lebenden Echos, die tiefer noch einmal erscheinen; -60 ist keines)</translation>
     </message>
     <message>
+        <source>a number from -60 to 0 (of live echoes, what fills shadows; -60 is none)</source>
+        <translation>eine Zahl von -60 bis 0 (was bei lebenden Echos Schatten füllt; -60 ist keines)</translation>
+    </message>
+    <message>
         <source>a number from 0 to 20 (below 0.05 gas, below 0.5 lung)</source>
         <translation>eine Zahl von 0 bis 20 (unter 0,05 Gas, unter 0,5 Lunge)</translation>
     </message>
@@ -1005,6 +1009,10 @@
     <message>
         <source>of live layers, copied deeper; -60 is none</source>
         <translation>von Schichten bei lebenden Echos, die tiefer noch einmal erscheinen; -60 ist keines</translation>
+    </message>
+    <message>
+        <source>of live echoes, what fills shadows; -60 is none</source>
+        <translation>was bei lebenden Echos Schatten füllt; -60 ist keines</translation>
     </message>
     <message>
         <source>below 0.05 gas, below 0.5 lung</source>
@@ -2453,6 +2461,10 @@
     <message>
         <source>Building the virtual patient was stopped.</source>
         <translation>Das Erzeugen des virtuellen Patienten wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Showing the virtual patient</source>
+        <translation>Der virtuelle Patient wird gezeigt</translation>
     </message>
     <message>
         <source>By how much the poses lag behind the images cannot be told. %1</source>
@@ -15695,6 +15707,10 @@
         <translation>„%1“ ist bereit.</translation>
     </message>
     <message>
+        <source>&apos;%1&apos; is shown coarsely at first and gets finer by itself, in %2.</source>
+        <translation>„%1“ wird zuerst grob gezeigt und von selbst feiner, in %2.</translation>
+    </message>
+    <message>
         <source>A recording of the scan: %1 min</source>
         <translation>Eine Aufnahme der Untersuchung: %1 min</translation>
     </message>
@@ -17808,6 +17824,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Preparing the mannequin</source>
         <translation>Der Übungskörper wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Reading the finer volume</source>
+        <translation>Das feinere Volumen wird gelesen</translation>
     </message>
     <message>
         <source>There is no file or folder &apos;%1&apos;; check the name, or choose it with Open.</source>
