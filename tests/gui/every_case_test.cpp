@@ -223,6 +223,7 @@ class EveryCaseTest : public WindowFixture {
       ScanState neutral = *state;
       neutral.knobs = Knobs();
       session().play(neutral);
+      session().setPictureSize(kWidth, kHeight);  // another depth had fitted it to the view again
       session().makePictureNow();
       const std::vector<std::uint8_t> inSheet = pixelsOf(session());
       session().play({});
