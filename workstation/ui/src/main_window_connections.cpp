@@ -253,7 +253,7 @@ void MainWindow::connectPreparation() {
     parts_->preparation.forget();
     readDetails();
     offerReady(caseId);
-    parts_->opener->refine();
+    if (const auto& shown = parts_->document.current(); shown && words(shown->id) == caseId) parts_->opener->refine();
   });
   connect(p.opener, &Opener::draftShown, this, [this] {
     const auto& shown = parts_->document.current();

@@ -448,7 +448,7 @@ void Opener::scanCase() {
 
 void Opener::refine() {
   const auto& opened = document_.current();
-  if (!opened || !contents_ || !contents_->read.isDraft || refineJob_ != 0 || caseNeedsPreparation(*opened)) return;
+  if (!opened || !contents_ || !contents_->read.isDraft || refineJob_ != 0) return;
   auto read = std::make_shared<Contents>();
   read->sources = contents_->sources;
   refineJob_ = jobs_.start(

@@ -58,8 +58,8 @@ class Opener final : public QObject {
   [[nodiscard]] bool hasCaseVolume() const { return contents_.has_value(); }
   /// Whether the open case is scanned as a draft, until its volume is made.
   [[nodiscard]] bool showsDraft() const { return showsCase_ && contents_ && contents_->read.isDraft; }
-  /// The volume of the open case may have been made: reads it in the background, and puts it in the place of the draft as soon as that
-  /// disturbs nobody.
+  /// The volume of the open case was made: reads it in the background, or makes it once more where it could not be kept, and puts it in the
+  /// place of the draft as soon as that disturbs nobody.
   void refine();
   [[nodiscard]] bool isBusy() const { return busy_ > 0; }
   /// Whether this is what is being opened now; ended() follows.
