@@ -248,6 +248,26 @@ TEST(TissueMaps, LetWallsOfVesselsShineOverAWiderAngle) {
   EXPECT_EQ(made.maps->surfaces[0].fall_deg, 12.0);
 }
 
+TEST(TissueMaps, LetABorderSayHowItFallsAndHowRoughItIs) {
+  const auto surfaceWith = [](const std::string& fields) {
+    const auto made = mapped(recipeOf(R"({"name": "vessel", "tissue": "dark", "border": {"echo_level": 190, "width_mm": 0.3)" + fields +
+                                      R"(}, "shape": {"tube": {"points": [[-20, 0, 0, 4], [20, 0, 0, 4]]}}})"));
+    EXPECT_EQ(made.maps->surfaces.size(), 1u);
+    return made.maps->surfaces.at(0);
+  };
+  const ReflectingSurface usual = surfaceWith(""), own = surfaceWith(R"(, "fall_deg": 16, "rough_db": -14.5)");
+  EXPECT_EQ(usual.fall_deg, 12.0);
+  EXPECT_EQ(usual.rough_db, -9.0);
+  EXPECT_EQ(own.fall_deg, 16.0);
+  EXPECT_EQ(own.rough_db, -14.5);
+  EXPECT_EQ(surfaceWith(R"(, "rough_db": -3, "shine": "front")").fall_deg, 12.0) << "what is not said stays as it is";
+  EXPECT_EQ(surfaceWith(R"(, "fall_deg": 25, "shine": "front")").rough_db, -13.0);
+  ReflectingSurface same = own;
+  same.fall_deg = usual.fall_deg;
+  same.rough_db = usual.rough_db;
+  EXPECT_EQ(same, usual) << "nothing else changes";
+}
+
 TEST(TissueMaps, GiveTheZeroCrossingToATenthOfAMillimetreWhenInterpolated) {
   const auto made = mapped(recipeOf(kBall));
   const TissueMaps& maps = *made.maps;

@@ -27,8 +27,10 @@ struct Border {
   double echoLevel = 0.0;
   double width_mm = 1.0;  ///< the line fades to nothing at this distance on both sides
   Shine shine = Shine::glint;
-  int sheets = 1;            ///< parallel lines, the first on the surface, the others within the organ
-  double sheetGap_mm = 1.5;  ///< between them
+  int sheets = 1;                       ///< parallel lines, the first on the surface, the others within the organ
+  double sheetGap_mm = 1.5;             ///< between them
+  std::optional<double> fall_deg = {};  ///< of its mirror, as in ReflectingSurface; absent: as its shape and shine have it
+  std::optional<double> rough_db = {};  ///< what is rough of it, likewise
 };
 
 struct Organ {

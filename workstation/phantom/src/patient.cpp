@@ -103,13 +103,15 @@ constexpr std::array<std::pair<std::string_view, phantom::Shine>, 3> kShines{
 std::optional<phantom::Border> readBorder(const JsonFields& object) {
   if (!object.has("border")) return std::nullopt;
   const JsonFields border = object.object("border");
-  border.only({"echo_level", "width_mm", "shine", "sheets", "sheet_gap_mm"});
+  border.only({"echo_level", "width_mm", "shine", "sheets", "sheet_gap_mm", "fall_deg", "rough_db"});
   phantom::Border read;
   read.echoLevel = border.number("echo_level", 0.0, 255.0);
   read.width_mm = border.number("width_mm", 0.05, 50.0);
   read.shine = border.word("shine", kShines, std::optional(phantom::Shine::glint));
   read.sheets = static_cast<int>(border.number("sheets", 1.0, 4.0, 1.0));
   read.sheetGap_mm = border.number("sheet_gap_mm", 0.3, 10.0, read.sheetGap_mm);
+  if (border.has("fall_deg")) read.fall_deg = border.number("fall_deg", 2.0, 60.0);
+  if (border.has("rough_db")) read.rough_db = border.number("rough_db", -60.0, 0.0);
   return read;
 }
 

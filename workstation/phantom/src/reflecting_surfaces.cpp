@@ -139,6 +139,8 @@ ReflectingSurface SurfaceFinder::surfaceOf(std::uint16_t key) const {
     surface.echoLevel = organ.border->echoLevel;
     surface.sheets = organ.border->sheets;
     surface.sheetGap_mm = organ.border->sheetGap_mm;
+    surface.fall_deg = organ.border->fall_deg.value_or(surface.fall_deg);
+    surface.rough_db = organ.border->rough_db.value_or(surface.rough_db);
     surface.thickness_mm = std::min(organ.border->width_mm, surface.frontOnly ? kThickestFront_mm : kThickestWall_mm);
   } else {
     const Tissue& outside = patient_.tissues[key & 255u];
