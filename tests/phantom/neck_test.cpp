@@ -14,9 +14,11 @@ const testing::DrawnPatient& neck() {
 TEST(Neck, HasTheNoduleOfTheStatedSizeInTheRightLobe) {
   const glm::dvec3 centre(-19.3, -15.4, 231);
   EXPECT_EQ(neck().organAt(centre), "thyroid nodule");
-  EXPECT_NEAR(neck().diameter_mm("thyroid nodule", centre, {0, 0, 1}, 20), 14.0, 0.01);
-  EXPECT_NEAR(neck().diameter_mm("thyroid nodule", centre, {1, 0, 0}, 20), 11.0, 0.01);
-  EXPECT_NEAR(neck().diameter_mm("thyroid nodule", centre, {0, 1, 0}, 20), 10.0, 0.01);
+  // Its surface is a little uneven.
+  EXPECT_NEAR(neck().diameter_mm("thyroid nodule", centre, {0, 0, 1}, 20), 14.0, 0.4);
+  EXPECT_NEAR(neck().diameter_mm("thyroid nodule", centre, {1, 0, 0}, 20), 11.0, 0.4);
+  EXPECT_NEAR(neck().diameter_mm("thyroid nodule", centre, {0, 1, 0}, 20), 10.0, 0.4);
+  EXPECT_EQ(neck().organAt(centre + glm::dvec3(0, 0, 6.5)), "halo of the nodule");
   for (double angle = 0.0; angle < 6.28; angle += 0.2)
     EXPECT_EQ(neck().organAt(centre + 5.9 * glm::dvec3(std::cos(angle), std::sin(angle), 0.0)), "thyroid") << "at " << angle;
   EXPECT_EQ(neck().organAt(centre * glm::dvec3(-1, 1, 1)), "thyroid") << "the left lobe has none";
@@ -72,10 +74,10 @@ TEST(Neck, KeepsVesselsAndNoduleClearOfAirAndBone) {
 
 TEST(Neck, HasMeasurementsThatAgreeWithItsShapes) {
   const auto measured = neck().measured();
-  EXPECT_NEAR(measured.at("nodule, length"), 14.0, 0.06);
-  EXPECT_NEAR(measured.at("nodule, width"), 11.0, 0.06);
-  EXPECT_NEAR(measured.at("nodule, depth"), 10.0, 0.06);
-  EXPECT_NEAR(measured.at("nodule, volume"), std::numbers::pi / 6.0 * 14.0 * 11.0 * 10.0 / 1000.0, 0.01);
+  EXPECT_NEAR(measured.at("nodule, length"), 14.0, 0.15);
+  EXPECT_NEAR(measured.at("nodule, width"), 11.0, 0.15);
+  EXPECT_NEAR(measured.at("nodule, depth"), 10.0, 0.15);
+  EXPECT_NEAR(measured.at("nodule, volume"), std::numbers::pi / 6.0 * 14.0 * 11.0 * 10.0 / 1000.0, 0.02) << "with its halo";
   EXPECT_NEAR(measured.at("right common carotid artery, lumen 10 mm below the fork"), 6.0, 0.06);
   EXPECT_NEAR(measured.at("right common carotid artery, intima-media thickness"), 0.7, 0.06);
   const double walls = measured.at("right carotid bulb, between its walls");
@@ -89,9 +91,9 @@ TEST(Neck, GrowsPlaqueAndNoduleWithItsParameters) {
   const auto before = neck().measured(), after = changed.measured();
   EXPECT_NEAR(before.at("right carotid bulb, free lumen at the plaque") - after.at("right carotid bulb, free lumen at the plaque"), 1.9,
               0.06);
-  EXPECT_NEAR(after.at("nodule, length"), 7.0, 0.06);
-  EXPECT_NEAR(after.at("nodule, width"), 5.5, 0.06);
-  EXPECT_NEAR(after.at("nodule, depth"), 5.0, 0.06);
+  EXPECT_NEAR(after.at("nodule, length"), 7.0, 0.4);
+  EXPECT_NEAR(after.at("nodule, width"), 5.5, 0.4);
+  EXPECT_NEAR(after.at("nodule, depth"), 5.0, 0.4);
 }
 
 TEST(Neck, WidensTheCarotidsWithThePulse) {
