@@ -53,6 +53,16 @@ TEST(LiveReverberation, FillsWhatSendsNothingBackWithAHazeOfWhatLiesInFront) {
   }
 }
 
+TEST(LiveReverberation, MakesHardlyMoreHazeBehindAMirror) {
+  // A skull over brain, and fat square to the beam in a kidney: what lies behind keeps its contrast.
+  Layers layers([](const glm::dvec3&) { return 130.0; }, 1.5);
+  layers.shot.scene.reverberation->shadowHaze_db = -10.0;
+  const double without = layers.meanBetween(80.0, 100.0, 3.0);
+  addPlane(layers.maps, {.name = "mirror", .echoLevel = 255.0}, 40.0);
+  EXPECT_GT(without, 60.0);
+  EXPECT_LT(layers.meanBetween(80.0, 100.0, 3.0) - without, 2.0 * kGreyPerDb);
+}
+
 TEST(LiveReverberation, RingsDownBehindGasAsFastAsItIsTold) {
   Layers layers(kEven, kGas_mrayl);
   addPlane(layers.maps, {.name = "front", .echoLevel = 250.0, .frontOnly = true}, 60.0);

@@ -20,8 +20,10 @@ constexpr double kPatchSpread_db = 5.0;
 constexpr double kNoRingDown_db = -60.0;
 constexpr double kNoClutter_db = -60.0;
 constexpr double kNoHaze_db = -60.0;
-constexpr double kSkin_mm = 5.0;        // under the face: neither makes haze nor shows any
-constexpr double kSamePlace_mm = 0.4;   // a probe that moved less sees the same haze
+constexpr double kSkin_mm = 5.0;       // under the face: neither makes haze nor shows any
+constexpr double kSamePlace_mm = 0.4;  // a probe that moved less sees the same haze
+// A mirror sends its sound straight back: it makes no more haze than tissue some decibels brighter than what lies in front.
+constexpr float kMostOfMean = 4.0F;
 constexpr double kFaintest_db = -46.0;  // below full white: what rings fainter is left out
 constexpr int kPatchesOfATail = 9;      // of a pleura, one has a comet tail
 constexpr int kPatchBlend = 3;          // lines over which neighbouring patches run into one another, on each side
@@ -227,6 +229,7 @@ void EchoReverberation::haze(int line, const float* before, std::span<float> fie
   static const NoiseTable noise;
   constexpr int kBlock = 16;  // columns of one mean
   const auto share = static_cast<float>(0.5 * amplitudeOf(2.0 * effect_.shadowHaze_db));
+  const auto faint = noiseScale_ * static_cast<float>(amplitudeOf(kFaintest_db)), faintest = 2.0F * faint * faint;
   float power = 0.0F;
   int counted = 0;
   for (int begin = layout_->columnPadding + static_cast<int>(kSkin_mm / layout_->grid.sampleSpacing_mm); begin < layout_->columns;
@@ -237,10 +240,16 @@ void EchoReverberation::haze(int line, const float* before, std::span<float> fie
     const float* numbers = noise.numbers.data() + key % NoiseTable::kSize;
     float* to = field.data() + 2 * begin;
     const float* from = before + 2 * begin;
+    float met = 0.0F;
     for (int n = 0; n < 2 * count; ++n) {
       to[n] += strength * numbers[n];
-      power += from[n] * from[n];
+      met += from[n] * from[n];
     }
+    if (counted > 0) {
+      const float most = std::max(kMostOfMean * power / static_cast<float>(counted), faintest);
+      met = std::min(met, most * static_cast<float>(count));
+    }
+    power += met;
     counted += count;
   }
 }

@@ -22,7 +22,9 @@ namespace ew::detail {
 /// and everywhere copies of the line 3.1 to 13.7 mm deeper, clutter_db below, falling by 1 dB a mm: layers of the body's wall, seen in
 /// what is dark behind them.
 /// and everywhere a haze of sound that wandered about between the layers in front: noise whose power is the mean of the line's so far,
-/// shadowHaze_db below it. Shadows fill with it; it changes with the probe's place and stands where that stands.
+/// shadowHaze_db below it. What lies square to the beam sends its sound straight back, where it does not wander: a piece of the line
+/// counts at most 6 dB above the mean before it. Shadows fill with the haze; it changes with the probe's place and stands where that
+/// stands.
 /// Patches are fixed in the tissue. A line is made from itself alone, so pixels do not depend on threads.
 /// Source: ring-down, comet tails, A-lines and mirror images as Kremkau, Sonography: Principles and Instruments (chapter on artifacts) and
 /// Lichtenstein, Whole Body Ultrasonography in the Critically Ill (2010) describe them; the formulas and figures are ours.
