@@ -3,6 +3,8 @@
 #include <cmath>
 #include <map>
 
+#include "drawn_anatomy.h"
+#include "ew/phantom/motion.h"
 #include "ew/phantom/truth.h"
 #include "recipes.h"
 
@@ -133,6 +135,111 @@ TEST(TraumaCase, HasMoreFluidTheWiderItIs) {
         truthOf(*patientOfCase("focused-trauma", {{"fluid_width_mm", width_mm}}))["free fluid in Morison's pouch, volume"];
     EXPECT_GT(volume, before * 1.5);
     before = volume;
+  }
+}
+
+const testing::DrawnPatient& fallen() {
+  static const testing::DrawnPatient patient("focused-trauma");
+  return patient;
+}
+
+/// What lines from the face on meet in the subxiphoid plane, in a state of the body.
+struct WayToTheHeart {
+  int chambersFirst = 0;        ///< lines that meet a chamber
+  int lungFirst = 0;            ///< lines that lung takes, though a chamber lies behind it
+  double pericardium_mm = 1e9;  ///< the nearest of it
+  double chambers_mm2 = 0.0;
+};
+WayToTheHeart wayToTheHeart(const BodyState& state) {
+  const auto motion = bodyMotion(*fallen(), state);
+  const glm::dmat4 pose = fallen().plane("subxiphoid").probeToWorld.matrix;
+  constexpr double kStep_mm = 1.0, kRadius_mm = 60.0;
+  WayToTheHeart way;
+  for (double angle = -0.5; angle <= 0.5; angle += 0.02) {
+    const glm::dvec3 direction(std::sin(angle), std::cos(angle), 0.0);
+    bool isBehindLung = false, isSeen = false, isCovered = false;
+    for (double range = 0.0; range < 175.0; range += kStep_mm) {
+      const glm::dvec3 place = (kRadius_mm + range) * direction - glm::dvec3(0.0, kRadius_mm, 0.0);
+      const std::string organ = fallen().organAt(motion->rest(testing::in(pose, place)));
+      isBehindLung = isBehindLung || organ == "lungs";
+      if (organ == "pericardium" && !isBehindLung) way.pericardium_mm = std::min(way.pericardium_mm, range);
+      if (organ != "chambers of the heart") continue;
+      (isBehindLung ? isCovered : isSeen) = true;
+      if (!isBehindLung) way.chambers_mm2 += 0.02 * (kRadius_mm + range) * kStep_mm;
+    }
+    way.chambersFirst += isSeen ? 1 : 0;
+    way.lungFirst += isCovered && !isSeen ? 1 : 0;
+  }
+  return way;
+}
+
+TEST(TraumaCase, HasAHeartOfFourChambersOnTheDiaphragm) {
+  const glm::dmat4 heart = fallen().frame("heart");
+  const auto onAxis = [&](double x_mm) {
+    return fallen().organsAlong(testing::in(heart, {x_mm, -60, 0}), testing::in(heart, {x_mm, 70, 0}));
+  };
+  const std::string wall = "heart", blood = "chambers of the heart";
+  EXPECT_TRUE(testing::inOrder(onAxis(36), {"diaphragm", "pericardium", wall, blood, wall, blood, wall, "pericardium"})) << "ventricles";
+  EXPECT_TRUE(testing::inOrder(onAxis(-12), {"pericardium", wall, blood, "septum between the atria", blood, wall, "pericardium"}));
+  const auto valves = fallen().organsAlong(testing::in(heart, {14, -40, 0}), testing::in(heart, {14, 50, 0}));
+  EXPECT_EQ(std::count(valves.begin(), valves.end(), "heart valves"), 4) << "two leaflets each";
+  const auto lengthOf = [&](double from_mm, double to_mm, const std::string& organ) {
+    double length_mm = 0.0;
+    for (double y = from_mm; y < to_mm; y += 0.1) length_mm += fallen().organAt(testing::in(heart, {32, y, 0})) == organ ? 0.1 : 0.0;
+    return length_mm;
+  };
+  EXPECT_NEAR(lengthOf(-10, 20, wall), 10.0, 1.5) << "septum";
+  EXPECT_NEAR(lengthOf(30, 70, wall), 10.0, 1.5) << "wall of the left ventricle";
+}
+
+TEST(TraumaCase, BringsTheHeartNearerWithEachBreathAndNoLungBetween) {
+  const WayToTheHeart out = wayToTheHeart({}), quiet = wayToTheHeart({.breath = 0.4}), deep = wayToTheHeart({.breath = 1.0});
+  EXPECT_LT(quiet.pericardium_mm, out.pericardium_mm - 4.0);
+  EXPECT_LT(deep.pericardium_mm, quiet.pericardium_mm - 4.0);
+  for (const WayToTheHeart& way : {out, quiet, deep}) {
+    EXPECT_EQ(way.lungFirst, 0);
+    EXPECT_GT(way.chambersFirst, 25);
+    EXPECT_GT(way.chambers_mm2, 4000.0);
+  }
+}
+
+TEST(TraumaCase, HasAHeartThatBeatsAsItsSourcesSay) {
+  EXPECT_NEAR(60.0 / rhythmsOf(*fallen()).pulse->period_s, 104.0, 1e-9);
+  const glm::dmat4 heart = fallen().frame("heart");
+  const auto isBlood = [&](const Deformation& motion, const glm::dvec3& p_heart, bool isLeft) {
+    const glm::dvec3 rest = motion.rest(testing::in(heart, p_heart));
+    const std::string organ = fallen().organAt(rest);
+    if (organ != "chambers of the heart" && organ != "papillary muscles" && organ != "heart valves") return false;
+    const glm::dvec3 drawn(glm::inverse(heart) * glm::dvec4(rest, 1.0));
+    return drawn.x > 6.0 && (drawn.y > 2.0) == isLeft;
+  };
+  double width_mm[2] = {}, right_mm2[2] = {};
+  for (const int systole : {0, 1}) {
+    const auto motion = bodyMotion(*fallen(), {.pulse = static_cast<double>(systole)});
+    for (double y = -10.0; y < 60.0; y += 0.1) width_mm[systole] += isBlood(*motion, {40, y, 0}, true) ? 0.1 : 0.0;
+    for (double x = 0.0; x < 90.0; x += 1.0)
+      for (double y = -50.0; y < 30.0; y += 1.0) right_mm2[systole] += isBlood(*motion, {x, y, 0}, false) ? 1.0 : 0.0;
+  }
+  EXPECT_NEAR(width_mm[0], 42.0, 1.0);
+  EXPECT_NEAR(1.0 - width_mm[1] / width_mm[0], 0.35, 0.03);
+  EXPECT_NEAR(1.0 - right_mm2[1] / right_mm2[0], 0.38, 0.04);
+}
+
+TEST(TraumaCase, ShowsFlanksBetweenTheRibs) {
+  // Lines that bone or lung take before they are 60 mm deep.
+  for (const char* name : {"right upper quadrant", "left upper quadrant"}) {
+    const glm::dmat4 pose = fallen().plane(name).probeToWorld.matrix;
+    int open = 0, lines = 0;
+    for (double angle = -0.54; angle <= 0.54; angle += 0.02, ++lines) {
+      const glm::dvec3 direction(std::sin(angle), std::cos(angle), 0.0);
+      bool isOpen = true;
+      for (double range = 0.0; range < 60.0 && isOpen; range += 1.0) {
+        const std::string organ = fallen().organAt(testing::in(pose, (60.0 + range) * direction - glm::dvec3(0.0, 60.0, 0.0)));
+        isOpen = organ.rfind("ribs", 0) != 0 && organ != "lungs";
+      }
+      open += isOpen ? 1 : 0;
+    }
+    EXPECT_GT(static_cast<double>(open) / lines, 0.7) << name;
   }
 }
 

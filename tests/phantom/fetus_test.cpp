@@ -1,4 +1,5 @@
 #include "drawn_anatomy.h"
+#include "ew/phantom/motion.h"
 
 namespace ew::fetus_test {
 namespace {
@@ -79,6 +80,35 @@ TEST(Fetus, SwimsInsideTheWombWithoutGapsAroundIt) {
       }
   const double volume_ml = fetal * kStep_mm * kStep_mm * kStep_mm / 1000.0;
   EXPECT_NEAR(volume_ml, 350.0, 100.0) << "about 360 g at this age (Hadlock et al., Radiology 181, 1991)";
+}
+
+TEST(Fetus, HasAHeartOfFourChambersWithWallsOfItsAgesSize) {
+  const glm::dmat4 heart = pregnant().frame("fetal heart");
+  const glm::dvec3 middle = in(heart, {0, 4, 0});
+  EXPECT_NEAR(pregnant().diameter_mm("fetal heart", middle, glm::dvec3(heart[0]), 20.0), 23.5, 1.0) << "length";
+  const auto ventricles = pregnant().organsAlong(in(heart, {4, 14, 0}), in(heart, {4, -14, 0}));
+  EXPECT_TRUE(inOrder(ventricles, {"fetal heart", "left ventricle", "fetal heart", "right ventricle", "fetal heart"}));
+  const auto atria = pregnant().organsAlong(in(heart, {-7.5, 14, 0}), in(heart, {-7.5, -14, 0}));
+  EXPECT_TRUE(inOrder(atria, {"fetal heart", "left atrium", "septum between the fetal atria", "right atrium", "fetal heart"}));
+  EXPECT_TRUE(
+      inOrder(pregnant().organsAlong(in(heart, {-7, 4, 0}), in(heart, {14, 4, 0})), {"left atrium", "left ventricle", "fetal heart"}))
+      << "open to each other, no wall between";
+  const auto valves = pregnant().organsAlong(in(heart, {0.8, 9, 0}), in(heart, {0.8, -9, 0}));
+  EXPECT_EQ(std::count(valves.begin(), valves.end(), "fetal heart valves"), 4) << "two leaflets each";
+}
+
+TEST(Fetus, HasAHeartWhoseChamberMovesByMillimetresAtTheRateOfItsAge) {
+  EXPECT_NEAR(60.0 / rhythmsOf(*pregnant()).pulse->period_s, 146.0, 1e-9);
+  const glm::dmat4 heart = pregnant().frame("fetal heart");
+  const auto width_mm = [&](double pulse) {
+    const auto motion = bodyMotion(*pregnant(), {.pulse = pulse});
+    double width = 0.0;
+    for (double y = -1.0; y < 12.0; y += 0.05)
+      width += pregnant().organAt(motion->rest(in(heart, {4.5, y, 0}))) == "left ventricle" ? 0.05 : 0.0;
+    return width;
+  };
+  EXPECT_NEAR(width_mm(0.0), 7.4, 0.3);
+  EXPECT_NEAR(width_mm(0.0) - width_mm(1.0), 2.8, 0.6);
 }
 
 TEST(Fetus, HasMeasurementsThatAgreeWithCalipersOnItsShapes) {
