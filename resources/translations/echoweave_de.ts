@@ -83,6 +83,10 @@
 <context>
     <name>ew::Message</name>
     <message>
+        <source>&quot;breath&quot;, &quot;pulse&quot;, &quot;bowel cosine&quot; or &quot;bowel sine&quot;</source>
+        <translation>„breath“, „pulse“, „bowel cosine“ oder „bowel sine“</translation>
+    </message>
+    <message>
         <source>%1 &quot;%2&quot;</source>
         <translation>%1 „%2“</translation>
     </message>
@@ -109,6 +113,26 @@
     <message>
         <source>%1 gives no spacing along its axes %2 and %3; give the spacing in mm.</source>
         <translation>%1 nennt für seine Achsen %2 und %3 keinen Abstand; den Abstand in mm angeben.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in case.json is &quot;%2&quot;, in which tissue moves by what is no number or by more than %3 mm; import or publish the case again.</source>
+        <translation>&apos;%1&apos; in case.json ist „%2“, worin Gewebe sich um etwas bewegt, das keine Zahl ist, oder um mehr als %3 mm; den Fall erneut importieren oder veröffentlichen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in case.json is &quot;%2&quot;, which holds %3 bytes instead of %4; import or publish the case again.</source>
+        <translation>&apos;%1&apos; in case.json ist „%2“ und enthält %3 Bytes statt %4; den Fall erneut importieren oder veröffentlichen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in case.json is &quot;%2&quot;, which lies on another grid than the volume; import or publish the case again.</source>
+        <translation>&apos;%1&apos; in case.json ist „%2“ und liegt auf einem anderen Gitter als das Volumen; den Fall erneut importieren oder veröffentlichen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in case.json is &quot;%2&quot;, which names the surface %3 of %4; import or publish the case again.</source>
+        <translation>&apos;%1&apos; in case.json ist „%2“ und nennt die Grenzfläche %3 von %4; den Fall erneut importieren oder veröffentlichen.</translation>
+    </message>
+    <message>
+        <source>&apos;echoes&apos; in case.json stands beside a recipe, which makes its own; take one of them out.</source>
+        <translation>&apos;echoes&apos; in case.json steht neben einem Rezept, das seine eigenen macht; eines davon herausnehmen.</translation>
     </message>
     <message>
         <source>ElementSpacing &quot;%1&quot; was used; ElementSize &quot;%2&quot; says another size and was not.</source>
@@ -411,8 +435,64 @@
         <translation>Die Zeiten der Bilder sind die von %1.</translation>
     </message>
     <message>
+        <source>a file of three 32 bit little-endian floating point numbers a node, in mm, all fields one after another, inside the case folder, as a relative path</source>
+        <translation>eine Datei mit drei 32-Bit-Gleitkommazahlen (Little Endian) je Knoten, in mm, alle Felder nacheinander, im Fallordner, als relativer Pfad</translation>
+    </message>
+    <message>
+        <source>a grid with which all fields have at most %1 nodes</source>
+        <translation>ein Gitter, mit dem alle Felder höchstens %1 Knoten haben</translation>
+    </message>
+    <message>
         <source>a kind that this program knows</source>
         <translation>eine Art, die dieses Programm kennt</translation>
+    </message>
+    <message>
+        <source>a list of at most 128 fields of shifts</source>
+        <translation>eine Liste von höchstens 128 Verschiebungsfeldern</translation>
+    </message>
+    <message>
+        <source>a list of at most 255 surfaces between tissues, each with what it sends back</source>
+        <translation>eine Liste von höchstens 255 Grenzflächen zwischen Geweben, jede mit dem, was sie zurücksendet</translation>
+    </message>
+    <message>
+        <source>a number from -100 to 30 (what is rough of it, below echo_level)</source>
+        <translation>eine Zahl von -100 bis 30 (was an ihr rau ist, unter echo_level)</translation>
+    </message>
+    <message>
+        <source>a number from -1000 to 1000 (grey level where it lies square to the beam)</source>
+        <translation>eine Zahl von -1000 bis 1000 (Grauwert, wo sie senkrecht zum Strahl liegt)</translation>
+    </message>
+    <message>
+        <source>a number from -100000 to 100000</source>
+        <translation>eine Zahl von -100000 bis 100000</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 0.9 (share of a cycle)</source>
+        <translation>eine Zahl von 0 bis 0,9 (Anteil eines Zyklus)</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 1 (of full inspiration)</source>
+        <translation>eine Zahl von 0 bis 1 (voller Einatmung)</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 20 (between sheets)</source>
+        <translation>eine Zahl von 0 bis 20 (zwischen Blättern)</translation>
+    </message>
+    <message>
+        <source>a number from 0.01 to 1000</source>
+        <translation>eine Zahl von 0,01 bis 1000</translation>
+    </message>
+    <message>
+        <source>a number from 0.01 to 50 (of the layer that echoes)</source>
+        <translation>eine Zahl von 0,01 bis 50 (der Schicht, die Echos gibt)</translation>
+    </message>
+    <message>
+        <source>a number from 1 to 90 (of its mirror)</source>
+        <translation>eine Zahl von 1 bis 90 (ihres Spiegels)</translation>
+    </message>
+    <message>
+        <source>a number from 1 to 90 (of what is rough of it)</source>
+        <translation>eine Zahl von 1 bis 90 (dessen, was an ihr rau ist)</translation>
     </message>
     <message>
         <source>a unique identifier of DICOM</source>
@@ -433,6 +513,50 @@
     <message>
         <source>Handed in an answer</source>
         <translation>Eine Antwort abgegeben</translation>
+    </message>
+    <message>
+        <source>a volume file of signed distances to the nearest surface (one 8 bit unsigned number a voxel: 128 + 32 per mm, 0 where none is near) inside the case folder, as a relative path; on the grid of the volume</source>
+        <translation>eine Volumendatei mit vorzeichenbehafteten Abständen zur nächsten Grenzfläche (je Voxel eine vorzeichenlose 8-Bit-Zahl: 128 + 32 je mm, 0, wo keine nahe ist) im Fallordner, als relativer Pfad; auf dem Gitter des Volumens</translation>
+    </message>
+    <message>
+        <source>a volume file of which surface that is (one 8 bit unsigned number a voxel: its place in surfaces, 0 for none) inside the case folder, as a relative path; on the grid of the volume</source>
+        <translation>eine Volumendatei, die sagt, welche Grenzfläche das ist (je Voxel eine vorzeichenlose 8-Bit-Zahl: ihr Platz in surfaces, 0 für keine), im Fallordner, als relativer Pfad; auf dem Gitter des Volumens</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 to 4</source>
+        <translation>eine ganze Zahl von 1 bis 4</translation>
+    </message>
+    <message>
+        <source>a whole number from 2 to 4096</source>
+        <translation>eine ganze Zahl von 2 bis 4096</translation>
+    </message>
+    <message>
+        <source>an object with echo_level, thickness_mm, fall_deg, rough_db, rough_fall_deg, sheets, sheet_gap_mm and front_only</source>
+        <translation>ein Objekt mit echo_level, thickness_mm, fall_deg, rough_db, rough_fall_deg, sheets, sheet_gap_mm und front_only</translation>
+    </message>
+    <message>
+        <source>an object with how the body moves: file, fields and the rhythms breathing, pulse and bowel that it has</source>
+        <translation>ein Objekt, das sagt, wie der Körper sich bewegt: file, fields und die Rhythmen breathing, pulse und bowel, die er hat</translation>
+    </message>
+    <message>
+        <source>an object with kind, dims, spacing_mm and origin_mm</source>
+        <translation>ein Objekt mit kind, dims, spacing_mm und origin_mm</translation>
+    </message>
+    <message>
+        <source>an object with period_s (0.1 to 120) and variation (0 to 0.4)</source>
+        <translation>ein Objekt mit period_s (0,1 bis 120) und variation (0 bis 0,4)</translation>
+    </message>
+    <message>
+        <source>an object with rhythm, pause and tidal</source>
+        <translation>ein Objekt mit rhythm, pause und tidal</translation>
+    </message>
+    <message>
+        <source>an object with what forms the echoes of drawn tissue beside volume.level, as examinations of virtual patients have it: surfaces (distance, kind, surfaces) and motion; never beside a recipe, which makes its own</source>
+        <translation>ein Objekt mit dem, woraus neben volume.level die Echos gezeichneten Gewebes entstehen, wie Prüfungen mit virtuellen Patienten es haben: Grenzflächen (distance, kind, surfaces) und Bewegung (motion); nie neben einem Rezept, das seine eigenen macht</translation>
+    </message>
+    <message>
+        <source>given, and the volume has no level</source>
+        <translation>angegeben, und das Volumen hat keinen Pegel</translation>
     </message>
     <message>
         <source>it has no direction</source>
@@ -457,6 +581,10 @@
     <message>
         <source>its last row is %1 instead of 0 0 0 1, as when rows and columns are exchanged</source>
         <translation>ihre letzte Zeile ist %1 statt 0 0 0 1, wie wenn Zeilen und Spalten vertauscht sind</translation>
+    </message>
+    <message>
+        <source>left out, or beside the volume.level that it belongs to</source>
+        <translation>weggelassen oder neben dem volume.level, zu dem es gehört</translation>
     </message>
     <message>
         <source>line %1 of %2</source>
@@ -537,6 +665,22 @@
     <message>
         <source>There is too little room in &apos;%1&apos; to keep what is not saved yet (%2 MiB), so a crash would lose it; save it yourself.</source>
         <translation>In „%1“ ist zu wenig Platz, um aufzuheben, was noch nicht gespeichert ist (%2 MiB), ein Absturz würde es also verlieren; es selbst speichern.</translation>
+    </message>
+    <message>
+        <source>there where the other of the two is</source>
+        <translation>da, wenn das andere von beiden da ist</translation>
+    </message>
+    <message>
+        <source>three numbers from 0.01 to 1000</source>
+        <translation>drei Zahlen von 0,01 bis 1000</translation>
+    </message>
+    <message>
+        <source>three numbers, mm in the frame of the volume&apos;s file</source>
+        <translation>drei Zahlen, mm im Koordinatensystem der Volumendatei</translation>
+    </message>
+    <message>
+        <source>three whole numbers from 2 to 4096: nodes along each axis</source>
+        <translation>drei ganze Zahlen von 2 bis 4096: Knoten entlang jeder Achse</translation>
     </message>
     <message>
         <source>two points, each lateral and axial</source>

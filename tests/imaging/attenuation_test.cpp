@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -73,6 +74,27 @@ TEST(Attenuation, OfTwoReflectorsOneBehindTheOtherAddsUp) {
   GreyImage labels(1, 300, kLiver);
   for (int y = 60; y < 80; ++y) labels.pixels[static_cast<std::size_t>(y)] = labels.pixels[static_cast<std::size_t>(y + 80)] = kStone;
   EXPECT_NEAR(at(attenuated(abdomen(), labels, BeamImage(1, 300, 250.0F)), 0, 299), 250.0 - 2.0 * 20.0 * kGreyPerDb, 0.05);
+}
+
+TEST(Attenuation, OfReflectorsThatSoundAlikeAndTouchIsThatOfOne) {
+  constexpr std::uint8_t kOtherStone = 200;
+  Scene scene = abdomen();
+  const auto stone = std::find_if(scene.tissues.begin(), scene.tissues.end(), [](const auto& each) { return each.label == kStone; });
+  ASSERT_NE(stone, scene.tissues.end());
+  TissueAcoustics alike = *stone;
+  alike.label = kOtherStone;
+  alike.name = "another stone";
+  scene.tissues.push_back(alike);
+  GreyImage one(19, 300, kLiver);
+  for (int y = 60; y < 100; ++y)
+    for (int x = 2; x < 17; ++x) one.pixels[static_cast<std::size_t>(19 * y + x)] = kStone;
+  GreyImage two = one;
+  for (int y = 80; y < 100; ++y)
+    for (int x = 2; x < 17; ++x) two.pixels[static_cast<std::size_t>(19 * y + x)] = kOtherStone;
+  const BeamImage echoes(19, 300, 250.0F);
+  EXPECT_EQ(attenuated(scene, two, echoes), attenuated(scene, one, echoes));
+  scene.tissues.back().reflection_db += 1.0;
+  EXPECT_NE(attenuated(scene, two, echoes), attenuated(scene, one, echoes)) << "from one that reflects otherwise it is entered";
 }
 
 TEST(Attenuation, LessThanExpectedEnhancesWhatLiesBehindUpToTheCap) {

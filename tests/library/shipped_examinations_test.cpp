@@ -5,6 +5,7 @@
 #include <set>
 
 #include "ew/library/bundle.h"
+#include "library/coarse_case.h"
 #include "library/examination_world.h"
 
 namespace ew::test::shipped_examinations_test {
@@ -119,17 +120,6 @@ std::string placeOfNumber(const std::string& number, const std::map<std::string,
   return {};
 }
 
-/// The case with a coarse volume: what it looks like is not looked at here.
-void copyCoarse(const fs::path& from, const fs::path& to) {
-  fs::copy(from, to, fs::copy_options::recursive);
-  json manifest = json::parse(textOf(to / "case.json"));
-  if (!manifest["volume"].contains("recipe")) return;
-  manifest["volume"].erase("sweeps");
-  manifest["volume"].erase("reconstruct");
-  manifest["volume"]["recipe_spacing_mm"] = 6.0;
-  writeText(to / "case.json", manifest.dump());
-}
-
 Leaves leavesOf(const fs::path& folder) {
   Leaves leaves;
   gather(json::parse(textOf(folder / "case.json")), {}, true, leaves);
@@ -152,7 +142,7 @@ class ShippedExamination : public ::testing::TestWithParam<std::string> {};
 TEST_P(ShippedExamination, HoldsNoTextAndNoNumberOfTheAnswerKey) {
   const TemporaryFolder folder;
   const EnvironmentValue cache("ECHOWEAVE_CACHE", (folder / "cache").string());
-  copyCoarse(*shippedCasesFolder() / GetParam(), folder / "case");
+  copyCoarse(*shippedCasesFolder() / GetParam(), folder / "case", 6.0);  // what it looks like is not looked at here
   const SecretKey key = *SecretKey::make();
   const auto made = makeExamination(folder / "case", folder / "e", {.instructors = {key.publicKey()}});
   ASSERT_TRUE(made) << made.error();
@@ -181,17 +171,7 @@ TEST_P(ShippedExamination, HoldsNoTextAndNoNumberOfTheAnswerKey) {
   EXPECT_EQ(filesInFolder(folder / "again"), filesInFolder(folder / "case"));
 }
 
-std::vector<std::string> shippedIds() {
-  std::vector<std::string> ids;
-  for (const Case& each : listCases(*shippedCasesFolder()).cases) ids.push_back(each.folder.filename().string());
-  return ids;
-}
-
-INSTANTIATE_TEST_SUITE_P(Cases, ShippedExamination, ::testing::ValuesIn(shippedIds()), [](const auto& given) {
-  std::string name = given.param;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Cases, ShippedExamination, ::testing::ValuesIn(shippedIds()), nameOfCase);
 
 }  // namespace
 }  // namespace ew::test::shipped_examinations_test

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "case_pipeline.h"
-#include "ew/imaging/tissue_level.h"
+#include "echo_files.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/case.h"
 #include "ew/library/preparation.h"
@@ -64,7 +64,8 @@ Result<Volume> readBeside(const Case& opened, const std::string& relative, const
 
 Result<CaseEcho> fromFiles(const Case& opened, const fs::path& file, Progress& progress) {
   const bool isAlone = opened.volume.labels.empty() && opened.volume.level.empty();
-  PartOfProgress first(progress, 0.0, isAlone ? 1.0 : 0.5), second(progress, 0.5, 0.75), third(progress, 0.75, 1.0);
+  PartOfProgress first(progress, 0.0, isAlone ? 1.0 : 0.5), second(progress, 0.5, 0.65), third(progress, 0.65, 0.8),
+      fourth(progress, 0.8, 1.0);
   auto loaded = readVolume(file, first);
   if (!loaded) return passOn(loaded.error());
   CaseEcho read{
@@ -77,7 +78,10 @@ Result<CaseEcho> fromFiles(const Case& opened, const fs::path& file, Progress& p
   if (!opened.volume.level.empty()) {
     auto level = readBeside(opened, opened.volume.level, "volume.level", third, read.notes);
     if (!level) return passOn(level.error());
-    read.tissue = std::make_shared<TissueMaps>(recordedMaps(level->grid, std::move(level->echo)));
+    auto tissue = readTissue(opened, std::move(*level), read.volume.grid, fourth, read.notes);
+    if (!tissue) return passOn(tissue.error());
+    read.tissue = std::move(tissue->maps);
+    read.motion = std::move(tissue->motion);
   }
   return read;
 }

@@ -21,12 +21,6 @@ auto filesOf(Maps& maps) {
                     std::pair{"surface-kind.bin", &maps.surfaceKind}};
 }
 
-nlohmann::ordered_json jsonOf(const ReflectingSurface& surface) {
-  return {{"name", surface.name},         {"echo_level", surface.echoLevel},     {"thickness_mm", surface.thickness_mm},
-          {"fall_deg", surface.fall_deg}, {"rough_db", surface.rough_db},        {"rough_fall_deg", surface.roughFall_deg},
-          {"sheets", surface.sheets},     {"sheet_gap_mm", surface.sheetGap_mm}, {"front_only", surface.frontOnly}};
-}
-
 ReflectingSurface surfaceOf(const json& kept) {
   ReflectingSurface surface;
   kept.at("name").get_to(surface.name);
@@ -43,6 +37,12 @@ ReflectingSurface surfaceOf(const json& kept) {
 
 }  // namespace
 
+nlohmann::ordered_json keptJsonOf(const ReflectingSurface& surface) {
+  return {{"name", surface.name},         {"echo_level", surface.echoLevel},     {"thickness_mm", surface.thickness_mm},
+          {"fall_deg", surface.fall_deg}, {"rough_db", surface.rough_db},        {"rough_fall_deg", surface.roughFall_deg},
+          {"sheets", surface.sheets},     {"sheet_gap_mm", surface.sheetGap_mm}, {"front_only", surface.frontOnly}};
+}
+
 Result<void> keepMaps(const StepStore& store, const char* step, const std::string& key, const TissueMaps& maps) {
   if (auto room = store.prepare(step); !room) return room;
   std::vector<std::string> names;
@@ -52,7 +52,7 @@ Result<void> keepMaps(const StepStore& store, const char* step, const std::strin
     if (auto written = writeFileSafely(store.fileOf(step, key, names.emplace_back(name)), bytes); !written) return written;
   }
   nlohmann::ordered_json surfaces = nlohmann::ordered_json::array();
-  for (const ReflectingSurface& surface : maps.surfaces) surfaces.push_back(jsonOf(surface));
+  for (const ReflectingSurface& surface : maps.surfaces) surfaces.push_back(keptJsonOf(surface));
   return store.keep(step, key, {{"surfaces", std::move(surfaces)}, {"recorded", maps.isRecorded}}, names);
 }
 

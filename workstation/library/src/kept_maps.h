@@ -1,12 +1,16 @@
 #pragma once
 
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "ew/imaging/tissue_maps.h"
 #include "ew/io/step_store.h"
 
 namespace ew {
+
+/// How files hold a surface.
+[[nodiscard]] nlohmann::ordered_json keptJsonOf(const ReflectingSurface& surface);
 
 /// Keeps maps of tissue as a result: each map a file of one byte a voxel, the surfaces in the result's data.
 /// @error notWritable

@@ -22,15 +22,6 @@ glm::dvec3 keptPointOf(const json& kept) { return {kept.at(0).get<double>(), kep
 ordered_json keptJsonOf(const BodyRhythm& rhythm) { return {{"period_s", rhythm.period_s}, {"variation", rhythm.variation}}; }
 BodyRhythm keptRhythmOf(const json& kept) { return {kept.at("period_s").get<double>(), kept.at("variation").get<double>()}; }
 
-ordered_json keptJsonOf(const BodyRhythms& rhythms) {
-  ordered_json kept = ordered_json::object();
-  if (const auto& breathing = rhythms.breathing)
-    kept["breathing"] = {{"rhythm", keptJsonOf(breathing->rhythm)}, {"pause", breathing->pause}, {"tidal", breathing->tidal}};
-  if (rhythms.pulse) kept["pulse"] = keptJsonOf(*rhythms.pulse);
-  if (rhythms.bowel) kept["bowel"] = keptJsonOf(*rhythms.bowel);
-  return kept;
-}
-
 BodyRhythms keptRhythmsOf(const json& kept) {
   BodyRhythms rhythms;
   if (kept.contains("breathing")) {
@@ -57,6 +48,15 @@ std::optional<TissueMotion::Mode> keptModeOf(const json& kept) {
 }
 
 }  // namespace
+
+ordered_json keptJsonOf(const BodyRhythms& rhythms) {
+  ordered_json kept = ordered_json::object();
+  if (const auto& breathing = rhythms.breathing)
+    kept["breathing"] = {{"rhythm", keptJsonOf(breathing->rhythm)}, {"pause", breathing->pause}, {"tidal", breathing->tidal}};
+  if (rhythms.pulse) kept["pulse"] = keptJsonOf(*rhythms.pulse);
+  if (rhythms.bowel) kept["bowel"] = keptJsonOf(*rhythms.bowel);
+  return kept;
+}
 
 Result<void> keepMotion(const StepStore& store, const char* step, const std::string& key, const TissueMotion* motion) {
   if (auto room = store.prepare(step); !room) return room;

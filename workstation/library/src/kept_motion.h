@@ -1,12 +1,16 @@
 #pragma once
 
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "ew/imaging/tissue_motion.h"
 #include "ew/io/step_store.h"
 
 namespace ew {
+
+/// How files hold the rhythms of a body; what has none is left out.
+[[nodiscard]] nlohmann::ordered_json keptJsonOf(const BodyRhythms& rhythms);
 
 /// Keeps how tissue moves as a result: each field a file of three floats a node, grids and rhythms in the result's data.
 /// @param motion null: that it does not move is kept

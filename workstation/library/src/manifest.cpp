@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "echo_files.h"
 #include "ew/acquisition/reconstruct_words.h"
 #include "ew/core/foreign_json.h"
 #include "ew/core/json_fields.h"
@@ -227,6 +228,7 @@ std::vector<Error> checkManifest(const json& given, const std::filesystem::path&
     problems.push_back({ErrorCode::badField,
                         say<"'volume.level' in case.json stands beside a recipe, which makes its own level; take one of them out.">(),
                         {{"field", "volume.level"}, {"expected", "no level beside a recipe"}}});
+  for (Error& problem : problemsOfEchoes(manifest, folder)) problems.push_back(std::move(problem));
   checkFile(folder, volume, "recipe", "volume.recipe", problems);
   if (volume.contains("sweeps")) {
     if (!volume.contains("recipe"))

@@ -8,6 +8,8 @@
 
 #include "ew/imaging/probe.h"
 #include "ew/io/volume_file.h"
+#include "ew/library/case_card.h"
+#include "ew/library/case_echoes.h"
 #include "ew/library/checksums.h"
 #include "ew/library/lesson_links.h"
 #include "ew/phantom/patient.h"
@@ -150,8 +152,9 @@ std::vector<std::string> unusedFiles(const Case& opened) {
   const auto files = filesOfCase(opened.folder);
   if (!files) return unused;  // publishing says what is wrong with them
   const CaseVolume& volume = opened.volume;
-  std::set<std::string> used = {kManifestName, volume.file, volume.labels, volume.level, volume.recipe, opened.mannequin};
+  std::set<std::string> used = {kManifestName, kCardName, volume.file, volume.labels, volume.level, volume.recipe, opened.mannequin};
   used.insert(volume.sweeps.begin(), volume.sweeps.end());
+  for (std::string& each : echoFilesOf(opened)) used.insert(std::move(each));
   for (const CaseExamination& each : opened.previousExaminations) used.insert(each.pictures.begin(), each.pictures.end());
   addScans(opened, used);
   for (const FileSum& each : *files) {

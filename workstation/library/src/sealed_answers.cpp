@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
+#include "echo_files.h"
 #include "ew/core/json_fields.h"
 #include "ew/core/output_set.h"
-#include "ew/imaging/tissue_level.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/case_words.h"
 #include "ew/library/content_name.h"
@@ -106,8 +107,12 @@ class Making {
   }
 
   Result<void> takeVolume(Progress& progress) {
-    PartOfProgress loading(progress, 0.0, 0.6), levelling(progress, 0.6, 0.8), writing(progress, 0.8, 1.0);
-    auto echo = loadCaseVolume(from_.opened, loading, options_.preparation);
+    PartOfProgress loading(progress, 0.0, 0.6), writing(progress, 0.6, 0.8), echoing(progress, 0.8, 1.0);
+    // Tissue that moves is written along the axes of its own frame, and placed as the case is. A recording is placed now: its file is
+    // called by its content, and the author's name for it stays behind.
+    Case own = from_.opened;
+    if (!own.volume.recipe.empty() || !echoFilesOf(own).empty()) std::swap(own.volume.fileToWorld, view_.volume.fileToWorld);
+    auto echo = loadCaseVolume(own, loading, options_.preparation);
     if (!echo) return passOn(echo.error());
     made_.notes = std::move(echo->notes);
     PlainTissues tissues = plainTissues(sceneWithTissues(from_.opened.scene, echo->tissues));
@@ -119,15 +124,10 @@ class Making {
       if (auto added = add(*echo->labels, view_.volume.labels, noProgress()); !added) return added;
     }
     if (!echo->tissue) return {};
-    Volume level{echo->volume.grid, {}, {}};
-    if (echo->tissue->isRecorded) {
-      level = {echo->tissue->grid, echo->tissue->level, {}};
-    } else {
-      auto made = levelOf(echo->volume, {}, levelling);
-      if (!made) return passOn(made.error());
-      level.echo = std::move(*made);
-    }
-    return add(level, view_.volume.level, noProgress());
+    TissueMaps& maps = *echo->tissue;
+    if (auto added = add({maps.grid, std::move(maps.level), {}}, view_.volume.level, noProgress()); !added) return added;
+    if (maps.isRecorded) return {};
+    return addEchoes(view_, aside_, plainSurfaces(std::move(maps)), echo->motion.get(), echoing);
   }
 
   Result<void> add(const Volume& volume, std::string& name, Progress& progress) const {

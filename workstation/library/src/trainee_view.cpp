@@ -1,6 +1,8 @@
 #include "trainee_view.h"
 
 #include <algorithm>
+#include <bitset>
+#include <optional>
 #include <tuple>
 #include <variant>
 
@@ -141,6 +143,7 @@ PlainTissues plainTissues(const Scene& whole) {
   made.scene.reverberation = whole.reverberation;
   made.scene.noise = whole.noise;
   made.scene.contact = whole.contact;
+  made.scene.motion = whole.motion;
   std::map<Acoustics, int> labels;
   // 0 is where nothing is; 1 is for whatever no tissue is known of.
   for (std::size_t n = 1; n < made.newLabel.size(); ++n) made.newLabel[n] = 1;
@@ -164,6 +167,80 @@ PlainTissues plainTissues(const Scene& whole) {
   std::stable_sort(made.scene.tissues.begin(), made.scene.tissues.end(), [](const auto& a, const auto& b) { return a.label < b.label; });
   made.needsLabels = !made.scene.tissues.empty();
   return made;
+}
+
+namespace {
+
+constexpr std::size_t kKinds = 256;  // of a map, 0 is none
+using Kinds = std::bitset<kKinds>;
+
+/// Everything that a picture knows of a surface.
+auto propertiesOf(const ReflectingSurface& surface) {
+  return std::tuple(surface.echoLevel, surface.thickness_mm, surface.fall_deg, surface.rough_db, surface.roughFall_deg, surface.sheets,
+                    surface.sheetGap_mm, surface.frontOnly);
+}
+
+/// By kind, which others there are among the eight voxels around a point: echoes ask for no more at once (echo_surfaces.cpp).
+std::array<Kinds, kKinds> kindsBeside(const TissueMaps& maps) {
+  std::array<Kinds, kKinds> beside;
+  const glm::ivec3 dims = maps.grid.dims;
+  const std::uint8_t* const voxels = maps.surfaceKind.data();
+  const std::ptrdiff_t row = dims.x, plane = row * dims.y;
+  for (int k = 0; k + 1 < dims.z; ++k)
+    for (int j = 0; j + 1 < dims.y; ++j)
+      for (int i = 0; i + 1 < dims.x; ++i) {
+        const std::uint8_t* at = voxels + i + row * j + plane * k;
+        const std::array<std::uint8_t, 8> around{at[0],     at[1],         at[row],         at[row + 1],
+                                                 at[plane], at[plane + 1], at[plane + row], at[plane + row + 1]};
+        for (const std::uint8_t a : around)
+          if (a != around[0])
+            for (const std::uint8_t b : around) beside[a].set(b), beside[b].set(a);
+      }
+  return beside;
+}
+
+/// Kinds that are met, in the order in which the voxels show them.
+std::vector<std::size_t> kindsAsMet(const TissueMaps& maps) {
+  std::vector<std::size_t> met;
+  Kinds seen;
+  for (const std::uint8_t kind : maps.surfaceKind)
+    if (kind != 0 && kind <= maps.surfaces.size() && !seen[kind]) {
+      seen.set(kind);
+      met.push_back(kind);
+    }
+  return met;
+}
+
+}  // namespace
+
+TissueMaps plainSurfaces(TissueMaps maps) {
+  if (maps.surfaceKind.empty()) {
+    maps.surfaces.clear();
+    return maps;
+  }
+  const auto beside = kindsBeside(maps);
+  using Numbered = std::pair<decltype(propertiesOf({})), std::size_t>;  // the first, second ... of those alike
+  std::map<Numbered, Kinds> merged;
+  for (const std::size_t kind : kindsAsMet(maps)) {
+    Numbered as{propertiesOf(maps.surfaces[kind - 1]), 0};
+    while ((merged[as] & beside[kind]).any()) ++as.second;
+    merged[as].set(kind);
+  }
+  std::array<std::uint8_t, kKinds> newKind{};
+  std::vector<ReflectingSurface> surfaces;
+  for (const auto& [as, kinds] : merged) {
+    std::optional<ReflectingSurface> one;
+    for (std::size_t kind = 1; kind < kKinds; ++kind) {
+      if (!kinds[kind]) continue;
+      one = maps.surfaces[kind - 1];
+      newKind[kind] = static_cast<std::uint8_t>(surfaces.size() + 1);
+    }
+    one->name.clear();
+    surfaces.push_back(std::move(*one));
+  }
+  for (std::uint8_t& kind : maps.surfaceKind) kind = newKind[kind];
+  maps.surfaces = std::move(surfaces);
+  return maps;
 }
 
 }  // namespace ew

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ew/core/result.h"
+#include "ew/imaging/tissue_maps.h"
 #include "ew/library/case.h"
 #include "ew/library/lesson.h"
 
@@ -39,5 +40,10 @@ struct PlainTissues {
 };
 /// @param whole with every tissue of the case (sceneWithTissues)
 [[nodiscard]] PlainTissues plainTissues(const Scene& whole);
+
+/// Maps whose surfaces say how they send sound back, and neither whose they are nor, but where that is seen, that they are several:
+/// surfaces alike in everything but their name become one. Where two such lie side by side (voxels of both around one point) pictures show
+/// a gap between them, so there they stay two. They come in the order of their properties, not of the patient's organs.
+[[nodiscard]] TissueMaps plainSurfaces(TissueMaps maps);
 
 }  // namespace ew

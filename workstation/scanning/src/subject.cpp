@@ -172,6 +172,8 @@ Result<std::shared_ptr<const Volume>> readLabelsFor(const Case& edited, const Ca
 }
 
 Transform<frame::World, frame::World> ownToWorldOf(const Case& edited, const CaseContents& contents) {
+  // Where it was read it lies to the last bit: an examination, placed when it was made, shows the same pixels.
+  if (edited.volume.fileToWorld == contents.fileToWorld) return {};
   return edited.volume.fileToWorld * inverse(contents.fileToWorld);
 }
 

@@ -12,6 +12,7 @@
 #include "ew/io/sequence.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/bundle.h"
+#include "ew/library/case_echoes.h"
 #include "ew/library/first_look.h"
 #include "ew/library/new_case.h"
 #include "ew/library/voxel_source.h"
@@ -609,6 +610,7 @@ std::vector<fs::path> Opener::sources() const {
     all.push_back(opened->folder / "case.json");
     for (const std::string& named : {opened->volume.file, opened->volume.labels, opened->volume.level, opened->volume.recipe})
       if (!named.empty()) all.push_back(opened->folder / named);
+    for (const std::string& named : echoFilesOf(*opened)) all.push_back(opened->folder / named);
   }
   return all;
 }

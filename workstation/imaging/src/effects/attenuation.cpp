@@ -56,10 +56,15 @@ void row(const AttenuationRows& rows, const std::uint8_t* labels, const std::uin
       const auto label = labelsAt(d, labels + x);
       const auto known = hn::GatherIndex(d, rows.perSample_db, label);
       own = kGrey ? hn::IfThenElse(hn::Lt(known, hn::Set(d, 0.5F * AttenuationRows::kUnknown)), own, known) : known;
-      const auto entered = hn::Ne(label, labelsAt(d, labelsAbove + x));
+      const auto above = labelsAt(d, labelsAbove + x);
       const hn::RebindToSigned<decltype(d)> di;
-      if (!hn::AllFalse(di, entered))
-        waiting = hn::Add(waiting, hn::IfThenElseZero(hn::RebindMask(d, entered), hn::GatherIndex(d, rows.onEntering_db, label)));
+      if (!hn::AllFalse(di, hn::Ne(label, above))) {
+        // Between tissues that sound alike there is nothing to enter, whatever their labels.
+        const auto reflected = hn::GatherIndex(d, rows.onEntering_db, label);
+        const auto entered = hn::Or(hn::Ne(reflected, hn::GatherIndex(d, rows.onEntering_db, above)),
+                                    hn::Ne(known, hn::GatherIndex(d, rows.perSample_db, above)));
+        waiting = hn::Add(waiting, hn::IfThenElseZero(entered, reflected));
+      }
     }
     const auto least = hn::Set(d, -rows.largestEnhancement_db);
     const auto lossBefore = hn::LoadU(d, rows.loss + x);

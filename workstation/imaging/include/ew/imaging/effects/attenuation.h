@@ -10,7 +10,7 @@
 namespace ew {
 
 /// What the sound loses beyond what the machine's compensation expects, for each label (dB a sample, there and back) and on entering it
-/// from another label (dB).
+/// from a tissue that sounds otherwise (dB).
 struct TissueLosses {
   std::array<float, 256> perSample_db{};
   std::array<float, 256> onEntering_db{};
