@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "cli/cli_world.h"
+#include "ew/io/image_file.h"
 #include "ew/library/case.h"
+#include "library/small_case.h"
 
 namespace ew::test::case_test {
 namespace {
@@ -138,6 +142,42 @@ TEST(CaseCommand, PrepareMakesAVolumeOnceAndThenHasNothingToDo) {
   ASSERT_EQ(second.status, 0) << second.err;
   EXPECT_EQ(readJson(folder / "2.json")["quality"]["prepared_now"], 0);
   EXPECT_EQ(second.err, "");
+}
+
+/// Pixels of a case as `scan` begins with it and as its card has it, which stands above the words that every picture carries.
+TEST(CaseCommand, TheCardIsWhatTheCaseBeginsWithAboveTheWords) {
+  const TemporaryFolder folder;
+  const EnvironmentValue cache("ECHOWEAVE_CACHE", folder / "cache");
+  const std::string home = folder / "drawn";
+  makeSmallCase(home);
+  writeText(home + "/case.json", nlohmann::json({{"format", 1},
+                                                 {"id", "drawn"},
+                                                 {"title", "Drawn"},
+                                                 {"volume", {{"recipe", "patient.json"}, {"recipe_spacing_mm", 3.0}}},
+                                                 {"probes", {"microconvex-6", "linear-7.5"}},
+                                                 {"presets", {"superficial-linear-7.5"}},
+                                                 {"start_pose", {1, 0, 0, 0, 0, 1, 0, -60, 0, 0, 1, 0, 0, 0, 0, 1}}})
+                                     .dump());
+  const auto made = run({"case", "card", home});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const auto card = readImage(home + "/card.png");
+  ASSERT_TRUE(card);
+  ASSERT_EQ(card->width, 544);
+  ASSERT_EQ(card->height, 350);
+  ASSERT_EQ(run({"scan", home, "--size", "544x320", "-o", folder / "scan.mha"}).status, 0);
+  const auto scanned = readImage(folder / "scan.mha");
+  ASSERT_TRUE(scanned);
+  ASSERT_EQ(scanned->height, 320);
+  EXPECT_TRUE(std::equal(scanned->pixels.begin(), scanned->pixels.end(), card->pixels.begin()));
+  EXPECT_TRUE(std::any_of(scanned->pixels.begin(), scanned->pixels.end(), [](std::uint8_t level) { return level > 0; }));
+  EXPECT_TRUE(std::any_of(card->pixels.begin() + std::ptrdiff_t{544} * 320, card->pixels.end(), [](std::uint8_t level) {
+    return level > 0;
+  })) << "without its words";
+
+  const auto elsewhere = run({"case", "card", home, "-o", folder / "other.png"});
+  ASSERT_EQ(elsewhere.status, 0) << elsewhere.err;
+  EXPECT_EQ(readText(folder / "other.png"), readText(home + "/card.png"));
+  EXPECT_EQ(run({"case", "card", home, "-o", home + "/case.json"}).status, 2);
 }
 
 }  // namespace

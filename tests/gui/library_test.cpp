@@ -9,7 +9,12 @@
 #include <QSignalSpy>
 #include <algorithm>
 
+#include "case_details.h"
+#include "ew/core/progress.h"
 #include "ew/library/case.h"
+#include "ew/library/case_card.h"
+#include "ew/library/preparation.h"
+#include "library/small_case.h"
 #include "screenshots.h"
 #include "start_page.h"
 #include "window_fixture.h"
@@ -231,6 +236,37 @@ class LibraryTest final : public WindowFixture {
   }
 
   /// Prints how long a person waits; what is checked does not depend on the machine.
+  /// A case that has to be made first has the picture it brings with it, without the words below; one that is no such picture is none.
+  void aCaseThatIsNotPreparedShowsThePictureItBrings() {
+    const QString folder = own() + QStringLiteral("/drawn");
+    test::makeSmallCase(folder.toStdString());
+    QImage brought(kCardPictureWidth_px, kCardPictureHeight_px + kCardStripHeight_px, QImage::Format_RGB888);
+    for (int y = 0; y < brought.height(); ++y)
+      for (int x = 0; x < brought.width(); ++x) brought.setPixel(x, y, qRgb(x % 251, y % 241, (x + y) % 239));
+    const QString file = folder + QStringLiteral("/card.png");
+    const auto shown = [&] {
+      CaseDetails details;
+      QSignalSpy pictures(&details, &CaseDetails::pictureRead), rested(&details, &CaseDetails::rested);
+      details.want({folder});
+      if (rested.isEmpty() && !rested.wait(static_cast<int>(test::kPatience_ms))) qFatal("the case was not read");
+      return pictures.isEmpty() ? QImage() : pictures.front().at(1).value<QImage>();
+    };
+    QVERIFY2(shown().isNull(), "nothing was brought");
+    QVERIFY(brought.save(file, "PNG"));
+    QCOMPARE(shown(), brought.copy(0, 0, kCardPictureWidth_px, kCardPictureHeight_px));
+    QVERIFY(brought.copy(0, 0, 300, 200).save(file, "PNG"));
+    QVERIFY2(shown().isNull(), "another size");
+    QVERIFY(brought.save(file, "JPG"));
+    QVERIFY2(shown().isNull(), "no PNG");
+    // Once it can be made, it is made: what was brought may be of an earlier state of the case.
+    QVERIFY(brought.save(file, "PNG"));
+    const auto prepared = loadCase(folder.toStdString());
+    QVERIFY(prepared && prepareCase(*prepared, {}, noProgress()));
+    const QImage made = shown();
+    QVERIFY(!made.isNull());
+    QVERIFY(made != brought.copy(0, 0, kCardPictureWidth_px, kCardPictureHeight_px));
+  }
+
   void tenThousandCasesAreSearchedAsOneTypes() {
     writeCases(own(), 10000);
     showStartPage();

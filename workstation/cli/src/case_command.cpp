@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "arguments.h"
+#include "case_card.h"
 #include "case_library.h"
 #include "case_new.h"
 #include "case_withdraw.h"
@@ -408,6 +409,7 @@ void addCase(CLI::App& root, Selection& selection) {
       ->type_name("DIR");
   addCount(prepared, "--threads", arguments->threads, 0, 1024, "Threads; 0: all cores; the voxels do not depend on it (0)");
 
+  addCaseCard(group, selection);
   addCaseNew(group, selection);
   addCaseLibrary(group, selection);
   addCaseWithdraw(group, selection);

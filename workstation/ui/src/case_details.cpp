@@ -4,6 +4,7 @@
 
 #include "ew/core/progress.h"
 #include "ew/core/quiet_work.h"
+#include "ew/library/case_card.h"
 #include "ew/scanning/subject.h"
 #include "thumbnails.h"
 #include "words.h"
@@ -11,7 +12,7 @@
 namespace ew::ui {
 namespace {
 
-const QSize kPicture_px(544, 320);
+const QSize kPicture_px(kCardPictureWidth_px, kCardPictureHeight_px);
 constexpr int kQuiet = 10;  // a card is no reason to make the scan wait
 
 /// Goes on until the program ends.
@@ -60,8 +61,10 @@ void CaseDetails::readOne(const QString& folder, int round, int epoch) {
     if (auto opened = loadCase(pathOf(folder))) read->opened = std::move(*opened);
     if (read->opened) {
       read->picture = keptThumbnail(*read->opened, kPicture_px);
-      // The others keep their drawn card: a start page is no reason to compute for minutes.
-      if (read->picture.isNull() && !caseNeedsPreparation(*read->opened)) {
+      // A start page is no reason to compute for minutes.
+      if (read->picture.isNull() && caseNeedsPreparation(*read->opened)) {
+        read->picture = broughtThumbnail(*read->opened);
+      } else if (read->picture.isNull()) {
         if (probes_.empty())
           if (const auto resources = resourceFolder()) {
             if (auto probes = readProbes(*resources / "probes")) probes_ = std::move(*probes);

@@ -5,11 +5,13 @@
 #include <QDir>
 #include <QDirIterator>
 #include <QFileInfo>
+#include <QImageReader>
 #include <QSaveFile>
 
 #include "ew/core/version.h"
 #include "ew/library/case.h"
-#include "ew/scanning/scanner.h"
+#include "ew/library/case_card.h"
+#include "ew/scanning/first_picture.h"
 #include "picture_image.h"
 #include "words.h"
 
@@ -58,11 +60,19 @@ void keepThumbnail(const Case& shown, const QImage& picture) {
 }
 
 QImage thumbnailOf(const ScanSubject& subject, const std::vector<Probe>& probes, const std::vector<Preset>& presets, const QSize& size) {
-  const auto state = firstState(subject, probes, presets);
-  if (!state) return {};
   Scanner scanner;
-  scanner.show(subject);
-  return imageOf(scanner.make(*state, size.width(), size.height())).copy();
+  const auto picture = firstPicture(scanner, subject, probes, presets, size.width(), size.height());
+  return picture ? imageOf(*picture).copy() : QImage();
+}
+
+QImage broughtThumbnail(const Case& shown) {
+  constexpr qint64 kMost_bytes = 4 << 20;
+  const QSize whole(kCardPictureWidth_px, kCardPictureHeight_px + kCardStripHeight_px);
+  QFile file(wordsOf(shown.folder / kCardName));
+  if (file.size() > kMost_bytes || !file.open(QIODevice::ReadOnly)) return {};
+  QImageReader reader(&file, "png");
+  if (reader.size() != whole) return {};  // before anything is unpacked
+  return reader.read().copy(0, 0, kCardPictureWidth_px, kCardPictureHeight_px);
 }
 
 }  // namespace ew::ui

@@ -25,4 +25,8 @@ void keepThumbnail(const Case& shown, const QImage& picture);
 [[nodiscard]] QImage thumbnailOf(const ScanSubject& subject, const std::vector<Probe>& probes, const std::vector<Preset>& presets,
                                  const QSize& size);
 
+/// The picture that the case brings with it (kCardName), for as long as none of its own can be made. Null when there is none, or it is no
+/// PNG of the size such pictures have.
+[[nodiscard]] QImage broughtThumbnail(const Case& shown);
+
 }  // namespace ew::ui
