@@ -243,6 +243,32 @@ TEST(TraumaCase, ShowsFlanksBetweenTheRibs) {
   }
 }
 
+TEST(NormalAbdomen, ShowsTheSpleenAlongItsAxisBelowTheRibs) {
+  const testing::DrawnPatient patient("upper-abdomen-normal");
+  const glm::dmat4 pose = patient.plane("spleen lengthwise").probeToWorld.matrix;
+  EXPECT_GT(pose[0].z, 0.7) << "the marker points to the head";
+  // Lines that bone takes before they are 60 mm deep; what the others meet, over the part of the picture towards the head or the feet.
+  int open = 0, lines = 0;
+  std::map<std::string, int> towardsHead, towardsFeet;
+  for (double angle = -0.54; angle <= 0.54; angle += 0.02, ++lines) {
+    const glm::dvec3 direction(std::sin(angle), std::cos(angle), 0.0);
+    bool isOpen = true;
+    for (double range = 0.0; range < 130.0 && isOpen; range += 1.0) {
+      const std::string organ = patient.organAt(testing::in(pose, (60.0 + range) * direction - glm::dvec3(0.0, 60.0, 0.0)));
+      if (range < 60.0) isOpen = organ.rfind("ribs", 0) != 0;
+      ++(angle > 0.0 ? towardsHead : towardsFeet)[organ];
+    }
+    open += isOpen ? 1 : 0;
+  }
+  EXPECT_GT(static_cast<double>(open) / lines, 0.7);
+  EXPECT_GT(towardsHead["spleen"], 5 * towardsFeet["spleen"]);
+  EXPECT_GT(towardsHead["diaphragm"], 10);
+  EXPECT_GT(towardsFeet["left kidney"], towardsHead["left kidney"]);
+  const double longest_mm = truthOf(*patient)["spleen, length"];
+  EXPECT_GT(longest_mm, 85.0);
+  EXPECT_LT(longest_mm, 120.0);
+}
+
 TEST(NormalAbdomen, HasTheLengthsItsSourcesState) {
   auto truth = truthOf(*patientOfCase("upper-abdomen-normal"));
   EXPECT_NEAR(truth["right kidney, length"], 110.0, 0.1);
