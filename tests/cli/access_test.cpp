@@ -75,6 +75,7 @@ TEST_F(AccessCommand, ShowsNoAnswerAndChangesNothingWhileLocked) {
                                                        {"replay", caseFolder(), "--scan", "s.seq.mha", "-o", folder_ / "clip"},
                                                        {"bench", "exercises"},
                                                        {"case", "prepare", caseFolder()},
+                                                       {"case", "card", caseFolder()},
                                                        {"lesson", "course"},
                                                        {"access", "changes"},
                                                        {"key", "new", "--passphrase", folder_ / "words"}};

@@ -240,7 +240,7 @@ class LibraryTest final : public WindowFixture {
   void aCaseThatIsNotPreparedShowsThePictureItBrings() {
     const QString folder = own() + QStringLiteral("/drawn");
     test::makeSmallCase(folder.toStdString());
-    QImage brought(kCardPictureWidth_px, kCardPictureHeight_px + kCardStripHeight_px, QImage::Format_RGB888);
+    QImage brought(kCardPictureWidth_px, kCardPictureHeight_px + kCardStripHeight_px, QImage::Format_RGB32);
     for (int y = 0; y < brought.height(); ++y)
       for (int x = 0; x < brought.width(); ++x) brought.setPixel(x, y, qRgb(x % 251, y % 241, (x + y) % 239));
     const QString file = folder + QStringLiteral("/card.png");
@@ -249,7 +249,7 @@ class LibraryTest final : public WindowFixture {
       QSignalSpy pictures(&details, &CaseDetails::pictureRead), rested(&details, &CaseDetails::rested);
       details.want({folder});
       if (rested.isEmpty() && !rested.wait(static_cast<int>(test::kPatience_ms))) qFatal("the case was not read");
-      return pictures.isEmpty() ? QImage() : pictures.front().at(1).value<QImage>();
+      return pictures.isEmpty() ? QImage() : pictures.front().at(1).value<QImage>().convertToFormat(QImage::Format_RGB32);
     };
     QVERIFY2(shown().isNull(), "nothing was brought");
     QVERIFY(brought.save(file, "PNG"));

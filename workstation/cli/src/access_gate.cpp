@@ -16,7 +16,8 @@ constexpr std::array<std::string_view, 22> kForAnybody = {
     "send",          "plugins list", "preset list",   "preset check",  "case import",  "case verify",  "lesson list", "key show",
     "access status", "access lock",  "access unlock", "tracker print", "tracker list", "tracker check"};
 
-constexpr std::array<std::pair<std::string_view, Permission>, 13> kNeeds = {{{"case export", Permission::exportCases},
+constexpr std::array<std::pair<std::string_view, Permission>, 14> kNeeds = {{{"case card", Permission::editCases},
+                                                                             {"case export", Permission::exportCases},
                                                                              {"case publish", Permission::exportCases},
                                                                              {"case unseal", Permission::judge},
                                                                              {"case new", Permission::editCases},
