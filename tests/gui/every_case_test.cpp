@@ -8,6 +8,7 @@
 #include "ew/core/progress.h"
 #include "ew/io/image_file.h"
 #include "ew/library/case.h"
+#include "ew/scanning/first_picture.h"
 #include "library/small_case.h"
 #include "thumbnails.h"
 #include "window_fixture.h"
@@ -46,8 +47,7 @@ class EveryCaseTest : public WindowFixture {
  private:
   std::vector<QString> folders_;
   std::vector<Expected> expected_;
-  std::vector<Probe> probes_;
-  std::vector<Preset> presets_;
+  Beginnings there_;
 
   static constexpr int kPatience_ms = 300000;
 
@@ -151,7 +151,7 @@ class EveryCaseTest : public WindowFixture {
     QVERIFY2(session().scene() == subject->scene, qPrintable(what));
     QVERIFY2(subject->probes == expected.opened.probes, qPrintable(what));
     // Whatever was scanned before, the console stands as a scan of this case begins.
-    const auto begun = firstState(*subject, probes_, presets_);
+    const auto begun = firstState(*subject, there_.probes, there_.presets);
     QVERIFY2(begun && session().probe().id == begun->probe.id, qPrintable(what));
     QVERIFY2(session().knobs() == begun->knobs, qPrintable(what));
     session().makePictureNow();
@@ -169,13 +169,9 @@ class EveryCaseTest : public WindowFixture {
       qputenv("ECHOWEAVE_CACHE", files_.path(QStringLiteral("cache")).toUtf8());
       writeStandIns();
     }
-    const auto resources = resourceFolder();
-    QVERIFY(resources.has_value());
-    auto probes = readProbes(*resources / "probes");
-    auto presets = presetsThere(*resources);
-    QVERIFY(probes && presets);
-    probes_ = std::move(*probes);
-    presets_ = std::move(*presets);
+    auto there = beginningsThere();
+    QVERIFY(there.has_value());
+    there_ = std::move(*there);
     for (const QString& folder : folders_) {
       auto opened = loadCase(folder.toStdString());
       QVERIFY2(opened, opened ? "" : opened.error().sentence().c_str());
@@ -212,7 +208,7 @@ class EveryCaseTest : public WindowFixture {
       if (QTest::currentTestFailed()) return;
       const QString what = QString::fromStdString(expected_[index].opened.id);
       const ScanSubject subject = *session().subject();
-      auto state = firstState(subject, probes_, presets_);
+      auto state = firstState(subject, there_.probes, there_.presets);
       QVERIFY2(state.has_value(), qPrintable(what));
       session().setPictureSize(kWidth, kHeight);
       session().play(*state);
@@ -228,7 +224,7 @@ class EveryCaseTest : public WindowFixture {
       const std::vector<std::uint8_t> inSheet = pixelsOf(session());
       session().play({});
 
-      const QImage card = thumbnailOf(subject, probes_, presets_, {kWidth, kHeight});
+      const QImage card = thumbnailOf(subject, there_, {kWidth, kHeight});
       for (int y = 0; y < kHeight; ++y)
         QVERIFY2(std::equal(card.constScanLine(y), card.constScanLine(y) + kWidth, inWindow.data() + std::ptrdiff_t{y} * kWidth),
                  qPrintable(what));

@@ -58,15 +58,12 @@ TEST_P(ShippedCard, IsWhatTheCaseBeginsWith) {
   ASSERT_EQ(card->width, kCardPictureWidth_px);
   ASSERT_EQ(card->height, kCardPictureHeight_px + kCardStripHeight_px);
 
-  const auto resources = resourceFolder();
-  ASSERT_TRUE(resources);
-  const auto probes = readProbes(*resources / "probes");
-  const auto presets = presetsThere(*resources);
-  ASSERT_TRUE(probes && presets);
+  const auto there = beginningsThere();
+  ASSERT_TRUE(there) << there.error();
   const auto contents = readContents(*opened, noProgress(), {.draft = true});
   ASSERT_TRUE(contents) << contents.error();
   Scanner scanner;
-  const auto picture = firstPicture(scanner, subjectOf(*opened, *contents), *probes, *presets, kCardPictureWidth_px, kCardPictureHeight_px);
+  const auto picture = firstPicture(scanner, subjectOf(*opened, *contents), *there, kCardPictureWidth_px, kCardPictureHeight_px);
   ASSERT_TRUE(picture);
   EXPECT_GT(correlation(blocksOf(picture->grey), blocksOf(viewOf(*card))), 0.9);
 }

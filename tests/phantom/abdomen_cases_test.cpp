@@ -143,6 +143,12 @@ const testing::DrawnPatient& fallen() {
   return patient;
 }
 
+/// Where a line of a curved face is, in the plane of the face.
+constexpr double kRadius_mm = 60.0;
+glm::dvec3 onLine(double angle_rad, double range_mm) {
+  return (kRadius_mm + range_mm) * glm::dvec3(std::sin(angle_rad), std::cos(angle_rad), 0.0) - glm::dvec3(0.0, kRadius_mm, 0.0);
+}
+
 /// What lines from the face on meet in the subxiphoid plane, in a state of the body.
 struct WayToTheHeart {
   int chambersFirst = 0;        ///< lines that meet a chamber
@@ -153,14 +159,12 @@ struct WayToTheHeart {
 WayToTheHeart wayToTheHeart(const BodyState& state) {
   const auto motion = bodyMotion(*fallen(), state);
   const glm::dmat4 pose = fallen().plane("subxiphoid").probeToWorld.matrix;
-  constexpr double kStep_mm = 1.0, kRadius_mm = 60.0;
+  constexpr double kStep_mm = 1.0;
   WayToTheHeart way;
   for (double angle = -0.5; angle <= 0.5; angle += 0.02) {
-    const glm::dvec3 direction(std::sin(angle), std::cos(angle), 0.0);
     bool isBehindLung = false, isSeen = false, isCovered = false;
     for (double range = 0.0; range < 175.0; range += kStep_mm) {
-      const glm::dvec3 place = (kRadius_mm + range) * direction - glm::dvec3(0.0, kRadius_mm, 0.0);
-      const std::string organ = fallen().organAt(motion->rest(testing::in(pose, place)));
+      const std::string organ = fallen().organAt(motion->rest(testing::in(pose, onLine(angle, range))));
       isBehindLung = isBehindLung || organ == "lungs";
       if (organ == "pericardium" && !isBehindLung) way.pericardium_mm = std::min(way.pericardium_mm, range);
       if (organ != "chambers of the heart") continue;
@@ -231,10 +235,9 @@ TEST(TraumaCase, ShowsFlanksBetweenTheRibs) {
     const glm::dmat4 pose = fallen().plane(name).probeToWorld.matrix;
     int open = 0, lines = 0;
     for (double angle = -0.54; angle <= 0.54; angle += 0.02, ++lines) {
-      const glm::dvec3 direction(std::sin(angle), std::cos(angle), 0.0);
       bool isOpen = true;
       for (double range = 0.0; range < 60.0 && isOpen; range += 1.0) {
-        const std::string organ = fallen().organAt(testing::in(pose, (60.0 + range) * direction - glm::dvec3(0.0, 60.0, 0.0)));
+        const std::string organ = fallen().organAt(testing::in(pose, onLine(angle, range)));
         isOpen = organ.rfind("ribs", 0) != 0 && organ != "lungs";
       }
       open += isOpen ? 1 : 0;
@@ -251,10 +254,9 @@ TEST(NormalAbdomen, ShowsTheSpleenAlongItsAxisBelowTheRibs) {
   int open = 0, lines = 0;
   std::map<std::string, int> towardsHead, towardsFeet;
   for (double angle = -0.54; angle <= 0.54; angle += 0.02, ++lines) {
-    const glm::dvec3 direction(std::sin(angle), std::cos(angle), 0.0);
     bool isOpen = true;
     for (double range = 0.0; range < 130.0 && isOpen; range += 1.0) {
-      const std::string organ = patient.organAt(testing::in(pose, (60.0 + range) * direction - glm::dvec3(0.0, 60.0, 0.0)));
+      const std::string organ = patient.organAt(testing::in(pose, onLine(angle, range)));
       if (range < 60.0) isOpen = organ.rfind("ribs", 0) != 0;
       ++(angle > 0.0 ? towardsHead : towardsFeet)[organ];
     }

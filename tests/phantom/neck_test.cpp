@@ -91,9 +91,9 @@ TEST(Neck, GrowsPlaqueAndNoduleWithItsParameters) {
   const auto before = neck().measured(), after = changed.measured();
   EXPECT_NEAR(before.at("right carotid bulb, free lumen at the plaque") - after.at("right carotid bulb, free lumen at the plaque"), 1.9,
               0.06);
-  EXPECT_NEAR(after.at("nodule, length"), 7.0, 0.4);
-  EXPECT_NEAR(after.at("nodule, width"), 5.5, 0.4);
-  EXPECT_NEAR(after.at("nodule, depth"), 5.0, 0.4);
+  EXPECT_NEAR(after.at("nodule, length"), 7.0, 0.2);
+  EXPECT_NEAR(after.at("nodule, width"), 5.5, 0.2);
+  EXPECT_NEAR(after.at("nodule, depth"), 5.0, 0.2);
 }
 
 TEST(Neck, WidensTheCarotidsWithThePulse) {

@@ -29,18 +29,14 @@ Result<int> makeCard(const CardArguments& arguments, Run& run) {
   if (auto kept = run.protect(found->folder / "case.json"); !kept) return passOn(kept.error());
   const std::filesystem::path file = arguments.output.empty() ? found->folder / kCardName : std::filesystem::path(arguments.output);
   if (auto announced = run.output(file, ".png"); !announced) return passOn(announced.error());
-  const auto resources = resourceFolder();
-  if (!resources) return passOn(resources.error());
-  const auto probes = readProbes(*resources / "probes");
-  if (!probes) return passOn(probes.error());
-  const auto presets = presetsThere(*resources);
-  if (!presets) return passOn(presets.error());
+  const auto there = beginningsThere();
+  if (!there) return passOn(there.error());
   auto contents = readCaseContents(run, *found);
   if (!contents) return passOn(contents.error());
   ScanSubject subject = subjectOf(*found, *contents);
   if (auto formed = formEchoes(run, subject, found->scene); !formed) return passOn(formed.error());
   Scanner scanner;
-  const auto picture = firstPicture(scanner, subject, *probes, *presets, kCardPictureWidth_px, kCardPictureHeight_px);
+  const auto picture = firstPicture(scanner, subject, *there, kCardPictureWidth_px, kCardPictureHeight_px);
   if (!picture)
     return failure(ErrorCode::badUsage,
                    say<"The case allows none of the probes there are, so it has no first picture; correct \"probes\" in its case.json.">());

@@ -9,6 +9,7 @@
 #include "ew/library/case_words.h"
 #include "ew/library/course.h"
 #include "ew/library/lesson_links.h"
+#include "ew/scanning/first_picture.h"
 #include "expert_path.h"
 #include "volume_input.h"
 
@@ -209,15 +210,11 @@ Result<int> record(const LessonArguments& arguments, Run& run) {
   for (const fs::path& file : {opened->folder / "case.json", fs::path(arguments.path)})
     if (auto kept = run.input(file); !kept) return passOn(kept.error());
   if (auto announced = run.output(arguments.output, ".seq.mha .igs.mha .mha"); !announced) return passOn(announced.error());
-  const auto resources = resourceFolder();
-  if (!resources) return passOn(resources.error());
-  const auto probes = readProbes(*resources / "probes");
-  if (!probes) return passOn(probes.error());
-  const auto presets = presetsThere(*resources);
-  if (!presets) return passOn(presets.error());
-  const auto path = readExpertPath(arguments.path, {*opened, *probes, *presets});
+  const auto there = beginningsThere();
+  if (!there) return passOn(there.error());
+  const auto path = readExpertPath(arguments.path, {*opened, there->probes, there->presets});
   if (!path) return passOn(path.error());
-  const auto probe = probeOf(*opened, *probes, path->probe);
+  const auto probe = probeOf(*opened, there->probes, path->probe);
   if (!probe) return passOn(probe.error());
   const auto skin = skinOf(*opened);
   if (!skin) return passOn(skin.error());

@@ -10,6 +10,7 @@
 #include "ew/imaging/latency.h"
 #include "ew/imaging/settings_json.h"
 #include "ew/library/case_start.h"
+#include "ew/scanning/first_picture.h"
 #include "ew/scanning/picture_file.h"
 #include "ew/scanning/preset.h"
 #include "ew/scanning/scanner.h"
@@ -283,14 +284,10 @@ struct ScanPlan {
 
 /// Probe and settings as the window begins the case with them. Poses of a file are pictures of their own: nothing of one shows in the next.
 Result<void> beginLikeWindow(const Case& opened, bool choosesProbe, ScanPlan& plan) {
-  const auto resources = resourceFolder();
-  if (!resources) return passOn(resources.error());
-  const auto presets = presetsThere(*resources);
-  if (!presets) return passOn(presets.error());
-  const auto probes = readProbes(*resources / "probes");
-  if (!probes) return passOn(probes.error());
-  const std::vector<Probe> usable = choosesProbe ? usableOf(opened.probes, *probes) : std::vector<Probe>{plan.probe};
-  const Preset* start = startPreset(presetsOf(opened), *presets, usable);
+  const auto there = beginningsThere();
+  if (!there) return passOn(there.error());
+  const std::vector<Probe> usable = choosesProbe ? usableOf(opened.probes, there->probes) : std::vector<Probe>{plan.probe};
+  const Preset* start = startPreset(presetsOf(opened), there->presets, usable);
   if (start == nullptr) return {};
   plan.probe = *std::find_if(usable.begin(), usable.end(), [&](const Probe& each) { return each.id == start->probe; });
   plan.knobs = applied(*start, plan.knobs);

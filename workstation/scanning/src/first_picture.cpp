@@ -1,10 +1,21 @@
 #include "ew/scanning/first_picture.h"
 
+#include "ew/core/data_file.h"
+
 namespace ew {
 
-std::optional<Picture> firstPicture(Scanner& scanner, const ScanSubject& subject, const std::vector<Probe>& probes,
-                                    const std::vector<Preset>& presets, int width_px, int height_px) {
-  const auto state = firstState(subject, probes, presets);
+Result<Beginnings> beginningsThere() {
+  const auto resources = resourceFolder();
+  if (!resources) return passOn(resources.error());
+  auto probes = readProbes(*resources / "probes");
+  if (!probes) return passOn(probes.error());
+  auto presets = presetsThere(*resources);
+  if (!presets) return passOn(presets.error());
+  return Beginnings{std::move(*probes), std::move(*presets)};
+}
+
+std::optional<Picture> firstPicture(Scanner& scanner, const ScanSubject& subject, const Beginnings& there, int width_px, int height_px) {
+  const auto state = firstState(subject, there.probes, there.presets);
   if (!state) return std::nullopt;
   scanner.show(subject);
   return scanner.make(*state, width_px, height_px);

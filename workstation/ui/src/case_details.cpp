@@ -65,15 +65,12 @@ void CaseDetails::readOne(const QString& folder, int round, int epoch) {
       if (read->picture.isNull() && caseNeedsPreparation(*read->opened)) {
         read->picture = broughtThumbnail(*read->opened);
       } else if (read->picture.isNull()) {
-        if (probes_.empty())
-          if (const auto resources = resourceFolder()) {
-            if (auto probes = readProbes(*resources / "probes")) probes_ = std::move(*probes);
-            if (auto presets = presetsThere(*resources)) presets_ = std::move(*presets);
-          }
+        if (there_.probes.empty())
+          if (auto there = beginningsThere()) there_ = std::move(*there);
         const QuietWork quietly(kQuiet);
         UntilTheEnd progress(ends_);
         if (auto contents = readContents(*read->opened, progress)) {
-          read->picture = thumbnailOf(subjectOf(*read->opened, *contents), probes_, presets_, kPicture_px);
+          read->picture = thumbnailOf(subjectOf(*read->opened, *contents), there_, kPicture_px);
           keepThumbnail(*read->opened, read->picture);
         }
       }

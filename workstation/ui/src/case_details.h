@@ -7,9 +7,8 @@
 #include <atomic>
 #include <optional>
 
-#include "ew/imaging/probe.h"
 #include "ew/library/case.h"
-#include "ew/scanning/preset.h"
+#include "ew/scanning/first_picture.h"
 #include "worker.h"
 
 namespace ew::ui {
@@ -49,8 +48,7 @@ class CaseDetails final : public QObject {
   std::atomic<int> round_{0};  ///< what was wanted in an earlier one is not wanted any more
   int epoch_ = 0;              ///< what was read in an earlier one is forgotten
   std::atomic<bool> ends_{false};
-  std::vector<Probe> probes_;  ///< of the worker
-  std::vector<Preset> presets_;
+  Beginnings there_;  ///< of the worker
   Worker worker_;
 };
 

@@ -59,9 +59,9 @@ void keepThumbnail(const Case& shown, const QImage& picture) {
   }
 }
 
-QImage thumbnailOf(const ScanSubject& subject, const std::vector<Probe>& probes, const std::vector<Preset>& presets, const QSize& size) {
+QImage thumbnailOf(const ScanSubject& subject, const Beginnings& there, const QSize& size) {
   Scanner scanner;
-  const auto picture = firstPicture(scanner, subject, probes, presets, size.width(), size.height());
+  const auto picture = firstPicture(scanner, subject, there, size.width(), size.height());
   return picture ? imageOf(*picture).copy() : QImage();
 }
 

@@ -5,9 +5,8 @@
 #include <vector>
 
 namespace ew {
+struct Beginnings;
 struct Case;
-struct Preset;
-struct Probe;
 struct ScanSubject;
 }  // namespace ew
 
@@ -21,9 +20,8 @@ namespace ew::ui {
 /// Replaces what is kept of the case.
 void keepThumbnail(const Case& shown, const QImage& picture);
 
-/// The first picture of a subject's scan. Null when its probe is not among `probes`.
-[[nodiscard]] QImage thumbnailOf(const ScanSubject& subject, const std::vector<Probe>& probes, const std::vector<Preset>& presets,
-                                 const QSize& size);
+/// The first picture of a subject's scan. Null when its probe is not there.
+[[nodiscard]] QImage thumbnailOf(const ScanSubject& subject, const Beginnings& there, const QSize& size);
 
 /// The picture that the case brings with it (kCardName), for as long as none of its own can be made. Null when there is none, or it is no
 /// PNG of the size such pictures have.
