@@ -31,6 +31,25 @@ RC_GTEST_PROP(BeamGrid, IsInvertedInClosedFormForEveryKindOfProbe, ()) {
   RC_ASSERT(std::abs(found.y - sample) < 1e-9 * std::max(1, sample));
 }
 
+RC_GTEST_PROP(BeamGrid, OfOneDirectionOfACompoundImageIsInvertedInClosedForm, ()) {
+  const auto [probe, knobs] = *testing::probeAtRandom();
+  RC_PRE(!isSector(probe.kind) || probe.radius_mm > 1.0);
+  RC_PRE(!knobs.trapezoid || isSector(probe.kind));
+  const double look_rad = testing::numberBetween(-0.2, 0.2), depth_mm = testing::numberBetween(5.0, 300.0);
+  const BeamGrid grid = makeBeamGrid(probe, knobs, depth_mm, testing::numberBetween(0.1, 2.0), look_rad);
+  const auto line = *rc::gen::inRange<std::size_t>(0, grid.lines.size());
+  const int sample = *rc::gen::inRange(0, grid.samples);
+  const glm::dvec2 found = lineAndSampleAt(probe, knobs, grid, pointOn(grid, line, grid.depth_mm(sample)), look_rad);
+  RC_ASSERT(std::abs(found.x - static_cast<double>(line)) < 1e-8 * static_cast<double>(grid.lines.size()));
+  RC_ASSERT(std::abs(found.y - sample) < 1e-8 * std::max(1, grid.samples));
+  // Each line leaves the face where it does without, at that angle.
+  const BeamGrid straight = makeBeamGrid(probe, knobs, depth_mm, grid.sampleSpacing_mm);
+  RC_ASSERT(grid.lines[line].origin_mm == straight.lines[line].origin_mm);
+  const double angle_rad = std::atan2(grid.lines[line].direction.x, grid.lines[line].direction.y) -
+                           std::atan2(straight.lines[line].direction.x, straight.lines[line].direction.y);
+  RC_ASSERT(std::abs(angle_rad - look_rad) < 1e-12);
+}
+
 RC_GTEST_PROP(BeamGrid, EndsAtItsDepthAndIsNotCoarserThanAsked, ()) {
   const auto [probe, knobs] = *testing::probeAtRandom();
   const double depth_mm = testing::numberBetween(1.0, 400.0), spacing_mm = testing::numberBetween(0.05, 500.0);

@@ -13,6 +13,8 @@ namespace {
 constexpr double kApodisedWidth = 1.4;
 constexpr double kFNumber = 2.0;     // of transmission, at least
 constexpr double kNoRange_mm = 1e6;  // of a beam that does not widen
+constexpr double kGrows_mm = 25.0;   // way in which a harmonic reaches half of what it becomes
+constexpr double kNearest_mm = 1.0;  // where it has something
 
 double rayleighRange_mm(double oneWaySigma_mm, double wavelength_mm) {
   return 2.0 * std::numbers::pi * oneWaySigma_mm * oneWaySigma_mm / wavelength_mm;
@@ -46,6 +48,12 @@ double EchoBeams::focusGain_db(double depth_mm) const {
   return focusStrength * kMostFocusGain_db * std::tanh(10.0 * std::log10(with / set) / kMostFocusGain_db);
 }
 
+double EchoBeams::beamGain_db(double depth_mm) const {
+  if (!isHarmonic) return focusGain_db(depth_mm);
+  const auto grown = [](double way_mm) { return way_mm / (way_mm + kGrows_mm); };
+  return focusGain_db(depth_mm) + 20.0 * std::log10(grown(std::max(depth_mm, kNearest_mm)) / grown(shownAsIs_mm));
+}
+
 double EchoBeams::elevationalSigma_mm(double depth_mm) const {
   if (!isSlice) return lensWaist_mm;
   const double off = (depth_mm - lensFocus_mm) / (depth_mm < lensFocus_mm ? lensNearRange_mm : lensFarRange_mm);
@@ -63,9 +71,12 @@ EchoBeams echoBeamsOf(const Probe& probe, const Knobs& knobs, const Scene& scene
   const double width = kApodisedWidth * beams.wavelength_mm / kFwhmOfSigma;
   const double aperture_mm = effect.apertureShare * probe.aperture_mm;
   beams.foci = 0;
+  beams.isHarmonic = knobs.harmonic;
+  beams.shownAsIs_mm = 0.5 * depth_mm;
+  const double sent = knobs.harmonic ? 2.0 : 1.0;  // wavelengths
   const auto focusedAt = [&](double focus_mm) -> EchoBeams::Transmit {
-    const double waist = width * std::max(kFNumber, focus_mm / aperture_mm);
-    return {focus_mm, waist, rayleighRange_mm(waist, beams.wavelength_mm)};
+    const double waist = sent * width * std::max(kFNumber, focus_mm / aperture_mm);
+    return {focus_mm, waist / std::sqrt(sent), rayleighRange_mm(waist, sent * beams.wavelength_mm)};
   };
   const auto addFocus = [&](double focus_mm) { beams.transmits[static_cast<std::size_t>(beams.foci++)] = focusedAt(focus_mm); };
   const double usual_mm = probe.kind == ProbeKind::sweptSector ? probe.elevationalFocus_mm : 0.5 * depth_mm;

@@ -16,6 +16,12 @@ namespace ew::detail {
 ///   elevation  w sqrt(1 + ((z - F_e) / Z_e)^2): a lens, opened to the elements' height at the face
 /// A beam carries the same energy wherever it is focused, so that tissue is brighter where it is narrow: intensity r / sqrt(t^2 + r^2).
 /// The machine's own depth compensation is set for the usual focus (half the depth), which therefore shows tissue as it is.
+/// Harmonics: L is twice as long on transmission, and what is received grew as the square of what was sent, so its beam is narrower by
+/// sqrt(2) than that of the wave that was sent; side lobes, whose squares are small, fall by half as many decibels again (haze). It has to
+/// grow: amplitude z / (z + 25 mm), shown as tissue is at half the depth, so that layers near the face and their copies further down are
+/// faint. Losses are those of the carrier: half of it, squared, on the way in, itself on the way out (attenuation is linear in frequency).
+/// Source: quasi-linear second harmonic, Hamilton & Blackstock, Nonlinear Acoustics (1998), ch. 3 (source term, attenuated plane waves);
+/// the 25 mm, where growth by distance gives way to spreading, are ours.
 /// Source: Gaussian beams as in Cobbold, Foundations of Biomedical Ultrasound (2007), ch. 3. Ours departs: no side lobes (the haze of
 /// echo_lines.h stands for them), one carrier at every depth.
 struct EchoBeams {
@@ -39,6 +45,8 @@ struct EchoBeams {
   double receiveLeast_mm = 0.2;
   double lateralScale = 1.0;
   double focusStrength = 1.0;  ///< of what the focus does to the brightness, 0..1
+  bool isHarmonic = false;
+  double shownAsIs_mm = 80.0;  ///< where harmonics are as bright as the carrier's own echoes
 
   bool isSlice = true;  ///< the elevational beam is as thick as the probe's; else as thin everywhere as at its focus
   double lensFocus_mm = 80.0;
@@ -51,12 +59,14 @@ struct EchoBeams {
   /// The same with the usual focus.
   [[nodiscard]] double usualLateralSigma_mm(double depth_mm) const;
   [[nodiscard]] double elevationalSigma_mm(double depth_mm) const;
-  /// How much brighter the foci make echoes than the usual one does: 0 when it is the usual one, within kMostFocusGain_db both ways.
-  [[nodiscard]] double focusGain_db(double depth_mm) const;
+  /// How much brighter focus and harmonics make echoes. The foci, than the usual one does: 0 when it is the usual one, within
+  /// kMostFocusGain_db both ways.
+  [[nodiscard]] double beamGain_db(double depth_mm) const;
   /// Looks are taken at wave numbers (both ways) this far apart: intensities of neighbours correlate by 1/e^2.
   [[nodiscard]] double lookStep_radPerMm() const { return 2.0 / axialSigma_mm; }
 
  private:
+  [[nodiscard]] double focusGain_db(double depth_mm) const;
   [[nodiscard]] double transmitSigma_mm(double depth_mm) const;
   [[nodiscard]] double twoWaySigma_mm(double transmit_mm, double depth_mm) const;
 };

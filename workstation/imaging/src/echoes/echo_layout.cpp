@@ -48,7 +48,7 @@ void layLateral(EchoLayout& layout) {
     for (int c = 0; c < kTileColumns; ++c) {
       const double depth_mm = std::clamp(layout.depthOfColumn_mm(tile * kTileColumns + c), 0.0, layout.depth_mm);
       layout.focusFactor[static_cast<std::size_t>(tile * kTileColumns + c)] =
-          static_cast<float>(std::pow(10.0, 0.05 * layout.beams.focusGain_db(depth_mm)));
+          static_cast<float>(std::pow(10.0, 0.05 * layout.beams.beamGain_db(depth_mm)));
       spacing[static_cast<std::size_t>(c)] = std::max(layout.rowSpacing_mm(depth_mm), 1e-6);
       sigma[static_cast<std::size_t>(c)] = layout.beams.lateralSigma_mm(depth_mm) / spacing[static_cast<std::size_t>(c)];
       reach = std::max(reach, static_cast<int>(std::ceil(kLateralReach * sigma[static_cast<std::size_t>(c)])));
@@ -119,11 +119,14 @@ double echoSpacing_mm(const EchoBeams& beams, const LiveEchoesEffect& effect) {
   return kFwhmOfSigma * beams.axialSigma_mm / effect.samplesPerPulse;
 }
 
-EchoLayout echoLayoutOf(const Probe& probe, const Knobs& knobs, const LiveEchoesEffect& effect, const EchoBeams& beams, BeamGrid grid) {
+EchoLayout echoLayoutOf(const Probe& probe, const Knobs& knobs, const LiveEchoesEffect& effect, const EchoBeams& beams, BeamGrid grid,
+                        double look_rad) {
   EchoLayout layout;
   layout.beams = beams;
   layout.grid = std::move(grid);
-  layout.fan = fanShapeOf(probe, knobs);
+  layout.fan = fanShapeOf(probe, knobs, look_rad);
+  layout.face = layout.fan;
+  layout.face.steering_rad = 0.0;
   layout.depth_mm = layout.grid.depth_mm(layout.grid.samples - 1);
   layout.effect = effect;
   layRows(layout);

@@ -18,6 +18,7 @@ struct EchoLayout {
   EchoBeams beams;
   BeamGrid grid;
   FanShape fan;
+  FanShape face;  ///< the same without any steering: how the face presses
   double depth_mm = 0.0;
   LiveEchoesEffect effect;
   double pitch_mm = 0.8;  ///< of the lattice that has one scatterer in each cell
@@ -32,8 +33,8 @@ struct EchoLayout {
   /// Lateral beam, symmetric: by tile, by distance in rows 0 .. reachOfTile, a weight per column, twice (real and imaginary parts).
   std::vector<std::vector<float>> lateral;
   std::vector<int> reachOfTile;
-  std::vector<float> focusFactor;         ///< by column: what the focus does to amplitudes (EchoBeams::focusGain_db); in `lateral` already
-  std::vector<float> pulse;               ///< by distance in columns
+  std::vector<float> focusFactor;  ///< by column: what focus and harmonics do to amplitudes (EchoBeams::beamGain_db); in `lateral` already
+  std::vector<float> pulse;        ///< by distance in columns
   std::vector<std::vector<float>> turns;  ///< by look: the phase that brings its carrier to the middle, per column, as (cos, sin)
   double lookScale = 1.0;                 ///< keeps the mean level that one look has
   std::vector<float> lookShare;           ///< by look: of its envelope
@@ -49,9 +50,9 @@ struct EchoLayout {
 /// the same scatterers.
 [[nodiscard]] double echoPitch_mm(const EchoBeams& beams, double depth_mm, double scatterersPerCell);
 
-/// @param grid made with echoSpacing_mm
+/// @param grid made with echoSpacing_mm and this look
 [[nodiscard]] EchoLayout echoLayoutOf(const Probe& probe, const Knobs& knobs, const LiveEchoesEffect& effect, const EchoBeams& beams,
-                                      BeamGrid grid);
+                                      BeamGrid grid, double look_rad);
 
 /// What 0..255 of TissueMaps::level span.
 inline constexpr double kLevelRange_db = 60.0;

@@ -89,7 +89,7 @@ void EchoMotion::take(const TissueMotion& motion, const BodyState& body, double 
 }
 
 void EchoMotion::press(const EchoLayout& layout, const SliceSource& level, const Transform<frame::Voxel, frame::Probe>& probeToVoxel) {
-  const FanShape& fan = layout.fan;
+  const FanShape& fan = layout.face;
   const auto isTissue = [&](const glm::dvec2& p_mm) {
     const glm::ivec3 voxel(glm::floor(glm::dvec3(probeToVoxel.matrix * glm::dvec4(p_mm, 0.0, 1.0)) + 0.5));
     return level.grid.contains(voxel) && level.voxels[level.grid.indexOf(voxel.x, voxel.y, voxel.z)] != 0;

@@ -149,6 +149,13 @@ void toLevelsOf(const float* in, float aside, float perDoubling, int count, floa
   });
 }
 
+void toAmplitudesOf(float perLevel, int count, float* inOut) {
+  forColumns(count, [&](auto d, int x) HWY_ATTR {
+    const auto doublings = hn::Mul(hn::Sub(hn::LoadU(d, inOut + x), hn::Set(d, 255.0F)), hn::Set(d, perLevel));
+    hn::StoreU(exp2Of(d, hn::Min(hn::Max(doublings, hn::Set(d, -100.0F)), hn::Set(d, 100.0F))), d, inOut + x);
+  });
+}
+
 void keptOfLoss(const float* loss_log2, int count, float* kept) {
   forColumns(count, [&](auto d, int x) HWY_ATTR {
     const auto loss = hn::Min(hn::Max(hn::LoadU(d, loss_log2 + x), hn::Set(d, -100.0F)), hn::Set(d, 100.0F));
@@ -192,6 +199,7 @@ HWY_EXPORT(addComplexNoiseOf);
 HWY_EXPORT(turnComplexOf);
 HWY_EXPORT(addEnvelopeOf);
 HWY_EXPORT(toLevelsOf);
+HWY_EXPORT(toAmplitudesOf);
 HWY_EXPORT(keptOfLoss);
 HWY_EXPORT(passRayOf);
 HWY_EXPORT(addWeightedOf);
@@ -212,6 +220,7 @@ void addEnvelope(const float* in, const float* pulse, int reach, float share, in
 void toLevels(const float* in, float aside, float perDoubling, int count, float* out) {
   HWY_DYNAMIC_DISPATCH(toLevelsOf)(in, aside, perDoubling, count, out);
 }
+void toAmplitudes(float perLevel, int count, float* inOut) { HWY_DYNAMIC_DISPATCH(toAmplitudesOf)(perLevel, count, inOut); }
 void keptOf(const float* loss_log2, int count, float* kept) { HWY_DYNAMIC_DISPATCH(keptOfLoss)(loss_log2, count, kept); }
 void passRay(const float* kept, float most, int count, float* left) { HWY_DYNAMIC_DISPATCH(passRayOf)(kept, most, count, left); }
 void addWeighted(const float* in, float weight, int count, float* out) { HWY_DYNAMIC_DISPATCH(addWeightedOf)(in, weight, count, out); }

@@ -41,6 +41,9 @@ void addEnvelope(const float* in, const float* pulse, int reach, float share, in
 /// @param in count values, and one more on each side
 void toLevels(const float* in, float aside, float perDoubling, int count, float* out);
 
+/// The inverse of toLevels without neighbours: inOut = 2^((inOut - 255) perLevel), exponents beyond 100 counting as that.
+void toAmplitudes(float perLevel, int count, float* inOut);
+
 /// kept = 2^-loss.
 void keptOf(const float* loss_log2, int count, float* kept);
 

@@ -30,10 +30,11 @@ std::vector<int> balanced(int count) {
 
 }  // namespace
 
-void LiveEchoes::configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const EchoBeams& beams, const BeamGrid& grid) {
+void LiveEchoes::configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const EchoBeams& beams, const BeamGrid& grid,
+                           double look_rad) {
   const LiveEchoesEffect effect = scene.liveEchoes.value_or(LiveEchoesEffect{});
   carrier_hz_ = knobs.carrier_hz;
-  layout_ = echoLayoutOf(probe, knobs, effect, beams, grid);
+  layout_ = echoLayoutOf(probe, knobs, effect, beams, grid, look_rad);
   stride_ = std::ptrdiff_t{2} * layout_.tiles * kTileColumns;
   field_.assign(static_cast<std::size_t>(stride_) * layout_.grid.lines.size(), 0.0F);
   fineStride_ = stride_ + 2;  // scatterers are shared by two columns

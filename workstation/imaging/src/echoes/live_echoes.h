@@ -24,8 +24,8 @@ namespace ew::detail {
 /// Source: scatterers seen through a separable point spread function, as resources/docs/forward-model.md; no code is shared with it.
 class LiveEchoes {
  public:
-  /// @param grid made with echoSpacing_mm
-  void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const EchoBeams& beams, const BeamGrid& grid);
+  /// @param grid made with echoSpacing_mm and this look
+  void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const EchoBeams& beams, const BeamGrid& grid, double look_rad);
 
   /// What the steps after it show of the tissue's motion.
   /// @param motion null: nothing moves

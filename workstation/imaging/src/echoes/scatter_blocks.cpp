@@ -75,12 +75,21 @@ Piece pieceOf(const EchoLayout& layout, const BlockSize& size, int number) {
 bool belongs(const FanShape& fan, const Piece& piece, const glm::dvec3& p_mm, double radius_mm) {
   const double y_mm = p_mm.y + fan.apexToFace_mm;
   // Without the angle, which only placeOf needs.
-  const double depth_mm = fan.kind == FanShape::Kind::sector ? std::sqrt(p_mm.x * p_mm.x + y_mm * y_mm) - fan.apexToFace_mm
-                                                             : fan.placeOf(glm::dvec2(p_mm)).depth_mm;
+  const bool isArc = fan.kind == FanShape::Kind::sector && fan.steering_rad == 0.0;
+  const double depth_mm = isArc ? std::sqrt(p_mm.x * p_mm.x + y_mm * y_mm) - fan.apexToFace_mm : fan.placeOf(glm::dvec2(p_mm)).depth_mm;
   if (depth_mm < piece.nearest_mm || depth_mm >= piece.farthest_mm) return false;
   if (fan.kind == FanShape::Kind::parallel)
     return (std::abs(fan.placeOf(glm::dvec2(p_mm)).across) - 1.0) * fan.halfWidth_mm <
            (piece.beside_mm + radius_mm) / std::cos(fan.steering_rad);
+  if (fan.kind == FanShape::Kind::sector && !isArc) {
+    double beyond_mm = -std::numeric_limits<double>::infinity();
+    for (const double side : {-1.0, 1.0}) {
+      const FanShape::Line line = fan.lineAt(side);
+      const glm::dvec2 from_mm = glm::dvec2(p_mm) - line.origin_mm;
+      beyond_mm = std::max(beyond_mm, side * (from_mm.x * line.direction.y - from_mm.y * line.direction.x));
+    }
+    return fan.halfAngle_rad + std::abs(fan.steering_rad) > 0.5 * std::numbers::pi || beyond_mm < radius_mm + piece.beside_mm;
+  }
   // Distance beyond the outermost line, as far as it is a straight one.
   const double beyond_mm = std::abs(p_mm.x) * std::cos(fan.halfAngle_rad) - y_mm * std::sin(fan.halfAngle_rad);
   return fan.halfAngle_rad > 0.5 * std::numbers::pi || beyond_mm < radius_mm + piece.beside_mm;
@@ -133,7 +142,13 @@ ScatterTask scatterTaskOf(const EchoLayout& layout, const EchoPlace& place, cons
   task.shear = static_cast<float>(std::tan(fan.steering_rad));
   task.perCosine = static_cast<float>(1.0 / std::cos(fan.steering_rad));
   const double halfRows = 0.5 * static_cast<double>(layout.grid.lines.size() - 1) * layout.rowsPerLine;
-  task.rowsPerUnit = static_cast<float>(halfRows / (fan.kind == FanShape::Kind::sector ? fan.halfAngle_rad : fan.halfWidth_mm));
+  const double units = fan.kind == FanShape::Kind::sector ? fan.halfAngle_rad : fan.halfWidth_mm;
+  task.rowsPerUnit = static_cast<float>(halfRows / units);
+  task.steers = fan.steering_rad != 0.0;
+  task.steering_rad = static_cast<float>(fan.steering_rad);
+  task.touched_mm = static_cast<float>(fan.apexToFace_mm * std::sin(fan.steering_rad));
+  task.cosine_mm = static_cast<float>(fan.apexToFace_mm * std::cos(fan.steering_rad));
+  task.leadTurns = static_cast<float>(2.0 / layout.beams.wavelength_mm * fan.wavefrontLead_mm() / units);
   task.middleRow = static_cast<float>(layout.rowPadding + halfRows);
   task.columnsPerMm = static_cast<float>(1.0 / layout.grid.sampleSpacing_mm);
   task.turnsPerMm = static_cast<float>(2.0 / layout.beams.wavelength_mm);

@@ -86,11 +86,16 @@ HWY_INLINE F arcTangent(F h) {
   return times(p, h);
 }
 
-/// Row and range (mm along its line) of points of the probe frame.
-template <FanShape::Kind kKind>
-HWY_INLINE void placeOnLines(const ScatterTask& task, F x, F y, F& row, F& range) {
+/// Arc sine for |x| <= 0.97: twice the angle whose tangent is x / (1 + cosine).
+HWY_INLINE F arcSine(F x) {
+  const auto cosine = hn::Sqrt(hn::Sub(set(1.0F), times(x, x)));
+  return times(set(2.0F), arcTangent(hn::Div(x, plus(set(1.0F), cosine))));
+}
+
+/// Place across the lines (an angle or a width on the face), row and range (mm along its line) of points of the probe frame.
+template <FanShape::Kind kKind, bool kSteers>
+HWY_INLINE void placeOnLines(const ScatterTask& task, F x, F y, F& across, F& row, F& range) {
   const auto apex = set(task.apex_mm);
-  F across;
   if constexpr (kKind == FanShape::Kind::parallel) {
     across = hn::Sub(x, times(y, set(task.shear)));
     range = times(y, set(task.perCosine));
@@ -105,7 +110,13 @@ HWY_INLINE void placeOnLines(const ScatterTask& task, F x, F y, F& row, F& range
     const auto half = hn::Div(x, plus(plus(radius, down), set(1e-6F)));
     const auto clamped = hn::Min(hn::Max(half, set(-0.8F)), set(0.8F));
     across = plus(times(set(2.0F), arcTangent(clamped)), times(set(16.0F), hn::Sub(half, clamped)));
-    range = hn::Sub(radius, apex);
+    if constexpr (kSteers) {
+      const auto at = hn::Max(radius, set(1.05F * std::abs(task.touched_mm) + 1e-3F)), touched = set(task.touched_mm);
+      across = plus(across, hn::Sub(arcSine(hn::Div(touched, at)), set(task.steering_rad)));
+      range = hn::Sub(hn::Sqrt(hn::Sub(times(at, at), times(touched, touched))), set(task.cosine_mm));
+    } else {
+      range = hn::Sub(radius, apex);
+    }
   }
   row = plus(set(task.middleRow), times(set(task.rowsPerUnit), across));
 }
@@ -205,7 +216,7 @@ HWY_INLINE void announce(const ScatterTask& task, const ScatterBlock& block) {
       __builtin_prefetch(task.level + (static_cast<std::ptrdiff_t>(k) * task.dims.y + j) * task.dims.x + from.x);
 }
 
-template <FanShape::Kind kKind>
+template <FanShape::Kind kKind, bool kSteers>
 HWY_NOINLINE void addBlock(const ScatterTask& task, const ScatterBlock& block, Pending& pending) {
   const D d;
   const DI di;
@@ -239,8 +250,8 @@ HWY_NOINLINE void addBlock(const ScatterTask& task, const ScatterBlock& block, P
     const auto z = along(2);
     if (hn::AllTrue(d, hn::Gt(hn::Abs(z), set(block.reach_mm)))) continue;
     const auto x = along(0), y = along(1);
-    F row, range;
-    placeOnLines<kKind>(task, x, y, row, range);
+    F across, row, range;
+    placeOnLines<kKind, kSteers>(task, x, y, across, row, range);
 
     // Elevational beam: amplitude, and the lens' wavefront, r + z^2 / 2R with R = (off^2 + range^2) / off.
     const auto off = hn::Sub(range, set(task.lensFocus_mm));
@@ -269,8 +280,9 @@ HWY_NOINLINE void addBlock(const ScatterTask& task, const ScatterBlock& block, P
     const auto amplitude = hn::Div(exp2Of(d, hn::Sub(strength, fall)), hn::Sqrt(hn::Sqrt(widening)));
     const auto sign = hn::BitCast(d, hn::And(spread(hn::Add(other, hn::Set(du, 0x9E3779B9U))), hn::Set(du, 0x80000000U)));
     const auto kept = hn::Xor(hn::IfThenElseZero(sounding, amplitude), sign);
-    F re, im;
-    phaseOf(hn::IfThenElseZero(inside, times(path, set(task.turnsPerMm))), re, im);
+    F re, im, turns = times(path, set(task.turnsPerMm));
+    if constexpr (kSteers) turns = plus(turns, times(across, set(task.leadTurns)));
+    phaseOf(hn::IfThenElseZero(inside, turns), re, im);
     const auto wholeRow = roundedOf(hn::IfThenElseZero(inside, row));
     const auto insideColumn = hn::IfThenElseZero(inside, column);
     const auto wholeColumn = hn::ConvertTo(di, insideColumn);
@@ -286,13 +298,15 @@ void addScatterersOf(const ScatterTask& task, const ScatterBlock* blocks, std::s
     if (n + 1 < count) announce(task, blocks[n + 1]);
     switch (task.kind) {
       case FanShape::Kind::parallel:
-        addBlock<FanShape::Kind::parallel>(task, blocks[n], pending);
+        task.steers ? addBlock<FanShape::Kind::parallel, true>(task, blocks[n], pending)
+                    : addBlock<FanShape::Kind::parallel, false>(task, blocks[n], pending);
         break;
       case FanShape::Kind::trapezoid:
-        addBlock<FanShape::Kind::trapezoid>(task, blocks[n], pending);
+        addBlock<FanShape::Kind::trapezoid, false>(task, blocks[n], pending);
         break;
       case FanShape::Kind::sector:
-        addBlock<FanShape::Kind::sector>(task, blocks[n], pending);
+        task.steers ? addBlock<FanShape::Kind::sector, true>(task, blocks[n], pending)
+                    : addBlock<FanShape::Kind::sector, false>(task, blocks[n], pending);
         break;
     }
   }

@@ -34,8 +34,13 @@ struct ScatterTask {
   // Lines, as FanShape.
   FanShape::Kind kind = FanShape::Kind::sector;
   float apex_mm = 0.0F;
-  float shear = 0.0F;        ///< parallel: tangent of the steering
-  float perCosine = 1.0F;    ///< parallel: 1 / cosine of the steering
+  float shear = 0.0F;      ///< parallel: tangent of the steering
+  float perCosine = 1.0F;  ///< parallel: 1 / cosine of the steering
+  bool steers = false;
+  float touched_mm = 0.0F;  ///< sector: the circle about the apex that steered lines touch
+  float steering_rad = 0.0F;
+  float cosine_mm = 0.0F;    ///< sector: of the steering, times apex_mm
+  float leadTurns = 0.0F;    ///< of the carrier's phase, for one unit of `across` (FanShape::wavefrontLead_mm)
   float rowsPerUnit = 1.0F;  ///< of angle (sector) or of width on the face
   float middleRow = 0.0F;
   float columnsPerMm = 1.0F;

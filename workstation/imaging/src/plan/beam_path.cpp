@@ -1,9 +1,11 @@
 #include "beam_path.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
+#include "ew/core/contract.h"
 #include "ew/imaging/effects/contact.h"
 #include "ew/imaging/effects/noise.h"
 #include "planning.h"
@@ -21,7 +23,7 @@ void transpose(ImageView<const std::uint8_t> linesAsRows, ImageView<std::uint8_t
 }  // namespace
 
 void BeamPath::configure(const Plan& plan, const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry,
-                         double spacing_mm) {
+                         double spacing_mm, double look_rad) {
   const auto has = [&](StepKind kind) {
     return std::any_of(plan.steps.begin(), plan.steps.end(), [kind](const Step& step) { return step.kind == kind; });
   };
@@ -30,15 +32,16 @@ void BeamPath::configure(const Plan& plan, const Probe& probe, const Knobs& knob
   knobs_ = withCarrierOf(probe, knobs);
   scene_ = scene;
   greyPerDb_ = 255.0 / scene.recordedDynamicRange_db;
-  if (gridFrom_.changesTo(probe, knobs.steering_rad, knobs.trapezoid, geometry.depth_mm, spacing_mm))
-    grid_ = makeBeamGrid(probe, knobs, geometry.depth_mm, spacing_mm);
+  if (gridFrom_.changesTo(probe, knobs.steering_rad, knobs.trapezoid, geometry.depth_mm, spacing_mm, look_rad))
+    grid_ = makeBeamGrid(probe, knobs, geometry.depth_mm, spacing_mm, look_rad);
   const int lineCount = static_cast<int>(grid_.lines.size());
   if (!plan.onBeams) return;
   if (linesAsRows_.width != grid_.samples || linesAsRows_.height != lineCount) linesAsRows_ = GreyImage(grid_.samples, lineCount);
   if (echoes_.width != lineCount || echoes_.height != grid_.samples) echoes_ = BeamImage(lineCount, grid_.samples);
   contact_.resize(grid_.lines.size());
 
-  if (conversionFrom_.changesTo(grid_, geometry)) conversion_ = makeScanConversion(probe, knobs, grid_, geometry);
+  if (has(StepKind::scanConversion) && conversionFrom_.changesTo(grid_, geometry))
+    conversion_ = makeScanConversion(probe, knobs, grid_, geometry);
   if (!has(StepKind::elevationPlanes)) {
     planes_.clear();
     planesFrom_ = {};
@@ -58,8 +61,8 @@ void BeamPath::configure(const Plan& plan, const Probe& probe, const Knobs& knob
   isLive_ = has(StepKind::scatterers);
   if (isLive_) {
     const EchoBeams beams = echoBeamsOf(probe, knobs_, scene, geometry.depth_mm);
-    if (liveFrom_.changesTo(probe, beams, scene, grid_, knobs.steering_rad, knobs.trapezoid))
-      live_.configure(probe, knobs_, scene, beams, grid_);
+    if (liveFrom_.changesTo(probe, beams, scene, grid_, knobs.steering_rad, knobs.trapezoid, look_rad))
+      live_.configure(probe, knobs_, scene, beams, grid_, look_rad);
   }
   if (has(StepKind::ownGrain)) {
     ownGrain_ = ownGrainOf(*scene.liveEchoes, scene.recordedDynamicRange_db);
@@ -239,6 +242,14 @@ void BeamPath::addNoise(std::uint64_t frameNumber, Bands& bands) {
 
 void BeamPath::amplify(Bands& bands) {
   bands.run(echoes_.height, [&](int firstRow, int count, int) { ew::amplify(gain_, firstRow, depths(firstRow, count)); });
+}
+
+void BeamPath::compound(const CompoundTable& table, std::span<BeamPath> asides, Bands& bands) {
+  std::array<BeamImage*, kMostCompoundAngles> levels{};
+  EW_EXPECTS(asides.size() <= levels.size());
+  for (std::size_t n = 0; n < asides.size(); ++n) levels[n] = &asides[n].echoes_;
+  ew::detail::compound(table, compoundBrightens_db(static_cast<int>(asides.size()) + 1, scene_.liveEchoes->looks), greyPerDb_,
+                       std::span(levels).first(asides.size()), bands, echoes_);
 }
 
 void BeamPath::convert(Bands& bands, ImageView<std::uint8_t> picture) const {

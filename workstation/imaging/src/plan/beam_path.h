@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "compound.h"
 #include "echoes/live_echoes.h"
 #include "ew/imaging/bands.h"
 #include "ew/imaging/beam_grid.h"
@@ -32,8 +33,9 @@ struct ThreadScratch {
 class BeamPath {
  public:
   /// Makes the tables that the steps of `plan` need, and again only when what they depend on changed.
+  /// @param look_rad how far lines are steered beyond what the knobs ask: a direction of a compound image
   void configure(const Plan& plan, const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry,
-                 double spacing_mm);
+                 double spacing_mm, double look_rad = 0.0);
 
   /// From here on the frame is seen from this place.
   void place(const Transform<frame::Voxel, frame::Probe>& probeToVoxel) { probeToVoxel_ = probeToVoxel; }
@@ -60,6 +62,8 @@ class BeamPath {
   void openBlack(Bands& bands);
   void addNoise(std::uint64_t frameNumber, Bands& bands);
   void amplify(Bands& bands);
+  /// The mean with levels of other directions.
+  void compound(const CompoundTable& table, std::span<BeamPath> asides, Bands& bands);
   void convert(Bands& bands, ImageView<std::uint8_t> picture) const;
 
   /// One line of the levels as they are now, rounded; `beam` holds one value a sample.
@@ -84,7 +88,7 @@ class BeamPath {
   double greyPerDb_ = 0.0;
 
   BeamGrid grid_;
-  MadeFrom<Probe, double, bool, double, double> gridFrom_;
+  MadeFrom<Probe, double, bool, double, double, double> gridFrom_;
   ScanConversionTable conversion_;
   MadeFrom<BeamGrid, DisplayGeometry> conversionFrom_;
   std::vector<ElevationPlane> planes_;
@@ -100,7 +104,7 @@ class BeamPath {
   MadeFrom<BeamGrid, BeamGainSetting> gainFrom_;
   TissueLosses losses_;
   LiveEchoes live_;
-  MadeFrom<Probe, EchoBeams, Scene, BeamGrid, double, bool> liveFrom_;
+  MadeFrom<Probe, EchoBeams, Scene, BeamGrid, double, bool, double> liveFrom_;
   bool isLive_ = false;
   bool hasField_ = false;   ///< live echoes whose envelope was not taken yet
   bool hasLabels_ = false;  ///< of the frame in work

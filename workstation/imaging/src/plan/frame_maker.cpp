@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "beam_path.h"
+#include "compound.h"
 #include "ew/core/contract.h"
 #include "ew/imaging/effects/edge_enhancement.h"
 #include "ew/imaging/effects/gain.h"
@@ -58,7 +59,10 @@ struct FrameMaker::Parts {
 
  private:
   void makeGreyTables(bool hasStrip);
+  void layCompound(const Probe& probe, double spacing_mm);
   void run(StepKind kind, const FrameInput& input);
+  void runOnBeams(StepKind kind, const FrameInput& input, detail::BeamPath& beams);
+  void compound(const FrameInput& input);
   void sampleDisplay(const SliceSource& echo, const Pose& pose);
   void sharpen();
   void drawStrip(const FrameInput& input);
@@ -71,6 +75,9 @@ struct FrameMaker::Parts {
   Bands bands_;
   std::vector<detail::ThreadScratch> scratch_;  ///< one for each thread
   detail::BeamPath beams_;
+  std::vector<detail::BeamPath> asides_;  ///< the other directions of a compound image
+  detail::CompoundTable compound_;
+  detail::MadeFrom<Probe, BeamGrid, double, int> compoundFrom_;
   detail::MadeFrom<Probe, double, bool, DisplayGeometry> picturesFrom_;
   detail::MadeFrom<Probe, double, bool, double, double> stripFrom_;
   GreyImage sampled_;               ///< black outside the fan, for good: steps write inside alone
@@ -146,8 +153,8 @@ void FrameMaker::Parts::configure(const Probe& probe, const Knobs& knobs, const 
   };
   if (asked_ && isAsked(*asked_)) return;
   asked_ = Asked{probe, knobs, scene, grid, width, height, hasLabels, hasTissue, isRecorded, pan};
-  knobs_ = limited(knobs);
-  scene_ = detail::knownScene(limited(scene), hasTissue, isRecorded, knobs_.quality);
+  scene_ = detail::knownScene(limited(scene), hasTissue, isRecorded, limited(knobs));
+  knobs_ = detail::knownKnobs(limited(knobs), probe, scene_);
   if (knobs_.persistence == 0.0) persistence_.empty = true;
 
   geometry_ = fitDisplay(probe, knobs_, width, height, pan);
@@ -172,6 +179,7 @@ void FrameMaker::Parts::configure(const Probe& probe, const Knobs& knobs, const 
   plan_.steps.reserve(lifted_.steps.size());
   times_.reserve(lifted_.steps.size());
   beams_.configure(lifted_, probe, knobs_, scene_, geometry_, spacing_mm);
+  layCompound(probe, spacing_mm);
 
   const bool hasStrip = knobs_.mode != DisplayMode::bMode;
   if (!hasStrip) {
@@ -182,6 +190,44 @@ void FrameMaker::Parts::configure(const Probe& probe, const Knobs& knobs, const 
     beam_.resize(static_cast<std::size_t>(beams_.grid().samples));
   }
   makeGreyTables(hasStrip);
+}
+
+void FrameMaker::Parts::layCompound(const Probe& probe, double spacing_mm) {
+  const auto isCompound = [](const Step& step) { return step.kind == StepKind::compound; };
+  const auto step = std::find_if(lifted_.steps.begin(), lifted_.steps.end(), isCompound);
+  if (step == lifted_.steps.end()) {
+    asides_.clear();
+    compound_ = {};
+    compoundFrom_ = {};
+    return;
+  }
+  const Plan before{{lifted_.steps.begin(), step}, true};
+  const std::vector<double> looks_rad = detail::looksBeside(knobs_.compoundAngles, isSector(probe.kind));
+  if (asides_.size() != looks_rad.size())
+    asides_ = std::vector<detail::BeamPath>(looks_rad.size());  // they must not move: parts of them
+                                                                // point at one another
+  std::vector<BeamGrid> grids;
+  for (std::size_t look = 0; look < asides_.size(); ++look) {
+    asides_[look].configure(before, probe, knobs_, scene_, geometry_, spacing_mm, looks_rad[look]);
+    grids.push_back(asides_[look].grid());
+  }
+  if (compoundFrom_.changesTo(probe, beams_.grid(), knobs_.steering_rad, knobs_.compoundAngles))
+    compound_ = detail::makeCompound(probe, knobs_, beams_.grid(), grids, looks_rad);
+}
+
+void FrameMaker::Parts::compound(const FrameInput& input) {
+  for (std::size_t look = 0; look < asides_.size(); ++look) {
+    detail::BeamPath& beams = asides_[look];
+    beams.place(input.echo.grid.worldToVoxel() * input.pose.probeToWorld);
+    if (scene_.contact && input.gaps_mm.size() >= 2) beams.findContact(input.gaps_mm);
+    FrameInput own = input;
+    own.number += (look + 1) * 0x9e3779b97f4a7c15ULL;  // noise of its own
+    for (const Step& step : plan_.steps) {
+      if (step.kind == StepKind::compound) break;
+      runOnBeams(step.kind, own, beams);
+    }
+  }
+  beams_.compound(compound_, asides_, bands_);
 }
 
 void FrameMaker::Parts::makeGreyTables(bool hasStrip) {
@@ -233,39 +279,14 @@ ImageView<const std::uint8_t> FrameMaker::Parts::make(const FrameInput& input) {
 
 void FrameMaker::Parts::run(StepKind kind, const FrameInput& input) {
   switch (kind) {
-    case StepKind::scatterers:
-      EW_EXPECTS(input.tissue != nullptr);
-      return beams_.scatter(input, bands_);
-    case StepKind::envelope:
-      return beams_.takeEnvelope(bands_);
-    case StepKind::ownGrain:
-      return beams_.keepOwnGrain(input.echo, *input.tissue, input.tissueGrid, input.pose.probeToWorld, bands_, scratch_);
     case StepKind::sampleWeave:
     case StepKind::sampleLinear:
     case StepKind::sampleCubic:
-      return plan_.onBeams ? beams_.sample(input.echo, bands_, scratch_) : sampleDisplay(input.echo, input.pose);
+      return plan_.onBeams ? runOnBeams(kind, input, beams_) : sampleDisplay(input.echo, input.pose);
     case StepKind::zoomStretch:
       return;
-    case StepKind::elevationPlanes:
-      return beams_.addElevationPlanes(input.echo, bands_, scratch_);
-    case StepKind::labels:
-      return beams_.sampleLabels(input.labels, input.labels.grid.worldToVoxel() * input.pose.probeToWorld, bands_, scratch_);
-    case StepKind::contact:
-      return beams_.loseContact(bands_, scratch_);
-    case StepKind::attenuation:
-      return beams_.attenuate(input, bands_, scratch_);
-    case StepKind::reverberation:
-      return beams_.reverberate(input.labels, input.labels.grid.worldToVoxel() * input.pose.probeToWorld, bands_);
-    case StepKind::focusStretch:
-      return beams_.focusByRows(bands_, scratch_);
-    case StepKind::focusKernel:
-      return beams_.focusByKernels(bands_, scratch_);
-    case StepKind::black:
-      return beams_.openBlack(bands_);
-    case StepKind::noise:
-      return beams_.addNoise(input.number, bands_);
-    case StepKind::gain:
-      return beams_.amplify(bands_);
+    case StepKind::compound:
+      return compound(input);
     case StepKind::mMode:
       return drawStrip(input);
     case StepKind::scanConversion:
@@ -283,6 +304,64 @@ void FrameMaker::Parts::run(StepKind kind, const FrameInput& input) {
         applyGainTable({viewOf(*picture_).row(firstRow), picture_->width, count, picture_->width}, std::span(spans_).subspan(first, rows),
                        std::span(table_).subspan(256 * first, 256 * rows));
       });
+    case StepKind::scatterers:
+    case StepKind::elevationPlanes:
+    case StepKind::labels:
+    case StepKind::contact:
+    case StepKind::attenuation:
+    case StepKind::reverberation:
+    case StepKind::focusStretch:
+    case StepKind::focusKernel:
+    case StepKind::black:
+    case StepKind::noise:
+    case StepKind::envelope:
+    case StepKind::ownGrain:
+    case StepKind::gain:
+      return runOnBeams(kind, input, beams_);
+  }
+}
+
+void FrameMaker::Parts::runOnBeams(StepKind kind, const FrameInput& input, detail::BeamPath& beams) {
+  switch (kind) {
+    case StepKind::scatterers:
+      EW_EXPECTS(input.tissue != nullptr);
+      return beams.scatter(input, bands_);
+    case StepKind::envelope:
+      return beams.takeEnvelope(bands_);
+    case StepKind::ownGrain:
+      return beams.keepOwnGrain(input.echo, *input.tissue, input.tissueGrid, input.pose.probeToWorld, bands_, scratch_);
+    case StepKind::sampleWeave:
+    case StepKind::sampleLinear:
+    case StepKind::sampleCubic:
+      return beams.sample(input.echo, bands_, scratch_);
+    case StepKind::elevationPlanes:
+      return beams.addElevationPlanes(input.echo, bands_, scratch_);
+    case StepKind::labels:
+      return beams.sampleLabels(input.labels, input.labels.grid.worldToVoxel() * input.pose.probeToWorld, bands_, scratch_);
+    case StepKind::contact:
+      return beams.loseContact(bands_, scratch_);
+    case StepKind::attenuation:
+      return beams.attenuate(input, bands_, scratch_);
+    case StepKind::reverberation:
+      return beams.reverberate(input.labels, input.labels.grid.worldToVoxel() * input.pose.probeToWorld, bands_);
+    case StepKind::focusStretch:
+      return beams.focusByRows(bands_, scratch_);
+    case StepKind::focusKernel:
+      return beams.focusByKernels(bands_, scratch_);
+    case StepKind::black:
+      return beams.openBlack(bands_);
+    case StepKind::noise:
+      return beams.addNoise(input.number, bands_);
+    case StepKind::gain:
+      return beams.amplify(bands_);
+    case StepKind::zoomStretch:
+    case StepKind::compound:
+    case StepKind::mMode:
+    case StepKind::scanConversion:
+    case StepKind::edges:
+    case StepKind::persistence:
+    case StepKind::table:
+      EW_EXPECTS(false);  // of the picture, not of lines
   }
 }
 

@@ -42,6 +42,7 @@ constexpr StepInfo kSteps[] = {
     {StepKind::black, "black", EW_TRANSLATE_NOOP("ew::StepKind", "black"), 0.0, 0.3},
     {StepKind::noise, "noise", EW_TRANSLATE_NOOP("ew::StepKind", "noise"), 0.0, 1.7},
     {StepKind::envelope, "envelope", EW_TRANSLATE_NOOP("ew::StepKind", "envelope"), 0.0, 4.0},
+    {StepKind::compound, "compounding", EW_TRANSLATE_NOOP("ew::StepKind", "compounding"), 0.0, 2.0},
     {StepKind::ownGrain, "own grain", EW_TRANSLATE_NOOP("ew::StepKind", "own grain"), 0.0, 9.0},
     {StepKind::gain, "gain", EW_TRANSLATE_NOOP("ew::StepKind", "gain"), 0.0, 0.1},
     {StepKind::mMode, "M-mode", EW_TRANSLATE_NOOP("ew::StepKind", "M-mode"), 0.0, 0.0},
@@ -50,6 +51,11 @@ constexpr StepInfo kSteps[] = {
     {StepKind::persistence, "persistence", EW_TRANSLATE_NOOP("ew::StepKind", "persistence"), 0.4, 0.0},
     {StepKind::table, "grey table", EW_TRANSLATE_NOOP("ew::StepKind", "table"), 0.06, 0.0},
 };
+
+// Harmonics lie this far below the echoes of what was sent, and the machine's gain lifts both (Averkiou, Roundhill & Powers 1997: 10 to
+// 20 dB; the difference to the carrier's own).
+constexpr double kHarmonicNoise_db = 10.0;
+constexpr double kHarmonicHaze = 1.5;  // of the decibels: squared on transmission alone
 
 // Of live echoes beside each sample's share: to place a scatterer, weigh it and add it up; the envelope costs its share for every look.
 constexpr double kScatterer_ns = 15.0;
@@ -104,8 +110,9 @@ std::ostream& operator<<(std::ostream& out, const Plan& plan) {
 
 Plan makePlan(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid, bool hasLabels,
               bool hasGaps, bool hasTissue, bool isRecorded) {
-  const Knobs usable = limited(knobs);
-  const Scene limitedScene = detail::knownScene(limited(scene), hasTissue, isRecorded, usable.quality);
+  const Knobs asked = limited(knobs);
+  const Scene limitedScene = detail::knownScene(limited(scene), hasTissue, isRecorded, asked);
+  const Knobs usable = detail::knownKnobs(asked, probe, limitedScene);
   const double spacing_mm = formsEchoes(limitedScene) ? detail::liveSpacing_mm(probe, usable, limitedScene, geometry.depth_mm)
                                                       : detail::beamSpacing_mm(geometry, grid);
   return detail::planOf(probe, usable, limitedScene, geometry, grid,
@@ -113,6 +120,34 @@ Plan makePlan(const Probe& probe, const Knobs& knobs, const Scene& scene, const 
 }
 
 namespace detail {
+
+Scene knownScene(Scene scene, bool hasTissue, bool isRecorded, const Knobs& knobs) {
+  if (!hasTissue) scene.liveEchoes.reset();
+  if (!scene.liveEchoes) return scene;
+  LiveEchoesEffect& echoes = *scene.liveEchoes;
+  echoes = qualityOf(echoes, knobs.quality);
+  if (!isRecorded) echoes.ownGrain = 0.0;
+  if (isRecorded) {
+    echoes.fragmentsPerCm3 = echoes.texture_db = 0.0;
+    echoes.gain_db -= LiveEchoesEffect{}.gain_db - kLevelGain_db;
+  }
+  if (!knobs.harmonic || keepsOwnGrain(scene)) return scene;
+  echoes.haze_db *= kHarmonicHaze;
+  if (scene.noise) {
+    scene.noise->atFace_db += kHarmonicNoise_db;
+    scene.noise->largest_db += kHarmonicNoise_db;
+  }
+  return scene;
+}
+
+Knobs knownKnobs(Knobs knobs, const Probe& probe, const Scene& scene) {
+  const bool isAnew = formsEchoes(scene) && !keepsOwnGrain(scene);
+  if (!isAnew) knobs.harmonic = false;
+  const bool fansOut = probe.kind == ProbeKind::linear && knobs.trapezoid && probe.trapezoidHalfAngle_rad > 0.0;
+  const bool isArray = probe.kind == ProbeKind::linear || probe.kind == ProbeKind::convex;
+  if (!isAnew || !isArray || fansOut || knobs.quality == Quality::weave) knobs.compoundAngles = 1;
+  return knobs;
+}
 
 double beamSpacing_mm(const DisplayGeometry& geometry, const Grid& grid) {
   constexpr double kFewest = 200.0, kMost = 1200.0;
@@ -206,6 +241,13 @@ Plan planOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const Di
     if (scene.attenuation && !tissuesDecide) add(StepKind::attenuation);
     if (losesContact) add(StepKind::contact);
     if (scene.reverberation && !tissuesKnown) add(StepKind::reverberation);
+    if (knobs.compoundAngles > 1) {
+      // Everything so far once more for each other direction.
+      double once_us = 0.0;
+      for (const Step& step : plan.steps) once_us += step.estimated_us;
+      add(StepKind::compound, knobs.compoundAngles - 1.0);
+      plan.steps.back().estimated_us += (knobs.compoundAngles - 1) * once_us;
+    }
     if (!gain.isNeutral()) add(StepKind::gain);
   } else if (plan.onBeams) {
     if (live) {

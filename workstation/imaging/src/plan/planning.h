@@ -21,18 +21,12 @@ struct FrameSize {
 
 /// The scene without what cannot be done for want of tissue maps, or of a recorded volume's grain; and without the little walls and the
 /// texture of drawn tissue where tissue was recorded, which has its own, as it has the brightness of its machine. Live echoes are as good
-/// as the knobs ask.
-[[nodiscard]] inline Scene knownScene(Scene scene, bool hasTissue, bool isRecorded, Quality quality) {
-  if (!hasTissue) scene.liveEchoes.reset();
-  if (!scene.liveEchoes) return scene;
-  scene.liveEchoes = qualityOf(*scene.liveEchoes, quality);
-  if (!isRecorded) scene.liveEchoes->ownGrain = 0.0;
-  if (isRecorded) {
-    scene.liveEchoes->fragmentsPerCm3 = scene.liveEchoes->texture_db = 0.0;
-    scene.liveEchoes->gain_db -= LiveEchoesEffect{}.gain_db - kLevelGain_db;
-  }
-  return scene;
-}
+/// as the knobs ask; of harmonics, less reaches the side lobes and all of them are nearer to the noise.
+[[nodiscard]] Scene knownScene(Scene scene, bool hasTissue, bool isRecorded, const Knobs& knobs);
+/// The knobs without what this scene cannot do: harmonics and compounding are of echoes formed anew, compounding of linear and convex
+/// probes that send parallel or radial lines, and not of the fast quality.
+/// @param scene as knownScene gave it
+[[nodiscard]] Knobs knownKnobs(Knobs knobs, const Probe& probe, const Scene& scene);
 /// Whether live echoes take up the grain of the recorded volume.
 [[nodiscard]] inline bool keepsOwnGrain(const Scene& scene) { return scene.liveEchoes && scene.liveEchoes->ownGrain > 0.0; }
 /// Sample distance of live echoes, mm: as their pulse asks for.

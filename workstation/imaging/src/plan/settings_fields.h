@@ -47,6 +47,8 @@ void visitFields(Visitor& field, const Knobs*) {
   field.foci("focus_mm", &Knobs::focus_mm, &Knobs::moreFoci_mm, 0.0, 1000.0);
   field.choice("focus_method", &Knobs::focusMethod, kFocusMethodWords);
   field.numberOrZero("carrier_hz", &Knobs::carrier_hz, 1e5, 1e8, say<"the probe's own">);
+  field.flag("harmonic", &Knobs::harmonic);
+  field.oddCount("compound_angles", &Knobs::compoundAngles, 1, kMostCompoundAngles);
   field.numberOrZero("dynamic_range_db", &Knobs::dynamicRange_db, 20.0, 120.0, say<"the range the volume was recorded with">);
   field.choice("grey_map", &Knobs::greyMap, kGreyMapWords);
   field.number("edge_enhancement", &Knobs::edgeEnhancement, 0.0, 1.0, say<"0 is neutral">);

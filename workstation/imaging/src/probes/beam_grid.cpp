@@ -17,10 +17,10 @@ double BeamGrid::lineSpacing_mm(double depth_mm) const {
   return std::abs(between_mm.x * along.y - between_mm.y * along.x);
 }
 
-BeamGrid makeBeamGrid(const Probe& probe, const Knobs& knobs, double depth_mm, double sampleSpacing_mm) {
+BeamGrid makeBeamGrid(const Probe& probe, const Knobs& knobs, double depth_mm, double sampleSpacing_mm, double look_rad) {
   EW_EXPECTS(probe.lines >= 2 && std::isfinite(depth_mm) && depth_mm > 0.0 && sampleSpacing_mm > 0.0);
   EW_EXPECTS(depth_mm / sampleSpacing_mm * probe.lines < 4e9);  // the indices of a scan conversion have 32 bits
-  const detail::FanShape fan = detail::fanShapeOf(probe, knobs);
+  const detail::FanShape fan = detail::fanShapeOf(probe, knobs, look_rad);
   BeamGrid grid;
   grid.lines.reserve(static_cast<std::size_t>(probe.lines));
   for (int n = 0; n < probe.lines; ++n) {
@@ -34,8 +34,8 @@ BeamGrid makeBeamGrid(const Probe& probe, const Knobs& knobs, double depth_mm, d
   return grid;
 }
 
-glm::dvec2 lineAndSampleAt(const Probe& probe, const Knobs& knobs, const BeamGrid& grid, const glm::dvec2& p_mm) {
-  const detail::FanShape::Place place = detail::fanShapeOf(probe, knobs).placeOf(p_mm);
+glm::dvec2 lineAndSampleAt(const Probe& probe, const Knobs& knobs, const BeamGrid& grid, const glm::dvec2& p_mm, double look_rad) {
+  const detail::FanShape::Place place = detail::fanShapeOf(probe, knobs, look_rad).placeOf(p_mm);
   const double middle = 0.5 * static_cast<double>(grid.lines.size() - 1);
   return {middle + middle * place.across, place.depth_mm / grid.sampleSpacing_mm};
 }

@@ -5,12 +5,28 @@
 
 namespace ew::detail {
 
-FanShape fanShapeOf(const Probe& probe, const Knobs& knobs) {
+namespace {
+
+/// The line through a point of a steered sector touches a circle about the apex: the angle at which it is seen from the point, and how far
+/// along the line that is.
+struct Tangent {
+  double angle_rad;
+  double along_mm;
+};
+Tangent tangentFrom(double fromApex_mm, double touched_mm) {
+  const double at_mm = std::max(fromApex_mm, std::abs(touched_mm));
+  return {at_mm > 0.0 ? std::asin(touched_mm / at_mm) : 0.0, std::sqrt(at_mm * at_mm - touched_mm * touched_mm)};
+}
+
+}  // namespace
+
+FanShape fanShapeOf(const Probe& probe, const Knobs& knobs, double look_rad) {
   FanShape fan;
   if (isSector(probe.kind)) {
     fan.kind = FanShape::Kind::sector;
     fan.apexToFace_mm = probe.radius_mm;
     fan.halfAngle_rad = probe.halfAngle_rad;
+    fan.steering_rad = look_rad;
     return fan;
   }
   fan.halfWidth_mm = 0.5 * probe.width_mm;
@@ -19,7 +35,7 @@ FanShape fanShapeOf(const Probe& probe, const Knobs& knobs) {
     fan.halfAngle_rad = probe.trapezoidHalfAngle_rad;
     fan.apexToFace_mm = fan.halfWidth_mm / std::tan(fan.halfAngle_rad);
   } else if (std::isfinite(knobs.steering_rad)) {
-    fan.steering_rad = std::clamp(knobs.steering_rad, -probe.maxSteering_rad, probe.maxSteering_rad);
+    fan.steering_rad = std::clamp(knobs.steering_rad, -probe.maxSteering_rad, probe.maxSteering_rad) + look_rad;
   }
   return fan;
 }
@@ -36,12 +52,22 @@ FanShape::Line FanShape::lineAt(double across) const {
     case Kind::sector:
       break;
   }
-  const glm::dvec2 direction(std::sin(across * halfAngle_rad), std::cos(across * halfAngle_rad));
-  return {{apexToFace_mm * direction.x, apexToFace_mm * (direction.y - 1.0)}, direction};
+  const glm::dvec2 outward(std::sin(across * halfAngle_rad), std::cos(across * halfAngle_rad));
+  Line line{{apexToFace_mm * outward.x, apexToFace_mm * (outward.y - 1.0)}, outward};
+  if (steering_rad != 0.0) {
+    const double angle = across * halfAngle_rad + steering_rad;
+    line.direction = {std::sin(angle), std::cos(angle)};
+  }
+  return line;
 }
 
 glm::dvec2 FanShape::directionThrough(const glm::dvec2& p_mm) const {
   if (kind == Kind::parallel) return {std::sin(steering_rad), std::cos(steering_rad)};
+  if (kind == Kind::sector && steering_rad != 0.0) {
+    const double y_mm = p_mm.y + apexToFace_mm;
+    const double angle = std::atan2(p_mm.x, y_mm) + tangentFrom(std::hypot(p_mm.x, y_mm), apexToFace_mm * std::sin(steering_rad)).angle_rad;
+    return {std::sin(angle), std::cos(angle)};
+  }
   return glm::normalize(glm::dvec2(p_mm.x, std::max(p_mm.y + apexToFace_mm, 1e-9)));
 }
 
@@ -58,8 +84,23 @@ FanShape::Place FanShape::placeOf(const glm::dvec2& p_mm) const {
     case Kind::sector:
       break;
   }
-  const double y_mm = p_mm.y + apexToFace_mm;
-  return {std::atan2(p_mm.x, y_mm) / halfAngle_rad, std::sqrt(p_mm.x * p_mm.x + y_mm * y_mm) - apexToFace_mm};
+  const double y_mm = p_mm.y + apexToFace_mm, fromApex_mm = std::sqrt(p_mm.x * p_mm.x + y_mm * y_mm);
+  if (steering_rad == 0.0) return {std::atan2(p_mm.x, y_mm) / halfAngle_rad, fromApex_mm - apexToFace_mm};
+  const Tangent tangent = tangentFrom(fromApex_mm, apexToFace_mm * std::sin(steering_rad));
+  return {(std::atan2(p_mm.x, y_mm) + tangent.angle_rad - steering_rad) / halfAngle_rad,
+          tangent.along_mm - apexToFace_mm * std::cos(steering_rad)};
+}
+
+double FanShape::wavefrontLead_mm() const {
+  switch (kind) {
+    case Kind::parallel:
+      return halfWidth_mm * std::sin(steering_rad);
+    case Kind::sector:
+      return apexToFace_mm * halfAngle_rad * std::sin(steering_rad);  // involutes of the circle that the lines touch
+    case Kind::trapezoid:
+      break;
+  }
+  return 0.0;
 }
 
 FanShape::Box FanShape::box(double depth_mm) const {

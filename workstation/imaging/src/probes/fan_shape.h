@@ -11,6 +11,7 @@ namespace ew::detail {
 /// The area a probe looks at, as formulas: everything that asks where lines lie asks here. A place along the face is `across`, -1 at the
 /// -x end to +1 at the +x end; lines are spaced evenly in it. Every formula is odd or even in x to the bit unless the lines are steered,
 /// so a mirrored question gets the mirrored answer.
+/// Steered lines of a sector leave its arc at that angle against their own radius, so they touch a circle of radius R sin steering.
 struct FanShape {
   enum class Kind {
     parallel,   ///< from a straight face, all in the direction (sin steering, cos steering)
@@ -19,7 +20,7 @@ struct FanShape {
   };
   Kind kind = Kind::parallel;
   double halfWidth_mm = 0.0;   ///< parallel, trapezoid
-  double steering_rad = 0.0;   ///< parallel
+  double steering_rad = 0.0;   ///< parallel, sector
   double apexToFace_mm = 0.0;  ///< trapezoid, sector
   double halfAngle_rad = 0.0;  ///< trapezoid, sector
 
@@ -37,6 +38,9 @@ struct FanShape {
   [[nodiscard]] glm::dvec2 directionThrough(const glm::dvec2& p_mm) const;
   /// The inverse of lineAt(across).origin_mm + depth_mm * direction.
   [[nodiscard]] Place placeOf(const glm::dvec2& p_mm) const;
+  /// How far the wavefront of a line lies ahead of its depth, at `across` of 1: lines that are steered leave the face one after another, so
+  /// that points of one wavefront are not equally deep on their lines. In proportion to `across`.
+  [[nodiscard]] double wavefrontLead_mm() const;
 
   /// Smallest box around the fan; x is symmetric about the middle of the face.
   struct Box {
@@ -56,6 +60,7 @@ struct FanShape {
 };
 
 /// Steering outside the probe's range is brought to the nearer end of it; steering that is no number is none.
-[[nodiscard]] FanShape fanShapeOf(const Probe& probe, const Knobs& knobs);
+/// @param look_rad how far the lines of one direction of a compound image are steered beyond it (compound.h)
+[[nodiscard]] FanShape fanShapeOf(const Probe& probe, const Knobs& knobs, double look_rad = 0.0);
 
 }  // namespace ew::detail

@@ -34,12 +34,16 @@ struct BeamGrid {
 
 /// The grid of a probe at a depth. Steering and trapezoid act on linear probes alone.
 /// @param sampleSpacing_mm wanted; made smaller so that the last sample lies at depth_mm exactly
-[[nodiscard]] BeamGrid makeBeamGrid(const Probe& probe, const Knobs& knobs, double depth_mm, double sampleSpacing_mm);
+/// @param look_rad how far all lines are steered beyond that, on any probe: one direction of a compound image
+[[nodiscard]] BeamGrid makeBeamGrid(const Probe& probe, const Knobs& knobs, double depth_mm, double sampleSpacing_mm,
+                                    double look_rad = 0.0);
 
 /// Line and sample, both fractional, of a point of the image plane: the inverse of the grid in closed form. Outside the fan they lie
 /// outside [0, lines - 1] or [0, samples - 1].
 /// @param p_mm x and y of the probe frame
-[[nodiscard]] glm::dvec2 lineAndSampleAt(const Probe& probe, const Knobs& knobs, const BeamGrid& grid, const glm::dvec2& p_mm);
+/// @param look_rad with which the grid was made
+[[nodiscard]] glm::dvec2 lineAndSampleAt(const Probe& probe, const Knobs& knobs, const BeamGrid& grid, const glm::dvec2& p_mm,
+                                         double look_rad = 0.0);
 
 /// The rows of samples that sampleRows takes to fill a (samples x lines) picture: row n of it is line n.
 /// @param elevation_mm offset of each sample along the probe's z, as a straight line over depth: at the face and at the last sample

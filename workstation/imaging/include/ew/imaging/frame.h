@@ -40,6 +40,7 @@ enum class StepKind {
   black,  ///< recorded black, opened for a gain in decibels
   noise,
   envelope,  ///< of live echoes: pulse, looks, logarithm
+  compound,  ///< the steps so far along lines of other directions, and the mean of all
   ownGrain,  ///< of a recorded volume, blended into live echoes
   gain,      ///< gain, TGC and dynamic range in decibels
   mMode,

@@ -28,6 +28,7 @@ enum class DisplayMode { bMode, mMode, both };
 
 inline constexpr int kDgcSliders = 8;
 inline constexpr int kMostFoci = 4;
+inline constexpr int kMostCompoundAngles = 5;
 
 /// The grey that stays when the dynamic range is turned: parenchyma, as machines show it (the liver sweep's: 39 to 48).
 inline constexpr double kMiddleGrey = 45.0;
@@ -43,7 +44,9 @@ struct Knobs {
   double focus_mm = 0.0;                            ///< depth of the focus mark; 0: half of the depth
   std::array<double, kMostFoci - 1> moreFoci_mm{};  ///< further foci, 0: not used
   FocusMethod focusMethod = FocusMethod::lateralKernel;
-  double carrier_hz = 0.0;       ///< one of the probe's frequencies; 0: the probe's own
+  double carrier_hz = 0.0;  ///< one of the probe's frequencies; 0: the probe's own
+  bool harmonic = false;    ///< echoes formed anew: half of the carrier is sent, its second harmonic received (echoes/echo_beams.h)
+  int compoundAngles = 1;   ///< echoes formed anew, linear and convex probes: directions whose images are averaged, odd, 1 (neutral)..5
   double dynamicRange_db = 0.0;  ///< shown about kMiddleGrey, 20..120; 0: the range the volume was recorded with
   GreyMap greyMap = GreyMap::automatic;
   double edgeEnhancement = 0.0;  ///< 0 (neutral)..1
