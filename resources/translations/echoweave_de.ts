@@ -11968,6 +11968,10 @@
         <translation>eigene Körnung</translation>
     </message>
     <message>
+        <source>compounding</source>
+        <translation>Mittelung der Richtungen</translation>
+    </message>
+    <message>
         <source>envelope</source>
         <translation>Hüllkurve</translation>
     </message>
@@ -14915,6 +14919,34 @@
         <translation>Kantenanhebung</translation>
     </message>
     <message>
+        <source>Compounding</source>
+        <translation>Mittelung</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Every line is looked along once (%1)</source>
+        <translation>Entlang jeder Linie wird einmal geschaut (%1)</translation>
+    </message>
+    <message>
+        <source>The mean of three directions: less grain, fuller borders, shorter shadows; an image takes three times as long (%1)</source>
+        <translation>Das Mittel aus drei Richtungen: weniger Körnung, vollere Grenzen, kürzere Schatten; ein Bild dauert dreimal so lange (%1)</translation>
+    </message>
+    <message>
+        <source>The mean of five directions, five times as long (%1)</source>
+        <translation>Das Mittel aus fünf Richtungen, fünfmal so lange (%1)</translation>
+    </message>
+    <message>
+        <source>Harmonics</source>
+        <translation>Harmonische</translation>
+    </message>
+    <message>
+        <source>Sends half of the frequency and receives all of it: fluid becomes clearer and layers near the face fainter, depth is lost in noise sooner (%1)</source>
+        <translation>Sendet die halbe Frequenz und empfängt die ganze: Flüssigkeit wird klarer, Schichten vor der Sonde werden schwächer, die Tiefe geht früher im Rauschen unter (%1)</translation>
+    </message>
+    <message>
         <source>Fast</source>
         <translation>Schnell</translation>
     </message>
@@ -16395,6 +16427,18 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Nächste Frequenz</translation>
     </message>
     <message>
+        <source>Harmonics</source>
+        <translation>Harmonische</translation>
+    </message>
+    <message>
+        <source>Directions of compounding</source>
+        <translation>Richtungen der Mittelung</translation>
+    </message>
+    <message>
+        <source>directions of compounding</source>
+        <translation>Richtungen der Mittelung</translation>
+    </message>
+    <message>
         <source>Steer to one side</source>
         <translation>Zur einen Seite schwenken</translation>
     </message>
@@ -16487,8 +16531,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Effekte und Sonde</translation>
     </message>
     <message>
-        <source>next transducer, next frequency</source>
-        <translation>nächste Sonde, nächste Frequenz</translation>
+        <source>next transducer, next frequency, harmonics</source>
+        <translation>nächste Sonde, nächste Frequenz, Harmonische</translation>
     </message>
     <message>
         <source>steer a linear array, trapezoid</source>

@@ -112,6 +112,7 @@ void ConsolePanel::addImagePage(QVBoxLayout* rows) {
                      const int percent = rounded(session_.knobs().persistence * 100.0);
                      return percent == 0 ? tr("off") : tr("%1 %").arg(percent);
                    }});
+  addCompounding(rows);
   addSlider(rows, {tr("Zoom"), QStringLiteral("zoom"), QStringLiteral("8.0 x"),
                    tipWithKeys(tr("Magnify; drag in the image to move the detail (%1)"), "zoom.in | zoom.out"), kZoomSteps, 8 * kZoomSteps,
                    kZoomSteps / 2, [this] { return rounded(session_.knobs().zoom * kZoomSteps); },
@@ -127,6 +128,43 @@ void ConsolePanel::addImagePage(QVBoxLayout* rows) {
   speed.isInline = true;
   addSegments(rows, std::move(speed));
   addAdvanced(addFold(rows, tr("Advanced"), QStringLiteral("advanced"), tr("How the image is computed, and what that costs")));
+}
+
+/// Whether the image is of echoes formed anew: a recorded volume's grain was made by one machine with one setting.
+bool ConsolePanel::formsAnew() const {
+  const std::vector<Step>& steps = session_.plan().steps;
+  const auto has = [&](StepKind kind) { return std::any_of(steps.begin(), steps.end(), [kind](const Step& s) { return s.kind == kind; }); };
+  return has(StepKind::scatterers) && !has(StepKind::ownGrain);
+}
+
+void ConsolePanel::addCompounding(QVBoxLayout* rows) {
+  const auto tip = [](const QString& text) { return tipWithKeys(text, "compound.next"); };
+  ChoiceParts angles{
+      tr("Compounding"),
+      QStringLiteral("compound"),
+      {{tr("Off"), QStringLiteral("compound1"), tip(tr("Every line is looked along once (%1)"))},
+       {QStringLiteral("3"), QStringLiteral("compound3"),
+        tip(tr("The mean of three directions: less grain, fuller borders, shorter shadows; an image takes three times as long (%1)"))},
+       {QStringLiteral("5"), QStringLiteral("compound5"), tip(tr("The mean of five directions, five times as long (%1)"))}},
+      [this] { return (session_.knobs().compoundAngles - 1) / 2; },
+      [this](int i) { change([i](Knobs& k) { k.compoundAngles = 1 + 2 * i; }); },
+      [this] { return formsAnew() && session_.knobs().quality != Quality::weave && !session_.knobs().trapezoid; },
+      [this] { return session_.probe().kind == ProbeKind::linear || session_.probe().kind == ProbeKind::convex; }};
+  angles.isInline = true;
+  addSegments(rows, std::move(angles));
+}
+
+void ConsolePanel::addHarmonics(QVBoxLayout* rows) {
+  QCheckBox* harmonic = addSwitch(
+      rows, tr("Harmonics"), QStringLiteral("harmonic"),
+      tipWithKeys(tr("Sends half of the frequency and receives all of it: fluid becomes clearer and layers near the face fainter, "
+                     "depth is lost in noise sooner (%1)"),
+                  "harmonic"));
+  connect(harmonic, &QCheckBox::toggled, this, [this](bool on) { change([on](Knobs& k) { k.harmonic = on; }); });
+  shows_.emplace_back([this, harmonic] {
+    harmonic->setChecked(session_.knobs().harmonic);
+    harmonic->setEnabled(formsAnew());
+  });
 }
 
 void ConsolePanel::addGreyMaps(QVBoxLayout* rows) {
@@ -226,6 +264,7 @@ void ConsolePanel::addAdvanced(QVBoxLayout* rows) {
 void ConsolePanel::addProbePage(QVBoxLayout* rows) {
   addTransducers(rows);
   addFrequencies(rows);
+  addHarmonics(rows);
   addSteering(rows);
   addFacts(rows);
 }

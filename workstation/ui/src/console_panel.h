@@ -108,6 +108,9 @@ class ConsolePanel final : public QWidget {
   void placeLines();
   void addImagePage(QVBoxLayout* rows);
   void addGreyMaps(QVBoxLayout* rows);
+  void addCompounding(QVBoxLayout* rows);
+  void addHarmonics(QVBoxLayout* rows);
+  [[nodiscard]] bool formsAnew() const;
   void addGainLaws(QVBoxLayout* rows);
   void addZoomButtons(QVBoxLayout* rows);
   void addAdvanced(QVBoxLayout* rows);

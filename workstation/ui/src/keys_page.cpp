@@ -151,6 +151,7 @@ void addConsole(Page& page) {
   page.add("greyMap.next", MainWindow::tr("grey map"));
   page.add("edges.more | edges.less", MainWindow::tr("edge enhancement"));
   page.add("persistence.more | persistence.less", MainWindow::tr("persistence"));
+  page.add("compound.next", MainWindow::tr("directions of compounding"));
   page.end();
 
   // An effect and its part on one line, as their keys stand side by side.
@@ -163,7 +164,7 @@ void addConsole(Page& page) {
     else
       page.add(command, effectText(effect.shortName));
   }
-  page.add("probe.next | frequency.next", MainWindow::tr("next transducer, next frequency"));
+  page.add("probe.next | frequency.next | harmonic", MainWindow::tr("next transducer, next frequency, harmonics"));
   page.add("steering.less | steering.more | trapezoid", MainWindow::tr("steer a linear array, trapezoid"));
   page.end();
 }

@@ -304,6 +304,7 @@ void MainWindow::addImageMenu(QMenu& image) {
   addConsoleAction(image, "edges.less", "edges", -1);
   addConsoleAction(image, "persistence.more", "persistence", 1);
   addConsoleAction(image, "persistence.less", "persistence", -1);
+  addConsoleAction(image, "compound.next", "compound", 1);
   image.addSeparator();
   addConsoleAction(image, "flip.sides", "flip", 1);
   addConsoleAction(image, "flip.upsideDown", "upsideDown", 1);
@@ -321,6 +322,7 @@ void MainWindow::addEffectsMenu(QMenu& effects) {
 void MainWindow::addProbeMenu(QMenu& transducer) {
   parts_->transducerAction = addConsoleAction(transducer, "probe.next", "probe", 1);
   addConsoleAction(transducer, "frequency.next", "frequency", 1);
+  addConsoleAction(transducer, "harmonic", "harmonic", 1);
   addConsoleAction(transducer, "steering.less", "steering", -1);
   addConsoleAction(transducer, "steering.more", "steering", 1);
   addConsoleAction(transducer, "trapezoid", "trapezoid", 1);
