@@ -52,6 +52,46 @@ glm::dvec3 anyPoint(double reach_mm) {
   return {number(), number(), number()};
 }
 
+ShapePtr ballAt(const glm::dvec3& centre_mm, double radius_mm) {
+  return makeEllipsoid({.centre_mm = centre_mm, .radii_mm = glm::dvec3(radius_mm)});
+}
+
+/// One of each kind whose distances are exact, or no farther than they say.
+std::vector<std::pair<const char*, ShapePtr>> shapesOfEveryKind() {
+  const VesselGrowth growth = growthInAnEgg(5, 24);
+  const ShapePtr tree = makeVesselTree(growVesselTree(growth), growth.seed);
+  const ShapePtr tube = makeTube({{-40, 0, 0}, {-10, 20, 5}, {10, -20, -5}, {30, 10, 20}, {45, 0, -20}}, {3, 5, 4, 6, 2});
+  const ShapePtr cone = makeRoundCone({.from_mm = {-20, 5, 0}, .to_mm = {30, -10, 8}, .fromRadius_mm = 14, .toRadius_mm = 5});
+  DrawingFrame frame;
+  frame.origin_mm = {5, -8, 3};
+  frame.axes = {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}};
+  return {{"tree", tree},
+          {"tube", tube},
+          {"cone", cone},
+          {"placed tube", makePlaced(tube, frame)},
+          {"mirrored ball", makeMirrored(ballAt({25, 0, 0}, 12), 4.0)},
+          {"grown tree", makeOffset(tree, 1.5)},
+          {"shrunk ball", makeOffset(ballAt({3, 2, 1}, 30), -6.0)},
+          {"shell", makeShell(ballAt({0, 0, 0}, 35), 2.0, 6.0)},
+          {"union", makeUnion({{tube, 0.0}, {ballAt({-20, 10, 0}, 12), 6.0}, {ballAt({40, 10, 5}, 8), 3.0}})},
+          {"intersection", makeIntersection({{ballAt({0, 0, 0}, 30), 0.0}, {ballAt({20, 0, 0}, 30), 4.0}})},
+          {"difference", makeDifference({{ballAt({0, 0, 0}, 30), 0.0}, {tube, 3.0}, {cone, 0.0}})},
+          {"rough tube", makeRough(tube, {.amplitude_mm = 1.5, .length_mm = 9.0, .seed = 3})}};
+}
+
+RC_GTEST_PROP(Shapes, KnowTheirDistanceUpToWhatIsAskedAndNoLessBeyond, ()) {
+  static const auto shapes = shapesOfEveryKind();
+  const glm::dvec3 p = anyPoint(80.0);
+  const double most_mm = *rc::gen::inRange(1, 400) / 20.0;
+  for (const auto& [name, shape] : shapes) {
+    const double whole = shape->distance_mm(p), found = shape->distanceUpTo_mm(p, most_mm);
+    if (whole < most_mm)
+      RC_ASSERT(found == whole);
+    else
+      RC_ASSERT(found >= most_mm);
+  }
+}
+
 TEST(VesselTree, OfOneStraightTrunkIsExactlyACapsule) {
   VesselGrowth growth = growthInAnEgg(1, 1);
   growth.trunks = {{{-20, 1, 2}, {22, 1, 2}}};

@@ -53,6 +53,12 @@ class Cone {
   double cosine_ = 1.0;
 };
 
+/// The square of distanceToBox_mm, without a root.
+[[nodiscard]] inline double squaredToBox_mm2(const glm::dvec3& p_mm, const Bounds& box) {
+  const glm::dvec3 outside = glm::max(glm::max(box.lowest_mm - p_mm, p_mm - box.highest_mm), glm::dvec3(0.0));
+  return glm::dot(outside, outside);
+}
+
 inline Bounds boundsOfCone(const RoundCone& c) {
   return {glm::min(c.from_mm - c.fromRadius_mm, c.to_mm - c.toRadius_mm), glm::max(c.from_mm + c.fromRadius_mm, c.to_mm + c.toRadius_mm)};
 }

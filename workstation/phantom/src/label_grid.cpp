@@ -13,6 +13,7 @@ namespace {
 constexpr int kLabelBlock = 8;
 // As in voxelise: how far a first-order distance may exceed the true one before a block is wrongly left out.
 constexpr double kLabelReserve = 1.5;
+constexpr double kInside_mm = 0.1;  // how far outside distances are told from one another: not at all
 
 /// The organs that can own a point within `radius_mm` of the centre, by priority.
 void select(const Patient& patient, const glm::dvec3& centre_mm, double radius_mm, std::vector<std::size_t>& near) {
@@ -20,8 +21,8 @@ void select(const Patient& patient, const glm::dvec3& centre_mm, double radius_m
   for (std::size_t n = 0; n < patient.organs.size(); ++n) {
     const phantom::Shape& shape = *patient.organs[n].shape;
     if (shape.atLeast_mm(centre_mm) > radius_mm) continue;
-    const double d = shape.distance_mm(centre_mm);
-    if (d > kLabelReserve * radius_mm) continue;
+    const double d = shape.distanceUpTo_mm(centre_mm, kLabelReserve * radius_mm);
+    if (d >= kLabelReserve * radius_mm) continue;
     near.push_back(n);
     if (d < -kLabelReserve * radius_mm) return;  // whatever comes later is hidden by this one
   }
@@ -29,7 +30,7 @@ void select(const Patient& patient, const glm::dvec3& centre_mm, double radius_m
 
 std::uint8_t labelAmong(const Patient& patient, const std::vector<std::size_t>& near, const glm::dvec3& p_mm) {
   for (const std::size_t n : near)
-    if (patient.organs[n].shape->distance_mm(p_mm) < 0.0) return static_cast<std::uint8_t>(n + 1);
+    if (patient.organs[n].shape->distanceUpTo_mm(p_mm, kInside_mm) < 0.0) return static_cast<std::uint8_t>(n + 1);
   return 0;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "echo_levels.h"
+#include "ew/core/contract.h"
 #include "ew/core/parallel.h"
 
 namespace ew::phantom {
@@ -14,6 +15,8 @@ namespace {
 constexpr double kSurfaceReserve = 1.5;   // as in voxelise: how far a first-order distance may exceed the true one
 constexpr double kSameSurface_mm = 0.05;  // surfaces nearer than this are one
 constexpr double kSlopeStep_mm = 0.05;
+constexpr double kSlopesReach_mm = 1.0;               // beyond what is looked for, where slopes are still exact
+constexpr double kBeside_mm = 2.0 * kSameSurface_mm;  // of a foot: farther than this is another place
 constexpr double kExact_mm = 0.15;
 constexpr double kFaintestLevel = 60.0;  // of a boundary without border that is worth a surface
 constexpr double kThickestWall_mm = 0.9;
@@ -40,25 +43,43 @@ constexpr double kThinnestSolid = 1.7;
 
 constexpr int kSlices = 48;  // spread at once
 constexpr int kMostKinds = 255;
+constexpr std::size_t kMostOrgans = 256;  // of a patient: labels are bytes
 
 }  // namespace
 
 SurfaceFinder::SurfaceFinder(const Patient& patient, double reach_mm) : patient_(patient), reach_mm_(reach_mm) {}
 
+double SurfaceFinder::asked_mm(double reach_mm) { return kSurfaceReserve * (reach_mm + 3.0 * kSameSurface_mm) + 2.0 * kSameSurface_mm; }
+
+double SurfaceFinder::Near::reach_mm(double more_mm) const { return kSurfaceReserve * (away_mm + more_mm) + kSameSurface_mm; }
+
 std::optional<SurfaceFoot> SurfaceFinder::nearest(const glm::dvec3& p_mm, double skin_mm, const std::vector<const Organ*>& near,
                                                   const std::vector<double>& distances_mm) const {
-  std::optional<SurfaceFoot> found;
+  // Those that seem near first: what lies farther than the nearest one found is not asked for its slope.
+  std::array<std::size_t, kMostOrgans> order;
+  std::size_t count = 0;
   for (std::size_t n = 0; n < distances_mm.size(); ++n) {
+    if (std::abs(distances_mm[n]) > kSurfaceReserve * reach_mm_) continue;
+    EW_EXPECTS(count < order.size());
+    std::size_t at = count++;
+    for (; at > 0 && std::abs(distances_mm[order[at - 1]]) > std::abs(distances_mm[n]); --at) order[at] = order[at - 1];
+    order[at] = n;
+  }
+  const double far_mm = kSurfaceReserve * reach_mm_ + kSlopesReach_mm;
+  std::optional<SurfaceFoot> found;
+  for (std::size_t at = 0; at < count; ++at) {
+    const std::size_t n = order[at];
     const double nearest_mm = found ? std::abs(static_cast<double>(found->distance_mm)) : reach_mm_;
-    if (std::abs(distances_mm[n]) > kSurfaceReserve * nearest_mm) continue;
+    if (std::abs(distances_mm[n]) > kSurfaceReserve * nearest_mm) break;
     const Organ& organ = *near[n];
     // Both faces of a sheet that is thinner than the voxels face away from each other, and between them no distance would change its sign.
     const double thickness_mm = organ.shape->sheetThickness_mm();
     const bool isSheet = thickness_mm > 0.0 && thickness_mm < kThinnestSolid * reach_mm_;
     const auto distanceAt = [&](const glm::dvec3& at_mm) {
-      return isSheet ? organ.shape->middle_mm(at_mm) : organ.shape->distance_mm(at_mm);
+      return isSheet ? organ.shape->middle_mm(at_mm) : organ.shape->distanceUpTo_mm(at_mm, far_mm);
     };
     const double d = isSheet ? distanceAt(p_mm) : distances_mm[n];
+    if (std::abs(d) > kSurfaceReserve * nearest_mm) continue;
     glm::dvec3 slope;
     for (int axis = 0; axis < 3; ++axis) {
       glm::dvec3 step(0.0);
@@ -73,49 +94,57 @@ std::optional<SurfaceFoot> SurfaceFinder::nearest(const glm::dvec3& p_mm, double
     if (std::abs(exact) > kExact_mm) exact += distanceAt(p_mm - exact * normal) / steep;
     if (found && std::abs(exact) >= nearest_mm) continue;
     const glm::dvec3 foot = p_mm - exact * normal;
-    if (isSheet && organ.shape->distance_mm(foot) > kSameSurface_mm) continue;  // a gap
-    if (isHidden(foot, std::abs(exact), skin_mm, n, near, distances_mm)) continue;
-    const auto key = keyAt(foot, normal, organ, near);
+    if (isSheet && organ.shape->distanceUpTo_mm(foot, kBeside_mm) > kSameSurface_mm) continue;  // a gap
+    const Near around{near, distances_mm, skin_mm, std::abs(exact)};
+    if (isHidden(foot, n, around)) continue;
+    const auto key = keyAt(foot, normal, organ, around);
     if (!key) continue;
     found = SurfaceFoot{.voxel = {}, .distance_mm = static_cast<float>(exact), .normal = glm::vec3(normal), .key = *key};
   }
   return found;
 }
 
-bool SurfaceFinder::isHidden(const glm::dvec3& foot_mm, double away_mm, double skin_mm, std::size_t n,
-                             const std::vector<const Organ*>& near, const std::vector<double>& distances_mm) const {
-  const double step = kSurfaceReserve * away_mm + kSameSurface_mm;
+bool SurfaceFinder::isHidden(const glm::dvec3& foot_mm, std::size_t n, const Near& near) const {
+  const double step = near.reach_mm(0.0);
   for (std::size_t m = 0; m < n; ++m) {
-    if (distances_mm[m] > step) continue;
-    if (distances_mm[m] < -step) return true;
-    const double d = near[m]->shape->distance_mm(foot_mm);
+    if (near.distances_mm[m] > step) continue;
+    if (near.distances_mm[m] < -step) return true;
+    const double d = near.organs[m]->shape->distanceUpTo_mm(foot_mm, kBeside_mm);
     if (d < -kSameSurface_mm) return true;
-    if (d <= kSameSurface_mm && (near[m]->border || !near[n]->border)) return true;
+    if (d <= kSameSurface_mm && (near.organs[m]->border || !near.organs[n]->border)) return true;
   }
-  return skin_mm > -step && patient_.skin->distance_mm(foot_mm) > kSameSurface_mm;
+  return near.skin_mm > -step && patient_.skin->distance_mm(foot_mm) > kSameSurface_mm;
 }
 
 std::optional<std::uint16_t> SurfaceFinder::keyAt(const glm::dvec3& foot_mm, const glm::dvec3& normal, const Organ& organ,
-                                                  const std::vector<const Organ*>& near) const {
+                                                  const Near& near) const {
   const auto key = static_cast<std::uint16_t>((&organ - patient_.organs.data()) << 8);
   if (organ.border) return static_cast<std::uint16_t>(key | kBorderKey);
   // Two organs that share a surface draw it once: with the border, whichever of them has it. Else its sides would change from voxel to
   // voxel.
-  const auto drawsIt = [&](const Organ* other) {
-    return other != &organ && other->border && std::abs(other->shape->distance_mm(foot_mm)) <= kSameSurface_mm;
-  };
-  if (std::any_of(near.begin(), near.end(), drawsIt)) return std::nullopt;
-  const auto outside = tissueAt(foot_mm + 2.0 * kSameSurface_mm * normal, near);
+  for (std::size_t m = 0; m < near.organs.size(); ++m) {
+    const Organ& other = *near.organs[m];
+    if (&other == &organ || !other.border) continue;
+    if (m < near.distances_mm.size() && std::abs(near.distances_mm[m]) > near.reach_mm(kSameSurface_mm)) continue;
+    if (std::abs(other.shape->distanceUpTo_mm(foot_mm, kBeside_mm)) <= kSameSurface_mm) return std::nullopt;
+  }
+  const double behind_mm = 2.0 * kSameSurface_mm;
+  const auto outside = tissueAt(foot_mm + behind_mm * normal, behind_mm, near);
   if (!outside) return std::nullopt;
   const double mirrored = mirroredBetween(patient_.tissues[organ.tissue].impedance_mrayl, patient_.tissues[*outside].impedance_mrayl);
   if (!(mirrored > 0.0) || levelOf(mirrored) < kFaintestLevel) return std::nullopt;
   return static_cast<std::uint16_t>(key | *outside);
 }
 
-std::optional<std::size_t> SurfaceFinder::tissueAt(const glm::dvec3& p_mm, const std::vector<const Organ*>& near) const {
-  if (patient_.skin->distance_mm(p_mm) >= 0.0) return std::nullopt;
-  for (const Organ* organ : near)
-    if (organ->shape->distance_mm(p_mm) < 0.0) return organ->tissue;
+std::optional<std::size_t> SurfaceFinder::tissueAt(const glm::dvec3& p_mm, double behind_mm, const Near& near) const {
+  const double step = near.reach_mm(behind_mm);
+  if (near.skin_mm > -step && patient_.skin->distance_mm(p_mm) >= 0.0) return std::nullopt;
+  for (std::size_t m = 0; m < near.organs.size(); ++m) {
+    const bool isKnown = m < near.distances_mm.size();
+    if (isKnown && near.distances_mm[m] > step) continue;
+    if ((isKnown && near.distances_mm[m] < -step) || near.organs[m]->shape->distanceUpTo_mm(p_mm, kBeside_mm) < 0.0)
+      return near.organs[m]->tissue;
+  }
   return patient_.backgroundTissue;
 }
 

@@ -26,6 +26,9 @@ class SurfaceFinder {
   /// @param reach_mm of surfaces next to a point: half a voxel's diagonal, so that no part of a surface lies between voxels unfound
   SurfaceFinder(const Patient& patient, double reach_mm);
 
+  /// Organs that are farther than this from a point are not asked for anything there, so their distance may be any that is.
+  [[nodiscard]] static double asked_mm(double reach_mm);
+
   /// @param skin_mm      distance to the skin at p
   /// @param near         organs that can matter here, by priority, with whatever contains a point within the reach
   /// @param distances_mm of the first of them, at p; of the others nothing is asked, for they are hidden here
@@ -35,12 +38,20 @@ class SurfaceFinder {
   [[nodiscard]] ReflectingSurface surfaceOf(std::uint16_t key) const;
 
  private:
-  [[nodiscard]] bool isHidden(const glm::dvec3& foot_mm, double away_mm, double skin_mm, std::size_t n,
-                              const std::vector<const Organ*>& near, const std::vector<double>& distances_mm) const;
+  /// What is known of a point beside a foot.
+  struct Near {
+    const std::vector<const Organ*>& organs;
+    const std::vector<double>& distances_mm;  ///< of the first of them, at the point
+    double skin_mm = 0.0;
+    double away_mm = 0.0;  ///< the foot
+    /// How far beyond a place of the point's distance one may lie that is `more_mm` behind the foot.
+    [[nodiscard]] double reach_mm(double more_mm) const;
+  };
+  [[nodiscard]] bool isHidden(const glm::dvec3& foot_mm, std::size_t n, const Near& near) const;
   /// Nothing where the surface sends too little back, or has no tissue outside.
   [[nodiscard]] std::optional<std::uint16_t> keyAt(const glm::dvec3& foot_mm, const glm::dvec3& normal, const Organ& organ,
-                                                   const std::vector<const Organ*>& near) const;
-  [[nodiscard]] std::optional<std::size_t> tissueAt(const glm::dvec3& p_mm, const std::vector<const Organ*>& near) const;
+                                                   const Near& near) const;
+  [[nodiscard]] std::optional<std::size_t> tissueAt(const glm::dvec3& p_mm, double behind_mm, const Near& near) const;
 
   const Patient& patient_;
   double reach_mm_;

@@ -66,6 +66,10 @@ class Shell final : public Shape {
     const double d = of_->distance_mm(p_mm);
     return std::max(d + from_, -d - to_);
   }
+  double distanceUpTo_mm(const glm::dvec3& p_mm, double most_mm) const override {
+    const double d = of_->distanceUpTo_mm(p_mm, most_mm - from_);
+    return std::max(d + from_, -d - to_);
+  }
 
  private:
   ShapePtr of_;
@@ -84,6 +88,9 @@ class Offset final : public Shape {
     }
   }
   double distance_mm(const glm::dvec3& p_mm) const override { return of_->distance_mm(p_mm) - grow_; }
+  double distanceUpTo_mm(const glm::dvec3& p_mm, double most_mm) const override {
+    return of_->distanceUpTo_mm(p_mm, most_mm + grow_) - grow_;
+  }
   const CentreLine* centreLine() const override { return of_->centreLine() ? &line_ : nullptr; }
 
  private:
@@ -110,6 +117,9 @@ class Placed final : public Shape {
   }
   double distance_mm(const glm::dvec3& p_mm) const override { return of_->distance_mm(frame_.fromWorld(p_mm)); }
   double atLeast_mm(const glm::dvec3& p_mm) const override { return of_->atLeast_mm(frame_.fromWorld(p_mm)); }
+  double distanceUpTo_mm(const glm::dvec3& p_mm, double most_mm) const override {
+    return of_->distanceUpTo_mm(frame_.fromWorld(p_mm), most_mm);
+  }
   const CentreLine* centreLine() const override { return line_.points_mm.empty() ? nullptr : &line_; }
   const Ellipsoid* ellipsoid() const override { return placed_ ? &*placed_ : nullptr; }
 
@@ -131,6 +141,7 @@ class Mirrored final : public Shape {
   }
   double distance_mm(const glm::dvec3& p_mm) const override { return of_->distance_mm(folded(p_mm)); }
   double atLeast_mm(const glm::dvec3& p_mm) const override { return of_->atLeast_mm(folded(p_mm)); }
+  double distanceUpTo_mm(const glm::dvec3& p_mm, double most_mm) const override { return of_->distanceUpTo_mm(folded(p_mm), most_mm); }
 
  private:
   [[nodiscard]] glm::dvec3 folded(const glm::dvec3& p_mm) const { return {std::sqrt(p_mm.x * p_mm.x + squared_), p_mm.y, p_mm.z}; }
@@ -150,24 +161,35 @@ class Union final : public Shape {
       bounds_.highest_mm = glm::max(bounds_.highest_mm, part.shape->bounds().highest_mm);
       blend = std::max(blend, part.blend_mm);
     }
+    widest_mm_ = blend;
     bounds_.lowest_mm -= glm::dvec3(0.25 * blend);  // how far a blend can bulge beyond what it joins
     bounds_.highest_mm += glm::dvec3(0.25 * blend);
   }
   double distance_mm(const glm::dvec3& p_mm) const override {
+    return joined(p_mm, [&](const BlendedPart& part) { return part.shape->distance_mm(p_mm); });
+  }
+  double distanceUpTo_mm(const glm::dvec3& p_mm, double most_mm) const override {
+    // What lies a blend beyond neither counts nor brings what it is blended with below `most_mm`.
+    return joined(p_mm, [&](const BlendedPart& part) { return part.shape->distanceUpTo_mm(p_mm, most_mm + widest_mm_); });
+  }
+  const CentreLine* centreLine() const override { return parts_.front().shape->centreLine(); }
+
+ private:
+  template <class Distance>
+  [[nodiscard]] double joined(const glm::dvec3& p_mm, const Distance& distanceTo) const {
     double joined = std::numeric_limits<double>::infinity();
     for (const BlendedPart& part : parts_) {
       // A part whose box alone is farther than the result plus the blend cannot change it.
       const double atLeast = part.shape->atLeast_mm(p_mm);
       if (atLeast > 0.0 && atLeast > joined + part.blend_mm) continue;
-      const double d = part.shape->distance_mm(p_mm);
+      const double d = distanceTo(part);
       joined = std::isinf(joined) ? d : smoothMin(joined, d, part.blend_mm);
     }
     return joined;
   }
-  const CentreLine* centreLine() const override { return parts_.front().shape->centreLine(); }
 
- private:
   std::vector<BlendedPart> parts_;
+  double widest_mm_ = 0.0;  ///< of the blends
 };
 
 class Intersection final : public Shape {
@@ -186,6 +208,12 @@ class Intersection final : public Shape {
     for (std::size_t n = 1; n < parts_.size(); ++n) joined = smoothMax(joined, parts_[n].shape->distance_mm(p_mm), parts_[n].blend_mm);
     return joined;
   }
+  double distanceUpTo_mm(const glm::dvec3& p_mm, double most_mm) const override {
+    double joined = parts_.front().shape->distanceUpTo_mm(p_mm, most_mm);
+    for (std::size_t n = 1; n < parts_.size() && joined < most_mm; ++n)
+      joined = smoothMax(joined, parts_[n].shape->distanceUpTo_mm(p_mm, most_mm), parts_[n].blend_mm);
+    return joined;
+  }
   const CentreLine* centreLine() const override { return parts_.front().shape->centreLine(); }
 
  private:
@@ -198,8 +226,15 @@ class Difference final : public Shape {
     for (const BlendedPart& part : parts_) countPart(*part.shape);
     bounds_ = parts_.front().shape->bounds();
   }
-  double distance_mm(const glm::dvec3& p_mm) const override {
-    double joined = parts_.front().shape->distance_mm(p_mm);
+  double distance_mm(const glm::dvec3& p_mm) const override { return without(p_mm, parts_.front().shape->distance_mm(p_mm)); }
+  double distanceUpTo_mm(const glm::dvec3& p_mm, double most_mm) const override {
+    const double first = parts_.front().shape->distanceUpTo_mm(p_mm, most_mm);
+    return first < most_mm ? without(p_mm, first) : first;
+  }
+  const CentreLine* centreLine() const override { return parts_.front().shape->centreLine(); }
+
+ private:
+  [[nodiscard]] double without(const glm::dvec3& p_mm, double joined) const {
     for (std::size_t n = 1; n < parts_.size(); ++n) {
       const double atLeast = parts_[n].shape->atLeast_mm(p_mm);
       if (atLeast > 0.0 && -atLeast < joined - parts_[n].blend_mm) continue;
@@ -207,9 +242,7 @@ class Difference final : public Shape {
     }
     return joined;
   }
-  const CentreLine* centreLine() const override { return parts_.front().shape->centreLine(); }
 
- private:
   std::vector<BlendedPart> parts_;
 };
 

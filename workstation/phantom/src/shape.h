@@ -29,6 +29,12 @@ class Shape {
   [[nodiscard]] virtual double distance_mm(const glm::dvec3& p_mm) const = 0;
   /// At most the distance (0 inside), and cheaper to have.
   [[nodiscard]] virtual double atLeast_mm(const glm::dvec3& p_mm) const { return distanceToBox_mm(p_mm, bounds_); }
+  /// The distance where it is below `most_mm`; where it is not, a number from that on, much sooner. What is farther than `most_mm` from the
+  /// box counts as that far, also where a first-order distance (of a flat ellipsoid beyond its rim) says less.
+  [[nodiscard]] virtual double distanceUpTo_mm(const glm::dvec3& p_mm, double most_mm) const {
+    const double atLeast = atLeast_mm(p_mm);
+    return atLeast > 0.0 && atLeast >= most_mm ? atLeast : distance_mm(p_mm);
+  }
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
   /// Of a tube, of a tube that is grown, and of blends whose first part is one; null for everything else.
   [[nodiscard]] virtual const CentreLine* centreLine() const { return nullptr; }

@@ -56,11 +56,22 @@ class Tube final : public Shape {
       spans_.push_back(std::move(span));
     }
   }
-  double distance_mm(const glm::dvec3& p_mm) const override {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Span& span : spans_) {
-      const double atLeast = distanceToBox_mm(p_mm, span.box);
-      if (atLeast > 0.0 && atLeast > nearest) continue;
+  double distance_mm(const glm::dvec3& p_mm) const override { return distanceUpTo_mm(p_mm, std::numeric_limits<double>::infinity()); }
+  double distanceUpTo_mm(const glm::dvec3& p_mm, double most_mm) const override {
+    // The span whose box is nearest first: with it most others are out of the question.
+    std::size_t first = 0;
+    double least2 = std::numeric_limits<double>::infinity();
+    for (std::size_t n = 0; n < spans_.size() && least2 > 0.0; ++n) {
+      const double here2 = squaredToBox_mm2(p_mm, spans_[n].box);
+      if (here2 >= least2) continue;
+      least2 = here2;
+      first = n;
+    }
+    double nearest = most_mm;
+    for (std::size_t n = 0; n < spans_.size(); ++n) {
+      const Span& span = spans_[n == 0 ? first : n <= first ? n - 1 : n];
+      const double atLeast2 = squaredToBox_mm2(p_mm, span.box);
+      if (atLeast2 > 0.0 && (nearest <= 0.0 || atLeast2 > nearest * nearest)) continue;
       for (const Cone& cone : span.cones) nearest = std::min(nearest, cone.distance_mm(p_mm));
     }
     return nearest;

@@ -32,17 +32,23 @@ class Rough final : public Shape {
     const double slope = kNoiseSlope * r.amplitude_mm / r.length_mm;
     perSlope_ = 1.0 / std::sqrt(1.0 + slope * slope);
   }
-  double distance_mm(const glm::dvec3& p_mm) const override {
-    const double d = of_->distance_mm(p_mm), a = roughness_.amplitude_mm;
-    const double near = std::clamp(2.0 - std::abs(d) / (2.0 * a), 0.0, 1.0);
-    if (near <= 0.0) return d * perSlope_;
-    return (d - a * near * valueNoise(roughness_.seed, p_mm / roughness_.length_mm)) * perSlope_;
+  double distance_mm(const glm::dvec3& p_mm) const override { return roughened(p_mm, of_->distance_mm(p_mm)); }
+  double distanceUpTo_mm(const glm::dvec3& p_mm, double most_mm) const override {
+    const double far = most_mm / perSlope_ + roughness_.amplitude_mm, d = of_->distanceUpTo_mm(p_mm, far);
+    return d < far ? roughened(p_mm, d) : (d - roughness_.amplitude_mm) * perSlope_;
   }
   double atLeast_mm(const glm::dvec3& p_mm) const override {
     return std::max(0.0, (of_->atLeast_mm(p_mm) - roughness_.amplitude_mm) * perSlope_);
   }
 
  private:
+  [[nodiscard]] double roughened(const glm::dvec3& p_mm, double d) const {
+    const double a = roughness_.amplitude_mm;
+    const double near = std::clamp(2.0 - std::abs(d) / (2.0 * a), 0.0, 1.0);
+    if (near <= 0.0) return d * perSlope_;
+    return (d - a * near * valueNoise(roughness_.seed, p_mm / roughness_.length_mm)) * perSlope_;
+  }
+
   ShapePtr of_;
   Roughness roughness_;
   double perSlope_ = 1.0;

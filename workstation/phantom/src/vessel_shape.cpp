@@ -26,11 +26,6 @@ glm::dvec3 directionOf(const VesselBranch& branch) {
   return length > 0.0 ? along / length : glm::dvec3(0.0, 0.0, 1.0);
 }
 
-double squaredTo(const glm::dvec3& p_mm, const Bounds& box) {
-  const glm::dvec3 outside = glm::max(glm::max(box.lowest_mm - p_mm, p_mm - box.highest_mm), glm::dvec3(0.0));
-  return glm::dot(outside, outside);
-}
-
 /// Round cones in a hierarchy of boxes.
 class TreeShape final : public Shape {
  public:
@@ -52,9 +47,10 @@ class TreeShape final : public Shape {
     solids_ = std::min(static_cast<double>(cones_.size()), 8.0 * kInLeaf + 2.0 * std::sqrt(static_cast<double>(cones_.size())));
   }
 
-  double distance_mm(const glm::dvec3& p_mm) const override {
-    double nearest = std::numeric_limits<double>::infinity();
-    double nearest2 = nearest;  // its square where it is positive: boxes are compared without a root
+  double distance_mm(const glm::dvec3& p_mm) const override { return distanceUpTo_mm(p_mm, std::numeric_limits<double>::infinity()); }
+  double distanceUpTo_mm(const glm::dvec3& p_mm, double most_mm) const override {
+    double nearest = most_mm;
+    double nearest2 = nearest > 0.0 ? nearest * nearest : 0.0;  // boxes are compared without a root
     std::array<std::pair<double, int>, 64> waiting;
     std::size_t count = 1;
     waiting[0] = {0.0, 0};
@@ -68,8 +64,8 @@ class TreeShape final : public Shape {
         continue;
       }
       const int left = number + 1, right = node.right;
-      const double toLeft = squaredTo(p_mm, nodes_[static_cast<std::size_t>(left)].box);
-      const double toRight = squaredTo(p_mm, nodes_[static_cast<std::size_t>(right)].box);
+      const double toLeft = squaredToBox_mm2(p_mm, nodes_[static_cast<std::size_t>(left)].box);
+      const double toRight = squaredToBox_mm2(p_mm, nodes_[static_cast<std::size_t>(right)].box);
       const bool leftFirst = toLeft <= toRight;
       waiting[count++] = leftFirst ? std::pair{toRight, right} : std::pair{toLeft, left};
       waiting[count++] = leftFirst ? std::pair{toLeft, left} : std::pair{toRight, right};

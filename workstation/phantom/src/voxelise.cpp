@@ -24,6 +24,7 @@ constexpr int kBlock = 8;
 constexpr int kStrip = 48;  // rows of a piece of work: small enough to be cancelled within 0.1 s, large enough for the speckle's margin
 // As in sampleDistance: how far a first-order distance may exceed the true one before a block is wrongly left out.
 constexpr double kReserve = 1.5;
+constexpr double kWithinVoxel = 0.9;                // half a voxel's diagonal is 0.87
 constexpr double kLevelsPerDecibel = 255.0 / 60.0;  // 60 dB of dynamic range over the grey scale
 constexpr double kMeanDecibel = -2.507;             // of the power of speckle: 10 log10(e^-gamma)
 constexpr double kDeepestNull_db = -18.0;           // speckle nulls go to -infinity dB; a screen shows none below this
@@ -42,7 +43,8 @@ struct Look {
 
 class Painter {
  public:
-  Painter(const Patient& patient, const VoxeliseOptions& options) : patient_(patient), options_(options) {}
+  Painter(const Patient& patient, const VoxeliseOptions& options)
+      : patient_(patient), options_(options), asked_mm_(phantom::SurfaceFinder::asked_mm(kWithinVoxel * options.spacing_mm)) {}
 
   /// Organs that can matter within `radius_mm` of a point, by priority.
   void select(const glm::dvec3& centre_mm, double radius_mm, std::vector<const Organ*>& near) const {
@@ -50,21 +52,21 @@ class Painter {
     for (const Organ& organ : patient_.organs) {
       const double margin = std::max(organ.border ? organ.border->width_mm : 0.0, options_.spacing_mm);
       if (organ.shape->atLeast_mm(centre_mm) > radius_mm + margin) continue;
-      const double d = organ.shape->distance_mm(centre_mm);
-      if (d > kReserve * (radius_mm + margin)) continue;
+      const double far_mm = kReserve * (radius_mm + margin), d = organ.shape->distanceUpTo_mm(centre_mm, far_mm);
+      if (d >= far_mm) continue;
       near.push_back(&organ);
       if (d < -kReserve * (radius_mm + margin)) break;  // whatever comes later is hidden by this one
     }
   }
 
-  /// @param distances_mm becomes those of the organs that are not hidden here
+  /// @param distances_mm becomes those of the organs that are not hidden here, exact where anything asks for them (distanceUpTo_mm)
   [[nodiscard]] Look at(const glm::dvec3& p_mm, double skin_mm, const std::vector<const Organ*>& near,
                         std::vector<double>& distances_mm) const {
     Look look;
     distances_mm.clear();
     double remaining = 1.0;
     for (const Organ* organ : near) {
-      const double d = organ->shape->distance_mm(p_mm);
+      const double d = organ->shape->distanceUpTo_mm(p_mm, organ->border ? std::max(asked_mm_, organ->border->width_mm) : asked_mm_);
       distances_mm.push_back(d);
       if (organ->border) addBorder(*organ, p_mm, d, remaining, look);
       if (d < 0.0 && look.label == 0) look.label = static_cast<int>(organ - patient_.organs.data()) + 1;
@@ -128,6 +130,7 @@ class Painter {
 
   const Patient& patient_;
   const VoxeliseOptions& options_;
+  double asked_mm_;  ///< farther away no distance matters to levels and surfaces, beside a border
 };
 
 /// The tissue itself, as TissueMaps keeps it.
@@ -174,8 +177,6 @@ class MapPainter {
     }
     return patient_.backgroundTissue;
   }
-
-  static constexpr double kWithinVoxel = 0.9;  // half a voxel's diagonal is 0.87
 
   const Patient& patient_;
   double spacing_mm_;
