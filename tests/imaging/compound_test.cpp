@@ -98,7 +98,8 @@ TEST(Compounding, BrightensWhatLeansAwayFromTheFace) {
   };
   for (const double side : {-1.0, 1.0})
     EXPECT_GT(peakOf(3, side * 20.0 * kDegree_rad), peakOf(1, side * 20.0 * kDegree_rad) + 4.0 * kGreyPerDb) << side;
-  EXPECT_NEAR((peakOf(3, 0.0) - peakOf(1, 0.0)) / kGreyPerDb, -2.3, 1.0) << "two of three see it a little from the side, and the mean is held";
+  EXPECT_NEAR((peakOf(3, 0.0) - peakOf(1, 0.0)) / kGreyPerDb, -2.3, 1.0)
+      << "two of three see it a little from the side, and the mean is held";
 }
 
 TEST(Compounding, EndsAShadowWhereAllDirectionsPassWhatThrowsIt) {
@@ -138,11 +139,8 @@ TEST(Compounding, IsTheSamePixelsOnEveryTargetAndWithAnyNumberOfThreads) {
     shot.scene.liveEchoes = LiveEchoesEffect{};
     shot.scene.noise = NoiseEffect{};
     const GreyImage one = pictureOf(maps, shot);
-    for (const int threads : {2, 8}) {
-      shot.threads = threads;
-      EXPECT_EQ(pictureOf(maps, shot), one) << threads;
-    }
-    shot.threads = 1;
+    shot.threads = 3;
+    EXPECT_EQ(pictureOf(maps, shot), one) << shot.probe.id;
     testing::onEveryTarget([&](const char* target) { EXPECT_EQ(pictureOf(maps, shot), one) << shot.probe.id << " " << target; });
   }
 }
@@ -175,10 +173,7 @@ TEST(Compounding, ForgetsTheOtherDirectionsWhenItIsSwitchedOff) {
   const TissueMaps maps = tissueOf([](const glm::dvec3&) { return 150.0; });
   const Shot once;
   FrameMaker maker(1);
-  FrameInput input;
-  input.tissue = &maps;
-  input.tissueGrid = maps.grid;
-  input.echo = VolumeView<const std::uint8_t>{maps.level.data(), maps.grid};
+  const FrameInput input = inputOf(maps);
   const auto made = [&](int angles) {
     Knobs knobs;
     knobs.compoundAngles = angles;
@@ -204,10 +199,7 @@ TEST(Steering, OfALinearProbeSeesOtherSpeckleAsAnotherApertureDoes) {
     Knobs knobs = shot.knobs;
     knobs.greyMap = GreyMap::linear;
     maker.configure(shot.probe, knobs, shot.scene, maps.grid, 640, 512, false, {}, true);
-    FrameInput input;
-    input.tissue = &maps;
-    input.tissueGrid = maps.grid;
-    input.echo = VolumeView<const std::uint8_t>{maps.level.data(), maps.grid};
+    const FrameInput input = inputOf(maps);
     (void)maker.make(input);
     // At the same places of the tissue.
     std::vector<double> levels;
@@ -291,10 +283,7 @@ TEST(Harmonics, DoNotActOnARecordedVolume) {
   TissueMaps maps = tissueOf([](const glm::dvec3&) { return 150.0; });
   maps.isRecorded = true;
   FrameMaker maker(1);
-  FrameInput input;
-  input.tissue = &maps;
-  input.tissueGrid = maps.grid;
-  input.echo = VolumeView<const std::uint8_t>{maps.level.data(), maps.grid};
+  const FrameInput input = inputOf(maps);
   const auto made = [&](bool isHarmonic) {
     Knobs knobs;
     knobs.harmonic = isHarmonic;

@@ -6,9 +6,12 @@
 
 #include "ew/imaging/cost_of_accuracy.h"
 #include "ew/imaging/frame.h"
+#include "imaging/live_echoes_support.h"
 
 namespace ew::echo_quality_test {
 namespace {
+
+using testing::live::inputOf;
 
 constexpr Quality kRising[] = {Quality::weave, Quality::linear, Quality::cubic};
 
@@ -112,14 +115,6 @@ TissueMaps evenTissue() {
   maps.grid.origin_mm = {-35.0, -8.0, -12.0};
   maps.level.assign(maps.grid.voxelCount(), 150);
   return maps;
-}
-
-FrameInput inputOf(const TissueMaps& maps) {
-  FrameInput input;
-  input.tissue = &maps;
-  input.tissueGrid = maps.grid;
-  input.echo = VolumeView<const std::uint8_t>{maps.level.data(), maps.grid};
-  return input;
 }
 
 /// Levels on beams as if seen by lines and depths alone: every quality has samples of its own.

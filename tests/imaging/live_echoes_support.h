@@ -71,15 +71,21 @@ struct Shot {
   const Volume* labels = nullptr;
 };
 
+/// These maps as tissue, and their level as the volume that is not sliced.
+inline FrameInput inputOf(const TissueMaps& maps) {
+  FrameInput input;
+  input.tissue = &maps;
+  input.tissueGrid = maps.grid;
+  input.echo = VolumeView<const std::uint8_t>{maps.level.data(), maps.grid};
+  return input;
+}
+
 inline GreyImage pictureOf(const TissueMaps& maps, const Shot& shot) {
   FrameMaker maker(shot.threads);
   Knobs knobs = shot.knobs;
   knobs.greyMap = GreyMap::linear;
   maker.configure(shot.probe, knobs, shot.scene, maps.grid, 640, 512, shot.labels != nullptr, {}, true);
-  FrameInput input;
-  input.tissue = &maps;
-  input.tissueGrid = maps.grid;
-  input.echo = VolumeView<const std::uint8_t>{maps.level.data(), maps.grid};
+  FrameInput input = inputOf(maps);
   if (shot.labels != nullptr) input.labels = shot.labels->view();
   input.pose.probeToWorld.matrix = shot.probeToWorld;
   const Picture made = maker.make(input);
