@@ -66,6 +66,18 @@ TEST(Recorded, IsWhereTheCoverageSaysSoWhereverTheVoxelsArePlaced) {
   EXPECT_FALSE(Recorded(subject).at(centre(3, 20, 7)));
   EXPECT_TRUE(Recorded(subject).at(centre(3, 19, 7)));
   EXPECT_FALSE(Recorded(subject).at({0.0, 0.0, 0.0}));
+
+  // Nobody recorded a drawn patient: a face that is pressed into the skin brings tissue where none rests.
+  auto maps = std::make_shared<TissueMaps>();
+  maps->grid = volume->grid;
+  maps->level.assign(volume->echo.size(), 100);
+  subject.tissue = maps;
+  EXPECT_TRUE(Recorded(subject).at(centre(3, 20, 7)));
+  EXPECT_FALSE(Recorded(subject).at(centre(-1, 0, 0))) << "beyond the box nothing was drawn";
+  auto recorded = std::make_shared<TissueMaps>(*maps);
+  recorded->isRecorded = true;
+  subject.tissue = recorded;
+  EXPECT_FALSE(Recorded(subject).at(centre(3, 20, 7)));
 }
 
 TEST(Recorded, SkinIsCoveredAsFarAsThereAreDataInTheFirst40MmBelowIt) {

@@ -14,6 +14,8 @@ Recorded::Recorded(const ScanSubject& subject)
       worldToVoxel_(subject.placedGrid.worldToVoxel().matrix),
       dims_(subject.placedGrid.dims),
       bounds_(boundsOf(subject.placedGrid)) {
+  // A drawn patient is known as a whole; what is no body is air, and which of it a pressed face brings before itself no voxel says.
+  if (subject.tissue && !subject.tissue->isRecorded) return;
   if (volume_ && volume_->coverage.size() == volume_->grid.voxelCount()) coverage_ = volume_->coverage.data();
 }
 

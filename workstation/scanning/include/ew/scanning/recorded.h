@@ -16,7 +16,8 @@
 
 namespace ew {
 
-/// Where a subject has data: within its voxels, and there where its coverage says so. Black tissue is data; what no sweep reached is not.
+/// Where a subject has data: within its voxels, and there where its coverage says so. Black tissue is data, and the air around a drawn
+/// patient; what no sweep reached is not.
 /// A value that shares the voxels.
 class Recorded {
  public:
