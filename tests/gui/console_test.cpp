@@ -235,6 +235,7 @@ class ConsoleTest : public ConsoleFixture {
     QTRY_VERIFY(scene().liveEchoes.has_value());
     QVERIFY(session().subject()->tissue && session().subject()->tissue->isRecorded);
     QVERIFY(find<QCheckBox>("effect_live_echoes")->isChecked());
+    QVERIFY2(!find<QCheckBox>("harmonic")->isEnabled() && !find<QAbstractButton>("compound3")->isEnabled(), "its grain is one machine's");
     session().makePictureNow();
     const auto& steps = session().plan().steps;
     QVERIFY(std::any_of(steps.begin(), steps.end(), [](const Step& step) { return step.kind == StepKind::scatterers; }));

@@ -1,4 +1,5 @@
 // A case that has to be made is scanned at once, as a draft, and gets finer when that disturbs nobody.
+#include <QAbstractButton>
 #include <QProcess>
 #include <QSignalSpy>
 #include <nlohmann/json.hpp>
@@ -95,6 +96,37 @@ class FirstImageTest : public WindowFixture {
     QVERIFY(session().subject()->voxels.volume()->echo == whole->volume.echo);
     QVERIFY(*session().subject()->tissue == *whole->tissue);
     QVERIFY(session().subject()->labels->echo == whole->labels->echo);
+  }
+
+  void aDrawnPatientHasHarmonicsAndCompounding() {
+    showWindow();
+    QVERIFY(opens(writeDrawnCase(QStringLiteral("console"))));
+    const auto picture = [this] {
+      session().makePictureNow();
+      return copyOf(session().picture().grey);
+    };
+    const auto press = [this](const char* name) {
+      auto* button = find<QAbstractButton>(name);
+      QVERIFY2(button != nullptr && button->isEnabled(), name);
+      button->click();
+    };
+    Knobs linear = session().knobs();
+    linear.quality = Quality::linear;
+    session().setKnobs(linear);
+    const GreyImage once = picture();
+    press("compound3");
+    QCOMPARE(session().knobs().compoundAngles, 3);
+    QVERIFY(picture() != once);
+    press("compound1");
+    QVERIFY(picture() == once);
+    press("harmonic");
+    QVERIFY(session().knobs().harmonic);
+    QVERIFY(picture() != once);
+    press("harmonic");
+    QVERIFY(picture() == once);
+    linear.quality = Quality::weave;
+    session().setKnobs(linear);
+    QVERIFY2(!find<QAbstractButton>("compound3")->isEnabled(), "the fast quality follows the hand");
   }
 
   void anotherCaseIsOpenedMeanwhile() {

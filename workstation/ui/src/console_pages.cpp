@@ -132,9 +132,9 @@ void ConsolePanel::addImagePage(QVBoxLayout* rows) {
 
 /// Whether the image is of echoes formed anew: a recorded volume's grain was made by one machine with one setting.
 bool ConsolePanel::formsAnew() const {
-  const std::vector<Step>& steps = session_.plan().steps;
-  const auto has = [&](StepKind kind) { return std::any_of(steps.begin(), steps.end(), [kind](const Step& s) { return s.kind == kind; }); };
-  return has(StepKind::scatterers) && !has(StepKind::ownGrain);
+  const std::optional<LiveEchoesEffect>& echoes = session_.scene().liveEchoes;
+  if (!echoes || !session_.subject() || !session_.subject()->tissue) return false;
+  return !session_.subject()->tissue->isRecorded || !(echoes->ownGrain > 0.0);
 }
 
 void ConsolePanel::addCompounding(QVBoxLayout* rows) {
