@@ -28,6 +28,11 @@
 #include "window_layout.h"
 
 namespace ew::ui {
+namespace {
+
+constexpr int kSlider_px = 96, kShortSlider_px = 52;
+
+}  // namespace
 
 ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent), session_(session), remembered_(sceneWithEverything()) {
   setObjectName(QStringLiteral("console"));
@@ -168,7 +173,7 @@ QSlider* ConsolePanel::addSlider(QBoxLayout* rows, SliderParts parts) {
   slider->setRange(parts.lowest, parts.highest);
   slider->setPageStep(parts.page);
   holdFixedHeight(*slider, 22);
-  slider->setMinimumWidth(96);
+  slider->setMinimumWidth(kSlider_px);
   slider->setToolTip(parts.tip);
   slider->setAccessibleName(parts.name);
   auto* value = new FigureLabel(parts.widest);
@@ -422,6 +427,7 @@ void ConsolePanel::placeLines() {
   for (const Line& each : topLines_) widest_px = std::max(widest_px, each.name->sizeHint().width());
   for (const Line& each : topLines_) {
     each.name->setMinimumWidth(isShort_ ? widest_px : 0);
+    each.slider->setMinimumWidth(isShort_ ? kShortSlider_px : kSlider_px);  // beside name and figure, which both have to be read
     const bool isBeside = each.line->indexOf(each.slider) >= 0;
     if (isBeside == isShort_) continue;
     if (isShort_) {
