@@ -16363,6 +16363,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Noch nicht vorbereitet, %1; zum Beginnen öffnen</translation>
     </message>
     <message>
+        <source>Coarse at first, whole in %1</source>
+        <translation>Zuerst grob, ganz in %1</translation>
+    </message>
+    <message>
         <source>The window was not ready within %1 s; try a smaller volume.</source>
         <translation>Das Fenster war nach %1 s nicht bereit; ein kleineres Volumen versuchen.</translation>
     </message>

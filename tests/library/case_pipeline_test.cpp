@@ -358,7 +358,7 @@ TEST_F(CasePipeline, DoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(one->labels->echo, two->labels->echo);
 }
 
-constexpr const char* kSteps[] = {"patient", "voxelise", "recording", "reconstructing", "stitch"};
+constexpr const char* kSteps[] = {"patient", "voxels", "recording", "reconstructing", "stitch"};
 
 /// What earlier preparations are said to have taken on this machine: seconds for a unit of work, so that no test waits for a clock.
 void pretendSpeed(const fs::path& cache, const std::string& step, double rate, double others) {
@@ -403,7 +403,7 @@ TEST_F(CasePipeline, EstimatesTheTimeFromTheWorkThatIsLeftAndFromWhatEachStepToo
   pretendSpeed(folder / "cache", "recording", 1.0, 1e-12);
   const double thirty = estimated(30);
   EXPECT_NEAR(estimated(60), 2.0 * thirty, 0.1 * thirty) << "a recording takes as long as it has frames";
-  pretendSpeed(folder / "cache", "voxelise", 1.0, 1e-12);
+  pretendSpeed(folder / "cache", "voxels", 1.0, 1e-12);
   EXPECT_LT(estimated(60), 1e-6) << "nothing is voxelised here";
 }
 

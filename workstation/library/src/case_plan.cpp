@@ -95,6 +95,10 @@ Result<CasePlan> unguardedPlanOf(const Case& opened) {
   whole.add(kPreparationFormat).add(*patient);
   if (opened.volume.sweeps.empty()) {
     whole.add("voxelised").add(opened.volume.recipeSpacing_mm);
+    const auto box = readPatientBox(plan.patientFile, plan.mannequins);
+    if (!box) return passOn(box.error());
+    const glm::dvec3 voxels = (box->highest_mm - box->lowest_mm) / opened.volume.recipeSpacing_mm;
+    plan.voxeliseWork = 1e-6 * voxels.x * voxels.y * voxels.z;
   } else {
     std::set<std::string> names;
     for (const std::string& relative : opened.volume.sweeps) {
@@ -148,7 +152,5 @@ double stitchWork(const CasePlan& plan, const CaseReconstruction& reconstruct) {
     volume_mm3 += frameArea_mm2(sweep.probe, sweep.recipe.formation.depth_mm) * sweep.recipe.frames;  // frames about 1 mm apart
   return 1e-6 * volume_mm3 / std::pow(reconstruct.spacing_mm.value_or(kUsual_mm), 3);
 }
-
-double voxeliseWork(const Case& opened) { return 12.0 / std::pow(opened.volume.recipeSpacing_mm, 3); }
 
 }  // namespace ew

@@ -41,6 +41,7 @@ struct CasePlan {
   std::string maps;                  ///< key in kMaps
   std::string motion;                ///< key in kMotions; empty: none is asked for
   std::string truth;                 ///< key in kTruths
+  double voxeliseWork = 0.0;         ///< million voxels of its box, where it is voxelised
   [[nodiscard]] bool isDoneIn(const StepStore& store) const;
   [[nodiscard]] bool isDone() const;  ///< in the cache
   /// Whether something lies there as a part of it that cannot be used.
@@ -53,7 +54,5 @@ struct CasePlan {
 
 /// Of stitching, which counts voxels: before there is a volume, what the sweeps see says how many there will be.
 [[nodiscard]] double stitchWork(const CasePlan& plan, const CaseReconstruction& reconstruct);
-/// Of building the patient, in million voxels of a trunk of about six litres; maps take as long again.
-[[nodiscard]] double voxeliseWork(const Case& opened);
 
 }  // namespace ew

@@ -15,7 +15,7 @@ namespace {
 constexpr double kSkinSpacing_mm = 4.0;
 constexpr double kLargestBox_mm3 = 1e9;          // a cubic metre holds a person lying down; the skin is sampled all over the box
 constexpr double kMostSolidsOfOrgans = 50000.0;  // asked for one point inside all organs
-constexpr std::uint64_t kVoxelVersion = 2;       // raise when the same recipe starts to give other voxels
+constexpr std::uint64_t kVoxelVersion = 3;       // raise when the same recipe starts to give other voxels
 
 std::uint64_t fnv1a(const std::string& text, std::uint64_t hash) {
   for (const char letter : text) hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211ull;

@@ -167,7 +167,11 @@ void MainWindow::showPreparation() {
         parts_->startPage->setState(folder, tr("Will be prepared, %1").arg(takes), 0.0);
         break;
       case CasePreparation::State::stopped:
-        parts_->startPage->setState(folder, tr("Not prepared yet, %1; open it to begin").arg(takes), 0.0);
+        // What has no sweeps is shown at once, as a draft.
+        parts_->startPage->setState(folder,
+                                    shown->volume.sweeps.empty() ? tr("Coarse at first, whole in %1").arg(takes)
+                                                                 : tr("Not prepared yet, %1; open it to begin").arg(takes),
+                                    0.0);
         break;
     }
   }
