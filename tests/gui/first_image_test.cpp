@@ -1,5 +1,6 @@
 // A case that has to be made is scanned at once, as a draft, and gets finer when that disturbs nobody.
 #include <QAbstractButton>
+#include <QDir>
 #include <QProcess>
 #include <QSignalSpy>
 #include <nlohmann/json.hpp>
@@ -33,7 +34,10 @@ class FirstImageTest : public WindowFixture {
     return writeFileSafely(folder.toStdString() + "/case.json", manifest.dump(2)) ? folder : QString();
   }
   void showWindow() {
-    qputenv("ECHOWEAVE_CACHE", files_.path(QStringLiteral("cache %1").arg(++caches_)).toUtf8());
+    const QString cache = files_.path(QStringLiteral("cache %1").arg(++caches_));
+    qputenv("ECHOWEAVE_CACHE", cache.toUtf8());
+    // A machine so slow that a draft is worth it.
+    QVERIFY(QDir().mkpath(cache) && writeFileSafely(cache.toStdString() + "/speed.json", R"({"voxels": 5.0})"));
     window_ = std::make_unique<MainWindow>();
     window_->resize(1280, 720);
     window_->show();

@@ -27,6 +27,7 @@ class CaseDraft : public CasePipeline {
     patient["organs"][0]["border"] = {{"echo_level", 200}, {"width_mm", 0.8}};
     writeText(folder / "case/patient.json", patient.dump());
     setSpacing(1.2);
+    writeText(folder / "cache/speed.json", R"({"voxels": 5.0})");  // a machine so slow that even this is worth a draft
   }
   void setSpacing(double spacing_mm) {
     json manifest = json::parse(textOf(folder / "case/case.json"));
