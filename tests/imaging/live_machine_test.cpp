@@ -139,6 +139,34 @@ TEST(LiveReverberation, LaysClutterIntoFluidBehindABrightWall) {
   EXPECT_LT(far, near - 2.0 * kGreyPerDb);
 }
 
+TEST(LiveReverberation, LaysNoLadderBelowABrightLine) {
+  TissueMaps maps = tissueOf([](const glm::dvec3&) { return 0.0; });
+  addPlane(maps, {.name = "skull", .echoLevel = 250.0}, 30.0);
+  const Volume labels = layersOf(maps, 30.0);
+  Shot shot;
+  shot.labels = &labels;
+  shot.scene.tissues = {{.label = 1, .name = "before"}, {.label = 2, .name = "behind", .attenuation_dbPerCmMhz = 0.0}};
+  shot.scene.reverberation = ReverberationEffect{.shadowHaze_db = -60.0};
+  const GreyImage picture = pictureOf(maps, shot);
+  const DisplayGeometry geometry = fitDisplay(shot.probe, shot.knobs, picture.width, picture.height, {});
+  // A rung lies at one depth all along: the mean over the lines is as bright there as each of them.
+  const int middle = static_cast<int>(std::lround(geometry.face_px.x)), aside = static_cast<int>(12.0 / geometry.pixel_mm);
+  std::vector<double> brightest(static_cast<std::size_t>(2 * aside + 1), 0.0);
+  double rung = 0.0;
+  for (int y = 0; y < picture.height; ++y) {
+    if (const double depth_mm = geometry.probePoint_mm(middle, y).y; depth_mm < 33.9 || depth_mm > 45.0) continue;
+    double sum = 0.0;
+    for (int n = 0; n <= 2 * aside; ++n) {
+      const double level = viewOf(picture).at(middle - aside + n, y);
+      brightest[static_cast<std::size_t>(n)] = std::max(brightest[static_cast<std::size_t>(n)], level);
+      sum += level;
+    }
+    rung = std::max(rung, sum / (2 * aside + 1));
+  }
+  EXPECT_GT(meanOf(brightest), 60.0) << "clutter is there";
+  EXPECT_LT(rung, 0.75 * meanOf(brightest));
+}
+
 TEST(LiveReverberation, IsTheSameOnEveryTargetAndWithAnyNumberOfThreads) {
   Layers layers(kEven, kLung_mrayl);
   addPlane(layers.maps, {.name = "pleura", .echoLevel = 250.0, .frontOnly = true}, 60.0);

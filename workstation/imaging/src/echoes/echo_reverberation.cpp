@@ -35,6 +35,11 @@ constexpr double kTailFalls = 2.0;  // as fast as the ring-down of gas
 constexpr double kClutterFall_dbPerMm = 1.0;
 // Not multiples of one another, so that copies of copies do not fall together.
 constexpr std::array<double, 5> kClutter_mm{3.1, 4.7, 7.3, 10.1, 13.7};
+// Layers are uneven: what they throw back comes a little earlier here and later there, brighter and fainter. A bright line would have a
+// ladder of itself below it.
+constexpr double kWaver_mm = 1.1;
+constexpr double kWaver_lines = 7.0;
+constexpr double kFaintestCopy = 0.3;
 
 double amplitudeOf(double level_db) { return std::pow(10.0, 0.05 * level_db); }
 
@@ -68,6 +73,13 @@ struct NoiseTable {
   }
 };
 
+/// A number -1..1 that changes evenly from line to line.
+double waverAt(int line, std::uint32_t which) {
+  const double at = line / kWaver_lines, whole = std::floor(at), t = at - whole, share = t * t * (3.0 - 2.0 * t);
+  const auto cell = static_cast<std::uint32_t>(static_cast<int>(whole));
+  return 2.0 * std::lerp(evenOf(which, cell), evenOf(which, cell + 1), share) - 1.0;
+}
+
 }  // namespace
 
 EchoReverberation::Aerated EchoReverberation::aeratedOf(const TissueAcoustics& tissue) {
@@ -87,6 +99,21 @@ void EchoReverberation::configure(const EchoLayout& layout, const Scene& scene) 
     (aerated == Aerated::lung ? isLung_ : isGas_)[static_cast<std::size_t>(tissue.label)] = aerated == Aerated::no ? 0.0F : 1.0F;
   }
   fronts_.resize(layout.grid.lines.size());
+  layClutter();
+}
+
+void EchoReverberation::layClutter() {
+  copies_.clear();
+  if (!(effect_.clutter_db > kNoClutter_db)) return;
+  for (int line = 0; line < static_cast<int>(fronts_.size()); ++line)
+    for (std::size_t n = 0; n < kClutter_mm.size(); ++n) {
+      const auto which = static_cast<std::uint32_t>(2 * n + 1) * 0x85EBCA77U;
+      const double delay_mm = kClutter_mm[n] + kWaver_mm * waverAt(line, which);
+      const double share = kFaintestCopy + (1.0 - kFaintestCopy) * (0.5 + 0.5 * waverAt(line, which + 0x9E3779B9U));
+      const double level_db = effect_.clutter_db - kClutterFall_dbPerMm * delay_mm;
+      copies_.push_back({static_cast<int>(std::lround(delay_mm / layout_->grid.sampleSpacing_mm)),
+                         static_cast<float>(share * amplitudeOf(level_db)), static_cast<int>((n + 1) % 4)});
+    }
 }
 
 void EchoReverberation::find(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, const EchoMotion& motion,
@@ -129,7 +156,7 @@ void EchoReverberation::find(const SliceSource& labels, const Transform<frame::V
 
 void EchoReverberation::add(int line, std::span<float> field, std::vector<float>& before) const {
   before.assign(field.begin(), field.end());
-  if (effect_.clutter_db > kNoClutter_db) clutter(before.data(), field);
+  if (!copies_.empty()) clutter(line, before.data(), field);
   if (effect_.shadowHaze_db > kNoHaze_db) haze(line, before.data(), field);
   const Front& front = fronts_[static_cast<std::size_t>(line)];
   if (front.range_mm < 0.0) return;
@@ -254,15 +281,11 @@ void EchoReverberation::haze(int line, const float* before, std::span<float> fie
   }
 }
 
-void EchoReverberation::clutter(const float* before, std::span<float> field) const {
-  int quarter = 1;
-  for (const double delay_mm : kClutter_mm) {
-    const int delay = static_cast<int>(std::lround(delay_mm / layout_->grid.sampleSpacing_mm));
-    const double level_db = effect_.clutter_db - kClutterFall_dbPerMm * delay_mm;
-    if (delay < layout_->columns)
-      addTurned(before, static_cast<float>(amplitudeOf(level_db)), quarter, layout_->columns - delay, field.data() + 2 * delay);
-    quarter = (quarter + 1) % 4;
-  }
+void EchoReverberation::clutter(int line, const float* before, std::span<float> field) const {
+  const Copy* copies = copies_.data() + static_cast<std::size_t>(line) * kClutter_mm.size();
+  for (std::size_t n = 0; n < kClutter_mm.size(); ++n)
+    if (const Copy& copy = copies[n]; copy.delay < layout_->columns)
+      addTurned(before, copy.weight, copy.quarter, layout_->columns - copy.delay, field.data() + 2 * copy.delay);
 }
 
 }  // namespace ew::detail

@@ -20,8 +20,8 @@ namespace ew::detail {
 ///   both   what lies between face and front once more, n times: F field(s) at s + n R, n loss_dbPerBounce below; the front itself comes
 ///          back as lines at 2 R, 3 R (A-lines); 8 dB less behind gas, whose front is rough
 /// and everywhere copies of the line 3.1 to 13.7 mm deeper, clutter_db below, falling by 1 dB a mm: layers of the body's wall, seen in
-/// what is dark behind them.
-/// and everywhere a haze of sound that wandered about between the layers in front: noise whose power is the mean of the line's so far,
+/// what is dark behind them. They waver from line to line by up to 1.1 mm and 10 dB, so that a bright line has no ladder of itself below
+/// it. and everywhere a haze of sound that wandered about between the layers in front: noise whose power is the mean of the line's so far,
 /// shadowHaze_db below it. What lies square to the beam sends its sound straight back, where it does not wander: a piece of the line
 /// counts at most 6 dB above the mean before it. Shadows fill with the haze; it changes with the probe's place and stands where that
 /// stands.
@@ -60,7 +60,8 @@ class EchoReverberation {
   void ring(std::uint32_t key, double first, double fall_dbPerMm, const Echo& echo, std::span<float> field) const;
   void bounce(const Front& front, const Echo& echo, const float* before, std::span<float> field) const;
   void mirror(const Echo& echo, const float* before, std::span<float> field) const;
-  void clutter(const float* before, std::span<float> field) const;
+  void layClutter();
+  void clutter(int line, const float* before, std::span<float> field) const;
   void haze(int line, const float* before, std::span<float> field) const;
 
   const EchoLayout* layout_ = nullptr;
@@ -70,6 +71,12 @@ class EchoReverberation {
   std::array<float, 256> isLung_{};
   std::uint32_t place_ = 0;  ///< hash of where the probe is
   std::vector<Front> fronts_;
+  struct Copy {
+    int delay = 0;  ///< columns
+    float weight = 0.0F;
+    int quarter = 0;  ///< of a turn
+  };
+  std::vector<Copy> copies_;     ///< by line, the copies of clutter one after another; none where there is none
   std::vector<glm::vec3> back_;  ///< scratch: as EchoMotion::rowsOf gives it
 };
 
