@@ -214,15 +214,28 @@ std::vector<Pair> pairsOfKnobs() {
 
 std::vector<Pair> pairsOfWholeScenes(const SheetSource& source) {
   const Scene& asked = source.subject.scene;
-  return {{"nothing on", "as the case asks", {}, [asked](Setting& s) { s.scene = asked; }},
-          {"everything, weave", "everything, cubic",
-           [asked](Setting& s) {
-             s.scene = sceneWithEverything();
-             s.scene.recordedDynamicRange_db = asked.recordedDynamicRange_db;
-             s.scene.tissues = asked.tissues;
-             s.knobs.quality = Quality::weave;
-           },
-           [](Setting& s) { s.knobs.quality = Quality::cubic; }}};
+  std::vector<Pair> pairs{{"nothing on", "as the case asks", {}, [asked](Setting& s) { s.scene = asked; }},
+                          {"everything, weave", "everything, cubic",
+                           [asked](Setting& s) {
+                             s.scene = sceneWithEverything();
+                             s.scene.recordedDynamicRange_db = asked.recordedDynamicRange_db;
+                             s.scene.tissues = asked.tissues;
+                             s.knobs.quality = Quality::weave;
+                           },
+                           [](Setting& s) { s.knobs.quality = Quality::cubic; }}};
+  // Of echoes formed anew.
+  if (source.subject.tissue && !source.subject.tissue->isRecorded)
+    pairs.push_back({"three directions", "harmonics",
+                     [asked](Setting& s) {
+                       s.scene = asked;
+                       s.scene.liveEchoes.emplace();
+                       s.knobs.compoundAngles = 3;
+                     },
+                     [](Setting& s) {
+                       s.knobs.compoundAngles = 1;
+                       s.knobs.harmonic = true;
+                     }});
+  return pairs;
 }
 
 void addProbe(Sheet& sheet, const Probe& probe, const Scene& scene) {
