@@ -20,8 +20,8 @@ namespace ew::detail {
 ///   both   what lies between face and front once more, n times: F field(s) at s + n R, n loss_dbPerBounce below; the front itself comes
 ///          back as lines at 2 R, 3 R (A-lines); 8 dB less behind gas, whose front is rough
 /// and everywhere copies of the line 3.1 to 13.7 mm deeper, clutter_db below, falling by 1 dB a mm: layers of the body's wall, seen in
-/// what is dark behind them. They waver from line to line by up to 1.1 mm and 10 dB, so that a bright line has no ladder of itself below
-/// it. and everywhere a haze of sound that wandered about between the layers in front: noise whose power is the mean of the line's so far,
+/// what is dark behind them. They waver from line to line by up to 1.1 mm and 10 dB: a bright line has no ladder of itself below it.
+/// And everywhere a haze of sound that wandered about between the layers in front: noise whose power is the mean of the line's so far,
 /// shadowHaze_db below it. What lies square to the beam sends its sound straight back, where it does not wander: a piece of the line
 /// counts at most 6 dB above the mean before it. Shadows fill with the haze; it changes with the probe's place and stands where that
 /// stands.

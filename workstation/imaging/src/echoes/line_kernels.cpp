@@ -156,6 +156,13 @@ void toAmplitudesOf(float perLevel, int count, float* inOut) {
   });
 }
 
+void fromAmplitudesOf(float perDoubling, int count, float* inOut) {
+  forColumns(count, [&](auto d, int x) HWY_ATTR {
+    const auto amplitude = hn::Max(hn::LoadU(d, inOut + x), hn::Set(d, 1e-9F));
+    hn::StoreU(hn::Add(hn::Set(d, 255.0F), hn::Mul(log2Of(d, amplitude), hn::Set(d, perDoubling))), d, inOut + x);
+  });
+}
+
 void keptOfLoss(const float* loss_log2, int count, float* kept) {
   forColumns(count, [&](auto d, int x) HWY_ATTR {
     const auto loss = hn::Min(hn::Max(hn::LoadU(d, loss_log2 + x), hn::Set(d, -100.0F)), hn::Set(d, 100.0F));
@@ -200,6 +207,7 @@ HWY_EXPORT(turnComplexOf);
 HWY_EXPORT(addEnvelopeOf);
 HWY_EXPORT(toLevelsOf);
 HWY_EXPORT(toAmplitudesOf);
+HWY_EXPORT(fromAmplitudesOf);
 HWY_EXPORT(keptOfLoss);
 HWY_EXPORT(passRayOf);
 HWY_EXPORT(addWeightedOf);
@@ -221,6 +229,7 @@ void toLevels(const float* in, float aside, float perDoubling, int count, float*
   HWY_DYNAMIC_DISPATCH(toLevelsOf)(in, aside, perDoubling, count, out);
 }
 void toAmplitudes(float perLevel, int count, float* inOut) { HWY_DYNAMIC_DISPATCH(toAmplitudesOf)(perLevel, count, inOut); }
+void fromAmplitudes(float perDoubling, int count, float* inOut) { HWY_DYNAMIC_DISPATCH(fromAmplitudesOf)(perDoubling, count, inOut); }
 void keptOf(const float* loss_log2, int count, float* kept) { HWY_DYNAMIC_DISPATCH(keptOfLoss)(loss_log2, count, kept); }
 void passRay(const float* kept, float most, int count, float* left) { HWY_DYNAMIC_DISPATCH(passRayOf)(kept, most, count, left); }
 void addWeighted(const float* in, float weight, int count, float* out) { HWY_DYNAMIC_DISPATCH(addWeightedOf)(in, weight, count, out); }

@@ -41,8 +41,10 @@ void addEnvelope(const float* in, const float* pulse, int reach, float share, in
 /// @param in count values, and one more on each side
 void toLevels(const float* in, float aside, float perDoubling, int count, float* out);
 
-/// The inverse of toLevels without neighbours: inOut = 2^((inOut - 255) perLevel), exponents beyond 100 counting as that.
+/// inOut = 2^((inOut - 255) perLevel), exponents beyond 100 counting as that: the inverse of fromAmplitudes.
 void toAmplitudes(float perLevel, int count, float* inOut);
+/// inOut = 255 + perDoubling log2(inOut), as toLevels without neighbours.
+void fromAmplitudes(float perDoubling, int count, float* inOut);
 
 /// kept = 2^-loss.
 void keptOf(const float* loss_log2, int count, float* kept);

@@ -86,7 +86,7 @@ void compound(const CompoundTable& table, double brightens_db, double greyPerDb,
         }
         out[line] = less * sum / shares;
       }
-      toLevels(out, 0.0F, static_cast<float>(perDoubling), table.lines, out);
+      fromAmplitudes(static_cast<float>(perDoubling), table.lines, out);
     }
   });
 }

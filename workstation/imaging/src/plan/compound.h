@@ -10,11 +10,12 @@
 
 namespace ew::detail {
 
-/// Spatial compounding: the same lines seen once more along other directions, and the mean of the amplitudes. Speckle
-/// of directions that lie a lateral resolution's angle apart is independent, shadows end where all directions pass what throws them, and a
-/// surface is bright that lies square to one of them.
-/// Source: Jespersen, Wilhjelm & Sillesen, Ultrasonic Imaging 20 (1998), 81-102. Ours departs: all directions are of one moment, where a
-/// machine adds up its last few images; near the sides of the fan and below the face, where a direction ends, its share fades.
+// Spatial compounding: the same lines seen once more along other directions, and the mean of the amplitudes. Speckle of directions that lie
+// a lateral resolution's angle apart is independent, shadows end where all directions pass what throws them, and a surface is bright that
+// lies square to one of them.
+// Source: Jespersen, Wilhjelm & Sillesen, Ultrasonic Imaging 20 (1998), 81-102. Ours departs: all directions are of one moment, where a
+// machine adds up its last few images; near the sides of the fan and below the face, where a direction ends, its share fades.
+
 /// The steering of each direction beside the middle one: 8.5 degrees apart from a straight face, 12 from an arc, below which lines that
 /// leave it at an angle meet those of the middle direction at ever smaller ones.
 /// @param angles odd
