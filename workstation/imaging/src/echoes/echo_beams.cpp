@@ -11,10 +11,10 @@ namespace ew::detail {
 namespace {
 
 constexpr double kApodisedWidth = 1.4;
-constexpr double kFNumber = 2.0;     // of transmission, at least
-constexpr double kNoRange_mm = 1e6;  // of a beam that does not widen
-constexpr double kGrows_mm = 25.0;   // way in which a harmonic reaches half of what it becomes
-constexpr double kNearest_mm = 1.0;  // where it has something
+constexpr double kFNumber = 2.0;             // of transmission, at least
+constexpr double kNoRange_mm = 1e6;          // of a beam that does not widen
+constexpr double kGrows_wavelengths = 57.0;  // way in which a harmonic reaches half of what it becomes
+constexpr double kNearest_mm = 1.0;          // where it has something
 
 double rayleighRange_mm(double oneWaySigma_mm, double wavelength_mm) {
   return 2.0 * std::numbers::pi * oneWaySigma_mm * oneWaySigma_mm / wavelength_mm;
@@ -50,7 +50,7 @@ double EchoBeams::focusGain_db(double depth_mm) const {
 
 double EchoBeams::beamGain_db(double depth_mm) const {
   if (!isHarmonic) return focusGain_db(depth_mm);
-  const auto grown = [](double way_mm) { return way_mm / (way_mm + kGrows_mm); };
+  const auto grown = [this](double way_mm) { return way_mm / (way_mm + kGrows_wavelengths * wavelength_mm); };
   return focusGain_db(depth_mm) + 20.0 * std::log10(grown(std::max(depth_mm, kNearest_mm)) / grown(shownAsIs_mm));
 }
 

@@ -18,12 +18,12 @@ namespace ew::detail {
 /// The machine's own depth compensation is set for the usual focus (half the depth), which therefore shows tissue as it is.
 /// Harmonics: L is twice as long on transmission, and what is received grew as the square of what was sent, so its beam is narrower by
 /// sqrt(2) than that of the wave that was sent; side lobes, whose squares are small, fall by half as many decibels again (haze). It has to
-/// grow: amplitude z / (z + 25 mm), shown as tissue is at half the depth, so that layers near the face and their copies further down are
-/// faint. Losses are those of the carrier: half of it, squared, on the way in, itself on the way out (attenuation is linear in frequency).
-/// Source: quasi-linear second harmonic, Hamilton & Blackstock, Nonlinear Acoustics (1998), ch. 3 (source term, attenuated plane waves);
-/// the 25 mm, where growth by distance gives way to spreading, are ours.
-/// Source: Gaussian beams as in Cobbold, Foundations of Biomedical Ultrasound (2007), ch. 3. Ours departs: no side lobes (the haze of
-/// echo_lines.h stands for them), one carrier at every depth.
+/// grow: amplitude z / (z + 57 L), 25 mm at 3.5 MHz, shown as tissue is at half the depth, so that layers near the face and their copies
+/// further down are faint. Losses are those of the carrier: half of it, squared, on the way in, itself on the way out (attenuation is
+/// linear in frequency). Source: quasi-linear second harmonic, Hamilton & Blackstock, Nonlinear Acoustics (1998), ch. 3 (source term,
+/// attenuated plane waves); the 57 wavelengths, where growth by distance gives way to spreading, are ours (distances grow with 1 /
+/// frequency). Source: Gaussian beams as in Cobbold, Foundations of Biomedical Ultrasound (2007), ch. 3. Ours departs: no side lobes (the
+/// haze of echo_lines.h stands for them), one carrier at every depth.
 struct EchoBeams {
   double wavelength_mm = 0.44;
   double axialSigma_mm = 0.2;  ///< of each look

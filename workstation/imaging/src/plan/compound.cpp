@@ -12,7 +12,7 @@ namespace ew::detail {
 namespace {
 
 constexpr double kFade_lines = 12.0;  // over which a direction's share fades towards its outermost line
-constexpr double kFade_mm = 4.0;      // likewise below the face, where a direction's lines begin
+constexpr double kFade_mm = 4.0;      // likewise towards both ends of its lines
 
 }  // namespace
 
@@ -41,8 +41,8 @@ CompoundTable makeCompound(const Probe& probe, const Knobs& knobs, const BeamGri
             lineAndSampleAt(probe, knobs, grids[look], line.origin_mm + middle.depth_mm(s) * line.direction, looks_rad[look]);
         CompoundTable::Tap& tap = taps.emplace_back();
         const double aside = std::clamp(std::min(at.x, lastLine - at.x) / kFade_lines, 0.0, 1.0);
-        const double below = at.y > lastSample ? 0.0 : std::clamp(middle.depth_mm(at.y) / kFade_mm, 0.0, 1.0);
-        tap.share = static_cast<float>(aside * below);
+        const double along = std::clamp(middle.depth_mm(std::min(at.y, lastSample - at.y)) / kFade_mm, 0.0, 1.0);
+        tap.share = static_cast<float>(aside * along);
         const double x = std::clamp(at.x, 0.0, lastLine), y = std::clamp(at.y, 0.0, lastSample);
         const double wholeX = std::min(std::floor(x), lastLine - 1.0), wholeY = std::min(std::floor(y), lastSample - 1.0);
         tap.first = static_cast<std::uint32_t>(wholeY) * static_cast<std::uint32_t>(table.lines) + static_cast<std::uint32_t>(wholeX);

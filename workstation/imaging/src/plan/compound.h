@@ -14,7 +14,8 @@ namespace ew::detail {
 // a lateral resolution's angle apart is independent, shadows end where all directions pass what throws them, and a surface is bright that
 // lies square to one of them.
 // Source: Jespersen, Wilhjelm & Sillesen, Ultrasonic Imaging 20 (1998), 81-102. Ours departs: all directions are of one moment, where a
-// machine adds up its last few images; near the sides of the fan and below the face, where a direction ends, its share fades.
+// machine adds up its last few images; near the sides of the fan, below the face and above the last depth, where a direction ends, its
+// share fades.
 
 /// The steering of each direction beside the middle one: 8.5 degrees apart from a straight face, 12 from an arc, below which lines that
 /// leave it at an angle meet those of the middle direction at ever smaller ones.
