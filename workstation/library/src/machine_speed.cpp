@@ -11,7 +11,8 @@ namespace {
 
 constexpr const char* kSpeedFile = "speed.json";
 constexpr double kNewShare = 0.5;  // of what was just measured: a machine's load changes
-// Two cores of 2.5 GHz: s a patient, s for a million voxels of its box (air and fluid cost little: 0.2 to 0.65), s for a million resolution cells, the same, s for a million voxels swept.
+// Two cores of 2.5 GHz: s a patient, s for a million voxels of its box (air and fluid cost little: 0.2 to 0.65), s for a million resolution
+// cells, the same, s for a million voxels swept.
 constexpr std::array<double, kPreparationSteps.size()> kNominal = {0.5, 0.55, 1.6, 0.15, 0.3};
 
 /// In the file.
