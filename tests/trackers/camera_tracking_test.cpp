@@ -93,6 +93,28 @@ TEST(CameraTracking, ASmallFlatMarkerSeenFromAfarIsNotShownAsIfItWereSure) {
   EXPECT_NE(sight.bodies[0].state, TrackingState::live);
 }
 
+TEST(CameraTracking, OneMarkerThatIsReadAsAnotherTurnsNoProbe) {
+  // Two faces of a body, a third of a turn apart; the camera sees one of them, and for one picture a thumb makes it look like the other.
+  MarkerBody body = smallBoard(30);
+  body.markers.resize(2);
+  const glm::dmat3 third(glm::rotate(glm::dmat4(1.0), glm::radians(120.0), glm::dvec3(0.0, 1.0, 0.0)));
+  for (std::size_t n = 0; n < 4; ++n) body.markers[1].corners_mm[n] = third * body.markers[0].corners_mm[n];
+  MarkerBody seen = smallBoard(30), misread = smallBoard(31);
+  seen.markers.resize(1);
+  misread.markers.resize(1);
+  const glm::dmat4 truth = poseAt({20.0, -15.0, 330.0}, 0.6);
+  const auto right = pictureOf(smallCamera(), seen, truth), wrong = pictureOf(smallCamera(), misread, truth);
+  CameraTracker tracker = trackerOf({body});
+  ASSERT_EQ(tracker.track(viewOf(right), 0.0).bodies[0].state, TrackingState::live);
+  const auto jumped = tracker.track(viewOf(wrong), 1.0 / 30.0);
+  EXPECT_EQ(jumped.bodies[0].markers, 1);
+  EXPECT_EQ(jumped.bodies[0].state, TrackingState::outOfRange);
+  const auto again = tracker.track(viewOf(right), 2.0 / 30.0);
+  ASSERT_EQ(again.bodies[0].state, TrackingState::live);
+  EXPECT_LT(largestDifference(again.bodies[0].bodyToCamera.matrix, truth), 0.6);
+  EXPECT_EQ(tracker.track(viewOf(wrong), 2.0).bodies[0].state, TrackingState::live) << "in two seconds a hand turns a probe round";
+}
+
 TEST(CameraTracking, UsesNoMoreMarkersThanAskedFor) {
   CameraTrackingOptions options = inLight();
   options.mostMarkers = 2;

@@ -21,6 +21,7 @@ constexpr double kCertain = 60.0;            // evidence from which on the other
 constexpr double kCertainRatio = 1.6;        // ... and how many times it has to fit worse
 constexpr double kFastest_radPerS = 3.0;     // that a probe is turned
 constexpr double kHarmlessAngle_rad = 0.03;  // two poses that near do not make a flip
+constexpr double kMisread_rad = 0.6;         // that one marker alone turned a probe beyond what a hand does: it was read as another one
 
 /// What is kept of a body from one picture to the next.
 struct BodyMemory {
@@ -100,6 +101,7 @@ struct CameraTracker::State {
   void trackBody(const cv::Mat& picture, std::size_t index, std::vector<MarkerSight*> found, CameraSight& sight, double time_s);
   void learnBleed(const BodySight& sight, const BodyEstimate& estimate, double time_s);
   void judge(BodySight& sight, const BodyEstimate& estimate, const BodyMemory& memory, double time_s) const;
+  void chooseOfTwo(BodySight& sight, const BodyEstimate& estimate, const BodyMemory& memory, double since_s) const;
   void remember(TrackedBody& each, BodySight& sight, const std::vector<MarkerSight>& markers, int body, double time_s) const;
 };
 
@@ -208,7 +210,16 @@ void CameraTracker::State::judge(BodySight& sight, const BodyEstimate& estimate,
   if (estimate.best.rms_px > options.largestRms_px) sight.state = TrackingState::invalid;
   if (estimate.spread_mm > options.largestSpread_mm || estimate.spread_rad > options.largestSpread_rad)
     sight.state = TrackingState::outOfRange;
-  if (!estimate.other) return;
+  const double since_s = time_s - memory.seen_s;
+  if (estimate.other) chooseOfTwo(sight, estimate, memory, since_s);
+  // A thumb can leave what another marker looks like, to the last square. Alone it has nobody to contradict it but the picture before.
+  if (sight.state == TrackingState::live && estimate.markers == 1 && since_s < kForgetAfter_s &&
+      angleBetween(memory.bodyToCamera, sight.bodyToCamera.matrix) > kFastest_radPerS * since_s + kMisread_rad)
+    sight.state = TrackingState::outOfRange;
+}
+
+/// Of the two poses that explain a flat view, the one that the picture tells, or the picture before.
+void CameraTracker::State::chooseOfTwo(BodySight& sight, const BodyEstimate& estimate, const BodyMemory& memory, double since_s) const {
   sight.flipRatio = estimate.other->rms_px / std::max(0.02, estimate.best.rms_px);
   if (estimate.otherAngle_rad < kHarmlessAngle_rad) return;
   if (estimate.evidence > kCertain && sight.flipRatio > kCertainRatio) return;
@@ -216,7 +227,7 @@ void CameraTracker::State::judge(BodySight& sight, const BodyEstimate& estimate,
   // part where a face is seen straight on, and there nobody knows any more which one goes on.
   sight.ambiguous = true;
   // Nor does anybody where a fast hand could have gone from one to the other meanwhile.
-  if ((time_s - memory.seen_s) * kFastest_radPerS < 0.35 * estimate.otherAngle_rad) {
+  if (since_s * kFastest_radPerS < 0.35 * estimate.otherAngle_rad) {
     const double toBest = angleBetween(memory.bodyToCamera, estimate.best.bodyToCamera);
     const double toOther = angleBetween(memory.bodyToCamera, estimate.other->bodyToCamera);
     if (toBest < 0.25 * estimate.otherAngle_rad && toOther > 0.75 * estimate.otherAngle_rad) return;
