@@ -84,7 +84,7 @@ class Preparation {
     const auto add = [&](PreparationStep kind, double work) { steps.push_back({static_cast<int>(kind), speed.of(kind) * work}); };
     if (plan.sweeps.empty()) {
       add(PreparationStep::patient, 1.0);
-      add(PreparationStep::voxelise, plan.voxeliseWork);
+      add(PreparationStep::voxelise, voxeliseWork(plan, opened.volume.recipeSpacing_mm));
       return steps;
     }
     bool hasPatient = false;
@@ -155,7 +155,9 @@ class Preparation {
     }();
     if (!voxels) return passOn(voxels.error());
     // What an earlier run has left took no time; a small rest says nothing of the machine's speed.
-    if (painted > 0.5) keepMachineSpeed(cacheFolder(), PreparationStep::voxelise, painted * plan_.voxeliseWork, clock_.sinceBegin_s());
+    if (painted > 0.5)
+      keepMachineSpeed(cacheFolder(), PreparationStep::voxelise, painted * voxeliseWork(plan_, case_.volume.recipeSpacing_mm),
+                       clock_.sinceBegin_s());
     Prepared made{std::move(voxels->volume), {}};
     made.labels = {made.volume.grid, std::move(voxels->labels), {}};
     if (voxels->maps) made.maps = std::make_shared<TissueMaps>(std::move(*voxels->maps));

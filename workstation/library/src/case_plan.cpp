@@ -95,10 +95,6 @@ Result<CasePlan> unguardedPlanOf(const Case& opened) {
   whole.add(kPreparationFormat).add(*patient);
   if (opened.volume.sweeps.empty()) {
     whole.add("voxelised").add(opened.volume.recipeSpacing_mm);
-    const auto box = readPatientBox(plan.patientFile, plan.mannequins);
-    if (!box) return passOn(box.error());
-    const glm::dvec3 voxels = (box->highest_mm - box->lowest_mm) / opened.volume.recipeSpacing_mm;
-    plan.voxeliseWork = 1e-6 * voxels.x * voxels.y * voxels.z;
   } else {
     std::set<std::string> names;
     for (const std::string& relative : opened.volume.sweeps) {
@@ -151,6 +147,13 @@ double stitchWork(const CasePlan& plan, const CaseReconstruction& reconstruct) {
   for (const PlannedSweep& sweep : plan.sweeps)
     volume_mm3 += frameArea_mm2(sweep.probe, sweep.recipe.formation.depth_mm) * sweep.recipe.frames;  // frames about 1 mm apart
   return 1e-6 * volume_mm3 / std::pow(reconstruct.spacing_mm.value_or(kUsual_mm), 3);
+}
+
+double voxeliseWork(const CasePlan& plan, double spacing_mm) {
+  const auto box = readPatientBox(plan.patientFile, plan.mannequins);
+  if (!box) return 0.0;
+  const glm::dvec3 voxels = (box->highest_mm - box->lowest_mm) / spacing_mm;
+  return 1e-6 * voxels.x * voxels.y * voxels.z;
 }
 
 }  // namespace ew

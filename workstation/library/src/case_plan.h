@@ -41,7 +41,6 @@ struct CasePlan {
   std::string maps;                  ///< key in kMaps
   std::string motion;                ///< key in kMotions; empty: none is asked for
   std::string truth;                 ///< key in kTruths
-  double voxeliseWork = 0.0;         ///< million voxels of its box, where it is voxelised
   [[nodiscard]] bool isDoneIn(const StepStore& store) const;
   [[nodiscard]] bool isDone() const;  ///< in the cache
   /// Whether something lies there as a part of it that cannot be used.
@@ -54,5 +53,8 @@ struct CasePlan {
 
 /// Of stitching, which counts voxels: before there is a volume, what the sweeps see says how many there will be.
 [[nodiscard]] double stitchWork(const CasePlan& plan, const CaseReconstruction& reconstruct);
+
+/// Of building the patient: million voxels of its box. Reads the recipe; 0 where it has no box, which whoever makes the volume will say.
+[[nodiscard]] double voxeliseWork(const CasePlan& plan, double spacing_mm);
 
 }  // namespace ew
