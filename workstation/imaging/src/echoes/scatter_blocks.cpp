@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -23,6 +24,7 @@ struct Piece {
   double farthest_mm = 0.0;
   double reach_mm = 0.0;   ///< beside the slice's middle
   double beside_mm = 0.0;  ///< seen beyond the outermost lines
+  std::array<FanShape::Line, 2> outermost{};
 };
 
 /// How far the middle of a block may lie from one of its cells, along each axis of the probe frame and in any direction.
@@ -54,6 +56,7 @@ Piece pieceOf(const EchoLayout& layout, const BlockSize& size, int number) {
   const EchoBeams& beams = layout.beams;
   piece.reach_mm = layout.effect.reach * std::max(beams.elevationalSigma_mm(shallow_mm), beams.elevationalSigma_mm(deep_mm));
   piece.beside_mm = kLateralMargin * std::max(beams.lateralSigma_mm(deep_mm), beams.lateralSigma_mm(shallow_mm));
+  piece.outermost = {layout.fan.lineAt(-1.0), layout.fan.lineAt(1.0)};
   for (int n = 0; n < kAngles; ++n) {
     const FanShape::Line line = layout.fan.lineAt(2.0 * n / (kAngles - 1) - 1.0);
     for (const double range_mm : {nearest_mm, farthest_mm}) {
@@ -82,12 +85,11 @@ bool belongs(const FanShape& fan, const Piece& piece, const glm::dvec3& p_mm, do
     return (std::abs(fan.placeOf(glm::dvec2(p_mm)).across) - 1.0) * fan.halfWidth_mm <
            (piece.beside_mm + radius_mm) / std::cos(fan.steering_rad);
   if (fan.kind == FanShape::Kind::sector && !isArc) {
-    double beyond_mm = -std::numeric_limits<double>::infinity();
-    for (const double side : {-1.0, 1.0}) {
-      const FanShape::Line line = fan.lineAt(side);
+    const auto rightOf_mm = [&](const FanShape::Line& line) {
       const glm::dvec2 from_mm = glm::dvec2(p_mm) - line.origin_mm;
-      beyond_mm = std::max(beyond_mm, side * (from_mm.x * line.direction.y - from_mm.y * line.direction.x));
-    }
+      return from_mm.x * line.direction.y - from_mm.y * line.direction.x;
+    };
+    const double beyond_mm = std::max(-rightOf_mm(piece.outermost[0]), rightOf_mm(piece.outermost[1]));
     return fan.halfAngle_rad + std::abs(fan.steering_rad) > 0.5 * std::numbers::pi || beyond_mm < radius_mm + piece.beside_mm;
   }
   // Distance beyond the outermost line, as far as it is a straight one.

@@ -82,6 +82,13 @@ double shownDynamicRange_db(const Knobs& knobs, const Scene& scene) {
   return knobs.dynamicRange_db > 0.0 ? knobs.dynamicRange_db : scene.recordedDynamicRange_db;
 }
 
+/// Everything so far once more for each other direction, and their mean.
+Step compoundingOf(const std::vector<Step>& soFar, double samples, int angles) {
+  double once_us = 1e-3 * infoOf(StepKind::compound).sample_ns * samples;
+  for (const Step& step : soFar) once_us += step.estimated_us;
+  return {StepKind::compound, (angles - 1) * once_us};
+}
+
 bool hasTable(const Knobs& knobs, const Scene& scene) {
   const bool gains = knobs.gain != 1.0 || std::any_of(knobs.dgc.begin(), knobs.dgc.end(), [](double factor) { return factor != 1.0; });
   return (gains && detail::hasPaperGain(knobs, scene)) || !detail::toneOf(knobs, scene).isNeutral();
@@ -241,13 +248,7 @@ Plan planOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const Di
     if (scene.attenuation && !tissuesDecide) add(StepKind::attenuation);
     if (losesContact) add(StepKind::contact);
     if (scene.reverberation && !tissuesKnown) add(StepKind::reverberation);
-    if (knobs.compoundAngles > 1) {
-      // Everything so far once more for each other direction.
-      double once_us = 0.0;
-      for (const Step& step : plan.steps) once_us += step.estimated_us;
-      add(StepKind::compound, knobs.compoundAngles - 1.0);
-      plan.steps.back().estimated_us += (knobs.compoundAngles - 1) * once_us;
-    }
+    if (knobs.compoundAngles > 1) plan.steps.push_back(compoundingOf(plan.steps, samples, knobs.compoundAngles));
     if (!gain.isNeutral()) add(StepKind::gain);
   } else if (plan.onBeams) {
     if (live) {
