@@ -15884,7 +15884,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; is shown coarsely at first and gets finer by itself, in %2.</source>
-        <translation>„%1“ wird zuerst grob gezeigt und von selbst feiner, in %2.</translation>
+        <translation>„%1“ wird zuerst grob gezeigt und von selbst feiner; das dauert %2.</translation>
     </message>
     <message>
         <source>A recording of the scan: %1 min</source>
@@ -16364,7 +16364,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>Coarse at first, whole in %1</source>
-        <translation>Zuerst grob, ganz in %1</translation>
+        <translation>Zuerst grob, ganz: %1</translation>
     </message>
     <message>
         <source>The window was not ready within %1 s; try a smaller volume.</source>
