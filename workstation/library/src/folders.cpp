@@ -1,8 +1,9 @@
+#include "ew/library/folders.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <string>
 
-#include "ew/library/case.h"
 #include "private_folder.h"
 
 namespace ew {

@@ -39,4 +39,7 @@ namespace ew {
 [[nodiscard]] Result<void> takeRevisionsAway(const std::filesystem::path& library, const std::string& id,
                                              const std::function<Result<void>()>& move);
 
+/// The sums of a revision whose files are all there.
+[[nodiscard]] std::optional<std::vector<FileSum>> sumsOfComplete(const std::filesystem::path& revision);
+
 }  // namespace ew

@@ -16,6 +16,7 @@
 #include "ew/imaging/frame.h"
 #include "ew/imaging/tissue_maps.h"
 #include "ew/imaging/tissue_motion.h"
+#include "ew/library/folders.h"
 #include "ew/stitching/join.h"
 
 namespace ew {
@@ -243,19 +244,5 @@ inline constexpr int kDraftCoarseness = 3;
 
 /// Whether loadCaseVolume will have to make the volume first; estimatePreparation says how long that takes.
 [[nodiscard]] bool caseNeedsPreparation(const Case& opened);
-
-/// Where the program's own data are: $ECHOWEAVE_RESOURCES, beside the program, the source tree it was built from, or the installed place.
-[[nodiscard]] Result<std::filesystem::path> resourceFolder();
-[[nodiscard]] Result<std::filesystem::path> shippedCasesFolder();
-/// Whether a folder is one of the shipped cases', or any other place below them: it belongs to the program, and a new version of the
-/// program, or of its sources, replaces what is in it.
-[[nodiscard]] bool isShipped(const std::filesystem::path& folder);
-/// The user's library (published.h says what is in it): $ECHOWEAVE_LIBRARY, else ~/EchoWeave. It need not be there yet.
-[[nodiscard]] std::filesystem::path libraryFolder();
-/// Where a user's own cases are kept unless another folder is chosen: $ECHOWEAVE_CASES, else cases in the library. It need not be there
-/// yet.
-[[nodiscard]] std::filesystem::path ownCasesFolder();
-/// $ECHOWEAVE_CACHE, else $XDG_CACHE_HOME/echoweave, else ~/.cache/echoweave.
-[[nodiscard]] std::filesystem::path cacheFolder();
 
 }  // namespace ew
