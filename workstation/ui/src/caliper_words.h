@@ -3,12 +3,14 @@
 #include <QCoreApplication>
 #include <QString>
 
-#include "calipers.h"
 #include "ew/measurement/caliper.h"
 #include "ew/measurement/measurement_list.h"
 #include "ew/measurement/snap_target.h"
 
 namespace ew::ui {
+
+/// Where a caliper is drawn: on the scan, or in the strip of the M-mode.
+enum class Where { picture, strip };
 
 /// How the window names calipers and writes what they measure, in its language.
 struct CaliperWords {
@@ -32,9 +34,6 @@ struct CaliperWords {
   [[nodiscard]] static QString numberOf(Where where, int number);
   /// "edge", "cross 2", "level": what a point is drawn to.
   [[nodiscard]] static QString snapWord(const measurement::SnapTarget& target, bool isInStrip);
-  /// Where the uncertainty of a caliper comes from: pixel, and the beam at its points; of a strip columns, beams and rows. And what became
-  /// of its echoes.
-  [[nodiscard]] static QString howItCameAbout(const Calipers::Line& line);
 };
 
 }  // namespace ew::ui

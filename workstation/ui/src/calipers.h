@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "caliper_words.h"
 #include "ew/imaging/display.h"
 #include "ew/measurement/caliper_drawing.h"
 #include "ew/measurement/findings.h"
@@ -19,9 +20,6 @@ namespace ew::ui {
 
 class Jobs;
 class Session;
-
-/// Where a caliper is drawn: on the scan, or in the strip of the M-mode.
-enum class Where { picture, strip };
 
 /// The measurements of the picture that stands still: what was drawn on it, and what that measures. They belong to one picture: another
 /// one of the cine loop or of a recording has its own, and they are there again when it is. The scan that goes on, or the recording that is

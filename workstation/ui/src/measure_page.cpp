@@ -10,6 +10,7 @@
 #include <functional>
 #include <utility>
 
+#include "caliper_origin.h"
 #include "caliper_tool_row.h"
 #include "caliper_words.h"
 #include "figures.h"
@@ -263,7 +264,7 @@ void MeasurePage::showAll() {
   empty_->setText(drawing.tool() ? CaliperWords::hintOf(*drawing.tool())
                                  : tr("Nothing is measured yet. Choose a tool: the image freezes, and the first click sets a point."));
   explanation_->setVisible(chosen != nullptr);
-  if (chosen != nullptr) explanation_->setText(CaliperWords::howItCameAbout(*chosen));
+  if (chosen != nullptr) explanation_->setText(howItCameAbout(*chosen));
   holdHeight(*explanation_, kLineWidth_px);
   holdHeight(*empty_, kLineWidth_px);
   const bool isEmpty = drawing.isEmpty() && lines.empty();
