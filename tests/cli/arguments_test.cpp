@@ -1,4 +1,4 @@
-#include "arguments.h"
+#include "run/arguments.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

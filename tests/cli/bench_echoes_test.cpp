@@ -1,9 +1,9 @@
-#include "bench_echoes.h"
+#include "bench/bench_echoes.h"
 
 #include <cmath>
 
+#include "bench/echo_subject.h"
 #include "cli/bench_run.h"
-#include "echo_subject.h"
 
 namespace ew::test::bench_echoes_test {
 namespace {

@@ -1,12 +1,12 @@
-#include "bench_metrics.h"
+#include "bench/bench_metrics.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
+#include "bench/metric_study.h"
 #include "cli/cli_world.h"
 #include "ew/library/attempt.h"
-#include "metric_study.h"
 
 namespace ew::test::bench_metrics_test {
 namespace {

@@ -5,11 +5,11 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "cli/cli_world.h"
+#include "commands/registration_files.h"
 #include "ew/core/frames.h"
 #include "ew/io/vector_file.h"
 #include "ew/io/volume_file.h"
 #include "ew/phantom/speckled_tissue.h"
-#include "registration_files.h"
 
 namespace ew::test::register_test {
 namespace {

@@ -8,7 +8,7 @@
 #include "ew/imaging/frame.h"
 #include "ew/io/image_file.h"
 #include "ew/library/case.h"
-#include "knobs_file.h"
+#include "run/knobs_file.h"
 
 namespace ew::test::scan_test {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "ew/imaging/frame.h"
 #include "ew/io/image_file.h"
-#include "imaging/support.h"
+#include "imaging/support/support.h"
 #include "places.h"
 
 namespace ew::frames_test {

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "ew/imaging/scan_conversion.h"
-#include "imaging/probes_at_random.h"
+#include "imaging/support/probes_at_random.h"
 
 namespace ew::imaging_fan_test {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ew/imaging/frame.h"
-#include "imaging/support.h"
+#include "imaging/support/support.h"
 
 namespace ew::imaging_plan_test {
 namespace {

@@ -10,7 +10,7 @@
 #include "ew/imaging/effects/stretch.h"
 #include "ew/imaging/frame.h"
 #include "ew/imaging/slicing.h"
-#include "imaging/support.h"
+#include "imaging/support/support.h"
 
 namespace ew::imaging_test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "ew/phantom/virtual_sweep.h"
 #include "phantom/sweeps.h"
-#include "record_sweep.h"
+#include "scanner/record_sweep.h"
 
 namespace ew::phantom_sweep_test {
 namespace {

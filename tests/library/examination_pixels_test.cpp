@@ -11,13 +11,13 @@
 #include <random>
 #include <set>
 
+#include "access/trainee_view.h"
 #include "ew/imaging/settings_json.h"
 #include "ew/library/case_echoes.h"
 #include "ew/scanning/scanner.h"
 #include "library/coarse_case.h"
 #include "library/examination_world.h"
-#include "publishing_place.h"
-#include "trainee_view.h"
+#include "publishing/publishing_place.h"
 
 namespace ew::test::examination_pixels_test {
 namespace {

@@ -7,9 +7,9 @@
 
 #include <fstream>
 
-#include "index_folders.h"
+#include "files/sqlite.h"
+#include "index/index_folders.h"
 #include "index_library.h"
-#include "sqlite.h"
 
 namespace ew {
 namespace {

@@ -1,4 +1,4 @@
-#include "old_results.h"
+#include "making/old_results.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -8,8 +8,8 @@
 #include <set>
 
 #include "ew/library/case.h"
+#include "files/private_folder.h"
 #include "library/temporary_folder.h"
-#include "private_folder.h"
 
 namespace ew::old_results_test {
 namespace {

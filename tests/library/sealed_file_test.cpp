@@ -1,4 +1,4 @@
-#include "sealed_file.h"
+#include "access/sealed_file.h"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 #include <map>
 
 #include "recipes.h"
-#include "uneven_shapes.h"
-#include "vessel_tree.h"
+#include "shapes/uneven_shapes.h"
+#include "shapes/vessel_tree.h"
 
 namespace ew::phantom::grown_shapes_test {
 namespace {

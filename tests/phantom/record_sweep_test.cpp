@@ -1,4 +1,4 @@
-#include "record_sweep.h"
+#include "scanner/record_sweep.h"
 
 #include <gtest/gtest.h>
 

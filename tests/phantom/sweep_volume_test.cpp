@@ -10,7 +10,7 @@
 #include "ew/core/numbers.h"
 #include "ew/io/gating_fields.h"
 #include "ew/io/sweep.h"
-#include "record_sweep.h"
+#include "scanner/record_sweep.h"
 #include "sweeps.h"
 
 namespace ew::sweep_volume_test {

@@ -1,4 +1,4 @@
-#include "trajectory.h"
+#include "scanner/trajectory.h"
 
 #include <gtest/gtest.h>
 // gtest before rapidcheck: its header relies on it
@@ -6,8 +6,8 @@
 
 #include <numbers>
 
+#include "scanner/tracker_errors.h"
 #include "sweeps.h"
-#include "tracker_errors.h"
 
 namespace ew::trajectory_test {
 namespace {

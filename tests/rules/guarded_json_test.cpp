@@ -61,12 +61,12 @@ std::vector<Exception> withOwnWork(std::vector<Exception> others) {
   const std::vector<Exception> own = {
       {"workstation/stitching/src/chain/",
        "What a run kept of itself, under a sum of its content; readBack() and resultFilesFrom() catch."},
-      {"workstation/io/src/step_store.cpp", "What the store kept, under a sum of its content; find() catches."},
-      {"workstation/library/src/kept_motion.cpp", "What the library kept, under a sum of its content; readKeptMotion() catches."},
-      {"workstation/library/src/kept_maps.cpp", "What the library kept, under a sum of its content; readKeptMaps() catches."},
-      {"workstation/library/src/case_truth.cpp",
+      {"workstation/io/src/files/step_store.cpp", "What the store kept, under a sum of its content; find() catches."},
+      {"workstation/library/src/case/kept_motion.cpp", "What the library kept, under a sum of its content; readKeptMotion() catches."},
+      {"workstation/library/src/case/kept_maps.cpp", "What the library kept, under a sum of its content; readKeptMaps() catches."},
+      {"workstation/library/src/making/case_truth.cpp",
        "What truthOfPatient() made, or the library kept of it under a sum of its content; loadCaseTruth() catches."},
-      {"workstation/library/src/schema.cpp", "The schemas are texts of the program itself."},
+      {"workstation/library/src/files/schema.cpp", "The schemas are texts of the program itself."},
   };
   others.insert(others.begin(), own.begin(), own.end());
   return others;
@@ -75,7 +75,7 @@ std::vector<Exception> withOwnWork(std::vector<Exception> others) {
 TEST(GuardedJson, IsParsedInOnePlace) {
   const std::vector<Exception> exceptions = {
       {"workstation/core/src/json_fields.cpp", "The one place."},
-      {"workstation/library/src/schema.cpp", "The schemas are texts of the program itself."},
+      {"workstation/library/src/files/schema.cpp", "The schemas are texts of the program itself."},
       {"workstation/stitching/src/chain/provenance.cpp", "The text is what projectText() has just made; its fields keep their order."},
   };
   EXPECT_EQ(brokenBy(bareParsing, exceptions, "parseJson() of ew/core/json_fields.h, or jsonOrNull() of ew/core/foreign_json.h."), "");
@@ -97,7 +97,7 @@ TEST(GuardedJson, ItsFieldsAreAskedForByWhatCannotThrow) {
   const std::vector<Exception> exceptions = withOwnWork({
       {"workstation/records/src/cmi5.cpp", "A map of parameters, each looked for before."},
       {"workstation/scanning/src/preset.cpp", "A field that was asked for before."},
-      {"workstation/cli/src/bench_slicing.cpp", "A map of the benchmark's own."},
+      {"workstation/cli/src/bench/bench_slicing.cpp", "A map of the benchmark's own."},
   });
   EXPECT_EQ(
       brokenBy(bareGetters, exceptions,
@@ -117,13 +117,15 @@ TEST(GuardedJson, AGetterThatThrowsIsFound) {
 TEST(GuardedJson, ItsValuesAreTakenWhereTheirKindWasAskedFor) {
   const std::vector<Exception> exceptions = withOwnWork({
       {"workstation/core/src/json_fields.cpp", "What others are to use; `fits` asks."},
-      {"workstation/library/src/manifest.cpp", "After schemaProblems() and rigid(), which have refused every other kind."},
+      {"workstation/library/src/case/manifest.cpp", "After schemaProblems() and rigid(), which have refused every other kind."},
       {"workstation/sdk/door/src/manifest.cpp", "After schemaProblems(), which has refused every other kind."},
-      {"workstation/assessment/src/image_works.cpp", "pointOf() asks every number, and memberOf(...).is_string() stands before the rest."},
-      {"workstation/cli/src/records_launch_command.cpp", "An agent with an account, or cmi5LaunchOf() would have refused the launch."},
-      {"workstation/cli/src/tracker_command.cpp", "Rows that list() itself has just made."},
-      {"workstation/cli/src/phantom_command.cpp", "The truth that the command itself has just worked out."},
-      {"workstation/cli/src/bench_", "Reports that the benchmark itself has just made."},
+      {"workstation/assessment/src/works/image_works.cpp",
+       "pointOf() asks every number, and memberOf(...).is_string() stands before the rest."},
+      {"workstation/cli/src/commands/records_launch_command.cpp",
+       "An agent with an account, or cmi5LaunchOf() would have refused the launch."},
+      {"workstation/cli/src/commands/tracker_command.cpp", "Rows that list() itself has just made."},
+      {"workstation/cli/src/commands/phantom_command.cpp", "The truth that the command itself has just worked out."},
+      {"workstation/cli/src/bench/bench_", "Reports that the benchmark itself has just made."},
       {"plugins/case_authoring/logic/edits.cpp", "transformIn() asks all 16 numbers at once."},
       {"plugins/case_authoring/logic/targets.cpp", "pointOf() and planeOf() ask all numbers at once."},
       {"plugins/stitching/logic/case_volume.cpp", "Of the case that is open: its manifest is made of a Case, whose place is a matrix."},

@@ -39,7 +39,7 @@ std::vector<Offence> savedByFlag(const Source& source) {
 }
 
 TEST(KeptWork, IsAskedWhereToInOnePlace) {
-  const std::vector<Exception> exceptions = {{"workstation/ui/src/save_file.cpp", "The one place."}};
+  const std::vector<Exception> exceptions = {{"workstation/ui/src/widgets/save_file.cpp", "The one place."}};
   EXPECT_EQ(
       brokenBy(
           ownSaveQuestion, exceptions,
@@ -49,17 +49,17 @@ TEST(KeptWork, IsAskedWhereToInOnePlace) {
 
 TEST(KeptWork, IsAskedAboutByTheOnePlaceThatReplacesTheScan) {
   const std::vector<Exception> exceptions = {
-      {"workstation/ui/src/opener.cpp", "The one place."},
-      {"workstation/ui/src/kept_picture.cpp", "A picture beside the scan, which is emptied when that was replaced."},
+      {"workstation/ui/src/import/opener.cpp", "The one place."},
+      {"workstation/ui/src/images/kept_picture.cpp", "A picture beside the scan, which is emptied when that was replaced."},
   };
   EXPECT_EQ(brokenBy(ownReplacing, exceptions, "let the Opener show it, which asks every holder of unsaved work."), "");
 }
 
 TEST(KeptWork, IsHeldInOneList) {
   const std::vector<Exception> exceptions = {
-      {"workstation/ui/src/main_window_unsaved.cpp", "The one place."},
-      {"workstation/ui/src/unsaved_work.h", "The list itself."},
-      {"workstation/ui/src/unsaved_work.cpp", "The list itself."},
+      {"workstation/ui/src/window/main_window_unsaved.cpp", "The one place."},
+      {"workstation/ui/src/window/unsaved_work.h", "The list itself."},
+      {"workstation/ui/src/window/unsaved_work.cpp", "The list itself."},
   };
   EXPECT_EQ(brokenBy(ownAsking, exceptions, "ask with MainWindow::mayReplaceShown(), mayReplaceScan() or mayClose()."), "");
 }

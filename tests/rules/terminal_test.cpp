@@ -2,7 +2,7 @@
 
 #include "rules/source_tree.h"
 
-// What a command writes goes through one stream (workstation/cli/src/printable_stream.h), which lets no control character of a foreign
+// What a command writes goes through one stream (workstation/cli/src/run/printable_stream.h), which lets no control character of a foreign
 // title or answer reach the terminal.
 namespace ew::rules::terminal_test {
 namespace {
@@ -14,12 +14,12 @@ std::vector<Offence> pastTheStream(const Source& source) {
 
 TEST(Terminal, IsWrittenToThroughOneStreamAlone) {
   const std::vector<Exception> exceptions = {
-      {"workstation/cli/src/main.cpp", "Makes the streams; its own sentences are printable()."},
-      {"workstation/cli/src/window_main.cpp", "Makes the stream of the window's program."},
-      {"workstation/cli/src/command.h", "Puts the stream before the terminal."},
-      {"workstation/cli/src/run_command.cpp", "Puts the stream before the terminal."},
-      {"workstation/cli/src/console_progress.cpp", "The bar moves the cursor itself; its words are printableLine()."},
-      {"workstation/ui/src/run.cpp", "One sentence of the window, printableLine()."},
+      {"workstation/cli/src/run/main.cpp", "Makes the streams; its own sentences are printable()."},
+      {"workstation/cli/src/run/window_main.cpp", "Makes the stream of the window's program."},
+      {"workstation/cli/src/run/command.h", "Puts the stream before the terminal."},
+      {"workstation/cli/src/run/run_command.cpp", "Puts the stream before the terminal."},
+      {"workstation/cli/src/run/console_progress.cpp", "The bar moves the cursor itself; its words are printableLine()."},
+      {"workstation/ui/src/window/run.cpp", "One sentence of the window, printableLine()."},
   };
   EXPECT_EQ(brokenBy(pastTheStream, exceptions, "run.out(), run.say() or run.remark() of workstation/cli/src/command.h."), "");
 }

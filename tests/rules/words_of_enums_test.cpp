@@ -127,7 +127,7 @@ std::vector<Offence> chainsOfWords(const Source& source) {
 TEST(WordsOfEnums, AreNotReadOutOfArrays) {
   const std::vector<Exception> exceptions = {
       {"workstation/registration/src/remark.cpp", "The array has as many places as the enum, and a static_assert that each holds a name."},
-      {"workstation/cli/src/bench_library.cpp", "Any of the words, by a number drawn below their count."},
+      {"workstation/cli/src/bench/bench_library.cpp", "Any of the words, by a number drawn below their count."},
       {"plugins/case_authoring/panel/place_panel.cpp", "Six sides by axis and direction, which are no enum."},
   };
   EXPECT_EQ(brokenBy(castsIntoWords, exceptions, "a switch without a default, so that the compiler asks for the word of a new enumerator."),

@@ -1,4 +1,4 @@
-#include "case_preparation.h"
+#include "case/case_preparation.h"
 
 #include <gtest/gtest.h>
 

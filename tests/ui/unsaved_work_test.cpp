@@ -1,4 +1,4 @@
-#include "unsaved_work.h"
+#include "window/unsaved_work.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,226 @@
+// A scan is recorded, played, saved and opened again, and asked about when it would be lost.
+#include <QAction>
+#include <QComboBox>
+#include <QPushButton>
+#include <QSignalSpy>
+
+#include "ew/scanning/replay.h"
+#include "gui/support/answers.h"
+#include "gui/support/window_fixture.h"
+#include "scan/cine/recorder.h"
+#include "scan/cine/replay_bar.h"
+#include "widgets/time_line.h"
+
+namespace ew::ui::testing {
+
+class RecordingTest : public WindowFixture {
+  Q_OBJECT
+
+ private:
+  QString folder_;
+
+  [[nodiscard]] ReplayBar& bar() const { return window_->replayBar(); }
+  void pressKey(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) const { QTest::keyClick(window_.get(), key, modifiers); }
+  void toggleRecording() const { pressKey(Qt::Key_R, Qt::ControlModifier); }
+
+  /// The first Escape takes away what the window says, the next one closes the recording.
+  void closeByEscape() const {
+    while (window_->messages().count() > 0) pressKey(Qt::Key_Escape);
+    pressKey(Qt::Key_Escape);
+  }
+
+  struct Seen {
+    QSize size;
+    std::vector<std::vector<std::uint8_t>> pictures;
+  };
+  /// Slides, changes the gain, the persistence and the probe's tilt; what was seen, picture by picture.
+  Seen scanForAWhile() const {
+    Seen seen;
+    const auto look = connect(&session(), &Session::pictureChanged, this, [&] {
+      if (session().isFrozen() || !window_->recorder().isRecording()) return;
+      seen.size = {session().picture().width(), session().picture().height()};
+      seen.pictures.push_back(pixelsOf(session()));
+    });
+    for (int n = 0; n < 24; ++n) {
+      session().setHold(turned(session().hold(), 0.01, 0.0, n % 2 == 0 ? 0.02 : 0.01));
+      Knobs knobs = session().knobs();
+      if (n % 5 == 0) knobs.gain = 0.8 + 0.05 * n;
+      if (n == 8) knobs.persistence = 0.5;
+      session().setKnobs(knobs);
+      session().makePictureNow();
+    }
+    disconnect(look);
+    return seen;
+  }
+  /// What a scan of a while leaves: a recording in the bar.
+  Seen record() const {
+    toggleRecording();
+    const Seen seen = scanForAWhile();
+    toggleRecording();
+    return seen;
+  }
+
+ private Q_SLOTS:
+  void init() {
+    folder_ = files_.writeCase(QStringLiteral("case"));
+    showWindowWithCase(folder_);
+  }
+  void cleanup() {
+    const Answers discard({{QStringLiteral("unsavedRecordingQuestion"), press(QMessageBox::Discard)}});
+    window_.reset();
+  }
+
+  void whatWasSeenIsRecordedAndComesAgainPixelForPixel() {
+    toggleRecording();
+    QVERIFY(window_->recorder().isRecording());
+    const Seen seen = scanForAWhile();
+    QVERIFY(seen.pictures.size() >= 24);
+    pressKey(Qt::Key_K);
+    toggleRecording();
+    QVERIFY(!window_->recorder().isRecording());
+    QVERIFY(bar().isVisible());
+    const auto recording = bar().recording();
+    QCOMPARE(recording->caseId, std::string("window-test"));
+    QCOMPARE(recording->log.frameCount(), seen.pictures.size());
+    QVERIFY(std::holds_alternative<Note>(recording->log.events().back().what));
+    Replay replay(recording->log, *session().subject(), 2);
+    for (std::size_t n = 0; n < seen.pictures.size(); ++n) {
+      const ImageView<const std::uint8_t> again = replay.make(n, seen.size.width(), seen.size.height()).grey;
+      for (int y = 0; y < again.height; ++y)
+        QVERIFY2(std::equal(again.row(y), again.row(y) + again.width, seen.pictures[n].data() + std::ptrdiff_t{y} * again.width),
+                 qPrintable(QStringLiteral("picture %1, row %2").arg(n).arg(y)));
+    }
+  }
+
+  void aRecordingIsPlayedWhileHandAndConsoleRest() {
+    toggleRecording();
+    scanForAWhile();
+    const Hold after = session().hold();
+    const Knobs knobsAfter = session().knobs();
+    toggleRecording();
+    QVERIFY(session().isPlaying() && !bar().isPlaying());
+    // At rest on the first picture: the console shows what was set then, and the probe stands where it stood.
+    session().makePictureNow();
+    QCOMPARE(session().knobs().persistence, 0.0);
+    QVERIFY(session().picturePose() == bar().recording()->log.frame(0).pose);
+    QVERIFY(!window_->console().isEnabled());
+    pressKey(Qt::Key_Left);
+    QVERIFY(session().hold() == after);
+    QVERIFY(!window_->scanView().said().isEmpty());
+
+    find<QComboBox>("replaySpeed")->setCurrentIndex(4);
+    pressKey(Qt::Key_Space);
+    QVERIFY(bar().isPlaying());
+    QVERIFY(waitUntil([this] { return !bar().isPlaying(); }));
+    QCOMPARE(bar().position_s(), bar().length_s());
+    session().makePictureNow();
+    QVERIFY(session().picturePose() == bar().recording()->log.frame(bar().recording()->log.frameCount() - 1).pose);
+    QCOMPARE(session().knobs().persistence, 0.5);
+
+    find<QPushButton>("replayLoop")->setChecked(true);
+    pressKey(Qt::Key_Space);
+    bool began = false;
+    QVERIFY(waitUntil([&] {
+      began = began || bar().position_s() < 0.5 * bar().length_s();
+      return began && bar().position_s() > 0.0;
+    }));
+    QVERIFY(bar().isPlaying());
+    pressKey(Qt::Key_Space);
+
+    const Answers discard({{QStringLiteral("unsavedRecordingQuestion"), press(QMessageBox::Discard)}});
+    closeByEscape();
+    QVERIFY(bar().recording() == nullptr);
+    QVERIFY(!bar().isVisible() && !session().isPlaying());
+    QVERIFY2(session().hold() == after && session().knobs() == knobsAfter, "as they were before it was played");
+    QVERIFY(window_->console().isEnabled());
+    pressKey(Qt::Key_Left);
+    QVERIFY(!(session().hold() == after));
+  }
+
+  void theTimeLineGoesWhereItIsClicked() {
+    record();
+    auto* line = find<TimeLine>("replayLine");
+    QTest::mouseClick(line, Qt::LeftButton, Qt::NoModifier, QPoint(line->width() / 2, line->height() / 2));
+    QVERIFY(std::abs(bar().position_s() - 0.5 * bar().length_s()) < 0.02 * bar().length_s());
+    const ScanLog& log = bar().recording()->log;
+    const ScanState shown = log.frame(log.frameAt(log.frameTime_s(0) + bar().position_s()));
+    session().makePictureNow();
+    QVERIFY(session().shownState() == shown);
+    QTest::keyClick(line, Qt::Key_End);
+    QCOMPARE(bar().position_s(), bar().length_s());
+    QTest::keyClick(line, Qt::Key_Home);
+    QCOMPARE(bar().position_s(), 0.0);
+  }
+
+  void aSavedRecordingIsOpenedAgainAndItsCaseWithIt() {
+    record();
+    const auto recorded = bar().recording();
+    const QString file = files_.path(QStringLiteral("mine.seq.mha"));
+    {
+      const Answers save({{QStringLiteral("fileDialog"), type(file)}});
+      find<QPushButton>("replaySave")->click();
+    }
+    QVERIFY(waitUntil([&] { return !window_->jobs().isRunning() && QFile::exists(file); }));
+    QVERIFY2(!find<QPushButton>("replaySave")->isEnabled(), "there is nothing left to save");
+    closeByEscape();
+    QVERIFY(bar().recording() == nullptr);
+    window_->open(file);
+    QVERIFY(waitUntil([this] { return bar().recording() != nullptr && window_->isSettled(); }));
+    QVERIFY(bar().recording()->log.events() == recorded->log.events());
+    QVERIFY(!window_->messages().isError());
+  }
+
+  void aRecordingOfSomethingElseSaysWhatToOpenFirst() {
+    ScanRecording other;
+    other.caseId = "another-case";
+    other.title = "Another case";
+    other.log.addFrame(session().shownState());
+    const QString file = files_.path(QStringLiteral("other.seq.mha"));
+    QVERIFY(writeRecording(other, file.toStdString()).has_value());
+    window_->open(file);
+    QVERIFY(waitUntil([this] { return window_->messages().isError(); }));
+    QVERIFY2(window_->messages().text().contains(QLatin1String("Another case")), qPrintable(window_->messages().text()));
+    QVERIFY(bar().recording() == nullptr && session().subject());
+  }
+
+  void itIsAskedAboutWhenItWouldBeLost() {
+    record();
+    const auto kept = bar().recording();
+    for (const bool closes : {true, false}) {
+      const Answers stay({{QStringLiteral("unsavedRecordingQuestion"), press(QMessageBox::Cancel)}});
+      if (closes) {
+        QVERIFY(!window_->close());
+      } else {
+        toggleRecording();
+      }
+      QCOMPARE(stay.asked, QStringList{QStringLiteral("unsavedRecordingQuestion")});
+      QVERIFY(bar().recording() == kept && !window_->recorder().isRecording());
+    }
+    const QString next = files_.writeCase(QStringLiteral("next"));
+    Answers discard({{QStringLiteral("unsavedRecordingQuestion"), press(QMessageBox::Discard)}});
+    window_->open(next);
+    QVERIFY(waitUntil([&] { return !discard.asked.isEmpty() && window_->isSettled(); }));
+    QVERIFY(bar().recording() == nullptr);
+  }
+
+  void freezingIsAPartOfTheRecording() {
+    toggleRecording();
+    scanForAWhile();
+    pressKey(Qt::Key_Space);
+    QVERIFY(session().isFrozen());
+    const double frozen_s = session().now_s();
+    QTest::qWait(50);
+    pressKey(Qt::Key_Space);
+    QVERIFY(!session().isFrozen());
+    session().makePictureNow();
+    toggleRecording();
+    QVERIFY(bar().recording()->log.isFrozenAt(frozen_s + 0.02));
+    QVERIFY(!bar().recording()->log.isFrozenAt(bar().recording()->log.end_s()));
+  }
+};
+
+}  // namespace ew::ui::testing
+
+EW_WINDOW_TEST_MAIN(ew::ui::testing::RecordingTest)
+
+#include "recording_test.moc"

@@ -1,0 +1,164 @@
+// What a trainee and an author meet on their way through the window, each found by using it.
+#include <vtkCallbackCommand.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <QLabel>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <chrono>
+#include <thread>
+
+#include "annotate/shown_mark.h"
+#include "ew/library/case.h"
+#include "gui/support/window_fixture.h"
+#include "start/start_page.h"
+
+namespace ew::ui::testing {
+namespace {
+
+/// Counts what a widget paints.
+class PaintCount final : public QObject {
+ public:
+  explicit PaintCount(QWidget& watched) { watched.installEventFilter(this); }
+  int count = 0;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::Paint) ++count;
+    return QObject::eventFilter(watched, event);
+  }
+};
+
+}  // namespace
+
+class JourneysTest : public WindowFixture {
+  Q_OBJECT
+
+ private:
+  [[nodiscard]] QString writeCaseCalled(const QString& title) const {
+    const QString folder = files_.writeCase(title);
+    auto opened = loadCase(folder.toStdString());
+    if (!opened) return {};
+    opened->title = title.toStdString();
+    return saveCase(*opened, folder.toStdString()) ? folder : QString();
+  }
+
+ private Q_SLOTS:
+  void init() { showWindowWithCase(writeCaseCalled(QStringLiteral("first"))); }
+  void cleanup() { window_.reset(); }
+
+  void theTitleOfACaseChosenOnTheStartPageStandsInTheTopBar() {
+    window_->showStartPage();
+    QVERIFY(find<QLabel>("title")->text().isEmpty());
+    QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }));
+    const QString folder = writeCaseCalled(QStringLiteral("second"));
+    Q_EMIT find<StartPage>("startPage")->caseChosen(folder);
+    QVERIFY(waitUntil([this] { return session().subject()->title == "second"; }));
+    QVERIFY2(find<QLabel>("title")->text() == QLatin1String("second"), qPrintable(find<QLabel>("title")->text()));
+  }
+
+  void ofTwoCasesChosenInHasteTheLaterOneOpens() {
+    const QString second = writeCaseCalled(QStringLiteral("second"));
+    const QString third = writeCaseCalled(QStringLiteral("third"));
+    for (const bool again : {false, true}) {
+      window_->open(again ? third : second);
+      window_->open(again ? third : second);
+      window_->open(again ? second : third);
+      QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }));
+      QTest::qWait(20);
+      QCOMPARE(session().subject()->title, std::string(again ? "second" : "third"));
+    }
+  }
+
+  void thePageOfKeysGivesTheFocusBackSoThatTheArrowsStillMoveTheProbe() {
+    window_->scanView().setFocus();
+    QTest::keyClick(&window_->scanView(), Qt::Key_F1);
+    QVERIFY(!window_->scanView().hasFocus());
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_F1);
+    QVERIFY(waitUntil([this] { return window_->scanView().hasFocus(); }));
+    for (const char* button : {"workspaceExplore", "freeze", "freeze", "qualityFast", "dgcReset"}) {
+      QTest::mouseClick(find<QPushButton>(button), Qt::LeftButton);
+      QVERIFY2(window_->scanView().hasFocus(), button);
+    }
+    const Hold before = session().hold();
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Right);
+    QVERIFY(!(session().hold() == before));
+  }
+
+  void keysOfTheConsoleWorkWhileItIsHiddenBesideAnAuthorsPanels() {
+    window_->setWorkspace(Workspace::author);
+    QVERIFY(!window_->console().isVisible());
+    QTest::keyClick(&window_->scanView(), Qt::Key_1);
+    QVERIFY(session().knobs().quality == Quality::weave);
+    QTest::keyClick(&window_->scanView(), Qt::Key_2);
+    QVERIFY(session().knobs().quality == Quality::linear);
+    const Knobs before = session().knobs();
+    QTest::keyClick(&window_->scanView(), Qt::Key_X);
+    QVERIFY(!(session().knobs() == before));
+  }
+
+  void besideTheVolumeTheScanSaysWhereItIsAndWithinItDoesNot() {
+    window_->bodyMark().setShown(false);  // it stands in a corner, as sliders and scale do
+    QVERIFY(session().seesVolume());
+    const QImage within = window_->scanView().grab().toImage();
+    const auto wordsIn = [this](const QImage& shown) {
+      // Without the sliders and the scale, which stand in the corners.
+      const QRect box = window_->scanView().pictureRect().adjusted(88, 0, -64, 0);
+      int lit = 0;
+      for (int y = box.top(); y < box.bottom(); ++y)
+        for (int x = box.left(); x < box.right(); ++x) lit += qGray(shown.pixel(x, y)) > 60 ? 1 : 0;
+      return lit;
+    };
+    Knobs silent = session().knobs();
+    silent.gain = 0.0;
+    session().setKnobs(silent);
+    session().makePictureNow();
+    QVERIFY2(wordsIn(window_->scanView().grab().toImage()) < 100, "a picture turned down to black is not beside the volume");
+    session().setKnobs(Knobs{});
+    Hold away = session().hold();
+    away.contact.point_mm.z -= 700.0;
+    session().setHold(away);
+    session().makePictureNow();
+    QVERIFY(!session().seesVolume());
+    QVERIFY2(wordsIn(window_->scanView().grab().toImage()) > 300, "nothing tells a user why the picture is black");
+  }
+
+  void aSlowBodyDoesNotHoldUpTheScan() {
+    auto* canvas = qobject_cast<QVTKOpenGLNativeWidget*>(window_->view3d().canvas());
+    QTest::qWait(400);
+    PaintCount scans(window_->scanView());
+    /// How many scans were drawn before each drawing of the body.
+    struct Drawings {
+      const PaintCount& scans;
+      std::vector<int> scansBefore;
+    } drawings{scans, {}};
+    vtkNew<vtkCallbackCommand> slow;
+    slow->SetClientData(&drawings);
+    slow->SetCallback([](vtkObject*, unsigned long, void* drawn, void*) {
+      auto& all = *static_cast<Drawings*>(drawn);
+      all.scansBefore.push_back(all.scans.count);
+      std::this_thread::sleep_for(std::chrono::milliseconds(80));
+    });
+    const unsigned long tag = canvas->renderWindow()->AddObserver(vtkCommand::StartEvent, slow);
+    // A hand that moves the mouse 60 times a second. A body drawn with every scan would never leave room for two of them; on a busy machine
+    // some of its rests are over before a second scan is made, but not all.
+    const auto roomy = [&] {
+      int gaps = 0;
+      for (std::size_t n = 1; n < drawings.scansBefore.size(); ++n)
+        gaps += drawings.scansBefore[n] - drawings.scansBefore[n - 1] >= 2 ? 1 : 0;
+      return gaps;
+    };
+    int moves = 0;
+    const bool hasRoom = waitUntil([&] {
+      session().setHold(turned(session().hold(), ++moves % 2 == 0 ? 0.02 : -0.02, 0.0, 0.0));
+      return roomy() >= 3;
+    });
+    canvas->renderWindow()->RemoveObserver(tag);
+    QVERIFY2(hasRoom, qPrintable(QStringLiteral("%1 scans, %2 bodies").arg(scans.count).arg(drawings.scansBefore.size())));
+  }
+};
+
+}  // namespace ew::ui::testing
+
+EW_WINDOW_TEST_MAIN(ew::ui::testing::JourneysTest)
+#include "journeys_test.moc"

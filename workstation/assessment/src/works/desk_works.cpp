@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "ew/core/foreign_json.h"
+#include "works/step_works.h"
+
+namespace ew {
+namespace {
+
+class ReadWork final : public StepWork {
+ public:
+  void judge(const nlohmann::json&, StepOutcome& outcome) const override { outcome.score = 1.0; }
+};
+
+class WatchWork final : public StepWork {
+ public:
+  [[nodiscard]] std::optional<Message> missing(const Handed& handed) const override {
+    if (handed.watched) return std::nullopt;
+    return say<"The expert's scan has not been shown to its end yet.">();
+  }
+  [[nodiscard]] nlohmann::json answerOf(const Handed& handed) const override { return {{"watched", handed.watched}}; }
+  void judge(const nlohmann::json& answer, StepOutcome& outcome) const override { outcome.score = flagAt(answer, "watched") ? 1.0 : 0.0; }
+};
+
+class SettingsWork final : public StepWork {
+ public:
+  explicit SettingsWork(SettingsTask task) : task_(std::move(task)) {}
+
+  [[nodiscard]] std::vector<LiveFigure> live() const override {
+    std::vector<LiveFigure> figures;
+    if (!last()) return figures;
+    if (!task_.probes.empty()) figures.push_back({say<"Transducer">(), hasProbe()});
+    for (const SettingBand& band : task_.bands) figures.push_back({nameOf(band.setting), isWithin(band)});
+    return figures;
+  }
+  [[nodiscard]] std::optional<Message> missing(const Handed&) const override {
+    if (last()) return std::nullopt;
+    return noImage();
+  }
+  void judge(const nlohmann::json&, StepOutcome& outcome) const override {
+    if (!last()) return;
+    int right = 0, all = 0;
+    const auto count = [&](bool good, Message goodText, Message badText) {
+      ++all;
+      right += good ? 1 : 0;
+      outcome.remarks.push_back({good, good ? std::move(goodText) : std::move(badText)});
+    };
+    if (!task_.probes.empty())
+      count(hasProbe(), say<"The transducer suits the examination.">(), say<"Another transducer suits this examination better.">());
+    for (const SettingBand& band : task_.bands) {
+      const double value = settingOf(*last(), band.setting).value_or(0.0);
+      outcome.figures.push_back({band.setting, value, band.setting.ends_with("_mm") ? "mm" : "dB"});
+      count(isWithin(band), say<"%1 is right.">(nameOf(band.setting)),
+            value < band.lowest ? say<"%1 is too low.">(nameOf(band.setting)) : say<"%1 is too high.">(nameOf(band.setting)));
+    }
+    outcome.score = all > 0 ? static_cast<double>(right) / all : 1.0;
+  }
+
+ private:
+  static Message nameOf(const std::string& setting) {
+    if (setting == "depth_mm") return say<"Depth">();
+    if (setting == "gain_db") return say<"Gain">();
+    if (setting == "dynamic_range_db") return say<"Dynamic range">();
+    return say<"Focus">();
+  }
+  [[nodiscard]] bool hasProbe() const {
+    return std::find(task_.probes.begin(), task_.probes.end(), last()->probe.id) != task_.probes.end();
+  }
+  [[nodiscard]] bool isWithin(const SettingBand& band) const {
+    const auto value = settingOf(*last(), band.setting);
+    return value && isWithinRange(*value, band.lowest, band.highest);
+  }
+  SettingsTask task_;
+};
+
+class AnswerWork final : public StepWork {
+ public:
+  explicit AnswerWork(AnswerTask task) : task_(std::move(task)) {}
+
+  [[nodiscard]] std::optional<Message> missing(const Handed& handed) const override {
+    if (task_.options.empty() ? handed.number.has_value() : !handed.chosen.empty()) return std::nullopt;
+    return task_.options.empty() ? say<"No number was entered yet.">() : say<"No answer was chosen yet.">();
+  }
+  [[nodiscard]] nlohmann::json answerOf(const Handed& handed) const override {
+    if (!task_.options.empty()) return {{"chosen", handed.chosen}};
+    if (handed.number) return {{"number", *handed.number}};
+    return nullptr;
+  }
+  void judge(const nlohmann::json& answer, StepOutcome& outcome) const override {
+    if (task_.options.empty()) return judgeNumber(answer, outcome);
+    // Every right answer counts, and every wrong one takes one away: choosing all earns nothing.
+    const std::set<std::size_t> chosenOnes = chosenIn(answer);
+    int right = 0, wrong = 0, all = 0;
+    for (std::size_t n = 0; n < task_.options.size(); ++n) {
+      const AnswerOption& option = task_.options[n];
+      const bool chosen = chosenOnes.contains(n);
+      all += option.right ? 1 : 0;
+      right += option.right && chosen ? 1 : 0;
+      wrong += !option.right && chosen ? 1 : 0;
+      if (chosen && !option.why.empty()) outcome.remarks.push_back({option.right, verbatim(option.why)});
+      if (!chosen && option.right) outcome.remarks.push_back({false, say<"Right would have been: %1">(verbatim(option.text))});
+    }
+    outcome.score = all > 0 ? std::max(0.0, static_cast<double>(right - wrong) / all) : 0.0;
+  }
+
+ private:
+  static std::set<std::size_t> chosenIn(const nlohmann::json& answer) {
+    std::set<std::size_t> chosen;
+    if (!answer.is_object() || !answer.contains("chosen") || !answer["chosen"].is_array()) return chosen;
+    for (const nlohmann::json& each : answer["chosen"])
+      if (each.is_number_unsigned()) chosen.insert(each.get<std::size_t>());
+    return chosen;
+  }
+  void judgeNumber(const nlohmann::json& answer, StepOutcome& outcome) const {
+    if (!task_.number || !answer.is_object() || !answer.contains("number") || !answer["number"].is_number()) return;
+    const double number = answer["number"].get<double>(), error = number - *task_.number;
+    outcome.figures = {{"error", error, task_.unit}};
+    const bool good = isWithinTolerance(number, *task_.number, task_.tolerance);
+    outcome.score = good ? 1.0 : 0.0;
+    outcome.remarks.push_back({good, good ? say<"That is right.">() : say<"It is %1 %2.">(roundedText(*task_.number, 2), task_.unit)});
+  }
+  AnswerTask task_;
+};
+
+}  // namespace
+
+Work readWork() { return std::make_unique<ReadWork>(); }
+
+Work watchWork() { return std::make_unique<WatchWork>(); }
+
+Work settingsWork(const SettingsTask& task) { return std::make_unique<SettingsWork>(task); }
+
+Work answerWork(const AnswerTask& task) { return std::make_unique<AnswerWork>(task); }
+
+}  // namespace ew

@@ -1,0 +1,104 @@
+#include "ew/assessment/step_work.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ew/core/contract.h"
+#include "ew/core/numbers.h"
+#include "ew/imaging/display.h"
+#include "works/step_works.h"
+
+namespace ew {
+
+std::optional<double> settingOf(const ScanState& state, const std::string& setting) {
+  if (setting == "depth_mm") return resolvedDepth_mm(state.probe, state.knobs);
+  if (setting == "gain_db") return state.knobs.gain_db;
+  if (setting == "dynamic_range_db")
+    return state.knobs.dynamicRange_db > 0.0 ? state.knobs.dynamicRange_db : state.scene.recordedDynamicRange_db;
+  if (setting == "focus_mm") return state.knobs.focus_mm > 0.0 ? state.knobs.focus_mm : 0.5 * resolvedDepth_mm(state.probe, state.knobs);
+  return std::nullopt;
+}
+
+StepWork::~StepWork() = default;
+std::optional<Message> StepWork::missing(const Handed&) const { return std::nullopt; }
+nlohmann::json StepWork::answerOf(const Handed&) const { return nullptr; }
+
+void StepWork::hand(const Handed& handed, StepOutcome& outcome) const {
+  outcome.answer = answerOf(handed);
+  judge(outcome.answer, outcome);
+}
+
+void conclude(const LessonStep& step, double passLevel, StepOutcome& outcome) {
+  constexpr double kTimer_s = 0.5;  // the timer that ends a step ticks more often than this
+  const bool inTime = !step.time_s || outcome.seconds <= *step.time_s + kTimer_s;
+  if (!inTime) outcome.remarks.push_back({false, say<"The time was over before the step was handed in.">()});
+  outcome.verdict = inTime && reachesLevel(outcome.score, passLevel) ? StepVerdict::passed : StepVerdict::failed;
+}
+
+std::string roundedText(double value, int decimals) {
+  return textOf(std::round(value * std::pow(10.0, decimals)) / std::pow(10.0, decimals));
+}
+
+Message noImage() { return say<"There is no image yet; put the probe on the body.">(); }
+
+void take(Judgement judgement, StepOutcome& outcome) {
+  outcome.score = judgement.score;
+  outcome.figures = std::move(judgement.figures);
+  outcome.remarks = std::move(judgement.remarks);
+}
+
+namespace {
+
+template <class All>
+const typename All::value_type* named(const All& all, const std::string& name) {
+  const auto at = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
+  return at == all.end() ? nullptr : &*at;
+}
+
+Result<std::unique_ptr<StepWork>> notThere(const std::string& name) {
+  return failure(ErrorCode::badField, say<"The case has no '%1'; the lesson asks for something that is not there. Tell its author.">(name));
+}
+
+struct MakeWork {
+  const LessonStep& step;
+  std::shared_ptr<const CaseGround> ground;
+  using Made = Result<std::unique_ptr<StepWork>>;
+
+  Made operator()(const ReadTask&) const { return readWork(); }
+  Made operator()(const WatchTask&) const { return watchWork(); }
+  Made operator()(const PlaneTask& task) const {
+    const ExpectedPlane* plane = named(ground->truth().planes, task.target);
+    if (plane == nullptr) return notThere(task.target);
+    return planeWork(task, *plane, ground);
+  }
+  Made operator()(const SweepTask& task) const {
+    const ExpectedStructure* structure = named(ground->truth().structures, task.target);
+    if (structure == nullptr || !ground->hasLabels()) return notThere(task.target);
+    return sweepWork(task, ground->organ(structure->label));
+  }
+  Made operator()(const MeasureTask& task) const {
+    const ExpectedMeasurement* expected = named(ground->truth().measurements, task.measurement);
+    if (expected == nullptr) return notThere(task.measurement);
+    const auto tolerance = task.tolerance ? task.tolerance : expected->tolerance;
+    if (!tolerance) return notThere(task.measurement);
+    return measureWork(*expected, *tolerance);
+  }
+  Made operator()(const PointTask& task) const {
+    if (const ExpectedPoint* point = named(ground->truth().points, task.target)) return pointWork(*point);
+    const ExpectedStructure* structure = named(ground->truth().structures, task.target);
+    if (structure == nullptr || !ground->hasLabels()) return notThere(task.target);
+    return pointWork(ground->organ(structure->label));
+  }
+  Made operator()(const SettingsTask& task) const { return settingsWork(task); }
+  Made operator()(const AnswerTask& task) const { return answerWork(task); }
+  Made operator()(const FreeTask& task) const { return freeWork(task, ground); }
+};
+
+}  // namespace
+
+Result<std::unique_ptr<StepWork>> workOf(const LessonStep& step, std::shared_ptr<const CaseGround> ground) {
+  EW_EXPECTS(ground != nullptr);
+  return std::visit(MakeWork{step, std::move(ground)}, step.task);
+}
+
+}  // namespace ew

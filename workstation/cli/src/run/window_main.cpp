@@ -1,0 +1,40 @@
+#include <spdlog/sinks/ostream_sink.h>
+#include <spdlog/spdlog.h>
+
+#include <csignal>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ew/cli/run_command.h"
+#include "ew/cli/window_arguments.h"
+#include "ew/core/simd.h"
+#include "ew/ui/run.h"
+#include "run/printable_stream.h"
+
+/// The window: `echoweave` becomes this program when its words name no command.
+int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // as in the command
+  static ew::cli::PrintableStream err(std::cerr);
+  spdlog::set_default_logger(std::make_shared<spdlog::logger>("echoweave", std::make_shared<spdlog::sinks::ostream_sink_mt>(err, true)));
+  const auto wish = ew::cli::windowArguments(std::vector<std::string>(argv + 1, argv + argc));
+  if (!wish) {
+    err << "echoweave: " << wish.error().sentence() << "\n" << std::flush;
+    return wish.error().code == ew::ErrorCode::badUsage ? ew::cli::kWrongUsage : ew::cli::kFailed;
+  }
+  if (const auto chosen = ew::useSimd(ew::simdOfEnvironment()); !chosen) {
+    err << "echoweave: ECHOWEAVE_SIMD: " << chosen.error().sentence() << "\n" << std::flush;
+    return ew::cli::kWrongUsage;
+  }
+  ew::ui::WindowOptions options;
+  options.open = wish->open;
+  options.lesson = wish->lesson;
+  options.launchedBy = wish->launchedBy;
+  options.startPage = wish->startPage;
+  options.workspace = wish->workspace;
+  options.theme = wish->theme;
+  options.screenshot = wish->screenshot;
+  options.size_px = wish->size_px;
+  return ew::ui::runWorkstation(argc, argv, options);
+}

@@ -1,0 +1,300 @@
+#include "dicom/packed_frame.h"
+
+#include <fcntl.h>
+#include <gdcmDataElement.h>
+#include <gdcmJPEG2000Codec.h>
+#include <gdcmJPEGCodec.h>
+#include <gdcmJPEGLSCodec.h>
+#include <gdcmSequenceOfFragments.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <thread>
+
+namespace ew::detail {
+namespace {
+
+std::uint64_t big16(Bytes bytes, std::size_t at) { return static_cast<std::uint64_t>(bytes[at]) << 8 | bytes[at + 1]; }
+std::uint64_t big32(Bytes bytes, std::size_t at) { return big16(bytes, at) << 16 | big16(bytes, at + 2); }
+
+/// Markers of a JPEG or JPEG-LS stream up to the first scan.
+std::optional<PackedHead> jpegHead(Bytes stream, bool lossless_ls) {
+  if (stream.size() < 4 || stream[0] != 0xFF || stream[1] != 0xD8) return std::nullopt;
+  PackedHead head;
+  bool framed = false;
+  for (std::size_t at = 2; at + 4 <= stream.size();) {
+    if (stream[at] != 0xFF) return std::nullopt;
+    const int marker = stream[at + 1];
+    if (marker == 0xFF) {  // fill byte
+      ++at;
+      continue;
+    }
+    const std::size_t length = big16(stream, at + 2);
+    if (length < 2 || length > stream.size() - at - 2) return std::nullopt;
+    const Bytes body = stream.subspan(at + 4, length - 2);
+    const bool isFrame =
+        lossless_ls ? marker == 0xF7 : (marker >= 0xC0 && marker <= 0xC3) || marker == 0xC5 || marker == 0xC6 || marker == 0xC7;
+    if (marker >= 0xC8 && marker <= 0xCF && marker != 0xCC) return std::nullopt;  // arithmetic coding: no decoder here
+    if (isFrame) {
+      // A second frame head could promise another size than the first.
+      if (framed || body.size() < 6) return std::nullopt;
+      head.bits = body[0];
+      head.height = big16(body, 1);
+      head.width = big16(body, 3);
+      head.components = body[5];
+      if (body.size() < 6 + 3 * static_cast<std::size_t>(head.components)) return std::nullopt;
+      framed = true;
+    } else if (marker == 0xE0 && body.size() >= 5 && std::memcmp(body.data(), "JFIF", 5) == 0) {
+      head.namesColours = true;
+      head.lumaChroma = true;
+    } else if (marker == 0xEE && body.size() >= 12 && std::memcmp(body.data(), "Adobe", 5) == 0) {
+      head.namesColours = true;
+      head.lumaChroma = body[11] == 1;
+    } else if (marker == 0xDA) {
+      if (!framed || body.size() < 1 || body.size() < 4 + 2 * static_cast<std::size_t>(body[0])) return std::nullopt;
+      if (lossless_ls) head.byPlanes = body[2 + 2 * static_cast<std::size_t>(body[0])] == 0;
+      break;
+    } else if (marker == 0xD8 || marker == 0xD9) {
+      return std::nullopt;
+    }
+    at += 2 + length;
+  }
+  if (!framed || head.width == 0 || head.height == 0 || (head.components != 1 && head.components != 3)) return std::nullopt;
+  if (head.bits < 2 || head.bits > 16) return std::nullopt;
+  return head;
+}
+
+std::optional<PackedHead> jpeg2000Head(Bytes stream) {
+  // Files with boxes around the stream occur although DICOM asks for the bare stream.
+  static constexpr std::array<std::uint8_t, 4> start{0xFF, 0x4F, 0xFF, 0x51};
+  const auto found = std::search(stream.begin(), stream.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(stream.size(), 4096)),
+                                 start.begin(), start.end());
+  const auto at = static_cast<std::size_t>(found - stream.begin());
+  if (at + 45 > stream.size()) return std::nullopt;
+  const Bytes siz = stream.subspan(at + 4);
+  const auto right = big32(siz, 4), bottom = big32(siz, 8), left = big32(siz, 12), top = big32(siz, 16);
+  const auto tileWidth = big32(siz, 20), tileHeight = big32(siz, 24);
+  PackedHead head;
+  head.components = static_cast<int>(big16(siz, 36));
+  if (right <= left || bottom <= top || tileWidth == 0 || tileHeight == 0) return std::nullopt;
+  head.width = right - left;
+  head.height = bottom - top;
+  if (head.components != 1 && head.components != 3) return std::nullopt;
+  if (siz.size() < 38 + 3 * static_cast<std::size_t>(head.components)) return std::nullopt;
+  for (std::size_t c = 0; c < static_cast<std::size_t>(head.components); ++c) {
+    const int bits = (siz[38 + 3 * c] & 0x7F) + 1;
+    if (siz[39 + 3 * c] != 1 || siz[40 + 3 * c] != 1) return std::nullopt;  // thinned components
+    if (c > 0 && bits != head.bits) return std::nullopt;
+    head.bits = bits;
+  }
+  if (head.bits > 16) return std::nullopt;
+  // Tiles so small that their number alone would take the memory.
+  if (((head.width + tileWidth - 1) / tileWidth) * ((head.height + tileHeight - 1) / tileHeight) > 65535) return std::nullopt;
+  return head;
+}
+
+template <class Decoder>
+std::optional<std::vector<std::uint8_t>> decoded(Decoder& decoder, Bytes stream, const PackedHead& head, int bitsAllocated, int bitsStored,
+                                                 bool isSigned) {
+  const auto bits = static_cast<unsigned short>(bitsStored);
+  const std::array<unsigned, 3> dims{static_cast<unsigned>(head.width), static_cast<unsigned>(head.height), 1};
+  decoder.SetNumberOfDimensions(2);
+  decoder.SetDimensions(dims.data());
+  decoder.SetPlanarConfiguration(0);
+  decoder.SetPhotometricInterpretation(gdcm::PhotometricInterpretation(
+      head.components == 3 ? gdcm::PhotometricInterpretation::YBR_FULL : gdcm::PhotometricInterpretation::MONOCHROME2));
+  decoder.SetPixelFormat(gdcm::PixelFormat(static_cast<unsigned short>(head.components), static_cast<unsigned short>(bitsAllocated), bits,
+                                           static_cast<unsigned short>(bits - 1), isSigned ? 1 : 0));
+  decoder.SetNeedOverlayCleanup(false);
+  const gdcm::SmartPointer<gdcm::SequenceOfFragments> fragments = new gdcm::SequenceOfFragments;
+  gdcm::Fragment fragment;
+  // Codecs look a little beyond the last marker: zeros there keep them inside.
+  std::vector<char> padded(stream.begin(), stream.end());
+  padded.resize((stream.size() + 17) & ~std::size_t{1}, '\0');
+  fragment.SetByteValue(padded.data(), gdcm::VL(static_cast<std::uint32_t>(padded.size())));
+  fragments->AddFragment(fragment);
+  gdcm::DataElement in(gdcm::Tag(0x7fe0, 0x0010)), out;
+  in.SetValue(*fragments);
+  if (!decoder.Decode(in, out)) return std::nullopt;
+  const gdcm::ByteValue* const value = out.GetByteValue();
+  if (value == nullptr) return std::nullopt;
+  const std::size_t wanted = head.width * head.height * static_cast<std::size_t>(head.components) * (bitsAllocated > 8 ? 2 : 1);
+  // Values have an even length; a byte more is padding.
+  if (value->GetLength() < wanted || value->GetLength() > wanted + 1) return std::nullopt;
+  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(value->GetPointer());
+  return std::vector<std::uint8_t>(bytes, bytes + wanted);
+}
+
+constexpr int kMostProcessor_s = 10;
+constexpr auto kMostWaiting = std::chrono::minutes(2);  // a busy machine takes its time; a decoder that sleeps does not end at all
+constexpr auto kQuestion = std::chrono::milliseconds(2);
+
+/// Pages that this process and its copy both see: a word that says that the bytes behind it are complete.
+class SharedResult {
+ public:
+  explicit SharedResult(std::size_t bytes)
+      : bytes_(bytes), pages_(mmap(nullptr, kHead + bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {}
+  ~SharedResult() {
+    if (ok()) munmap(pages_, kHead + bytes_);
+  }
+  SharedResult(const SharedResult&) = delete;
+  SharedResult& operator=(const SharedResult&) = delete;
+  [[nodiscard]] bool ok() const { return pages_ != MAP_FAILED; }
+  void set(Bytes bytes) {
+    std::memcpy(static_cast<std::uint8_t*>(pages_) + kHead, bytes.data(), bytes_);
+    std::atomic_ref(*static_cast<std::uint32_t*>(pages_)).store(kComplete);
+  }
+  [[nodiscard]] std::optional<std::vector<std::uint8_t>> get() const {
+    if (std::atomic_ref(*static_cast<std::uint32_t*>(pages_)).load() != kComplete) return std::nullopt;
+    const auto* const first = static_cast<const std::uint8_t*>(pages_) + kHead;
+    return std::vector<std::uint8_t>(first, first + bytes_);
+  }
+
+ private:
+  static constexpr std::size_t kHead = 64;
+  static constexpr std::uint32_t kComplete = 0x646f6e65;
+  std::size_t bytes_;
+  void* pages_;
+};
+
+/// The copy's own part: works, says nothing, leaves no core file and never returns.
+template <class Work>
+[[noreturn]] void workAndEnd(std::size_t wanted, const Work& work, SharedResult& result) {
+  for (const int one : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGXCPU, SIGTERM}) signal(one, SIG_DFL);
+  // A terminal sends Ctrl-C to both: this one goes on, and the program that waits for it decides.
+  for (const int one : {SIGINT, SIGQUIT}) signal(one, SIG_IGN);
+  const rlimit noCore{0, 0}, processor{kMostProcessor_s, kMostProcessor_s};
+  setrlimit(RLIMIT_CORE, &noCore);
+  setrlimit(RLIMIT_CPU, &processor);
+  if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0) {
+    dup2(nowhere, STDOUT_FILENO);
+    dup2(nowhere, STDERR_FILENO);
+  }
+  int status = 1;
+  try {
+    const auto bytes = work();
+    if (bytes && bytes->size() == wanted) {
+      result.set(*bytes);
+      status = 0;
+    }
+  } catch (...) {
+    status = 1;  // GDCM and CharLS throw on damaged streams
+  }
+  _exit(status);
+}
+
+/// Waits until the copy has ended, as long as it may take; ends it when `progress` asks to stop.
+/// @return whether it came to its own end
+bool ended(pid_t copy, const Progress& progress) {
+  const auto begin = std::chrono::steady_clock::now();
+  for (auto pause = std::chrono::microseconds(100);; pause = std::min<std::chrono::microseconds>(2 * pause, kQuestion)) {
+    int status = 0;
+    const pid_t found = waitpid(copy, &status, WNOHANG);
+    if (found == copy) return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    // A parent that ignores SIGCHLD gives its children no one to report to: there only the shared word says how it ended.
+    if (found < 0 && errno != EINTR) return errno == ECHILD;
+    if (progress.cancelRequested() || std::chrono::steady_clock::now() - begin > kMostWaiting) break;
+    std::this_thread::sleep_for(pause);
+  }
+  kill(copy, SIGKILL);
+  while (waitpid(copy, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  return false;
+}
+
+/// Runs `work` in a copy of this process and fetches the bytes it makes. GDCM's decoders stop the program on streams they did not foresee
+/// (its assertions are compiled in, and fuzzing found one within seconds): here that costs one frame. Only memory is touched in the copy,
+/// which a copy of a process with threads may do.
+/// @return empty when the work gave nothing, did not give `wanted` bytes, ended the copy, took too long or was stopped
+template <class Work>
+std::optional<std::vector<std::uint8_t>> inOwnProcess(std::size_t wanted, const Progress& progress, const Work& work) {
+  SharedResult result(wanted);
+  if (!result.ok()) return std::nullopt;
+  const pid_t copy = fork();
+  if (copy == 0) workAndEnd(wanted, work, result);
+  if (copy < 0 || !ended(copy, progress)) return std::nullopt;
+  return result.get();
+}
+
+}  // namespace
+
+std::optional<PackedHead> packedHead(Codec codec, Bytes stream) {
+  switch (codec) {
+    case Codec::jpeg:
+      return jpegHead(stream, false);
+    case Codec::jpegLs:
+      return jpegHead(stream, true);
+    case Codec::jpeg2000:
+      return jpeg2000Head(stream);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::vector<std::uint8_t>> unpack(Codec codec, Bytes stream, const PackedHead& head, int bitsAllocated, int bitsStored,
+                                                bool isSigned, const Progress& progress) {
+  const std::size_t wanted = head.width * head.height * static_cast<std::size_t>(head.components) * (bitsAllocated > 8 ? 2 : 1);
+  return inOwnProcess(wanted, progress, [&]() -> std::optional<std::vector<std::uint8_t>> {
+    switch (codec) {
+      case Codec::jpeg: {
+        gdcm::JPEGCodec decoder;
+        return decoded(decoder, stream, head, bitsAllocated, bitsStored, isSigned);
+      }
+      case Codec::jpegLs: {
+        gdcm::JPEGLSCodec decoder;
+        return decoded(decoder, stream, head, bitsAllocated, bitsStored, isSigned);
+      }
+      case Codec::jpeg2000: {
+        gdcm::JPEG2000Codec decoder;
+        return decoded(decoder, stream, head, bitsAllocated, bitsStored, isSigned);
+      }
+    }
+    return std::nullopt;
+  });
+}
+
+std::optional<std::vector<std::uint8_t>> unpackRle(Bytes packed, std::size_t segments, std::size_t planeSize) {
+  if (packed.size() < 64) return std::nullopt;
+  const auto little32 = [&](std::size_t at) {
+    return static_cast<std::size_t>(packed[at]) | static_cast<std::size_t>(packed[at + 1]) << 8 |
+           static_cast<std::size_t>(packed[at + 2]) << 16 | static_cast<std::size_t>(packed[at + 3]) << 24;
+  };
+  if (little32(0) != segments || segments > 15) return std::nullopt;
+  std::vector<std::uint8_t> planes(segments * planeSize);
+  for (std::size_t segment = 0; segment < segments; ++segment) {
+    std::size_t at = little32(4 + 4 * segment);
+    const std::size_t end = segment + 1 < segments ? std::min(little32(8 + 4 * segment), packed.size()) : packed.size();
+    if (at < 64 || at > end) return std::nullopt;
+    std::uint8_t* out = planes.data() + segment * planeSize;
+    std::size_t left = planeSize;
+    while (left > 0) {
+      if (at >= end) return std::nullopt;
+      const int control = static_cast<std::int8_t>(packed[at++]);
+      if (control == -128) continue;
+      const auto count = static_cast<std::size_t>(control >= 0 ? control + 1 : 1 - control);
+      // A run may reach over the end of the plane by the padding of some writers.
+      const std::size_t taken = std::min(count, left);
+      if (control >= 0) {
+        if (count > end - at) return std::nullopt;
+        std::copy_n(packed.data() + at, taken, out);
+        at += count;
+      } else {
+        if (at >= end) return std::nullopt;
+        std::fill_n(out, taken, packed[at++]);
+      }
+      out += taken;
+      left -= taken;
+    }
+  }
+  return planes;
+}
+
+}  // namespace ew::detail

@@ -1,0 +1,92 @@
+#include "files/header_fields.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ew/core/numbers.h"
+#include "files/image_header.h"
+
+namespace ew::detail {
+namespace {
+
+Message unusedBecause(FieldTouches touches, const Message& fields) {
+  switch (touches) {
+    case FieldTouches::geometry:
+      return say<"The header also states %1, which touches sizes and places and is not used.">(fields);
+    case FieldTouches::levels:
+      return say<"The header also states %1, which touches the grey levels and is not used.">(fields);
+    case FieldTouches::time:
+      return say<"The header also states %1, which touches the times and is not used.">(fields);
+    case FieldTouches::count:
+      return say<"The header also states %1, which touches how many pictures there are and is not used.">(fields);
+    case FieldTouches::nobodyKnows:
+      return say<"The header also states %1, which is not known here and not used.">(fields);
+    case FieldTouches::nothing:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+void HeaderFields::meet(std::string_view name, std::string_view value) {
+  if (trimmed(value).empty()) return;
+  const auto known = std::find_if(stated_.begin(), stated_.end(), [&](const Stated& each) { return each.name == name; });
+  if (known == stated_.end()) stated_.push_back({std::string(name), std::string(trimmed(value)), false});
+}
+
+std::optional<std::string> HeaderFields::take(std::string_view name) {
+  for (Stated& each : stated_)
+    if (each.name == name) {
+      each.used = true;
+      return each.value;
+    }
+  return std::nullopt;
+}
+
+std::optional<std::string> HeaderFields::stated(std::string_view name) const {
+  for (const Stated& each : stated_)
+    if (each.name == name) return each.value;
+  return std::nullopt;
+}
+
+void HeaderFields::use(std::string_view name) { static_cast<void>(take(name)); }
+
+FieldTouches HeaderFields::touchedBy(std::string_view name) const {
+  const auto known = std::find_if(table_.begin(), table_.end(), [&](const KnownField& each) { return each.name == name; });
+  return known == table_.end() ? unknown_ : known->touches;
+}
+
+std::vector<Message> HeaderFields::unused() const {
+  constexpr std::size_t most = 6;  // more would be a wall that nobody reads
+  std::vector<Message> notes;
+  for (const FieldTouches touches :
+       {FieldTouches::geometry, FieldTouches::levels, FieldTouches::time, FieldTouches::count, FieldTouches::nobodyKnows}) {
+    std::vector<Message> fields;
+    std::size_t further = 0;
+    for (const Stated& each : stated_) {
+      if (each.used || touchedBy(each.name) != touches) continue;
+      if (fields.size() == most)
+        ++further;
+      else
+        fields.push_back(say<"%1 \"%2\"">(shortened(each.name), shortened(each.value)));
+    }
+    if (fields.empty()) continue;
+    const Message list = joined(std::move(fields), ", ");
+    notes.push_back(unusedBecause(touches, further == 0 ? list : say<"%1 and %2 more">(list, further)));
+  }
+  return notes;
+}
+
+StatedNumbers statedNumbers(std::string_view found, std::size_t count) {
+  if (trimmed(found).empty()) return {};
+  auto numbers = parseNumbers(found);
+  if (!numbers || numbers->size() != count) return {.isSet = true, .isUsable = false};
+  const auto unset = std::count_if(numbers->begin(), numbers->end(), [](double value) { return std::isnan(value); });
+  if (static_cast<std::size_t>(unset) == count) return {};
+  if (std::any_of(numbers->begin(), numbers->end(), [](double value) { return !std::isfinite(value); }))
+    return {.isSet = true, .isUsable = false};
+  return {.isSet = true, .isUsable = true, .values = *std::move(numbers)};
+}
+
+}  // namespace ew::detail

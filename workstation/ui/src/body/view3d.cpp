@@ -1,0 +1,427 @@
+#include "body/view3d.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkRenderWindowInteractor.h>
+
+#include <QElapsedTimer>
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QResizeEvent>
+#include <QTimer>
+#include <QToolButton>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "ew/core/contract.h"
+#include "widgets/focus_ring.h"
+
+namespace ew::ui {
+namespace {
+
+constexpr double kTranslucent = 0.45;
+
+constexpr int kOverlayMargin_px = 16;
+constexpr int kLeastForHint_px = 280;
+constexpr qint64 kLongestRest_ms = 100;  // the body follows ten times a second at the least
+
+/// A trunk's size, so that there is something to slide on before a mannequin is loaded.
+class EllipsoidSkin final : public Skin {
+ public:
+  [[nodiscard]] std::optional<Contact> hit(const glm::dvec3& from_mm, const glm::dvec3& direction) const override {
+    const glm::dvec3 p = from_mm / kRadii_mm;
+    const glm::dvec3 d = direction / kRadii_mm;
+    const double a = glm::dot(d, d);
+    const double b = glm::dot(p, d);
+    const double c = glm::dot(p, p) - 1.0;
+    const double root = b * b - a * c;
+    if (root < 0.0 || -b < std::sqrt(root)) return std::nullopt;
+    return at(from_mm + (-b - std::sqrt(root)) / a * direction);
+  }
+  /// Eberly's one-dimensional root: p scaled by r^2 / (r^2 + t) lies on the surface for one t.
+  [[nodiscard]] Contact nearest(const glm::dvec3& p_mm) const override {
+    const glm::dvec3 r2 = kRadii_mm * kRadii_mm;
+    const glm::dvec3 p = glm::length(p_mm) > 1e-6 ? p_mm : glm::dvec3(0.0, -1e-6, 0.0);
+    const auto excess = [&](double t) {
+      const glm::dvec3 q = kRadii_mm * p / (r2 + t);
+      return glm::dot(q, q) - 1.0;
+    };
+    double low = -std::min({r2.x, r2.y, r2.z}) * (1.0 - 1e-12);
+    double high = glm::length(kRadii_mm * p);
+    for (int i = 0; i < 100; ++i) {
+      const double middle = 0.5 * (low + high);
+      (excess(middle) > 0.0 ? low : high) = middle;
+    }
+    const glm::dvec3 foot = r2 * p / (r2 + high);
+    return at(foot / glm::length(foot / kRadii_mm));
+  }
+
+ private:
+  static constexpr glm::dvec3 kRadii_mm{160.0, 105.0, 420.0};
+  static Contact at(const glm::dvec3& p_mm) { return {p_mm, glm::normalize(p_mm / (kRadii_mm * kRadii_mm))}; }
+};
+
+/// Above the drawn scene, and through it goes every click.
+class Glass final : public QWidget {
+ public:
+  explicit Glass(QWidget* view) : QWidget(view) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    hide();
+  }
+  std::function<void(QPainter&)> paint;
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    if (paint) paint(painter);
+  }
+};
+
+/// Ground for the small buttons: legible over skin and over the background, in either theme.
+class OverlayBar final : public QWidget {
+ public:
+  using QWidget::QWidget;
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QColor veil = palette().color(QPalette::Window);
+    veil.setAlpha(215);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(veil);
+    painter.drawRoundedRect(rect(), 4, 4);
+  }
+};
+
+}  // namespace
+
+struct View3D::Parts {
+  double opacity = 1.0;  ///< the user's choice
+  std::optional<Aids> aids;
+  explicit Parts(View3D* view)
+      : canvas(new QVTKOpenGLNativeWidget(view)), glass(new Glass(view)), hint(new QLabel(view)), buttons(new OverlayBar(view)) {
+    canvas->setRenderWindow(window);
+    // The scene draws when something changed; VTK's own interactor would draw on every mouse event and move the camera its own way.
+    canvas->setEnableHiDPI(true);
+    window->SetMultiSamples(0);
+    if (auto* interactor = canvas->interactor()) interactor->SetInteractorStyle(nullptr);
+    scene = std::make_unique<bridge::Scene3D>(*window);
+  }
+
+  [[nodiscard]] glm::dvec2 device(const QPointF& at) const {
+    const double ratio = canvas->devicePixelRatioF();
+    return {at.x() * ratio, at.y() * ratio};
+  }
+
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  QVTKOpenGLNativeWidget* canvas;
+  Glass* glass;
+  QLabel* hint;
+  QWidget* buttons;
+  std::vector<QToolButton*> viewButtons;
+
+  /// One row. Where it has no room only those stay that no key has: looking from a side is in the menu, too. Longer words make more rows of
+  /// these, never cut ones.
+  void arrangeButtons(int room_px) {
+    for (const bool all : {true, false}) {
+      for (QToolButton* each : viewButtons) each->setVisible(all || !looksFromSide(*each));
+      if (gridButtons(room_px) == 1) return;
+    }
+  }
+  [[nodiscard]] static bool looksFromSide(const QToolButton& button) {
+    const QString name = button.objectName();
+    return name == QLatin1String("viewFront") || name == QLatin1String("viewRight") || name == QLatin1String("viewLeft") ||
+           name == QLatin1String("viewTop");
+  }
+  /// @return how many rows there are
+  int gridButtons(int room_px) {
+    auto* grid = static_cast<QGridLayout*>(buttons->layout());
+    std::vector<QToolButton*> shown;
+    for (QToolButton* each : viewButtons)
+      if (!each->isHidden()) shown.push_back(each);
+    const int count = static_cast<int>(shown.size());
+    int columns = count;
+    for (;; columns = (columns + 1) / 2) {
+      for (int i = 0; i < count; ++i) grid->addWidget(shown[static_cast<std::size_t>(i)], i / columns, i % columns);
+      grid->invalidate();
+      if (grid->sizeHint().width() <= room_px || columns == 1) break;
+    }
+    buttons->resize(grid->sizeHint());
+    return (count + columns - 1) / columns;
+  }
+  std::unique_ptr<bridge::Scene3D> scene;
+  std::shared_ptr<const Skin> bareSkin = std::make_shared<EllipsoidSkin>();
+  bool renderAsked = false;
+  QElapsedTimer sinceDrawn;  ///< runs from the end of the last drawing
+  qint64 drawing_ms = 0;     ///< how long that took
+  QTimer still;              ///< runs out when nothing has moved for a moment: then there is time for smooth edges
+  QString hintText;
+};
+
+View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>(this)) {
+  setMinimumSize(240, 240);
+  setFocusPolicy(Qt::StrongFocus);
+  parts_->canvas->setFocusPolicy(Qt::StrongFocus);
+  parts_->canvas->setObjectName(QStringLiteral("view3dCanvas"));
+  setFocusProxy(parts_->canvas);
+  parts_->canvas->setMouseTracking(true);
+  parts_->canvas->grabGesture(Qt::PinchGesture);
+
+  parts_->hint->setObjectName(QStringLiteral("viewHints"));
+  parts_->hint->setAttribute(Qt::WA_TransparentForMouseEvents);
+  parts_->hint->setProperty("small", true);
+  parts_->buttons->setObjectName(QStringLiteral("viewButtons"));
+  auto* grid = new QGridLayout(parts_->buttons);
+  grid->setContentsMargins(4, 2, 4, 2);
+  grid->setSpacing(4);
+  const auto addButton = [&](const char* name, auto action) {
+    auto* button = new QToolButton(parts_->buttons);
+    button->setObjectName(QString::fromLatin1(name));
+    button->setFocusPolicy(Qt::TabFocus);  // a click must not take the arrow keys away from the probe
+    button->setAutoRaise(true);
+    button->setProperty("small", true);
+    connect(button, &QToolButton::clicked, this, action);
+    parts_->viewButtons.push_back(button);
+  };
+  addButton("viewOverview", [this] { showFrom(bridge::CameraPreset::overview); });
+  addButton("viewFront", [this] { showFrom(bridge::CameraPreset::front); });
+  addButton("viewRight", [this] { showFrom(bridge::CameraPreset::right); });
+  addButton("viewLeft", [this] { showFrom(bridge::CameraPreset::left); });
+  addButton("viewTop", [this] { showFrom(bridge::CameraPreset::top); });
+  addButton("viewFit", [this] { fitToVolume(); });
+  auto* skinButton = new QToolButton(parts_->buttons);
+  skinButton->setObjectName(QStringLiteral("viewThrough"));
+  skinButton->setFocusPolicy(Qt::TabFocus);
+  skinButton->setAutoRaise(true);
+  skinButton->setCheckable(true);
+  skinButton->setProperty("small", true);
+  connect(skinButton, &QToolButton::toggled, this, [this](bool through) { setBodyOpacity(through ? kTranslucent : 1.0); });
+  parts_->viewButtons.push_back(skinButton);
+  new FocusRing(*this, *parts_->canvas);
+  parts_->still.setSingleShot(true);
+  parts_->still.setInterval(250);
+  connect(&parts_->still, &QTimer::timeout, this, &View3D::renderNow);
+  retranslate();
+}
+
+View3D::~View3D() {
+  delete parts_->canvas;  // while this is still a View3D: event filters on the canvas ask it for more than a QWidget
+}
+
+void View3D::retranslate() {
+  const auto name = [this](const char* button, const QString& text, const QString& tip) {
+    if (auto* found = parts_->buttons->findChild<QToolButton*>(QString::fromLatin1(button))) {
+      found->setText(text);
+      found->setToolTip(tip);
+      found->setAccessibleName(tip);
+    }
+  };
+  name("viewOverview", tr("Overview"), tr("Look from the front and above, where the fan is seen best"));
+  name("viewFront", tr("Front"), tr("Look from the front"));
+  name("viewRight", tr("Right"), tr("Look from the patient's right"));
+  name("viewLeft", tr("Left"), tr("Look from the patient's left"));
+  name("viewTop", tr("Head"), tr("Look from the head"));
+  name("viewFit", tr("Fit"), tr("Show the whole volume"));
+  name("viewThrough", tr("Translucent"), tr("Make the body translucent"));
+  parts_->hint->setText(defaultHint());
+  parts_->canvas->setAccessibleName(tr("Body with probe"));
+  parts_->canvas->setAccessibleDescription(defaultHint());
+  placeOverlays();
+}
+
+QString View3D::defaultHint() const {
+  return tr("drag: slide on skin   wheel: tilt   Shift: rock   Ctrl: rotate   right drag: look around");
+}
+
+Result<void> View3D::setMannequinFile(const std::filesystem::path& file) {
+  auto loaded = bridge::loadMannequin(file);
+  if (!loaded) return passOn(loaded.error());
+  setMannequin(std::make_shared<const bridge::Mannequin>(std::move(*loaded)));
+  return {};
+}
+
+void View3D::setMannequin(std::shared_ptr<const bridge::Mannequin> mannequin) {
+  EW_EXPECTS(mannequin != nullptr);
+  parts_->scene->setMannequin(std::move(mannequin));
+  render();
+  Q_EMIT mannequinChanged();
+}
+
+std::shared_ptr<const Skin> View3D::skin() const {
+  const auto mannequin = parts_->scene->mannequin();
+  return mannequin != nullptr ? mannequin->skin : parts_->bareSkin;
+}
+
+void View3D::setCoverage(std::vector<float> shares) {
+  parts_->scene->setCoverage(std::move(shares));
+  render();
+}
+
+void View3D::setVolumeBox(const Grid& grid) {
+  parts_->scene->setVolumeBox(grid);
+  render();
+}
+
+void View3D::clearVolumeBox() {
+  parts_->scene->clearVolumeBox();
+  render();
+}
+
+void View3D::setProbe(const Probe& probe, double depth_mm, const Knobs& knobs) {
+  parts_->scene->setProbe(probe, depth_mm, knobs);
+  render();
+}
+
+void View3D::setPose(const Pose& pose) {
+  parts_->scene->setPose(pose);
+  render();
+}
+
+void View3D::setProbeVisible(bool visible) {
+  parts_->scene->setProbeVisible(visible);
+  render();
+}
+
+void View3D::setFanImage(const Picture& picture, const DisplayGeometry& geometry) {
+  parts_->scene->setFanImage(picture, geometry);
+  render();
+}
+
+void View3D::clearFanImage() {
+  parts_->scene->clearFanImage();
+  render();
+}
+
+void View3D::setDarkTheme(bool dark) {
+  parts_->scene->setColours(dark ? bridge::darkColours() : bridge::lightColours());
+  render();
+}
+
+void View3D::setBodyOpacity(double opacity) {
+  parts_->opacity = opacity;
+  showAids();
+}
+
+void View3D::setAids(std::optional<Aids> aids) {
+  parts_->aids = std::move(aids);
+  showAids();
+}
+
+void View3D::showAids() {
+  Parts& p = *parts_;
+  p.scene->setBodyOpacity(!p.aids ? p.opacity : p.aids->translucent || p.aids->organs ? kTranslucent : 1.0);
+  p.scene->setBoxVisible(!p.aids || p.aids->box);
+  p.scene->setOrgans(p.aids ? p.aids->organs : nullptr);
+  render();
+}
+
+void View3D::showFrom(bridge::CameraPreset preset) {
+  parts_->scene->showFrom(preset);
+  render();
+}
+
+void View3D::fitToVolume() {
+  parts_->scene->fitToVolume();
+  render();
+}
+
+void View3D::render() {
+  if (parts_->renderAsked) return;
+  parts_->renderAsked = true;
+  // Drawing without a GPU takes longer than a scan frame; at most a third of the time goes into it: with half of it, a hand's every second
+  // image waits for the body to be drawn.
+  const qint64 rested_ms = parts_->sinceDrawn.isValid() ? parts_->sinceDrawn.elapsed() : kLongestRest_ms;
+  const qint64 wait_ms = std::clamp(std::min(2 * parts_->drawing_ms, kLongestRest_ms) - rested_ms, qint64{0}, kLongestRest_ms);
+  QTimer::singleShot(static_cast<int>(wait_ms), Qt::PreciseTimer, this, [this] {
+    if (!parts_->renderAsked) return;
+    draw(bridge::Scene3D::Edges::quick);
+    parts_->still.start();
+  });
+}
+
+void View3D::renderNow() {
+  parts_->still.stop();
+  draw(bridge::Scene3D::Edges::smooth);
+}
+
+void View3D::draw(bridge::Scene3D::Edges edges) {
+  parts_->renderAsked = false;
+  // Without a context there is nothing to draw into; the widget asks again when it is shown.
+  if (!isVisible() || !parts_->canvas->isValid()) return;
+  parts_->sinceDrawn.start();
+  parts_->scene->render(edges);
+  parts_->drawing_ms = parts_->sinceDrawn.restart();
+  parts_->glass->update();  // what lies over it moves with the camera
+}
+
+void View3D::setOver(std::function<void(QPainter&)> paint) {
+  parts_->glass->paint = std::move(paint);
+  parts_->glass->setVisible(parts_->glass->paint != nullptr);
+  parts_->glass->update();
+}
+
+std::optional<Skin::Contact> View3D::contactAt(const QPoint& at) const {
+  const bridge::Ray ray = rayAt(at);
+  return skin()->hit(ray.from_mm, ray.direction);
+}
+
+bridge::Ray View3D::rayAt(const QPointF& at) const { return parts_->scene->rayAt(parts_->device(at)); }
+
+bool View3D::isProbeAt(const QPoint& at) const { return parts_->scene->isProbeAt(parts_->device(at)); }
+
+QPointF View3D::pixelOf(const glm::dvec3& p_world_mm) const {
+  const glm::dvec2 at = parts_->scene->pixelOf(p_world_mm) / parts_->canvas->devicePixelRatioF();
+  return {at.x, at.y};
+}
+
+QWidget* View3D::canvas() const { return parts_->canvas; }
+bridge::Scene3D& View3D::scene() { return *parts_->scene; }
+const bridge::Scene3D& View3D::scene() const { return *parts_->scene; }
+
+void View3D::placeOverlays() {
+  QLabel& hint = *parts_->hint;
+  // In a narrow column the words would take the place of the body; the page of keys (F1) has them too.
+  const int cube_px = static_cast<int>(std::ceil(parts_->scene->cubeSide_px() / parts_->canvas->devicePixelRatioF()));
+  hint.setVisible(!hint.text().isEmpty() && width() >= kLeastForHint_px + cube_px);
+  // A narrow view wraps the words; it never cuts them.
+  hint.setWordWrap(false);
+  hint.adjustSize();
+  const int room = std::max(80, width() - 2 * kOverlayMargin_px);
+  if (const int beside = room - cube_px; hint.width() > beside) {
+    hint.setWordWrap(true);
+    hint.resize(beside, hint.heightForWidth(beside));
+  }
+  hint.move(kOverlayMargin_px, height() - kOverlayMargin_px - hint.height());
+  parts_->arrangeButtons(room);
+  parts_->buttons->move(std::max(0, width() - kOverlayMargin_px - parts_->buttons->width()), kOverlayMargin_px - 4);
+  hint.raise();
+  parts_->buttons->raise();
+}
+
+void View3D::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  parts_->canvas->setGeometry(rect());
+  parts_->glass->setGeometry(rect());
+  placeOverlays();
+  render();
+}
+
+void View3D::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  placeOverlays();
+  render();
+}
+
+void View3D::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::LanguageChange) retranslate();
+  if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange) placeOverlays();
+}
+
+}  // namespace ew::ui

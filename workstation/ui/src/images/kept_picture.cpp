@@ -1,0 +1,73 @@
+#include "images/kept_picture.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+
+#include "annotate/annotation_layer.h"
+#include "annotate/body_mark_view.h"
+#include "keys/key_tips.h"
+#include "measure/calipers/caliper_layer.h"
+#include "scan/scan_view.h"
+#include "widgets/theme.h"
+
+namespace ew::ui {
+
+KeptPicture::KeptPicture(Jobs& jobs, QWidget* parent)
+    : QWidget(parent), calipers_(session_, jobs), annotated_(session_), mark_(session_), view_(new ScanView(session_, this)) {
+  setObjectName(QStringLiteral("keptPicture"));
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  setCursor(Qt::PointingHandCursor);
+  setAccessibleName(tr("Another picture"));
+  setToolTip(tipWithKeys(tr("Click to measure or write on this picture, or to scan where there is none yet (%1: the next picture)"),
+                         "pictures.next"));
+  view_->setObjectName(QStringLiteral("keptScanView"));
+  view_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  view_->setFocusPolicy(Qt::NoFocus);
+  view_->setControlsEnabled(false);
+  new CaliperLayer(session_, calipers_, *view_);
+  new AnnotationLayer(session_, annotated_, *view_);
+  markView_ = new BodyMarkView(mark_, *view_);
+  connect(&session_, &Session::pictureChanged, this, &KeptPicture::showOrHide);
+  connect(&calipers_, &Calipers::changed, markView_, &QWidget::raise);  // the calipers came to lie over it
+  showOrHide();
+}
+
+KeptPicture::~KeptPicture() {
+  // The views look at what is a member here.
+  session_.disconnect();
+  calipers_.disconnect();
+  annotated_.disconnect();
+  mark_.disconnect();
+  delete view_;
+}
+
+void KeptPicture::clear() {
+  session_.clear();
+  showOrHide();
+}
+
+void KeptPicture::setMarkCorner(int corner) { markView_->placeIn(corner); }
+
+void KeptPicture::showOrHide() {
+  view_->setVisible(!isEmpty());
+  update();
+}
+
+void KeptPicture::resizeEvent(QResizeEvent*) { view_->setGeometry(rect()); }
+
+void KeptPicture::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return event->ignore();
+  // Later: what is asked for may move this picture elsewhere while it handles its event.
+  QMetaObject::invokeMethod(this, &KeptPicture::asked, Qt::QueuedConnection);
+}
+
+void KeptPicture::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), Qt::black);
+  if (!isEmpty()) return;
+  painter.setFont(textFont());
+  painter.setPen(scanTheme().quiet);
+  painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, tr("No picture here yet. Click to scan here."));
+}
+
+}  // namespace ew::ui

@@ -1,0 +1,63 @@
+#include "scan/zoom/scan_pan.h"
+
+#include <QMouseEvent>
+
+#include "scan/scan_view.h"
+#include "scan/session.h"
+
+namespace ew::ui {
+
+ScanPan::ScanPan(Session& session, ScanView& view) : QObject(&view), session_(session), view_(view) {
+  view_.installEventFilter(this);
+  connect(&session_, &Session::pictureChanged, this, &ScanPan::showCursor);
+  connect(&session_, &Session::frozenChanged, this, &ScanPan::showCursor);
+  showCursor();
+}
+
+bool ScanPan::pans() const { return session_.subject() && !session_.isPlaying() && session_.pictureKnobs().zoom > 1.0; }
+
+void ScanPan::showCursor() {
+  if (panning_) return;
+  const Qt::CursorShape shape = !session_.subject()   ? Qt::ArrowCursor
+                                : pans()              ? Qt::OpenHandCursor
+                                : session_.isFrozen() ? Qt::ArrowCursor
+                                                      : Qt::SizeAllCursor;
+  if (view_.cursor().shape() != Qt::CrossCursor && view_.cursor().shape() != shape) view_.setCursor(shape);
+}
+
+bool ScanPan::eventFilter(QObject* watched, QEvent* event) {
+  switch (event->type()) {
+    case QEvent::MouseButtonPress: {
+      const auto& mouse = *static_cast<QMouseEvent*>(event);
+      if (mouse.button() != Qt::LeftButton || !pans()) break;
+      panning_ = true;
+      last_ = mouse.localPos();
+      view_.setCursor(Qt::ClosedHandCursor);
+      return true;
+    }
+    case QEvent::MouseMove: {
+      if (!panning_) break;
+      const QPointF by = static_cast<QMouseEvent*>(event)->localPos() - last_;
+      last_ = static_cast<QMouseEvent*>(event)->localPos();
+      const DisplayGeometry& geometry = session_.geometry();
+      const double perPixel_mm = view_.mmPerWidgetPixel();
+      Detail detail = session_.detail();
+      Pan& pan = detail.pan;
+      pan.lateral_mm += (geometry.markerLeft ? 1.0 : -1.0) * perPixel_mm * by.x();
+      pan.axial_mm += (geometry.upsideDown ? 1.0 : -1.0) * perPixel_mm * by.y();
+      if (session_.wide() == nullptr) pan = panWithinFan(session_.pictureProbe(), session_.pictureKnobs(), pan);
+      session_.setDetail(detail.zoom, pan);
+      return true;
+    }
+    case QEvent::MouseButtonRelease:
+      if (!panning_) break;
+      panning_ = false;
+      showCursor();
+      return true;
+    default:
+      break;
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+}  // namespace ew::ui

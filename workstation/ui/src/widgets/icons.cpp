@@ -1,0 +1,58 @@
+#include "widgets/icons.h"
+
+#include <QFile>
+#include <QIconEngine>
+#include <QPainter>
+#include <QPixmap>
+#include <QSvgRenderer>
+
+#include "widgets/theme.h"
+
+namespace ew::ui {
+namespace {
+
+/// Renders the SVG at whatever size is asked for; a pixmap made once would blur on a dense screen.
+class LineIcon final : public QIconEngine {
+ public:
+  LineIcon(QByteArray svg, QColor colour) : svg_(std::move(svg)), colour_(std::move(colour)) {}
+
+  void paint(QPainter* painter, const QRect& box, QIcon::Mode mode, QIcon::State) override {
+    QColor colour = colour_;
+    if (mode == QIcon::Disabled) colour.setAlphaF(0.4);
+    QByteArray coloured = svg_;
+    coloured.replace("currentColor", colour.name().toLatin1());
+    QSvgRenderer renderer(coloured);
+    painter->save();
+    painter->setOpacity(colour.alphaF());
+    renderer.render(painter, box);
+    painter->restore();
+  }
+
+  QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+    QPixmap picture(size);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    paint(&painter, QRect(QPoint(0, 0), size), mode, state);
+    return picture;
+  }
+
+  [[nodiscard]] QIconEngine* clone() const override { return new LineIcon(svg_, colour_); }
+
+ private:
+  QByteArray svg_;
+  QColor colour_;
+};
+
+}  // namespace
+
+QIcon icon(const QString& name, const QColor& colour) {
+  QFile file(QStringLiteral(":/ew/icons/%1.svg").arg(name));
+  if (!file.open(QIODevice::ReadOnly)) return {};
+  return QIcon(new LineIcon(file.readAll(), colour));
+}
+
+QIcon iconOf(const QByteArray& svg, const QColor& colour) { return QIcon(new LineIcon(svg, colour)); }
+
+QIcon icon(const QString& name) { return icon(name, currentTheme().text); }
+
+}  // namespace ew::ui
