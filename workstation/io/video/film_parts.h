@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "video_module.h"
+#include "films/video_module.h"
 
 struct EwFilmParts {
   EwFilmParts() = default;

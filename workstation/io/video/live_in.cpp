@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "films/video_module.h"
 #include "loudness.h"
-#include "video_module.h"
 
 struct EwLiveParts {
   std::string file;

@@ -1,4 +1,4 @@
-#include "video_module.h"
+#include "films/video_module.h"
 
 #include <algorithm>
 #include <array>

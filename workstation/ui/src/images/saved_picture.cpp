@@ -14,7 +14,6 @@
 #include "ew/core/ending.h"
 #include "ew/imaging/orientation_marker.h"
 #include "ew/scanning/picture_file.h"
-#include "ew/ui/main_window.h"
 #include "measure/calipers/caliper_paint.h"
 #include "measure/words/caliper_words.h"
 #include "measure/words/finding_words.h"
@@ -22,6 +21,7 @@
 #include "widgets/figures.h"
 #include "widgets/picture_image.h"
 #include "widgets/theme.h"
+#include "widgets/window_text.h"
 #include "widgets/words.h"
 
 namespace ew::ui {
@@ -43,9 +43,9 @@ QString settingsOf(const Session& session) {
   const QString probe = nameOfProbe(session.pictureProbe().name), depth_cm = figure(session.geometry().depth_mm / 10.0, 1);
   QString line =
       resolvedGainLaw(knobs, session.pictureScene()) == GainLaw::decibel
-          ? MainWindow::tr("%1   depth %2 cm   gain %3 dB").arg(probe, depth_cm, signedFigure(knobs.gain_db, 1))
-          : MainWindow::tr("%1   depth %2 cm   gain %3 %").arg(probe, depth_cm).arg(static_cast<int>(std::lround(knobs.gain * 100.0)));
-  if (knobs.zoom > 1.0) line += MainWindow::tr("   zoom %1").arg(figure(knobs.zoom, 1));
+          ? WindowText::tr("%1   depth %2 cm   gain %3 dB").arg(probe, depth_cm, signedFigure(knobs.gain_db, 1))
+          : WindowText::tr("%1   depth %2 cm   gain %3 %").arg(probe, depth_cm).arg(static_cast<int>(std::lround(knobs.gain * 100.0)));
+  if (knobs.zoom > 1.0) line += WindowText::tr("   zoom %1").arg(figure(knobs.zoom, 1));
   return line;
 }
 
@@ -60,7 +60,7 @@ void paintScale(QPainter& painter, const DisplayGeometry& geometry, const QRect&
     painter.drawLine(QPointF(x, y), QPointF(x + (isLabelled ? 10 : 5), y));
     if (isLabelled) drawFigures(painter, QRect(x + 12, static_cast<int>(y) - 10, 24, 20), Qt::AlignLeft, QString::number(at_mm / 10));
   }
-  drawFigures(painter, QRect(picture.right() + 24, picture.bottom() - 8, 30, 20), Qt::AlignLeft, MainWindow::tr("cm"));
+  drawFigures(painter, QRect(picture.right() + 24, picture.bottom() - 8, 30, 20), Qt::AlignLeft, WindowText::tr("cm"));
 }
 
 int linesOf(const Calipers& calipers) { return static_cast<int>(calipers.lines().size() + calipers.findings().combinations().size()); }
@@ -127,7 +127,7 @@ void paintOnStrip(QPainter& painter, const Session& session, const OnPicture& on
     const int x = strip.left() + static_cast<int>(std::lround(second * second_px));
     painter.drawLine(x, strip.bottom() + 1, x, strip.bottom() + 1 + kTick_px);
     if (second > 0 && second_px >= 2.0 * kLine_px)
-      drawFigures(painter, QRect(x - 40, strip.bottom() + kTick_px, 44, kLine_px), Qt::AlignRight, MainWindow::tr("%1 s").arg(second));
+      drawFigures(painter, QRect(x - 40, strip.bottom() + kTick_px, 44, kLine_px), Qt::AlignRight, WindowText::tr("%1 s").arg(second));
   }
   if (on.calipers == nullptr || !on.calipers->hasStrip()) return;
   const measurement::StripPlane plane = on.calipers->stripPlane();

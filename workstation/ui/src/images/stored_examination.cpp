@@ -9,11 +9,11 @@
 
 #include "ew/core/contract.h"
 #include "ew/imaging/caption.h"
-#include "ew/ui/main_window.h"
 #include "measure/worksheets/worksheets.h"
 #include "scan/session.h"
 #include "widgets/figures.h"
 #include "widgets/picture_image.h"
+#include "widgets/window_text.h"
 #include "widgets/words.h"
 
 namespace ew::ui {
@@ -77,7 +77,7 @@ bool StoredExamination::store(const std::vector<SavedPart>& parts, int columns, 
   SavedTogether saved = savedPictures(parts, columns, at);
   if (saved.image.isNull()) return false;
   if (!study_) study_ = study;
-  const QString caption = MainWindow::tr("%1, %2 cm, %3", "probe, depth and time of a stored image")
+  const QString caption = WindowText::tr("%1, %2 cm, %3", "probe, depth and time of a stored image")
                               .arg(words(session_.pictureProbe().name), figure(session_.geometry().depth_mm / 10.0, 1),
                                    QLocale().toString(at.time(), QLocale::ShortFormat));
   auto still = storedStill(parts, saved, ++number_, at);

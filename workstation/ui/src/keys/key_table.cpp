@@ -3,9 +3,9 @@
 #include <QCoreApplication>
 
 #include "ew/measurement/caliper_drawing.h"
-#include "ew/ui/main_window.h"
 #include "keys/effect_words.h"
 #include "measure/words/caliper_words.h"
+#include "widgets/window_text.h"
 
 namespace ew::ui {
 namespace {
@@ -286,27 +286,27 @@ std::vector<KeyCommand> keyTable() {
 QString titleOf(KeyGroup group) {
   switch (group) {
     case KeyGroup::probe:
-      return MainWindow::tr("Probe");
+      return WindowText::tr("Probe");
     case KeyGroup::image:
-      return MainWindow::tr("Image");
+      return WindowText::tr("Image");
     case KeyGroup::frozen:
-      return MainWindow::tr("Frozen image");
+      return WindowText::tr("Frozen image");
     case KeyGroup::measure:
-      return MainWindow::tr("Measure");
+      return WindowText::tr("Measure");
     case KeyGroup::annotate:
-      return MainWindow::tr("Annotate");
+      return WindowText::tr("Annotate");
     case KeyGroup::view3d:
-      return MainWindow::tr("3D view");
+      return WindowText::tr("3D view");
     case KeyGroup::settings:
-      return MainWindow::tr("Settings");
+      return WindowText::tr("Settings");
     case KeyGroup::effects:
-      return MainWindow::tr("Effects and probe");
+      return WindowText::tr("Effects and probe");
     case KeyGroup::author:
-      return MainWindow::tr("Author");
+      return WindowText::tr("Author");
     case KeyGroup::window:
-      return MainWindow::tr("Window");
+      return WindowText::tr("Window");
     case KeyGroup::tools:
-      return MainWindow::tr("Tools");
+      return WindowText::tr("Tools");
   }
   return {};
 }
@@ -316,19 +316,19 @@ QString wordsOfStates(unsigned when) {
     case kAlways:
       return {};
     case kWhileRunning:
-      return MainWindow::tr("while the image runs");
+      return WindowText::tr("while the image runs");
     case kWhileStill:
-      return MainWindow::tr("on a frozen image");
+      return WindowText::tr("on a frozen image");
     case kWithTool:
-      return MainWindow::tr("with a tool in the hand");
+      return WindowText::tr("with a tool in the hand");
     case kWithChosen:
-      return MainWindow::tr("with a text or an arrow chosen");
+      return WindowText::tr("with a text or an arrow chosen");
     case kWithHandles:
-      return MainWindow::tr("in the 3D view, with handles");
+      return WindowText::tr("in the 3D view, with handles");
     case kWhileWriting:
-      return MainWindow::tr("while writing");
+      return WindowText::tr("while writing");
     default:
-      return MainWindow::tr("everywhere");
+      return WindowText::tr("everywhere");
   }
 }
 
