@@ -15,7 +15,7 @@
 namespace ew::ui {
 namespace {
 
-constexpr int kBar_px = 96;
+constexpr int kBarWidth_px = 96;
 constexpr int kMostListed_px = 264;
 
 QLabel* label(const char* name, bool quiet) {
@@ -64,7 +64,7 @@ CourseStrip::CourseStrip(QWidget* parent) : QFrame(parent) {
   bar_ = new QProgressBar;
   bar_->setObjectName(QStringLiteral("courseBar"));
   bar_->setTextVisible(false);
-  bar_->setFixedWidth(kBar_px);
+  bar_->setFixedWidth(kBarWidth_px);
   courseRow->addWidget(bar_);
   all_ = new QToolButton;
   all_->setObjectName(QStringLiteral("allLessons"));

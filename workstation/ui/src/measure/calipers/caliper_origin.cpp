@@ -7,6 +7,9 @@
 #include "widgets/figures.h"
 
 namespace ew::ui {
+
+using measurement::CaliperKind;
+
 namespace {
 
 struct Extremes {

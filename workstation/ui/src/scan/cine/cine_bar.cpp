@@ -8,6 +8,7 @@
 #include <QWheelEvent>
 
 #include "keys/key_tips.h"
+#include "scan/cine/bar_parts.h"
 #include "scan/session.h"
 #include "widgets/figures.h"
 #include "widgets/icons.h"
@@ -16,19 +17,8 @@
 namespace ew::ui {
 namespace {
 
-constexpr int kTick_ms = 20;
 constexpr int kManyFrames = 10;
 constexpr int kNotch = 120;  // what Qt says of a wheel's notch
-
-QPushButton* smallButton(const char* name, const QString& tip) {
-  auto* button = new QPushButton;
-  button->setObjectName(QString::fromLatin1(name));
-  button->setProperty("compact", true);
-  button->setFocusPolicy(Qt::TabFocus);  // a click must not take the arrow keys away
-  button->setAccessibleName(tip);
-  button->setToolTip(tip);
-  return button;
-}
 
 }  // namespace
 
@@ -67,7 +57,7 @@ CineBar::CineBar(Session& session, QWidget* parent) : QWidget(parent), session_(
     row->addWidget(each, each == line_ ? 1 : 0);
   hide();
 
-  tick_.setInterval(kTick_ms);
+  tick_.setInterval(kBarTick_ms);
   tick_.setTimerType(Qt::PreciseTimer);
   connect(&tick_, &QTimer::timeout, this, &CineBar::advance);
   connect(play_, &QPushButton::clicked, this, [this] { setPlaying(!isPlaying()); });

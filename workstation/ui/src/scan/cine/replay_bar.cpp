@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "keys/key_tips.h"
+#include "scan/cine/bar_parts.h"
 #include "scan/session.h"
 #include "widgets/icons.h"
 #include "widgets/time_line.h"
@@ -17,21 +18,10 @@
 namespace ew::ui {
 namespace {
 
-constexpr int kTick_ms = 20;
-
 /// "0:07.4"
 QString clockOf(double time_s) {
   const int tenths = static_cast<int>(std::floor(time_s * 10.0 + 1e-6));
   return QStringLiteral("%1:%2.%3").arg(tenths / 600).arg(tenths / 10 % 60, 2, 10, QLatin1Char('0')).arg(tenths % 10);
-}
-
-QPushButton* smallButton(const char* name, const QString& tip) {
-  auto* button = new QPushButton;
-  button->setObjectName(QString::fromLatin1(name));
-  button->setProperty("compact", true);
-  button->setAccessibleName(tip);
-  button->setToolTip(tip);
-  return button;
 }
 
 }  // namespace
@@ -69,7 +59,7 @@ ReplayBar::ReplayBar(Session& session, QWidget* parent) : QWidget(parent), sessi
   row->addWidget(close_);
   hide();
 
-  tick_.setInterval(kTick_ms);
+  tick_.setInterval(kBarTick_ms);
   tick_.setTimerType(Qt::PreciseTimer);
   connect(&tick_, &QTimer::timeout, this, &ReplayBar::advance);
   connect(play_, &QPushButton::clicked, this, [this] { setPlaying(!isPlaying()); });
