@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "ew/core/numbers.h"
+#include "ew/core/order_statistics.h"
 
 namespace ew {
 namespace {
@@ -48,7 +49,7 @@ double usualAround(std::span<const double> lengths, std::size_t n) {
   std::vector<double> around;
   for (std::size_t m = n >= 3 ? n - 3 : 0; m <= n + 3 && m < lengths.size(); ++m)
     if (m != n) around.push_back(lengths[m]);
-  return around.empty() ? lengths[n] : medianValue(std::move(around));
+  return around.empty() ? lengths[n] : medianOrZero(std::move(around));
 }
 
 std::vector<double> lengthsOf(std::span<const double> starts_s) {
@@ -95,15 +96,9 @@ Result<BodySignal> usable(const BodySignal& signal, const Message& name) {
   return kept;
 }
 
-double medianValue(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
-}
+double medianOrZero(std::vector<double> values) { return values.empty() ? 0.0 : medianOf(values); }
 
-double medianStep_s(std::span<const double> time_s) { return medianValue(lengthsOf(time_s)); }
+double medianStep_s(std::span<const double> time_s) { return medianOrZero(lengthsOf(time_s)); }
 
 EvenSignal evenly(const BodySignal& signal, double step_s) {
   const double native_s = medianStep_s(signal.time_s);
@@ -218,7 +213,7 @@ Cycles cyclesFrom(std::vector<double> starts_s, double irregularShare, bool brid
     if (cycles.regular.back()) regular_s.push_back(lengths[n]);
   }
   cycles.irregular = lengths.size() - regular_s.size();
-  const double median_s = medianValue(regular_s.empty() ? lengths : regular_s);
+  const double median_s = medianOrZero(regular_s.empty() ? lengths : regular_s);
   cycles.rate_perMin = median_s > 0.0 ? 60.0 / median_s : 0.0;
   if (cycles.bridged > 0)
     cycles.notes.push_back(cycles.bridged == 1 ? say<"1 missed beat was put in evenly between those around.">()

@@ -22,7 +22,7 @@ struct EvenSignal {
 
 /// Median time between samples.
 [[nodiscard]] double medianStep_s(std::span<const double> time_s);
-[[nodiscard]] double medianValue(std::vector<double> values);
+[[nodiscard]] double medianOrZero(std::vector<double> values);
 
 /// Linear interpolation at even steps from the first to the last sample; where samples lie closer than the step they are averaged first.
 [[nodiscard]] EvenSignal evenly(const BodySignal& signal, double step_s);

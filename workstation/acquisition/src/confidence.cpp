@@ -5,6 +5,7 @@
 
 #include "clip_spans.h"
 #include "ew/core/numbers.h"
+#include "ew/core/order_statistics.h"
 #include "ew/core/parallel.h"
 #include "random_walk.h"
 
@@ -86,9 +87,7 @@ void averageAcross(const Image<float>& from, int half, Image<float>& to) {
 float quantileOfRow(const Image<float>& image, int y, double share, std::vector<float>& sorted) {
   const auto begin = image.pixels.begin() + static_cast<std::ptrdiff_t>(indexOf(0, y, image.width));
   sorted.assign(begin, begin + image.width);
-  const auto nth = sorted.begin() + static_cast<std::ptrdiff_t>(share * (image.width - 1) + 0.5);
-  std::nth_element(sorted.begin(), nth, sorted.end());
-  return *nth;
+  return valueAtRank(sorted, static_cast<std::size_t>(share * (image.width - 1) + 0.5));
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ double usualBeat(const std::vector<double>& energy) {
   for (std::size_t begin = 0; begin + piece <= energy.size(); begin += piece)
     largest.push_back(*std::max_element(energy.begin() + static_cast<std::ptrdiff_t>(begin),
                                         energy.begin() + static_cast<std::ptrdiff_t>(begin + piece)));
-  return medianValue(std::move(largest));
+  return medianOrZero(std::move(largest));
 }
 
 /// Decides for each peak of energy whether it is a beat.
@@ -62,7 +62,7 @@ std::vector<std::size_t> beatsOf(const Energy& energy) {
     const auto begin = energy.slope.begin() + static_cast<std::ptrdiff_t>(n >= reach ? n - reach : 0);
     return *std::max_element(begin, energy.slope.begin() + static_cast<std::ptrdiff_t>(std::min(energy.slope.size(), n + reach + 1)));
   };
-  double signal = usualBeat(energy.mean), noise = medianValue(energy.mean);
+  double signal = usualBeat(energy.mean), noise = medianOrZero(energy.mean);
   noise = std::min(noise, 0.5 * signal);
   std::vector<std::size_t> beats, passedOver;
   for (const std::size_t peak : peaksOf(energy.mean, samplesOf(0.5 * kRefractory_s))) {
@@ -79,7 +79,7 @@ std::vector<std::size_t> beatsOf(const Energy& energy) {
       std::vector<double> lengths;
       for (std::size_t n = beats.size() > 8 ? beats.size() - 8 : 1; n < beats.size(); ++n)
         lengths.push_back(static_cast<double>(beats[n] - beats[n - 1]));
-      if (static_cast<double>(peak - beats.back()) > 1.66 * medianValue(lengths)) {
+      if (static_cast<double>(peak - beats.back()) > 1.66 * medianOrZero(lengths)) {
         std::size_t best = 0;
         for (const std::size_t missed : passedOver)
           if (missed > beats.back() + samplesOf(kTWave_s) && peak > missed + samplesOf(kTWave_s) &&
@@ -126,7 +126,7 @@ double spreadBetween(const std::vector<double>& band, const std::vector<std::siz
     if (next < beats.size() && n + reach >= beats[next]) continue;
     sizes.push_back(std::abs(band[n]));
   }
-  return 1.4826 * medianValue(std::move(sizes));
+  return 1.4826 * medianOrZero(std::move(sizes));
 }
 
 double shareAtTheRails(const std::vector<double>& values) {
@@ -170,7 +170,7 @@ Result<Cycles> findHeartBeats(const BodySignal& ecg, const EcgOptions& options) 
   }
   if (starts_s.size() < 2) return refuse(say<"it has a single R peak, which does not say how long a beat lasts">());
   const double spread = spreadBetween(band, beats);
-  const double signalToNoise = spread > 0.0 ? medianValue(heights) / spread : 1e6;
+  const double signalToNoise = spread > 0.0 ? medianOrZero(heights) / spread : 1e6;
   if (signalToNoise < options.leastSignalToNoise)
     return refuse(say<"no R peaks stand out of the noise (%1 times its spread, %2 are needed)">(
         textOf(std::round(10.0 * signalToNoise) / 10.0), textOf(options.leastSignalToNoise)));

@@ -153,7 +153,7 @@ Tone strongestTone(const Spectrum& spectrum, double lowest_hz, double highest_hz
     }
     // Where the record is too short for neighbours below, those above would make any falling spectrum a peak.
     if (below.empty() || above.empty()) continue;
-    ratios[tone] = spectrum.power[tone] / std::exp(0.5 * (medianValue(below) + medianValue(above)));
+    ratios[tone] = spectrum.power[tone] / std::exp(0.5 * (medianOrZero(below) + medianOrZero(above)));
   }
   Tone best;
   double largest = 0.0;

@@ -6,6 +6,7 @@
 
 #include "ew/core/contract.h"
 #include "ew/core/numbers.h"
+#include "ew/core/order_statistics.h"
 #include "fan_finder.h"
 #include "screen_marks.h"
 
@@ -60,9 +61,7 @@ bool hardlyMoves(const ScreenStatistics& statistics, const FanOutline& outline) 
   for (std::size_t n = 0; n < inside.pixels.size(); ++n)
     if (inside.pixels[n] != 0 && mean.pixels[n] > kEcho) echoes.push_back(deviation.pixels[n]);
   if (echoes.empty()) return true;
-  const auto middle = echoes.begin() + static_cast<std::ptrdiff_t>(echoes.size() / 2);
-  std::nth_element(echoes.begin(), middle, echoes.end());
-  return *middle < kHardlyMoves;
+  return upperMedianOf(echoes) < kHardlyMoves;
 }
 
 Error badStated(const char* field, Message message) { return {ErrorCode::badField, std::move(message), {{"field", field}}}; }

@@ -5,6 +5,8 @@
 #include <map>
 #include <opencv2/imgproc.hpp>
 
+#include "ew/core/order_statistics.h"
+
 namespace ew::detail {
 namespace {
 
@@ -63,9 +65,7 @@ cv::Mat carriedOn(const cv::Mat& lowest, const cv::Mat& inside, int reach) {
       for (int v = around.y; v < around.br().y; ++v)
         for (int u = around.x; u < around.br().x; ++u)
           if (whole.at<std::uint8_t>(v, u) != 0 && core.at<std::uint8_t>(v, u) == 0) along.push_back(lowest.at<std::uint8_t>(v, u));
-      const auto middle = along.begin() + static_cast<std::ptrdiff_t>(along.size() / 2);
-      std::nth_element(along.begin(), middle, along.end());
-      level[static_cast<std::size_t>(labels.at<int>(y, x))] = *middle;
+      level[static_cast<std::size_t>(labels.at<int>(y, x))] = upperMedianOf(along);
     }
   cv::Mat result = lowest.clone();
   for (int y = 0; y < whole.rows; ++y)

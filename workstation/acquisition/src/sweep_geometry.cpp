@@ -5,19 +5,13 @@
 #include <vector>
 
 #include "ew/core/contract.h"
+#include "ew/core/order_statistics.h"
 
 namespace ew {
 namespace {
 
 constexpr double kFinestCarried_mm = 0.3;
 constexpr double kCoarsestCarried_mm = 1.0;
-
-double medianOf(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 Beams::Fan wayOfApex(std::span<const PosedFrame> frames, const glm::dvec2& apex_px) {
   std::vector<glm::dvec3> places;
@@ -38,7 +32,7 @@ double frameDistance_mm(std::span<const PosedFrame> frames) {
   };
   std::vector<double> distances_mm;
   for (std::size_t n = 1; n < frames.size(); ++n) distances_mm.push_back(glm::distance(middleOf(frames[n - 1]), middleOf(frames[n])));
-  return medianOf(std::move(distances_mm));
+  return distances_mm.empty() ? 0.0 : upperMedianOf(distances_mm);
 }
 
 double carriedSpacing_mm(std::span<const PosedFrame> frames) {

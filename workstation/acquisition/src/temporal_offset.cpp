@@ -81,7 +81,7 @@ double gapOf(double asked_s, std::span<const double> time_s) {
   std::vector<double> steps_s;
   for (std::size_t n = 1; n < time_s.size(); ++n)
     if (time_s[n] > time_s[n - 1]) steps_s.push_back(time_s[n] - time_s[n - 1]);
-  return 3.0 * medianValue(std::move(steps_s));
+  return 3.0 * medianOrZero(std::move(steps_s));
 }
 
 /// Mean of `count` pieces of a row or column sum.

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "ew/core/order_statistics.h"
+
 namespace ew {
 namespace {
 
@@ -21,13 +23,7 @@ Knots knotsOf(double depth_mm, double knot_mm, std::size_t count) {
   return {at, along - static_cast<double>(at)};
 }
 
-double medianOf(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
-}
+double medianOrZero(std::vector<double> values) { return values.empty() ? 0.0 : medianOf(values); }
 
 /// A symmetric, positive definite system, lower half by rows. Solved in place by Cholesky's factors.
 class Normal {
@@ -141,7 +137,7 @@ bool fitDepthCurves(std::span<const DepthDifference> differences, std::size_t ow
     sizes.push_back(std::abs(pair.difference));
   }
   curves.knots = knots;
-  curves.medianBefore = medianOf(sizes);
+  curves.medianBefore = medianOrZero(sizes);
   std::vector<double> all(owners * knots, 0.0);
   const std::vector<std::size_t> group = groupsOf(differences, owners);
   const auto curveOf = [&](std::size_t owner) { return std::span<const double>(all).subspan(owner * knots, knots); };
@@ -154,7 +150,7 @@ bool fitDepthCurves(std::span<const DepthDifference> differences, std::size_t ow
                           atDepth(curveOf(pair.second), options.knot_mm, pair.secondDepth_mm));
     }
     // Below half a grey level residuals are rounding, and the scale must not follow them to 0.
-    const double scale = std::max(0.5, 1.4826 * medianOf(sizes));
+    const double scale = std::max(0.5, 1.4826 * medianOrZero(sizes));
     for (std::size_t n = 0; n < differences.size(); ++n) {
       const double far = sizes[n] / (2.385 * scale);
       // First Cauchy's weights, which find the way from anywhere, then Geman and McClure's, which forget what is far.
@@ -162,7 +158,7 @@ bool fitDepthCurves(std::span<const DepthDifference> differences, std::size_t ow
       weights[n] = differences[n].weight * (round < kRounds / 2 ? cauchy : cauchy * cauchy);
     }
   }
-  curves.medianAfter = medianOf(sizes);
+  curves.medianAfter = medianOrZero(sizes);
   curves.grey.clear();
   for (std::size_t owner = 0; owner < owners; ++owner) {
     const auto curve = curveOf(owner);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ew/core/contract.h"
+#include "ew/core/order_statistics.h"
 #include "gaussian.h"
 #include "voxel_boxes.h"
 
@@ -122,9 +123,7 @@ class Growing {
       while (reached_mm < most_mm && isLike(glm::dvec3(seed_) + reached_mm * glm::normalize(way) * perMm_)) reached_mm += step_mm;
       ways_mm.push_back(reached_mm);
     }
-    const auto quarter = ways_mm.begin() + static_cast<std::ptrdiff_t>(ways_mm.size() / 4);
-    std::nth_element(ways_mm.begin(), quarter, ways_mm.end());
-    return std::max(*quarter, 2.0 * step_mm);
+    return std::max(valueAtRank(ways_mm, ways_mm.size() / 4), 2.0 * step_mm);
   }
 
   /// Slope of the averaged echo, levels a mm.

@@ -8,6 +8,7 @@
 #include <opencv2/calib3d.hpp>
 
 #include "camera_charuco.h"
+#include "ew/core/order_statistics.h"
 
 namespace ew {
 namespace {
@@ -91,11 +92,6 @@ double residualOf(const CameraModel& model, const CharucoView& view, const Charu
     squares += off.dot(off);
   }
   return std::sqrt(squares / static_cast<double>(again.size()));
-}
-
-double medianResidual(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
 }
 
 std::string timeNow() {
@@ -195,7 +191,7 @@ Result<CameraCalibration> calibrateCamera(const std::vector<CharucoView>& views,
     // A picture in which the board moved or a corner was misread is far off the others.
     for (int round = 0; round < 2; ++round) {
       if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"The calibration was stopped.">());
-      const double limit_px = std::max(0.25, 3.0 * medianResidual(fit.residuals_px));
+      const double limit_px = std::max(0.25, 3.0 * upperMedianOf(std::as_const(fit.residuals_px)));
       bool changed = false;
       for (std::size_t n = 0, kept = 0; n < views.size(); ++n) {
         if (leftOut[n]) continue;

@@ -9,6 +9,7 @@
 #include "camera_corners.h"
 #include "camera_markers.h"
 #include "ew/core/contract.h"
+#include "ew/core/order_statistics.h"
 #include "ew/trackers/camera_calibration.h"
 
 namespace ew {
@@ -111,8 +112,7 @@ double edgeSpread(ImageView<const std::uint8_t> grey, const FoundBoard& found, i
       spreads.push_back(*std::max_element(corners->edgeSpread_px.begin(), corners->edgeSpread_px.end()));
   }
   if (spreads.empty()) return 9.0;  // not one side is a line: washed out altogether
-  std::nth_element(spreads.begin(), spreads.begin() + static_cast<std::ptrdiff_t>(spreads.size() / 2), spreads.end());
-  return spreads[spreads.size() / 2];
+  return upperMedianOf(spreads);
 }
 
 }  // namespace
@@ -159,8 +159,7 @@ struct CalibrationCollector::State {
     }
     const double since_s = time_s - last_s;
     if (moved.empty() || !(since_s > 0.0 && since_s < 0.5)) return 0.0;
-    std::nth_element(moved.begin(), moved.begin() + static_cast<std::ptrdiff_t>(moved.size() / 2), moved.end());
-    return moved[moved.size() / 2] / since_s;
+    return upperMedianOf(moved) / since_s;
   }
 };
 

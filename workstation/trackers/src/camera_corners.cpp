@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "ew/core/order_statistics.h"
+
 namespace ew {
 namespace {
 
@@ -129,9 +131,7 @@ std::optional<SideLine> lineThrough(const std::vector<glm::dvec2>& points, doubl
       squares += weights[n] * off[n] * off[n];
     }
     line.rms = std::sqrt(squares / total);
-    std::vector<double> sorted = off;
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
-    const double reach = 4.685 * std::max(scale, 1.4826 * sorted[sorted.size() / 2]);
+    const double reach = 4.685 * std::max(scale, 1.4826 * upperMedianOf(std::as_const(off)));
     for (std::size_t n = 0; n < points.size(); ++n) {
       const double u = off[n] / reach;
       weights[n] = u < 1.0 ? (1.0 - u * u) * (1.0 - u * u) : 0.0;

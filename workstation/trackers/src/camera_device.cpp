@@ -11,6 +11,7 @@
 
 #include "camera_pictures.h"
 #include "ew/core/guarded.h"
+#include "ew/core/order_statistics.h"
 
 namespace ew {
 namespace {
@@ -18,12 +19,7 @@ namespace {
 constexpr int kPreviewWidth = 640;
 constexpr std::size_t kRemembered = 31;
 
-double medianOf(std::deque<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+double medianOrZero(const std::deque<double>& values) { return values.empty() ? 0.0 : upperMedianOf(values); }
 
 void remember(std::deque<double>& values, double value) {
   values.push_back(value);
@@ -314,8 +310,8 @@ void Camera::work(const CameraPicture& picture) {
     for (const BodySight& body : sight.bodies) view_.blur_px = std::max(view_.blur_px, body.blur_px);
     view_.sight = std::move(sight);
     view_.frames_hz = frames_hz;
-    view_.processing_ms = medianOf(processing_ms_);
-    view_.latency_ms = medianOf(latency_ms_);
+    view_.processing_ms = medianOrZero(processing_ms_);
+    view_.latency_ms = medianOrZero(latency_ms_);
     view_.leftOut = leftOut;
     view_.width = picture.grey.cols;
     view_.height = picture.grey.rows;

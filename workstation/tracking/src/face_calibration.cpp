@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "alignment_words.h"
+#include "ew/core/order_statistics.h"
 #include "face_readings.h"
 
 namespace ew {
@@ -63,12 +64,6 @@ Result<std::vector<TurnAndPlace>> liveReadings(std::span<const ToolReading> read
   return live;
 }
 
-double middleValueOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 Result<FlatFace> flatFaceOf(std::span<const ToolReading> readings, const glm::dvec3& towardsTip_tool) {
   const auto live = liveReadings(readings);
   if (!live) return passOn(live.error());
@@ -78,7 +73,7 @@ Result<FlatFace> flatFaceOf(std::span<const ToolReading> readings, const glm::dv
   for (int pass = 0; pass < 3; ++pass) {
     std::vector<double> leans;
     for (const TurnAndPlace& reading : *live) leans.push_back(std::acos(std::clamp(kept.tracker.dot(reading.turn * kept.tool), -1.0, 1.0)));
-    const double most = 3.0 * std::max(middleValueOf(leans), 0.1 * kDegree);
+    const double most = 3.0 * std::max(upperMedianOf(std::as_const(leans)), 0.1 * kDegree);
     used.clear();
     for (std::size_t n = 0; n < leans.size(); ++n)
       if (leans[n] <= most) used.push_back((*live)[n]);
@@ -132,7 +127,8 @@ Result<glm::dvec3> lateralOf(std::span<const ToolReading> readings) {
                         svd.matrixV().transpose();
   std::vector<double> angles;
   for (const TurnAndPlace& reading : *live) angles.push_back(Eigen::AngleAxisd(turn.transpose() * reading.turn).angle());
-  if (middleValueOf(angles) > kWorstLean_rad) return refuse(say<"The probe turned while it was slid; keep it upright against a ruler.">());
+  if (upperMedianOf(std::as_const(angles)) > kWorstLean_rad)
+    return refuse(say<"The probe turned while it was slid; keep it upright against a ruler.">());
   return glmOf(turn.transpose() * along);
 }
 

@@ -16,6 +16,4 @@ struct TurnAndPlace {
 /// @error noValidPose: fewer than 20 of them
 [[nodiscard]] Result<std::vector<TurnAndPlace>> liveReadings(std::span<const ToolReading> readings);
 
-[[nodiscard]] double middleValueOf(std::vector<double> values);
-
 }  // namespace ew

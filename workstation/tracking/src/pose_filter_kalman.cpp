@@ -6,8 +6,9 @@ namespace ew::tracking {
 
 namespace {
 
-// Found by the simulated paths of tests/tracking/filter_test.cpp; docs/trackers.md has the figures. A hand that holds a probe still
-// trembles by a tenth of a millimetre at about 8 Hz; one that fans it quickly turns at 5 rad/s and stops within a tenth of a second.
+// Found by the simulated paths of tests/tracking/filter_test.cpp; resources/docs/technician/trackers.md has the figures. A hand that holds
+// a probe still trembles by a tenth of a millimetre at about 8 Hz; one that fans it quickly turns at 5 rad/s and stops within a tenth of a
+// second.
 constexpr ConstantVelocity::Limits kPlaceLimits{.calm = 1.0, .wild = 4e5, .rate = 300.0, .fastest = 5e4, .near = 5.0};
 constexpr ConstantVelocity::Limits kTurnLimits{.calm = 5e-4, .wild = 2e2, .rate = 3.0, .fastest = 1500.0, .near = 0.09};
 

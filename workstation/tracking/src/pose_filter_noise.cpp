@@ -1,18 +1,10 @@
-#include <algorithm>
 
+#include "ew/core/order_statistics.h"
 #include "pose_filter_parts.h"
 
 namespace ew::tracking {
 
 namespace {
-
-/// Value at a share of a sorted order. `values` is not empty.
-double quantileOf(const std::deque<double>& values, double share) {
-  std::vector<double> sorted(values.begin(), values.end());
-  const auto at = sorted.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
-  std::nth_element(sorted.begin(), at, sorted.end());
-  return *at;
-}
 
 void keepNewest(std::deque<double>& values, double value, std::size_t most) {
   values.push_back(value);

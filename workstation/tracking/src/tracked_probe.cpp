@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ew/core/contract.h"
+#include "ew/core/order_statistics.h"
 #include "ew/tracking/tracker_clock.h"
 #include "ew/tracking/tracking_words.h"
 #include "tracked_probe_readings.h"
@@ -24,13 +25,6 @@ constexpr double kReported_s = 2.0;
 constexpr std::size_t kMostReported = 4096;
 /// However slow a tracker is, a pose is shown as one of now no longer than this without a good reading.
 constexpr double kLongestBridge_s = 0.3;
-
-double middleOf(std::vector<double> values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 double deviationOf(const std::vector<double>& values) {
   if (values.size() < 2) return 0.0;
@@ -242,7 +236,7 @@ TrackingReport TrackedProbe::report(double time_s) const {
     before_s = each.arrival_s;
   }
   report.rate_hz = static_cast<double>(delays_s.size()) / kReported_s;
-  report.delay_s = s.clock.isStamped() ? middleOf(std::move(delays_s)) : std::numeric_limits<double>::quiet_NaN();
+  report.delay_s = s.clock.isStamped() && !delays_s.empty() ? upperMedianOf(delays_s) : std::numeric_limits<double>::quiet_NaN();
   report.jitterTime_s = deviationOf(intervals_s);
 
   const PoseFilterReport filter = s.filter.report();

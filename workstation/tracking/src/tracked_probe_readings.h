@@ -25,7 +25,6 @@ class FrozenReadings {
   /// @param after_s how long it has to go on
   [[nodiscard]] bool isFrozen(double after_s) const;
   /// The latest reading says nothing that an earlier one did not.
-  [[nodiscard]] bool isStampRepeated() const { return sameStamp_ > 0; }
 
  private:
   void learn(const ToolReading& reading);

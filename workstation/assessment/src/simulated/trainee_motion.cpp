@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "ew/core/contract.h"
+#include "ew/core/order_statistics.h"
 #include "ew/scanning/contact.h"
 
 namespace ew::assessment {
@@ -152,9 +153,7 @@ Pose Filming::disturbed(const Pose& meant, double speed_mmPerS, double time_s, c
 Pose Filming::lifted(const Probe& probe, const Pose& pose, double lifting) const {
   if (lifting <= 0.0) return pose;
   auto gaps_mm = distance_.gaps_mm(probe, pose);
-  const auto half = gaps_mm.begin() + static_cast<std::ptrdiff_t>(gaps_mm.size() / 2);
-  std::nth_element(gaps_mm.begin(), half, gaps_mm.end());
-  const double off_mm = std::max(0.0, kGelFills_mm + kBeyondGel_mm - static_cast<double>(*half));
+  const double off_mm = std::max(0.0, kGelFills_mm + kBeyondGel_mm - static_cast<double>(upperMedianOf(gaps_mm)));
   Pose up = pose;
   up.probeToWorld.matrix[3] += glm::dvec4(lifting * off_mm * skin_.nearest(glm::dvec3(pose.probeToWorld.matrix[3])).outward, 0.0);
   return up;

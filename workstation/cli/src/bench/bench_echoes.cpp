@@ -35,23 +35,16 @@ constexpr double kDarkest_db = -70.0;  // of a shadow: the picture's black and 1
 constexpr double kLevelBar_db = 1.0, kSnrBar_percent = 3.0, kLengthBar_percent = 10.0, kViewBar = 0.05, kShadowBar_db = 2.0,
                  kFrameBar_ms = 12.0, kP99Bar_ms = 16.0;
 
-double quantileOf(std::vector<double> values, double share) {
-  if (values.empty()) return 0.0;
-  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(std::clamp<std::size_t>(rank, 1, values.size()) - 1);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 json figureOr(const std::vector<double>& values, double figure) { return values.empty() ? json() : json(figure); }
 
 /// A way to move the probe between two views.
-struct Motion {
+struct ViewMotion {
   const char* kind;
   double amount;
   glm::dmat4 step;  ///< of the probe, in its own frame
 };
-std::vector<Motion> motionsAt(double pivot_mm) {
-  std::vector<Motion> motions;
+std::vector<ViewMotion> motionsAt(double pivot_mm) {
+  std::vector<ViewMotion> motions;
   for (const double angle_deg : {1.0, 3.0, 5.0, 8.0}) {
     glm::dmat4 step = glm::translate(glm::dmat4(1.0), {0.0, pivot_mm, 0.0});
     step = glm::rotate(step, angle_deg * std::numbers::pi / 180.0, glm::dvec3(0.0, 0.0, 1.0));
@@ -105,7 +98,7 @@ class CaseBench {
   std::vector<std::unique_ptr<LiveEngine>> live_, liveStill_;
   std::vector<double> elevationalSigma_mm_, lateralWidth_mm_;
   double axialWidth_mm_ = 0.0, depth_mm_ = 0.0;
-  std::vector<Motion> motions_;
+  std::vector<ViewMotion> motions_;
   Figures model_;
   std::array<Compared, kQualities.size()> compared_;
   std::vector<double> floor_db_, forward_ms_;
@@ -279,13 +272,13 @@ json CaseBench::rowOf(std::size_t quality) const {
               {"looks", subject_.scene.liveEchoes->looks},
               {"patches", openPatches_},
               {"even_patches", evenPatches_}};
-  const double level_db = quantileOf(compared.level_db, 0.5);
+  const double level_db = shareOf(compared.level_db, 0.5);
   row["level_db"] = figureOr(compared.level_db, level_db);
-  row["level_p95_db"] = figureOr(compared.level_db, quantileOf(absolute(compared.level_db), 0.95));
-  row["level_floor_p95_db"] = figureOr(floor_db_, quantileOf(absolute(floor_db_), 0.95));
+  row["level_p95_db"] = figureOr(compared.level_db, shareOf(absolute(compared.level_db), 0.95));
+  row["level_floor_p95_db"] = figureOr(floor_db_, shareOf(absolute(floor_db_), 0.95));
   row["level_bands_db"] = json::array();
   for (const auto& band : compared.band_db)
-    row["level_bands_db"].push_back(band.size() < kEnoughPatches ? json() : json(quantileOf(band, 0.5)));
+    row["level_bands_db"].push_back(band.size() < kEnoughPatches ? json() : json(shareOf(band, 0.5)));
   const double snr = live.signalToNoise(), modelSnr = model.signalToNoise();
   row["snr_live"] = known(snr > 0.0 ? snr : std::nan(""));
   row["snr_forward"] = known(modelSnr > 0.0 ? modelSnr : std::nan(""));
@@ -313,17 +306,17 @@ json CaseBench::rowOf(std::size_t quality) const {
   row["shadow_patches"] = compared.shadow_db.size();
   const std::vector<double>& shadow_db = compared.shadow_db;
   const bool hasShadow = shadow_db.size() >= kEnoughPatches;
-  row["shadow_db"] = hasShadow ? json(quantileOf(shadow_db, 0.5)) : json();
-  row["shadow_p95_db"] = hasShadow ? json(quantileOf(absolute(shadow_db), 0.95)) : json();
+  row["shadow_db"] = hasShadow ? json(shareOf(shadow_db, 0.5)) : json();
+  row["shadow_p95_db"] = hasShadow ? json(shareOf(absolute(shadow_db), 0.95)) : json();
   const auto& one = compared.time_ms[0];
   const auto& two = compared.time_ms[1];
   for (const auto& [name, times] : {std::pair{"one", &one}, std::pair{"two", &two}}) {
-    row[std::string(name) + (name == std::string("one") ? "_thread_ms" : "_threads_ms")] = quantileOf(*times, 0.5);
-    row[std::string(name) + "_p95_ms"] = quantileOf(*times, 0.95);
-    row[std::string(name) + "_p99_ms"] = quantileOf(*times, 0.99);
+    row[std::string(name) + (name == std::string("one") ? "_thread_ms" : "_threads_ms")] = shareOf(*times, 0.5);
+    row[std::string(name) + "_p95_ms"] = shareOf(*times, 0.95);
+    row[std::string(name) + "_p99_ms"] = shareOf(*times, 0.99);
   }
-  row["forward_ms"] = quantileOf(forward_ms_, 0.5);
-  row["median_us"] = 1e3 * quantileOf(two, 0.5);
+  row["forward_ms"] = shareOf(forward_ms_, 0.5);
+  row["median_us"] = 1e3 * shareOf(two, 0.5);
   return row;
 }
 

@@ -112,7 +112,7 @@ json defaultMetrics(const json& measured) {
       {"format", 1},
       {"note",
        "Made by 'echoweave bench metrics' from simulated people: it tells which metrics cannot even separate a model, and nothing about "
-       "people. See resources/docs/metrics-study.md."},
+       "people. See resources/docs/science/log/metrics-study.md."},
       {"study",
        {{"people", measured["people"]},
         {"seed", measured["seed"]},

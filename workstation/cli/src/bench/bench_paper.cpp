@@ -9,6 +9,7 @@
 #include <string>
 
 #include "bench/bench_parts.h"
+#include "ew/core/order_statistics.h"
 #include "ew/core/volume.h"
 #include "ew/io/image_file.h"
 #include "ew/io/safe_file.h"
@@ -220,10 +221,8 @@ json rowOf(const std::string& name, const json& factor, double correlation, cons
     }
   }
   if (errors.empty()) return row;
-  const auto place = errors.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(errors.size() - 1));
-  std::nth_element(errors.begin(), place, errors.end());
   row["error_mm"] = sum / static_cast<double>(errors.size());
-  row["error95_mm"] = *place;
+  row["error95_mm"] = quantileOf(errors, 0.95);
   return row;
 }
 

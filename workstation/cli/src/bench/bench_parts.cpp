@@ -136,8 +136,6 @@ bool runsOnThisThreadAlone(const std::function<void()>& work) {
   return spentByAll < 1.1 * spentHere + 1e-4;
 }
 
-double medianOf(std::vector<double> values) { return cli::summarise(std::move(values)).median_us; }
-
 std::string machineName() { return processorName() + ", kernels on " + simdInUse(); }
 
 }  // namespace ew

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ew/core/frames.h"
+#include "ew/core/order_statistics.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
@@ -55,7 +56,10 @@ using BenchSlicer = std::function<const std::uint8_t*(const Transform<frame::Vox
 [[nodiscard]] double threadTime_s();
 /// Whether everything `work` did was done by the calling thread.
 [[nodiscard]] bool runsOnThisThreadAlone(const std::function<void()>& work);
-[[nodiscard]] double medianOf(std::vector<double> values);
+/// The value that `share` of them do not exceed; `none` when there are none.
+[[nodiscard]] inline double shareOf(const std::vector<double>& values, double share, double none = 0.0) {
+  return values.empty() ? none : quantileOf(values, share);
+}
 [[nodiscard]] std::string machineName();
 
 }  // namespace ew

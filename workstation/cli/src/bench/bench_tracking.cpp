@@ -159,12 +159,7 @@ const char* nameOf(CornerMethod method) {
   return "edges";
 }
 
-double partOf(std::vector<double> values, double part) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto at = static_cast<std::ptrdiff_t>(std::min(part * static_cast<double>(values.size()), static_cast<double>(values.size() - 1)));
-  std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
-}
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// One setting over all frames.
 class TrackingRun {
@@ -229,11 +224,11 @@ class TrackingRun {
             {"filter", wordOf(setting_.filter)},
             {"peer", setting_.plain},
             {"median_us", medianOf(times_us_)},
-            {"p95_us", partOf(times_us_, 0.95)},
-            {"face_mm", partOf(place_mm_, 0.5)},
-            {"face_p95_mm", partOf(place_mm_, 0.95)},
-            {"turn_deg", partOf(turn_deg_, 0.5)},
-            {"turn_p95_deg", partOf(turn_deg_, 0.95)},
+            {"p95_us", shareOf(times_us_, 0.95, kNone)},
+            {"face_mm", shareOf(place_mm_, 0.5, kNone)},
+            {"face_p95_mm", shareOf(place_mm_, 0.95, kNone)},
+            {"turn_deg", shareOf(turn_deg_, 0.5, kNone)},
+            {"turn_p95_deg", shareOf(turn_deg_, 0.95, kNone)},
             {"shown", static_cast<double>(place_mm_.size()) / static_cast<double>(views_.frames.size())},
             {"flipped", std::count_if(turn_deg_.begin(), turn_deg_.end(), [](double each) { return each > 10.0; })}};
   }

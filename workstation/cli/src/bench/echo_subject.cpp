@@ -13,7 +13,7 @@ namespace ew {
 namespace {
 
 constexpr double kWideRange_db = 120.0;  // of levels: nothing is clamped
-constexpr double kForwardFNumber = 1.5;  // of the model's reception (resources/docs/forward-model.md)
+constexpr double kForwardFNumber = 1.5;  // of the model's reception (resources/docs/science/forward-model.md)
 
 /// What both engines know, and nothing that one of them alone adds.
 Scene comparedScene(const ScanSubject& subject) {

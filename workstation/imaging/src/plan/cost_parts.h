@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <vector>
 
+#include "ew/core/order_statistics.h"
 #include "ew/imaging/cost_of_accuracy.h"
 #include "ew/imaging/frame.h"
 
@@ -50,9 +51,7 @@ inline std::vector<Pose> posesAround(const Pose& pose, int count) {
 
 inline double median(std::vector<double>& values) {
   if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return upperMedianOf(values);
 }
 
 /// What is measured with: one setting at a time, so that they do not share a warm cache of tables.

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "ew/core/contract.h"
+#include "ew/core/order_statistics.h"
 #include "ew/library/placing.h"
 
 namespace ew {
@@ -91,11 +92,10 @@ std::vector<glm::dvec3> faceOf(const Volume& volume, const ProbeBox& box) {
       depths_mm.push_back(depth_mm);
     }
   if (starts.empty()) return {};
-  const auto foremost = depths_mm.begin() + static_cast<std::ptrdiff_t>(kForemostShare * static_cast<double>(depths_mm.size()));
-  std::nth_element(depths_mm.begin(), foremost, depths_mm.end());
+  const double foremost_mm = valueAtRank(depths_mm, static_cast<std::size_t>(kForemostShare * static_cast<double>(depths_mm.size())));
   std::vector<glm::dvec3> face_mm;
   for (const glm::dvec3& each : starts)
-    if (each.y <= *foremost + kFaceBand_mm) face_mm.push_back(box.inFile(each));
+    if (each.y <= foremost_mm + kFaceBand_mm) face_mm.push_back(box.inFile(each));
   return thinned(face_mm, kMostFacePoints);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ew/core/contract.h"
+#include "ew/core/order_statistics.h"
 #include "ew/core/parallel.h"
 
 namespace ew::registration {
@@ -203,13 +204,8 @@ bool LevelPair::doubtShadows(const NodeValues& values, Progress& progress) {
     if (d < kUnknown) sorted.push_back(d);
   }
   if (sorted.size() < kFewest) return true;
-  const auto median = [&] {
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    return *middle;
-  };
   // How the images differ around: gains that change slowly. Blocks far from it count little, or a shadow would become the rule beneath it.
-  const float usual = median();
+  const float usual = upperMedianOf(sorted);
   std::vector<float> around(map.count(), usual);
   float scale = kLeastScale;
   for (int round = 0; round < 4; ++round) {
@@ -217,7 +213,7 @@ bool LevelPair::doubtShadows(const NodeValues& values, Progress& progress) {
     for (std::size_t n = 0; n < darker.size(); ++n) {
       if (darker[n] < kUnknown) sorted.push_back(std::abs(darker[n] - around[n]));
     }
-    scale = std::max(kLeastScale, 1.48F * median());
+    scale = std::max(kLeastScale, 1.48F * upperMedianOf(sorted));
     if (round == 3) break;
     BlockMap trend(*fixed_, kTrend_mm / 3.0);
     std::vector<double> sum(trend.count(), 0.0), weight(trend.count(), 0.0);
@@ -366,7 +362,7 @@ void LevelPair::pointAt(int j, int k, RowPair& pair) const {
 /// One line of cells. A sample adds the products of its gradient to the 8 x 8 couplings of its cell's nodes, each weighted by two of the
 /// trilinear weights. Those are products over the axes, so that samples are first summed along y in each column (accumulateRows), then
 /// along x in each cell (gatherCell), then along z: 27 sums of 10 products a cell instead of 64 blocks a sample. addCell unfolds them.
-/// resources/docs/registration.md, "Elastic, three-dimensional".
+/// resources/docs/science/registration.md, "Elastic, three-dimensional".
 /// @param moments of the line's cells; null: sums alone
 void LevelPair::sumLine(std::size_t cy, std::size_t cz, const CostOptions& options, float* moments, std::array<double, kSums>& part) const {
   LineScratch scratch(moments != nullptr ? static_cast<std::size_t>(fixed_->stride) + kOverrun : 0);

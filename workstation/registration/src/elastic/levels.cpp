@@ -208,7 +208,7 @@ bool unfold(const NodeGrid& nodes, double least, NodeValues& values) {
 
 namespace {
 
-/// Gauss-Newton on one level. resources/docs/registration.md, "Elastic, three-dimensional", says what its energy is and why.
+/// Gauss-Newton on one level. resources/docs/science/registration.md, "Elastic, three-dimensional", says what its energy is and why.
 class LevelDescent {
  public:
   LevelDescent(const LevelImage& fixed, const LevelImage& moving, const AxesTransform& transform, int iterations, Placed placed,

@@ -27,7 +27,7 @@ struct ElasticSettings {
   double longestStep_voxels = 2.0;
   double leastJacobian = 0.15;
   double leastCommon = 0.25;  ///< the matrix is scaled by the common share of the gradients, no lower than this
-  double evidence = 1.5;      ///< what an independent residual counts, see resources/docs/registration.md
+  double evidence = 1.5;      ///< what an independent residual counts, see resources/docs/science/registration.md
   double solveTolerance = 0.03;
   int solveIterations = 40;
 };

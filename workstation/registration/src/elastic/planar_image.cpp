@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ew/core/order_statistics.h"
+
 namespace ew::registration {
 namespace {
 
@@ -123,9 +125,7 @@ void doubtShadows(PlanarImage& image) {
       if (image.weight[n] > 0.0F) row.push_back(mean[n]);
     }
     if (row.empty()) continue;
-    const auto middle = row.begin() + static_cast<std::ptrdiff_t>(row.size() / 2);
-    std::nth_element(row.begin(), middle, row.end());
-    usual[static_cast<std::size_t>(y)] = *middle;
+    usual[static_cast<std::size_t>(y)] = upperMedianOf(row);
   }
   std::vector<float> trust(count, 1.0F);
   const int shortest = static_cast<int>(std::ceil(kShortest_mm / image.pixel_mm.y));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ew/core/order_statistics.h"
+
 namespace ew::registration {
 namespace {
 
@@ -64,9 +66,7 @@ float medianMagnitude(const std::vector<float>& values, const std::vector<float>
   for (std::size_t n = 0; n < values.size(); n += step)
     if (weight[n] > 0.0F) scratch.push_back(std::abs(values[n]));
   if (scratch.empty()) return 0.0F;
-  const auto middle = scratch.begin() + static_cast<std::ptrdiff_t>(scratch.size() / 2);
-  std::nth_element(scratch.begin(), middle, scratch.end());
-  return *middle;
+  return upperMedianOf(scratch);
 }
 
 }  // namespace
@@ -205,7 +205,7 @@ struct PlanarEvidence {
   double cost = 0.0;      ///< robust squares of residuals
 };
 
-/// Gauss-Newton on one level. resources/docs/registration.md, "Bending two images, and two tangent slices".
+/// Gauss-Newton on one level. resources/docs/science/registration.md, "Bending two images, and two tangent slices".
 class PlanarDescent {
  public:
   PlanarDescent(const PlanarPair& pair, const PlanarLevel& level, const PlanarSettings& settings, PlanarState& state);

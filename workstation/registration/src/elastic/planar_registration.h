@@ -21,7 +21,8 @@ struct PlanarLevel {
   double mostStiffness = 15.0;
 };
 
-/// Lengths and weights, tuned on pairs of known truth that the published figures do not use; resources/docs/registration.md explains them.
+/// Lengths and weights, tuned on pairs of known truth that the published figures do not use; resources/docs/science/registration.md
+/// explains them.
 struct PlanarSettings {
   double window_mm = 6.0;    ///< deviation of the Gaussian window of the local normalisation
   float floor_grey = 12.0F;  ///< added to the local deviation

@@ -11,8 +11,9 @@
 namespace ew::registration {
 namespace {
 
-constexpr double kWindow_mm = 8.0;          // standard deviation of the local correlation's window
-constexpr double kIndependent_mm3 = 300.0;  // of an independent residual at 4 mm: measured on speckle, resources/docs/registration.md
+constexpr double kWindow_mm = 8.0;  // standard deviation of the local correlation's window
+// Of an independent residual at 4 mm: measured on speckle, resources/docs/science/registration.md.
+constexpr double kIndependent_mm3 = 300.0;
 
 /// Gaussian blur of an image without continuation, in place.
 void blurLines(std::vector<float>& image, const glm::ivec3& dims, int axis, const std::vector<float>& weight, std::vector<float>& line) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ew/core/order_statistics.h"
 #include "graph/graph_inputs.h"
 #include "graph/graph_verdict.h"
 #include "graph/joints.h"
@@ -55,8 +56,7 @@ double inflated(const Joints& joints, const Fit& fit, const std::vector<Pose>& p
   }
   const double redundancy = static_cast<double>(pairs - std::min(pairs, unknowns)) / static_cast<double>(pairs);
   if (redundancy < 0.05) return fit.varianceFactor;
-  std::nth_element(squares.begin(), squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2), squares.end());
-  return fit.varianceFactor * std::max(1.0 / fit.varianceFactor, squares[squares.size() / 2] / (kMedianSquare * redundancy));
+  return fit.varianceFactor * std::max(1.0 / fit.varianceFactor, upperMedianOf(squares) / (kMedianSquare * redundancy));
 }
 
 /// Along a tree of believed joints every other believed one closes a loop: its misfit there is the loop's error.

@@ -11,6 +11,7 @@
 
 #include "comparable.h"
 #include "elastic/lattice.h"
+#include "ew/core/order_statistics.h"
 #include "ew/core/parallel.h"
 
 namespace ew::registration {
@@ -254,12 +255,6 @@ double uncertaintyOf(const ComparableImage& fixed, const Side& side, const glm::
   return std::sqrt(std::max(0.0, (inverse * b * inverse).trace()));
 }
 
-double medianOf(std::vector<double>& values, double share) {
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
 Result<void> checkDeformations(const Transform<frame::Moving, frame::Fixed>& before, const Deformation& fixedToMoving,
                                const Deformation* backward) {
   if (auto rigid = checkRigid(before); !rigid) return passOn(rigid.error());
@@ -465,8 +460,8 @@ Result<void> Assessment::goThereAndBack(const Deformation& backward) {
     if (const auto error = errorThereAndBack(n, backward)) errors.push_back(*error);
   }
   if (!errors.empty()) {
-    quality.inverseConsistencyMedian_mm = medianOf(errors, 0.5);
-    quality.inverseConsistency95_mm = medianOf(errors, 0.95);
+    quality.inverseConsistencyMedian_mm = quantileOf(errors, 0.5);
+    quality.inverseConsistency95_mm = quantileOf(errors, 0.95);
   }
   return {};
 }

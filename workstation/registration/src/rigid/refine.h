@@ -92,7 +92,7 @@ struct WithoutStreaks {
 /// @error badField
 [[nodiscard]] Result<void> checkOptions(const RefineOptions& options);
 
-// Where verdicts change; resources/docs/registration.md says how far true and false pairs stay away from them.
+// Where verdicts change; resources/docs/science/registration.md says how far true and false pairs stay away from them.
 constexpr double kChanceOfSearch = 8.0;   ///< significance the best of a whole search may reach without common tissue
 constexpr double kSureOfSearch = 13.0;    ///< and above which a found pose is believed
 constexpr double kChanceOfDescent = 6.0;  ///< the same of one descent from a given start

@@ -186,7 +186,7 @@ struct PoseValueSums {
 
 /// Sums of gradients and residuals under the robust weight w / (1 + r^2 / lossScale^2). The Jacobian of a voxel is its lever, linear in the
 /// place t along the row, times the mean a of both gradients: moments of a a^T and a r with powers of t are all a row has to hand over, and
-/// normal_equations.cpp puts the levers to them. resources/docs/registration.md, "By the images", "Refining".
+/// normal_equations.cpp puts the levers to them. resources/docs/science/registration.md, "By the images", "Refining".
 struct PoseGradientSums {
   PoseV residual, robust, both, fixed, moving;
   PoseV moment[3][6];

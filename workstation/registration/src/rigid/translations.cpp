@@ -104,7 +104,7 @@ struct Turned {
 
 /// Masked correlation over all translations (Padfield 2012, equations 24-27, see translations.h): both images stand with their weights in
 /// one complex volume, so that two transforms a rotation give the sums of products and the overlap for every shift at once.
-/// resources/docs/registration.md, "By the images".
+/// resources/docs/science/registration.md, "By the images".
 class TranslationSearch {
  public:
   TranslationSearch(const ComparableImage& fixed, const ComparableImage& moving, const TranslationOptions& options);

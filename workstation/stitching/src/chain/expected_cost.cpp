@@ -5,6 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "ew/core/order_statistics.h"
+
 namespace ew::stitching {
 namespace {
 
@@ -74,9 +76,7 @@ MachinePace paceOf(std::span<const Timed> timed) {
   for (const Timed& each : timed)
     if (each.measured_s > 0.0 && each.expected_s > 0.0) ratios.push_back(each.measured_s / each.expected_s);
   if (ratios.empty()) return {};
-  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  return {.factor = *middle, .pairs = ratios.size()};
+  return {.factor = upperMedianOf(ratios), .pairs = ratios.size()};
 }
 
 MachinePace paceOf(std::span<const WarpedPair> warped, std::span<const std::optional<Grid>> grids) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "ew/core/order_statistics.h"
 #include "ew/core/parallel.h"
 
 namespace ew::stitching {
@@ -133,13 +134,6 @@ void unfold(registration::ControlGrid& warp, double leastJacobian) {
           warp.displacement_mm[n] = 0.5f * before[n] + sum / 12.0f;
         }
   }
-}
-
-double quantile(std::vector<double>& values, double share) {
-  if (values.empty()) return 0.0;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
 }
 
 /// What the nodes of one slice take while they are solved, so that they allocate nothing.
@@ -283,8 +277,8 @@ bool BendingGroup::shareWarps(Progress& progress) {
   if (!shared || progress.cancelRequested()) return false;
   std::vector<double> disagreements;
   for (const auto& slice : slices) disagreements.insert(disagreements.end(), slice.begin(), slice.end());
-  group.disagreementMedian_mm = quantile(disagreements, 0.5);
-  group.disagreement95_mm = quantile(disagreements, 0.95);
+  group.disagreementMedian_mm = disagreements.empty() ? 0.0 : quantileOf(disagreements, 0.5);
+  group.disagreement95_mm = disagreements.empty() ? 0.0 : quantileOf(disagreements, 0.95);
   return true;
 }
 

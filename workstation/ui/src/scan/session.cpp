@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ew/core/contract.h"
+#include "ew/core/order_statistics.h"
 #include "ew/scanning/contact.h"
 #include "ew/scanning/recorded.h"
 
@@ -558,9 +559,7 @@ std::vector<StepTime> Session::stepTimes() const {
       }
     }
     if (seen.empty()) continue;
-    const auto middle = seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2);
-    std::nth_element(seen.begin(), middle, seen.end());
-    medians.push_back({step.kind, *middle});
+    medians.push_back({step.kind, upperMedianOf(seen)});
   }
   return medians;
 }
