@@ -10,7 +10,7 @@ Result<CommentHistory> CommentHistory::open(const std::filesystem::path& attempt
   CommentHistory made;
   made.attempt_ = attempt;
   made.saved_ = *file;
-  made.states_.front().file = std::move(*file);
+  made.states_ = History<CommentFile>(*std::move(file));
   return made;
 }
 
@@ -23,28 +23,28 @@ const ReviewComment* CommentHistory::find(const std::string& id) const {
 std::string CommentHistory::add(ReviewComment comment, const std::string& what) {
   // One that was taken back may come again by redo: its id is not given twice.
   const auto isTaken = [&](const std::string& id) {
-    return std::any_of(states_.begin(), states_.end(), [&](const State& state) {
-      return std::any_of(state.file.comments.begin(), state.file.comments.end(), [&](const ReviewComment& each) { return each.id == id; });
+    return states_.wasEver([&](const CommentFile& file) {
+      return std::any_of(file.comments.begin(), file.comments.end(), [&](const ReviewComment& each) { return each.id == id; });
     });
   };
   do comment.id = "comment-" + std::to_string(++given_);
   while (isTaken(comment.id));
   const std::string id = comment.id;
-  CommentFile next = states_[at_].file;
+  CommentFile next = states_.now();
   next.comments.push_back(std::move(comment));
   change(std::move(next), what, {});
   return id;
 }
 
 void CommentHistory::replace(const ReviewComment& comment, const std::string& what, const std::string& mergeKey) {
-  CommentFile next = states_[at_].file;
+  CommentFile next = states_.now();
   for (ReviewComment& each : next.comments)
     if (each.id == comment.id) each = comment;
   change(std::move(next), what, mergeKey);
 }
 
 void CommentHistory::remove(const std::string& id, const std::string& what) {
-  CommentFile next = states_[at_].file;
+  CommentFile next = states_.now();
   std::erase_if(next.comments, [&](const ReviewComment& each) { return each.id == id; });
   change(std::move(next), what, {});
 }
@@ -53,31 +53,14 @@ void CommentHistory::change(CommentFile next, const std::string& what, const std
   std::stable_sort(next.comments.begin(), next.comments.end(), [](const ReviewComment& a, const ReviewComment& b) {
     return a.stepId != b.stepId ? a.stepId < b.stepId : a.time_s < b.time_s;
   });
-  if (next == states_[at_].file) return;
-  states_.resize(at_ + 1);
-  if (!mergeKey.empty() && mergeKey == mergeKey_ && at_ > 0) {
-    states_[at_].file = std::move(next);
-    return;
-  }
-  states_.push_back({std::move(next), what});
-  ++at_;
-  mergeKey_ = mergeKey;
-}
-
-void CommentHistory::undo() {
-  if (at_ > 0) --at_;
-  mergeKey_.clear();
-}
-
-void CommentHistory::redo() {
-  if (at_ + 1 < states_.size()) ++at_;
-  mergeKey_.clear();
+  if (next == states_.now()) return;
+  states_.step(std::move(next), what, mergeKey);
 }
 
 Result<void> CommentHistory::save() {
-  if (auto written = writeComments(attempt_, states_[at_].file); !written) return written;
-  saved_ = states_[at_].file;
-  mergeKey_.clear();
+  if (auto written = writeComments(attempt_, states_.now()); !written) return written;
+  saved_ = states_.now();
+  states_.endMerging();
   return {};
 }
 

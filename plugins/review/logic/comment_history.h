@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ew/assessment/review_comment.h"
+#include "ew/core/history.h"
 
 namespace ew::review {
 
@@ -16,9 +17,9 @@ class CommentHistory {
   /// @error as readComments
   [[nodiscard]] static Result<CommentHistory> open(const std::filesystem::path& attempt, const std::string& author);
 
-  [[nodiscard]] const std::vector<ReviewComment>& comments() const { return states_[at_].file.comments; }  ///< by step and time
+  [[nodiscard]] const std::vector<ReviewComment>& comments() const { return states_.now().comments; }  ///< by step and time
   [[nodiscard]] const std::filesystem::path& attempt() const { return attempt_; }
-  [[nodiscard]] const std::string& author() const { return states_[at_].file.author; }
+  [[nodiscard]] const std::string& author() const { return states_.now().author; }
   [[nodiscard]] const ReviewComment* find(const std::string& id) const;
 
   /// @param comment its id is given here @param what name of the step of undo, in the user's words @return the id
@@ -27,28 +28,22 @@ class CommentHistory {
   void replace(const ReviewComment& comment, const std::string& what, const std::string& mergeKey = {});
   void remove(const std::string& id, const std::string& what);
 
-  [[nodiscard]] std::string undoName() const { return at_ > 0 ? states_[at_].what : std::string(); }
-  [[nodiscard]] std::string redoName() const { return at_ + 1 < states_.size() ? states_[at_ + 1].what : std::string(); }
-  void undo();
-  void redo();
-  void endMerging() { mergeKey_.clear(); }
+  [[nodiscard]] std::string undoName() const { return states_.undoName(); }
+  [[nodiscard]] std::string redoName() const { return states_.redoName(); }
+  void undo() { states_.undo(); }
+  void redo() { states_.redo(); }
+  void endMerging() { states_.endMerging(); }
 
-  [[nodiscard]] bool isSaved() const { return states_[at_].file == saved_; }
+  [[nodiscard]] bool isSaved() const { return states_.now() == saved_; }
   /// @error as writeComments
   [[nodiscard]] Result<void> save();
 
  private:
-  struct State {
-    CommentFile file;
-    std::string what;
-  };
   void change(CommentFile next, const std::string& what, const std::string& mergeKey);
 
   std::filesystem::path attempt_;
-  std::vector<State> states_{1};
-  std::size_t at_ = 0;
+  History<CommentFile> states_;
   CommentFile saved_;
-  std::string mergeKey_;
   int given_ = 0;
 };
 

@@ -166,46 +166,15 @@ std::string letterOf(std::size_t volume) {
 StitchDocument::StitchDocument(sdk::Files& files, fs::path recovery) : files_(files), recovery_(std::move(recovery)) {}
 
 void StitchDocument::edit(StitchProject next, std::string what, std::string mergeKey) {
-  if (next == now_) return;
-  if (beforeMerging(mergeKey) != nullptr) {
-    past_.back().what = std::move(what);
-  } else {
-    past_.push_back({now_, std::move(what)});
-    if (past_.size() > kSteps) past_.pop_front();
-  }
-  future_.clear();
-  mergeKey_ = std::move(mergeKey);
-  now_ = std::move(next);
-}
-
-const StitchProject* StitchDocument::beforeMerging(const std::string& mergeKey) const {
-  return mergeKey.empty() || mergeKey != mergeKey_ || past_.empty() ? nullptr : &past_.back().other;
-}
-
-void StitchDocument::undo() {
-  if (past_.empty()) return;
-  Step step = std::move(past_.back());
-  past_.pop_back();
-  future_.push_back({std::exchange(now_, std::move(step.other)), std::move(step.what)});
-  mergeKey_.clear();
-}
-
-void StitchDocument::redo() {
-  if (future_.empty()) return;
-  Step step = std::move(future_.back());
-  future_.pop_back();
-  past_.push_back({std::exchange(now_, std::move(step.other)), std::move(step.what)});
-  mergeKey_.clear();
+  if (next == project()) return;
+  states_.step(std::move(next), std::move(what), std::move(mergeKey));
 }
 
 void StitchDocument::begin(StitchProject project, StitchProject saved, fs::path file, std::string textOfFile) {
-  now_ = std::move(project);
+  states_ = History<StitchProject>(std::move(project));
   saved_ = std::move(saved);
   file_ = std::move(file);
   textOfFile_ = std::move(textOfFile);
-  past_.clear();
-  future_.clear();
-  mergeKey_.clear();
 }
 
 void StitchDocument::clear() { begin({}, {}, {}, {}); }
@@ -227,30 +196,31 @@ bool StitchDocument::isChangedOnDisk() const {
 }
 
 Result<void> StitchDocument::save(const fs::path& file) {
-  if (now_.volumes.empty()) return failure(ErrorCode::emptyVolume, say<"The project has no volume yet; add one before it is saved.">());
-  std::string text = projectText(now_, file.parent_path());
+  if (project().volumes.empty())
+    return failure(ErrorCode::emptyVolume, say<"The project has no volume yet; add one before it is saved.">());
+  std::string text = projectText(project(), file.parent_path());
   if (auto written = files_.writeText(file, text); !written) return written;
   file_ = file;
   textOfFile_ = std::move(text);
-  saved_ = now_;
+  saved_ = project();
   forgetRecovery();
   return {};
 }
 
 Result<void> StitchDocument::keepRecovery() {
-  if (!hasUnsavedChanges() || now_.volumes.empty()) {  // a project without volumes holds nothing that could be lost
+  if (!hasUnsavedChanges() || project().volumes.empty()) {  // a project without volumes holds nothing that could be lost
     if (kept_) forgetRecovery();
     return {};
   }
-  if (kept_ && *kept_ == now_) return {};
+  if (kept_ && *kept_ == project()) return {};
   // Paths are written in full: the recovery file lies elsewhere than the project.
-  auto project = parseJson(projectText(now_, {}), say<"the stitch project">());
-  if (!project) return passOn(project.error());
-  const nlohmann::json around = {{kRecoveryFile, file_.string()}, {kRecoveryProject, *std::move(project)}};
+  auto asJson = parseJson(projectText(project(), {}), say<"the stitch project">());
+  if (!asJson) return passOn(asJson.error());
+  const nlohmann::json around = {{kRecoveryFile, file_.string()}, {kRecoveryProject, *std::move(asJson)}};
   std::error_code ignored;
   fs::create_directories(recovery_.parent_path(), ignored);
   if (auto written = files_.writeText(recovery_, around.dump(1)); !written) return written;
-  kept_ = now_;
+  kept_ = project();
   return {};
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "ew/core/history.h"
 #include "ew/sdk/host.h"
 #include "ew/stitching/project.h"
 
@@ -37,26 +37,24 @@ namespace ew::stitching {
 /// program or a crash loses nothing. It never holds what was found, only what was asked for.
 class StitchDocument {
  public:
-  static constexpr std::size_t kSteps = 500;  ///< kept for undo
-
   /// @param recovery file that holds an unsaved project; its folder is made when it is needed
   StitchDocument(sdk::Files& files, std::filesystem::path recovery);
 
-  [[nodiscard]] const StitchProject& project() const { return now_; }
+  [[nodiscard]] const StitchProject& project() const { return states_.now(); }
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }  ///< empty: never saved
-  [[nodiscard]] bool hasUnsavedChanges() const { return !(now_ == saved_); }
+  [[nodiscard]] bool hasUnsavedChanges() const { return !(project() == saved_); }
 
   /// Replaces the project as one step called `what`. Steps with the same non-empty mergeKey in a row become one, with the later name; an
   /// edit that changes nothing is no step.
   void edit(StitchProject next, std::string what, std::string mergeKey = {});
   /// The project as it was before the step that an edit with this key would merge with; null: it would be a step of its own.
-  [[nodiscard]] const StitchProject* beforeMerging(const std::string& mergeKey) const;
+  [[nodiscard]] const StitchProject* beforeMerging(const std::string& mergeKey) const { return states_.beforeMerging(mergeKey); }
   /// The next edit is a step of its own, whatever its key: a hand has let go.
-  void endMerging() { mergeKey_.clear(); }
-  [[nodiscard]] std::string undoName() const { return past_.empty() ? std::string() : past_.back().what; }
-  [[nodiscard]] std::string redoName() const { return future_.empty() ? std::string() : future_.back().what; }
-  void undo();
-  void redo();
+  void endMerging() { states_.endMerging(); }
+  [[nodiscard]] std::string undoName() const { return states_.undoName(); }
+  [[nodiscard]] std::string redoName() const { return states_.redoName(); }
+  void undo() { states_.undo(); }
+  void redo() { states_.redo(); }
 
   /// Starts anew, without steps.
   void clear();
@@ -84,21 +82,14 @@ class StitchDocument {
   void forgetRecovery();
 
  private:
-  struct Step {
-    StitchProject other;  ///< what undo (or redo) goes to
-    std::string what;
-  };
   void begin(StitchProject project, StitchProject saved, std::filesystem::path file, std::string textOfFile);
 
   sdk::Files& files_;
   std::filesystem::path recovery_;
   std::filesystem::path file_;
   std::string textOfFile_;  ///< as it was read or written here
-  StitchProject now_;
+  History<StitchProject> states_;
   StitchProject saved_;
-  std::deque<Step> past_;
-  std::deque<Step> future_;
-  std::string mergeKey_;
   std::optional<StitchProject> kept_;  ///< what the recovery file holds
 };
 

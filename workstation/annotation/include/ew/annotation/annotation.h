@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ew/core/kept_states.h"
+#include "ew/core/history.h"
 #include "ew/core/result.h"
 
 namespace ew::annotation {
@@ -94,7 +94,7 @@ class AnnotationList {
   template <class Edit>
   bool edit(int number, Change change, Edit edit);
 
-  KeptStates<Annotations> states_;
+  History<Annotations> states_;
 };
 
 /// What of the annotations lies at a point.

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ew/core/kept_states.h"
+#include "ew/core/history.h"
 #include "ew/core/result.h"
 #include "ew/measurement/caliper.h"
 
@@ -49,7 +49,7 @@ struct Handle {
 
 using ew::Change;
 
-/// The measurements of a picture with undo and redo (core/kept_states.h). Not for several threads at once; the states are.
+/// The measurements of a picture with undo and redo (core/history.h). Not for several threads at once; the states are.
 class MeasurementList {
  public:
   MeasurementList() = default;
@@ -79,7 +79,7 @@ class MeasurementList {
   template <class Edit>
   bool edit(int number, Change change, Edit edit);
 
-  KeptStates<Measurements> states_;
+  History<Measurements> states_;
 };
 
 /// The handle nearest to a point of a picture within reach, and whose it is. @param scale of differences of x and y before they are

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ew {
+
+/// Whether a change is a step of its own, or goes on with the last one: a drag is many moves and one step back.
+enum class Change { begins, goesOn };
+
+/// A value with undo and redo. Every state is a whole, unchanging value, so that whoever shows one keeps it and nothing has to be taken
+/// back piece by piece. Steps may have names, and keys by which steps in a row become one. Not for several threads at once; the states are.
+template <class Value>
+class History {
+ public:
+  static constexpr std::size_t kMost = 1000;  ///< states; older ones are forgotten
+
+  explicit History(Value first = {}) : states_{State{std::make_shared<const Value>(std::move(first)), {}}} {}
+
+  [[nodiscard]] const Value& now() const { return *states_[at_].value; }
+  /// The same, to be kept: it stays as it is whatever happens here.
+  [[nodiscard]] std::shared_ptr<const Value> kept() const { return states_[at_].value; }
+
+  /// Takes away what could be done again.
+  void step(Value next, Change change = Change::begins) { put(std::move(next), {}, change == Change::goesOn && at_ > 0); }
+  /// A step with a name. After one with the same key, which is not empty, it goes on with it, and its name counts.
+  void step(Value next, std::string name, std::string mergeKey) {
+    const bool goesOn = canMerge(mergeKey);
+    put(std::move(next), std::move(name), goesOn);
+    mergeKey_ = std::move(mergeKey);
+  }
+  /// The value before the step that one with this key would go on with; null: it would be a step of its own.
+  [[nodiscard]] const Value* beforeMerging(const std::string& mergeKey) const {
+    return canMerge(mergeKey) ? states_[at_ - 1].value.get() : nullptr;
+  }
+  /// The next step is one of its own, whatever its key: a hand has let go.
+  void endMerging() { mergeKey_.clear(); }
+
+  [[nodiscard]] bool canUndo() const { return at_ > 0; }
+  [[nodiscard]] bool canRedo() const { return at_ + 1 < states_.size(); }
+  [[nodiscard]] std::string undoName() const { return canUndo() ? states_[at_].name : std::string(); }  ///< empty: no step, or no name
+  [[nodiscard]] std::string redoName() const { return canRedo() ? states_[at_ + 1].name : std::string(); }
+  bool undo() {
+    endMerging();
+    if (!canUndo()) return false;
+    --at_;
+    return true;
+  }
+  bool redo() {
+    endMerging();
+    if (!canRedo()) return false;
+    ++at_;
+    return true;
+  }
+
+  /// Whether any state, also one that was taken back, is so.
+  template <class Predicate>
+  [[nodiscard]] bool wasEver(const Predicate& isSo) const {
+    return std::any_of(states_.begin(), states_.end(), [&](const State& state) { return isSo(*state.value); });
+  }
+
+ private:
+  struct State {
+    std::shared_ptr<const Value> value;
+    std::string name;  ///< of the step that led to it
+  };
+  [[nodiscard]] bool canMerge(const std::string& mergeKey) const { return !mergeKey.empty() && mergeKey == mergeKey_ && at_ > 0; }
+  void put(Value next, std::string name, bool inPlace) {
+    endMerging();
+    states_.resize(at_ + 1);
+    State state{std::make_shared<const Value>(std::move(next)), std::move(name)};
+    if (inPlace) {
+      states_[at_] = std::move(state);
+      return;
+    }
+    states_.push_back(std::move(state));
+    if (states_.size() > kMost) states_.erase(states_.begin());
+    at_ = states_.size() - 1;
+  }
+
+  std::vector<State> states_;
+  std::size_t at_ = 0;
+  std::string mergeKey_;
+};
+
+}  // namespace ew
