@@ -8,12 +8,12 @@
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
+#include "ew/io/own_folder.h"
 
 namespace ew::case_authoring {
 
 /// Painting that is not in its case yet, kept where a crash does not take it, as the library keeps edits of a case
-/// (ew/library/kept_edits.h). Each program has a folder of its own below `root`, locked as long as it lives: what lies in a folder that
-/// nobody holds was left behind.
+/// (ew/library/kept_edits.h). Each program has a folder of its own below `root` (OwnFolder).
 class KeptPainting {
  public:
   struct Left {
@@ -34,7 +34,7 @@ class KeptPainting {
   void forget();
   /// What was kept stays, as if the program had ended.
   void leave();
-  [[nodiscard]] const std::filesystem::path& root() const { return root_; }
+  [[nodiscard]] const std::filesystem::path& root() const { return own_.root(); }
 
   /// What another program left behind for a case, the latest; empty: nothing, or it cannot be read.
   [[nodiscard]] std::optional<Left> leftFor(const std::filesystem::path& caseFolder) const;
@@ -42,9 +42,7 @@ class KeptPainting {
   static void remove(const Left& decided);
 
  private:
-  [[nodiscard]] Result<void> makeFolder();
-  std::filesystem::path root_, folder_;
-  int lock_ = -1;
+  OwnFolder own_;
   mutable std::mutex guard_;
 };
 

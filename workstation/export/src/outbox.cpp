@@ -1,7 +1,6 @@
 #include "ew/export/outbox.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -9,9 +8,11 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "dicom_elements.h"
 #include "ew/core/foreign_json.h"
+#include "ew/io/file_lock.h"
 #include "ew/io/private_file.h"
 #include "ew/io/safe_file.h"
 
@@ -120,13 +121,10 @@ std::string_view wordOf(OutboxStatus status) {
 
 struct Outbox::Parts {
   fs::path folder;
-  int lock = -1;
+  std::optional<FileLock> lock;
   std::vector<OutboxEntry> entries;
   std::map<std::string, Error> unreadable;  ///< by the name of the file without its ending
 
-  ~Parts() {
-    if (lock >= 0) ::close(lock);  // gives the lock back
-  }
   OutboxEntry* find(const std::string& instanceUid) {
     const auto at =
         std::find_if(entries.begin(), entries.end(), [&](const OutboxEntry& entry) { return entry.object.instanceUid == instanceUid; });
@@ -146,12 +144,13 @@ Result<Outbox> Outbox::open(const fs::path& folder) {
     if (auto made = makePrivateFolder(folder); !made) return passOn(made.error());
   auto parts = std::make_unique<Parts>();
   parts->folder = folder;
-  parts->lock = ::open((folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-  if (parts->lock < 0)
+  auto lock = FileLock::tryTake(folder / ".lock", FileLock::Kind::alone, 0600);
+  if (!lock)
     return failure(ErrorCode::notWritable, say<"The outbox %1 cannot be written; check the folder and its permissions.">(quoted(folder)));
-  if (::flock(parts->lock, LOCK_EX | LOCK_NB) != 0)
+  if (!*lock)
     return failure(ErrorCode::notWritable,
                    say<"Another program is sending from the outbox %1; wait until it has finished.">(quoted(folder)));
+  parts->lock = std::move(*lock);
   leaveToOwner(folder / ".lock");
   std::map<std::string, OutboxEntry> entries;
   std::vector<fs::path> copies, left;

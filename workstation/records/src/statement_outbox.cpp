@@ -1,7 +1,6 @@
 #include "ew/records/statement_outbox.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -9,9 +8,11 @@
 #include <cctype>
 #include <cerrno>
 #include <map>
+#include <optional>
 #include <set>
 #include <system_error>
 
+#include "ew/io/file_lock.h"
 #include "ew/io/private_file.h"
 #include "ew/io/safe_file.h"
 #include "ew/records/xapi.h"
@@ -97,15 +98,12 @@ std::string_view wordOf(StatementStatus status) {
 
 struct StatementOutbox::Parts {
   fs::path folder;
-  int lock = -1;
+  std::optional<FileLock> lock;
   std::vector<StatementEntry> entries;    // by number
   std::map<std::string, fs::path> files;  // of entries
   std::set<std::string> sent;
   long long nextNumber = 1;
 
-  ~Parts() {
-    if (lock >= 0) ::close(lock);  // gives the lock back
-  }
   [[nodiscard]] StatementEntry* find(const std::string& id) {
     const auto at = std::find_if(entries.begin(), entries.end(), [&](const StatementEntry& each) { return each.id == id; });
     return at == entries.end() ? nullptr : &*at;
@@ -122,13 +120,14 @@ struct StatementOutbox::Parts {
 Result<void> StatementOutbox::Parts::lockFolder() {
   if (std::error_code ignored; !fs::exists(folder, ignored))
     if (auto made = makePrivateFolder(folder); !made) return made;
-  lock = ::open((folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-  if (lock < 0) return cannotWrite(folder);
-  if (::flock(lock, LOCK_EX | LOCK_NB) != 0)
+  auto taken = FileLock::tryTake(folder / ".lock", FileLock::Kind::alone, 0600);
+  if (!taken) return cannotWrite(folder);
+  if (!*taken)
     return failure(
         ErrorCode::notWritable,
         say<"Another program has the outbox %1 right now; wait until it has finished sending.">(records::inQuotes(folder.string())),
         {{"file", folder.string()}});
+  lock = std::move(*taken);
   return {};
 }
 

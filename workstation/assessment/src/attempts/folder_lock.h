@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "ew/core/result.h"
-#include "ew/io/step_store.h"
+#include "ew/io/file_lock.h"
 
 namespace ew::assessment {
 
 /// Makes a folder and takes its lock, for writes that last milliseconds: waits at most 3 s for another window.
 /// @error notWritable
-[[nodiscard]] inline Result<StepLock> lockFolder(const std::filesystem::path& folder) {
+[[nodiscard]] inline Result<FileLock> lockFolder(const std::filesystem::path& folder) {
   constexpr int kTries = 100;
   constexpr std::chrono::milliseconds kPause{30};
   std::error_code error;
@@ -23,7 +23,7 @@ namespace ew::assessment {
                        folder, verbatim(error.message())),
                    {{"file", folder.string()}});
   for (int n = 0; n < kTries; ++n) {
-    auto taken = StepLock::tryTake(folder / ".lock");
+    auto taken = FileLock::tryTake(folder / ".lock");
     if (!taken) return passOn(taken.error());
     if (*taken) return std::move(**taken);
     std::this_thread::sleep_for(kPause);

@@ -5,8 +5,8 @@
 
 #include "ew/core/json_fields.h"
 #include "ew/io/content_key.h"
+#include "ew/io/file_lock.h"
 #include "ew/io/safe_file.h"
-#include "ew/io/step_store.h"
 #include "ew/library/lesson.h"
 
 namespace ew {
@@ -18,7 +18,7 @@ constexpr std::size_t kLargestRepetition_bytes = 64u << 20;
 constexpr int kLockTries = 100;
 constexpr std::chrono::milliseconds kLockPause{30};  // another window writes for some milliseconds
 
-Result<StepLock> lockOf(const fs::path& file) {
+Result<FileLock> lockOf(const fs::path& file) {
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   if (error)
@@ -27,7 +27,7 @@ Result<StepLock> lockOf(const fs::path& file) {
                        file.parent_path(), verbatim(error.message())),
                    {{"file", file.string()}});
   for (int n = 0; n < kLockTries; ++n) {
-    auto taken = StepLock::tryTake(file.parent_path() / ".lock");
+    auto taken = FileLock::tryTake(file.parent_path() / ".lock");
     if (!taken) return passOn(taken.error());
     if (*taken) return std::move(**taken);
     std::this_thread::sleep_for(kLockPause);

@@ -18,6 +18,7 @@
 
 #include "ew/core/contract.h"
 #include "ew/core/json_fields.h"
+#include "ew/io/own_folder.h"
 #include "ew/io/private_file.h"
 #include "ew/io/safe_file.h"
 
@@ -29,29 +30,11 @@ using nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* kAboutItem = "about.json";
-constexpr const char* kLockItem = "lock";
 constexpr std::size_t kLongestAbout_bytes = 1u << 20;
 constexpr auto kSyncEvery = std::chrono::seconds(2);  // a kill loses nothing of what is written; a power cut no more than this
 
-int openLockOf(const fs::path& folder, int flags) { return ::open((folder / kLockItem).c_str(), O_RDWR | O_CLOEXEC | flags, 0600); }
-
-/// The lock of a folder whose program is gone; -1: it lives, or somebody else has taken the folder.
-int lockOfAbandoned(const fs::path& folder) {
-  const int lock = openLockOf(folder, 0);
-  if (lock < 0) return -1;
-  while (::flock(lock, LOCK_EX | LOCK_NB) != 0) {
-    if (errno == EINTR) continue;
-    ::close(lock);
-    return -1;
-  }
-  std::error_code ignored;
-  if (fs::exists(folder / kLockItem, ignored)) return lock;
-  ::close(lock);  // decided about between the two calls
-  return -1;
-}
-
 bool isPlainName(const std::string& item) {
-  return !item.empty() && item.front() != '.' && item != kLockItem && item.find('/') == std::string::npos;
+  return !item.empty() && item.front() != '.' && item != OwnFolder::kLock && item.find('/') == std::string::npos;
 }
 
 std::optional<json> aboutOf(const fs::path& folder) {
@@ -148,7 +131,7 @@ void Autosave::Left::discard() {
 class Autosave::Writer {
  public:
   Writer(fs::path root, std::function<void(const Error&)> onProblem, Limits limits)
-      : root_(std::move(root)), onProblem_(std::move(onProblem)), limits_(limits) {}
+      : own_(std::move(root)), onProblem_(std::move(onProblem)), limits_(limits) {}
 
   ~Writer() {
     {
@@ -204,7 +187,7 @@ class Autosave::Writer {
       if (!bytes) return passOn(bytes.error());
       if (auto room = roomFor(bytes->size(), name); !room) return room;
       size = bytes->size();
-      return writePrivateFile(folder_ / name, *bytes);
+      return writePrivateFile(own_.path() / name, *bytes);
     }();
     settleReplaced(name, written, {.size = size});
   }
@@ -216,17 +199,17 @@ class Autosave::Writer {
     const auto written = [&]() -> Result<void> {
       if (auto made = makeReady(); !made) return made;
       if (auto room = roomFor(bytes, name); !room) return room;
-      const fs::path aside = folder_ / (".new-" + name);  // keeps the ending, by which writers choose a form
+      const fs::path aside = own_.path() / (".new-" + name);  // keeps the ending, by which writers choose a form
       auto made = attempt<Result<void>>([&] { return write(aside); });
       if (made) {
         fs::permissions(aside, fs::perms::owner_read | fs::perms::owner_write, failed);
-        fs::rename(aside, folder_ / name, failed);
+        fs::rename(aside, own_.path() / name, failed);
         if (failed) made = refuse(failed.message());
       }
       if (!made) fs::remove(aside, failed);
       return made;
     }();
-    const auto size = written ? fs::file_size(folder_ / name, failed) : 0;
+    const auto size = written ? fs::file_size(own_.path() / name, failed) : 0;
     settleReplaced(name, written, {.size = failed ? bytes : size, .isSynced = false});
   }
 
@@ -243,7 +226,7 @@ class Autosave::Writer {
 
   void remove(const std::string& name) {
     std::error_code ignored;
-    if (lock_ >= 0) fs::remove(folder_ / name, ignored);
+    if (own_.isMade()) fs::remove(own_.path() / name, ignored);
     items_.erase(name);
     catchUp();  // there may be room now
   }
@@ -254,11 +237,7 @@ class Autosave::Writer {
     items_.clear();
     about_.clear();
     isAboutBehind_ = false;
-    if (lock_ < 0) return;
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-    ::close(std::exchange(lock_, -1));
-    folder_.clear();
+    own_.remove();
   }
 
   void discardOnceKept(std::shared_ptr<Left> left) { others_.push_back(std::move(left)); }
@@ -321,7 +300,7 @@ class Autosave::Writer {
   [[nodiscard]] Result<void> addHeld(const std::string& name, Item& item) {
     if (auto made = makeReady(); !made) return made;
     if (auto room = roomFor(item.size + item.held.size(), name); !room) return room;
-    const int file = ::open((folder_ / name).c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0600);
+    const int file = ::open((own_.path() / name).c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0600);
     Result<void> outcome;
     if (file < 0 || !cutTo(file, item.size) || !addTo(file, item.held)) outcome = refuse(std::generic_category().message(errno));
     if (outcome) {
@@ -350,13 +329,13 @@ class Autosave::Writer {
     if (std::any_of(items_.begin(), items_.end(), [](const auto& each) { return each.second.isBehind; })) return false;
     for (auto& [name, item] : items_) {
       if (item.isSynced) continue;
-      item.isSynced = syncAt(folder_ / name);
+      item.isSynced = syncAt(own_.path() / name);
       if (item.isSynced) continue;
       end(item);
       tell(refuse(std::generic_category().message(errno)));
       return false;
     }
-    for (const fs::path& folder : {folder_, root_}) syncAt(folder);  // some media cannot
+    for (const fs::path& folder : {own_.path(), own_.root()}) syncAt(folder);  // some media cannot
     return true;
   }
 
@@ -377,35 +356,23 @@ class Autosave::Writer {
   }
 
   [[nodiscard]] tl::unexpected<Error> refuse(const std::string& reason) const {
-    return failure(ErrorCode::notWritable,
-                   say<"Unsaved work cannot be kept in '%1' (%2), so a crash would lose it; save it yourself.">(root_.string(), reason),
-                   {{"folder", root_.string()}});
+    return failure(
+        ErrorCode::notWritable,
+        say<"Unsaved work cannot be kept in '%1' (%2), so a crash would lose it; save it yourself.">(own_.root().string(), reason),
+        {{"folder", own_.root().string()}});
   }
 
   /// The folder, with the description.
   [[nodiscard]] Result<void> makeReady() {
     if (auto made = makeFolder(); !made) return made;
     if (!isAboutBehind_) return {};
-    auto written = writePrivateFile(folder_ / kAboutItem, about_);
+    auto written = writePrivateFile(own_.path() / kAboutItem, about_);
     isAboutBehind_ = !written;
     return written;
   }
 
   [[nodiscard]] Result<void> makeFolder() {
-    if (lock_ >= 0) return {};
-    if (auto made = makePrivateFolder(root_); !made) return refuse(made.error().message.english());
-    std::string name = (root_ / "XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) return refuse(std::generic_category().message(errno));
-    folder_ = name;
-    lock_ = openLockOf(folder_, O_CREAT);
-    if (lock_ < 0) {
-      const std::string reason = std::generic_category().message(errno);
-      std::error_code ignored;
-      fs::remove_all(folder_, ignored);
-      return refuse(reason);
-    }
-    // Without locks (some network file systems) another program may offer what this one still keeps; nothing is lost by it.
-    static_cast<void>(::flock(lock_, LOCK_EX));
+    if (const std::string problem = own_.make(); !problem.empty()) return refuse(problem);
     return {};
   }
 
@@ -414,14 +381,14 @@ class Autosave::Writer {
     std::uint64_t all = bytes, before = 0;
     for (const auto& [name, each] : items_) (name == item ? before : all) += each.size;
     std::error_code failed;
-    const auto space = fs::space(folder_, failed);
+    const auto space = fs::space(own_.path(), failed);
     const std::uint64_t more = bytes > before ? bytes - before : 0;
     if (all <= limits_.most_bytes && (failed || space.available >= more + limits_.least_free_bytes)) return {};
     return failure(
         ErrorCode::tooLarge,
         say<"There is too little room in '%1' to keep what is not saved yet (%2 MiB), so a crash would lose it; save it yourself.">(
-            root_.string(), std::max<std::uint64_t>(1, bytes >> 20)),
-        {{"folder", root_.string()}});
+            own_.root().string(), std::max<std::uint64_t>(1, bytes >> 20)),
+        {{"folder", own_.root().string()}});
   }
 
   void tell(const Result<void>& outcome) {
@@ -432,11 +399,9 @@ class Autosave::Writer {
     }
   }
 
-  fs::path root_;
+  OwnFolder own_;
   std::function<void(const Error&)> onProblem_;
   Limits limits_;
-  fs::path folder_;
-  int lock_ = -1;
   std::string about_;
   bool isAboutBehind_ = false;  ///< as described last it is not written
   std::map<std::string, Item> items_;
@@ -518,7 +483,7 @@ std::vector<Autosave::Left> Autosave::takeLeft(const std::function<bool(const js
   for (fs::directory_iterator at(root_, failed); !failed && at != fs::directory_iterator(); at.increment(failed)) {
     std::error_code ignored;
     if (!fs::is_directory(at->symlink_status(ignored))) continue;
-    const int lock = lockOfAbandoned(at->path());
+    const int lock = OwnFolder::lockOfAbandoned(at->path());
     if (lock < 0) continue;
     auto about = aboutOf(at->path());
     Left left(at->path(), lock, about ? std::move(*about) : json(), latestIn(at->path()));

@@ -1,7 +1,6 @@
 #include "ew/io/step_store.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -10,7 +9,6 @@
 #include <fstream>
 #include <sstream>
 #include <system_error>
-#include <thread>
 #include <tuple>
 
 #include "ew/core/foreign_json.h"
@@ -63,54 +61,31 @@ std::string contentOfEntry(json entry) {
 
 bool isMarkedAsOwn(std::string_view text) { return text.substr(0, 64).find(kOwner) != std::string_view::npos; }
 
-Result<std::optional<StepLock>> StepLock::tryTake(const fs::path& file, Kind kind) {
-  StepLock lock(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
-  if (lock.descriptor_ < 0) return storeNotWritable(file.parent_path(), verbatim(std::generic_category().message(errno)));
-  const int how = (kind == Kind::alone ? LOCK_EX : LOCK_SH) | LOCK_NB;
-  if (::flock(lock.descriptor_, how) != 0 && (errno == EWOULDBLOCK || errno == EINTR)) return std::optional<StepLock>();
-  return std::optional(std::move(lock));
-}
-
-Result<StepLock> StepLock::take(const fs::path& file, const Message& waiting, Progress& progress) {
-  while (true) {
-    auto taken = tryTake(file);
-    if (!taken) return passOn(taken.error());
-    if (*taken) return std::move(**taken);
-    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Waiting for another program was cancelled.">());
-    progress.report(waiting, 0.0);
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  }
-}
-
-StepLock::~StepLock() {
-  if (descriptor_ >= 0) ::close(descriptor_);
-}
-
-Result<void> StepStore::takeFolder(StepLock::Kind kind) {
+Result<void> StepStore::takeFolder(FileLock::Kind kind) {
   std::error_code error;
   fs::create_directories(folder_ / "steps", error);
   if (error) return storeNotWritable(folder_, verbatim(error.message()));
-  auto taken = StepLock::tryTake(folder_ / "steps" / ".lock", kind);
+  auto taken = FileLock::tryTake(folder_ / "steps" / ".lock", kind);
   if (!taken) return passOn(taken.error());
   if (!*taken)
     return failure(ErrorCode::notWritable,
                    say<"Another run is at work in '%1'; wait until it has ended, or choose another folder.">(folder_.string()),
                    {{"file", folder_.string()}});
   lock_ = std::move(**taken);
-  isShared_ = kind == StepLock::Kind::shared;
+  isShared_ = kind == FileLock::Kind::shared;
   return {};
 }
 
 Result<StepStore> StepStore::open(const fs::path& folder, const std::vector<std::string>& steps) {
   StepStore store(folder, steps);
-  if (auto taken = store.takeFolder(StepLock::Kind::alone); !taken) return passOn(taken.error());
+  if (auto taken = store.takeFolder(FileLock::Kind::alone); !taken) return passOn(taken.error());
   store.clearLeftovers();
   return store;
 }
 
 Result<StepStore> StepStore::share(const fs::path& folder, const std::vector<std::string>& steps) {
   StepStore store(folder, steps);
-  if (auto taken = store.takeFolder(StepLock::Kind::shared); !taken) return passOn(taken.error());
+  if (auto taken = store.takeFolder(FileLock::Kind::shared); !taken) return passOn(taken.error());
   return store;
 }
 
@@ -118,9 +93,9 @@ StepStore StepStore::peek(const fs::path& folder, const std::vector<std::string>
 
 fs::path StepStore::lockOf(const std::string& step, const std::string& key) const { return folder_ / "steps" / step / (key + ".lock"); }
 
-Result<StepLock> StepStore::lock(const std::string& step, const std::string& key, const Message& waiting, Progress& progress) const {
+Result<FileLock> StepStore::lock(const std::string& step, const std::string& key, const Message& waiting, Progress& progress) const {
   if (auto room = prepare(step); !room) return passOn(room.error());
-  return StepLock::take(lockOf(step, key), waiting, progress);
+  return FileLock::take(lockOf(step, key), waiting, progress);
 }
 
 void StepStore::removeUnused(std::chrono::seconds unusedFor) const {
@@ -137,7 +112,7 @@ void StepStore::removeUnused(std::chrono::seconds unusedFor) const {
       if (!fs::exists(entry, error) || now - fs::last_write_time(entry, error) > unusedFor) old.insert(key);
     }
     for (const std::string& key : old) {
-      const auto lock = StepLock::tryTake(lockOf(step, key));
+      const auto lock = FileLock::tryTake(lockOf(step, key));
       if (!lock || !*lock) continue;
       const fs::path entry = home / (key + ".json");  // it may have been made meanwhile
       if (fs::exists(entry, error) && now - fs::last_write_time(entry, error) <= unusedFor) continue;

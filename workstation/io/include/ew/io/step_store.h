@@ -20,6 +20,7 @@
 #include "ew/core/large_pages.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
+#include "ew/io/file_lock.h"
 
 namespace ew {
 
@@ -27,31 +28,6 @@ namespace ew {
 inline constexpr const char* kOwnMark = "#made_by";  ///< field of a JSON object, in front of all others
 inline constexpr const char* kOwner = "EchoWeave";
 [[nodiscard]] bool isMarkedAsOwn(std::string_view text);
-
-/// Keeps other programs, and other threads, from doing the same at the same time. Held until destroyed; the system frees it with the
-/// process, also when that is killed. Where the file system knows no locks nothing is locked: two programs then do the same work, and write
-/// the same files.
-class StepLock {
- public:
-  enum class Kind { alone, shared };
-  /// @return nothing when somebody holds it in a way that excludes this one
-  /// @error notWritable (the file of the lock cannot be made)
-  [[nodiscard]] static Result<std::optional<StepLock>> tryTake(const std::filesystem::path& file, Kind kind = Kind::alone);
-  /// Waits for whoever holds it.
-  /// @param waiting what is reported meanwhile
-  /// @error notWritable, cancelled
-  [[nodiscard]] static Result<StepLock> take(const std::filesystem::path& file, const Message& waiting, Progress& progress);
-  ~StepLock();
-  StepLock(StepLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
-  StepLock& operator=(StepLock&& other) noexcept {
-    std::swap(descriptor_, other.descriptor_);
-    return *this;
-  }
-
- private:
-  explicit StepLock(int descriptor) : descriptor_(descriptor) {}
-  int descriptor_ = -1;
-};
 
 /// What steps of some work leave in `folder`/steps. A result is STEP/KEY.json, written last, and files STEP/KEY-… beside it, each written
 /// whole or not at all; so what lies there without its .json is no result, and a program killed at any moment leaves results or nothing.
@@ -70,7 +46,7 @@ class StepStore {
   [[nodiscard]] static StepStore peek(const std::filesystem::path& folder, const std::vector<std::string>& steps);
 
   /// The lock of a result in a shared folder. @error notWritable, cancelled
-  [[nodiscard]] Result<StepLock> lock(const std::string& step, const std::string& key, const Message& waiting, Progress& progress) const;
+  [[nodiscard]] Result<FileLock> lock(const std::string& step, const std::string& key, const Message& waiting, Progress& progress) const;
   /// Takes away what was not used for so long, and files without a result; what somebody holds the lock of stays.
   void removeUnused(std::chrono::seconds unusedFor) const;
 
@@ -132,7 +108,7 @@ class StepStore {
   };
   StepStore(std::filesystem::path folder, std::vector<std::string> steps)
       : folder_(std::move(folder)), steps_(std::move(steps)), known_(std::make_unique<Known>()) {}
-  [[nodiscard]] Result<void> takeFolder(StepLock::Kind kind);
+  [[nodiscard]] Result<void> takeFolder(FileLock::Kind kind);
   [[nodiscard]] std::filesystem::path lockOf(const std::string& step, const std::string& key) const;
   [[nodiscard]] std::map<std::string, std::uint64_t> bytesOfAll() const;
   void clearLeftovers() const;
@@ -145,7 +121,7 @@ class StepStore {
   std::filesystem::path folder_;
   std::vector<std::string> steps_;
   std::unique_ptr<Known> known_;
-  std::optional<StepLock> lock_;  ///< of the folder
+  std::optional<FileLock> lock_;  ///< of the folder
   bool isShared_ = false;
 };
 

@@ -7,6 +7,7 @@
 
 #include "ew/core/fingerprint.h"
 #include "ew/core/result.h"
+#include "ew/io/own_folder.h"
 #include "ew/library/case.h"
 
 namespace ew {
@@ -41,9 +42,7 @@ class KeptEdits {
   static void remove(const Left& decided);
 
  private:
-  [[nodiscard]] Result<void> makeFolder();
-  std::filesystem::path root_, folder_;
-  int lock_ = -1;
+  OwnFolder own_;
 };
 
 }  // namespace ew

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "ew/core/result.h"
+
+namespace ew {
+
+/// A folder below `root` that one program has for itself, with a lock in it for as long as the program lives (0700): what lies in a folder
+/// that nobody holds was left behind by one that ended without being asked. Without locks (some network file systems) what a program still
+/// has may be offered to another; nothing is lost by it. Not for several threads at once.
+class OwnFolder {
+ public:
+  /// Name of the file that is locked.
+  static constexpr const char* kLock = "lock";
+
+  /// @param root need not be there yet; nothing is made before make()
+  explicit OwnFolder(std::filesystem::path root) : root_(std::move(root)) {}
+  ~OwnFolder() { leave(); }
+  OwnFolder(const OwnFolder&) = delete;
+  OwnFolder& operator=(const OwnFolder&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& root() const { return root_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return folder_; }  ///< empty: not made
+  [[nodiscard]] bool isMade() const { return lock_ >= 0; }
+
+  /// Makes it, when it is not there; the rest of the path is made as makePrivateFolder does. @return what stands in the way; empty: nothing
+  [[nodiscard]] std::string make();
+  /// It goes, with everything in it.
+  void remove();
+  /// It stays, as if the program had ended.
+  void leave();
+
+  /// Folders of programs that are gone, this one not among them.
+  [[nodiscard]] std::vector<std::filesystem::path> left() const;
+  /// The lock of a folder whose program is gone, to be closed; -1: it lives, somebody else has taken the folder, or there is none.
+  [[nodiscard]] static int lockOfAbandoned(const std::filesystem::path& folder);
+
+ private:
+  std::filesystem::path root_, folder_;
+  int lock_ = -1;
+};
+
+}  // namespace ew
