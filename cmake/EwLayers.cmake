@@ -1,4 +1,4 @@
-# ew_check_layers(): stops the configuration when a link line breaks the layers of resources/docs/architecture.md.
+# ew_check_layers(): stops the configuration when a link line breaks the layers of resources/docs/developer/architecture.md.
 
 # The libraries from the bottom to the top: each links only those that stand before it.
 set(EW_LAYERS core io imaging acquisition registration stitching phantom labelling tracking trackers library controls worksheets measurement annotation scan_values scanning assessment export records reports bridge sdk door ui cli)
@@ -34,7 +34,7 @@ function(ew_check_without_qt_and_vtk target)
   list(FILTER links INCLUDE REGEX "^(Qt5|VTK::|vtk)")
   if(links)
     list(JOIN links ", " links)
-    message(FATAL_ERROR "${target} links ${links}; this part links neither Qt nor VTK (resources/docs/architecture.md).")
+    message(FATAL_ERROR "${target} links ${links}; this part links neither Qt nor VTK (resources/docs/developer/architecture.md).")
   endif()
 endfunction()
 
@@ -59,7 +59,7 @@ function(ew_check_layers)
       ew_links_of(ew_${layer} links)
       foreach(other ${EW_LAYERS})
         if(NOT other IN_LIST below AND NOT other STREQUAL layer AND ("ew::${other}" IN_LIST links OR "ew_${other}" IN_LIST links))
-          message(FATAL_ERROR "${layer} links ${other}, which stands above it; see the order in resources/docs/architecture.md.")
+          message(FATAL_ERROR "${layer} links ${other}, which stands above it; see the order in resources/docs/developer/architecture.md.")
         endif()
       endforeach()
     endif()

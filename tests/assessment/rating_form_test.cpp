@@ -165,9 +165,9 @@ TEST(ShippedRatingForms, AreTheSevenElementsAndAGlobalRating) {
 }
 
 TEST(RatingForm, IsWhatTheManualShowsAsOne) {
-  const std::string manual = test::textOf(kResources / "docs" / "rating.md");
+  const std::string manual = test::textOf(kResources / "docs" / "developer" / "formats.md");
   const std::string fence = "```json\n";
-  const auto begin = manual.find(fence) + fence.size();
+  const auto begin = manual.find(fence, manual.find("## Rating forms")) + fence.size();
   const auto form = read(json::parse(manual.substr(begin, manual.find("```", begin) - begin)));
   ASSERT_TRUE(form) << form.error();
   EXPECT_EQ(form->id, "our-first-form");

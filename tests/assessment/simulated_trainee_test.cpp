@@ -190,7 +190,7 @@ TEST(TraineeHabits, AreAllVariedByTheModel) {
 }
 
 TEST(TraineeHabits, AreWrittenDown) {
-  const std::string page = bytesOf(fs::path(EW_SOURCE_DIR) / "resources/docs/simulated-trainees.md");
+  const std::string page = bytesOf(fs::path(EW_SOURCE_DIR) / "resources/docs/science/simulated-trainees.md");
   for (const HabitRange& each : habitRanges()) {
     std::ostringstream numbers;
     numbers << " | " << each.novice << " | " << each.expert << " | " << each.personSpread << " | ";

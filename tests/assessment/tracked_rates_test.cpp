@@ -66,7 +66,7 @@ class TrackedRates : public ::testing::Test {
     }
     return {};
   }
-  /// The tolerances of resources/docs/teaching-measures.md.
+  /// The tolerances of resources/docs/science/teaching-measures.md.
   static void expectAlike(const std::vector<MetricValue>& one, const std::vector<MetricValue>& other, const std::string& what,
                           const std::set<std::string>& without = {}) {
     ASSERT_EQ(one.size(), other.size());

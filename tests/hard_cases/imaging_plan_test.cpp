@@ -1,5 +1,5 @@
 // Settings that no console would give, and poses that no tracker should: the plan and its frames. Outcomes are in
-// resources/docs/hard-cases.md.
+// resources/docs/science/hard-cases.md.
 #include <gtest/gtest.h>
 
 #include <algorithm>

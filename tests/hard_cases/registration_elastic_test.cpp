@@ -1,4 +1,4 @@
-// Hard cases of registration: what the three-dimensional elastic method must do with them stands in resources/docs/hard-cases.md.
+// Hard cases of registration: what the three-dimensional elastic method must do with them stands in resources/docs/science/hard-cases.md.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include "ew/stitching/equalise_views.h"
 #include "stitching/views.h"
 
-/// Views that are hard to join, and what must come of them: see resources/docs/hard-cases.md.
+/// Views that are hard to join, and what must come of them: see resources/docs/science/hard-cases.md.
 namespace ew::stitching::stitching_test {
 namespace {
 

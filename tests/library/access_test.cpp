@@ -1,6 +1,6 @@
 // What a trainee may try: each test is named after one attempt to read an answer key or somebody else's attempt, and shows that it fails.
-// The table of all of them is in resources/docs/access.md; those on the command line are in tests/cli/access_test.cpp, those in the window
-// and through a plugin in tests/gui/lessons/access_test.cpp.
+// The table of all of them is in resources/docs/developer/tests.md; those on the command line are in tests/cli/access_test.cpp, those in
+// the window and through a plugin in tests/gui/lessons/access_test.cpp.
 #include "ew/library/access.h"
 
 #include <fcntl.h>

@@ -59,7 +59,7 @@ bool isRotation(const FacePose& pose) { return checkRigid(pose, 1e-9).has_value(
 
 }  // namespace
 
-// The figures of docs/trackers.md: EW_FIGURES=1 prints the table.
+// The figures of resources/docs/technician/trackers.md: EW_FIGURES=1 prints the table.
 TEST(PoseFilter, KalmanIsTheBestOrNearlySoOnEveryPathOfAHandThatIsReadWithNoise) {
   for (const double noise_mm : {0.5, 0.15}) {
     for (const double rate_hz : {30.0, 60.0, 100.0}) {

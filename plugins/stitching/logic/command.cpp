@@ -125,7 +125,7 @@ const char* const kStitchHelp =
     "    \"seam\": { \"method\": \"graph cut\", \"blend_mm\": 3 } }\n"
     "A file is a volume or a sweep, which is reconstructed. to_world is a list of 16 numbers, row by row, or a text file that holds\n"
     "them; placement is \"tracker\" (recorded), \"hand\" (a start) or \"unknown\" (found without one). Of pairs only those need an entry\n"
-    "about which there is something to say. Every field: resources/docs/stitching.md.";
+    "about which there is something to say. Every field: resources/docs/author/stitching.md.";
 
 Result<sdk::Commands::Outcome> runStitchCommand(const std::vector<std::string>& args, Progress& progress) {
   const auto usage = [](const Message& what) {

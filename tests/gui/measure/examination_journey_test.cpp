@@ -169,7 +169,7 @@ class ExaminationJourneyTest : public WindowFixture {
           const double percent = 100.0 * (read->quantity.value / truth.value - 1.0);
           qInfo("%s, %s, seed %u: read %.2f, truth %.2f mm, %+.2f %%", name, traced ? "traced" : "fitted", seed, read->quantity.value,
                 truth.value, percent);
-          QVERIFY2(std::abs(percent) < 3.0, name);  // asked for are 2 %, which not all reach: resources/docs/measuring.md
+          QVERIFY2(std::abs(percent) < 3.0, name);  // asked for are 2 %, which not all reach: resources/docs/science/calipers.md
           if (seed == 1) keep((std::string("rough-") + plane + (traced ? "-traced" : "-fitted")).c_str());
         }
       }

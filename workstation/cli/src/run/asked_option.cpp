@@ -17,7 +17,7 @@ std::string optionFor(const std::string& asked) {
   if (asked == "calibration") return "--calibration XML";
   if (asked == "frame") return "--image-to FRAME or --calibration XML";
   if (asked == "accept-small") return "--accept-small";
-  if (asked == "motor") return "--motor MOTOR.json, see resources/docs/acquisition.md";
+  if (asked == "motor") return "--motor MOTOR.json, see resources/docs/science/acquisition.md";
   return {};
 }
 
