@@ -97,6 +97,53 @@ TEST(FiguresOfAClass, SuggestNothingFromAGroupOfOneAndTheSameScore) {
   EXPECT_FALSE(figures.steps[1].suggested);
 }
 
+TEST(FiguresOfAClass, TakeWhatAnInstructorHasSaidBeforeWhatRatersSay) {
+  auto attempts = someClass();
+  attempts[0].ratings.ratings = {ratedBy("R", 4, 4)};
+  const StandingsByAttempt said = {{attempts[0].attempt.id, Standing::shouldFail}, {attempts[1].attempt.id, Standing::shouldPass}};
+  const ClassFigures figures = classFiguresOf(attempts, said);
+  EXPECT_EQ(figures.standing.at(attempts[0].attempt.id), Standing::shouldFail);
+  EXPECT_EQ(figures.standing.at(attempts[1].attempt.id), Standing::shouldPass);
+  EXPECT_EQ(figures.standing.at(attempts[2].attempt.id), Standing::unknown);
+}
+
+/// Both groups are as good on the whole, and not at each step.
+TEST(ReportOfAClass, HasTheLevelsOfStepsThoughTheLessonHasNone) {
+  const std::vector<ReportedAttempt> attempts = {madeAttempt(1, 0.3, 0.9), madeAttempt(2, 0.4, 0.8), madeAttempt(3, 0.9, 0.3),
+                                                 madeAttempt(4, 0.8, 0.4)};
+  ReportedLesson lesson = madeLesson();
+  for (std::size_t n = 0; n < attempts.size(); ++n)
+    lesson.standings[attempts[n].attempt.id] = n < 2 ? Standing::shouldFail : Standing::shouldPass;
+  const ClassFigures figures = classFiguresOf(attempts, lesson.standings);
+  EXPECT_FALSE(figures.suggested);
+  ASSERT_TRUE(figures.steps[1].suggested);
+  const std::string text = plainTextOf(classReport(attempts, lesson, someCodes()));
+  EXPECT_TRUE(holds(text, "2 attempts should pass, 2 should not")) << text;
+  EXPECT_TRUE(holds(text, "Step plane | 70 % | 60 %")) << text;
+  EXPECT_FALSE(holds(text, "No level can be suggested")) << text;
+}
+
+TEST(ReportOfAClass, SaysThatStandingsCannotBeReadAndGoesOnWithRaters) {
+  auto attempts = someClass();
+  attempts[0].ratings.ratings = {ratedBy("R", 4, 4)};
+  ReportedLesson lesson = madeLesson();
+  lesson.standingsProblem = Error{ErrorCode::badHeader, verbatim("\"/home/ana/standings.json\" is torn."), {}};
+  const std::string text = plainTextOf(classReport(attempts, lesson, someCodes()));
+  EXPECT_TRUE(holds(text, "so raters' word alone counts: \"standings.json\" is torn.")) << text;
+  EXPECT_TRUE(holds(text, "1 attempts should pass and 0 should not")) << text;
+}
+
+TEST(ReportOfAClass, HasTheFiguresThatTheTaskWasJudgedByWhereNothingWasScored) {
+  ReportedAttempt one = madeAttempt(1, 0.9, 0.9);
+  one.attempt.outcomes[1].figures = {{"angle", 4.25, "deg"}};
+  EXPECT_FALSE(holds(plainTextOf(classReport({one}, madeLesson(), someCodes())), "through the task")) << "a scored one has metrics";
+  one.score.reset();
+  one.lesson = test::triedLesson();
+  const std::string text = plainTextOf(classReport({one}, madeLesson(), someCodes()));
+  EXPECT_TRUE(holds(text, "Angle | 1 | ")) << text;
+  EXPECT_TRUE(holds(text, "through the task")) << text;
+}
+
 TEST(ReportOfAClass, HasEveryAttemptTheHardestStepAndMarksWhatIsOff) {
   ReportedLesson lesson = madeLesson();
   lesson.offByDefault = {{"plane", "hints"}};

@@ -2,6 +2,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <algorithm>
 
 #include "ew/sdk/panel.h"
@@ -18,61 +19,86 @@ void ClassPage::showAttempts() {
   attempts_->clear();
   const ShelvedLesson* of = session_.lesson();
   if (of == nullptr) return;
-  const std::vector<AttemptResult> all = results();
   const LessonStep* told = lessonStep(stepId_);
-  const double level = told != nullptr ? passLevelOf(*told, session_.plan()) : 0.0;
-  for (std::size_t n = 0; n < all.size(); ++n) {
-    const auto here =
-        std::find_if(all[n].steps.begin(), all[n].steps.end(), [&](const StepResult& each) { return each.stepId == stepId_; });
-    if (here == all[n].steps.end()) continue;
+  for (std::size_t n = 0; n < std::min(class_.size(), of->attempts.size()); ++n) {
+    const StepScore* here = class_[n].judged(stepId_);
+    if (here == nullptr) continue;
+    const double level = told != nullptr ? passLevelOf(*told, session_.plan()) : here->passLevel;
+    const bool isSkipped = here->verdict == StepVerdict::skipped, isPassed = here->verdict == StepVerdict::passed;
     auto* item = new SortedItem(attempts_);
-    const QString who = session_.personOf(of->attempts[n].second);
-    item->setText(kWho, who);
-    item->set(kScore, here->isSkipped ? QStringLiteral("–") : percentBeside(here->score, level), here->isSkipped ? -1.0 : here->score);
-    item->setText(kVerdict, here->isSkipped ? QStringLiteral("–") : here->isPassed ? tr("yes") : tr("no"));
-    item->setToolTip(kVerdict, words(verdictWord(here->isSkipped  ? StepVerdict::skipped
-                                                 : here->isPassed ? StepVerdict::passed
-                                                                  : StepVerdict::failed)));
+    item->setText(kWho, session_.personOf(of->attempts[n].second));
+    item->set(kScore, isSkipped ? QStringLiteral("–") : percentBeside(here->score, level), isSkipped ? -1.0 : here->score);
+    item->setText(kVerdict, isSkipped ? QStringLiteral("–") : isPassed ? tr("yes") : tr("no"));
+    item->setToolTip(kVerdict, words(verdictWord(here->verdict)));
     item->setTextAlignment(kVerdict, Qt::AlignRight | Qt::AlignVCenter);
-    auto* stands = new QComboBox;
-    stands->setProperty("small", true);
-    stands->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    stands->setObjectName(QStringLiteral("classStanding"));
-    stands->setAccessibleName(tr("How %1 stands").arg(who));
-    stands->addItem(tr("unknown"));
-    stands->addItem(tr("not yet"));
-    stands->addItem(tr("competent"));
-    stands->setCurrentIndex(static_cast<int>(standings_[all[n].attemptId]));
-    connect(stands, qOverload<int>(&QComboBox::currentIndexChanged), this, [this, id = all[n].attemptId](int chosen) {
-      standings_[id] = static_cast<Standing>(chosen);
-      showSuggestion();
-    });
+    QComboBox* stands = standingBox(n);
+    stands->setAccessibleName(tr("How %1 stands").arg(item->text(kWho)));
     item->setSizeHint(kStanding, stands->sizeHint() + QSize(kGap_px, kGap_px));
     attempts_->setItemWidget(item, kStanding, stands);
   }
   showSuggestion();
 }
 
-void ClassPage::showSuggestion() {
-  const std::vector<AttemptResult> all = results();
-  std::vector<Standing> standings;
-  std::size_t competent = 0, notYet = 0;
-  for (const AttemptResult& each : all) {
-    const auto known = standings_.find(each.attemptId);
-    standings.push_back(known == standings_.end() ? Standing::unknown : known->second);
-    competent += standings.back() == Standing::competent ? 1 : 0;
-    notYet += standings.back() == Standing::notYet ? 1 : 0;
+/// What may be said of whoever made an attempt, and what was.
+QComboBox* ClassPage::standingBox(std::size_t attempt) {
+  auto* box = new QComboBox;
+  box->setProperty("small", true);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  box->setObjectName(QStringLiteral("classStanding"));
+  box->setToolTip(tr("What you say here is kept in the library and counts before what raters say"));
+  box->addItem(wordByRaters(attempt), static_cast<int>(Standing::unknown));
+  box->addItem(tr("should not"), static_cast<int>(Standing::shouldFail));
+  box->addItem(tr("should pass"), static_cast<int>(Standing::shouldPass));
+  box->setCurrentIndex(box->findData(static_cast<int>(class_[attempt].said)));
+  connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, [this, box, attempt] { keepStanding(*box, attempt); });
+  return box;
+}
+
+/// What counts while nothing is said. Who still has to rate an attempt is not told what others say of it.
+QString ClassPage::wordByRaters(std::size_t attempt) const {
+  const Standing byRaters = class_[attempt].byRaters;
+  const ShelvedLesson* of = session_.lesson();
+  const bool isOpen = of != nullptr && attempt < of->attempts.size() && session_.mayReadRaters(of->attempts[attempt].first);
+  if (byRaters != Standing::unknown && !isOpen) return tr("as raters say");
+  switch (byRaters) {
+    case Standing::shouldPass:
+      return tr("should pass, by raters");
+    case Standing::shouldFail:
+      return tr("should not, by raters");
+    case Standing::unknown:
+      break;
   }
-  const auto level = suggestedPassLevel(all, standings, stepId_);
-  suggested_ = level ? std::optional(level->value) : std::nullopt;
-  take_->setVisible(suggested_.has_value());
-  if (level)
+  return tr("unknown");
+}
+
+/// The box stays as it is while its choice is kept: the list is not made anew.
+void ClassPage::keepStanding(QComboBox& box, std::size_t attempt) {
+  if (attempt >= class_.size()) return;
+  if (session_.keepStanding(class_[attempt].id, static_cast<Standing>(box.currentData().toInt()))) {
+    workOut();
+    showSuggestion();
+    return;
+  }
+  const QSignalBlocker blocked(&box);
+  box.setCurrentIndex(box.findData(static_cast<int>(class_[attempt].said)));
+}
+
+void ClassPage::showSuggestion() {
+  const ClassStep* step = shownStep();
+  if (step == nullptr) return;
+  suggested_ = step->suggested ? std::optional(step->suggested->value) : std::nullopt;
+  take_->setVisible(suggested_.has_value() && lessonStep(stepId_) != nullptr);
+  if (step->suggested)
+    suggestion_->setText(tr("The two groups part at %1 (95 % interval %2 to %3).")
+                             .arg(percent(step->suggested->value), percent(step->suggested->low), percent(step->suggested->high)));
+  else if (step->weight <= 0.0)
+    suggestion_->setText(tr("This step does not count in the score, so no level is suggested."));
+  else if (step->shouldPass >= 2 && step->shouldFail >= 2)
     suggestion_->setText(
-        tr("The two groups part at %1 (95 % interval %2 to %3).").arg(percent(level->value), percent(level->low), percent(level->high)));
-  else if (competent >= 2 && notYet >= 2)
-    suggestion_->setText(tr("These two groups do not suggest a level: those who should pass do not score higher, or no score differs."));
+        tr("These two groups do not suggest a level: those who should pass do not score higher, or all of a group have one score."));
   else
-    suggestion_->setText(tr("Two of each group at least are needed: %1 competent, %2 not yet.").arg(competent).arg(notYet));
+    suggestion_->setText(
+        tr("Two of each group at least are needed: %1 should pass, %2 should not.").arg(step->shouldPass).arg(step->shouldFail));
 }
 
 void ClassPage::keepLevel(double level) {

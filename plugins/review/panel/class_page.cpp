@@ -25,22 +25,13 @@ namespace {
 
 enum StepColumn { kStep, kPassed, kMedian, kSpread };
 
-QString nameOfFigure(const std::string& name) {
-  const Metric* metric = metricOf(name);
-  return metric != nullptr ? words(metric->name) : words(name);
+QString nameOfFigure(const ClassMetric& figure) {
+  const Metric* metric = metricOf(figure.id);
+  return metric != nullptr ? words(metric->name) : words(figure.id);
 }
 
-/// @param isScored its metrics are there; else the figures that the lesson judged by
-StepResult stepResultOf(const StepScore& score, bool isScored) {
-  StepResult made{score.stepId, score.score, score.verdict == StepVerdict::passed, score.verdict == StepVerdict::skipped, {}};
-  for (const MetricValue& value : score.metrics) {
-    const Metric* metric = metricOf(value.id);
-    if (metric != nullptr && metric->version == value.version) made.figures.push_back({value.id, value.value, std::string(metric->unit)});
-  }
-  if (!isScored)
-    for (const AttemptFigure& figure : score.figures) made.figures.push_back({figure.name, figure.value, figure.unit});
-  return made;
-}
+/// By which a figure is found again among those of another step.
+QString keyOfFigure(const ClassMetric& figure) { return words((figure.isMetric ? "metric " : "task ") + figure.id + " " + figure.unit); }
 
 }  // namespace
 
@@ -126,8 +117,8 @@ QWidget* ClassPage::makeDetails() {
   levelRow->addWidget(levelName, 1);
   levelRow->addWidget(level_);
   rows->addLayout(levelRow);
-  rows->addWidget(
-      sdk::quietLabel(tr("To find a pass level, say of people you know how they stand; the level then lies where both groups part.")));
+  rows->addWidget(sdk::quietLabel(
+      tr("To find a pass level, say of people you know whether they should pass; the level then lies where both groups part.")));
   attempts_ = table("classAttempts", tr("Attempts at this step"), {tr("Who"), tr("Score"), tr("Passed"), tr("Stands")});
   attempts_->header()->setSectionResizeMode(kWho, QHeaderView::ResizeToContents);
   attempts_->header()->setSectionResizeMode(kVerdict, QHeaderView::Stretch);
@@ -146,25 +137,6 @@ QWidget* ClassPage::makeDetails() {
   return scroll;
 }
 
-std::vector<AttemptResult> ClassPage::results() const {
-  std::vector<AttemptResult> all;
-  const ShelvedLesson* of = session_.lesson();
-  if (of == nullptr) return all;
-  for (std::size_t n = 0; n < of->attempts.size(); ++n) {
-    const Attempt& tried = of->attempts[n].second;
-    AttemptResult made{tried.id, {}};
-    const ew::AttemptResult result = session_.resultOf(n);
-    for (const LessonStep& step : of->lesson.steps) {
-      if (tried.outcomeOf(step.id) == nullptr) continue;  // a step that was never reached says nothing about the step
-      const StepScore* counted = result.counted.of(step.id);
-      if (counted == nullptr || counted->verdict == StepVerdict::handedIn) continue;  // nobody has judged it yet
-      made.steps.push_back(stepResultOf(*counted, result.isScored));
-    }
-    all.push_back(std::move(made));
-  }
-  return all;
-}
-
 const LessonStep* ClassPage::lessonStep(const std::string& id) const {
   if (session_.lesson() == nullptr) return nullptr;
   for (const LessonStep& each : session_.lesson()->lesson.steps)
@@ -172,72 +144,95 @@ const LessonStep* ClassPage::lessonStep(const std::string& id) const {
   return nullptr;
 }
 
-const StepOverview* ClassPage::shownStep() const {
-  for (const StepOverview& each : overview_.steps)
+const ClassStep* ClassPage::shownStep() const {
+  for (const ClassStep& each : rows_)
     if (each.stepId == stepId_) return &each;
   return nullptr;
+}
+
+QString ClassPage::titleOfStep(const ClassStep& step) const {
+  const LessonStep* now = lessonStep(step.stepId);
+  return words(now != nullptr ? now->title : step.title.empty() ? step.stepId : step.title);
+}
+
+void ClassPage::workOut() {
+  const ShelvedLesson* of = session_.lesson();
+  class_ = session_.classAttempts();
+  figures_ = classFiguresOf(class_);
+  rows_ = of != nullptr ? overviewSteps(figures_, of->lesson, session_.plan()) : std::vector<ClassStep>();
 }
 
 void ClassPage::refresh() {
   if (!session_.showsClass()) return;
   showing_ = true;
+  workOut();
   const ShelvedLesson* of = session_.lesson();
-  std::vector<std::string> ids;
-  if (of != nullptr)
-    for (const LessonStep& step : of->lesson.steps)
-      if (!std::holds_alternative<ReadTask>(step.task) && !std::holds_alternative<WatchTask>(step.task)) ids.push_back(step.id);
-  const std::vector<AttemptResult> all = results();
-  overview_ = overviewOf(all, ids);
   heading_->setText(of == nullptr ? tr("No lesson is chosen")
-                                  : (all.size() == 1 ? tr("%1: one attempt")
-                                                     : tr("%1: %2 attempts").arg(QStringLiteral("%1"), QString::number(all.size())))
+                                  : (class_.size() == 1 ? tr("%1: one attempt")
+                                                        : tr("%1: %2 attempts").arg(QStringLiteral("%1"), QString::number(class_.size())))
                                         .arg(words(of->lesson.title)));
-  const StepOverview* hardest = overview_.hardest ? &overview_.steps[*overview_.hardest] : nullptr;
-  hardest_->setText(hardest == nullptr ? tr("Every step that was ended was passed.")
-                                       : tr("Most fail at “%1”: %2 of %3 who ended it did not pass.")
-                                             .arg(words(lessonStep(hardest->stepId)->title))
-                                             .arg(hardest->ended - hardest->passed)
-                                             .arg(hardest->ended));
-  steps_->clear();
-  if (shownStep() == nullptr) stepId_ = hardest != nullptr ? hardest->stepId : ids.empty() ? std::string() : ids.front();
-  for (std::size_t n = 0; n < overview_.steps.size(); ++n) {
-    const StepOverview& step = overview_.steps[n];
-    auto* item = new SortedItem(steps_);
-    const bool isHardest = overview_.hardest == n;
-    item->setToolTip(kStep, words(lessonStep(step.stepId)->title));
-    item->setText(kStep, (isHardest ? QStringLiteral("▲ ") : QString()) + words(lessonStep(step.stepId)->title));
-    if (isHardest) item->setToolTip(kStep, tr("%1: most fail here").arg(item->toolTip(kStep)));
-    item->setData(kStep, Qt::UserRole, words(step.stepId));
-    item->setData(kStep, kSortRole, static_cast<double>(n));
-    item->set(kPassed, step.ended == 0 ? QStringLiteral("–") : tr("%1 of %2").arg(step.passed).arg(step.ended),
-              step.ended == 0 ? -1.0 : 1.0 - step.failedShare());
-    const bool isEmpty = step.scores.values.empty();
-    item->set(kMedian, isEmpty ? QStringLiteral("–") : percent(step.scores.median), isEmpty ? -1.0 : step.scores.median);
-    item->set(kSpread,
-              isEmpty ? QStringLiteral("–") : tr("%1 to %2").arg(percent(step.scores.lowerQuartile), percent(step.scores.upperQuartile)),
-              step.scores.upperQuartile - step.scores.lowerQuartile);
-    if (step.stepId == stepId_) steps_->setCurrentItem(item);
-  }
+  if (shownStep() == nullptr && figures_.hardest) stepId_ = figures_.steps[*figures_.hardest].stepId;
+  if (shownStep() == nullptr) stepId_ = rows_.empty() ? std::string() : rows_.front().stepId;
+  showHardest();
+  showSteps();
   showing_ = false;
   showStep();
 }
 
+void ClassPage::showHardest() {
+  if (figures_.hardest) {
+    const ClassStep& hardest = figures_.steps[*figures_.hardest];
+    hardest_->setText(tr("Most fail at “%1”: %2 of %3 who ended it did not pass.")
+                          .arg(titleOfStep(hardest))
+                          .arg(hardest.failed + hardest.skipped)
+                          .arg(hardest.reached()));
+    return;
+  }
+  const bool isAnyJudged = std::any_of(rows_.begin(), rows_.end(), [](const ClassStep& row) { return row.reached() > 0; });
+  hardest_->setText(isAnyJudged ? tr("Nobody failed a step that counts.") : tr("No step was judged yet."));
+}
+
+void ClassPage::showSteps() {
+  steps_->clear();
+  for (std::size_t n = 0; n < rows_.size(); ++n) {
+    const ClassStep& step = rows_[n];
+    auto* item = new SortedItem(steps_);
+    const QString title = titleOfStep(step);
+    const bool isHardest = figures_.hardest && figures_.steps[*figures_.hardest].stepId == step.stepId;
+    item->setText(kStep, (isHardest ? QStringLiteral("▲ ") : QString()) + title);
+    item->setToolTip(kStep, isHardest            ? tr("%1: most fail here").arg(title)
+                            : step.weight <= 0.0 ? tr("%1: does not count in the score").arg(title)
+                                                 : title);
+    item->setData(kStep, Qt::UserRole, words(step.stepId));
+    item->setData(kStep, kSortRole, static_cast<double>(n));
+    item->set(kPassed, step.reached() == 0 ? QStringLiteral("–") : tr("%1 of %2").arg(step.passed).arg(step.reached()),
+              step.reached() == 0 ? -1.0 : 1.0 - step.notPassedShare());
+    const Distribution scores = distributionOf(step.scores);
+    const bool isEmpty = scores.values.empty();
+    item->set(kMedian, isEmpty ? QStringLiteral("–") : percent(scores.median), isEmpty ? -1.0 : scores.median);
+    item->set(kSpread, isEmpty ? QStringLiteral("–") : tr("%1 to %2").arg(percent(scores.lowerQuartile), percent(scores.upperQuartile)),
+              scores.upperQuartile - scores.lowerQuartile);
+    if (step.stepId == stepId_) steps_->setCurrentItem(item);
+  }
+}
+
 void ClassPage::showStep() {
-  const StepOverview* step = shownStep();
+  const ClassStep* step = shownStep();
+  if (step == nullptr) return;
   const LessonStep* told = lessonStep(stepId_);
-  if (step == nullptr || told == nullptr) return;
   showing_ = true;
-  stepTitle_->setText(words(told->title));
+  stepTitle_->setText(titleOfStep(*step));
   const QString chosen = figure_->currentData().toString();
   figure_->clear();
   figure_->addItem(tr("Score"), QString());
-  for (const FigureOverview& figure : step->figures) figure_->addItem(nameOfFigure(figure.name), words(figure.name));
+  for (const ClassMetric& figure : step->metrics) figure_->addItem(nameOfFigure(figure), keyOfFigure(figure));
   figure_->setCurrentIndex(std::max(0, figure_->findData(chosen)));
   const int n = figure_->currentIndex();
-  const double level = passLevelOf(*told, session_.plan());
+  const double level = told != nullptr ? passLevelOf(*told, session_.plan()) : step->passLevel;
   const QLocale locale;
   if (n == 0) {
-    Distribution percents = step->scores;
+    const Distribution scores = distributionOf(step->scores);
+    Distribution percents = scores;
     for (double& value : percents.values) value *= 100.0;
     for (double* each :
          {&percents.lowest, &percents.lowerQuartile, &percents.median, &percents.upperQuartile, &percents.highest, &percents.mean})
@@ -245,24 +240,24 @@ void ClassPage::showStep() {
     chart_->show(percents, QStringLiteral("%"), 0.0, 100.0, 100.0 * level);
     numbers_->setText(percents.values.empty() ? QString()
                                               : tr("Median %1, mean %2; %3 of %4 passed, %5 left the step out.")
-                                                    .arg(percent(step->scores.median), percent(step->scores.mean))
+                                                    .arg(percent(scores.median), percent(scores.mean))
                                                     .arg(step->passed)
-                                                    .arg(step->ended)
+                                                    .arg(step->reached())
                                                     .arg(step->skipped));
     figure_->setToolTip({});
   } else {
-    const FigureOverview& figure = step->figures[static_cast<std::size_t>(n - 1)];
-    const double room = std::max(1e-6, 0.05 * (figure.values.highest - figure.values.lowest));
-    chart_->show(figure.values, words(figure.unit), figure.values.lowest - room, figure.values.highest + room, std::nullopt);
+    const ClassMetric& figure = step->metrics[static_cast<std::size_t>(n - 1)];
+    const Distribution values = distributionOf(figure.values);
+    const double room = std::max(1e-6, 0.05 * (values.highest - values.lowest));
+    chart_->show(values, words(figure.unit), values.lowest - room, values.highest + room, std::nullopt);
     numbers_->setText(tr("Median %1, mean %2, from %3 to %4 %5")
-                          .arg(locale.toString(figure.values.median, 'g', 4), locale.toString(figure.values.mean, 'g', 4),
-                               locale.toString(figure.values.lowest, 'g', 4), locale.toString(figure.values.highest, 'g', 4),
-                               words(figure.unit)));
-    const Metric* metric = metricOf(figure.name);
+                          .arg(locale.toString(values.median, 'g', 4), locale.toString(values.mean, 'g', 4),
+                               locale.toString(values.lowest, 'g', 4), locale.toString(values.highest, 'g', 4), words(figure.unit)));
+    const Metric* metric = metricOf(figure.id);
     figure_->setToolTip(metric != nullptr ? words(metric->definition) : QString());
   }
   level_->setValue(100.0 * level);
-  level_->setEnabled(!session_.isScoring());
+  level_->setEnabled(told != nullptr && !session_.isScoring());
   showing_ = false;
   showAttempts();
 }

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <QWidget>
-#include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "logic/class_overview.h"
@@ -43,8 +44,9 @@ class DistributionChart final : public QWidget {
   std::optional<double> level_;
 };
 
-/// The overview of everybody who tried a lesson: each step with how many passed, and the distribution of its score and figures; the step
-/// that most fail is marked. Beside it the pass level, and what two groups of known standing suggest for it.
+/// The overview of everybody who tried a lesson, as classFiguresOf has it: each step with how many passed, and the distribution of its
+/// score and figures; the step that most fail is marked. Beside it the pass level, what is said of those who tried, and what these two
+/// groups suggest.
 class ClassPage final : public QWidget {
   Q_OBJECT
 
@@ -55,17 +57,24 @@ class ClassPage final : public QWidget {
   QWidget* makeSteps();
   QWidget* makeDetails();
   void refresh();
+  void workOut();
+  void showHardest();
+  void showSteps();
   void showStep();
   void showAttempts();
   void showSuggestion();
   void keepLevel(double level);
-  [[nodiscard]] std::vector<AttemptResult> results() const;
-  [[nodiscard]] const StepOverview* shownStep() const;
+  [[nodiscard]] QComboBox* standingBox(std::size_t attempt);
+  [[nodiscard]] QString wordByRaters(std::size_t attempt) const;
+  void keepStanding(QComboBox& box, std::size_t attempt);
+  [[nodiscard]] const ClassStep* shownStep() const;
   [[nodiscard]] const LessonStep* lessonStep(const std::string& id) const;
+  [[nodiscard]] QString titleOfStep(const ClassStep& step) const;
 
   ReviewSession& session_;
-  ClassOverview overview_;
-  std::map<std::string, Standing> standings_;  ///< by the attempt's id
+  std::vector<ClassAttempt> class_;  ///< of the lesson's attempts, in the shelf's order
+  ClassFigures figures_;             ///< of these
+  std::vector<ClassStep> rows_;      ///< of the list of steps
   std::string stepId_;
   QLabel* heading_ = nullptr;
   QLabel* hardest_ = nullptr;

@@ -26,7 +26,6 @@ class PaperPages {
   void makeRoom(double height);
   void nextPage();
   void moveOn(double height) { y_ += height; }
-  void setY(double y) { y_ = y; }
 
   [[nodiscard]] static QFont font(double size_pt, bool isBold = false);
   /// The lines of a text in so much width; long words are broken.

@@ -306,6 +306,7 @@ bool RatingPage::keep(bool finished) {
   idle_.stop();
   kept_->setText(kept->finished ? tr("Finished, revision %1").arg(kept->revision) : tr("A draft, which does not count yet"));
   showOthers();
+  if (kept->finished) session_.takeRating(attempt_);
   return true;
 }
 

@@ -170,7 +170,7 @@ void ScansPage::showAttempts() {
   }
   for (std::size_t n = 0; n < of->attempts.size(); ++n) {
     const Attempt& tried = of->attempts[n].second;
-    const ew::AttemptResult result = session_.resultOf(n);
+    const AttemptResult result = session_.resultOf(n);
     QStringList said = {session_.personOf(tried)};
     if (tried.finishedAt) {
       if (const auto score = result.score()) said.push_back(percent(*score));

@@ -58,21 +58,19 @@ void ReviewSession::readShelf() {
   reading_ = true;
   Q_EMIT shelfChanged();
   auto made = std::make_shared<ScanShelf>();
-  auto scores = std::make_shared<std::map<fs::path, AttemptScore>>();
+  auto records = std::make_shared<ClassRecords>();
   host_.jobs().start(
       tr("Looking for attempts").toStdString(),
-      [made, scores, open = host_.cases().currentFolder()](Progress& progress) -> Result<void> {
+      [made, records, open = host_.cases().currentFolder()](Progress& progress) -> Result<void> {
         auto read = review::readShelf(libraryFolder(), open, progress);
         if (!read) return passOn(read.error());
         *made = std::move(*read);
-        for (const ShelvedLesson& each : made->lessons)
-          for (const auto& [folder, tried] : each.attempts) {
-            if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Stopped as asked.">());
-            if (auto score = latestScore(folder)) scores->emplace(folder, std::move(*score));
-          }
+        auto found = readClassRecords(*made, libraryFolder(), progress);
+        if (!found) return passOn(found.error());
+        *records = std::move(*found);
         return {};
       },
-      [this, made, scores, alive = std::weak_ptr(alive_)](const Result<void>& done) {
+      [this, made, records, alive = std::weak_ptr(alive_)](const Result<void>& done) {
         if (alive.expired()) return;
         reading_ = false;
         if (done) {
@@ -80,7 +78,7 @@ void ReviewSession::readShelf() {
                             caseId = lesson() ? lesson()->home.id : std::string();
           const std::string attemptId = attempt() ? attempt()->second.id : std::string();
           shelf_ = made;
-          scores_ = std::move(*scores);
+          records_ = std::move(*records);
           results_ = AttemptResults(libraryFolder());
           hasShelf_ = true;
           lesson_.reset();
@@ -91,6 +89,7 @@ void ReviewSession::readShelf() {
             for (std::size_t n = 0; n < lesson()->attempts.size(); ++n)
               if (lesson()->attempts[n].second.id == attemptId) attempt_ = n;
           if (!shelf_->problems.empty()) host_.window().warn(words(shelf_->problems.front()).toStdString(), "review shelf");
+          if (records_.problem) host_.window().error(words(*records_.problem).toStdString(), "review standings");
           readPlan();
         } else if (done.error().code != ErrorCode::cancelled) {
           host_.window().error(words(done.error()).toStdString(), "review shelf");

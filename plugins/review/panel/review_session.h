@@ -19,6 +19,7 @@
 #include "ew/sdk/host.h"
 #include "ew/sdk/window.h"
 #include "logic/alignment.h"
+#include "logic/class_attempts.h"
 #include "logic/comment_history.h"
 #include "logic/review_tracks.h"
 #include "logic/scan_path.h"
@@ -89,7 +90,15 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   /// The score that counts; null: it was not scored.
   [[nodiscard]] const AttemptScore* scoreOf(std::size_t attempt) const;
   /// What an attempt of the lesson amounts to, as reports and records say it. @param attempt below their number
-  [[nodiscard]] ew::AttemptResult resultOf(std::size_t attempt) const;
+  [[nodiscard]] AttemptResult resultOf(std::size_t attempt) const;
+  /// The attempts of the lesson for the statistics of their class, in the shelf's order.
+  [[nodiscard]] std::vector<ClassAttempt> classAttempts() const;
+  /// Whether the reviewer may be told what raters say of an attempt. @param attempt folder
+  [[nodiscard]] bool mayReadRaters(const std::filesystem::path& attempt) const;
+  /// Keeps what is said of whoever made an attempt. @param standing unknown: raters decide
+  /// @return false: it could not be kept, and the window was told why
+  [[nodiscard]] bool keepStanding(const std::string& attemptId, Standing standing);
+  void takeRating(const std::filesystem::path& attempt);  ///< a rating of it was finished
   void chooseLesson(std::size_t lesson);
   void chooseAttempt(std::size_t attempt);  ///< and the first of its steps that was recorded
   void chooseStep(const std::string& stepId);
@@ -221,9 +230,9 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   std::vector<CommentFile> others_;
   std::string chosenComment_;
   AssessmentPlan plan_;
-  std::map<std::filesystem::path, AttemptScore> scores_;  ///< that count, by the attempt's folder
-  mutable AttemptResults results_{libraryFolder()};       ///< for lessons that have changed since they were tried
-  mutable std::optional<Pseudonyms> codes_;               ///< of the library, read when they are first asked for
+  ClassRecords records_;                             ///< of the shelf's attempts
+  mutable AttemptResults results_{libraryFolder()};  ///< for lessons that have changed since they were tried
+  mutable std::optional<Pseudonyms> codes_;          ///< of the library, read when they are first asked for
   std::vector<std::weak_ptr<std::function<void()>>> listeners_;
   std::vector<std::weak_ptr<HeldWork>> held_;
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);

@@ -202,7 +202,7 @@ void ScoresPage::refresh() {
   showMetricPlan();
 }
 
-QString ScoresPage::howItWasMade(const ew::AttemptResult& result, const StepScore& counted, const StepOutcome& outcome) const {
+QString ScoresPage::howItWasMade(const AttemptResult& result, const StepScore& counted, const StepOutcome& outcome) const {
   if (!result.isScored)
     return latestScore(session_.attempt()->first) ? tr("As it was judged in the lesson; its last score no longer counts.")
                                                   : tr("As it was judged in the lesson; it was not scored since.");
@@ -221,7 +221,7 @@ void ScoresPage::showVerdict() {
   if (step == nullptr) return verdict_->setText(tr("No step is chosen"));
   const StepOutcome* outcome = session_.attempt() != nullptr ? session_.attempt()->second.outcomeOf(step->id) : nullptr;
   if (outcome == nullptr || !session_.attemptNumber()) return verdict_->setText(tr("This attempt has not ended this step"));
-  const ew::AttemptResult result = session_.resultOf(*session_.attemptNumber());
+  const AttemptResult result = session_.resultOf(*session_.attemptNumber());
   const StepScore* counted = result.counted.of(step->id);
   const QString verdict = words(verdictWord(counted != nullptr ? counted->verdict : outcome->verdict));
   if (counted == nullptr || counted->verdict == StepVerdict::handedIn) {  // without figures: nobody has judged it

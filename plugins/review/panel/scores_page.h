@@ -29,7 +29,7 @@ class ScoresPage final : public QWidget {
   QWidget* makeMetricPlan();
   void refresh();
   void showVerdict();
-  [[nodiscard]] QString howItWasMade(const ew::AttemptResult& result, const StepScore& counted, const StepOutcome& outcome) const;
+  [[nodiscard]] QString howItWasMade(const AttemptResult& result, const StepScore& counted, const StepOutcome& outcome) const;
   void showTable();
   void showPlan();
   void showMetricPlan();

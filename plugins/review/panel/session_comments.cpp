@@ -179,20 +179,37 @@ void ReviewSession::readPlan() {
   plan_.lessonId = lesson()->lesson.id;
 }
 
-ew::AttemptResult ReviewSession::resultOf(std::size_t number) const {
-  const auto& [folder, tried] = lesson()->attempts.at(number);
-  const auto kept = scores_.find(folder);
-  // As it was when it was tried: reports and records ask for that, too.
-  const bool isAsTried = tried.lessonContent.empty() || tried.lessonContent == contentOf(lesson()->lesson);
-  const TriedLesson* before = isAsTried ? nullptr : results_.lessonOf(tried);
-  return attemptResultOf(tried, before != nullptr ? &before->lesson : &lesson()->lesson, plan_,
-                         kept == scores_.end() ? std::nullopt : std::optional(kept->second));
+AttemptResult ReviewSession::resultOf(std::size_t number) const { return review::resultOf(*lesson(), number, plan_, records_, results_); }
+
+std::vector<ClassAttempt> ReviewSession::classAttempts() const {
+  return lesson() != nullptr ? classOf(*lesson(), plan_, records_, results_) : std::vector<ClassAttempt>();
+}
+
+bool ReviewSession::mayReadRaters(const std::filesystem::path& attempt) const {
+  const auto word = records_.ratersWords.find(attempt);
+  return word != records_.ratersWords.end() && word->second.openTo.contains(reviewer_.toStdString());
+}
+
+bool ReviewSession::keepStanding(const std::string& attemptId, Standing standing) {
+  auto kept = ew::keepStanding(libraryFolder(), attemptId, standing, reviewer_.toStdString());
+  if (!kept) {
+    host_.window().error(words(kept.error()).toStdString(), "review standings");
+    return false;
+  }
+  records_.standings = std::move(*kept);
+  records_.problem.reset();
+  return true;
+}
+
+void ReviewSession::takeRating(const std::filesystem::path& attempt) {
+  records_.readRatings(attempt);
+  Q_EMIT scoresChanged();
 }
 
 const AttemptScore* ReviewSession::scoreOf(std::size_t number) const {
   if (lesson() == nullptr || number >= lesson()->attempts.size()) return nullptr;
-  const auto score = scores_.find(lesson()->attempts[number].first);
-  return score == scores_.end() ? nullptr : &score->second;
+  const auto score = records_.scores.find(lesson()->attempts[number].first);
+  return score == records_.scores.end() ? nullptr : &score->second;
 }
 
 std::vector<MetricValue> ReviewSession::metricsOf(Side side) const {
@@ -235,7 +252,7 @@ void ReviewSession::scoreAll() {
         if (alive.expired()) return;
         scoring_ = false;
         for (AssessedAttempt& each : *scored)
-          if (each.score) scores_.insert_or_assign(each.folder, std::move(*each.score));
+          if (each.score) records_.scores.insert_or_assign(each.folder, std::move(*each.score));
         if (!done && done.error().code != ErrorCode::cancelled) host_.window().warn(words(done.error()).toStdString(), "review scores");
         Q_EMIT scoresChanged();
       });

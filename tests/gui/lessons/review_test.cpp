@@ -18,6 +18,7 @@
 #include "ew/assessment/pseudonym.h"
 #include "ew/assessment/rating.h"
 #include "ew/assessment/review_comment.h"
+#include "ew/assessment/standings.h"
 #include "gui/support/panel_hand.h"
 #include "gui/support/reviewed_case.h"
 #include "gui/support/screenshots.h"
@@ -438,7 +439,15 @@ class ReviewTest final : public WindowFixture {
     QVERIFY(stage().text("classSuggestion").contains(QStringLiteral("Two of each")));
     for (QComboBox* each : find<QTreeWidget>("classAttempts")->findChildren<QComboBox*>(QStringLiteral("classStanding")))
       each->setCurrentIndex(2);
-    QVERIFY(stage().text("classSuggestion").contains(QStringLiteral("2 competent")));
+    QVERIFY(stage().text("classSuggestion").contains(QStringLiteral("2 should pass")));
+    // What is said of people is kept in the library, and taken back.
+    const auto said = readStandings(libraryFolder());
+    QVERIFY(said);
+    QCOMPARE(said->size(), std::size_t(2));
+    QVERIFY(standingIn(*said, ann_.filename().string()) == Standing::shouldPass);
+    find<QTreeWidget>("classAttempts")->findChildren<QComboBox*>(QStringLiteral("classStanding")).front()->setCurrentIndex(0);
+    QCOMPARE(readStandings(libraryFolder())->size(), std::size_t(1));
+    QVERIFY(stage().text("classSuggestion").contains(QStringLiteral("Two of each")));
     stage().set("classLevel", 60.0);
     QVERIFY(waitUntil([this] { return isSettled() && latestScore(ben_)->of("find")->passLevel == 0.6; }));
     const QString page = files_.path(QStringLiteral("class.html")), own = files_.path(QStringLiteral("attempt.html")),

@@ -9,7 +9,7 @@ namespace ew::reports {
 namespace {
 
 std::optional<double> expertsValue(const ClassOf& of, const ClassStep& step, const ClassMetric& metric) {
-  if (!of.lesson.expert) return std::nullopt;
+  if (!of.lesson.expert || !metric.isMetric) return std::nullopt;
   const StepScore* expert = of.lesson.expert->of(step.stepId);
   if (expert == nullptr) return std::nullopt;
   for (const MetricValue& value : expert->metrics)
@@ -17,11 +17,14 @@ std::optional<double> expertsValue(const ClassOf& of, const ClassStep& step, con
   return std::nullopt;
 }
 
-Message standingText(const ClassOf& of, const ClassStep& step, const std::string& metric) {
+Message nameOf(const ClassMetric& metric) { return metric.isMetric ? metricName(metric.id) : figureName(metric.id); }
+
+Message weightText(const ClassOf& of, const ClassStep& step, const ClassMetric& metric) {
+  if (!metric.isMetric) return say<"through the task">();
   if (const StepPlan* plan = of.lesson.plan.of(step.stepId))
     for (const MetricWeight& weight : plan->metrics)
-      if (weight.metric == metric) return say<"weight %1">(figureText(weight.weight, ""));
-  return of.lesson.offByDefault.contains({step.kind, metric}) ? say<"no; off by default">() : say<"no">();
+      if (weight.metric == metric.id) return say<"weight %1">(figureText(weight.weight, ""));
+  return of.lesson.offByDefault.contains({step.kind, metric.id}) ? say<"no; off by default">() : say<"no">();
 }
 
 ReportTable metricsOfClass(const ClassOf& of, const ClassStep& step) {
@@ -38,13 +41,13 @@ ReportTable metricsOfClass(const ClassOf& of, const ClassStep& step) {
                     {}};
   for (const ClassMetric& metric : step.metrics) {
     const FiveNumbers numbers = fiveNumbersOf(metric.values);
-    const std::string_view unit = metricUnit(metric.id);
-    std::vector<ReportCell> row = {{metricName(metric.id)}, {verbatim(std::to_string(numbers.count))}};
+    const std::string& unit = metric.unit;
+    std::vector<ReportCell> row = {{nameOf(metric)}, {verbatim(std::to_string(numbers.count))}};
     for (const double value : {numbers.lowest, numbers.lowerQuartile, numbers.median, numbers.upperQuartile, numbers.highest})
       row.push_back({figureText(value, unit)});
     const auto expert = expertsValue(of, step, metric);
     row.push_back({expert ? figureText(*expert, unit) : verbatim("–")});
-    row.push_back({standingText(of, step, metric.id)});
+    row.push_back({weightText(of, step, metric)});
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -52,10 +55,9 @@ ReportTable metricsOfClass(const ClassOf& of, const ClassStep& step) {
 
 ReportPlot metricPlot(const ClassOf& of, const ClassStep& step, const ClassMetric& metric) {
   StripPlot plot;
-  const std::string_view unit = metricUnit(metric.id);
-  plot.axis = verbatim(unit == "deg" ? "°" : std::string(unit));
+  plot.axis = verbatim(metric.unit == "deg" ? "°" : metric.unit);
   plot.rows.push_back({{}, metric.values, {}, expertsValue(of, step, metric)});
-  return {metricName(metric.id), std::move(plot), true};
+  return {nameOf(metric), std::move(plot), true};
 }
 
 /// Attempts as the statistics of ratings take them, under the ids that reports show.
@@ -155,10 +157,16 @@ void addPassLevels(const ClassOf& of, std::vector<ReportBlock>& blocks) {
   const ClassFigures& figures = of.figures;
   blocks.emplace_back(ReportHeading{2, say<"Pass levels by contrasting groups">()});
   blocks.emplace_back(
-      ReportParagraph{say<"Where the scores of those who should pass and of those who should not cross. Who should pass is what raters say "
-                          "with a form that has "
-                          "a pass level, where all of them say the same: their judgement, which does not know the score.">()});
-  if (!figures.suggested) {
+      ReportParagraph{say<"Where the scores of those who should pass and of those who should not cross. Who should pass is what an "
+                          "instructor has said of an attempt; else what raters say with a form that has a pass level, where all of them "
+                          "say the same. Neither should come from the score.">()});
+  if (of.lesson.standingsProblem)
+    blocks.emplace_back(ReportParagraph{say<"What instructors have said of attempts cannot be read, so raters' word alone counts: %1">(
+                                            inWordsOf(of.lesson.words, of.lesson.standingsProblem->message)),
+                                        ReportTone::caution});
+  const bool isAnySuggested = figures.suggested || std::any_of(figures.steps.begin(), figures.steps.end(),
+                                                               [](const ClassStep& step) { return step.suggested.has_value(); });
+  if (!isAnySuggested) {
     blocks.emplace_back(ReportParagraph{say<"No level can be suggested: %1 attempts should pass and %2 should not; each group needs two or "
                                             "more with scores that differ, and "
                                             "those who should pass have to score higher.">(figures.shouldPass, figures.shouldFail),

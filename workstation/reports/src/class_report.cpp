@@ -100,15 +100,26 @@ void addWorth(const ClassOf& of, std::vector<ReportBlock>& blocks) {
   blocks.emplace_back(ReportParagraph{validitySentence()});
   std::vector<std::string> ids;
   for (const ClassStep& step : of.figures.steps)
-    for (const ClassMetric& metric : step.metrics) ids.push_back(metric.id);
+    for (const ClassMetric& metric : step.metrics)
+      if (metric.isMetric) ids.push_back(metric.id);
   if (!ids.empty()) blocks.emplace_back(metricsExplained(ids));
 }
 
 }  // namespace
 
+ClassAttempt classAttemptOf(const ReportedAttempt& attempt, const StandingsByAttempt& standings) {
+  return classAttemptOf(attempt.attempt, attempt.result(), standingIn(standings, attempt.attempt.id), standingBy(attempt.ratings));
+}
+
+ClassFigures classFiguresOf(const std::vector<ReportedAttempt>& attempts, const StandingsByAttempt& standings) {
+  std::vector<ClassAttempt> all;
+  for (const ReportedAttempt& one : attempts) all.push_back(classAttemptOf(one, standings));
+  return classFiguresOf(all);
+}
+
 ReportDocument classReport(const std::vector<ReportedAttempt>& attempts, const ReportedLesson& lesson, const Pseudonyms& codes,
                            const std::vector<std::string>& pages, const ReportOptions& options) {
-  const ClassOf of{attempts, lesson, codes, pages, options, classFiguresOf(attempts)};
+  const ClassOf of{attempts, lesson, codes, pages, options, classFiguresOf(attempts, lesson.standings)};
   ReportDocument document;
   document.title = say<"%1: class">(attempts.empty() ? lesson.lessonTitle : lessonName(attempts.front().attempt, lesson));
   document.subtitle = verbatim(lesson.caseTitle);

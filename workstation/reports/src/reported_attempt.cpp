@@ -57,8 +57,6 @@ std::set<std::pair<std::string, std::string>> metricsOff() {
 
 }  // namespace
 
-double weightIn(const AttemptResult& result, const StepScore& step) { return result.areAlike ? 1.0 : step.weight; }
-
 AttemptResult ReportedAttempt::result() const { return attemptResultOf(attempt, lesson ? &*lesson : nullptr, plan, score); }
 
 Result<ReportedAttempt> readReportedAttempt(const fs::path& folder, AttemptResults* results) {
@@ -91,6 +89,10 @@ ReportedLesson readReportedLesson(const std::string& caseId, const std::string& 
   if (auto plan = readPlan(library, caseId, lessonId)) made.plan = std::move(*plan);
   readExpert(made, library, options);
   made.offByDefault = metricsOff();
+  if (auto standings = readStandings(library))
+    made.standings = std::move(*standings);
+  else
+    made.standingsProblem = std::move(standings.error());
   return made;
 }
 

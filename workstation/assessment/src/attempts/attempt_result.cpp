@@ -93,6 +93,8 @@ Message verdictWord(const AttemptResult& result) {
   return passed ? passedWord(*passed) : verdictWord(StepVerdict::handedIn);
 }
 
+double weightIn(const AttemptResult& result, const StepScore& step) { return result.areAlike ? 1.0 : step.weight; }
+
 void concludeLesson(const AssessmentPlan& plan, bool isFinished, AttemptScore& score) {
   const bool areAlike = !weighsAnything(score);
   double sum = 0.0, weights = 0.0;

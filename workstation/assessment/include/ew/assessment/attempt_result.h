@@ -38,6 +38,8 @@ struct AttemptResult {
 };
 /// "passed", "not passed", "handed in", "not scored yet".
 [[nodiscard]] Message verdictWord(const AttemptResult& result);
+/// What a step weighs in the score of its attempt: 1 where no step weighs anything, for all count alike then.
+[[nodiscard]] double weightIn(const AttemptResult& result, const StepScore& step);
 
 /// @param lesson as it was tried; null: it is not known @param kept the latest score
 [[nodiscard]] AttemptResult attemptResultOf(const Attempt& attempt, const Lesson* lesson, const AssessmentPlan& plan,

@@ -13,8 +13,8 @@
 namespace ew {
 
 /// Which metrics are shown without being asked for: those that told simulated novices from experts in the study of
-/// resources/docs/metrics-study.md, by kind of step. The others are off until an instructor turns them on. It is no evidence about people:
-/// it says which figures cannot even tell a model's levels apart.
+/// resources/docs/science/log/metrics-study.md, by kind of step. The others are off until an instructor turns them on. It is no evidence
+/// about people: it says which figures cannot even tell a model's levels apart.
 class MetricDefaults {
  public:
   /// resources/assessment/default-metrics.json. @error notFound, notReadable, badHeader, badField, newerFormat

@@ -31,7 +31,7 @@ struct SimulationOptions {
 };
 
 /// A person works through a lesson from its first step to its last. The same steps for the same habits, seed and options on every machine.
-/// What it leaves out of life is listed in resources/docs/simulated-trainees.md.
+/// What it leaves out of life is listed in resources/docs/science/simulated-trainees.md.
 /// @param on the case that holds the lesson and that all of its steps scan
 /// @param habits of the day
 [[nodiscard]] std::vector<SimulatedStep> simulateAttempt(const Lesson& lesson, const TraineeCase& on, const TraineeHabits& habits,

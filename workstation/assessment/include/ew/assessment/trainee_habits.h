@@ -12,7 +12,7 @@ inline constexpr SkillLevel kSkillLevels[] = {SkillLevel::novice, SkillLevel::in
 [[nodiscard]] std::string_view wordOf(SkillLevel level);
 
 /// How a simulated person moves, looks, sets the machine and answers. The defaults make no error at all; the model that these numbers act
-/// in is written down in resources/docs/simulated-trainees.md. Standard deviations are of normal errors about what is meant.
+/// in is written down in resources/docs/science/simulated-trainees.md. Standard deviations are of normal errors about what is meant.
 struct TraineeHabits {
   // Movements of the hand: a first one and corrections.
   double slide_mmPerS = 30.0;   ///< mean speed over the skin of a long movement, > 0

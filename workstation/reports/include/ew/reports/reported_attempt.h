@@ -12,6 +12,7 @@
 #include "ew/assessment/attempt_score.h"
 #include "ew/assessment/rating.h"
 #include "ew/assessment/review_comment.h"
+#include "ew/assessment/standings.h"
 #include "ew/library/attempt.h"
 #include "ew/library/case_words.h"
 #include "ew/reports/report_document.h"
@@ -33,8 +34,6 @@ struct ReportedAttempt {
   /// What it amounts to, as every other surface says it.
   [[nodiscard]] AttemptResult result() const;
 };
-/// What a step weighs in the score of its attempt: 1 where no step weighs anything, for all count alike then.
-[[nodiscard]] double weightIn(const AttemptResult& result, const StepScore& step);
 
 /// What lies in an attempt's folder now. @param results of the library, for lesson and plan; null: without them
 /// @error notFound, badHeader, badField, newerFormat (attempt.json)
@@ -52,6 +51,8 @@ struct ReportedLesson {
   std::optional<AttemptScore> expert;                                       ///< of the plan's expert attempt
   std::map<std::string, std::vector<std::vector<glm::dvec2>>> expertPaths;  ///< by step, as PathPlot
   std::set<std::pair<std::string, std::string>> offByDefault = {};          ///< kind of step and metric (metric_defaults.h)
+  StandingsByAttempt standings = {};                                        ///< that instructors have said, of attempts of any lesson
+  std::optional<Error> standingsProblem = {};                               ///< why they cannot be read; raters' word alone counts then
 };
 /// Reads as much of it as there is in the library: a report is written though its case is gone.
 [[nodiscard]] ReportedLesson readReportedLesson(const std::string& caseId, const std::string& lessonId,
