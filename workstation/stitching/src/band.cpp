@@ -63,8 +63,8 @@ std::uint64_t Band::bytesPerCell(std::uint64_t views) {
   return (views + pairs) * sizeof(BandSums) + views * (2 + sizeof(Moments)) + pairs * 4;
 }
 
-/// What moments are made from: which views are blended where, and sums over the voxels of every cell around. resources/docs/stitching.md,
-/// "How views are joined", says why the blend is stretched by them.
+/// What moments are made from: which views are blended where, and sums over the voxels of every cell around.
+/// resources/docs/author/stitching.md, "How views are joined", says why the blend is stretched by them.
 struct Band::Gathered {
   const std::vector<ViewSampler>& samplers;
   const std::vector<std::size_t>& views;

@@ -11,8 +11,9 @@
 namespace ew {
 namespace {
 
-/// What is multiplied into the settings, and where they end. Chosen with `echoweave bench echoes` (resources/docs/measurements.md).
-/// Scatterers a cell are no part of it: they decide the lattice, another one is another grain everywhere.
+/// What is multiplied into the settings, and where they end. Chosen with `echoweave bench echoes`
+/// (resources/docs/science/log/measurements.md). Scatterers a cell are no part of it: they decide the lattice, another one is another grain
+/// everywhere.
 struct Price {
   double samplesPerPulse = 1.0;
   double reach = 1.0;

@@ -21,7 +21,8 @@ namespace ew::detail {
 
 /// Forms the echoes of a frame anew from scatterers that are fixed in the tissue: complex field on the fine grid, beams, losses, noise,
 /// pulse, envelope, logarithm. Its steps are called in this order; between them the field lies as one row of complex numbers a line.
-/// Source: scatterers seen through a separable point spread function, as resources/docs/forward-model.md; no code is shared with it.
+/// Source: scatterers seen through a separable point spread function, as resources/docs/science/forward-model.md; no code is shared with
+/// it.
 class LiveEchoes {
  public:
   /// @param grid made with echoSpacing_mm and this look

@@ -8,7 +8,7 @@ namespace ew::phantom {
 inline constexpr double kTransmitFNumber = 2.0;  ///< how far an aperture opens with depth before it is as wide as the probe allows
 
 /// The two-way point spread function of a probe with its settings: Gaussian in every direction, amplitude exp(-x^2 / 2 sigma^2).
-/// See resources/docs/forward-model.md for the equations.
+/// See resources/docs/science/forward-model.md for the equations.
 struct Beams {
   double wavelength_mm = 0.5;  ///< at the assumed speed
   double axialSigma_mm = 0.2;  ///< of each look

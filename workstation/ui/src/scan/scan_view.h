@@ -62,7 +62,6 @@ class ScanView final : public QWidget {
   void setLeastPixel(double pixel_mm);
   /// Rings the bell once when a tracker loses the probe; off at first. The bell is the desktop's own, which may be silent.
   void setSoundsLoss(bool sounds) { soundsLoss_ = sounds; }
-  [[nodiscard]] bool soundsLoss() const { return soundsLoss_; }
   /// A red dot and how long the recording is by now; empty: none is made.
   void setRecording(std::optional<double> length_s);
 

@@ -130,7 +130,6 @@ class Session final : public QObject {
   [[nodiscard]] const std::shared_ptr<const TrackedProbe>& tracked() const { return tracked_; }
   /// The user wants to go on with the mouse, at the place that was tracked last, or with the tracker again.
   void chooseMouse(bool mouse);
-  [[nodiscard]] bool isMouseChosen() const { return isMouseChosen_; }
   /// Whether a hand that moves is refused: the picture stands, or somebody else has the probe.
   [[nodiscard]] bool handRests() const;
   /// To be called when readings came, from any thread and as often as one likes: a picture of them is made as soon as one is due. Does

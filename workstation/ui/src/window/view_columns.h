@@ -51,7 +51,6 @@ class ViewColumns final : public QObject {
   void setScanOnly(bool scanOnly) { scanOnly_ = scanOnly; }
   [[nodiscard]] bool isScanOnly() const { return scanOnly_; }
   [[nodiscard]] bool isNarrow() const;
-  [[nodiscard]] bool isSwapped() const { return swapped_; }
   void swap();
   /// Gives every column its width.
   void arrange();

@@ -12,7 +12,7 @@ namespace ew {
 ///   Quality::weave   fast: two thirds of the samples along a pulse, and a slice that ends at 0.8 of its reach
 ///   Quality::linear  as asked, unchanged
 ///   Quality::cubic   fine: 4/3 of the samples, 5/4 of the reach
-/// resources/docs/measurements.md, "Live echoes", says what each costs and how far it is from the forward model.
+/// resources/docs/science/log/measurements.md, "Live echoes", says what each costs and how far it is from the forward model.
 /// @param asked within its limits (scene.h), which the result keeps
 [[nodiscard]] LiveEchoesEffect qualityOf(const LiveEchoesEffect& asked, Quality quality);
 

@@ -17,7 +17,7 @@ namespace ew {
 
 // An examination is a case as its trainees may have it: what they may read stands in an ordinary case folder, and everything else, to the
 // byte, in answers.sealed, which only the owner of a secret key can open. What may be read is a list of fields that are let through
-// (trainee_view.cpp), so that a field nobody thought of stays behind. resources/docs/access.md has the list.
+// (trainee_view.cpp), so that a field nobody thought of stays behind. resources/docs/instructor/access.md has the list.
 
 inline constexpr const char* kSealedName = "answers.sealed";
 inline constexpr int kSealedFormat = 1;  ///< of answers.sealed; a larger one is refused with newerFormat

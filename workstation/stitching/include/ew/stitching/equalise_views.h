@@ -28,7 +28,7 @@ struct EqualisedViews {
 };
 
 /// Gain and depth gain of subvolumes brought together where they overlap. Depth runs along each view's beams; shadows, edges and
-/// saturated cells are weighed down. The same idea as ew/acquisition/equalise.h, for volumes whose frames are gone.
+/// saturated cells are weighed down.
 /// @error badField, emptyVolume, cancelled
 [[nodiscard]] Result<EqualisedViews> equaliseViews(std::span<const View> views, const EqualiseViewsOptions& options, Progress& progress);
 

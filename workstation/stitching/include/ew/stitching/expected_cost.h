@@ -26,9 +26,9 @@ struct MachinePace {
 };
 
 /// Bending a pair of volumes on these grids at each effort. The figures are those of `echoweave bench register --side 96` on one thread
-/// (resources/docs/measurements.md): two views of one tissue, moved smoothly by up to 5 mm, with two thirds of their speckle in common.
-/// Time goes partly with the volume (coarse levels, lattice) and partly with the voxels of the last level, which are no finer than the
-/// effort asks for and the volume has; errors, once voxels are coarser than those of the measurement, with their size.
+/// (resources/docs/science/log/measurements.md): two views of one tissue, moved smoothly by up to 5 mm, with two thirds of their speckle in
+/// common. Time goes partly with the volume (coarse levels, lattice) and partly with the voxels of the last level, which are no finer than
+/// the effort asks for and the volume has; errors, once voxels are coarser than those of the measurement, with their size.
 [[nodiscard]] std::array<ExpectedCost, 3> expectedWarps(const Grid& fixed, const Grid& moving, const MachinePace& pace = {});
 
 /// Finding a pair without a start, turning to maxRotation_deg in every direction: seconds, from the same benchmark (`partial`, 30 degrees).

@@ -85,8 +85,9 @@ struct ProjectSettings {
   JoinOptions join = joinOfProject();  ///< threads and maxBytes are not part of the file
 };
 
-/// A stitch project (resources/docs/stitching.md, resources/schemas/stitch.schema.json): what a person asked for, never what was found; so
-/// the same project gives the same result, from the panel or from the command line. What was found lies in the output folder (chain.h).
+/// A stitch project (resources/docs/author/stitching.md, resources/schemas/stitch.schema.json): what a person asked for, never what was
+/// found; so the same project gives the same result, from the panel or from the command line. What was found lies in the output folder
+/// (chain.h).
 struct StitchProject {
   std::vector<ProjectVolume> volumes;
   std::vector<ProjectPair> pairs;  ///< pairs with anything to say; all others of overlapping volumes are automatic

@@ -90,7 +90,7 @@ struct PaperBody {
   bool operator==(const PaperBody&) const = default;
 };
 
-/// One JSON file of resources/marker_bodies; its format is told in resources/docs/tracker-bodies.md.
+/// One JSON file of resources/marker_bodies; its format is told in resources/docs/technician/tracker-bodies.md.
 /// @error notFound, badHeader (not JSON), newerFormat, badField (name, value found, value expected; also: edges of a seam that do not meet
 ///        when it is folded, panels or tabs that overlap in the net, markers that leave their panel or lack a white border, an id twice)
 [[nodiscard]] Result<PaperBody> readPaperBody(const std::filesystem::path& file);

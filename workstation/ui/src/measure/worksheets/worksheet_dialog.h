@@ -28,7 +28,6 @@ class WorksheetDialog final : public QDialog {
   void saveAsked();
 
  private:
-  void addQuestions(QVBoxLayout* rows);
   void build();
   void showAll();
   void takeGestation();
