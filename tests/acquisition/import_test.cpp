@@ -9,6 +9,7 @@
 #include <fstream>
 #include <string>
 
+#include "ew/acquisition/recorded_images.h"
 #include "ew/acquisition/sweep_geometry.h"
 #include "ew/acquisition/sweep_volume.h"
 #include "ew/io/volume_file.h"
@@ -551,6 +552,48 @@ TEST_F(ImportSweep, TheReferenceThatADeviceSetNamesBecomesTheWorld) {
   EXPECT_EQ(unknown->toFrame, "Reference");
   EXPECT_TRUE(std::any_of(unknown->notes.begin(), unknown->notes.end(),
                           [](const Message& note) { return note.english().find("names Moon as its reference") != std::string::npos; }));
+}
+
+TEST_F(ImportSweep, KeepsItsImagesCutToWhatIsImageAndWithNothingElse) {
+  Sequence recorded = sweep();
+  recorded.otherFields = {{"Operator", "somebody"}};
+  recorded.frames[0].otherFields = {{"Note", "a name"}};
+  recorded.frames[2].transforms[0].status = PoseStatus::missing;  // has no place
+  SweepImportOptions options;
+  options.calibrations = {deviceSet("")};
+  options.reconstruct.clip = Clip{.origin_px = {4.0, 3.0}, .size_px = glm::dvec2(7.0, 4.0)};
+  options.clipFromCalibration = false;
+  const auto opened = openSweep(written(recorded), options, noProgress());
+  ASSERT_TRUE(opened) << opened.error();
+  const auto all = recordedImages(*opened, 1);
+  const auto some = recordedImages(*opened, 3);
+  ASSERT_TRUE(all) << all.error();
+  ASSERT_TRUE(some);
+  ASSERT_EQ(all->frames.size(), 4u);
+  EXPECT_EQ(some->frames.size(), 2u);
+  EXPECT_TRUE(all->otherFields.empty());
+  const auto posed = posedFrames(*opened);
+  for (std::size_t n = 0; n < 4; ++n) {
+    EXPECT_TRUE(all->frames[n].otherFields.empty());
+    EXPECT_FALSE(all->frames[n].time_s);
+    ASSERT_EQ(all->frames[n].transforms.size(), 1u);
+    const NamedTransform& place = all->frames[n].transforms[0];
+    EXPECT_EQ(place.from + place.to, "ImageReference");
+    // Every pixel keeps its place in the world and its grey, or is black beside the clip.
+    for (int y = 0; y < all->height; ++y)
+      for (int x = 0; x < all->width; ++x) {
+        const glm::dvec4 world = place.matrix * glm::dvec4(x, y, 0.0, 1.0), pixel = glm::inverse(posed[n].imageToWorld.matrix) * world;
+        const int u = static_cast<int>(std::lround(pixel.x)), v = static_cast<int>(std::lround(pixel.y));
+        EXPECT_NEAR(glm::distance(pixel, glm::dvec4(u, v, 0.0, 1.0)), 0.0, 1e-9);
+        const bool isImage = u >= 4 && u <= 11 && v >= 3 && v <= 7;
+        const std::uint8_t grey = all->framePixels(n)[static_cast<std::size_t>(y * all->width + x)];
+        if (isImage) {
+          EXPECT_TRUE(grey == posed[n].pixels.row(v)[u] || u == 11 || v == 7) << "the clip's last pixel alone may be out";
+        } else {
+          EXPECT_EQ(grey, 0);
+        }
+      }
+  }
 }
 
 }  // namespace

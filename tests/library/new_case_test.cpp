@@ -6,9 +6,12 @@
 
 #include "../counted_stop.h"
 #include "../even_sweep.h"
+#include "ew/imaging/frame_stack.h"
+#include "ew/imaging/slicing.h"
 #include "ew/io/sequence.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/checksums.h"
+#include "ew/library/content_name.h"
 #include "ew/library/publishing.h"
 #include "ew/library/templates.h"
 #include "library/bundle_world.h"
@@ -266,6 +269,36 @@ TEST(MakeCase, OfNothingWaitsForAVolumeAndTakesOne) {
   EXPECT_TRUE(fs::exists(folder / "later" / edited.volume.file)) << "undo needs it";
   EXPECT_FALSE(fs::exists(folder / "later/.stitching"));
   EXPECT_FALSE(giveVolume(edited, std::monostate{}));
+}
+
+TEST(MakeCase, KeepsRecordedImagesBesideTheVolumeAndSlicesThem) {
+  const TemporaryFolder folder;
+  const auto made = makeCase(named("Images", SweepFile{.file = makeSweep(folder), .spacing_mm = 1.0, .framesEvery = 2}), folder / "images");
+  ASSERT_TRUE(made) << made.error();
+  const auto opened = loadCase(folder / "images");
+  ASSERT_TRUE(opened) << opened.error();
+  EXPECT_TRUE(isContentNamed(opened->volume.frames)) << opened->volume.frames;
+  EXPECT_TRUE(verifyCase(folder / "images"));
+  EXPECT_EQ(manifestOf(*opened), manifestOf(made->made));
+  const auto echo = loadCaseVolume(*opened, noProgress());
+  ASSERT_TRUE(echo) << echo.error();
+  ASSERT_TRUE(echo->frames);
+  EXPECT_EQ(echo->frames->size(), 13u) << "of 25";
+  // Among the voxels: voxel (15, 10, 12) is on the thirteenth image, whose grey it has.
+  std::uint8_t grey = 0;
+  echo->frames->sampleRow(Quality::linear, {15.0, 10.0, 12.0}, {0.0, 0.0, 0.0}, {0, 1}, &grey);
+  EXPECT_EQ(grey, echo->volume.echo[echo->volume.grid.indexOf(15, 10, 12)]);
+
+  Case without = *opened;
+  without.volume.frames = "volumes/0123456789abcdef.igs.mha";
+  const auto missing = loadCaseVolume(without, noProgress());
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().code, ErrorCode::notFound);
+  without.volume.frames = opened->volume.file;
+  EXPECT_FALSE(loadCaseVolume(without, noProgress())) << "a volume is no recording";
+  nlohmann::json alone = manifestOf(*opened);
+  alone["volume"].erase("file");
+  EXPECT_FALSE(checkManifest(alone, {}).empty()) << "images without the volume made of them";
 }
 
 TEST(MakeCase, IsCompleteOrAbsentWhenItIsStoppedAnywhere) {

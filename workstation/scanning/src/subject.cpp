@@ -83,6 +83,11 @@ const Grid& ScanVoxels::grid() const {
 SliceSource ScanVoxels::source(const Grid& placed, double pixel_mm) const {
   EW_EXPECTS(!empty() && placed.dims == grid().dims);
   const VolumeView<const std::uint8_t> rows{mapped_ ? mapped_->view().data : volume_->echo.data(), placed};
+  if (frames_) {  // zoomed out as well: an image has no coarser levels, and its grain is its own
+    SliceSource recorded = rows;
+    recorded.frames = frames_.get();
+    return recorded;
+  }
   if (!bricks_) return rows;
   const SliceSource fitting = bricks_->sourceFor(placed, pixel_mm);
   if (fitting.layout == VoxelLayout::linear) return fitting;  // a coarser level
@@ -147,8 +152,11 @@ Result<CaseContents> readContents(const Case& opened, Progress& progress, const 
   PartOfProgress reading(progress, 0.0, 0.95), bricking(progress, 0.95, 1.0);
   auto echo = loadCaseVolume(opened, reading, options);
   if (!echo) return passOn(echo.error());
-  auto voxels = ScanVoxels::of(std::make_shared<const Volume>(std::move(echo->volume)), bricking);
+  auto volume = std::make_shared<const Volume>(std::move(echo->volume));
+  // Nothing slices voxels where there are the images they were made of.
+  auto voxels = echo->frames ? Result<ScanVoxels>(ScanVoxels::asStored(std::move(volume))) : ScanVoxels::of(std::move(volume), bricking);
   if (!voxels) return passOn(voxels.error());
+  voxels->readFrom(std::move(echo->frames));
   CaseContents contents{.voxels = std::move(*voxels),
                         .labels = {},
                         .tissue = std::move(echo->tissue),

@@ -38,6 +38,7 @@ struct NewCaseArguments {
   bool withoutLevel = false;
   bool takesWholeFrames = false;
   bool acceptsSmall = false;
+  int framesEvery = 0;
 };
 
 constexpr double kFinestOfSweep_mm = 0.1, kCoarsestOfSweep_mm = 10.0;
@@ -106,6 +107,9 @@ Result<CaseSource> sourceOf(const NewCaseArguments& arguments) {
   if (arguments.source.empty()) return CaseSource{};
   auto source = ew::sourceOf(arguments.source);
   if (!source) return source;
+  if (arguments.framesEvery > 0 && !std::holds_alternative<SweepFile>(*source))
+    return failure(ErrorCode::badUsage,
+                   say<"--keep-images keeps images of a tracked recording, and '%1' is none; leave it out.">(arguments.source));
   const auto given_mm = spacingGiven(arguments);
   if (!given_mm) return passOn(given_mm.error());
   const std::optional<glm::dvec3>& spacing_mm = *given_mm;
@@ -120,6 +124,7 @@ Result<CaseSource> sourceOf(const NewCaseArguments& arguments) {
     if (arguments.fan) sweep->clip = clipOf(*arguments.fan);
     sweep->looksForFan = !arguments.takesWholeFrames;
     sweep->acceptsSmall = arguments.acceptsSmall;
+    sweep->framesEvery = arguments.framesEvery;
   } else if (auto* volume = std::get_if<VolumeFile>(&*source)) {
     volume->answers.spacing_mm = spacing_mm;
     volume->answers.acceptsSmall = arguments.acceptsSmall;
@@ -261,6 +266,9 @@ void addCaseNew(CLI::App& group, Selection& selection) {
       ->check(CLI::IsMember({"front", "back", "left", "right", "upper", "lower"}))
       ->type_name("SIDE");
   app.add_option("--calibration", arguments->calibration, "Device set of the recording")->type_name("XML");
+  app.add_option("--keep-images", arguments->framesEvery,
+                 "Keep every N-th image of a recording beside its volume: slices read them, and are as sharp as they")
+      ->check(CLI::Range(1, 1000));
   app.add_flag("--accept-small", arguments->acceptsSmall,
                "Make the case also when less than a tenth of the recording's pixels or frames is used");
   app.add_flag("--no-level", arguments->withoutLevel, "No level for live echoes: the picture stays the recorded one");

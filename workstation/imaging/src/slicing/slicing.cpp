@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ew/imaging/effects/stretch.h"
+#include "ew/imaging/frame_stack.h"
 #include "row_sampler.h"
 
 namespace ew {
@@ -113,6 +114,13 @@ void sliceZoomedIn(const SliceSource& source, const ImageToVoxel& imageToVoxel, 
 void sliceClipped(Quality quality, const SliceSource& source, const ImageToVoxel& imageToVoxel, const Clipping& clipping, Rows asked,
                   ImageView<std::uint8_t> out, SliceScratch& scratch) {
   if (out.width < 1 || out.height < 1) return;
+  if (source.frames != nullptr) {
+    for (int y = asked.begin; y < asked.end; ++y)
+      for (const RowSpan& span : clipping.of(y))
+        source.frames->sampleRow(quality, glm::dvec3(imageToVoxel.matrix * glm::dvec4(0.0, y, 0.0, 1.0)),
+                                 glm::dvec3(imageToVoxel.matrix[0]), span, out.row(y));
+    return;
+  }
   if (quality != Quality::weave) return slicePlane(quality, source, imageToVoxel, clipping, asked, out, scratch);
   const int columns = voxelSizedSamples(out.width, glm::length(glm::dvec3(imageToVoxel.matrix[0])));
   const int rows = voxelSizedSamples(out.height, glm::length(glm::dvec3(imageToVoxel.matrix[1])));
@@ -164,6 +172,13 @@ void sliceBand(Quality quality, const SliceSource& source, const ImageToVoxel& i
 
 void sampleRows(Quality quality, const SliceSource& source, std::span<const SampleRow> rows, ImageView<std::uint8_t> out,
                 SliceScratch& scratch) {
+  if (source.frames != nullptr) {
+    for (const SampleRow& row : rows) {
+      EW_EXPECTS(row.row >= 0 && row.row < out.height && row.span.begin >= 0 && row.span.end <= out.width);
+      source.frames->sampleRow(quality, row.start_voxel, row.step_voxel, row.span, out.row(row.row));
+    }
+    return;
+  }
   int width = 0;
   for (const SampleRow& row : rows) width = std::max(width, row.span.end);
   const SliceSource chosen = source.inLayoutFor(classOf(quality, rows));

@@ -10,6 +10,7 @@
 #include "access/sealed_index.h"
 #include "access/trainee_view.h"
 #include "case/echo_files.h"
+#include "case/frame_files.h"
 #include "case/handed_on.h"
 #include "case/manifest.h"
 #include "case/revisions.h"
@@ -111,7 +112,8 @@ class Making {
     // Tissue that moves is written along the axes of its own frame, and placed as the case is. A recording is placed now: its file is
     // called by its content, and the author's name for it stays behind.
     Case own = from_.opened;
-    if (!own.volume.recipe.empty() || !echoFilesOf(own).empty()) std::swap(own.volume.fileToWorld, view_.volume.fileToWorld);
+    if (!own.volume.recipe.empty() || !own.volume.frames.empty() || !echoFilesOf(own).empty())
+      std::swap(own.volume.fileToWorld, view_.volume.fileToWorld);
     auto echo = loadCaseVolume(own, loading, options_.preparation);
     if (!echo) return passOn(echo.error());
     made_.notes = std::move(echo->notes);
@@ -119,6 +121,8 @@ class Making {
     view_.scene = std::move(tissues.scene);
     if (!echo->labels || !tissues.needsLabels) view_.scene.tissues.clear();
     if (auto added = add(echo->volume, view_.volume.file, writing); !added) return added;
+    if (!own.volume.frames.empty())
+      if (auto added = addFrames(own); !added) return added;
     if (echo->labels && tissues.needsLabels) {
       for (std::uint8_t& label : echo->labels->echo) label = tissues.newLabel[label];
       if (auto added = add(*echo->labels, view_.volume.labels, noProgress()); !added) return added;
@@ -128,6 +132,21 @@ class Making {
     if (auto added = add({maps.grid, std::move(maps.level), {}}, view_.volume.level, noProgress()); !added) return added;
     if (maps.isRecorded) return {};
     return addEchoes(view_, aside_, plainSurfaces(std::move(maps)), echo->motion.get(), echoing);
+  }
+
+  /// What the file says beside the images and their places stays behind.
+  Result<void> addFrames(const Case& own) {
+    auto images = readFrames(own, noProgress());
+    if (!images) return passOn(images.error());
+    images->otherFields.clear();
+    for (SequenceFrame& each : images->frames) {
+      each.time_s.reset();
+      each.otherFields.clear();
+    }
+    auto added = addSequence(*images, aside_, noProgress());
+    if (!added) return passOn(added.error());
+    view_.volume.frames = std::move(*added);
+    return {};
   }
 
   Result<void> add(const Volume& volume, std::string& name, Progress& progress) const {

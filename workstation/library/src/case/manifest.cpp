@@ -223,6 +223,11 @@ std::vector<Error> checkManifest(const json& given, const std::filesystem::path&
     problems.push_back({ErrorCode::badField,
                         say<"'volume.labels' in case.json stands beside a recipe, which makes its own labels; take one of them out.">(),
                         {{"field", "volume.labels"}, {"expected", "no labels beside a recipe"}}});
+  checkFile(folder, volume, "frames", "volume.frames", problems);
+  if (volume.contains("frames") && !volume.contains("file"))
+    problems.push_back({ErrorCode::badField,
+                        say<"'volume.frames' in case.json stands without the volume that was made of them; take it out.">(),
+                        {{"field", "volume.frames"}, {"expected", "beside volume.file"}}});
   checkVolumeFile(folder, volume, "level", "volume.level", problems);
   if (volume.contains("level") && volume.contains("recipe"))
     problems.push_back({ErrorCode::badField,
@@ -420,6 +425,7 @@ Result<Case> caseFromManifest(const json& given, const std::filesystem::path& fo
   const json& volume = manifest["volume"];
   made.volume.file = textAt(volume, "file");
   made.volume.labels = textAt(volume, "labels");
+  made.volume.frames = textAt(volume, "frames");
   made.volume.level = textAt(volume, "level");
   made.volume.recipe = textAt(volume, "recipe");
   made.volume.recipeSpacing_mm = numberAt(volume, "recipe_spacing_mm").value_or(1.0);
@@ -473,6 +479,7 @@ ordered_json orderedManifestOf(const Case& edited) {
   ordered_json volume = ordered_json::object();
   if (!edited.volume.file.empty()) volume["file"] = edited.volume.file;
   if (!edited.volume.labels.empty()) volume["labels"] = edited.volume.labels;
+  if (!edited.volume.frames.empty()) volume["frames"] = edited.volume.frames;
   if (!edited.volume.level.empty()) volume["level"] = edited.volume.level;
   if (!edited.volume.recipe.empty()) volume["recipe"] = edited.volume.recipe;
   if (!edited.volume.recipe.empty() || edited.volume.recipeSpacing_mm != 1.0) volume["recipe_spacing_mm"] = edited.volume.recipeSpacing_mm;

@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kVolumesFolder = "volumes/";
 constexpr std::size_t kNameDigits = 16;
-constexpr std::array<std::string_view, 4> kVolumeEndings = {".mha", ".nrrd", ".nii", ".nii.gz"};
+constexpr const char* kSequenceEnding = ".igs.mha";
+constexpr std::array<std::string_view, 5> kVolumeEndings = {".mha", ".nrrd", ".nii", ".nii.gz", kSequenceEnding};
 
 /// ".mha" of "Liver.MHA", ".nii.gz" of "a.b.nii.gz".
 std::string volumeEnding(const fs::path& file) {
@@ -146,6 +147,18 @@ Result<std::string> addVolumeFile(const fs::path& file, const fs::path& caseFold
         return joinHeaderAndSamples(file, samples, to, count);
       });
     return cannotTakeIn(file);
+  });
+}
+
+Result<std::string> addSequence(const Sequence& images, const fs::path& caseFolder, Progress& progress) {
+  return guardedCase(caseFolder, [&] {
+    return putIn(caseFolder, kSequenceEnding, [&](const fs::path& to) -> Result<FileSum> {
+      PartOfProgress writing(progress, 0.0, 0.9), reading(progress, 0.9, 1.0);
+      if (auto written = writeSequence(images, to, writing); !written) return passOn(written.error());
+      std::error_code ignored;
+      ByteCount count(say<"Putting recorded images into the case">(), fs::file_size(to, ignored), reading);
+      return sumInPieces(to, count);
+    });
   });
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "case/echo_files.h"
+#include "case/frame_files.h"
 #include "case/manifest.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/case.h"
@@ -63,13 +64,18 @@ Result<Volume> readBeside(const Case& opened, const std::string& relative, const
 }
 
 Result<CaseEcho> fromFiles(const Case& opened, const fs::path& file, Progress& progress) {
-  const bool isAlone = opened.volume.labels.empty() && opened.volume.level.empty();
+  const bool isAlone = opened.volume.labels.empty() && opened.volume.level.empty() && opened.volume.frames.empty();
   PartOfProgress first(progress, 0.0, isAlone ? 1.0 : 0.5), second(progress, 0.5, 0.65), third(progress, 0.65, 0.8),
       fourth(progress, 0.8, 1.0);
   auto loaded = readVolume(file, first);
   if (!loaded) return passOn(loaded.error());
   CaseEcho read{
       .volume = std::move(loaded->volume), .labels = {}, .tissue = {}, .motion = {}, .tissues = {}, .notes = std::move(loaded->notes)};
+  if (!opened.volume.frames.empty()) {
+    auto frames = readFrameStack(opened, read.volume.grid, second);
+    if (!frames) return passOn(frames.error());
+    read.frames = std::move(*frames);
+  }
   if (!opened.volume.labels.empty()) {
     auto labels = readBeside(opened, opened.volume.labels, "volume.labels", second, read.notes);
     if (!labels) return passOn(labels.error());

@@ -69,6 +69,7 @@ fs::path targetOf(const fs::path& folder) {
 void takeIn(Case& into, const SourceInCase& put) {
   into.volume.file = put.file;
   into.volume.level = put.level;
+  into.volume.frames = put.images;
   if (put.axes) into = put.assumesAxes ? withAssumedAxes(std::move(into), *put.axes) : withSweepAxes(std::move(into), *put.axes);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ew/acquisition/recorded_images.h"
 #include "ew/core/ending.h"
 #include "ew/imaging/tissue_level.h"
 #include "ew/io/safe_file.h"
@@ -23,6 +24,7 @@ struct MadeVolume {
   std::optional<SweepAxes> axes;
   std::optional<SweepCounts> frames;
   std::vector<Message> notes;
+  std::optional<Sequence> images = {};  // recorded ones that are kept beside the volume
 };
 
 constexpr std::uint64_t kMostVoxelsToLookAt = 256ull << 20;
@@ -113,6 +115,11 @@ Result<MadeVolume> madeOf(const SweepFile& given, const fs::path&, Progress& pro
   made.notes = opened->plan.notes;
   made.axes = sweepAxesOf(posedFrames(*opened));
   made.frames = opened->plan.frames;
+  if (given.framesEvery > 0) {
+    auto images = recordedImages(*opened, given.framesEvery);
+    if (!images) return passOn(images.error());
+    made.images = *std::move(images);
+  }
   auto imported = importSweep(*std::move(opened), pasting);
   if (!imported) return passOn(imported.error());
   made.volume = std::move(imported->reconstruction.volume);
@@ -239,6 +246,9 @@ Result<NewCasePlan> planned(const SweepFile& given, bool makesLevel, Progress& p
   if (const auto axes = sweepAxesOf(posedFrames(*opened))) plan.axes = *axes;
   const Sequence& sequence = opened->sequence;
   plan.seconds += opened->readSeconds + 1.2e-7 * static_cast<double>(opened->plan.frames.used) * sequence.width * sequence.height;
+  if (given.framesEvery > 0)
+    plan.disk_bytes += (opened->plan.frames.used / static_cast<std::size_t>(given.framesEvery) + 1) *
+                       static_cast<std::uint64_t>(sequence.width) * static_cast<std::uint64_t>(sequence.height);
   plan.notes = opened->plan.notes;
   return plan;
 }
@@ -294,7 +304,13 @@ Result<SourceInCase> putSource(const CaseSource& source, bool makesLevel, const 
   if (!file) return passOn(file.error());
   const auto level = makesLevel ? addLevel(*made, caseFolder, levelling) : Result<std::string>(std::string());
   if (!level) return passOn(level.error());
-  SourceInCase put{*file, *level, made->axes, false, {}, made->frames, std::move(made->notes)};
+  std::string images;
+  if (made->images) {
+    auto added = addSequence(*made->images, caseFolder, noProgress());
+    if (!added) return passOn(added.error());
+    images = std::move(*added);
+  }
+  SourceInCase put{*file, *level, std::move(images), made->axes, false, {}, made->frames, std::move(made->notes)};
   if (!put.axes) {
     const ProbeSide side = proposedProbeSide(made->volume);
     put.axes = side.axes;

@@ -11,8 +11,9 @@ namespace ew {
 
 /// A source as it lies in a case folder.
 struct SourceInCase {
-  std::string file;   ///< "volumes/….mha"
-  std::string level;  ///< the same of its level; empty: none was wanted
+  std::string file;    ///< "volumes/….mha"
+  std::string level;   ///< the same of its level; empty: none was wanted
+  std::string images;  ///< the same of the recorded images; empty: none were wanted
   std::optional<SweepAxes> axes = {};
   bool assumesAxes = false;  ///< nobody said them; a note tells what was taken
   PlacingShape shape = {};

@@ -152,7 +152,8 @@ std::vector<std::string> unusedFiles(const Case& opened) {
   const auto files = filesOfCase(opened.folder);
   if (!files) return unused;  // publishing says what is wrong with them
   const CaseVolume& volume = opened.volume;
-  std::set<std::string> used = {kManifestName, kCardName, volume.file, volume.labels, volume.level, volume.recipe, opened.mannequin};
+  std::set<std::string> used = {kManifestName, kCardName,    volume.file,   volume.labels,
+                                volume.frames, volume.level, volume.recipe, opened.mannequin};
   used.insert(volume.sweeps.begin(), volume.sweeps.end());
   for (std::string& each : echoFilesOf(opened)) used.insert(std::move(each));
   for (const CaseExamination& each : opened.previousExaminations) used.insert(each.pictures.begin(), each.pictures.end());

@@ -608,7 +608,8 @@ std::vector<fs::path> Opener::sources() const {
   std::vector<fs::path> all = shownFrom_;
   if (const auto& opened = document_.current()) {
     all.push_back(opened->folder / "case.json");
-    for (const std::string& named : {opened->volume.file, opened->volume.labels, opened->volume.level, opened->volume.recipe})
+    for (const std::string& named :
+         {opened->volume.file, opened->volume.labels, opened->volume.frames, opened->volume.level, opened->volume.recipe})
       if (!named.empty()) all.push_back(opened->folder / named);
     for (const std::string& named : echoFilesOf(*opened)) all.push_back(opened->folder / named);
   }

@@ -10,6 +10,8 @@
 
 namespace ew {
 
+class FrameStack;
+
 /// Voxels as the slicers read them, in one layout or in both; someone else owns the memory. Pictures are the same from both.
 struct SliceSource {
   const std::uint8_t* voxels = nullptr;
@@ -17,6 +19,8 @@ struct SliceSource {
   VoxelLayout layout = VoxelLayout::linear;  ///< of `voxels`
   const std::uint8_t* bricks = nullptr;      ///< the same voxels in bricks, for the slices of `choice`; null: every slice reads `voxels`
   LayoutChoice choice;
+  /// The recorded images that the voxels were made of, among these voxels: then slices read them; null: there are none.
+  const FrameStack* frames = nullptr;
 
   SliceSource() = default;
   SliceSource(const VolumeView<const std::uint8_t>& volume) : voxels(volume.data), grid(volume.grid) {}

@@ -21,6 +21,8 @@
 
 namespace ew {
 
+class FrameStack;
+
 /// `format` of case.json. A file with a larger one is refused with newerFormat; one with a smaller is read as if it had been written today,
 /// and saved so. 2: laboratory findings are a list of their own (1: examinations of the kind "laboratory"). 3: examinations, whose answers
 /// are sealed; other cases are saved with 2, so that programs that know no examinations go on reading them.
@@ -52,6 +54,7 @@ struct CaseReconstruction {
 struct CaseVolume {
   std::string file;    ///< relative to the case folder ("volumes/abdomen.mha"), or empty when a recipe makes it
   std::string labels;  ///< of a file: which tissue each voxel is (scene.tissues says what they do), on a grid of its own, or empty
+  std::string frames;  ///< of a file: the recorded images it was made of (.igs.mha), so that slices are as sharp as they, or empty
   std::string level;   ///< of a file: the mean echo of its tissue (imaging/tissue_level.h), on a grid of its own, or empty: no live echoes
   std::string recipe;  ///< virtual patient ("patient.json"), made into a volume on first start, in the cache; empty when there is a file
   double recipeSpacing_mm = 1.0;    ///< of a recipe without sweeps: it is voxelised as it is, without views, shadows or speckle of a probe
@@ -211,7 +214,8 @@ struct CaseEcho {
   std::shared_ptr<TissueMotion> motion;  ///< of that tissue; null where the patient does not move
   std::vector<TissueAcoustics> tissues;  ///< of the labels, by rising label, as the recipe has them; none for a label file
   std::vector<Message> notes;
-  bool isDraft = false;  ///< coarser than the case asks for; see PreparationOptions::draft
+  std::shared_ptr<const FrameStack> frames = {};  ///< recorded images, among the voxels of `volume`; null: there are none
+  bool isDraft = false;                           ///< coarser than the case asks for; see PreparationOptions::draft
 };
 
 struct PreparationOptions {

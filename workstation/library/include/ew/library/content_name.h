@@ -7,6 +7,7 @@
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
+#include "ew/io/sequence.h"
 
 namespace ew {
 
@@ -24,6 +25,11 @@ namespace ew {
 ///        header's of another format), notWritable (also when a file of that name holds something else), cancelled; then nothing is written
 [[nodiscard]] Result<std::string> addVolumeFile(const std::filesystem::path& file, const std::filesystem::path& caseFolder,
                                                 Progress& progress = noProgress());
+
+/// The same with recorded images, written as .igs.mha: those that a volume was made of (CaseVolume::frames).
+/// @error as writeSequence, notWritable, cancelled
+[[nodiscard]] Result<std::string> addSequence(const Sequence& images, const std::filesystem::path& caseFolder,
+                                              Progress& progress = noProgress());
 
 /// The same with a volume in memory, written as .mha. @error as writeVolume, notWritable, cancelled
 [[nodiscard]] Result<std::string> addVolume(const Volume& volume, const std::filesystem::path& caseFolder,

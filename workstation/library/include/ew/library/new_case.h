@@ -34,6 +34,7 @@ struct SweepFile {
   std::filesystem::path calibration = {};  ///< device set; empty: the recording says everything itself
   std::optional<Clip> clip = {};           ///< which pixels are image; absent: as device set or recording say
   bool acceptsSmall = false;               ///< makes it also when less than a tenth of pixels or frames is used (KeptShare)
+  int framesEvery = 0;                     ///< keeps every so many of its images beside the volume, as sharp as they were; 0: none
   bool looksForFan = true;                 ///< when nobody says it: the fan that is found in the images (fanOf); else whole frames
 };
 

@@ -21,6 +21,7 @@
 
 namespace ew {
 struct Provenance;
+class FrameStack;
 
 /// Voxels to scan, in the layout that slicing reads fastest. Copies share them; nobody changes them.
 class ScanVoxels {
@@ -38,6 +39,10 @@ class ScanVoxels {
                                                         const std::optional<LayoutTimes>& times, Progress& progress = noProgress());
   /// Bricks in `levels` resolutions for every slice, whatever they cost. @error as bricksOf
   [[nodiscard]] static Result<ScanVoxels> inBricks(std::shared_ptr<const Volume> volume, int levels, Progress& progress = noProgress());
+  /// From here on slices read these recorded images, which lie among the voxels, and no voxels.
+  void readFrom(std::shared_ptr<const FrameStack> frames) { frames_ = std::move(frames); }
+  /// Null: slices read voxels.
+  [[nodiscard]] const std::shared_ptr<const FrameStack>& frames() const { return frames_; }
   /// Voxels that stay in their file.
   [[nodiscard]] static ScanVoxels of(std::shared_ptr<const MappedVolume> mapped);
 
@@ -62,6 +67,7 @@ class ScanVoxels {
   std::shared_ptr<const Volume> volume_;
   std::shared_ptr<const BrickedVolume> bricks_;
   std::shared_ptr<const MappedVolume> mapped_;
+  std::shared_ptr<const FrameStack> frames_;
   std::optional<LayoutTimes> layoutTimes_;
 };
 
