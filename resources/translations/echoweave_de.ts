@@ -83,6 +83,58 @@
 <context>
     <name>ew::Message</name>
     <message>
+        <source>The recorded images of a volume cannot be sliced: %1.</source>
+        <translation>Die aufgenommenen Bilder eines Volumens lassen sich nicht schneiden: %1.</translation>
+    </message>
+    <message>
+        <source>there are fewer than two</source>
+        <translation>es sind weniger als zwei</translation>
+    </message>
+    <message>
+        <source>they have too few pixels</source>
+        <translation>sie haben zu wenige Pixel</translation>
+    </message>
+    <message>
+        <source>one of them lies nowhere</source>
+        <translation>eines von ihnen liegt nirgends</translation>
+    </message>
+    <message>
+        <source>one of them is flat</source>
+        <translation>eines von ihnen ist platt</translation>
+    </message>
+    <message>
+        <source>No image of the recording has a pose, so none can be kept.</source>
+        <translation>Kein Bild der Aufnahme hat eine Pose, daher kann keines behalten werden.</translation>
+    </message>
+    <message>
+        <source>'volume.frames' in case.json must name %1.</source>
+        <translation>„volume.frames“ in case.json muss %1 nennen.</translation>
+    </message>
+    <message>
+        <source>at least two recorded images</source>
+        <translation>mindestens zwei aufgenommene Bilder</translation>
+    </message>
+    <message>
+        <source>recorded images whose x runs towards the marker and y away from the probe (MF)</source>
+        <translation>aufgenommene Bilder, deren x zur Markierung und deren y vom Schallkopf weg läuft (MF)</translation>
+    </message>
+    <message>
+        <source>recorded images each of which has an ImageToReferenceTransform and no other</source>
+        <translation>aufgenommene Bilder, von denen jedes eine ImageToReferenceTransform und keine andere hat</translation>
+    </message>
+    <message>
+        <source>recorded images, and not poses alone</source>
+        <translation>aufgenommene Bilder und nicht nur Posen</translation>
+    </message>
+    <message>
+        <source>'volume.frames' in case.json stands without the volume that was made of them; take it out.</source>
+        <translation>„volume.frames“ in case.json steht ohne das Volumen, das daraus gemacht wurde; das Feld herausnehmen.</translation>
+    </message>
+    <message>
+        <source>Putting recorded images into the case</source>
+        <translation>Aufgenommene Bilder kommen in den Fall</translation>
+    </message>
+    <message>
         <source>&quot;breath&quot;, &quot;pulse&quot;, &quot;bowel cosine&quot; or &quot;bowel sine&quot;</source>
         <translation>„breath“, „pulse“, „bowel cosine“ oder „bowel sine“</translation>
     </message>
@@ -9987,8 +10039,16 @@
         <translation>Bestehensgrenzen aus gegensätzlichen Gruppen</translation>
     </message>
     <message>
-        <source>Where the scores of those who should pass and of those who should not cross. Who should pass is what raters say with a form that has a pass level, where all of them say the same: their judgement, which does not know the score.</source>
-        <translation>Wo sich die Ergebnisse derer, die bestehen sollen, und derer, die es nicht sollen, kreuzen. Wer bestehen soll, sagen Bewertende mit einem Bogen, der eine Bestehensgrenze hat, wo alle dasselbe sagen: ihr Urteil, das vom Ergebnis nichts weiß.</translation>
+        <source>Where the scores of those who should pass and of those who should not cross. Who should pass is what an instructor has said of an attempt; else what raters say with a form that has a pass level, where all of them say the same. Neither should come from the score.</source>
+        <translation>Wo sich die Ergebnisse derer, die bestehen sollen, und derer, die es nicht sollen, kreuzen. Wer bestehen soll, hat eine Lehrkraft zu einem Versuch angegeben; sonst sagen es Bewertende mit einem Bogen, der eine Bestehensgrenze hat, wo alle dasselbe sagen. Beides sollte nicht aus dem Ergebnis kommen.</translation>
+    </message>
+    <message>
+        <source>What instructors have said of attempts cannot be read, so raters' word alone counts: %1</source>
+        <translation>Was Lehrkräfte zu Versuchen angegeben haben, kann nicht gelesen werden; darum gilt nur, was Bewertende sagen: %1</translation>
+    </message>
+    <message>
+        <source>through the task</source>
+        <translation>über die Aufgabe</translation>
     </message>
     <message>
         <source>No level can be suggested: %1 attempts should pass and %2 should not; each group needs two or more with scores that differ, and those who should pass have to score higher.</source>
@@ -23134,6 +23194,14 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Weglassen, was um den Fächer liegt</translation>
     </message>
     <message>
+        <source>Keep the recorded images</source>
+        <translation>Die aufgenommenen Bilder behalten</translation>
+    </message>
+    <message>
+        <source>Scans then read the images themselves, not the voxels made of them: as sharp as they were recorded. The case becomes larger by about a third of the recording.</source>
+        <translation>Schnitte lesen dann die Bilder selbst statt der Voxel daraus: so scharf wie aufgenommen. Der Fall wird um etwa ein Drittel der Aufnahme größer.</translation>
+    </message>
+    <message>
         <source>Where the recording does not say it, the fan is found in its images. Without this the black around it counts as tissue without echoes.</source>
         <translation>Wo die Aufnahme ihn nicht nennt, wird der Fächer in ihren Bildern gefunden. Ohne dies gilt das Schwarz um ihn als Gewebe ohne Echos.</translation>
     </message>
@@ -23825,24 +23893,24 @@ Zeit: %3</translation>
         <translation>unbekannt</translation>
     </message>
     <message>
-        <source>not yet</source>
-        <translation>noch nicht</translation>
+        <source>should not</source>
+        <translation>soll nicht</translation>
     </message>
     <message>
-        <source>competent</source>
-        <translation>sicher</translation>
+        <source>should pass</source>
+        <translation>soll bestehen</translation>
     </message>
     <message>
         <source>The two groups part at %1 (95 % interval %2 to %3).</source>
         <translation>Die beiden Gruppen trennen sich bei %1 (95-%-Intervall %2 bis %3).</translation>
     </message>
     <message>
-        <source>These two groups do not suggest a level: those who should pass do not score higher, or no score differs.</source>
-        <translation>Diese beiden Gruppen legen keine Grenze nahe: Wer bestehen sollte, hat nicht mehr Punkte, oder die Punkte sind alle gleich.</translation>
+        <source>These two groups do not suggest a level: those who should pass do not score higher, or all of a group have one score.</source>
+        <translation>Diese beiden Gruppen legen keine Grenze nahe: Wer bestehen soll, hat nicht mehr Punkte, oder in einer Gruppe haben alle gleich viele.</translation>
     </message>
     <message>
-        <source>Two of each group at least are needed: %1 competent, %2 not yet.</source>
-        <translation>Von jeder Gruppe sind mindestens zwei nötig: %1 sicher, %2 noch nicht.</translation>
+        <source>Two of each group at least are needed: %1 should pass, %2 should not.</source>
+        <translation>Von jeder Gruppe sind mindestens zwei nötig: %1 sollen bestehen, %2 nicht.</translation>
     </message>
     <message>
         <source>Back to the scans</source>
@@ -23881,8 +23949,8 @@ Zeit: %3</translation>
         <translation>Bestehensgrenze dieses Schritts</translation>
     </message>
     <message>
-        <source>To find a pass level, say of people you know how they stand; the level then lies where both groups part.</source>
-        <translation>Um eine Bestehensgrenze zu finden, geben Sie an, wie bekannte Personen stehen; die Grenze liegt dann dort, wo sich beide Gruppen trennen.</translation>
+        <source>To find a pass level, say of people you know whether they should pass; the level then lies where both groups part.</source>
+        <translation>Um eine Bestehensgrenze zu finden, geben Sie an, ob bekannte Personen bestehen sollen; die Grenze liegt dann dort, wo sich beide Gruppen trennen.</translation>
     </message>
     <message>
         <source>Attempts at this step</source>
@@ -23917,8 +23985,8 @@ Zeit: %3</translation>
         <translation>%1: %2 Versuche</translation>
     </message>
     <message>
-        <source>Every step that was ended was passed.</source>
-        <translation>Jeder beendete Schritt wurde bestanden.</translation>
+        <source>Nobody failed a step that counts.</source>
+        <translation>An keinem Schritt, der zählt, ist jemand gescheitert.</translation>
     </message>
     <message>
         <source>Most fail at “%1”: %2 of %3 who ended it did not pass.</source>
@@ -23943,6 +24011,34 @@ Zeit: %3</translation>
     <message>
         <source>Median %1, mean %2, from %3 to %4 %5</source>
         <translation>Median %1, Mittel %2, von %3 bis %4 %5</translation>
+    </message>
+    <message>
+        <source>No step was judged yet.</source>
+        <translation>Noch wurde kein Schritt bewertet.</translation>
+    </message>
+    <message>
+        <source>%1: does not count in the score</source>
+        <translation>%1: Zählt nicht im Ergebnis</translation>
+    </message>
+    <message>
+        <source>This step does not count in the score, so no level is suggested.</source>
+        <translation>Dieser Schritt zählt nicht im Ergebnis; darum wird keine Grenze vorgeschlagen.</translation>
+    </message>
+    <message>
+        <source>What you say here is kept in the library and counts before what raters say</source>
+        <translation>Was Sie hier angeben, wird in der Bibliothek aufbewahrt und gilt vor dem, was Bewertende sagen</translation>
+    </message>
+    <message>
+        <source>as raters say</source>
+        <translation>wie Bewertende sagen</translation>
+    </message>
+    <message>
+        <source>should pass, by raters</source>
+        <translation>soll bestehen (Bewertung)</translation>
+    </message>
+    <message>
+        <source>should not, by raters</source>
+        <translation>soll nicht (Bewertung)</translation>
     </message>
 </context>
 <context>

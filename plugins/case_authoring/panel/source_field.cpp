@@ -83,6 +83,7 @@ SourceField::SourceField(sdk::Host& host, bool offersNothing, QWidget* parent)
   });
   connect(spacing_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &SourceField::changed);
   connect(fan_, &QCheckBox::toggled, this, &SourceField::changed);
+  connect(images_, &QCheckBox::toggled, this, &SourceField::changed);
   connect(calibration_, &QLineEdit::textChanged, this, &SourceField::lookSoon);
   connect(timeStep_, QOverload<int>::of(&QSpinBox::valueChanged), this, &SourceField::lookSoon);
   connect(acceptsSmall_, &QCheckBox::toggled, this, &SourceField::lookSoon);
@@ -153,6 +154,12 @@ void SourceField::addSweep() {
          "echoes."));
   fan_->setChecked(true);
   layout()->addWidget(fan_);
+  images_ = new QCheckBox(tr("Keep the recorded images"));
+  images_->setObjectName(QStringLiteral("sourceImages"));
+  images_->setToolTip(
+      tr("Scans then read the images themselves, not the voxels made of them: as sharp as they were recorded. The case becomes larger by "
+         "about a third of the recording."));
+  layout()->addWidget(images_);
 }
 
 void SourceField::addAsked() {
@@ -242,6 +249,7 @@ Result<CaseSource> SourceField::source() const {
   if (auto* sweep = std::get_if<SweepFile>(&*found)) {
     if (spacing_->value() > 0.0) sweep->spacing_mm = spacing_->value();
     sweep->looksForFan = fan_->isChecked();
+    sweep->framesEvery = images_->isChecked() ? 1 : 0;
     sweep->acceptsSmall = asksSmall_ && acceptsSmall_->isChecked();
     sweep->calibration = std::filesystem::path(calibration_->text().trimmed().toStdString());
   } else if (auto* volume = std::get_if<VolumeFile>(&*found)) {
@@ -401,6 +409,7 @@ void SourceField::look() {
   }
   sweepRow_->setVisible(kind() == Kind::sweep);
   fan_->setVisible(kind() == Kind::sweep);
+  images_->setVisible(kind() == Kind::sweep);
   giveUpLook();
   if (!source() || kind() == Kind::nothing) {
     soon_.stop();

@@ -83,6 +83,7 @@ class SourceField final : public QWidget {
   QWidget* sweepRow_ = nullptr;
   sdk::NumberField* spacing_ = nullptr;
   QCheckBox* fan_ = nullptr;
+  QCheckBox* images_ = nullptr;
   QLineEdit* calibration_ = nullptr;
   QLabel* remark_ = nullptr;
   std::optional<sdk::ShownVolume> shown_;
