@@ -12,8 +12,8 @@ namespace ew::review::class_attempts_test {
 namespace {
 
 namespace fs = std::filesystem;
-using test::ratingOf;
-using test::smallForm;
+using ew::test::ratingOf;
+using ew::test::smallForm;
 
 /// A class with everything that two statistics could see differently: steps that are only read, steps of weight 0, skipped, unreached and
 /// handed-in ones, metrics of an older version, attempts that were never scored, raters who agree and do not, and standings that an
@@ -72,12 +72,12 @@ class MixedClass : public ::testing::Test {
     return {classFiguresOf(all, lesson.standings), classReport(all, lesson, *Pseudonyms::ofLibrary(library()))};
   }
 
-  test::AssessedWorld world_;
+  ew::test::AssessedWorld world_;
   AssessmentPlan plan_;
   std::vector<fs::path> attempts_;
 
  private:
-  fs::path keep(const std::vector<test::AssessedWorld::Tried>& steps) {
+  fs::path keep(const std::vector<ew::test::AssessedWorld::Tried>& steps) {
     attempts_.push_back(world_.keep("20261101-10000" + std::to_string(attempts_.size()) + "-aaaaaaaa", steps));
     return attempts_.back();
   }
@@ -112,7 +112,7 @@ class MixedClass : public ::testing::Test {
     Attempt attempt = KeptAttempt::open(folder)->attempt();
     for (StepOutcome& outcome : attempt.outcomes)
       if (outcome.stepId == "plane") outcome.figures = {{"angle", 12.5, "deg"}};
-    test::writeText(folder / "attempt.json", jsonOf(attempt).dump());
+    ew::test::writeText(folder / "attempt.json", jsonOf(attempt).dump());
   }
   void addSkipping() {
     for (int n = 0; n < 2; ++n)
@@ -187,7 +187,7 @@ TEST_F(MixedClass, IsShownWithoutWhatIsOnlyReadAndWithStepsThatNobodyTried) {
 }
 
 TEST_F(MixedClass, IsShownWithoutStandingsThatCannotBeRead) {
-  test::writeText(standingsFile(library()), "{");
+  ew::test::writeText(standingsFile(library()), "{");
   const auto shelf = readShelf(library(), {});
   ASSERT_TRUE(shelf) << shelf.error();
   const auto records = readClassRecords(*shelf, library());
