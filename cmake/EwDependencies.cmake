@@ -64,6 +64,13 @@ add_library(ew_cairo INTERFACE)
 add_library(ew::cairo ALIAS ew_cairo)
 target_include_directories(ew_cairo SYSTEM INTERFACE ${EW_CAIRO_INCLUDE})
 target_link_libraries(ew_cairo INTERFACE ${EW_cairo})
+# Pango by its pkg-config file: headers of GLib's stand in a folder of the processor's. Not its imported target, which brings -pthread.
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(EW_PANGO REQUIRED pangocairo)
+add_library(ew_pango INTERFACE)
+add_library(ew::pango ALIAS ew_pango)
+target_include_directories(ew_pango SYSTEM INTERFACE ${EW_PANGO_INCLUDE_DIRS})
+target_link_libraries(ew_pango INTERFACE ${EW_PANGO_LINK_LIBRARIES})
 # Of DCMTK likewise: its package file asks for libraries of all its parts, encryption among them.
 find_path(EW_DCMTK_INCLUDE dcmtk/dcmdata/dctk.h REQUIRED)
 add_library(ew_dcmtk INTERFACE)

@@ -10183,6 +10183,14 @@
         <translation>Das Bild „%1“ ist weder eine PNG- noch eine JPEG-Datei.</translation>
     </message>
     <message>
+        <source>Page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+    <message>
+        <source>There is no font on this computer, so nothing can be printed; install one, fonts-dejavu-core for instance.</source>
+        <translation>Auf diesem Rechner gibt es keine Schrift, deshalb kann nichts gedruckt werden; installieren Sie eine, zum Beispiel fonts-dejavu-core.</translation>
+    </message>
+    <message>
         <source>There are no attempts to report on.</source>
         <translation>Es gibt keine Versuche, über die zu berichten wäre.</translation>
     </message>
@@ -10971,8 +10979,8 @@
         <translation>Die Texte des Markenkörpers %1 passen nicht auf sein Blatt; machen Sie den Körper kleiner oder seine Texte kürzer.</translation>
     </message>
     <message>
-        <source>The sheet could not be drawn (%1); please report it.</source>
-        <translation>Das Blatt konnte nicht gezeichnet werden (%1); bitte melden Sie das.</translation>
+        <source>The PDF could not be drawn (%1); please report it.</source>
+        <translation>Das PDF konnte nicht gezeichnet werden (%1); bitte melden Sie das.</translation>
     </message>
     <message>
         <source>1. Print at 100 % (actual size, not fitted to the page) on stiff white paper.</source>
@@ -23813,10 +23821,6 @@ Zeit: %3</translation>
     <message>
         <source>Trainee</source>
         <translation>Lernende</translation>
-    </message>
-    <message>
-        <source>Page %1 of %2</source>
-        <translation>Seite %1 von %2</translation>
     </message>
     <message>
         <source>Review</source>

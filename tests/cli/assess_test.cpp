@@ -75,6 +75,21 @@ TEST_F(AssessCommand, RefusesAFolderWithoutAttempts) {
   EXPECT_NE(empty.err.find("There are no attempts in"), std::string::npos) << empty.err;
 }
 
+TEST_F(AssessCommand, WritesTheSameToPrintWithoutAWindow) {
+  world_.keep("20261101-100000-aaaaaaaa", tries(0.0));
+  const fs::path paper = outputs_ / "paper";
+  const Said said = run({"assess", "--pdf", paper.string(), "--report", (outputs_ / "r.json").string()});
+  EXPECT_EQ(said.status, 0) << said.err;
+  for (const std::string name : {"index.pdf", "attempt-20261101-100000-aaaaaaaa.pdf"}) {
+    EXPECT_TRUE(textOf(paper / name).starts_with("%PDF-")) << name;
+    EXPECT_EQ(textOf(paper / name).find("Somebody"), std::string::npos);
+  }
+  EXPECT_EQ(json::parse(textOf(outputs_ / "r.json"))["outputs"].size(), 2u);
+  writeText(outputs_ / "file", "");
+  EXPECT_EQ(run({"assess", "--pdf", (outputs_ / "file").string()}).status, 1) << "a file is no folder";
+  EXPECT_EQ(textOf(outputs_ / "file"), "");
+}
+
 TEST_F(AssessCommand, WritesPagesATableAndDicomReports) {
   auto measured = tries(0.0);
   measured.push_back({.step = "measure",

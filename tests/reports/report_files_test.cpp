@@ -51,12 +51,27 @@ TEST(ReportFiles, AreAPageForTheClassAndOneForEachAttemptLinkedByRelativeNames) 
   EXPECT_EQ(files->size(), 4u);
 }
 
+TEST(ReportFiles, ArePagesAndPaperOfTheSameNames) {
+  const AssessedWorld world;
+  const test::TemporaryFolder out;
+  const ReportRequest request{.attempts = keptAttempts(world), .library = world.library(), .html = out / "all", .pdf = out / "all"};
+  ASSERT_TRUE(test::succeeded(writeReports(request)));
+  EXPECT_EQ(test::namesIn(out / "all"),
+            (std::set<std::string>{"index.html", "attempt-20261101-100000-aaaaaaaa.html", "attempt-20261101-110000-bbbbbbbb.html",
+                                   "index.pdf", "attempt-20261101-100000-aaaaaaaa.pdf", "attempt-20261101-110000-bbbbbbbb.pdf"}));
+  EXPECT_TRUE(textOf(out / "all" / "index.pdf").starts_with("%PDF-"));
+  const auto files = reportFiles(request);
+  ASSERT_TRUE(test::succeeded(files));
+  EXPECT_EQ(files->size(), 6u);
+  for (const fs::path& file : *files) EXPECT_TRUE(fs::exists(file)) << file;
+}
+
 TEST(ReportFiles, AreTheSameWrittenTwiceAndOnAnyNumberOfThreads) {
   const AssessedWorld world;
   const test::TemporaryFolder out;
-  ReportRequest request{.attempts = keptAttempts(world), .library = world.library(), .html = out / "a", .threads = 1};
+  ReportRequest request{.attempts = keptAttempts(world), .library = world.library(), .html = out / "a", .pdf = out / "a", .threads = 1};
   ASSERT_TRUE(test::succeeded(writeReports(request)));
-  request.html = out / "b";
+  request.html = request.pdf = out / "b";
   request.threads = 2;
   ASSERT_TRUE(test::succeeded(writeReports(request)));
   for (const std::string& name : test::namesIn(out / "a")) EXPECT_EQ(textOf(out / "a" / name), textOf(out / "b" / name)) << name;

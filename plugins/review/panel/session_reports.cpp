@@ -6,9 +6,9 @@
 #include "ew/reports/attempt_report.h"
 #include "ew/reports/class_report.h"
 #include "ew/reports/html.h"
+#include "ew/reports/report_pdf.h"
 #include "ew/sdk/window.h"
 #include "ew/sdk/words.h"
-#include "panel/report_pdf.h"
 #include "panel/review_session.h"
 
 namespace ew::review {
@@ -18,6 +18,9 @@ using sdk::words;
 namespace {
 
 namespace fs = std::filesystem;
+
+/// What people print on where the window's locale is at home.
+PaperSize usualPaper() { return QLocale().measurementSystem() == QLocale::ImperialUSSystem ? PaperSize::letter : PaperSize::a4; }
 
 /// The attempts that a report is on, and how it is told.
 struct ReportWork {

@@ -125,6 +125,7 @@ ReportDocument attemptReport(const ReportedAttempt& one, const ReportedLesson& l
   ReportDocument document;
   document.title = say<"%1: %2">(lessonName(one.attempt, lesson), who);
   document.subtitle = joined({verbatim(lesson.caseTitle), momentWords(one.attempt.startedAt)}, " · ");
+  document.at = newestOf(one);
   auto& blocks = document.blocks;
   const AttemptResult result = one.result();
   blocks.emplace_back(factsOf(one, result, lesson, who));

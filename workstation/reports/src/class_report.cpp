@@ -123,6 +123,7 @@ ReportDocument classReport(const std::vector<ReportedAttempt>& attempts, const R
   ReportDocument document;
   document.title = say<"%1: class">(attempts.empty() ? lesson.lessonTitle : lessonName(attempts.front().attempt, lesson));
   document.subtitle = verbatim(lesson.caseTitle);
+  for (const ReportedAttempt& one : attempts) document.at = std::max(document.at, newestOf(one));
   auto& blocks = document.blocks;
   blocks.emplace_back(summaryOf(of));
   if (attempts.empty())

@@ -5,8 +5,8 @@
 #include "ew/core/chart_axis.h"
 #include "ew/reports/distribution.h"
 #include "ew/reports/report_document.h"
+#include "plot_canvas.h"
 #include "report_numbers.h"
-#include "svg_canvas.h"
 
 namespace ew::reports {
 namespace {
@@ -27,7 +27,7 @@ struct Across {
 
 Across shareAxis() { return {linearAxis(std::vector<double>{0.0, 1.0}, {.steps = 5}), true}; }
 
-void drawAxis(SvgCanvas& canvas, const Across& across, const Message& name, double top, double bottom) {
+void drawAxis(PlotCanvas& canvas, const Across& across, const Message& name, double top, double bottom) {
   for (const ChartTick& tick : across.axis.ticks) {
     const double x = across.x(tick.value);
     canvas.line(x, top, x, bottom, canvas.colours.line);
@@ -40,9 +40,11 @@ void drawAxis(SvgCanvas& canvas, const Across& across, const Message& name, doub
 double heightBelowAxis(const Message& name) { return name.empty() ? 24.0 : 42.0; }
 
 /// A level that has to be reached: a dark line across with a foot, told from the grid by its width.
-void drawLevel(SvgCanvas& canvas, double x, double top, double bottom) { canvas.line(x, top, x, bottom, canvas.colours.text, 2.0, "5 3"); }
+void drawLevel(PlotCanvas& canvas, double x, double top, double bottom) {
+  canvas.line(x, top, x, bottom, canvas.colours.text, 2.0, {5.0, 3.0});
+}
 
-void drawHistogram(SvgCanvas& canvas, const std::vector<std::size_t>& counts, double left, double right, double top, double bottom) {
+void drawHistogram(PlotCanvas& canvas, const std::vector<std::size_t>& counts, double left, double right, double top, double bottom) {
   const std::size_t most = std::max<std::size_t>(1, *std::max_element(counts.begin(), counts.end()));
   const double width = (right - left) / static_cast<double>(counts.size());
   for (std::size_t n = 0; n < counts.size(); ++n) {
@@ -75,12 +77,12 @@ int highestOf(const std::vector<Dot>& dots) {
   for (const Dot& dot : dots) highest = std::max(highest, dot.level);
   return highest;
 }
-void drawDots(SvgCanvas& canvas, const std::vector<Dot>& dots, double top, double bottom) {
+void drawDots(PlotCanvas& canvas, const std::vector<Dot>& dots, double top, double bottom) {
   const double apart = std::min(5.0, (bottom - top - 2.0 * kDotRadius) / std::max(1, highestOf(dots)));
   for (const Dot& dot : dots) canvas.circle(dot.x, bottom - kDotRadius - dot.level * apart, kDotRadius, canvas.colours.own);
 }
 
-void drawBox(SvgCanvas& canvas, const Across& across, const FiveNumbers& numbers, double y) {
+void drawBox(PlotCanvas& canvas, const Across& across, const FiveNumbers& numbers, double y) {
   const std::string& colour = canvas.colours.text;
   canvas.line(across.x(numbers.lowest), y, across.x(numbers.highest), y, colour, 1.2);
   const double left = across.x(numbers.lowerQuartile), right = across.x(numbers.upperQuartile);
@@ -101,7 +103,7 @@ Across axisOf(const StripPlot& plot) {
 
 }  // namespace
 
-double draw(SvgCanvas& canvas, const BarsPlot& plot) {
+double draw(PlotCanvas& canvas, const BarsPlot& plot) {
   const Across across = shareAxis();
   const double bottom = kRow * static_cast<double>(plot.bars.size()) + 6.0;
   drawAxis(canvas, across, {}, 2.0, bottom);
@@ -118,7 +120,7 @@ double draw(SvgCanvas& canvas, const BarsPlot& plot) {
   return bottom + heightBelowAxis({});
 }
 
-double draw(SvgCanvas& canvas, const HistogramPlot& plot) {
+double draw(PlotCanvas& canvas, const HistogramPlot& plot) {
   constexpr double kBottom = 140.0, kTop = 22.0;
   Across across = shareAxis();
   if (!plot.isShare) across = {linearAxis(std::vector<double>{plot.low, plot.high}, {.steps = 5})};
@@ -130,7 +132,7 @@ double draw(SvgCanvas& canvas, const HistogramPlot& plot) {
   return kBottom + heightBelowAxis(plot.axis);
 }
 
-double draw(SvgCanvas& canvas, const StripPlot& plot) {
+double draw(PlotCanvas& canvas, const StripPlot& plot) {
   constexpr double kStrip = 62.0;
   const Across across = axisOf(plot);
   const double bottom = kStrip * static_cast<double>(plot.rows.size()) + 4.0;

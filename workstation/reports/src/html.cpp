@@ -3,6 +3,7 @@
 #include "ew/io/safe_file.h"
 #include "ew/reports/picture_file.h"
 #include "html_style.h"
+#include "report_words.h"
 
 namespace ew {
 namespace {
@@ -19,22 +20,6 @@ std::string wordOf(ReportTone tone) {
       return "bad";
     case ReportTone::caution:
       return "caution";
-  }
-  return {};
-}
-
-/// Beside the colour.
-std::string signOf(ReportTone tone) {
-  switch (tone) {
-    case ReportTone::plain:
-    case ReportTone::soft:
-      return "•";
-    case ReportTone::good:
-      return "✓";
-    case ReportTone::bad:
-      return "✗";
-    case ReportTone::caution:
-      return "!";
   }
   return {};
 }
@@ -96,7 +81,8 @@ class PageWriter {
     if (list.items.empty()) return;
     html_ += "<ul>";
     for (const ReportItem& item : list.items)
-      html_ += "<li><span" + classOf(("sign " + wordOf(item.tone))) + ">" + signOf(item.tone) + "</span>" + text(item.text) + "</li>";
+      html_ +=
+          "<li><span" + classOf(("sign " + wordOf(item.tone))) + ">" + reports::signOf(item.tone) + "</span>" + text(item.text) + "</li>";
     html_ += "</ul>";
   }
   void write(const ReportFacts& facts) {

@@ -11,6 +11,7 @@
 #include "ew/reports/class_report.h"
 #include "ew/reports/csv.h"
 #include "ew/reports/html.h"
+#include "ew/reports/report_pdf.h"
 #include "page_names.h"
 #include "report_words.h"
 
@@ -40,6 +41,9 @@ std::string pageOf(const Attempt& attempt, std::set<std::string>& taken) {
   for (int n = 2; !taken.insert(page).second; ++n) page = name + "-" + std::to_string(n) + ".html";
   return page;
 }
+
+/// What a page is called on paper.
+fs::path paperOf(const std::string& page) { return fs::path(page).replace_extension(".pdf"); }
 
 Result<Read> readClasses(const ReportRequest& request, Progress& progress) {
   if (request.attempts.empty()) return failure(ErrorCode::badUsage, say<"There are no attempts to report on.">());
@@ -105,7 +109,7 @@ class Writing {
   Result<void> all(const Read& read) {
     auto codes = Pseudonyms::ofLibrary(request_.library);
     if (!codes) return passOn(codes.error());
-    if (!request_.html.empty())
+    if (!request_.html.empty() || !request_.pdf.empty())
       if (auto written = pages(read, *codes); !written) return written;
     if (request_.csv.empty()) return {};
     std::vector<ReportedAttempt> attempts;
@@ -121,6 +125,16 @@ class Writing {
     return writeFileSafely(file, text);
   }
 
+  /// A report as every kind that was asked for. @param page its name as a page
+  Result<void> write(const std::string& page, const ReportDocument& document) const {
+    if (!request_.html.empty())
+      if (auto written = write(request_.html / page, htmlOf(document, request_.options)); !written) return written;
+    if (request_.pdf.empty()) return {};
+    const auto pdf = pdfOf(document, request_.options);
+    if (!pdf) return passOn(pdf.error());
+    return write(request_.pdf / paperOf(page), *pdf);
+  }
+
   Result<void> pages(const Read& read, const Pseudonyms& codes) {
     const auto& classes = read.classes;
     std::vector<ReportedLesson> lessons;
@@ -131,13 +145,13 @@ class Writing {
         document.links = {{say<"All lessons">(), kIndex}};
       else
         document.blocks.insert(document.blocks.begin(), read.leftOut.begin(), read.leftOut.end());
-      if (auto written = write(request_.html / one.page, htmlOf(document, request_.options)); !written) return written;
+      if (auto written = write(one.page, document); !written) return written;
       if (auto written = attemptPages(one, lessons.back(), codes); !written) return written;
     }
     if (classes.size() == 1) return {};
     ReportDocument index = indexOf(classes, lessons);
     index.blocks.insert(index.blocks.begin(), read.leftOut.begin(), read.leftOut.end());
-    return write(request_.html / kIndex, htmlOf(index, request_.options));
+    return write(kIndex, index);
   }
 
   Result<void> attemptPages(const Class& one, const ReportedLesson& lesson, const Pseudonyms& codes) {
@@ -148,7 +162,7 @@ class Writing {
           const auto n = static_cast<std::size_t>(task);
           auto document = attemptReport(one.attempts[n], lesson, codes, request_.options);
           document.links = {{say<"The whole class">(), one.page}};
-          const auto written = write(request_.html / one.pages[n], htmlOf(document, request_.options));
+          const auto written = write(one.pages[n], document);
           const std::lock_guard lock(guard);
           if (!written && !problem) problem = written.error();
         });
@@ -168,12 +182,14 @@ Result<std::vector<fs::path>> reportFiles(const ReportRequest& request) {
   const auto read = readClasses(request, noProgress());
   if (!read) return passOn(read.error());
   std::vector<fs::path> files;
-  if (!request.html.empty()) {
-    files.push_back(request.html / kIndex);
-    for (const Class& one : read->classes) {
-      if (one.page != kIndex) files.push_back(request.html / one.page);
-      for (const std::string& page : one.pages) files.push_back(request.html / page);
-    }
+  std::vector<std::string> pages = {kIndex};
+  for (const Class& one : read->classes) {
+    if (one.page != kIndex) pages.push_back(one.page);
+    pages.insert(pages.end(), one.pages.begin(), one.pages.end());
+  }
+  for (const std::string& page : pages) {
+    if (!request.html.empty()) files.push_back(request.html / page);
+    if (!request.pdf.empty()) files.push_back(request.pdf / paperOf(page));
   }
   if (!request.csv.empty()) files.push_back(request.csv);
   return files;

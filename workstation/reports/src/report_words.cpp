@@ -45,6 +45,21 @@ ReportTone toneOf(const AttemptResult& result) {
   return *passed ? ReportTone::good : ReportTone::bad;
 }
 
+const char* signOf(ReportTone tone) {
+  switch (tone) {
+    case ReportTone::plain:
+    case ReportTone::soft:
+      return "•";
+    case ReportTone::good:
+      return "✓";
+    case ReportTone::bad:
+      return "✗";
+    case ReportTone::caution:
+      return "!";
+  }
+  return "";
+}
+
 Message kindText(std::string_view kind) {
   if (kind == "read") return say<"Read">();
   if (kind == "watch") return say<"Watch the expert">();
@@ -63,6 +78,13 @@ Message momentWords(std::chrono::sys_seconds moment) {
   std::string text = momentText(moment).substr(0, 16);
   text[10] = ' ';
   return verbatim(text + " UTC");
+}
+
+std::optional<std::chrono::sys_seconds> newestOf(const ReportedAttempt& attempt) {
+  std::chrono::sys_seconds newest = std::max(attempt.attempt.startedAt, attempt.attempt.finishedAt.value_or(attempt.attempt.startedAt));
+  if (attempt.score) newest = std::max(newest, attempt.score->madeAt);
+  if (newest == std::chrono::sys_seconds{}) return {};
+  return newest;
 }
 
 Message figureName(const std::string& name) {

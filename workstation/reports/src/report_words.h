@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,10 +16,14 @@ namespace ew::reports {
 [[nodiscard]] ReportTone toneOf(StepVerdict verdict);
 /// Of a whole lesson.
 [[nodiscard]] ReportTone toneOf(const AttemptResult& result);
+/// Before a line of a list, beside its colour.
+[[nodiscard]] const char* signOf(ReportTone tone);
 /// Of a taskWord: "plane" is "Find a plane".
 [[nodiscard]] Message kindText(std::string_view kind);
 /// "2026-11-26 09:30 UTC"; "not known" of a moment that was never set.
 [[nodiscard]] Message momentWords(std::chrono::sys_seconds moment);
+/// When the newest thing that counts was made: the attempt or its score; nothing when no clock was set.
+[[nodiscard]] std::optional<std::chrono::sys_seconds> newestOf(const ReportedAttempt& attempt);
 /// What judging calls a figure of a task, for people: "in_picture" is "shift in the picture".
 [[nodiscard]] Message figureName(const std::string& name);
 /// The name of a metric; its id when this program does not know it.

@@ -4,14 +4,15 @@
 #include <limits>
 
 #include "ew/core/chart_axis.h"
+#include "plot_canvas.h"
 #include "report_numbers.h"
-#include "svg_canvas.h"
 
 namespace ew::reports {
 namespace {
 
 constexpr double kEdge = 18.0;
 constexpr double kHighestPath = 300.0;
+constexpr Dashes kDashed{6.0, 4.0};
 
 struct Extent {
   glm::dvec2 low{std::numeric_limits<double>::max()}, high{std::numeric_limits<double>::lowest()};
@@ -48,20 +49,17 @@ struct BodyScale {
 };
 
 /// Points that are drawn less than a unit apart are one.
-std::string lineThrough(const std::vector<glm::dvec2>& points_mm, const BodyScale& scale) {
-  std::string d;
-  glm::dvec2 last(0.0);
+std::vector<glm::dvec2> lineThrough(const std::vector<glm::dvec2>& points_mm, const BodyScale& scale) {
+  std::vector<glm::dvec2> line;
   for (std::size_t n = 0; n < points_mm.size(); ++n) {
     const glm::dvec2 at = scale.at(points_mm[n]);
     const bool isEnd = n == 0 || n + 1 == points_mm.size();
-    if (!isEnd && glm::distance(at, last) < 1.0) continue;
-    d += (n == 0 ? "M" : "L") + coordinate(at.x) + " " + coordinate(at.y);
-    last = at;
+    if (isEnd || glm::distance(at, line.back()) >= 1.0) line.push_back(at);
   }
-  return d;
+  return line;
 }
 
-void drawScaleBar(SvgCanvas& canvas, double perMm, double y) {
+void drawScaleBar(PlotCanvas& canvas, double perMm, double y) {
   constexpr std::array<double, 7> kLengths_mm = {200.0, 100.0, 50.0, 20.0, 10.0, 5.0, 2.0};
   const auto fits = std::find_if(kLengths_mm.begin(), kLengths_mm.end(), [&](double length) { return length * perMm <= 130.0; });
   const double length_mm = fits == kLengths_mm.end() ? kLengths_mm.back() : *fits;
@@ -69,19 +67,19 @@ void drawScaleBar(SvgCanvas& canvas, double perMm, double y) {
   canvas.text(kEdge + length_mm * perMm + 8.0, y + 4.0, Anchor::start, joined({numeral(fixedText(length_mm, 0)), verbatim("mm")}));
 }
 
-void drawPath(SvgCanvas& canvas, const PathPlot::Path& path, const BodyScale& scale) {
+void drawPath(PlotCanvas& canvas, const PathPlot::Path& path, const BodyScale& scale) {
   const std::string& colour = path.isReference ? canvas.colours.reference : canvas.colours.own;
-  for (const auto& piece : path.pieces_mm) canvas.path(lineThrough(piece, scale), colour, 2.0, path.isReference ? "6 4" : "");
+  for (const auto& piece : path.pieces_mm) canvas.path(lineThrough(piece, scale), colour, 2.0, path.isReference ? kDashed : Dashes());
   if (path.pieces_mm.empty()) return;
   const glm::dvec2 begin = scale.at(path.pieces_mm.front().front()), end = scale.at(path.pieces_mm.back().back());
   canvas.circle(begin.x, begin.y, 5.0, colour, false);
   canvas.rectangle(end.x - 4.0, end.y - 4.0, 8.0, 8.0, colour);
 }
 
-double drawLegend(SvgCanvas& canvas, const PathPlot& plot, double y) {
+double drawLegend(PlotCanvas& canvas, const PathPlot& plot, double y) {
   for (const PathPlot::Path& path : plot.paths) {
     const std::string& colour = path.isReference ? canvas.colours.reference : canvas.colours.own;
-    canvas.line(kEdge, y - 4.0, kEdge + 30.0, y - 4.0, colour, 2.0, path.isReference ? "6 4" : "");
+    canvas.line(kEdge, y - 4.0, kEdge + 30.0, y - 4.0, colour, 2.0, path.isReference ? kDashed : Dashes());
     canvas.fitted(kEdge + 38.0, y, kPlotWidth - kEdge, path.label);
     y += 20.0;
   }
@@ -91,7 +89,7 @@ double drawLegend(SvgCanvas& canvas, const PathPlot& plot, double y) {
 
 }  // namespace
 
-double draw(SvgCanvas& canvas, const PathPlot& plot) {
+double draw(PlotCanvas& canvas, const PathPlot& plot) {
   const Extent extent = extentOf(plot);
   if (extent.empty()) return drawLegend(canvas, plot, 20.0);
   const glm::dvec2 size = extent.high - extent.low;
@@ -108,7 +106,7 @@ double draw(SvgCanvas& canvas, const PathPlot& plot) {
   return drawLegend(canvas, plot, bottom + 46.0);
 }
 
-double draw(SvgCanvas& canvas, const TimeLinePlot& plot) {
+double draw(PlotCanvas& canvas, const TimeLinePlot& plot) {
   constexpr double kRow = 44.0;
   const double bottom = kRow * static_cast<double>(plot.rows.size()) + 4.0;
   const double minutes = plot.end_s / 60.0;

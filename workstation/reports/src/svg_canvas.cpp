@@ -9,15 +9,13 @@ namespace ew {
 namespace reports {
 namespace {
 
-constexpr double kLetterWidth = 0.56 * kTextSize;  // of a sans serif, as a mean; a little more than it takes
-
-bool beginsLetter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0u) != 0x80u; }
-
 std::string attribute(const char* name, double value) { return " " + std::string(name) + "='" + coordinate(value) + "'"; }
 
 std::string attribute(const char* name, std::string_view value) { return " " + std::string(name) + "='" + std::string(value) + "'"; }
 
-std::string dashing(std::string_view dashes) { return dashes.empty() ? std::string() : attribute("stroke-dasharray", dashes); }
+std::string dashing(const Dashes& dashes) {
+  return dashes.on > 0.0 ? attribute("stroke-dasharray", coordinate(dashes.on) + " " + coordinate(dashes.off)) : std::string();
+}
 
 std::string painting(const std::string& colour, bool isFilled) {
   return attribute("fill", isFilled ? std::string_view(colour) : "none") + attribute("stroke", colour) + attribute("stroke-width", "1.5");
@@ -37,27 +35,12 @@ const char* wordOf(Anchor anchor) {
 
 }  // namespace
 
-double widthOf(std::string_view text) {
-  return kLetterWidth * static_cast<double>(std::count_if(text.begin(), text.end(), [](char byte) { return beginsLetter(byte); }));
-}
-
 void SvgCanvas::text(double x, double y, Anchor anchor, const std::string& said, bool isSoft) {
   shapes_ += "<text" + attribute("x", x) + attribute("y", y) + attribute("text-anchor", wordOf(anchor)) +
              attribute("fill", isSoft ? colours.soft : colours.text) + ">" + htmlEscaped(said) + "</text>";
 }
 
-void SvgCanvas::fitted(double x, double y, double right, const Message& message) {
-  std::string said = words(message);
-  if (widthOf(said) > right - x) {
-    auto letters = static_cast<int>((right - x) / kLetterWidth) - 1;
-    std::size_t end = 0;
-    while (end < said.size() && (letters > 0 || !beginsLetter(said[end]))) letters -= beginsLetter(said[end++]) ? 1 : 0;
-    said = said.substr(0, end) + "…";
-  }
-  text(x, y, Anchor::start, said);
-}
-
-void SvgCanvas::line(double x1, double y1, double x2, double y2, const std::string& colour, double width, std::string_view dashes) {
+void SvgCanvas::line(double x1, double y1, double x2, double y2, const std::string& colour, double width, Dashes dashes) {
   shapes_ += "<line" + attribute("x1", x1) + attribute("y1", y1) + attribute("x2", x2) + attribute("y2", y2) + attribute("stroke", colour) +
              attribute("stroke-width", width) + dashing(dashes) + "/>";
 }
@@ -71,7 +54,9 @@ void SvgCanvas::circle(double x, double y, double radius, const std::string& col
   shapes_ += "<circle" + attribute("cx", x) + attribute("cy", y) + attribute("r", radius) + painting(colour, isFilled) + "/>";
 }
 
-void SvgCanvas::path(const std::string& d, const std::string& colour, double width, std::string_view dashes) {
+void SvgCanvas::path(const std::vector<glm::dvec2>& points, const std::string& colour, double width, Dashes dashes) {
+  std::string d;
+  for (const glm::dvec2& point : points) d += (d.empty() ? "M" : "L") + coordinate(point.x) + " " + coordinate(point.y);
   shapes_ += "<path" + attribute("d", d) + attribute("fill", "none") + attribute("stroke", colour) + attribute("stroke-width", width) +
              attribute("stroke-linejoin", "round") + attribute("stroke-linecap", "round") + dashing(dashes) + "/>";
 }

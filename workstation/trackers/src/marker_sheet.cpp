@@ -1,27 +1,16 @@
 #include "ew/trackers/marker_sheet.h"
 
-#include <cairo-pdf.h>
-
 #include <algorithm>
-#include <memory>
 #include <sstream>
 
 #include "ew/io/safe_file.h"
+#include "ew/paper/pdf_file.h"
 #include "marker_dictionary.h"
 
 namespace ew {
 namespace {
 
-constexpr double kPointsPerMm = 72.0 / 25.4;
 constexpr double kLineSpacing = 1.3;  // of the font's size
-
-struct SurfaceEnd {
-  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-};
-struct PenEnd {
-  void operator()(cairo_t* pen) const { cairo_destroy(pen); }
-};
-using Pen = std::unique_ptr<cairo_t, PenEnd>;
 
 void polygon(cairo_t* pen, const std::array<glm::dvec2, 4>& corners) {
   cairo_move_to(pen, corners[0].x, corners[0].y);
@@ -156,13 +145,7 @@ Result<void> drawPage(cairo_t* pen, const SheetPage& page, const SheetWords& wor
                      say<"The texts of the marker body %1 do not fit on its sheet; make the body smaller or its texts shorter.">(page.body),
                      {{"body", page.body}});
   cairo_restore(pen);
-  cairo_show_page(pen);
   return {};
-}
-
-cairo_status_t appendTo(void* text, const unsigned char* data, unsigned int length) {
-  static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), length);
-  return CAIRO_STATUS_SUCCESS;
 }
 
 }  // namespace
@@ -170,24 +153,17 @@ cairo_status_t appendTo(void* text, const unsigned char* data, unsigned int leng
 Result<void> writeMarkerSheet(std::span<const PaperBody> bodies, PaperSize paper, const std::filesystem::path& file,
                               const SheetWords& words, std::string_view language) {
   const SheetWords spoken = words ? words : [](const Message& message) { return message.english(); };
-  std::string pdf;
-  {
-    const glm::dvec2 upright = kPointsPerMm * sizeOf(paper);
-    const std::unique_ptr<cairo_surface_t, SurfaceEnd> surface(cairo_pdf_surface_create_for_stream(appendTo, &pdf, upright.x, upright.y));
-    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, "EchoWeave");
-    const Pen pen(cairo_create(surface.get()));
-    for (const PaperBody& body : bodies) {
-      const auto page = layOut(body, paper, language);
-      if (!page) return passOn(page.error());
-      cairo_pdf_surface_set_size(surface.get(), kPointsPerMm * page->size_mm.x, kPointsPerMm * page->size_mm.y);
-      if (auto drawn = drawPage(pen.get(), *page, spoken); !drawn) return drawn;
-    }
-    cairo_surface_finish(surface.get());
-    if (const cairo_status_t status = cairo_status(pen.get()); status != CAIRO_STATUS_SUCCESS)
-      return failure(ErrorCode::internal,
-                     say<"The sheet could not be drawn (%1); please report it.">(verbatim(cairo_status_to_string(status))));
+  PdfFile pdf(sizeOf(paper), {"EchoWeave", {}});
+  for (const PaperBody& body : bodies) {
+    const auto page = layOut(body, paper, language);
+    if (!page) return passOn(page.error());
+    pdf.setPageSize(page->size_mm);
+    if (auto drawn = drawPage(pdf.pen(), *page, spoken); !drawn) return drawn;
+    pdf.endPage();
   }
-  return writeFileSafely(file, pdf);
+  const auto bytes = pdf.finish();
+  if (!bytes) return passOn(bytes.error());
+  return writeFileSafely(file, *bytes);
 }
 
 }  // namespace ew

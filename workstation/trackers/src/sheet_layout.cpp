@@ -188,8 +188,6 @@ std::optional<SheetPage> layOutOn(const PaperBody& body, const glm::dvec2& size_
 
 }  // namespace
 
-glm::dvec2 sizeOf(PaperSize paper) { return paper == PaperSize::a4 ? glm::dvec2(210.0, 297.0) : glm::dvec2(215.9, 279.4); }
-
 Result<SheetPage> layOut(const PaperBody& body, PaperSize paper, std::string_view language) {
   const glm::dvec2 upright = sizeOf(paper);
   for (const glm::dvec2& size : {upright, glm::dvec2(upright.y, upright.x)})

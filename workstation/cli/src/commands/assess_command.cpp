@@ -26,6 +26,7 @@ struct AssessArguments {
   std::string lesson;
   std::string output;
   std::string html;
+  std::string pdf;
   std::string csv;
   std::string dicom;
   AssessOptions options;
@@ -117,11 +118,14 @@ Result<void> writeScores(const std::vector<AssessedAttempt>& all, const fs::path
   return {};
 }
 
+bool hasReports(const AssessArguments& arguments) { return !arguments.html.empty() || !arguments.pdf.empty() || !arguments.csv.empty(); }
+
 ReportRequest requestOf(const AssessArguments& arguments, const std::vector<fs::path>& folders, const fs::path& library) {
   ReportRequest request;
   request.attempts = folders;
   request.library = library;
   request.html = arguments.html;
+  request.pdf = arguments.pdf;
   request.csv = arguments.csv;
   request.options.names = arguments.names;
   request.threads = arguments.options.threads;
@@ -150,13 +154,13 @@ Result<std::size_t> writeDicom(const AssessArguments& arguments, const std::vect
 Result<void> announce(const AssessArguments& arguments, const std::vector<fs::path>& folders, const fs::path& library, Run& run) {
   if (!arguments.dicom.empty())
     if (auto made = run.outputs.announceNewFolder(arguments.dicom); !made) return made;
-  for (const std::string& folder : {arguments.output, arguments.html})
+  for (const std::string& folder : {arguments.output, arguments.html, arguments.pdf})
     if (!folder.empty())
       if (auto made = run.outputs.announceFolder(folder); !made) return made;
   if (!arguments.output.empty())
     for (const fs::path& folder : folders)
       if (auto announced = run.output(fs::path(arguments.output) / (folder.filename().string() + ".json")); !announced) return announced;
-  if (arguments.html.empty() && arguments.csv.empty()) return {};
+  if (!hasReports(arguments)) return {};
   const auto files = reportFiles(requestOf(arguments, folders, library));
   if (!files) return passOn(files.error());
   for (const fs::path& file : *files)
@@ -173,7 +177,7 @@ Result<void> writeOutputs(const AssessArguments& arguments, const std::vector<As
     if (!count) return passOn(count.error());
     run.report.quality["dicom_reports"] = *count;
   }
-  if (arguments.html.empty() && arguments.csv.empty()) return {};
+  if (!hasReports(arguments)) return {};
   const StepClock clock(run.report, "report");
   return writeReports(
       requestOf(arguments, folders, library), [&run](const fs::path& file) { return run.outputs.staged(file); }, run.progress);
@@ -227,7 +231,7 @@ Result<int> assessAll(const AssessArguments& arguments, Run& run) {
 void addAssess(CLI::App& root, Selection& selection) {
   auto arguments = std::make_shared<AssessArguments>();
   auto& app = addCommand(root, selection, "assess", "Score attempts from their raw data, as the instructors' plans say",
-                         {"assess", "assess ~/EchoWeave/attempts --lesson four-windows --html class --csv class.csv",
+                         {"assess", "assess ~/EchoWeave/attempts --lesson four-windows --html class --pdf class-to-print --csv class.csv",
                           "assess carried/20261126-093000-4f2a91c7 --again"},
                          [arguments](Run& run) { return assessAll(*arguments, run); });
   app.add_option("ATTEMPT", arguments->attempts, "Folders of attempts, or folders that hold some (those of the library)")->type_name("");
@@ -238,6 +242,7 @@ void addAssess(CLI::App& root, Selection& selection) {
       ->type_name("DIR");
   app.add_option("--html", arguments->html, "A folder for pages to read without a network: index.html, and one of each attempt")
       ->type_name("DIR");
+  app.add_option("--pdf", arguments->pdf, "A folder for the same to print: index.pdf, and one of each attempt")->type_name("DIR");
   app.add_option("--csv", arguments->csv, "A table of every step and metric")->type_name("FILE.csv");
   app.add_option("--dicom", arguments->dicom, "A new folder for what was measured, as DICOM structured reports: ATTEMPT-CASE.dcm")
       ->type_name("DIR");

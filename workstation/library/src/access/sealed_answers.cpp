@@ -21,8 +21,8 @@
 #include "ew/library/content_name.h"
 #include "ew/library/lesson_links.h"
 #include "ew/library/new_case.h"
+#include "ew/library/plain_picture.h"
 #include "files/guarded_case.h"
-#include "making/plain_picture.h"
 
 namespace ew {
 namespace {

@@ -1,4 +1,4 @@
-#include "making/plain_picture.h"
+#include "ew/library/plain_picture.h"
 
 #include <algorithm>
 #include <array>

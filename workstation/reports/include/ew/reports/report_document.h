@@ -1,7 +1,9 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -12,7 +14,7 @@
 
 namespace ew {
 
-// A report as what it says, without how it looks: made once, written as a page (html.h) and on paper (the review plugin's PDF).
+// A report as what it says, without how it looks: made once, written as a page (html.h) and on paper (report_pdf.h).
 
 /// How something is meant. Writers show it by colour and by a sign or a word, never by colour alone.
 enum class ReportTone { plain, soft, good, bad, caution };
@@ -68,6 +70,7 @@ struct ReportDocument {
   Message subtitle;                                    ///< under the title; may be empty
   std::vector<std::pair<Message, std::string>> links;  ///< to other pages of the same folder, by their file names
   std::vector<ReportBlock> blocks;
+  std::optional<std::chrono::sys_seconds> at = {};  ///< of the newest thing that it tells of: the date of a file; nothing: none
 };
 
 /// Words of a report in somebody's language.

@@ -87,7 +87,7 @@ struct PlotColours {
 [[nodiscard]] PlotColours paperColours();
 
 /// A picture of it: one `svg` element, texts escaped, 420 units wide and as high as it needs. No style sheet, no script, no links: what
-/// SVG Tiny 1.2 has, so that browsers and Qt draw the same.
+/// SVG Tiny 1.2 has.
 [[nodiscard]] std::string svgOf(const ReportPlot& plot, const PlotColours& colours,
                                 const std::function<std::string(const Message&)>& words);
 

@@ -11,13 +11,10 @@
 
 #include "ew/core/message.h"
 #include "ew/core/result.h"
+#include "ew/paper/paper_size.h"
 #include "ew/trackers/paper_body.h"
 
 namespace ew {
-
-enum class PaperSize { a4, letter };
-/// Width and height upright, mm.
-[[nodiscard]] glm::dvec2 sizeOf(PaperSize paper);
 
 /// Places on a page: mm from its upper left corner, y down, as the page is read.
 struct SheetLine {
