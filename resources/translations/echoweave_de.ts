@@ -83,6 +83,10 @@
 <context>
     <name>ew::Message</name>
     <message>
+        <source>The step does not say yet what it asks for; choose that in the lesson first.</source>
+        <translation>Der Schritt sagt noch nicht, wonach er fragt; das zuerst in der Lektion wählen.</translation>
+    </message>
+    <message>
         <source>The recorded images of a volume cannot be sliced: %1.</source>
         <translation>Die aufgenommenen Bilder eines Volumens lassen sich nicht schneiden: %1.</translation>
     </message>

@@ -107,10 +107,11 @@ void StepPage::showPoint() {
 
 void StepPage::addExpert(const WatchTask& task, ScanRecording recording) {
   expert_ = std::make_unique<ExpertPlayer>(host_, std::move(recording), task);
-  mark_ = addText({}, "expertMark");
+  // Above the text, which is longer for one mark than for another: the button stays under the hand.
   play_ = new QPushButton(tr("Play"));
   play_->setObjectName(QStringLiteral("playExpert"));
   rows_->addWidget(play_, 0, Qt::AlignLeft);
+  mark_ = addText({}, "expertMark");
   connect(play_, &QPushButton::clicked, this, [this] {
     if (!expert_) return;
     if (expert_->isPlaying())

@@ -24,6 +24,7 @@
 #include "ew/scanning/contact.h"
 #include "gui/support/window_fixture.h"
 #include "library/small_case.h"
+#include "widgets/icons.h"
 
 /// Outside of any namespace, as the macro demands.
 static void initTranslations() { Q_INIT_RESOURCE(translations); }
@@ -511,6 +512,23 @@ class WindowTest : public WindowFixture {
       const QImage console = window_->console().grab().toImage();
       QCOMPARE(qGray(console.pixel(4, console.height() - 4)) < 128, dark);
       QCOMPARE(QSettings().value(QStringLiteral("theme")).toString(), dark ? QStringLiteral("dark") : QStringLiteral("light"));
+    }
+  }
+
+  void anIconIsPaintedInTheThemeOfNow() {
+    const QIcon made = ew::ui::icon(QStringLiteral("undo"));
+    for (const bool dark : {false, true}) {
+      window_->setDarkTheme(dark);
+      const QImage painted = made.pixmap(24, 24).toImage();
+      int lightest = 0, darkest = 255;
+      for (int y = 0; y < painted.height(); ++y)
+        for (int x = 0; x < painted.width(); ++x)
+          if (qAlpha(painted.pixel(x, y)) > 200) {
+            lightest = std::max(lightest, qGray(painted.pixel(x, y)));
+            darkest = std::min(darkest, qGray(painted.pixel(x, y)));
+          }
+      QVERIFY(lightest >= darkest);  // something was painted
+      QCOMPARE(dark ? darkest > 128 : lightest < 128, true);
     }
   }
 

@@ -56,6 +56,8 @@ const typename All::value_type* named(const All& all, const std::string& name) {
 }
 
 Result<std::unique_ptr<StepWork>> notThere(const std::string& name) {
+  if (name.empty())
+    return failure(ErrorCode::badField, say<"The step does not say yet what it asks for; choose that in the lesson first.">());
   return failure(ErrorCode::badField, say<"The case has no '%1'; the lesson asks for something that is not there. Tell its author.">(name));
 }
 

@@ -5,19 +5,22 @@
 #include <QPainter>
 #include <QPixmap>
 #include <QSvgRenderer>
+#include <optional>
+#include <utility>
 
 #include "widgets/theme.h"
 
 namespace ew::ui {
 namespace {
 
-/// Renders the SVG at whatever size is asked for; a pixmap made once would blur on a dense screen.
+/// Renders the SVG at whatever size is asked for; a pixmap made once would blur on a dense screen. Without a colour of its own in that of
+/// the theme's text at the moment it is painted, so that another theme needs no new icons.
 class LineIcon final : public QIconEngine {
  public:
-  LineIcon(QByteArray svg, QColor colour) : svg_(std::move(svg)), colour_(std::move(colour)) {}
+  LineIcon(QByteArray svg, std::optional<QColor> colour) : svg_(std::move(svg)), colour_(std::move(colour)) {}
 
   void paint(QPainter* painter, const QRect& box, QIcon::Mode mode, QIcon::State) override {
-    QColor colour = colour_;
+    QColor colour = colour_.value_or(currentTheme().text);
     if (mode == QIcon::Disabled) colour.setAlphaF(0.4);
     QByteArray coloured = svg_;
     coloured.replace("currentColor", colour.name().toLatin1());
@@ -40,19 +43,21 @@ class LineIcon final : public QIconEngine {
 
  private:
   QByteArray svg_;
-  QColor colour_;
+  std::optional<QColor> colour_;
 };
+
+QIcon iconFrom(const QString& name, std::optional<QColor> colour) {
+  QFile file(QStringLiteral(":/ew/icons/%1.svg").arg(name));
+  if (!file.open(QIODevice::ReadOnly)) return {};
+  return QIcon(new LineIcon(file.readAll(), std::move(colour)));
+}
 
 }  // namespace
 
-QIcon icon(const QString& name, const QColor& colour) {
-  QFile file(QStringLiteral(":/ew/icons/%1.svg").arg(name));
-  if (!file.open(QIODevice::ReadOnly)) return {};
-  return QIcon(new LineIcon(file.readAll(), colour));
-}
+QIcon icon(const QString& name, const QColor& colour) { return iconFrom(name, colour); }
 
 QIcon iconOf(const QByteArray& svg, const QColor& colour) { return QIcon(new LineIcon(svg, colour)); }
 
-QIcon icon(const QString& name) { return icon(name, currentTheme().text); }
+QIcon icon(const QString& name) { return iconFrom(name, std::nullopt); }
 
 }  // namespace ew::ui

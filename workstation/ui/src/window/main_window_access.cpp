@@ -1,6 +1,5 @@
 // The lock for trainees on an account that they share with instructors: what the window shows while it is closed.
 #include <QMenu>
-#include <algorithm>
 
 #include "ew/library/learning.h"
 #include "ew/sdk/person.h"
@@ -109,8 +108,7 @@ void MainWindow::showAccess() {
   showRoom(kAuthor, p.authorAction);
   for (const auto& own : p.ownWorkspaces) showRoom(own.what.id, own.action);
   for (const auto& tool : p.tools) tool.action->setVisible(!locked || tool.workspace == kExplore);
-  p.toolsMenu->menuAction()->setVisible(
-      std::any_of(p.tools.begin(), p.tools.end(), [](const auto& tool) { return tool.action->isVisible(); }));
+  p.toolsMenu->menuAction()->setVisible(!p.toolsMenu->isEmpty());  // tools may also stand in the File menu
   for (QAction* action : {p.saveAction, p.saveAsAction}) action->setVisible(!locked);
   if (locked && p.workspace != kExplore) showWorkspace(kExplore);
   showTitle();
