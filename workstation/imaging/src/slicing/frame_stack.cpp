@@ -1,6 +1,7 @@
 #include "ew/imaging/frame_stack.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -18,6 +19,34 @@ constexpr std::uint32_t kParts = 256;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kBeyondEnds = 0.5;     // images that the first and the last one reach outwards
 constexpr double kNearestWithin = 1.5;  // steps between images, of a point between planes that cross
+
+/// Weights of Keys' cubic convolution (a = -1/2) over four pixels, in 1024ths, at each of kParts places between the middle two.
+constexpr std::int32_t kWhole = 1024;
+constexpr auto kKeys = [] {
+  std::array<std::array<std::int32_t, 4>, kParts> table{};
+  for (std::uint32_t n = 0; n < kParts; ++n) {
+    const double t = static_cast<double>(n) / kParts;
+    const double exact[4] = {((-0.5 * t + 1.0) * t - 0.5) * t, (1.5 * t - 2.5) * t * t + 1.0, ((-1.5 * t + 2.0) * t + 0.5) * t,
+                             (0.5 * t - 0.5) * t * t};
+    std::int32_t sum = 0;
+    for (std::size_t k : {std::size_t{0}, std::size_t{2}, std::size_t{3}}) {
+      table[n][k] = static_cast<std::int32_t>(exact[k] * kWhole + (exact[k] < 0.0 ? -0.5 : 0.5));
+      sum += table[n][k];
+    }
+    table[n][1] = kWhole - sum;  // an even grey stays as it is
+  }
+  return table;
+}();
+
+/// Around the pixel at `corner`, in 256ths of a grey level. @param line pixels of a row
+std::int32_t cubicAt(const std::uint8_t* corner, std::size_t line, std::uint32_t u, std::uint32_t v) {
+  const auto &across = kKeys[u], &down = kKeys[v];
+  const std::uint8_t* row = corner - line - 1;
+  std::int32_t sum = 0;
+  for (std::size_t n = 0; n < 4; ++n, row += line)
+    sum += down[n] * ((across[0] * row[0] + across[1] * row[1] + across[2] * row[2] + across[3] * row[3]) / 16);
+  return sum / (kWhole * kWhole / 16 / 256);
+}
 
 glm::dvec4 rowOf(const glm::dmat4& matrix, int row) { return {matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row]}; }
 
@@ -107,8 +136,14 @@ std::uint8_t FrameStack::greyAt(Quality quality, const glm::vec3& p) const {
   // Parts in 256ths: half a grey level at most where greys of 0 and 255 meet.
   const auto x = static_cast<std::uint32_t>(p.x * kParts), y = static_cast<std::uint32_t>(p.y * kParts),
              z = static_cast<std::uint32_t>(p.z * kParts);
-  const std::uint32_t u = x % kParts, v = y % kParts, w = z % kParts;
-  const std::uint8_t* corner = pixels_.data() + (z / kParts) * image + (y / kParts) * line + x / kParts;
+  const std::uint32_t u = x % kParts, v = y % kParts, w = z % kParts, i = x / kParts, j = y / kParts;
+  const std::uint8_t* corner = pixels_.data() + (z / kParts) * image + j * line + i;
+  const auto width = static_cast<std::uint32_t>(width_), height = static_cast<std::uint32_t>(height_);
+  if (quality == Quality::cubic && i > 0 && j > 0 && i + 2 < width && j + 2 < height) {
+    const auto blend = static_cast<std::int32_t>(w), parts = static_cast<std::int32_t>(kParts);
+    const std::int32_t first = cubicAt(corner, line, u, v), other = blend == 0 ? first : cubicAt(corner + image, line, u, v);
+    return static_cast<std::uint8_t>(std::clamp((first * (parts - blend) + other * blend + parts * parts / 2) / (parts * parts), 0, 255));
+  }
   const auto along = [u](const std::uint8_t* at) { return at[0] * (kParts - u) + at[1] * u; };
   const auto inImage = [&](const std::uint8_t* at) { return (along(at) * (kParts - v) + along(at + line) * v) / kParts; };
   return static_cast<std::uint8_t>((inImage(corner) * (kParts - w) + inImage(corner + image) * w + kParts * kParts / 2) /

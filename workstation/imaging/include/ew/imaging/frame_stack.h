@@ -32,7 +32,8 @@ class FrameStack {
   [[nodiscard]] std::size_t bytes() const { return pixels_.size(); }
 
   /// Samples span.begin .. span.end - 1 of a row that lies at start_voxel + n * step_voxel, n from 0; 0 where nothing was recorded. Nothing
-  /// else is written. Weave reads the nearest pixel of the nearest image; linear and cubic blend pixels and both images.
+  /// else is written. Weave reads the nearest pixel of the nearest image; linear blends pixels and both images;
+  /// cubic is cubic convolution over 4 x 4 pixels of each image (Keys, IEEE Trans. ASSP 29(6), 1981), and blends both.
   void sampleRow(Quality quality, const glm::dvec3& start_voxel, const glm::dvec3& step_voxel, const RowSpan& span,
                  std::uint8_t* row) const;
 
