@@ -134,7 +134,7 @@ class Making {
     return addEchoes(view_, aside_, plainSurfaces(std::move(maps)), echo->motion.get(), echoing);
   }
 
-  /// What the file says beside the images and their places stays behind.
+  /// Placed as the volume is. What the file says beside the images and their places stays behind.
   Result<void> addFrames(const Case& own) {
     auto images = readFrames(own, noProgress());
     if (!images) return passOn(images.error());
@@ -142,6 +142,7 @@ class Making {
     for (SequenceFrame& each : images->frames) {
       each.time_s.reset();
       each.otherFields.clear();
+      for (NamedTransform& place : each.transforms) place.matrix = own.volume.fileToWorld.matrix * place.matrix;
     }
     auto added = addSequence(*images, aside_, noProgress());
     if (!added) return passOn(added.error());
