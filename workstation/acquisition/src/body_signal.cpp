@@ -96,7 +96,7 @@ Result<BodySignal> usable(const BodySignal& signal, const Message& name) {
   return kept;
 }
 
-double medianOrZero(std::vector<double> values) { return values.empty() ? 0.0 : medianOf(values); }
+double medianOrZero(std::vector<double> values) { return values.empty() ? 0.0 : medianOf(std::move(values)); }
 
 double medianStep_s(std::span<const double> time_s) { return medianOrZero(lengthsOf(time_s)); }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "clip_spans.h"
 #include "ew/core/numbers.h"
@@ -87,7 +88,7 @@ void averageAcross(const Image<float>& from, int half, Image<float>& to) {
 float quantileOfRow(const Image<float>& image, int y, double share, std::vector<float>& sorted) {
   const auto begin = image.pixels.begin() + static_cast<std::ptrdiff_t>(indexOf(0, y, image.width));
   sorted.assign(begin, begin + image.width);
-  return valueAtRank(sorted, static_cast<std::size_t>(share * (image.width - 1) + 0.5));
+  return valueAtRank(std::span(sorted), static_cast<std::size_t>(share * (image.width - 1) + 0.5));
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ bool hardlyMoves(const ScreenStatistics& statistics, const FanOutline& outline) 
   for (std::size_t n = 0; n < inside.pixels.size(); ++n)
     if (inside.pixels[n] != 0 && mean.pixels[n] > kEcho) echoes.push_back(deviation.pixels[n]);
   if (echoes.empty()) return true;
-  return upperMedianOf(echoes) < kHardlyMoves;
+  return upperMedianOf(std::move(echoes)) < kHardlyMoves;
 }
 
 Error badStated(const char* field, Message message) { return {ErrorCode::badField, std::move(message), {{"field", field}}}; }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <opencv2/imgproc.hpp>
+#include <span>
 
 #include "ew/core/order_statistics.h"
 
@@ -65,7 +66,7 @@ cv::Mat carriedOn(const cv::Mat& lowest, const cv::Mat& inside, int reach) {
       for (int v = around.y; v < around.br().y; ++v)
         for (int u = around.x; u < around.br().x; ++u)
           if (whole.at<std::uint8_t>(v, u) != 0 && core.at<std::uint8_t>(v, u) == 0) along.push_back(lowest.at<std::uint8_t>(v, u));
-      level[static_cast<std::size_t>(labels.at<int>(y, x))] = upperMedianOf(along);
+      level[static_cast<std::size_t>(labels.at<int>(y, x))] = upperMedianOf(std::span(along));
     }
   cv::Mat result = lowest.clone();
   for (int y = 0; y < whole.rows; ++y)

@@ -23,7 +23,7 @@ Knots knotsOf(double depth_mm, double knot_mm, std::size_t count) {
   return {at, along - static_cast<double>(at)};
 }
 
-double medianOrZero(std::vector<double> values) { return values.empty() ? 0.0 : medianOf(values); }
+double medianOrZero(std::vector<double> values) { return values.empty() ? 0.0 : medianOf(std::move(values)); }
 
 /// A symmetric, positive definite system, lower half by rows. Solved in place by Cholesky's factors.
 class Normal {

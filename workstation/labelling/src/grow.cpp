@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "ew/core/contract.h"
 #include "ew/core/order_statistics.h"
@@ -123,7 +124,7 @@ class Growing {
       while (reached_mm < most_mm && isLike(glm::dvec3(seed_) + reached_mm * glm::normalize(way) * perMm_)) reached_mm += step_mm;
       ways_mm.push_back(reached_mm);
     }
-    return std::max(valueAtRank(ways_mm, ways_mm.size() / 4), 2.0 * step_mm);
+    return std::max(valueAtRank(std::span(ways_mm), ways_mm.size() / 4), 2.0 * step_mm);
   }
 
   /// Slope of the averaged echo, levels a mm.

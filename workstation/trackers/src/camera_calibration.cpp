@@ -191,7 +191,7 @@ Result<CameraCalibration> calibrateCamera(const std::vector<CharucoView>& views,
     // A picture in which the board moved or a corner was misread is far off the others.
     for (int round = 0; round < 2; ++round) {
       if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"The calibration was stopped.">());
-      const double limit_px = std::max(0.25, 3.0 * upperMedianOf(std::as_const(fit.residuals_px)));
+      const double limit_px = std::max(0.25, 3.0 * upperMedianOf(fit.residuals_px));
       bool changed = false;
       for (std::size_t n = 0, kept = 0; n < views.size(); ++n) {
         if (leftOut[n]) continue;

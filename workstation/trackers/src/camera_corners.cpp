@@ -131,7 +131,7 @@ std::optional<SideLine> lineThrough(const std::vector<glm::dvec2>& points, doubl
       squares += weights[n] * off[n] * off[n];
     }
     line.rms = std::sqrt(squares / total);
-    const double reach = 4.685 * std::max(scale, 1.4826 * upperMedianOf(std::as_const(off)));
+    const double reach = 4.685 * std::max(scale, 1.4826 * upperMedianOf(off));
     for (std::size_t n = 0; n < points.size(); ++n) {
       const double u = off[n] / reach;
       weights[n] = u < 1.0 ? (1.0 - u * u) * (1.0 - u * u) : 0.0;

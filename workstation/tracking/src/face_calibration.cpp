@@ -73,7 +73,7 @@ Result<FlatFace> flatFaceOf(std::span<const ToolReading> readings, const glm::dv
   for (int pass = 0; pass < 3; ++pass) {
     std::vector<double> leans;
     for (const TurnAndPlace& reading : *live) leans.push_back(std::acos(std::clamp(kept.tracker.dot(reading.turn * kept.tool), -1.0, 1.0)));
-    const double most = 3.0 * std::max(upperMedianOf(std::as_const(leans)), 0.1 * kDegree);
+    const double most = 3.0 * std::max(upperMedianOf(leans), 0.1 * kDegree);
     used.clear();
     for (std::size_t n = 0; n < leans.size(); ++n)
       if (leans[n] <= most) used.push_back((*live)[n]);
@@ -127,8 +127,7 @@ Result<glm::dvec3> lateralOf(std::span<const ToolReading> readings) {
                         svd.matrixV().transpose();
   std::vector<double> angles;
   for (const TurnAndPlace& reading : *live) angles.push_back(Eigen::AngleAxisd(turn.transpose() * reading.turn).angle());
-  if (upperMedianOf(std::as_const(angles)) > kWorstLean_rad)
-    return refuse(say<"The probe turned while it was slid; keep it upright against a ruler.">());
+  if (upperMedianOf(angles) > kWorstLean_rad) return refuse(say<"The probe turned while it was slid; keep it upright against a ruler.">());
   return glmOf(turn.transpose() * along);
 }
 

@@ -66,7 +66,7 @@ Result<Pivot> pivotOf(std::span<const ToolReading> readings, const PivotOptions&
   double scale = options.noise_mm;
   for (int iteration = 0; iteration < 50; ++iteration) {
     const auto distance = distancesAt(*live, at);
-    scale = std::max(options.noise_mm, upperMedianOf(std::as_const(distance)) / 1.5382);  // of three independent normal numbers
+    scale = std::max(options.noise_mm, upperMedianOf(distance) / 1.5382);  // of three independent normal numbers
     for (std::size_t n = 0; n < weight.size(); ++n) {
       const double u = distance[n] / (kTukeyWide * 1.5 * scale);
       weight[n] = u < 1.0 ? (1.0 - u * u) * (1.0 - u * u) : 0.0;

@@ -1,4 +1,3 @@
-
 #include "ew/core/order_statistics.h"
 #include "pose_filter_parts.h"
 

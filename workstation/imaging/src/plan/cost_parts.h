@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <span>
 #include <vector>
 
 #include "ew/core/order_statistics.h"
@@ -51,7 +52,7 @@ inline std::vector<Pose> posesAround(const Pose& pose, int count) {
 
 inline double median(std::vector<double>& values) {
   if (values.empty()) return 0.0;
-  return upperMedianOf(values);
+  return upperMedianOf(std::span(values));
 }
 
 /// What is measured with: one setting at a time, so that they do not share a warm cache of tables.

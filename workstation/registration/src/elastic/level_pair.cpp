@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "ew/core/contract.h"
 #include "ew/core/order_statistics.h"
@@ -205,7 +206,7 @@ bool LevelPair::doubtShadows(const NodeValues& values, Progress& progress) {
   }
   if (sorted.size() < kFewest) return true;
   // How the images differ around: gains that change slowly. Blocks far from it count little, or a shadow would become the rule beneath it.
-  const float usual = upperMedianOf(sorted);
+  const float usual = upperMedianOf(std::span(sorted));
   std::vector<float> around(map.count(), usual);
   float scale = kLeastScale;
   for (int round = 0; round < 4; ++round) {
@@ -213,7 +214,7 @@ bool LevelPair::doubtShadows(const NodeValues& values, Progress& progress) {
     for (std::size_t n = 0; n < darker.size(); ++n) {
       if (darker[n] < kUnknown) sorted.push_back(std::abs(darker[n] - around[n]));
     }
-    scale = std::max(kLeastScale, 1.48F * upperMedianOf(sorted));
+    scale = std::max(kLeastScale, 1.48F * upperMedianOf(std::span(sorted)));
     if (round == 3) break;
     BlockMap trend(*fixed_, kTrend_mm / 3.0);
     std::vector<double> sum(trend.count(), 0.0), weight(trend.count(), 0.0);

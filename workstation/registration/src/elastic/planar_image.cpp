@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "ew/core/order_statistics.h"
 
@@ -125,7 +126,7 @@ void doubtShadows(PlanarImage& image) {
       if (image.weight[n] > 0.0F) row.push_back(mean[n]);
     }
     if (row.empty()) continue;
-    usual[static_cast<std::size_t>(y)] = upperMedianOf(row);
+    usual[static_cast<std::size_t>(y)] = upperMedianOf(std::span(row));
   }
   std::vector<float> trust(count, 1.0F);
   const int shortest = static_cast<int>(std::ceil(kShortest_mm / image.pixel_mm.y));

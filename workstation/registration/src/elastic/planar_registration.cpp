@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "ew/core/order_statistics.h"
 
@@ -66,7 +67,7 @@ float medianMagnitude(const std::vector<float>& values, const std::vector<float>
   for (std::size_t n = 0; n < values.size(); n += step)
     if (weight[n] > 0.0F) scratch.push_back(std::abs(values[n]));
   if (scratch.empty()) return 0.0F;
-  return upperMedianOf(scratch);
+  return upperMedianOf(std::span(scratch));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "ew/core/order_statistics.h"
 #include "graph/graph_inputs.h"
@@ -56,7 +57,7 @@ double inflated(const Joints& joints, const Fit& fit, const std::vector<Pose>& p
   }
   const double redundancy = static_cast<double>(pairs - std::min(pairs, unknowns)) / static_cast<double>(pairs);
   if (redundancy < 0.05) return fit.varianceFactor;
-  return fit.varianceFactor * std::max(1.0 / fit.varianceFactor, upperMedianOf(squares) / (kMedianSquare * redundancy));
+  return fit.varianceFactor * std::max(1.0 / fit.varianceFactor, upperMedianOf(std::span(squares)) / (kMedianSquare * redundancy));
 }
 
 /// Along a tree of believed joints every other believed one closes a loop: its misfit there is the loop's error.

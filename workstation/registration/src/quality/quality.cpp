@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -460,8 +461,8 @@ Result<void> Assessment::goThereAndBack(const Deformation& backward) {
     if (const auto error = errorThereAndBack(n, backward)) errors.push_back(*error);
   }
   if (!errors.empty()) {
-    quality.inverseConsistencyMedian_mm = quantileOf(errors, 0.5);
-    quality.inverseConsistency95_mm = quantileOf(errors, 0.95);
+    quality.inverseConsistencyMedian_mm = quantileOf(std::span(errors), 0.5);
+    quality.inverseConsistency95_mm = quantileOf(std::span(errors), 0.95);
   }
   return {};
 }

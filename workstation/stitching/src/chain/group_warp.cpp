@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 
 #include "ew/core/order_statistics.h"
 #include "ew/core/parallel.h"
@@ -277,8 +278,8 @@ bool BendingGroup::shareWarps(Progress& progress) {
   if (!shared || progress.cancelRequested()) return false;
   std::vector<double> disagreements;
   for (const auto& slice : slices) disagreements.insert(disagreements.end(), slice.begin(), slice.end());
-  group.disagreementMedian_mm = disagreements.empty() ? 0.0 : quantileOf(disagreements, 0.5);
-  group.disagreement95_mm = disagreements.empty() ? 0.0 : quantileOf(disagreements, 0.95);
+  group.disagreementMedian_mm = disagreements.empty() ? 0.0 : quantileOf(std::span(disagreements), 0.5);
+  group.disagreement95_mm = disagreements.empty() ? 0.0 : quantileOf(std::span(disagreements), 0.95);
   return true;
 }
 
