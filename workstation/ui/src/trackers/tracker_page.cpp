@@ -390,7 +390,9 @@ void TrackerPage::showState() {
     if (state != TrackingState::live && report.since_s >= 1.0) word += tr(", for %1 s").arg(figure(report.since_s, 0));
     sentence = words(report.sentence);
     const DeviceStatus status = trackers_.deviceStatus();
-    if (state != TrackingState::live && !status.sentence.empty()) sentence = words(status.sentence) + QLatin1Char(' ') + sentence;
+    // What the link says may be what the probe was lost for.
+    const QString ofLink = words(status.sentence);
+    if (state != TrackingState::live && !sentence.contains(ofLink)) sentence = ofLink + QLatin1Char(' ') + sentence;
     if (state == TrackingState::live && !trackers_.isAligned(chosen_))
       sentence = tr("It is seen, and not yet aligned with the mannequin: 'Align…' tells it where that lies.");
   }
