@@ -83,6 +83,10 @@
 <context>
     <name>ew::Message</name>
     <message>
+        <source>the recorded images that the volume was made of (.igs.mha, orientation MF, each with one ImageToReferenceTransform into the volume&apos;s own frame) inside the case folder, as a relative path; beside a file alone. Slices read them instead of voxels, and are as sharp as they</source>
+        <translation>die aufgenommenen Bilder, aus denen das Volumen gemacht wurde (.igs.mha, Orientierung MF, jedes mit einer ImageToReferenceTransform in das eigene Koordinatensystem des Volumens), im Ordner des Falls, als relativer Pfad; nur neben einer Datei. Schnitte lesen sie statt der Voxel und sind so scharf wie sie</translation>
+    </message>
+    <message>
         <source>The step does not say yet what it asks for; choose that in the lesson first.</source>
         <translation>Der Schritt sagt noch nicht, wonach er fragt; das zuerst in der Lektion wählen.</translation>
     </message>
