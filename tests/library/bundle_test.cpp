@@ -128,6 +128,7 @@ TEST(Bundle, ThatManyTakeInAtOnceIsOneRevision) {
       char nothing = 0;
       static_cast<void>(::read(gate[0], &nothing, 1));
       const auto imported = importBundle(folder / "knee.ewcase", folder / "library");
+      if (!imported) std::fprintf(stderr, "a taker: %s\n", imported.error().sentence().c_str());  // of a process of its own
       ::_exit(!imported ? 2 : imported->wasThere ? 1 : 0);
     }
     takers.push_back(child);

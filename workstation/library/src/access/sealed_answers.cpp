@@ -112,8 +112,7 @@ class Making {
     // Tissue that moves is written along the axes of its own frame, and placed as the case is. A recording is placed now: its file is
     // called by its content, and the author's name for it stays behind.
     Case own = from_.opened;
-    if (!own.volume.recipe.empty() || !own.volume.frames.empty() || !echoFilesOf(own).empty())
-      std::swap(own.volume.fileToWorld, view_.volume.fileToWorld);
+    if (!own.volume.recipe.empty() || !echoFilesOf(own).empty()) std::swap(own.volume.fileToWorld, view_.volume.fileToWorld);
     auto echo = loadCaseVolume(own, loading, options_.preparation);
     if (!echo) return passOn(echo.error());
     made_.notes = std::move(echo->notes);

@@ -180,7 +180,11 @@ Result<PublishedCase> makeRevision(const fs::path& library, const std::string& i
     const fs::path place = folder / std::to_string(revision);
     OutputSet outputs;
     if (auto made = outputs.announceFolder(folder); !made) return passOn(made.error());
-    if (auto announced = outputs.announceNewFolder(place); !announced) return passOn(announced.error());
+    if (auto announced = outputs.announceNewFolder(place); !announced) {
+      std::error_code ignored;
+      if (attempt == kAttempts || !fs::exists(place, ignored)) return passOn(announced.error());
+      continue;  // somebody took the number between the two looks
+    }
     const fs::path aside = outputs.staged(place);
     if (auto filled = fill(aside); !filled) return passOn(outputs.inGivenNames(filled.error()));
     if (const auto opened = loadCase(aside); !opened) return passOn(outputs.inGivenNames(opened.error()));
