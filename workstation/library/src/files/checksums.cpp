@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <new>
+#include <nlohmann/json.hpp>
 
 #include "ew/core/data_file.h"
 #include "ew/core/json_fields.h"

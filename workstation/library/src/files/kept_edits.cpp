@@ -1,6 +1,7 @@
 #include "ew/library/kept_edits.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "ew/core/json_fields.h"
