@@ -15927,76 +15927,8 @@
         <translation>Nä&amp;chste Spalte</translation>
     </message>
     <message>
-        <source>&amp;Recording</source>
-        <translation>&amp;Aufnahme</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; was not opened, so what was not saved of it is kept and offered at the next start.</source>
-        <translation>„%1“ wurde nicht geöffnet; was davon nicht gespeichert war, bleibt aufgehoben und wird beim nächsten Start angeboten.</translation>
-    </message>
-    <message>
-        <source>What was recorded and measured of it comes back when it is shown, and is else offered at the next start.</source>
-        <translation>Was daran aufgezeichnet und gemessen wurde, kommt zurück, wenn es gezeigt wird, und wird sonst beim nächsten Start angeboten.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; lies in no file and is not here any more, so what was recorded and measured of it cannot be shown. It is kept in %2 and offered again at the next start.</source>
-        <translation>„%1“ liegt in keiner Datei und ist nicht mehr da; was daran aufgezeichnet und gemessen wurde, lässt sich deshalb nicht zeigen. Es bleibt in %2 aufgehoben und wird beim nächsten Start wieder angeboten.</translation>
-    </message>
-    <message>
-        <source>What was recorded or measured here is not saved yet, so what was not saved of &apos;%1&apos; before is kept and offered at the next start.</source>
-        <translation>Was hier aufgezeichnet oder gemessen wurde, ist noch nicht gespeichert; was von „%1“ früher nicht gespeichert war, bleibt deshalb aufgehoben und wird beim nächsten Start angeboten.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; could not be opened, so what was not saved of it is kept and offered at the next start.</source>
-        <translation>„%1“ ließ sich nicht öffnen; was davon nicht gespeichert war, bleibt aufgehoben und wird beim nächsten Start angeboten.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is being prepared, which takes %2. What is open stays open; you are told when the case is ready.</source>
-        <translation>„%1“ wird vorbereitet, das dauert %2. Was offen ist, bleibt offen; Sie erfahren, wenn der Fall bereit ist.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is ready.</source>
-        <translation>„%1“ ist bereit.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is shown coarsely at first and gets finer by itself, in %2.</source>
-        <translation>„%1“ wird zuerst grob gezeigt und von selbst feiner; das dauert %2.</translation>
-    </message>
-    <message>
-        <source>A recording of the scan: %1 min</source>
-        <translation>Eine Aufnahme der Untersuchung: %1 min</translation>
-    </message>
-    <message>
-        <source>An expert&apos;s scan that was being recorded for a lesson: %1 min</source>
-        <translation>Eine Untersuchung des Experten, die für eine Lektion aufgenommen wurde: %1 min</translation>
-    </message>
-    <message>
-        <source>Body</source>
-        <translation>Körper</translation>
-    </message>
-    <message>
-        <source>C&amp;onsole</source>
-        <translation>K&amp;onsole</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Verwerfen</translation>
-    </message>
-    <message>
-        <source>Gain, depth, transducer, freeze, measure</source>
-        <translation>Verstärkung, Tiefe, Schallkopf, Einfrieren, Messen</translation>
-    </message>
-    <message>
-        <source>Go on</source>
-        <translation>Weitermachen</translation>
-    </message>
-    <message>
         <source>Lessons and &amp;panels</source>
         <translation>Lektionen und &amp;Bereiche</translation>
-    </message>
-    <message>
-        <source>Looking for unsaved work</source>
-        <translation>Nach Ungespeichertem wird gesehen</translation>
     </message>
     <message>
         <source>Not now</source>
@@ -16011,88 +15943,12 @@
         <translation>Lektion beginnen</translation>
     </message>
     <message>
-        <source>Of &apos;%1&apos;:</source>
-        <translation>Zu „%1“:</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Panels</source>
-        <translation>Bereiche</translation>
-    </message>
-    <message>
-        <source>Reading what was not saved</source>
-        <translation>Ungespeichertes wird gelesen</translation>
-    </message>
-    <message>
-        <source>Show the console and the other columns</source>
-        <translation>Zeigt die Konsole und die anderen Spalten</translation>
-    </message>
-    <message>
-        <source>Show the console and the other columns (%1)</source>
-        <translation>Zeigt die Konsole und die anderen Spalten (%1)</translation>
-    </message>
-    <message>
-        <source>The expert&apos;s scan is here again. Save it, then choose it in its step of the lesson (Choose a recording…).</source>
-        <translation>Die Untersuchung des Experten ist wieder da. Sie speichern und dann in ihrem Schritt der Lektion wählen (Aufnahme wählen…).</translation>
-    </message>
-    <message>
-        <source>The lesson &apos;%1&apos;, in step %2 of %3</source>
-        <translation>Die Lektion „%1“, in Schritt %2 von %3</translation>
-    </message>
-    <message>
-        <source>The probe on the body, and what is known of the case</source>
-        <translation>Der Schallkopf auf dem Körper, und was vom Fall bekannt ist</translation>
-    </message>
-    <message>
-        <source>The program ended at %1 before this was saved; it was kept:</source>
-        <translation>Das Programm endete am %1, bevor dies gespeichert war; es wurde aufgehoben:</translation>
-    </message>
-    <message>
-        <source>The volume made from &apos;%1&apos;</source>
-        <translation>Das Volumen aus „%1“</translation>
-    </message>
-    <message>
-        <source>The volume made from &apos;%1&apos; was too large to be kept, and has to be made again.</source>
-        <translation>Das Volumen aus „%1“ war zu groß, um aufgehoben zu werden; es muss neu gemacht werden.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this; close other programs and try again.</source>
-        <translation>Dafür reicht der Speicher nicht; andere Programme schließen und noch einmal versuchen.</translation>
-    </message>
-    <message>
-        <source>The program met a problem that it did not foresee (%1). Your work is still there: save it, and please report this with what you did.</source>
-        <translation>Das Programm stieß auf ein unvorhergesehenes Problem (%1). Die Arbeit ist noch da: sie speichern, das Problem bitte melden und dabei die letzten Schritte nennen.</translation>
-    </message>
-    <message>
-        <source>The case &apos;%1&apos; has changes that are not saved.</source>
-        <translation>Der Fall „%1“ hat Änderungen, die nicht gespeichert sind.</translation>
-    </message>
-    <message>
-        <source>Several files were dropped; the first one is opened.</source>
-        <translation>Mehrere Dateien wurden abgelegt; die erste wird geöffnet.</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>&amp;Datei</translation>
-    </message>
-    <message>
         <source>&amp;Open…</source>
         <translation>Ö&amp;ffnen…</translation>
     </message>
     <message>
         <source>Open case &amp;folder…</source>
         <translation>Fall&amp;ordner öffnen…</translation>
-    </message>
-    <message>
-        <source>Open case folder</source>
-        <translation>Fallordner öffnen</translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation>&amp;Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>S&amp;tart page</source>
@@ -16119,20 +15975,12 @@
         <translation>&amp;Beenden</translation>
     </message>
     <message>
-        <source>&amp;Edit</source>
-        <translation>&amp;Bearbeiten</translation>
-    </message>
-    <message>
         <source>&amp;Undo</source>
         <translation>&amp;Rückgängig</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
         <translation>&amp;Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Ansicht</translation>
     </message>
     <message>
         <source>&amp;Explore</source>
@@ -16179,20 +16027,12 @@
         <translation>He&amp;ll</translation>
     </message>
     <message>
-        <source>La&amp;nguage</source>
-        <translation>S&amp;prache</translation>
-    </message>
-    <message>
         <source>System default</source>
         <translation>Wie das System</translation>
     </message>
     <message>
         <source>F&amp;ull screen</source>
         <translation>Vollb&amp;ild</translation>
-    </message>
-    <message>
-        <source>&amp;Scan</source>
-        <translation>&amp;Scan</translation>
     </message>
     <message>
         <source>&amp;Freeze</source>
@@ -16215,22 +16055,6 @@
         <translation>Weniger Verstärkung</translation>
     </message>
     <message>
-        <source>What is worked through or edited</source>
-        <translation>Was durchgearbeitet oder bearbeitet wird</translation>
-    </message>
-    <message>
-        <source>What was measured, on images: %1</source>
-        <translation>Gemessenes, in Bildern: %1</translation>
-    </message>
-    <message>
-        <source>What was not saved when the program ended is here again. Save what is to stay.</source>
-        <translation>Was beim Ende des Programms nicht gespeichert war, ist wieder da. Speichern, was bleiben soll.</translation>
-    </message>
-    <message>
-        <source>Worksheets with values: %1</source>
-        <translation>Arbeitsblätter mit Werten: %1</translation>
-    </message>
-    <message>
         <source>Zoom in</source>
         <translation>Vergrößern</translation>
     </message>
@@ -16243,16 +16067,8 @@
         <translation>TGC zurücksetzen</translation>
     </message>
     <message>
-        <source>&amp;Tools</source>
-        <translation>&amp;Werkzeuge</translation>
-    </message>
-    <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>&amp;Hilfe</translation>
     </message>
     <message>
         <source>&amp;Keys and mouse</source>
@@ -16267,180 +16083,16 @@
         <translation>&amp;Über EchoWeave</translation>
     </message>
     <message>
-        <source>About EchoWeave</source>
-        <translation>Über EchoWeave</translation>
-    </message>
-    <message>
-        <source>EchoWeave %1
-
-A workstation for building and using ultrasound training cases. A simulation, not for diagnosis.
-
-Apache License 2.0. Slicing and console follow D. Aiger and D. Cohen-Or, Real-Time Ultrasound Imaging Simulation, 1998.</source>
-        <translation>EchoWeave %1
-
-Ein Arbeitsplatz, um Ultraschall-Übungsfälle zu bauen und zu nutzen. Eine Simulation, nicht zur Diagnose.
-
-Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-Time Ultrasound Imaging Simulation, 1998.</translation>
-    </message>
-    <message>
         <source>Probe</source>
         <translation>Sonde</translation>
-    </message>
-    <message>
-        <source>rotate</source>
-        <translation>drehen</translation>
-    </message>
-    <message>
-        <source>back to the start</source>
-        <translation>zurück zum Anfang</translation>
     </message>
     <message>
         <source>3D view</source>
         <translation>3D-Ansicht</translation>
     </message>
     <message>
-        <source>Right drag</source>
-        <translation>Rechts ziehen</translation>
-    </message>
-    <message>
-        <source>rotate the body</source>
-        <translation>den Körper drehen</translation>
-    </message>
-    <message>
-        <source>Middle drag</source>
-        <translation>Mitte ziehen</translation>
-    </message>
-    <message>
-        <source>move the body</source>
-        <translation>den Körper verschieben</translation>
-    </message>
-    <message>
-        <source>closer, farther</source>
-        <translation>näher, weiter weg</translation>
-    </message>
-    <message>
-        <source>front, back, right, left, head</source>
-        <translation>vorn, hinten, rechts, links, Kopf</translation>
-    </message>
-    <message>
-        <source>look at the volume</source>
-        <translation>auf das Volumen sehen</translation>
-    </message>
-    <message>
-        <source>freeze</source>
-        <translation>einfrieren</translation>
-    </message>
-    <message>
-        <source>depth</source>
-        <translation>Tiefe</translation>
-    </message>
-    <message>
-        <source>gain</source>
-        <translation>Verstärkung</translation>
-    </message>
-    <message>
-        <source>zoom</source>
-        <translation>Zoom</translation>
-    </message>
-    <message>
-        <source>reset TGC</source>
-        <translation>TGC zurücksetzen</translation>
-    </message>
-    <message>
         <source>Window</source>
         <translation>Fenster</translation>
-    </message>
-    <message>
-        <source>save the case, save it elsewhere</source>
-        <translation>Fall speichern, anderswo speichern</translation>
-    </message>
-    <message>
-        <source>undo, redo</source>
-        <translation>rückgängig, wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Explore, Author</source>
-        <translation>Erkunden, Gestalten</translation>
-    </message>
-    <message>
-        <source>full screen</source>
-        <translation>Vollbild</translation>
-    </message>
-    <message>
-        <source>this page</source>
-        <translation>diese Seite</translation>
-    </message>
-    <message>
-        <source>Open a case, a volume or a sweep</source>
-        <translation>Fall, Volumen oder Schwenk öffnen</translation>
-    </message>
-    <message>
-        <source>The volume lies elsewhere in the body than its own coordinates say. Which place should the file hold?</source>
-        <translation>Das Volumen liegt im Körper woanders, als seine eigenen Koordinaten sagen. Welchen Ort soll die Datei festhalten?</translation>
-    </message>
-    <message>
-        <source>Its own coordinates keep it in place beside other volumes of the same recording.</source>
-        <translation>Mit den eigenen Koordinaten bleibt es am richtigen Ort neben anderen Volumen derselben Aufnahme.</translation>
-    </message>
-    <message>
-        <source>Its own coordinates</source>
-        <translation>Seine eigenen Koordinaten</translation>
-    </message>
-    <message>
-        <source>Its place in the body</source>
-        <translation>Seinen Ort im Körper</translation>
-    </message>
-    <message>
-        <source>Save the volume</source>
-        <translation>Das Volumen speichern</translation>
-    </message>
-    <message>
-        <source>MetaImage (*.mha *.mhd)</source>
-        <translation>MetaImage (*.mha *.mhd)</translation>
-    </message>
-    <message>
-        <source>Saving %1</source>
-        <translation>%1 wird gespeichert</translation>
-    </message>
-    <message>
-        <source>Saved to %1.</source>
-        <translation>Gespeichert als %1.</translation>
-    </message>
-    <message>
-        <source>Save the image</source>
-        <translation>Das Bild speichern</translation>
-    </message>
-    <message>
-        <source>scan</source>
-        <translation>Bild</translation>
-    </message>
-    <message>
-        <source>Images (*.png *.mha)</source>
-        <translation>Bilder (*.png *.mha)</translation>
-    </message>
-    <message>
-        <source>a volume without a case</source>
-        <translation>ein Volumen ohne Fall</translation>
-    </message>
-    <message>
-        <source>about %1 s</source>
-        <translation>etwa %1 s</translation>
-    </message>
-    <message>
-        <source>Preparing</source>
-        <translation>Wird vorbereitet</translation>
-    </message>
-    <message>
-        <source>Will be prepared, %1</source>
-        <translation>Wird noch vorbereitet, %1</translation>
-    </message>
-    <message>
-        <source>Not prepared yet, %1; open it to begin</source>
-        <translation>Noch nicht vorbereitet, %1; zum Beginnen öffnen</translation>
-    </message>
-    <message>
-        <source>Coarse at first, whole in %1</source>
-        <translation>Zuerst grob, ganz: %1</translation>
     </message>
     <message>
         <source>The window was not ready within %1 s; try a smaller volume.</source>
@@ -16449,14 +16101,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>The image cannot be written to &apos;%1&apos;; choose a folder you may write to.</source>
         <translation>Das Bild lässt sich nicht nach „%1“ schreiben; einen Ordner mit Schreibrecht wählen.</translation>
-    </message>
-    <message>
-        <source>Saved to %1, and which voxels were measured to %2.</source>
-        <translation>Gespeichert als %1, und welche Voxel gemessen wurden als %2.</translation>
-    </message>
-    <message>
-        <source>&amp;Image</source>
-        <translation>&amp;Bild</translation>
     </message>
     <message>
         <source>Focus shallower</source>
@@ -16487,16 +16131,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Weniger Persistenz</translation>
     </message>
     <message>
-        <source>&amp;Effects</source>
-        <translation>&amp;Effekte</translation>
-    </message>
-    <message>
         <source>Planes of the slice thickness</source>
         <translation>Ebenen der Schichtdicke</translation>
-    </message>
-    <message>
-        <source>&amp;Probe</source>
-        <translation>&amp;Sonde</translation>
     </message>
     <message>
         <source>Next transducer</source>
@@ -16515,10 +16151,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Richtungen der Mittelung</translation>
     </message>
     <message>
-        <source>directions of compounding</source>
-        <translation>Richtungen der Mittelung</translation>
-    </message>
-    <message>
         <source>Steer to one side</source>
         <translation>Zur einen Seite schwenken</translation>
     </message>
@@ -16529,10 +16161,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Trapezoid</source>
         <translation>Trapez</translation>
-    </message>
-    <message>
-        <source>&amp;M-mode</source>
-        <translation>&amp;M-Modus</translation>
     </message>
     <message>
         <source>B, B + M, M</source>
@@ -16555,10 +16183,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Schnellerer Durchlauf</translation>
     </message>
     <message>
-        <source>&amp;Quality</source>
-        <translation>&amp;Qualität</translation>
-    </message>
-    <message>
         <source>Cubic: sharpest</source>
         <translation>Kubisch: am schärfsten</translation>
     </message>
@@ -16571,288 +16195,24 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Nächste Seite der Konsole</translation>
     </message>
     <message>
-        <source>adaptive quality</source>
-        <translation>adaptive Qualität</translation>
-    </message>
-    <message>
-        <source>next page of the console</source>
-        <translation>nächste Seite der Konsole</translation>
-    </message>
-    <message>
         <source>Image</source>
         <translation>Bild</translation>
-    </message>
-    <message>
-        <source>focus depth</source>
-        <translation>Fokustiefe</translation>
-    </message>
-    <message>
-        <source>dynamic range</source>
-        <translation>Dynamikbereich</translation>
-    </message>
-    <message>
-        <source>grey map</source>
-        <translation>Graukurve</translation>
-    </message>
-    <message>
-        <source>persistence</source>
-        <translation>Persistenz</translation>
-    </message>
-    <message>
-        <source>M line</source>
-        <translation>M-Linie</translation>
-    </message>
-    <message>
-        <source>sweep of the M-mode</source>
-        <translation>Durchlauf des M-Modus</translation>
     </message>
     <message>
         <source>Effects and probe</source>
         <translation>Effekte und Sonde</translation>
     </message>
     <message>
-        <source>next transducer, next frequency, harmonics</source>
-        <translation>nächste Sonde, nächste Frequenz, Harmonische</translation>
-    </message>
-    <message>
-        <source>steer a linear array, trapezoid</source>
-        <translation>Linearsonde schwenken, Trapez</translation>
-    </message>
-    <message>
-        <source>All that EchoWeave reads (case.json *.ewcase *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw *.png *.jpg *.pgm *.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff);;Cases (case.json *.ewcase);;Sweeps (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumes (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;Films and recorded screens (*.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff *.dcm);;DICOM, Kretz, raw samples, images (*)</source>
-        <translation>Alles, was EchoWeave liest (case.json *.ewcase *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw *.png *.jpg *.pgm *.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff);;Fälle (case.json *.ewcase);;Schwenks (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumen (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;Filme und Bildschirmaufnahmen (*.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff *.dcm);;DICOM, Kretz, Rohdaten, Bilder (*)</translation>
-    </message>
-    <message>
         <source>Show source &amp;frame</source>
         <translation>&amp;Quellbild zeigen</translation>
-    </message>
-    <message>
-        <source>which frame a point came from</source>
-        <translation>aus welchem Bild ein Punkt stammt</translation>
-    </message>
-    <message>
-        <source>&amp;Undo: %1</source>
-        <translation>&amp;Rückgängig: %1</translation>
-    </message>
-    <message>
-        <source>&amp;Redo: %1</source>
-        <translation>&amp;Wiederholen: %1</translation>
-    </message>
-    <message>
-        <source>&amp;Save project</source>
-        <translation>Projekt &amp;speichern</translation>
-    </message>
-    <message>
-        <source>Save project &amp;as…</source>
-        <translation>Projekt speichern &amp;unter…</translation>
-    </message>
-    <message>
-        <source>The case &apos;%1&apos; was saved by another window or program since it was opened here.</source>
-        <translation>Der Fall „%1“ wurde von einem anderen Fenster oder Programm gespeichert, seit er hier geöffnet wurde.</translation>
-    </message>
-    <message>
-        <source>Save as keeps both, each in a folder of its own. Reload drops the changes made here. Overwrite drops the others&apos;.</source>
-        <translation>„Speichern unter“ behält beide, jeden in einem eigenen Ordner. „Neu laden“ verwirft die Änderungen von hier, „Überschreiben“ die anderen.</translation>
-    </message>
-    <message>
-        <source>Save as…</source>
-        <translation>Speichern unter…</translation>
-    </message>
-    <message>
-        <source>Reload</source>
-        <translation>Neu laden</translation>
-    </message>
-    <message>
-        <source>Overwrite</source>
-        <translation>Überschreiben</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is ready to be shown in its place.</source>
-        <translation>„%1“ ist bereit und würde an seiner Stelle gezeigt.</translation>
-    </message>
-    <message>
-        <source>The volume made from &apos;%1&apos; is not saved.</source>
-        <translation>Das Volumen aus „%1“ ist nicht gespeichert.</translation>
-    </message>
-    <message>
-        <source>Making it again takes as long as it did.</source>
-        <translation>Es noch einmal zu erstellen dauert so lange wie beim ersten Mal.</translation>
-    </message>
-    <message>
-        <source>The volume made from %1 is kept: View, Show the volume made from %1.</source>
-        <translation>Das Volumen aus %1 bleibt erhalten: Ansicht, Volumen aus %1 zeigen.</translation>
-    </message>
-    <message>
-        <source>Show the volume made from %1</source>
-        <translation>Volumen aus %1 zeigen</translation>
-    </message>
-    <message>
-        <source>The case &apos;%1&apos; has changes of %2 that were not saved when the program ended.</source>
-        <translation>Der Fall „%1“ hat Änderungen vom %2, die nicht gespeichert waren, als das Programm endete.</translation>
-    </message>
-    <message>
-        <source>Folder: %1</source>
-        <translation>Ordner: %1</translation>
-    </message>
-    <message>
-        <source>Open with these changes</source>
-        <translation>Mit diesen Änderungen öffnen</translation>
-    </message>
-    <message>
-        <source>Throw them away</source>
-        <translation>Verwerfen</translation>
-    </message>
-    <message>
-        <source>Decide later</source>
-        <translation>Später entscheiden</translation>
-    </message>
-    <message>
-        <source>Take over the changes of %1</source>
-        <translation>Änderungen vom %1 übernehmen</translation>
-    </message>
-    <message>
-        <source>The case &apos;%1&apos; belongs to the program.</source>
-        <translation>Der Fall „%1“ gehört zum Programm.</translation>
-    </message>
-    <message>
-        <source>Save a copy of your own: the next version of the program replaces what is changed in its own cases.</source>
-        <translation>Eine eigene Kopie speichern: Die nächste Version des Programms ersetzt, was an seinen Fällen geändert wird.</translation>
-    </message>
-    <message>
-        <source>Save a copy…</source>
-        <translation>Kopie speichern…</translation>
-    </message>
-    <message>
-        <source>Change the program&apos;s case</source>
-        <translation>Fall des Programms ändern</translation>
-    </message>
-    <message>
-        <source>Saved in %1.</source>
-        <translation>Gespeichert in %1.</translation>
-    </message>
-    <message>
-        <source>The case &apos;%1&apos; belongs to the program. It is copied to a folder of your own first, and changed there.</source>
-        <translation>Der Fall „%1“ gehört zum Programm. Er wird zuerst in einen eigenen Ordner kopiert und dort geändert.</translation>
-    </message>
-    <message>
-        <source>shipped case</source>
-        <translation>mitgelieferter Fall</translation>
-    </message>
-    <message>
-        <source>shipped case, not saved</source>
-        <translation>mitgelieferter Fall, nicht gespeichert</translation>
-    </message>
-    <message>
-        <source>Drag, arrows</source>
-        <translation>Ziehen, Pfeile</translation>
-    </message>
-    <message>
-        <source>slide over the skin, with Shift faster</source>
-        <translation>über die Haut schieben, mit Umschalt schneller</translation>
-    </message>
-    <message>
-        <source>Shift+wheel, %1</source>
-        <translation>Umschalt+Rad, %1</translation>
-    </message>
-    <message>
-        <source>rock, along the image</source>
-        <translation>schaukeln, in der Bildebene</translation>
-    </message>
-    <message>
-        <source>Wheel, %1</source>
-        <translation>Rad, %1</translation>
-    </message>
-    <message>
-        <source>tilt, out of the image</source>
-        <translation>kippen, aus der Bildebene</translation>
-    </message>
-    <message>
-        <source>Ctrl+wheel, %1</source>
-        <translation>Strg+Rad, %1</translation>
-    </message>
-    <message>
-        <source>Drag in a zoomed image</source>
-        <translation>Ziehen im vergrößerten Bild</translation>
-    </message>
-    <message>
-        <source>move the detail</source>
-        <translation>Ausschnitt verschieben</translation>
-    </message>
-    <message>
-        <source>invert left/right, up/down</source>
-        <translation>links/rechts, oben/unten spiegeln</translation>
-    </message>
-    <message>
-        <source>Ctrl+right drag</source>
-        <translation>Strg+rechts ziehen</translation>
-    </message>
-    <message>
-        <source>Double click</source>
-        <translation>Doppelklick</translation>
-    </message>
-    <message>
-        <source>in a small window: swap body and scan</source>
-        <translation>im kleinen Fenster: Körper und Schallbild tauschen</translation>
     </message>
     <message>
         <source>Settings</source>
         <translation>Einstellungen</translation>
     </message>
     <message>
-        <source>number of focal zones</source>
-        <translation>Anzahl der Fokuszonen</translation>
-    </message>
-    <message>
-        <source>edge enhancement</source>
-        <translation>Kantenanhebung</translation>
-    </message>
-    <message>
-        <source>cases</source>
-        <translation>Fälle</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>öffnen</translation>
-    </message>
-    <message>
-        <source>save the image</source>
-        <translation>Bild speichern</translation>
-    </message>
-    <message>
-        <source>scan only</source>
-        <translation>nur das Schallbild</translation>
-    </message>
-    <message>
         <source>Author</source>
         <translation>Autor</translation>
-    </message>
-    <message>
-        <source>%1, Alt+click</source>
-        <translation>%1, Alt+Klick</translation>
-    </message>
-    <message>
-        <source>nearest, linear, cubic</source>
-        <translation>nächste, linear, kubisch</translation>
-    </message>
-    <message>
-        <source>focus model</source>
-        <translation>Fokusmodell</translation>
-    </message>
-    <message>
-        <source>performance</source>
-        <translation>Leistung</translation>
-    </message>
-    <message>
-        <source>&amp;Theme</source>
-        <translation>&amp;Farben</translation>
-    </message>
-    <message>
-        <source>System language</source>
-        <translation>Sprache des Systems</translation>
-    </message>
-    <message>
-        <source>The window speaks the chosen language from the next start on. Close EchoWeave and open it again.</source>
-        <translation>Die gewählte Sprache gilt ab dem nächsten Start. EchoWeave schließen und wieder öffnen.</translation>
     </message>
     <message>
         <source>Scan &amp;only</source>
@@ -16895,26 +16255,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>&amp;Leistung…</translation>
     </message>
     <message>
-        <source>This point lies outside the image. Click a point inside the fan.</source>
-        <translation>Dieser Punkt liegt außerhalb des Bildes. Einen Punkt im Schallfächer anklicken.</translation>
-    </message>
-    <message>
-        <source>● unsaved changes</source>
-        <translation>● nicht gespeichert</translation>
-    </message>
-    <message>
-        <source>Click a point to see the recorded frame it came from</source>
-        <translation>Auf einen Punkt klicken, um das aufgenommene Bild zu sehen, aus dem er stammt</translation>
-    </message>
-    <message>
-        <source>Only a volume made here from a recorded sweep knows which frame a point came from</source>
-        <translation>Nur ein hier aus einer Aufnahme gemachtes Volumen weiß, aus welchem Bild ein Punkt stammt</translation>
-    </message>
-    <message>
-        <source>Loading thumbnails</source>
-        <translation>Vorschaubilder werden geladen</translation>
-    </message>
-    <message>
         <source>%1   depth %2 cm   gain %3 %</source>
         <translation>%1   Tiefe %2 cm   Verstärkung %3 %</translation>
     </message>
@@ -16931,30 +16271,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>cm</translation>
     </message>
     <message>
-        <source>Click a point of the picture to see the frame it came from</source>
-        <translation>Einen Punkt des Bildes anklicken, um das Bild zu sehen, aus dem er stammt</translation>
-    </message>
-    <message>
-        <source>This volume does not say which frame a voxel came from; one that is made here from a sweep does</source>
-        <translation>Dieses Volumen sagt nicht, aus welchem Bild ein Voxel stammt; eines, das hier aus einem Schwenk entsteht, sagt es</translation>
-    </message>
-    <message>
-        <source>record, end recording</source>
-        <translation>aufzeichnen, Aufzeichnung beenden</translation>
-    </message>
-    <message>
-        <source>mark this moment of a recording</source>
-        <translation>diesen Augenblick der Aufzeichnung markieren</translation>
-    </message>
-    <message>
-        <source>The probe is moved for you. Escape takes it back.</source>
-        <translation>Der Schallkopf wird geführt. Esc nimmt ihn zurück.</translation>
-    </message>
-    <message>
-        <source>A recording is shown. Close it (Escape) to move the probe yourself.</source>
-        <translation>Eine Aufzeichnung wird gezeigt. Die Aufzeichnung schließen (Esc), um den Schallkopf selbst zu bewegen.</translation>
-    </message>
-    <message>
         <source>&amp;Record</source>
         <translation>Auf&amp;zeichnen</translation>
     </message>
@@ -16967,41 +16283,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Aufzeichnung speichern unter …</translation>
     </message>
     <message>
-        <source>The recording is kept until another one begins. Play it below, or save it (%1).</source>
-        <translation>Die Aufzeichnung bleibt, bis eine andere beginnt. Unten abspielen oder speichern (%1).</translation>
-    </message>
-    <message>
-        <source>End &amp;recording</source>
-        <translation>Aufzeichnung be&amp;enden</translation>
-    </message>
-    <message>
-        <source>The recording of &apos;%1&apos; is not saved.</source>
-        <translation>Die Aufzeichnung von „%1“ ist nicht gespeichert.</translation>
-    </message>
-    <message>
-        <source>Save the recording</source>
-        <translation>Aufzeichnung speichern</translation>
-    </message>
-    <message>
-        <source>Sequences of poses (*.seq.mha *.mha)</source>
-        <translation>Folgen von Lagen (*.seq.mha *.mha)</translation>
-    </message>
-    <message>
-        <source>%1 is a recording of &apos;%2&apos;. Open what was scanned first, then the recording.</source>
-        <translation>%1 ist eine Aufzeichnung von „%2“. Zuerst öffnen, was geschallt wurde, dann die Aufzeichnung.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 is open; %n notes say how it was read.</source>
-        <translation>
-            <numerusform>%1 ist geöffnet; eine Anmerkung sagt, wie gelesen wurde.</numerusform>
-            <numerusform>%1 ist geöffnet; %n Anmerkungen sagen, wie gelesen wurde.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&amp;Breathing</source>
-        <translation>A&amp;tmung</translation>
-    </message>
-    <message>
         <source>Breathe freely</source>
         <translation>Frei atmen</translation>
     </message>
@@ -17012,18 +16293,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Breathe out and hold</source>
         <translation>Ausatmen und Luft anhalten</translation>
-    </message>
-    <message>
-        <source>breathe freely</source>
-        <translation>frei atmen</translation>
-    </message>
-    <message>
-        <source>breathe in and hold, breathe out and hold</source>
-        <translation>einatmen und anhalten, ausatmen und anhalten</translation>
-    </message>
-    <message>
-        <source>&amp;Cine loop</source>
-        <translation>&amp;Cine-Schleife</translation>
     </message>
     <message>
         <source>Play or stop</source>
@@ -17050,47 +16319,11 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Clip speichern unter…</translation>
     </message>
     <message>
-        <source>Save the clip</source>
-        <translation>Clip speichern</translation>
-    </message>
-    <message>
-        <source>clip</source>
-        <translation>clip</translation>
-    </message>
-    <message>
         <source>Frozen image</source>
         <translation>Eingefrorenes Bild</translation>
     </message>
     <message>
-        <source>Wheel on the scan, arrows, %1</source>
-        <translation>Rad über dem Schallbild, Pfeile, %1</translation>
-    </message>
-    <message>
-        <source>an image back, on; with Shift ten</source>
-        <translation>ein Bild zurück, weiter; mit Umschalt zehn</translation>
-    </message>
-    <message>
-        <source>first, last image</source>
-        <translation>erstes, letztes Bild</translation>
-    </message>
-    <message>
-        <source>play in a loop, stop</source>
-        <translation>in einer Schleife abspielen, anhalten</translation>
-    </message>
-    <message>
-        <source>the loop begins, ends with this image</source>
-        <translation>Schleife beginnt, endet mit diesem Bild</translation>
-    </message>
-    <message>
         <source>Measure</source>
-        <translation>Messen</translation>
-    </message>
-    <message>
-        <source>Mea&amp;sure</source>
-        <translation>Me&amp;ssen</translation>
-    </message>
-    <message>
-        <source>measuring</source>
         <translation>Messen</translation>
     </message>
     <message>
@@ -17102,72 +16335,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Alle Messungen löschen</translation>
     </message>
     <message>
-        <source>distance, poly-line, outline</source>
-        <translation>Distanz, Linienzug, Umriss</translation>
-    </message>
-    <message>
-        <source>ellipse, fitted ellipse, angle</source>
-        <translation>Ellipse, angepasste Ellipse, Winkel</translation>
-    </message>
-    <message>
-        <source>outlines follow edges</source>
-        <translation>Umrisse folgen Kanten</translation>
-    </message>
-    <message>
-        <source>Drag a cross</source>
-        <translation>Ein Kreuz ziehen</translation>
-    </message>
-    <message>
-        <source>move a point</source>
-        <translation>einen Punkt verschieben</translation>
-    </message>
-    <message>
-        <source>Arrows, %1</source>
-        <translation>Pfeile, %1</translation>
-    </message>
-    <message>
-        <source>move the cross, set a point; with Ctrl by a pixel</source>
-        <translation>Kreuz bewegen, Punkt setzen; mit Strg um ein Pixel</translation>
-    </message>
-    <message>
-        <source>take back, put the tool down</source>
-        <translation>zurücknehmen, Werkzeug weglegen</translation>
-    </message>
-    <message>
-        <source>delete all measurements</source>
-        <translation>alle Messungen löschen</translation>
-    </message>
-    <message>
         <source>&amp;Worksheet…</source>
         <translation>&amp;Arbeitsblatt…</translation>
-    </message>
-    <message>
-        <source>Choose a worksheet on the page of measurements first.</source>
-        <translation>Zuerst auf der Seite der Messungen ein Arbeitsblatt wählen.</translation>
-    </message>
-    <message>
-        <source>Save the worksheet</source>
-        <translation>Arbeitsblatt speichern</translation>
-    </message>
-    <message>
-        <source>Worksheets (*.pdf *.csv *.json)</source>
-        <translation>Arbeitsblätter (*.pdf *.csv *.json)</translation>
-    </message>
-    <message>
-        <source>The worksheet '%1' is not saved.</source>
-        <translation>Das Arbeitsblatt '%1' ist nicht gespeichert.</translation>
-    </message>
-    <message>
-        <source>&amp;Annotate</source>
-        <translation>&amp;Beschriften</translation>
-    </message>
-    <message>
-        <source>Body mar&amp;k</source>
-        <translation>&amp;Körpersymbol</translation>
-    </message>
-    <message>
-        <source>Prese&amp;ts</source>
-        <translation>&amp;Voreinstellungen</translation>
     </message>
     <message>
         <source>Text</source>
@@ -17178,21 +16347,12 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Pfeil</translation>
     </message>
     <message>
-        <source>Words</source>
-        <translation>Wörter</translation>
-    </message>
-    <message>
         <source>Home position here</source>
         <translation>Ausgangsstelle hier</translation>
     </message>
     <message>
         <source>Delete all texts and arrows</source>
         <translation>Alle Texte und Pfeile löschen</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>a word and what it means</comment>
-        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Show the body mark</source>
@@ -17203,106 +16363,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Wieder dem Schallkopf folgen</translation>
     </message>
     <message>
-        <source>Where the probe is</source>
-        <translation>Wo der Schallkopf ist</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <comment>a body mark and its variant</comment>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <comment>a preset and its probe</comment>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>Save as preset…</source>
-        <translation>Als Voreinstellung speichern…</translation>
-    </message>
-    <message>
-        <source>Save as preset</source>
-        <translation>Als Voreinstellung speichern</translation>
-    </message>
-    <message>
-        <source>Name of the examination:</source>
-        <translation>Name der Untersuchung:</translation>
-    </message>
-    <message>
-        <source>Saved to %1. Give this file to others who want the same.</source>
-        <translation>Gespeichert unter %1. Geben Sie diese Datei weiter, wenn andere dasselbe wollen.</translation>
-    </message>
-    <message>
-        <source>Take over a preset file…</source>
-        <translation>Datei einer Voreinstellung übernehmen…</translation>
-    </message>
-    <message>
-        <source>Take over a preset file</source>
-        <translation>Datei einer Voreinstellung übernehmen</translation>
-    </message>
-    <message>
-        <source>Presets (*.json)</source>
-        <translation>Voreinstellungen (*.json)</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is now among your presets.</source>
-        <translation>&apos;%1&apos; gehört jetzt zu Ihren Voreinstellungen.</translation>
-    </message>
-    <message>
-        <source>writing on the image</source>
-        <translation>Beschriften</translation>
-    </message>
-    <message>
         <source>Annotate</source>
         <translation>Beschriften</translation>
-    </message>
-    <message>
-        <source>Frozen: %1</source>
-        <translation>Eingefroren: %1</translation>
-    </message>
-    <message>
-        <source>write, with words of the region</source>
-        <translation>schreiben, mit Wörtern der Region</translation>
-    </message>
-    <message>
-        <source>freeze and write, draw an arrow</source>
-        <translation>einfrieren und schreiben, einen Pfeil zeichnen</translation>
-    </message>
-    <message>
-        <source>first word offered, home position</source>
-        <translation>erstes angebotenes Wort, Ausgangsstelle</translation>
-    </message>
-    <message>
-        <source>Drag, double click</source>
-        <translation>Ziehen, Doppelklick</translation>
-    </message>
-    <message>
-        <source>move, write anew</source>
-        <translation>verschieben, neu schreiben</translation>
-    </message>
-    <message>
-        <source>delete what is chosen, its last word</source>
-        <translation>Gewähltes löschen, sein letztes Wort</translation>
-    </message>
-    <message>
-        <source>body mark</source>
-        <translation>Körpersymbol</translation>
-    </message>
-    <message>
-        <source>Images (*.png *.mha);;DICOM images (*.dcm)</source>
-        <translation>Bilder (*.png *.mha);;DICOM-Bilder (*.dcm)</translation>
-    </message>
-    <message>
-        <source>Worksheets (*.pdf *.csv *.json);;DICOM reports (*.dcm)</source>
-        <translation>Arbeitsblätter (*.pdf *.csv *.json);;DICOM-Befunde (*.dcm)</translation>
-    </message>
-    <message>
-        <source>Waiting in the outbox, sent with what comes next: %1.</source>
-        <translation>Im Postausgang warten, gesendet mit dem Nächsten: %1.</translation>
-    </message>
-    <message>
-        <source>Refused by the archive, and offered to it again: %1 (%2).</source>
-        <translation>Vom Archiv abgelehnt und ihm erneut angeboten: %1 (%2).</translation>
     </message>
     <message>
         <source>S&amp;tore image</source>
@@ -17311,42 +16373,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>&amp;Examination and archive…</source>
         <translation>&amp;Untersuchung und Archiv…</translation>
-    </message>
-    <message>
-        <source>Image %1 is stored.</source>
-        <translation>Bild %1 ist abgelegt.</translation>
-    </message>
-    <message>
-        <source>Folder in which the examination gets a folder of its own</source>
-        <translation>Ordner, in dem die Untersuchung einen eigenen Ordner bekommt</translation>
-    </message>
-    <message>
-        <source>Saving the examination</source>
-        <translation>Die Untersuchung wird gespeichert</translation>
-    </message>
-    <message>
-        <source>Sending to %1</source>
-        <translation>Wird an %1 gesendet</translation>
-    </message>
-    <message>
-        <source>The archive %1 has everything already.</source>
-        <translation>Das Archiv %1 hat schon alles.</translation>
-    </message>
-    <message>
-        <source>The archive %1 has everything now; new to it: %2.</source>
-        <translation>Das Archiv %1 hat jetzt alles; neu dort: %2.</translation>
-    </message>
-    <message>
-        <source>Not in the archive yet, but safe in the outbox: %1. %2</source>
-        <translation>Noch nicht im Archiv, aber sicher im Postausgang: %1. %2</translation>
-    </message>
-    <message>
-        <source>Stored images that were neither saved nor sent: %1.</source>
-        <translation>Abgelegte Bilder, die weder gespeichert noch gesendet sind: %1.</translation>
-    </message>
-    <message>
-        <source>Scan to look at again (*.seq.mha);;Films (*.mp4 *.avi);;DICOM clips (*.dcm)</source>
-        <translation>Scan zum Wiederansehen (*.seq.mha);;Filme (*.mp4 *.avi);;DICOM-Clips (*.dcm)</translation>
     </message>
     <message>
         <source>%1, %2 cm, %3</source>
@@ -17366,64 +16392,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Messungen &amp;sichern…</translation>
     </message>
     <message>
-        <source>Measure something first: a result is computed from measurements.</source>
-        <translation>Erst etwas messen: ein Ergebnis wird aus Messungen berechnet.</translation>
-    </message>
-    <message>
-        <source>Nothing is measured yet that could be saved.</source>
-        <translation>Noch ist nichts gemessen, das gesichert werden könnte.</translation>
-    </message>
-    <message>
-        <source>Save the measurements</source>
-        <translation>Messungen sichern</translation>
-    </message>
-    <message>
-        <source>measurements</source>
-        <translation>messungen</translation>
-    </message>
-    <message>
-        <source>Measurements (*.csv *.json)</source>
-        <translation>Messungen (*.csv *.json)</translation>
-    </message>
-    <message>
-        <source>volume by discs</source>
-        <translation>Volumen aus Scheiben</translation>
-    </message>
-    <message>
-        <source>time, heart rate in the strip of the M-mode</source>
-        <translation>Zeit, Herzfrequenz im Streifen des M-Mode</translation>
-    </message>
-    <message>
-        <source>slope, depth in the strip</source>
-        <translation>Steigung, Tiefe im Streifen</translation>
-    </message>
-    <message>
-        <source>points snap; hold Ctrl to do the opposite once</source>
-        <translation>Punkte rasten ein; mit Strg einmal das Gegenteil</translation>
-    </message>
-    <message>
-        <source>combine: ratio, stenosis, volume</source>
-        <translation>verrechnen: Verhältnis, Stenose, Volumen</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>Undo: %1 (%2)</source>
-        <translation>Rückgängig: %1 (%2)</translation>
-    </message>
-    <message>
-        <source>The strip of the M-mode shows one beam over time, no place in an image. Switch to B or B + M, then click a point of the image.</source>
-        <translation>Der Streifen des M-Modus zeigt einen Strahl über die Zeit, keinen Ort in einem Bild. Auf B oder B + M umschalten, dann einen Punkt des Bildes anklicken.</translation>
-    </message>
-    <message>
-        <source>The image is frozen, and the probe with it. Let it run (%1): then both move again.</source>
-        <translation>Das Bild steht, und mit ihm die Sonde. Lassen Sie es laufen (%1): dann bewegen sich beide wieder.</translation>
-    </message>
-    <message>
-        <source>The image is frozen: its echoes were made with these settings. Let it run (%1), then change them.</source>
-        <translation>Das Bild steht: Seine Echos entstanden mit diesen Einstellungen. Lassen Sie es laufen (%1), dann ändern Sie sie.</translation>
     </message>
     <message>
         <source>Calipers, and what they measured (%1)</source>
@@ -17452,50 +16422,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>everywhere</source>
         <translation>überall</translation>
-    </message>
-    <message>
-        <source>Drag, %1</source>
-        <translation>Ziehen, %1</translation>
-    </message>
-    <message>
-        <source>Console</source>
-        <translation>Konsole</translation>
-    </message>
-    <message>
-        <source>Tilt</source>
-        <translation>Kippen</translation>
-    </message>
-    <message>
-        <source>Rock</source>
-        <translation>Schaukeln</translation>
-    </message>
-    <message>
-        <source>Rotate</source>
-        <translation>Drehen</translation>
-    </message>
-    <message>
-        <source>Slide along the image</source>
-        <translation>Längs des Bildes schieben</translation>
-    </message>
-    <message>
-        <source>Slide across the image</source>
-        <translation>Quer zum Bild schieben</translation>
-    </message>
-    <message>
-        <source>Image of the cine loop</source>
-        <translation>Bild der Schleife</translation>
-    </message>
-    <message>
-        <source>The usual keys act meanwhile. The file stays as it is: as soon as you change a key, it is put aside and a new one is begun.</source>
-        <translation>Solange wirken die üblichen Tasten. Die Datei bleibt, wie sie ist: Sobald Sie eine Taste ändern, wird sie beiseitegelegt und eine neue begonnen.</translation>
-    </message>
-    <message>
-        <source>The file %1 cannot be put aside, so your keys are not kept.</source>
-        <translation>Die Datei %1 lässt sich nicht beiseitelegen, darum werden Ihre Tasten nicht behalten.</translation>
-    </message>
-    <message>
-        <source>What could not be read is now in %1.</source>
-        <translation>Was nicht zu lesen war, liegt jetzt in %1.</translation>
     </message>
     <message>
         <source>Text, on a frozen image</source>
@@ -17618,10 +16544,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Werkzeug weglegen, schließen, zurück</translation>
     </message>
     <message>
-        <source>store the image, images and archive</source>
-        <translation>das Bild ablegen, Bilder und Archiv</translation>
-    </message>
-    <message>
         <source>Magnify a box</source>
         <translation>Ausschnitt vergrößern</translation>
     </message>
@@ -17632,34 +16554,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>&amp;Wide image</source>
         <translation>Pa&amp;noramabild</translation>
-    </message>
-    <message>
-        <source>The wide image is frozen, and made of images that are done: it can be magnified, measured and saved. %1 ends it.</source>
-        <translation>Das Panoramabild ist eingefroren und aus fertigen Bildern gewebt: Es lässt sich vergrößern, messen und speichern. %1 beendet es.</translation>
-    </message>
-    <message>
-        <source>The image is frozen, and this needs new echoes: %1 lets it run. Grey map, dynamic range, zoom and inversion can be changed now.</source>
-        <translation>Das Bild ist eingefroren, und dies braucht neue Echos: %1 lässt es laufen. Graukurve, Dynamikbereich, Vergrößerung und Spiegelung lassen sich jetzt ändern.</translation>
-    </message>
-    <message>
-        <source>A place in a wide image was seen by many images. Close it (%1), then click a point of one image.</source>
-        <translation>Eine Stelle im Panoramabild haben viele Bilder gesehen. Es schließen (%1), dann auf einen Punkt eines einzelnen Bildes klicken.</translation>
-    </message>
-    <message>
-        <source>magnify a box</source>
-        <translation>Ausschnitt vergrößern</translation>
-    </message>
-    <message>
-        <source>the whole image</source>
-        <translation>ganzes Bild</translation>
-    </message>
-    <message>
-        <source>wide image: begin, give up, hide</source>
-        <translation>Panoramabild: beginnen, verwerfen, verbergen</translation>
-    </message>
-    <message>
-        <source>P&amp;ictures</source>
-        <translation>B&amp;ilder</translation>
     </message>
     <message>
         <source>One picture</source>
@@ -17684,38 +16578,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Same scale</source>
         <translation>Gleicher Maßstab</translation>
-    </message>
-    <message>
-        <source>A recording runs, and it is of one picture. End it (%1) to go to another.</source>
-        <translation>Eine Aufnahme läuft, und zwar von einem Bild. Beenden Sie sie (%1), um zu einem anderen zu gehen.</translation>
-    </message>
-    <message>
-        <source>This picture shows the patient&apos;s left side.</source>
-        <translation>Dieses Bild zeigt die linke Seite des Patienten.</translation>
-    </message>
-    <message>
-        <source>This picture shows the patient&apos;s right side.</source>
-        <translation>Dieses Bild zeigt die rechte Seite des Patienten.</translation>
-    </message>
-    <message>
-        <source>one, two, four pictures</source>
-        <translation>ein, zwei, vier Bilder</translation>
-    </message>
-    <message>
-        <source>Click, %1</source>
-        <translation>Klick, %1</translation>
-    </message>
-    <message>
-        <source>take another picture in hand, the next one</source>
-        <translation>ein anderes Bild in die Hand nehmen, das nächste</translation>
-    </message>
-    <message>
-        <source>A wide image is at work. Close it (%1) to go to another picture.</source>
-        <translation>Ein Panoramabild ist in Arbeit. Schließen Sie es (%1), um zu einem anderen Bild zu gehen.</translation>
-    </message>
-    <message>
-        <source>This volume does not say which frame a voxel came from. A volume that is made here from a recorded sweep does: open the sweep (%1), leave &apos;Record source frame per voxel&apos; switched on, and reconstruct it.</source>
-        <translation>Dieses Volumen sagt nicht, aus welchem Bild ein Voxel stammt. Ein Volumen, das hier aus einem aufgenommenen Schwenk gemacht wird, sagt es: den Schwenk öffnen (%1), „Quellbild je Voxel festhalten“ eingeschaltet lassen und das Volumen machen.</translation>
     </message>
     <message>
         <source>Sea&amp;rch the cases</source>
@@ -17778,14 +16640,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>in der 3D-Ansicht, mit Griffen</translation>
     </message>
     <message>
-        <source>Te&amp;xt size</source>
-        <translation>Te&amp;xtgröße</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
         <source>&amp;Larger text</source>
         <translation>&amp;Größerer Text</translation>
     </message>
@@ -17796,6 +16650,378 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>&amp;Tour</source>
         <translation>&amp;Rundgang</translation>
+    </message>
+    <message>
+        <source>&amp;Import a case bundle…</source>
+        <translation>Fallpaket &amp;importieren…</translation>
+    </message>
+    <message>
+        <source>&amp;Tracker…</source>
+        <translation>&amp;Tracker …</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::AccessLock</name>
+    <message>
+        <source>Lock for trainees…</source>
+        <translation>Für Lernende sperren…</translation>
+    </message>
+    <message>
+        <source>Unlock for instructors…</source>
+        <translation>Für Lehrkräfte entsperren…</translation>
+    </message>
+    <message>
+        <source>Take the lock away</source>
+        <translation>Sperre entfernen</translation>
+    </message>
+    <message>
+        <source>Lock again</source>
+        <translation>Wieder sperren</translation>
+    </message>
+    <message>
+        <source>The lock is gone: everybody at this account sees everything.</source>
+        <translation>Die Sperre ist fort: Alle an diesem Konto sehen alles.</translation>
+    </message>
+    <message>
+        <source>Lock for trainees</source>
+        <translation>Für Lernende sperren</translation>
+    </message>
+    <message>
+        <source>Until this passphrase is given again the window shows Explore alone: no Author, no answers, nobody else&apos;s attempts. The lock does not stop who reads this account&apos;s files with other programs: for examinations export cases with sealed answers.</source>
+        <translation>Bis dieses Kennwort wieder eingegeben wird, zeigt das Fenster nur Erkunden: keinen Autor, keine Antworten, keine Versuche anderer. Wer die Dateien dieses Kontos mit anderen Programmen liest, wird nicht aufgehalten: für Prüfungen Fälle mit versiegelten Antworten exportieren.</translation>
+    </message>
+    <message>
+        <source>Locked for trainees.</source>
+        <translation>Für Lernende gesperrt.</translation>
+    </message>
+    <message>
+        <source>Unlock for instructors</source>
+        <translation>Für Lehrkräfte entsperren</translation>
+    </message>
+    <message>
+        <source>The passphrase that locked this library for trainees.</source>
+        <translation>Das Kennwort, mit dem diese Bibliothek für Lernende gesperrt wurde.</translation>
+    </message>
+    <message>
+        <source>Unlocked until you lock it again or close the window.</source>
+        <translation>Entsperrt, bis wieder gesperrt oder das Fenster geschlossen wird.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::Annotating</name>
+    <message>
+        <source>Words</source>
+        <translation>Wörter</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a word and what it means</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Where the probe is</source>
+        <translation>Wo der Schallkopf ist</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>a body mark and its variant</comment>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::Appearance</name>
+    <message>
+        <source>La&amp;nguage</source>
+        <translation>S&amp;prache</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>System language</source>
+        <translation>Sprache des Systems</translation>
+    </message>
+    <message>
+        <source>The window speaks the chosen language from the next start on. Close EchoWeave and open it again.</source>
+        <translation>Die gewählte Sprache gilt ab dem nächsten Start. EchoWeave schließen und wieder öffnen.</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt size</source>
+        <translation>Te&amp;xtgröße</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::BodyAndProbe</name>
+    <message>
+        <source>The probe is moved for you. Escape takes it back.</source>
+        <translation>Der Schallkopf wird geführt. Esc nimmt ihn zurück.</translation>
+    </message>
+    <message>
+        <source>A recording is shown. Close it (Escape) to move the probe yourself.</source>
+        <translation>Eine Aufzeichnung wird gezeigt. Die Aufzeichnung schließen (Esc), um den Schallkopf selbst zu bewegen.</translation>
+    </message>
+    <message>
+        <source>The image is frozen, and the probe with it. Let it run (%1): then both move again.</source>
+        <translation>Das Bild steht, und mit ihm die Sonde. Lassen Sie es laufen (%1): dann bewegen sich beide wieder.</translation>
+    </message>
+    <message>
+        <source>The tracker has the probe. Choose the mouse on the page Tracker to move it here.</source>
+        <translation>Der Tracker führt die Sonde. Wählen Sie auf der Seite Tracker die Maus, um sie hier zu bewegen.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::CaseLibrary</name>
+    <message>
+        <source>Import a case bundle</source>
+        <translation>Fallpaket importieren</translation>
+    </message>
+    <message>
+        <source>Case bundles (*.ewcase)</source>
+        <translation>Fallpakete (*.ewcase)</translation>
+    </message>
+    <message>
+        <source>Importing %1</source>
+        <translation>%1 wird importiert</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is in the library already, as revision %2.</source>
+        <translation>„%1“ ist schon in der Bibliothek, als Fassung %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was taken into the library as revision %2.</source>
+        <translation>„%1“ wurde als Fassung %2 in die Bibliothek übernommen.</translation>
+    </message>
+    <message>
+        <source>Take out of the library</source>
+        <translation>Aus der Bibliothek nehmen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is in use in this window. Close it first, by opening another case; then it can be taken out of the library.</source>
+        <translation>„%1“ wird in diesem Fenster benutzt. Schließen Sie den Fall zuerst, indem Sie einen anderen öffnen; dann lässt er sich aus der Bibliothek nehmen.</translation>
+    </message>
+    <message>
+        <source>Take &apos;%1&apos; out of the library?</source>
+        <translation>&apos;%1&apos; aus der Bibliothek nehmen?</translation>
+    </message>
+    <message>
+        <source>Nobody finds it any more. Nothing is deleted: its folder is moved to &apos;withdrawn&apos; in the library, and moved back to its place it is there again. Attempts stay.</source>
+        <translation>Niemand findet ihn mehr. Nichts wird gelöscht: Sein Ordner wird nach &apos;withdrawn&apos; in der Bibliothek verschoben, und an seinen Platz zurückverschoben ist der Fall wieder da. Versuche bleiben.</translation>
+    </message>
+    <message>
+        <source>Take it out</source>
+        <translation>Herausnehmen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was taken out of the library. It lies in %2; moved back to %3, it is there again.</source>
+        <translation>&apos;%1&apos; wurde aus der Bibliothek genommen. Der Fall liegt in %2; nach %3 zurückverschoben, ist er wieder da.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::CaseSaving</name>
+    <message>
+        <source>The case &apos;%1&apos; has changes that are not saved.</source>
+        <translation>Der Fall „%1“ hat Änderungen, die nicht gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>&amp;Save case</source>
+        <translation>Fall &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Save case &amp;as…</source>
+        <translation>Fall speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>&amp;Save project</source>
+        <translation>Projekt &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Save project &amp;as…</source>
+        <translation>Projekt speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; was saved by another window or program since it was opened here.</source>
+        <translation>Der Fall „%1“ wurde von einem anderen Fenster oder Programm gespeichert, seit er hier geöffnet wurde.</translation>
+    </message>
+    <message>
+        <source>Save as keeps both, each in a folder of its own. Reload drops the changes made here. Overwrite drops the others&apos;.</source>
+        <translation>„Speichern unter“ behält beide, jeden in einem eigenen Ordner. „Neu laden“ verwirft die Änderungen von hier, „Überschreiben“ die anderen.</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter…</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Überschreiben</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; has changes of %2 that were not saved when the program ended.</source>
+        <translation>Der Fall „%1“ hat Änderungen vom %2, die nicht gespeichert waren, als das Programm endete.</translation>
+    </message>
+    <message>
+        <source>Folder: %1</source>
+        <translation>Ordner: %1</translation>
+    </message>
+    <message>
+        <source>Open with these changes</source>
+        <translation>Mit diesen Änderungen öffnen</translation>
+    </message>
+    <message>
+        <source>Throw them away</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Decide later</source>
+        <translation>Später entscheiden</translation>
+    </message>
+    <message>
+        <source>Take over the changes of %1</source>
+        <translation>Änderungen vom %1 übernehmen</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; belongs to the program.</source>
+        <translation>Der Fall „%1“ gehört zum Programm.</translation>
+    </message>
+    <message>
+        <source>Save a copy of your own: the next version of the program replaces what is changed in its own cases.</source>
+        <translation>Eine eigene Kopie speichern: Die nächste Version des Programms ersetzt, was an seinen Fällen geändert wird.</translation>
+    </message>
+    <message>
+        <source>Save a copy…</source>
+        <translation>Kopie speichern…</translation>
+    </message>
+    <message>
+        <source>Change the program&apos;s case</source>
+        <translation>Fall des Programms ändern</translation>
+    </message>
+    <message>
+        <source>Saved in %1.</source>
+        <translation>Gespeichert in %1.</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; belongs to the program. It is copied to a folder of your own first, and changed there.</source>
+        <translation>Der Fall „%1“ gehört zum Programm. Er wird zuerst in einen eigenen Ordner kopiert und dort geändert.</translation>
+    </message>
+    <message>
+        <source>Published cases are not edited in place, for attempts of trainees refer to them. Save &apos;%1&apos; as a case of your own.</source>
+        <translation>Veröffentlichte Fälle werden nicht an Ort und Stelle bearbeitet, denn Versuche von Lernenden beziehen sich auf sie. „%1“ als eigenen Fall speichern.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::Cine</name>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Saved to %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>Save the clip</source>
+        <translation>Clip speichern</translation>
+    </message>
+    <message>
+        <source>clip</source>
+        <translation>clip</translation>
+    </message>
+    <message>
+        <source>Scan to look at again (*.seq.mha);;Films (*.mp4 *.avi);;DICOM clips (*.dcm)</source>
+        <translation>Scan zum Wiederansehen (*.seq.mha);;Filme (*.mp4 *.avi);;DICOM-Clips (*.dcm)</translation>
+    </message>
+    <message>
+        <source>The wide image is frozen, and made of images that are done: it can be magnified, measured and saved. %1 ends it.</source>
+        <translation>Das Panoramabild ist eingefroren und aus fertigen Bildern gewebt: Es lässt sich vergrößern, messen und speichern. %1 beendet es.</translation>
+    </message>
+    <message>
+        <source>The image is frozen, and this needs new echoes: %1 lets it run. Grey map, dynamic range, zoom and inversion can be changed now.</source>
+        <translation>Das Bild ist eingefroren, und dies braucht neue Echos: %1 lässt es laufen. Graukurve, Dynamikbereich, Vergrößerung und Spiegelung lassen sich jetzt ändern.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::Columns</name>
+    <message>
+        <source>Body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Gain, depth, transducer, freeze, measure</source>
+        <translation>Verstärkung, Tiefe, Schallkopf, Einfrieren, Messen</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Bereiche</translation>
+    </message>
+    <message>
+        <source>Show the console and the other columns</source>
+        <translation>Zeigt die Konsole und die anderen Spalten</translation>
+    </message>
+    <message>
+        <source>Show the console and the other columns (%1)</source>
+        <translation>Zeigt die Konsole und die anderen Spalten (%1)</translation>
+    </message>
+    <message>
+        <source>The probe on the body, and what is known of the case</source>
+        <translation>Der Schallkopf auf dem Körper, und was vom Fall bekannt ist</translation>
+    </message>
+    <message>
+        <source>What is worked through or edited</source>
+        <translation>Was durchgearbeitet oder bearbeitet wird</translation>
+    </message>
+    <message>
+        <source>Console</source>
+        <translation>Konsole</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::ConsoleMenus</name>
+    <message>
+        <source>&amp;Image</source>
+        <translation>&amp;Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Effects</source>
+        <translation>&amp;Effekte</translation>
+    </message>
+    <message>
+        <source>&amp;Probe</source>
+        <translation>&amp;Sonde</translation>
+    </message>
+    <message>
+        <source>&amp;M-mode</source>
+        <translation>&amp;M-Modus</translation>
+    </message>
+    <message>
+        <source>&amp;Quality</source>
+        <translation>&amp;Qualität</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::Help</name>
+    <message>
+        <source>About EchoWeave</source>
+        <translation>Über EchoWeave</translation>
+    </message>
+    <message>
+        <source>EchoWeave %1
+
+A workstation for building and using ultrasound training cases. A simulation, not for diagnosis.
+
+Apache License 2.0. Slicing and console follow D. Aiger and D. Cohen-Or, Real-Time Ultrasound Imaging Simulation, 1998.</source>
+        <translation>EchoWeave %1
+
+Ein Arbeitsplatz, um Ultraschall-Übungsfälle zu bauen und zu nutzen. Eine Simulation, nicht zur Diagnose.
+
+Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-Time Ultrasound Imaging Simulation, 1998.</translation>
     </message>
     <message>
         <source>The probe on the body</source>
@@ -17861,9 +17087,914 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>Making cases</source>
         <translation>Fälle gestalten</translation>
     </message>
+</context>
+<context>
+    <name>ew::ui::Images</name>
     <message>
-        <source>Published cases are not edited in place, for attempts of trainees refer to them. Save &apos;%1&apos; as a case of your own.</source>
-        <translation>Veröffentlichte Fälle werden nicht an Ort und Stelle bearbeitet, denn Versuche von Lernenden beziehen sich auf sie. „%1“ als eigenen Fall speichern.</translation>
+        <source>Saved to %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>Save the image</source>
+        <translation>Das Bild speichern</translation>
+    </message>
+    <message>
+        <source>scan</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Images (*.png *.mha);;DICOM images (*.dcm)</source>
+        <translation>Bilder (*.png *.mha);;DICOM-Bilder (*.dcm)</translation>
+    </message>
+    <message>
+        <source>A recording runs, and it is of one picture. End it (%1) to go to another.</source>
+        <translation>Eine Aufnahme läuft, und zwar von einem Bild. Beenden Sie sie (%1), um zu einem anderen zu gehen.</translation>
+    </message>
+    <message>
+        <source>This picture shows the patient&apos;s left side.</source>
+        <translation>Dieses Bild zeigt die linke Seite des Patienten.</translation>
+    </message>
+    <message>
+        <source>This picture shows the patient&apos;s right side.</source>
+        <translation>Dieses Bild zeigt die rechte Seite des Patienten.</translation>
+    </message>
+    <message>
+        <source>A wide image is at work. Close it (%1) to go to another picture.</source>
+        <translation>Ein Panoramabild ist in Arbeit. Schließen Sie es (%1), um zu einem anderen Bild zu gehen.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::Inspecting</name>
+    <message>
+        <source>This point lies outside the image. Click a point inside the fan.</source>
+        <translation>Dieser Punkt liegt außerhalb des Bildes. Einen Punkt im Schallfächer anklicken.</translation>
+    </message>
+    <message>
+        <source>Click a point to see the recorded frame it came from</source>
+        <translation>Auf einen Punkt klicken, um das aufgenommene Bild zu sehen, aus dem er stammt</translation>
+    </message>
+    <message>
+        <source>Only a volume made here from a recorded sweep knows which frame a point came from</source>
+        <translation>Nur ein hier aus einer Aufnahme gemachtes Volumen weiß, aus welchem Bild ein Punkt stammt</translation>
+    </message>
+    <message>
+        <source>The strip of the M-mode shows one beam over time, no place in an image. Switch to B or B + M, then click a point of the image.</source>
+        <translation>Der Streifen des M-Modus zeigt einen Strahl über die Zeit, keinen Ort in einem Bild. Auf B oder B + M umschalten, dann einen Punkt des Bildes anklicken.</translation>
+    </message>
+    <message>
+        <source>A place in a wide image was seen by many images. Close it (%1), then click a point of one image.</source>
+        <translation>Eine Stelle im Panoramabild haben viele Bilder gesehen. Es schließen (%1), dann auf einen Punkt eines einzelnen Bildes klicken.</translation>
+    </message>
+    <message>
+        <source>This volume does not say which frame a voxel came from. A volume that is made here from a recorded sweep does: open the sweep (%1), leave &apos;Record source frame per voxel&apos; switched on, and reconstruct it.</source>
+        <translation>Dieses Volumen sagt nicht, aus welchem Bild ein Voxel stammt. Ein Volumen, das hier aus einem aufgenommenen Schwenk gemacht wird, sagt es: den Schwenk öffnen (%1), „Quellbild je Voxel festhalten“ eingeschaltet lassen und das Volumen machen.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::KeysPage</name>
+    <message>
+        <source>rotate</source>
+        <translation>drehen</translation>
+    </message>
+    <message>
+        <source>back to the start</source>
+        <translation>zurück zum Anfang</translation>
+    </message>
+    <message>
+        <source>Right drag</source>
+        <translation>Rechts ziehen</translation>
+    </message>
+    <message>
+        <source>rotate the body</source>
+        <translation>den Körper drehen</translation>
+    </message>
+    <message>
+        <source>Middle drag</source>
+        <translation>Mitte ziehen</translation>
+    </message>
+    <message>
+        <source>move the body</source>
+        <translation>den Körper verschieben</translation>
+    </message>
+    <message>
+        <source>closer, farther</source>
+        <translation>näher, weiter weg</translation>
+    </message>
+    <message>
+        <source>front, back, right, left, head</source>
+        <translation>vorn, hinten, rechts, links, Kopf</translation>
+    </message>
+    <message>
+        <source>look at the volume</source>
+        <translation>auf das Volumen sehen</translation>
+    </message>
+    <message>
+        <source>freeze</source>
+        <translation>einfrieren</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>reset TGC</source>
+        <translation>TGC zurücksetzen</translation>
+    </message>
+    <message>
+        <source>save the case, save it elsewhere</source>
+        <translation>Fall speichern, anderswo speichern</translation>
+    </message>
+    <message>
+        <source>undo, redo</source>
+        <translation>rückgängig, wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Explore, Author</source>
+        <translation>Erkunden, Gestalten</translation>
+    </message>
+    <message>
+        <source>full screen</source>
+        <translation>Vollbild</translation>
+    </message>
+    <message>
+        <source>this page</source>
+        <translation>diese Seite</translation>
+    </message>
+    <message>
+        <source>directions of compounding</source>
+        <translation>Richtungen der Mittelung</translation>
+    </message>
+    <message>
+        <source>B, B + M, M</source>
+        <translation>B, B + M, M</translation>
+    </message>
+    <message>
+        <source>adaptive quality</source>
+        <translation>adaptive Qualität</translation>
+    </message>
+    <message>
+        <source>next page of the console</source>
+        <translation>nächste Seite der Konsole</translation>
+    </message>
+    <message>
+        <source>focus depth</source>
+        <translation>Fokustiefe</translation>
+    </message>
+    <message>
+        <source>dynamic range</source>
+        <translation>Dynamikbereich</translation>
+    </message>
+    <message>
+        <source>grey map</source>
+        <translation>Graukurve</translation>
+    </message>
+    <message>
+        <source>persistence</source>
+        <translation>Persistenz</translation>
+    </message>
+    <message>
+        <source>M line</source>
+        <translation>M-Linie</translation>
+    </message>
+    <message>
+        <source>sweep of the M-mode</source>
+        <translation>Durchlauf des M-Modus</translation>
+    </message>
+    <message>
+        <source>next transducer, next frequency, harmonics</source>
+        <translation>nächste Sonde, nächste Frequenz, Harmonische</translation>
+    </message>
+    <message>
+        <source>steer a linear array, trapezoid</source>
+        <translation>Linearsonde schwenken, Trapez</translation>
+    </message>
+    <message>
+        <source>which frame a point came from</source>
+        <translation>aus welchem Bild ein Punkt stammt</translation>
+    </message>
+    <message>
+        <source>Drag, arrows</source>
+        <translation>Ziehen, Pfeile</translation>
+    </message>
+    <message>
+        <source>slide over the skin, with Shift faster</source>
+        <translation>über die Haut schieben, mit Umschalt schneller</translation>
+    </message>
+    <message>
+        <source>Shift+wheel, %1</source>
+        <translation>Umschalt+Rad, %1</translation>
+    </message>
+    <message>
+        <source>rock, along the image</source>
+        <translation>schaukeln, in der Bildebene</translation>
+    </message>
+    <message>
+        <source>Wheel, %1</source>
+        <translation>Rad, %1</translation>
+    </message>
+    <message>
+        <source>tilt, out of the image</source>
+        <translation>kippen, aus der Bildebene</translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel, %1</source>
+        <translation>Strg+Rad, %1</translation>
+    </message>
+    <message>
+        <source>Drag in a zoomed image</source>
+        <translation>Ziehen im vergrößerten Bild</translation>
+    </message>
+    <message>
+        <source>move the detail</source>
+        <translation>Ausschnitt verschieben</translation>
+    </message>
+    <message>
+        <source>invert left/right, up/down</source>
+        <translation>links/rechts, oben/unten spiegeln</translation>
+    </message>
+    <message>
+        <source>Ctrl+right drag</source>
+        <translation>Strg+rechts ziehen</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>in a small window: swap body and scan</source>
+        <translation>im kleinen Fenster: Körper und Schallbild tauschen</translation>
+    </message>
+    <message>
+        <source>number of focal zones</source>
+        <translation>Anzahl der Fokuszonen</translation>
+    </message>
+    <message>
+        <source>edge enhancement</source>
+        <translation>Kantenanhebung</translation>
+    </message>
+    <message>
+        <source>cases</source>
+        <translation>Fälle</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>öffnen</translation>
+    </message>
+    <message>
+        <source>save the image</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>scan only</source>
+        <translation>nur das Schallbild</translation>
+    </message>
+    <message>
+        <source>%1, Alt+click</source>
+        <translation>%1, Alt+Klick</translation>
+    </message>
+    <message>
+        <source>nearest, linear, cubic</source>
+        <translation>nächste, linear, kubisch</translation>
+    </message>
+    <message>
+        <source>focus model</source>
+        <translation>Fokusmodell</translation>
+    </message>
+    <message>
+        <source>performance</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>record, end recording</source>
+        <translation>aufzeichnen, Aufzeichnung beenden</translation>
+    </message>
+    <message>
+        <source>mark this moment of a recording</source>
+        <translation>diesen Augenblick der Aufzeichnung markieren</translation>
+    </message>
+    <message>
+        <source>breathe freely</source>
+        <translation>frei atmen</translation>
+    </message>
+    <message>
+        <source>breathe in and hold, breathe out and hold</source>
+        <translation>einatmen und anhalten, ausatmen und anhalten</translation>
+    </message>
+    <message>
+        <source>Wheel on the scan, arrows, %1</source>
+        <translation>Rad über dem Schallbild, Pfeile, %1</translation>
+    </message>
+    <message>
+        <source>an image back, on; with Shift ten</source>
+        <translation>ein Bild zurück, weiter; mit Umschalt zehn</translation>
+    </message>
+    <message>
+        <source>first, last image</source>
+        <translation>erstes, letztes Bild</translation>
+    </message>
+    <message>
+        <source>play in a loop, stop</source>
+        <translation>in einer Schleife abspielen, anhalten</translation>
+    </message>
+    <message>
+        <source>the loop begins, ends with this image</source>
+        <translation>Schleife beginnt, endet mit diesem Bild</translation>
+    </message>
+    <message>
+        <source>distance, poly-line, outline</source>
+        <translation>Distanz, Linienzug, Umriss</translation>
+    </message>
+    <message>
+        <source>ellipse, fitted ellipse, angle</source>
+        <translation>Ellipse, angepasste Ellipse, Winkel</translation>
+    </message>
+    <message>
+        <source>outlines follow edges</source>
+        <translation>Umrisse folgen Kanten</translation>
+    </message>
+    <message>
+        <source>Drag a cross</source>
+        <translation>Ein Kreuz ziehen</translation>
+    </message>
+    <message>
+        <source>move a point</source>
+        <translation>einen Punkt verschieben</translation>
+    </message>
+    <message>
+        <source>Arrows, %1</source>
+        <translation>Pfeile, %1</translation>
+    </message>
+    <message>
+        <source>move the cross, set a point; with Ctrl by a pixel</source>
+        <translation>Kreuz bewegen, Punkt setzen; mit Strg um ein Pixel</translation>
+    </message>
+    <message>
+        <source>take back, put the tool down</source>
+        <translation>zurücknehmen, Werkzeug weglegen</translation>
+    </message>
+    <message>
+        <source>delete all measurements</source>
+        <translation>alle Messungen löschen</translation>
+    </message>
+    <message>
+        <source>Frozen: %1</source>
+        <translation>Eingefroren: %1</translation>
+    </message>
+    <message>
+        <source>write, with words of the region</source>
+        <translation>schreiben, mit Wörtern der Region</translation>
+    </message>
+    <message>
+        <source>freeze and write, draw an arrow</source>
+        <translation>einfrieren und schreiben, einen Pfeil zeichnen</translation>
+    </message>
+    <message>
+        <source>first word offered, home position</source>
+        <translation>erstes angebotenes Wort, Ausgangsstelle</translation>
+    </message>
+    <message>
+        <source>Drag, double click</source>
+        <translation>Ziehen, Doppelklick</translation>
+    </message>
+    <message>
+        <source>move, write anew</source>
+        <translation>verschieben, neu schreiben</translation>
+    </message>
+    <message>
+        <source>delete what is chosen, its last word</source>
+        <translation>Gewähltes löschen, sein letztes Wort</translation>
+    </message>
+    <message>
+        <source>body mark</source>
+        <translation>Körpersymbol</translation>
+    </message>
+    <message>
+        <source>volume by discs</source>
+        <translation>Volumen aus Scheiben</translation>
+    </message>
+    <message>
+        <source>time, heart rate in the strip of the M-mode</source>
+        <translation>Zeit, Herzfrequenz im Streifen des M-Mode</translation>
+    </message>
+    <message>
+        <source>slope, depth in the strip</source>
+        <translation>Steigung, Tiefe im Streifen</translation>
+    </message>
+    <message>
+        <source>points snap; hold Ctrl to do the opposite once</source>
+        <translation>Punkte rasten ein; mit Strg einmal das Gegenteil</translation>
+    </message>
+    <message>
+        <source>combine: ratio, stenosis, volume</source>
+        <translation>verrechnen: Verhältnis, Stenose, Volumen</translation>
+    </message>
+    <message>
+        <source>Drag, %1</source>
+        <translation>Ziehen, %1</translation>
+    </message>
+    <message>
+        <source>store the image, images and archive</source>
+        <translation>das Bild ablegen, Bilder und Archiv</translation>
+    </message>
+    <message>
+        <source>magnify a box</source>
+        <translation>Ausschnitt vergrößern</translation>
+    </message>
+    <message>
+        <source>the whole image</source>
+        <translation>ganzes Bild</translation>
+    </message>
+    <message>
+        <source>wide image: begin, give up, hide</source>
+        <translation>Panoramabild: beginnen, verwerfen, verbergen</translation>
+    </message>
+    <message>
+        <source>one, two, four pictures</source>
+        <translation>ein, zwei, vier Bilder</translation>
+    </message>
+    <message>
+        <source>Click, %1</source>
+        <translation>Klick, %1</translation>
+    </message>
+    <message>
+        <source>take another picture in hand, the next one</source>
+        <translation>ein anderes Bild in die Hand nehmen, das nächste</translation>
+    </message>
+    <message>
+        <source>tracker: what moves the probe</source>
+        <translation>Tracker: was die Sonde bewegt</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::LeavingQuestion</name>
+    <message>
+        <source>&apos;%1&apos; is ready to be shown in its place.</source>
+        <translation>„%1“ ist bereit und würde an seiner Stelle gezeigt.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::Measuring</name>
+    <message>
+        <source>Saved to %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>Choose a worksheet on the page of measurements first.</source>
+        <translation>Zuerst auf der Seite der Messungen ein Arbeitsblatt wählen.</translation>
+    </message>
+    <message>
+        <source>Save the worksheet</source>
+        <translation>Arbeitsblatt speichern</translation>
+    </message>
+    <message>
+        <source>The worksheet '%1' is not saved.</source>
+        <translation>Das Arbeitsblatt '%1' ist nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Worksheets (*.pdf *.csv *.json);;DICOM reports (*.dcm)</source>
+        <translation>Arbeitsblätter (*.pdf *.csv *.json);;DICOM-Befunde (*.dcm)</translation>
+    </message>
+    <message>
+        <source>Measure something first: a result is computed from measurements.</source>
+        <translation>Erst etwas messen: ein Ergebnis wird aus Messungen berechnet.</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet that could be saved.</source>
+        <translation>Noch ist nichts gemessen, das gesichert werden könnte.</translation>
+    </message>
+    <message>
+        <source>Save the measurements</source>
+        <translation>Messungen sichern</translation>
+    </message>
+    <message>
+        <source>measurements</source>
+        <translation>messungen</translation>
+    </message>
+    <message>
+        <source>Measurements (*.csv *.json)</source>
+        <translation>Messungen (*.csv *.json)</translation>
+    </message>
+    <message>
+        <source>Measurements that were not saved: %1.</source>
+        <translation>Messungen, die nicht gespeichert sind: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::Menus</name>
+    <message>
+        <source>&amp;Recording</source>
+        <translation>&amp;Aufnahme</translation>
+    </message>
+    <message>
+        <source>C&amp;onsole</source>
+        <translation>K&amp;onsole</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Scan</source>
+        <translation>&amp;Scan</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Werkzeuge</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Breathing</source>
+        <translation>A&amp;tmung</translation>
+    </message>
+    <message>
+        <source>&amp;Cine loop</source>
+        <translation>&amp;Cine-Schleife</translation>
+    </message>
+    <message>
+        <source>Mea&amp;sure</source>
+        <translation>Me&amp;ssen</translation>
+    </message>
+    <message>
+        <source>&amp;Annotate</source>
+        <translation>&amp;Beschriften</translation>
+    </message>
+    <message>
+        <source>Body mar&amp;k</source>
+        <translation>&amp;Körpersymbol</translation>
+    </message>
+    <message>
+        <source>Prese&amp;ts</source>
+        <translation>&amp;Voreinstellungen</translation>
+    </message>
+    <message>
+        <source>P&amp;ictures</source>
+        <translation>B&amp;ilder</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::Opening</name>
+    <message>
+        <source>Several files were dropped; the first one is opened.</source>
+        <translation>Mehrere Dateien wurden abgelegt; die erste wird geöffnet.</translation>
+    </message>
+    <message>
+        <source>Open case folder</source>
+        <translation>Fallordner öffnen</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Open a case, a volume or a sweep</source>
+        <translation>Fall, Volumen oder Schwenk öffnen</translation>
+    </message>
+    <message>
+        <source>All that EchoWeave reads (case.json *.ewcase *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw *.png *.jpg *.pgm *.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff);;Cases (case.json *.ewcase);;Sweeps (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumes (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;Films and recorded screens (*.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff *.dcm);;DICOM, Kretz, raw samples, images (*)</source>
+        <translation>Alles, was EchoWeave liest (case.json *.ewcase *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw *.png *.jpg *.pgm *.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff);;Fälle (case.json *.ewcase);;Schwenks (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumen (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;Filme und Bildschirmaufnahmen (*.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff *.dcm);;DICOM, Kretz, Rohdaten, Bilder (*)</translation>
+    </message>
+    <message>
+        <source>%1 is a recording of &apos;%2&apos;. Open what was scanned first, then the recording.</source>
+        <translation>%1 ist eine Aufzeichnung von „%2“. Zuerst öffnen, was geschallt wurde, dann die Aufzeichnung.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::OwnKeys</name>
+    <message>
+        <source>Probe</source>
+        <translation>Sonde</translation>
+    </message>
+    <message>
+        <source>Frozen image</source>
+        <translation>Eingefrorenes Bild</translation>
+    </message>
+    <message>
+        <source>Console</source>
+        <translation>Konsole</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Kippen</translation>
+    </message>
+    <message>
+        <source>Rock</source>
+        <translation>Schaukeln</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Slide along the image</source>
+        <translation>Längs des Bildes schieben</translation>
+    </message>
+    <message>
+        <source>Slide across the image</source>
+        <translation>Quer zum Bild schieben</translation>
+    </message>
+    <message>
+        <source>Image of the cine loop</source>
+        <translation>Bild der Schleife</translation>
+    </message>
+    <message>
+        <source>The usual keys act meanwhile. The file stays as it is: as soon as you change a key, it is put aside and a new one is begun.</source>
+        <translation>Solange wirken die üblichen Tasten. Die Datei bleibt, wie sie ist: Sobald Sie eine Taste ändern, wird sie beiseitegelegt und eine neue begonnen.</translation>
+    </message>
+    <message>
+        <source>The file %1 cannot be put aside, so your keys are not kept.</source>
+        <translation>Die Datei %1 lässt sich nicht beiseitelegen, darum werden Ihre Tasten nicht behalten.</translation>
+    </message>
+    <message>
+        <source>What could not be read is now in %1.</source>
+        <translation>Was nicht zu lesen war, liegt jetzt in %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::PluginHosting</name>
+    <message>
+        <source>There is not enough memory for this; close other programs and try again.</source>
+        <translation>Dafür reicht der Speicher nicht; andere Programme schließen und noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>The program met a problem that it did not foresee (%1). Your work is still there: save it, and please report this with what you did.</source>
+        <translation>Das Programm stieß auf ein unvorhergesehenes Problem (%1). Die Arbeit ist noch da: sie speichern, das Problem bitte melden und dabei die letzten Schritte nennen.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::Preparing</name>
+    <message>
+        <source>&apos;%1&apos; is being prepared, which takes %2. What is open stays open; you are told when the case is ready.</source>
+        <translation>„%1“ wird vorbereitet, das dauert %2. Was offen ist, bleibt offen; Sie erfahren, wenn der Fall bereit ist.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is ready.</source>
+        <translation>„%1“ ist bereit.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is shown coarsely at first and gets finer by itself, in %2.</source>
+        <translation>„%1“ wird zuerst grob gezeigt und von selbst feiner; das dauert %2.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Preparing</source>
+        <translation>Wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Will be prepared, %1</source>
+        <translation>Wird noch vorbereitet, %1</translation>
+    </message>
+    <message>
+        <source>Not prepared yet, %1; open it to begin</source>
+        <translation>Noch nicht vorbereitet, %1; zum Beginnen öffnen</translation>
+    </message>
+    <message>
+        <source>Coarse at first, whole in %1</source>
+        <translation>Zuerst grob, ganz: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::Presets</name>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>a preset and its probe</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Save as preset…</source>
+        <translation>Als Voreinstellung speichern…</translation>
+    </message>
+    <message>
+        <source>Save as preset</source>
+        <translation>Als Voreinstellung speichern</translation>
+    </message>
+    <message>
+        <source>Name of the examination:</source>
+        <translation>Name der Untersuchung:</translation>
+    </message>
+    <message>
+        <source>Saved to %1. Give this file to others who want the same.</source>
+        <translation>Gespeichert unter %1. Geben Sie diese Datei weiter, wenn andere dasselbe wollen.</translation>
+    </message>
+    <message>
+        <source>Take over a preset file…</source>
+        <translation>Datei einer Voreinstellung übernehmen…</translation>
+    </message>
+    <message>
+        <source>Take over a preset file</source>
+        <translation>Datei einer Voreinstellung übernehmen</translation>
+    </message>
+    <message>
+        <source>Presets (*.json)</source>
+        <translation>Voreinstellungen (*.json)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is now among your presets.</source>
+        <translation>&apos;%1&apos; gehört jetzt zu Ihren Voreinstellungen.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::Recording</name>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Saved to %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>scan</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>Auf&amp;zeichnen</translation>
+    </message>
+    <message>
+        <source>The recording is kept until another one begins. Play it below, or save it (%1).</source>
+        <translation>Die Aufzeichnung bleibt, bis eine andere beginnt. Unten abspielen oder speichern (%1).</translation>
+    </message>
+    <message>
+        <source>End &amp;recording</source>
+        <translation>Aufzeichnung be&amp;enden</translation>
+    </message>
+    <message>
+        <source>The recording of &apos;%1&apos; is not saved.</source>
+        <translation>Die Aufzeichnung von „%1“ ist nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Save the recording</source>
+        <translation>Aufzeichnung speichern</translation>
+    </message>
+    <message>
+        <source>Sequences of poses (*.seq.mha *.mha)</source>
+        <translation>Folgen von Lagen (*.seq.mha *.mha)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is open; %n notes say how it was read.</source>
+        <translation>
+            <numerusform>%1 ist geöffnet; eine Anmerkung sagt, wie gelesen wurde.</numerusform>
+            <numerusform>%1 ist geöffnet; %n Anmerkungen sagen, wie gelesen wurde.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::Resuming</name>
+    <message>
+        <source>&apos;%1&apos; was not opened, so what was not saved of it is kept and offered at the next start.</source>
+        <translation>„%1“ wurde nicht geöffnet; was davon nicht gespeichert war, bleibt aufgehoben und wird beim nächsten Start angeboten.</translation>
+    </message>
+    <message>
+        <source>What was recorded and measured of it comes back when it is shown, and is else offered at the next start.</source>
+        <translation>Was daran aufgezeichnet und gemessen wurde, kommt zurück, wenn es gezeigt wird, und wird sonst beim nächsten Start angeboten.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; lies in no file and is not here any more, so what was recorded and measured of it cannot be shown. It is kept in %2 and offered again at the next start.</source>
+        <translation>„%1“ liegt in keiner Datei und ist nicht mehr da; was daran aufgezeichnet und gemessen wurde, lässt sich deshalb nicht zeigen. Es bleibt in %2 aufgehoben und wird beim nächsten Start wieder angeboten.</translation>
+    </message>
+    <message>
+        <source>What was recorded or measured here is not saved yet, so what was not saved of &apos;%1&apos; before is kept and offered at the next start.</source>
+        <translation>Was hier aufgezeichnet oder gemessen wurde, ist noch nicht gespeichert; was von „%1“ früher nicht gespeichert war, bleibt deshalb aufgehoben und wird beim nächsten Start angeboten.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; could not be opened, so what was not saved of it is kept and offered at the next start.</source>
+        <translation>„%1“ ließ sich nicht öffnen; was davon nicht gespeichert war, bleibt aufgehoben und wird beim nächsten Start angeboten.</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weitermachen</translation>
+    </message>
+    <message>
+        <source>Looking for unsaved work</source>
+        <translation>Nach Ungespeichertem wird gesehen</translation>
+    </message>
+    <message>
+        <source>Of &apos;%1&apos;:</source>
+        <translation>Zu „%1“:</translation>
+    </message>
+    <message>
+        <source>Reading what was not saved</source>
+        <translation>Ungespeichertes wird gelesen</translation>
+    </message>
+    <message>
+        <source>The expert&apos;s scan is here again. Save it, then choose it in its step of the lesson (Choose a recording…).</source>
+        <translation>Die Untersuchung des Experten ist wieder da. Sie speichern und dann in ihrem Schritt der Lektion wählen (Aufnahme wählen…).</translation>
+    </message>
+    <message>
+        <source>The program ended at %1 before this was saved; it was kept:</source>
+        <translation>Das Programm endete am %1, bevor dies gespeichert war; es wurde aufgehoben:</translation>
+    </message>
+    <message>
+        <source>What was not saved when the program ended is here again. Save what is to stay.</source>
+        <translation>Was beim Ende des Programms nicht gespeichert war, ist wieder da. Speichern, was bleiben soll.</translation>
+    </message>
+    <message>
+        <source>scan</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Decide later</source>
+        <translation>Später entscheiden</translation>
+    </message>
+    <message>
+        <source>Save recording as…</source>
+        <translation>Aufzeichnung speichern unter …</translation>
+    </message>
+    <message>
+        <source>Save the recording</source>
+        <translation>Aufzeichnung speichern</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::Storing</name>
+    <message>
+        <source>Saved to %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>Waiting in the outbox, sent with what comes next: %1.</source>
+        <translation>Im Postausgang warten, gesendet mit dem Nächsten: %1.</translation>
+    </message>
+    <message>
+        <source>Refused by the archive, and offered to it again: %1 (%2).</source>
+        <translation>Vom Archiv abgelehnt und ihm erneut angeboten: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Image %1 is stored.</source>
+        <translation>Bild %1 ist abgelegt.</translation>
+    </message>
+    <message>
+        <source>Folder in which the examination gets a folder of its own</source>
+        <translation>Ordner, in dem die Untersuchung einen eigenen Ordner bekommt</translation>
+    </message>
+    <message>
+        <source>Saving the examination</source>
+        <translation>Die Untersuchung wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Sending to %1</source>
+        <translation>Wird an %1 gesendet</translation>
+    </message>
+    <message>
+        <source>The archive %1 has everything already.</source>
+        <translation>Das Archiv %1 hat schon alles.</translation>
+    </message>
+    <message>
+        <source>The archive %1 has everything now; new to it: %2.</source>
+        <translation>Das Archiv %1 hat jetzt alles; neu dort: %2.</translation>
+    </message>
+    <message>
+        <source>Not in the archive yet, but safe in the outbox: %1. %2</source>
+        <translation>Noch nicht im Archiv, aber sicher im Postausgang: %1. %2</translation>
+    </message>
+    <message>
+        <source>Stored images that were neither saved nor sent: %1.</source>
+        <translation>Abgelegte Bilder, die weder gespeichert noch gesendet sind: %1.</translation>
+    </message>
+    <message>
+        <source>The archive %1 said that it stored everything (%2); it cannot be asked what it has, so this counts as delivered.</source>
+        <translation>Das Archiv %1 hat gemeldet, alles gespeichert zu haben (%2); es lässt sich nicht fragen, was es hat, daher gilt das als zugestellt.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::TitleLine</name>
+    <message>
+        <source>a volume without a case</source>
+        <translation>ein Volumen ohne Fall</translation>
+    </message>
+    <message>
+        <source>shipped case</source>
+        <translation>mitgelieferter Fall</translation>
+    </message>
+    <message>
+        <source>● unsaved changes</source>
+        <translation>● nicht gespeichert</translation>
     </message>
     <message>
         <source>published case</source>
@@ -17881,121 +18012,129 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>This case has no volume yet, so there is nothing to scan. An author gives it one in Author.</source>
         <translation>Dieser Fall hat noch kein Volumen, also gibt es nichts zu schallen. Unter Gestalten lässt sich eines geben.</translation>
     </message>
-    <message>
-        <source>&amp;Import a case bundle…</source>
-        <translation>Fallpaket &amp;importieren…</translation>
-    </message>
-    <message>
-        <source>Import a case bundle</source>
-        <translation>Fallpaket importieren</translation>
-    </message>
-    <message>
-        <source>Case bundles (*.ewcase)</source>
-        <translation>Fallpakete (*.ewcase)</translation>
-    </message>
-    <message>
-        <source>Importing %1</source>
-        <translation>%1 wird importiert</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is in the library already, as revision %2.</source>
-        <translation>„%1“ ist schon in der Bibliothek, als Fassung %2.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; was taken into the library as revision %2.</source>
-        <translation>„%1“ wurde als Fassung %2 in die Bibliothek übernommen.</translation>
-    </message>
-    <message>
-        <source>Lock for trainees…</source>
-        <translation>Für Lernende sperren…</translation>
-    </message>
-    <message>
-        <source>Unlock for instructors…</source>
-        <translation>Für Lehrkräfte entsperren…</translation>
-    </message>
-    <message>
-        <source>Take the lock away</source>
-        <translation>Sperre entfernen</translation>
-    </message>
-    <message>
-        <source>Lock again</source>
-        <translation>Wieder sperren</translation>
-    </message>
-    <message>
-        <source>The lock is gone: everybody at this account sees everything.</source>
-        <translation>Die Sperre ist fort: Alle an diesem Konto sehen alles.</translation>
-    </message>
-    <message>
-        <source>Lock for trainees</source>
-        <translation>Für Lernende sperren</translation>
-    </message>
-    <message>
-        <source>Until this passphrase is given again the window shows Explore alone: no Author, no answers, nobody else&apos;s attempts. The lock does not stop who reads this account&apos;s files with other programs: for examinations export cases with sealed answers.</source>
-        <translation>Bis dieses Kennwort wieder eingegeben wird, zeigt das Fenster nur Erkunden: keinen Autor, keine Antworten, keine Versuche anderer. Wer die Dateien dieses Kontos mit anderen Programmen liest, wird nicht aufgehalten: für Prüfungen Fälle mit versiegelten Antworten exportieren.</translation>
-    </message>
-    <message>
-        <source>Locked for trainees.</source>
-        <translation>Für Lernende gesperrt.</translation>
-    </message>
-    <message>
-        <source>Unlock for instructors</source>
-        <translation>Für Lehrkräfte entsperren</translation>
-    </message>
-    <message>
-        <source>The passphrase that locked this library for trainees.</source>
-        <translation>Das Kennwort, mit dem diese Bibliothek für Lernende gesperrt wurde.</translation>
-    </message>
-    <message>
-        <source>Unlocked until you lock it again or close the window.</source>
-        <translation>Entsperrt, bis wieder gesperrt oder das Fenster geschlossen wird.</translation>
-    </message>
-    <message>
-        <source>&amp;Tracker…</source>
-        <translation>&amp;Tracker …</translation>
-    </message>
+</context>
+<context>
+    <name>ew::ui::Tracking</name>
     <message>
         <source>controller</source>
         <translation>Steuergerät</translation>
     </message>
+</context>
+<context>
+    <name>ew::ui::Undo</name>
     <message>
-        <source>tracker: what moves the probe</source>
-        <translation>Tracker: was die Sonde bewegt</translation>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
     </message>
     <message>
-        <source>The tracker has the probe. Choose the mouse on the page Tracker to move it here.</source>
-        <translation>Der Tracker führt die Sonde. Wählen Sie auf der Seite Tracker die Maus, um sie hier zu bewegen.</translation>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
-        <source>Measurements that were not saved: %1.</source>
-        <translation>Messungen, die nicht gespeichert sind: %1.</translation>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
     </message>
     <message>
-        <source>Take out of the library</source>
-        <translation>Aus der Bibliothek nehmen</translation>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is in use in this window. Close it first, by opening another case; then it can be taken out of the library.</source>
-        <translation>„%1“ wird in diesem Fenster benutzt. Schließen Sie den Fall zuerst, indem Sie einen anderen öffnen; dann lässt er sich aus der Bibliothek nehmen.</translation>
+        <source>measuring</source>
+        <translation>Messen</translation>
     </message>
     <message>
-        <source>Take &apos;%1&apos; out of the library?</source>
-        <translation>&apos;%1&apos; aus der Bibliothek nehmen?</translation>
+        <source>writing on the image</source>
+        <translation>Beschriften</translation>
     </message>
     <message>
-        <source>Nobody finds it any more. Nothing is deleted: its folder is moved to &apos;withdrawn&apos; in the library, and moved back to its place it is there again. Attempts stay.</source>
-        <translation>Niemand findet ihn mehr. Nichts wird gelöscht: Sein Ordner wird nach &apos;withdrawn&apos; in der Bibliothek verschoben, und an seinen Platz zurückverschoben ist der Fall wieder da. Versuche bleiben.</translation>
+        <source>Undo: %1 (%2)</source>
+        <translation>Rückgängig: %1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::UnsavedVolumes</name>
+    <message>
+        <source>The volume lies elsewhere in the body than its own coordinates say. Which place should the file hold?</source>
+        <translation>Das Volumen liegt im Körper woanders, als seine eigenen Koordinaten sagen. Welchen Ort soll die Datei festhalten?</translation>
     </message>
     <message>
-        <source>Take it out</source>
-        <translation>Herausnehmen</translation>
+        <source>Its own coordinates keep it in place beside other volumes of the same recording.</source>
+        <translation>Mit den eigenen Koordinaten bleibt es am richtigen Ort neben anderen Volumen derselben Aufnahme.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; was taken out of the library. It lies in %2; moved back to %3, it is there again.</source>
-        <translation>&apos;%1&apos; wurde aus der Bibliothek genommen. Der Fall liegt in %2; nach %3 zurückverschoben, ist er wieder da.</translation>
+        <source>Its own coordinates</source>
+        <translation>Seine eigenen Koordinaten</translation>
     </message>
     <message>
-        <source>The archive %1 said that it stored everything (%2); it cannot be asked what it has, so this counts as delivered.</source>
-        <translation>Das Archiv %1 hat gemeldet, alles gespeichert zu haben (%2); es lässt sich nicht fragen, was es hat, daher gilt das als zugestellt.</translation>
+        <source>Its place in the body</source>
+        <translation>Seinen Ort im Körper</translation>
+    </message>
+    <message>
+        <source>Save the volume</source>
+        <translation>Das Volumen speichern</translation>
+    </message>
+    <message>
+        <source>MetaImage (*.mha *.mhd)</source>
+        <translation>MetaImage (*.mha *.mhd)</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Saved to %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>Saved to %1, and which voxels were measured to %2.</source>
+        <translation>Gespeichert als %1, und welche Voxel gemessen wurden als %2.</translation>
+    </message>
+    <message>
+        <source>The volume made from &apos;%1&apos; is not saved.</source>
+        <translation>Das Volumen aus „%1“ ist nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Making it again takes as long as it did.</source>
+        <translation>Es noch einmal zu erstellen dauert so lange wie beim ersten Mal.</translation>
+    </message>
+    <message>
+        <source>The volume made from %1 is kept: View, Show the volume made from %1.</source>
+        <translation>Das Volumen aus %1 bleibt erhalten: Ansicht, Volumen aus %1 zeigen.</translation>
+    </message>
+    <message>
+        <source>Show the volume made from %1</source>
+        <translation>Volumen aus %1 zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::WorkAutosave</name>
+    <message>
+        <source>A recording of the scan: %1 min</source>
+        <translation>Eine Aufnahme der Untersuchung: %1 min</translation>
+    </message>
+    <message>
+        <source>An expert&apos;s scan that was being recorded for a lesson: %1 min</source>
+        <translation>Eine Untersuchung des Experten, die für eine Lektion aufgenommen wurde: %1 min</translation>
+    </message>
+    <message>
+        <source>The lesson &apos;%1&apos;, in step %2 of %3</source>
+        <translation>Die Lektion „%1“, in Schritt %2 von %3</translation>
+    </message>
+    <message>
+        <source>The volume made from &apos;%1&apos;</source>
+        <translation>Das Volumen aus „%1“</translation>
+    </message>
+    <message>
+        <source>The volume made from &apos;%1&apos; was too large to be kept, and has to be made again.</source>
+        <translation>Das Volumen aus „%1“ war zu groß, um aufgehoben zu werden; es muss neu gemacht werden.</translation>
+    </message>
+    <message>
+        <source>What was measured, on images: %1</source>
+        <translation>Gemessenes, in Bildern: %1</translation>
+    </message>
+    <message>
+        <source>Worksheets with values: %1</source>
+        <translation>Arbeitsblätter mit Werten: %1</translation>
     </message>
 </context>
 <context>

@@ -138,7 +138,7 @@
     </message>
 </context>
 <context>
-    <name>ew::ui::MainWindow</name>
+    <name>ew::ui::Recording</name>
     <message numerus="yes">
         <source>%1 is open; %n notes say how it was read.</source>
         <translation>

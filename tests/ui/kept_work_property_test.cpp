@@ -21,7 +21,7 @@
 #include "library/temporary_folder.h"
 #include "logic/comment_history.h"
 #include "logic/keeping_aside.h"
-#include "window/unsaved_work.h"
+#include "window/frame/unsaved_work.h"
 
 namespace ew::ui::kept_work_property_test {
 namespace {

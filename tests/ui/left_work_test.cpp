@@ -6,7 +6,7 @@
 #include "ew/scanning/recording_journal.h"
 #include "library/temporary_folder.h"
 #include "scanning/small_scan.h"
-#include "window/work_autosave.h"
+#include "window/frame/work_autosave.h"
 
 namespace ew::ui::left_work_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "window/unsaved_work.h"
+#include "window/frame/unsaved_work.h"
 
 #include <gtest/gtest.h>
 

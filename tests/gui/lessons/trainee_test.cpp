@@ -20,7 +20,7 @@
 #include "start/start_page.h"
 #include "start/thumbnails.h"
 #include "widgets/figures.h"
-#include "window/view_columns.h"
+#include "window/frame/view_columns.h"
 
 namespace ew::ui::testing {
 

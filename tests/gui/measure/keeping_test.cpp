@@ -29,6 +29,8 @@
 #include "scan/cine/replay_bar.h"
 #include "scanning/small_scan.h"
 #include "start/start_page.h"
+#include "window/features/resuming.h"
+#include "window/features/unsaved_volumes.h"
 
 namespace ew::ui::testing {
 namespace {
@@ -328,7 +330,7 @@ class KeepingTest : public WindowFixture {
     startWindow();
     const auto offered = [this]() -> QPushButton* {
       for (QPushButton* each : window_->messages().findChildren<QPushButton*>())
-        if (each->isVisible() && each->text() == MainWindow::tr("Save recording as…")) return each;
+        if (each->isVisible() && each->text() == Resuming::tr("Save recording as…")) return each;
       return nullptr;
     };
     QVERIFY(waitUntil([&] { return offered() != nullptr; }));
@@ -362,7 +364,7 @@ class KeepingTest : public WindowFixture {
       Answers answers({{QStringLiteral("unsavedRecordingQuestion"), press(QMessageBox::Discard)}});
       const auto actions = window_->findChildren<QAction*>();
       const auto show = std::find_if(actions.begin(), actions.end(), [](const QAction* each) {
-        return each->text() == MainWindow::tr("Show the volume made from %1").arg(QStringLiteral("made"));
+        return each->text() == UnsavedVolumes::tr("Show the volume made from %1").arg(QStringLiteral("made"));
       });
       QVERIFY(show != actions.end());
       (*show)->trigger();

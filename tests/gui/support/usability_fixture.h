@@ -17,7 +17,8 @@
 #include "gui/support/window_fixture.h"
 #include "measure/worksheets/worksheets.h"
 #include "scan/cost/cost_panel.h"
-#include "window/column_tabs.h"
+#include "window/frame/column_tabs.h"
+#include "window/frame/columns.h"
 #include "window/language.h"
 
 /// Outside of any namespace, as the macro demands.
@@ -121,7 +122,7 @@ class UsabilityFixture : public WindowFixture {
 
   /// Presses the tab of a column that is not in front. @param source its title in English
   void bringToFront(const char* source) {
-    QStringList titles{MainWindow::tr(source)};
+    QStringList titles{Columns::tr(source)};
     for (QTabWidget* tabs : window_->findChildren<QTabWidget*>())  // of the panel that is alone in its column
       if (tabs->objectName() == QLatin1String("explorePanel") && QLatin1String(source) == QLatin1String("Lessons") && tabs->count() > 0)
         titles << tabs->tabText(0);

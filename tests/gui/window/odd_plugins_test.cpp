@@ -10,7 +10,7 @@
 #include "ew/door/door.h"
 #include "gui/support/answers.h"
 #include "gui/support/window_fixture.h"
-#include "window/guarded_application.h"
+#include "window/frame/guarded_application.h"
 
 namespace ew::ui {
 namespace {

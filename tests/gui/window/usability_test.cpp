@@ -8,7 +8,7 @@
 
 #include "gui/support/usability_fixture.h"
 #include "widgets/focus_ring.h"
-#include "window/tour.h"
+#include "window/frame/tour.h"
 
 namespace ew::ui::testing {
 

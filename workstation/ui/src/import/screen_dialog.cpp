@@ -31,6 +31,7 @@
 #include "measure/words/caliper_words.h"
 #include "widgets/figures.h"
 #include "widgets/icons.h"
+#include "widgets/question.h"
 #include "widgets/save_file.h"
 #include "widgets/small_result_question.h"
 #include "widgets/words.h"
@@ -609,13 +610,9 @@ bool ScreenDialog::mayLeaveWriting() {
 bool ScreenDialog::mayLeave(bool waits) {
   if (!isUnsaved()) return true;
   if (writing_ && edit_->correction() == *writing_) return waits || mayLeaveWriting();
-  QMessageBox question(this);
-  question.setObjectName(QStringLiteral("unsavedScreenQuestion"));
-  question.setIcon(QMessageBox::NoIcon);
-  question.setText(tr("What you corrected in '%1' is not written to a recording.").arg(QFileInfo(file_).fileName()));
-  question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
-  question.setDefaultButton(QMessageBox::Save);
-  const int answer = question.exec();
+  const auto answer = askBeforeLeaving(
+      this,
+      {"unsavedScreenQuestion", tr("What you corrected in '%1' is not written to a recording.").arg(QFileInfo(file_).fileName()), {}});
   if (answer == QMessageBox::Discard) return true;
   return answer == QMessageBox::Save && import() && waits;
 }

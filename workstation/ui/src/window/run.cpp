@@ -22,7 +22,7 @@
 #include "jobs/message_bar.h"
 #include "scan/session.h"
 #include "widgets/theme.h"
-#include "window/guarded_application.h"
+#include "window/frame/guarded_application.h"
 #include "window/language.h"
 
 namespace ew::ui {

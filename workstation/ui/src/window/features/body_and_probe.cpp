@@ -1,0 +1,135 @@
+#include "window/features/body_and_probe.h"
+
+#include <QKeyEvent>
+#include <QMenu>
+#include <algorithm>
+
+#include "body/host_overlays.h"
+#include "ew/bridge/mannequin.h"
+#include "ew/scanning/recorded.h"
+#include "widgets/theme.h"
+#include "window/frame/commands.h"
+#include "window/frame/window_parts.h"
+#include "window/frame/workspaces.h"
+
+namespace ew::ui {
+namespace {
+
+constexpr int kHandRests_ms = 150;
+
+}  // namespace
+
+BodyAndProbe::BodyAndProbe(WindowParts& parts) : Feature(parts) {
+  coverageSoon_.setSingleShot(true);
+  coverageSoon_.setInterval(kHandRests_ms);
+}
+
+/// The keys are watched until the window is gone, and they ask features.
+BodyAndProbe::~BodyAndProbe() {
+  parts_.focusKeys.isBesideScan = [](const QWidget&) { return false; };
+  parts_.focusKeys.doInScan = [](QKeyEvent&) { return false; };
+  parts_.focusKeys.backToScan = [] {};
+}
+
+void BodyAndProbe::addLooks(QMenu& view) {
+  const auto look = [&](const char* command, bridge::CameraPreset preset) {
+    parts_.commands->add(view, command, [this, preset] { parts_.view3d->showFrom(preset); });
+  };
+  look("look.front", bridge::CameraPreset::front);
+  look("look.back", bridge::CameraPreset::back);
+  look("look.right", bridge::CameraPreset::right);
+  look("look.left", bridge::CameraPreset::left);
+  look("look.head", bridge::CameraPreset::top);
+  parts_.commands->add(view, "look.volume", [this] { parts_.view3d->fitToVolume(); });
+}
+
+void BodyAndProbe::connectParts() {
+  WindowParts& p = parts_;
+  connect(&p.host->hostOverlays(), &HostOverlays::bodyChanged, this, &BodyAndProbe::paintOver);
+  connect(p.bodyTools, &BodyTools::overChanged, this, &BodyAndProbe::paintOver);
+  connectKeys();
+  connect(&p.session, &Session::pictureChanged, this, &BodyAndProbe::showImage);
+  connect(&p.session, &Session::subjectChanged, this, [this] {
+    if (const auto& subject = parts_.session.subject()) {
+      parts_.view3d->setVolumeBox(subject->placedGrid);
+    } else {
+      parts_.view3d->clearVolumeBox();
+      parts_.view3d->setProbeVisible(false);
+    }
+    showCoverageSoon();
+  });
+  connect(&coverageSoon_, &QTimer::timeout, this, &BodyAndProbe::showCoverage);
+  connect(p.view3d, &View3D::mannequinChanged, this, &BodyAndProbe::showCoverage);
+  connect(&p.hand, &HandInput::refused, this, &BodyAndProbe::sayWhyItRests);
+  connect(&p.session, &Session::trackingChanged, this, &BodyAndProbe::showImage);
+}
+
+/// Whoever clicks beside the scan goes on scanning: keys of the probe are not lost to a panel, a slider or a tab.
+void BodyAndProbe::connectKeys() {
+  parts_.focusKeys.isBesideScan = [this](const QWidget& widget) {
+    const WindowParts& p = parts_;
+    const QWidget* places[] = {p.panels, p.console, p.caseInfo, p.topBar, p.messages};
+    return !p.workspaces->isStaged() && p.workspaces->current() == kExplore && p.workspaces->isAtWork() &&
+           std::any_of(std::begin(places), std::end(places),
+                       [&](const QWidget* place) { return place == &widget || place->isAncestorOf(&widget); });
+  };
+  parts_.focusKeys.doInScan = [this](QKeyEvent& key) { return doKey(key); };
+  parts_.focusKeys.backToScan = [this] { parts_.scanView->setFocus(Qt::MouseFocusReason); };
+}
+
+void BodyAndProbe::restyle() { parts_.view3d->setDarkTheme(currentTheme().dark); }
+
+bool BodyAndProbe::doKey(QKeyEvent& event) {
+  WindowParts& p = parts_;
+  if (p.workspaces->isStaged() || !p.workspaces->isAtWork()) return false;
+  return p.cineBar->handleKey(event) || (p.session.subject() && p.hand.handleKey(event));
+}
+
+void BodyAndProbe::showImage() {
+  WindowParts& p = parts_;
+  if (!p.session.subject() || p.session.picture().isEmpty()) return;
+  const Knobs& knobs = p.session.wide() != nullptr ? p.session.shownState().knobs : p.session.pictureKnobs();
+  p.view3d->setProbe(p.session.pictureProbe(), p.session.fanGeometry().depth_mm, knobs);
+  p.view3d->setPose(p.session.picturePose());
+  p.view3d->setFanImage(p.session.fanPicture(), p.session.fanGeometry());
+  p.view3d->setProbeVisible(true);
+}
+
+void BodyAndProbe::paintOver() {
+  const HostOverlays& overlays = parts_.host->hostOverlays();
+  if (!overlays.isBodyDrawnOver() && !parts_.bodyTools->isDrawnOver()) return parts_.view3d->setOver({});
+  parts_.view3d->setOver([&p = parts_, &overlays](QPainter& painter) {
+    overlays.paintOverBody(painter, [&p](const Point<frame::World>& at) { return p.view3d->pixelOf(at.at); });
+    p.bodyTools->paintOver(painter);
+  });
+}
+
+/// What is placed elsewhere by a hand is tinted when the hand rests: every corner of the skin is looked at for it.
+void BodyAndProbe::showCoverageSoon() {
+  const auto& subject = parts_.session.subject();
+  const auto voxels = subject ? subject->voxels.volume() : nullptr;
+  if (voxels && voxels == coverageOf_.lock()) return coverageSoon_.start();
+  coverageOf_ = voxels;
+  showCoverage();
+}
+
+void BodyAndProbe::showCoverage() {
+  coverageSoon_.stop();
+  const auto mannequin = parts_.view3d->scene().mannequin();
+  if (!mannequin) return;
+  if (!parts_.session.subject()) return parts_.view3d->setCoverage({});
+  const bridge::SkinVertices skin = bridge::skinVerticesOf(*mannequin);
+  parts_.view3d->setCoverage(coverageOfSkin(parts_.session.recorded(), skin.points_mm, skin.outward));
+}
+
+void BodyAndProbe::sayWhyItRests() {
+  const Session& session = parts_.session;
+  parts_.scanView->say(
+      session.isPlaying()     ? tr("A recording is shown. Close it (Escape) to move the probe yourself.")
+      : session.isFollowing() ? tr("The probe is moved for you. Escape takes it back.")
+      : session.mover() == Session::Mover::tracker && !session.isFrozen()
+          ? tr("The tracker has the probe. Choose the mouse on the page Tracker to move it here.")
+          : tr("The image is frozen, and the probe with it. Let it run (%1): then both move again.").arg(parts_.keys.words("freeze")));
+}
+
+}  // namespace ew::ui

@@ -1,0 +1,109 @@
+#include "window/features/preparing.h"
+
+#include "case/case_preparation.h"
+#include "ew/library/case.h"
+#include "ew/library/folders.h"
+#include "ew/library/preparation.h"
+#include "widgets/words.h"
+#include "window/features/case_library.h"
+#include "window/features/opening.h"
+#include "window/frame/window_parts.h"
+#include "window/frame/workspaces.h"
+
+namespace ew::ui {
+namespace {
+
+/// Of messages about a case that is prepared behind what is open.
+QString readyTopic(const std::string& caseId) { return QStringLiteral("ready ") + QString::fromStdString(caseId); }
+QString draftTopic(const std::string& caseId) { return QStringLiteral("draft ") + QString::fromStdString(caseId); }
+
+}  // namespace
+
+void Preparing::connectParts() {
+  WindowParts& p = parts_;
+  connect(&p.preparation, &CasePreparation::changed, this, &Preparing::show);
+  connect(&p.preparation, &CasePreparation::prepared, this, [this](const QString& caseId) {
+    parts_.details.forget();
+    parts_.preparation.forget();
+    parts_.caseLibrary->readDetails();
+    offer(caseId);
+    if (const auto& shown = parts_.document.current(); shown && words(shown->id) == caseId) parts_.opener->refine();
+  });
+  connect(p.opener, &Opener::draftShown, this, [this] {
+    const auto& shown = parts_.document.current();
+    parts_.preparation.askForShown(*shown);
+    if (const auto estimate = estimatePreparation(*shown))
+      parts_.messages->showNote(
+          tr("'%1' is shown coarsely at first and gets finer by itself, in %2.").arg(shownTitle(*shown), aboutMinutes(estimate->seconds)),
+          draftTopic(shown->id));
+  });
+  connect(p.opener, &Opener::refined, this, [this] {
+    if (const auto& shown = parts_.document.current()) parts_.messages->forget(draftTopic(shown->id));
+  });
+  connect(&p.preparation, &CasePreparation::failed, this, [this](const Error& error) { parts_.messages->showError(error); });
+  connect(&p.preparation, &CasePreparation::noted, this, [this](const QString& note) { parts_.messages->showNote(note); });
+}
+
+void Preparing::begin() {
+  if (const auto folder = shippedCasesFolder()) parts_.preparation.start(listCases(*folder).cases);
+}
+
+bool Preparing::prepareBehind(const QString& path, bool isSomethingWorkedWith) {
+  WindowParts& p = parts_;
+  constexpr double kWorthWaitingFor_s = 5.0;
+  if (!isSomethingWorkedWith) return false;  // it is shown as soon as it is there
+  const auto wanted = loadCase(pathOf(path));
+  if (!wanted || !caseNeedsPreparation(*wanted) || mayBeDrafted(*wanted)) return false;
+  const auto estimate = estimatePreparation(*wanted);
+  if (!estimate || estimate->seconds < kWorthWaitingFor_s) return false;
+  offers_[wanted->id] = path;
+  p.preparation.ask(*wanted);
+  p.messages->showNote(tr("'%1' is being prepared, which takes %2. What is open stays open; you are told when the case is ready.")
+                           .arg(shownTitle(*wanted), aboutMinutes(estimate->seconds)),
+                       readyTopic(wanted->id));
+  return true;
+}
+
+void Preparing::offer(const QString& caseId) {
+  const auto offer = offers_.find(caseId.toStdString());
+  if (offer == offers_.end()) return;
+  const QString path = offer->second;
+  offers_.erase(offer);
+  const auto ready = loadCase(pathOf(path));
+  if (!ready) return;
+  parts_.messages->showOffer(
+      tr("'%1' is ready.").arg(shownTitle(*ready)), tr("Open"), [this, path] { parts_.opening->open(path); },
+      readyTopic(caseId.toStdString()));
+}
+
+void Preparing::show() {
+  if (!parts_.workspaces->isAtStart()) return;
+  for (const QString& folder : parts_.startPage->foldersInSight()) {
+    const Case* shown = parts_.details.of(folder);
+    if (shown == nullptr) continue;
+    const auto seen = parts_.preparation.seen(*shown);
+    const QString takes = aboutMinutes(seen.estimate_s);
+    switch (seen.state) {
+      case CasePreparation::State::ready:
+        parts_.startPage->setState(folder, {}, 0.0);
+        break;
+      case CasePreparation::State::running:
+        parts_.startPage->setState(folder, seen.step.isEmpty() ? tr("Preparing") : seen.step, seen.fraction);
+        break;
+      case CasePreparation::State::waiting:
+        parts_.startPage->setState(folder, tr("Will be prepared, %1").arg(takes), 0.0);
+        break;
+      case CasePreparation::State::stopped:
+        // What has no sweeps is shown at once, as a draft.
+        parts_.startPage->setState(folder,
+                                   shown->volume.sweeps.empty() ? tr("Coarse at first, whole in %1").arg(takes)
+                                                                : tr("Not prepared yet, %1; open it to begin").arg(takes),
+                                   0.0);
+        break;
+    }
+  }
+}
+
+void Preparing::forgetOffer(const std::string& caseId) { parts_.messages->forget(readyTopic(caseId)); }
+
+}  // namespace ew::ui

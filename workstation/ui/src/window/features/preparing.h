@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QString>
+#include <map>
+#include <string>
+
+#include "window/frame/feature.h"
+
+namespace ew::ui {
+
+/// Cases whose volumes are made in the background: what the cards say of them, and what the window tells when one is ready.
+class Preparing final : public Feature {
+  Q_OBJECT
+
+ public:
+  using Feature::Feature;
+
+  void connectParts() override;
+
+  /// Makes the volumes of the shipped cases that have none yet.
+  void begin();
+  /// Prepares a case without taking what is open away, and offers it when it is ready. @return false: it needs no time, or takes nothing
+  /// away
+  bool prepareBehind(const QString& path, bool isSomethingWorkedWith);
+  void show();  ///< on the cards in sight
+  /// It is open: nobody has to be told that it is ready.
+  void forgetOffer(const std::string& caseId);
+
+ private:
+  void offer(const QString& caseId);
+
+  std::map<std::string, QString> offers_;  ///< cases by id, with their paths, that are prepared behind what is open
+};
+
+}  // namespace ew::ui
