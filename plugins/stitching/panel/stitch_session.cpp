@@ -201,26 +201,6 @@ bool StitchSession::saveAs(const fs::path& file) {
   return true;
 }
 
-QString StitchSession::projectAsText() const { return words(projectText(project(), {})); }
-
-QString StitchSession::verdictOf(int a, int b) const {
-  const PairLine line = pairLine(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
-  return line.outcome != nullptr ? QString::fromLatin1(registration::nameOf(line.outcome->rigid.verdict)) : QString();
-}
-
-QList<double> StitchSession::transformNow() const {
-  QList<double> numbers;
-  for (const double number : rowsOf(transform())) numbers << number;
-  return numbers;
-}
-
-QList<double> StitchSession::matesAt(double x, double y, double z, bool warped) const {
-  const Stage stage = warped ? Stage::elastic : Stage::rigid;
-  const glm::dvec3 fixed = fixedMapping(stage)({x, y, z});
-  const glm::dvec3 moving = movingMapping(stage)({x, y, z});
-  return {fixed.x, fixed.y, fixed.z, moving.x, moving.y, moving.z};
-}
-
 void StitchSession::forgetFound() {
   ++projectNumber_;
   turnedOutcomes_.clear();

@@ -56,23 +56,6 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   void addFiles(const std::vector<std::filesystem::path>& files);
   bool openProject(const std::filesystem::path& file);
   bool saveAs(const std::filesystem::path& file);
-  /// The same for scripts that know no types of the plugin; the stage's property "session" leads here.
-  Q_INVOKABLE bool openProjectFile(const QString& file) { return openProject(file.toStdString()); }
-  Q_INVOKABLE bool saveProjectAs(const QString& file) { return saveAs(file.toStdString()); }
-  Q_INVOKABLE void saveResultIn(const QString& folder) { saveResult(folder.toStdString()); }
-  Q_INVOKABLE void setCalibrationFile(int volume, const QString& file) {
-    setCalibration(static_cast<std::size_t>(volume), file.toStdString());
-  }
-  Q_INVOKABLE void chooseThePair(int a, int b) { choosePair(static_cast<std::size_t>(a), static_cast<std::size_t>(b)); }
-  Q_INVOKABLE QString projectAsText() const;
-  Q_INVOKABLE QString verdictOf(int a, int b) const;  ///< "aligned", …; empty: not matched
-  Q_INVOKABLE QList<double> transformNow() const;     ///< of the pair, fixed to moving, row by row
-  /// Where the pair shows, at a point of the plane's frame, in the fixed volume and in the moving one: six numbers, mm.
-  Q_INVOKABLE QList<double> matesAt(double x, double y, double z, bool warped) const;
-  Q_INVOKABLE bool isElasticFound() const { return hasElastic(); }
-  Q_INVOKABLE QString effortOfWarp() const { return warped() != nullptr ? QString::fromLatin1(nameOf(warped()->effort)) : QString(); }
-  Q_INVOKABLE double largestWarp_mm() const { return found_ ? found_->warpSummary.largest_mm : 0.0; }
-  Q_INVOKABLE int nodesOfResult() const { return result_ ? static_cast<int>(result_->grid.voxelCount()) : 0; }
   void startAnew();
   /// What an earlier run left unsaved: the latest that nobody decided about.
   [[nodiscard]] const StitchDocument::Left* left() const { return left_.empty() ? nullptr : &left_.front().work; }

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "panel/look.h"
+#include "panel/session_door.h"
 
 namespace ew::stitching {
 namespace {
@@ -83,7 +84,7 @@ StitchStage::StitchStage(StitchSession& session, QWidget* parent) : QWidget(pare
   setObjectName(QStringLiteral("stitchStage"));
   setAccessibleName(tr("Views of the volumes"));
   setAcceptDrops(true);
-  setProperty("session", QVariant::fromValue<QObject*>(&session_));
+  new SessionDoor(session_, this);
   setFocusPolicy(Qt::ClickFocus);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);

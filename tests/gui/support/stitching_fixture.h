@@ -145,7 +145,7 @@ class StitchingFixture : public WindowFixture {
   [[nodiscard]] QTabWidget* tabs() const { return find<QTabWidget>("authorPanel"); }
   [[nodiscard]] QWidget* panel() const { return find<QWidget>("stitchPanel"); }
   [[nodiscard]] QWidget* view(const char* name) const { return find<QWidget>(name); }
-  [[nodiscard]] QObject* stitching() const { return find<QWidget>("stitchStage")->property("session").value<QObject*>(); }
+  [[nodiscard]] QObject* stitching() const { return find<QObject>("stitchDoor"); }
   template <class Value, class... Args>
   Value ask(QObject* whom, const char* what, Args... args) const {
     Value answer{};

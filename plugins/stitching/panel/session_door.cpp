@@ -1,0 +1,64 @@
+#include "panel/session_door.h"
+
+#include "ew/core/frames.h"
+#include "ew/registration/verdict.h"
+#include "ew/sdk/words.h"
+#include "ew/stitching/project.h"
+#include "panel/stitch_session.h"
+
+namespace ew::stitching {
+
+SessionDoor::SessionDoor(StitchSession& session, QObject* parent) : QObject(parent), session_(session) {
+  setObjectName(QStringLiteral("stitchDoor"));
+}
+
+bool SessionDoor::openProjectFile(const QString& file) { return session_.openProject(file.toStdString()); }
+
+bool SessionDoor::saveProjectAs(const QString& file) { return session_.saveAs(file.toStdString()); }
+
+void SessionDoor::saveResultIn(const QString& folder) { session_.saveResult(folder.toStdString()); }
+
+void SessionDoor::setCalibrationFile(int volume, const QString& file) {
+  session_.setCalibration(static_cast<std::size_t>(volume), file.toStdString());
+}
+
+void SessionDoor::chooseThePair(int a, int b) { session_.choosePair(static_cast<std::size_t>(a), static_cast<std::size_t>(b)); }
+
+QString SessionDoor::projectAsText() const { return sdk::words(projectText(session_.project(), {})); }
+
+QString SessionDoor::verdictOf(int a, int b) const {
+  const StitchSession::PairLine line = session_.pairLine(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+  return line.outcome != nullptr ? QString::fromLatin1(registration::nameOf(line.outcome->rigid.verdict)) : QString();
+}
+
+QList<double> SessionDoor::transformNow() const {
+  QList<double> numbers;
+  for (const double number : rowsOf(session_.transform())) numbers << number;
+  return numbers;
+}
+
+QList<double> SessionDoor::matesAt(double x, double y, double z, bool warped) const {
+  const StitchSession::Stage stage = warped ? StitchSession::Stage::elastic : StitchSession::Stage::rigid;
+  const glm::dvec3 fixed = session_.fixedMapping(stage)({x, y, z});
+  const glm::dvec3 moving = session_.movingMapping(stage)({x, y, z});
+  return {fixed.x, fixed.y, fixed.z, moving.x, moving.y, moving.z};
+}
+
+bool SessionDoor::isElasticFound() const { return session_.hasElastic(); }
+
+QString SessionDoor::effortOfWarp() const {
+  const WarpedPair* pair = session_.warped();
+  return pair != nullptr ? QString::fromLatin1(nameOf(pair->effort)) : QString();
+}
+
+double SessionDoor::largestWarp_mm() const {
+  const ChainState* found = session_.found();
+  return found != nullptr ? found->warpSummary.largest_mm : 0.0;
+}
+
+int SessionDoor::nodesOfResult() const {
+  const auto result = session_.result();
+  return result ? static_cast<int>(result->grid.voxelCount()) : 0;
+}
+
+}  // namespace ew::stitching
