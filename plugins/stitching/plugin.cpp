@@ -5,6 +5,7 @@
 
 #include "logic/command.h"
 #include "panel/stitch_panel.h"
+#include "panel/stitch_session.h"
 #include "panel/stitch_stage.h"
 
 namespace {

@@ -12622,6 +12622,104 @@
     </message>
 </context>
 <context>
+    <name>ew::stitching::AlignmentEdits</name>
+    <message>
+        <source>clear the pose of %1</source>
+        <translation>Lage von %1 vergessen</translation>
+    </message>
+    <message>
+        <source>believe the tracker about %1</source>
+        <translation>dem Tracker bei %1 glauben</translation>
+    </message>
+    <message>
+        <source>take the pose of %1 as a start</source>
+        <translation>Lage von %1 als Anfang nehmen</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 zu %2</translation>
+    </message>
+    <message>
+        <source>place %1</source>
+        <translation>Stelle %1</translation>
+    </message>
+    <message>
+        <source>landmark %1 of %2</source>
+        <translation>Landmarke %1 von %2</translation>
+    </message>
+    <message>
+        <source>remove landmark %1</source>
+        <translation>Landmarke %1 entfernen</translation>
+    </message>
+    <message>
+        <source>A landmark needs a name; type one.</source>
+        <translation>Eine Landmarke braucht einen Namen; einen eingeben.</translation>
+    </message>
+    <message>
+        <source>call landmark %1 &apos;%2&apos;</source>
+        <translation>Landmarke %1 „%2“ nennen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Three places that do not lie on one line are needed; mark %n more in both volumes.</source>
+        <translation>
+            <numerusform>Drei Stellen, die nicht auf einer Geraden liegen, sind nötig; noch eine in beiden Volumen setzen.</numerusform>
+            <numerusform>Drei Stellen, die nicht auf einer Geraden liegen, sind nötig; noch %n in beiden Volumen setzen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>bring %1 together by landmarks</source>
+        <translation>%1 nach Landmarken zusammenbringen</translation>
+    </message>
+    <message>
+        <source>Matching %1 by landmarks</source>
+        <translation>%1 wird nach Landmarken zugeordnet</translation>
+    </message>
+    <message>
+        <source>accept %1</source>
+        <translation>%1 annehmen</translation>
+    </message>
+    <message>
+        <source>reject %1</source>
+        <translation>%1 verwerfen</translation>
+    </message>
+    <message>
+        <source>clear decision on %1</source>
+        <translation>Entscheidung über %1 löschen</translation>
+    </message>
+    <message>
+        <source>nudge %1 by %2 mm</source>
+        <translation>%1 um %2 mm schieben</translation>
+    </message>
+    <message>
+        <source>rotate %1 by %2°</source>
+        <translation>%1 um %2° drehen</translation>
+    </message>
+    <message>
+        <source>redo %1</source>
+        <translation>%1 neu zuordnen</translation>
+    </message>
+    <message>
+        <source>Matching %1 again</source>
+        <translation>%1 wird neu zugeordnet</translation>
+    </message>
+    <message>
+        <source>elastic quality %1</source>
+        <translation>elastische Güte %1</translation>
+    </message>
+    <message>
+        <source>deform %1 %2</source>
+        <translation>%1 verformen: %2</translation>
+    </message>
+    <message>
+        <source>deform %1 as all pairs</source>
+        <translation>%1 wie alle Paare verformen</translation>
+    </message>
+    <message>
+        <source>Deforming %1 again</source>
+        <translation>%1 wird neu verformt</translation>
+    </message>
+</context>
+<context>
     <name>ew::stitching::CostChart</name>
     <message>
         <source>%1: %2 mm in %3</source>
@@ -12681,6 +12779,99 @@
     <message>
         <source>deformed</source>
         <translation>verformt</translation>
+    </message>
+</context>
+<context>
+    <name>ew::stitching::Mosaic</name>
+    <message>
+        <source>There is no stitched volume yet; run &apos;Compute mosaic&apos; first.</source>
+        <translation>Noch gibt es kein zusammengefügtes Volumen; zuerst „Mosaik berechnen“ ausführen.</translation>
+    </message>
+    <message>
+        <source>Saving the stitched volume</source>
+        <translation>Das zusammengefügte Volumen wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Saved in %1: volume.mha, coverage.mha, source.mha, level.mha and provenance.json.</source>
+        <translation>Gespeichert in %1: volume.mha, coverage.mha, source.mha, level.mha und provenance.json.</translation>
+    </message>
+    <message>
+        <source>No case is open that could take the volume; open one (Ctrl+O) or save the volume as a file.</source>
+        <translation>Kein Fall ist offen, der das Volumen nehmen könnte; einen öffnen (Strg+O) oder das Volumen als Datei speichern.</translation>
+    </message>
+    <message>
+        <source>Adding the volume to the case</source>
+        <translation>Das Volumen wird dem Fall hinzugefügt</translation>
+    </message>
+    <message>
+        <source>use the stitched volume</source>
+        <translation>das zusammengefügte Volumen verwenden</translation>
+    </message>
+    <message>
+        <source>It had unsaved changes before; save the case to keep them all.</source>
+        <translation>Er hatte schon ungespeicherte Änderungen; den Fall speichern, um alle zu behalten.</translation>
+    </message>
+    <message>
+        <source>%1 lies in %2 already and was not saved there by this program. Replace it?</source>
+        <translation>In %2 liegt schon %1, und dieses Programm hat es dort nicht gespeichert. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n targets</source>
+        <translation>
+            <numerusform>ein Ziel</numerusform>
+            <numerusform>%n Ziele</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n measurements</source>
+        <translation>
+            <numerusform>eine Messung</numerusform>
+            <numerusform>%n Messungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Replace the volume</source>
+        <translation>Volumen ersetzen</translation>
+    </message>
+    <message>
+        <source>Another case was opened meanwhile; no case was changed.</source>
+        <translation>Inzwischen wurde ein anderer Fall geöffnet; kein Fall wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The patient of the case &apos;%1&apos; is a recipe, and the stitched volume takes its place.</source>
+        <translation>Der Patient des Falls „%1“ ist ein Rezept, und das verbundene Volumen tritt an seine Stelle.</translation>
+    </message>
+    <message>
+        <source>The stitched volume takes the place of the volume of the case &apos;%1&apos;.</source>
+        <translation>Das verbundene Volumen tritt an die Stelle des Volumens des Falls „%1“.</translation>
+    </message>
+    <message>
+        <source>the structures painted in it</source>
+        <translation>die darin gemalten Strukturen</translation>
+    </message>
+    <message>
+        <source>What only the recipe knew goes with it: %1.</source>
+        <translation>Was nur das Rezept wusste, geht mit ihm: %1.</translation>
+    </message>
+    <message>
+        <source>What only that volume knew goes with it: %1.</source>
+        <translation>Was nur dieses Volumen wusste, geht mit ihm: %1.</translation>
+    </message>
+    <message>
+        <source>To keep this case as it is, save it under another name first.</source>
+        <translation>Um diesen Fall zu behalten, wie er ist, ihn zuerst unter einem anderen Namen speichern.</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; now uses volumes/%2.mha.</source>
+        <translation>Der Fall „%1“ nutzt jetzt volumes/%2.mha.</translation>
+    </message>
+    <message>
+        <source>It was recorded elsewhere than the volume before and was put where that lay; check it in the panel Place.</source>
+        <translation>Es wurde an einer anderen Stelle aufgenommen als das Volumen davor und liegt jetzt, wo jenes lag; bitte unter „Platzieren“ prüfen.</translation>
     </message>
 </context>
 <context>
@@ -13079,6 +13270,104 @@
     </message>
 </context>
 <context>
+    <name>ew::stitching::ProjectDocument</name>
+    <message>
+        <source>The project has no volume yet; add one before it is saved.</source>
+        <translation>Das Projekt hat noch kein Volumen; vor dem Speichern eines hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Save the stitch project</source>
+        <translation>Das Stitching-Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Stitch projects (*.json)</source>
+        <translation>Stitching-Projekte (*.json)</translation>
+    </message>
+    <message>
+        <source>'%1' was changed by another program since it was opened here.</source>
+        <translation>„%1“ wurde von einem anderen Programm geändert, seit es hier geöffnet wurde.</translation>
+    </message>
+    <message>
+        <source>Reloading drops your changes, overwriting drops the other ones.</source>
+        <translation>Neu laden verwirft die eigenen Änderungen, Überschreiben die anderen.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Überschreiben</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files lie in other folders and are named by their whole path: to take the project to another machine, put them beside it first.</source>
+        <translation>
+            <numerusform>Eine Datei liegt in einem anderen Ordner und ist mit ihrem ganzen Pfad genannt; sie neben das Projekt legen, bevor es auf einen anderen Rechner kommt.</numerusform>
+            <numerusform>%n Dateien liegen in anderen Ordnern und sind mit ihrem ganzen Pfad genannt; sie neben das Projekt legen, bevor es auf einen anderen Rechner kommt.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ew::stitching::ProjectInputs</name>
+    <message>
+        <source>take %1 as it is</source>
+        <translation>%1 nehmen, wie es ist</translation>
+    </message>
+    <message>
+        <source>ask about %1 again</source>
+        <translation>wieder nach %1 fragen</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Reading %n volumes</source>
+        <translation>
+            <numerusform>Ein Volumen wird gelesen</numerusform>
+            <numerusform>%n Volumen werden gelesen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message numerus="yes">
+        <source>add %n volumes</source>
+        <translation>
+            <numerusform>ein Volumen hinzufügen</numerusform>
+            <numerusform>%n Volumen hinzufügen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: in the list already.</source>
+        <translation>%1: schon in der Liste.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more could not be read either.</source>
+        <translation>
+            <numerusform>Auch eine weitere Datei war nicht lesbar.</numerusform>
+            <numerusform>Auch %n weitere Dateien waren nicht lesbar.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>calibration of %1</source>
+        <translation>Kalibrierung von %1</translation>
+    </message>
+    <message>
+        <source>no calibration of %1</source>
+        <translation>keine Kalibrierung von %1</translation>
+    </message>
+    <message>
+        <source>voxel spacing of %1</source>
+        <translation>Voxelabstand von %1</translation>
+    </message>
+</context>
+<context>
     <name>ew::stitching::SliceView</name>
     <message>
         <source>No deformation has been found yet. &apos;Elastic&apos; finds one.</source>
@@ -13413,15 +13702,7 @@
     </message>
 </context>
 <context>
-    <name>ew::stitching::StitchSession</name>
-    <message>
-        <source>take %1 as it is</source>
-        <translation>%1 nehmen, wie es ist</translation>
-    </message>
-    <message>
-        <source>ask about %1 again</source>
-        <translation>wieder nach %1 fragen</translation>
-    </message>
+    <name>ew::stitching::StitchResults</name>
     <message>
         <source>aligned</source>
         <translation>passt</translation>
@@ -13442,6 +13723,72 @@
         <source>not matched yet</source>
         <translation>noch nicht zugeordnet</translation>
     </message>
+    <message>
+        <source>no pair needs a look</source>
+        <translation>kein Paar anzusehen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs need review</source>
+        <translation>%1 von %2 Paaren prüfen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs not matched</source>
+        <translation>%1 von %2 nicht zugeordnet</translation>
+    </message>
+    <message>
+        <source>by landmarks</source>
+        <translation>Landmarken</translation>
+    </message>
+    <message>
+        <source>manual, not checked</source>
+        <translation>von Hand, ungeprüft</translation>
+    </message>
+</context>
+<context>
+    <name>ew::stitching::StitchRuns</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 zu %2</translation>
+    </message>
+    <message>
+        <source>Matching needs two volumes at least; add another one.</source>
+        <translation>Zum Zuordnen braucht es mindestens zwei Volumen; noch eines hinzufügen.</translation>
+    </message>
+    <message>
+        <source>match without tracker</source>
+        <translation>ohne Tracker zuordnen</translation>
+    </message>
+    <message>
+        <source>Matching without tracker</source>
+        <translation>Zuordnen ohne Tracker</translation>
+    </message>
+    <message>
+        <source>Refining the poses</source>
+        <translation>Lagen werden verfeinert</translation>
+    </message>
+    <message>
+        <source>There is nothing to work on yet; add two volumes or more.</source>
+        <translation>Noch gibt es nichts zu tun; zwei oder mehr Volumen hinzufügen.</translation>
+    </message>
+    <message>
+        <source>A step is still running; wait for it or cancel it.</source>
+        <translation>Ein Schritt läuft noch; auf ihn warten oder ihn abbrechen.</translation>
+    </message>
+    <message>
+        <source>Restoring previous results</source>
+        <translation>Frühere Ergebnisse werden gelesen</translation>
+    </message>
+    <message>
+        <source>refine the poses</source>
+        <translation>die Lagen verfeinern</translation>
+    </message>
+    <message>
+        <source>Not matched by their images, because you placed them by landmarks or accepted them by hand: %1.</source>
+        <translation>Nicht nach ihren Bildern zugeordnet, weil sie nach Landmarken platziert oder von Hand angenommen wurden: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::stitching::StitchSession</name>
     <message>
         <source>Stitching</source>
         <translation>Stitching</translation>
@@ -13469,339 +13816,6 @@
     <message>
         <source>saved</source>
         <translation>gespeichert</translation>
-    </message>
-    <message>
-        <source>no pair needs a look</source>
-        <translation>kein Paar anzusehen</translation>
-    </message>
-    <message>
-        <source>%1 of %2 pairs need review</source>
-        <translation>%1 von %2 Paaren prüfen</translation>
-    </message>
-    <message>
-        <source>The project has no volume yet; add one before it is saved.</source>
-        <translation>Das Projekt hat noch kein Volumen; vor dem Speichern eines hinzufügen.</translation>
-    </message>
-    <message>
-        <source>Save the stitch project</source>
-        <translation>Das Stitching-Projekt speichern</translation>
-    </message>
-    <message>
-        <source>Stitch projects (*.json)</source>
-        <translation>Stitching-Projekte (*.json)</translation>
-    </message>
-    <message>
-        <source>Reading %1</source>
-        <translation>%1 wird gelesen</translation>
-    </message>
-    <message numerus="yes">
-        <source>Reading %n volumes</source>
-        <translation>
-            <numerusform>Ein Volumen wird gelesen</numerusform>
-            <numerusform>%n Volumen werden gelesen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>add %1</source>
-        <translation>%1 hinzufügen</translation>
-    </message>
-    <message numerus="yes">
-        <source>add %n volumes</source>
-        <translation>
-            <numerusform>ein Volumen hinzufügen</numerusform>
-            <numerusform>%n Volumen hinzufügen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>clear the pose of %1</source>
-        <translation>Lage von %1 vergessen</translation>
-    </message>
-    <message>
-        <source>believe the tracker about %1</source>
-        <translation>dem Tracker bei %1 glauben</translation>
-    </message>
-    <message>
-        <source>take the pose of %1 as a start</source>
-        <translation>Lage von %1 als Anfang nehmen</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 zu %2</translation>
-    </message>
-    <message>
-        <source>place %1</source>
-        <translation>Stelle %1</translation>
-    </message>
-    <message>
-        <source>landmark %1 of %2</source>
-        <translation>Landmarke %1 von %2</translation>
-    </message>
-    <message>
-        <source>remove landmark %1</source>
-        <translation>Landmarke %1 entfernen</translation>
-    </message>
-    <message>
-        <source>A landmark needs a name; type one.</source>
-        <translation>Eine Landmarke braucht einen Namen; einen eingeben.</translation>
-    </message>
-    <message>
-        <source>call landmark %1 &apos;%2&apos;</source>
-        <translation>Landmarke %1 „%2“ nennen</translation>
-    </message>
-    <message numerus="yes">
-        <source>Three places that do not lie on one line are needed; mark %n more in both volumes.</source>
-        <translation>
-            <numerusform>Drei Stellen, die nicht auf einer Geraden liegen, sind nötig; noch eine in beiden Volumen setzen.</numerusform>
-            <numerusform>Drei Stellen, die nicht auf einer Geraden liegen, sind nötig; noch %n in beiden Volumen setzen.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>bring %1 together by landmarks</source>
-        <translation>%1 nach Landmarken zusammenbringen</translation>
-    </message>
-    <message>
-        <source>Matching %1 by landmarks</source>
-        <translation>%1 wird nach Landmarken zugeordnet</translation>
-    </message>
-    <message>
-        <source>accept %1</source>
-        <translation>%1 annehmen</translation>
-    </message>
-    <message>
-        <source>reject %1</source>
-        <translation>%1 verwerfen</translation>
-    </message>
-    <message>
-        <source>clear decision on %1</source>
-        <translation>Entscheidung über %1 löschen</translation>
-    </message>
-    <message>
-        <source>nudge %1 by %2 mm</source>
-        <translation>%1 um %2 mm schieben</translation>
-    </message>
-    <message>
-        <source>rotate %1 by %2°</source>
-        <translation>%1 um %2° drehen</translation>
-    </message>
-    <message>
-        <source>Matching needs two volumes at least; add another one.</source>
-        <translation>Zum Zuordnen braucht es mindestens zwei Volumen; noch eines hinzufügen.</translation>
-    </message>
-    <message>
-        <source>match without tracker</source>
-        <translation>ohne Tracker zuordnen</translation>
-    </message>
-    <message>
-        <source>Matching without tracker</source>
-        <translation>Zuordnen ohne Tracker</translation>
-    </message>
-    <message>
-        <source>Refining the poses</source>
-        <translation>Lagen werden verfeinert</translation>
-    </message>
-    <message>
-        <source>There is nothing to work on yet; add two volumes or more.</source>
-        <translation>Noch gibt es nichts zu tun; zwei oder mehr Volumen hinzufügen.</translation>
-    </message>
-    <message>
-        <source>redo %1</source>
-        <translation>%1 neu zuordnen</translation>
-    </message>
-    <message>
-        <source>Matching %1 again</source>
-        <translation>%1 wird neu zugeordnet</translation>
-    </message>
-    <message>
-        <source>Stitched volume</source>
-        <translation>Zusammengefügtes Volumen</translation>
-    </message>
-    <message>
-        <source>There is no stitched volume yet; run &apos;Compute mosaic&apos; first.</source>
-        <translation>Noch gibt es kein zusammengefügtes Volumen; zuerst „Mosaik berechnen“ ausführen.</translation>
-    </message>
-    <message>
-        <source>Saving the stitched volume</source>
-        <translation>Das zusammengefügte Volumen wird gespeichert</translation>
-    </message>
-    <message>
-        <source>Saved in %1: volume.mha, coverage.mha, source.mha, level.mha and provenance.json.</source>
-        <translation>Gespeichert in %1: volume.mha, coverage.mha, source.mha, level.mha und provenance.json.</translation>
-    </message>
-    <message>
-        <source>No case is open that could take the volume; open one (Ctrl+O) or save the volume as a file.</source>
-        <translation>Kein Fall ist offen, der das Volumen nehmen könnte; einen öffnen (Strg+O) oder das Volumen als Datei speichern.</translation>
-    </message>
-    <message>
-        <source>Adding the volume to the case</source>
-        <translation>Das Volumen wird dem Fall hinzugefügt</translation>
-    </message>
-    <message>
-        <source>Another case was opened meanwhile; the volume lies in %1 and no case was changed.</source>
-        <translation>Inzwischen wurde ein anderer Fall geöffnet; das Volumen liegt in %1, und kein Fall wurde geändert.</translation>
-    </message>
-    <message>
-        <source>use the stitched volume</source>
-        <translation>das zusammengefügte Volumen verwenden</translation>
-    </message>
-    <message>
-        <source>It had unsaved changes before; save the case to keep them all.</source>
-        <translation>Er hatte schon ungespeicherte Änderungen; den Fall speichern, um alle zu behalten.</translation>
-    </message>
-    <message>
-        <source>A step is still running; wait for it or cancel it.</source>
-        <translation>Ein Schritt läuft noch; auf ihn warten oder ihn abbrechen.</translation>
-    </message>
-    <message>
-        <source>elastic quality %1</source>
-        <translation>elastische Güte %1</translation>
-    </message>
-    <message>
-        <source>deform %1 %2</source>
-        <translation>%1 verformen: %2</translation>
-    </message>
-    <message>
-        <source>deform %1 as all pairs</source>
-        <translation>%1 wie alle Paare verformen</translation>
-    </message>
-    <message>
-        <source>Deforming %1 again</source>
-        <translation>%1 wird neu verformt</translation>
-    </message>
-    <message>
-        <source>Restoring previous results</source>
-        <translation>Frühere Ergebnisse werden gelesen</translation>
-    </message>
-    <message>
-        <source>%1 of %2 pairs not matched</source>
-        <translation>%1 von %2 nicht zugeordnet</translation>
-    </message>
-    <message>
-        <source>%1: in the list already.</source>
-        <translation>%1: schon in der Liste.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more could not be read either.</source>
-        <translation>
-            <numerusform>Auch eine weitere Datei war nicht lesbar.</numerusform>
-            <numerusform>Auch %n weitere Dateien waren nicht lesbar.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>by landmarks</source>
-        <translation>Landmarken</translation>
-    </message>
-    <message>
-        <source>manual, not checked</source>
-        <translation>von Hand, ungeprüft</translation>
-    </message>
-    <message>
-        <source>refine the poses</source>
-        <translation>die Lagen verfeinern</translation>
-    </message>
-    <message>
-        <source>Not matched by their images, because you placed them by landmarks or accepted them by hand: %1.</source>
-        <translation>Nicht nach ihren Bildern zugeordnet, weil sie nach Landmarken platziert oder von Hand angenommen wurden: %1.</translation>
-    </message>
-    <message>
-        <source>'%1' was changed by another program since it was opened here.</source>
-        <translation>„%1“ wurde von einem anderen Programm geändert, seit es hier geöffnet wurde.</translation>
-    </message>
-    <message>
-        <source>Reloading drops your changes, overwriting drops the other ones.</source>
-        <translation>Neu laden verwirft die eigenen Änderungen, Überschreiben die anderen.</translation>
-    </message>
-    <message>
-        <source>Reload</source>
-        <translation>Neu laden</translation>
-    </message>
-    <message>
-        <source>Overwrite</source>
-        <translation>Überschreiben</translation>
-    </message>
-    <message>
-        <source>Save as…</source>
-        <translation>Speichern unter …</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n files lie in other folders and are named by their whole path: to take the project to another machine, put them beside it first.</source>
-        <translation>
-            <numerusform>Eine Datei liegt in einem anderen Ordner und ist mit ihrem ganzen Pfad genannt; sie neben das Projekt legen, bevor es auf einen anderen Rechner kommt.</numerusform>
-            <numerusform>%n Dateien liegen in anderen Ordnern und sind mit ihrem ganzen Pfad genannt; sie neben das Projekt legen, bevor es auf einen anderen Rechner kommt.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 lies in %2 already and was not saved there by this program. Replace it?</source>
-        <translation>In %2 liegt schon %1, und dieses Programm hat es dort nicht gespeichert. Ersetzen?</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>Ersetzen</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n targets</source>
-        <translation>
-            <numerusform>ein Ziel</numerusform>
-            <numerusform>%n Ziele</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n measurements</source>
-        <translation>
-            <numerusform>eine Messung</numerusform>
-            <numerusform>%n Messungen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Replace the volume</source>
-        <translation>Volumen ersetzen</translation>
-    </message>
-    <message>
-        <source>Another case was opened meanwhile; no case was changed.</source>
-        <translation>Inzwischen wurde ein anderer Fall geöffnet; kein Fall wurde geändert.</translation>
-    </message>
-    <message>
-        <source>calibration of %1</source>
-        <translation>Kalibrierung von %1</translation>
-    </message>
-    <message>
-        <source>no calibration of %1</source>
-        <translation>keine Kalibrierung von %1</translation>
-    </message>
-    <message>
-        <source>voxel spacing of %1</source>
-        <translation>Voxelabstand von %1</translation>
-    </message>
-    <message>
-        <source>The patient of the case &apos;%1&apos; is a recipe, and the stitched volume takes its place.</source>
-        <translation>Der Patient des Falls „%1“ ist ein Rezept, und das verbundene Volumen tritt an seine Stelle.</translation>
-    </message>
-    <message>
-        <source>The stitched volume takes the place of the volume of the case &apos;%1&apos;.</source>
-        <translation>Das verbundene Volumen tritt an die Stelle des Volumens des Falls „%1“.</translation>
-    </message>
-    <message>
-        <source>the structures painted in it</source>
-        <translation>die darin gemalten Strukturen</translation>
-    </message>
-    <message>
-        <source>What only the recipe knew goes with it: %1.</source>
-        <translation>Was nur das Rezept wusste, geht mit ihm: %1.</translation>
-    </message>
-    <message>
-        <source>What only that volume knew goes with it: %1.</source>
-        <translation>Was nur dieses Volumen wusste, geht mit ihm: %1.</translation>
-    </message>
-    <message>
-        <source>To keep this case as it is, save it under another name first.</source>
-        <translation>Um diesen Fall zu behalten, wie er ist, ihn zuerst unter einem anderen Namen speichern.</translation>
-    </message>
-    <message>
-        <source>The case &apos;%1&apos; now uses volumes/%2.mha.</source>
-        <translation>Der Fall „%1“ nutzt jetzt volumes/%2.mha.</translation>
-    </message>
-    <message>
-        <source>It was recorded elsewhere than the volume before and was put where that lay; check it in the panel Place.</source>
-        <translation>Es wurde an einer anderen Stelle aufgenommen als das Volumen davor und liegt jetzt, wo jenes lag; bitte unter „Platzieren“ prüfen.</translation>
     </message>
 </context>
 <context>

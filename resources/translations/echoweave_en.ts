@@ -2,12 +2,73 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en">
 <context>
+    <name>ew::stitching::AlignmentEdits</name>
+    <message numerus="yes">
+        <source>Three places that do not lie on one line are needed; mark %n more in both volumes.</source>
+        <translation>
+            <numerusform>Three places that do not lie on one line are needed; mark %n more in both volumes.</numerusform>
+            <numerusform>Three places that do not lie on one line are needed; mark %n more in both volumes.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ew::stitching::Mosaic</name>
+    <message numerus="yes">
+        <source>%n targets</source>
+        <translation>
+            <numerusform>%n target</numerusform>
+            <numerusform>%n targets</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n measurements</source>
+        <translation>
+            <numerusform>%n measurement</numerusform>
+            <numerusform>%n measurements</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ew::stitching::PairInspector</name>
     <message numerus="yes">
         <source>Times are as %n pairs took here.</source>
         <translation>
             <numerusform>Times are as %n pair took here.</numerusform>
             <numerusform>Times are as %n pairs took here.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ew::stitching::ProjectDocument</name>
+    <message numerus="yes">
+        <source>%n files lie in other folders and are named by their whole path: to take the project to another machine, put them beside it first.</source>
+        <translation>
+            <numerusform>%n file lies in another folder and is named by its whole path: to take the project to another machine, put it beside it first.</numerusform>
+            <numerusform>%n files lie in other folders and are named by their whole path: to take the project to another machine, put them beside it first.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ew::stitching::ProjectInputs</name>
+    <message numerus="yes">
+        <source>Reading %n volumes</source>
+        <translation>
+            <numerusform>Reading %n volume</numerusform>
+            <numerusform>Reading %n volumes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>add %n volumes</source>
+        <translation>
+            <numerusform>add %n volume</numerusform>
+            <numerusform>add %n volumes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more could not be read either.</source>
+        <translation>
+            <numerusform>%n more could not be read either.</numerusform>
+            <numerusform>%n more could not be read either.</numerusform>
         </translation>
     </message>
 </context>
@@ -25,58 +86,6 @@
         <translation>
             <numerusform>%n more is offered after it.</numerusform>
             <numerusform>%n more are offered after it.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>ew::stitching::StitchSession</name>
-    <message numerus="yes">
-        <source>Reading %n volumes</source>
-        <translation>
-            <numerusform>Reading %n volume</numerusform>
-            <numerusform>Reading %n volumes</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>add %n volumes</source>
-        <translation>
-            <numerusform>add %n volume</numerusform>
-            <numerusform>add %n volumes</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Three places that do not lie on one line are needed; mark %n more in both volumes.</source>
-        <translation>
-            <numerusform>Three places that do not lie on one line are needed; mark %n more in both volumes.</numerusform>
-            <numerusform>Three places that do not lie on one line are needed; mark %n more in both volumes.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more could not be read either.</source>
-        <translation>
-            <numerusform>%n more could not be read either.</numerusform>
-            <numerusform>%n more could not be read either.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n files lie in other folders and are named by their whole path: to take the project to another machine, put them beside it first.</source>
-        <translation>
-            <numerusform>%n file lies in another folder and is named by its whole path: to take the project to another machine, put it beside it first.</numerusform>
-            <numerusform>%n files lie in other folders and are named by their whole path: to take the project to another machine, put them beside it first.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n targets</source>
-        <translation>
-            <numerusform>%n target</numerusform>
-            <numerusform>%n targets</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n measurements</source>
-        <translation>
-            <numerusform>%n measurement</numerusform>
-            <numerusform>%n measurements</numerusform>
         </translation>
     </message>
 </context>

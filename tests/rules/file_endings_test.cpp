@@ -35,7 +35,7 @@ TEST(FileEndings, AreComparedWhateverTheSizeOfTheirLetters) {
       {"workstation/io/src/sweeps/sequence_read.cpp", lowered},
       {"workstation/io/src/files/image_header.cpp", lowered},
       {"workstation/reports/src/report_numbers.cpp", "A number, no file."},
-      {"plugins/stitching/panel/session_work.cpp", own},
+      {"plugins/stitching/panel/stitch_runs.cpp", own},
       {"workstation/assessment/src/attempts/review_comment.cpp", own},
       {"workstation/io/src/sweeps/sequence_write.cpp", lowered},
       {"workstation/library/src/case/body_landmarks.cpp", own},

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "panel/look.h"
+#include "panel/stitch_session.h"
 
 namespace ew::stitching {
 namespace {
@@ -46,28 +47,28 @@ QPointF LevelChart::LevelPlot::at(double level, double value) const {
   return {box.left() + share * box.width(), correlation.at(value, box.bottom(), box.top())};
 }
 
-LevelChart::LevelChart(StitchSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+LevelChart::LevelChart(StitchSession& session, QWidget* parent) : QWidget(parent), look_(session.look()), runs_(session.runs()) {
   setObjectName(QStringLiteral("levelChart"));
   const auto look = [this] {
-    const bool nothing = session_.levels().empty() && session_.warpLevels().empty();
+    const bool nothing = runs_.levels(look_.pair()).empty() && runs_.warpLevels(look_.pair()).empty();
     setFixedHeight(withText(nothing ? 48 : 104, font()));  // a chart of nothing takes no room from what can be done about it
     update();
   };
-  connect(&session_, &StitchSession::levelsChanged, this, look);
-  connect(&session_, &StitchSession::changed, this, look);
+  connect(&session, &StitchSession::levelsChanged, this, look);
+  connect(&session, &StitchSession::changed, this, look);
   look();
 }
 
 void LevelChart::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   paintCard(painter, *this);
-  auto levels = session_.levels();
+  auto levels = runs_.levels(look_.pair());
   const std::size_t matched = levels.size();
-  for (const auto& level : session_.warpLevels()) levels.push_back(level);
+  for (const auto& level : runs_.warpLevels(look_.pair())) levels.push_back(level);
   if (levels.empty()) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawText(rect().adjusted(16, 8, -16, -8), Qt::AlignCenter | Qt::TextWordWrap,
-                     session_.isRunning() ? tr("The curve grows while the pair is matched") : tr("No levels yet: match the pair"));
+                     runs_.isRunning() ? tr("The curve grows while the pair is matched") : tr("No levels yet: match the pair"));
     return;
   }
   const LevelPlot plot(levels, QRectF(rect()).adjusted(36, 16, -16, -24));

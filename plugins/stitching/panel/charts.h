@@ -7,10 +7,15 @@
 #include <vector>
 
 #include "ew/core/chart_axis.h"
+#include "ew/registration/elastic.h"
+#include "ew/registration/rigid.h"
 #include "ew/stitching/expected_cost.h"
-#include "panel/stitch_session.h"
 
 namespace ew::stitching {
+
+class StitchLook;
+class StitchRuns;
+class StitchSession;
 
 /// Correlation before and after each level, from the coarse to the fine, of matching and then of bending; grows while it runs.
 class LevelChart final : public QWidget {
@@ -39,7 +44,8 @@ class LevelChart final : public QWidget {
   void paintSteps(QPainter& painter, const LevelPlot& plot, const Levels& levels) const;
   void paintCurve(QPainter& painter, const LevelPlot& plot, const Levels& levels, std::size_t begin, std::size_t end) const;
 
-  StitchSession& session_;
+  const StitchLook& look_;
+  const StitchRuns& runs_;
 };
 
 /// Time against error at each effort of bending: what is expected, what is in use, and what it took. A click on a point chooses its effort

@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include "logic/slices.h"
-#include "panel/stitch_session.h"
+#include "panel/stitch_results.h"
 
 /// Colours and words that list, graph, views and inspector share. Verdicts are told by colour, by a sign, and by a word: never colour
 /// alone.
@@ -20,41 +20,41 @@ inline QColor colourOf(const std::array<std::uint8_t, 3>& rgb) { return {rgb[0],
 /// A size that holds text, so many pixels at the window's usual 13: what is painted grows with the words around it.
 [[nodiscard]] inline int withText(int px, const QFont& font) { return font.pixelSize() > 0 ? px * font.pixelSize() / 13 : px; }
 
-[[nodiscard]] inline QColor colourOfMark(StitchSession::Mark mark, const QPalette& palette) {
+[[nodiscard]] inline QColor colourOfMark(StitchResults::Mark mark, const QPalette& palette) {
   const bool dark = palette.color(QPalette::Window).lightness() < 128;
   switch (mark) {
-    case StitchSession::Mark::aligned:
+    case StitchResults::Mark::aligned:
       return dark ? QColor(0x5f, 0xb8, 0x6e) : QColor(0x2a, 0x80, 0x3c);
-    case StitchSession::Mark::landmarks:
-    case StitchSession::Mark::byHand:
+    case StitchResults::Mark::landmarks:
+    case StitchResults::Mark::byHand:
       return palette.color(QPalette::WindowText);
-    case StitchSession::Mark::cannotTell:
+    case StitchResults::Mark::cannotTell:
       return dark ? QColor(0xd9, 0xb1, 0x4a) : QColor(0x8f, 0x66, 0x00);
-    case StitchSession::Mark::notAligned:
+    case StitchResults::Mark::notAligned:
       return palette.color(QPalette::BrightText);
-    case StitchSession::Mark::rejected:
-    case StitchSession::Mark::unknown:
+    case StitchResults::Mark::rejected:
+    case StitchResults::Mark::unknown:
       return palette.color(QPalette::PlaceholderText);
   }
   return {};
 }
 
-[[nodiscard]] inline QString wordsOfMark(StitchSession::Mark mark) {
+[[nodiscard]] inline QString wordsOfMark(StitchResults::Mark mark) {
   switch (mark) {
-    case StitchSession::Mark::aligned:
-      return StitchSession::tr("aligned");
-    case StitchSession::Mark::landmarks:
-      return StitchSession::tr("by landmarks");
-    case StitchSession::Mark::byHand:
-      return StitchSession::tr("manual, not checked");
-    case StitchSession::Mark::cannotTell:
-      return StitchSession::tr("cannot tell");
-    case StitchSession::Mark::notAligned:
-      return StitchSession::tr("not aligned");
-    case StitchSession::Mark::rejected:
-      return StitchSession::tr("rejected");
-    case StitchSession::Mark::unknown:
-      return StitchSession::tr("not matched yet");
+    case StitchResults::Mark::aligned:
+      return StitchResults::tr("aligned");
+    case StitchResults::Mark::landmarks:
+      return StitchResults::tr("by landmarks");
+    case StitchResults::Mark::byHand:
+      return StitchResults::tr("manual, not checked");
+    case StitchResults::Mark::cannotTell:
+      return StitchResults::tr("cannot tell");
+    case StitchResults::Mark::notAligned:
+      return StitchResults::tr("not aligned");
+    case StitchResults::Mark::rejected:
+      return StitchResults::tr("rejected");
+    case StitchResults::Mark::unknown:
+      return StitchResults::tr("not matched yet");
   }
   return {};
 }
@@ -65,6 +65,6 @@ inline QColor colourOf(const std::array<std::uint8_t, 3>& rgb) { return {rgb[0],
 }
 
 /// A sign per verdict, so that it reads without colour: tick, plus, dot, question mark, cross, bar, ring.
-void drawMark(QPainter& painter, const QRectF& box, StitchSession::Mark mark, const QPalette& palette);
+void drawMark(QPainter& painter, const QRectF& box, StitchResults::Mark mark, const QPalette& palette);
 
 }  // namespace ew::stitching

@@ -11,6 +11,7 @@
 
 #include "ew/sdk/panel.h"
 #include "panel/look.h"
+#include "panel/stitch_session.h"
 
 namespace ew::stitching {
 namespace {
@@ -20,14 +21,14 @@ constexpr double kReach_px = 9.0;
 
 }  // namespace
 
-void drawMark(QPainter& painter, const QRectF& box, StitchSession::Mark mark, const QPalette& palette) {
+void drawMark(QPainter& painter, const QRectF& box, StitchResults::Mark mark, const QPalette& palette) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   const QColor colour = colourOfMark(mark, palette);
   const double side = std::min(box.width(), box.height());
   const QPointF c = box.center();
   const bool filled =
-      mark == StitchSession::Mark::aligned || mark == StitchSession::Mark::notAligned || mark == StitchSession::Mark::cannotTell;
+      mark == StitchResults::Mark::aligned || mark == StitchResults::Mark::notAligned || mark == StitchResults::Mark::cannotTell;
   painter.setPen(QPen(colour, 1.5));
   painter.setBrush(filled ? QBrush(colour) : QBrush(Qt::NoBrush));
   painter.drawEllipse(c, side / 2 - 0.75, side / 2 - 0.75);
@@ -37,19 +38,19 @@ void drawMark(QPainter& painter, const QRectF& box, StitchSession::Mark mark, co
   painter.setPen(sign);
   painter.setBrush(Qt::NoBrush);
   switch (mark) {
-    case StitchSession::Mark::aligned:
+    case StitchResults::Mark::aligned:
       painter.drawPolyline(QPolygonF({c + QPointF(-r, 0.1 * r), c + QPointF(-0.2 * r, 0.8 * r), c + QPointF(1.1 * r, -0.8 * r)}));
       break;
-    case StitchSession::Mark::landmarks:
+    case StitchResults::Mark::landmarks:
       painter.drawLine(c + QPointF(-1.2 * r, 0), c + QPointF(1.2 * r, 0));
       painter.drawLine(c + QPointF(0, -1.2 * r), c + QPointF(0, 1.2 * r));
       break;
-    case StitchSession::Mark::byHand:
+    case StitchResults::Mark::byHand:
       painter.setPen(Qt::NoPen);
       painter.setBrush(colour);
       painter.drawEllipse(c, r, r);
       break;
-    case StitchSession::Mark::cannotTell: {
+    case StitchResults::Mark::cannotTell: {
       QFont font = painter.font();
       font.setPixelSize(static_cast<int>(side * 0.85));
       font.setBold(true);
@@ -57,27 +58,28 @@ void drawMark(QPainter& painter, const QRectF& box, StitchSession::Mark mark, co
       painter.drawText(box, Qt::AlignCenter, QStringLiteral("?"));
       break;
     }
-    case StitchSession::Mark::notAligned:
+    case StitchResults::Mark::notAligned:
       painter.drawLine(c + QPointF(-r, -r), c + QPointF(r, r));
       painter.drawLine(c + QPointF(-r, r), c + QPointF(r, -r));
       break;
-    case StitchSession::Mark::rejected:
+    case StitchResults::Mark::rejected:
       painter.drawLine(c + QPointF(-1.2 * r, 0), c + QPointF(1.2 * r, 0));
       break;
-    case StitchSession::Mark::unknown:
+    case StitchResults::Mark::unknown:
       break;
   }
   painter.restore();
 }
 
-PairGraph::PairGraph(StitchSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+PairGraph::PairGraph(StitchSession& session, QWidget* parent)
+    : QWidget(parent), document_(session.document()), results_(session.results()), look_(session.look()) {
   setObjectName(QStringLiteral("pairGraph"));
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Graph of pairs"));
-  lines_ = session_.pairs();
-  connect(&session_, &StitchSession::changed, this, [this] {
-    lines_ = session_.pairs();
+  lines_ = results_.pairs(look_.pair());
+  connect(&session, &StitchSession::changed, this, [this] {
+    lines_ = results_.pairs(look_.pair());
     update();
   });
 }
@@ -86,7 +88,7 @@ QSize PairGraph::sizeHint() const { return {264, 208}; }
 QSize PairGraph::minimumSizeHint() const { return {200, 104}; }
 
 QPointF PairGraph::nodeAt(std::size_t volume) const {
-  const auto count = static_cast<double>(std::max<std::size_t>(1, session_.project().volumes.size()));
+  const auto count = static_cast<double>(std::max<std::size_t>(1, document_.project().volumes.size()));
   const QPointF middle(width() / 2.0, height() / 2.0);
   if (count < 2) return middle;
   // The first at the upper left, as one reads; two stand side by side.
@@ -105,14 +107,14 @@ QPointF PairGraph::middleOfEdge(std::size_t a, std::size_t b) const {
 void PairGraph::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const auto& chosen = session_.pair();
+  const auto& chosen = look_.pair();
   const auto* under = nodeUnder(pointer_) >= 0 ? nullptr : edgeUnder(pointer_);
-  const auto draw = [&](const StitchSession::PairLine& line) {
+  const auto draw = [&](const StitchResults::PairLine& line) {
     const bool isChosen = chosen && chosen->fixed == line.fixed && chosen->moving == line.moving;
     const bool isUnder = under != nullptr && under->fixed == line.fixed && under->moving == line.moving;
     const QLineF edge(nodeAt(line.fixed), nodeAt(line.moving));
     QPen pen(colourOfMark(line.mark, palette()), isChosen ? 4.0 : isUnder ? 3.0 : 2.0);
-    using Mark = StitchSession::Mark;
+    using Mark = StitchResults::Mark;
     if (line.mark == Mark::unknown) {
       pen.setWidthF(isChosen ? 3.0 : isUnder ? 2.0 : 1.0);
       pen.setStyle(Qt::DotLine);
@@ -154,7 +156,7 @@ void PairGraph::paintEvent(QPaintEvent*) {
   QFont font = this->font();
   font.setBold(true);
   painter.setFont(font);
-  for (std::size_t n = 0; n < session_.project().volumes.size(); ++n) {
+  for (std::size_t n = 0; n < document_.project().volumes.size(); ++n) {
     const QPointF at = nodeAt(n);
     const bool isChosen = chosen && (chosen->fixed == n || chosen->moving == n);
     painter.setPen(QPen(palette().color(isChosen ? QPalette::Highlight : QPalette::PlaceholderText), isChosen ? 2.5 : 1.5));
@@ -171,13 +173,13 @@ void PairGraph::paintEvent(QPaintEvent*) {
 }
 
 int PairGraph::nodeUnder(const QPointF& at) const {
-  for (std::size_t n = 0; n < session_.project().volumes.size(); ++n)
+  for (std::size_t n = 0; n < document_.project().volumes.size(); ++n)
     if (QLineF(at, nodeAt(n)).length() <= kNode_px + 2.0) return static_cast<int>(n);
   return -1;
 }
 
-const StitchSession::PairLine* PairGraph::edgeUnder(const QPointF& at) const {
-  const StitchSession::PairLine* nearest = nullptr;
+const StitchResults::PairLine* PairGraph::edgeUnder(const QPointF& at) const {
+  const StitchResults::PairLine* nearest = nullptr;
   double least = kReach_px;
   for (const auto& line : lines_) {
     const QPointF from = nodeAt(line.fixed);
@@ -196,9 +198,9 @@ const StitchSession::PairLine* PairGraph::edgeUnder(const QPointF& at) const {
 
 void PairGraph::mousePressEvent(QMouseEvent* event) {
   if (const int node = nodeUnder(event->localPos()); node >= 0) {
-    session_.chooseVolume(static_cast<std::size_t>(node));
+    look_.chooseVolume(static_cast<std::size_t>(node));
   } else if (const auto* edge = edgeUnder(event->localPos())) {
-    session_.choosePair(edge->fixed, edge->moving);
+    look_.choosePair(edge->fixed, edge->moving);
   }
 }
 
@@ -217,11 +219,10 @@ void PairGraph::chooseNext(int step) {
   if (lines_.empty()) return;
   int at = -1;
   for (std::size_t n = 0; n < lines_.size(); ++n)
-    if (session_.pair() && session_.pair()->fixed == lines_[n].fixed && session_.pair()->moving == lines_[n].moving)
-      at = static_cast<int>(n);
+    if (look_.pair() && look_.pair()->fixed == lines_[n].fixed && look_.pair()->moving == lines_[n].moving) at = static_cast<int>(n);
   const int count = static_cast<int>(lines_.size());
   const auto& next = lines_[static_cast<std::size_t>(at < 0 ? 0 : (at + step + count) % count)];
-  session_.choosePair(next.fixed, next.moving);
+  look_.choosePair(next.fixed, next.moving);
 }
 
 void PairGraph::keyPressEvent(QKeyEvent* event) {
@@ -250,7 +251,7 @@ bool PairGraph::event(QEvent* event) {
     QString text;
     if (const int node = nodeUnder(help->pos()); node >= 0) {
       text = QStringLiteral("%1: %2").arg(sdk::words(letterOf(static_cast<std::size_t>(node))),
-                                          sdk::words(session_.project().volumes[static_cast<std::size_t>(node)].name));
+                                          sdk::words(document_.project().volumes[static_cast<std::size_t>(node)].name));
     } else if (const auto* edge = edgeUnder(help->pos())) {
       text = tr("%1 to %2: %3").arg(sdk::words(letterOf(edge->fixed)), sdk::words(letterOf(edge->moving)), wordsOfMark(edge->mark));
       if (edge->wrong) text += QStringLiteral(", ") + tr("against what the other pairs say");

@@ -3,9 +3,13 @@
 #include <QWidget>
 #include <vector>
 
-#include "panel/stitch_session.h"
+#include "panel/stitch_results.h"
 
 namespace ew::stitching {
+
+class ProjectDocument;
+class StitchLook;
+class StitchSession;
 
 /// The subvolumes as nodes on a ring, the pairs as edges: drawn through, dashed or crossed out by verdict. A click chooses an edge or a
 /// node; the arrow keys go from pair to pair.
@@ -32,9 +36,11 @@ class PairGraph final : public QWidget {
 
  private:
   [[nodiscard]] int nodeUnder(const QPointF& at) const;
-  [[nodiscard]] const StitchSession::PairLine* edgeUnder(const QPointF& at) const;
-  StitchSession& session_;
-  std::vector<StitchSession::PairLine> lines_;
+  [[nodiscard]] const StitchResults::PairLine* edgeUnder(const QPointF& at) const;
+  const ProjectDocument& document_;
+  const StitchResults& results_;
+  StitchLook& look_;
+  std::vector<StitchResults::PairLine> lines_;
   QPointF pointer_{-1, -1};
 };
 

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "panel/look.h"
+#include "panel/stitch_session.h"
 
 namespace ew::stitching {
 namespace {
@@ -55,7 +56,7 @@ QVBoxLayout* columnIn(QWidget* box) {
 class MarkBox final : public QWidget {
  public:
   explicit MarkBox(QWidget* parent = nullptr) : QWidget(parent) { setFixedSize(16, 16); }
-  StitchSession::Mark mark = StitchSession::Mark::unknown;
+  StitchResults::Mark mark = StitchResults::Mark::unknown;
 
  protected:
   void paintEvent(QPaintEvent*) override {
@@ -66,7 +67,15 @@ class MarkBox final : public QWidget {
 
 }  // namespace
 
-PairInspector::PairInspector(StitchSession& session, Tools& tools, QWidget* parent) : QWidget(parent), session_(session), tools_(tools) {
+PairInspector::PairInspector(StitchSession& session, Tools& tools, QWidget* parent)
+    : QWidget(parent),
+      document_(session.document()),
+      inputs_(session.inputs()),
+      results_(session.results()),
+      look_(session.look()),
+      runs_(session.runs()),
+      edits_(session.edits()),
+      tools_(tools) {
   setObjectName(QStringLiteral("pairInspector"));
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
@@ -82,7 +91,7 @@ PairInspector::PairInspector(StitchSession& session, Tools& tools, QWidget* pare
   column->addWidget(makeFigures());
   column->addSpacing(kGap_px / 2);
   column->addWidget(sdk::headingLabel(tr("Correlation by level")));
-  chart_ = new LevelChart(session_);
+  chart_ = new LevelChart(session);
   column->addWidget(chart_);
   column->addSpacing(kGap_px / 2);
   column->addWidget(makeLandmarks());
@@ -101,8 +110,8 @@ PairInspector::PairInspector(StitchSession& session, Tools& tools, QWidget* pare
   empty_->setContentsMargins(24, 24, 24, 24);
   outer->addWidget(empty_, 1);
   outer->addWidget(scroll, 1);
-  connect(&session_, &StitchSession::changed, this, &PairInspector::refresh);
-  connect(&session_, &StitchSession::lookChanged, this, [this] { showFigures(); });
+  connect(&session, &StitchSession::changed, this, &PairInspector::refresh);
+  connect(&session, &StitchSession::lookChanged, this, [this] { showFigures(); });
   refresh();
 }
 
@@ -132,7 +141,7 @@ QWidget* PairInspector::makeHead() {
     button->setToolTip(hint);
     button->setObjectName(QLatin1String(name));
     connect(button, &QPushButton::clicked, this, [this, decision] {
-      session_.setDecision(decision);
+      edits_.setDecision(decision);
       refresh();  // a button that was already down stays down
     });
     buttons->addWidget(button, 1);
@@ -174,9 +183,9 @@ QWidget* PairInspector::makePose() {
   column->addWidget(heading);
   pose_ = new sdk::PlacementFields<frame::Fixed, frame::Moving>;
   pose_->onChanged = [this](const Transform<frame::Fixed, frame::Moving>& movingToFixed, const std::string& axis) {
-    if (showing_ || !session_.pair()) return;
-    session_.setTransform(rigidInverse(movingToFixed), tr("pose of %1 by numbers").arg(words(letterOf(session_.pair()->moving))),
-                          "figures " + axis + ' ' + std::to_string(session_.pair()->fixed) + ' ' + std::to_string(session_.pair()->moving));
+    if (showing_ || !look_.pair()) return;
+    edits_.setTransform(rigidInverse(movingToFixed), tr("pose of %1 by numbers").arg(words(letterOf(look_.pair()->moving))),
+                        "figures " + axis + ' ' + std::to_string(look_.pair()->fixed) + ' ' + std::to_string(look_.pair()->moving));
   };
   column->addWidget(pose_);
   return box;
@@ -194,7 +203,7 @@ QWidget* PairInspector::makeLandmarks() {
   pick_->setToolTip(tr("Click the same place in the fixed and in the moving view (P)"));
   connect(pick_, &QPushButton::toggled, this, [this](bool on) {
     tools_.hand = on ? Tools::Hand::pick : Tools::Hand::look;
-    if (!on) session_.dropPick();
+    if (!on) look_.dropPick();
     Q_EMIT handChosen();
     refresh();
   });
@@ -215,10 +224,10 @@ QWidget* PairInspector::makeLandmarks() {
   table_->setTextElideMode(Qt::ElideRight);
   table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   connect(table_, &QTableWidget::currentCellChanged, this, [this](int row, int, int, int) {
-    if (!showing_ && row >= 0) session_.chooseLandmark(row);
+    if (!showing_ && row >= 0) look_.chooseLandmark(row);
   });
   connect(table_, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
-    if (!showing_ && item->column() == 1) session_.renameLandmark(item->row(), item->text());
+    if (!showing_ && item->column() == 1) edits_.renameLandmark(item->row(), item->text());
   });
   column->addWidget(table_);
   landmarkWord_ = new Paragraph;
@@ -229,11 +238,11 @@ QWidget* PairInspector::makeLandmarks() {
   useMarks_ = new QPushButton(tr("Match by landmarks"));
   useMarks_->setObjectName(QStringLiteral("useLandmarks"));
   useMarks_->setToolTip(tr("Bring this pair together by these places alone"));
-  connect(useMarks_, &QPushButton::clicked, &session_, &StitchSession::useLandmarks);
+  connect(useMarks_, &QPushButton::clicked, &edits_, &AlignmentEdits::useLandmarks);
   removeMark_ = new QPushButton(tr("Remove"));
   removeMark_->setObjectName(QStringLiteral("removeLandmark"));
   removeMark_->setToolTip(tr("Remove the chosen landmark (Delete)"));
-  connect(removeMark_, &QPushButton::clicked, this, [this] { session_.removeLandmark(session_.chosenLandmark()); });
+  connect(removeMark_, &QPushButton::clicked, this, [this] { edits_.removeLandmark(look_.chosenLandmark()); });
   buttons->addWidget(useMarks_, 1);
   buttons->addWidget(removeMark_);
   column->addLayout(buttons);
@@ -259,10 +268,9 @@ QWidget* PairInspector::makeRedo() {
   redo->setProperty("compact", true);
   connect(redo, &QPushButton::clicked, this, [this] {
     const auto method = static_cast<PairMethod>(method_->currentData().toInt());
-    if (method == PairMethod::byHand) return session_.setTransform(session_.transform(), tr("keep the pair as it lies"), {});
-    if (method == PairMethod::refine && session_.pair()) session_.pinStart();
-    session_.redoPair(method,
-                      method == PairMethod::search || method == PairMethod::automatic ? std::optional(turn_->value()) : std::nullopt);
+    if (method == PairMethod::byHand) return edits_.setTransform(look_.transform(), tr("keep the pair as it lies"), {});
+    if (method == PairMethod::refine && look_.pair()) edits_.pinStart();
+    edits_.redoPair(method, method == PairMethod::search || method == PairMethod::automatic ? std::optional(turn_->value()) : std::nullopt);
   });
   choice->addWidget(redo);
   column->addLayout(choice);
@@ -303,7 +311,7 @@ QWidget* PairInspector::makeElastic() {
   for (const auto effort : kEfforts) effort_->addItem(nameOfEffort(effort));
   effort_->setToolTip(tr("For all pairs that have no quality of their own: how much time is spent on accuracy"));
   connect(effort_, qOverload<int>(&QComboBox::activated), this,
-          [this](int index) { session_.setEffort(static_cast<registration::ElasticEffort>(index)); });
+          [this](int index) { edits_.setEffort(static_cast<registration::ElasticEffort>(index)); });
   row->addWidget(name, 1);
   row->addWidget(effort_);
   column->addLayout(row);
@@ -316,7 +324,7 @@ QWidget* PairInspector::makeElastic() {
   for (const auto effort : kEfforts) pairEffort_->addItem(nameOfEffort(effort), static_cast<int>(effort));
   pairEffort_->setToolTip(tr("For this pair alone; the command line keeps to it too"));
   const auto chooseEffort = [this](int effort) {
-    session_.setPairEffort(effort < 0 ? std::nullopt : std::optional(static_cast<registration::ElasticEffort>(effort)));
+    edits_.setPairEffort(effort < 0 ? std::nullopt : std::optional(static_cast<registration::ElasticEffort>(effort)));
   };
   connect(pairEffort_, qOverload<int>(&QComboBox::activated), this,
           [this, chooseEffort] { chooseEffort(pairEffort_->currentData().toInt()); });
@@ -343,14 +351,14 @@ QWidget* PairInspector::makeElastic() {
   warpAgain_ = new QPushButton(tr("Deform this pair again"));
   warpAgain_->setObjectName(QStringLiteral("bendAgain"));
   warpAgain_->setToolTip(tr("Runs the elastic step; pairs that did not change keep what they have"));
-  connect(warpAgain_, &QPushButton::clicked, &session_, &StitchSession::warpAgain);
+  connect(warpAgain_, &QPushButton::clicked, &edits_, &AlignmentEdits::warpAgain);
   column->addWidget(warpAgain_);
   return box;
 }
 
 void PairInspector::showLandmarks() {
-  const auto marks = session_.landmarks();
-  const auto& result = session_.landmarkResult();
+  const auto marks = look_.landmarks();
+  const auto& result = look_.landmarkResult();
   table_->setRowCount(static_cast<int>(marks.size()));
   for (std::size_t n = 0; n < marks.size(); ++n) {
     const int row = static_cast<int>(n);
@@ -372,17 +380,17 @@ void PairInspector::showLandmarks() {
   }
   table_->setVisible(!marks.empty());
   table_->setFixedHeight(std::min<int>(6, static_cast<int>(marks.size())) * 30 + 4);
-  if (session_.chosenLandmark() >= 0 && session_.chosenLandmark() < table_->rowCount())
-    table_->setCurrentCell(session_.chosenLandmark(), table_->currentColumn() < 0 ? 1 : table_->currentColumn());
+  if (look_.chosenLandmark() >= 0 && look_.chosenLandmark() < table_->rowCount())
+    table_->setCurrentCell(look_.chosenLandmark(), table_->currentColumn() < 0 ? 1 : table_->currentColumn());
   else
     table_->clearSelection();
-  removeMark_->setVisible(session_.chosenLandmark() >= 0 && !marks.empty());
+  removeMark_->setVisible(look_.chosenLandmark() >= 0 && !marks.empty());
   useMarks_->setVisible(marks.size() >= 3);
   QString text;
   if (tools_.hand == Tools::Hand::pick) {
-    text = session_.pickedFixed()    ? tr("Now the same place in the moving view. Escape drops it.")
-           : session_.pickedMoving() ? tr("Now the same place in the fixed view. Escape drops it.")
-                                     : tr("Click a place in the fixed view, then the same one in the moving view.");
+    text = look_.pickedFixed()    ? tr("Now the same place in the moving view. Escape drops it.")
+           : look_.pickedMoving() ? tr("Now the same place in the fixed view. Escape drops it.")
+                                  : tr("Click a place in the fixed view, then the same one in the moving view.");
   } else if (marks.empty()) {
     text = tr("None yet. Three places that are seen in both volumes bring a pair together where the images alone cannot.");
   } else if (result) {
@@ -398,12 +406,12 @@ void PairInspector::showLandmarks() {
 
 void PairInspector::showCost() {
   const QString none = QStringLiteral("-");
-  const auto [fixed, moving] = *session_.pair();
-  const auto effort = effortOf(session_.project(), fixed, moving);
-  const WarpedPair* warped = session_.warped();
-  const bool fresh = warped != nullptr && !session_.isWarpedStale();
+  const auto [fixed, moving] = *look_.pair();
+  const auto effort = effortOf(document_.project(), fixed, moving);
+  const WarpedPair* warped = results_.warpedOf(fixed, moving);
+  const bool fresh = warped != nullptr && !results_.isWarpedStale(fixed, moving);
   warpAgain_->setVisible(warped != nullptr);
-  warpAgain_->setEnabled(!fresh && !session_.isRunning());
+  warpAgain_->setEnabled(!fresh && !runs_.isRunning());
   if (warped == nullptr) {
     measured_->setText(none);
   } else {
@@ -419,12 +427,12 @@ void PairInspector::showCost() {
   }
   warpedReason_->setVisible(warped != nullptr);
   if (warped != nullptr)
-    warpedReason_->say((session_.pairLine(fixed, moving).warpDoubted
+    warpedReason_->say((results_.pairLine(fixed, moving).warpDoubted
                             ? tr("The rigid pose is aligned; the deformation needs a look.") + QLatin1Char(' ')
                             : QString()) +
                        briefly(warped->remarks) + (fresh ? QString() : QLatin1Char(' ') + tr("Changed since: deform again.")));
-  const auto a = session_.volume(fixed);
-  const auto b = session_.volume(moving);
+  const auto a = inputs_.volume(fixed);
+  const auto b = inputs_.volume(moving);
   searchCost_->setText(none);
   if (!a || !b) {
     for (QLabel* label : {expected_, memory_}) label->setText(none);
@@ -434,7 +442,7 @@ void PairInspector::showCost() {
   registration::ElasticOptions options;
   options.effort = effort;
   memory_->setText(mebibytesText(static_cast<double>(registration::forecastElastic_bytes(a->grid, b->grid, options))));
-  const MachinePace pace = session_.warpPace();
+  const MachinePace pace = results_.warpPace();
   const auto costs = expectedWarps(a->grid, b->grid, pace);
   const ExpectedCost& mine = costs[static_cast<std::size_t>(effort)];
   // What one waits for; the chart below compares processor times, which do not depend on what else the machine does.
@@ -457,37 +465,37 @@ void PairInspector::showCost() {
 }
 
 void PairInspector::showSearchCost() {
-  if (!session_.pair()) return;
-  const auto a = session_.volume(session_.pair()->fixed);
-  const auto b = session_.volume(session_.pair()->moving);
+  if (!look_.pair()) return;
+  const auto a = inputs_.volume(look_.pair()->fixed);
+  const auto b = inputs_.volume(look_.pair()->moving);
   if (!a || !b) return;
-  searchCost_->setText(tr("about %1").arg(inSeconds(expectedSearch_s(a->grid, b->grid, turn_->value(), session_.searchPace()))));
+  searchCost_->setText(tr("about %1").arg(inSeconds(expectedSearch_s(a->grid, b->grid, turn_->value(), results_.searchPace()))));
 }
 
 void PairInspector::showFigures() {
-  if (!session_.pair() || !isVisible()) return;
-  const QuickAgreement now = session_.agreement();
+  if (!look_.pair() || !isVisible()) return;
+  const QuickAgreement now = look_.agreement();
   now_->setText(now.points < 200 ? tr("no overlap") : numberText(now.correlation, 2));
   const bool was = std::exchange(showing_, true);
-  pose_->setTransform(rigidInverse(session_.transform()));
+  pose_->setTransform(rigidInverse(look_.transform()));
   showing_ = was;
 }
 
 void PairInspector::refresh() {
-  const bool any = session_.pair().has_value();
+  const bool any = look_.pair().has_value();
   empty_->setVisible(!any);
   body_->parentWidget()->parentWidget()->setVisible(any);
   if (!any) return;
   const bool was = std::exchange(showing_, true);
-  const auto [fixed, moving] = *session_.pair();
-  const auto line = session_.pairLine(fixed, moving);
-  const ProjectPair said = pairOf(session_.project(), fixed, moving);
+  const auto [fixed, moving] = *look_.pair();
+  const auto line = results_.pairLine(fixed, moving);
+  const ProjectPair said = pairOf(document_.project(), fixed, moving);
   title_->setText(tr("Pair %1 to %2").arg(words(letterOf(fixed)), words(letterOf(moving))));
-  title_->setToolTip(words(session_.project().volumes[fixed].name) + QStringLiteral(" → ") +
-                     words(session_.project().volumes[moving].name));
+  title_->setToolTip(words(document_.project().volumes[fixed].name) + QStringLiteral(" → ") +
+                     words(document_.project().volumes[moving].name));
   static_cast<MarkBox*>(mark_)->mark = line.mark;
   mark_->update();
-  const bool isAcceptedHand = line.mark == StitchSession::Mark::byHand && said.decision == Decision::accepted;
+  const bool isAcceptedHand = line.mark == StitchResults::Mark::byHand && said.decision == Decision::accepted;
   word_->setText(isAcceptedHand ? tr("manual, accepted") : wordsOfMark(line.mark));
   QPalette colours = palette();
   colours.setColor(QPalette::WindowText, colourOfMark(line.mark, palette()));
@@ -499,7 +507,7 @@ void PairInspector::refresh() {
     reason = briefly(line.outcome->rigid.remarks);
   else
     reason = tr("Match it, mark landmarks in both volumes, or nudge it with the keys.");
-  if (line.mark == StitchSession::Mark::landmarks && line.outcome->landmarks)
+  if (line.mark == StitchResults::Mark::landmarks && line.outcome->landmarks)
     reason += QLatin1Char(' ') + tr("At the far side %1 mm are to be expected; the images were not asked.")
                                      .arg(numberText(line.outcome->landmarks->expectedError_mm, 1));
   if (line.wrong) reason += QLatin1Char(' ') + tr("The other pairs contradict it.");
@@ -523,9 +531,9 @@ void PairInspector::refresh() {
   } else {
     for (QLabel* label : {overlap_, correlation_, halves_, time_}) label->setText(none);
   }
-  if (session_.hasElastic()) {
-    const Mapping mine = session_.fixedMapping(StitchSession::Stage::elastic);
-    const Mapping other = session_.movingMapping(StitchSession::Stage::elastic);
+  if (look_.hasElastic()) {
+    const Mapping mine = look_.fixedMapping(StitchLook::Stage::elastic);
+    const Mapping other = look_.movingMapping(StitchLook::Stage::elastic);
     double smallest = 1.0;
     for (const auto* warp : {mine.warp, other.warp})
       if (!warp->displacement_mm.empty()) smallest = std::min(smallest, registration::jacobianOf(*warp).smallest);
@@ -537,9 +545,9 @@ void PairInspector::refresh() {
   pick_->setChecked(tools_.hand == Tools::Hand::pick);
   const auto method = said.method == PairMethod::landmarks ? PairMethod::automatic : said.method;
   method_->setCurrentIndex(std::max(0, method_->findData(static_cast<int>(method))));
-  turn_->setValue(said.maxRotation_deg.value_or(session_.project().settings.maxRotation_deg));
+  turn_->setValue(said.maxRotation_deg.value_or(document_.project().settings.maxRotation_deg));
   turnRow_->setVisible(method == PairMethod::search || method == PairMethod::automatic);
-  effort_->setCurrentIndex(static_cast<int>(session_.project().settings.effort));
+  effort_->setCurrentIndex(static_cast<int>(document_.project().settings.effort));
   pairEffort_->setCurrentIndex(pairEffort_->findData(said.effort ? static_cast<int>(*said.effort) : -1));
   showCost();
   showing_ = was;

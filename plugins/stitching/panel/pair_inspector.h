@@ -14,6 +14,14 @@ class QTableWidget;
 
 namespace ew::stitching {
 
+class AlignmentEdits;
+class ProjectDocument;
+class ProjectInputs;
+class StitchLook;
+class StitchResults;
+class StitchRuns;
+class StitchSession;
+
 /// Everything about the pair that is looked at: what was found and why, its pose, its landmarks, and what to do about it.
 class PairInspector final : public QWidget {
   Q_OBJECT
@@ -37,7 +45,12 @@ class PairInspector final : public QWidget {
   void showCost();
   void showSearchCost();
 
-  StitchSession& session_;
+  const ProjectDocument& document_;
+  const ProjectInputs& inputs_;
+  const StitchResults& results_;
+  StitchLook& look_;
+  const StitchRuns& runs_;
+  AlignmentEdits& edits_;
   Tools& tools_;
   QWidget* body_ = nullptr;
   QWidget* empty_ = nullptr;

@@ -10,6 +10,7 @@
 
 #include "ew/sdk/panel.h"
 #include "panel/look.h"
+#include "panel/stitch_session.h"
 
 namespace ew::stitching {
 namespace {
@@ -18,7 +19,7 @@ constexpr int kSheet_px = 128;
 
 }  // namespace
 
-PlacementView::PlacementView(StitchSession& session, QWidget* parent) : ViewBase(session, parent) {
+PlacementView::PlacementView(StitchSession& session, QWidget* parent) : ViewBase(session, parent), edits_(session.edits()) {
   setObjectName(QStringLiteral("placementView"));
   setToolTip({});
   lookFrom(Cut::coronal);
@@ -26,9 +27,9 @@ PlacementView::PlacementView(StitchSession& session, QWidget* parent) : ViewBase
   const Plane seen = turned({{}, right_, down_, 1.0}, {}, {-18.0, 24.0, 0.0});
   right_ = seen.right;
   down_ = seen.down;
-  connect(&session_, &StitchSession::changed, this, [this] {
+  connect(&session, &StitchSession::changed, this, [this] {
     // After a run things may lie far from where they were; while a hand drags, the view stays.
-    if (fittedFor_ != session_.project().volumes.size() || foundFor_ != session_.found()) fitted_ = false;
+    if (fittedFor_ != document_.project().volumes.size() || foundFor_ != results_.found()) fitted_ = false;
     update();
   });
 }
@@ -48,16 +49,16 @@ QPointF PlacementView::pixelAt(const glm::dvec3& p) const {
 void PlacementView::fit() {
   glm::dvec3 low(1e300), high(-1e300);
   bool any = false;
-  for (std::size_t n = 0; n < session_.project().volumes.size(); ++n) {
-    const auto volume = session_.volume(n);
+  for (std::size_t n = 0; n < document_.project().volumes.size(); ++n) {
+    const auto volume = inputs_.volume(n);
     if (!volume) continue;
     any = true;
-    const Bounds box = boundsOf(placed(volume->grid, session_.toWorld(n)));
+    const Bounds box = boundsOf(placed(volume->grid, results_.toWorld(n)));
     low = glm::min(low, box.lowest_mm);
     high = glm::max(high, box.highest_mm);
   }
-  fittedFor_ = session_.project().volumes.size();
-  foundFor_ = session_.found();
+  fittedFor_ = document_.project().volumes.size();
+  foundFor_ = results_.found();
   if (!any) return;
   fitted_ = true;
   centre_mm_ = 0.5 * (low + high);
@@ -67,7 +68,7 @@ void PlacementView::fit() {
 
 const std::vector<PlacementView::Sheet>& PlacementView::sheetsOf(std::size_t index) {
   static const std::vector<Sheet> none;
-  const auto volume = session_.volume(index);
+  const auto volume = inputs_.volume(index);
   if (!volume) return none;
   auto& kept = sheets_[volume.get()];
   if (kept.first.lock() == volume) return kept.second;
@@ -107,7 +108,7 @@ void PlacementView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   beginPainting(painter, QColor(0x12, 0x13, 0x15));
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  const std::size_t count = session_.project().volumes.size();
+  const std::size_t count = document_.project().volumes.size();
   if (count == 0) return drawFocus(painter);
   if (!fitted_) fit();
   struct Seen {
@@ -118,13 +119,13 @@ void PlacementView::paintEvent(QPaintEvent*) {
   std::vector<Seen> order;
   const glm::dvec3 away = glm::cross(right_, down_);
   for (std::size_t n = 0; n < count; ++n) {
-    const auto toWorld = session_.toWorld(n);
+    const auto toWorld = results_.toWorld(n);
     for (const Sheet& sheet : sheetsOf(n))
       order.push_back({n, &sheet, glm::dot(carried(toWorld, sheet.corner_mm + 0.5 * (sheet.along_mm + sheet.down_mm)), away)});
   }
   std::stable_sort(order.begin(), order.end(), [](const Seen& a, const Seen& b) { return a.depth > b.depth; });
   for (const Seen& seen : order) {
-    const QPolygonF corners = outline(*seen.sheet, session_.toWorld(seen.volume));
+    const QPolygonF corners = outline(*seen.sheet, results_.toWorld(seen.volume));
     // Seen from afar a rectangle is a parallelogram: an affine map takes the picture there.
     const QPointF along = (corners[1] - corners[0]) / seen.sheet->image.width();
     const QPointF down = (corners[3] - corners[0]) / seen.sheet->image.height();
@@ -136,10 +137,10 @@ void PlacementView::paintEvent(QPaintEvent*) {
   }
   std::vector<QRectF> chips;
   for (std::size_t n = 0; n < count; ++n) {
-    const auto volume = session_.volume(n);
+    const auto volume = inputs_.volume(n);
     if (!volume) continue;
-    const auto voxelToWorld = session_.toWorld(n) * volume->grid.voxelTo<frame::View>();
-    const bool chosen = session_.chosenVolume() == n || held_ == n;
+    const auto voxelToWorld = results_.toWorld(n) * volume->grid.voxelTo<frame::View>();
+    const bool chosen = look_.chosenVolume() == n || held_ == n;
     QColor colour = colourOf(colourOfView(n));
     colour.setAlpha(chosen ? 255 : 150);
     painter.setPen(QPen(colour, chosen ? 2.0 : 1.0));
@@ -190,13 +191,13 @@ int PlacementView::volumeUnder(const QPointF& at) {
   int found = -1;
   double nearest = 1e300;
   const glm::dvec3 away = glm::cross(right_, down_);
-  for (std::size_t n = 0; n < session_.project().volumes.size(); ++n) {
-    const auto toWorld = session_.toWorld(n);
+  for (std::size_t n = 0; n < document_.project().volumes.size(); ++n) {
+    const auto toWorld = results_.toWorld(n);
     for (const Sheet& sheet : sheetsOf(n)) {
       if (!outline(sheet, toWorld).containsPoint(at, Qt::OddEvenFill)) continue;
       const double depth = glm::dot(carried(toWorld, sheet.corner_mm + 0.5 * (sheet.along_mm + sheet.down_mm)), away);
       // The chosen one first: what was placed last is often behind others.
-      const double counted = session_.chosenVolume() == n ? -1e299 : depth;
+      const double counted = look_.chosenVolume() == n ? -1e299 : depth;
       if (counted < nearest) {
         nearest = counted;
         found = static_cast<int>(n);
@@ -209,16 +210,16 @@ int PlacementView::volumeUnder(const QPointF& at) {
 void PlacementView::place(std::size_t index, const glm::dvec3& shift_mm, const glm::dvec3& rotation_deg) {
   wayOf_ += shift_mm;
   turnOf_ += rotation_deg;
-  const auto volume = session_.volume(index);
+  const auto volume = inputs_.volume(index);
   if (!volume) return;
   const glm::dvec3 middle = carried(heldFrom_ * volume->grid.voxelTo<frame::View>(), 0.5 * (glm::dvec3(volume->grid.dims) - 1.0));
   const QLocale locale;
   const QString letter = sdk::words(letterOf(index));
   const bool turns = turnOf_ != glm::dvec3(0.0);
-  session_.setPlace(index, motionOf<frame::World>(wayOf_, turnOf_, middle) * heldFrom_,
-                    turns ? tr("rotate %1 by %2°").arg(letter, locale.toString(glm::length(turnOf_), 'f', 0))
-                          : tr("move %1 by %2 mm").arg(letter, locale.toString(glm::length(wayOf_), 'f', 1)),
-                    "place " + std::to_string(index));
+  edits_.setPlace(index, motionOf<frame::World>(wayOf_, turnOf_, middle) * heldFrom_,
+                  turns ? tr("rotate %1 by %2°").arg(letter, locale.toString(glm::length(turnOf_), 'f', 0))
+                        : tr("move %1 by %2 mm").arg(letter, locale.toString(glm::length(wayOf_), 'f', 1)),
+                  "place " + std::to_string(index));
 }
 
 void PlacementView::mousePressEvent(QMouseEvent* event) {
@@ -230,10 +231,10 @@ void PlacementView::mousePressEvent(QMouseEvent* event) {
   if (under < 0) return;
   held_ = static_cast<std::size_t>(under);
   turning_ = event->modifiers().testFlag(Qt::ControlModifier);
-  heldFrom_ = session_.toWorld(*held_);
+  heldFrom_ = results_.toWorld(*held_);
   wayOf_ = turnOf_ = glm::dvec3(0.0);
-  session_.endMerging();
-  session_.chooseVolume(*held_);
+  document_.endMerging();
+  look_.chooseVolume(*held_);
 }
 
 void PlacementView::mouseMoveEvent(QMouseEvent* event) {
@@ -257,7 +258,7 @@ void PlacementView::mouseMoveEvent(QMouseEvent* event) {
 
 void PlacementView::mouseReleaseEvent(QMouseEvent*) {
   dragging_ = Qt::NoButton;
-  if (held_) session_.endMerging();
+  if (held_) document_.endMerging();
   held_.reset();
   update();
 }
@@ -302,10 +303,10 @@ void PlacementView::keyPressEvent(QKeyEvent* event) {
     default:
       return QWidget::keyPressEvent(event);
   }
-  if (!session_.chosenVolume()) return;
-  const std::size_t chosen = *session_.chosenVolume();
-  if (!event->isAutoRepeat()) session_.endMerging();
-  heldFrom_ = session_.toWorld(chosen);
+  if (!look_.chosenVolume()) return;
+  const std::size_t chosen = *look_.chosenVolume();
+  if (!event->isAutoRepeat()) document_.endMerging();
+  heldFrom_ = results_.toWorld(chosen);
   wayOf_ = turnOf_ = glm::dvec3(0.0);
   if (ctrl)
     place(chosen, {}, 0.5 * step * glm::dvec3(glm::cross(glm::cross(right_, down_), way)));

@@ -1,14 +1,22 @@
 #pragma once
 
 #include <QImage>
+#include <QPolygonF>
+#include <glm/glm.hpp>
 #include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "ew/core/frames.h"
+#include "ew/core/volume.h"
+#include "ew/stitching/chain.h"
+#include "logic/slices.h"
 #include "panel/view_base.h"
 
 namespace ew::stitching {
+
+class AlignmentEdits;
 
 /// The subvolumes as boxes with their middle slices, in their places, seen from a far eye (orthographic). A box is dragged to where it
 /// belongs; with Ctrl it is turned. Right drag turns the view, the wheel brings it closer.
@@ -42,6 +50,7 @@ class PlacementView final : public ViewBase {
   [[nodiscard]] QPolygonF outline(const Sheet& sheet, const Transform<frame::World, frame::View>& toWorld) const;
   void place(std::size_t volume, const glm::dvec3& shift_mm, const glm::dvec3& rotation_deg);
 
+  AlignmentEdits& edits_;
   std::map<const Volume*, std::pair<std::weak_ptr<const Volume>, std::vector<Sheet>>> sheets_;
   glm::dvec3 right_{1.0, 0.0, 0.0}, down_{0.0, 0.0, -1.0};
   glm::dvec3 centre_mm_{0.0};

@@ -8,6 +8,7 @@
 
 #include "ew/sdk/panel.h"
 #include "panel/look.h"
+#include "panel/stitch_session.h"
 
 namespace ew::stitching {
 namespace {
@@ -43,10 +44,10 @@ QImage imageOf(const ColourPicture& picture) {
 }  // namespace
 
 SliceView::SliceView(Kind kind, StitchSession& session, Tools& tools, QWidget* parent)
-    : ViewBase(session, parent), kind_(kind), tools_(tools) {
+    : ViewBase(session, parent), mosaic_(session.mosaic()), kind_(kind), tools_(tools) {
   setMouseTracking(true);
-  connect(&session_, &StitchSession::changed, this, &SliceView::refresh);
-  connect(&session_, &StitchSession::lookChanged, this, &SliceView::refresh);
+  connect(&session, &StitchSession::changed, this, &SliceView::refresh);
+  connect(&session, &StitchSession::lookChanged, this, &SliceView::refresh);
 }
 
 void SliceView::refresh() {
@@ -54,19 +55,19 @@ void SliceView::refresh() {
   update();
 }
 
-Plane SliceView::plane() const { return isOwnMoving() ? session_.movingPlane() : session_.plane(); }
+Plane SliceView::plane() const { return isOwnMoving() ? look_.movingPlane() : look_.plane(); }
 void SliceView::setPlane(const Plane& next) {
   if (isOwnMoving())
-    session_.setMovingPlane(next);
+    look_.setMovingPlane(next);
   else
-    session_.setPlane(next);
+    look_.setPlane(next);
 }
-glm::dvec3 SliceView::cross() const { return isOwnMoving() ? session_.movingCross() : session_.cross(); }
+glm::dvec3 SliceView::cross() const { return isOwnMoving() ? look_.movingCross() : look_.cross(); }
 void SliceView::setCross(const glm::dvec3& p_mm) {
   if (isOwnMoving())
-    session_.setMovingCross(p_mm);
+    look_.setMovingCross(p_mm);
   else
-    session_.setCross(p_mm);
+    look_.setCross(p_mm);
 }
 
 glm::dvec3 SliceView::pointUnder(const QPointF& at) const {
@@ -83,27 +84,27 @@ QPointF SliceView::pixelAt(const glm::dvec3& p_mm) const {
   return {at.x + 0.5, at.y + 0.5};
 }
 
-QImage SliceView::pictureOfOverlap(const Plane& shown, const glm::ivec2& size, StitchSession::Stage stage) const {
-  const auto fixed = session_.volume(session_.pair()->fixed);
-  const auto moving = session_.volume(session_.pair()->moving);
+QImage SliceView::pictureOfOverlap(const Plane& shown, const glm::ivec2& size, StitchLook::Stage stage) const {
+  const auto fixed = inputs_.volume(look_.pair()->fixed);
+  const auto moving = inputs_.volume(look_.pair()->moving);
   if (!fixed || !moving) return {};
   const int square = std::max(8, static_cast<int>(std::lround(std::min(size.x, size.y) / 7.0)));
-  return imageOf(overlaid(sliced(*fixed, shown, size, session_.fixedMapping(stage)),
-                          sliced(*moving, shown, size, session_.movingMapping(stage)), {tools_.overlay, square, tools_.flickerSecond}));
+  return imageOf(overlaid(sliced(*fixed, shown, size, look_.fixedMapping(stage)), sliced(*moving, shown, size, look_.movingMapping(stage)),
+                          {tools_.overlay, square, tools_.flickerSecond}));
 }
 
 QImage SliceView::pictureOfFourth(const Plane& shown, const glm::ivec2& size) {
-  const ChainState* found = session_.found();
-  const std::size_t fixed = session_.pair()->fixed;
-  const auto toWorld = renamed<frame::World, frame::Fixed>(session_.toWorld(fixed));
+  const ChainState* found = results_.found();
+  const std::size_t fixed = look_.pair()->fixed;
+  const auto toWorld = renamed<frame::World, frame::Fixed>(results_.toWorld(fixed));
   if (tools_.fourth == Tools::Fourth::displacement) {
-    if (!session_.hasElastic()) {
-      nothing_ = session_.project().settings.elastic ? tr("No deformation has been found yet. 'Elastic' finds one.")
-                                                     : tr("The elastic step is switched off in this project.");
+    if (!look_.hasElastic()) {
+      nothing_ = document_.project().settings.elastic ? tr("No deformation has been found yet. 'Elastic' finds one.")
+                                                      : tr("The elastic step is switched off in this project.");
       return {};
     }
-    const Mapping mine = session_.fixedMapping(StitchSession::Stage::elastic);
-    const Mapping other = session_.movingMapping(StitchSession::Stage::elastic);
+    const Mapping mine = look_.fixedMapping(StitchLook::Stage::elastic);
+    const Mapping other = look_.movingMapping(StitchLook::Stage::elastic);
     // Every fourth pixel: a warp is smooth, and its colours are read in the large.
     const glm::ivec2 coarse = glm::max(size / 4, glm::ivec2(1));
     Plane wide = shown;
@@ -129,13 +130,13 @@ QImage SliceView::pictureOfFourth(const Plane& shown, const glm::ivec2& size) {
       return {};
     }
     std::vector<SeenView> views;
-    for (std::size_t n = 0; n < session_.project().volumes.size(); ++n) {
-      const auto* warp = n < found->warps.size() && session_.isFoundFresh() ? &found->warps[n] : nullptr;
-      views.push_back({session_.volume(n).get(), {toWorld, warp, rigidInverse(session_.toWorld(n))}});
+    for (std::size_t n = 0; n < document_.project().volumes.size(); ++n) {
+      const auto* warp = n < found->warps.size() && results_.isFoundFresh() ? &found->warps[n] : nullptr;
+      views.push_back({inputs_.volume(n).get(), {toWorld, warp, rigidInverse(results_.toWorld(n))}});
     }
     return imageOf(seamPicture(*found->seams, views, shown, size, toWorld));
   }
-  const auto result = session_.result();
+  const auto result = mosaic_.volume();
   if (!result) {
     nothing_ = tr("There is no stitched volume yet. 'Compute mosaic' makes it.");
     return {};
@@ -147,14 +148,14 @@ void SliceView::render() {
   dirty_ = false;
   nothing_.clear();
   picture_ = {};
-  if (!session_.pair()) {
-    nothing_ = session_.project().volumes.empty() ? QString() : tr("Add a second volume; then pairs can be matched.");
+  if (!look_.pair()) {
+    nothing_ = document_.project().volumes.empty() ? QString() : tr("Add a second volume; then pairs can be matched.");
     return;
   }
-  const auto side = kind_ == Kind::moving ? session_.pair()->moving : session_.pair()->fixed;
-  const auto volume = session_.volume(side);
+  const auto side = kind_ == Kind::moving ? look_.pair()->moving : look_.pair()->fixed;
+  const auto volume = inputs_.volume(side);
   if (!volume && kind_ != Kind::fourth) {
-    nothing_ = tr("%1 is being read, or cannot be read.").arg(sdk::words(session_.project().volumes[side].name));
+    nothing_ = tr("%1 is being read, or cannot be read.").arg(sdk::words(document_.project().volumes[side].name));
     return;
   }
   const bool halves = kind_ == Kind::overlap && tools_.sideBySide;
@@ -163,17 +164,17 @@ void SliceView::render() {
   const glm::ivec2 size = glm::max(glm::ivec2(1), glm::ivec2(glm::round(glm::dvec2(wide, height()) / coarser)));
   Plane shown = plane();
   shown.pixel_mm *= static_cast<double>(wide) / size.x;
-  const auto stage = session_.stage();
+  const auto stage = look_.stage();
   switch (kind_) {
     case Kind::fixed:
-      picture_ = imageOf(sliced(*volume, shown, size, session_.fixedMapping(stage)));
+      picture_ = imageOf(sliced(*volume, shown, size, look_.fixedMapping(stage)));
       break;
     case Kind::moving:
-      picture_ = imageOf(sliced(*volume, shown, size, isOwnMoving() ? Mapping{} : session_.movingMapping(stage)));
+      picture_ = imageOf(sliced(*volume, shown, size, isOwnMoving() ? Mapping{} : look_.movingMapping(stage)));
       break;
     case Kind::overlap:
       if (halves) {
-        const QImage before = pictureOfOverlap(shown, size, StitchSession::Stage::start);
+        const QImage before = pictureOfOverlap(shown, size, StitchLook::Stage::start);
         const QImage after = pictureOfOverlap(shown, size, stage);
         if (before.isNull()) break;
         picture_ = QImage(2 * size.x, size.y, QImage::Format_RGB888);
@@ -192,8 +193,8 @@ void SliceView::render() {
 }
 
 void SliceView::drawLattice(QPainter& painter) const {
-  const Mapping mine = session_.fixedMapping(StitchSession::Stage::elastic);
-  const Mapping other = session_.movingMapping(StitchSession::Stage::elastic);
+  const Mapping mine = look_.fixedMapping(StitchLook::Stage::elastic);
+  const Mapping other = look_.movingMapping(StitchLook::Stage::elastic);
   const glm::dmat3 back = glm::transpose(glm::dmat3(mine.toWarp.matrix));
   const auto lines = deformedLattice(plane(), {width(), height()}, kLattice_mm, [&](const glm::dvec3& p) {
     const glm::dvec3 q = carried(mine.toWarp, p);
@@ -215,11 +216,11 @@ void SliceView::drawLattice(QPainter& painter) const {
 }
 
 void SliceView::drawLandmarks(QPainter& painter) const {
-  const auto marks = session_.landmarks();
-  const auto& result = session_.landmarkResult();
+  const auto marks = look_.landmarks();
+  const auto& result = look_.landmarkResult();
   const Plane shown = plane();
   const bool moving = kind_ == Kind::moving;
-  const Mapping toMoving = session_.movingMapping(session_.stage());
+  const Mapping toMoving = look_.movingMapping(look_.stage());
   const auto fromMoving = rigidInverse(toMoving.withoutWarp());
   const auto draw = [&](const glm::dvec3& own, const QString& word, const QColor& colour, bool chosen) {
     const glm::dvec3 p = moving && !isOwnMoving() ? carried(fromMoving, own) : own;
@@ -245,14 +246,14 @@ void SliceView::drawLandmarks(QPainter& painter) const {
   for (std::size_t n = 0; n < marks.size(); ++n) {
     const bool outlying = result && std::find(result->outlying.begin(), result->outlying.end(), n) != result->outlying.end();
     draw(moving ? marks[n].moving_mm : marks[n].fixed_mm, QString::number(n + 1) + (outlying ? QStringLiteral("!") : QString()),
-         outlying ? QColor(0xe0, 0x5a, 0x4e) : kCross, session_.chosenLandmark() == static_cast<int>(n));
+         outlying ? QColor(0xe0, 0x5a, 0x4e) : kCross, look_.chosenLandmark() == static_cast<int>(n));
   }
-  const auto picked = moving ? session_.pickedMoving() : session_.pickedFixed();
+  const auto picked = moving ? look_.pickedMoving() : look_.pickedFixed();
   if (picked) draw(*picked, QString::number(marks.size() + 1) + QStringLiteral("?"), kViewAccent, true);
 }
 
 void SliceView::drawStrokes(QPainter& painter) const {
-  const auto fromWorld = rigidInverse(session_.toWorld(session_.pair()->fixed));
+  const auto fromWorld = rigidInverse(results_.toWorld(look_.pair()->fixed));
   const Plane shown = plane();
   // Dabs of one stroke are seen as one shape: rims first, then what lies inside takes their place.
   QImage shapes(size(), QImage::Format_ARGB32_Premultiplied);
@@ -262,7 +263,7 @@ void SliceView::drawStrokes(QPainter& painter) const {
   dabs.setPen(Qt::NoPen);
   dabs.setCompositionMode(QPainter::CompositionMode_Source);
   for (const bool rim : {true, false}) {
-    for (const SeamStroke& stroke : session_.project().settings.join.seam.strokes) {
+    for (const SeamStroke& stroke : document_.project().settings.join.seam.strokes) {
       const glm::dvec3 p = carried(fromWorld, stroke.at_mm);
       const double off = distanceTo(shown, p);
       if (std::abs(off) >= stroke.radius_mm) continue;
@@ -279,9 +280,8 @@ void SliceView::drawStrokes(QPainter& painter) const {
 
 void SliceView::drawFrameWords(QPainter& painter) const {
   // Which way the patient lies, by the axis that points most that way.
-  const glm::dmat3 turn = session_.pair()
-                              ? glm::dmat3(session_.toWorld(isOwnMoving() ? session_.pair()->moving : session_.pair()->fixed).matrix)
-                              : glm::dmat3(1.0);
+  const glm::dmat3 turn =
+      look_.pair() ? glm::dmat3(results_.toWorld(isOwnMoving() ? look_.pair()->moving : look_.pair()->fixed).matrix) : glm::dmat3(1.0);
   const auto letter = [](const glm::dvec3& direction) {
     const glm::dvec3 size = glm::abs(direction);
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -340,8 +340,8 @@ void SliceView::paintEvent(QPaintEvent*) {
   if (seam || (kind_ == Kind::overlap && tools_.hand == Tools::Hand::paint && !halves)) drawStrokes(painter);
   if (seam) {
     // Which colour is whose.
-    double y = height() - 12.0 - 16.0 * static_cast<double>(session_.project().volumes.size());
-    for (std::size_t n = 0; n < session_.project().volumes.size(); ++n, y += 16.0) {
+    double y = height() - 12.0 - 16.0 * static_cast<double>(document_.project().volumes.size());
+    for (std::size_t n = 0; n < document_.project().volumes.size(); ++n, y += 16.0) {
       painter.fillRect(QRectF(10, y + 3, 10, 10), colourOf(colourOfView(n)));
       painter.setPen(kViewBright);
       painter.drawText(QRectF(26, y, 60, 16), Qt::AlignLeft | Qt::AlignVCenter, sdk::words(letterOf(n)));
@@ -370,19 +370,19 @@ void SliceView::paintEvent(QPaintEvent*) {
 void SliceView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   dirty_ = true;
-  if (kind_ == Kind::fixed) session_.setViewSide(std::min(width(), height()));
+  if (kind_ == Kind::fixed) look_.setViewSide(std::min(width(), height()));
 }
 
 void SliceView::paintStroke(const QPointF& at) {
-  const glm::dvec3 p = carried(session_.toWorld(session_.pair()->fixed), pointUnder(at));
+  const glm::dvec3 p = carried(results_.toWorld(look_.pair()->fixed), pointUnder(at));
   if (lastStroke_ && glm::length(*lastStroke_ - p) < 0.5 * tools_.brush_mm) return;
   lastStroke_ = p;
-  session_.edit(withStroke(session_.project(), {tools_.brushView, p, tools_.brush_mm}),
-                tr("prefer %1 at the seam").arg(sdk::words(letterOf(tools_.brushView))), "stroke");
+  document_.edit(withStroke(document_.project(), {tools_.brushView, p, tools_.brush_mm}),
+                 tr("prefer %1 at the seam").arg(sdk::words(letterOf(tools_.brushView))), "stroke");
 }
 
 void SliceView::mousePressEvent(QMouseEvent* event) {
-  if (!session_.pair() || picture_.isNull()) return;
+  if (!look_.pair() || picture_.isNull()) return;
   from_ = event->localPos();
   planeFrom_ = plane();
   dragging_ = event->button();
@@ -392,10 +392,10 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
     dragging_ = Qt::NoButton;
     const glm::dvec3 p = pointUnder(from_);
     const bool moving = kind_ == Kind::moving;
-    session_.pick(moving, moving && !isOwnMoving() ? session_.movingMapping(session_.stage())(p) : p);
+    look_.pick(moving, moving && !isOwnMoving() ? look_.movingMapping(look_.stage())(p) : p);
   } else if (tools_.hand == Tools::Hand::paint && (seam || kind_ == Kind::overlap)) {
     lastStroke_.reset();
-    session_.endMerging();
+    document_.endMerging();
     paintStroke(from_);
   } else {
     setCross(pointUnder(from_));
@@ -405,7 +405,7 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
   pointer_ = event->localPos();
   if (tools_.hand == Tools::Hand::paint) update();
-  if (dragging_ == Qt::NoButton || !session_.pair()) return;
+  if (dragging_ == Qt::NoButton || !look_.pair()) return;
   const QPointF way = pointer_ - from_;
   const bool seam = kind_ == Kind::fourth && tools_.fourth == Tools::Fourth::seam;
   if (dragging_ == Qt::LeftButton) {
@@ -423,16 +423,16 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SliceView::mouseReleaseEvent(QMouseEvent*) {
-  if (dragging_ == Qt::LeftButton && tools_.hand == Tools::Hand::paint) session_.endMerging();
+  if (dragging_ == Qt::LeftButton && tools_.hand == Tools::Hand::paint) document_.endMerging();
   dragging_ = Qt::NoButton;
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton && tools_.hand == Tools::Hand::look) session_.fit();
+  if (event->button() == Qt::LeftButton && tools_.hand == Tools::Hand::look) look_.fit();
 }
 
 void SliceView::wheelEvent(QWheelEvent* event) {
-  if (!session_.pair()) return;
+  if (!look_.pair()) return;
   const double turns = event->angleDelta().y() / 120.0;
   if (turns == 0.0) return;
   Plane next = plane();

@@ -1,11 +1,18 @@
 #pragma once
 
 #include <QImage>
+#include <QString>
 #include <functional>
+#include <glm/glm.hpp>
+#include <optional>
 
+#include "logic/slices.h"
+#include "panel/stitch_look.h"
 #include "panel/view_base.h"
 
 namespace ew::stitching {
+
+class Mosaic;
 
 /// What the hand does in the views, shared by all of them.
 struct Tools {
@@ -50,14 +57,14 @@ class SliceView final : public ViewBase {
   [[nodiscard]] bool wantsKey(QKeyEvent& event) override { return keys && keys(event, false); }
 
  private:
-  [[nodiscard]] bool isOwnMoving() const { return kind_ == Kind::moving && !session_.isLinked(); }
+  [[nodiscard]] bool isOwnMoving() const { return kind_ == Kind::moving && !look_.isLinked(); }
   [[nodiscard]] Plane plane() const;
   void setPlane(const Plane& plane);
   [[nodiscard]] glm::dvec3 cross() const;
   void setCross(const glm::dvec3& p_mm);
   [[nodiscard]] glm::dvec3 pointUnder(const QPointF& at) const;
   void render();
-  [[nodiscard]] QImage pictureOfOverlap(const Plane& plane, const glm::ivec2& size, StitchSession::Stage stage) const;
+  [[nodiscard]] QImage pictureOfOverlap(const Plane& plane, const glm::ivec2& size, StitchLook::Stage stage) const;
   [[nodiscard]] QImage pictureOfFourth(const Plane& plane, const glm::ivec2& size);
   void drawLattice(QPainter& painter) const;
   void drawLandmarks(QPainter& painter) const;
@@ -65,6 +72,7 @@ class SliceView final : public ViewBase {
   void drawFrameWords(QPainter& painter) const;
   void paintStroke(const QPointF& at);
 
+  const Mosaic& mosaic_;
   Kind kind_;
   Tools& tools_;
   QImage picture_;

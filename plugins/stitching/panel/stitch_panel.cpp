@@ -19,6 +19,7 @@
 
 #include "panel/folders.h"
 #include "panel/look.h"
+#include "panel/stitch_session.h"
 
 namespace ew::stitching {
 namespace {
@@ -43,28 +44,35 @@ void setPrimary(QPushButton* button, bool primary) {
 
 class LegendMark final : public QWidget {
  public:
-  explicit LegendMark(StitchSession::Mark mark) : mark_(mark) { setFixedSize(40, 14); }
+  explicit LegendMark(StitchResults::Mark mark) : mark_(mark) { setFixedSize(40, 14); }
 
  protected:
   void paintEvent(QPaintEvent*) override {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     QPen pen(colourOfMark(mark_, palette()), 2.0);
-    if (mark_ == StitchSession::Mark::byHand) pen.setDashPattern({8.0, 3.0});
-    if (mark_ == StitchSession::Mark::cannotTell) pen.setDashPattern({4.0, 3.0});
-    if (mark_ == StitchSession::Mark::notAligned) pen.setDashPattern({1.5, 2.0});
+    if (mark_ == StitchResults::Mark::byHand) pen.setDashPattern({8.0, 3.0});
+    if (mark_ == StitchResults::Mark::cannotTell) pen.setDashPattern({4.0, 3.0});
+    if (mark_ == StitchResults::Mark::notAligned) pen.setDashPattern({1.5, 2.0});
     painter.setPen(pen);
     painter.drawLine(QPointF(0, 7.5), QPointF(20, 7.5));
     drawMark(painter, QRectF(25, 1, 13, 13), mark_, palette());
   }
 
  private:
-  StitchSession::Mark mark_;
+  StitchResults::Mark mark_;
 };
 
 }  // namespace
 
-StitchPanel::StitchPanel(StitchSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+StitchPanel::StitchPanel(StitchSession& session, QWidget* parent)
+    : QWidget(parent),
+      document_(session.document()),
+      inputs_(session.inputs()),
+      results_(session.results()),
+      mosaic_(session.mosaic()),
+      look_(session.look()),
+      runs_(session.runs()) {
   setObjectName(QStringLiteral("stitchPanel"));
   setAcceptDrops(true);
   setMinimumWidth(280);
@@ -85,20 +93,20 @@ StitchPanel::StitchPanel(StitchSession& session, QWidget* parent) : QWidget(pare
   pages_->addWidget(sdk::emptyState(
       tr("Stitch volumes"),
       tr("Add two or more volumes or sweeps that overlap, or drop their files or a stitch project here. No tracker is needed."), add));
-  pages_->addWidget(makeWorkPage());
+  pages_->addWidget(makeWorkPage(session));
   column->addWidget(pages_, 1);
   problem_ = sdk::problemLabel(this);
   problem_->setObjectName(QStringLiteral("problem"));
   problem_->setContentsMargins(2 * kGap_px, kGap_px, 2 * kGap_px, kGap_px);
   column->addWidget(problem_);
-  connect(&session_, &StitchSession::changed, this, &StitchPanel::refresh);
-  connect(&session_, &StitchSession::problem, this, &StitchPanel::showProblem);
-  connect(&session_, &StitchSession::said, this, [this](const QString& sentence) {
+  connect(&session, &StitchSession::changed, this, &StitchPanel::refresh);
+  connect(&session.notices(), &Notices::problem, this, &StitchPanel::showProblem);
+  connect(&session.notices(), &Notices::said, this, [this](const QString& sentence) {
     outcome_->say(sentence);
     outcome_->setVisible(!sentence.isEmpty());
   });
-  caseTicket_ = session_.host().cases().onChanged([this] { refresh(); });
-  connect(&session_, &StitchSession::nextPairAsked, graph_, &PairGraph::chooseNext);
+  caseTicket_ = session.host().cases().onChanged([this] { refresh(); });
+  connect(&session.look(), &StitchLook::nextPairAsked, graph_, &PairGraph::chooseNext);
   refresh();
 }
 
@@ -114,10 +122,10 @@ QWidget* StitchPanel::makeOffer() {
   auto* reopen = new QPushButton(tr("Reopen"));
   reopen->setObjectName(QStringLiteral("reopenLeft"));
   reopen->setProperty("primary", true);
-  connect(reopen, &QPushButton::clicked, &session_, &StitchSession::reopenLeft);
+  connect(reopen, &QPushButton::clicked, &document_, &ProjectDocument::reopenLeft);
   auto* discard = new QPushButton(tr("Discard"));
   discard->setObjectName(QStringLiteral("discardLeft"));
-  connect(discard, &QPushButton::clicked, &session_, &StitchSession::discardLeft);
+  connect(discard, &QPushButton::clicked, &document_, &ProjectDocument::discardLeft);
   row->addWidget(reopen);
   row->addWidget(discard);
   row->addStretch(1);
@@ -125,7 +133,7 @@ QWidget* StitchPanel::makeOffer() {
   return box;
 }
 
-QWidget* StitchPanel::makeWorkPage() {
+QWidget* StitchPanel::makeWorkPage(StitchSession& session) {
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(2 * kGap_px, kGap_px, 2 * kGap_px, kGap_px);
@@ -150,13 +158,13 @@ QWidget* StitchPanel::makeWorkPage() {
     return action;
   };
   entry(tr("New"), "newProject", [this] {
-    if (mayLeaveProject()) session_.startAnew();
+    if (mayLeaveProject()) document_.startAnew();
   });
   entry(tr("Open…"), "openProject", [this] { askForProject(); });
-  saveProject_ = entry(tr("Save"), "saveProject", [this] { session_.save(false); });
+  saveProject_ = entry(tr("Save"), "saveProject", [this] { document_.save(false); });
   saveProject_->setToolTip(tr("Save the stitch project; the command line runs it identically (Ctrl+S)"));
   menu->setToolTipsVisible(true);
-  entry(tr("Save as…"), "saveProjectElsewhere", [this] { session_.save(true); });
+  entry(tr("Save as…"), "saveProjectElsewhere", [this] { document_.save(true); });
   whole->setMenu(menu);
   top->addWidget(whole);
   auto* add = flat(tr("+ add"), tr("Add volumes or sweeps"), "addMore");
@@ -164,7 +172,7 @@ QWidget* StitchPanel::makeWorkPage() {
   top->addWidget(add);
   column->addLayout(top);
 
-  list_ = new VolumeList(session_);
+  list_ = new VolumeList(session);
   connect(list_, &VolumeList::problem, this, &StitchPanel::showProblem);
   column->addWidget(list_, 3);
 
@@ -179,7 +187,7 @@ QWidget* StitchPanel::makeWorkPage() {
   pairWord_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   pairsTop->addWidget(pairWord_, 1);
   pairs->addLayout(pairsTop);
-  graph_ = new PairGraph(session_);
+  graph_ = new PairGraph(session);
   graph_->setMaximumHeight(280);
   pairs->addWidget(graph_, 1);
   pairs->addWidget(makeLegend());
@@ -198,7 +206,7 @@ QWidget* StitchPanel::makeLegend() {
   grid->setHorizontalSpacing(kGap_px);
   grid->setVerticalSpacing(2);
   int n = 0;
-  using Mark = StitchSession::Mark;
+  using Mark = StitchResults::Mark;
   for (const auto mark : {Mark::aligned, Mark::cannotTell, Mark::landmarks, Mark::notAligned, Mark::byHand, Mark::rejected}) {
     auto* word = sdk::quietLabel(mark == Mark::byHand ? tr("manual") : wordsOfMark(mark));  // that it was not checked is said at the pair
     word->setProperty("small", true);
@@ -225,25 +233,25 @@ QWidget* StitchPanel::makeSteps() {
   };
   match_ = step(tr("Match all without tracker"), tr("Find how all subvolumes lie to each other, whatever is recorded about their places"),
                 "matchAll");
-  connect(match_, &QPushButton::clicked, this, [this] { session_.matchAll(true); });
+  connect(match_, &QPushButton::clicked, this, [this] { runs_.matchAll(true); });
   column->addWidget(match_);
   refine_ = step(tr("Refine the poses"), tr("Start from the poses as they are recorded or set manually, and let the images refine them"),
                  "refine");
-  connect(refine_, &QPushButton::clicked, this, [this] { session_.matchAll(false); });
+  connect(refine_, &QPushButton::clicked, this, [this] { runs_.matchAll(false); });
   column->addWidget(refine_);
   auto* row = new QHBoxLayout;
   row->setSpacing(kGap_px);
   elastic_ = step(tr("Elastic"), tr("Deform the subvolumes so that they fit where they overlap"), "elastic");
   connect(elastic_, &QPushButton::clicked, this, [this] {
-    if (!session_.project().settings.elastic) {
-      StitchProject next = session_.project();
+    if (!document_.project().settings.elastic) {
+      StitchProject next = document_.project();
       next.settings.elastic = true;
-      session_.edit(std::move(next), tr("elastic step on"));
+      document_.edit(std::move(next), tr("elastic step on"));
     }
-    session_.run(Step::elastic, tr("Elastic"));
+    runs_.run(Step::elastic, tr("Elastic"));
   });
   seams_ = step(tr("Compute mosaic"), tr("Choose for every place the view that saw it best, and make one volume"), "seams");
-  connect(seams_, &QPushButton::clicked, this, [this] { session_.run(Step::volume, tr("Compute mosaic")); });
+  connect(seams_, &QPushButton::clicked, this, [this] { runs_.run(Step::volume, tr("Compute mosaic")); });
   row->addWidget(elastic_, 2);
   row->addWidget(seams_, 3);
   column->addLayout(row);
@@ -268,11 +276,11 @@ QWidget* StitchPanel::makeResultBox() {
     return made;
   };
   handOver_ = button(tr("Add to case"), tr("The open case takes over the stitched volume"), "handToCase");
-  connect(handOver_, &QPushButton::clicked, &session_, &StitchSession::handToCase);
+  connect(handOver_, &QPushButton::clicked, &mosaic_, &Mosaic::handToCase);
   saveVolume_ = button(tr("Save volume…"), tr("Save volume, coverage, source and provenance in a folder"), "saveResult");
   connect(saveVolume_, &QPushButton::clicked, this, [this] {
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the stitched volume"), lastFolder());
-    if (!folder.isEmpty()) session_.saveResult(folder.toStdString());
+    if (!folder.isEmpty()) mosaic_.saveIn(folder.toStdString());
   });
   column->addWidget(resultBox_);
   old_ = new Paragraph(tr("Older than the last edit."));
@@ -337,9 +345,9 @@ QWidget* StitchPanel::makeOptions() {
   for (QComboBox* each : {seamMethod_, axes_}) each->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   const auto change = [this](const QString& what, const std::string& key, auto&& set) {
     if (showing_) return;
-    StitchProject next = session_.project();
+    StitchProject next = document_.project();
     set(next.settings);
-    session_.edit(std::move(next), what, key);
+    document_.edit(std::move(next), what, key);
   };
   connect(spacing_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [change](double value) {
     change(tr("voxel spacing"), "spacing", [value](ProjectSettings& settings) { settings.join.grid.spacing_mm = value; });
@@ -360,22 +368,22 @@ QWidget* StitchPanel::makeOptions() {
 
 void StitchPanel::refresh() {
   const bool was = std::exchange(showing_, true);
-  const auto* left = session_.left();
+  const auto* left = document_.left();
   offer_->setVisible(left != nullptr);
   setPrimary(addFirst_, left == nullptr);
   if (left != nullptr) {
     QString word = left->file.empty() ? tr("A project of %n volumes was not saved when the program ended.", nullptr,
                                            static_cast<int>(left->project.volumes.size()))
                                       : tr("Changes to '%1' were not saved when the program ended.").arg(words(left->file.stem().string()));
-    if (session_.leftCount() > 1) word += QLatin1Char(' ') + tr("%n more is offered after it.", nullptr, session_.leftCount() - 1);
+    if (document_.leftCount() > 1) word += QLatin1Char(' ') + tr("%n more is offered after it.", nullptr, document_.leftCount() - 1);
     offerWord_->setText(word);
   }
-  const auto& project = session_.project();
+  const auto& project = document_.project();
   pages_->setCurrentIndex(project.volumes.empty() ? 0 : 1);
   list_->refresh();
-  pairWord_->setText(session_.pairSummary());
+  pairWord_->setText(results_.pairSummary(look_.pair()));
   pairsBox_->setVisible(project.volumes.size() >= 2);
-  const bool running = session_.isRunning();
+  const bool running = runs_.isRunning();
   moreRow_->setVisible(!running);  // its room is the card's on a small screen
   // Where the focus is on a button that is switched off, it waits here: else it goes to whatever comes next in the window.
   if (running && !waiting_ && isAncestorOf(QApplication::focusWidget())) {
@@ -395,18 +403,18 @@ void StitchPanel::refresh() {
   const auto isPlaced = [](const ProjectVolume& volume) { return volume.placement != Placement::unknown; };
   refine_->setVisible(project.volumes.size() >= 2 && std::any_of(project.volumes.begin(), project.volumes.end(), isPlaced));
   // One button leads: finding the places, from the recorded ones where all are; then the volume; then what it is for.
-  const bool matched = session_.isMatchFresh();
+  const bool matched = results_.isMatchFresh();
   const bool placed = std::all_of(project.volumes.begin(), project.volumes.end(), isPlaced);
-  const bool made = session_.isResultFresh();
+  const bool made = mosaic_.isFresh();
   setPrimary(match_, !matched && !placed);
   setPrimary(refine_, !matched && placed);
-  setPrimary(seams_, matched && !made && session_.pairsToLookAt() == 0);  // a pair that needs a look comes first
-  const bool isCaseOpen = session_.isCaseOpen();
+  setPrimary(seams_, matched && !made && results_.pairsToLookAt() == 0);  // a pair that needs a look comes first
+  const bool isCaseOpen = mosaic_.isCaseOpen();
   setPrimary(handOver_, matched && made && isCaseOpen);
   setPrimary(saveVolume_, matched && made && !isCaseOpen);
-  saveProject_->setEnabled(session_.document().hasUnsavedChanges());
-  resultBox_->setVisible(session_.result() != nullptr);
-  old_->setVisible(session_.result() != nullptr && !session_.isResultFresh());
+  saveProject_->setEnabled(document_.hasUnsavedChanges());
+  resultBox_->setVisible(mosaic_.volume() != nullptr);
+  old_->setVisible(mosaic_.volume() != nullptr && !mosaic_.isFresh());
   spacing_->setValue(project.settings.join.grid.spacing_mm);
   fallOff_->setValue(project.settings.fallOff_mm);
   seamMethod_->setCurrentIndex(std::max(0, seamMethod_->findData(static_cast<int>(project.settings.join.seam.method))));
@@ -417,10 +425,10 @@ void StitchPanel::refresh() {
 
 void StitchPanel::showForecast() {
   std::vector<PlacedGrid> grids;
-  for (std::size_t n = 0; n < session_.project().volumes.size(); ++n)
-    if (const auto volume = session_.volume(n)) grids.push_back({volume->grid, session_.toWorld(n), session_.project().volumes[n].name});
+  for (std::size_t n = 0; n < document_.project().volumes.size(); ++n)
+    if (const auto volume = inputs_.volume(n)) grids.push_back({volume->grid, results_.toWorld(n), document_.project().volumes[n].name});
   if (grids.empty()) return forecast_->say({});
-  const auto forecast = forecastJoin(grids, session_.project().settings.join);
+  const auto forecast = forecastJoin(grids, document_.project().settings.join);
   if (!forecast) return forecast_->say(words(forecast.error().message));
   const QString needs = mebibytes(static_cast<double>(forecast->bytes));
   QString tip = tr("What the stitched volume will be, and the memory that making it takes at its peak");
@@ -436,11 +444,11 @@ void StitchPanel::askForFiles() {
   if (chosen.isEmpty()) return;
   std::vector<fs::path> files;
   for (const auto& each : chosen) files.emplace_back(each.toStdString());
-  session_.addFiles(files);
+  inputs_.addFiles(files);
 }
 
 bool StitchPanel::mayLeaveProject() {
-  if (session_.project().volumes.empty() || !session_.document().hasUnsavedChanges()) return true;
+  if (document_.project().volumes.empty() || !document_.hasUnsavedChanges()) return true;
   QMessageBox question(this);
   question.setObjectName(QStringLiteral("unsavedProjectQuestion"));
   question.setIcon(QMessageBox::NoIcon);
@@ -449,8 +457,8 @@ bool StitchPanel::mayLeaveProject() {
   question.setDefaultButton(QMessageBox::Save);
   const int answer = question.exec();
   if (answer == QMessageBox::Save) {
-    session_.save(false);
-    return !session_.document().hasUnsavedChanges();
+    document_.save(false);
+    return !document_.hasUnsavedChanges();
   }
   return answer == QMessageBox::Discard;
 }
@@ -461,7 +469,7 @@ void StitchPanel::askForProject() {
       QFileDialog::getOpenFileName(this, tr("Open a stitch project"), lastFolder(), tr("Stitch projects (*.json);;All files (*)"));
   if (chosen.isEmpty()) return;
   keepFolderOf(chosen);
-  session_.openProject(chosen.toStdString());
+  document_.openProject(chosen.toStdString());
 }
 
 void StitchPanel::showProblem(const QString& sentence) {
@@ -487,7 +495,7 @@ void StitchPanel::dropEvent(QDropEvent* event) {
     if (url.isLocalFile()) files.emplace_back(url.toLocalFile().toStdString());
   if (files.empty()) return;
   event->acceptProposedAction();
-  session_.addFiles(files);
+  inputs_.addFiles(files);
 }
 
 }  // namespace ew::stitching

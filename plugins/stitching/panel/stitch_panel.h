@@ -1,12 +1,11 @@
 #pragma once
 
 #include <QWidget>
-#include <vector>
+#include <memory>
 
 #include "ew/sdk/panel.h"
 #include "panel/pair_graph.h"
 #include "panel/paragraph.h"
-#include "panel/stitch_session.h"
 #include "panel/volume_list.h"
 
 class QAction;
@@ -16,6 +15,14 @@ class QPushButton;
 class QStackedWidget;
 
 namespace ew::stitching {
+
+class Mosaic;
+class ProjectDocument;
+class ProjectInputs;
+class StitchLook;
+class StitchResults;
+class StitchRuns;
+class StitchSession;
 
 /// The column beside the stage: subvolumes, graph of pairs, and the steps from them to one volume. Files are added with the button or
 /// dropped; a stitch project (.json) opens.
@@ -31,7 +38,7 @@ class StitchPanel final : public QWidget {
 
  private:
   QWidget* makeOffer();
-  QWidget* makeWorkPage();
+  QWidget* makeWorkPage(StitchSession& session);
   QWidget* makeLegend();
   QWidget* makeSteps();
   QWidget* makeResultBox();
@@ -43,7 +50,12 @@ class StitchPanel final : public QWidget {
   void askForProject();
   bool mayLeaveProject();  ///< asks where something would be lost
 
-  StitchSession& session_;
+  ProjectDocument& document_;
+  ProjectInputs& inputs_;
+  const StitchResults& results_;
+  Mosaic& mosaic_;
+  const StitchLook& look_;
+  StitchRuns& runs_;
   QWidget* offer_ = nullptr;
   QLabel* offerWord_ = nullptr;
   QStackedWidget* pages_ = nullptr;

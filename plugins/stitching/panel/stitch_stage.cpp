@@ -11,6 +11,7 @@
 
 #include "panel/look.h"
 #include "panel/session_door.h"
+#include "panel/stitch_session.h"
 
 namespace ew::stitching {
 namespace {
@@ -80,22 +81,23 @@ QPushButton* smallToggle(const QString& text, const QString& hint, const char* n
 
 }  // namespace
 
-StitchStage::StitchStage(StitchSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+StitchStage::StitchStage(StitchSession& session, QWidget* parent)
+    : QWidget(parent), document_(session.document()), inputs_(session.inputs()), look_(session.look()), edits_(session.edits()) {
   setObjectName(QStringLiteral("stitchStage"));
   setAccessibleName(tr("Views of the volumes"));
   setAcceptDrops(true);
-  new SessionDoor(session_, this);
+  new SessionDoor(session, this);
   setFocusPolicy(Qt::ClickFocus);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
 
-  makeViews();
+  makeViews(session);
   makeCutControls();
   makeOverlayControls();
   makeFourthChoice();
   makeBrush();
-  inspector_ = new PairInspector(session_, tools_);
+  inspector_ = new PairInspector(session, tools_);
   inspector_->setFixedWidth(std::min(withText(kInspectorWidth_px, font()), kMostInspectorWidth_px));
   connect(inspector_, &PairInspector::handChosen, this, [this] { toolsChanged(); });
   row->addWidget(makeGrid(), 1);
@@ -106,14 +108,14 @@ StitchStage::StitchStage(StitchSession& session, QWidget* parent) : QWidget(pare
   row->addWidget(line);
   row->addWidget(inspector_);
 
-  connectSession();
+  connectSession(session);
   showTitles();
   setFourth(tools_.fourth);
 }
 
-void StitchStage::makeViews() {
+void StitchStage::makeViews(StitchSession& session) {
   const auto view = [&](SliceView::Kind kind, const char* name) {
-    auto* made = new SliceView(kind, session_, tools_);
+    auto* made = new SliceView(kind, session, tools_);
     made->setObjectName(QLatin1String(name));
     made->keys = [this](QKeyEvent& event, bool act) { return handleKey(event, act); };
     return made;
@@ -122,7 +124,7 @@ void StitchStage::makeViews() {
   moving_ = view(SliceView::Kind::moving, "movingView");
   overlap_ = view(SliceView::Kind::overlap, "overlapView");
   fourth_ = view(SliceView::Kind::fourth, "fourthView");
-  placement_ = new PlacementView(session_);
+  placement_ = new PlacementView(session);
   fourthPages_ = new QStackedWidget;
   fourthPages_->addWidget(placement_);
   fourthPages_->addWidget(fourth_);
@@ -133,10 +135,10 @@ void StitchStage::makeCutControls() {
   cut_->addItem(tr("axial"), static_cast<int>(Cut::axial));
   cut_->addItem(tr("coronal"), static_cast<int>(Cut::coronal));
   cut_->addItem(tr("sagittal"), static_cast<int>(Cut::sagittal));
-  connect(cut_, qOverload<int>(&QComboBox::activated), this, [this] { session_.setCut(static_cast<Cut>(cut_->currentData().toInt())); });
+  connect(cut_, qOverload<int>(&QComboBox::activated), this, [this] { look_.setCut(static_cast<Cut>(cut_->currentData().toInt())); });
   linked_ =
       smallToggle(tr("Linked"), tr("Both cross-hairs mark the same place; unlink them to look at each volume for itself (L)"), "linked");
-  connect(linked_, &QPushButton::clicked, this, [this](bool on) { session_.setLinked(on); });
+  connect(linked_, &QPushButton::clicked, this, [this](bool on) { look_.setLinked(on); });
 }
 
 void StitchStage::makeOverlayControls() {
@@ -152,7 +154,7 @@ void StitchStage::makeOverlayControls() {
           [this] { setOverlay(static_cast<Overlay>(overlay_->currentData().toInt())); });
   stageChoice_ = smallCombo("stageChoice", tr("As it was at the start, as matched, or with the elastic step (X)"));
   connect(stageChoice_, qOverload<int>(&QComboBox::activated), this,
-          [this] { session_.setStage(static_cast<StitchSession::Stage>(stageChoice_->currentData().toInt())); });
+          [this] { look_.setStage(static_cast<StitchLook::Stage>(stageChoice_->currentData().toInt())); });
   halves_ = smallToggle(QStringLiteral("◧"), tr("Before and after side by side: the start at the left, the present at the right (B)"),
                         "beforeAfter");
   halves_->setAccessibleName(tr("Before and after"));
@@ -219,16 +221,16 @@ QWidget* StitchStage::makeGrid() {
   return grid;
 }
 
-void StitchStage::connectSession() {
+void StitchStage::connectSession(StitchSession& session) {
   flicker_.setInterval(450);
   connect(&flicker_, &QTimer::timeout, this, [this] {
     tools_.flickerSecond = !tools_.flickerSecond;
     overlap_->refresh();
     showTitles();
   });
-  connect(&session_, &StitchSession::changed, this, &StitchStage::showTitles);
-  connect(&session_, &StitchSession::lookChanged, this, &StitchStage::showTitles);
-  connect(&session_, &StitchSession::resultMade, this, [this] {
+  connect(&session, &StitchSession::changed, this, &StitchStage::showTitles);
+  connect(&session, &StitchSession::lookChanged, this, &StitchStage::showTitles);
+  connect(&session.runs(), &StitchRuns::resultMade, this, [this] {
     if (tools_.fourth != Tools::Fourth::seam) setFourth(Tools::Fourth::result);  // a seam that is being edited stays in view
   });
 }
@@ -257,8 +259,8 @@ QWidget* StitchStage::makeFrame(QLabel*& title, QWidget* content, const std::vec
 
 void StitchStage::showTitles() {
   const bool was = std::exchange(showing_, true);
-  const auto& pair = session_.pair();
-  const auto& volumes = session_.project().volumes;
+  const auto& pair = look_.pair();
+  const auto& volumes = document_.project().volumes;
   const auto put = [](QLabel* label, const QString& text, const QString& tip) {
     label->setText(text);
     label->setToolTip(tip);
@@ -279,12 +281,12 @@ void StitchStage::showTitles() {
   for (QWidget* control : {static_cast<QWidget*>(cut_), static_cast<QWidget*>(linked_), static_cast<QWidget*>(overlay_),
                            static_cast<QWidget*>(stageChoice_), static_cast<QWidget*>(halves_), static_cast<QWidget*>(fourthChoice_)})
     control->setVisible(pair.has_value());
-  linked_->setChecked(session_.isLinked());
-  const auto stage = session_.stage();
+  linked_->setChecked(look_.isLinked());
+  const auto stage = look_.stage();
   stageChoice_->clear();
-  stageChoice_->addItem(tr("start"), static_cast<int>(StitchSession::Stage::start));
-  stageChoice_->addItem(tr("matched"), static_cast<int>(StitchSession::Stage::rigid));
-  if (session_.hasElastic()) stageChoice_->addItem(tr("elastic"), static_cast<int>(StitchSession::Stage::elastic));
+  stageChoice_->addItem(tr("start"), static_cast<int>(StitchLook::Stage::start));
+  stageChoice_->addItem(tr("matched"), static_cast<int>(StitchLook::Stage::rigid));
+  if (look_.hasElastic()) stageChoice_->addItem(tr("elastic"), static_cast<int>(StitchLook::Stage::elastic));
   chooseIn(stageChoice_, static_cast<int>(stage));
   if (brushView_->count() != static_cast<int>(volumes.size())) {
     brushView_->clear();
@@ -326,7 +328,7 @@ void StitchStage::setFourth(Tools::Fourth fourth) {
 
 void StitchStage::setHand(Tools::Hand hand) {
   if (hand == Tools::Hand::paint && tools_.fourth != Tools::Fourth::seam) setFourth(Tools::Fourth::seam);
-  if (tools_.hand == Tools::Hand::pick && hand != Tools::Hand::pick) session_.dropPick();
+  if (tools_.hand == Tools::Hand::pick && hand != Tools::Hand::pick) look_.dropPick();
   tools_.hand = hand;
   toolsChanged();
   inspector_->refresh();
@@ -375,7 +377,7 @@ bool StitchStage::nudgeByKey(const QKeyEvent& event, bool act) {
   const double deg = shift ? 5.0 : 1.0;
   const auto nudge = [&](const glm::dvec3& shift_mm, const glm::dvec3& rotation_deg) {
     if (!act) return true;
-    session_.nudge(shift_mm, rotation_deg);
+    edits_.nudge(shift_mm, rotation_deg);
     return true;
   };
   switch (event.key()) {
@@ -427,25 +429,25 @@ bool StitchStage::lookByKey(const QKeyEvent& event, bool act) {
       return run([&] {
         const int n = event.key() - Qt::Key_1;
         cut_->setCurrentIndex(n);
-        session_.setCut(static_cast<Cut>(n));
+        look_.setCut(static_cast<Cut>(n));
       });
     case Qt::Key_0:
-      return run([&] { session_.fit(); });
+      return run([&] { look_.fit(); });
     case Qt::Key_Comma:
     case Qt::Key_Less:
     case Qt::Key_Semicolon:
-      return run([&] { session_.setCross(session_.cross() - (shift ? 5.0 : 1.0) * session_.plane().normal()); });
+      return run([&] { look_.setCross(look_.cross() - (shift ? 5.0 : 1.0) * look_.plane().normal()); });
     case Qt::Key_Period:
     case Qt::Key_Greater:
     case Qt::Key_Colon:
-      return run([&] { session_.setCross(session_.cross() + (shift ? 5.0 : 1.0) * session_.plane().normal()); });
+      return run([&] { look_.setCross(look_.cross() + (shift ? 5.0 : 1.0) * look_.plane().normal()); });
     case Qt::Key_Plus:
     case Qt::Key_Equal:
     case Qt::Key_Minus:
       return run([&] {
-        Plane plane = session_.plane();
+        Plane plane = look_.plane();
         plane.pixel_mm = std::clamp(plane.pixel_mm * (event.key() == Qt::Key_Minus ? 1.2 : 1.0 / 1.2), 0.01, 5.0);
-        session_.setPlane(plane);
+        look_.setPlane(plane);
       });
     default:
       return false;
@@ -463,8 +465,8 @@ bool StitchStage::chooseViewByKey(const QKeyEvent& event, bool act) {
       return run([&] { setOverlay(static_cast<Overlay>((static_cast<int>(tools_.overlay) + 1) % 4)); });
     case Qt::Key_X:
       return run([&] {
-        const int next = (static_cast<int>(session_.stage()) + 1) % (session_.hasElastic() ? 3 : 2);
-        session_.setStage(static_cast<StitchSession::Stage>(next));
+        const int next = (static_cast<int>(look_.stage()) + 1) % (look_.hasElastic() ? 3 : 2);
+        look_.setStage(static_cast<StitchLook::Stage>(next));
       });
     case Qt::Key_B:
       return run([&] {
@@ -474,7 +476,7 @@ bool StitchStage::chooseViewByKey(const QKeyEvent& event, bool act) {
     case Qt::Key_G:
       return run([&] { setFourth(static_cast<Tools::Fourth>((static_cast<int>(tools_.fourth) + 1) % 4)); });
     case Qt::Key_L:
-      return run([&] { session_.setLinked(!session_.isLinked()); });
+      return run([&] { look_.setLinked(!look_.isLinked()); });
     default:
       return false;
   }
@@ -497,8 +499,8 @@ bool StitchStage::useHandByKey(const QKeyEvent& event, bool act) {
     case Qt::Key_Escape:
       if (tools_.hand == Tools::Hand::look) return false;
       return run([&] {
-        if (session_.pickedFixed() || session_.pickedMoving())
-          session_.dropPick();
+        if (look_.pickedFixed() || look_.pickedMoving())
+          look_.dropPick();
         else
           setHand(Tools::Hand::look);
         inspector_->refresh();
@@ -516,14 +518,14 @@ bool StitchStage::judgeByKey(const QKeyEvent& event, bool act) {
   const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
   switch (event.key()) {
     case Qt::Key_N:
-      return run([&] { Q_EMIT session_.nextPairAsked(shift ? -1 : 1); });
+      return run([&] { Q_EMIT look_.nextPairAsked(shift ? -1 : 1); });
     case Qt::Key_Delete:
-      return run([&] { session_.removeLandmark(session_.chosenLandmark()); });
+      return run([&] { edits_.removeLandmark(look_.chosenLandmark()); });
     case Qt::Key_Return:
     case Qt::Key_Enter:
-      return run([&] { session_.setDecision(Decision::accepted); });
+      return run([&] { edits_.setDecision(Decision::accepted); });
     case Qt::Key_Backspace:
-      return run([&] { session_.setDecision(Decision::rejected); });
+      return run([&] { edits_.setDecision(Decision::rejected); });
     default:
       return false;
   }
@@ -551,7 +553,7 @@ void StitchStage::dropEvent(QDropEvent* event) {
     if (url.isLocalFile()) files.emplace_back(url.toLocalFile().toStdString());
   if (files.empty()) return;
   event->acceptProposedAction();
-  session_.addFiles(files);
+  inputs_.addFiles(files);
 }
 
 }  // namespace ew::stitching

@@ -3,6 +3,9 @@
 #include <QTimer>
 #include <QWidget>
 #include <array>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "panel/pair_inspector.h"
 #include "panel/placement_view.h"
@@ -15,6 +18,12 @@ class QStackedWidget;
 class QToolButton;
 
 namespace ew::stitching {
+
+class AlignmentEdits;
+class ProjectDocument;
+class ProjectInputs;
+class StitchLook;
+class StitchSession;
 
 /// Two by two views of the pair that is looked at, and its inspector at the right.
 class StitchStage final : public QWidget {
@@ -34,13 +43,13 @@ class StitchStage final : public QWidget {
 
  private:
   QWidget* makeFrame(QLabel*& title, QWidget* content, const std::vector<QWidget*>& controls);
-  void makeViews();
+  void makeViews(StitchSession& session);
   void makeCutControls();
   void makeOverlayControls();
   void makeFourthChoice();
   void makeBrush();
   QWidget* makeGrid();
-  void connectSession();
+  void connectSession(StitchSession& session);
   /// @param act false: only asked whether the key is one of the stage's. @return whether it is
   [[nodiscard]] bool handleKey(const QKeyEvent& event, bool act);
   [[nodiscard]] bool nudgeByKey(const QKeyEvent& event, bool act);
@@ -54,7 +63,10 @@ class StitchStage final : public QWidget {
   void setOverlay(Overlay overlay);
   void toolsChanged();
 
-  StitchSession& session_;
+  const ProjectDocument& document_;
+  ProjectInputs& inputs_;
+  StitchLook& look_;
+  AlignmentEdits& edits_;
   Tools tools_;
   QTimer flicker_;
   std::array<QLabel*, 4> titles_{};

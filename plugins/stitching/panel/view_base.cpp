@@ -4,10 +4,12 @@
 #include <QPainter>
 
 #include "panel/look.h"
+#include "panel/stitch_session.h"
 
 namespace ew::stitching {
 
-ViewBase::ViewBase(StitchSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+ViewBase::ViewBase(StitchSession& session, QWidget* parent)
+    : QWidget(parent), document_(session.document()), inputs_(session.inputs()), results_(session.results()), look_(session.look()) {
   setMinimumSize(160, 120);
   setFocusPolicy(Qt::StrongFocus);
   setLayoutDirection(Qt::LeftToRight);  // an image has its sides, whatever is read

@@ -1,11 +1,17 @@
 #pragma once
 
 #include <QColor>
+#include <QPointF>
 #include <QWidget>
-
-#include "panel/stitch_session.h"
+#include <glm/glm.hpp>
 
 namespace ew::stitching {
+
+class ProjectDocument;
+class ProjectInputs;
+class StitchLook;
+class StitchResults;
+class StitchSession;
 
 /// Colours on the black of a view, whatever the window's theme.
 inline const QColor kViewQuiet(0x9b, 0xa1, 0xa8);
@@ -29,7 +35,10 @@ class ViewBase : public QWidget {
   void beginPainting(QPainter& painter, const QColor& ground) const;
   void drawFocus(QPainter& painter) const;
 
-  StitchSession& session_;
+  ProjectDocument& document_;
+  const ProjectInputs& inputs_;
+  const StitchResults& results_;
+  StitchLook& look_;
   Qt::MouseButton dragging_ = Qt::NoButton;
 };
 

@@ -18,6 +18,7 @@
 #include "ew/sdk/panel.h"
 #include "panel/folders.h"
 #include "panel/look.h"
+#include "panel/stitch_session.h"
 
 namespace ew::stitching {
 namespace {
@@ -91,7 +92,7 @@ class VolumeDelegate final : public QStyledItemDelegate {
     painter->drawText(placed(QRect(left, box.top() + 4 + px(18), wide, px(18))), Qt::AlignLeft | Qt::AlignVCenter,
                       QFontMetrics(font).elidedText(index.data(kLine).toString(), Qt::ElideRight, wide));
     drawMark(*painter, QRectF(placed(QRect(box.right() - 13 - px(14), box.top() + px(15), px(14), px(14)))),
-             static_cast<StitchSession::Mark>(index.data(kMark).toInt()), colours);
+             static_cast<StitchResults::Mark>(index.data(kMark).toInt()), colours);
     painter->restore();
   }
   void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex&) const override {
@@ -101,7 +102,14 @@ class VolumeDelegate final : public QStyledItemDelegate {
 
 }  // namespace
 
-VolumeList::VolumeList(StitchSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+VolumeList::VolumeList(StitchSession& session, QWidget* parent)
+    : QWidget(parent),
+      files_(session.host().files()),
+      document_(session.document()),
+      inputs_(session.inputs()),
+      results_(session.results()),
+      look_(session.look()),
+      edits_(session.edits()) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(kGap_px);
@@ -117,19 +125,19 @@ VolumeList::VolumeList(StitchSession& session, QWidget* parent) : QWidget(parent
   list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   list_->installEventFilter(this);
   connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
-    if (!showing_ && row >= 0) session_.chooseVolume(static_cast<std::size_t>(row));
+    if (!showing_ && row >= 0) look_.chooseVolume(static_cast<std::size_t>(row));
   });
   connect(list_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
     if (showing_) return;
     const auto at = static_cast<std::size_t>(list_->row(item));
     const std::string name = item->text().trimmed().toStdString();
-    if (auto wrong = problemOfName(session_.project(), at, name)) {
+    if (auto wrong = problemOfName(document_.project(), at, name)) {
       Q_EMIT problem(words(wrong->message));
     } else {
-      StitchProject next = session_.project();
+      StitchProject next = document_.project();
       next.volumes[at].name = name;
       Q_EMIT problem({});
-      session_.edit(std::move(next), tr("call %1 '%2'").arg(words(letterOf(at)), words(name)));
+      document_.edit(std::move(next), tr("call %1 '%2'").arg(words(letterOf(at)), words(name)));
     }
     QMetaObject::invokeMethod(this, &VolumeList::refresh, Qt::QueuedConnection);
   });
@@ -141,8 +149,8 @@ VolumeList::VolumeList(StitchSession& session, QWidget* parent) : QWidget(parent
     QMetaObject::invokeMethod(
         this,
         [this, at, there] {
-          session_.edit(withVolumeMoved(session_.project(), at, there), tr("move %1 in the list").arg(words(letterOf(at))));
-          session_.chooseVolume(there);
+          document_.edit(withVolumeMoved(document_.project(), at, there), tr("move %1 in the list").arg(words(letterOf(at))));
+          look_.chooseVolume(there);
         },
         Qt::QueuedConnection);
   });
@@ -167,8 +175,7 @@ QWidget* VolumeList::makeChosenBox() {
       tr("Where the chosen volume's place comes from: found by matching, believed as the tracker's, or a start by hand"));
   placement_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   connect(placement_, qOverload<int>(&QComboBox::activated), this, [this] {
-    if (const auto chosen = session_.chosenVolume())
-      session_.setPlacement(*chosen, static_cast<Placement>(placement_->currentData().toInt()));
+    if (const auto chosen = look_.chosenVolume()) edits_.setPlacement(*chosen, static_cast<Placement>(placement_->currentData().toInt()));
   });
   row->addWidget(placement_, 1);
   const auto small = [&](const QString& text, const QString& hint, const char* name) {
@@ -188,7 +195,7 @@ QWidget* VolumeList::makeChosenBox() {
   acceptsSmall_->setObjectName(QStringLiteral("acceptsSmall"));
   acceptsSmall_->setToolTip(tr("Less than a tenth of this sweep's pixels or frames becomes part of the volume, and that is meant"));
   connect(acceptsSmall_, &QCheckBox::clicked, this, [this](bool on) {
-    if (const auto chosen = session_.chosenVolume()) session_.setAcceptsSmall(*chosen, on);
+    if (const auto chosen = look_.chosenVolume()) inputs_.setAcceptsSmall(*chosen, on);
   });
   column->addWidget(acceptsSmall_);
   return chosenBox_;
@@ -218,19 +225,19 @@ QWidget* VolumeList::makeSweepRow() {
   name->setBuddy(sweepSpacing_);
   // Not while it is stepped: every value reads the sweep again.
   connect(sweepSpacing_, &QDoubleSpinBox::editingFinished, this, [this] {
-    if (const auto chosen = session_.chosenVolume(); chosen && !showing_) session_.setSweepSpacing(*chosen, sweepSpacing_->value());
+    if (const auto chosen = look_.chosenVolume(); chosen && !showing_) inputs_.setSweepSpacing(*chosen, sweepSpacing_->value());
   });
   row->addWidget(sweepSpacing_);
   return sweepRow_;
 }
 
 void VolumeList::showSweepRow() {
-  const auto chosen = session_.chosenVolume();
-  const bool isSweep = chosen && session_.isSweep(*chosen);
+  const auto chosen = look_.chosenVolume();
+  const bool isSweep = chosen && inputs_.isSweep(*chosen);
   sweepRow_->setVisible(isSweep);
-  acceptsSmall_->setVisible(isSweep && session_.asksAboutLittle(*chosen));
+  acceptsSmall_->setVisible(isSweep && inputs_.asksAboutLittle(*chosen));
   if (!isSweep) return;
-  const ProjectVolume& line = session_.project().volumes[*chosen];
+  const ProjectVolume& line = document_.project().volumes[*chosen];
   const QString file = words(line.calibration.filename().string());
   calibration_->setText(line.calibration.empty() ? tr("Calibration of %1…").arg(words(letterOf(*chosen)))
                                                  : calibration_->fontMetrics().elidedText(file, Qt::ElideMiddle, 110));
@@ -243,18 +250,18 @@ void VolumeList::showSweepRow() {
 }
 
 void VolumeList::chooseCalibration() {
-  const auto chosen = session_.chosenVolume();
+  const auto chosen = look_.chosenVolume();
   if (!chosen) return;
-  const QString file = QFileDialog::getOpenFileName(this, tr("Calibration of %1").arg(words(session_.project().volumes[*chosen].name)),
+  const QString file = QFileDialog::getOpenFileName(this, tr("Calibration of %1").arg(words(document_.project().volumes[*chosen].name)),
                                                     lastFolder(), tr("Device sets (*.xml);;All files (*)"));
   if (file.isEmpty()) return;
   keepFolderOf(file);
-  session_.setCalibration(*chosen, file.toStdString());
+  inputs_.setCalibration(*chosen, file.toStdString());
 }
 
 void VolumeList::refresh() {
   const bool was = std::exchange(showing_, true);
-  const auto& volumes = session_.project().volumes;
+  const auto& volumes = document_.project().volumes;
   const int rows = static_cast<int>(volumes.size());
   list_->setMinimumHeight(std::clamp(rows, 2, 4) * withText(kRow_px, list_->font()) + 4);
   list_->setMaximumHeight(std::max(2, rows) * withText(kRow_px, list_->font()) + 4);
@@ -265,14 +272,14 @@ void VolumeList::refresh() {
       item = new QListWidgetItem(list_);
       item->setFlags((item->flags() | Qt::ItemIsEditable) & ~Qt::ItemIsDropEnabled);
     }
-    const auto volume = session_.volume(n);
+    const auto volume = inputs_.volume(n);
     const QString place = placementWords(volumes[n].placement);
-    const auto mark = session_.markOf(n);
+    const auto mark = results_.markOf(n);
     item->setText(words(volumes[n].name));
-    item->setData(kLine, volume                     ? sizeOf(volume->grid) + QStringLiteral(", ") + place
-                         : session_.isUnreadable(n) ? session_.isSweep(n) ? tr("sweep, not yet a volume") : tr("cannot be read")
-                                                    : tr("reading…"));
-    item->setData(kBroken, !volume && session_.isUnreadable(n));
+    item->setData(kLine, volume                    ? sizeOf(volume->grid) + QStringLiteral(", ") + place
+                         : inputs_.isUnreadable(n) ? inputs_.isSweep(n) ? tr("sweep, not yet a volume") : tr("cannot be read")
+                                                   : tr("reading…"));
+    item->setData(kBroken, !volume && inputs_.isUnreadable(n));
     item->setData(kMark, static_cast<int>(mark));
     QString tip = words(volumes[n].name) + QLatin1Char('\n') + words(volumes[n].file.string());
     if (volume) {
@@ -282,11 +289,11 @@ void VolumeList::refresh() {
                                      .arg(sizeOf(grid), locale.toString(grid.spacing_mm.x, 'g', 4),
                                           locale.toString(grid.spacing_mm.y, 'g', 4), locale.toString(grid.spacing_mm.z, 'g', 4));
     }
-    if (const QString why = session_.whyUnreadable(n); !volume && !why.isEmpty()) tip += QLatin1Char('\n') + why;
+    if (const QString why = inputs_.whyUnreadable(n); !volume && !why.isEmpty()) tip += QLatin1Char('\n') + why;
     item->setToolTip(tip + QLatin1Char('\n') + wordsOfMark(mark) + QLatin1Char('\n') +
                      tr("F2 renames, Alt + up and down move it, Delete takes it off the list"));
   }
-  const auto chosen = session_.chosenVolume();
+  const auto chosen = look_.chosenVolume();
   // Selected as well: a row that became the current one because another was taken away is not.
   list_->setCurrentRow(chosen ? static_cast<int>(*chosen) : -1, QItemSelectionModel::ClearAndSelect);
   chosenBox_->setVisible(chosen.has_value());
@@ -297,35 +304,35 @@ void VolumeList::refresh() {
 }
 
 void VolumeList::chooseTransform() {
-  const auto chosen = session_.chosenVolume();
+  const auto chosen = look_.chosenVolume();
   if (!chosen) return;
-  const QString file = QFileDialog::getOpenFileName(this, tr("Pose of %1").arg(words(session_.project().volumes[*chosen].name)),
+  const QString file = QFileDialog::getOpenFileName(this, tr("Pose of %1").arg(words(document_.project().volumes[*chosen].name)),
                                                     lastFolder(), tr("Transforms (*.txt *.tfm);;All files (*)"));
   if (file.isEmpty()) return;
   keepFolderOf(file);
-  auto text = session_.host().files().readText(file.toStdString());
+  auto text = files_.readText(file.toStdString());
   if (!text) return Q_EMIT problem(words(text.error().message));
   auto toWorld = parseTransform<frame::World, frame::View>(*text, fs::path(file.toStdString()).filename().string());
   if (!toWorld) return Q_EMIT problem(words(toWorld.error().message));
   Q_EMIT problem({});
-  session_.edit(withPlace(session_.project(), *chosen, *toWorld, Placement::tracker),
-                tr("pose of %1 from a file").arg(words(letterOf(*chosen))));
+  document_.edit(withPlace(document_.project(), *chosen, *toWorld, Placement::tracker),
+                 tr("pose of %1 from a file").arg(words(letterOf(*chosen))));
 }
 
 void VolumeList::removeChosen() {
-  const auto chosen = session_.chosenVolume();
+  const auto chosen = look_.chosenVolume();
   if (!chosen) return;
-  session_.edit(withoutVolume(session_.project(), *chosen), tr("remove %1").arg(words(session_.project().volumes[*chosen].name)));
+  document_.edit(withoutVolume(document_.project(), *chosen), tr("remove %1").arg(words(document_.project().volumes[*chosen].name)));
 }
 
 void VolumeList::moveChosen(int step) {
-  const auto chosen = session_.chosenVolume();
+  const auto chosen = look_.chosenVolume();
   if (!chosen) return;
   const int to = static_cast<int>(*chosen) + step;
   if (to < 0 || to >= list_->count()) return;
-  session_.edit(withVolumeMoved(session_.project(), *chosen, static_cast<std::size_t>(to)),
-                tr("move %1 in the list").arg(words(letterOf(*chosen))));
-  session_.chooseVolume(static_cast<std::size_t>(to));
+  document_.edit(withVolumeMoved(document_.project(), *chosen, static_cast<std::size_t>(to)),
+                 tr("move %1 in the list").arg(words(letterOf(*chosen))));
+  look_.chooseVolume(static_cast<std::size_t>(to));
 }
 
 bool VolumeList::eventFilter(QObject* watched, QEvent* event) {

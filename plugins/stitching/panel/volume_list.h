@@ -2,18 +2,24 @@
 
 #include <QWidget>
 
-#include "panel/stitch_session.h"
-
 class QCheckBox;
 class QComboBox;
 class QListWidget;
 class QPushButton;
 
 namespace ew::sdk {
+class Files;
 class NumberField;
-}
+}  // namespace ew::sdk
 
 namespace ew::stitching {
+
+class AlignmentEdits;
+class ProjectDocument;
+class ProjectInputs;
+class StitchLook;
+class StitchResults;
+class StitchSession;
 
 /// The project's subvolumes: name, size, where the place comes from, and what holds each. Rows are renamed, moved and taken off here; the
 /// chosen one's place is told below them.
@@ -40,7 +46,12 @@ class VolumeList final : public QWidget {
   void removeChosen();
   void moveChosen(int step);
 
-  StitchSession& session_;
+  sdk::Files& files_;
+  ProjectDocument& document_;
+  ProjectInputs& inputs_;
+  const StitchResults& results_;
+  StitchLook& look_;
+  AlignmentEdits& edits_;
   QListWidget* list_ = nullptr;
   QWidget* chosenBox_ = nullptr;
   QComboBox* placement_ = nullptr;

@@ -1,4 +1,4 @@
-#include "panel/stitch_session.h"
+#include "panel/project_inputs.h"
 
 #include <QPointer>
 #include <algorithm>
@@ -10,11 +10,24 @@
 #include <utility>
 
 #include "ew/core/ending.h"
-#include "ew/sdk/panel.h"
+#include "ew/sdk/words.h"
+#include "ew/stitching/chain.h"
 #include "panel/folders.h"
-#include "panel/session_parts.h"
+#include "panel/notices.h"
+#include "panel/project_document.h"
+#include "panel/project_files.h"
 
 namespace ew::stitching {
+
+/// Files that were read before they become lines of the project.
+struct FilesRead {
+  std::vector<std::pair<ProjectVolume, std::shared_ptr<const Volume>>> volumes;  ///< null: a sweep that still needs something
+  std::map<std::string, Message> reasons;                                        ///< of these, by keyOf
+  std::set<std::string> little;  ///< keyOf those that are asked about: too little of them is kept
+  std::set<std::filesystem::path> sweeps;
+  int failed = 0;
+};
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -112,30 +125,34 @@ Result<void> readLines(const std::vector<ProjectVolume>& lines, const fs::path& 
 
 }  // namespace
 
-void StitchSession::addFiles(const std::vector<fs::path>& files) {
-  Q_EMIT problem({});
+ProjectInputs::ProjectInputs(sdk::Host& host, Notices& notices, ProjectDocument& document)
+    : host_(host), notices_(notices), document_(document) {}
+
+const StitchProject& ProjectInputs::project() const { return document_.project(); }
+
+void ProjectInputs::addFiles(const std::vector<fs::path>& files) {
+  Q_EMIT notices_.problem({});
   if (!files.empty()) keepFolderOf(words(files.front().string()));
   if (files.size() == 1 && isProject(files.front()) && project().volumes.empty()) {
-    openProject(files.front());
+    document_.openProject(files.front());
     return;
   }
   std::vector<ProjectVolume> lines = linesOf(files);
   if (lines.empty()) return;
   auto read = std::make_shared<FilesRead>();
-  const QPointer<StitchSession> here(this);
+  const QPointer<ProjectInputs> here(this);
   const QString what = lines.size() == 1 ? tr("Reading %1").arg(words(lines.front().name))
                                          : tr("Reading %n volumes", nullptr, static_cast<int>(lines.size()));
   host_.jobs().start(
       what.toStdString(),
-      [read, lines = std::move(lines), &volumes = host_.volumes(), folder = readingFolder(), turn = readingTurn_](Progress& progress) {
-        return readLines(lines, folder, *turn, volumes, *read, progress);
-      },
+      [read, lines = std::move(lines), &volumes = host_.volumes(), folder = document_.readingFolder(),
+       turn = readingTurn_](Progress& progress) { return readLines(lines, folder, *turn, volumes, *read, progress); },
       [here, read](const Result<void>& outcome) {
-        if (StitchSession* session = here.data()) session->takeRead(*read, outcome);
+        if (ProjectInputs* inputs = here.data()) inputs->takeRead(*read, outcome);
       });
 }
 
-std::vector<ProjectVolume> StitchSession::linesOf(const std::vector<fs::path>& files) {
+std::vector<ProjectVolume> ProjectInputs::linesOf(const std::vector<fs::path>& files) {
   std::vector<ProjectVolume> lines;
   QStringList known;
   // The same file twice is a slip of the hand: it would be stitched with itself.
@@ -150,12 +167,12 @@ std::vector<ProjectVolume> StitchSession::linesOf(const std::vector<fs::path>& f
     if (isProject(file)) {
       auto text = host_.files().readText(file);
       if (!text) {
-        say(text.error());
+        notices_.say(text.error());
         continue;
       }
       auto other = parseProject(*text, file.parent_path());
       if (!other) {
-        say(other.error());
+        notices_.say(other.error());
         continue;
       }
       lines.insert(lines.end(), other->volumes.begin(), other->volumes.end());
@@ -168,11 +185,11 @@ std::vector<ProjectVolume> StitchSession::linesOf(const std::vector<fs::path>& f
       lines.push_back(std::move(line));
     }
   }
-  if (!known.isEmpty()) Q_EMIT problem(tr("%1: in the list already.").arg(known.join(QStringLiteral(", "))));
+  if (!known.isEmpty()) Q_EMIT notices_.problem(tr("%1: in the list already.").arg(known.join(QStringLiteral(", "))));
   return lines;
 }
 
-void StitchSession::takeRead(FilesRead& read, const Result<void>& outcome) {
+void ProjectInputs::takeRead(FilesRead& read, const Result<void>& outcome) {
   std::vector<ProjectVolume> added;
   for (auto& [line, volume] : read.volumes) {
     if (volume)
@@ -186,16 +203,17 @@ void StitchSession::takeRead(FilesRead& read, const Result<void>& outcome) {
   if (!added.empty()) {
     const QString step =
         added.size() == 1 ? tr("add %1").arg(words(added.front().name)) : tr("add %n volumes", nullptr, static_cast<int>(added.size()));
-    edit(withVolumes(project(), std::move(added)), step);
-    if (!read.reasons.empty()) chooseVolume(project().volumes.size() - 1);  // where it can be mended
+    document_.edit(withVolumes(project(), std::move(added)), step);
+    if (!read.reasons.empty()) Q_EMIT mendingWanted(project().volumes.size() - 1);  // where it can be mended
   }
   if (outcome) return;
-  say(outcome.error());
+  notices_.say(outcome.error());
   if (read.failed > 1)
-    Q_EMIT problem(words(outcome.error().message) + QLatin1Char(' ') + tr("%n more could not be read either.", nullptr, read.failed - 1));
+    Q_EMIT notices_.problem(words(outcome.error().message) + QLatin1Char(' ') +
+                            tr("%n more could not be read either.", nullptr, read.failed - 1));
 }
 
-void StitchSession::readVolumes() {
+void ProjectInputs::readVolumes() {
   if (reading_) return;
   std::vector<ProjectVolume> lines;
   for (const auto& line : project().volumes)
@@ -210,11 +228,11 @@ void StitchSession::readVolumes() {
     std::optional<Error> first;
   };
   auto read = std::make_shared<Read>();
-  const QPointer<StitchSession> here(this);
+  const QPointer<ProjectInputs> here(this);
   auto& volumes = host_.volumes();
   host_.jobs().start(
       tr("Reading %n volumes", nullptr, static_cast<int>(lines.size())).toStdString(),
-      [read, lines, &volumes, folder = readingFolder(), turn = readingTurn_](Progress& progress) -> Result<void> {
+      [read, lines, &volumes, folder = document_.readingFolder(), turn = readingTurn_](Progress& progress) -> Result<void> {
         const auto mine = waitForTurn(*turn, progress);
         if (!mine) return failure(ErrorCode::cancelled, ew::say<"Reading was cancelled.">());
         const double share = 1.0 / static_cast<double>(lines.size());
@@ -233,74 +251,83 @@ void StitchSession::readVolumes() {
         return {};
       },
       [here, read, lines](const Result<void>& outcome) {
-        StitchSession* session = here.data();
-        if (session == nullptr) return;
-        session->reading_ = false;
+        ProjectInputs* inputs = here.data();
+        if (inputs == nullptr) return;
+        inputs->reading_ = false;
         for (const auto& [key, volume] : read->volumes) {
           if (volume)
-            session->volumes_[key] = volume;
+            inputs->volumes_[key] = volume;
           else
-            session->unreadable_[key] = read->reasons[key];
+            inputs->unreadable_[key] = read->reasons[key];
         }
-        session->sweeps_.merge(read->sweeps);
-        session->little_.merge(read->little);
+        inputs->sweeps_.merge(read->sweeps);
+        inputs->little_.merge(read->little);
         if (!outcome)  // cancelled: not asked again until the file is added anew
           for (const auto& line : lines)
-            if (session->volumes_.count(keyOf(line)) == 0) session->unreadable_.try_emplace(keyOf(line));
-        if (read->first) session->say(*read->first);
-        session->fit();
-        session->afterEdit();
+            if (inputs->volumes_.count(keyOf(line)) == 0) inputs->unreadable_.try_emplace(keyOf(line));
+        if (read->first) inputs->notices_.say(*read->first);
+        Q_EMIT inputs->volumesRead();
       });
 }
 
-std::shared_ptr<const Volume> StitchSession::volume(std::size_t index) const {
-  if (index >= project().volumes.size()) return nullptr;
-  const auto at = volumes_.find(keyOf(project().volumes[index]));
+void ProjectInputs::forgetFailures() {
+  unreadable_.clear();
+  little_.clear();
+}
+
+void ProjectInputs::keep(const ProjectVolume& line, std::shared_ptr<const Volume> volume) { volumes_[keyOf(line)] = std::move(volume); }
+
+std::shared_ptr<const Volume> ProjectInputs::volume(std::size_t index) const {
+  return index < project().volumes.size() ? volumeOf(project().volumes[index]) : nullptr;
+}
+
+std::shared_ptr<const Volume> ProjectInputs::volumeOf(const ProjectVolume& line) const {
+  const auto at = volumes_.find(keyOf(line));
   return at != volumes_.end() ? at->second : nullptr;
 }
 
-bool StitchSession::asksAboutLittle(std::size_t index) const {
+bool ProjectInputs::asksAboutLittle(std::size_t index) const {
   if (index >= project().volumes.size()) return false;
   const ProjectVolume& line = project().volumes[index];
   return line.acceptsSmall || little_.count(keyOf(line)) != 0;
 }
 
-void StitchSession::setAcceptsSmall(std::size_t index, bool accepts) {
+void ProjectInputs::setAcceptsSmall(std::size_t index, bool accepts) {
   if (index >= project().volumes.size() || project().volumes[index].acceptsSmall == accepts) return;
   StitchProject next = project();
   next.volumes[index].acceptsSmall = accepts;
-  Q_EMIT problem({});
-  edit(std::move(next),
-       accepts ? tr("take %1 as it is").arg(words(letterOf(index))) : tr("ask about %1 again").arg(words(letterOf(index))));
+  Q_EMIT notices_.problem({});
+  document_.edit(std::move(next),
+                 accepts ? tr("take %1 as it is").arg(words(letterOf(index))) : tr("ask about %1 again").arg(words(letterOf(index))));
 }
 
-bool StitchSession::isUnreadable(std::size_t index) const {
+bool ProjectInputs::isUnreadable(std::size_t index) const {
   return index < project().volumes.size() && unreadable_.count(keyOf(project().volumes[index])) != 0;
 }
 
-QString StitchSession::whyUnreadable(std::size_t index) const {
+QString ProjectInputs::whyUnreadable(std::size_t index) const {
   return isUnreadable(index) ? words(unreadable_.at(keyOf(project().volumes[index]))) : QString();
 }
 
-bool StitchSession::isSweep(std::size_t index) const {
+bool ProjectInputs::isSweep(std::size_t index) const {
   return index < project().volumes.size() && sweeps_.contains(project().volumes[index].file);
 }
 
-void StitchSession::setCalibration(std::size_t index, const fs::path& deviceSet) {
+void ProjectInputs::setCalibration(std::size_t index, const fs::path& deviceSet) {
   if (index >= project().volumes.size()) return;
   StitchProject next = project();
   next.volumes[index].calibration = deviceSet;
-  Q_EMIT problem({});
-  edit(std::move(next),
-       deviceSet.empty() ? tr("no calibration of %1").arg(words(letterOf(index))) : tr("calibration of %1").arg(words(letterOf(index))));
+  Q_EMIT notices_.problem({});
+  document_.edit(std::move(next), deviceSet.empty() ? tr("no calibration of %1").arg(words(letterOf(index)))
+                                                    : tr("calibration of %1").arg(words(letterOf(index))));
 }
 
-void StitchSession::setSweepSpacing(std::size_t index, double spacing_mm) {
+void ProjectInputs::setSweepSpacing(std::size_t index, double spacing_mm) {
   if (index >= project().volumes.size() || project().volumes[index].spacing_mm == spacing_mm) return;
   StitchProject next = project();
   next.volumes[index].spacing_mm = spacing_mm;
-  Q_EMIT problem({});
-  edit(std::move(next), tr("voxel spacing of %1").arg(words(letterOf(index))));
+  Q_EMIT notices_.problem({});
+  document_.edit(std::move(next), tr("voxel spacing of %1").arg(words(letterOf(index))));
 }
 
 }  // namespace ew::stitching

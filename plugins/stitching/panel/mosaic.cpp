@@ -1,4 +1,4 @@
-#include "panel/stitch_session.h"
+#include "panel/mosaic.h"
 
 #include <QApplication>
 #include <QMessageBox>
@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "ew/core/output_set.h"
-#include "ew/sdk/panel.h"
-#include "ew/stitching/result_files.h"
+#include "ew/sdk/words.h"
 #include "logic/case_volume.h"
-#include "panel/session_parts.h"
+#include "panel/notices.h"
+#include "panel/project_document.h"
 
 namespace ew::stitching {
 namespace {
@@ -67,48 +67,67 @@ bool isAnswered(QMessageBox& question, QPushButton* answer, const char* name) {
 
 }  // namespace
 
-void StitchSession::showResult() {
-  if (result_) host_.volumes().showMade(*result_, tr("Stitched volume").toStdString(), filesOf(project()));
+Mosaic::Mosaic(sdk::Host& host, Notices& notices, const ProjectDocument& document) : host_(host), notices_(notices), document_(document) {}
+
+const StitchProject& Mosaic::project() const { return document_.project(); }
+
+void Mosaic::take(std::shared_ptr<const Volume> volume, const ChainState& state, const StitchProject& asked) {
+  volume_ = std::move(volume);
+  files_ = {state.volume, state.coverage, state.source, state.level, state.provenance};
+  asked_ = asked;
 }
 
-void StitchSession::saveResult(const fs::path& folder) {
-  if (!result_) {
-    Q_EMIT problem(tr("There is no stitched volume yet; run 'Compute mosaic' first."));
+void Mosaic::forget() {
+  volume_.reset();
+  files_ = {};
+  asked_ = {};
+}
+
+void Mosaic::moveFiles(const fs::path& before, const fs::path& after) {
+  for (fs::path& path : files_)
+    if (!path.empty()) path = after / path.lexically_relative(before);
+}
+
+bool Mosaic::isFresh() const { return volume_ && asked_ == project(); }
+
+void Mosaic::saveIn(const fs::path& folder) {
+  if (!volume_) {
+    Q_EMIT notices_.problem(tr("There is no stitched volume yet; run 'Compute mosaic' first."));
     return;
   }
   const auto seen = ResultFiles::look(folder, {}, noProgress());
-  if (!seen) return say(seen.error());
+  if (!seen) return notices_.say(seen.error());
   const QStringList foreign = [&] {
     QStringList all;
     for (const std::string& name : seen->foreign()) all << words(name);
     return all;
   }();
   if (!foreign.isEmpty() && !mayReplace(folder, foreign)) return;
-  const QPointer<StitchSession> here(this);
+  const QPointer<Mosaic> here(this);
   host_.jobs().startSaving(
       tr("Saving the stitched volume").toStdString(),
-      [folder, parts = resultFiles_, asked = project(), mayReplaceAll = !foreign.isEmpty()](Progress& progress) -> Result<void> {
+      [folder, parts = files_, asked = project(), mayReplaceAll = !foreign.isEmpty()](Progress& progress) -> Result<void> {
         return copyResult(parts, asked, folder, mayReplaceAll, progress);
       },
       [here, folder](const Result<void>& outcome) {
-        StitchSession* session = here.data();
-        if (session == nullptr) return;
-        if (!outcome) return session->say(outcome.error());
-        Q_EMIT session->said(
+        Mosaic* mosaic = here.data();
+        if (mosaic == nullptr) return;
+        if (!outcome) return mosaic->notices_.say(outcome.error());
+        Q_EMIT mosaic->notices_.said(
             tr("Saved in %1: volume.mha, coverage.mha, source.mha, level.mha and provenance.json.").arg(words(folder.string())));
       });
 }
 
-bool StitchSession::isCaseOpen() const { return host_.cases().current().has_value() && !host_.cases().currentFolder().empty(); }
+bool Mosaic::isCaseOpen() const { return host_.cases().current().has_value() && !host_.cases().currentFolder().empty(); }
 
-void StitchSession::handToCase() {
-  if (!result_) {
-    Q_EMIT problem(tr("There is no stitched volume yet; run 'Compute mosaic' first."));
+void Mosaic::handToCase() {
+  if (!volume_) {
+    Q_EMIT notices_.problem(tr("There is no stitched volume yet; run 'Compute mosaic' first."));
     return;
   }
   auto& cases = host_.cases();
   if (!isCaseOpen()) {
-    Q_EMIT problem(tr("No case is open that could take the volume; open one (Ctrl+O) or save the volume as a file."));
+    Q_EMIT notices_.problem(tr("No case is open that could take the volume; open one (Ctrl+O) or save the volume as a file."));
     return;
   }
   const auto nextName = [&cases] {  // volumes are never written over: an older attempt or another case may still speak of them
@@ -123,17 +142,17 @@ void StitchSession::handToCase() {
   };
   // Everything that somebody has to decide or mend is asked before anything is written.
   const CaseWithVolume next = caseWith(nextName());
-  if (!next.problems.empty()) return say(next.problems.front());
+  if (!next.problems.empty()) return notices_.say(next.problems.front());
   if ((next.targets + next.measurements > 0 || next.hadLabels) && !mayDropTargets(next)) return;
   // A case that belongs to the program is copied first: nothing is written into its own folder.
   if (const auto own = cases.makeOwn(); !own) {
-    if (own.error().code != ErrorCode::cancelled) say(own.error());
+    if (own.error().code != ErrorCode::cancelled) notices_.say(own.error());
     return;
   }
   writeIntoCase(cases.currentFolder(), nextName());
 }
 
-CaseWithVolume StitchSession::caseWith(const std::string& name) {
+CaseWithVolume Mosaic::caseWith(const std::string& name) {
   auto& cases = host_.cases();
   const nlohmann::json manifest = *cases.current();
   VolumeForCase volume{"volumes/" + name + kEndings[0], "volumes/" + name + kEndings[3], {}};
@@ -141,59 +160,57 @@ CaseWithVolume StitchSession::caseWith(const std::string& name) {
                               manifest["volume"]["file"].is_string()
                           ? manifest["volume"]["file"].get<std::string>()
                           : std::string();
-  if (!before.empty() && result_)
+  if (!before.empty() && volume_)
     if (const auto seen = host_.volumes().inspect(cases.currentFolder() / before); seen && !seen->sweep)
-      volume.grids = {seen->grid, result_->grid};
+      volume.grids = {seen->grid, volume_->grid};
   return caseWithVolume(manifest, volume, [&cases](const nlohmann::json& each) { return cases.check(each); });
 }
 
-QString StitchSession::titleOfCase() const {
+QString Mosaic::titleOfCase() const {
   const auto manifest = host_.cases().current();
   return manifest && manifest->contains("title") && (*manifest)["title"].is_string() ? words((*manifest)["title"].get<std::string>())
                                                                                      : QString();
 }
 
-void StitchSession::writeIntoCase(const fs::path& caseFolder, const std::string& name) {
-  const QPointer<StitchSession> here(this);
+void Mosaic::writeIntoCase(const fs::path& caseFolder, const std::string& name) {
+  const QPointer<Mosaic> here(this);
   host_.jobs().startSaving(
       tr("Adding the volume to the case").toStdString(),
-      [parts = resultFiles_, caseFolder, name](Progress& progress) -> Result<void> {
-        return putIntoCase(parts, caseFolder, name, progress);
-      },
+      [parts = files_, caseFolder, name](Progress& progress) -> Result<void> { return putIntoCase(parts, caseFolder, name, progress); },
       [here, caseFolder, name](const Result<void>& outcome) {
-        if (StitchSession* session = here.data()) {
-          if (!outcome) return session->say(outcome.error());
-          session->useInCase(caseFolder, name);
+        if (Mosaic* mosaic = here.data()) {
+          if (!outcome) return mosaic->notices_.say(outcome.error());
+          mosaic->useInCase(caseFolder, name);
         }
       });
 }
 
-void StitchSession::useInCase(const fs::path& caseFolder, const std::string& name) {
+void Mosaic::useInCase(const fs::path& caseFolder, const std::string& name) {
   auto& open = host_.cases();
   if (!open.current() || open.currentFolder() != caseFolder) {
     takeOutOfCase(caseFolder, name);
-    Q_EMIT problem(tr("Another case was opened meanwhile; no case was changed."));
+    Q_EMIT notices_.problem(tr("Another case was opened meanwhile; no case was changed."));
     return;
   }
   const CaseWithVolume next = caseWith(name);
   const bool wasSaved = !open.hasUnsavedChanges();
   if (auto edited = open.edit(next.manifest, tr("use the stitched volume").toStdString(), {}); !edited) {
     takeOutOfCase(caseFolder, name);
-    return say(edited.error());
+    return notices_.say(edited.error());
   }
   QString sentence = tr("The case '%1' now uses volumes/%2.mha.").arg(titleOfCase(), words(name));
   if (next.isMoved)
     sentence += QLatin1Char(' ') + tr("It was recorded elsewhere than the volume before and was put where that lay; check it in the panel "
                                       "Place.");
   if (wasSaved) {
-    if (auto saved = open.save(); !saved) return say(saved.error());  // the case is as edited, and not saved
+    if (auto saved = open.save(); !saved) return notices_.say(saved.error());  // the case is as edited, and not saved
   } else {
     sentence += QLatin1Char(' ') + tr("It had unsaved changes before; save the case to keep them all.");
   }
-  Q_EMIT said(sentence);
+  Q_EMIT notices_.said(sentence);
 }
 
-bool StitchSession::mayReplace(const fs::path& folder, const QStringList& names) {
+bool Mosaic::mayReplace(const fs::path& folder, const QStringList& names) {
   QMessageBox question(QApplication::activeWindow());
   question.setObjectName(QStringLiteral("replaceQuestion"));
   question.setIcon(QMessageBox::NoIcon);
@@ -202,7 +219,7 @@ bool StitchSession::mayReplace(const fs::path& folder, const QStringList& names)
   return isAnswered(question, question.addButton(tr("Replace"), QMessageBox::DestructiveRole), "replaceFiles");
 }
 
-bool StitchSession::mayDropTargets(const CaseWithVolume& next) {
+bool Mosaic::mayDropTargets(const CaseWithVolume& next) {
   QMessageBox question(QApplication::activeWindow());
   question.setObjectName(QStringLiteral("dropTargetsQuestion"));
   question.setIcon(QMessageBox::NoIcon);

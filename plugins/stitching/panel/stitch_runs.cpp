@@ -1,17 +1,35 @@
-#include "panel/stitch_session.h"
+#include "panel/stitch_runs.h"
 
-#include <QCryptographicHash>
 #include <QPointer>
 #include <algorithm>
+#include <mutex>
 #include <system_error>
 #include <utility>
 #include <vector>
 
-#include "ew/sdk/panel.h"
+#include "ew/sdk/words.h"
 #include "ew/stitching/places.h"
-#include "panel/session_parts.h"
+#include "logic/stitch_document.h"
+#include "panel/mosaic.h"
+#include "panel/notices.h"
+#include "panel/project_document.h"
+#include "panel/project_files.h"
 
 namespace ew::stitching {
+
+/// What a run of the chain brought.
+struct ChainMade {
+  ChainState state;
+  bool any = false;
+  std::shared_ptr<const Volume> result;  ///< null: it did not come so far
+};
+
+/// Levels on their way from the working thread to the window's.
+struct StitchRuns::Inbox {
+  std::mutex mutex;
+  std::vector<LevelSeen> levels;
+};
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -60,21 +78,34 @@ Result<void> makeChain(const StitchProject& asked, const fs::path& folder, Chain
 
 }  // namespace
 
-fs::path StitchSession::workFolder() const {
-  if (document_.file().empty()) return untitledFolder(recovery_.number());
-  const std::string whole = fs::absolute(document_.file()).lexically_normal().string();
-  const QByteArray name = QCryptographicHash::hash(QByteArray::fromStdString(whole), QCryptographicHash::Sha1).toHex().left(16);
-  return folder_ / "work" / name.toStdString();
+StitchRuns::StitchRuns(sdk::Host& host, Notices& notices, ProjectDocument& document, StitchResults& results, Mosaic& mosaic)
+    : host_(host), notices_(notices), document_(document), results_(results), mosaic_(mosaic) {
+  poll_.setInterval(100);
+  connect(&poll_, &QTimer::timeout, this, &StitchRuns::takeLevels);
 }
 
-bool StitchSession::isBusy() {
-  if (running_) Q_EMIT problem(tr("A step is still running; wait for it or cancel it."));
+const StitchProject& StitchRuns::project() const { return document_.project(); }
+
+void StitchRuns::takeLevels() {
+  if (!inbox_) return poll_.stop();
+  std::vector<LevelSeen> arrived;
+  {
+    const std::lock_guard lock(inbox_->mutex);
+    arrived.swap(inbox_->levels);
+  }
+  if (arrived.empty()) return;
+  runningLevels_.insert(runningLevels_.end(), arrived.begin(), arrived.end());
+  Q_EMIT levelsChanged();
+}
+
+bool StitchRuns::isBusy() {
+  if (running_) Q_EMIT notices_.problem(tr("A step is still running; wait for it or cancel it."));
   return running_;
 }
 
-void StitchSession::matchAll(bool withoutPlaces) {
+void StitchRuns::matchAll(bool withoutPlaces) {
   if (project().volumes.size() < 2) {
-    Q_EMIT problem(tr("Matching needs two volumes at least; add another one."));
+    Q_EMIT notices_.problem(tr("Matching needs two volumes at least; add another one."));
     return;
   }
   if (isBusy()) return;
@@ -95,32 +126,33 @@ void StitchSession::matchAll(bool withoutPlaces) {
     if (withoutPlaces) pair.start.reset();  // else where a hand put it is where refining begins
     next = withPair(std::move(next), pair);
   }
-  if (!(next == project())) edit(std::move(next), withoutPlaces ? tr("match without tracker") : tr("refine the poses"));
+  if (!(next == project())) document_.edit(std::move(next), withoutPlaces ? tr("match without tracker") : tr("refine the poses"));
   run(Step::graph, withoutPlaces ? tr("Matching without tracker") : tr("Refining the poses"));
   if (running_) {
-    Q_EMIT said(leftOut.isEmpty() ? QString()
-                                  : tr("Not matched by their images, because you placed them by landmarks or accepted them by hand: %1.")
-                                        .arg(leftOut.join(QStringLiteral(", "))));
+    Q_EMIT notices_.said(leftOut.isEmpty()
+                             ? QString()
+                             : tr("Not matched by their images, because you placed them by landmarks or accepted them by hand: %1.")
+                                   .arg(leftOut.join(QStringLiteral(", "))));
   }
 }
 
-void StitchSession::run(Step until, const QString& title) {
+void StitchRuns::run(Step until, const QString& title) {
   if (isBusy()) return;
   if (project().volumes.empty()) {
-    Q_EMIT problem(tr("There is nothing to work on yet; add two volumes or more."));
+    Q_EMIT notices_.problem(tr("There is nothing to work on yet; add two volumes or more."));
     return;
   }
-  Q_EMIT problem({});
+  Q_EMIT notices_.problem({});
   begin(until, title);
 }
 
-void StitchSession::takeUp() {
+void StitchRuns::takeUp() {
   std::error_code ignored;
-  if (running_ || project().volumes.empty() || !fs::exists(workFolder() / "steps", ignored)) return;
+  if (running_ || project().volumes.empty() || !fs::exists(document_.workFolder() / "steps", ignored)) return;
   begin(std::nullopt, tr("Restoring previous results"));
 }
 
-void StitchSession::begin(std::optional<Step> until, const QString& title) {
+void StitchRuns::begin(std::optional<Step> until, const QString& title) {
   document_.endMerging();
   running_ = true;
   runningLevels_.clear();
@@ -138,63 +170,81 @@ void StitchSession::begin(std::optional<Step> until, const QString& title) {
     const std::lock_guard lock(inbox->mutex);
     inbox->levels.push_back({fixed, moving, level});
   };
-  const QPointer<StitchSession> here(this);
+  const QPointer<StitchRuns> here(this);
   host_.jobs().start(
       title.toStdString(),
-      [made, asked, options, until, &volumes = host_.volumes(), folder = workFolder(), reading = readingFolder()](Progress& progress) {
+      [made, asked, options, until, &volumes = host_.volumes(), folder = document_.workFolder(),
+       reading = document_.readingFolder()](Progress& progress) {
         std::error_code ignored;
         fs::create_directories(folder, ignored);
         if (until) takeUpRead(reading, folder);
         return makeChain(asked, folder, options, until, volumes, *made, progress);
       },
-      [here, made, asked, until, number = projectNumber_](const Result<void>& outcome) {
-        if (StitchSession* session = here.data()) session->finish(outcome, *made, asked, until.has_value(), number);
+      [here, made, asked, until, number = document_.number()](const Result<void>& outcome) {
+        if (StitchRuns* runs = here.data()) runs->finish(outcome, *made, asked, until.has_value(), number);
       });
-  Q_EMIT changed();
+  Q_EMIT begun();
   Q_EMIT levelsChanged();
 }
 
-void StitchSession::finish(const Result<void>& outcome, ChainMade& made, const StitchProject& asked, bool wasAsked, int number) {
+void StitchRuns::finish(const Result<void>& outcome, ChainMade& made, const StitchProject& asked, bool wasAsked, int number) {
   running_ = false;
   poll_.stop();
   inbox_.reset();
-  const bool another = projectNumber_ != number;  // opened meanwhile: this is no answer about it
+  const bool another = document_.number() != number;  // opened meanwhile: this is no answer about it
   if (!outcome && wasAsked) {
-    say(outcome.error());
+    notices_.say(outcome.error());
   } else if (!outcome) {  // nobody asked; a run will say it
     host_.log().info(outcome.error().sentence());
   } else if (made.any && !another) {
     for (const Message& note : made.state.notes) host_.log().warn(note.english());
-    if (made.result) {
-      const ChainState& state = made.state;
-      result_ = made.result;
-      resultFiles_ = {state.volume, state.coverage, state.source, state.level, state.provenance};
-      resultAsked_ = asked;
-    }
-    settle(std::move(made.state), asked);
-    if (wasAsked && isResultFresh()) Q_EMIT resultMade();
+    if (made.result) mosaic_.take(made.result, made.state, asked);
+    results_.settle(std::move(made.state), asked);
+    const ChainState& found = *results_.found();
+    if (!found.reason.empty() && found.verdict != registration::Verdict::aligned) Q_EMIT notices_.said(words(found.reason));
+    if (wasAsked && mosaic_.isFresh()) Q_EMIT resultMade();
   }
   if (another) takeUp();
-  Q_EMIT changed();
-  Q_EMIT lookChanged();
-  Q_EMIT levelsChanged();
-  tell();
+  Q_EMIT ended();
 }
 
-void StitchSession::settle(ChainState state, StitchProject asked) {
-  foundKeys_.clear();
-  for (std::size_t n = 0; n < asked.volumes.size(); ++n) {
-    foundKeys_.push_back(keyOf(asked.volumes[n]));
-    if (n < state.volumes.size() && state.volumes[n]) volumes_[foundKeys_.back()] = state.volumes[n];
-  }
-  turnedOutcomes_.clear();
-  found_ = std::make_shared<const ChainState>(std::move(state));
-  asked_ = std::move(asked);
-  if (stage_ == Stage::elastic && !hasElastic()) stage_ = Stage::rigid;
-  if (!found_->warps.empty() && hasElastic()) stage_ = Stage::elastic;
-  afterChoice();
-  fit();
-  if (!found_->reason.empty() && found_->verdict != registration::Verdict::aligned) Q_EMIT said(words(found_->reason));
+void StitchRuns::moveWork(const fs::path& before, const fs::path& after) {
+  // Where that does not work it is only found again.
+  std::error_code ignored;
+  if (running_ || !fs::exists(before, ignored) || fs::exists(after, ignored)) return;
+  fs::rename(before, after, ignored);
+  if (ignored) return;
+  results_.moveFiles(before, after);
+  mosaic_.moveFiles(before, after);
+}
+
+std::vector<registration::Level> StitchRuns::levelsSeen(const VolumePair& pair, bool ofWarp) const {
+  std::vector<registration::Level> seen;
+  const auto at = [&](std::size_t volume) {
+    return std::find(runningKeys_.begin(), runningKeys_.end(), keyOf(project().volumes[volume])) - runningKeys_.begin();
+  };
+  const auto fixed = static_cast<std::size_t>(at(pair.fixed));
+  const auto moving = static_cast<std::size_t>(at(pair.moving));
+  for (const LevelSeen& each : runningLevels_)
+    if (std::minmax(each.fixed, each.moving) == std::minmax(fixed, moving) && (each.level.node_mm > 0.0) == ofWarp)
+      seen.push_back(each.level);
+  return seen;
+}
+
+std::vector<registration::Level> StitchRuns::levels(const std::optional<VolumePair>& pair) const {
+  if (!pair) return {};
+  auto seen = levelsSeen(*pair, false);
+  if (!seen.empty()) return seen;
+  const StitchResults::PairLine line = results_.pairLine(pair->fixed, pair->moving);
+  return line.outcome != nullptr ? line.outcome->rigid.levels : seen;
+}
+
+std::vector<registration::Level> StitchRuns::warpLevels(const std::optional<VolumePair>& pair) const {
+  if (!pair) return {};
+  auto seen = levelsSeen(*pair, true);
+  if (!seen.empty()) return seen;
+  const WarpedPair* warped = results_.warpedOf(pair->fixed, pair->moving);
+  return warped != nullptr ? warped->levels : seen;
 }
 
 }  // namespace ew::stitching

@@ -1,21 +1,54 @@
-#include "panel/stitch_session.h"
+#include "panel/stitch_results.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "ew/sdk/panel.h"
 #include "ew/stitching/places.h"
-#include "panel/session_parts.h"
+#include "logic/stitch_document.h"
+#include "panel/project_document.h"
+#include "panel/project_files.h"
+#include "panel/project_inputs.h"
 
 namespace ew::stitching {
 
-std::optional<std::size_t> StitchSession::foundIndex(std::size_t index) const {
+StitchResults::StitchResults(const ProjectDocument& document, ProjectInputs& inputs) : document_(document), inputs_(inputs) {}
+
+const StitchProject& StitchResults::project() const { return document_.project(); }
+
+void StitchResults::settle(ChainState state, StitchProject asked) {
+  foundKeys_.clear();
+  for (std::size_t n = 0; n < asked.volumes.size(); ++n) {
+    foundKeys_.push_back(keyOf(asked.volumes[n]));
+    if (n < state.volumes.size() && state.volumes[n]) inputs_.keep(asked.volumes[n], state.volumes[n]);
+  }
+  turnedOutcomes_.clear();
+  found_ = std::make_shared<const ChainState>(std::move(state));
+  asked_ = std::move(asked);
+  Q_EMIT settled();
+}
+
+void StitchResults::forget() {
+  turnedOutcomes_.clear();
+  found_.reset();
+}
+
+void StitchResults::moveFiles(const std::filesystem::path& before, const std::filesystem::path& after) {
+  if (!found_) return;
+  auto state = std::make_shared<ChainState>(*found_);
+  for (std::filesystem::path* path : {&state->volume, &state->coverage, &state->source, &state->level, &state->provenance})
+    if (!path->empty()) *path = after / path->lexically_relative(before);
+  turnedOutcomes_.clear();
+  found_ = std::move(state);
+}
+
+std::optional<std::size_t> StitchResults::foundIndex(std::size_t index) const {
   if (!found_ || index >= project().volumes.size()) return std::nullopt;
   const auto at = std::find(foundKeys_.begin(), foundKeys_.end(), keyOf(project().volumes[index]));
   if (at == foundKeys_.end()) return std::nullopt;
   return static_cast<std::size_t>(at - foundKeys_.begin());
 }
 
-bool StitchSession::samePlaces(std::size_t index) const {
+bool StitchResults::samePlaces(std::size_t index) const {
   const auto at = foundIndex(index);
   if (!at || *at >= asked_.volumes.size()) return false;
   const ProjectVolume& before = asked_.volumes[*at];
@@ -23,9 +56,9 @@ bool StitchSession::samePlaces(std::size_t index) const {
   return before.placement == now.placement && before.toWorld == now.toWorld;
 }
 
-bool StitchSession::isFoundFresh() const { return found_ && asked_ == project(); }
+bool StitchResults::isFoundFresh() const { return found_ && asked_ == project(); }
 
-const PairOutcome* StitchSession::outcomeOf(std::size_t fixed, std::size_t moving) const {
+const PairOutcome* StitchResults::outcomeOf(std::size_t fixed, std::size_t moving) const {
   const auto [low, high] = std::minmax(fixed, moving);
   for (const PairOutcome& outcome : found_->pairs) {
     if (outcome.fixed != low || outcome.moving != high) continue;
@@ -43,7 +76,7 @@ const PairOutcome* StitchSession::outcomeOf(std::size_t fixed, std::size_t movin
   return nullptr;
 }
 
-StitchSession::PairLine StitchSession::pairLine(std::size_t a, std::size_t b) const {
+StitchResults::PairLine StitchResults::pairLine(std::size_t a, std::size_t b) const {
   const auto [low, high] = std::minmax(a, b);
   PairLine line{low, high};
   const auto i = foundIndex(low);
@@ -83,7 +116,7 @@ StitchSession::PairLine StitchSession::pairLine(std::size_t a, std::size_t b) co
   return line;
 }
 
-std::vector<StitchSession::PairLine> StitchSession::pairs() const {
+std::vector<StitchResults::PairLine> StitchResults::pairs(const std::optional<VolumePair>& shown) const {
   const std::size_t count = project().volumes.size();
   std::vector<PairLine> lines;
   const bool any = found_ && !found_->pairs.empty();
@@ -95,14 +128,14 @@ std::vector<StitchSession::PairLine> StitchSession::pairs() const {
       nothing.moving = b;
       const bool isNew = any && (!foundIndex(a) || !foundIndex(b));
       if (line.outcome != nullptr || !(pairOf(project(), a, b) == nothing) || ((!any || isNew) && count <= 12) ||
-          (pair_ && *pair_ == Shown{a, b}))
+          (shown == VolumePair{a, b}))
         lines.push_back(line);
     }
   }
   return lines;
 }
 
-StitchSession::Mark StitchSession::markOf(std::size_t index) const {
+StitchResults::Mark StitchResults::markOf(std::size_t index) const {
   Mark best = Mark::unknown;
   const auto rank = [](Mark mark) {
     switch (mark) {
@@ -131,13 +164,13 @@ StitchSession::Mark StitchSession::markOf(std::size_t index) const {
   return best;
 }
 
-int StitchSession::pairsToLookAt() const {
-  const auto all = pairs();
+int StitchResults::pairsToLookAt() const {
+  const auto all = pairs({});
   return static_cast<int>(std::count_if(all.begin(), all.end(), [](const PairLine& line) { return line.needsLook; }));
 }
 
-QString StitchSession::pairSummary() const {
-  const auto all = pairs();
+QString StitchResults::pairSummary(const std::optional<VolumePair>& shown) const {
+  const auto all = pairs(shown);
   const auto matched = std::count_if(all.begin(), all.end(), [](const PairLine& line) { return line.outcome != nullptr; });
   const int look = pairsToLookAt();
   const int left = static_cast<int>(all.size()) - static_cast<int>(matched);
@@ -147,24 +180,24 @@ QString StitchSession::pairSummary() const {
   return tr("no pair needs a look");
 }
 
-bool StitchSession::isMatchFresh() const {
+bool StitchResults::isMatchFresh() const {
   if (!found_ || !found_->graph) return false;
   for (std::size_t n = 0; n < project().volumes.size(); ++n)
     if (!foundIndex(n) || !samePlaces(n)) return false;
-  const auto all = pairs();
+  const auto all = pairs({});
   return std::none_of(all.begin(), all.end(), [](const PairLine& line) { return line.stale; });
 }
 
-const Transform<frame::World, frame::View>* StitchSession::foundPlace(std::size_t index) const {
+const Transform<frame::World, frame::View>* StitchResults::foundPlace(std::size_t index) const {
   const auto at = foundIndex(index);
   return at && found_->graph && *at < found_->graph->toWorld.size() && samePlaces(index) ? &found_->graph->toWorld[*at] : nullptr;
 }
 
-Transform<frame::Placed, frame::View> StitchSession::placeGiven(std::size_t index) const {
+Transform<frame::Placed, frame::View> StitchResults::placeGiven(std::size_t index) const {
   return renamed<frame::Placed, frame::View>(project().volumes[index].toWorld);
 }
 
-Transform<frame::World, frame::Placed> StitchSession::placedToShown(std::size_t index) const {
+Transform<frame::World, frame::Placed> StitchResults::placedToShown(std::size_t index) const {
   for (std::size_t other = 0; other < project().volumes.size(); ++other) {
     if (other == index) continue;
     if (const auto* place = foundPlace(other)) return *place * rigidInverse(placeGiven(other));
@@ -172,51 +205,21 @@ Transform<frame::World, frame::Placed> StitchSession::placedToShown(std::size_t 
   return {};
 }
 
-Transform<frame::World, frame::View> StitchSession::toWorld(std::size_t index) const {
+Transform<frame::World, frame::View> StitchResults::toWorld(std::size_t index) const {
   if (index >= project().volumes.size()) return {};
   if (const auto* place = foundPlace(index)) return *place;
   return placedToShown(index) * placeGiven(index);
 }
 
-bool StitchSession::hasElastic() const {
-  if (!found_ || !pair_ || found_->warps.empty() || !found_->graph) return false;
-  const auto i = foundIndex(pair_->fixed);
-  const auto j = foundIndex(pair_->moving);
+bool StitchResults::hasElastic(std::size_t a, std::size_t b) const {
+  if (!found_ || found_->warps.empty() || !found_->graph) return false;
+  const auto i = foundIndex(a);
+  const auto j = foundIndex(b);
   return i && j && *i < found_->warps.size() && *j < found_->warps.size() && *i < found_->graph->toWorld.size() &&
-         *j < found_->graph->toWorld.size() && samePlaces(pair_->fixed) && samePlaces(pair_->moving);
+         *j < found_->graph->toWorld.size() && samePlaces(a) && samePlaces(b);
 }
 
-std::vector<registration::Level> StitchSession::levelsSeen(bool ofWarp) const {
-  std::vector<registration::Level> seen;
-  const auto at = [&](std::size_t volume) {
-    return std::find(runningKeys_.begin(), runningKeys_.end(), keyOf(project().volumes[volume])) - runningKeys_.begin();
-  };
-  const auto fixed = static_cast<std::size_t>(at(pair_->fixed));
-  const auto moving = static_cast<std::size_t>(at(pair_->moving));
-  for (const LevelSeen& each : runningLevels_)
-    if (std::minmax(each.fixed, each.moving) == std::minmax(fixed, moving) && (each.level.node_mm > 0.0) == ofWarp)
-      seen.push_back(each.level);
-  return seen;
-}
-
-std::vector<registration::Level> StitchSession::levels() const {
-  if (!pair_) return {};
-  auto seen = levelsSeen(false);
-  if (!seen.empty()) return seen;
-  const PairLine line = pairLine(pair_->fixed, pair_->moving);
-  return line.outcome != nullptr ? line.outcome->rigid.levels : seen;
-}
-
-std::vector<registration::Level> StitchSession::warpLevels() const {
-  if (!pair_) return {};
-  auto seen = levelsSeen(true);
-  if (!seen.empty()) return seen;
-  return warped() != nullptr ? warped()->levels : seen;
-}
-
-const WarpedPair* StitchSession::warped() const { return pair_ ? warpedOf(pair_->fixed, pair_->moving) : nullptr; }
-
-const WarpedPair* StitchSession::warpedOf(std::size_t a, std::size_t b) const {
+const WarpedPair* StitchResults::warpedOf(std::size_t a, std::size_t b) const {
   if (!found_) return nullptr;
   const auto i = foundIndex(a);
   const auto j = foundIndex(b);
@@ -226,24 +229,21 @@ const WarpedPair* StitchSession::warpedOf(std::size_t a, std::size_t b) const {
   return nullptr;
 }
 
-bool StitchSession::isWarpedStale() const {
-  const WarpedPair* pair = warped();
-  return pair != nullptr &&
-         (pair->effort != effortOf(project(), pair_->fixed, pair_->moving) || !hasElastic() || pairLine(pair_->fixed, pair_->moving).stale);
+bool StitchResults::isWarpedStale(std::size_t a, std::size_t b) const {
+  const WarpedPair* pair = warpedOf(a, b);
+  return pair != nullptr && (pair->effort != effortOf(project(), a, b) || !hasElastic(a, b) || pairLine(a, b).stale);
 }
 
-std::vector<std::optional<Grid>> StitchSession::gridsFound() const {
+std::vector<std::optional<Grid>> StitchResults::gridsFound() const {
   std::vector<std::optional<Grid>> grids(asked_.volumes.size());
-  for (std::size_t n = 0; n < grids.size(); ++n) {
-    const auto at = volumes_.find(keyOf(asked_.volumes[n]));
-    if (at != volumes_.end() && at->second) grids[n] = at->second->grid;
-  }
+  for (std::size_t n = 0; n < grids.size(); ++n)
+    if (const auto volume = inputs_.volumeOf(asked_.volumes[n])) grids[n] = volume->grid;
   return grids;
 }
 
-MachinePace StitchSession::warpPace() const { return found_ ? paceOf(found_->warpedPairs, gridsFound()) : MachinePace{}; }
+MachinePace StitchResults::warpPace() const { return found_ ? paceOf(found_->warpedPairs, gridsFound()) : MachinePace{}; }
 
-MachinePace StitchSession::searchPace() const {
+MachinePace StitchResults::searchPace() const {
   if (!found_) return {};
   const auto grids = gridsFound();
   std::vector<Timed> timed;
