@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "ew/sdk/workspaces.h"
-#include "panel/look.h"
 #include "panel/review_column.h"
 #include "panel/review_stage.h"
+#include "panel/style.h"
 
 namespace {
 

@@ -24274,7 +24274,7 @@ Zeit: %3</translation>
     </message>
 </context>
 <context>
-    <name>ew::review::PictureView</name>
+    <name>ew::review::ImageView</name>
     <message>
         <source>The trainee's image</source>
         <translation>Das Bild der Lernenden</translation>

@@ -40,13 +40,13 @@ TEST(SkinPath, BreaksWhereNoFrameWasMade) {
   EXPECT_EQ(skinPathOf(log, allOf(log)).size(), 4U);
 }
 
-TEST(VisitedPlanes, AreWhereTheProbeRested) {
+TEST(PlaneVisits, AreWhereTheProbeRested) {
   // 2 s at 0, then 1 s of 20 mm/s, 0.5 s of rest, on again, and 3 s at the end.
   const ScanLog log = logOf(81, 0.1, [](int n, ScanState& state) {
     const double x = n <= 20 ? 0.0 : n <= 30 ? 2.0 * (n - 20) : n <= 35 ? 20.0 : n <= 50 ? 20.0 + 2.0 * (n - 35) : 50.0;
     state.pose = at({x, 0.0, 0.0});
   });
-  const auto planes = visitedPlanesOf(log, allOf(log));
+  const auto planes = planeVisitsOf(log, allOf(log));
   ASSERT_EQ(planes.size(), 2U);
   EXPECT_EQ(carried(planes[0].probeToWorld, glm::dvec3(0.0)), glm::dvec3(0.0));
   EXPECT_NEAR(planes[0].end_s - planes[0].begin_s, 2.0, 0.21);
@@ -54,7 +54,7 @@ TEST(VisitedPlanes, AreWhereTheProbeRested) {
   EXPECT_FALSE(planes[1].isFrozen);
 }
 
-TEST(VisitedPlanes, AreWhereItWasFrozenHoweverShort) {
+TEST(PlaneVisits, AreWhereItWasFrozenHoweverShort) {
   ScanLog log = logOf(10, 0.1, [](int n, ScanState& state) { state.pose = at({10.0 * n, 0.0, 0.0}); });
   log.setFrozen(0.95, true);
   log.setFrozen(1.2, false);
@@ -63,7 +63,7 @@ TEST(VisitedPlanes, AreWhereItWasFrozenHoweverShort) {
   more.time_s = 1.3;
   more.pose = at({200.0, 0.0, 0.0});
   log.addFrame(more);
-  const auto planes = visitedPlanesOf(log, allOf(log));
+  const auto planes = planeVisitsOf(log, allOf(log));
   ASSERT_EQ(planes.size(), 1U);
   EXPECT_TRUE(planes[0].isFrozen);
   EXPECT_EQ(carried(planes[0].probeToWorld, glm::dvec3(0.0)).x, 90.0);

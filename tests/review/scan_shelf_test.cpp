@@ -136,7 +136,7 @@ TEST_F(ScanShelfTest, OpensTheExpertsPartAndTheTraineesStep) {
   const fs::path attempt = makeAttempt("20260101-000000-00000001", "one");
   const auto shelf = readShelf(root_ / "library", folder);
   ASSERT_TRUE(shelf);
-  const ShelvedLesson& shelved = shelf->lessons.front();
+  const LessonAttempts& shelved = shelf->lessons.front();
   const auto experts = expertScansOf(shelved.home, shelved.lesson);
   ASSERT_EQ(experts.size(), 1U);
   EXPECT_EQ(usualExpertFor(shelved.lesson, "find", experts), 0U);
@@ -156,7 +156,7 @@ TEST_F(ScanShelfTest, OpensTheExpertsPartAndTheTraineesStep) {
 }
 
 TEST_F(ScanShelfTest, SaysWhichCaseIsNotThere) {
-  ReviewedScan stray;
+  ScanExcerpt stray;
   stray.choice.file = "far.seq.mha";
   stray.recording = recordingOf("gone");
   const auto home = caseOf(stray, {}, root_ / "library");

@@ -36,7 +36,7 @@ void ClassRecords::readRatings(const fs::path& attempt) {
 
 Result<ClassRecords> readClassRecords(const ScanShelf& shelf, const fs::path& library, Progress& progress) {
   ClassRecords made;
-  for (const ShelvedLesson& lesson : shelf.lessons)
+  for (const LessonAttempts& lesson : shelf.lessons)
     for (const auto& [folder, tried] : lesson.attempts) {
       if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Stopped as asked.">());
       if (auto score = latestScore(folder)) made.scores.insert_or_assign(folder, std::move(*score));
@@ -49,7 +49,7 @@ Result<ClassRecords> readClassRecords(const ScanShelf& shelf, const fs::path& li
   return made;
 }
 
-AttemptResult resultOf(const ShelvedLesson& lesson, std::size_t number, const AssessmentPlan& plan, const ClassRecords& records,
+AttemptResult resultOf(const LessonAttempts& lesson, std::size_t number, const AssessmentPlan& plan, const ClassRecords& records,
                        AttemptResults& results) {
   const auto& [folder, tried] = lesson.attempts.at(number);
   const auto kept = records.scores.find(folder);
@@ -60,7 +60,7 @@ AttemptResult resultOf(const ShelvedLesson& lesson, std::size_t number, const As
                          kept == records.scores.end() ? std::nullopt : std::optional(kept->second));
 }
 
-std::vector<ClassAttempt> classOf(const ShelvedLesson& lesson, const AssessmentPlan& plan, const ClassRecords& records,
+std::vector<ClassAttempt> classOf(const LessonAttempts& lesson, const AssessmentPlan& plan, const ClassRecords& records,
                                   AttemptResults& results) {
   std::vector<ClassAttempt> all;
   for (std::size_t n = 0; n < lesson.attempts.size(); ++n) {

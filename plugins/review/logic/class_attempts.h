@@ -37,10 +37,10 @@ struct ClassRecords {
 
 /// What an attempt amounts to, as reports and records say it. @param number below that of the attempts
 /// @param results of the library, for lessons that have changed since they were tried
-[[nodiscard]] AttemptResult resultOf(const ShelvedLesson& lesson, std::size_t number, const AssessmentPlan& plan,
+[[nodiscard]] AttemptResult resultOf(const LessonAttempts& lesson, std::size_t number, const AssessmentPlan& plan,
                                      const ClassRecords& records, AttemptResults& results);
 /// All attempts of a lesson for the statistics of its class (classFiguresOf), in the shelf's order.
-[[nodiscard]] std::vector<ClassAttempt> classOf(const ShelvedLesson& lesson, const AssessmentPlan& plan, const ClassRecords& records,
+[[nodiscard]] std::vector<ClassAttempt> classOf(const LessonAttempts& lesson, const AssessmentPlan& plan, const ClassRecords& records,
                                                 AttemptResults& results);
 
 /// The rows of the overview: the steps of the figures, then those of the lesson that no attempt has. What is only read or watched is left

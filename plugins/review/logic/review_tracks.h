@@ -59,7 +59,7 @@ struct Setting {
   Message value;
   bool operator==(const Setting&) const = default;
 };
-/// What decides a picture and a console shows: probe, depth, gain, dynamic range, focus, frequency, ... always the same ones in the same
+/// What decides an image and a console shows: probe, depth, gain, dynamic range, focus, frequency, ... always the same ones in the same
 /// order.
 [[nodiscard]] std::vector<Setting> settingsOf(const ScanState& state);
 

@@ -20,7 +20,7 @@ double turnBetween_deg(const Pose& a, const Pose& b) {
   return std::acos(std::clamp(0.5 * (turn[0][0] + turn[1][1] + turn[2][2] - 1.0), -1.0, 1.0)) * 180.0 / kPi;
 }
 
-VisitedPlane planeOf(const ScanState& state, double begin_s, double end_s, bool isFrozen) {
+PlaneVisit planeOf(const ScanState& state, double begin_s, double end_s, bool isFrozen) {
   return {state.pose.probeToWorld, state.probe, resolvedDepth_mm(state.probe, state.knobs), begin_s, end_s, isFrozen};
 }
 
@@ -51,8 +51,8 @@ SkinPath skinPathOf(const ScanLog& log, const Part& part, double least_mm, doubl
   return path;
 }
 
-std::vector<VisitedPlane> visitedPlanesOf(const ScanLog& log, const Part& part, const VisitOptions& options) {
-  std::vector<VisitedPlane> planes;
+std::vector<PlaneVisit> planeVisitsOf(const ScanLog& log, const Part& part, const VisitOptions& options) {
+  std::vector<PlaneVisit> planes;
   std::optional<ScanState> rest;
   double since_s = 0.0, until_s = 0.0;
   bool wasFrozen = false;

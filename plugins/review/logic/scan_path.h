@@ -22,7 +22,7 @@ using SkinPath = std::vector<std::vector<PathPoint>>;
 [[nodiscard]] SkinPath skinPathOf(const ScanLog& log, const Part& part, double least_mm = 1.0, double longestGap_s = 0.5);
 
 /// A plane that was looked at: the probe rested, or the image was frozen.
-struct VisitedPlane {
+struct PlaneVisit {
   Transform<frame::World, frame::Probe> probeToWorld;
   Probe probe;
   double depth_mm = 0.0;
@@ -36,6 +36,6 @@ struct VisitOptions {
   double reach_deg = 3.0;  ///< of where it was when it came to rest
 };
 /// In the order they were looked at. A frozen image is one plane however long it was frozen.
-[[nodiscard]] std::vector<VisitedPlane> visitedPlanesOf(const ScanLog& log, const Part& part, const VisitOptions& options = {});
+[[nodiscard]] std::vector<PlaneVisit> planeVisitsOf(const ScanLog& log, const Part& part, const VisitOptions& options = {});
 
 }  // namespace ew::review

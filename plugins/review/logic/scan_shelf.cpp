@@ -20,10 +20,10 @@ std::string scannedBy(const Lesson& lesson, const std::string& stepId, const std
 
 }  // namespace
 
-Result<ReviewedScan> openScan(const ScanChoice& choice, Progress& progress) {
+Result<ScanExcerpt> openScan(const ScanChoice& choice, Progress& progress) {
   auto recording = readRecording(choice.file, progress);
   if (!recording) return passOn(recording.error());
-  ReviewedScan made{choice, std::move(*recording), {}};
+  ScanExcerpt made{choice, std::move(*recording), {}};
   if (made.recording.log.frameCount() == 0)
     return failure(ErrorCode::badField, say<"%1 has no image; choose another recording.">(choice.file.filename()),
                    {{"file", choice.file.string()}});
@@ -151,9 +151,9 @@ Result<ScanShelf> readShelf(const fs::path& library, const fs::path& openCase, P
   return shelf;
 }
 
-Result<fs::path> caseOf(const ReviewedScan& scan, const ScanShelf& shelf, const fs::path& library) {
+Result<fs::path> caseOf(const ScanExcerpt& scan, const ScanShelf& shelf, const fs::path& library) {
   const std::string& id = scan.recording.caseId;
-  for (const ShelvedLesson& each : shelf.lessons)
+  for (const LessonAttempts& each : shelf.lessons)
     if (each.home.id == id) return each.home.folder;
   if (!id.empty())
     if (auto found = findCase(id, library)) return *found;

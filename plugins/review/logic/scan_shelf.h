@@ -29,8 +29,8 @@ struct ScanChoice {
   bool operator==(const ScanChoice&) const = default;
 };
 
-/// A scan that was read. Never changed afterwards.
-struct ReviewedScan {
+/// The part of a recording that is reviewed, as it was read. Never changed afterwards.
+struct ScanExcerpt {
   ScanChoice choice;
   ScanRecording recording;
   Part part;  ///< that is reviewed, on the recording's clock
@@ -38,7 +38,7 @@ struct ReviewedScan {
 };
 
 /// @error as readRecording, badField (a part without a frame)
-[[nodiscard]] Result<ReviewedScan> openScan(const ScanChoice& choice, Progress& progress = noProgress());
+[[nodiscard]] Result<ScanExcerpt> openScan(const ScanChoice& choice, Progress& progress = noProgress());
 
 /// The expert's scans of a lesson, in the order of its steps.
 /// @param home the case that holds it
@@ -56,16 +56,17 @@ struct ReviewedScan {
 /// those of the case that is scanned.
 [[nodiscard]] ScanLog formedIn(const ScanLog& log, const Scene& scene);
 
-/// What can be reviewed: lessons and what was tried of them.
-struct ShelvedLesson {
+/// A lesson and what was tried of it.
+struct LessonAttempts {
   Case home;
   Lesson lesson;
   std::vector<std::pair<std::filesystem::path, Attempt>> attempts;  ///< the latest first
 };
+/// What can be reviewed.
 struct ScanShelf {
-  std::vector<ShelvedLesson> lessons;  ///< by the case's title, then as the author put them
-  std::vector<Error> problems;         ///< of attempts and cases that cannot be read
-  std::size_t strayAttempts = 0;       ///< of lessons that are in no case here
+  std::vector<LessonAttempts> lessons;  ///< by the case's title, then as the author put them
+  std::vector<Error> problems;          ///< of attempts and cases that cannot be read
+  std::size_t strayAttempts = 0;        ///< of lessons that are in no case here
 };
 /// Lessons that somebody has tried, and those of the case at hand.
 /// @param openCase folder of the case that is open; empty: none @error cancelled
@@ -73,6 +74,6 @@ struct ScanShelf {
                                           Progress& progress = noProgress());
 
 /// Where the case of a recording is: one of the cases at hand, else in the library. @error notFound (with what to do)
-[[nodiscard]] Result<std::filesystem::path> caseOf(const ReviewedScan& scan, const ScanShelf& shelf, const std::filesystem::path& library);
+[[nodiscard]] Result<std::filesystem::path> caseOf(const ScanExcerpt& scan, const ScanShelf& shelf, const std::filesystem::path& library);
 
 }  // namespace ew::review

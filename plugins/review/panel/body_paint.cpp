@@ -9,7 +9,7 @@
 #include "ew/imaging/display.h"
 #include "ew/sdk/panel.h"
 #include "panel/body_view.h"
-#include "panel/look.h"
+#include "panel/style.h"
 
 namespace ew::review {
 
@@ -54,7 +54,7 @@ void BodyView::makeStill() {
 
 void BodyView::paintRegions(QPainter& painter) const {
   if (regions_.empty()) return;
-  const OpenedScan* base = session_.opened(heat_ == Heat::expert ? kCompared : kReviewed);
+  const ReviewScan* base = session_.opened(heat_ == Heat::expert ? kCompared : kReviewed);
   const glm::dvec3 eye = scene_->eye_mm();
   std::vector<std::pair<double, const Region*>> order;
   for (const Region& each : regions_) order.emplace_back(glm::distance(eye, each.middle_mm), &each);
@@ -79,7 +79,7 @@ void BodyView::paintRegions(QPainter& painter) const {
 }
 
 void BodyView::paintPath(QPainter& painter, Side side) const {
-  const OpenedScan* scan = session_.opened(side);
+  const ReviewScan* scan = session_.opened(side);
   if (scan == nullptr) return;
   for (const auto& line : scan->path) {
     QPainterPath path;
@@ -103,9 +103,9 @@ void BodyView::paintPath(QPainter& painter, Side side) const {
 }
 
 void BodyView::paintPlanes(QPainter& painter, Side side) const {
-  const OpenedScan* scan = session_.opened(side);
+  const ReviewScan* scan = session_.opened(side);
   if (scan == nullptr) return;
-  for (const VisitedPlane& plane : scan->planes) {
+  for (const PlaneVisit& plane : scan->planes) {
     QPolygonF outline;
     for (const glm::dvec2& p : fanOutline_mm(plane.probe, {}, plane.depth_mm, 12))
       outline << pixelOf(carried(plane.probeToWorld, glm::dvec3(p, 0.0)));
@@ -119,7 +119,7 @@ void BodyView::paintPlanes(QPainter& painter, Side side) const {
 
 /// Where the probe is now: its fan, the face as a thick line, and the sign of whose it is.
 void BodyView::paintProbe(QPainter& painter, Side side) const {
-  const OpenedScan* scan = session_.opened(side);
+  const ReviewScan* scan = session_.opened(side);
   if (scan == nullptr) return;
   const ScanState state = scan->scan->recording.log.frame(session_.frame(side));
   if (state.pose.status != PoseStatus::ok) return;

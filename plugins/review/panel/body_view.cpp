@@ -17,7 +17,7 @@
 #include "ew/bridge/scene3d.h"
 #include "ew/imaging/display.h"
 #include "ew/sdk/panel.h"
-#include "panel/look.h"
+#include "panel/style.h"
 
 namespace ew::review {
 
@@ -94,7 +94,7 @@ QColor BodyView::colour(Side side) const { return colourOf(session_.whoOf(side),
 
 void BodyView::takeScans() {
   if (session_.mannequin() && scene_->mannequin() != session_.mannequin()) scene_->setMannequin(session_.mannequin());
-  const OpenedScan* scan = session_.opened(kReviewed) != nullptr ? session_.opened(kReviewed) : session_.opened(kCompared);
+  const ReviewScan* scan = session_.opened(kReviewed) != nullptr ? session_.opened(kReviewed) : session_.opened(kCompared);
   if (scan == nullptr) {
     scene_->clearVolumeBox();
     framedFor_ = nullptr;
@@ -130,9 +130,9 @@ void BodyView::setPlanesShown(bool shown) {
 
 void BodyView::makeRegions() {
   regions_.clear();
-  const OpenedScan* first = session_.opened(kReviewed);
-  const OpenedScan* second = session_.opened(kCompared);
-  const OpenedScan* base = heat_ == Heat::expert ? second : first;
+  const ReviewScan* first = session_.opened(kReviewed);
+  const ReviewScan* second = session_.opened(kCompared);
+  const ReviewScan* base = heat_ == Heat::expert ? second : first;
   if (heat_ == Heat::none || base == nullptr || base->regions == nullptr) return;
   const bool isShared = first != nullptr && second != nullptr && first->regions == second->regions;
   if (heat_ == Heat::missed && !isShared) return;
@@ -150,10 +150,10 @@ void BodyView::makeRegions() {
 }
 
 QString BodyView::heatWords() const {
-  const OpenedScan* base = session_.opened(heat_ == Heat::expert ? kCompared : kReviewed);
+  const ReviewScan* base = session_.opened(heat_ == Heat::expert ? kCompared : kReviewed);
   if (heat_ == Heat::none || base == nullptr) return {};
   if (base->regions == nullptr) return tr("The volume is too large to be kept in memory; its regions are not counted.");
-  const OpenedScan* other = session_.opened(kCompared);
+  const ReviewScan* other = session_.opened(kCompared);
   if (heat_ == Heat::missed && (other == nullptr || other->regions != base->regions))
     return tr("Both scans have to be of one case for this.");
   const QLocale locale;

@@ -6,7 +6,7 @@
 #include "ew/core/chart_axis.h"
 #include "ew/sdk/panel.h"
 #include "panel/class_page.h"
-#include "panel/look.h"
+#include "panel/style.h"
 
 namespace ew::review {
 

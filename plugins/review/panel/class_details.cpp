@@ -8,7 +8,7 @@
 #include "ew/sdk/panel.h"
 #include "panel/class_page.h"
 #include "panel/class_table.h"
-#include "panel/look.h"
+#include "panel/style.h"
 
 namespace ew::review {
 
@@ -17,7 +17,7 @@ using sdk::words;
 
 void ClassPage::showAttempts() {
   attempts_->clear();
-  const ShelvedLesson* of = session_.lesson();
+  const LessonAttempts* of = session_.lesson();
   if (of == nullptr) return;
   const LessonStep* told = lessonStep(stepId_);
   for (std::size_t n = 0; n < std::min(class_.size(), of->attempts.size()); ++n) {
@@ -25,7 +25,7 @@ void ClassPage::showAttempts() {
     if (here == nullptr) continue;
     const double level = told != nullptr ? passLevelOf(*told, session_.plan()) : here->passLevel;
     const bool isSkipped = here->verdict == StepVerdict::skipped, isPassed = here->verdict == StepVerdict::passed;
-    auto* item = new SortedItem(attempts_);
+    auto* item = new SortableItem(attempts_);
     item->setText(kWho, session_.personOf(of->attempts[n].second));
     item->set(kScore, isSkipped ? QStringLiteral("–") : percentBeside(here->score, level), isSkipped ? -1.0 : here->score);
     item->setText(kVerdict, isSkipped ? QStringLiteral("–") : isPassed ? tr("yes") : tr("no"));
@@ -57,7 +57,7 @@ QComboBox* ClassPage::standingBox(std::size_t attempt) {
 /// What counts while nothing is said. Who still has to rate an attempt is not told what others say of it.
 QString ClassPage::wordByRaters(std::size_t attempt) const {
   const Standing byRaters = class_[attempt].byRaters;
-  const ShelvedLesson* of = session_.lesson();
+  const LessonAttempts* of = session_.lesson();
   const bool isOpen = of != nullptr && attempt < of->attempts.size() && session_.mayReadRaters(of->attempts[attempt].first);
   if (byRaters != Standing::unknown && !isOpen) return tr("as raters say");
   switch (byRaters) {

@@ -13,8 +13,8 @@
 #include "ew/assessment/metric.h"
 #include "ew/sdk/panel.h"
 #include "panel/class_table.h"
-#include "panel/look.h"
 #include "panel/report_button.h"
+#include "panel/style.h"
 
 namespace ew::review {
 
@@ -156,7 +156,7 @@ QString ClassPage::titleOfStep(const ClassStep& step) const {
 }
 
 void ClassPage::workOut() {
-  const ShelvedLesson* of = session_.lesson();
+  const LessonAttempts* of = session_.lesson();
   class_ = session_.classAttempts();
   figures_ = classFiguresOf(class_);
   rows_ = of != nullptr ? overviewSteps(figures_, of->lesson, session_.plan()) : std::vector<ClassStep>();
@@ -166,7 +166,7 @@ void ClassPage::refresh() {
   if (!session_.showsClass()) return;
   showing_ = true;
   workOut();
-  const ShelvedLesson* of = session_.lesson();
+  const LessonAttempts* of = session_.lesson();
   heading_->setText(of == nullptr ? tr("No lesson is chosen")
                                   : (class_.size() == 1 ? tr("%1: one attempt")
                                                         : tr("%1: %2 attempts").arg(QStringLiteral("%1"), QString::number(class_.size())))
@@ -196,7 +196,7 @@ void ClassPage::showSteps() {
   steps_->clear();
   for (std::size_t n = 0; n < rows_.size(); ++n) {
     const ClassStep& step = rows_[n];
-    auto* item = new SortedItem(steps_);
+    auto* item = new SortableItem(steps_);
     const QString title = titleOfStep(step);
     const bool isHardest = figures_.hardest && figures_.steps[*figures_.hardest].stepId == step.stepId;
     item->setText(kStep, (isHardest ? QStringLiteral("▲ ") : QString()) + title);

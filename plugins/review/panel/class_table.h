@@ -9,7 +9,7 @@ inline constexpr int kSortRole = Qt::UserRole + 1;
 enum AttemptColumn { kWho, kScore, kVerdict, kStanding };
 
 /// Rows sort by numbers where they have them.
-class SortedItem final : public QTreeWidgetItem {
+class SortableItem final : public QTreeWidgetItem {
  public:
   using QTreeWidgetItem::QTreeWidgetItem;
   bool operator<(const QTreeWidgetItem& other) const override {

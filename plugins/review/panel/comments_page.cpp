@@ -6,7 +6,7 @@
 #include <QPushButton>
 
 #include "ew/sdk/panel.h"
-#include "panel/look.h"
+#include "panel/style.h"
 
 namespace ew::review {
 
@@ -63,7 +63,7 @@ void CommentsPage::refresh() {
   showing_ = true;
   rows_.clear();
   list_->clear();
-  const OpenedScan* scan = session_.opened(kReviewed);
+  const ReviewScan* scan = session_.opened(kReviewed);
   for (const ReviewComment& each : session_.commentsHere()) rows_.push_back({each, {}});
   if (scan != nullptr && scan->scan->choice.outcome)
     for (const CommentFile& file : session_.othersComments())

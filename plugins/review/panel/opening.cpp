@@ -48,7 +48,7 @@ Result<void> Opening::open(Side side, Contents& used, Progress& progress) {
   const auto& [home, held] = used.at(*folder);
   ScanSubject subject = subjectOf(home, held);
   if (choices[side]->watch) scan->recording.log = formedIn(scan->recording.log, subject.scene);
-  OpenedScan made{std::make_shared<const ReviewedScan>(std::move(*scan)), std::move(subject), {}, {}, nullptr, {}, {}};
+  ReviewScan made{std::make_shared<const ScanExcerpt>(std::move(*scan)), std::move(subject), {}, {}, nullptr, {}, {}};
   const ScanLog& log = made.scan->recording.log;
   if (const auto live = liveSceneOf(log); live && made.subject.tissue == nullptr && made.subject.canFormEchoes()) {
     auto tissue = recordedTissueOf(made.subject.voxels, *live, 0, preparing);
@@ -59,7 +59,7 @@ Result<void> Opening::open(Side side, Contents& used, Progress& progress) {
     if (auto body = readMannequin(home, progress); !body) return body;
   if (auto seen = look(side, made, looking); !seen) return seen;
   if (auto measured = measure(home, held, made, progress); !measured) return measured;
-  opened[side] = std::make_shared<const OpenedScan>(std::move(made));
+  opened[side] = std::make_shared<const ReviewScan>(std::move(made));
   return {};
 }
 
@@ -79,22 +79,22 @@ Result<void> Opening::readCase(const fs::path& folder, Contents& used, Progress&
 }
 
 /// Where the probe was, and what it saw.
-Result<void> Opening::look(Side side, OpenedScan& made, Progress& progress) const {
+Result<void> Opening::look(Side side, ReviewScan& made, Progress& progress) const {
   const ScanLog& log = made.scan->recording.log;
   made.path = skinPathOf(log, made.scan->part);
-  made.planes = visitedPlanesOf(log, made.scan->part);
+  made.planes = planeVisitsOf(log, made.scan->part);
   if (const auto& volume = made.subject.voxels.volume()) {
     const auto& other = opened[kReviewed];
     const bool isShared = side == kCompared && other && other->subject.voxels.volume() == volume;
     made.regions = isShared ? other->regions : std::make_shared<const VolumeRegions>(*volume, made.subject.placedGrid);
-    auto seen = seenIn(*made.regions, log, made.scan->part, progress);
+    auto seen = regionCoverageOf(*made.regions, log, made.scan->part, progress);
     if (!seen) return passOn(seen.error());
     made.seen = std::move(*seen);
   }
   return {};
 }
 
-Result<void> Opening::measure(const Case& home, const CaseContents& held, OpenedScan& made, Progress& progress) const {
+Result<void> Opening::measure(const Case& home, const CaseContents& held, ReviewScan& made, Progress& progress) const {
   if (!step) return {};
   PartOfProgress silent(progress, 0.8, 0.8);
   auto truth = loadCaseTruth(home, silent);

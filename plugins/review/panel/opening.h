@@ -16,7 +16,7 @@ struct Opening {
   std::map<std::filesystem::path, std::pair<Case, CaseContents>> contents;  ///< known already, and what was read
   std::filesystem::path mannequinFile;
   std::shared_ptr<const bridge::Mannequin> mannequin;
-  std::array<std::shared_ptr<const OpenedScan>, 2> opened;
+  std::array<std::shared_ptr<const ReviewScan>, 2> opened;
   std::optional<LessonStep> step;  ///< that metrics are of
   std::optional<Error> problem;    ///< why there is nothing to compare with
 
@@ -27,8 +27,8 @@ struct Opening {
   using Contents = std::map<std::filesystem::path, std::pair<Case, CaseContents>>;
   [[nodiscard]] Result<void> open(Side side, Contents& used, Progress& progress);
   [[nodiscard]] Result<void> readCase(const std::filesystem::path& folder, Contents& used, Progress& progress) const;
-  [[nodiscard]] Result<void> look(Side side, OpenedScan& made, Progress& progress) const;
-  [[nodiscard]] Result<void> measure(const Case& home, const CaseContents& held, OpenedScan& made, Progress& progress) const;
+  [[nodiscard]] Result<void> look(Side side, ReviewScan& made, Progress& progress) const;
+  [[nodiscard]] Result<void> measure(const Case& home, const CaseContents& held, ReviewScan& made, Progress& progress) const;
   [[nodiscard]] Result<void> readMannequin(const Case& home, Progress& progress);
 };
 

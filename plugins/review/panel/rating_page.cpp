@@ -10,7 +10,7 @@
 
 #include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
-#include "panel/look.h"
+#include "panel/style.h"
 
 namespace ew::review {
 

@@ -19,9 +19,9 @@
 #include "ew/sdk/panel.h"
 #include "ew/sdk/person.h"
 #include "panel/comments_page.h"
-#include "panel/look.h"
 #include "panel/rating_page.h"
 #include "panel/scores_page.h"
+#include "panel/style.h"
 
 namespace ew::review {
 
@@ -138,8 +138,8 @@ void ScansPage::refresh() {
   lesson_->clear();
   const ScanShelf& shelf = session_.shelf();
   std::set<std::string> cases;
-  for (const ShelvedLesson& each : shelf.lessons) cases.insert(each.home.id);
-  for (const ShelvedLesson& each : shelf.lessons) {
+  for (const LessonAttempts& each : shelf.lessons) cases.insert(each.home.id);
+  for (const LessonAttempts& each : shelf.lessons) {
     const QString lesson = words(each.lesson.title);
     lesson_->addItem(cases.size() < 2 ? lesson : tr("%1 – %2", "case – lesson").arg(words(each.home.title), lesson));
     lesson_->setItemData(lesson_->count() - 1, words(each.home.title) + QStringLiteral(" – ") + lesson, Qt::ToolTipRole);
@@ -159,7 +159,7 @@ void ScansPage::refresh() {
 
 void ScansPage::showAttempts() {
   attempts_->clear();
-  const ShelvedLesson* of = session_.lesson();
+  const LessonAttempts* of = session_.lesson();
   if (of == nullptr || of->attempts.empty()) {
     auto* none = new QListWidgetItem(session_.isReading() ? tr("Looking …")
                                      : of == nullptr      ? tr("No attempts yet")
@@ -186,7 +186,7 @@ void ScansPage::showAttempts() {
 
 void ScansPage::showSteps() {
   step_->clear();
-  const ShelvedLesson* of = session_.lesson();
+  const LessonAttempts* of = session_.lesson();
   step_->setEnabled(of != nullptr);
   if (of == nullptr) return;
   for (const LessonStep& step : of->lesson.steps) {
@@ -200,7 +200,7 @@ void ScansPage::showSteps() {
 void ScansPage::showComparisons() {
   compared_->clear();
   compared_->addItem(tr("nothing"), kNothingEntry);
-  const ShelvedLesson* of = session_.lesson();
+  const LessonAttempts* of = session_.lesson();
   for (std::size_t n = 0; n < session_.comparisons().size(); ++n) {
     const ScanChoice& scan = session_.comparisons()[n];
     QString text = words(scan.title);

@@ -9,8 +9,8 @@
 #include "ew/sdk/person.h"
 #include "ew/sdk/window.h"
 #include "ew/sdk/words.h"
-#include "panel/look.h"
 #include "panel/opening.h"
+#include "panel/style.h"
 
 namespace ew::review {
 namespace {
@@ -99,12 +99,12 @@ void ReviewSession::readShelf() {
       });
 }
 
-const ShelvedLesson* ReviewSession::lesson() const {
+const LessonAttempts* ReviewSession::lesson() const {
   return lesson_ && *lesson_ < shelf_->lessons.size() ? &shelf_->lessons[*lesson_] : nullptr;
 }
 
 const std::pair<fs::path, Attempt>* ReviewSession::attempt() const {
-  const ShelvedLesson* of = lesson();
+  const LessonAttempts* of = lesson();
   return of != nullptr && attempt_ && *attempt_ < of->attempts.size() ? &of->attempts[*attempt_] : nullptr;
 }
 
@@ -153,7 +153,7 @@ void ReviewSession::chooseStep(const std::string& stepId) {
 void ReviewSession::compareWith(std::optional<std::size_t> comparison) {
   if ((comparison && *comparison >= comparisons_.size()) || !keepAll()) return Q_EMIT choiceChanged();
   comparison_ = comparison;
-  const OpenedScan* first = opened(kReviewed);
+  const ReviewScan* first = opened(kReviewed);
   start({first != nullptr ? std::optional(first->scan->choice) : std::nullopt,
          comparison_ ? std::optional(comparisons_[*comparison_]) : std::nullopt});
   Q_EMIT choiceChanged();
@@ -181,7 +181,7 @@ void ReviewSession::openChosen() {
   comparisons_.clear();
   comparison_.reset();
   std::array<std::optional<ScanChoice>, 2> choices;
-  if (const ShelvedLesson* of = lesson(); of != nullptr) {
+  if (const LessonAttempts* of = lesson(); of != nullptr) {
     comparisons_ = expertScansOf(of->home, of->lesson);
     if (!comparisons_.empty()) comparison_ = usualExpertFor(of->lesson, stepId_, comparisons_);
     for (std::size_t n = 0; step() != nullptr && n < of->attempts.size(); ++n) {
@@ -274,7 +274,7 @@ Who ReviewSession::whoOf(Side side) const {
 }
 
 QString ReviewSession::titleOfScan(Side side) const {
-  const OpenedScan* scan = opened(side);
+  const ReviewScan* scan = opened(side);
   if (scan == nullptr) return {};
   const ScanChoice& choice = scan->scan->choice;
   if (choice.attempt.empty()) return words(choice.title);

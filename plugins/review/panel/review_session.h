@@ -21,10 +21,10 @@
 #include "logic/alignment.h"
 #include "logic/class_attempts.h"
 #include "logic/comment_history.h"
+#include "logic/region_coverage.h"
 #include "logic/review_tracks.h"
 #include "logic/scan_path.h"
 #include "logic/scan_shelf.h"
-#include "logic/seen_volume.h"
 
 namespace ew::review {
 
@@ -33,13 +33,13 @@ enum Side { kReviewed, kCompared };
 inline constexpr std::array<Side, 2> kSides{kReviewed, kCompared};
 
 /// One scan with all that is shown of it. Never changed after it was opened.
-struct OpenedScan {
-  std::shared_ptr<const ReviewedScan> scan;
+struct ReviewScan {
+  std::shared_ptr<const ScanExcerpt> scan;
   ScanSubject subject;
   SkinPath path;
-  std::vector<VisitedPlane> planes;
+  std::vector<PlaneVisit> planes;
   std::shared_ptr<const VolumeRegions> regions;  ///< null: the voxels stay in their file
-  SeenVolume seen;                               ///< of the regions
+  RegionCoverage seen;                           ///< of the regions
   std::vector<MetricValue> metrics;              ///< of the step that is chosen, of the part that is reviewed
 };
 
@@ -82,7 +82,7 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   [[nodiscard]] const ScanShelf& shelf() const { return *shelf_; }
   /// Whether the shelf was read at all.
   [[nodiscard]] bool hasShelf() const { return hasShelf_; }
-  [[nodiscard]] const ShelvedLesson* lesson() const;
+  [[nodiscard]] const LessonAttempts* lesson() const;
   [[nodiscard]] std::optional<std::size_t> lessonNumber() const { return lesson_; }
   [[nodiscard]] std::optional<std::size_t> attemptNumber() const { return attempt_; }
   [[nodiscard]] const std::pair<std::filesystem::path, Attempt>* attempt() const;  ///< null: none is chosen
@@ -121,8 +121,8 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   void setReviewer(const QString& name);
 
   // What is reviewed.
-  [[nodiscard]] const OpenedScan* opened(Side side) const { return opened_[side].get(); }
-  [[nodiscard]] std::shared_ptr<const OpenedScan> sharedScan(Side side) const { return opened_[side]; }
+  [[nodiscard]] const ReviewScan* opened(Side side) const { return opened_[side].get(); }
+  [[nodiscard]] std::shared_ptr<const ReviewScan> sharedScan(Side side) const { return opened_[side]; }
   [[nodiscard]] bool isOpening() const { return opening_ > 0; }
   [[nodiscard]] const QString& problem() const { return problem_; }
   [[nodiscard]] const std::vector<Track>& tracks(Side side) const { return tracks_[side]; }
@@ -213,7 +213,7 @@ class ReviewSession final : public QObject, public sdk::PanelDocument {
   std::string stepId_;
   std::vector<ScanChoice> comparisons_;
   QString reviewer_, problem_;
-  std::array<std::shared_ptr<const OpenedScan>, 2> opened_;
+  std::array<std::shared_ptr<const ReviewScan>, 2> opened_;
   std::array<std::vector<Track>, 2> tracks_;
   std::map<std::filesystem::path, std::pair<Case, CaseContents>> contents_;  ///< of the cases of the scans that are open
   std::shared_ptr<const bridge::Mannequin> mannequin_;

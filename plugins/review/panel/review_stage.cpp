@@ -14,7 +14,7 @@
 #include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
 #include "panel/class_page.h"
-#include "panel/look.h"
+#include "panel/style.h"
 
 namespace ew::review {
 
@@ -131,11 +131,11 @@ QWidget* ReviewStage::makeViews() {
   auto* splitter = new QSplitter(Qt::Horizontal);
   splitter->setChildrenCollapsible(false);
   splitter->setHandleWidth(2);
-  compared_ = new PictureView(kCompared, session_);
-  reviewed_ = new PictureView(kReviewed, session_);
+  compared_ = new ImageView(kCompared, session_);
+  reviewed_ = new ImageView(kReviewed, session_);
   compared_->setOther(reviewed_);
   reviewed_->setOther(compared_);
-  connect(reviewed_, &PictureView::drawnChanged, this, &ReviewStage::showTools);
+  connect(reviewed_, &ImageView::drawnChanged, this, &ReviewStage::showTools);
   splitter->addWidget(compared_);
   splitter->addWidget(reviewed_);
   splitter->addWidget(makeBodyFrame());

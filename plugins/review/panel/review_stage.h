@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "panel/body_view.h"
-#include "panel/picture_view.h"
+#include "panel/image_view.h"
 #include "panel/track_view.h"
 
 class QButtonGroup;
@@ -61,8 +61,8 @@ class ReviewStage final : public QWidget {
   ReviewSession& session_;
   std::shared_ptr<void> held_;
   QStackedWidget* pages_ = nullptr;
-  PictureView* reviewed_ = nullptr;
-  PictureView* compared_ = nullptr;
+  ImageView* reviewed_ = nullptr;
+  ImageView* compared_ = nullptr;
   BodyView* body_ = nullptr;
   TrackView* tracks_ = nullptr;
   QToolButton* play_ = nullptr;

@@ -13,8 +13,8 @@
 
 #include "ew/assessment/metric.h"
 #include "ew/sdk/panel.h"
-#include "panel/look.h"
 #include "panel/report_button.h"
+#include "panel/style.h"
 
 namespace ew::review {
 

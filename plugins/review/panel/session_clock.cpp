@@ -30,7 +30,7 @@ void ReviewSession::setTracks() {
   for (const Side side : kSides) {
     tracks_[side].clear();
     if (opened(side) == nullptr) continue;
-    const ReviewedScan& scan = *opened(side)->scan;
+    const ScanExcerpt& scan = *opened(side)->scan;
     const StepOutcome* outcome = scan.choice.outcome ? &*scan.choice.outcome : nullptr;
     std::vector<ReviewComment> comments;
     if (side == kReviewed) {

@@ -53,7 +53,7 @@ void ReviewSession::tellDocument() {
 bool ReviewSession::openComments() {
   others_.clear();
   comments_.reset();
-  const OpenedScan* scan = opened(kReviewed);
+  const ReviewScan* scan = opened(kReviewed);
   if (scan == nullptr || scan->scan->choice.attempt.empty()) return false;
   const auto& folder = scan->scan->choice.attempt;
   for (CommentFile& file : listComments(folder).files)
@@ -105,7 +105,7 @@ void ReviewSession::redo() {
 
 std::vector<ReviewComment> ReviewSession::commentsHere() const {
   std::vector<ReviewComment> here;
-  const OpenedScan* scan = opened(kReviewed);
+  const ReviewScan* scan = opened(kReviewed);
   if (!comments_ || scan == nullptr || !scan->scan->choice.outcome) return here;
   for (const ReviewComment& each : comments_->comments())
     if (each.stepId == scan->scan->choice.stepId && each.recording == scan->scan->choice.outcome->recording) here.push_back(each);
@@ -113,7 +113,7 @@ std::vector<ReviewComment> ReviewSession::commentsHere() const {
 }
 
 std::string ReviewSession::addComment(const QString& text, std::vector<CommentStroke> strokes) {
-  const OpenedScan* scan = opened(kReviewed);
+  const ReviewScan* scan = opened(kReviewed);
   if (reviewer_.isEmpty()) Q_EMIT reviewerWanted();  // one may be typed and not entered yet
   if (!comments_ || scan == nullptr || !scan->scan->choice.outcome || reviewer_.isEmpty()) return {};
   ReviewComment made;
@@ -213,7 +213,7 @@ const AttemptScore* ReviewSession::scoreOf(std::size_t number) const {
 }
 
 std::vector<MetricValue> ReviewSession::metricsOf(Side side) const {
-  const OpenedScan* scan = opened(side);
+  const ReviewScan* scan = opened(side);
   if (scan == nullptr) return {};
   const auto& folder = scan->scan->choice.attempt;
   for (std::size_t n = 0; lesson() != nullptr && !folder.empty() && n < lesson()->attempts.size(); ++n)

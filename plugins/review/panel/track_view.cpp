@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "ew/sdk/panel.h"
-#include "panel/look.h"
+#include "panel/style.h"
 
 namespace ew::review {
 

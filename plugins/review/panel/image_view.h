@@ -6,25 +6,23 @@
 #include <vector>
 
 #include "ew/assessment/review_comment.h"
-#include "panel/picture_maker.h"
+#include "panel/image_maker.h"
 #include "panel/review_session.h"
 
 namespace ew::review {
 
 /// One scan as it was seen: the image of the moment, what it was made with, and what was drawn on it. Settings that differ from the other
 /// scan's are marked. On the reviewed one a stroke is drawn with the mouse while a tool is chosen.
-class PictureView final : public QWidget {
+class ImageView final : public QWidget {
   Q_OBJECT
   Q_PROPERTY(bool isIdle READ isIdle)
 
  public:
-  PictureView(Side side, ReviewSession& session, QWidget* parent = nullptr);
-  ~PictureView() override;
+  ImageView(Side side, ReviewSession& session, QWidget* parent = nullptr);
+  ~ImageView() override;
 
-  /// The image that is shown; null: none yet.
-  [[nodiscard]] const MadePicture* picture() const { return picture_.get(); }
   /// Whose settings are compared with; may be null.
-  void setOther(PictureView* other) { other_ = other; }
+  void setOther(ImageView* other) { other_ = other; }
   /// Nothing is drawn by hand while it is empty.
   void setTool(std::optional<CommentStroke::Kind> tool);
   /// What was drawn and belongs to no comment yet.
@@ -39,7 +37,6 @@ class PictureView final : public QWidget {
   Q_INVOKABLE QStringList shownSettings() const;  ///< "depth 12.0 cm", the differing ones with a leading "≠ "
 
  Q_SIGNALS:
-  void shown();
   void drawnChanged();
 
  protected:
@@ -50,7 +47,7 @@ class PictureView final : public QWidget {
   void mouseReleaseEvent(QMouseEvent* event) override;
 
  private:
-  void show(const std::shared_ptr<const MadePicture>& picture);
+  void show(const std::shared_ptr<const ReplayImage>& image);
   void ask();
   [[nodiscard]] QRectF imageRect() const;
   void paintImage(QPainter& painter);
@@ -66,12 +63,12 @@ class PictureView final : public QWidget {
 
   Side side_;
   ReviewSession& session_;
-  PictureView* other_ = nullptr;
-  PictureMaker maker_;
-  std::shared_ptr<const MadePicture> picture_;
+  ImageView* other_ = nullptr;
+  ImageMaker maker_;
+  std::shared_ptr<const ReplayImage> shown_;
   std::optional<CommentStroke::Kind> tool_;
   std::vector<CommentStroke> drawn_;
-  std::weak_ptr<const OpenedScan> source_;  ///< that was drawn on
+  std::weak_ptr<const ReviewScan> source_;  ///< that was drawn on
   std::optional<CommentStroke> drawing_;
 };
 

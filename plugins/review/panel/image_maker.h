@@ -15,7 +15,7 @@
 namespace ew::review {
 
 /// One image of a recording as it was made again.
-struct MadePicture {
+struct ReplayImage {
   QImage image;              ///< RGB32
   DisplayGeometry geometry;  ///< where the fan lies in it
   std::size_t frame = 0;
@@ -24,26 +24,26 @@ struct MadePicture {
 
 /// Makes the images of one recording on a thread of its own, so that no window waits. Of several wishes the newest is made; one that is
 /// overtaken while it is made is shown as well, so that something is seen however fast wishes come.
-class PictureMaker final : public QObject {
+class ImageMaker final : public QObject {
   Q_OBJECT
 
  public:
-  explicit PictureMaker(QObject* parent = nullptr);
-  ~PictureMaker() override;
+  explicit ImageMaker(QObject* parent = nullptr);
+  ~ImageMaker() override;
 
   /// What images are made of from now on; null: nothing.
-  void show(std::shared_ptr<const ReviewedScan> scan, std::optional<ScanSubject> subject);
+  void show(std::shared_ptr<const ScanExcerpt> scan, std::optional<ScanSubject> subject);
   /// @param frame of the recording's log @param size_px of the image
   void want(std::size_t frame, const QSize& size_px);
   /// Nothing is wanted that was not made.
   [[nodiscard]] bool isIdle() const;
 
  Q_SIGNALS:
-  void made(const std::shared_ptr<const ew::review::MadePicture>& picture);
+  void made(const std::shared_ptr<const ew::review::ReplayImage>& image);
 
  private:
   struct Source {
-    std::shared_ptr<const ReviewedScan> scan;
+    std::shared_ptr<const ScanExcerpt> scan;
     ScanSubject subject;
   };
   struct Wish {
@@ -52,7 +52,7 @@ class PictureMaker final : public QObject {
     bool operator==(const Wish&) const = default;
   };
   void run();
-  void tell(std::uint64_t source, std::shared_ptr<const MadePicture> picture);
+  void tell(std::uint64_t source, std::shared_ptr<const ReplayImage> image);
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
@@ -65,4 +65,4 @@ class PictureMaker final : public QObject {
 
 }  // namespace ew::review
 
-Q_DECLARE_METATYPE(std::shared_ptr<const ew::review::MadePicture>)
+Q_DECLARE_METATYPE(std::shared_ptr<const ew::review::ReplayImage>)

@@ -1,4 +1,4 @@
-#include "logic/seen_volume.h"
+#include "logic/region_coverage.h"
 
 #include <gtest/gtest.h>
 
@@ -42,12 +42,12 @@ TEST(VolumeRegions, LeaveOutWhereThereIsNoEcho) {
   EXPECT_EQ(VolumeRegions(half, half.grid).count(), 1000U);
 }
 
-TEST(SeenVolume, CountsTheFramesAndSecondsOfEachRegion) {
+TEST(RegionCoverage, CountsTheFramesAndSecondsOfEachRegion) {
   const Volume volume = box();
   const VolumeRegions regions(volume, volume.grid);
   // A face of 40 mm about x = 40, on the surface, looking 60 mm along +y; its plane at z = 22 for 3 frames, then off the box for 2.
   const ScanLog log = logOf(6, 0.2, [](int n, ScanState& state) { state.pose = at({40.0, 0.0, n < 3 ? 22.0 : 300.0}); });
-  const auto seen = seenIn(regions, log, allOf(log));
+  const auto seen = regionCoverageOf(regions, log, allOf(log));
   ASSERT_TRUE(seen);
   // The slab is as thick as a region's diagonal, 6.93 mm: middles at z = 18.5..25.5, which are 22 alone (18 is too far, so is 26).
   // In x those of 20..60: 22, 26, ... 58.
@@ -60,7 +60,7 @@ TEST(SeenVolume, CountsTheFramesAndSecondsOfEachRegion) {
   }
 }
 
-TEST(SeenVolume, SeesNothingWhereTheFaceDoesNotTouchOrNobodyKnowsThePose) {
+TEST(RegionCoverage, SeesNothingWhereTheFaceDoesNotTouchOrNobodyKnowsThePose) {
   const Volume volume = box();
   const VolumeRegions regions(volume, volume.grid);
   const ScanLog log = logOf(4, 0.2, [](int n, ScanState& state) {
@@ -70,27 +70,27 @@ TEST(SeenVolume, SeesNothingWhereTheFaceDoesNotTouchOrNobodyKnowsThePose) {
     else
       state.pose.status = PoseStatus::invalid;
   });
-  const auto seen = seenIn(regions, log, allOf(log));
+  const auto seen = regionCoverageOf(regions, log, allOf(log));
   ASSERT_TRUE(seen);
   EXPECT_EQ(seen->seenRegions(), 0U);
 }
 
-TEST(SeenVolume, CountsNoTimeWhileItIsFrozen) {
+TEST(RegionCoverage, CountsNoTimeWhileItIsFrozen) {
   const Volume volume = box();
   const VolumeRegions regions(volume, volume.grid);
   ScanLog log = logOf(2, 0.1, [](int, ScanState& state) { state.pose = at({40.0, 0.0, 22.0}); });
   log.setFrozen(0.1, true);
   log.addNote(60.0, "mark", nullptr);
-  const auto seen = seenIn(regions, log, allOf(log));
+  const auto seen = regionCoverageOf(regions, log, allOf(log));
   ASSERT_TRUE(seen);
   EXPECT_FLOAT_EQ(seen->longest_s(), 0.1F);
 }
 
-TEST(SeenVolume, AFrameThatStaysLongCountsForAWhileOnly) {
+TEST(RegionCoverage, AFrameThatStaysLongCountsForAWhileOnly) {
   const Volume volume = box();
   const VolumeRegions regions(volume, volume.grid);
   const ScanLog log = logOf(2, 60.0, [](int, ScanState& state) { state.pose = at({40.0, 0.0, 22.0}); });
-  const auto seen = seenIn(regions, log, allOf(log));
+  const auto seen = regionCoverageOf(regions, log, allOf(log));
   ASSERT_TRUE(seen);
   EXPECT_FLOAT_EQ(seen->longest_s(), static_cast<float>(kLongestFrame_s));
 }

@@ -1,4 +1,4 @@
-#include "panel/picture_view.h"
+#include "panel/image_view.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "ew/sdk/panel.h"
-#include "panel/look.h"
+#include "panel/style.h"
 
 namespace ew::review {
 
@@ -30,17 +30,17 @@ constexpr int kSettingColumns = 2, kSettingRows = 5;
 
 }  // namespace
 
-PictureView::PictureView(Side side, ReviewSession& session, QWidget* parent) : QWidget(parent), side_(side), session_(session) {
+ImageView::ImageView(Side side, ReviewSession& session, QWidget* parent) : QWidget(parent), side_(side), session_(session) {
   setObjectName(side == kReviewed ? QStringLiteral("reviewedPicture") : QStringLiteral("comparedPicture"));
   setAccessibleName(side == kReviewed ? tr("The trainee's image") : tr("The expert's image"));
   setMinimumSize(160, 160);
   setFocusPolicy(Qt::ClickFocus);
   setLayoutDirection(Qt::LeftToRight);
   setAttribute(Qt::WA_OpaquePaintEvent);
-  connect(&maker_, &PictureMaker::made, this, &PictureView::show);
+  connect(&maker_, &ImageMaker::made, this, &ImageView::show);
   connect(&session_, &ReviewSession::scansChanged, this, [this] {
     const auto scan = session_.sharedScan(side_);
-    picture_.reset();
+    shown_.reset();
     if (source_.lock() != scan) drawn_.clear();  // told as well when what it is compared with changes
     source_ = scan;
     maker_.show(scan ? scan->scan : nullptr, scan ? std::optional(scan->subject) : std::nullopt);
@@ -54,86 +54,85 @@ PictureView::PictureView(Side side, ReviewSession& session, QWidget* parent) : Q
   connect(&session_, &ReviewSession::commentsChanged, this, [this] { update(); });
 }
 
-PictureView::~PictureView() = default;
+ImageView::~ImageView() = default;
 
-bool PictureView::isIdle() const { return maker_.isIdle(); }
+bool ImageView::isIdle() const { return maker_.isIdle(); }
 
-void PictureView::setTool(std::optional<CommentStroke::Kind> tool) {
+void ImageView::setTool(std::optional<CommentStroke::Kind> tool) {
   tool_ = tool;
   drawing_.reset();
   setCursor(tool_ ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
-void PictureView::setDrawn(std::vector<CommentStroke> strokes) {
+void ImageView::setDrawn(std::vector<CommentStroke> strokes) {
   drawn_ = std::move(strokes);
   update();
   Q_EMIT drawnChanged();
 }
 
-int PictureView::headHeight() const { return withText(28, font()); }
+int ImageView::headHeight() const { return withText(28, font()); }
 /// Where all of them would leave the image less than twice their own height, only those are written that differ.
-bool PictureView::showsAllSettings() const { return height() - headHeight() >= 3 * settingsHeight(kSettingRows); }
-int PictureView::settingsHeight(int rows) const { return rows * withText(17, font()) + kGap_px; }
-int PictureView::settingsHeight() const { return settingsHeight(showsAllSettings() ? kSettingRows : 1); }
+bool ImageView::showsAllSettings() const { return height() - headHeight() >= 3 * settingsHeight(kSettingRows); }
+int ImageView::settingsHeight(int rows) const { return rows * withText(17, font()) + kGap_px; }
+int ImageView::settingsHeight() const { return settingsHeight(showsAllSettings() ? kSettingRows : 1); }
 
-QRectF PictureView::imageRect() const { return QRectF(0, headHeight(), width(), std::max(40, height() - headHeight() - settingsHeight())); }
+QRectF ImageView::imageRect() const { return QRectF(0, headHeight(), width(), std::max(40, height() - headHeight() - settingsHeight())); }
 
-void PictureView::ask() {
+void ImageView::ask() {
   if (session_.opened(side_) == nullptr || !isVisible()) return;
   const QSizeF room = imageRect().size();
   const double scale = std::min(1.0, kLargest_px / std::max(room.width(), room.height()));
   maker_.want(session_.frame(side_), (room * scale).toSize());
 }
 
-void PictureView::show(const std::shared_ptr<const MadePicture>& picture) {
-  picture_ = picture;
+void ImageView::show(const std::shared_ptr<const ReplayImage>& image) {
+  shown_ = image;
   showSettings();
   if (other_ != nullptr) other_->showSettings();  // its settings may differ from new ones
-  Q_EMIT shown();
 }
 
-void PictureView::showSettings() {
+void ImageView::showSettings() {
   setToolTip(showsAllSettings() ? QString() : shownSettings().join(QLatin1Char('\n')));
   update();
 }
 
-void PictureView::resizeEvent(QResizeEvent* event) {
+void ImageView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   showSettings();
   ask();
 }
 
-QPointF PictureView::pixelOf(const glm::dvec2& p_mm) const {
-  if (!picture_ || picture_->geometry.pixel_mm <= 0.0) return {};
-  const glm::dvec3 at = carried(inverse(picture_->geometry.imageToProbe()), glm::dvec3(p_mm, 0.0));
+QPointF ImageView::pixelOf(const glm::dvec2& p_mm) const {
+  if (!shown_ || shown_->geometry.pixel_mm <= 0.0) return {};
+  const glm::dvec3 at = carried(inverse(shown_->geometry.imageToProbe()), glm::dvec3(p_mm, 0.0));
   const QRectF box = imageRect();
-  const double scale = box.width() / std::max(1, picture_->image.width());
+  const double scale = box.width() / std::max(1, shown_->image.width());
   return box.topLeft() + scale * QPointF(at.x + 0.5, at.y + 0.5);
 }
 
-glm::dvec2 PictureView::pointAt(const QPointF& at) const {
-  if (!picture_) return glm::dvec2(0.0);
+glm::dvec2 ImageView::pointAt(const QPointF& at) const {
+  if (!shown_) return glm::dvec2(0.0);
   const QRectF box = imageRect();
-  const double scale = std::max(1, picture_->image.width()) / box.width();
+  const double scale = std::max(1, shown_->image.width()) / box.width();
   const glm::dvec3 pixel((at.x() - box.left()) * scale - 0.5, (at.y() - box.top()) * scale - 0.5, 0.0);
-  return glm::dvec2(carried(picture_->geometry.imageToProbe(), pixel));
+  return glm::dvec2(carried(shown_->geometry.imageToProbe(), pixel));
 }
 
-QStringList PictureView::shownSettings() const {
+QStringList ImageView::shownSettings() const {
   QStringList lines;
-  if (!picture_) return lines;
-  const std::vector<Setting> own = settingsOf(picture_->state);
-  const std::vector<Setting> others = other_ != nullptr && other_->picture_ ? settingsOf(other_->picture_->state) : own;
+  if (!shown_) return lines;
+  const std::vector<Setting> own = settingsOf(shown_->state);
+  const std::vector<Setting> others = other_ != nullptr && other_->shown_ ? settingsOf(other_->shown_->state) : own;
   for (std::size_t n = 0; n < own.size(); ++n) {
     const QString line = words(own[n].name) + QLatin1Char(' ') + words(own[n].value);
     lines << (own[n].value == others[n].value ? line : QStringLiteral("≠ ") + line);
   }
-  if (other_ != nullptr && other_->picture_ && picture_->state.scene != other_->picture_->state.scene)
+  if (other_ != nullptr && other_->shown_ && shown_->state.scene != other_->shown_->state.scene)
     lines << QStringLiteral("≠ ") + tr("effects of the image");
   return lines;
 }
 
-void PictureView::paintEvent(QPaintEvent*) {
+void ImageView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), Qt::black);
@@ -147,7 +146,7 @@ void PictureView::paintEvent(QPaintEvent*) {
   painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
 }
 
-void PictureView::paintHead(QPainter& painter) const {
+void ImageView::paintHead(QPainter& painter) const {
   const Who who = session_.whoOf(side_);
   const QColor colour = colourOf(who, true);
   painter.setPen(Qt::NoPen);
@@ -171,7 +170,7 @@ void PictureView::paintHead(QPainter& painter) const {
                    painter.fontMetrics().elidedText(session_.titleOfScan(side_), Qt::ElideRight, room.width()));
 }
 
-void PictureView::paintEmpty(QPainter& painter) const {
+void ImageView::paintEmpty(QPainter& painter) const {
   painter.setFont(smaller(*this));
   painter.setPen(kScanQuiet);
   const QString sentence = session_.isOpening()            ? tr("Opening …")
@@ -182,13 +181,13 @@ void PictureView::paintEmpty(QPainter& painter) const {
   painter.drawText(imageRect().adjusted(2 * kGap_px, 0, -2 * kGap_px, 0), Qt::AlignCenter | Qt::TextWordWrap, sentence);
 }
 
-void PictureView::paintImage(QPainter& painter) {
-  if (!picture_) return;
+void ImageView::paintImage(QPainter& painter) {
+  if (!shown_) return;
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   const QRectF box = imageRect();
-  const double scale = box.width() / std::max(1, picture_->image.width());
-  painter.drawImage(QRectF(box.topLeft(), QSizeF(picture_->image.size()) * scale), picture_->image);
-  if (picture_->state.pose.status != PoseStatus::ok) {
+  const double scale = box.width() / std::max(1, shown_->image.width());
+  painter.drawImage(QRectF(box.topLeft(), QSizeF(shown_->image.size()) * scale), shown_->image);
+  if (shown_->state.pose.status != PoseStatus::ok) {
     painter.setFont(smaller(*this));
     painter.setPen(kDiffers);
     painter.drawText(box, Qt::AlignCenter, tr("The pose of the probe is not known here"));
@@ -207,7 +206,7 @@ void PictureView::paintImage(QPainter& painter) {
   painter.restore();
 }
 
-void PictureView::paintStroke(QPainter& painter, const CommentStroke& stroke, const QColor& colour) const {
+void ImageView::paintStroke(QPainter& painter, const CommentStroke& stroke, const QColor& colour) const {
   if (stroke.points_mm.size() < 2) return;
   QPainterPath path(pixelOf(stroke.points_mm.front()));
   if (stroke.kind == CommentStroke::Kind::circle) {
@@ -237,7 +236,7 @@ void PictureView::paintStroke(QPainter& painter, const CommentStroke& stroke, co
   painter.drawPath(path);
 }
 
-void PictureView::paintSettings(QPainter& painter) const {
+void ImageView::paintSettings(QPainter& painter) const {
   QStringList lines = shownSettings();
   if (!showsAllSettings()) lines = lines.filter(QRegularExpression(QStringLiteral("^≠"))).mid(0, kSettingColumns);
   painter.setFont(smaller(*this));
@@ -254,14 +253,14 @@ void PictureView::paintSettings(QPainter& painter) const {
   }
 }
 
-void PictureView::mousePressEvent(QMouseEvent* event) {
+void ImageView::mousePressEvent(QMouseEvent* event) {
   setFocus(Qt::MouseFocusReason);
-  if (!tool_ || side_ != kReviewed || !picture_ || event->button() != Qt::LeftButton) return;
+  if (!tool_ || side_ != kReviewed || !shown_ || event->button() != Qt::LeftButton) return;
   session_.pause();
   drawing_ = CommentStroke{*tool_, {pointAt(event->localPos())}};
 }
 
-void PictureView::mouseMoveEvent(QMouseEvent* event) {
+void ImageView::mouseMoveEvent(QMouseEvent* event) {
   if (!drawing_) return;
   const glm::dvec2 here = pointAt(event->localPos());
   if (drawing_->kind == CommentStroke::Kind::line) {
@@ -273,7 +272,7 @@ void PictureView::mouseMoveEvent(QMouseEvent* event) {
   update();
 }
 
-void PictureView::mouseReleaseEvent(QMouseEvent* event) {
+void ImageView::mouseReleaseEvent(QMouseEvent* event) {
   if (!drawing_) return;
   mouseMoveEvent(event);
   const bool isDrawn = drawing_->points_mm.size() > 1 && glm::distance(drawing_->points_mm.front(), drawing_->points_mm.back()) > 0.0;

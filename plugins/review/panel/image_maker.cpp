@@ -1,4 +1,4 @@
-#include "panel/picture_maker.h"
+#include "panel/image_maker.h"
 
 #include <QMetaObject>
 #include <utility>
@@ -24,9 +24,9 @@ QImage imageOf(const Picture& picture) {
 
 }  // namespace
 
-PictureMaker::PictureMaker(QObject* parent) : QObject(parent), thread_([this] { run(); }) {}
+ImageMaker::ImageMaker(QObject* parent) : QObject(parent), thread_([this] { run(); }) {}
 
-PictureMaker::~PictureMaker() {
+ImageMaker::~ImageMaker() {
   {
     const std::lock_guard lock(mutex_);
     ends_ = true;
@@ -35,7 +35,7 @@ PictureMaker::~PictureMaker() {
   thread_.join();
 }
 
-void PictureMaker::show(std::shared_ptr<const ReviewedScan> scan, std::optional<ScanSubject> subject) {
+void ImageMaker::show(std::shared_ptr<const ScanExcerpt> scan, std::optional<ScanSubject> subject) {
   const std::lock_guard lock(mutex_);
   ++sourceNumber_;
   wish_.reset();
@@ -43,7 +43,7 @@ void PictureMaker::show(std::shared_ptr<const ReviewedScan> scan, std::optional<
   source_ = scan && subject ? std::make_shared<const Source>(Source{std::move(scan), std::move(*subject)}) : nullptr;
 }
 
-void PictureMaker::want(std::size_t frame, const QSize& size_px) {
+void ImageMaker::want(std::size_t frame, const QSize& size_px) {
   const std::lock_guard lock(mutex_);
   const Wish wish{frame, size_px};
   if (!source_ || size_px.isEmpty() || latest_ == wish) return;
@@ -51,12 +51,12 @@ void PictureMaker::want(std::size_t frame, const QSize& size_px) {
   changed_.notify_all();
 }
 
-bool PictureMaker::isIdle() const {
+bool ImageMaker::isIdle() const {
   const std::lock_guard lock(mutex_);
   return !wish_ && !isWorking_;
 }
 
-void PictureMaker::run() {
+void ImageMaker::run() {
   std::shared_ptr<const Source> at;
   std::unique_ptr<Replay> replay;
   std::unique_lock lock(mutex_);
@@ -68,7 +68,7 @@ void PictureMaker::run() {
     const std::uint64_t number = sourceNumber_;
     isWorking_ = true;
     lock.unlock();
-    auto made = std::make_shared<MadePicture>();
+    auto made = std::make_shared<ReplayImage>();
     if (source) {
       const ScanLog& log = source->scan->recording.log;
       if (source != at) replay = std::make_unique<Replay>(log, source->subject);
@@ -84,15 +84,15 @@ void PictureMaker::run() {
   }
 }
 
-void PictureMaker::tell(std::uint64_t source, std::shared_ptr<const MadePicture> picture) {
+void ImageMaker::tell(std::uint64_t source, std::shared_ptr<const ReplayImage> image) {
   QMetaObject::invokeMethod(
       this,
-      [this, source, picture = std::move(picture)] {
+      [this, source, image = std::move(image)] {
         {
           const std::lock_guard lock(mutex_);
           if (source != sourceNumber_) return;  // of what is not shown any more
         }
-        Q_EMIT made(picture);
+        Q_EMIT made(image);
       },
       Qt::QueuedConnection);
 }

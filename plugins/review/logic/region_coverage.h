@@ -24,7 +24,7 @@ class VolumeRegions {
 
   [[nodiscard]] double side_mm() const { return side_mm_; }
   [[nodiscard]] const std::shared_ptr<const OrganVoxels>& voxels() const { return voxels_; }
-  /// Middles in the world; the n-th region of SeenVolume.
+  /// Middles in the world; the n-th region of RegionCoverage.
   [[nodiscard]] const std::vector<glm::vec3>& middles_mm() const { return voxels_->centres_mm(); }
   [[nodiscard]] std::size_t count() const { return voxels_->count(); }
 
@@ -35,7 +35,7 @@ class VolumeRegions {
 
 /// How often and how long the regions of a volume were seen: a frame sees those whose middles lie in its slab, inside its fan, and below a
 /// part of the face that touches (OrganCoverage).
-struct SeenVolume {
+struct RegionCoverage {
   std::vector<std::uint32_t> frames;  ///< of each region
   std::vector<float> seconds;         ///< a frame counts until the next one, at most kLongestFrame_s; while it is frozen no time passes
   [[nodiscard]] std::size_t seenRegions() const;
@@ -44,7 +44,7 @@ struct SeenVolume {
 inline constexpr double kLongestFrame_s = 0.5;
 
 /// @error cancelled
-[[nodiscard]] Result<SeenVolume> seenIn(const VolumeRegions& regions, const ScanLog& log, const Part& part,
-                                        Progress& progress = noProgress());
+[[nodiscard]] Result<RegionCoverage> regionCoverageOf(const VolumeRegions& regions, const ScanLog& log, const Part& part,
+                                                      Progress& progress = noProgress());
 
 }  // namespace ew::review

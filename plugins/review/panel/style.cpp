@@ -1,4 +1,4 @@
-#include "panel/look.h"
+#include "panel/style.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -28,11 +28,11 @@ class SvgIcon final : public QIconEngine {
     painter->restore();
   }
   QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-    QPixmap picture(size);
-    picture.fill(Qt::transparent);
-    QPainter painter(&picture);
+    QPixmap image(size);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
     paint(&painter, QRect(QPoint(0, 0), size), mode, state);
-    return picture;
+    return image;
   }
   [[nodiscard]] QIconEngine* clone() const override { return new SvgIcon(svg_, colour_); }
 

@@ -1,4 +1,4 @@
-#include "logic/seen_volume.h"
+#include "logic/region_coverage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,14 +47,14 @@ VolumeRegions::VolumeRegions(const Volume& volume, const Grid& placed, double si
   voxels_ = std::make_shared<const OrganVoxels>(regions, kThere);
 }
 
-std::size_t SeenVolume::seenRegions() const {
+std::size_t RegionCoverage::seenRegions() const {
   return static_cast<std::size_t>(std::count_if(frames.begin(), frames.end(), [](std::uint32_t n) { return n > 0; }));
 }
 
-float SeenVolume::longest_s() const { return seconds.empty() ? 0.0F : *std::max_element(seconds.begin(), seconds.end()); }
+float RegionCoverage::longest_s() const { return seconds.empty() ? 0.0F : *std::max_element(seconds.begin(), seconds.end()); }
 
-Result<SeenVolume> seenIn(const VolumeRegions& regions, const ScanLog& log, const Part& part, Progress& progress) {
-  SeenVolume seen;
+Result<RegionCoverage> regionCoverageOf(const VolumeRegions& regions, const ScanLog& log, const Part& part, Progress& progress) {
+  RegionCoverage seen;
   seen.frames.assign(regions.count(), 0);
   seen.seconds.assign(regions.count(), 0.0F);
   const std::vector<TrackSpan> freezes = freezesOf(log, part);
