@@ -3,9 +3,11 @@
 #include <QApplication>
 #include <memory>
 
+#include "ew/sdk/host.h"
 #include "ew/sdk/workspaces.h"
 #include "panel/review_column.h"
 #include "panel/review_stage.h"
+#include "panel/session/review_session.h"
 #include "panel/style.h"
 
 namespace {
@@ -22,7 +24,8 @@ class ReviewPlugin final : public ew::sdk::Plugin {
                            ew::review::workspaceIcon(), false, false, false});
     host.panels().addStaged({"review", in("Attempts").toStdString(),
                              [&session](QWidget* parent) -> QWidget* { return new ew::review::ReviewColumn(session, parent); },
-                             [&session](QWidget* parent) -> QWidget* { return new ew::review::ReviewStage(session, parent); }, session_,
+                             [&session](QWidget* parent) -> QWidget* { return new ew::review::ReviewStage(session, parent); },
+                             std::shared_ptr<ew::sdk::PanelDocument>(session_, &session.document()),  // it lives as long as the session
                              ew::review::ReviewStage::keyLines(), "review"});
   }
 

@@ -23997,6 +23997,17 @@ Zeit: %3</translation>
     </message>
 </context>
 <context>
+    <name>ew::review::AttemptComments</name>
+    <message>
+        <source>comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>remove the comment</source>
+        <translation>Kommentar entfernen</translation>
+    </message>
+</context>
+<context>
     <name>ew::review::BodyView</name>
     <message>
         <source>Regions: off</source>
@@ -24307,6 +24318,25 @@ Zeit: %3</translation>
         <source>effects of the image</source>
         <translation>Effekte des Bildes</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>person: step</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>ew::review::LessonScores</name>
+    <message>
+        <source>Scoring the attempts</source>
+        <translation>Auswerten der Versuche</translation>
+    </message>
+</context>
+<context>
+    <name>ew::review::Playback</name>
+    <message>
+        <source>Aligning the scans</source>
+        <translation>Angleichen der Scans</translation>
+    </message>
 </context>
 <context>
     <name>ew::review::RatingPage</name>
@@ -24487,36 +24517,7 @@ Zeit: %3</translation>
     </message>
 </context>
 <context>
-    <name>ew::review::ReviewSession</name>
-    <message>
-        <source>Looking for attempts</source>
-        <translation>Suche nach Versuchen</translation>
-    </message>
-    <message>
-        <source>Opening the scans</source>
-        <translation>Öffnen der Scans</translation>
-    </message>
-    <message>
-        <source>Opening was stopped; choose the step again.</source>
-        <translation>Das Öffnen wurde abgebrochen; wählen Sie den Schritt noch einmal.</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>person: step</comment>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>without a name</source>
-        <translation>ohne Namen</translation>
-    </message>
-    <message>
-        <source>without a code</source>
-        <translation>ohne Kürzel</translation>
-    </message>
-    <message>
-        <source>Aligning the scans</source>
-        <translation>Angleichen der Scans</translation>
-    </message>
+    <name>ew::review::ReviewDocument</name>
     <message>
         <source>Review</source>
         <translation>Begutachten</translation>
@@ -24529,18 +24530,9 @@ Zeit: %3</translation>
         <source>Comments on an attempt are not saved.</source>
         <translation>Kommentare zu einem Versuch sind nicht gespeichert.</translation>
     </message>
-    <message>
-        <source>comment</source>
-        <translation>Kommentar</translation>
-    </message>
-    <message>
-        <source>remove the comment</source>
-        <translation>Kommentar entfernen</translation>
-    </message>
-    <message>
-        <source>Scoring the attempts</source>
-        <translation>Auswerten der Versuche</translation>
-    </message>
+</context>
+<context>
+    <name>ew::review::ReviewReports</name>
     <message>
         <source>Writing the report</source>
         <translation>Schreiben des Berichts</translation>
@@ -24549,13 +24541,16 @@ Zeit: %3</translation>
         <source>The report is in %1.</source>
         <translation>Der Bericht liegt in %1.</translation>
     </message>
+</context>
+<context>
+    <name>ew::review::ReviewSession</name>
+    <message>
+        <source>Looking for attempts</source>
+        <translation>Suche nach Versuchen</translation>
+    </message>
     <message>
         <source>What was written about the scan before could not be kept, so that one stays open; see to the message and choose again.</source>
         <translation>Was über die Aufnahme davor geschrieben wurde, konnte nicht aufbewahrt werden; deshalb bleibt sie offen. Beachten Sie die Meldung und wählen Sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>somebody</source>
-        <translation>jemand</translation>
     </message>
 </context>
 <context>
@@ -24755,6 +24750,32 @@ Zeit: %3</translation>
     <message>
         <source>Find new attempts</source>
         <translation>Neue Versuche suchen</translation>
+    </message>
+</context>
+<context>
+    <name>ew::review::Reviewer</name>
+    <message>
+        <source>without a name</source>
+        <translation>ohne Namen</translation>
+    </message>
+    <message>
+        <source>without a code</source>
+        <translation>ohne Kürzel</translation>
+    </message>
+    <message>
+        <source>somebody</source>
+        <translation>jemand</translation>
+    </message>
+</context>
+<context>
+    <name>ew::review::ScanPair</name>
+    <message>
+        <source>Opening the scans</source>
+        <translation>Öffnen der Scans</translation>
+    </message>
+    <message>
+        <source>Opening was stopped; choose the step again.</source>
+        <translation>Das Öffnen wurde abgebrochen; wählen Sie den Schritt noch einmal.</translation>
     </message>
 </context>
 <context>

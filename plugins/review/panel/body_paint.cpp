@@ -9,6 +9,8 @@
 #include "ew/imaging/display.h"
 #include "ew/sdk/panel.h"
 #include "panel/body_view.h"
+#include "panel/session/playback.h"
+#include "panel/session/scan_pair.h"
 #include "panel/style.h"
 
 namespace ew::review {
@@ -54,7 +56,7 @@ void BodyView::makeStill() {
 
 void BodyView::paintRegions(QPainter& painter) const {
   if (regions_.empty()) return;
-  const ReviewScan* base = session_.opened(heat_ == Heat::expert ? kCompared : kReviewed);
+  const ReviewScan* base = scans_.opened(heat_ == Heat::expert ? kCompared : kReviewed);
   const glm::dvec3 eye = scene_->eye_mm();
   std::vector<std::pair<double, const Region*>> order;
   for (const Region& each : regions_) order.emplace_back(glm::distance(eye, each.middle_mm), &each);
@@ -79,7 +81,7 @@ void BodyView::paintRegions(QPainter& painter) const {
 }
 
 void BodyView::paintPath(QPainter& painter, Side side) const {
-  const ReviewScan* scan = session_.opened(side);
+  const ReviewScan* scan = scans_.opened(side);
   if (scan == nullptr) return;
   for (const auto& line : scan->path) {
     QPainterPath path;
@@ -95,15 +97,15 @@ void BodyView::paintPath(QPainter& painter, Side side) const {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(QColor(0, 0, 0, isDark(palette()) ? 120 : 50), 4.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPath(path);
-    QPen pen(colour(side), 2.0, session_.whoOf(side) == Who::expert ? Qt::SolidLine : Qt::CustomDashLine, Qt::FlatCap, Qt::RoundJoin);
-    if (session_.whoOf(side) == Who::trainee) pen.setDashPattern({4.0, 1.5});
+    QPen pen(colour(side), 2.0, whoOf(side) == Who::expert ? Qt::SolidLine : Qt::CustomDashLine, Qt::FlatCap, Qt::RoundJoin);
+    if (whoOf(side) == Who::trainee) pen.setDashPattern({4.0, 1.5});
     painter.setPen(pen);
     painter.drawPath(path);
   }
 }
 
 void BodyView::paintPlanes(QPainter& painter, Side side) const {
-  const ReviewScan* scan = session_.opened(side);
+  const ReviewScan* scan = scans_.opened(side);
   if (scan == nullptr) return;
   for (const PlaneVisit& plane : scan->planes) {
     QPolygonF outline;
@@ -119,9 +121,9 @@ void BodyView::paintPlanes(QPainter& painter, Side side) const {
 
 /// Where the probe is now: its fan, the face as a thick line, and the sign of whose it is.
 void BodyView::paintProbe(QPainter& painter, Side side) const {
-  const ReviewScan* scan = session_.opened(side);
+  const ReviewScan* scan = scans_.opened(side);
   if (scan == nullptr) return;
-  const ScanState state = scan->scan->recording.log.frame(session_.frame(side));
+  const ScanState state = scan->scan->recording.log.frame(playback_.frame(side));
   if (state.pose.status != PoseStatus::ok) return;
   const auto pixel = [&](const glm::dvec3& p) { return pixelOf(carried(state.pose.probeToWorld, p)); };
   QPolygonF outline;
@@ -139,7 +141,7 @@ void BodyView::paintProbe(QPainter& painter, Side side) const {
   painter.drawPolyline(face);
   painter.setPen(QPen(palette().color(QPalette::Window), 1.0));
   painter.setBrush(colour(side));
-  drawMarkOf(painter, session_.whoOf(side), pixel(glm::dvec3(0.0, -8.0, 0.0)), withText(5, font()));
+  drawMarkOf(painter, whoOf(side), pixel(glm::dvec3(0.0, -8.0, 0.0)), withText(5, font()));
 }
 
 }  // namespace ew::review

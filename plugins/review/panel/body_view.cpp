@@ -17,6 +17,8 @@
 #include "ew/bridge/scene3d.h"
 #include "ew/imaging/display.h"
 #include "ew/sdk/panel.h"
+#include "panel/session/playback.h"
+#include "panel/session/scan_pair.h"
 #include "panel/style.h"
 
 namespace ew::review {
@@ -61,7 +63,7 @@ QString titleOf(Heat heat) {
   return {};
 }
 
-BodyView::BodyView(ReviewSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+BodyView::BodyView(const ScanPair& scans, const Playback& playback, QWidget* parent) : QWidget(parent), scans_(scans), playback_(playback) {
   setObjectName(QStringLiteral("reviewBody"));
   setAccessibleName(tr("Both scans on the body"));
   setMinimumSize(160, 160);
@@ -80,8 +82,8 @@ BodyView::BodyView(ReviewSession& session, QWidget* parent) : QWidget(parent), s
   scene_->setProbeVisible(false);
   canvas_->installEventFilter(this);
   glass_ = new Glass(this);
-  connect(&session_, &ReviewSession::scansChanged, this, &BodyView::takeScans);
-  connect(&session_, &ReviewSession::timeChanged, this, [this] { glass_->update(); });
+  connect(&scans_, &ScanPair::changed, this, &BodyView::takeScans);
+  connect(&playback_, &Playback::timeChanged, this, [this] { glass_->update(); });
   takeScans();
 }
 
@@ -90,11 +92,11 @@ BodyView::~BodyView() {
   delete canvas_;
 }
 
-QColor BodyView::colour(Side side) const { return colourOf(session_.whoOf(side), isDark(palette())); }
+QColor BodyView::colour(Side side) const { return colourOf(whoOf(side), isDark(palette())); }
 
 void BodyView::takeScans() {
-  if (session_.mannequin() && scene_->mannequin() != session_.mannequin()) scene_->setMannequin(session_.mannequin());
-  const ReviewScan* scan = session_.opened(kReviewed) != nullptr ? session_.opened(kReviewed) : session_.opened(kCompared);
+  if (scans_.mannequin() && scene_->mannequin() != scans_.mannequin()) scene_->setMannequin(scans_.mannequin());
+  const ReviewScan* scan = scans_.opened(kReviewed) != nullptr ? scans_.opened(kReviewed) : scans_.opened(kCompared);
   if (scan == nullptr) {
     scene_->clearVolumeBox();
     framedFor_ = nullptr;
@@ -119,7 +121,6 @@ void BodyView::setHeat(Heat heat) {
   makeRegions();
   still_.reset();
   glass_->update();
-  Q_EMIT heatChanged();
 }
 
 void BodyView::setPlanesShown(bool shown) {
@@ -130,8 +131,8 @@ void BodyView::setPlanesShown(bool shown) {
 
 void BodyView::makeRegions() {
   regions_.clear();
-  const ReviewScan* first = session_.opened(kReviewed);
-  const ReviewScan* second = session_.opened(kCompared);
+  const ReviewScan* first = scans_.opened(kReviewed);
+  const ReviewScan* second = scans_.opened(kCompared);
   const ReviewScan* base = heat_ == Heat::expert ? second : first;
   if (heat_ == Heat::none || base == nullptr || base->regions == nullptr) return;
   const bool isShared = first != nullptr && second != nullptr && first->regions == second->regions;
@@ -150,10 +151,10 @@ void BodyView::makeRegions() {
 }
 
 QString BodyView::heatWords() const {
-  const ReviewScan* base = session_.opened(heat_ == Heat::expert ? kCompared : kReviewed);
+  const ReviewScan* base = scans_.opened(heat_ == Heat::expert ? kCompared : kReviewed);
   if (heat_ == Heat::none || base == nullptr) return {};
   if (base->regions == nullptr) return tr("The volume is too large to be kept in memory; its regions are not counted.");
-  const ReviewScan* other = session_.opened(kCompared);
+  const ReviewScan* other = scans_.opened(kCompared);
   if (heat_ == Heat::missed && (other == nullptr || other->regions != base->regions))
     return tr("Both scans have to be of one case for this.");
   const QLocale locale;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "panel/review_session.h"
+#include "panel/session/review_scan.h"
 
 class QLabel;
 class QVTKOpenGLNativeWidget;
@@ -17,6 +17,9 @@ enum class CameraPreset;
 }  // namespace ew::bridge
 
 namespace ew::review {
+
+class Playback;
+class ScanPair;
 
 /// Which regions of the volume are shown.
 enum class Heat {
@@ -34,20 +37,16 @@ class BodyView final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit BodyView(ReviewSession& session, QWidget* parent = nullptr);
+  BodyView(const ScanPair& scans, const Playback& playback, QWidget* parent = nullptr);
   ~BodyView() override;
 
   void setHeat(Heat heat);
-  [[nodiscard]] Heat heat() const { return heat_; }
   void setPlanesShown(bool shown);
   void showFrom(bridge::CameraPreset preset);
   /// How many regions are shown, and what they are, in words.
   Q_INVOKABLE int shownRegions() const { return static_cast<int>(regions_.size()); }
   [[nodiscard]] QString heatWords() const;
   [[nodiscard]] QPointF pixelOf(const glm::dvec3& p_world_mm) const;
-
- Q_SIGNALS:
-  void heatChanged();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -73,7 +72,8 @@ class BodyView final : public QWidget {
   void paintProbe(QPainter& painter, Side side) const;
   [[nodiscard]] QColor colour(Side side) const;
 
-  ReviewSession& session_;
+  const ScanPair& scans_;
+  const Playback& playback_;
   QVTKOpenGLNativeWidget* canvas_ = nullptr;
   std::unique_ptr<bridge::Scene3D> scene_;
   Glass* glass_ = nullptr;

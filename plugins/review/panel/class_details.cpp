@@ -8,6 +8,7 @@
 #include "ew/sdk/panel.h"
 #include "panel/class_page.h"
 #include "panel/class_table.h"
+#include "panel/session/review_session.h"
 #include "panel/style.h"
 
 namespace ew::review {
@@ -17,16 +18,16 @@ using sdk::words;
 
 void ClassPage::showAttempts() {
   attempts_->clear();
-  const LessonAttempts* of = session_.lesson();
+  const LessonAttempts* of = selection_.lesson();
   if (of == nullptr) return;
   const LessonStep* told = lessonStep(stepId_);
   for (std::size_t n = 0; n < std::min(class_.size(), of->attempts.size()); ++n) {
     const StepScore* here = class_[n].judged(stepId_);
     if (here == nullptr) continue;
-    const double level = told != nullptr ? passLevelOf(*told, session_.plan()) : here->passLevel;
+    const double level = told != nullptr ? passLevelOf(*told, scores_.plan()) : here->passLevel;
     const bool isSkipped = here->verdict == StepVerdict::skipped, isPassed = here->verdict == StepVerdict::passed;
     auto* item = new SortableItem(attempts_);
-    item->setText(kWho, session_.personOf(of->attempts[n].second));
+    item->setText(kWho, reviewer_.personOf(of->attempts[n].second));
     item->set(kScore, isSkipped ? QStringLiteral("–") : percentBeside(here->score, level), isSkipped ? -1.0 : here->score);
     item->setText(kVerdict, isSkipped ? QStringLiteral("–") : isPassed ? tr("yes") : tr("no"));
     item->setToolTip(kVerdict, words(verdictWord(here->verdict)));
@@ -57,8 +58,8 @@ QComboBox* ClassPage::standingBox(std::size_t attempt) {
 /// What counts while nothing is said. Who still has to rate an attempt is not told what others say of it.
 QString ClassPage::wordByRaters(std::size_t attempt) const {
   const Standing byRaters = class_[attempt].byRaters;
-  const LessonAttempts* of = session_.lesson();
-  const bool isOpen = of != nullptr && attempt < of->attempts.size() && session_.mayReadRaters(of->attempts[attempt].first);
+  const LessonAttempts* of = selection_.lesson();
+  const bool isOpen = of != nullptr && attempt < of->attempts.size() && scores_.mayReadRaters(of->attempts[attempt].first);
   if (byRaters != Standing::unknown && !isOpen) return tr("as raters say");
   switch (byRaters) {
     case Standing::shouldPass:
@@ -74,7 +75,7 @@ QString ClassPage::wordByRaters(std::size_t attempt) const {
 /// The box stays as it is while its choice is kept: the list is not made anew.
 void ClassPage::keepStanding(QComboBox& box, std::size_t attempt) {
   if (attempt >= class_.size()) return;
-  if (session_.keepStanding(class_[attempt].id, static_cast<Standing>(box.currentData().toInt()))) {
+  if (scores_.keepStanding(class_[attempt].id, static_cast<Standing>(box.currentData().toInt()))) {
     workOut();
     showSuggestion();
     return;
@@ -102,9 +103,9 @@ void ClassPage::showSuggestion() {
 }
 
 void ClassPage::keepLevel(double level) {
-  AssessmentPlan plan = session_.plan();
+  AssessmentPlan plan = scores_.plan();
   plan.at(stepId_).passLevel = std::clamp(level, 0.0, 1.0);
-  session_.keepPlan(std::move(plan));
+  scores_.keepPlan(std::move(plan));
 }
 
 }  // namespace ew::review

@@ -14,6 +14,7 @@
 #include "ew/sdk/panel.h"
 #include "panel/class_table.h"
 #include "panel/report_button.h"
+#include "panel/session/review_session.h"
 #include "panel/style.h"
 
 namespace ew::review {
@@ -35,7 +36,8 @@ QString keyOfFigure(const ClassMetric& figure) { return words((figure.isMetric ?
 
 }  // namespace
 
-ClassPage::ClassPage(ReviewSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+ClassPage::ClassPage(ReviewSession& session, QWidget* parent)
+    : QWidget(parent), session_(session), selection_(session.selection()), reviewer_(session.reviewer()), scores_(session.scores()) {
   setObjectName(QStringLiteral("classPage"));
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
@@ -45,7 +47,7 @@ ClassPage::ClassPage(ReviewSession& session, QWidget* parent) : QWidget(parent),
   heading_->setObjectName(QStringLiteral("classHeading"));
   heading_->setWordWrap(true);
   head->addWidget(heading_, 1);
-  head->addWidget(new ReportButton(session_, true));
+  head->addWidget(new ReportButton(session_.reports(), true));
   back_ = new QPushButton(tr("Back to the scans"));
   back_->setObjectName(QStringLiteral("classBack"));
   connect(back_, &QPushButton::clicked, this, [this] { session_.setShowsClass(false); });
@@ -61,9 +63,9 @@ ClassPage::ClassPage(ReviewSession& session, QWidget* parent) : QWidget(parent),
   halves->addWidget(makeDetails(), 4);
   rows->addLayout(halves, 1);
   connect(&session_, &ReviewSession::pageChanged, this, &ClassPage::refresh);
-  connect(&session_, &ReviewSession::shelfChanged, this, &ClassPage::refresh);
-  connect(&session_, &ReviewSession::choiceChanged, this, &ClassPage::refresh);
-  connect(&session_, &ReviewSession::scoresChanged, this, &ClassPage::refresh);
+  connect(&selection_, &ReviewSelection::shelfChanged, this, &ClassPage::refresh);
+  connect(&selection_, &ReviewSelection::changed, this, &ClassPage::refresh);
+  connect(&scores_, &LessonScores::changed, this, &ClassPage::refresh);
 }
 
 QWidget* ClassPage::makeSteps() {
@@ -138,8 +140,8 @@ QWidget* ClassPage::makeDetails() {
 }
 
 const LessonStep* ClassPage::lessonStep(const std::string& id) const {
-  if (session_.lesson() == nullptr) return nullptr;
-  for (const LessonStep& each : session_.lesson()->lesson.steps)
+  if (selection_.lesson() == nullptr) return nullptr;
+  for (const LessonStep& each : selection_.lesson()->lesson.steps)
     if (each.id == id) return &each;
   return nullptr;
 }
@@ -156,17 +158,17 @@ QString ClassPage::titleOfStep(const ClassStep& step) const {
 }
 
 void ClassPage::workOut() {
-  const LessonAttempts* of = session_.lesson();
-  class_ = session_.classAttempts();
+  const LessonAttempts* of = selection_.lesson();
+  class_ = scores_.classAttempts();
   figures_ = classFiguresOf(class_);
-  rows_ = of != nullptr ? overviewSteps(figures_, of->lesson, session_.plan()) : std::vector<ClassStep>();
+  rows_ = of != nullptr ? overviewSteps(figures_, of->lesson, scores_.plan()) : std::vector<ClassStep>();
 }
 
 void ClassPage::refresh() {
   if (!session_.showsClass()) return;
   showing_ = true;
   workOut();
-  const LessonAttempts* of = session_.lesson();
+  const LessonAttempts* of = selection_.lesson();
   heading_->setText(of == nullptr ? tr("No lesson is chosen")
                                   : (class_.size() == 1 ? tr("%1: one attempt")
                                                         : tr("%1: %2 attempts").arg(QStringLiteral("%1"), QString::number(class_.size())))
@@ -228,7 +230,7 @@ void ClassPage::showStep() {
   for (const ClassMetric& figure : step->metrics) figure_->addItem(nameOfFigure(figure), keyOfFigure(figure));
   figure_->setCurrentIndex(std::max(0, figure_->findData(chosen)));
   const int n = figure_->currentIndex();
-  const double level = told != nullptr ? passLevelOf(*told, session_.plan()) : step->passLevel;
+  const double level = told != nullptr ? passLevelOf(*told, scores_.plan()) : step->passLevel;
   const QLocale locale;
   if (n == 0) {
     const Distribution scores = distributionOf(step->scores);
@@ -257,7 +259,7 @@ void ClassPage::showStep() {
     figure_->setToolTip(metric != nullptr ? words(metric->definition) : QString());
   }
   level_->setValue(100.0 * level);
-  level_->setEnabled(told != nullptr && !session_.isScoring());
+  level_->setEnabled(told != nullptr && !scores_.isScoring());
   showing_ = false;
   showAttempts();
 }

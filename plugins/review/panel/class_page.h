@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "ew/assessment/class_figures.h"
+#include "ew/library/lesson.h"
 #include "logic/class_overview.h"
-#include "panel/review_session.h"
 
 class QComboBox;
 class QLabel;
@@ -18,6 +19,11 @@ class NumberField;
 }
 
 namespace ew::review {
+
+class LessonScores;
+class ReviewSelection;
+class ReviewSession;
+class Reviewer;
 
 /// The values of a class along an axis: how many lie where, the box of the middle half with the median, and a level that has to be reached.
 class DistributionChart final : public QWidget {
@@ -72,6 +78,9 @@ class ClassPage final : public QWidget {
   [[nodiscard]] QString titleOfStep(const ClassStep& step) const;
 
   ReviewSession& session_;
+  const ReviewSelection& selection_;
+  const Reviewer& reviewer_;
+  LessonScores& scores_;
   std::vector<ClassAttempt> class_;  ///< of the lesson's attempts, in the shelf's order
   ClassFigures figures_;             ///< of these
   std::vector<ClassStep> rows_;      ///< of the list of steps

@@ -4,8 +4,10 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <algorithm>
 
 #include "ew/sdk/panel.h"
+#include "panel/session/review_session.h"
 #include "panel/style.h"
 
 namespace ew::review {
@@ -13,7 +15,12 @@ namespace ew::review {
 using sdk::kGap_px;
 using sdk::words;
 
-CommentsPage::CommentsPage(ReviewSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+CommentsPage::CommentsPage(ReviewSession& session, QWidget* parent)
+    : QWidget(parent),
+      scans_(session.scans()),
+      reviewer_(session.reviewer()),
+      comments_(session.comments()),
+      document_(session.document()) {
   setObjectName(QStringLiteral("reviewComments"));
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
@@ -37,25 +44,25 @@ CommentsPage::CommentsPage(ReviewSession& session, QWidget* parent) : QWidget(pa
     if (showing_ || comment == nullptr) return;
     ReviewComment typed = *comment;
     typed.text = text_->toPlainText().left(5000).toStdString();
-    session_.editComment(typed, tr("type a comment"), "text " + typed.id);
+    comments_.edit(typed, tr("type a comment"), "text " + typed.id);
   });
   rows->addWidget(text_, 1);
   auto* buttons = new QHBoxLayout;
   remove_ = new QPushButton(tr("Remove"));
   remove_->setObjectName(QStringLiteral("reviewRemoveComment"));
   remove_->setToolTip(tr("Undo brings it back"));
-  connect(remove_, &QPushButton::clicked, this, [this] { session_.removeComment(session_.chosenComment()); });
+  connect(remove_, &QPushButton::clicked, this, [this] { comments_.remove(comments_.chosen()); });
   save_ = new QPushButton(tr("Save"));
   save_->setObjectName(QStringLiteral("reviewSaveComments"));
   save_->setToolTip(tr("Keeps your comments beside the attempt (Ctrl+S); they are also kept when another scan is chosen"));
-  connect(save_, &QPushButton::clicked, this, [this] { session_.save(false); });
+  connect(save_, &QPushButton::clicked, this, [this] { document_.save(false); });
   buttons->addWidget(remove_);
   buttons->addStretch(1);
   buttons->addWidget(save_);
   rows->addLayout(buttons);
-  connect(&session_, &ReviewSession::commentsChanged, this, &CommentsPage::refresh);
+  connect(&comments_, &AttemptComments::changed, this, &CommentsPage::refresh);
   // Saved or not is told to the window; the button follows.
-  ticket_ = session_.onChanged([this] { showChosen(); });
+  ticket_ = document_.onChanged([this] { showChosen(); });
   refresh();
 }
 
@@ -63,13 +70,13 @@ void CommentsPage::refresh() {
   showing_ = true;
   rows_.clear();
   list_->clear();
-  const ReviewScan* scan = session_.opened(kReviewed);
-  for (const ReviewComment& each : session_.commentsHere()) rows_.push_back({each, {}});
+  const ReviewScan* scan = scans_.opened(kReviewed);
+  for (const ReviewComment& each : comments_.here()) rows_.push_back({each, {}});
   if (scan != nullptr && scan->scan->choice.outcome)
-    for (const CommentFile& file : session_.othersComments())
+    for (const CommentFile& file : comments_.others())
       for (const ReviewComment& each : file.comments)
         if (each.stepId == scan->scan->choice.stepId && each.recording == scan->scan->choice.outcome->recording)
-          rows_.push_back({each, session_.reviewerCalled(file.author)});
+          rows_.push_back({each, reviewer_.called(file.author)});
   std::stable_sort(rows_.begin(), rows_.end(), [](const Row& a, const Row& b) { return a.comment.time_s < b.comment.time_s; });
   for (const Row& row : rows_) {
     QString text = row.comment.text.empty() ? tr("(drawing)") : words(row.comment.text);
@@ -77,9 +84,9 @@ void CommentsPage::refresh() {
     if (!row.author.isEmpty()) text = tr("%1: %2", "author: comment").arg(row.author, text);
     const double begin_s = scan != nullptr ? scan->scan->part.begin_s : 0.0;
     auto* item = new QListWidgetItem(clockText(row.comment.time_s - begin_s) + QStringLiteral("   ") + text, list_);
-    if (row.author.isEmpty() && row.comment.id == session_.chosenComment()) list_->setCurrentItem(item);
+    if (row.author.isEmpty() && row.comment.id == comments_.chosen()) list_->setCurrentItem(item);
   }
-  const bool canWrite = session_.comments() != nullptr;
+  const bool canWrite = comments_.history() != nullptr;
   hint_->setVisible(rows_.empty());
   hint_->setText(canWrite ? tr("No comments yet: write below the images what you see at a moment, and draw on the image.")
                           : tr("Comments are kept beside an attempt; choose a step that was recorded."));
@@ -88,7 +95,7 @@ void CommentsPage::refresh() {
 }
 
 const ReviewComment* CommentsPage::chosen() const {
-  return session_.comments() != nullptr ? session_.comments()->find(session_.chosenComment()) : nullptr;
+  return comments_.history() != nullptr ? comments_.history()->find(comments_.chosen()) : nullptr;
 }
 
 void CommentsPage::showChosen() {
@@ -98,16 +105,16 @@ void CommentsPage::showChosen() {
   if (text_->toPlainText() != text) text_->setPlainText(text);
   text_->setVisible(comment != nullptr);
   remove_->setVisible(comment != nullptr);
-  save_->setVisible(session_.comments() != nullptr);
-  save_->setEnabled(session_.comments() != nullptr && !session_.comments()->isSaved());
+  save_->setVisible(comments_.history() != nullptr);
+  save_->setEnabled(comments_.history() != nullptr && !comments_.history()->isSaved());
   showing_ = false;
 }
 
 void CommentsPage::goTo(int row) {
   if (row < 0 || row >= static_cast<int>(rows_.size())) return;
   const Row went = rows_[static_cast<std::size_t>(row)];
-  session_.showComment(went.comment);
-  if (!went.author.isEmpty()) session_.chooseComment({});
+  comments_.show(went.comment);
+  if (!went.author.isEmpty()) comments_.choose({});
 }
 
 }  // namespace ew::review

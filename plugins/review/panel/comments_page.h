@@ -1,8 +1,11 @@
 #pragma once
 
+#include <QString>
 #include <QWidget>
+#include <memory>
+#include <vector>
 
-#include "panel/review_session.h"
+#include "ew/assessment/review_comment.h"
 
 class QLabel;
 class QListWidget;
@@ -10,6 +13,12 @@ class QPlainTextEdit;
 class QPushButton;
 
 namespace ew::review {
+
+class AttemptComments;
+class ReviewDocument;
+class ReviewSession;
+class Reviewer;
+class ScanPair;
 
 /// The comments on the attempt that is reviewed: one's own, which can be edited, and everybody else's. A click goes to the moment.
 class CommentsPage final : public QWidget {
@@ -28,7 +37,10 @@ class CommentsPage final : public QWidget {
     ReviewComment comment;
     QString author;  ///< empty: one's own
   };
-  ReviewSession& session_;
+  const ScanPair& scans_;
+  const Reviewer& reviewer_;
+  AttemptComments& comments_;
+  ReviewDocument& document_;
   std::vector<Row> rows_;
   QListWidget* list_ = nullptr;
   QPlainTextEdit* text_ = nullptr;

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "ew/sdk/panel.h"
+#include "panel/session/review_session.h"
 #include "panel/style.h"
 
 namespace ew::review {
@@ -30,7 +31,14 @@ constexpr int kSettingColumns = 2, kSettingRows = 5;
 
 }  // namespace
 
-ImageView::ImageView(Side side, ReviewSession& session, QWidget* parent) : QWidget(parent), side_(side), session_(session) {
+ImageView::ImageView(Side side, ReviewSession& session, QWidget* parent)
+    : QWidget(parent),
+      side_(side),
+      scans_(session.scans()),
+      selection_(session.selection()),
+      reviewer_(session.reviewer()),
+      playback_(session.playback()),
+      comments_(session.comments()) {
   setObjectName(side == kReviewed ? QStringLiteral("reviewedPicture") : QStringLiteral("comparedPicture"));
   setAccessibleName(side == kReviewed ? tr("The trainee's image") : tr("The expert's image"));
   setMinimumSize(160, 160);
@@ -38,8 +46,8 @@ ImageView::ImageView(Side side, ReviewSession& session, QWidget* parent) : QWidg
   setLayoutDirection(Qt::LeftToRight);
   setAttribute(Qt::WA_OpaquePaintEvent);
   connect(&maker_, &ImageMaker::made, this, &ImageView::show);
-  connect(&session_, &ReviewSession::scansChanged, this, [this] {
-    const auto scan = session_.sharedScan(side_);
+  connect(&scans_, &ScanPair::changed, this, [this] {
+    const auto scan = scans_.sharedScan(side_);
     shown_.reset();
     if (source_.lock() != scan) drawn_.clear();  // told as well when what it is compared with changes
     source_ = scan;
@@ -47,11 +55,11 @@ ImageView::ImageView(Side side, ReviewSession& session, QWidget* parent) : QWidg
     ask();
     update();
   });
-  connect(&session_, &ReviewSession::timeChanged, this, [this] {
+  connect(&playback_, &Playback::timeChanged, this, [this] {
     ask();
     update();
   });
-  connect(&session_, &ReviewSession::commentsChanged, this, [this] { update(); });
+  connect(&comments_, &AttemptComments::changed, this, [this] { update(); });
 }
 
 ImageView::~ImageView() = default;
@@ -79,10 +87,10 @@ int ImageView::settingsHeight() const { return settingsHeight(showsAllSettings()
 QRectF ImageView::imageRect() const { return QRectF(0, headHeight(), width(), std::max(40, height() - headHeight() - settingsHeight())); }
 
 void ImageView::ask() {
-  if (session_.opened(side_) == nullptr || !isVisible()) return;
+  if (scans_.opened(side_) == nullptr || !isVisible()) return;
   const QSizeF room = imageRect().size();
   const double scale = std::min(1.0, kLargest_px / std::max(room.width(), room.height()));
-  maker_.want(session_.frame(side_), (room * scale).toSize());
+  maker_.want(playback_.frame(side_), (room * scale).toSize());
 }
 
 void ImageView::show(const std::shared_ptr<const ReplayImage>& image) {
@@ -137,7 +145,7 @@ void ImageView::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), Qt::black);
   paintHead(painter);
-  if (session_.opened(side_) == nullptr) return paintEmpty(painter);
+  if (scans_.opened(side_) == nullptr) return paintEmpty(painter);
   paintImage(painter);
   paintSettings(painter);
   if (!hasFocus()) return;
@@ -146,8 +154,19 @@ void ImageView::paintEvent(QPaintEvent*) {
   painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
 }
 
+QString ImageView::titleOfScan() const {
+  const ReviewScan* scan = scans_.opened(side_);
+  if (scan == nullptr) return {};
+  const ScanChoice& choice = scan->scan->choice;
+  if (choice.attempt.empty()) return words(choice.title);
+  if (const LessonAttempts* of = selection_.lesson(); of != nullptr)
+    for (const auto& [folder, tried] : of->attempts)
+      if (folder == choice.attempt) return tr("%1: %2", "person: step").arg(reviewer_.personOf(tried), words(choice.title));
+  return words(choice.title);
+}
+
 void ImageView::paintHead(QPainter& painter) const {
-  const Who who = session_.whoOf(side_);
+  const Who who = whoOf(side_);
   const QColor colour = colourOf(who, true);
   painter.setPen(Qt::NoPen);
   painter.setBrush(colour);
@@ -162,22 +181,21 @@ void ImageView::paintHead(QPainter& painter) const {
   painter.setFont(smaller(*this));
   painter.setPen(kScanQuiet);
   const QString time =
-      session_.opened(side_) == nullptr ? QString() : clockText(session_.time_s(side_) - session_.opened(side_)->scan->part.begin_s);
+      scans_.opened(side_) == nullptr ? QString() : clockText(playback_.time_s(side_) - scans_.opened(side_)->scan->part.begin_s);
   const int timeWide = painter.fontMetrics().horizontalAdvance(QStringLiteral("-00:00.0"));
   painter.drawText(QRect(width() - timeWide - kGap_px, 0, timeWide, headHeight()), Qt::AlignRight | Qt::AlignVCenter, time);
   const QRect room(4 * kGap_px + wide + kGap_px, 0, width() - timeWide - wide - 7 * kGap_px, headHeight());
-  painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
-                   painter.fontMetrics().elidedText(session_.titleOfScan(side_), Qt::ElideRight, room.width()));
+  painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, painter.fontMetrics().elidedText(titleOfScan(), Qt::ElideRight, room.width()));
 }
 
 void ImageView::paintEmpty(QPainter& painter) const {
   painter.setFont(smaller(*this));
   painter.setPen(kScanQuiet);
-  const QString sentence = session_.isOpening()            ? tr("Opening …")
-                           : !session_.problem().isEmpty() ? session_.problem()
-                           : side_ == kReviewed            ? (session_.attempt() == nullptr ? tr("No attempt is chosen.")
-                                                                                            : tr("This step was not recorded in this attempt."))
-                                                           : tr("Nothing to compare with is chosen.");
+  const QString sentence = scans_.isOpening()                ? tr("Opening …")
+                           : !scans_.problem().isEmpty()     ? scans_.problem()
+                           : side_ != kReviewed              ? tr("Nothing to compare with is chosen.")
+                           : selection_.attempt() == nullptr ? tr("No attempt is chosen.")
+                                                             : tr("This step was not recorded in this attempt.");
   painter.drawText(imageRect().adjusted(2 * kGap_px, 0, -2 * kGap_px, 0), Qt::AlignCenter | Qt::TextWordWrap, sentence);
 }
 
@@ -195,9 +213,9 @@ void ImageView::paintImage(QPainter& painter) {
   if (side_ != kReviewed) return;
   painter.save();
   painter.setClipRect(box);
-  const double here_s = session_.time_s(kReviewed);
-  for (const ReviewComment& each : session_.commentsHere()) {
-    const bool isChosen = each.id == session_.chosenComment();
+  const double here_s = playback_.time_s(kReviewed);
+  for (const ReviewComment& each : comments_.here()) {
+    const bool isChosen = each.id == comments_.chosen();
     if (std::abs(each.time_s - here_s) > kComment_s) continue;
     for (const CommentStroke& stroke : each.strokes) paintStroke(painter, stroke, isChosen ? kDiffers : kScanBright);
   }
@@ -256,7 +274,7 @@ void ImageView::paintSettings(QPainter& painter) const {
 void ImageView::mousePressEvent(QMouseEvent* event) {
   setFocus(Qt::MouseFocusReason);
   if (!tool_ || side_ != kReviewed || !shown_ || event->button() != Qt::LeftButton) return;
-  session_.pause();
+  playback_.pause();
   drawing_ = CommentStroke{*tool_, {pointAt(event->localPos())}};
 }
 

@@ -7,9 +7,16 @@
 
 #include "ew/assessment/review_comment.h"
 #include "panel/image_maker.h"
-#include "panel/review_session.h"
+#include "panel/session/review_scan.h"
 
 namespace ew::review {
+
+class AttemptComments;
+class Playback;
+class ReviewSelection;
+class ReviewSession;
+class Reviewer;
+class ScanPair;
 
 /// One scan as it was seen: the image of the moment, what it was made with, and what was drawn on it. Settings that differ from the other
 /// scan's are marked. On the reviewed one a stroke is drawn with the mouse while a tool is chosen.
@@ -60,9 +67,14 @@ class ImageView final : public QWidget {
   [[nodiscard]] int settingsHeight(int rows) const;
   [[nodiscard]] int settingsHeight() const;
   void showSettings();
+  [[nodiscard]] QString titleOfScan() const;
 
   Side side_;
-  ReviewSession& session_;
+  const ScanPair& scans_;
+  const ReviewSelection& selection_;
+  const Reviewer& reviewer_;
+  Playback& playback_;
+  const AttemptComments& comments_;
   ImageView* other_ = nullptr;
   ImageMaker maker_;
   std::shared_ptr<const ReplayImage> shown_;

@@ -10,6 +10,7 @@
 
 #include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
+#include "panel/session/review_session.h"
 #include "panel/style.h"
 
 namespace ew::review {
@@ -35,7 +36,12 @@ QComboBox* combo(const char* name, const QString& spoken) {
 
 }  // namespace
 
-RatingPage::RatingPage(ReviewSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+RatingPage::RatingPage(ReviewSession& session, QWidget* parent)
+    : QWidget(parent),
+      host_(session.host()),
+      selection_(session.selection()),
+      reviewer_(session.reviewer()),
+      lessonScores_(session.scores()) {
   setObjectName(QStringLiteral("reviewRating"));
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
@@ -71,10 +77,10 @@ RatingPage::RatingPage(ReviewSession& session, QWidget* parent) : QWidget(parent
   idle_.setSingleShot(true);
   idle_.setInterval(kPause_ms);
   connect(&idle_, &QTimer::timeout, this, &RatingPage::keepDraft);
-  held_ = session_.holdWork(
+  held_ = session.document().holdWork(
       {[this] { return keepDraft(); }, [this] { return keepDraft() ? std::string() : tr("A rating could not be kept.").toStdString(); }});
-  connect(&session_, &ReviewSession::choiceChanged, this, &RatingPage::refresh);
-  connect(&session_, &ReviewSession::reviewerChanged, this, [this] {
+  connect(&selection_, &ReviewSelection::changed, this, &RatingPage::refresh);
+  connect(&reviewer_, &Reviewer::changed, this, [this] {
     attempt_.clear();
     read_.reset();  // it was kept before the name changed
     refresh();
@@ -133,20 +139,20 @@ const RatingForm* RatingPage::shownForm() const { return forms_.find(madeFor_); 
 const RatingForm* RatingPage::form() const { return forms_.find(form_->currentData().toString().toStdString()); }
 
 void RatingPage::refresh() {
-  const bool hasAttempt = session_.attempt() != nullptr, hasName = !session_.reviewer().isEmpty();
+  const bool hasAttempt = selection_.attempt() != nullptr, hasName = !reviewer_.name().isEmpty();
   sdk::setProblem(problem_, {});
   body_->setVisible(hasAttempt && hasName && form() != nullptr);
-  blind_->setText(form() == nullptr       ? tr("No rating form was found.")
-                  : !hasAttempt           ? tr("Choose an attempt to rate it.")
-                  : !hasName              ? tr("Say who you are, above; a rating is kept under the name of its rater.")
-                  : session_.showsNames() ? tr("Names are shown: this rating does not count as blinded.")
-                                          : tr("Blinded: names are not shown, and others' ratings only when yours is finished."));
+  blind_->setText(form() == nullptr        ? tr("No rating form was found.")
+                  : !hasAttempt            ? tr("Choose an attempt to rate it.")
+                  : !hasName               ? tr("Say who you are, above; a rating is kept under the name of its rater.")
+                  : reviewer_.showsNames() ? tr("Names are shown: this rating does not count as blinded.")
+                                           : tr("Blinded: names are not shown, and others' ratings only when yours is finished."));
   if (body_->isHidden()) {
     attempt_.clear();
     read_.reset();
     return;
   }
-  const std::filesystem::path folder = session_.attempt()->first;
+  const std::filesystem::path folder = selection_.attempt()->first;
   if (madeFor_ != form()->id) {
     makeItems();
     attempt_.clear();
@@ -218,9 +224,9 @@ void RatingPage::readRating() {
   for (auto& [id, remark] : remarks_) remark->clear();
   remark_->clear();
   kept_->clear();
-  const KeptRatings seen = ratingsVisibleTo(session_.reviewer().toStdString(), attempt_);
+  const KeptRatings seen = ratingsVisibleTo(reviewer_.name().toStdString(), attempt_);
   for (const KeptRating& each : seen.ratings) {
-    if (each.rating.rater != session_.reviewer().toStdString() || each.rating.formId != madeFor_) continue;
+    if (each.rating.rater != reviewer_.name().toStdString() || each.rating.formId != madeFor_) continue;
     for (auto& [id, score] : scores_) {
       const ItemRating* item = each.rating.itemOf(id);
       score->setCurrentIndex(item == nullptr || item->isOpen ? 0 : std::max(0, score->findData(item->score.value_or(kNotApplicable))));
@@ -238,13 +244,13 @@ void RatingPage::readRating() {
 }
 
 void RatingPage::showOthers() {
-  const KeptRatings seen = ratingsVisibleTo(session_.reviewer().toStdString(), attempt_);
+  const KeptRatings seen = ratingsVisibleTo(reviewer_.name().toStdString(), attempt_);
   QStringList lines;
   for (const KeptRating& each : seen.ratings) {
-    if (each.rating.rater == session_.reviewer().toStdString() || !each.rating.finished) continue;
+    if (each.rating.rater == reviewer_.name().toStdString() || !each.rating.finished) continue;
     const auto total = totalOf(*each.form, each.rating);
     lines << tr("%1, %2: %3", "rater, form: total")
-                 .arg(session_.reviewerCalled(each.rating.rater), in(each.form->title),
+                 .arg(reviewer_.called(each.rating.rater), in(each.form->title),
                       total ? QLocale().toString(*total, 'f', 2) : QStringLiteral("–"));
   }
   if (seen.hiddenRaters > 0)
@@ -256,7 +262,7 @@ void RatingPage::showOthers() {
 
 Rating RatingPage::rating(bool finished) const {
   Rating made;
-  made.rater = session_.reviewer().toStdString();
+  made.rater = reviewer_.name().toStdString();
   if (shownForm()->passLevels.size() > 1) made.passLevel = level_->currentData().toString().toStdString();
   for (const RatingItem& item : shownForm()->items) {
     const int score = scores_.at(item.id)->currentData().toInt();
@@ -266,7 +272,7 @@ Rating RatingPage::rating(bool finished) const {
         {item.id, score == kOpen || score == kNotApplicable ? std::nullopt : std::optional(score), remark, score == kOpen});
   }
   made.remark = remark_->toPlainText().left(5000).toStdString();
-  made.sawName = session_.showsNames();
+  made.sawName = reviewer_.showsNames();
   made.at = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
   made.finished = finished;
   return made;
@@ -294,7 +300,7 @@ bool RatingPage::isChanged() const {
 bool RatingPage::keepDraft() {
   idle_.stop();
   if (!isChanged() || keep(false)) return true;
-  session_.host().window().error(problem_->text().toStdString(), "review rating");
+  host_.window().error(problem_->text().toStdString(), "review rating");
   return false;
 }
 
@@ -306,7 +312,7 @@ bool RatingPage::keep(bool finished) {
   idle_.stop();
   kept_->setText(kept->finished ? tr("Finished, revision %1").arg(kept->revision) : tr("A draft, which does not count yet"));
   showOthers();
-  if (kept->finished) session_.takeRating(attempt_);
+  if (kept->finished) lessonScores_.takeRating(attempt_);
   return true;
 }
 

@@ -2,11 +2,14 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
+#include <string>
 
 #include "ew/assessment/rating.h"
-#include "panel/review_session.h"
+#include "ew/sdk/host.h"
 
 class QComboBox;
 class QLabel;
@@ -16,6 +19,11 @@ class QPushButton;
 class QVBoxLayout;
 
 namespace ew::review {
+
+class LessonScores;
+class ReviewSelection;
+class ReviewSession;
+class Reviewer;
 
 /// A rating form that is filled in beside the scan, and kept as a draft by itself: after a pause, and before anything else is shown. Until
 /// one's own is finished neither names nor others' ratings are seen, unless names are shown.
@@ -39,7 +47,10 @@ class RatingPage final : public QWidget {
   [[nodiscard]] bool isChanged() const;
   bool keepDraft();
 
-  ReviewSession& session_;
+  sdk::Host& host_;
+  const ReviewSelection& selection_;
+  const Reviewer& reviewer_;
+  LessonScores& lessonScores_;
   RatingFormList forms_;
   std::filesystem::path attempt_;  ///< whose rating is shown
   std::string madeFor_;            ///< form id that the rows are of

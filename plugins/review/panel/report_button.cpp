@@ -2,24 +2,26 @@
 
 #include <QVariant>
 
+#include "panel/session/review_reports.h"
+
 namespace ew::review {
 
-ReportButton::ReportButton(ReviewSession& session, bool isOfClass, QWidget* parent)
-    : QPushButton(isOfClass ? tr("Report on the class …") : tr("Report …"), parent), session_(session), isOfClass_(isOfClass) {
+ReportButton::ReportButton(ReviewReports& reports, bool isOfClass, QWidget* parent)
+    : QPushButton(isOfClass ? tr("Report on the class …") : tr("Report …"), parent), reports_(reports), isOfClass_(isOfClass) {
   setObjectName(isOfClass ? QStringLiteral("classReport") : QStringLiteral("attemptReport"));
   setToolTip(isOfClass ? tr("Writes a page or a PDF about all attempts at this lesson; names are in it only while they are shown")
                        : tr("Writes a page or a PDF about this attempt; the name is in it only while names are shown"));
-  setProperty("session", QVariant::fromValue<QObject*>(&session_));
+  setProperty("session", QVariant::fromValue<QObject*>(&reports_));
   connect(this, &QPushButton::clicked, this, &ReportButton::ask);
 }
 
 void ReportButton::ask() {
   const QString kinds = tr("PDF (*.pdf)") + QStringLiteral(";;") + tr("Page for browsers (*.html)");
-  session_.askForReport({tr("Save the report").toStdString(),
-                         (isOfClass_ ? tr("class.pdf") : tr("attempt.pdf")).toStdString(),
-                         kinds.toStdString(),
-                         {".pdf", ".html"}},
-                        isOfClass_);
+  reports_.ask({tr("Save the report").toStdString(),
+                (isOfClass_ ? tr("class.pdf") : tr("attempt.pdf")).toStdString(),
+                kinds.toStdString(),
+                {".pdf", ".html"}},
+               isOfClass_);
 }
 
 }  // namespace ew::review

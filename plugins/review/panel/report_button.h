@@ -2,9 +2,9 @@
 
 #include <QPushButton>
 
-#include "panel/review_session.h"
-
 namespace ew::review {
+
+class ReviewReports;
 
 /// A button that asks for a file and writes a report into it.
 class ReportButton final : public QPushButton {
@@ -12,12 +12,12 @@ class ReportButton final : public QPushButton {
 
  public:
   /// @param isOfClass on all attempts of the lesson; else on the one that is chosen
-  ReportButton(ReviewSession& session, bool isOfClass, QWidget* parent = nullptr);
+  ReportButton(ReviewReports& reports, bool isOfClass, QWidget* parent = nullptr);
 
  private:
   void ask();
 
-  ReviewSession& session_;
+  ReviewReports& reports_;
   bool isOfClass_;
 };
 

@@ -21,6 +21,7 @@
 #include "panel/comments_page.h"
 #include "panel/rating_page.h"
 #include "panel/scores_page.h"
+#include "panel/session/review_session.h"
 #include "panel/style.h"
 
 namespace ew::review {
@@ -48,7 +49,8 @@ QComboBox* choice(const char* name, const QString& spoken) {
 
 }  // namespace
 
-ScansPage::ScansPage(ReviewSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+ScansPage::ScansPage(ReviewSession& session, QWidget* parent)
+    : QWidget(parent), session_(session), selection_(session.selection()), reviewer_(session.reviewer()), scores_(session.scores()) {
   setObjectName(QStringLiteral("reviewScans"));
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
@@ -76,7 +78,7 @@ ScansPage::ScansPage(ReviewSession& session, QWidget* parent) : QWidget(parent),
   names_->setObjectName(QStringLiteral("reviewNames"));
   names_->setToolTip(tr("Off: people are called by codes, so that you judge what you see and not whom you know"));
   connect(names_, &QCheckBox::toggled, this, [this](bool on) {
-    if (!showing_) session_.setShowsNames(on);
+    if (!showing_) reviewer_.setShowsNames(on);
   });
   rows->addWidget(names_);
   rows->addSpacing(kGap_px / 2);
@@ -96,9 +98,9 @@ ScansPage::ScansPage(ReviewSession& session, QWidget* parent) : QWidget(parent),
   });
   field(tr("Compared with"), compared_);
   makeButtons(*rows);
-  connect(&session_, &ReviewSession::shelfChanged, this, &ScansPage::refresh);
-  connect(&session_, &ReviewSession::choiceChanged, this, &ScansPage::refresh);
-  connect(&session_, &ReviewSession::scoresChanged, this, &ScansPage::refresh);
+  connect(&selection_, &ReviewSelection::shelfChanged, this, &ScansPage::refresh);
+  connect(&selection_, &ReviewSelection::changed, this, &ScansPage::refresh);
+  connect(&scores_, &LessonScores::changed, this, &ScansPage::refresh);
   connect(&session_, &ReviewSession::pageChanged, this, [this] { class_->setChecked(session_.showsClass()); });
   refresh();
 }
@@ -136,7 +138,7 @@ void ScansPage::makeButtons(QVBoxLayout& rows) {
 void ScansPage::refresh() {
   showing_ = true;
   lesson_->clear();
-  const ScanShelf& shelf = session_.shelf();
+  const ScanShelf& shelf = selection_.shelf();
   std::set<std::string> cases;
   for (const LessonAttempts& each : shelf.lessons) cases.insert(each.home.id);
   for (const LessonAttempts& each : shelf.lessons) {
@@ -144,13 +146,13 @@ void ScansPage::refresh() {
     lesson_->addItem(cases.size() < 2 ? lesson : tr("%1 – %2", "case – lesson").arg(words(each.home.title), lesson));
     lesson_->setItemData(lesson_->count() - 1, words(each.home.title) + QStringLiteral(" – ") + lesson, Qt::ToolTipRole);
   }
-  lesson_->setCurrentIndex(session_.lessonNumber() ? static_cast<int>(*session_.lessonNumber()) : -1);
+  lesson_->setCurrentIndex(selection_.lessonNumber() ? static_cast<int>(*selection_.lessonNumber()) : -1);
   lesson_->setEnabled(lesson_->count() > 0);
-  names_->setChecked(session_.showsNames());
+  names_->setChecked(reviewer_.showsNames());
   showAttempts();
   showSteps();
   showComparisons();
-  class_->setEnabled(session_.lesson() != nullptr);
+  class_->setEnabled(selection_.lesson() != nullptr);
   note_->setVisible(shelf.strayAttempts > 0);
   note_->setText(shelf.strayAttempts == 1 ? tr("One attempt belongs to a lesson that is not in this library.")
                                           : tr("%1 attempts belong to lessons that are not in this library.").arg(shelf.strayAttempts));
@@ -159,19 +161,19 @@ void ScansPage::refresh() {
 
 void ScansPage::showAttempts() {
   attempts_->clear();
-  const LessonAttempts* of = session_.lesson();
+  const LessonAttempts* of = selection_.lesson();
   if (of == nullptr || of->attempts.empty()) {
-    auto* none = new QListWidgetItem(session_.isReading() ? tr("Looking …")
-                                     : of == nullptr      ? tr("No attempts yet")
-                                                          : tr("Nobody has tried it yet"),
+    auto* none = new QListWidgetItem(selection_.isReading() ? tr("Looking …")
+                                     : of == nullptr        ? tr("No attempts yet")
+                                                            : tr("Nobody has tried it yet"),
                                      attempts_);
     none->setFlags(Qt::NoItemFlags);
     return;
   }
   for (std::size_t n = 0; n < of->attempts.size(); ++n) {
     const Attempt& tried = of->attempts[n].second;
-    const AttemptResult result = session_.resultOf(n);
-    QStringList said = {session_.personOf(tried)};
+    const AttemptResult result = scores_.resultOf(n);
+    QStringList said = {reviewer_.personOf(tried)};
     if (tried.finishedAt) {
       if (const auto score = result.score()) said.push_back(percent(*score));
       said.push_back(words(verdictWord(result)));
@@ -181,37 +183,37 @@ void ScansPage::showAttempts() {
         said.join(QStringLiteral(" · ")) + QLatin1Char('\n') + when(tried.startedAt) + QStringLiteral(" · ") + state, attempts_);
     item->setToolTip(tr("%1, %2 on the steps", "attempt, time").arg(item->text(), words(durationText(result.worked_s))));
   }
-  attempts_->setCurrentRow(session_.attemptNumber() ? static_cast<int>(*session_.attemptNumber()) : -1);
+  attempts_->setCurrentRow(selection_.attemptNumber() ? static_cast<int>(*selection_.attemptNumber()) : -1);
 }
 
 void ScansPage::showSteps() {
   step_->clear();
-  const LessonAttempts* of = session_.lesson();
+  const LessonAttempts* of = selection_.lesson();
   step_->setEnabled(of != nullptr);
   if (of == nullptr) return;
   for (const LessonStep& step : of->lesson.steps) {
-    const auto* tried = session_.attempt();
+    const auto* tried = selection_.attempt();
     const bool isRecorded = tried != nullptr && scanOfStep(tried->first, tried->second, step).has_value();
     step_->addItem(isRecorded ? words(step.title) : tr("%1 (not recorded)").arg(words(step.title)), words(step.id));
   }
-  step_->setCurrentIndex(session_.step() != nullptr ? step_->findData(words(session_.step()->id)) : -1);
+  step_->setCurrentIndex(selection_.step() != nullptr ? step_->findData(words(selection_.step()->id)) : -1);
 }
 
 void ScansPage::showComparisons() {
   compared_->clear();
   compared_->addItem(tr("nothing"), kNothingEntry);
-  const LessonAttempts* of = session_.lesson();
-  for (std::size_t n = 0; n < session_.comparisons().size(); ++n) {
-    const ScanChoice& scan = session_.comparisons()[n];
+  const LessonAttempts* of = selection_.lesson();
+  for (std::size_t n = 0; n < selection_.comparisons().size(); ++n) {
+    const ScanChoice& scan = selection_.comparisons()[n];
     QString text = words(scan.title);
     if (scan.watch) text = tr("Expert: %1").arg(text);
     for (std::size_t a = 0; of != nullptr && a < of->attempts.size(); ++a)
       if (of->attempts[a].first == scan.attempt)
-        text = tr("%1, %2", "person, when").arg(session_.personOf(of->attempts[a].second), when(of->attempts[a].second.startedAt));
+        text = tr("%1, %2", "person, when").arg(reviewer_.personOf(of->attempts[a].second), when(of->attempts[a].second.startedAt));
     compared_->addItem(text, static_cast<int>(n));
   }
   compared_->addItem(tr("A recording from a file …"), kFileEntry);
-  compared_->setCurrentIndex(session_.comparison() ? compared_->findData(static_cast<int>(*session_.comparison())) : 0);
+  compared_->setCurrentIndex(selection_.comparison() ? compared_->findData(static_cast<int>(*selection_.comparison())) : 0);
 }
 
 void ScansPage::askForFile(Side side) {
@@ -241,21 +243,22 @@ ReviewColumn::ReviewColumn(ReviewSession& session, QWidget* parent) : QWidget(pa
 
 /// Comments, ratings and plans are kept under this name, so it stands above all pages.
 QHBoxLayout* ReviewColumn::makeReviewer() {
+  const Reviewer& reviewer = session_.reviewer();
   auto* row = new QHBoxLayout;
   row->setContentsMargins(2 * kGap_px, kGap_px, 2 * kGap_px, kGap_px);
   auto* title = sdk::quietLabel(tr("You are"));
   title->setWordWrap(false);
-  reviewer_ = new QLineEdit(session_.reviewer());
+  reviewer_ = new QLineEdit(reviewer.name());
   reviewer_->setObjectName(QStringLiteral("reviewReviewer"));
   reviewer_->setMaxLength(sdk::kLongestPersonName);
   reviewer_->setPlaceholderText(tr("your name, as others read it"));
   reviewer_->setAccessibleName(tr("Your name"));
   title->setBuddy(reviewer_);
   connect(reviewer_, &QLineEdit::editingFinished, this, [this] { session_.setReviewer(reviewer_->text()); });
-  connect(&session_, &ReviewSession::reviewerChanged, this, [this] { reviewer_->setText(session_.reviewer()); });
-  connect(&session_, &ReviewSession::reviewerWanted, this, [this] {
+  connect(&reviewer, &Reviewer::changed, this, [this, &reviewer] { reviewer_->setText(reviewer.name()); });
+  connect(&session_.comments(), &AttemptComments::reviewerWanted, this, [this, &reviewer] {
     session_.setReviewer(reviewer_->text());
-    if (session_.reviewer().isEmpty()) reviewer_->setFocus();
+    if (reviewer.name().isEmpty()) reviewer_->setFocus();
   });
   row->addWidget(title);
   row->addWidget(reviewer_, 1);
@@ -264,7 +267,7 @@ QHBoxLayout* ReviewColumn::makeReviewer() {
 
 void ReviewColumn::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  if (!session_.hasShelf() && !session_.isReading()) session_.readShelf();
+  if (const ReviewSelection& selection = session_.selection(); !selection.hasShelf() && !selection.isReading()) session_.readShelf();
 }
 
 }  // namespace ew::review

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "panel/review_session.h"
+#include "panel/session/review_scan.h"
 
 class QCheckBox;
 class QComboBox;
@@ -15,6 +15,11 @@ class QTabWidget;
 class QVBoxLayout;
 
 namespace ew::review {
+
+class LessonScores;
+class ReviewSelection;
+class ReviewSession;
+class Reviewer;
 
 /// Which attempt and step is reviewed, and what it is compared with.
 class ScansPage final : public QWidget {
@@ -32,6 +37,9 @@ class ScansPage final : public QWidget {
   void askForFile(Side side);
 
   ReviewSession& session_;
+  const ReviewSelection& selection_;
+  Reviewer& reviewer_;
+  LessonScores& scores_;
   QComboBox* lesson_ = nullptr;
   QListWidget* attempts_ = nullptr;
   QComboBox* step_ = nullptr;

@@ -13,8 +13,12 @@
 #include "ew/sdk/flow_layout.h"
 #include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
+#include "panel/body_view.h"
 #include "panel/class_page.h"
+#include "panel/image_view.h"
+#include "panel/session/review_session.h"
 #include "panel/style.h"
+#include "panel/track_view.h"
 
 namespace ew::review {
 
@@ -74,7 +78,13 @@ QWidget* hairline() {
 
 }  // namespace
 
-ReviewStage::ReviewStage(ReviewSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+ReviewStage::ReviewStage(ReviewSession& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      selection_(session.selection()),
+      scans_(session.scans()),
+      playback_(session.playback()),
+      comments_(session.comments()) {
   setObjectName(QStringLiteral("reviewStage"));
   setAccessibleName(tr("Both scans"));
   setFocusPolicy(Qt::ClickFocus);
@@ -89,7 +99,7 @@ ReviewStage::ReviewStage(ReviewSession& session, QWidget* parent) : QWidget(pare
   column->addWidget(makeDrawing());
   column->addWidget(hairline());
   column->addWidget(makeTransport());
-  tracks_ = new TrackView(session_);
+  tracks_ = new TrackView(playback_, scans_, comments_);
   column->addWidget(tracks_);
   pages_->addWidget(scans);
   pages_->addWidget(new ClassPage(session_));
@@ -104,24 +114,25 @@ ReviewStage::ReviewStage(ReviewSession& session, QWidget* parent) : QWidget(pare
   for (QWidget* each :
        std::initializer_list<QWidget*>{reviewed_, compared_, tracks_, body_->findChild<QWidget*>(QStringLiteral("reviewBodyCanvas"))})
     each->installEventFilter(this);
-  connect(&session_, &ReviewSession::clockChanged, this, &ReviewStage::showClock);
-  connect(&session_, &ReviewSession::timeChanged, this, &ReviewStage::showClock);
-  connect(&session_, &ReviewSession::scansChanged, this, [this] {
+  connect(&playback_, &Playback::clockChanged, this, &ReviewStage::showClock);
+  connect(&playback_, &Playback::timeChanged, this, &ReviewStage::showClock);
+  connect(&scans_, &ScanPair::changed, this, [this] {
     showClock();
     showTools();
   });
-  connect(&session_, &ReviewSession::commentsChanged, this, &ReviewStage::showTools);
+  connect(&comments_, &AttemptComments::changed, this, &ReviewStage::showTools);
   const auto page = [this] {
-    const bool isEmpty = session_.hasShelf() && session_.shelf().lessons.empty() && session_.opened(kReviewed) == nullptr &&
-                         session_.opened(kCompared) == nullptr && !session_.isOpening();
+    const bool isEmpty = selection_.hasShelf() && selection_.shelf().lessons.empty() && scans_.opened(kReviewed) == nullptr &&
+                         scans_.opened(kCompared) == nullptr && !scans_.isOpening();
     pages_->setCurrentIndex(session_.showsClass() ? kClassPage : isEmpty ? kEmptyPage : kScansPage);
   };
   connect(&session_, &ReviewSession::pageChanged, this, page);
-  connect(&session_, &ReviewSession::shelfChanged, this, page);
-  connect(&session_, &ReviewSession::scansChanged, this, page);
+  connect(&selection_, &ReviewSelection::shelfChanged, this, page);
+  connect(&scans_, &ScanPair::changed, this, page);
   page();
-  held_ = session_.holdWork({[this] { return writeComment(); },
-                             [this] { return isCommentBegun() ? tr("A comment was begun and not added.").toStdString() : std::string(); }});
+  held_ = session_.document().holdWork(
+      {[this] { return writeComment(); },
+       [this] { return isCommentBegun() ? tr("A comment was begun and not added.").toStdString() : std::string(); }});
   showIcons();
   showClock();
   showTools();
@@ -149,7 +160,7 @@ QWidget* ReviewStage::makeBodyFrame() {
   auto* rows = new QVBoxLayout(frame);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(0);
-  body_ = new BodyView(session_);
+  body_ = new BodyView(scans_, playback_);
   heat_ = new QComboBox;
   heat_->setObjectName(QStringLiteral("reviewHeat"));
   heat_->setProperty("small", true);
@@ -198,10 +209,10 @@ QWidget* ReviewStage::makeTransport() {
     row->addWidget(made);
     return made;
   };
-  button("reviewPrevious", "step-back", tr("To the event before (P)"), [this] { session_.jump(false); });
+  button("reviewPrevious", "step-back", tr("To the event before (P)"), [this] { playback_.jump(false); });
   play_ = button("reviewPlay", "play", tr("Play or rest (Space)"),
-                 [this] { session_.clock().isPlaying() ? session_.pause() : session_.play(); });
-  button("reviewNext", "step-on", tr("To the next event (N)"), [this] { session_.jump(true); });
+                 [this] { playback_.clock().isPlaying() ? playback_.pause() : playback_.play(); });
+  button("reviewNext", "step-on", tr("To the next event (N)"), [this] { playback_.jump(true); });
   time_ = new QLabel;
   time_->setObjectName(QStringLiteral("reviewTime"));
   time_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-00:00.0 / 00:00.0 ")));
@@ -214,20 +225,20 @@ QWidget* ReviewStage::makeTransport() {
   speed_->setToolTip(tr("Speed (- and +)"));
   for (const double speed : kSpeeds) speed_->addItem(QStringLiteral("× ") + QLocale().toString(speed), speed);
   speed_->setCurrentIndex(2);
-  connect(speed_, qOverload<int>(&QComboBox::activated), this, [this] { session_.setSpeed(speed_->currentData().toDouble()); });
+  connect(speed_, qOverload<int>(&QComboBox::activated), this, [this] { playback_.setSpeed(speed_->currentData().toDouble()); });
   row->addWidget(speed_);
-  button("reviewLoopBegin", "mark-in", tr("The loop begins here; again: no longer ([)"), [this] { session_.markLoop(true); });
-  button("reviewLoopEnd", "mark-out", tr("The loop ends here; again: no longer (])"), [this] { session_.markLoop(false); });
+  button("reviewLoopBegin", "mark-in", tr("The loop begins here; again: no longer ([)"), [this] { playback_.markLoop(true); });
+  button("reviewLoopEnd", "mark-out", tr("The loop ends here; again: no longer (])"), [this] { playback_.markLoop(false); });
   atEnd_ = smallButton(tr("Repeat"), tr("Goes on from the beginning at the end"), "reviewRepeat");
   atEnd_->setCheckable(true);
-  connect(atEnd_, &QPushButton::clicked, this, [this](bool on) { session_.setAtEnd(on ? AtEnd::beginAnew : AtEnd::rest); });
+  connect(atEnd_, &QPushButton::clicked, this, [this](bool on) { playback_.setAtEnd(on ? AtEnd::beginAnew : AtEnd::rest); });
   row->addWidget(atEnd_);
   row->addStretch();
   oneClock_ = segment(tr("One clock"), tr("Both scans go on in the same seconds, each from its beginning"), "reviewOneClock", "first");
   aligned_ = segment(tr("Aligned"), tr("The expert's scan follows the trainee's probe: the same places at the same time (T)"),
                      "reviewAligned", "last");
-  connect(oneClock_, &QPushButton::clicked, this, [this] { session_.setAligned(false); });
-  connect(aligned_, &QPushButton::clicked, this, [this] { session_.setAligned(true); });
+  connect(oneClock_, &QPushButton::clicked, this, [this] { playback_.setAligned(false); });
+  connect(aligned_, &QPushButton::clicked, this, [this] { playback_.setAligned(true); });
   row->addWidget(together({oneClock_, aligned_}));
   offset_ = new sdk::NumberField(-kMostOffset_s, kMostOffset_s, 1, QStringLiteral("s"));
   offset_->setObjectName(QStringLiteral("reviewOffset"));
@@ -236,7 +247,7 @@ QWidget* ReviewStage::makeTransport() {
   offset_->setAccessibleName(tr("The expert's scan begins later by"));
   offset_->setToolTip(tr("The expert's scan begins so much later than the trainee's"));
   connect(offset_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double value) {
-    if (!showing_) session_.setOffset(value);
+    if (!showing_) playback_.setOffset(value);
   });
   row->addWidget(offset_);
   return bar;
@@ -267,7 +278,7 @@ QWidget* ReviewStage::makeDrawing() {
   row->addWidget(addComment_);
   connect(commentText_, &QLineEdit::returnPressed, this, &ReviewStage::writeComment);
   connect(commentText_, &QLineEdit::textEdited, this, [this] {
-    session_.pause();
+    playback_.pause();
     showTools();
   });
   connect(addComment_, &QPushButton::clicked, this, &ReviewStage::writeComment);
@@ -275,14 +286,14 @@ QWidget* ReviewStage::makeDrawing() {
 }
 
 bool ReviewStage::isCommentBegun() const {
-  return session_.comments() != nullptr && (!commentText_->text().trimmed().isEmpty() || !reviewed_->drawn().empty());
+  return comments_.history() != nullptr && (!commentText_->text().trimmed().isEmpty() || !reviewed_->drawn().empty());
 }
 
 /// @return false: what was begun could not become a comment, and is still there
 bool ReviewStage::writeComment() {
   if (!isCommentBegun()) return true;
-  if (session_.addComment(commentText_->text().trimmed(), reviewed_->drawn()).empty()) {
-    if (session_.reviewer().isEmpty())
+  if (comments_.add(commentText_->text().trimmed(), reviewed_->drawn()).empty()) {
+    if (session_.reviewer().name().isEmpty())
       session_.host().window().warn(
           tr("Say who you are at the top of the column: a comment is kept under the name of whoever wrote it.").toStdString(),
           "review reviewer");
@@ -296,19 +307,19 @@ bool ReviewStage::writeComment() {
 
 void ReviewStage::chooseTool(std::optional<CommentStroke::Kind> tool) {
   for (std::size_t n = 0; n < tools_.size(); ++n) tools_[n]->setChecked(tool && static_cast<std::size_t>(*tool) == n);
-  if (tool) session_.pause();
+  if (tool) playback_.pause();
   reviewed_->setTool(tool);
 }
 
 void ReviewStage::showTools() {
   // Without an attempt there is nowhere to keep what is said: the row is not there.
-  drawing_->setVisible(session_.comments() != nullptr && session_.opened(kReviewed) != nullptr);
+  drawing_->setVisible(comments_.history() != nullptr && scans_.opened(kReviewed) != nullptr);
   dropDrawing_->setVisible(!reviewed_->drawn().empty());
 }
 
 void ReviewStage::showIcons() {
   for (const auto& [button, name] : icons_) {
-    const bool isPlaying = button == play_ && session_.clock().isPlaying();
+    const bool isPlaying = button == play_ && playback_.clock().isPlaying();
     button->setIcon(lineIcon(isPlaying ? QStringLiteral("pause") : name, palette().color(QPalette::WindowText)));
   }
 }
@@ -320,7 +331,7 @@ void ReviewStage::changeEvent(QEvent* event) {
 
 void ReviewStage::showClock() {
   showing_ = true;
-  const ReviewClock& clock = session_.clock();
+  const ReviewClock& clock = playback_.clock();
   time_->setText(QStringLiteral("%1 / %2").arg(clockText(clock.at_s()), clockText(clock.last_s())));
   if (play_->property("playing").toBool() != clock.isPlaying()) {
     play_->setProperty("playing", clock.isPlaying());
@@ -328,13 +339,13 @@ void ReviewStage::showClock() {
   }
   speed_->setCurrentIndex(speed_->findData(clock.speed()));
   atEnd_->setChecked(clock.atEnd() == AtEnd::beginAnew);
-  const bool areTwo = session_.opened(kReviewed) != nullptr && session_.opened(kCompared) != nullptr;
-  const bool isAligned = session_.scans().isAligned();
+  const bool areTwo = scans_.opened(kReviewed) != nullptr && scans_.opened(kCompared) != nullptr;
+  const bool isAligned = playback_.times().isAligned();
   for (QWidget* each : std::initializer_list<QWidget*>{oneClock_, aligned_}) each->setVisible(areTwo);
-  oneClock_->setChecked(!isAligned && !session_.isAligning());
-  aligned_->setChecked(isAligned || session_.isAligning());
+  oneClock_->setChecked(!isAligned && !playback_.isAligning());
+  aligned_->setChecked(isAligned || playback_.isAligning());
   offset_->setVisible(areTwo && !isAligned);
-  if (offset_->value() != session_.scans().offset_s() && !offset_->hasFocus()) offset_->setValue(session_.scans().offset_s());
+  if (offset_->value() != playback_.times().offset_s() && !offset_->hasFocus()) offset_->setValue(playback_.times().offset_s());
   showing_ = false;
 }
 

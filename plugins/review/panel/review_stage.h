@@ -1,13 +1,13 @@
 #pragma once
 
 #include <QWidget>
+#include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
-#include "panel/body_view.h"
-#include "panel/image_view.h"
-#include "panel/track_view.h"
+#include "ew/assessment/review_comment.h"
 
 class QButtonGroup;
 class QComboBox;
@@ -23,7 +23,14 @@ class NumberField;
 
 namespace ew::review {
 
-class ClassPage;
+class AttemptComments;
+class BodyView;
+class ImageView;
+class Playback;
+class ReviewSelection;
+class ReviewSession;
+class ScanPair;
+class TrackView;
 
 /// Both images side by side and both scans on the body; below them the clock and both scans along it. Or, in their place, the overview of
 /// a class.
@@ -59,6 +66,10 @@ class ReviewStage final : public QWidget {
   void chooseTool(std::optional<CommentStroke::Kind> tool);
 
   ReviewSession& session_;
+  const ReviewSelection& selection_;
+  const ScanPair& scans_;
+  Playback& playback_;
+  AttemptComments& comments_;
   std::shared_ptr<void> held_;
   QStackedWidget* pages_ = nullptr;
   ImageView* reviewed_ = nullptr;

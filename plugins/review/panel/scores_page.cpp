@@ -14,6 +14,7 @@
 #include "ew/assessment/metric.h"
 #include "ew/sdk/panel.h"
 #include "panel/report_button.h"
+#include "panel/session/review_session.h"
 #include "panel/style.h"
 
 namespace ew::review {
@@ -53,7 +54,8 @@ QString tipOf(const Metric& metric, const MetricDefaults& defaults, std::string_
 
 }  // namespace
 
-ScoresPage::ScoresPage(ReviewSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+ScoresPage::ScoresPage(ReviewSession& session, QWidget* parent)
+    : QWidget(parent), selection_(session.selection()), scans_(session.scans()), scores_(session.scores()) {
   setObjectName(QStringLiteral("reviewScores"));
   if (const auto resources = resourceFolder())
     if (auto read = MetricDefaults::read(*resources)) defaults_ = std::move(*read);
@@ -104,17 +106,17 @@ ScoresPage::ScoresPage(ReviewSession& session, QWidget* parent) : QWidget(parent
   score_ = new QPushButton(tr("Score the attempts"));
   score_->setObjectName(QStringLiteral("reviewScore"));
   score_->setToolTip(tr("Works out all scores of this lesson from what was recorded; earlier scores are kept"));
-  connect(score_, &QPushButton::clicked, this, [this] { session_.scoreAll(); });
+  connect(score_, &QPushButton::clicked, this, [this] { scores_.scoreAll(); });
   auto* buttons = new QHBoxLayout;
-  report_ = new ReportButton(session_, false);
+  report_ = new ReportButton(session.reports(), false);
   buttons->addWidget(score_, 1);
   buttons->addWidget(report_, 1);
   rows->addLayout(buttons);
   scroll->setWidget(body);
   outer->addWidget(scroll);
-  connect(&session_, &ReviewSession::scansChanged, this, &ScoresPage::refresh);
-  connect(&session_, &ReviewSession::choiceChanged, this, &ScoresPage::refresh);
-  connect(&session_, &ReviewSession::scoresChanged, this, &ScoresPage::refresh);
+  connect(&scans_, &ScanPair::changed, this, &ScoresPage::refresh);
+  connect(&selection_, &ReviewSelection::changed, this, &ScoresPage::refresh);
+  connect(&scores_, &LessonScores::changed, this, &ScoresPage::refresh);
   refresh();
 }
 
@@ -187,10 +189,10 @@ std::string ScoresPage::chosenMetric() const {
 }
 
 void ScoresPage::changeStep(const std::function<void(StepPlan&)>& change) {
-  if (showing_ || session_.step() == nullptr || session_.lesson() == nullptr) return;
-  AssessmentPlan plan = session_.plan();
-  change(plan.at(session_.step()->id));
-  session_.keepPlan(std::move(plan));
+  if (showing_ || selection_.step() == nullptr || selection_.lesson() == nullptr) return;
+  AssessmentPlan plan = scores_.plan();
+  change(plan.at(selection_.step()->id));
+  scores_.keepPlan(std::move(plan));
 }
 
 void ScoresPage::refresh() {
@@ -204,8 +206,8 @@ void ScoresPage::refresh() {
 
 QString ScoresPage::howItWasMade(const AttemptResult& result, const StepScore& counted, const StepOutcome& outcome) const {
   if (!result.isScored)
-    return latestScore(session_.attempt()->first) ? tr("As it was judged in the lesson; its last score no longer counts.")
-                                                  : tr("As it was judged in the lesson; it was not scored since.");
+    return latestScore(selection_.attempt()->first) ? tr("As it was judged in the lesson; its last score no longer counts.")
+                                                    : tr("As it was judged in the lesson; it was not scored since.");
   const QString task = percent(counted.task);
   // An earlier version wrote a share of steps without a recording, too.
   return counted.validShare && !outcome.recording.empty()
@@ -216,12 +218,12 @@ QString ScoresPage::howItWasMade(const AttemptResult& result, const StepScore& c
 }
 
 void ScoresPage::showVerdict() {
-  const LessonStep* step = session_.step();
+  const LessonStep* step = selection_.step();
   made_->setText({});
   if (step == nullptr) return verdict_->setText(tr("No step is chosen"));
-  const StepOutcome* outcome = session_.attempt() != nullptr ? session_.attempt()->second.outcomeOf(step->id) : nullptr;
-  if (outcome == nullptr || !session_.attemptNumber()) return verdict_->setText(tr("This attempt has not ended this step"));
-  const AttemptResult result = session_.resultOf(*session_.attemptNumber());
+  const StepOutcome* outcome = selection_.attempt() != nullptr ? selection_.attempt()->second.outcomeOf(step->id) : nullptr;
+  if (outcome == nullptr || !selection_.attemptNumber()) return verdict_->setText(tr("This attempt has not ended this step"));
+  const AttemptResult result = scores_.resultOf(*selection_.attemptNumber());
   const StepScore* counted = result.counted.of(step->id);
   const QString verdict = words(verdictWord(counted != nullptr ? counted->verdict : outcome->verdict));
   if (counted == nullptr || counted->verdict == StepVerdict::handedIn) {  // without figures: nobody has judged it
@@ -235,11 +237,11 @@ void ScoresPage::showVerdict() {
 
 void ScoresPage::showTable() {
   const std::string before = chosenMetric();
-  const std::vector<MetricValue> own = session_.metricsOf(kReviewed), others = session_.metricsOf(kCompared);
-  const StepPlan* plan = session_.step() != nullptr ? session_.plan().of(session_.step()->id) : nullptr;
+  const std::vector<MetricValue> own = scores_.metricsOf(scans_.opened(kReviewed)), others = scores_.metricsOf(scans_.opened(kCompared));
+  const StepPlan* plan = selection_.step() != nullptr ? scores_.plan().of(selection_.step()->id) : nullptr;
   table_->setHorizontalHeaderLabels({tr("Figure"), wordOf(Who::trainee), wordOf(Who::expert)});
   table_->setRowCount(0);
-  const std::string_view kind = session_.step() != nullptr ? taskWord(session_.step()->task) : std::string_view();
+  const std::string_view kind = selection_.step() != nullptr ? taskWord(selection_.step()->task) : std::string_view();
   bool areAll = true;
   for (const Metric& metric : metrics()) {
     const auto value = valueOf(own, metric.id), other = valueOf(others, metric.id);
@@ -270,26 +272,26 @@ void ScoresPage::showTable() {
 }
 
 void ScoresPage::showPlan() {
-  const LessonStep* step = session_.step();
-  plan_->setVisible(step != nullptr && session_.lesson() != nullptr);
-  score_->setVisible(session_.lesson() != nullptr && !session_.lesson()->attempts.empty());
-  report_->setVisible(session_.attempt() != nullptr);
-  score_->setEnabled(!session_.isScoring());
-  score_->setText(session_.isScoring() ? tr("Scoring …") : tr("Score the attempts"));
+  const LessonStep* step = selection_.step();
+  plan_->setVisible(step != nullptr && selection_.lesson() != nullptr);
+  score_->setVisible(selection_.lesson() != nullptr && !selection_.lesson()->attempts.empty());
+  report_->setVisible(selection_.attempt() != nullptr);
+  score_->setEnabled(!scores_.isScoring());
+  score_->setText(scores_.isScoring() ? tr("Scoring …") : tr("Score the attempts"));
   if (step == nullptr) return;
-  const StepPlan* plan = session_.plan().of(step->id);
-  level_->setValue(100.0 * passLevelOf(*step, session_.plan()));
-  weight_->setValue(weightOf(*step, session_.plan()));
+  const StepPlan* plan = scores_.plan().of(step->id);
+  level_->setValue(100.0 * passLevelOf(*step, scores_.plan()));
+  weight_->setValue(weightOf(*step, scores_.plan()));
   taskWeight_->setValue(plan != nullptr ? plan->taskWeight : 1.0);
 }
 
 void ScoresPage::showMetricPlan() {
   const std::string id = chosenMetric();
   const Metric* metric = metricOf(id);
-  metricPlan_->setVisible(metric != nullptr && session_.step() != nullptr);
-  if (metric == nullptr || session_.step() == nullptr) return;
+  metricPlan_->setVisible(metric != nullptr && selection_.step() != nullptr);
+  if (metric == nullptr || selection_.step() == nullptr) return;
   showing_ = true;
-  const StepPlan* plan = session_.plan().of(session_.step()->id);
+  const StepPlan* plan = scores_.plan().of(selection_.step()->id);
   MetricWeight shown{id, 0.0, 0.0, 0.0};
   bool isKnown = false;
   for (const MetricWeight& each : plan != nullptr ? plan->metrics : std::vector<MetricWeight>{})
@@ -298,7 +300,7 @@ void ScoresPage::showMetricPlan() {
       isKnown = true;
     }
   if (!isKnown) {  // a beginning that can be mended: the expert's figure is worth all, half or twice as much nothing
-    const double best = valueOf(session_.metricsOf(kCompared), id).value_or(0.0);
+    const double best = valueOf(scores_.metricsOf(scans_.opened(kCompared)), id).value_or(0.0);
     shown.best = best;
     shown.worst = metric->better == Better::less ? best + std::max(1.0, std::abs(best)) : best - std::max(1.0, std::abs(best));
   }

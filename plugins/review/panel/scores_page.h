@@ -1,9 +1,14 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
+#include <string>
 
+#include "ew/assessment/assessment_plan.h"
+#include "ew/assessment/attempt_result.h"
+#include "ew/assessment/attempt_score.h"
 #include "ew/assessment/metric_defaults.h"
-#include "panel/review_session.h"
+#include "ew/library/attempt.h"
 
 class QCheckBox;
 class QLabel;
@@ -15,6 +20,11 @@ class NumberField;
 }
 
 namespace ew::review {
+
+class LessonScores;
+class ReviewSelection;
+class ReviewSession;
+class ScanPair;
 
 /// What the step is worth and what it is made of: figures beside the expert's, and what an instructor decides about it: pass level,
 /// weights, and which figures count. A change is kept and the lesson's attempts are scored anew.
@@ -36,7 +46,9 @@ class ScoresPage final : public QWidget {
   void changeStep(const std::function<void(StepPlan&)>& change);
   [[nodiscard]] std::string chosenMetric() const;
 
-  ReviewSession& session_;
+  const ReviewSelection& selection_;
+  const ScanPair& scans_;
+  LessonScores& scores_;
   QLabel* verdict_ = nullptr;
   QLabel* made_ = nullptr;
   QTableWidget* table_ = nullptr;

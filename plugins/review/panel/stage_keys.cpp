@@ -6,7 +6,10 @@
 #include <QStackedWidget>
 #include <algorithm>
 
+#include "panel/body_view.h"
+#include "panel/image_view.h"
 #include "panel/review_stage.h"
+#include "panel/session/playback.h"
 
 namespace ew::review {
 namespace {
@@ -37,36 +40,36 @@ bool ReviewStage::handleKey(const QKeyEvent& event, bool act) {
     return true;
   };
   const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
-  const ReviewClock& clock = session_.clock();
-  const auto go = [&](int way) { shift ? session_.stepFrame(way) : session_.seek(clock.at_s() + way * kStep_s); };
+  const ReviewClock& clock = playback_.clock();
+  const auto go = [&](int way) { shift ? playback_.stepFrame(way) : playback_.seek(clock.at_s() + way * kStep_s); };
   const auto speed = [&](int way) {
     const int n = std::clamp(speed_->currentIndex() + way, 0, speed_->count() - 1);
-    session_.setSpeed(speed_->itemData(n).toDouble());
+    playback_.setSpeed(speed_->itemData(n).toDouble());
   };
   switch (event.key()) {
     case Qt::Key_Space:
-      return run([&] { clock.isPlaying() ? session_.pause() : session_.play(); });
+      return run([&] { clock.isPlaying() ? playback_.pause() : playback_.play(); });
     case Qt::Key_Left:
       return run([&] { go(-1); });
     case Qt::Key_Right:
       return run([&] { go(1); });
     case Qt::Key_Home:
-      return run([&] { session_.seek(clock.first_s()); });
+      return run([&] { playback_.seek(clock.first_s()); });
     case Qt::Key_End:
-      return run([&] { session_.seek(clock.last_s()); });
+      return run([&] { playback_.seek(clock.last_s()); });
     case Qt::Key_BracketLeft:
     case Qt::Key_BracketRight:
-      return run([&] { session_.markLoop(event.key() == Qt::Key_BracketLeft); });
+      return run([&] { playback_.markLoop(event.key() == Qt::Key_BracketLeft); });
     case Qt::Key_N:
     case Qt::Key_P:
-      return run([&] { session_.jump(event.key() == Qt::Key_N); });
+      return run([&] { playback_.jump(event.key() == Qt::Key_N); });
     case Qt::Key_Minus:
       return run([&] { speed(-1); });
     case Qt::Key_Plus:
     case Qt::Key_Equal:
       return run([&] { speed(1); });
     case Qt::Key_T:
-      return run([&] { session_.setAligned(!session_.scans().isAligned()); });
+      return run([&] { playback_.setAligned(!playback_.times().isAligned()); });
     case Qt::Key_H:
       return run([&] { heat_->setCurrentIndex((heat_->currentIndex() + 1) % kHeats); });
     case Qt::Key_D:

@@ -8,6 +8,9 @@
 #include <cmath>
 
 #include "ew/sdk/panel.h"
+#include "panel/session/attempt_comments.h"
+#include "panel/session/playback.h"
+#include "panel/session/scan_pair.h"
 #include "panel/style.h"
 
 namespace ew::review {
@@ -30,7 +33,8 @@ double tickOf(double length_s, double room_px) {
 
 }  // namespace
 
-TrackView::TrackView(ReviewSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+TrackView::TrackView(Playback& playback, const ScanPair& scans, const AttemptComments& comments, QWidget* parent)
+    : QWidget(parent), playback_(playback) {
   setObjectName(QStringLiteral("reviewTracks"));
   setAccessibleName(tr("Both scans along the time"));
   setFocusPolicy(Qt::StrongFocus);
@@ -40,17 +44,17 @@ TrackView::TrackView(ReviewSession& session, QWidget* parent) : QWidget(parent),
     updateGeometry();
     update();
   };
-  connect(&session_, &ReviewSession::scansChanged, this, look);
-  connect(&session_, &ReviewSession::commentsChanged, this, look);
-  connect(&session_, &ReviewSession::timeChanged, this, [this] { update(); });
-  connect(&session_, &ReviewSession::clockChanged, this, [this] { update(); });
+  connect(&scans, &ScanPair::changed, this, look);
+  connect(&comments, &AttemptComments::changed, this, look);
+  connect(&playback_, &Playback::timeChanged, this, [this] { update(); });
+  connect(&playback_, &Playback::clockChanged, this, [this] { update(); });
 }
 
 std::vector<TrackKind> TrackView::shownKinds() const {
   std::vector<TrackKind> kinds;
   for (int n = 0; n < kTrackKinds; ++n)
     for (const Side side : kSides) {
-      const auto& tracks = session_.tracks(side);
+      const auto& tracks = playback_.tracks(side);
       if (tracks.empty()) continue;
       const Track& track = tracks[static_cast<std::size_t>(n)];
       if (track.spans.empty() && track.marks.empty()) continue;
@@ -76,13 +80,13 @@ QSize TrackView::sizeHint() const {
 QSize TrackView::minimumSizeHint() const { return {30 * kGap_px, sizeHint().height()}; }
 
 double TrackView::xOf(double clock_s) const {
-  const double first = session_.clock().first_s(), length = std::max(1e-3, session_.clock().last_s() - first);
+  const double first = playback_.clock().first_s(), length = std::max(1e-3, playback_.clock().last_s() - first);
   const double left = labelWidth(), room = std::max(1.0, width() - left - 2.0 * kGap_px);
   return left + room * (clock_s - first) / length;
 }
 
 double TrackView::timeAt(double x_px) const {
-  const double first = session_.clock().first_s(), length = session_.clock().last_s() - first;
+  const double first = playback_.clock().first_s(), length = playback_.clock().last_s() - first;
   const double left = labelWidth(), room = std::max(1.0, width() - left - 2.0 * kGap_px);
   return first + std::clamp((x_px - left) / room, 0.0, 1.0) * length;
 }
@@ -108,11 +112,11 @@ void TrackView::paintEvent(QPaintEvent*) {
     painter.setBrush(palette().color(QPalette::Base));
     painter.drawRoundedRect(above.united(below), 2.0, 2.0);
     for (const Side side : kSides)
-      if (!session_.tracks(side).empty())
-        paintTrack(painter, session_.tracks(side)[static_cast<std::size_t>(kinds[row])], side, side == kReviewed ? below : above);
+      if (!playback_.tracks(side).empty())
+        paintTrack(painter, playback_.tracks(side)[static_cast<std::size_t>(kinds[row])], side, side == kReviewed ? below : above);
   }
   paintLoop(painter);
-  const double x = xOf(session_.clock().at_s());
+  const double x = xOf(playback_.clock().at_s());
   painter.setPen(QPen(palette().color(QPalette::WindowText), 1.5));
   painter.drawLine(QPointF(x, 2.0), QPointF(x, height() - 4.0));
   painter.setBrush(palette().color(QPalette::WindowText));
@@ -125,7 +129,7 @@ void TrackView::paintEvent(QPaintEvent*) {
 }
 
 void TrackView::paintRuler(QPainter& painter) const {
-  const double first = session_.clock().first_s(), last = session_.clock().last_s();
+  const double first = playback_.clock().first_s(), last = playback_.clock().last_s();
   if (last <= first) return;
   const double step = tickOf(last - first, width() - labelWidth());
   painter.setPen(palette().color(QPalette::PlaceholderText));
@@ -139,14 +143,14 @@ void TrackView::paintRuler(QPainter& painter) const {
 }
 
 void TrackView::paintTrack(QPainter& painter, const Track& track, Side side, const QRectF& lane) const {
-  const Who who = session_.whoOf(side);
+  const Who who = whoOf(side);
   const QColor colour = colourOf(who, isDark(palette()));
   painter.setPen(Qt::NoPen);
   for (const TrackSpan& span : track.spans) {
     QColor level = colour;
     level.setAlphaF(0.25 + 0.75 * span.level);
     painter.setBrush(level);
-    const double left = xOf(session_.onClock_s(side, span.begin_s)), right = xOf(session_.onClock_s(side, span.end_s));
+    const double left = xOf(playback_.onClock_s(side, span.begin_s)), right = xOf(playback_.onClock_s(side, span.end_s));
     // How much of the face touches is how high the bar is: colours alone would not tell.
     const double high = std::max(1.5, lane.height() * span.level);
     painter.drawRect(QRectF(left, lane.bottom() - high, std::max(0.6, right - left), high));
@@ -154,11 +158,11 @@ void TrackView::paintTrack(QPainter& painter, const Track& track, Side side, con
   painter.setPen(QPen(palette().color(QPalette::Base), 1.0));
   painter.setBrush(colour);
   for (const TrackMark& mark : track.marks)
-    drawMarkOf(painter, who, QPointF(xOf(session_.onClock_s(side, mark.time_s)), lane.center().y()), kMark_px);
+    drawMarkOf(painter, who, QPointF(xOf(playback_.onClock_s(side, mark.time_s)), lane.center().y()), kMark_px);
 }
 
 void TrackView::paintLoop(QPainter& painter) const {
-  const ReviewClock& clock = session_.clock();
+  const ReviewClock& clock = playback_.clock();
   const QColor accent = palette().color(QPalette::Highlight);
   if (clock.isLooping()) {
     QColor veil = accent;
@@ -181,29 +185,29 @@ void TrackView::paintLoop(QPainter& painter) const {
 
 void TrackView::mousePressEvent(QMouseEvent* event) {
   setFocus(Qt::MouseFocusReason);
-  if (event->button() == Qt::LeftButton && event->localPos().x() >= labelWidth() - kGap_px) session_.seek(timeAt(event->localPos().x()));
+  if (event->button() == Qt::LeftButton && event->localPos().x() >= labelWidth() - kGap_px) playback_.seek(timeAt(event->localPos().x()));
 }
 
 void TrackView::mouseMoveEvent(QMouseEvent* event) {
-  if (event->buttons().testFlag(Qt::LeftButton)) session_.seek(timeAt(event->localPos().x()));
+  if (event->buttons().testFlag(Qt::LeftButton)) playback_.seek(timeAt(event->localPos().x()));
 }
 
 QString TrackView::wordsAt(const QPoint& at) const {
   const auto kinds = shownKinds();
   for (std::size_t row = 0; row < kinds.size(); ++row)
     for (const Side side : kSides) {
-      if (session_.tracks(side).empty() || !laneOf(row, side).adjusted(0, -1, 0, 1).contains(at)) continue;
-      const Track& track = session_.tracks(side)[static_cast<std::size_t>(kinds[row])];
-      const QString who = wordOf(session_.whoOf(side));
+      if (playback_.tracks(side).empty() || !laneOf(row, side).adjusted(0, -1, 0, 1).contains(at)) continue;
+      const Track& track = playback_.tracks(side)[static_cast<std::size_t>(kinds[row])];
+      const QString who = wordOf(whoOf(side));
       for (const TrackMark& mark : track.marks)
-        if (std::abs(xOf(session_.onClock_s(side, mark.time_s)) - at.x()) <= kNear_px)
-          return tr("%1, %2: %3", "who, when: what").arg(who, clockText(session_.onClock_s(side, mark.time_s)), words(mark.what));
+        if (std::abs(xOf(playback_.onClock_s(side, mark.time_s)) - at.x()) <= kNear_px)
+          return tr("%1, %2: %3", "who, when: what").arg(who, clockText(playback_.onClock_s(side, mark.time_s)), words(mark.what));
       for (const TrackSpan& span : track.spans)
-        if (xOf(session_.onClock_s(side, span.begin_s)) <= at.x() && at.x() <= xOf(session_.onClock_s(side, span.end_s)))
+        if (xOf(playback_.onClock_s(side, span.begin_s)) <= at.x() && at.x() <= xOf(playback_.onClock_s(side, span.end_s)))
           return kinds[row] == TrackKind::contact ? tr("%1: %2 % of the face touches").arg(who).arg(std::lround(100.0 * span.level))
                                                   : tr("%1, %2: from %3 to %4", "who, what")
-                                                        .arg(who, titleOf(kinds[row]), clockText(session_.onClock_s(side, span.begin_s)),
-                                                             clockText(session_.onClock_s(side, span.end_s)));
+                                                        .arg(who, titleOf(kinds[row]), clockText(playback_.onClock_s(side, span.begin_s)),
+                                                             clockText(playback_.onClock_s(side, span.end_s)));
       return tr("%1: %2", "who: what track").arg(who, titleOf(kinds[row]));
     }
   return {};

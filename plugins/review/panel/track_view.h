@@ -1,11 +1,17 @@
 #pragma once
 
 #include <QWidget>
-#include <optional>
+#include <cstddef>
+#include <vector>
 
-#include "panel/review_session.h"
+#include "logic/review_tracks.h"
+#include "panel/session/review_scan.h"
 
 namespace ew::review {
+
+class AttemptComments;
+class Playback;
+class ScanPair;
 
 /// Both scans along the review's clock: a row for each kind of track, the expert's above the trainee's, with a loop's ends and where the
 /// clock stands. A click or a drag looks there; a tooltip says what happened.
@@ -13,7 +19,7 @@ class TrackView final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit TrackView(ReviewSession& session, QWidget* parent = nullptr);
+  TrackView(Playback& playback, const ScanPair& scans, const AttemptComments& comments, QWidget* parent = nullptr);
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override;
   /// Where a moment of the clock is, in pixels of the widget.
@@ -38,7 +44,7 @@ class TrackView final : public QWidget {
   void paintLoop(QPainter& painter) const;
   [[nodiscard]] QString wordsAt(const QPoint& at) const;
 
-  ReviewSession& session_;
+  Playback& playback_;
 };
 
 }  // namespace ew::review

@@ -1,15 +1,18 @@
-// Reports on one attempt and on a class, as the window's language has them.
-#include <QLocale>
+#include "panel/session/review_reports.h"
 
+#include <QLocale>
+#include <utility>
+#include <vector>
+
+#include "ew/assessment/attempt_result.h"
 #include "ew/assessment/pseudonym.h"
 #include "ew/io/safe_file.h"
+#include "ew/library/folders.h"
 #include "ew/reports/attempt_report.h"
 #include "ew/reports/class_report.h"
 #include "ew/reports/html.h"
 #include "ew/reports/report_pdf.h"
-#include "ew/sdk/window.h"
 #include "ew/sdk/words.h"
-#include "panel/review_session.h"
 
 namespace ew::review {
 
@@ -58,21 +61,21 @@ struct ReportWork {
 
 }  // namespace
 
-void ReviewSession::askForReport(const sdk::SaveFile& asked, bool isOfClass) {
-  if (const auto file = host_.window().askSaveFile(asked)) writeReport(*file, isOfClass);
+void ReviewReports::ask(const sdk::SaveFile& asked, bool isOfClass) {
+  if (const auto file = host_.window().askSaveFile(asked)) write(*file, isOfClass);
 }
 
-void ReviewSession::writeReport(const fs::path& file, bool isOfClass) {
+void ReviewReports::write(const fs::path& file, bool isOfClass) {
   auto work = std::make_shared<ReportWork>();
   work->isOfClass = isOfClass;
-  work->options.names = showsNames_;
+  work->options.names = reviewer_.showsNames();
   work->options.language = QLocale().name().toStdString();
   work->options.words = [](const Message& message) { return words(message).toStdString(); };
-  if (isOfClass && lesson() != nullptr)
-    for (const auto& [folder, tried] : lesson()->attempts) work->attempts.push_back(folder);
-  else if (!isOfClass && attempt() != nullptr)
-    work->attempts.push_back(attempt()->first);
-  if (work->attempts.empty() || !keepAll()) return;
+  if (isOfClass && selection_.lesson() != nullptr)
+    for (const auto& [folder, tried] : selection_.lesson()->attempts) work->attempts.push_back(folder);
+  else if (!isOfClass && selection_.attempt() != nullptr)
+    work->attempts.push_back(selection_.attempt()->first);
+  if (work->attempts.empty() || !document_.keepAll()) return;
   host_.jobs().startSaving(
       tr("Writing the report").toStdString(), [work, file](Progress& progress) { return work->run(file, progress); },
       [this, file, alive = std::weak_ptr(alive_)](const Result<void>& done) {

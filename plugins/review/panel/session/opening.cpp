@@ -1,4 +1,4 @@
-#include "panel/opening.h"
+#include "panel/session/opening.h"
 
 #include "ew/assessment/step_metrics.h"
 

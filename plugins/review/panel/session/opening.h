@@ -1,11 +1,17 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
-#include "panel/review_session.h"
+#include "ew/bridge/mannequin.h"
+#include "ew/library/case.h"
+#include "ew/scanning/subject.h"
+#include "logic/scan_shelf.h"
+#include "panel/session/review_scan.h"
 
 namespace ew::review {
 
