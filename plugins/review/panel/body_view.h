@@ -44,7 +44,7 @@ class BodyView final : public QWidget {
   void setPlanesShown(bool shown);
   void showFrom(bridge::CameraPreset preset);
   /// How many regions are shown, and what they are, in words.
-  Q_INVOKABLE int shownRegions() const { return static_cast<int>(regions_.size()); }
+  [[nodiscard]] int shownRegions() const { return static_cast<int>(regions_.size()); }
   [[nodiscard]] QString heatWords() const;
   [[nodiscard]] QPointF pixelOf(const glm::dvec3& p_world_mm) const;
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QPointF>
+#include <QStringList>
 #include <QWidget>
 #include <memory>
 #include <optional>
@@ -22,7 +24,6 @@ class ScanPair;
 /// scan's are marked. On the reviewed one a stroke is drawn with the mouse while a tool is chosen.
 class ImageView final : public QWidget {
   Q_OBJECT
-  Q_PROPERTY(bool isIdle READ isIdle)
 
  public:
   ImageView(Side side, ReviewSession& session, QWidget* parent = nullptr);
@@ -40,8 +41,7 @@ class ImageView final : public QWidget {
   /// Where a point of the image plane is, in pixels of the widget, and back.
   [[nodiscard]] QPointF pixelOf(const glm::dvec2& p_mm) const;
   [[nodiscard]] glm::dvec2 pointAt(const QPointF& at) const;
-  Q_INVOKABLE QPointF pixelOfPoint(double lateral_mm, double axial_mm) const { return pixelOf({lateral_mm, axial_mm}); }
-  Q_INVOKABLE QStringList shownSettings() const;  ///< "depth 12.0 cm", the differing ones with a leading "≠ "
+  [[nodiscard]] QStringList shownSettings() const;  ///< "depth 12.0 cm", the differing ones with a leading "≠ "
 
  Q_SIGNALS:
   void drawnChanged();

@@ -1,7 +1,5 @@
 #include "panel/report_button.h"
 
-#include <QVariant>
-
 #include "panel/session/review_reports.h"
 
 namespace ew::review {
@@ -11,7 +9,6 @@ ReportButton::ReportButton(ReviewReports& reports, bool isOfClass, QWidget* pare
   setObjectName(isOfClass ? QStringLiteral("classReport") : QStringLiteral("attemptReport"));
   setToolTip(isOfClass ? tr("Writes a page or a PDF about all attempts at this lesson; names are in it only while they are shown")
                        : tr("Writes a page or a PDF about this attempt; the name is in it only while names are shown"));
-  setProperty("session", QVariant::fromValue<QObject*>(&reports_));
   connect(this, &QPushButton::clicked, this, &ReportButton::ask);
 }
 

@@ -17,6 +17,7 @@
 #include "panel/class_page.h"
 #include "panel/image_view.h"
 #include "panel/session/review_session.h"
+#include "panel/session_door.h"
 #include "panel/style.h"
 #include "panel/track_view.h"
 
@@ -130,6 +131,7 @@ ReviewStage::ReviewStage(ReviewSession& session, QWidget* parent)
   connect(&selection_, &ReviewSelection::shelfChanged, this, page);
   connect(&scans_, &ScanPair::changed, this, page);
   page();
+  new SessionDoor(session_.reports(), *reviewed_, *compared_, *tracks_, *body_, this);
   held_ = session_.document().holdWork(
       {[this] { return writeComment(); },
        [this] { return isCommentBegun() ? tr("A comment was begun and not added.").toStdString() : std::string(); }});

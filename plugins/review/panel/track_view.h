@@ -24,7 +24,6 @@ class TrackView final : public QWidget {
   [[nodiscard]] QSize minimumSizeHint() const override;
   /// Where a moment of the clock is, in pixels of the widget.
   [[nodiscard]] double xOf(double clock_s) const;
-  Q_INVOKABLE double pixelOfTime(double clock_s) const { return xOf(clock_s); }
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QObject>
-#include <QString>
 #include <filesystem>
 #include <memory>
 
@@ -26,7 +25,6 @@ class ReviewReports final : public QObject {
   void ask(const sdk::SaveFile& asked, bool isOfClass);
   /// In a job. @param file ending in .pdf or .html
   void write(const std::filesystem::path& file, bool isOfClass);
-  Q_INVOKABLE void writeReportFile(const QString& file, bool isOfClass) { write(file.toStdString(), isOfClass); }
 
  private:
   sdk::Host& host_;
