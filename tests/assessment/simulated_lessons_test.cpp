@@ -5,6 +5,7 @@
 
 #include "ew/assessment/simulated_trainee.h"
 #include "ew/assessment/step_work.h"
+#include "ew/core/figure.h"
 #include "places.h"
 
 namespace ew {
@@ -55,7 +56,7 @@ TEST_P(SimulatedLessons, AreDoneByAHandWithoutErrorsAndTriedByANovice) {
       SCOPED_TRACE(lesson.id + ", " + step.id + " [" + std::string(taskWord(step.task)) + "]: " + steps[n].answer.dump());
       const StepOutcome outcome = judged(step, steps[n], *on);
       std::string figures;
-      for (const AttemptFigure& each : outcome.figures) figures += " " + each.name + " " + std::to_string(each.value);
+      for (const Figure& each : outcome.figures) figures += " " + each.name + " " + std::to_string(each.value);
       EXPECT_EQ(outcome.verdict, StepVerdict::passed) << outcome.score << " in " << outcome.seconds << " s;" << figures;
       const StepOutcome tried = judged(step, novices[n], *on);
       EXPECT_GE(tried.score, 0.0);

@@ -4,12 +4,14 @@
 
 #include <cmath>
 
+#include "ew/core/figure.h"
+
 namespace ew::case_authoring::measurements_test {
 namespace {
 
 using json = nlohmann::json;
 
-sdk::ScanMeasurement drawn(const char* kind, std::vector<glm::dvec3> points, std::vector<sdk::ScanMeasurement::Figure> figures) {
+sdk::ScanMeasurement drawn(const char* kind, std::vector<glm::dvec3> points, std::vector<Figure> figures) {
   sdk::ScanMeasurement made;
   made.kind = kind;
   for (const glm::dvec3& at : points) made.points.push_back({at});
@@ -25,7 +27,7 @@ Transform<frame::File, frame::Probe> turned() {
 }
 
 TEST(WithCaliper, TakesValueKindUnitAndWhereTheCaliperStands) {
-  const auto caliper = drawn("distance", {{0, 40, 0}, {3, 44, 0}}, {{"length", 5.0, 0.1, "mm"}});
+  const auto caliper = drawn("distance", {{0, 40, 0}, {3, 44, 0}}, {{"length", 5.0, "mm", 0.1}});
   const auto taken = withCaliper({{"name", "cyst"}, {"tolerance", 2.0}}, {caliper}, turned());
   ASSERT_TRUE(taken) << taken.error();
   EXPECT_EQ(*taken, json({{"name", "cyst"},
@@ -37,8 +39,8 @@ TEST(WithCaliper, TakesValueKindUnitAndWhereTheCaliperStands) {
 }
 
 TEST(WithCaliper, TakesTheLatestFigureOfTheKindThatIsAskedFor) {
-  const auto distance = drawn("distance", {{0, 0, 0}, {7, 0, 0}}, {{"length", 7.0, 0.0, "mm"}});
-  const auto ellipse = drawn("ellipse", {{0, 0, 0}, {9, 0, 0}}, {{"circumference", 31.4, 0.0, "mm"}, {"area", 0.785, 0.0, "cm2"}});
+  const auto distance = drawn("distance", {{0, 0, 0}, {7, 0, 0}}, {{"length", 7.0, "mm"}});
+  const auto ellipse = drawn("ellipse", {{0, 0, 0}, {9, 0, 0}}, {{"circumference", 31.4, "mm"}, {"area", 0.785, "cm2"}});
   EXPECT_EQ(withCaliper({{"kind", "area"}}, {distance, ellipse}, turned())->at("value"), 0.79);
   EXPECT_EQ(withCaliper({{"kind", "distance"}}, {distance, ellipse}, turned())->at("value"), 7.0);
   EXPECT_EQ(withCaliper(json::object(), {distance, ellipse}, turned())->at("kind"), "circumference");
@@ -49,7 +51,7 @@ TEST(WithCaliper, SaysWhatToDrawWhereNothingFits) {
   const auto without = withCaliper(json::object(), {}, turned());
   ASSERT_FALSE(without);
   EXPECT_NE(without.error().sentence().find("draw a caliper first"), std::string::npos) << without.error();
-  const auto distance = drawn("distance", {{0, 0, 0}, {7, 0, 0}}, {{"length", 7.0, 0.0, "mm"}});
+  const auto distance = drawn("distance", {{0, 0, 0}, {7, 0, 0}}, {{"length", 7.0, "mm"}});
   const auto other = withCaliper({{"kind", "angle"}}, {distance}, turned());
   ASSERT_FALSE(other);
   EXPECT_EQ(other.error().code, ErrorCode::badUsage);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ew/core/figure.h"
 #include "lessons/made_scene.h"
 
 namespace ew::lessons {
@@ -21,7 +22,7 @@ StepOutcome judged(const LessonTask& task, const std::vector<ScanState>& images,
 }
 
 double figure(const StepOutcome& outcome, const std::string& name) {
-  for (const AttemptFigure& one : outcome.figures)
+  for (const Figure& one : outcome.figures)
     if (one.name == name) return one.value;
   ADD_FAILURE() << "no figure " << name;
   return 0.0;
@@ -71,6 +72,18 @@ TEST(MeasureStep, ComparesTheLastFittingMeasurement) {
   angle.figures.push_back({"angle", 40.0, "deg"});
   EXPECT_TRUE((*work)->missing({.measurements = {angle}})) << "an angle is no length";
   EXPECT_FALSE((*work)->missing({.measurements = {test::length(1.0)}}));
+}
+
+TEST(HandedOf, TakesTheMeasurementsOfTheScan) {
+  sdk::ScanMeasurement drawn;
+  drawn.kind = "ellipse";
+  drawn.points = {{{1.0, 2.0, 0.0}}};
+  drawn.figures = {{"circumference", 31.4, "mm", 0.2}, {"area", 0.785, "cm2", 0.01}};
+  const auto handed = handedOf({drawn});
+  ASSERT_EQ(handed.size(), 1u);
+  EXPECT_EQ(handed[0].kind, "ellipse");
+  EXPECT_EQ(handed[0].points.size(), 1u);
+  EXPECT_EQ(handed[0].figures, drawn.figures);
 }
 
 TEST(PointStep, KnowsStructuresAndPoints) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ew/core/figure.h"
 #include "measurement/calipers.h"
 
 namespace ew::measurement::caliper_test {
@@ -20,7 +21,7 @@ constexpr double kPi = std::numbers::pi;
 double valueOf(const Caliper& drawn, FigureKind kind) {
   const auto measured = measure(drawn);
   if (!measured) return std::nan("");
-  const Figure* figure = measured->figure(kind);
+  const CaliperFigure* figure = measured->figure(kind);
   return figure == nullptr ? std::nan("") : figure->quantity.value;
 }
 
@@ -85,12 +86,18 @@ TEST(Calipers, SayWhenAnOutlineCrossesItself) {
   EXPECT_TRUE(measure(caliper(CaliperKind::trace, {{0, 0}, {10, 0}, {10, 10}, {0, 10}}))->remarks.empty());
 }
 
+TEST(FigureOf, NamesWhatACaliperMeasuredAndHowFarItIsKnown) {
+  const CaliperFigure longAxis{FigureKind::longAxis, {41.25, 0.5, Unit::mm}, {}};
+  EXPECT_EQ(figureOf(longAxis), (Figure{"long_axis", 41.25, "mm", 0.5}));
+  EXPECT_EQ(figureOf({FigureKind::ratio, {0.75, 0.0, Unit::one}, {}}), (Figure{"ratio", 0.75, "1", 0.0}));
+}
+
 RC_GTEST_PROP(Calipers, HaveTheDerivativesThatDifferencesHave, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
   for (const Caliper& drawn : oneOfEachKind(seed)) {
     const auto measured = measure(drawn);
     RC_ASSERT(measured.has_value());
-    for (const Figure& figure : measured->figures) {
+    for (const CaliperFigure& figure : measured->figures) {
       std::size_t n = 0;
       double largest = 1e-12;
       for (const glm::dvec2& slope : figure.gradient) largest = std::max(largest, glm::length(slope));

@@ -75,10 +75,10 @@ RC_GTEST_PROP(Findings, AFiguresCovarianceWithItselfIsItsUncertaintySquared, ())
   int number = 0;
   for (const Caliper& caliper : test::oneOfEachKind(seed)) {
     const Finding finding = found(1, ++number, caliper);
-    for (const Figure& a : finding.measured.figures) {
+    for (const CaliperFigure& a : finding.measured.figures) {
       const double u = a.quantity.uncertainty;
       RC_ASSERT(std::abs(covariance(finding, a, finding, a) - u * u) <= 1e-9 * (u * u + 1e-12));
-      for (const Figure& b : finding.measured.figures) {
+      for (const CaliperFigure& b : finding.measured.figures) {
         const double both = u * b.quantity.uncertainty;
         RC_ASSERT(std::abs(covariance(finding, a, finding, b)) <= both * (1.0 + 1e-6) + 1e-12);
         RC_ASSERT(std::abs(covariance(finding, a, finding, b) - covariance(finding, b, finding, a)) <= 1e-9 * both + 1e-12);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "ew/core/figure.h"
 #include "ew/core/foreign_json.h"
 
 namespace ew::case_authoring {
@@ -26,7 +27,7 @@ constexpr std::array<FigureKind, 4> kFigureKinds = {
     {"angle", "angle", "deg"},
 };
 
-const FigureKind* kindOf(const sdk::ScanMeasurement::Figure& figure) {
+const FigureKind* kindOf(const Figure& figure) {
   const auto found = std::find_if(kFigureKinds.begin(), kFigureKinds.end(),
                                   [&](const FigureKind& each) { return each.figure == figure.name && each.unit == figure.unit; });
   return found == kFigureKinds.end() ? nullptr : &*found;

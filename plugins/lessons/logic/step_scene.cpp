@@ -4,11 +4,7 @@ namespace ew::lessons {
 
 std::vector<HandedMeasurement> handedOf(const std::vector<sdk::ScanMeasurement>& measured) {
   std::vector<HandedMeasurement> handed;
-  for (const sdk::ScanMeasurement& each : measured) {
-    HandedMeasurement made{each.kind, each.points, {}};
-    for (const auto& figure : each.figures) made.figures.push_back({figure.name, figure.value, figure.unit});
-    handed.push_back(std::move(made));
-  }
+  for (const sdk::ScanMeasurement& each : measured) handed.push_back({each.kind, each.points, each.figures});
   return handed;
 }
 

@@ -60,7 +60,7 @@ const KindInfo& infoOf(CaliperKind kind) {
 
 Error cannot(Message why) { return {ErrorCode::badField, std::move(why), {}}; }
 
-Figure made(FigureKind kind, double value, Unit unit, Gradient gradient) { return {kind, {value, 0.0, unit}, std::move(gradient)}; }
+CaliperFigure made(FigureKind kind, double value, Unit unit, Gradient gradient) { return {kind, {value, 0.0, unit}, std::move(gradient)}; }
 
 /// The length between two points, with its derivatives; nothing of no length.
 std::optional<std::pair<double, std::array<glm::dvec2, 2>>> lengthOf(const glm::dvec2& a, const glm::dvec2& b) {
@@ -390,6 +390,11 @@ std::string_view wordOf(FigureKind kind) {
   return std::find_if(kFigures.begin(), kFigures.end(), [&](const auto& each) { return each.first == kind; })->second;
 }
 
+Figure figureOf(const CaliperFigure& figure) {
+  return {std::string(wordOf(figure.kind)), figure.quantity.value, std::string(symbolOf(figure.quantity.unit)),
+          figure.quantity.uncertainty};
+}
+
 UncertaintyAt uncertaintyByDepth(glm::dvec2 pixel_mm, std::function<PointUncertainty(double depth_mm)> resolution) {
   return [pixel_mm, resolution = std::move(resolution)](int, const glm::dvec2& p) {
     PointUncertainty found = resolution ? resolution(p.y) : PointUncertainty{};
@@ -398,8 +403,8 @@ UncertaintyAt uncertaintyByDepth(glm::dvec2 pixel_mm, std::function<PointUncerta
   };
 }
 
-const Figure* Measured::figure(FigureKind kind) const {
-  const auto found = std::find_if(figures.begin(), figures.end(), [&](const Figure& each) { return each.kind == kind; });
+const CaliperFigure* Measured::figure(FigureKind kind) const {
+  const auto found = std::find_if(figures.begin(), figures.end(), [&](const CaliperFigure& each) { return each.kind == kind; });
   return found == figures.end() ? nullptr : &*found;
 }
 
@@ -408,7 +413,7 @@ Result<Measured> measure(const Caliper& caliper, const UncertaintyAt& at) {
   auto measured = measureValue(caliper);
   if (!measured || !at) return measured;
   const Spreads spreads = spreadsOf(caliper, at);
-  for (Figure& figure : measured->figures)
+  for (CaliperFigure& figure : measured->figures)
     figure.quantity.uncertainty = std::sqrt(std::max(0.0, covarianceWithin(figure.gradient, figure.gradient, spreads)));
   return measured;
 }

@@ -33,7 +33,7 @@ Error cannotCombine(Message why) { return {ErrorCode::badField, std::move(why), 
 /// A figure that goes into a result.
 struct Input {
   const Finding* finding = nullptr;
-  const Figure* figure = nullptr;
+  const CaliperFigure* figure = nullptr;
   [[nodiscard]] double value() const { return figure->quantity.value; }
 };
 
@@ -126,7 +126,7 @@ Result<Combined> biplaneOf(const std::vector<Input>& inputs) {
 std::string_view wordOf(CombinationKind kind) { return infoOfCombination(kind).word; }
 std::size_t inputCount(CombinationKind kind) { return infoOfCombination(kind).inputs; }
 
-double covariance(const Finding& a, const Figure& ofA, const Finding& b, const Figure& ofB) {
+double covariance(const Finding& a, const CaliperFigure& ofA, const Finding& b, const CaliperFigure& ofB) {
   if (a.picture != b.picture || !a.at || !b.at) return 0.0;
   const Spreads spreads = spreadsOf(a.measurement.caliper, a.at);
   if (a.measurement.number == b.measurement.number) return covarianceWithin(ofA.gradient, ofB.gradient, spreads);
@@ -164,7 +164,7 @@ Result<Combined> Findings::combine(CombinationKind kind, const std::vector<Figur
   for (const FigureRef& ref : of) {
     const Finding* finding = find(ref.picture, ref.number);
     if (finding == nullptr) return passOn(cannotCombine(say<"Measurement %1, which this result was made from, was deleted.">(ref.number)));
-    const Figure* figure = finding->measured.figure(ref.figure);
+    const CaliperFigure* figure = finding->measured.figure(ref.figure);
     if (figure == nullptr)
       return passOn(cannotCombine(say<"Measurement %1 gives no %2; choose another one.">(ref.number, std::string(wordOf(ref.figure)))));
     inputs.push_back({finding, figure});

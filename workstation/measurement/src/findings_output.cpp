@@ -62,7 +62,7 @@ ordered_json toJson(const Findings& findings, const std::string& title) {
     if (!each.measurement.side.empty()) one["side"] = each.measurement.side;
     if (each.measurement.caliper.kind == CaliperKind::heartRate) one["cycles"] = each.measurement.caliper.cycles;
     one["figures"] = ordered_json::array();
-    for (const Figure& figure : each.measured.figures) {
+    for (const CaliperFigure& figure : each.measured.figures) {
       ordered_json made = {{"figure", wordOf(figure.kind)}};
       made.update(jsonOf(figure.quantity));
       one["figures"].push_back(std::move(made));
@@ -96,7 +96,7 @@ ordered_json toJson(const Findings& findings, const std::string& title) {
 std::string toCsv(const Findings& findings, const std::string& title) {
   std::string made = line({"place", "number", "kind", "item", "side", "figure", "value", "uncertainty", "unit", "from", "note"});
   for (const Finding& each : findings.all())
-    for (const Figure& figure : each.measured.figures)
+    for (const CaliperFigure& figure : each.measured.figures)
       made += line(
           {placeText(findings, each.picture), std::to_string(each.measurement.number), std::string(wordOf(each.measurement.caliper.kind)),
            each.measurement.item, each.measurement.side, std::string(wordOf(figure.kind)), textOf(figure.quantity.value),

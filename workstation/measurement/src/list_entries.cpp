@@ -31,7 +31,7 @@ FigureKind figureKindOf(ItemMeasure measure) {
 
 }  // namespace
 
-const Figure* figureFor(ItemMeasure measure, const Measured& measured) {
+const CaliperFigure* figureFor(ItemMeasure measure, const Measured& measured) {
   if (measure == ItemMeasure::choice || measured.figures.empty()) return nullptr;
   if (measure == ItemMeasure::number) return &measured.figures.front();
   return measured.figure(figureKindOf(measure));
@@ -42,7 +42,7 @@ Result<std::optional<WorksheetEntry>> entryOf(const Measurement& measurement, co
   if (item == nullptr) return std::nullopt;
   const auto measured = measure(measurement.caliper, at);
   if (!measured) return std::nullopt;
-  const Figure* figure = figureFor(item->measure, *measured);
+  const CaliperFigure* figure = figureFor(item->measure, *measured);
   if (figure == nullptr)
     return failure(ErrorCode::badField, say<"Measurement %1 was made for %2, but gives no %3; measure it with another caliper.">(
                                             measurement.number, item->label, std::string(wordOf(item->measure))));

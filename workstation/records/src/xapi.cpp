@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "ew/core/figure.h"
 #include "ew/core/version.h"
 #include "iri.h"
 
@@ -164,8 +165,7 @@ json AttemptStatements::ofOutcome(const StepOutcome& outcome, int repetition) {
   result["extensions"] = {{iri("extension/hints"), outcome.hints}};
   if (!outcome.figures.empty()) {
     json figures = json::array();
-    for (const AttemptFigure& figure : outcome.figures)
-      figures.push_back({{"name", figure.name}, {"value", figure.value}, {"unit", figure.unit}});
+    for (const Figure& figure : outcome.figures) figures.push_back({{"name", figure.name}, {"value", figure.value}, {"unit", figure.unit}});
     result["extensions"][iri("extension/figures")] = std::move(figures);
   }
   if (json metrics = metricsOf(outcome.stepId); !metrics.empty()) result["extensions"][iri("extension/metrics")] = std::move(metrics);

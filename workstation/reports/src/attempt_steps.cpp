@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "attempt_parts.h"
+#include "ew/core/figure.h"
 #include "ew/scanning/recording.h"
 #include "report_words.h"
 
@@ -82,10 +83,10 @@ void addMetrics(const PartOf& of, const StepScore& step, Blocks& blocks) {
         ReportTone::soft});
 }
 
-void addFigures(const std::vector<AttemptFigure>& figures, Blocks& blocks) {
+void addFigures(const std::vector<Figure>& figures, Blocks& blocks) {
   if (figures.empty()) return;
   ReportTable table{say<"What the task was judged by">(), {{say<"Figure">()}, {say<"Value">(), true}}, {}};
-  for (const AttemptFigure& figure : figures) table.rows.push_back({{figureName(figure.name)}, {figureText(figure.value, figure.unit)}});
+  for (const Figure& figure : figures) table.rows.push_back({{figureName(figure.name)}, {figureText(figure.value, figure.unit)}});
   blocks.emplace_back(std::move(table));
 }
 

@@ -67,7 +67,7 @@ json jsonOf(const StepScore& step) {
     if (verdict == step.verdict) made["verdict"] = word;
   for (const MetricValue& each : step.metrics)
     made["metrics"].push_back({{"id", each.id}, {"version", each.version}, {"value", each.value}});
-  for (const AttemptFigure& each : step.figures) {
+  for (const Figure& each : step.figures) {
     json figure = {{"name", each.name}, {"value", each.value}};
     if (!each.unit.empty()) figure["unit"] = each.unit;
     made["figures"].push_back(std::move(figure));

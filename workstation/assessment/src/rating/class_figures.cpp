@@ -1,4 +1,5 @@
 #include "ew/assessment/class_figures.h"
+#include "ew/core/figure.h"
 
 #include <algorithm>
 #include <iterator>
@@ -50,7 +51,7 @@ void addFigures(ClassStep& step, const StepScore& score, bool isScored) {
     addFigure(step, {value.id, value.version, unit, true, {}}, value.value);
   }
   if (isScored) return;
-  for (const AttemptFigure& figure : score.figures) addFigure(step, {figure.name, 1, figure.unit, false, {}}, figure.value);
+  for (const Figure& figure : score.figures) addFigure(step, {figure.name, 1, figure.unit, false, {}}, figure.value);
 }
 
 void addStep(ClassStep& step, const StepScore& score, const ClassAttempt& attempt) {

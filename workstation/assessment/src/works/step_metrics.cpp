@@ -6,6 +6,7 @@
 #include "ew/assessment/organ_coverage.h"
 #include "ew/assessment/plane_error.h"
 #include "ew/assessment/time_warping.h"
+#include "ew/core/figure.h"
 #include "ew/imaging/display.h"
 
 namespace ew {
@@ -91,7 +92,7 @@ class Figures {
   /// Of the judgement; empty: it has none of that name.
   [[nodiscard]] std::optional<double> figure(const char* name) const {
     const auto& figures = record_.outcome.figures;
-    const auto at = std::find_if(figures.begin(), figures.end(), [&](const AttemptFigure& one) { return one.name == name; });
+    const auto at = std::find_if(figures.begin(), figures.end(), [&](const Figure& one) { return one.name == name; });
     return at == figures.end() ? std::nullopt : std::optional(at->value);
   }
 

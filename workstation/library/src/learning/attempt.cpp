@@ -80,7 +80,7 @@ json jsonOf(const StepOutcome& outcome) {
   made["score"] = outcome.score;
   made["seconds"] = outcome.seconds;
   if (outcome.hints > 0) made["hints"] = outcome.hints;
-  for (const AttemptFigure& figure : outcome.figures) {
+  for (const Figure& figure : outcome.figures) {
     json each = {{"name", figure.name}, {"value", figure.value}};
     if (!figure.unit.empty()) each["unit"] = figure.unit;
     made["figures"].push_back(std::move(each));

@@ -18,8 +18,8 @@
 namespace ew::ui {
 namespace {
 
+using measurement::CaliperFigure;
 using measurement::CombinationKind;
-using measurement::Figure;
 using measurement::FigureKind;
 using measurement::FigureRef;
 using measurement::Finding;
@@ -30,7 +30,7 @@ constexpr std::array kCombinationKinds{CombinationKind::ratio, CombinationKind::
                                        CombinationKind::ellipsoid, CombinationKind::biplane};
 
 /// Whether a figure is offered for a kind: what cannot be is left out of a volume's lists; ratios say why two do not go together.
-bool isOffered(CombinationKind kind, const Finding& finding, const Figure& figure) {
+bool isOffered(CombinationKind kind, const Finding& finding, const CaliperFigure& figure) {
   if (kind == CombinationKind::biplane)
     return finding.measurement.caliper.kind == measurement::CaliperKind::discs && figure.kind == FigureKind::volume;
   if (kind == CombinationKind::ellipsoid) return measurement::areComparable(figure.quantity.unit, measurement::Unit::mm);
@@ -105,7 +105,7 @@ void CombineDialog::showInputs() {
   offered_.clear();
   QStringList texts;
   for (const Finding& finding : findings.all())
-    for (const Figure& each : finding.measured.figures) {
+    for (const CaliperFigure& each : finding.measured.figures) {
       if (!isOffered(kind(), finding, each)) continue;
       offered_.push_back({finding.picture, finding.measurement.number, each.kind});
       texts << FindingWords::textOf(findings, finding, each);

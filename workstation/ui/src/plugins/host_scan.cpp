@@ -180,9 +180,7 @@ std::vector<sdk::ScanMeasurement> HostScan::measurements() const {
     one.kind = measurement::wordOf(line.measurement.caliper.kind);
     for (const auto& part : line.measurement.caliper.parts)
       for (const glm::dvec2& at : part.points) one.points.push_back({{at.x, at.y, 0.0}});
-    for (const auto& figure : line.measured.figures)
-      one.figures.push_back({std::string(measurement::wordOf(figure.kind)), figure.quantity.value, figure.quantity.uncertainty,
-                             std::string(measurement::symbolOf(figure.quantity.unit))});
+    for (const auto& figure : line.measured.figures) one.figures.push_back(measurement::figureOf(figure));
     found.push_back(std::move(one));
   }
   return found;

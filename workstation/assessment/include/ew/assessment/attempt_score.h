@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ew/assessment/metric.h"
+#include "ew/core/figure.h"
 #include "ew/core/result.h"
 #include "ew/library/attempt.h"
 
@@ -29,7 +30,7 @@ struct StepScore {
   bool isJudgedAnew = false;         ///< from the raw data; false: as it was judged in the lesson, for the raw data are not there
   std::optional<double> validShare;  ///< of the images' poses, 0..1; metrics stand on these alone; empty: there was no recording to look at
   std::vector<MetricValue> metrics;
-  std::vector<AttemptFigure> figures;
+  std::vector<Figure> figures;
   std::vector<AttemptRemark> remarks;
   bool operator==(const StepScore&) const = default;
 };

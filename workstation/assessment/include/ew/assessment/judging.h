@@ -7,6 +7,7 @@
 
 #include "ew/assessment/organ_voxels.h"
 #include "ew/assessment/plane_error.h"
+#include "ew/core/figure.h"
 #include "ew/library/attempt.h"
 
 namespace ew {
@@ -15,7 +16,7 @@ namespace ew {
 struct Judgement {
   double score = 0.0;  ///< 0 to 1; kPassScore and more where, and only where, everything is within tolerance
   bool passed = false;
-  std::vector<AttemptFigure> figures;
+  std::vector<Figure> figures;
   std::vector<AttemptRemark> remarks;
   bool operator==(const Judgement&) const = default;
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ew/assessment/case_ground.h"
+#include "ew/core/figure.h"
 #include "ew/library/attempt.h"
 #include "ew/library/lesson.h"
 #include "ew/scanning/state.h"
@@ -15,11 +16,6 @@ namespace ew {
 
 /// What was measured with calipers in the image that is shown.
 struct HandedMeasurement {
-  struct Figure {
-    std::string name;  ///< "length", "circumference", "area", "angle" ...
-    double value = 0.0;
-    std::string unit;  ///< "mm", "cm2", "deg" ...
-  };
   std::string kind;  ///< of the caliper: "distance", "ellipse" ...
   std::vector<Point<frame::Probe>> points;
   std::vector<Figure> figures;

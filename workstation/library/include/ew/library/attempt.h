@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ew/core/figure.h"
 #include "ew/core/message.h"
 #include "ew/core/result.h"
 
@@ -27,14 +28,6 @@ enum class StepVerdict {
 /// The same of a whole lesson.
 [[nodiscard]] Message passedWord(bool passed);
 
-/// A figure of a step, as it was measured: "angle", 4.2, "deg".
-struct AttemptFigure {
-  std::string name;
-  double value = 0.0;
-  std::string unit;  ///< "mm", "deg", "s", "%", or empty for a ratio
-  bool operator==(const AttemptFigure&) const = default;
-};
-
 /// What is said after a step.
 struct AttemptRemark {
   bool good = false;  ///< what was done well; false: what was missed
@@ -48,7 +41,7 @@ struct StepOutcome {
   double score = 0.0;    ///< 0 to 1
   double seconds = 0.0;  ///< spent on the step, pauses left out
   int hints = 0;         ///< that were asked for
-  std::vector<AttemptFigure> figures;
+  std::vector<Figure> figures;
   std::vector<AttemptRemark> remarks;
   nlohmann::json answer;              ///< what was entered, by the step's kind; null: nothing
   std::string recording;              ///< of the scan during the step, relative to the attempt's folder; empty: none was made

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ew/core/figure.h"
 #include "ew/core/message.h"
 #include "ew/core/result.h"
 #include "ew/measurement/ellipse.h"
@@ -88,20 +89,22 @@ enum class FigureKind { length, circumference, area, longAxis, shortAxis, angle,
 [[nodiscard]] std::string_view wordOf(FigureKind kind);  ///< "length", "long_axis"
 
 /// One result of a caliper.
-struct Figure {
+struct CaliperFigure {
   FigureKind kind = FigureKind::length;
   Quantity quantity;
   std::vector<glm::dvec2> gradient;  ///< of its value by each point: all of the first part, then those of the next
 };
+/// By the words of its kind and unit: "long_axis", 41.2, "mm".
+[[nodiscard]] Figure figureOf(const CaliperFigure& figure);
 
 struct Measured {
-  std::vector<Figure> figures;     ///< the one that the caliper is for comes first
-  std::optional<Ellipse> ellipse;  ///< of the two kinds of ellipses: what is to be drawn
-  double residualRms_mm = 0.0;     ///< of a fitted ellipse: distance of the points from it
-  std::vector<Message> remarks;    ///< what a person should know about it
+  std::vector<CaliperFigure> figures;  ///< the one that the caliper is for comes first
+  std::optional<Ellipse> ellipse;      ///< of the two kinds of ellipses: what is to be drawn
+  double residualRms_mm = 0.0;         ///< of a fitted ellipse: distance of the points from it
+  std::vector<Message> remarks;        ///< what a person should know about it
 
   /// Null when there is none of this kind.
-  [[nodiscard]] const Figure* figure(FigureKind kind) const;
+  [[nodiscard]] const CaliperFigure* figure(FigureKind kind) const;
 };
 
 /// Measures, with the standard uncertainty of every result: gradient times covariance of the points times gradient.

@@ -25,7 +25,7 @@ inline constexpr std::uint64_t kStripPicture = std::uint64_t{1} << 40;
 /// Covariance of a figure of one measurement and a figure of another, in the product of their units. Points are independent of each other,
 /// but for those that lie on each other in one picture (the cross of one was put on that of another): they are one point of the tissue. Of
 /// one measurement with itself as measure() has it, so that a figure's covariance with itself is its uncertainty squared.
-[[nodiscard]] double covariance(const Finding& a, const Figure& ofA, const Finding& b, const Figure& ofB);
+[[nodiscard]] double covariance(const Finding& a, const CaliperFigure& ofA, const Finding& b, const CaliperFigure& ofB);
 
 /// What several measurements give together.
 enum class CombinationKind {

@@ -12,7 +12,7 @@
 namespace ew::measurement {
 
 /// What a caliper gives to an item of a kind, in the order of preference; null when it gives nothing of that kind.
-[[nodiscard]] const Figure* figureFor(ItemMeasure measure, const Measured& measured);
+[[nodiscard]] const CaliperFigure* figureFor(ItemMeasure measure, const Measured& measured);
 
 /// What a measurement gives to the item it was made for; empty when it was made for none of this package, or cannot be measured yet.
 /// @error badField (a caliper that gives nothing its item needs: a distance for a circumference)

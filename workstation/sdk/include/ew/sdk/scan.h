@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "ew/core/figure.h"
 #include "ew/core/result.h"
 #include "ew/imaging/display.h"
 #include "ew/imaging/picture.h"
@@ -38,12 +39,6 @@ struct StrokeRequest {
 
 /// Something that was measured in the image with calipers, as it stands now.
 struct ScanMeasurement {
-  struct Figure {
-    std::string name;          ///< "length", "circumference", "area", "angle" ...
-    double value = 0.0;        ///< in `unit`
-    double uncertainty = 0.0;  ///< standard deviation, in `unit`; 0: not known
-    std::string unit;          ///< "mm", "cm2", "deg" ...
-  };
   int number = 0;                           ///< stays while it is edited
   std::string kind;                         ///< of the caliper: "distance", "ellipse", "fitted_ellipse" ...
   std::vector<Point<frame::Probe>> points;  ///< of the image plane, mm

@@ -9,9 +9,9 @@
 
 namespace ew::ui {
 
+using measurement::CaliperFigure;
 using measurement::Combination;
 using measurement::CombinationKind;
-using measurement::Figure;
 using measurement::Finding;
 using measurement::Findings;
 
@@ -59,7 +59,7 @@ QString FindingWords::placeOf(const Findings& findings, const Finding& finding) 
                  : tr("Image %1: %2", "an image's number, and a measurement in it").arg(findings.ordinalOf(finding.picture)).arg(what);
 }
 
-QString FindingWords::textOf(const Findings& findings, const Finding& finding, const Figure& figure) {
+QString FindingWords::textOf(const Findings& findings, const Finding& finding, const CaliperFigure& figure) {
   return tr("%1, %2 %3", "a measurement, what of it, its value")
       .arg(placeOf(findings, finding), CaliperWords::nameOf(figure.kind), CaliperWords::textOf(figure.quantity));
 }
@@ -75,7 +75,7 @@ QString FindingWords::howItCameAbout(const Findings& findings, const Combination
   QStringList said, from;
   for (std::size_t n = 0; n < combination.of.size(); ++n) {
     const Finding* finding = findings.find(combination.of[n].picture, combination.of[n].number);
-    const Figure* figure = finding != nullptr ? finding->measured.figure(combination.of[n].figure) : nullptr;
+    const CaliperFigure* figure = finding != nullptr ? finding->measured.figure(combination.of[n].figure) : nullptr;
     if (figure != nullptr)
       from << tr("%1 = %2", "an input and what it is").arg(inputOf(combination.kind, n), textOf(findings, *finding, *figure));
   }

@@ -21,7 +21,7 @@ struct FindingWords {
   [[nodiscard]] static QString placeOf(const measurement::Findings& findings, const measurement::Finding& finding);
   /// The same with the figure and its value: what is chosen from.
   [[nodiscard]] static QString textOf(const measurement::Findings& findings, const measurement::Finding& finding,
-                                      const measurement::Figure& figure);
+                                      const measurement::CaliperFigure& figure);
   /// "12.3 ± 0.4 %", or why there is none.
   [[nodiscard]] static QString valueOf(const measurement::Findings& findings, const measurement::Combination& combination);
   /// What it was made from, how its uncertainty came about, and what a person should know about it.
