@@ -7,6 +7,7 @@
 #include "ew/io/volume_file.h"
 #include "ew/library/case.h"
 #include "ew/library/learning.h"
+#include "ew/library/step_answer.h"
 #include "library/temporary_folder.h"
 
 namespace ew::test {
@@ -70,7 +71,7 @@ class AssessedWorld {
   struct Tried {
     std::string step;
     std::optional<ScanLog> scan = {};
-    nlohmann::json answer = nullptr;
+    StepAnswer answer = {};
     double seconds = 10.0;
     StepVerdict verdict = StepVerdict::failed;
     double score = 0.0;  ///< as the lesson said

@@ -7,6 +7,7 @@
 
 #include "assessment/assessed_world.h"
 #include "ew/assessment/attempt_result.h"
+#include "ew/library/step_answer.h"
 
 namespace ew {
 namespace {
@@ -25,11 +26,9 @@ std::vector<AssessedWorld::Tried> goodTries() {
   return {{.step = "read", .verdict = StepVerdict::passed, .score = 1.0},
           {.step = "plane", .scan = stayedAt(1.0)},
           {.step = "sweep", .scan = scanAlong([](double t) { return heldAt(-25.0 + 2.5 * t); }, 20.0)},
-          {.step = "measure",
-           .scan = stayedAt(0.0),
-           .answer = {{"value", 40.5}, {"unit", "mm"}, {"caliper", "distance"}, {"points_mm", {{-20, 0, 0}, {20.5, 0, 0}}}}},
-          {.step = "point", .scan = stayedAt(0.0), .answer = {{"at_mm", {1.0, 0.0, 0.0}}}},
-          {.step = "answer", .answer = {{"chosen", {0}}}},
+          {.step = "measure", .scan = stayedAt(0.0), .answer = MeasurementAnswer{40.5, "mm", "distance", {{-20, 0, 0}, {20.5, 0, 0}}}},
+          {.step = "point", .scan = stayedAt(0.0), .answer = PointAnswer{{1.0, 0.0, 0.0}}},
+          {.step = "answer", .answer = OptionsAnswer{{0}}},
           {.step = "free", .scan = scanAlong([](double t) { return heldAt(-25.0 + 2.5 * t); }, 20.0)}};
 }
 
@@ -182,12 +181,12 @@ TEST(ScoreOfAnAttempt, TakesNoMeasurementInAnotherUnitAndNothingThatWasNotWatche
                              world.caseFolder() / "parts" / "lessons" / "scans" / "expert.seq.mha"));
   world.teach(lesson);
   auto tries = goodTries();
-  tries[3].answer["unit"] = "cm";
-  tries.push_back({.step = "watch", .answer = {{"watched", false}}, .verdict = StepVerdict::passed, .score = 1.0});
+  std::get<MeasurementAnswer>(tries[3].answer).unit = "cm";
+  tries.push_back({.step = "watch", .answer = WatchAnswer{false}, .verdict = StepVerdict::passed, .score = 1.0});
   const AttemptScore score = scored(world, world.keep("20261101-100000-a3a3a3a3", tries));
   EXPECT_DOUBLE_EQ(score.of("measure")->task, 0.0);
   EXPECT_DOUBLE_EQ(score.of("watch")->task, 0.0);
-  tries.back().answer = nullptr;  // as attempts were kept before answers were kept in full
+  tries.back().answer = {};  // as attempts were kept before answers were kept in full
   const AttemptScore older = scored(world, world.keep("20261101-100000-a4a4a4a4", tries));
   EXPECT_DOUBLE_EQ(older.of("watch")->task, 1.0);
   EXPECT_FALSE(older.of("watch")->isJudgedAnew);

@@ -6,6 +6,7 @@
 #include "ew/assessment/simulated_trainee.h"
 #include "ew/assessment/step_work.h"
 #include "ew/core/figure.h"
+#include "ew/library/step_answer.h"
 #include "places.h"
 
 namespace ew {
@@ -53,7 +54,7 @@ TEST_P(SimulatedLessons, AreDoneByAHandWithoutErrorsAndTriedByANovice) {
     ASSERT_EQ(novices.size(), lesson.steps.size());
     for (std::size_t n = 0; n < steps.size(); ++n) {
       const LessonStep& step = lesson.steps[n];
-      SCOPED_TRACE(lesson.id + ", " + step.id + " [" + std::string(taskWord(step.task)) + "]: " + steps[n].answer.dump());
+      SCOPED_TRACE(lesson.id + ", " + step.id + " [" + std::string(taskWord(step.task)) + "]: " + jsonOf(steps[n].answer).dump());
       const StepOutcome outcome = judged(step, steps[n], *on);
       std::string figures;
       for (const Figure& each : outcome.figures) figures += " " + each.name + " " + std::to_string(each.value);

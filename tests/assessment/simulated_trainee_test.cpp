@@ -17,6 +17,7 @@
 #include "ew/assessment/motion.h"
 #include "ew/assessment/skin_distance.h"
 #include "ew/assessment/step_work.h"
+#include "ew/library/step_answer.h"
 #include "ew/scanning/contact.h"
 #include "places.h"
 
@@ -24,7 +25,6 @@ namespace ew {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 LessonStep stepOf(const std::string& id, LessonTask task) {
   LessonStep step;
@@ -327,20 +327,21 @@ TEST(SimulatedTrainee, WithoutErrorsPassesEveryKindOfStep) {
   ASSERT_EQ(steps.size(), trunk.lesson().steps.size());
   for (std::size_t n = 0; n < steps.size(); ++n) {
     const StepOutcome outcome = judgedOf(trunk.lesson().steps[n], steps[n], on);
-    EXPECT_GE(outcome.score, 0.97) << steps[n].stepId << ": " << steps[n].answer;
+    EXPECT_GE(outcome.score, 0.97) << steps[n].stepId << ": " << jsonOf(steps[n].answer);
     for (const AttemptRemark& remark : outcome.remarks) EXPECT_TRUE(remark.good) << steps[n].stepId << ": " << remark.text.english();
   }
-  EXPECT_TRUE(steps[0].answer.is_null());
-  EXPECT_EQ(steps[1].answer, (json{{"watched", true}}));
-  EXPECT_TRUE(steps[3].answer.is_null());
-  EXPECT_EQ(steps[5].answer["at_mm"].size(), 3U);
-  EXPECT_NEAR(steps[7].answer["value"].get<double>(), 24.0, 1e-6);
-  EXPECT_EQ(steps[7].answer["caliper"], "distance");
-  EXPECT_EQ(steps[7].answer["points_mm"].size(), 2U);
-  EXPECT_EQ(steps[8].answer["unit"], "ml");
-  EXPECT_FALSE(steps[8].answer.contains("points_mm"));
-  EXPECT_EQ(steps[9].answer, (json{{"chosen", {1, 3}}}));
-  EXPECT_EQ(steps[10].answer, (json{{"number", 24.0}}));
+  EXPECT_EQ(steps[0].answer, StepAnswer());
+  EXPECT_EQ(steps[1].answer, StepAnswer(WatchAnswer{true}));
+  EXPECT_EQ(steps[3].answer, StepAnswer());
+  EXPECT_TRUE(std::holds_alternative<PointAnswer>(steps[5].answer));
+  const auto &distance = std::get<MeasurementAnswer>(steps[7].answer), &volume = std::get<MeasurementAnswer>(steps[8].answer);
+  EXPECT_NEAR(distance.value, 24.0, 1e-6);
+  EXPECT_EQ(distance.caliper, "distance");
+  EXPECT_EQ(distance.points_mm.size(), 2U);
+  EXPECT_EQ(volume.unit, "ml");
+  EXPECT_TRUE(volume.points_mm.empty());
+  EXPECT_EQ(steps[9].answer, StepAnswer(OptionsAnswer{{1, 3}}));
+  EXPECT_EQ(steps[10].answer, StepAnswer(NumberAnswer{24.0}));
   EXPECT_GE(steps[11].log.end_s() - steps[11].log.begin_s(), 20.0);
 }
 
@@ -449,7 +450,7 @@ TEST(SimulatedTrainee, StopsWhenTheTimeOfAStepIsOver) {
     EXPECT_LE(step.seconds, 6.0 + 1e-9) << step.stepId;
     EXPECT_LE(step.log.end_s() - step.log.begin_s(), 6.0 + 1e-9) << step.stepId;
   }
-  EXPECT_TRUE(steps[7].answer.is_null()) << "nobody sets calipers in no time";
+  EXPECT_EQ(steps[7].answer, StepAnswer()) << "nobody sets calipers in no time";
 }
 
 TEST(SimulatedTrainee, StopsAtOnceWhenToldInTheMiddleOfAScan) {

@@ -11,6 +11,7 @@
 #include "ew/library/bundle.h"
 #include "ew/library/instructor_log.h"
 #include "ew/library/sealed_answers.h"
+#include "ew/library/step_answer.h"
 
 namespace ew::test {
 namespace {
@@ -183,7 +184,7 @@ TEST_F(AccessCommand, OpensAnExaminationWithTheKeyAndScoresWhatWasHandedIn) {
   ASSERT_TRUE(imported);
   std::vector<std::string> words = {
       "case", "unseal", folder_ / "friday.ewcase", "-o", folder_ / "opened", "--passphrase", folder_ / "words", "--attempts"};
-  for (const int option : {0, 1}) {
+  for (const std::size_t option : {0U, 1U}) {
     Attempt attempt;
     attempt.id = "20261126-09300" + std::to_string(option) + "-4f2a91c7";
     attempt.caseId = "friday";
@@ -195,7 +196,7 @@ TEST_F(AccessCommand, OpensAnExaminationWithTheKeyAndScoresWhatWasHandedIn) {
     StepOutcome outcome;
     outcome.stepId = "step-1";
     outcome.verdict = StepVerdict::handedIn;
-    outcome.answer = {{"chosen", {option}}};
+    outcome.answer = OptionsAnswer{{option}};
     ASSERT_TRUE(kept->endStep(outcome));
     ASSERT_TRUE(kept->finish(attempt.startedAt));
     words.push_back(kept->folder().string());

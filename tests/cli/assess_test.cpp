@@ -5,6 +5,7 @@
 
 #include "assessment/assessed_world.h"
 #include "ew/cli/run_command.h"
+#include "ew/library/step_answer.h"
 
 namespace ew::test::assess_command_test {
 namespace {
@@ -28,7 +29,7 @@ Said run(std::vector<std::string> args) {
 
 std::vector<AssessedWorld::Tried> tries(double z_mm) {
   return {{.step = "plane", .scan = scanAlong([=](double t) { return heldAt(z_mm + std::max(0.0, 8.0 - 4.0 * t)); }, 4.0)},
-          {.step = "answer", .answer = {{"chosen", {0}}}}};
+          {.step = "answer", .answer = OptionsAnswer{{0}}}};
 }
 
 class AssessCommand : public ::testing::Test {
@@ -94,7 +95,7 @@ TEST_F(AssessCommand, WritesPagesATableAndDicomReports) {
   auto measured = tries(0.0);
   measured.push_back({.step = "measure",
                       .scan = scanAlong([](double) { return heldAt(); }, 2.0),
-                      .answer = {{"value", 40.5}, {"unit", "mm"}, {"caliper", "distance"}, {"points_mm", {{-20, 0, 0}, {20.5, 0, 0}}}}});
+                      .answer = MeasurementAnswer{40.5, "mm", "distance", {{-20, 0, 0}, {20.5, 0, 0}}}});
   world_.keep("20261101-100000-aaaaaaaa", measured);
   world_.keep("20261101-100001-bbbbbbbb", tries(4.0));
   const Said said = run({"assess", "--html", (outputs_ / "pages").string(), "--csv", (outputs_ / "t.csv").string(), "--dicom",

@@ -7,6 +7,7 @@
 #include "ew/assessment/attempt_result.h"
 #include "ew/assessment/pseudonym.h"
 #include "ew/cli/run_command.h"
+#include "ew/library/step_answer.h"
 #include "records/record_server.h"
 
 // One attempt has one result: the same score, verdict, code and times wherever it is told.
@@ -73,7 +74,7 @@ class OneResult : public ::testing::Test {
     made.startedAt = kBegun;
     auto kept = KeptAttempt::begin(attemptsFolder(world_.library()), made);
     EXPECT_TRUE(kept) << kept.error();
-    const auto end = [&](const char* step, double score, json answer, int at_s) {
+    const auto end = [&](const char* step, double score, StepAnswer answer, int at_s) {
       StepOutcome outcome;
       outcome.stepId = step;
       outcome.score = score;
@@ -83,11 +84,11 @@ class OneResult : public ::testing::Test {
       outcome.at = kBegun + std::chrono::seconds(at_s);
       EXPECT_TRUE(kept->endStep(outcome));
     };
-    end("read", 1.0, nullptr, 20);
-    end("first", 1.0, {{"chosen", {0}}}, 40);
-    end("measure", 0.85, {{"value", 41.0}, {"unit", "mm"}, {"caliper", "distance"}}, 60);
-    end("second", 0.0, {{"chosen", {1}}}, 80);
-    end("second", 0.0, {{"chosen", {1}}}, 100);
+    end("read", 1.0, {}, 20);
+    end("first", 1.0, OptionsAnswer{{0}}, 40);
+    end("measure", 0.85, MeasurementAnswer{41.0, "mm", "distance", {}}, 60);
+    end("second", 0.0, OptionsAnswer{{1}}, 80);
+    end("second", 0.0, OptionsAnswer{{1}}, 100);
     EXPECT_TRUE(kept->finish(kBegun + std::chrono::seconds(100)));
     return kept->folder();
   }
@@ -266,7 +267,7 @@ TEST_F(OneResult, OfAnAttemptThatWentOnAfterItWasScoredIsOfItsEnd) {
   StepOutcome better = *kept->attempt().outcomeOf("second");
   better.score = 1.0;
   better.verdict = StepVerdict::passed;
-  better.answer = {{"chosen", {0}}};
+  better.answer = OptionsAnswer{{0}};
   better.seconds = 0.0;
   ASSERT_TRUE(kept->endStep(better));
   const Expected now{(1.0 + 0.85 + 1.0) / 3.0, true, 3, 3};

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <random>
 
+#include "ew/library/step_answer.h"
 #include "library/temporary_folder.h"
 
 namespace ew::attempt_test {
@@ -33,7 +34,7 @@ StepOutcome outcome(std::string step, StepVerdict verdict = StepVerdict::passed)
   made.hints = 2;
   made.figures = {{"angle", 4.25, "deg"}, {"share", 0.9, ""}};
   made.remarks = {{true, say<"No such file: '%1'.">(std::string("a"))}, {false, verbatim("Said by an author.")}};
-  made.answer = {{"chosen", {1, 2}}};
+  made.answer = OptionsAnswer{{1, 2}};
   made.recording = "step-01.seq.mha";
   made.pictures = {"a.png"};
   made.at = kMorning + std::chrono::seconds(50);

@@ -6,6 +6,7 @@
 #include "ew/library/case_start.h"
 #include "ew/library/case_words.h"
 #include "ew/library/lesson_links.h"
+#include "ew/library/step_answer.h"
 #include "library/examination_world.h"
 
 namespace ew::test::sealed_answers_test {
@@ -216,7 +217,7 @@ TEST(Examination, AttemptsAreAtTheCaseOnceTheAnswersAreOpen) {
   attempt.lessonId = "lesson-1";
   StepOutcome outcome;
   outcome.stepId = "step-3";
-  outcome.answer = {{"chosen", {1}}};
+  outcome.answer = OptionsAnswer{{1}};
   attempt.outcomes.push_back(outcome);
   EXPECT_FALSE(asAttemptAtTheCase(attempt, *opened)) << "it does not say by which answers it is to be judged";
   attempt = withSealedAnswers(attempt, world.made.sealedSha256);

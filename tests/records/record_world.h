@@ -57,7 +57,7 @@ inline Attempt someAttempt() {
   outcome("free", StepVerdict::skipped, 0.0, 1.0, 205);
   attempt.outcomes[1].hints = 2;
   attempt.outcomes[1].figures = {{"angle", 14.5, "deg"}, {"distance", 6.0, "mm"}};
-  attempt.outcomes[3].answer = nlohmann::json::array({1, 2});
+  attempt.outcomes[3].otherAnswer = nlohmann::json::array({1, 2});
   attempt.outcomes[1].remarks = {{false, verbatim("a remark")}};
   attempt.finishedAt = begun + minutes(4);
   return attempt;

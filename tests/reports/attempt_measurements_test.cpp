@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ew/library/step_answer.h"
 #include "export/export_world.h"
 #include "reports/reports_world.h"
 
@@ -12,8 +13,8 @@ namespace fs = std::filesystem;
 using test::AssessedWorld;
 using test::holds;
 
-fs::path measuredAttempt(const AssessedWorld& world, const nlohmann::json& answer) {
-  return world.keep("20261101-100000-aaaaaaaa", {{.step = "measure", .answer = answer}, {.step = "answer", .answer = {{"chosen", {0}}}}});
+fs::path measuredAttempt(const AssessedWorld& world, const StepAnswer& answer) {
+  return world.keep("20261101-100000-aaaaaaaa", {{.step = "measure", .answer = answer}, {.step = "answer", .answer = OptionsAnswer{{0}}}});
 }
 
 ReportedAttempt readBack(const fs::path& folder) {
@@ -24,7 +25,7 @@ ReportedAttempt readBack(const fs::path& folder) {
 
 TEST(MeasurementsOfAnAttempt, AreThoseItsMeasureStepsHandedIn) {
   const AssessedWorld world;
-  const auto one = readBack(measuredAttempt(world, {{"value", 40.5}, {"unit", "mm"}, {"caliper", "distance"}}));
+  const auto one = readBack(measuredAttempt(world, MeasurementAnswer{40.5, "mm", "distance", {}}));
   const auto lesson = readReportedLesson("ball", "about-balls", world.library(), {});
   const auto measured = measurementsOf(one, lesson);
   ASSERT_EQ(measured.size(), 1u);
@@ -45,7 +46,8 @@ TEST(MeasurementsOfAnAttempt, LeaveOutWhatIsNoMeasurementAndSaySo) {
     one.attempt.caseId = "ball";
     one.attempt.outcomes = {StepOutcome{}};
     one.attempt.outcomes[0].stepId = "measure";
-    one.attempt.outcomes[0].answer = answer;
+    one.attempt.outcomes[0].answer = stepAnswerFromJson(answer);
+    one.attempt.outcomes[0].otherAnswer = answer;
     const auto measured = measurementsOf(one, lesson);
     ASSERT_EQ(measured.size(), 1u);
     EXPECT_EQ(measured[0].worksheet.row("M1"), nullptr);
@@ -59,7 +61,7 @@ TEST(MeasurementsOfAnAttempt, AreADicomReportWithoutTheTraineesName) {
   EW_NEEDS_PROGRAM("dcmdump");
   const AssessedWorld world;
   const test::TemporaryFolder out;
-  const auto one = readBack(measuredAttempt(world, {{"value", 40.5}, {"unit", "mm"}, {"caliper", "distance"}}));
+  const auto one = readBack(measuredAttempt(world, MeasurementAnswer{40.5, "mm", "distance", {}}));
   const auto lesson = readReportedLesson("ball", "about-balls", world.library(), {});
   const auto files = writeAttemptMeasurements(one, lesson, test::someCodes(), false, world.library(), out.path());
   ASSERT_TRUE(test::succeeded(files));
@@ -84,7 +86,7 @@ TEST(MeasurementsOfAnAttempt, AreADicomReportWithoutTheTraineesName) {
 TEST(MeasurementsOfAnAttempt, OfACaseThatIsGoneAreRefused) {
   const AssessedWorld world;
   const test::TemporaryFolder out, empty;
-  const auto one = readBack(measuredAttempt(world, {{"value", 40.5}, {"unit", "mm"}}));
+  const auto one = readBack(measuredAttempt(world, MeasurementAnswer{40.5, "mm", {}, {}}));
   const auto lesson = readReportedLesson("ball", "about-balls", world.library(), {});
   const auto files = writeAttemptMeasurements(one, lesson, test::someCodes(), false, empty.path(), out.path());
   ASSERT_FALSE(files);
@@ -95,7 +97,7 @@ TEST(MeasurementsOfAnAttempt, OfACaseThatIsGoneAreRefused) {
 TEST(MeasurementsOfAnAttempt, ThatMeasuredNothingMakeNoFile) {
   const AssessedWorld world;
   const test::TemporaryFolder out;
-  const auto one = readBack(world.keep("20261101-100000-aaaaaaab", {{.step = "answer", .answer = {{"chosen", {0}}}}}));
+  const auto one = readBack(world.keep("20261101-100000-aaaaaaab", {{.step = "answer", .answer = OptionsAnswer{{0}}}}));
   const auto lesson = readReportedLesson("ball", "about-balls", world.library(), {});
   const auto files = writeAttemptMeasurements(one, lesson, test::someCodes(), false, world.library(), out.path());
   ASSERT_TRUE(test::succeeded(files));

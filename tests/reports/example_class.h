@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ew/io/image_file.h"
+#include "ew/library/step_answer.h"
 #include "reports/reports_world.h"
 
 namespace ew::test {
@@ -21,17 +22,15 @@ inline std::vector<std::filesystem::path> exampleClass(const AssessedWorld& worl
     const auto sweep =
         scanAlong([wander](double t) { return heldAt(-25.0 + (2.5 - 0.05 * wander) * t, 0.0, 0.5 * wander * std::sin(t)); }, 20.0);
     const double off_mm = 0.4 * wander;
-    folders.push_back(world.keep(
-        "20261101-1" + std::to_string(n) + "0000-aaaaaaaa",
-        {{.step = "read", .verdict = StepVerdict::passed, .score = 1.0},
-         {.step = "plane", .scan = scan(off_mm), .seconds = 20.0 + 9.0 * n},
-         {.step = "sweep", .scan = sweep, .seconds = 35.0 + 5.0 * n},
-         {.step = "measure",
-          .scan = scan(0.0),
-          .answer =
-              {{"value", 40.0 + off_mm}, {"unit", "mm"}, {"caliper", "distance"}, {"points_mm", {{-20, 0, 0}, {20.0 + off_mm, 0, 0}}}}},
-         {.step = "point", .scan = scan(0.0), .answer = {{"at_mm", {off_mm, 0.0, 0.0}}}},
-         {.step = "answer", .answer = {{"chosen", {n % 3 == 2 ? 1 : 0}}}}}));
+    folders.push_back(world.keep("20261101-1" + std::to_string(n) + "0000-aaaaaaaa",
+                                 {{.step = "read", .verdict = StepVerdict::passed, .score = 1.0},
+                                  {.step = "plane", .scan = scan(off_mm), .seconds = 20.0 + 9.0 * n},
+                                  {.step = "sweep", .scan = sweep, .seconds = 35.0 + 5.0 * n},
+                                  {.step = "measure",
+                                   .scan = scan(0.0),
+                                   .answer = MeasurementAnswer{40.0 + off_mm, "mm", "distance", {{-20, 0, 0}, {20.0 + off_mm, 0, 0}}}},
+                                  {.step = "point", .scan = scan(0.0), .answer = PointAnswer{{off_mm, 0.0, 0.0}}},
+                                  {.step = "answer", .answer = OptionsAnswer{{n % 3 == 2 ? 1U : 0U}}}}));
   }
   AssessmentPlan plan = *readPlan(world.library(), "ball", "about-balls");
   plan.expertAttempt = folders[0].filename();

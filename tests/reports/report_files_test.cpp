@@ -1,6 +1,7 @@
 #include "ew/reports/report_files.h"
 
 #include "ew/core/output_set.h"
+#include "ew/library/step_answer.h"
 #include "export/export_world.h"
 #include "reports/example_class.h"
 
@@ -20,12 +21,10 @@ ScanLog someScan() {
 std::vector<fs::path> keptAttempts(const AssessedWorld& world) {
   std::vector<fs::path> folders;
   for (const std::string id : {"20261101-100000-aaaaaaaa", "20261101-110000-bbbbbbbb"})
-    folders.push_back(
-        world.keep(id, {{.step = "plane", .scan = someScan()},
-                        {.step = "measure",
-                         .scan = someScan(),
-                         .answer = {{"value", 40.5}, {"unit", "mm"}, {"caliper", "distance"}, {"points_mm", {{-20, 0, 0}, {20.5, 0, 0}}}}},
-                        {.step = "answer", .answer = {{"chosen", {0}}}}}));
+    folders.push_back(world.keep(
+        id, {{.step = "plane", .scan = someScan()},
+             {.step = "measure", .scan = someScan(), .answer = MeasurementAnswer{40.5, "mm", "distance", {{-20, 0, 0}, {20.5, 0, 0}}}},
+             {.step = "answer", .answer = OptionsAnswer{{0}}}}));
   for (const AssessedAttempt& one : assess(folders, world.library())) EXPECT_TRUE(one.score.has_value());
   return folders;
 }

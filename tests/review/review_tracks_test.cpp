@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ew/library/step_answer.h"
 #include "ew/scanning/contact.h"
 #include "made_log.h"
 
@@ -74,7 +75,7 @@ TEST(ReviewTracks, HoldNotesMarksAnswersAndComments) {
   log.addNote(2.0, "measurement", {{"name", "aorta, across"}});
   log.addNote(2.0, "mark", nullptr);
   StepOutcome outcome;
-  outcome.answer = {{"chosen", {0}}};
+  outcome.answer = OptionsAnswer{{0}};
   ReviewComment spoken, drawn;
   spoken.time_s = 1.0;
   spoken.text = "Too far to the left.";

@@ -119,8 +119,6 @@ TEST(GuardedJson, ItsValuesAreTakenWhereTheirKindWasAskedFor) {
       {"workstation/core/src/json_fields.cpp", "What others are to use; `fits` asks."},
       {"workstation/library/src/case/manifest.cpp", "After schemaProblems() and rigid(), which have refused every other kind."},
       {"workstation/sdk/door/src/manifest.cpp", "After schemaProblems(), which has refused every other kind."},
-      {"workstation/assessment/src/works/image_works.cpp",
-       "pointOf() asks every number, and memberOf(...).is_string() stands before the rest."},
       {"workstation/cli/src/commands/records_launch_command.cpp",
        "An agent with an account, or cmi5LaunchOf() would have refused the launch."},
       {"workstation/cli/src/commands/tracker_command.cpp", "Rows that list() itself has just made."},

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ew/imaging/display.h"
+#include "ew/library/step_answer.h"
 
 namespace ew::lessons {
 namespace {
@@ -26,8 +27,8 @@ class ExerciseWork final : public StepWork {
   [[nodiscard]] std::vector<LiveFigure> live() const override { return inner_->live(); }
   [[nodiscard]] std::optional<Message> missing(const Handed& handed) const override { return inner_->missing(handed); }
 
-  [[nodiscard]] nlohmann::json answerOf(const Handed& handed) const override { return inner_->answerOf(handed); }
-  void judge(const nlohmann::json& given, StepOutcome& outcome) const override {
+  [[nodiscard]] StepAnswer answerOf(const Handed& handed) const override { return inner_->answerOf(handed); }
+  void judge(const StepAnswer& given, StepOutcome& outcome) const override {
     // Calipers are read by what they are and not by their points alone, which the step's own work does with the same judgement.
     if (exercise_.kind == ExerciseKind::measure || !last()) return inner_->judge(given, outcome);
     ExerciseGround ground = plan_->ground;
@@ -35,7 +36,7 @@ class ExerciseWork final : public StepWork {
     ground.depth_mm = resolvedDepth_mm(last()->probe, last()->knobs);
     ExerciseAnswer answer;
     answer.pose = last()->pose;
-    if (const auto at_mm = pointIn(given)) answer.points_mm = {*at_mm};
+    if (const auto* point = std::get_if<PointAnswer>(&given)) answer.points_mm = {point->at_mm};
     Judgement judged = judgeExercise(exercise_, ground, level_, answer);
     outcome.score = judged.score;
     outcome.figures = std::move(judged.figures);

@@ -7,6 +7,7 @@
 
 #include "ew/imaging/display.h"
 #include "ew/imaging/resolved.h"
+#include "ew/library/step_answer.h"
 #include "ew/scanning/contact.h"
 
 namespace ew::review {
@@ -114,8 +115,9 @@ void followNotes(const ScanLog& log, const Part& part, std::vector<Track>& track
 }
 
 void addOutcome(const StepOutcome& outcome, double end_s, std::vector<Track>& tracks) {
-  if (outcome.answer.is_null()) return;
-  const bool isMeasured = outcome.answer.is_object() && outcome.answer.contains("caliper");
+  if (outcome.answerJson().is_null()) return;
+  const auto* measured = std::get_if<MeasurementAnswer>(&outcome.answer);
+  const bool isMeasured = measured != nullptr && measured->caliper;
   auto& marks = tracks[static_cast<std::size_t>(isMeasured ? TrackKind::measurement : TrackKind::answer)].marks;
   marks.push_back({end_s, isMeasured ? say<"Handed in a measurement">() : say<"Handed in an answer">()});
 }

@@ -14,6 +14,7 @@
 
 #include "ew/library/access.h"
 #include "ew/library/sealed_answers.h"
+#include "ew/library/step_answer.h"
 #include "ew/sdk/case_parts.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/taught_case.h"
@@ -306,7 +307,7 @@ class AccessTest final : public LearnerFixture {
     QCOMPARE(sealedAnswersOf(attempt), made->sealedSha256);
     QVERIFY(attempt.finishedAt);
     QCOMPARE(attempt.outcomes.back().verdict, StepVerdict::handedIn);
-    QCOMPARE(attempt.outcomes.back().answer.dump(), std::string("{\"chosen\":[1]}"));
+    QVERIFY(attempt.outcomes.back().answer == StepAnswer(OptionsAnswer{{1}}));
     const auto opened = openExamination(place.toStdString(), key, files_.path(QStringLiteral("opened")).toStdString());
     QVERIFY(opened);
     const auto taken = takeExamined(folder, *opened, files_.path(QStringLiteral("scored")).toStdString());

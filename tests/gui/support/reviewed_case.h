@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "ew/library/learning.h"
+#include "ew/library/step_answer.h"
 #include "ew/scanning/contact.h"
 #include "ew/scanning/recording.h"
 #include "gui/support/taught_case.h"
@@ -103,8 +104,8 @@ class ReviewedCase {
       outcome.at = attempt.startedAt + std::chrono::seconds(60);
       outcome.score = step == "find" || step == "cover" ? way.score : 1.0;
       outcome.verdict = outcome.score >= 0.7 ? StepVerdict::passed : StepVerdict::failed;
-      if (step == "answer") outcome.answer = {{"chosen", {way.score >= 0.5 ? 0 : 1}}};
-      if (step == "watch") outcome.answer = {{"watched", true}};
+      if (step == "answer") outcome.answer = OptionsAnswer{{way.score >= 0.5 ? 0U : 1U}};
+      if (step == "watch") outcome.answer = WatchAnswer{true};
       if (!kept->beginStep(step)) return {};
       if (step == "find" || step == "cover") {
         outcome.recording = kept->nameForFile(step, ".seq.mha");

@@ -160,8 +160,8 @@ json AttemptStatements::ofOutcome(const StepOutcome& outcome, int repetition) {
   json result = {{"success", verdict == StepVerdict::passed}, {"completion", !isSkipped}, {"duration", isoDuration(outcome.seconds)}};
   if (isHandedIn) result.erase("success");  // nobody has judged it yet
   if (!isSkipped && !isHandedIn) result["score"] = scoreOf(counted != nullptr ? counted->score : outcome.score);
-  if (verb == XapiVerb::answered && !outcome.answer.is_null())
-    if (std::string response = responseOf(outcome.answer); !response.empty()) result["response"] = std::move(response);
+  if (const json answer = outcome.answerJson(); verb == XapiVerb::answered && !answer.is_null())
+    if (std::string response = responseOf(answer); !response.empty()) result["response"] = std::move(response);
   result["extensions"] = {{iri("extension/hints"), outcome.hints}};
   if (!outcome.figures.empty()) {
     json figures = json::array();

@@ -1,9 +1,12 @@
 #include "ew/reports/attempt_measurements.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "ew/library/case.h"
 #include "ew/library/learning.h"
+#include "ew/library/step_answer.h"
 #include "ew/reports/attempt_report.h"
 #include "page_names.h"
 #include "report_words.h"
@@ -35,25 +38,21 @@ std::vector<MeasureStep> measureSteps(const ReportedAttempt& attempt, const Repo
 }
 
 /// What was handed in; empty: it is no measurement.
-std::optional<Quantity> quantityIn(const nlohmann::json& answer) {
-  if (!answer.is_object() || !answer.contains("value") || !answer["value"].is_number() || !answer.contains("unit") ||
-      !answer["unit"].is_string())
-    return std::nullopt;
-  const auto unit = measurement::unitOf(answer["unit"].get<std::string>());
-  const double value = answer["value"].get<double>();
-  if (!unit || !std::isfinite(value)) return std::nullopt;
-  return Quantity{value, 0.0, *unit};
+std::optional<Quantity> quantityOf(const MeasurementAnswer& answer) {
+  const auto unit = measurement::unitOf(answer.unit);
+  if (!unit || !std::isfinite(answer.value)) return std::nullopt;
+  return Quantity{answer.value, 0.0, *unit};
 }
 
 Words bothAs(const std::string& text) { return {text, text}; }
 
-WorksheetRow rowOf(const MeasureStep& step, const Quantity& value, const nlohmann::json& answer, std::size_t number) {
+WorksheetRow rowOf(const MeasureStep& step, const Quantity& value, const MeasurementAnswer& answer, std::size_t number) {
   WorksheetRow row;
   row.label = "M" + std::to_string(number);
   row.title = bothAs(step.title);  // the measurement's own name may be the finding, which the trainee was not told
   row.value = value;
   row.measured = {value};
-  const std::string caliper = answer.contains("caliper") && answer["caliper"].is_string() ? answer["caliper"].get<std::string>() : "";
+  const std::string caliper = answer.caliper.value_or("");
   row.convention = bothAs("Step '" + step.title + "'" + (caliper.empty() ? "" : ", caliper: " + caliper));
   return row;
 }
@@ -91,12 +90,13 @@ std::vector<AttemptMeasurements> measurementsOf(const ReportedAttempt& attempt, 
   std::vector<AttemptMeasurements> made;
   for (const MeasureStep& step : measureSteps(attempt, lesson)) {
     const StepOutcome* outcome = attempt.attempt.outcomeOf(step.id);
-    if (outcome == nullptr || outcome->answer.is_null()) continue;
+    if (outcome == nullptr || outcome->answerJson().is_null()) continue;
     auto of = std::find_if(made.begin(), made.end(), [&](const AttemptMeasurements& one) { return one.caseId == step.caseId; });
     if (of == made.end()) of = made.insert(made.end(), {step.caseId, sheetOf(attempt, lesson), {}});
     auto& rows = of->worksheet.sections.front().rows;
-    if (const auto value = quantityIn(outcome->answer))
-      rows.push_back(rowOf(step, *value, outcome->answer, rows.size() + 1));
+    const auto* answer = std::get_if<MeasurementAnswer>(&outcome->answer);
+    if (const auto value = answer != nullptr ? quantityOf(*answer) : std::nullopt)
+      rows.push_back(rowOf(step, *value, *answer, rows.size() + 1));
     else
       of->leftOut.push_back(say<"The answer to the step '%1' is no measurement with a value and a unit.">(step.title));
   }

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 /// Judging a watched step takes its answer, which older attempts do not hold.
 bool hasAnswer(const LessonStep& step, const StepOutcome& outcome) {
-  return !std::holds_alternative<WatchTask>(step.task) || !outcome.answer.is_null();
+  return !std::holds_alternative<WatchTask>(step.task) || !outcome.answerJson().is_null();
 }
 
 /// What judging a step stands on beside its answer.

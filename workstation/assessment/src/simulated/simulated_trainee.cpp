@@ -71,7 +71,7 @@ class Working {
   void take(const ReadTask&, SimulatedStep&) { time_s_ += reading_s_; }
   void take(const WatchTask& task, SimulatedStep& made) {
     time_s_ += reading_s_ + on_.lengthOf_s(task.recording);
-    made.answer = {{"watched", true}};
+    made.answer = WatchAnswer{true};
   }
   void take(const AnswerTask& task, SimulatedStep& made) {
     for (const AnswerOption& option : task.options) reading_s_ += static_cast<double>(option.text.size()) / kLettersPerS;

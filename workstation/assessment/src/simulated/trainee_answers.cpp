@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ew/assessment/judging.h"
 #include "ew/imaging/display.h"
@@ -9,11 +10,7 @@
 namespace ew::assessment {
 namespace {
 
-using nlohmann::json;
-
 double errorBy(RandomNumbers& random, double deviation) { return deviation * std::clamp(random.normal(), -2.5, 2.5); }
-
-json pointJson(const glm::dvec3& p_mm) { return {p_mm.x, p_mm.y, p_mm.z}; }
 
 /// A point's place in an image plane, and back.
 glm::dvec2 projected(const ScanState& image, const glm::dvec3& p_mm) {
@@ -34,7 +31,7 @@ glm::dvec2 somewhereIn(const Fan& fan, RandomNumbers& random) {
   return p_mm;
 }
 
-json chosenBy(const TraineeHabits& habits, RandomNumbers& random, const AnswerTask& task) {
+OptionsAnswer chosenBy(const TraineeHabits& habits, RandomNumbers& random, const AnswerTask& task) {
   std::vector<std::size_t> right, wrong;
   for (std::size_t n = 0; n < task.options.size(); ++n) (task.options[n].right ? right : wrong).push_back(n);
   std::vector<std::size_t> chosen;
@@ -48,20 +45,20 @@ json chosenBy(const TraineeHabits& habits, RandomNumbers& random, const AnswerTa
       wrong.erase(wrong.begin() + static_cast<std::ptrdiff_t>(which));
     }
   std::sort(chosen.begin(), chosen.end());
-  return {{"chosen", chosen}};
+  return {std::move(chosen)};
 }
 
 }  // namespace
 
-json answerBy(const TraineeHabits& habits, RandomNumbers& random, const AnswerTask& task) {
+StepAnswer answerBy(const TraineeHabits& habits, RandomNumbers& random, const AnswerTask& task) {
   if (!task.options.empty()) return chosenBy(habits, random, task);
   const bool isWrong = random.unit() < habits.wrongAnswer;
   const double side = random.unit() < 0.5 ? -1.0 : 1.0, far = random.between(1.2, 5.0);
   const double right = std::clamp(errorBy(random, habits.numberError), -1.0, 1.0);
-  return {{"number", task.number.value_or(0.0) + task.tolerance * (isWrong ? side * far : right)}};
+  return NumberAnswer{task.number.value_or(0.0) + task.tolerance * (isWrong ? side * far : right)};
 }
 
-json measuredBy(const TraineeHabits& habits, RandomNumbers& random, const ExpectedMeasurement& expected, const ScanState& image) {
+StepAnswer measuredBy(const TraineeHabits& habits, RandomNumbers& random, const ExpectedMeasurement& expected, const ScanState& image) {
   std::vector<glm::dvec3> points_mm;
   for (const glm::dvec3& p_mm : expected.points_mm) {
     const double x_mm = errorBy(random, habits.caliperError_mm);
@@ -70,16 +67,15 @@ json measuredBy(const TraineeHabits& habits, RandomNumbers& random, const Expect
   const auto reading_mm = expected.unit == "mm" ? readingOf(points_mm) : std::nullopt;
   if (!reading_mm) {
     constexpr double kLength_mm = 20.0;  // of the diameters that a volume is made of
-    return {{"value", expected.value * std::max(0.1, 1.0 + 2.0 * errorBy(random, habits.caliperError_mm / kLength_mm))},
-            {"unit", expected.unit}};
+    const double factor = std::max(0.1, 1.0 + 2.0 * errorBy(random, habits.caliperError_mm / kLength_mm));
+    return MeasurementAnswer{expected.value * factor, expected.unit, {}, {}};
   }
-  json answer = {{"value", *reading_mm}, {"unit", "mm"}, {"caliper", points_mm.size() == 2 ? "distance" : "ellipse"}};
-  if (points_mm.size() == 2) answer["points_mm"] = {pointJson(points_mm[0]), pointJson(points_mm[1])};
-  return answer;
+  if (points_mm.size() == 2) return MeasurementAnswer{*reading_mm, "mm", "distance", points_mm};
+  return MeasurementAnswer{*reading_mm, "mm", "ellipse", {}};
 }
 
-json pointedBy(const TraineeHabits& habits, RandomNumbers& random, const TraineeCase& on, int structure, const glm::dvec3& point_mm,
-               const ScanState& image) {
+StepAnswer pointedBy(const TraineeHabits& habits, RandomNumbers& random, const TraineeCase& on, int structure, const glm::dvec3& point_mm,
+                     const ScanState& image) {
   const Fan fan{image.probe, resolvedDepth_mm(image.probe, image.knobs)};
   const bool isMistaken = random.unit() < habits.mistaken;
   glm::dvec2 meant_mm = projected(image, point_mm);
@@ -90,7 +86,7 @@ json pointedBy(const TraineeHabits& habits, RandomNumbers& random, const Trainee
     if (section.area_mm2 > 0.0) meant_mm = section.inside_mm;
   }
   const double x_mm = errorBy(random, habits.pointError_mm);
-  return {{"at_mm", pointJson(inWorld(image, meant_mm + glm::dvec2(x_mm, errorBy(random, habits.pointError_mm))))}};
+  return PointAnswer{inWorld(image, meant_mm + glm::dvec2(x_mm, errorBy(random, habits.pointError_mm)))};
 }
 
 }  // namespace ew::assessment

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <set>
 
-#include "ew/core/foreign_json.h"
 #include "works/step_works.h"
 
 namespace ew {
@@ -10,7 +9,7 @@ namespace {
 
 class ReadWork final : public StepWork {
  public:
-  void judge(const nlohmann::json&, StepOutcome& outcome) const override { outcome.score = 1.0; }
+  void judge(const StepAnswer&, StepOutcome& outcome) const override { outcome.score = 1.0; }
 };
 
 class WatchWork final : public StepWork {
@@ -19,8 +18,11 @@ class WatchWork final : public StepWork {
     if (handed.watched) return std::nullopt;
     return say<"The expert's scan has not been shown to its end yet.">();
   }
-  [[nodiscard]] nlohmann::json answerOf(const Handed& handed) const override { return {{"watched", handed.watched}}; }
-  void judge(const nlohmann::json& answer, StepOutcome& outcome) const override { outcome.score = flagAt(answer, "watched") ? 1.0 : 0.0; }
+  [[nodiscard]] StepAnswer answerOf(const Handed& handed) const override { return WatchAnswer{handed.watched}; }
+  void judge(const StepAnswer& given, StepOutcome& outcome) const override {
+    const auto* answer = std::get_if<WatchAnswer>(&given);
+    outcome.score = answer != nullptr && answer->watched ? 1.0 : 0.0;
+  }
 };
 
 class SettingsWork final : public StepWork {
@@ -38,7 +40,7 @@ class SettingsWork final : public StepWork {
     if (last()) return std::nullopt;
     return noImage();
   }
-  void judge(const nlohmann::json&, StepOutcome& outcome) const override {
+  void judge(const StepAnswer&, StepOutcome& outcome) const override {
     if (!last()) return;
     int right = 0, all = 0;
     const auto count = [&](bool good, Message goodText, Message badText) {
@@ -82,15 +84,16 @@ class AnswerWork final : public StepWork {
     if (task_.options.empty() ? handed.number.has_value() : !handed.chosen.empty()) return std::nullopt;
     return task_.options.empty() ? say<"No number was entered yet.">() : say<"No answer was chosen yet.">();
   }
-  [[nodiscard]] nlohmann::json answerOf(const Handed& handed) const override {
-    if (!task_.options.empty()) return {{"chosen", handed.chosen}};
-    if (handed.number) return {{"number", *handed.number}};
-    return nullptr;
+  [[nodiscard]] StepAnswer answerOf(const Handed& handed) const override {
+    if (!task_.options.empty()) return OptionsAnswer{handed.chosen};
+    if (handed.number) return NumberAnswer{*handed.number};
+    return {};
   }
-  void judge(const nlohmann::json& answer, StepOutcome& outcome) const override {
+  void judge(const StepAnswer& answer, StepOutcome& outcome) const override {
     if (task_.options.empty()) return judgeNumber(answer, outcome);
     // Every right answer counts, and every wrong one takes one away: choosing all earns nothing.
-    const std::set<std::size_t> chosenOnes = chosenIn(answer);
+    std::set<std::size_t> chosenOnes;
+    if (const auto* given = std::get_if<OptionsAnswer>(&answer)) chosenOnes.insert(given->chosen.begin(), given->chosen.end());
     int right = 0, wrong = 0, all = 0;
     for (std::size_t n = 0; n < task_.options.size(); ++n) {
       const AnswerOption& option = task_.options[n];
@@ -105,16 +108,10 @@ class AnswerWork final : public StepWork {
   }
 
  private:
-  static std::set<std::size_t> chosenIn(const nlohmann::json& answer) {
-    std::set<std::size_t> chosen;
-    if (!answer.is_object() || !answer.contains("chosen") || !answer["chosen"].is_array()) return chosen;
-    for (const nlohmann::json& each : answer["chosen"])
-      if (each.is_number_unsigned()) chosen.insert(each.get<std::size_t>());
-    return chosen;
-  }
-  void judgeNumber(const nlohmann::json& answer, StepOutcome& outcome) const {
-    if (!task_.number || !answer.is_object() || !answer.contains("number") || !answer["number"].is_number()) return;
-    const double number = answer["number"].get<double>(), error = number - *task_.number;
+  void judgeNumber(const StepAnswer& answer, StepOutcome& outcome) const {
+    const auto* given = std::get_if<NumberAnswer>(&answer);
+    if (!task_.number || given == nullptr) return;
+    const double number = given->number, error = number - *task_.number;
     outcome.figures = {{"error", error, task_.unit}};
     const bool good = isWithinTolerance(number, *task_.number, task_.tolerance);
     outcome.score = good ? 1.0 : 0.0;

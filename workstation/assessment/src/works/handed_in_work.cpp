@@ -5,8 +5,6 @@
 namespace ew {
 namespace {
 
-using nlohmann::json;
-
 /// A step of an examination: it is seen and kept, and nobody here knows what is right. Answers have the form that judging takes.
 class HandedInWork final : public StepWork {
  public:
@@ -24,30 +22,21 @@ class HandedInWork final : public StepWork {
     return std::nullopt;
   }
 
-  [[nodiscard]] json answerOf(const Handed& handed) const override {
+  [[nodiscard]] StepAnswer answerOf(const Handed& handed) const override {
     if (const auto* answer = std::get_if<AnswerTask>(&task_)) {
-      if (!answer->options.empty()) return {{"chosen", handed.chosen}};
-      return handed.number ? json{{"number", *handed.number}} : json();
+      if (!answer->options.empty()) return OptionsAnswer{handed.chosen};
+      return handed.number ? NumberAnswer{*handed.number} : StepAnswer();
     }
-    if (!last()) return nullptr;
-    const auto inWorld = [this](const Point<frame::Probe>& point) {
-      const glm::dvec3 at_mm = (last()->pose.probeToWorld * point).at;
-      return json{at_mm.x, at_mm.y, at_mm.z};
-    };
-    if (std::holds_alternative<PointTask>(task_)) return handed.point ? json{{"at_mm", inWorld(*handed.point)}} : json();
-    if (!std::holds_alternative<MeasureTask>(task_)) return nullptr;
-    json measured = json::array();
-    for (const HandedMeasurement& each : handed.measurements) {
-      json one = {{"caliper", each.kind}, {"figures", json::array()}, {"points_mm", json::array()}};
-      for (const auto& figure : each.figures)
-        one["figures"].push_back({{"name", figure.name}, {"value", figure.value}, {"unit", figure.unit}});
-      for (const auto& point : each.points) one["points_mm"].push_back(inWorld(point));
-      measured.push_back(std::move(one));
-    }
-    return measured.empty() ? json() : json{{"measurements", measured}};
+    if (!last()) return {};
+    if (std::holds_alternative<PointTask>(task_))
+      return handed.point ? PointAnswer{(last()->pose.probeToWorld * *handed.point).at} : StepAnswer();
+    if (!std::holds_alternative<MeasureTask>(task_) || handed.measurements.empty()) return {};
+    CalipersAnswer measured;
+    for (const HandedMeasurement& each : handed.measurements) measured.measurements.push_back(inWorld(each, *last()));
+    return measured;
   }
 
-  void judge(const json&, StepOutcome&) const override {}
+  void judge(const StepAnswer&, StepOutcome&) const override {}
 
  private:
   LessonTask task_;

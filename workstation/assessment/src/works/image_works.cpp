@@ -1,13 +1,13 @@
 #include <algorithm>
-#include <array>
+#include <optional>
+#include <string>
+#include <vector>
 
-#include "ew/core/foreign_json.h"
+#include "ew/core/figure.h"
 #include "works/step_works.h"
 
 namespace ew {
 namespace {
-
-using nlohmann::json;
 
 /// Which figure of a caliper is compared with an expected value of a kind.
 std::vector<std::string> figuresFor(const std::string& kind) {
@@ -18,75 +18,51 @@ std::vector<std::string> figuresFor(const std::string& kind) {
   return {"length", "long_axis"};
 }
 
-json pointJson(const glm::dvec3& p_mm) { return {p_mm.x, p_mm.y, p_mm.z}; }
-
-std::optional<glm::dvec3> pointOf(const json& value) {
-  if (!value.is_array() || value.size() != 3) return std::nullopt;
-  for (const json& each : value)
-    if (!each.is_number()) return std::nullopt;
-  return glm::dvec3(value[0].get<double>(), value[1].get<double>(), value[2].get<double>());
-}
-
 class MeasureWork final : public StepWork {
  public:
   MeasureWork(const ExpectedMeasurement& expected, double tolerance) : expected_(expected), tolerance_(tolerance) {}
 
   [[nodiscard]] std::optional<Message> missing(const Handed& handed) const override {
-    if (fitting(handed)) return std::nullopt;
+    if (fittingIn(handed.measurements) != nullptr) return std::nullopt;
     return say<"Nothing that fits is measured in this image yet; freeze the image and set the calipers.">();
   }
-  [[nodiscard]] json answerOf(const Handed& handed) const override {
-    const auto found = fitting(handed);
-    if (!found || !last()) return nullptr;
-    json answer = {{"value", found->value}, {"unit", expected_.unit}, {"caliper", found->kind}};
-    for (const auto& point : found->points) answer["points_mm"].push_back(pointJson((last()->pose.probeToWorld * point).at));
-    return answer;
+  [[nodiscard]] StepAnswer answerOf(const Handed& handed) const override {
+    const HandedMeasurement* found = fittingIn(handed.measurements);
+    return found != nullptr && last() ? answerBy(inWorld(*found, *last())) : StepAnswer();
   }
-  void judge(const json& given, StepOutcome& outcome) const override {
-    const json answer = memberOf(given, "measurements").is_array() ? fittingAmong(given["measurements"]) : given;
-    const json& value = memberOf(answer, "value");
-    if (!value.is_number() || memberOf(answer, "unit") != json(expected_.unit)) return;
-    std::vector<glm::dvec3> points_mm;
-    for (const json& each : memberOf(answer, "points_mm"))
-      if (const auto point = pointOf(each)) points_mm.push_back(*point);
-    take(judgeMeasurement(expected_, value.get<double>(), points_mm, tolerance_), outcome);
+  void judge(const StepAnswer& given, StepOutcome& outcome) const override {
+    const auto answer = measurementIn(given);
+    if (answer && answer->unit == expected_.unit) take(judgeMeasurement(expected_, answer->value, answer->points_mm, tolerance_), outcome);
   }
 
  private:
-  struct Fitting {
-    double value = 0.0;
-    std::string kind;
-    std::vector<Point<frame::Probe>> points;
-  };
-  /// The same of an examination, which keeps all that was measured: nobody knew there which would fit.
-  [[nodiscard]] json fittingAmong(const json& all) const {
-    Handed handed;
-    for (const json& each : all) {
-      HandedMeasurement& made = handed.measurements.emplace_back();
-      if (memberOf(each, "caliper").is_string()) made.kind = each["caliper"].get<std::string>();
-      for (const json& figure : memberOf(each, "figures"))
-        if (memberOf(figure, "name").is_string() && memberOf(figure, "unit").is_string() && memberOf(figure, "value").is_number())
-          made.figures.push_back({figure["name"].get<std::string>(), figure["value"].get<double>(), figure["unit"].get<std::string>()});
-      for (const json& point : memberOf(each, "points_mm"))
-        if (const auto at_mm = pointOf(point)) made.points.push_back(Point<frame::Probe>{*at_mm});  // in the world already
-    }
-    const auto found = fitting(handed);
-    if (!found) return nullptr;
-    json answer = {{"value", found->value}, {"unit", expected_.unit}, {"caliper", found->kind}};
-    for (const auto& point : found->points) answer["points_mm"].push_back(pointJson(point.at));
+  [[nodiscard]] std::optional<MeasurementAnswer> measurementIn(const StepAnswer& given) const {
+    if (const auto* answer = std::get_if<MeasurementAnswer>(&given)) return *answer;
+    // Of an examination, which keeps all that was measured: nobody knew there which would fit.
+    const auto* calipers = std::get_if<CalipersAnswer>(&given);
+    const CaliperReading* found = calipers != nullptr ? fittingIn(calipers->measurements) : nullptr;
+    return found != nullptr ? std::optional(answerBy(*found)) : std::nullopt;
+  }
+  /// Points of other calipers than two ends are not compared: they mean something else in each kind. @param reading that fits
+  [[nodiscard]] MeasurementAnswer answerBy(const CaliperReading& reading) const {
+    MeasurementAnswer answer{*valueIn(reading.figures), expected_.unit, reading.caliper, {}};
+    if (reading.caliper == "distance") answer.points_mm = reading.points_mm;
     return answer;
   }
-  /// The last measurement that has such a figure, in that unit. Points of other calipers than two ends are not compared: they mean
-  /// something else in each kind.
-  [[nodiscard]] std::optional<Fitting> fitting(const Handed& handed) const {
+  /// The last measurement that has such a figure, in that unit; null: none has.
+  template <class Measurement>
+  [[nodiscard]] const Measurement* fittingIn(const std::vector<Measurement>& all) const {
+    const auto found = std::find_if(all.rbegin(), all.rend(), [this](const Measurement& one) { return valueIn(one.figures).has_value(); });
+    return found == all.rend() ? nullptr : &*found;
+  }
+  /// Of the first figure that is compared, in the unit of what is expected.
+  [[nodiscard]] std::optional<double> valueIn(const std::vector<Figure>& figures) const {
     const auto names = figuresFor(expected_.kind);
-    for (auto one = handed.measurements.rbegin(); one != handed.measurements.rend(); ++one)
-      for (const auto& figure : one->figures) {
-        if (std::find(names.begin(), names.end(), figure.name) == names.end()) continue;
-        const double factor = figure.unit == expected_.unit ? 1.0 : figure.unit == "mm2" && expected_.unit == "cm2" ? 0.01 : 0.0;
-        if (factor == 0.0) continue;
-        return Fitting{factor * figure.value, one->kind, one->kind == "distance" ? one->points : std::vector<Point<frame::Probe>>{}};
-      }
+    for (const Figure& figure : figures) {
+      if (std::find(names.begin(), names.end(), figure.name) == names.end()) continue;
+      if (figure.unit == expected_.unit) return figure.value;
+      if (figure.unit == "mm2" && expected_.unit == "cm2") return 0.01 * figure.value;
+    }
     return std::nullopt;
   }
 
@@ -103,14 +79,15 @@ class PointWork final : public StepWork {
     if (handed.point && last()) return std::nullopt;
     return say<"Nothing was pointed at yet; freeze the image and click it there.">();
   }
-  [[nodiscard]] json answerOf(const Handed& handed) const override {
-    if (!handed.point || !last()) return nullptr;
-    return {{"at_mm", pointJson((last()->pose.probeToWorld * *handed.point).at)}};
+  [[nodiscard]] StepAnswer answerOf(const Handed& handed) const override {
+    if (!handed.point || !last()) return {};
+    return PointAnswer{(last()->pose.probeToWorld * *handed.point).at};
   }
-  void judge(const json& answer, StepOutcome& outcome) const override {
+  void judge(const StepAnswer& given, StepOutcome& outcome) const override {
     constexpr double kMargin_mm = 3.0;  // as far as a hand misses a border that it sees
-    const auto at_mm = pointIn(answer);
-    if (at_mm) take(point_ ? judgePointing(*point_, *at_mm) : judgePointing(*organ_, *at_mm, kMargin_mm), outcome);
+    const auto* answer = std::get_if<PointAnswer>(&given);
+    if (answer == nullptr) return;
+    take(point_ ? judgePointing(*point_, answer->at_mm) : judgePointing(*organ_, answer->at_mm, kMargin_mm), outcome);
   }
 
  private:
@@ -119,8 +96,6 @@ class PointWork final : public StepWork {
 };
 
 }  // namespace
-
-std::optional<glm::dvec3> pointIn(const json& answer) { return pointOf(memberOf(answer, "at_mm")); }
 
 Work measureWork(const ExpectedMeasurement& expected, double tolerance) { return std::make_unique<MeasureWork>(expected, tolerance); }
 

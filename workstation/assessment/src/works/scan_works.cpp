@@ -30,7 +30,7 @@ class PlaneWork final : public StepWork {
     if (last()) return std::nullopt;
     return noImage();
   }
-  void judge(const nlohmann::json&, StepOutcome& outcome) const override {
+  void judge(const StepAnswer&, StepOutcome& outcome) const override {
     if (last()) take(judgePlane(targetNow(), tolerance_, last()->pose), outcome);
   }
 
@@ -60,7 +60,7 @@ class SweepWork final : public StepWork {
     const double share = cover_.share();
     return {{say<"Seen so far: %1 %">(roundedText(100.0 * share)), reachesLevel(share, task_.share)}};
   }
-  void judge(const nlohmann::json&, StepOutcome& outcome) const override { take(judgeSweep(cover_.share(), task_.share), outcome); }
+  void judge(const StepAnswer&, StepOutcome& outcome) const override { take(judgeSweep(cover_.share(), task_.share), outcome); }
 
  private:
   SweepTask task_;
@@ -98,7 +98,7 @@ class FreeWork final : public StepWork {
     if (left_s <= 0.0) return std::nullopt;
     return say<"Scan for at least %1 s more.">(roundedText(std::ceil(left_s)));
   }
-  void judge(const nlohmann::json&, StepOutcome& outcome) const override {
+  void judge(const StepAnswer&, StepOutcome& outcome) const override {
     int found = 0;
     for (const Sought& one : sought_) {
       const bool good = one.isShown();

@@ -8,6 +8,7 @@
 #include "ew/assessment/time_warping.h"
 #include "ew/core/figure.h"
 #include "ew/imaging/display.h"
+#include "ew/library/step_answer.h"
 
 namespace ew {
 namespace {
@@ -103,10 +104,9 @@ class Figures {
     if (std::holds_alternative<PointTask>(record_.step.task)) add("landmark_distance", figure("distance"));
     const auto* task = std::get_if<MeasureTask>(&record_.step.task);
     const auto* expected = task != nullptr ? ofName(ground_.truth().measurements, task->measurement) : nullptr;
-    if (expected == nullptr || !outcome.answer.is_object() || !outcome.answer.contains("value")) return;
-    const auto& value = outcome.answer["value"];
-    if (value.is_number() && expected->value != 0.0)
-      add("measurement_error", 100.0 * std::abs(value.get<double>() - expected->value) / std::abs(expected->value));
+    const auto* answer = std::get_if<MeasurementAnswer>(&outcome.answer);
+    if (expected == nullptr || answer == nullptr) return;
+    if (expected->value != 0.0) add("measurement_error", 100.0 * std::abs(answer->value - expected->value) / std::abs(expected->value));
     add("caliper_distance", figure("place"));
   }
 

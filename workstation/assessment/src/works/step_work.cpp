@@ -21,7 +21,7 @@ std::optional<double> settingOf(const ScanState& state, const std::string& setti
 
 StepWork::~StepWork() = default;
 std::optional<Message> StepWork::missing(const Handed&) const { return std::nullopt; }
-nlohmann::json StepWork::answerOf(const Handed&) const { return nullptr; }
+StepAnswer StepWork::answerOf(const Handed&) const { return {}; }
 
 void StepWork::hand(const Handed& handed, StepOutcome& outcome) const {
   outcome.answer = answerOf(handed);
@@ -37,6 +37,13 @@ void conclude(const LessonStep& step, double passLevel, StepOutcome& outcome) {
 
 std::string roundedText(double value, int decimals) {
   return textOf(std::round(value * std::pow(10.0, decimals)) / std::pow(10.0, decimals));
+}
+
+CaliperReading inWorld(const HandedMeasurement& handed, const ScanState& image) {
+  CaliperReading made{handed.kind, handed.figures, {}};
+  for (Figure& figure : made.figures) figure.uncertainty = 0.0;  // which attempts do not keep
+  for (const auto& point : handed.points) made.points_mm.push_back((image.pose.probeToWorld * point).at);
+  return made;
 }
 
 Message noImage() { return say<"There is no image yet; put the probe on the body.">(); }

@@ -4,6 +4,7 @@
 #include "ew/assessment/organ_coverage.h"
 #include "ew/assessment/step_work.h"
 #include "ew/library/case_truth.h"
+#include "ew/library/step_answer.h"
 
 namespace ew {
 
@@ -30,6 +31,8 @@ using Work = std::unique_ptr<StepWork>;
 // What several of them share.
 [[nodiscard]] std::string roundedText(double value, int decimals = 0);
 [[nodiscard]] Message noImage();
+/// What was measured in an image, as an attempt keeps it.
+[[nodiscard]] CaliperReading inWorld(const HandedMeasurement& handed, const ScanState& image);
 /// What stands in an outcome of a judgement.
 void take(Judgement judgement, StepOutcome& outcome);
 

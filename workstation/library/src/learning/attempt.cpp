@@ -63,7 +63,10 @@ StepOutcome readOutcome(const JsonFields& fields) {
     }
     outcome.remarks.push_back(std::move(made));
   }
-  if (const json* answer = fields.find("answer")) outcome.answer = *answer;
+  if (const json* answer = fields.find("answer")) {
+    outcome.answer = stepAnswerFromJson(*answer);
+    if (jsonOf(outcome.answer) != *answer) outcome.otherAnswer = *answer;
+  }
   outcome.recording = ownFile(fields, "recording", fields.text("recording", std::string(), 0, kLongestFileName));
   for (const std::string& picture : fields.texts("pictures", 0, kMostRemarks))
     outcome.pictures.push_back(ownFile(fields, "pictures", picture));
@@ -86,7 +89,7 @@ json jsonOf(const StepOutcome& outcome) {
     made["figures"].push_back(std::move(each));
   }
   for (const AttemptRemark& remark : outcome.remarks) made["remarks"].push_back({{"good", remark.good}, {"text", remark.text}});
-  if (!outcome.answer.is_null()) made["answer"] = outcome.answer;
+  if (json answer = outcome.answerJson(); !answer.is_null()) made["answer"] = std::move(answer);
   if (!outcome.recording.empty()) made["recording"] = outcome.recording;
   if (!outcome.pictures.empty()) made["pictures"] = outcome.pictures;
   made["at"] = momentText(outcome.at);
@@ -128,6 +131,8 @@ std::string launchOfEnvironment() {
                       });
   return isOurs ? launch : std::string();
 }
+
+json StepOutcome::answerJson() const { return otherAnswer.is_null() ? jsonOf(answer) : otherAnswer; }
 
 const StepOutcome* Attempt::outcomeOf(const std::string& stepId) const {
   const auto last = std::find_if(outcomes.rbegin(), outcomes.rend(), [&](const StepOutcome& one) { return one.stepId == stepId; });

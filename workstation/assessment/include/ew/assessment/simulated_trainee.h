@@ -4,22 +4,22 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "ew/assessment/trainee_case.h"
 #include "ew/assessment/trainee_habits.h"
 #include "ew/library/attempt.h"
+#include "ew/library/step_answer.h"
 
 namespace ew {
 
 /// What the window keeps of one step of a person's attempt.
 struct SimulatedStep {
   std::string stepId;
-  ScanLog log;            ///< empty: nothing was scanned in it
-  nlohmann::json answer;  ///< as StepWork::answerOf
-  double seconds = 0.0;   ///< spent on the step
+  ScanLog log;  ///< empty: nothing was scanned in it
+  StepAnswer answer;
+  double seconds = 0.0;  ///< spent on the step
   int hints = 0;
 };
 

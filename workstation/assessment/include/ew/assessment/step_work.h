@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "ew/core/figure.h"
 #include "ew/library/attempt.h"
 #include "ew/library/lesson.h"
+#include "ew/library/step_answer.h"
 #include "ew/scanning/state.h"
 
 namespace ew {
@@ -47,12 +47,10 @@ class StepWork {
   [[nodiscard]] virtual std::vector<LiveFigure> live() const { return {}; }
   /// Whether a step can be judged with this; else a sentence about what is missing.
   [[nodiscard]] virtual std::optional<Message> missing(const Handed& handed) const;
-  /// {"chosen": [2]}, {"number": 12.5}, {"watched": true}, {"at_mm": [x, y, z]} in the world, or {"value": 40.1, "unit": "mm", "caliper":
-  /// "distance", "points_mm": [[x, y, z], …]} with the ends of a distance in the world; null: the step's kind asks for nothing, or nothing
-  /// that fits was handed in.
-  [[nodiscard]] virtual nlohmann::json answerOf(const Handed& handed) const;
-  /// Fills score, figures and remarks of an outcome, by what was seen and answered. @param answer as answerOf; anything else counts as null
-  virtual void judge(const nlohmann::json& answer, StepOutcome& outcome) const = 0;
+  /// Of the step's kind; nothing where it asks for nothing, or nothing that fits was handed in.
+  [[nodiscard]] virtual StepAnswer answerOf(const Handed& handed) const;
+  /// Fills score, figures and remarks of an outcome, by what was seen and answered. @param answer of another kind: counts as nothing
+  virtual void judge(const StepAnswer& answer, StepOutcome& outcome) const = 0;
 
   /// The same of what is handed in now; the outcome keeps the answer.
   void hand(const Handed& handed, StepOutcome& outcome) const;
@@ -62,15 +60,12 @@ class StepWork {
   std::optional<ScanState> last_;
 };
 
-/// The place that was pointed at, in the world, of such an answer; empty: it holds none.
-[[nodiscard]] std::optional<glm::dvec3> pointIn(const nlohmann::json& answer);
-
 /// @param ground of the case that the step scans, not null
 /// @error badField: the case does not have what the step asks for (ew/library/lesson_links.h says so beforehand)
 [[nodiscard]] Result<std::unique_ptr<StepWork>> workOf(const LessonStep& step, std::shared_ptr<const CaseGround> ground);
 
 /// The work of a step of an examination, whose answers are sealed: what is handed in is kept as answer, in a form that the work of the same
-/// step can judge once the answers are open (a list of all measurements in place of the one that fits). It judges nothing.
+/// step can judge once the answers are open (a CalipersAnswer in place of the one measurement that fits). It judges nothing.
 [[nodiscard]] std::unique_ptr<StepWork> handedInWork(const LessonStep& step);
 
 /// The verdict of an outcome that was judged: passed from the step's pass level on and within its time; too late is remarked.

@@ -10,6 +10,7 @@
 #include "ew/core/figure.h"
 #include "ew/core/message.h"
 #include "ew/core/result.h"
+#include "ew/library/step_answer.h"
 
 namespace ew {
 
@@ -43,12 +44,16 @@ struct StepOutcome {
   int hints = 0;         ///< that were asked for
   std::vector<Figure> figures;
   std::vector<AttemptRemark> remarks;
-  nlohmann::json answer;              ///< what was entered, by the step's kind; null: nothing
+  StepAnswer answer;                  ///< what was entered, by the step's kind
+  nlohmann::json otherAnswer;         ///< as it was read, where it is none of these or says more: kept as it is; null: `answer` says it all
   std::string recording;              ///< of the scan during the step, relative to the attempt's folder; empty: none was made
   std::vector<std::string> pictures;  ///< relative to the attempt's folder
   std::chrono::sys_seconds at{};      ///< when it ended
   nlohmann::json otherFields = nlohmann::json::object();
   bool operator==(const StepOutcome&) const = default;
+
+  /// All that is known of what was entered, as attempt.json has it; null: nothing was.
+  [[nodiscard]] nlohmann::json answerJson() const;
 };
 
 /// One trainee's way through one lesson: raw data first, so that scores can be worked out again.
