@@ -103,7 +103,7 @@ TEST_F(ExercisesOfATrunk, NeverBeginSolved) {
       EXPECT_TRUE(isScannable(ground_.region, atPlane->contact));
       ExerciseAnswer answer;
       answer.pose = poseOf(*atPlane);
-      EXPECT_FALSE(judgeExercise(plane, ground_, level, answer).passed);
+      EXPECT_FALSE(judgeExercise(plane, ground_, level, answer).passed());
       const auto atPoint = startOf(point, ground_, level, seed);
       ASSERT_TRUE(atPoint);
       EXPECT_EQ(sectionOf(*ground_.labels, 1, ground_.fan(), poseOf(*atPoint)).area_mm2, 0.0);
@@ -128,27 +128,27 @@ TEST_F(ExercisesOfATrunk, ArePassedByWhoKnows) {
   for (int level = 1; level <= kExerciseLevels; ++level) {
     ExerciseAnswer answer;
     answer.pose.probeToWorld = ground_.truth.planes.front().probeToWorld;
-    EXPECT_TRUE(judgeExercise(offered("across the ball"), ground_, level, answer).passed);
+    EXPECT_TRUE(judgeExercise(offered("across the ball"), ground_, level, answer).passed());
     const auto view = viewOfOrgan(ground_, 1);
     ASSERT_TRUE(view);
     const OrganSection section = sectionOf(*ground_.labels, 1, ground_.fan(), poseOf(*view));
     EXPECT_GT(section.area_mm2, 300.0);
     answer.points_mm = {carried(poseOf(*view).probeToWorld, glm::dvec3(section.inside_mm, 0.0))};
-    EXPECT_TRUE(judgeExercise(offered("ball"), ground_, level, answer).passed);
+    EXPECT_TRUE(judgeExercise(offered("ball"), ground_, level, answer).passed());
     answer.points_mm = ground_.truth.measurements.front().points_mm;
-    EXPECT_TRUE(judgeExercise(offered("ball, width"), ground_, level, answer).passed);
+    EXPECT_TRUE(judgeExercise(offered("ball, width"), ground_, level, answer).passed());
   }
 }
 
 TEST_F(ExercisesOfATrunk, FailAnswersOfTheWrongKindWithASentence) {
-  const Judgement nothing = judgeExercise(offered("ball"), ground_, 1, {});
-  EXPECT_FALSE(nothing.passed);
+  const StepResult nothing = judgeExercise(offered("ball"), ground_, 1, {});
+  EXPECT_FALSE(nothing.passed());
   EXPECT_EQ(nothing.remarks.front().text.english(), "No point was set; click in the image.");
   Exercise gone = offered("ball");
   gone.target = "what was there once";
   ExerciseAnswer answer;
   answer.points_mm = {glm::dvec3(0.0)};
-  EXPECT_FALSE(judgeExercise(gone, ground_, 1, answer).passed);
+  EXPECT_FALSE(judgeExercise(gone, ground_, 1, answer).passed());
   EXPECT_FALSE(startOf(gone, ground_, 1, 1));
   answer.points_mm = {glm::dvec3(0.0), glm::dvec3(1.0), glm::dvec3(2.0)};
   EXPECT_EQ(judgeExercise(offered("ball, width"), ground_, 1, answer).remarks.front().text.english(),

@@ -47,19 +47,19 @@ TEST(Tolerance, IsKeptByCalipersPointsAndSweeps) {
   expected.value = 12.3;
   expected.unit = "mm";
   for (const double value : {12.1, 12.5}) {
-    const Judgement judged = judgeMeasurement(expected, value, {}, 0.2);
-    EXPECT_TRUE(judged.passed) << value;
+    const StepResult judged = judgeMeasurement(expected, value, {}, 0.2);
+    EXPECT_TRUE(judged.passed()) << value;
     EXPECT_GE(judged.score, kPassScore) << value;
     ASSERT_EQ(judged.remarks.size(), 1u);
     EXPECT_TRUE(judged.remarks.front().good);
   }
-  EXPECT_FALSE(judgeMeasurement(expected, 12.09, {}, 0.2).passed);
+  EXPECT_FALSE(judgeMeasurement(expected, 12.09, {}, 0.2).passed());
   ExpectedPoint point;
   point.at_mm = {0.3, 0.0, 0.0};
   point.tolerance_mm = 0.1;
-  EXPECT_TRUE(judgePointing(point, {0.4, 0.0, 0.0}).passed);
-  EXPECT_FALSE(judgePointing(point, {0.401, 0.0, 0.0}).passed);
-  EXPECT_TRUE(judgeSweep(0.1 * 3.0 + 0.6, 0.9).passed);
+  EXPECT_TRUE(judgePointing(point, {0.4, 0.0, 0.0}).passed());
+  EXPECT_FALSE(judgePointing(point, {0.401, 0.0, 0.0}).passed());
+  EXPECT_TRUE(judgeSweep(0.1 * 3.0 + 0.6, 0.9).passed());
 }
 
 PlaneTarget target() { return {{}, {0.0, 50.0}}; }
@@ -71,9 +71,9 @@ Pose moved(const glm::dmat4& matrix) {
 }
 
 TEST(JudgePlane, PassesWithinToleranceAndSaysWhatWasMissed) {
-  EXPECT_TRUE(judgePlane(target(), {5.0, 10.0}, moved(glm::translate(glm::dmat4(1.0), {0.0, 0.0, 4.9}))).passed);
-  const Judgement off = judgePlane(target(), {5.0, 10.0}, moved(glm::translate(glm::dmat4(1.0), {0.0, 0.0, 7.5})));
-  EXPECT_FALSE(off.passed);
+  EXPECT_TRUE(judgePlane(target(), {5.0, 10.0}, moved(glm::translate(glm::dmat4(1.0), {0.0, 0.0, 4.9}))).passed());
+  const StepResult off = judgePlane(target(), {5.0, 10.0}, moved(glm::translate(glm::dmat4(1.0), {0.0, 0.0, 7.5})));
+  EXPECT_FALSE(off.passed());
   EXPECT_DOUBLE_EQ(off.score, scoreAt(1.5));
   ASSERT_EQ(off.remarks.size(), 1U);
   EXPECT_EQ(off.remarks.front().text.english(), "The plane passes 7.5 mm beside the target; 5 mm are allowed.");
@@ -81,7 +81,7 @@ TEST(JudgePlane, PassesWithinToleranceAndSaysWhatWasMissed) {
 
 TEST(JudgePlane, TellsARotationFromATilt) {
   const auto remark = [](const glm::dvec3& axis, double angle_deg) {
-    const Judgement judged = judgePlane(target(), {500.0, 10.0}, moved(glm::rotate(glm::dmat4(1.0), glm::radians(angle_deg), axis)));
+    const StepResult judged = judgePlane(target(), {500.0, 10.0}, moved(glm::rotate(glm::dmat4(1.0), glm::radians(angle_deg), axis)));
     return judged.remarks.empty() ? std::string() : judged.remarks.front().text.english();
   };
   EXPECT_EQ(remark({0.0, 1.0, 0.0}, 80.0),
@@ -90,8 +90,8 @@ TEST(JudgePlane, TellsARotationFromATilt) {
 }
 
 TEST(JudgePlane, DoesNotPassAMarkerOnTheWrongSide) {
-  const Judgement mirrored = judgePlane(target(), {}, moved(glm::rotate(glm::dmat4(1.0), 3.14159265358979, glm::dvec3(0.0, 1.0, 0.0))));
-  EXPECT_FALSE(mirrored.passed);
+  const StepResult mirrored = judgePlane(target(), {}, moved(glm::rotate(glm::dmat4(1.0), 3.14159265358979, glm::dvec3(0.0, 1.0, 0.0))));
+  EXPECT_FALSE(mirrored.passed());
   EXPECT_EQ(mirrored.score, 0.5);
   ASSERT_EQ(mirrored.remarks.size(), 1U);
   EXPECT_EQ(mirrored.remarks.front().text.english(), "The marker points the wrong way; left and right are exchanged.");
@@ -114,13 +114,13 @@ ExpectedMeasurement diameter() {
 
 TEST(JudgeMeasurement, WantsTheValueAndThePlace) {
   const auto judged = [](double value, const std::vector<glm::dvec3>& points) { return judgeMeasurement(diameter(), value, points, 2.0); };
-  EXPECT_TRUE(judged(31.9, {{0.0, 0.0, 0.0}, {31.9, 0.0, 0.0}}).passed);
-  EXPECT_TRUE(judged(30.0, {{30.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}).passed) << "from the other end";
-  EXPECT_FALSE(judged(32.1, {{0.0, 0.0, 0.0}, {32.1, 0.0, 0.0}}).passed);
-  const Judgement elsewhere = judged(30.0, {{0.0, 20.0, 0.0}, {30.0, 20.0, 0.0}});
-  EXPECT_FALSE(elsewhere.passed) << "the right number in the wrong place";
+  EXPECT_TRUE(judged(31.9, {{0.0, 0.0, 0.0}, {31.9, 0.0, 0.0}}).passed());
+  EXPECT_TRUE(judged(30.0, {{30.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}).passed()) << "from the other end";
+  EXPECT_FALSE(judged(32.1, {{0.0, 0.0, 0.0}, {32.1, 0.0, 0.0}}).passed());
+  const StepResult elsewhere = judged(30.0, {{0.0, 20.0, 0.0}, {30.0, 20.0, 0.0}});
+  EXPECT_FALSE(elsewhere.passed()) << "the right number in the wrong place";
   EXPECT_EQ(elsewhere.remarks.back().text.english(), "The calipers stand 20 mm from where they belong.");
-  EXPECT_TRUE(judged(30.0, {}).passed) << "typed in: nothing is known of its place";
+  EXPECT_TRUE(judged(30.0, {}).passed()) << "typed in: nothing is known of its place";
 }
 
 TEST(JudgeMeasurement, ReadsCalipers) {
@@ -130,10 +130,10 @@ TEST(JudgeMeasurement, ReadsCalipers) {
 }
 
 TEST(JudgeSweep, PassesFromWhatIsNeeded) {
-  EXPECT_TRUE(judgeSweep(0.9, 0.9).passed);
+  EXPECT_TRUE(judgeSweep(0.9, 0.9).passed());
   EXPECT_DOUBLE_EQ(judgeSweep(0.9, 0.9).score, kPassScore);
   EXPECT_EQ(judgeSweep(1.0, 0.9).score, 1.0);
-  EXPECT_FALSE(judgeSweep(0.89, 0.9).passed);
+  EXPECT_FALSE(judgeSweep(0.89, 0.9).passed());
   EXPECT_LT(judgeSweep(0.8999999999, 0.9).score, kPassScore);
   EXPECT_EQ(judgeSweep(0.0, 0.9).score, 0.0);
 }
@@ -145,13 +145,13 @@ TEST(JudgePointing, IsWithinTheOrganOrItsMargin) {
   labels.echo[labels.grid.indexOf(5, 5, 5)] = 1;
   const OrganVoxels organ(labels, 1);
   EXPECT_EQ(judgePointing(organ, {5.3, 5.0, 5.0}, 0.0).score, 1.0);
-  EXPECT_FALSE(judgePointing(organ, {5.7, 5.0, 5.0}, 0.0).passed);
-  EXPECT_TRUE(judgePointing(organ, {6.4, 5.0, 5.0}, 1.0).passed);
-  EXPECT_FALSE(judgePointing(organ, {6.6, 5.0, 5.0}, 1.0).passed);
+  EXPECT_FALSE(judgePointing(organ, {5.7, 5.0, 5.0}, 0.0).passed());
+  EXPECT_TRUE(judgePointing(organ, {6.4, 5.0, 5.0}, 1.0).passed());
+  EXPECT_FALSE(judgePointing(organ, {6.6, 5.0, 5.0}, 1.0).passed());
   ExpectedPoint point;
   point.tolerance_mm = 4.0;
-  EXPECT_TRUE(judgePointing(point, {3.9, 0.0, 0.0}).passed);
-  EXPECT_FALSE(judgePointing(point, {4.1, 0.0, 0.0}).passed);
+  EXPECT_TRUE(judgePointing(point, {3.9, 0.0, 0.0}).passed());
+  EXPECT_FALSE(judgePointing(point, {4.1, 0.0, 0.0}).passed());
 }
 
 }  // namespace

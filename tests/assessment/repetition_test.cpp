@@ -207,9 +207,9 @@ TEST(Repetition, RefusesFilesThatItCannotUse) {
 
 TEST(Grade, OfAJudgement) {
   const auto graded = [](double score, bool passed, int hints = 0) {
-    Judgement judged;
+    StepResult judged;
     judged.score = score;
-    judged.passed = passed;
+    judged.verdict = passed ? StepVerdict::passed : StepVerdict::failed;
     return gradeOf(judged, hints);
   };
   EXPECT_EQ(graded(1.0, true), 5);

@@ -29,7 +29,7 @@ StepOutcome judged(const LessonStep& step, const SimulatedStep& made, const Trai
   EXPECT_TRUE(work) << work.error().sentence();
   if (!work) return outcome;
   for (std::size_t n = 0; n < made.log.frameCount(); ++n) (*work)->see(made.log.frame(n));
-  (*work)->judge(made.answer, outcome);
+  outcome.result() = (*work)->judge(made.answer);
   conclude(step, step.passLevel, outcome);
   return outcome;
 }

@@ -126,7 +126,7 @@ StepOutcome judgedOf(const LessonStep& step, const SimulatedStep& made, const Tr
   StepOutcome outcome;
   if (!work) return outcome;
   for (std::size_t n = 0; n < made.log.frameCount(); ++n) (*work)->see(made.log.frame(n));
-  (*work)->judge(made.answer, outcome);
+  outcome.result() = (*work)->judge(made.answer);
   return outcome;
 }
 

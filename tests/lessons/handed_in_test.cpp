@@ -59,11 +59,11 @@ TEST(HandedIn, IsJudgedAfterwardsAsItWouldHaveBeenAtOnce) {
       (*direct)->see(shown);
       sealed->see(shown);
     }
-    StepOutcome atOnce, handedIn, afterwards;
+    StepOutcome atOnce, handedIn;
     (*direct)->hand(each.handed, atOnce);
     sealed->hand(each.handed, handedIn);
     EXPECT_TRUE(handedIn.figures.empty() && handedIn.remarks.empty() && handedIn.score == 0.0) << each.what << ": it knows nothing";
-    (*direct)->judge(handedIn.answer, afterwards);
+    const StepResult afterwards = (*direct)->judge(handedIn.answer);
     EXPECT_DOUBLE_EQ(afterwards.score, atOnce.score) << each.what;
     EXPECT_EQ(afterwards.figures, atOnce.figures) << each.what;
     EXPECT_EQ(afterwards.remarks, atOnce.remarks) << each.what;

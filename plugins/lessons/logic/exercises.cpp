@@ -28,19 +28,16 @@ class ExerciseWork final : public StepWork {
   [[nodiscard]] std::optional<Message> missing(const Handed& handed) const override { return inner_->missing(handed); }
 
   [[nodiscard]] StepAnswer answerOf(const Handed& handed) const override { return inner_->answerOf(handed); }
-  void judge(const StepAnswer& given, StepOutcome& outcome) const override {
+  [[nodiscard]] StepResult judge(const StepAnswer& given) const override {
     // Calipers are read by what they are and not by their points alone, which the step's own work does with the same judgement.
-    if (exercise_.kind == ExerciseKind::measure || !last()) return inner_->judge(given, outcome);
+    if (exercise_.kind == ExerciseKind::measure || !last()) return inner_->judge(given);
     ExerciseGround ground = plan_->ground;
     ground.probe = last()->probe;
     ground.depth_mm = resolvedDepth_mm(last()->probe, last()->knobs);
     ExerciseAnswer answer;
     answer.pose = last()->pose;
     if (const auto* point = std::get_if<PointAnswer>(&given)) answer.points_mm = {point->at_mm};
-    Judgement judged = judgeExercise(exercise_, ground, level_, answer);
-    outcome.score = judged.score;
-    outcome.figures = std::move(judged.figures);
-    outcome.remarks = std::move(judged.remarks);
+    return judgeExercise(exercise_, ground, level_, answer);
   }
 
  private:

@@ -231,8 +231,7 @@ void ExercisePlayer::endExercise() {
 }
 
 void ExercisePlayer::keep(const StepOutcome& outcome, const RepetitionState& before) {
-  const bool passed = outcome.verdict == StepVerdict::passed;
-  const int grade = gradeOf({outcome.score, passed, {}, {}}, outcome.hints);
+  const int grade = gradeOf(outcome, outcome.hints);
   const auto when = thisMoment();
   auto kept = isKept_ ? keepTry(file_, exercise_.id, grade, when)
                       : Result<KeptRepetition>(KeptRepetition{withTry(states_, exercise_.id, grade, when), {}});
@@ -247,9 +246,9 @@ void ExercisePlayer::keep(const StepOutcome& outcome, const RepetitionState& bef
   for (const RepetitionState& each : states_)
     if (each.exerciseId == exercise_.id) now = each;
   const auto days = static_cast<int>(now.interval_days + 0.5);
-  QString then = !passed     ? tr("It comes again in a few minutes.")
-                 : days <= 1 ? tr("It comes again tomorrow.")
-                             : tr("It comes again in %1 days.").arg(days);
+  QString then = !outcome.passed() ? tr("It comes again in a few minutes.")
+                 : days <= 1       ? tr("It comes again tomorrow.")
+                                   : tr("It comes again in %1 days.").arg(days);
   if (now.level > before.level) then += QLatin1Char(' ') + tr("Then a little harder: level %1.").arg(now.level);
   if (now.level < before.level) then += QLatin1Char(' ') + tr("Then a little easier: level %1.").arg(now.level);
   outcome_->showExercise(shown_, outcome, then);

@@ -24,15 +24,15 @@ StepScore asJudged(const LessonStep& step, const StepOutcome* outcome, const Ass
   made.kind = taskWord(step.task);
   made.weight = weightOf(step, plan);
   made.passLevel = passLevelOf(step, plan);
+  made.verdict = StepVerdict::skipped;
   if (outcome == nullptr) return made;
   StepOutcome judged = *outcome;
   const StepPlan* decided = plan.of(step.id);
   const bool isJudged = judged.verdict != StepVerdict::skipped && judged.verdict != StepVerdict::handedIn;
   if (isJudged && decided != nullptr && decided->passLevel) conclude(step, made.passLevel, judged);
+  made.result() = *outcome;
   made.verdict = judged.verdict;
-  made.task = made.score = outcome->score;
-  made.figures = outcome->figures;
-  made.remarks = outcome->remarks;
+  made.task = outcome->score;
   return made;
 }
 
@@ -40,10 +40,8 @@ StepScore asJudged(const LessonStep& step, const StepOutcome* outcome, const Ass
 StepScore asJudged(const StepOutcome& outcome) {
   StepScore made;
   made.stepId = outcome.stepId;
-  made.verdict = outcome.verdict;
-  made.task = made.score = outcome.score;
-  made.figures = outcome.figures;
-  made.remarks = outcome.remarks;
+  made.result() = outcome;
+  made.task = outcome.score;
   return made;
 }
 

@@ -1,7 +1,6 @@
 #include "ew/assessment/attempt_score.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "attempts/numbered_files.h"
@@ -21,10 +20,6 @@ using nlohmann::json;
 constexpr std::size_t kLargestScore_bytes = 16u << 20;
 constexpr std::size_t kMostOfAScore = 10'000;
 constexpr double kFarthestValue = 1e300;
-constexpr std::array<std::pair<std::string_view, StepVerdict>, 4> kScoreVerdicts = {{{"passed", StepVerdict::passed},
-                                                                                     {"failed", StepVerdict::failed},
-                                                                                     {"skipped", StepVerdict::skipped},
-                                                                                     {"handed_in", StepVerdict::handedIn}}};
 
 Message readSentence(const JsonFields& fields, std::string_view key) {
   try {
@@ -40,9 +35,8 @@ StepScore readStepScore(const JsonFields& fields) {
   step.stepId = fields.text("step", {}, 1, 100);
   step.title = fields.text("title", std::string(), 0);
   step.kind = fields.text("kind", std::string(), 0, 40);
-  step.verdict = fields.word<std::string_view, StepVerdict>("verdict", kScoreVerdicts);
+  step.result() = readStepResult(fields, kMostOfAScore);
   step.task = fields.number("task", 0.0, 1.0);
-  step.score = fields.number("score", 0.0, 1.0);
   step.passLevel = fields.number("pass_level", 0.0, 1.0);
   step.weight = fields.number("weight", 0.0, 1e6);
   step.isJudgedAnew = fields.flag("judged_anew", false);
@@ -50,29 +44,17 @@ StepScore readStepScore(const JsonFields& fields) {
   for (const JsonFields& each : fields.objects("metrics", 0, kMostOfAScore))
     step.metrics.push_back({each.text("id", {}, 1, 100), static_cast<int>(each.whole("version", 1, 1'000'000)),
                             each.number("value", -kFarthestValue, kFarthestValue)});
-  for (const JsonFields& each : fields.objects("figures", 0, kMostOfAScore))
-    step.figures.push_back(
-        {each.text("name"), each.number("value", -kFarthestValue, kFarthestValue), each.text("unit", std::string(), 0, 20)});
-  for (const JsonFields& each : fields.objects("remarks", 0, kMostOfAScore))
-    step.remarks.push_back({each.flag("good", false), readSentence(each, "text")});
   return step;
 }
 
 json jsonOf(const StepScore& step) {
-  json made = {{"step", step.stepId}, {"title", step.title},          {"kind", step.kind},    {"task", step.task},
-               {"score", step.score}, {"pass_level", step.passLevel}, {"weight", step.weight}};
+  json made = {{"step", step.stepId}, {"title", step.title},          {"kind", step.kind},
+               {"task", step.task},   {"pass_level", step.passLevel}, {"weight", step.weight}};
+  writeStepResult(step, made);
   if (step.validShare) made["valid_share"] = *step.validShare;
   if (step.isJudgedAnew) made["judged_anew"] = true;
-  for (const auto& [word, verdict] : kScoreVerdicts)
-    if (verdict == step.verdict) made["verdict"] = word;
   for (const MetricValue& each : step.metrics)
     made["metrics"].push_back({{"id", each.id}, {"version", each.version}, {"value", each.value}});
-  for (const Figure& each : step.figures) {
-    json figure = {{"name", each.name}, {"value", each.value}};
-    if (!each.unit.empty()) figure["unit"] = each.unit;
-    made["figures"].push_back(std::move(figure));
-  }
-  for (const AttemptRemark& each : step.remarks) made["remarks"].push_back({{"good", each.good}, {"text", each.text}});
   return made;
 }
 

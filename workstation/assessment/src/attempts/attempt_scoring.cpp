@@ -58,6 +58,7 @@ class Scoring {
     made.kind = taskWord(step.task);
     made.weight = weightOf(step, ground_.plan);
     made.passLevel = passLevelOf(step, ground_.plan);
+    made.verdict = StepVerdict::skipped;
     const StepOutcome* kept = attempt_.outcomeOf(step.id);
     if (kept == nullptr) return made;
     const auto scan = scanOf(step, *kept);
@@ -103,10 +104,7 @@ class Scoring {
       return false;
     }
     for (std::size_t n = 0; scan != nullptr && n < scan->frameCount(); ++n) (*work)->see(scan->frame(n));
-    outcome.score = 0.0;
-    outcome.figures.clear();
-    outcome.remarks.clear();
-    (*work)->judge(outcome.answer, outcome);
+    outcome.result() = (*work)->judge(outcome.answer);
     return true;
   }
 

@@ -35,7 +35,7 @@ Result<StepOutcome> judged(const LessonStep& step, const SimulatedStep& made, co
   outcome.hints = made.hints;
   outcome.answer = made.answer;
   outcome.at = at;
-  (*work)->judge(made.answer, outcome);
+  outcome.result() = (*work)->judge(made.answer);
   conclude(step, step.passLevel, outcome);
   return outcome;
 }

@@ -118,9 +118,9 @@ std::optional<PlannedExercise> soonest(const Choice& choice) {
 
 }  // namespace
 
-int gradeOf(const Judgement& judgement, int hints) {
-  if (!judgement.passed) return judgement.score >= 0.4 ? 2 : judgement.score > 0.0 ? 1 : 0;
-  const int grade = judgement.score >= 0.9 ? 5 : judgement.score >= 0.8 ? 4 : 3;
+int gradeOf(const StepResult& result, int hints) {
+  if (!result.passed()) return result.score >= 0.4 ? 2 : result.score > 0.0 ? 1 : 0;
+  const int grade = result.score >= 0.9 ? 5 : result.score >= 0.8 ? 4 : 3;
   return std::max(3, grade - std::max(0, hints));
 }
 

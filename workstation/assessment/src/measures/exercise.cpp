@@ -162,8 +162,8 @@ std::optional<Hold> startForOrgan(int label, const ExerciseGround& ground, std::
   return std::nullopt;
 }
 
-Judgement nothingToJudge(Message why) {
-  Judgement judged;
+StepResult nothingToJudge(Message why) {
+  StepResult judged;
   judged.remarks.push_back({false, std::move(why)});
   return judged;
 }
@@ -238,7 +238,7 @@ std::optional<Hold> startOf(const Exercise& exercise, const ExerciseGround& grou
   return randomHold(ground.region, *ground.skin, seed * 104729, freelyOf(ground));
 }
 
-Judgement judgeExercise(const Exercise& exercise, const ExerciseGround& ground, int level, const ExerciseAnswer& answer) {
+StepResult judgeExercise(const Exercise& exercise, const ExerciseGround& ground, int level, const ExerciseAnswer& answer) {
   const ExerciseDifficulty difficulty = difficultyOf(level);
   if (exercise.kind == ExerciseKind::findPlane) {
     const ExpectedPlane* plane = planeOf(exercise, ground.truth);

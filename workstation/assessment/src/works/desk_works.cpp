@@ -7,9 +7,15 @@
 namespace ew {
 namespace {
 
+StepResult scored(double score) {
+  StepResult result;
+  result.score = score;
+  return result;
+}
+
 class ReadWork final : public StepWork {
  public:
-  void judge(const StepAnswer&, StepOutcome& outcome) const override { outcome.score = 1.0; }
+  [[nodiscard]] StepResult judge(const StepAnswer&) const override { return scored(1.0); }
 };
 
 class WatchWork final : public StepWork {
@@ -19,9 +25,9 @@ class WatchWork final : public StepWork {
     return say<"The expert's scan has not been shown to its end yet.">();
   }
   [[nodiscard]] StepAnswer answerOf(const Handed& handed) const override { return WatchAnswer{handed.watched}; }
-  void judge(const StepAnswer& given, StepOutcome& outcome) const override {
+  [[nodiscard]] StepResult judge(const StepAnswer& given) const override {
     const auto* answer = std::get_if<WatchAnswer>(&given);
-    outcome.score = answer != nullptr && answer->watched ? 1.0 : 0.0;
+    return scored(answer != nullptr && answer->watched ? 1.0 : 0.0);
   }
 };
 
@@ -40,23 +46,25 @@ class SettingsWork final : public StepWork {
     if (last()) return std::nullopt;
     return noImage();
   }
-  void judge(const StepAnswer&, StepOutcome& outcome) const override {
-    if (!last()) return;
+  [[nodiscard]] StepResult judge(const StepAnswer&) const override {
+    StepResult result;
+    if (!last()) return result;
     int right = 0, all = 0;
     const auto count = [&](bool good, Message goodText, Message badText) {
       ++all;
       right += good ? 1 : 0;
-      outcome.remarks.push_back({good, good ? std::move(goodText) : std::move(badText)});
+      result.remarks.push_back({good, good ? std::move(goodText) : std::move(badText)});
     };
     if (!task_.probes.empty())
       count(hasProbe(), say<"The transducer suits the examination.">(), say<"Another transducer suits this examination better.">());
     for (const SettingBand& band : task_.bands) {
       const double value = settingOf(*last(), band.setting).value_or(0.0);
-      outcome.figures.push_back({band.setting, value, band.setting.ends_with("_mm") ? "mm" : "dB"});
+      result.figures.push_back({band.setting, value, band.setting.ends_with("_mm") ? "mm" : "dB"});
       count(isWithin(band), say<"%1 is right.">(nameOf(band.setting)),
             value < band.lowest ? say<"%1 is too low.">(nameOf(band.setting)) : say<"%1 is too high.">(nameOf(band.setting)));
     }
-    outcome.score = all > 0 ? static_cast<double>(right) / all : 1.0;
+    result.score = all > 0 ? static_cast<double>(right) / all : 1.0;
+    return result;
   }
 
  private:
@@ -89,8 +97,9 @@ class AnswerWork final : public StepWork {
     if (handed.number) return NumberAnswer{*handed.number};
     return {};
   }
-  void judge(const StepAnswer& answer, StepOutcome& outcome) const override {
-    if (task_.options.empty()) return judgeNumber(answer, outcome);
+  [[nodiscard]] StepResult judge(const StepAnswer& answer) const override {
+    if (task_.options.empty()) return judgeNumber(answer);
+    StepResult result;
     // Every right answer counts, and every wrong one takes one away: choosing all earns nothing.
     std::set<std::size_t> chosenOnes;
     if (const auto* given = std::get_if<OptionsAnswer>(&answer)) chosenOnes.insert(given->chosen.begin(), given->chosen.end());
@@ -101,21 +110,24 @@ class AnswerWork final : public StepWork {
       all += option.right ? 1 : 0;
       right += option.right && chosen ? 1 : 0;
       wrong += !option.right && chosen ? 1 : 0;
-      if (chosen && !option.why.empty()) outcome.remarks.push_back({option.right, verbatim(option.why)});
-      if (!chosen && option.right) outcome.remarks.push_back({false, say<"Right would have been: %1">(verbatim(option.text))});
+      if (chosen && !option.why.empty()) result.remarks.push_back({option.right, verbatim(option.why)});
+      if (!chosen && option.right) result.remarks.push_back({false, say<"Right would have been: %1">(verbatim(option.text))});
     }
-    outcome.score = all > 0 ? std::max(0.0, static_cast<double>(right - wrong) / all) : 0.0;
+    result.score = all > 0 ? std::max(0.0, static_cast<double>(right - wrong) / all) : 0.0;
+    return result;
   }
 
  private:
-  void judgeNumber(const StepAnswer& answer, StepOutcome& outcome) const {
+  [[nodiscard]] StepResult judgeNumber(const StepAnswer& answer) const {
+    StepResult result;
     const auto* given = std::get_if<NumberAnswer>(&answer);
-    if (!task_.number || given == nullptr) return;
+    if (!task_.number || given == nullptr) return result;
     const double number = given->number, error = number - *task_.number;
-    outcome.figures = {{"error", error, task_.unit}};
+    result.figures = {{"error", error, task_.unit}};
     const bool good = isWithinTolerance(number, *task_.number, task_.tolerance);
-    outcome.score = good ? 1.0 : 0.0;
-    outcome.remarks.push_back({good, good ? say<"That is right.">() : say<"It is %1 %2.">(roundedText(*task_.number, 2), task_.unit)});
+    result.score = good ? 1.0 : 0.0;
+    result.remarks.push_back({good, good ? say<"That is right.">() : say<"It is %1 %2.">(roundedText(*task_.number, 2), task_.unit)});
+    return result;
   }
   AnswerTask task_;
 };

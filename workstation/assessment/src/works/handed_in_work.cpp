@@ -36,7 +36,7 @@ class HandedInWork final : public StepWork {
     return measured;
   }
 
-  void judge(const StepAnswer&, StepOutcome&) const override {}
+  [[nodiscard]] StepResult judge(const StepAnswer&) const override { return {}; }
 
  private:
   LessonTask task_;

@@ -30,9 +30,10 @@ class MeasureWork final : public StepWork {
     const HandedMeasurement* found = fittingIn(handed.measurements);
     return found != nullptr && last() ? answerBy(inWorld(*found, *last())) : StepAnswer();
   }
-  void judge(const StepAnswer& given, StepOutcome& outcome) const override {
+  [[nodiscard]] StepResult judge(const StepAnswer& given) const override {
     const auto answer = measurementIn(given);
-    if (answer && answer->unit == expected_.unit) take(judgeMeasurement(expected_, answer->value, answer->points_mm, tolerance_), outcome);
+    if (!answer || answer->unit != expected_.unit) return {};
+    return judgeMeasurement(expected_, answer->value, answer->points_mm, tolerance_);
   }
 
  private:
@@ -83,11 +84,11 @@ class PointWork final : public StepWork {
     if (!handed.point || !last()) return {};
     return PointAnswer{(last()->pose.probeToWorld * *handed.point).at};
   }
-  void judge(const StepAnswer& given, StepOutcome& outcome) const override {
+  [[nodiscard]] StepResult judge(const StepAnswer& given) const override {
     constexpr double kMargin_mm = 3.0;  // as far as a hand misses a border that it sees
     const auto* answer = std::get_if<PointAnswer>(&given);
-    if (answer == nullptr) return;
-    take(point_ ? judgePointing(*point_, answer->at_mm) : judgePointing(*organ_, answer->at_mm, kMargin_mm), outcome);
+    if (answer == nullptr) return {};
+    return point_ ? judgePointing(*point_, answer->at_mm) : judgePointing(*organ_, answer->at_mm, kMargin_mm);
   }
 
  private:

@@ -14,18 +14,18 @@ namespace {
 std::string whole(double value) { return std::to_string(std::lround(value)); }
 std::string tenths(double value) { return textOf(std::round(10.0 * value) / 10.0); }
 
-void missed(Judgement& judged, Message text) { judged.remarks.push_back({false, std::move(text)}); }
-void wellDone(Judgement& judged, Message text) { judged.remarks.push_back({true, std::move(text)}); }
+void missed(StepResult& judged, Message text) { judged.remarks.push_back({false, std::move(text)}); }
+void wellDone(StepResult& judged, Message text) { judged.remarks.push_back({true, std::move(text)}); }
 
-Judgement judgedBy(double share) {
-  Judgement judged;
+StepResult judgedBy(double share) {
+  StepResult judged;
   judged.score = scoreAt(share);
-  judged.passed = share <= 1.0;
+  if (share <= 1.0) judged.verdict = StepVerdict::passed;
   return judged;
 }
 
-Judgement withoutPose() {
-  Judgement judged;
+StepResult withoutPose() {
+  StepResult judged;
   missed(judged, say<"The probe was not seen; hold it where the tracker sees it.">());
   return judged;
 }
@@ -78,16 +78,16 @@ double scoreAt(double shareOfTolerance) {
   return std::min(std::nextafter(kPassScore, 0.0), std::max(0.0, kPassScore * 0.5 * (3.0 - shareOfTolerance)));
 }
 
-Judgement judgePlane(const PlaneTarget& target, const PlaneTolerance& tolerance, const Pose& pose) {
+StepResult judgePlane(const PlaneTarget& target, const PlaneTolerance& tolerance, const Pose& pose) {
   if (pose.status != PoseStatus::ok) return withoutPose();
   const PlaneError error = planeError(target, pose.probeToWorld);
-  Judgement judged = judgedBy(shareOfTolerance(error, tolerance));
+  StepResult judged = judgedBy(shareOfTolerance(error, tolerance));
   judged.figures = {{"angle", error.angle_deg, "deg"},
                     {"distance", error.distance_mm, "mm"},
                     {"roll", error.roll_deg, "deg"},
                     {"in_picture", error.inPicture_mm, "mm"},
                     {"face", error.face_mm, "mm"}};
-  if (judged.passed && !error.isMirrored)
+  if (judged.passed() && !error.isMirrored)
     wellDone(judged,
              say<"The plane is found: %1 degrees and %2 mm from the expert's.">(tenths(error.angle_deg), tenths(error.distance_mm)));
   if (!isWithinTolerance(error.angle_deg, 0.0, tolerance.angle_deg))
@@ -102,23 +102,23 @@ Judgement judgePlane(const PlaneTarget& target, const PlaneTolerance& tolerance,
   if (!isWithinTolerance(error.inPicture_mm, 0.0, kInPictureFactor * tolerance.position_mm))
     missed(judged, say<"The target lies %1 mm elsewhere in the image; bring it to where the expert has it.">(whole(error.inPicture_mm)));
   if (error.isMirrored) {
-    judged.passed = false;
+    judged.verdict = StepVerdict::failed;
     judged.score = std::min(judged.score, 0.5);
     missed(judged, say<"The marker points the wrong way; left and right are exchanged.">());
   }
   return judged;
 }
 
-Judgement judgePointing(const OrganVoxels& organ, const glm::dvec3& clicked_world_mm, double margin_mm) {
+StepResult judgePointing(const OrganVoxels& organ, const glm::dvec3& clicked_world_mm, double margin_mm) {
   EW_EXPECTS(margin_mm >= 0.0);
   const double beside_mm = distanceTo_mm(organ, clicked_world_mm);
   // In tolerances of at least a millimetre, or one beside an organ without a margin would count as infinitely far.
   const double unit_mm = std::max(1.0, margin_mm);
-  Judgement judged =
+  StepResult judged =
       judgedBy(isWithinTolerance(beside_mm, 0.0, margin_mm) ? std::min(1.0, beside_mm / unit_mm)
                                                             : std::max(1.0 + 1e-9, 1.0 + (beside_mm - margin_mm) / (5.0 * unit_mm)));
   judged.figures = {{"distance", std::isfinite(beside_mm) ? beside_mm : 1e6, "mm"}};
-  if (judged.passed)
+  if (judged.passed())
     wellDone(judged, say<"That is it.">());
   else if (std::isfinite(beside_mm))
     missed(judged, say<"The point lies %1 mm beside it.">(tenths(beside_mm)));
@@ -127,28 +127,29 @@ Judgement judgePointing(const OrganVoxels& organ, const glm::dvec3& clicked_worl
   return judged;
 }
 
-Judgement judgePointing(const ExpectedPoint& point, const glm::dvec3& clicked_world_mm) {
+StepResult judgePointing(const ExpectedPoint& point, const glm::dvec3& clicked_world_mm) {
   EW_EXPECTS(point.tolerance_mm > 0.0);
   const double off_mm = glm::distance(point.at_mm, clicked_world_mm);
-  Judgement judged = judgedBy(shareOfTolerance(off_mm, 0.0, point.tolerance_mm));
+  StepResult judged = judgedBy(shareOfTolerance(off_mm, 0.0, point.tolerance_mm));
   judged.figures = {{"distance", off_mm, "mm"}};
-  if (judged.passed)
+  if (judged.passed())
     wellDone(judged, say<"That is it.">());
   else
     missed(judged, say<"The point lies %1 mm beside it.">(tenths(off_mm)));
   return judged;
 }
 
-Judgement judgeSweep(double share, double needed) {
+StepResult judgeSweep(double share, double needed) {
   EW_EXPECTS(needed > 0.0 && needed <= 1.0 && share >= 0.0);
-  Judgement judged;
-  judged.passed = reachesLevel(share, needed);
+  StepResult judged;
+  if (reachesLevel(share, needed)) judged.verdict = StepVerdict::passed;
   // Nothing passed through is nothing; all of what is needed is passing, and the rest of the organ the rest of the score.
   judged.score =
-      judged.passed ? (needed < 1.0 ? kPassScore + (1.0 - kPassScore) * std::max(0.0, std::min(share, 1.0) - needed) / (1.0 - needed) : 1.0)
-                    : std::min(std::nextafter(kPassScore, 0.0), kPassScore * share / needed);
+      judged.passed()
+          ? (needed < 1.0 ? kPassScore + (1.0 - kPassScore) * std::max(0.0, std::min(share, 1.0) - needed) / (1.0 - needed) : 1.0)
+          : std::min(std::nextafter(kPassScore, 0.0), kPassScore * share / needed);
   judged.figures = {{"coverage", 100.0 * share, "%"}};
-  if (judged.passed)
+  if (judged.passed())
     wellDone(judged, say<"The images passed through %1 % of it.">(whole(100.0 * share)));
   else
     missed(judged, say<"The images passed through %1 % of it; %2 % are needed.">(whole(100.0 * share), whole(100.0 * needed)));
@@ -170,7 +171,7 @@ double toleranceOf(const ExpectedMeasurement& expected) {
   return expected.tolerance.value_or(std::max(2.0, 0.1 * std::abs(expected.value)));
 }
 
-Judgement judgeMeasurement(const ExpectedMeasurement& expected, double value, const std::vector<glm::dvec3>& points_mm, double tolerance) {
+StepResult judgeMeasurement(const ExpectedMeasurement& expected, double value, const std::vector<glm::dvec3>& points_mm, double tolerance) {
   EW_EXPECTS(tolerance > 0.0);
   const double off = value - expected.value;
   double share = shareOfTolerance(value, expected.value, tolerance);
@@ -180,10 +181,11 @@ Judgement judgeMeasurement(const ExpectedMeasurement& expected, double value, co
   const double placeAllowed_mm = placeTolerance_mm(tolerance);
   const bool isElsewhere = knowsPlace && !isWithinTolerance(place_mm, 0.0, placeAllowed_mm);
   if (isElsewhere) share = std::max(share, place_mm / placeAllowed_mm);
-  Judgement judged = judgedBy(share);
+  StepResult judged = judgedBy(share);
   judged.figures = {{"value", value, expected.unit}, {"off", off, expected.unit}};
   if (knowsPlace) judged.figures.push_back({"place", place_mm, "mm"});
-  if (judged.passed) wellDone(judged, say<"Measured: %1 %2; the expert has %3 %2.">(tenths(value), expected.unit, tenths(expected.value)));
+  if (judged.passed())
+    wellDone(judged, say<"Measured: %1 %2; the expert has %3 %2.">(tenths(value), expected.unit, tenths(expected.value)));
   if (!isWithinTolerance(value, expected.value, tolerance))
     missed(judged, say<"%1 %2 were measured; it is %3 %2, and %4 %2 more or less are allowed.">(tenths(value), expected.unit,
                                                                                                 tenths(expected.value), tenths(tolerance)));

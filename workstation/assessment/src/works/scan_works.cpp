@@ -30,8 +30,8 @@ class PlaneWork final : public StepWork {
     if (last()) return std::nullopt;
     return noImage();
   }
-  void judge(const StepAnswer&, StepOutcome& outcome) const override {
-    if (last()) take(judgePlane(targetNow(), tolerance_, last()->pose), outcome);
+  [[nodiscard]] StepResult judge(const StepAnswer&) const override {
+    return last() ? judgePlane(targetNow(), tolerance_, last()->pose) : StepResult();
   }
 
  private:
@@ -60,7 +60,7 @@ class SweepWork final : public StepWork {
     const double share = cover_.share();
     return {{say<"Seen so far: %1 %">(roundedText(100.0 * share)), reachesLevel(share, task_.share)}};
   }
-  void judge(const StepAnswer&, StepOutcome& outcome) const override { take(judgeSweep(cover_.share(), task_.share), outcome); }
+  [[nodiscard]] StepResult judge(const StepAnswer&) const override { return judgeSweep(cover_.share(), task_.share); }
 
  private:
   SweepTask task_;
@@ -98,14 +98,16 @@ class FreeWork final : public StepWork {
     if (left_s <= 0.0) return std::nullopt;
     return say<"Scan for at least %1 s more.">(roundedText(std::ceil(left_s)));
   }
-  void judge(const StepAnswer&, StepOutcome& outcome) const override {
+  [[nodiscard]] StepResult judge(const StepAnswer&) const override {
+    StepResult result;
     int found = 0;
     for (const Sought& one : sought_) {
       const bool good = one.isShown();
       found += good ? 1 : 0;
-      outcome.remarks.push_back({good, good ? say<"Shown: %1">(verbatim(one.name)) : one.missed()});
+      result.remarks.push_back({good, good ? say<"Shown: %1">(verbatim(one.name)) : one.missed()});
     }
-    outcome.score = sought_.empty() ? 1.0 : static_cast<double>(found) / static_cast<double>(sought_.size());
+    result.score = sought_.empty() ? 1.0 : static_cast<double>(found) / static_cast<double>(sought_.size());
+    return result;
   }
 
  private:

@@ -25,7 +25,7 @@ StepAnswer StepWork::answerOf(const Handed&) const { return {}; }
 
 void StepWork::hand(const Handed& handed, StepOutcome& outcome) const {
   outcome.answer = answerOf(handed);
-  judge(outcome.answer, outcome);
+  outcome.result() = judge(outcome.answer);
 }
 
 void conclude(const LessonStep& step, double passLevel, StepOutcome& outcome) {
@@ -47,12 +47,6 @@ CaliperReading inWorld(const HandedMeasurement& handed, const ScanState& image) 
 }
 
 Message noImage() { return say<"There is no image yet; put the probe on the body.">(); }
-
-void take(Judgement judgement, StepOutcome& outcome) {
-  outcome.score = judgement.score;
-  outcome.figures = std::move(judgement.figures);
-  outcome.remarks = std::move(judgement.remarks);
-}
 
 namespace {
 

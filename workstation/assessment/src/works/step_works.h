@@ -33,7 +33,5 @@ using Work = std::unique_ptr<StepWork>;
 [[nodiscard]] Message noImage();
 /// What was measured in an image, as an attempt keeps it.
 [[nodiscard]] CaliperReading inWorld(const HandedMeasurement& handed, const ScanState& image);
-/// What stands in an outcome of a judgement.
-void take(Judgement judgement, StepOutcome& outcome);
 
 }  // namespace ew

@@ -78,7 +78,7 @@ bool expertPasses(Draw draw, const std::optional<Hold>& view) {
       answer.points_mm.push_back(p_mm + off.x * along + off.y * across);
     }
   }
-  return judgeExercise(draw.exercise, draw.ground, draw.level, answer).passed;
+  return judgeExercise(draw.exercise, draw.ground, draw.level, answer).passed();
 }
 
 /// Chance: a random pose, a random pixel of a random pose, random calipers in the very plane that is measured in.
@@ -96,7 +96,7 @@ bool chancePasses(Draw draw) {
     for (std::size_t n = 0; n < measurement.points_mm.size(); ++n)
       answer.points_mm.push_back(carried(answer.pose.probeToWorld, glm::dvec3(draw.anywhereInFan(), 0.0)));
   }
-  return judgeExercise(draw.exercise, draw.ground, draw.level, answer).passed;
+  return judgeExercise(draw.exercise, draw.ground, draw.level, answer).passed();
 }
 
 struct Passed {

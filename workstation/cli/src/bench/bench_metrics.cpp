@@ -48,7 +48,7 @@ Result<StepOutcome> judgedStep(const LessonStep& step, const SimulatedStep& made
   outcome.seconds = made.seconds;
   outcome.hints = made.hints;
   outcome.answer = made.answer;
-  (*work)->judge(made.answer, outcome);
+  outcome.result() = (*work)->judge(made.answer);
   conclude(step, step.passLevel, outcome);
   return outcome;
 }

@@ -48,21 +48,9 @@ std::string ownFile(const JsonFields& fields, std::string_view key, const std::s
 StepOutcome readOutcome(const JsonFields& fields) {
   StepOutcome outcome;
   outcome.stepId = fields.text("step", {}, 1, 100);
-  outcome.verdict = fields.word<std::string_view, StepVerdict>("verdict", kVerdicts);
-  outcome.score = fields.number("score", 0.0, 1.0);
+  outcome.result() = readStepResult(fields, kMostRemarks);
   outcome.seconds = fields.number("seconds", 0.0, 1e8);
   outcome.hints = static_cast<int>(fields.whole("hints", 0, 1000, 0));
-  for (const JsonFields& figure : fields.objects("figures", 0, kMostRemarks))
-    outcome.figures.push_back({figure.text("name"), figure.number("value", -1e300, 1e300), figure.text("unit", std::string(), 0, 20)});
-  for (const JsonFields& remark : fields.objects("remarks", 0, kMostRemarks)) {
-    AttemptRemark made{remark.flag("good", false), {}};
-    try {
-      if (remark.has("text")) made.text = remark.find("text")->get<Message>();
-    } catch (const std::exception&) {
-      remark.refuse("text", say<"a sentence">());
-    }
-    outcome.remarks.push_back(std::move(made));
-  }
   if (const json* answer = fields.find("answer")) {
     outcome.answer = stepAnswerFromJson(*answer);
     if (jsonOf(outcome.answer) != *answer) outcome.otherAnswer = *answer;
@@ -78,17 +66,9 @@ StepOutcome readOutcome(const JsonFields& fields) {
 json jsonOf(const StepOutcome& outcome) {
   json made = outcome.otherFields.is_object() ? outcome.otherFields : json::object();
   made["step"] = outcome.stepId;
-  for (const auto& [word, verdict] : kVerdicts)
-    if (verdict == outcome.verdict) made["verdict"] = word;
-  made["score"] = outcome.score;
+  writeStepResult(outcome, made);
   made["seconds"] = outcome.seconds;
   if (outcome.hints > 0) made["hints"] = outcome.hints;
-  for (const Figure& figure : outcome.figures) {
-    json each = {{"name", figure.name}, {"value", figure.value}};
-    if (!figure.unit.empty()) each["unit"] = figure.unit;
-    made["figures"].push_back(std::move(each));
-  }
-  for (const AttemptRemark& remark : outcome.remarks) made["remarks"].push_back({{"good", remark.good}, {"text", remark.text}});
   if (json answer = outcome.answerJson(); !answer.is_null()) made["answer"] = std::move(answer);
   if (!outcome.recording.empty()) made["recording"] = outcome.recording;
   if (!outcome.pictures.empty()) made["pictures"] = outcome.pictures;
@@ -122,6 +102,36 @@ Message verdictWord(StepVerdict verdict) {
 }
 
 Message passedWord(bool passed) { return passed ? say<"passed">() : say<"not passed">(); }
+
+StepResult readStepResult(const JsonFields& fields, std::size_t most) {
+  StepResult result;
+  result.verdict = fields.word<std::string_view, StepVerdict>("verdict", kVerdicts);
+  result.score = fields.number("score", 0.0, 1.0);
+  for (const JsonFields& figure : fields.objects("figures", 0, most))
+    result.figures.push_back({figure.text("name"), figure.number("value", -1e300, 1e300), figure.text("unit", std::string(), 0, 20)});
+  for (const JsonFields& remark : fields.objects("remarks", 0, most)) {
+    AttemptRemark made{remark.flag("good", false), {}};
+    try {
+      if (const json* text = remark.find("text")) made.text = text->get<Message>();
+    } catch (const std::exception&) {
+      remark.refuse("text", say<"a sentence">());
+    }
+    result.remarks.push_back(std::move(made));
+  }
+  return result;
+}
+
+void writeStepResult(const StepResult& result, json& into) {
+  for (const auto& [word, verdict] : kVerdicts)
+    if (verdict == result.verdict) into["verdict"] = word;
+  into["score"] = result.score;
+  for (const Figure& figure : result.figures) {
+    json each = {{"name", figure.name}, {"value", figure.value}};
+    if (!figure.unit.empty()) each["unit"] = figure.unit;
+    into["figures"].push_back(std::move(each));
+  }
+  for (const AttemptRemark& remark : result.remarks) into["remarks"].push_back({{"good", remark.good}, {"text", remark.text}});
+}
 
 std::string launchOfEnvironment() {
   const char* said = std::getenv(kLaunchVariable);

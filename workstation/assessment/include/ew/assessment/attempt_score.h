@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "ew/assessment/metric.h"
-#include "ew/core/figure.h"
 #include "ew/core/result.h"
 #include "ew/library/attempt.h"
 
@@ -17,21 +16,17 @@ namespace ew {
 inline constexpr int kScoreFormat = 1;     ///< `format` of a score's file; a larger one is refused with newerFormat
 inline constexpr int kScoringVersion = 2;  ///< of how metrics become scores; part of every key. 2: a value at its tolerance is within it
 
-/// What a step of an attempt is worth by a plan.
-struct StepScore {
+/// What a step of an attempt is worth by a plan: its score is that of the task with what else counts.
+struct StepScore : StepResult {
   std::string stepId;
-  std::string title;  ///< as the lesson has it
-  std::string kind;   ///< taskWord
-  StepVerdict verdict = StepVerdict::skipped;
+  std::string title;                 ///< as the lesson has it
+  std::string kind;                  ///< taskWord
   double task = 0.0;                 ///< score of the task itself, 0 to 1
-  double score = 0.0;                ///< with what else counts, 0 to 1
   double passLevel = 0.7;            ///< that the verdict was given by
   double weight = 1.0;               ///< in the lesson's score
   bool isJudgedAnew = false;         ///< from the raw data; false: as it was judged in the lesson, for the raw data are not there
   std::optional<double> validShare;  ///< of the images' poses, 0..1; metrics stand on these alone; empty: there was no recording to look at
   std::vector<MetricValue> metrics;
-  std::vector<Figure> figures;
-  std::vector<AttemptRemark> remarks;
   bool operator==(const StepScore&) const = default;
 };
 

@@ -11,6 +11,7 @@
 #include "ew/assessment/judging.h"
 #include "ew/assessment/organ_voxels.h"
 #include "ew/assessment/scannable_region.h"
+#include "ew/library/attempt.h"
 #include "ew/library/case_truth.h"
 #include "ew/library/lesson.h"
 
@@ -100,6 +101,6 @@ struct ExerciseAnswer {
 };
 
 /// The exercise's judgement at a level. An answer of the wrong kind (no point clicked, a target that the case lost) fails, with a remark.
-[[nodiscard]] Judgement judgeExercise(const Exercise& exercise, const ExerciseGround& ground, int level, const ExerciseAnswer& answer);
+[[nodiscard]] StepResult judgeExercise(const Exercise& exercise, const ExerciseGround& ground, int level, const ExerciseAnswer& answer);
 
 }  // namespace ew

@@ -7,19 +7,9 @@
 
 #include "ew/assessment/organ_voxels.h"
 #include "ew/assessment/plane_error.h"
-#include "ew/core/figure.h"
 #include "ew/library/attempt.h"
 
 namespace ew {
-
-/// What a trainee's work was worth: of a step of a lesson, or of an exercise.
-struct Judgement {
-  double score = 0.0;  ///< 0 to 1; kPassScore and more where, and only where, everything is within tolerance
-  bool passed = false;
-  std::vector<Figure> figures;
-  std::vector<AttemptRemark> remarks;
-  bool operator==(const Judgement&) const = default;
-};
 
 // A bound belongs to what it bounds, though binary fractions may put a value a few digits beyond it: 12.3 - 12.1 is
 // 0.2000000000000011, and 12.1 lies within 12.3 +- 0.2. Whatever is judged asks these.
@@ -37,17 +27,19 @@ inline constexpr double kPassScore = 0.7;
 /// @param shareOfTolerance the worst error in tolerances, >= 0
 [[nodiscard]] double scoreAt(double shareOfTolerance);
 
+// A score is kPassScore and more where, and only where, everything is within tolerance.
+
 /// A probe held at a plane. A marker on the wrong side is remarked and never passes.
-[[nodiscard]] Judgement judgePlane(const PlaneTarget& target, const PlaneTolerance& tolerance, const Pose& pose);
+[[nodiscard]] StepResult judgePlane(const PlaneTarget& target, const PlaneTolerance& tolerance, const Pose& pose);
 
 /// A click on an organ. @param margin_mm beside it that still counts, >= 0
-[[nodiscard]] Judgement judgePointing(const OrganVoxels& organ, const glm::dvec3& clicked_world_mm, double margin_mm);
+[[nodiscard]] StepResult judgePointing(const OrganVoxels& organ, const glm::dvec3& clicked_world_mm, double margin_mm);
 
 /// A click on a point.
-[[nodiscard]] Judgement judgePointing(const ExpectedPoint& point, const glm::dvec3& clicked_world_mm);
+[[nodiscard]] StepResult judgePointing(const ExpectedPoint& point, const glm::dvec3& clicked_world_mm);
 
 /// A sweep through an organ. @param share of its voxels (OrganCoverage); @param needed of them, above 0 to 1
-[[nodiscard]] Judgement judgeSweep(double share, double needed);
+[[nodiscard]] StepResult judgeSweep(double share, double needed);
 
 /// What calipers read where they stand: the distance of two points, or the circumference of the ellipse whose long axis has the first two
 /// as ends and whose short axis the last two.
@@ -61,8 +53,8 @@ inline constexpr double kPassScore = 0.7;
 /// a distance may be set in either order; of other measurements the middle of the points is compared. Places are not looked at where the
 /// measurement expects no points or `points_mm` is empty.
 /// @param value in the measurement's unit; @param points_mm in the world; @param tolerance in the unit, > 0
-[[nodiscard]] Judgement judgeMeasurement(const ExpectedMeasurement& expected, double value, const std::vector<glm::dvec3>& points_mm,
-                                         double tolerance);
+[[nodiscard]] StepResult judgeMeasurement(const ExpectedMeasurement& expected, double value, const std::vector<glm::dvec3>& points_mm,
+                                          double tolerance);
 
 /// The tolerance of a measurement: the case's, or a tenth of its value and no less than 2 of its unit.
 [[nodiscard]] double toleranceOf(const ExpectedMeasurement& expected);

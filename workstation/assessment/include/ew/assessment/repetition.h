@@ -9,6 +9,7 @@
 
 #include "ew/assessment/exercise.h"
 #include "ew/core/result.h"
+#include "ew/library/attempt.h"
 
 namespace ew {
 
@@ -31,7 +32,7 @@ struct RepetitionState {
 };
 
 /// 0 (nothing) to 5 (with ease), 3 and more for passing, as SM-2 takes them. A hint costs a grade, but not the pass.
-[[nodiscard]] int gradeOf(const Judgement& judgement, int hints = 0);
+[[nodiscard]] int gradeOf(const StepResult& result, int hints = 0);
 
 /// The state after a try. Source: P. A. Wozniak, "Optimization of learning", 1990, algorithm SM-2: the ease grows by
 /// 0.1 - (5 - q) (0.08 + (5 - q) 0.02), never below 1.3; intervals are 1 day, 6 days, then the last one times the ease; below grade 3

@@ -49,10 +49,11 @@ class StepWork {
   [[nodiscard]] virtual std::optional<Message> missing(const Handed& handed) const;
   /// Of the step's kind; nothing where it asks for nothing, or nothing that fits was handed in.
   [[nodiscard]] virtual StepAnswer answerOf(const Handed& handed) const;
-  /// Fills score, figures and remarks of an outcome, by what was seen and answered. @param answer of another kind: counts as nothing
-  virtual void judge(const StepAnswer& answer, StepOutcome& outcome) const = 0;
+  /// Score, figures and remarks, by what was seen and answered; conclude() gives the verdict. @param answer of another kind: counts as
+  /// nothing
+  [[nodiscard]] virtual StepResult judge(const StepAnswer& answer) const = 0;
 
-  /// The same of what is handed in now; the outcome keeps the answer.
+  /// Judges what is handed in now; the outcome keeps result and answer.
   void hand(const Handed& handed, StepOutcome& outcome) const;
   [[nodiscard]] const std::optional<ScanState>& last() const { return last_; }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -14,6 +15,7 @@
 
 namespace ew {
 
+class JsonFields;
 struct Lesson;
 
 inline constexpr int kAttemptFormat = 1;  ///< `format` of attempt.json; a larger one is refused with newerFormat
@@ -36,14 +38,27 @@ struct AttemptRemark {
   bool operator==(const AttemptRemark&) const = default;
 };
 
-struct StepOutcome {
-  std::string stepId;
+/// What a trainee's work was worth, of a step of a lesson or of an exercise. Whatever knows more of it is one of these, too.
+struct StepResult {
+  double score = 0.0;  ///< 0 to 1
   StepVerdict verdict = StepVerdict::failed;
-  double score = 0.0;    ///< 0 to 1
-  double seconds = 0.0;  ///< spent on the step, pauses left out
-  int hints = 0;         ///< that were asked for
-  std::vector<Figure> figures;
+  std::vector<Figure> figures;  ///< that it was judged by
   std::vector<AttemptRemark> remarks;
+  bool operator==(const StepResult&) const = default;
+
+  [[nodiscard]] bool passed() const { return verdict == StepVerdict::passed; }
+  /// This part of whatever knows more.
+  [[nodiscard]] StepResult& result() { return *this; }
+};
+/// Of its fields "score", "verdict", "figures" and "remarks". @param most figures, and most remarks
+[[nodiscard]] StepResult readStepResult(const JsonFields& fields, std::size_t most);
+void writeStepResult(const StepResult& result, nlohmann::json& into);
+
+/// How a step of an attempt ended.
+struct StepOutcome : StepResult {
+  std::string stepId;
+  double seconds = 0.0;               ///< spent on the step, pauses left out
+  int hints = 0;                      ///< that were asked for
   StepAnswer answer;                  ///< what was entered, by the step's kind
   nlohmann::json otherAnswer;         ///< as it was read, where it is none of these or says more: kept as it is; null: `answer` says it all
   std::string recording;              ///< of the scan during the step, relative to the attempt's folder; empty: none was made
