@@ -8,6 +8,7 @@
 #include "made_films.h"
 #include "packed_pictures.h"
 #ifdef EW_HAS_TRACKERS
+#include "../trackers/igtl_messages.h"
 #include "ew/trackers/igtl_bodies.h"
 #endif
 
@@ -369,7 +370,7 @@ void igtl(const fs::path& folder) {
   name.resize(20, '\0');
   const auto bytesOf = [](const std::vector<std::uint8_t>& content) { return std::string(content.begin(), content.end()); };
   const std::pair<const char*, std::string> bodies[] = {{"TRANSFORM", bytesOf(igtlTransformContent(pose))},
-                                                        {"TDATA", bytesOf(igtlTrackingContent({probe, needle}))},
+                                                        {"TDATA", bytesOf(test::igtlTrackingContent({probe, needle}))},
                                                         {"QTDATA", name + std::string("\1\0", 2) + numbers},
                                                         {"POSITION", numbers},
                                                         {"STATUS", bytesOf(igtlStatusContent({5, 7, "busy", "wait a little"}))},

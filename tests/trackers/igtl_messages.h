@@ -40,6 +40,21 @@ inline IgtlMessage statusMessage(int code, const std::string& text = "") {
   return message;
 }
 
+/// What a tracker's server sends as TDATA, as the protocol has it: for each tool a name of 20 bytes, 2 for six degrees of freedom, a zero,
+/// and the twelve numbers of TRANSFORM. Our own side only reads it.
+inline Bytes igtlTrackingContent(const std::vector<IgtlPose>& tools) {
+  Bytes bytes;
+  for (const IgtlPose& tool : tools) {
+    std::string name = tool.tool;
+    name.resize(20, '\0');
+    bytes.insert(bytes.end(), name.begin(), name.end());
+    bytes.insert(bytes.end(), {2, 0});
+    const Bytes numbers = igtlTransformContent(tool.toolToTracker.matrix);
+    bytes.insert(bytes.end(), numbers.begin(), numbers.end());
+  }
+  return bytes;
+}
+
 inline IgtlMessage trackingMessage(const std::vector<std::string>& tools, int n = 0) {
   IgtlMessage message;
   message.type = "TDATA";

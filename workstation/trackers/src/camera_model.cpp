@@ -5,7 +5,6 @@
 
 #include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
-#include "ew/io/safe_file.h"
 
 namespace ew {
 namespace {
@@ -121,16 +120,6 @@ Result<CameraModel> parseCameraModel(std::string_view text, const Message& where
   model.made = fields.text("made", "", 0, 40);
   if (reading.problem()) return passOn(*reading.problem());
   return model;
-}
-
-Result<CameraModel> readCameraModel(const std::filesystem::path& file) {
-  const auto text = readTextFile(file, 1u << 20);
-  if (!text) return passOn(text.error());
-  return parseCameraModel(*text, verbatim(file.filename().string()));
-}
-
-Result<void> writeCameraModel(const std::filesystem::path& file, const CameraModel& model) {
-  return writeFileSafely(file, cameraModelText(model));
 }
 
 }  // namespace ew

@@ -159,18 +159,6 @@ std::vector<std::uint8_t> igtlTransformContent(const glm::dmat4& toolToTracker) 
   return bytes;
 }
 
-std::vector<std::uint8_t> igtlTrackingContent(const std::vector<IgtlPose>& tools) {
-  std::vector<std::uint8_t> bytes;
-  for (const IgtlPose& tool : tools) {
-    igtlPutName(bytes, tool.tool, kIgtlTool_bytes);
-    constexpr std::uint8_t kSixDegrees = 2;
-    bytes.insert(bytes.end(), {kSixDegrees, 0});
-    const std::vector<std::uint8_t> numbers = igtlTransformContent(tool.toolToTracker.matrix);
-    bytes.insert(bytes.end(), numbers.begin(), numbers.end());
-  }
-  return bytes;
-}
-
 std::vector<std::uint8_t> igtlStatusContent(const IgtlStatus& status) {
   std::vector<std::uint8_t> bytes;
   igtlPut(bytes, static_cast<std::uint16_t>(status.code));

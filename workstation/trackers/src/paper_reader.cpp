@@ -181,23 +181,4 @@ Result<std::vector<PaperBody>> readPaperBodies(const std::vector<std::filesystem
   return bodies;
 }
 
-Result<MarkerBody> readMarkerBody(const std::filesystem::path& file) {
-  const auto paper = readPaperBody(file);
-  if (!paper) return passOn(paper.error());
-  if (paper->kind == PaperKind::calibration)
-    return failure(ErrorCode::badField,
-                   say<"%1 is a board for the camera's own calibration and no body to follow; choose another one.">(file.string()),
-                   {{"field", "kind"}, {"found", "calibration"}, {"expected", "held or board"}});
-  return foldedBody(*paper);
-}
-
-Result<std::vector<MarkerBody>> readMarkerBodies(const std::vector<std::filesystem::path>& folders) {
-  const auto papers = readPaperBodies(folders);
-  if (!papers) return passOn(papers.error());
-  std::vector<MarkerBody> bodies;
-  for (const PaperBody& paper : *papers)
-    if (paper.kind != PaperKind::calibration) bodies.push_back(foldedBody(paper));
-  return bodies;
-}
-
 }  // namespace ew

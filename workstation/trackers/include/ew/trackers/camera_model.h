@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
 #include <glm/glm.hpp>
 #include <string>
 #include <string_view>
@@ -50,9 +49,5 @@ struct CameraModel {
 /// @param where how sentences name the document
 /// @error badHeader (not JSON), badField (with field, found, expected), newerFormat
 [[nodiscard]] Result<CameraModel> parseCameraModel(std::string_view text, const Message& where);
-/// @error notFound, notReadable, tooLarge, as parseCameraModel
-[[nodiscard]] Result<CameraModel> readCameraModel(const std::filesystem::path& file);
-/// @error notWritable
-[[nodiscard]] Result<void> writeCameraModel(const std::filesystem::path& file, const CameraModel& model);
 
 }  // namespace ew

@@ -43,7 +43,6 @@ struct IgtlStatus {
 
 /// Contents to send.
 [[nodiscard]] std::vector<std::uint8_t> igtlTransformContent(const glm::dmat4& toolToTracker);
-[[nodiscard]] std::vector<std::uint8_t> igtlTrackingContent(const std::vector<IgtlPose>& tools);
 [[nodiscard]] std::vector<std::uint8_t> igtlStatusContent(const IgtlStatus& status);
 /// One slice of 8 bit pixels.
 /// @param imageToRas pixels (centre of the first one at 0, 0) to mm, right, anterior, superior: Slicer reads every image as RAS, whatever

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
 #include <glm/glm.hpp>
 #include <string>
 #include <vector>
@@ -33,11 +32,6 @@ struct MarkerBody {
   bool operator==(const MarkerBody&) const = default;
 };
 
-/// @error notFound, badHeader (not JSON), badField (name, value found, value expected)
-[[nodiscard]] Result<MarkerBody> readMarkerBody(const std::filesystem::path& file);
-/// Every body of the folders, by id; of two with one id that of the later folder. Boards for the camera's own calibration are not among
-/// them (paper_body.h).
-[[nodiscard]] Result<std::vector<MarkerBody>> readMarkerBodies(const std::vector<std::filesystem::path>& folders);
 /// The body as a printer made it. @param factor what the printed scale of 100 mm measures, over 100 mm; > 0
 [[nodiscard]] MarkerBody scaled(MarkerBody body, double factor);
 
