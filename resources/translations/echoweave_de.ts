@@ -7439,10 +7439,6 @@
         <translation>Es gibt kein Bild, in dem Umrisse verfolgt werden können; zuerst eines einfrieren.</translation>
     </message>
     <message>
-        <source>A trace has no beginning yet; click where it begins.</source>
-        <translation>Der Umriss hat noch keinen Anfang; dort klicken, wo er beginnt.</translation>
-    </message>
-    <message>
         <source>An outline needs at least three clicks; there are %1.</source>
         <translation>Ein Umriss braucht mindestens drei Klicks; es sind %1.</translation>
     </message>
@@ -7523,30 +7519,6 @@
         <translation>Voreinstellungen</translation>
     </message>
     <message>
-        <source>two numbers, a place in mm</source>
-        <translation>zwei Zahlen, ein Ort in mm</translation>
-    </message>
-    <message>
-        <source>one line of text of 1 to %1 bytes</source>
-        <translation>eine Zeile Text von 1 bis %1 Bytes</translation>
-    </message>
-    <message>
-        <source>left out of a text</source>
-        <translation>bei einem Text weggelassen werden</translation>
-    </message>
-    <message>
-        <source>left out of an arrow</source>
-        <translation>bei einem Pfeil weggelassen werden</translation>
-    </message>
-    <message>
-        <source>a place at least 0.5 mm from at_mm</source>
-        <translation>ein Ort, der mindestens 0,5 mm von at_mm entfernt ist</translation>
-    </message>
-    <message>
-        <source>a number that no other annotation has</source>
-        <translation>eine Nummer, die keine andere Beschriftung hat</translation>
-    </message>
-    <message>
         <source>one line of 1 to %1 bytes that no other term of the list says</source>
         <translation>eine Zeile von 1 bis %1 Bytes, die kein anderer Begriff der Liste ist</translation>
     </message>
@@ -7569,10 +7541,6 @@
     <message>
         <source>the body mark %1</source>
         <translation>das Körpersymbol %1</translation>
-    </message>
-    <message>
-        <source>two numbers from 0 to 1, a place on the drawing</source>
-        <translation>zwei Zahlen von 0 bis 1, ein Ort auf der Zeichnung</translation>
     </message>
     <message>
         <source>small letters, digits, ., - and _</source>
@@ -10941,10 +10909,6 @@
     <message>
         <source>The marker bodies %1 and %2 both use marker %3; give one of them markers of its own.</source>
         <translation>Die Markenkörper %1 und %2 benutzen beide die Marke %3; geben Sie einem von ihnen eigene Marken.</translation>
-    </message>
-    <message>
-        <source>%1 is a board for the camera&apos;s own calibration and no body to follow; choose another one.</source>
-        <translation>%1 ist eine Tafel für das Kalibrieren der Kamera und kein Körper, dem sie folgen kann; wählen Sie einen anderen.</translation>
     </message>
     <message>
         <source>marker %1 on panel %2</source>

@@ -4,12 +4,9 @@
 
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 namespace ew::annotation::annotation_test {
 namespace {
-
-using nlohmann::json;
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
@@ -138,48 +135,6 @@ TEST(AnnotationNear, TakesTheNewerOneOfTwoOnEachOther) {
   list.addText({0.0, 0.0}, "LIVER");
   list.addText({0.0, 0.0}, "LIVER");
   EXPECT_EQ(annotationNear(list.now(), {-1.0, 0.0}, 1.0, leftward)->number, 2);
-}
-
-TEST(AnnotationsJson, ComeBackAsTheyWere) {
-  const Annotations before = textAndArrow().now();
-  const auto after = annotationsFromJson(toJson(before), verbatim("a.json"));
-  ASSERT_TRUE(after) << after.error();
-  EXPECT_EQ(*after, before);
-  EXPECT_EQ(annotationsFromJson(toJson(Annotations{}), verbatim("a.json")).value(), Annotations{});
-}
-
-TEST(AnnotationsJson, SayInOneSentenceWhatIsWrong) {
-  const json whole = toJson(textAndArrow().now());
-  const auto sentence = [&](const json::json_pointer& at, const json& value) {
-    json changed = whole;
-    if (value.is_discarded())
-      changed.at(at.parent_pointer()).erase(at.back());
-    else
-      changed[at] = value;
-    const auto read = annotationsFromJson(changed, verbatim("a.json"));
-    return read ? std::string("taken") : read.error().sentence();
-  };
-  const json gone(json::value_t::discarded);
-  EXPECT_EQ(sentence("/format"_json_pointer, 2), "a.json has format 2, this program reads up to 1; update EchoWeave.");
-  EXPECT_EQ(sentence("/annotations/0/kind"_json_pointer, "circle"),
-            "'annotations[0].kind' in a.json is \"circle\"; it must be \"text\" or \"arrow\".");
-  EXPECT_EQ(sentence("/annotations/0/at_mm"_json_pointer, json::array({1.0})),
-            "'annotations[0].at_mm' in a.json is [1.0]; it must be two numbers, a place in mm.");
-  EXPECT_EQ(sentence("/annotations/0/at_mm"_json_pointer, gone),
-            "'annotations[0].at_mm' in a.json is missing; it must be two numbers, a place in mm.");
-  EXPECT_EQ(sentence("/annotations/0/text"_json_pointer, "two\nlines"),
-            "'annotations[0].text' in a.json is \"two\\nlines\"; it must be one line of text of 1 to 200 bytes.");
-  EXPECT_EQ(sentence("/annotations/1/text"_json_pointer, "LIVER"),
-            "'annotations[1].text' in a.json is \"LIVER\"; it must be left out of an arrow.");
-  EXPECT_EQ(sentence("/annotations/0/tail_mm"_json_pointer, json::array({1.0, 2.0})),
-            "'annotations[0].tail_mm' in a.json is [1.0,2.0]; it must be left out of a text.");
-  EXPECT_EQ(sentence("/annotations/1/tail_mm"_json_pointer, json::array({15.0, 60.1})),
-            "'annotations[1].tail_mm' in a.json is [15.0,60.1]; it must be a place at least 0.5 mm from at_mm.");
-  EXPECT_EQ(sentence("/annotations/1/number"_json_pointer, 1),
-            "'annotations[1].number' in a.json is 1; it must be a number that no other annotation has.");
-  EXPECT_EQ(sentence("/annotations/1/number"_json_pointer, 3),
-            "'annotations[1].number' in a.json is 3; it must be a whole number from 1 to below next_number.");
-  EXPECT_NE(sentence("/annotations/1/colour"_json_pointer, "red"), "taken");
 }
 
 TEST(HomePosition, LiesWithinThePicture) {

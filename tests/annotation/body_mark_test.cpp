@@ -42,9 +42,23 @@ Placed probeAt(glm::dvec3 at_mm, glm::dvec3 marker, glm::dvec3 beam) {
 /// The same, turned in place about an axis of its own.
 Placed turned(const Placed& probe, double angle_rad, glm::dvec3 axis) { return {glm::rotate(probe.matrix, angle_rad, axis)}; }
 
+std::string wordOf(MarkView view) {
+  switch (view) {
+    case MarkView::front:
+      return "front";
+    case MarkView::back:
+      return "back";
+    case MarkView::right:
+      return "right";
+    case MarkView::left:
+      return "left";
+  }
+  return {};
+}
+
 BodyMark mark(MarkView view, double side_mm = 400.0) {
   BodyMark made;
-  made.id = std::string(wordOf(view)) + std::to_string(static_cast<int>(side_mm));
+  made.id = wordOf(view) + std::to_string(static_cast<int>(side_mm));
   made.view = view;
   made.centre_mm = {10.0, 0.0, -100.0};
   made.side_mm = side_mm;
@@ -200,21 +214,6 @@ TEST(BodyMarks, ShowStartAndExpertOfEveryShippedCase) {
     ++seen;
   }
   EXPECT_EQ(seen, 7);
-}
-
-TEST(MarkChoice, ComesBackAsItWasAndRefusesWhatIsNone) {
-  const auto back = [](const MarkChoice& choice) { return markChoiceFromJson(toJson(choice), verbatim("the mark")).value(); };
-  EXPECT_EQ(back({}), MarkChoice{});
-  const MarkChoice byHand{false, "womb", "breech", ProbeGlyph{{0.25, 0.5}, -kQuarter}};
-  EXPECT_EQ(back(byHand), byHand);
-  const auto sentence = [](const json& document) {
-    const auto read = markChoiceFromJson(document, verbatim("m.json"));
-    return read ? std::string("taken") : read.error().sentence();
-  };
-  EXPECT_EQ(sentence({{"place", {0.5, 1.5}}, {"angle_deg", 0}}),
-            "'place' in m.json is [0.5,1.5]; it must be two numbers from 0 to 1, a place on the drawing.");
-  EXPECT_EQ(sentence({{"mark", "../../etc"}}), "'mark' in m.json is \"../../etc\"; it must be small letters, digits and -.");
-  EXPECT_NE(sentence({{"place", {0.5, 0.5}}}).find("'angle_deg' in m.json is missing"), std::string::npos);
 }
 
 TEST(BodyMarkReader, SaysWhatIsWrong) {

@@ -1,11 +1,9 @@
 #include <array>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <set>
 
 #include "ew/annotation/body_mark.h"
 #include "ew/core/json_fields.h"
-#include "ew/core/numbers.h"
 #include "ew/io/json_files.h"
 #include "kept_limits.h"
 
@@ -17,7 +15,6 @@ using nlohmann::json;
 
 constexpr std::size_t kMostVariants = 20;
 constexpr double kFarthestCentre_mm = 3000.0;
-constexpr double kDegree_rad = std::numbers::pi / 180.0;
 
 constexpr std::array<std::pair<std::string_view, MarkView>, 4> kViews{
     {{"front", MarkView::front}, {"back", MarkView::back}, {"right", MarkView::right}, {"left", MarkView::left}}};
@@ -41,12 +38,6 @@ fs::path drawingIn(const JsonFields& fields, const fs::path& folder) {
 }
 
 }  // namespace
-
-std::string_view wordOf(MarkView view) {
-  for (const auto& [word, each] : kViews)
-    if (each == view) return word;
-  return kViews.front().first;
-}
 
 Result<BodyMark> bodyMarkFromJson(const json& document, const std::string& id, const fs::path& folder, const Message& where) {
   JsonReading reading(where, {"note"});
@@ -82,34 +73,6 @@ Result<BodyMark> readBodyMark(const fs::path& file) {
 
 Result<std::vector<BodyMark>> readBodyMarks(const fs::path& folder) {
   return readEvery<BodyMark>(folder, say<"body marks">(), readBodyMark);
-}
-
-json toJson(const MarkChoice& choice) {
-  json object = {{"shown", choice.isShown}};
-  if (!choice.mark.empty()) object["mark"] = choice.mark;
-  if (!choice.variant.empty()) object["variant"] = choice.variant;
-  if (choice.byHand) {
-    object["place"] = {choice.byHand->place.x, choice.byHand->place.y};
-    object["angle_deg"] = factorGiving(choice.byHand->angle_rad, kDegree_rad);
-  }
-  return object;
-}
-
-Result<MarkChoice> markChoiceFromJson(const json& document, const Message& where) {
-  JsonReading reading(where);
-  const JsonFields fields(document, reading);
-  fields.only({"shown", "mark", "variant", "place", "angle_deg"});
-  MarkChoice choice;
-  choice.isShown = fields.flag("shown", true);
-  if (fields.has("mark")) choice.mark = idIn(fields, "mark");
-  if (fields.has("variant")) choice.variant = idIn(fields, "variant");
-  if (fields.has("place") || fields.has("angle_deg")) {
-    const auto place = fields.numbers("place", 2, 2, 0.0, 1.0, true, say<"two numbers from 0 to 1, a place on the drawing">());
-    const double angle_deg = fields.number("angle_deg", -180.0, 180.0);
-    if (place.size() == 2) choice.byHand = limited(ProbeGlyph{{place[0], place[1]}, angle_deg * kDegree_rad});
-  }
-  if (reading.problem()) return passOn(*reading.problem());
-  return choice;
 }
 
 }  // namespace ew::annotation

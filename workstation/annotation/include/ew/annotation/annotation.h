@@ -4,14 +4,12 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "ew/core/history.h"
-#include "ew/core/result.h"
 
 namespace ew::annotation {
 
@@ -20,7 +18,6 @@ enum class AnnotationKind {
   text,   ///< words, their left end in the middle of their height at `at_mm`
   arrow,  ///< from `tail_mm` to its tip at `at_mm`
 };
-[[nodiscard]] std::string_view wordOf(AnnotationKind kind);  ///< in files: "text", "arrow"
 
 inline constexpr double kFarthest_mm = 1e6;       ///< of a coordinate, either way
 inline constexpr std::size_t kLongestText = 200;  ///< bytes
@@ -45,14 +42,6 @@ struct Annotations {
   [[nodiscard]] const Annotation* find(int number) const;  ///< null when there is none
   bool operator==(const Annotations&) const = default;
 };
-
-inline constexpr int kAnnotationsFormat = 1;  ///< `format` of the JSON below; a larger one is refused with newerFormat
-
-/// {"format": 1, "next_number": 3, "annotations": [{"number", "kind": "text", "at_mm": [x, y], "text"}, {"number", "kind": "arrow",
-/// "at_mm", "tail_mm"}]}
-[[nodiscard]] nlohmann::json toJson(const Annotations& annotations);
-/// @param where how sentences name the document @error badField (one sentence for each bad field), newerFormat
-[[nodiscard]] Result<Annotations> annotationsFromJson(const nlohmann::json& document, const Message& where);
 
 /// Of an annotation, what is taken and moved.
 enum class AnnotationPart {

@@ -20,7 +20,6 @@ inline constexpr int kBodyMarkFormat = 1;  ///< `format` of a body mark; a file 
 /// The side of the patient that a drawing shows. Head up: of the front the patient's right is at the left of the drawing, of the right side
 /// the front is at the right of it, of the left side at the left.
 enum class MarkView { front, back, right, left };
-[[nodiscard]] std::string_view wordOf(MarkView view);  ///< in files: "front", "back", "right", "left"
 
 /// Another drawing of the same place, which a person chooses: how a fetus lies.
 struct MarkVariant {
@@ -105,9 +104,5 @@ struct MarkChoice {
   std::optional<ProbeGlyph> byHand;  ///< put there by hand; empty: it follows the probe
   bool operator==(const MarkChoice&) const = default;
 };
-/// {"shown": true, "mark": "womb", "variant": "breech", "place": [0.5, 0.4], "angle_deg": 180}: what is empty is left out.
-[[nodiscard]] nlohmann::json toJson(const MarkChoice& choice);
-/// @error badField
-[[nodiscard]] Result<MarkChoice> markChoiceFromJson(const nlohmann::json& document, const Message& where);
 
 }  // namespace ew::annotation
