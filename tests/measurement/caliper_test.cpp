@@ -165,7 +165,7 @@ TEST(Uncertainty, FollowsTheBeamsDirection) {
 }
 
 TEST(Uncertainty, GrowsWithTheWidthOfTheBeamAtItsDepth) {
-  const auto at = uncertaintyByDepth(glm::dvec2(0.2), [](double depth_mm) { return PointUncertainty{{}, 0.5, 0.03 * depth_mm, 0.0}; });
+  const auto at = [](int, const glm::dvec2& p) { return PointUncertainty{glm::dvec2(0.2), 0.5, 0.03 * p.y, 0.0}; };
   const auto near = measure(caliper(CaliperKind::distance, {{-10, 30}, {10, 30}}), at);
   const auto far = measure(caliper(CaliperKind::distance, {{-10, 120}, {10, 120}}), at);
   EXPECT_GT(far->figures[0].quantity.uncertainty, 3.0 * near->figures[0].quantity.uncertainty);

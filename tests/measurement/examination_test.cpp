@@ -27,7 +27,7 @@ TEST(Examinations, KeepWhatWasMeasuredInPicturesThatAreGone) {
   EXPECT_DOUBLE_EQ(examination.worksheet().row("BPD")->value->value, 8.3);  // the mean, in cm
   EXPECT_NE(examination.worksheet().row("GA_BPD"), nullptr);
   // A handle that is moved changes the value and keeps its place; what is deleted in its picture goes.
-  first.moveHandle(bpd, {0, 1}, {0, 120});
+  first.setCaliper(bpd, caliper(CaliperKind::distance, {{0, 40}, {0, 120}}));
   EXPECT_TRUE(examination.measuredIn(1, first.now(), {}).empty());
   ASSERT_EQ(examination.found().size(), 3u);
   EXPECT_DOUBLE_EQ(examination.found()[0].entry.quantity.value, 80.0);

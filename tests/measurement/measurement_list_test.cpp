@@ -14,6 +14,15 @@ using nlohmann::json;
 using test::caliper;
 using test::oneOfEachKind;
 
+/// Drags one point of a caliper, as whoever draws it does.
+bool moveHandle(MeasurementList& list, int number, Handle handle, glm::dvec2 to, Change change = Change::begins) {
+  const Measurement* found = list.now().find(number);
+  if (found == nullptr) return false;
+  Caliper caliper = found->caliper;
+  caliper.parts[handle.part].points[handle.point] = to;
+  return list.setCaliper(number, std::move(caliper), change);
+}
+
 TEST(MeasurementList, NumbersWhatIsMeasuredAndNeverGivesANumberTwice) {
   MeasurementList list;
   EXPECT_EQ(list.add(caliper(CaliperKind::distance, {{0, 0}, {1, 0}}), "BPD", "BPD"), 1);
@@ -29,20 +38,17 @@ TEST(MeasurementList, NumbersWhatIsMeasuredAndNeverGivesANumberTwice) {
 TEST(MeasurementList, MovesOneHandleAndTheValueFollows) {
   MeasurementList list;
   const int number = list.add(caliper(CaliperKind::distance, {{0, 0}, {30, 0}}));
-  EXPECT_TRUE(list.moveHandle(number, {0, 1}, {30, 40}));
+  EXPECT_TRUE(moveHandle(list, number, {0, 1}, {30, 40}));
   EXPECT_DOUBLE_EQ(measure(list.now().find(number)->caliper)->figures[0].quantity.value, 50.0);
-  EXPECT_FALSE(list.moveHandle(number, {0, 2}, {0, 0}));
-  EXPECT_FALSE(list.moveHandle(number, {1, 0}, {0, 0}));
-  EXPECT_FALSE(list.moveHandle(number + 1, {0, 0}, {0, 0}));
-  EXPECT_FALSE(list.moveHandle(number, {0, 0}, {std::nan(""), 0}));
+  EXPECT_FALSE(list.setCaliper(number + 1, caliper(CaliperKind::distance, {{0, 0}, {1, 0}})));
 }
 
 TEST(MeasurementList, TakesADragBackInOneStep) {
   MeasurementList list;
   const int number = list.add(caliper(CaliperKind::distance, {{0, 0}, {30, 0}}));
   const auto before = list.kept();
-  list.moveHandle(number, {0, 1}, {31, 0}, Change::begins);
-  for (int n = 0; n < 20; ++n) list.moveHandle(number, {0, 1}, {31.0 + n, 0}, Change::goesOn);
+  moveHandle(list, number, {0, 1}, {31, 0}, Change::begins);
+  for (int n = 0; n < 20; ++n) moveHandle(list, number, {0, 1}, {31.0 + n, 0}, Change::goesOn);
   const auto after = list.kept();
   EXPECT_TRUE(list.undo());
   EXPECT_EQ(list.now(), *before);
@@ -70,7 +76,7 @@ TEST(MeasurementList, KeepsStatesThatSomebodyShowsAsTheyAre) {
   const int number = list.add(caliper(CaliperKind::distance, {{0, 0}, {1, 0}}));
   const auto kept = list.kept();
   const Measurements copy = *kept;
-  list.moveHandle(number, {0, 0}, {9, 9});
+  moveHandle(list, number, {0, 0}, {9, 9});
   list.remove(number);
   EXPECT_EQ(*kept, copy);
 }
@@ -81,7 +87,7 @@ RC_GTEST_PROP(MeasurementList, GoesBackToEveryStateAndForthAgain, ()) {
   const auto steps = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 5));
   for (const int step : steps) {
     const int last = list.now().all.empty() ? 0 : list.now().all.back().number;
-    const bool changed = step == 0   ? list.moveHandle(last, {0, 0}, {static_cast<double>(states.size()), 1})
+    const bool changed = step == 0   ? moveHandle(list, last, {0, 0}, {static_cast<double>(states.size()), 1})
                          : step == 1 ? list.rename(last, "n" + std::to_string(states.size()))
                          : step == 2 ? list.remove(last)
                                      : list.add(caliper(CaliperKind::distance, {{0, 0}, {1, 1}})) > 0;

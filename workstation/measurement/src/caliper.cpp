@@ -395,14 +395,6 @@ Figure figureOf(const CaliperFigure& figure) {
           figure.quantity.uncertainty};
 }
 
-UncertaintyAt uncertaintyByDepth(glm::dvec2 pixel_mm, std::function<PointUncertainty(double depth_mm)> resolution) {
-  return [pixel_mm, resolution = std::move(resolution)](int, const glm::dvec2& p) {
-    PointUncertainty found = resolution ? resolution(p.y) : PointUncertainty{};
-    found.pixel = pixel_mm;
-    return found;
-  };
-}
-
 const CaliperFigure* Measured::figure(FigureKind kind) const {
   const auto found = std::find_if(figures.begin(), figures.end(), [&](const CaliperFigure& each) { return each.kind == kind; });
   return found == figures.end() ? nullptr : &*found;

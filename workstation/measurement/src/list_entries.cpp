@@ -49,14 +49,4 @@ Result<std::optional<WorksheetEntry>> entryOf(const Measurement& measurement, co
   return WorksheetEntry{item->label, measurement.side, figure->quantity, {}, false};
 }
 
-Result<std::vector<WorksheetEntry>> entriesOf(const Measurements& measurements, const Package& package, const UncertaintyAt& at) {
-  std::vector<WorksheetEntry> entries;
-  for (const Measurement& each : measurements.all) {
-    auto entry = entryOf(each, package, at);
-    if (!entry) return passOn(entry.error());
-    if (*entry) entries.push_back(std::move(**entry));
-  }
-  return entries;
-}
-
 }  // namespace ew::measurement

@@ -27,16 +27,6 @@ int MeasurementList::add(Caliper caliper, std::string name, std::string item, st
   return number;
 }
 
-bool MeasurementList::moveHandle(int number, Handle handle, glm::dvec2 to, Change change) {
-  if (!std::isfinite(to.x) || !std::isfinite(to.y)) return false;
-  return edit(number, change, [&](Measurement& measurement) {
-    auto& parts = measurement.caliper.parts;
-    if (handle.part >= parts.size() || handle.point >= parts[handle.part].points.size()) return false;
-    parts[handle.part].points[handle.point] = to;
-    return true;
-  });
-}
-
 bool MeasurementList::setCaliper(int number, Caliper caliper, Change change) {
   return edit(number, change, [&](Measurement& measurement) { return measurement.caliper = std::move(caliper), true; });
 }

@@ -28,10 +28,10 @@ UncertaintyAt uncertaintyInStrip(const Probe& probe, const Knobs& knobs, const S
     ResolutionMap map;
     std::optional<BeamGrid::Line> line;
     std::map<double, double> interval_s;  // by the moment of a column
-    double newest_s = 0.0, column_s = 0.0, row_mm = 0.0;
+    double column_s = 0.0, row_mm = 0.0;
   };
   auto known = std::make_shared<Known>(
-      Known{ResolutionMap(probe, knobs, scene, geometry.depth_mm), mLineOf(probe, knobs, geometry.depth_mm), {}, 0.0, 0.0, 0.0});
+      Known{ResolutionMap(probe, knobs, scene, geometry.depth_mm), mLineOf(probe, knobs, geometry.depth_mm), {}, 0.0, 0.0});
   for (int column = 0; column < strip.picture().width; ++column)
     if (const auto time_s = strip.timeOf(column)) known->interval_s.emplace(*time_s, strip.beamInterval_s(*time_s));
   known->column_s = strip.columnTime_s();

@@ -6,7 +6,6 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/imgproc/segmentation.hpp>
 
-#include "cross.h"
 #include "edge_band.h"
 #include "ew/core/contract.h"
 #include "ew/core/guarded.h"
@@ -42,19 +41,6 @@ std::vector<glm::dvec2> resampledOpen(const std::vector<glm::dvec2>& path, doubl
   return points;
 }
 
-/// Which way round a closed line goes: 1 or -1.
-double windingOf(std::span<const glm::dvec2> line) {
-  double twice = 0.0;
-  for (std::size_t n = 1; n + 1 < line.size(); ++n) twice += cross(line[n] - line[0], line[n + 1] - line[0]);
-  return twice < 0.0 ? -1.0 : 1.0;
-}
-
-/// Outwards, square to the line of the neighbours of a point of a closed line, `step` points away. @param winding of the line
-glm::dvec2 normalAt(std::span<const glm::dvec2> line, std::size_t n, std::size_t step, double winding) {
-  const glm::dvec2 chord = line[(n + step) % line.size()] - line[(n + line.size() - step) % line.size()];
-  return winding * glm::dvec2(chord.y, -chord.x);
-}
-
 }  // namespace
 
 struct EdgeTracer::Impl {
@@ -62,21 +48,17 @@ struct EdgeTracer::Impl {
   PictureGeometry geometry;
   TracingOptions options;
   cv::segmentation::IntelligentScissorsMB scissors;
-  bool isAnchored = false;
 
   [[nodiscard]] ImageView<const std::uint8_t> view() const { return viewOf(grey); }
   [[nodiscard]] cv::Point pixelOf(const glm::dvec2& p_mm) const {
     const glm::dvec2 p = glm::round(geometry.toPixel(p_mm));
     return {static_cast<int>(std::clamp(p.x, 0.0, grey.cols - 1.0)), static_cast<int>(std::clamp(p.y, 0.0, grey.rows - 1.0))};
   }
-  void anchorAt(const glm::dvec2& p_mm) {
-    isAnchored = false;
-    scissors.buildMap(pixelOf(p_mm));
-    isAnchored = true;
-  }
-  [[nodiscard]] std::vector<glm::dvec2> path(const glm::dvec2& p_mm) const {
+  /// The way along edges from one point to another, pixel by pixel, both ends included.
+  [[nodiscard]] std::vector<glm::dvec2> pathBetween(const glm::dvec2& from_mm, const glm::dvec2& to_mm) {
     std::vector<cv::Point> pixels;
-    scissors.getContour(pixelOf(p_mm), pixels);
+    scissors.buildMap(pixelOf(from_mm));
+    scissors.getContour(pixelOf(to_mm), pixels);
     std::vector<glm::dvec2> points;
     for (const cv::Point& pixel : pixels) points.push_back(geometry.toMm({pixel.x, pixel.y}));
     return points;
@@ -96,11 +78,9 @@ struct EdgeTracer::Impl {
       const glm::dvec2 &here = clicks_mm[n], &next = clicks_mm[(n + 1) % clicks_mm.size()];
       way.push_back(here);
       if (glm::length(next - here) <= far_mm) continue;
-      anchorAt(here);
-      const auto piece = resampledOpen(path(next), far_mm / 4.0);
+      const auto piece = resampledOpen(pathBetween(here, next), far_mm / 4.0);
       way.insert(way.end(), piece.begin(), piece.end());
     }
-    isAnchored = false;
     return closedCurveThrough(way, options.spacing_mm);
   }
 };
@@ -134,28 +114,6 @@ Result<void> EdgeTracer::setPicture(ImageView<const std::uint8_t> picture, const
         impl_ = std::move(made);
       },
       openCvFailed);
-}
-
-Result<void> EdgeTracer::anchor(glm::dvec2 p_mm) {
-  if (!hasPicture()) return failure(ErrorCode::badField, say<"There is no picture to trace in; freeze one first.">());
-  return guarded([&] { impl_->anchorAt(p_mm); }, openCvFailed);
-}
-
-Result<std::vector<glm::dvec2>> EdgeTracer::pathTo(glm::dvec2 p_mm) {
-  if (!impl_->isAnchored) return failure(ErrorCode::badField, say<"A trace has no beginning yet; click where it begins.">());
-  return guarded([&] { return impl_->path(p_mm); }, openCvFailed);
-}
-
-Snapped EdgeTracer::snap(glm::dvec2 p_mm, glm::dvec2 direction) const {
-  if (!hasPicture()) return {false, p_mm, 0.0, 0.0, EdgeSide::any};
-  return snapToEdge(impl_->view(), impl_->geometry, p_mm, direction, impl_->options.snap);
-}
-
-std::vector<Snapped> EdgeTracer::snapAround(std::span<const glm::dvec2> clicks_mm) const {
-  std::vector<Snapped> snapped;
-  const double winding = windingOf(clicks_mm);
-  for (std::size_t n = 0; n < clicks_mm.size(); ++n) snapped.push_back(snap(clicks_mm[n], normalAt(clicks_mm, n, 1, winding)));
-  return snapped;
 }
 
 Result<std::vector<glm::dvec2>> EdgeTracer::traceAround(std::span<const glm::dvec2> clicks_mm) {

@@ -82,8 +82,6 @@ inline constexpr double kEdgeShare = 0.5;
 
 /// @param picture as of CaliperPart @param p point of the caliper
 using UncertaintyAt = std::function<PointUncertainty(int picture, const glm::dvec2& p)>;
-/// From a function of depth alone: axial_mm and lateral_mm at depth_mm, with one pixel for all.
-[[nodiscard]] UncertaintyAt uncertaintyByDepth(glm::dvec2 pixel_mm, std::function<PointUncertainty(double depth_mm)> resolution);
 
 enum class FigureKind { length, circumference, area, longAxis, shortAxis, angle, ratio, volume, slope, heartRate, duration };
 [[nodiscard]] std::string_view wordOf(FigureKind kind);  ///< "length", "long_axis"

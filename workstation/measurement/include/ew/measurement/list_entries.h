@@ -19,9 +19,4 @@ namespace ew::measurement {
 [[nodiscard]] Result<std::optional<WorksheetEntry>> entryOf(const Measurement& measurement, const Package& package,
                                                             const UncertaintyAt& at = {});
 
-/// The entries of a worksheet from the measurements that were made for items of its package, in their order. Measurements for other
-/// packages and those whose caliper cannot be measured yet are left out. @error as entryOf
-[[nodiscard]] Result<std::vector<WorksheetEntry>> entriesOf(const Measurements& measurements, const Package& package,
-                                                            const UncertaintyAt& at = {});
-
 }  // namespace ew::measurement

@@ -61,8 +61,6 @@ class MeasurementList {
 
   /// Returns its number. @param caliper as measure() takes it, or with points still to come
   int add(Caliper caliper, std::string name = {}, std::string item = {}, std::string side = {});
-  /// False, and no step, when there is no such measurement or handle, or `to` is not finite.
-  bool moveHandle(int number, Handle handle, glm::dvec2 to, Change change = Change::begins);
   /// The caliper as a whole: points that are added or taken away.
   bool setCaliper(int number, Caliper caliper, Change change = Change::begins);
   bool rename(int number, std::string name);

@@ -54,9 +54,8 @@ struct TracingOptions {
   SnapOptions snap = {};      ///< of clicks onto the edge, and of the outline to a fraction of a pixel
 };
 
-/// Assisted tracing: a path that follows edges from an anchor to wherever the pointer is (intelligent scissors: Mortensen & Barrett,
-/// Graphical Models and Image Processing 60, 1998, as in OpenCV's IntelligentScissorsMB), on a grey picture in mm of its plane. Not for
-/// several threads.
+/// Assisted tracing: an outline that follows edges between clicks (intelligent scissors: Mortensen & Barrett, Graphical Models and Image
+/// Processing 60, 1998, as in OpenCV's IntelligentScissorsMB), on a grey picture in mm of its plane. Not for several threads.
 class EdgeTracer {
  public:
   EdgeTracer();
@@ -70,23 +69,10 @@ class EdgeTracer {
                                         const TracingOptions& options = {});
   [[nodiscard]] bool hasPicture() const;
 
-  /// Where paths begin; outside of the picture, at its nearest pixel. Finds the cheapest way from here to
-  /// everywhere, which visits every pixel once: for a click, not for every move of the pointer. @error badField (no picture yet)
-  [[nodiscard]] Result<void> anchor(glm::dvec2 p_mm);
-  /// The way from the anchor to a point, pixel by pixel, both ends included. @error badField (no anchor yet)
-  [[nodiscard]] Result<std::vector<glm::dvec2>> pathTo(glm::dvec2 p_mm);
-
-  /// The edge near a point, as snapToEdge on the picture as it is.
-  [[nodiscard]] Snapped snap(glm::dvec2 p_mm, glm::dvec2 direction) const;
-  /// Clicks around an outline, each moved onto the edge square to the line of its neighbours; where there is none it stays. Directions lead
-  /// outwards, so that EdgeSide::brightToDark finds the outer border of a bright wall (a skull), darkToBright that of a dark inside.
-  [[nodiscard]] std::vector<Snapped> snapAround(std::span<const glm::dvec2> clicks_mm) const;
-
   /// A closed outline about clicks around it. It begins as the ellipse of the clicks where they lie about one, else as a smooth line
   /// through them (paths join those that lie far apart), and is brought to the edge that keeps one side and lies evenly about the clicks,
   /// at a fraction of a pixel, and smoothed. Where the edge fades, it goes on between what is seen. Of a bright wall the border is meant,
-  /// not the flank that logarithmic compression draws beyond it. Points at even distances, the first one not repeated. The anchor is
-  /// forgotten.
+  /// not the flank that logarithmic compression draws beyond it. Points at even distances, the first one not repeated.
   /// @param clicks_mm at least 3 @error badField (too few, no picture yet)
   [[nodiscard]] Result<std::vector<glm::dvec2>> traceAround(std::span<const glm::dvec2> clicks_mm);
 
