@@ -2855,14 +2855,6 @@
         <translation>%1 wird untersucht</translation>
     </message>
     <message>
-        <source>Inverting the deformation</source>
-        <translation>Die Verformung wird umgekehrt</translation>
-    </message>
-    <message>
-        <source>Inverting the deformation was cancelled.</source>
-        <translation>Das Umkehren der Verformung wurde abgebrochen.</translation>
-    </message>
-    <message>
         <source>It could as well be %1: they lie on the same loop and nothing else tells them apart. Match another pair across it.</source>
         <translation>Ebenso gut könnte es %1 sein: Sie liegen auf derselben Schleife, und nichts anderes unterscheidet sie. Ein weiteres Paar quer dazu zuordnen.</translation>
     </message>
@@ -3595,10 +3587,6 @@
         <translation>Die Einstellung %1 der Verlässlichkeit ist %2; einen Wert von %3 bis %4 wählen.</translation>
     </message>
     <message>
-        <source>The control grid has %1 displacements for %2 nodes; write it anew.</source>
-        <translation>Das Kontrollgitter hat %1 Verschiebungen für %2 Knoten; das Gitter neu schreiben.</translation>
-    </message>
-    <message>
         <source>The converted picture shall have pixels of %1 x %2 mm; give a ScanConversion with square pixels.</source>
         <translation>Das umgewandelte Bild soll Pixel von %1 × %2 mm haben; eine ScanConversion mit quadratischen Pixeln angeben.</translation>
     </message>
@@ -3625,14 +3613,6 @@
     <message>
         <source>The deflated data set of %1 cannot be unpacked whole; get the file again.</source>
         <translation>Der gepackte Datensatz von %1 lässt sich nicht vollständig entpacken; die Datei neu besorgen.</translation>
-    </message>
-    <message>
-        <source>The deformation folds in %1 cells of its control grid and has no inverse; register again with a stiffer grid.</source>
-        <translation>Die Verformung faltet sich in %1 Zellen ihres Kontrollgitters und hat keine Umkehrung; mit einem steiferen Gitter neu zuordnen.</translation>
-    </message>
-    <message>
-        <source>The deformation folds in 1 cell of its control grid and has no inverse; register again with a stiffer grid.</source>
-        <translation>Die Verformung faltet sich in 1 Zelle ihres Kontrollgitters und hat keine Umkehrung; mit einem steiferen Gitter neu zuordnen.</translation>
     </message>
     <message>
         <source>The deformation has another number of vectors than its lattice has nodes.</source>

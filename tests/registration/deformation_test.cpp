@@ -193,51 +193,6 @@ TEST(JacobianOf, AgreesBetweenNodesAndVoxelsOfASmoothField) {
   EXPECT_EQ(voxels.folded, 0U);
 }
 
-TEST(InverseOf, UndoesShiftsExactlyAndWavesToTheErrorItStates) {
-  const auto shifted = inverseOf(affineField(uprightGrid({5, 5, 5}, 8.0), glm::dmat3(0.0), {2.0, -3.0, 1.5}), noProgress());
-  ASSERT_TRUE(shifted);
-  EXPECT_LT(shifted->largestError_mm, 1e-5);
-  for (const glm::vec3& v : shifted->control.displacement_mm) EXPECT_LT(glm::distance(v, glm::vec3(-2.0F, 3.0F, -1.5F)), 1e-5F);
-
-  const ControlGrid wavy = wavyField(obliqueGrid({14, 14, 14}, 4.0), 1.0, 40.0);
-  const auto inverse = inverseOf(wavy, noProgress());
-  ASSERT_TRUE(inverse);
-  EXPECT_LT(inverse->largestError_mm, 0.2);  // between nodes the inverse is only as good as the lattice is fine
-  EXPECT_GT(inverse->largestError_mm, 0.0);
-  const auto toWorld = wavy.nodes.voxelToWorld();
-  double worst = 0.0, atNodes = 0.0;
-  for (int n = 0; n < 4000; ++n) {
-    const glm::dvec3 at(2 + n % 10, 2 + n / 10 % 10, 2 + n / 100 % 10);
-    const double between = n >= 1000 ? 0.5 : 0.0;
-    const glm::dvec3 q = (toWorld * Point<frame::Voxel>{at + between}).at;
-    const glm::dvec3 p = q + displacementAt(inverse->control, q);
-    (between > 0.0 ? worst : atNodes) = std::max(between > 0.0 ? worst : atNodes, glm::distance(p + displacementAt(wavy, p), q));
-  }
-  EXPECT_LT(atNodes, 1e-5);
-  EXPECT_LT(worst, 2.0 * inverse->largestError_mm);
-}
-
-TEST(InverseOf, ConvergesWhereThePlainIterationDoesNot) {
-  // Stretched to 2.6 times its length along x: p <- q - u(p) runs away, Newton's step does not.
-  const ControlGrid control =
-      affineField(uprightGrid({9, 3, 3}, 5.0), glm::dmat3(glm::dvec3(1.6, 0, 0), glm::dvec3(0), glm::dvec3(0)), {-32.0, 0.0, 0.0});
-  const auto inverse = inverseOf(control, noProgress());
-  ASSERT_TRUE(inverse);
-  const glm::dvec3 q(20.0, 5.0, 5.0);
-  EXPECT_NEAR((q + displacementAt(inverse->control, q)).x, (20.0 + 32.0) / 2.6, 1e-4);
-}
-
-TEST(InverseOf, RefusesAFoldAndSaysSo) {
-  ControlGrid control{uprightGrid({4, 4, 4}, 5.0), std::vector<glm::vec3>(64, glm::vec3(0.0F))};
-  control.displacement_mm[control.nodes.indexOf(1, 1, 1)] = {9.0F, 0.0F, 0.0F};
-  const auto inverse = inverseOf(control, noProgress());
-  ASSERT_FALSE(inverse);
-  EXPECT_EQ(inverse.error().code, ErrorCode::badField);
-  EXPECT_NE(inverse.error().sentence().find("folds in"), std::string::npos);
-  Cancelled cancelled;
-  EXPECT_EQ(inverseOf(wavyField(uprightGrid({4, 4, 4}, 9.0), 1.0, 40.0), cancelled).error().code, ErrorCode::cancelled);
-}
-
 Volume ramp(const Grid& grid) {
   Volume volume{grid, {}, {}};
   for (int k = 0; k < grid.dims.z; ++k) {

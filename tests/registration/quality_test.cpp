@@ -198,21 +198,5 @@ TEST(AssessQuality, StopsWhenAskedTo) {
   EXPECT_EQ(found.error().code, ErrorCode::cancelled);
 }
 
-TEST(ClosureError, IsTheGapThatALoopLeaves) {
-  EXPECT_EQ(closureError_mm({}, 50.0), 0.0);
-  const auto step = [](double x, double y = 0.0) { return shifted<frame::View, frame::View>(x, y); };
-  EXPECT_NEAR(closureError_mm({step(3.0), step(0.0, 4.0), step(-3.0)}, 50.0), 4.0, 1e-12);
-  const double angle = 0.1;
-  Transform<frame::View, frame::View> turn;
-  turn.matrix[0] = {std::cos(angle), std::sin(angle), 0.0, 0.0};
-  turn.matrix[1] = {-std::sin(angle), std::cos(angle), 0.0, 0.0};
-  // A corner lies sqrt(2) reach from the axis and moves along a chord.
-  EXPECT_NEAR(closureError_mm({turn}, 50.0), 2.0 * std::sin(angle / 2.0) * std::sqrt(2.0) * 50.0, 1e-9);
-  EXPECT_NEAR(closureError_mm({turn, inverse(turn)}, 50.0), 0.0, 1e-12);
-  // The order counts: first the turn, then the way.
-  EXPECT_NEAR(closureError_mm({step(10.0), turn, inverse(turn), step(-10.0)}, 50.0), 0.0, 1e-12);
-  EXPECT_TRUE(std::isinf(closureError_mm({step(std::nan(""))}, 50.0)));
-}
-
 }  // namespace
 }  // namespace quality_test

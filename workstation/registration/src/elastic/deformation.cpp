@@ -4,8 +4,6 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <optional>
-#include <string>
 
 #include "elastic/lattice.h"
 #include "ew/core/contract.h"
@@ -168,109 +166,6 @@ JacobianSummary jacobianOf(const DisplacementField& field) {
     }
   }
   return summary;
-}
-
-namespace {
-
-/// The point that the deformation carries to a given one.
-struct SourcePoint {
-  glm::dvec3 at_mm{0.0};
-  int iterations = 0;
-};
-
-/// By plain iteration while it contracts, then by Newton's with halved steps; ends within 1e-7 mm, or where nothing gets closer.
-SourcePoint sourcePointOf(const Lattice& lattice, const glm::dvec3& q) {
-  constexpr double kClose_mm = 1e-7;
-  constexpr int kPlain = 12, kMost = 60;
-  glm::dvec3 p = q - lattice.displacementAt(q), best = q;
-  double least = std::numeric_limits<double>::infinity();
-  int iteration = 0;
-  for (; iteration < kPlain && least > kClose_mm; ++iteration) {
-    const glm::dvec3 off = q - p - lattice.displacementAt(p);
-    if (const double distance = glm::length(off); distance < least) {
-      least = distance;
-      best = p;
-    } else {
-      break;  // it no longer contracts here: Newton's turn
-    }
-    p += off;
-  }
-  p = best;
-  for (; iteration < kMost && least > kClose_mm; ++iteration) {
-    glm::dmat3 derivatives;
-    const glm::dvec3 off = q - p - lattice.displacementAt(p, derivatives);
-    const glm::dmat3 jacobianAt = glm::dmat3(1.0) + derivatives;
-    if (std::abs(glm::determinant(jacobianAt)) < 1e-12) break;
-    glm::dvec3 step = glm::inverse(jacobianAt) * off;
-    bool better = false;
-    for (int halving = 0; halving < 20 && !better; ++halving, step *= 0.5) {
-      const glm::dvec3 there = p + step;
-      const double distance = glm::length(q - there - lattice.displacementAt(there));
-      if (distance < least) {
-        least = distance;
-        p = there;
-        better = true;
-      }
-    }
-    if (!better) break;
-  }
-  return {p, iteration};
-}
-
-/// Why a deformation has no inverse, or nothing.
-std::optional<Error> whyNotInvertible(const ControlGrid& control) {
-  const JacobianSummary jacobian = jacobianOf(control);
-  if (jacobian.smallest > 0.0) return std::nullopt;
-  return Error{ErrorCode::badField,
-               jacobian.folded == 1
-                   ? say<"The deformation folds in 1 cell of its control grid and has no inverse; register again with a stiffer grid.">()
-                   : say<"The deformation folds in %1 cells of its control grid and has no inverse; register again with a stiffer "
-                         "grid.">(jacobian.folded),
-               {{"smallest_jacobian", std::to_string(jacobian.smallest)}}};
-}
-
-}  // namespace
-
-Result<InverseResult> inverseOf(const ControlGrid& control, Progress& progress) {
-  InverseResult result;
-  result.control.nodes = control.nodes;
-  if (control.displacement_mm.empty()) return result;
-  if (auto usable = checkGrid(control.nodes); !usable) return passOn(usable.error());
-  if (control.displacement_mm.size() != control.nodes.voxelCount())
-    return failure(ErrorCode::badField, say<"The control grid has %1 displacements for %2 nodes; write it anew.">(
-                                            control.displacement_mm.size(), control.nodes.voxelCount()));
-  if (auto folds = whyNotInvertible(control)) return passOn(std::move(*folds));
-  const Lattice lattice(control);
-  const glm::ivec3 dims = control.nodes.dims;
-  result.control.displacement_mm.resize(control.displacement_mm.size());
-  for (int k = 0; k < dims.z; ++k) {
-    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Inverting the deformation was cancelled.">());
-    for (int j = 0; j < dims.y; ++j) {
-      for (int i = 0; i < dims.x; ++i) {
-        const glm::dvec3 q = lattice.pointOf(glm::dvec3(i, j, k));
-        const SourcePoint source = sourcePointOf(lattice, q);
-        result.iterations = std::max(result.iterations, source.iterations);
-        result.control.displacement_mm[control.nodes.indexOf(i, j, k)] = glm::vec3(source.at_mm - q);
-      }
-    }
-    progress.report(say<"Inverting the deformation">(), (k + 1.0) / dims.z);
-  }
-  const Lattice back(result.control);
-  const glm::ivec3 cells = cellsOf(control.nodes);
-  const auto look = [&](const glm::dvec3& index) {
-    const glm::dvec3 p = lattice.pointOf(index), there = p + lattice.displacementAt(p);
-    if (lattice.contains(there))
-      result.largestError_mm = std::max(result.largestError_mm, glm::distance(there + back.displacementAt(there), p));
-  };
-  for (int k = 0; k < dims.z; ++k) {
-    for (int j = 0; j < dims.y; ++j) {
-      for (int i = 0; i < dims.x; ++i) {
-        look(glm::dvec3(i, j, k));
-        if (i < cells.x && j < cells.y && k < cells.z) look(glm::min(glm::dvec3(i, j, k) + 0.5, glm::dvec3(dims - 1)));
-      }
-    }
-  }
-  return result;
 }
 
 Result<Volume> warped(const Volume& moving, const Deformation& fixedToMoving, const Grid& fixedGrid, int threads, Progress& progress) {

@@ -82,20 +82,8 @@ void closeIn(const CellCoefficients& c, int depth, CellExtremes& found) {
 }  // namespace
 
 Lattice::Lattice(const ControlGrid& control)
-    : nodes_(&control.nodes),
-      displacement_(&control.displacement_mm),
-      fromIndex_(stepsOf(control.nodes)),
-      toIndex_(glm::inverse(fromIndex_)) {
+    : nodes_(&control.nodes), displacement_(&control.displacement_mm), toIndex_(glm::inverse(stepsOf(control.nodes))) {
   EW_EXPECTS(control.displacement_mm.empty() || control.displacement_mm.size() == control.nodes.voxelCount());
-}
-
-bool Lattice::contains(const glm::dvec3& p_mm) const {
-  const glm::dvec3 index = nodeIndexOf(p_mm);
-  constexpr double kSlack = 1e-9;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (index[axis] < -kSlack || index[axis] > nodes_->dims[axis] - 1 + kSlack) return false;
-  }
-  return true;
 }
 
 Lattice::Place Lattice::placeOf(const glm::dvec3& p_mm) const {
@@ -110,7 +98,6 @@ Lattice::Place Lattice::placeOf(const glm::dvec3& p_mm) const {
     const int cell = std::min(static_cast<int>(held), std::max(last - 1, 0));
     const auto a = static_cast<std::size_t>(axis);
     place.share[axis] = held - cell;
-    place.inside[axis] = index[axis] >= 0.0 && index[axis] <= last && last > 0 ? 1.0 : 0.0;
     low[a] = static_cast<std::size_t>(cell) * stride[a];
     step[a] = last > 0 ? stride[a] : 0;
   }
@@ -127,21 +114,6 @@ glm::dvec3 Lattice::displacementAt(const glm::dvec3& p_mm) const {
   const glm::dvec3 s = place.share;
   const glm::dvec3 low = glm::mix(glm::mix(at(0), at(1), s.x), glm::mix(at(2), at(3), s.x), s.y);
   const glm::dvec3 high = glm::mix(glm::mix(at(4), at(5), s.x), glm::mix(at(6), at(7), s.x), s.y);
-  return glm::mix(low, high, s.z);
-}
-
-glm::dvec3 Lattice::displacementAt(const glm::dvec3& p_mm, glm::dmat3& derivatives) const {
-  derivatives = glm::dmat3(0.0);
-  if (displacement_->empty()) return glm::dvec3(0.0);
-  const Place place = placeOf(p_mm);
-  const auto at = [&](std::size_t n) { return glm::dvec3((*displacement_)[place.corner[n]]); };
-  const glm::dvec3 s = place.share;
-  const glm::dvec3 x00 = glm::mix(at(0), at(1), s.x), x10 = glm::mix(at(2), at(3), s.x);
-  const glm::dvec3 x01 = glm::mix(at(4), at(5), s.x), x11 = glm::mix(at(6), at(7), s.x);
-  const glm::dvec3 low = glm::mix(x00, x10, s.y), high = glm::mix(x01, x11, s.y);
-  const glm::dvec3 alongX = glm::mix(glm::mix(at(1) - at(0), at(3) - at(2), s.y), glm::mix(at(5) - at(4), at(7) - at(6), s.y), s.z);
-  const glm::dmat3 perIndex(alongX * place.inside.x, glm::mix(x10 - x00, x11 - x01, s.z) * place.inside.y, (high - low) * place.inside.z);
-  derivatives = perIndex * toIndex_;
   return glm::mix(low, high, s.z);
 }
 

@@ -16,24 +16,17 @@ class Lattice {
   explicit Lattice(const ControlGrid& control);
 
   [[nodiscard]] glm::dvec3 displacementAt(const glm::dvec3& p_mm) const;
-  /// Displacement and its derivatives (columns: along world x, y, z). On a face between cells those of the cell with the higher index;
-  /// none along an axis beyond whose end the point lies.
-  [[nodiscard]] glm::dvec3 displacementAt(const glm::dvec3& p_mm, glm::dmat3& derivatives) const;
   [[nodiscard]] glm::dvec3 nodeIndexOf(const glm::dvec3& p_mm) const { return toIndex_ * (p_mm - nodes_->origin_mm); }
-  [[nodiscard]] glm::dvec3 pointOf(const glm::dvec3& nodeIndex) const { return nodes_->origin_mm + fromIndex_ * nodeIndex; }
-  [[nodiscard]] bool contains(const glm::dvec3& p_mm) const;
 
  private:
   struct Place {
     std::array<std::size_t, 8> corner;
     glm::dvec3 share;
-    glm::dvec3 inside;  ///< 1 along axes where the point lies within the lattice, else 0
   };
   [[nodiscard]] Place placeOf(const glm::dvec3& p_mm) const;
 
   const Grid* nodes_;
   const std::vector<glm::vec3>* displacement_;
-  glm::dmat3 fromIndex_;
   glm::dmat3 toIndex_;
 };
 

@@ -149,21 +149,6 @@ void applyPrior(const NodeGrid& grid, const Prior& prior, const NodeValues& valu
   for (std::size_t n = 3; n < values.size(); n += 4) out[n] += own * values[n];
 }
 
-NodeValues diagonalOf(const NodeGrid& grid, const Prior& prior) {
-  NodeValues diagonal(4 * grid.count(), 0.0F);
-  forEachDifference(grid, prior.membrane, prior.bending, [&](const auto& nodes, const auto& factor, int count, double weight) {
-    for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) {
-      for (std::size_t c = 0; c < 3; ++c) diagonal[4 * nodes[n] + c] += static_cast<float>(weight) * factor[n] * factor[n];
-    }
-  });
-  forEachDifference(grid, prior.brightnessMembrane, 0.0, [&](const auto& nodes, const auto&, int, double weight) {
-    diagonal[4 * nodes[0] + 3] += static_cast<float>(weight);
-    diagonal[4 * nodes[1] + 3] += static_cast<float>(weight);
-  });
-  for (std::size_t n = 3; n < diagonal.size(); n += 4) diagonal[n] += static_cast<float>(prior.brightness * grid.cellVolume_mm3());
-  return diagonal;
-}
-
 NodeSystem::NodeSystem(const NodeGrid& nodes) : grid(nodes) {
   first.push_back(0);
   for (int k = 0; k < grid.dims.z; ++k) {

@@ -40,8 +40,6 @@ struct Prior {
   double brightness = 0.0;          ///< per mm^3
 };
 void applyPrior(const NodeGrid& grid, const Prior& prior, const NodeValues& values, NodeValues& out);
-/// The diagonal of that matrix.
-[[nodiscard]] NodeValues diagonalOf(const NodeGrid& grid, const Prior& prior);
 
 /// What images say about the nodes: cells' sums, and the blocks they add up to.
 struct NodeSystem {

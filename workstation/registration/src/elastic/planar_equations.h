@@ -44,7 +44,6 @@ class PlanarEquations {
   /// @return the step; zeros where the equations say nothing
   [[nodiscard]] PlanarField solve(int iterations, double tolerance) const;
 
-  [[nodiscard]] int unknowns() const { return 3 * nodes_; }
   void multiply(const std::vector<float>& in, std::vector<float>& out) const;
   [[nodiscard]] const std::vector<float>& rightSide() const { return right_; }
 

@@ -497,17 +497,4 @@ Result<Quality> assessQuality(const Input& fixed, const Input& moving, const Tra
   return std::move(assessment.quality);
 }
 
-double closureError_mm(const std::vector<Transform<frame::View, frame::View>>& loop, double reach_mm) {
-  Transform<frame::View, frame::View> around;
-  for (const auto& step : loop) around = step * around;
-  double largest = 0.0;
-  for (int n = 0; n < 8; ++n) {
-    const glm::dvec3 corner{(n & 1) != 0 ? reach_mm : -reach_mm, (n & 2) != 0 ? reach_mm : -reach_mm, (n & 4) != 0 ? reach_mm : -reach_mm};
-    const double error = glm::length(carried(around, corner) - corner);
-    if (!std::isfinite(error)) return std::numeric_limits<double>::infinity();
-    largest = std::max(largest, error);
-  }
-  return largest;
-}
-
 }  // namespace ew::registration

@@ -46,16 +46,6 @@ struct JacobianSummary {
 /// The same by central differences over a voxel field (one-sided at the border), as yardsticks measure it.
 [[nodiscard]] JacobianSummary jacobianOf(const DisplacementField& field);
 
-/// The inverse: q with q + v(q) = p for p + u(p) = q, on the same lattice, by fixed-point iteration with a Newton finish.
-/// largestError_mm: |p + u(p) + v(p + u(p)) - p| at its worst over nodes and cell centres whose image stays inside.
-struct InverseResult {
-  ControlGrid control;
-  double largestError_mm = 0.0;
-  int iterations = 0;
-};
-/// @error badField when the control grid folds (it has no inverse), cancelled
-[[nodiscard]] Result<InverseResult> inverseOf(const ControlGrid& control, Progress& progress);
-
 /// The moving volume seen on the fixed grid: echo linear, coverage and all; absent where it lies outside.
 [[nodiscard]] Result<Volume> warped(const Volume& moving, const Deformation& fixedToMoving, const Grid& fixedGrid, int threads,
                                     Progress& progress);

@@ -54,8 +54,4 @@ struct Quality {
                                             const Deformation& fixedToMoving, const Deformation* backward, const QualityOptions& options,
                                             Progress& progress);
 
-/// Largest mismatch around loops of transforms a->b, b->c, c->a: how far the corners of a cube of side 2 * reach_mm around
-/// the first frame's origin are from where they started. 0 for an empty loop; infinite when an entry is not finite.
-[[nodiscard]] double closureError_mm(const std::vector<Transform<frame::View, frame::View>>& loop, double reach_mm);
-
 }  // namespace ew::registration
