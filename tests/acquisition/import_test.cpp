@@ -20,6 +20,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A recording as the commands and the window take it, in one go.
+Result<ImportPlan> planFile(const fs::path& file, const SweepImportOptions& options, Progress& progress) {
+  auto opened = openSweep(file, options, progress);
+  if (!opened) return passOn(opened.error());
+  return opened->plan;
+}
+Result<ImportedSweep> importFile(const fs::path& file, const SweepImportOptions& options, Progress& progress) {
+  auto opened = openSweep(file, options, progress);
+  if (!opened) return passOn(opened.error());
+  return importSweep(std::move(*opened), progress);
+}
+
 /// A folder of its own for each test, gone when the test ends.
 class ImportSweep : public testing::Test {
  protected:
@@ -77,7 +89,7 @@ class ImportSweep : public testing::Test {
 };
 
 TEST_F(ImportSweep, PlacesEveryPixelByPoseAndCalibration) {
-  const auto imported = importSweep(written(sweep()), nearestAt(0.5, deviceSet("")), noProgress());
+  const auto imported = importFile(written(sweep()), nearestAt(0.5, deviceSet("")), noProgress());
   ASSERT_TRUE(imported.has_value()) << imported.error();
   const Volume& volume = imported->reconstruction.volume;
   ASSERT_EQ(volume.grid.dims, glm::ivec3(20, 10, 9));
@@ -95,7 +107,7 @@ TEST_F(ImportSweep, LeavesInvalidFramesOutAndCountsThem) {
   Sequence sequence = sweep();
   sequence.frames[1].transforms[0].status = PoseStatus::invalid;
   sequence.frames[3].transforms.clear();
-  const auto imported = importSweep(written(sequence), nearestAt(0.5, deviceSet("")), noProgress());
+  const auto imported = importFile(written(sequence), nearestAt(0.5, deviceSet("")), noProgress());
   ASSERT_TRUE(imported.has_value()) << imported.error();
   EXPECT_EQ(imported->plan.frames.used, 3u);
   EXPECT_EQ(imported->plan.frames.invalid, 1u);
@@ -107,10 +119,10 @@ TEST_F(ImportSweep, LeavesInvalidFramesOutAndCountsThem) {
 TEST_F(ImportSweep, RefusesASweepWithoutAnyValidPoseAndOneWithoutCalibration) {
   Sequence sequence = sweep();
   for (SequenceFrame& frame : sequence.frames) frame.transforms[0].status = PoseStatus::invalid;
-  const auto untracked = importSweep(written(sequence), nearestAt(0.5, deviceSet("")), noProgress());
+  const auto untracked = importFile(written(sequence), nearestAt(0.5, deviceSet("")), noProgress());
   ASSERT_FALSE(untracked.has_value());
   EXPECT_EQ(untracked.error().code, ErrorCode::noValidPose);
-  const auto uncalibrated = importSweep(written(sweep()), nearestAt(0.5, {}), noProgress());
+  const auto uncalibrated = importFile(written(sweep()), nearestAt(0.5, {}), noProgress());
   ASSERT_FALSE(uncalibrated.has_value());
   EXPECT_EQ(uncalibrated.error().code, ErrorCode::missingCalibration);
 }
@@ -119,19 +131,19 @@ TEST_F(ImportSweep, TakesTheClipThatTheRecordingStatesUnlessSomebodyElseNamesOne
   Sequence stating = sweep();
   stating.otherFields = {{"ClipRectangleOrigin", "4 2"}, {"ClipRectangleSize", "8 4"}};
   SweepImportOptions options = nearestAt(0.5, deviceSet(""));
-  const auto clipped = planImport(written(stating), options, noProgress());
+  const auto clipped = planFile(written(stating), options, noProgress());
   ASSERT_TRUE(clipped.has_value()) << clipped.error();
   EXPECT_EQ(clipped->grid.origin_mm, glm::dvec3(2, 1, 0));
   options.reconstruct.clip.origin_px = {6, 2};
-  const auto asked = planImport(written(stating), options, noProgress());
+  const auto asked = planFile(written(stating), options, noProgress());
   ASSERT_TRUE(asked.has_value()) << asked.error();
   EXPECT_EQ(asked->grid.origin_mm, glm::dvec3(3, 1, 0));
   const auto device =
-      planImport(written(stating), nearestAt(0.5, deviceSet("ClipRectangleOrigin=\"8 2\" ClipRectangleSize=\"8 4\"")), noProgress());
+      planFile(written(stating), nearestAt(0.5, deviceSet("ClipRectangleOrigin=\"8 2\" ClipRectangleSize=\"8 4\"")), noProgress());
   ASSERT_TRUE(device.has_value()) << device.error();
   EXPECT_EQ(device->grid.origin_mm, glm::dvec3(4, 1, 0));
   stating.otherFields[0].second = "4 two";
-  const auto refused = planImport(written(stating), nearestAt(0.5, deviceSet("")), noProgress());
+  const auto refused = planFile(written(stating), nearestAt(0.5, deviceSet("")), noProgress());
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().code, ErrorCode::badField);
 }
@@ -141,7 +153,7 @@ TEST_F(ImportSweep, TakesClipSpacingAndMethodFromTheDeviceSetOnlyWhenAllowed) {
       "OutputSpacing=\"1 1 1\" ClipRectangleOrigin=\"4 2\" ClipRectangleSize=\"8 4\" Interpolation=\"LINEAR\" "
       "CompoundingMode=\"MAXIMUM\"");
   SweepImportOptions options = nearestAt(0.5, device);
-  const auto clipped = planImport(written(sweep()), options, noProgress());
+  const auto clipped = planFile(written(sweep()), options, noProgress());
   ASSERT_TRUE(clipped.has_value()) << clipped.error();
   EXPECT_EQ(clipped->grid.origin_mm, glm::dvec3(2, 1, 0));
   EXPECT_EQ(clipped->grid.dims, glm::ivec3(9, 5, 9));
@@ -150,7 +162,7 @@ TEST_F(ImportSweep, TakesClipSpacingAndMethodFromTheDeviceSetOnlyWhenAllowed) {
   options.usual.spacing = true;
   options.usual.interpolation = true;
   options.usual.compounding = true;
-  const auto whole = planImport(written(sweep()), options, noProgress());
+  const auto whole = planFile(written(sweep()), options, noProgress());
   ASSERT_TRUE(whole.has_value()) << whole.error();
   EXPECT_EQ(whole->grid.dims, glm::ivec3(11, 6, 5));  // round(9.5) + 1 and round(4.5) + 1
   EXPECT_EQ(whole->reconstruct.interpolation, Interpolation::linear);
@@ -162,13 +174,13 @@ TEST_F(ImportSweep, UnderstandsTheSwitchOfOldDeviceSetsAndSaysHow) {
   for (const auto& [word, expected] : {std::pair{"On", Compounding::mean}, {"OFF", Compounding::latest}}) {
     options = nearestAt(0.5, deviceSet(std::string("Compounding=\"") + word + "\""));
     options.usual.compounding = true;
-    const auto plan = planImport(written(sweep()), options, noProgress());
+    const auto plan = planFile(written(sweep()), options, noProgress());
     ASSERT_TRUE(plan.has_value()) << plan.error();
     EXPECT_EQ(plan->reconstruct.compounding, expected) << word;
   }
   options = nearestAt(0.5, deviceSet("Compounding=\"Sometimes\""));
   options.usual.compounding = true;
-  const auto refused = planImport(written(sweep()), options, noProgress());
+  const auto refused = planFile(written(sweep()), options, noProgress());
   ASSERT_FALSE(refused.has_value());
   EXPECT_NE(refused.error().sentence().find("--compounding"), std::string::npos) << refused.error();
 }
@@ -197,9 +209,9 @@ TEST_F(ImportSweep, WeighsPixelsByConfidenceSoThatAShadowInOneViewDarkensLess) {
   for (const auto method : {ConfidenceMethod::beamwise, ConfidenceMethod::randomWalk}) {
     SweepImportOptions options = nearestAt(0.5, deviceSet(""));
     options.confidence.method = method;
-    const auto mean = importSweep(file, options, noProgress());
+    const auto mean = importFile(file, options, noProgress());
     options.reconstruct.compounding = Compounding::weighted;
-    const auto weighted = importSweep(file, options, noProgress());
+    const auto weighted = importFile(file, options, noProgress());
     ASSERT_TRUE(mean.has_value()) << mean.error();
     ASSERT_TRUE(weighted.has_value()) << weighted.error();
     const Volume& plain = mean->reconstruction.volume;
@@ -219,7 +231,7 @@ TEST_F(ImportSweep, RefusesConfidenceThatCannotBe) {
   SweepImportOptions options = nearestAt(0.5, deviceSet(""));
   options.reconstruct.compounding = Compounding::weighted;
   options.confidence.shadow_db = -1.0;
-  const auto refused = importSweep(written(shadowedPair()), options, noProgress());
+  const auto refused = importFile(written(shadowedPair()), options, noProgress());
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().code, ErrorCode::badField);
 }
@@ -227,7 +239,7 @@ TEST_F(ImportSweep, RefusesConfidenceThatCannotBe) {
 TEST_F(ImportSweep, RefusesASpacingOfTheDeviceSetThatDiffersBetweenAxes) {
   SweepImportOptions options = nearestAt(0.5, deviceSet("OutputSpacing=\"1 1 2\""));
   options.usual.spacing = true;
-  const auto plan = planImport(written(sweep()), options, noProgress());
+  const auto plan = planFile(written(sweep()), options, noProgress());
   ASSERT_FALSE(plan.has_value());
   EXPECT_EQ(plan.error().code, ErrorCode::badField);
 }
@@ -286,14 +298,14 @@ TEST_F(ImportSweep, LeavesWhatWasChosenAsItIs) {
 }
 
 TEST_F(ImportSweep, RefusesASpacingThatMakesOneVoxelOfTheRecording) {
-  const auto plan = planImport(written(sweep()), nearestAt(1000.0, deviceSet("")), noProgress());
+  const auto plan = planFile(written(sweep()), nearestAt(1000.0, deviceSet("")), noProgress());
   ASSERT_FALSE(plan.has_value());
   EXPECT_EQ(plan.error().code, ErrorCode::badField);
   EXPECT_NE(plan.error().sentence().find("finer spacing"), std::string::npos) << plan.error();
 }
 
 TEST_F(ImportSweep, NamesNoFigureThatNobodyCanAllow) {
-  const auto refused = importSweep(written(sweep()), nearestAt(1e-4, deviceSet("")), noProgress());
+  const auto refused = importFile(written(sweep()), nearestAt(1e-4, deviceSet("")), noProgress());
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().code, ErrorCode::tooLarge);
   EXPECT_EQ(refused.error().sentence().find("17179869184"), std::string::npos) << refused.error();
@@ -302,14 +314,14 @@ TEST_F(ImportSweep, NamesNoFigureThatNobodyCanAllow) {
 TEST_F(ImportSweep, AsksForTheCalibrationBeforeItReadsThePixels) {
   const fs::path file = written(sweep());
   fs::resize_file(file, fs::file_size(file) - 8);  // reading the pixels would fail
-  ASSERT_EQ(planImport(file, nearestAt(0.5, deviceSet("")), noProgress()).error().code, ErrorCode::truncated);
-  const auto uncalibrated = planImport(file, nearestAt(0.5, {}), noProgress());
+  ASSERT_EQ(planFile(file, nearestAt(0.5, deviceSet("")), noProgress()).error().code, ErrorCode::truncated);
+  const auto uncalibrated = planFile(file, nearestAt(0.5, {}), noProgress());
   ASSERT_FALSE(uncalibrated.has_value());
   EXPECT_EQ(uncalibrated.error().code, ErrorCode::missingCalibration);
 }
 
 TEST_F(ImportSweep, TurnsImagesRecordedMirroredAndUpsideDown) {
-  const auto straight = importSweep(written(sweep()), nearestAt(0.5, deviceSet("")), noProgress());
+  const auto straight = importFile(written(sweep()), nearestAt(0.5, deviceSet("")), noProgress());
   ASSERT_TRUE(straight.has_value()) << straight.error();
   for (const char* orientation : {"UN", "MN", "UF"}) {
     Sequence turned = sweep();
@@ -321,7 +333,7 @@ TEST_F(ImportSweep, TurnsImagesRecordedMirroredAndUpsideDown) {
           turned.pixels[n * 200 + static_cast<std::size_t>(y * 20 + x)] =
               static_cast<std::uint8_t>(4 * xMf + 5 * yMf + 6 * static_cast<int>(n));
         }
-    const auto imported = importSweep(written(turned), nearestAt(0.5, deviceSet("")), noProgress());
+    const auto imported = importFile(written(turned), nearestAt(0.5, deviceSet("")), noProgress());
     ASSERT_TRUE(imported.has_value()) << imported.error();
     EXPECT_TRUE(imported->reconstruction.volume == straight->reconstruction.volume) << orientation;
   }
@@ -330,7 +342,7 @@ TEST_F(ImportSweep, TurnsImagesRecordedMirroredAndUpsideDown) {
 TEST_F(ImportSweep, RefusesScanLinesWhoseGeometryNobodyStates) {
   Sequence lines = sweep();
   lines.orientation = "FM";
-  const auto imported = importSweep(written(lines), nearestAt(0.5, deviceSet("")), noProgress());
+  const auto imported = importFile(written(lines), nearestAt(0.5, deviceSet("")), noProgress());
   ASSERT_FALSE(imported.has_value());
   EXPECT_EQ(imported.error().code, ErrorCode::badField);
   EXPECT_NE(imported.error().sentence().find("ScanConversion"), std::string::npos) << imported.error();
@@ -339,11 +351,11 @@ TEST_F(ImportSweep, RefusesScanLinesWhoseGeometryNobodyStates) {
 TEST_F(ImportSweep, PlansAVolumeThatDoesNotFitAndRefusesToMakeIt) {
   SweepImportOptions options = nearestAt(0.005, deviceSet(""));
   options.reconstruct.maxBytes = 1ull << 30;
-  const auto plan = planImport(written(sweep()), options, noProgress());
+  const auto plan = planFile(written(sweep()), options, noProgress());
   ASSERT_TRUE(plan.has_value()) << plan.error();
   EXPECT_FALSE(plan->fits);
   EXPECT_GT(plan->bytes, 1ull << 30);
-  const auto imported = importSweep(written(sweep()), options, noProgress());
+  const auto imported = importFile(written(sweep()), options, noProgress());
   ASSERT_FALSE(imported.has_value());
   EXPECT_EQ(imported.error().code, ErrorCode::tooLarge);
 }
@@ -399,7 +411,7 @@ TEST(ImportSpinePhantom, AgreesWithTheThreeReferencesOfAnotherProgram) {
     options.usual.interpolation = true;
     options.usual.compounding = true;
     options.reconstruct.keepWeights = true;
-    const auto imported = importSweep(data / "SpinePhantomFreehand.igs.mha", options, noProgress());
+    const auto imported = importFile(data / "SpinePhantomFreehand.igs.mha", options, noProgress());
     ASSERT_TRUE(imported.has_value()) << imported.error();
     const auto reference = readVolume(data / c.reference);
     ASSERT_TRUE(reference.has_value()) << reference.error();
@@ -444,7 +456,7 @@ TEST(ImportWirePhantom, PutsBrightVoxelsOnTheKnownWires) {
     options.toFrame = "Phantom";
     options.reconstruct.spacing_mm = 0.4;
     options.reconstruct.interpolation = Interpolation::nearest;
-    const auto imported = importSweep(data / recording, options, noProgress());
+    const auto imported = importFile(data / recording, options, noProgress());
     ASSERT_TRUE(imported.has_value()) << imported.error();
     const Volume& volume = imported->reconstruction.volume;
     std::vector<double> distances_mm;
@@ -470,7 +482,7 @@ TEST(ImportWirePhantom, PutsBrightVoxelsOnTheKnownWires) {
 
 TEST_F(ImportSweep, ValuesThatSayNotSetInDeviceSetOrRecordingKeepTheWholeImages) {
   const auto dims = [&](const Sequence& sequence, const std::string& reconstruction) {
-    const auto imported = importSweep(written(sequence), nearestAt(0.5, deviceSet(reconstruction)), noProgress());
+    const auto imported = importFile(written(sequence), nearestAt(0.5, deviceSet(reconstruction)), noProgress());
     if (!imported) ADD_FAILURE() << imported.error();
     return imported ? imported->plan.grid.dims : glm::ivec3(0);
   };
@@ -488,7 +500,7 @@ TEST_F(ImportSweep, ValuesThatSayNotSetInDeviceSetOrRecordingKeepTheWholeImages)
 
 TEST_F(ImportSweep, AClipForOtherImagesIsRefusedByItsNumbers) {
   const auto refused =
-      importSweep(written(sweep()), nearestAt(0.5, deviceSet("ClipRectangleOrigin=\"0 0\" ClipRectangleSize=\"820 616\"")), noProgress());
+      importFile(written(sweep()), nearestAt(0.5, deviceSet("ClipRectangleOrigin=\"0 0\" ClipRectangleSize=\"820 616\"")), noProgress());
   ASSERT_FALSE(refused.has_value());
   EXPECT_NE(refused.error().sentence().find("820 x 616 px"), std::string::npos) << refused.error();
 }
@@ -496,15 +508,15 @@ TEST_F(ImportSweep, AClipForOtherImagesIsRefusedByItsNumbers) {
 TEST_F(ImportSweep, AResultOfAlmostNothingIsAskedAbout) {
   const fs::path file = written(sweep()), device = deviceSet("ClipRectangleOrigin=\"3 3\" ClipRectangleSize=\"1 5\"");
   SweepImportOptions options = nearestAt(0.5, device);
-  const auto asked = importSweep(file, options, noProgress());
+  const auto asked = importFile(file, options, noProgress());
   ASSERT_FALSE(asked.has_value());
   EXPECT_EQ(asked.error().code, ErrorCode::unsupported);
   EXPECT_NE(asked.error().sentence().find("Only 6 % of the pixels"), std::string::npos) << asked.error();
-  const auto plan = planImport(file, options, noProgress());
+  const auto plan = planFile(file, options, noProgress());
   ASSERT_TRUE(plan.has_value()) << "what there is to ask can be shown first";
   EXPECT_FALSE(plan->smallQuestion.empty());
   options.acceptsSmall = true;
-  EXPECT_TRUE(importSweep(file, options, noProgress()).has_value());
+  EXPECT_TRUE(importFile(file, options, noProgress()).has_value());
 
   Sequence few = sweep();
   few.pixels.clear();
@@ -515,7 +527,7 @@ TEST_F(ImportSweep, AResultOfAlmostNothingIsAskedAbout) {
     few.frames.back().transforms[0].matrix[3].z = n;
   }
   few.pixels.assign(30u * 200u, 9);
-  const auto frames = importSweep(written(few), nearestAt(0.5, deviceSet("")), noProgress());
+  const auto frames = importFile(written(few), nearestAt(0.5, deviceSet("")), noProgress());
   ASSERT_FALSE(frames.has_value());
   EXPECT_NE(frames.error().sentence().find("Only 2 of the 30 frames"), std::string::npos) << frames.error();
 }
@@ -543,11 +555,11 @@ TEST_F(ImportSweep, TheReferenceThatADeviceSetNamesBecomesTheWorld) {
     frame.transforms.push_back(phantom);
   }
   const fs::path file = written(sequence);
-  const auto named = planImport(file, nearestAt(0.5, deviceSet("ReferenceCoordinateFrame=\"Phantom\"")), noProgress());
+  const auto named = planFile(file, nearestAt(0.5, deviceSet("ReferenceCoordinateFrame=\"Phantom\"")), noProgress());
   ASSERT_TRUE(named.has_value()) << named.error();
   EXPECT_EQ(named->toFrame, "Phantom");
   EXPECT_NEAR(named->grid.origin_mm.x, -100.0, 1e-9);
-  const auto unknown = planImport(file, nearestAt(0.5, deviceSet("ReferenceCoordinateFrame=\"Moon\"")), noProgress());
+  const auto unknown = planFile(file, nearestAt(0.5, deviceSet("ReferenceCoordinateFrame=\"Moon\"")), noProgress());
   ASSERT_TRUE(unknown.has_value()) << unknown.error();
   EXPECT_EQ(unknown->toFrame, "Reference");
   EXPECT_TRUE(std::any_of(unknown->notes.begin(), unknown->notes.end(),

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "acquisition/outline_overlap.h"
 #include "even_sweep.h"
 #include "ew/acquisition/screen_frames.h"
 #include "ew/io/sequence.h"

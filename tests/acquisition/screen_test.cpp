@@ -8,6 +8,7 @@
 #include <fstream>
 #include <random>
 
+#include "acquisition/outline_overlap.h"
 #include "acquisition/screens.h"
 #include "ew/acquisition/import.h"
 #include "ew/acquisition/line_data.h"

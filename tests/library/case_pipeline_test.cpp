@@ -227,9 +227,9 @@ TEST_F(CasePipeline, LeavesWhatTheCaseDoesNotSayToTheRecordingAsWindowAndCommand
     SweepImportOptions options;
     options.calibrations = {folder / "sweeps" / (name + ".xml")};
     options.usual = {.spacing = true, .interpolation = true, .compounding = true, .fillReach = true};
-    const auto plan = planImport(folder / "sweeps" / (name + ".igs.mha"), options, noProgress());
-    ASSERT_TRUE(plan) << plan.error();
-    finest_mm = std::min(finest_mm, plan->reconstruct.spacing_mm);
+    const auto sweep = openSweep(folder / "sweeps" / (name + ".igs.mha"), options, noProgress());
+    ASSERT_TRUE(sweep) << sweep.error();
+    finest_mm = std::min(finest_mm, sweep->plan.reconstruct.spacing_mm);
   }
   EXPECT_NEAR(made->volume.grid.spacing_mm.x, finest_mm, 1e-9);
 }

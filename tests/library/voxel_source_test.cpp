@@ -12,6 +12,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A recording as the window takes it, in one go.
+Result<TracedSweep> tracedFile(const fs::path& file, const SweepImportOptions& options) {
+  auto opened = openSweep(file, options, noProgress());
+  if (!opened) return passOn(opened.error());
+  return importTracedSweep(std::move(*opened), file, options, noProgress());
+}
+
 class VoxelSourceOfASweep : public testing::Test {
  protected:
   void SetUp() override {
@@ -48,6 +55,7 @@ class VoxelSourceOfASweep : public testing::Test {
     options.reconstruct.interpolation = Interpolation::nearest;
     options.reconstruct.fillReach_mm = reach_mm;
     options.reconstruct.threads = 1;
+    options.reconstruct.keepSource = true;
     return options;
   }
 
@@ -66,7 +74,7 @@ DisplayGeometry geometryOf(bool markerLeft, bool upsideDown, double pixel_mm) {
 }
 
 TEST_F(VoxelSourceOfASweep, APixelLeadsToTheFrameAndItsPixelHoweverThePictureIsTurned) {
-  const auto traced = importTracedSweep(sweep(), filledTo(0.0), noProgress());
+  const auto traced = tracedFile(sweep(), filledTo(0.0));
   ASSERT_TRUE(traced.has_value()) << traced.error();
   const Provenance& from = traced->provenance;
   const Volume& volume = traced->imported.reconstruction.volume;
@@ -102,7 +110,7 @@ TEST_F(VoxelSourceOfASweep, APixelLeadsToTheFrameAndItsPixelHoweverThePictureIsT
 }
 
 TEST_F(VoxelSourceOfASweep, SaysWhatWasFilledWhatIsAbsentAndWhatLiesOutside) {
-  const auto traced = importTracedSweep(sweep(), filledTo(2.5), noProgress());
+  const auto traced = tracedFile(sweep(), filledTo(2.5));
   ASSERT_TRUE(traced.has_value()) << traced.error();
   const Volume& volume = traced->imported.reconstruction.volume;
   const auto at = [&](double z_mm) { return voxelSourceAt(traced->provenance, volume, volume.grid, {{110.0, 205.0, z_mm}}); };
@@ -119,7 +127,7 @@ TEST_F(VoxelSourceOfASweep, SaysWhatWasFilledWhatIsAbsentAndWhatLiesOutside) {
 
 TEST_F(VoxelSourceOfASweep, ReadsTheFramesAgainUnlessTheRecordingIsGoneOrAnother) {
   const fs::path file = sweep();
-  const auto traced = importTracedSweep(file, filledTo(0.0), noProgress());
+  const auto traced = tracedFile(file, filledTo(0.0));
   ASSERT_TRUE(traced.has_value()) << traced.error();
   const auto images = readTracedImages(traced->provenance, noProgress());
   ASSERT_TRUE(images.has_value()) << images.error();

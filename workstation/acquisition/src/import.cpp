@@ -446,14 +446,7 @@ Result<void> planAgain(OpenedSweep& opened, const SweepImportOptions& options, P
   return arrange(opened, *device ? &**device : nullptr, options, progress);
 }
 
-Result<ImportPlan> planImport(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress) {
-  auto opened = openSweep(sweep, options, progress);
-  if (!opened) return passOn(opened.error());
-  return std::move(opened->plan);
-}
-
 Result<ImportedSweep> importSweep(OpenedSweep opened, Progress& progress) {
-  const auto started = Clock::now();
   const glm::ivec3 dims = opened.plan.grid.dims;
   if (!opened.plan.fits)
     return failure(
@@ -467,14 +460,7 @@ Result<ImportedSweep> importSweep(OpenedSweep opened, Progress& progress) {
   if (!weighed) return passOn(weighed.error());
   auto reconstruction = reconstruct(weighed->frames, opened.plan.reconstruct, making);
   if (!reconstruction) return passOn(reconstruction.error());
-  return ImportedSweep{std::move(*reconstruction), std::move(opened.plan), opened.readSeconds, opened.readSeconds + secondsSince(started)};
-}
-
-Result<ImportedSweep> importSweep(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress) {
-  PartOfProgress reading(progress, 0.0, 0.3), reconstructing(progress, 0.3, 1.0);
-  auto opened = openSweep(sweep, options, reading);
-  if (!opened) return passOn(opened.error());
-  return importSweep(std::move(*opened), reconstructing);
+  return ImportedSweep{std::move(*reconstruction), std::move(opened.plan)};
 }
 
 }  // namespace ew

@@ -4,15 +4,6 @@
 
 namespace ew {
 
-Result<TracedSweep> importTracedSweep(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress) {
-  PartOfProgress reading(progress, 0.0, 0.3), reconstructing(progress, 0.3, 1.0);
-  SweepImportOptions kept = options;
-  kept.reconstruct.keepSource = true;
-  auto opened = openSweep(sweep, kept, reading);
-  if (!opened) return passOn(opened.error());
-  return importTracedSweep(std::move(*opened), sweep, kept, reconstructing);
-}
-
 Result<TracedSweep> importTracedSweep(OpenedSweep opened, const std::filesystem::path& sweep, const SweepImportOptions& options,
                                       Progress& progress) {
   EW_EXPECTS(opened.plan.reconstruct.keepSource);

@@ -45,7 +45,4 @@ struct FanOutline {
 /// 1 for each pixel whose centre lies inside.
 [[nodiscard]] GreyImage maskOf(const FanOutline& outline, int width_px, int height_px);
 
-/// Pixels inside both over pixels inside either (Jaccard).
-[[nodiscard]] double overlapOf(const FanOutline& a, const FanOutline& b, int width_px, int height_px);
-
 }  // namespace ew

@@ -90,8 +90,6 @@ struct OpenedSweep {
 struct ImportedSweep {
   ReconstructResult reconstruction;  ///< the volume, its coverage, counts of voxels and pixels, seconds of pasting and filling
   ImportPlan plan;
-  double readSeconds = 0.0;
-  double totalSeconds = 0.0;  ///< reading, planning and reconstructing
 };
 
 /// The fan that the images of a recording fill, found in them (see findScreen); nothing where they fill their frames, or are too dark or
@@ -141,14 +139,8 @@ struct WeighedFrames {
 /// Bytes at the peak of an import of the plan's sweep onto `grid` with `options`, as ImportPlan::bytes counts them.
 [[nodiscard]] std::uint64_t importBytes(const ImportPlan& plan, const Grid& grid, const ReconstructOptions& options);
 
-/// The plan of openSweep alone.
-[[nodiscard]] Result<ImportPlan> planImport(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress);
-
 /// Reconstructs an opened sweep. The sweep is given up, so that its frames are freed with it.
 /// @error as reconstruct and weighedFrames; tooLarge when the plan does not fit
 [[nodiscard]] Result<ImportedSweep> importSweep(OpenedSweep opened, Progress& progress);
-
-/// Reads and reconstructs in one go.
-[[nodiscard]] Result<ImportedSweep> importSweep(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress);
 
 }  // namespace ew

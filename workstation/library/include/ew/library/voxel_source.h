@@ -35,11 +35,9 @@ struct TracedSweep {
   Provenance provenance;
 };
 
-/// importSweep with keepSource, and what is needed to find a voxel's frame again.
+/// importSweep, and what is needed to find a voxel's frame again.
+/// @param options those it was planned with, keepSource among them; @param sweep its file
 /// @error as importSweep; tooLarge also for more than 65534 frames with a pose
-[[nodiscard]] Result<TracedSweep> importTracedSweep(const std::filesystem::path& sweep, const SweepImportOptions& options,
-                                                    Progress& progress);
-/// The same of a sweep that is open already. @param options those it was planned with, keepSource among them; @param sweep its file
 [[nodiscard]] Result<TracedSweep> importTracedSweep(OpenedSweep opened, const std::filesystem::path& sweep,
                                                     const SweepImportOptions& options, Progress& progress);
 
