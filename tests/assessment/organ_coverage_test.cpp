@@ -159,8 +159,6 @@ TEST(OrganSection, IsTheAreaInThePictureAndAPointInside) {
   EXPECT_NEAR(section.inside_mm.x, 0.0, 0.6);
   EXPECT_NEAR(section.inside_mm.y, 30.0, 0.6);
   EXPECT_EQ(sectionOf(labels, kLabel, straightFan(), at(16.0)).area_mm2, 0.0);
-  EXPECT_EQ(labelAt(labels, {0.0, 0.0, 14.4}), kLabel);
-  EXPECT_EQ(labelAt(labels, {0.0, 0.0, 400.0}), 0);
 }
 
 TEST(OrganSection, OfARingIsPointedAtInTheRing) {

@@ -19,39 +19,12 @@ Values normal(double mean, double deviation, int count, unsigned seed) {
   return values;
 }
 
-TEST(AreaUnderCurve, CountsPairsAndTiesHalf) {
-  const Values low = {1.0, 2.0, 3.0}, high = {2.0, 3.0, 4.0, 5.0};
-  // Of 12 pairs 9 are won (2: 1; 3: 2; 4 and 5: 3 each) and 2 are ties.
-  const auto area = areaUnderCurve(low, high);
-  ASSERT_TRUE(area);
-  EXPECT_DOUBLE_EQ(area->value, 10.0 / 12.0);
-  EXPECT_DOUBLE_EQ(areaUnderCurve(high, low)->value, 2.0 / 12.0);
-  EXPECT_DOUBLE_EQ(areaUnderCurve(low, low)->value, 0.5);
-  EXPECT_EQ(areaUnderCurve(low, Values{9.0, 10.0}), (Estimate{1.0, 1.0, 1.0}));
-  EXPECT_FALSE(areaUnderCurve({}, high));
-  EXPECT_FALSE(areaUnderCurve(low, {}));
-}
-
-TEST(AreaUnderCurve, OfNormalGroupsIsThatOfTheTheory) {
-  // Phi(d / sqrt 2) with d = 1: 0.7602.
-  EXPECT_NEAR(areaUnderCurve(normal(0.0, 1.0, 20000, 1), normal(1.0, 1.0, 20000, 2), {.draws = 20})->value, 0.7602, 0.01);
-}
-
-TEST(EffectSize, IsInPooledDeviationsCorrectedForSmallGroups) {
-  const Values low = {1.0, 2.0, 3.0}, high = {4.0, 5.0, 6.0};
-  // Deviation 1, difference 3, 4 degrees of freedom: 3 (1 - 3 / 15).
-  EXPECT_DOUBLE_EQ(effectSize(low, high)->value, 2.4);
-  EXPECT_DOUBLE_EQ(effectSize(high, low)->value, -2.4);
-  EXPECT_FALSE(effectSize(Values{1.0}, high));
-  EXPECT_FALSE(effectSize(Values{1.0, 1.0}, Values{2.0, 2.0}));
-}
-
 TEST(Estimates, HaveIntervalsThatCoverTheTruthAboutAsOftenAsTheySay) {
   int covered = 0;
   constexpr int kTrials = 200;
   for (int n = 0; n < kTrials; ++n) {
-    const auto found = effectSize(normal(0.0, 1.0, 30, 1000u + static_cast<unsigned>(n)),
-                                  normal(1.0, 1.0, 30, 5000u + static_cast<unsigned>(n)), {.draws = 400});
+    const auto found = contrastingGroups(normal(0.0, 1.0, 30, 1000u + static_cast<unsigned>(n)),
+                                         normal(2.0, 1.0, 30, 5000u + static_cast<unsigned>(n)), {.draws = 400});
     ASSERT_TRUE(found);
     EXPECT_LE(found->low, found->value);
     EXPECT_GE(found->high, found->value);
@@ -62,9 +35,9 @@ TEST(Estimates, HaveIntervalsThatCoverTheTruthAboutAsOftenAsTheySay) {
 }
 
 TEST(Estimates, AreTheSameForASeed) {
-  const Values low = normal(0.0, 1.0, 25, 3), high = normal(0.5, 1.0, 25, 4);
-  EXPECT_EQ(areaUnderCurve(low, high, {.seed = 7}), areaUnderCurve(low, high, {.seed = 7}));
-  EXPECT_NE(areaUnderCurve(low, high, {.seed = 7}), areaUnderCurve(low, high, {.seed = 8}));
+  const Values low = normal(0.0, 1.0, 25, 3), high = normal(1.5, 1.0, 25, 4);
+  EXPECT_EQ(contrastingGroups(low, high, {.seed = 7}), contrastingGroups(low, high, {.seed = 7}));
+  EXPECT_NE(contrastingGroups(low, high, {.seed = 7}), contrastingGroups(low, high, {.seed = 8}));
 }
 
 TEST(WeightedKappa, HasTheValuesOfACountByHand) {

@@ -81,7 +81,7 @@ MotionStretch stretchOf(std::span<const Pose> poses, const MotionOptions& option
     }
     const glm::dmat3 reference(poses[nearest].probeToWorld.matrix);
     const Fit fit = fitted(poses.subspan(low, high - low), at_s, reference, half_s);
-    stretch.moments.push_back({at_s, fit.position[0], fit.position[1], fit.position[3], bodyRate(fit.rotation[0], fit.rotation[1])});
+    stretch.moments.push_back({at_s, fit.position[1], fit.position[3], bodyRate(fit.rotation[0], fit.rotation[1])});
   }
   return stretch;
 }

@@ -125,13 +125,6 @@ double distanceTo_mm(const OrganVoxels& organ, const glm::dvec3& p_world_mm) {
   return nearest_mm < 1e-4 ? 0.0 : nearest_mm;
 }
 
-int labelAt(const Volume& labels, const glm::dvec3& p_world_mm) {
-  const glm::dvec3 voxel = carried(labels.grid.worldToVoxel(), p_world_mm);
-  const glm::ivec3 nearest(glm::round(voxel));
-  if (!labels.grid.contains(nearest)) return 0;
-  return labels.echo[labels.grid.indexOf(nearest.x, nearest.y, nearest.z)];
-}
-
 OrganSection sectionOf(const Volume& labels, int label, const Fan& fan, const Pose& pose, double step_mm) {
   std::vector<glm::dvec2> inside;
   const auto probeToVoxel = labels.grid.worldToVoxel() * pose.probeToWorld;

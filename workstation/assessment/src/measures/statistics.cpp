@@ -56,26 +56,6 @@ std::optional<Estimate> ofGroups(std::span<const double> a, std::span<const doub
   });
 }
 
-std::optional<double> areaOf(std::span<const double> low, std::span<const double> high) {
-  if (low.empty() || high.empty()) return std::nullopt;
-  Values sorted(low.begin(), low.end());
-  std::sort(sorted.begin(), sorted.end());
-  double won = 0.0;
-  for (const double each : high) {
-    const auto [below, above] = std::equal_range(sorted.begin(), sorted.end(), each);
-    won += static_cast<double>(below - sorted.begin()) + 0.5 * static_cast<double>(above - below);
-  }
-  return won / (static_cast<double>(low.size()) * static_cast<double>(high.size()));
-}
-
-std::optional<double> hedges(std::span<const double> low, std::span<const double> high) {
-  if (low.size() < 2 || high.size() < 2) return std::nullopt;
-  const double freedom = static_cast<double>(low.size() + high.size() - 2);
-  const double deviation = std::sqrt((spreadOf(low) + spreadOf(high)) / freedom);
-  if (!(deviation > 0.0)) return std::nullopt;
-  return (meanOf(high) - meanOf(low)) / deviation * (1.0 - 3.0 / (4.0 * freedom - 1.0));
-}
-
 using Pairs = std::span<const std::pair<int, int>>;
 
 std::optional<double> kappaOf(Pairs ratings, KappaWeights weights) {
@@ -149,14 +129,6 @@ std::optional<double> crossingOf(std::span<const double> failing, std::span<cons
 }
 
 }  // namespace
-
-std::optional<Estimate> areaUnderCurve(std::span<const double> low, std::span<const double> high, const Bootstrap& bootstrap) {
-  return ofGroups(low, high, bootstrap, areaOf);
-}
-
-std::optional<Estimate> effectSize(std::span<const double> low, std::span<const double> high, const Bootstrap& bootstrap) {
-  return ofGroups(low, high, bootstrap, hedges);
-}
 
 std::optional<Estimate> contrastingGroups(std::span<const double> failing, std::span<const double> passing, const Bootstrap& bootstrap) {
   return ofGroups(failing, passing, bootstrap, crossingOf);

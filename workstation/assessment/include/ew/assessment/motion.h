@@ -24,7 +24,6 @@ struct MotionOptions {
 /// The motion of the middle of the face, and of the probe about it, at one moment.
 struct MotionMoment {
   double time_s = 0.0;
-  glm::dvec3 position_mm{0.0};              ///< world
   glm::dvec3 velocity_mmPerS{0.0};          ///< world
   glm::dvec3 jerk_mmPerS3{0.0};             ///< third derivative of the position, world
   glm::dvec3 angularVelocity_radPerS{0.0};  ///< about the probe's own axes

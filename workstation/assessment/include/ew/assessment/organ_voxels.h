@@ -71,7 +71,4 @@ struct OrganSection {
 /// The area of the whole fan on the same raster.
 [[nodiscard]] double areaOf_mm2(const Fan& fan, double step_mm = 1.5);
 
-/// The label at a point, 0 outside of the volume.
-[[nodiscard]] int labelAt(const Volume& labels, const glm::dvec3& p_world_mm);
-
 }  // namespace ew

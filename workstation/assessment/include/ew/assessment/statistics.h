@@ -24,16 +24,6 @@ struct Estimate {
   bool operator==(const Estimate&) const = default;
 };
 
-/// The probability that a value of `high` exceeds one of `low`, ties counted half: the area under the curve that tells the two groups apart
-/// (Mann-Whitney U over all pairs). 0.5: not at all. @return nothing when a group is empty
-[[nodiscard]] std::optional<Estimate> areaUnderCurve(std::span<const double> low, std::span<const double> high,
-                                                     const Bootstrap& bootstrap = {});
-
-/// Difference of the means, `high` minus `low`, in pooled standard deviations, corrected for small groups (Hedges' g; Hedges, J Educ Stat
-/// 6:107, 1981). @return nothing when a group has fewer than 2 values, or none of the values differ
-[[nodiscard]] std::optional<Estimate> effectSize(std::span<const double> low, std::span<const double> high,
-                                                 const Bootstrap& bootstrap = {});
-
 enum class KappaWeights { linear, quadratic };
 /// Agreement of two raters on an ordered scale beyond what chance gives (Cohen, Psychol Bull 70:213, 1968).
 /// @param ratings of both raters, an attempt each; whole numbers whose distance counts
