@@ -11131,10 +11131,6 @@
         <translation>Das Schieben und die flache Schallfläche passen nicht zusammen: zwischen ihnen liegen nur %1 statt 90 Grad. Wiederholen Sie beide Schritte auf demselben Tisch.</translation>
     </message>
     <message>
-        <source>The face was found %1 mm and %2 degrees away from where the folded body has it. Check that it was folded along its lines and printed at 100 %, or use what was measured.</source>
-        <translation>Die Schallfläche wurde %1 mm und %2 Grad neben der Stelle gefunden, an der sie beim gefalteten Körper liegt. Prüfen Sie, ob er an seinen Linien gefaltet und mit 100 % gedruckt wurde, oder verwenden Sie das Gemessene.</translation>
-    </message>
-    <message>
         <source>The tip did not stay in its place. Set it into a small hollow and turn the probe about it again.</source>
         <translation>Die Spitze blieb nicht an ihrer Stelle. Setzen Sie sie in eine kleine Mulde und drehen Sie den Schallkopf noch einmal um sie.</translation>
     </message>
@@ -11157,14 +11153,6 @@
     <message>
         <source>The calibration no longer fits: the probe is measured %1 mm inside the body, deeper than a hand presses. Align it again.</source>
         <translation>Die Kalibrierung passt nicht mehr: der Schallkopf wird %1 mm im Körper gemessen, tiefer als eine Hand drückt. Richten Sie ihn neu aus.</translation>
-    </message>
-    <message>
-        <source>The tool was seen %1 times only; hold it still where the tracker sees it.</source>
-        <translation>Das Werkzeug wurde nur %1-mal gesehen; halten Sie es still, wo der Tracker es sieht.</translation>
-    </message>
-    <message>
-        <source>The tool moved by %1 mm meanwhile; hold it still for a second.</source>
-        <translation>Das Werkzeug hat sich dabei um %1 mm bewegt; halten Sie es eine Sekunde still.</translation>
     </message>
     <message>
         <source>live</source>

@@ -210,28 +210,5 @@ TEST(Alignment, TheFirstFourLandmarksAskedForSpanTheBody) {
   }
 }
 
-TEST(StillToolMean, AveragesTurnsOnBothSidesOfTheSignAndRefusesAToolThatMoved) {
-  Dice dice(53);
-  const auto truth = test::anywhere<frame::Tracker, frame::Tool>(dice);
-  std::vector<ToolReading> readings;
-  for (int n = 0; n < 90; ++n) readings.push_back(test::readingAt(test::shaken(truth, dice, 0.5, 0.004), n / 30.0));
-  readings[5].state = TrackingState::outOfView;
-  readings[5].toolToTracker = {};
-  const auto still = stillTool(readings);
-  ASSERT_TRUE(still) << still.error();
-  EXPECT_EQ(still->readings, 89);
-  EXPECT_LT(glm::distance(glm::dvec3(still->toolToTracker.matrix[3]), glm::dvec3(truth.matrix[3])), 0.3);
-  EXPECT_LT(test::angleBetween(still->toolToTracker.matrix, truth.matrix), 0.002);
-  EXPECT_NEAR(still->spread_mm, 0.5 * std::sqrt(3.0), 0.15);
-  for (int n = 0; n < 90; ++n) readings[static_cast<std::size_t>(n)].toolToTracker.matrix[3].x += 0.06 * n;
-  readings[5].state = TrackingState::outOfView;
-  const auto moved = stillTool(readings);
-  ASSERT_FALSE(moved);
-  EXPECT_NE(moved.error().sentence().find("moved"), std::string::npos);
-  const auto few = stillTool(std::span(readings).first(5));
-  ASSERT_FALSE(few);
-  EXPECT_EQ(few.error().code, ErrorCode::noValidPose);
-}
-
 }  // namespace
 }  // namespace ew::alignment_test

@@ -132,7 +132,7 @@ TEST(FitOfACalibration, WhatWasAlignedAgainIsSoonForgotten) {
   for (const Pose& pose : gliding(0.5, 30.0, 0.0, 8.0, 20.0)) check.add(pose, plane, true);
   EXPECT_TRUE(check.problem().empty()) << check.problem();
   check.reset();
-  EXPECT_DOUBLE_EQ(check.claimed_s(), 0.0);
+  EXPECT_DOUBLE_EQ(check.gap_mm(), 0.0);
 }
 
 }  // namespace

@@ -143,19 +143,7 @@ Result<Face> faceFrom(const glm::dvec3& tip_tool_mm, const glm::dvec3& axial_too
   axes.col(0) = (given - given.dot(axial) * axial).normalized();
   axes.col(1) = axial;
   axes.col(2) = axes.col(0).cross(axial);
-  Face face{{matrixOf(axes, eigenOf(tip_tool_mm))}, 0.5 * std::numbers::pi - between};
-  return face;
-}
-
-Message faceDisagreement(const Transform<frame::Tool, frame::Probe>& measured, const Transform<frame::Tool, frame::Probe>& fromFile) {
-  constexpr double kMost_mm = 6.0, kMost_rad = 8.0 * kDegree;
-  const double apart_mm = glm::distance(glm::dvec3(measured.matrix[3]), glm::dvec3(fromFile.matrix[3]));
-  const double apart_rad = Eigen::AngleAxisd(turnOf(measured.matrix).transpose() * turnOf(fromFile.matrix)).angle();
-  if (apart_mm <= kMost_mm && apart_rad <= kMost_rad) return {};
-  return say<
-      "The face was found %1 mm and %2 degrees away from where the folded body has it. Check that it was folded along its lines and "
-      "printed at 100 %, "
-      "or use what was measured.">(tenths(apart_mm), degrees(apart_rad));
+  return Face{{matrixOf(axes, eigenOf(tip_tool_mm))}};
 }
 
 }  // namespace ew

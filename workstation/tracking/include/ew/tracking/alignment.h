@@ -74,23 +74,4 @@ struct Alignment {
 [[nodiscard]] Result<Alignment> alignBySurface(std::span<const glm::dvec3> traced, const Skin& skin,
                                                const Transform<frame::World, frame::Tracker>& start, const AlignmentOptions& options = {});
 
-/// A tool that is held still, from many readings.
-struct StillTool {
-  Transform<frame::Tracker, frame::Tool> toolToTracker;  ///< mean of positions and of turns
-  double spread_mm = 0.0;                                ///< standard deviation of one reading's position, root of the sum over axes
-  double spread_rad = 0.0;
-  int readings = 0;
-};
-
-struct StillOptions {
-  int fewest = 10;        ///< live readings
-  double drift_mm = 1.5;  ///< the first third's mean may lie so far from the last third's, beyond what their spread explains
-  double drift_rad = 0.015;
-};
-
-/// The mean of readings; those that are not live are passed over. Turns are averaged as quaternions after Markley, Cheng, Crassidis and
-/// Oshman, J. Guid. Control Dyn. 30(4), 2007: the largest eigenvector of the sum of q q^T, which has no trouble with signs.
-/// @error noValidPose: too few live readings; badField: it moved meanwhile (the sentence says how far)
-[[nodiscard]] Result<StillTool> stillTool(std::span<const ToolReading> readings, const StillOptions& options = {});
-
 }  // namespace ew

@@ -57,14 +57,9 @@ struct FlatFace {
 
 struct Face {
   Transform<frame::Tool, frame::Probe> probeToTool;
-  double lateralOff_rad = 0.0;  ///< how far the lateral direction was from square to the axial one before it was made so
 };
 
 /// Puts the three together. @error badField: lateral and axial directions are less than 60 degrees apart (sentence says what to repeat)
 [[nodiscard]] Result<Face> faceFrom(const glm::dvec3& tip_tool_mm, const glm::dvec3& axial_tool, const glm::dvec3& lateral_tool);
-
-/// Whether a measured face agrees with the one from the body's file; empty when it does within 6 mm and 8 degrees.
-[[nodiscard]] Message faceDisagreement(const Transform<frame::Tool, frame::Probe>& measured,
-                                       const Transform<frame::Tool, frame::Probe>& fromFile);
 
 }  // namespace ew

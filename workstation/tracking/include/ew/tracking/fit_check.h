@@ -36,7 +36,6 @@ class FitCheck {
   [[nodiscard]] Message problem() const;
   /// Median distance above the skin (below: negative) of the stretches of the last 20 s in which contact was claimed.
   [[nodiscard]] double gap_mm() const { return gap_mm_; }
-  [[nodiscard]] double claimed_s() const { return claimed_s_; }  ///< of the stretches that are looked at now
   void reset();
 
  private:
