@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "access/sealed_file.h"
 #include "ew/library/bundle.h"
 #include "ew/library/case_start.h"
 #include "ew/library/case_words.h"
@@ -143,7 +144,7 @@ TEST(SealedAnswers, AreThereForEachOfSeveralInstructorsAndForNobodyElse) {
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().sentence().find(shortNameOf(one.publicKey())), std::string::npos) << refused.error();
   EXPECT_FALSE(fs::exists(folder / "by-stranger"));
-  EXPECT_EQ(readSealedHeader(folder / "e")->forWhom,
+  EXPECT_EQ(readSealedFileHeader(folder / "e" / kSealedName)->forWhom,
             (std::vector<std::string>{shortNameOf(one.publicKey()), shortNameOf(two.publicKey())}));
   EXPECT_EQ(loadCase(folder / "e")->id, "exam-7");
 }

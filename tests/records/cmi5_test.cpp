@@ -256,7 +256,6 @@ TEST_F(Cmi5, KeepsTheOrder) {
   EXPECT_FALSE(session.completed(at(1)));
   EXPECT_FALSE(session.judged(1.0, true, at(1)));
   EXPECT_FALSE(session.terminated(at(1)));
-  EXPECT_FALSE(session.allowed(statementNumbered(1)));
   ASSERT_TRUE(session.initialized(at(1)));
   EXPECT_FALSE(session.initialized(at(2)));
   EXPECT_FALSE(session.judged(1.5, true, at(2)));
@@ -301,24 +300,6 @@ TEST_F(Cmi5, MovesOnAsTheCourseWantsIt) {
   EXPECT_FALSE(movesOn("CompletedAndPassed", true, false));
   EXPECT_TRUE(movesOn("CompletedOrPassed", false, true));
   EXPECT_FALSE(movesOn("CompletedOrPassed", false, {}));
-}
-
-TEST_F(Cmi5, MakesStatementsOfStepsPartOfTheSession) {
-  Cmi5Session session = begun();
-  ASSERT_TRUE(session.initialized(at(0)));
-  XapiOptions options;
-  options.actor = session.launch().actor;
-  options.registration = session.launch().registration;
-  const auto ofStep = statementsOf(someAttempt(), options);
-  ASSERT_TRUE(ofStep) << ofStep.error();
-  const json allowed = *session.allowed((*ofStep)[2]);
-  EXPECT_EQ(allowed["actor"], learner());
-  EXPECT_EQ(allowed["context"]["extensions"]["https://w3id.org/xapi/cmi5/context/extensions/sessionid"], "s-42");
-  EXPECT_EQ(allowed["context"]["extensions"]["urn:echoweave:extension/attempt"], someAttempt().id);
-  EXPECT_EQ(allowed["context"]["contextActivities"]["grouping"].size(), 2u);
-  EXPECT_EQ(categoriesOf(allowed), std::vector<std::string>{"1"}) << "not cmi5: that is for the five alone";
-  EXPECT_NE(allowed["id"], (*ofStep)[2]["id"]) << "the same event told to another store by itself is not this statement";
-  EXPECT_TRUE(isUuid(allowed["id"].get<std::string>()));
 }
 
 TEST_F(Cmi5, ArrivesInOrderAlsoWhenTheNetworkIsAwayForAWhile) {

@@ -62,7 +62,6 @@ TEST(StatementOutbox, RemembersWhatWasSentInTheNextRun) {
   }
   StatementOutbox again = opened(folder / "o");
   EXPECT_EQ(again.sentCount(), 2u);
-  EXPECT_TRUE(again.wasSent(idNumbered(2)));
   ASSERT_EQ(again.entries().size(), 1u);
   EXPECT_EQ(again.add(statementNumbered(0)), false);
 }

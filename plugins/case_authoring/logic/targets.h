@@ -12,8 +12,6 @@
 // The targets of a manifest: what a trainee is to find. Points and planes are in the frame of the case's file, before it is placed.
 namespace ew::case_authoring {
 
-inline constexpr std::size_t kMostTargets = 200;  ///< of the schema
-
 [[nodiscard]] std::size_t targetCount(const nlohmann::json& manifest);
 /// Null when there is no such target.
 [[nodiscard]] nlohmann::json targetAt(const nlohmann::json& manifest, std::size_t number);

@@ -55,8 +55,6 @@ Section::Section(const QString& id, const QString& title, QWidget* parent) : QWi
   setOpen(!QSettings().value(settingOf(id)).toBool());
 }
 
-bool Section::isOpen() const { return head_->isChecked(); }
-
 void Section::setOpen(bool open) {
   const QSignalBlocker quiet(head_);
   head_->setChecked(open);

@@ -19,7 +19,6 @@ class Section final : public QWidget {
   Section(const QString& id, const QString& title, QWidget* parent = nullptr);
 
   [[nodiscard]] QFormLayout& form() { return *form_; }
-  [[nodiscard]] bool isOpen() const;
   void setOpen(bool open);
   /// @param names of fields that a published case needs and this one has not; empty: a quiet tick where `isNeeded`, else nothing
   void setMissing(const QStringList& names, bool isNeeded);

@@ -264,8 +264,6 @@ Result<CaseSource> SourceField::source() const {
   return found;
 }
 
-void SourceField::setFile(const QString& file) { file_->setText(file); }
-
 void SourceField::chooseFile() {
   const QString start = QFileInfo(file_->text()).path();
   const QString chosen =

@@ -43,7 +43,6 @@ class SourceField final : public QWidget {
   [[nodiscard]] QString file() const;  ///< as it is written in the field; empty for nothing
   /// What was chosen. @error notFound, as sourceOf; badUsage: no file is chosen yet
   [[nodiscard]] Result<CaseSource> source() const;
-  void setFile(const QString& file);
   /// What still has to be done or waited for before the source can be used, a sentence; empty: nothing.
   [[nodiscard]] QString openQuestion() const;
 

@@ -6,7 +6,6 @@
 #include <QFormLayout>
 #include <QLineEdit>
 #include <QPlainTextEdit>
-#include <algorithm>
 
 #include "ew/sdk/panel.h"
 
@@ -32,10 +31,6 @@ FieldForm::FieldForm(QWidget* parent) : QWidget(parent) {
 void FieldForm::showValues() {
   for (const auto& each : shows_) each();
   for (QLabel* each : problems_) sdk::setProblem(each, {});
-}
-
-bool FieldForm::hasProblem() const {
-  return std::any_of(problems_.begin(), problems_.end(), [](const QLabel* each) { return !each->text().isEmpty(); });
 }
 
 void FieldForm::addHeading(const QString& text) { rows_->addRow(sdk::headingLabel(text)); }

@@ -29,8 +29,6 @@ class FieldForm : public QWidget {
 
   /// Every field as its value is now.
   void showValues();
-  /// Whether a field holds something that was refused.
-  [[nodiscard]] bool hasProblem() const;
 
   void addHeading(const QString& text);
   QLabel* addRemark(const QString& text);

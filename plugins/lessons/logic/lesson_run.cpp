@@ -81,16 +81,6 @@ const StepOutcome* LessonRun::outcomeOf(const std::string& stepId) const {
   return last == unkept_.rend() ? nullptr : &*last;
 }
 
-double LessonRun::passedShare() const {
-  if (lesson_.steps.empty()) return 0.0;
-  const auto isPassed = [&](const LessonStep& step) {
-    const StepOutcome* outcome = outcomeOf(step.id);
-    return outcome != nullptr && outcome->verdict == StepVerdict::passed;
-  };
-  return static_cast<double>(std::count_if(lesson_.steps.begin(), lesson_.steps.end(), isPassed)) /
-         static_cast<double>(lesson_.steps.size());
-}
-
 Result<void> LessonRun::startStep(const StepScene& scene, double now_s) {
   EW_EXPECTS(!isOver());
   auto work = scene.isSealed ? Result<std::unique_ptr<StepWork>>(handedInWork(step())) : workOf(step(), scene.ground());

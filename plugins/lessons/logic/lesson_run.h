@@ -37,8 +37,6 @@ class LessonRun {
   [[nodiscard]] bool isPaused() const { return isRunning() && !runningSince_s_; }
   /// The latest outcome of a step; null while there is none.
   [[nodiscard]] const StepOutcome* outcomeOf(const std::string& stepId) const;
-  /// Steps passed, of all: 0 to 1.
-  [[nodiscard]] double passedShare() const;
   /// What it amounts to by now, as everybody else says it. @param plan of the lesson
   [[nodiscard]] AttemptResult result(const AssessmentPlan& plan) const;
   /// The step that a crash or a kill took, and that begins anew; empty: none.

@@ -65,11 +65,6 @@ void ExpertPlayer::rest() {
 
 const ExpertMark* ExpertPlayer::mark() const { return atMark_ ? &task_.marks[*atMark_] : nullptr; }
 
-double ExpertPlayer::fraction() const {
-  const double length_s = path_->end_s - path_->begin_s;
-  return length_s > 0.0 ? (path_->recordedTime(host_.scan().now_s()) - path_->begin_s) / length_s : 1.0;
-}
-
 double ExpertPlayer::at_s() const { return path_->recordedTime(host_.scan().now_s()); }
 
 void ExpertPlayer::jumpTo(double time_s) {

@@ -28,8 +28,6 @@ class ExpertPlayer final : public QObject {
   [[nodiscard]] bool hasEnded() const { return ended_; }
   /// The mark it rests at; null: at none.
   [[nodiscard]] const ExpertMark* mark() const;
-  /// Of the shown part, 0 to 1.
-  [[nodiscard]] double fraction() const;
   [[nodiscard]] double at_s() const;  ///< on the recording's clock
   /// Shows a moment of the shown part and rests there.
   void jumpTo(double time_s);

@@ -47,10 +47,6 @@ VolumeRegions::VolumeRegions(const Volume& volume, const Grid& placed, double si
   voxels_ = std::make_shared<const OrganVoxels>(regions, kThere);
 }
 
-std::size_t RegionCoverage::seenRegions() const {
-  return static_cast<std::size_t>(std::count_if(frames.begin(), frames.end(), [](std::uint32_t n) { return n > 0; }));
-}
-
 float RegionCoverage::longest_s() const { return seconds.empty() ? 0.0F : *std::max_element(seconds.begin(), seconds.end()); }
 
 Result<RegionCoverage> regionCoverageOf(const VolumeRegions& regions, const ScanLog& log, const Part& part, Progress& progress) {

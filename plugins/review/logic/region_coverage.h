@@ -38,7 +38,6 @@ class VolumeRegions {
 struct RegionCoverage {
   std::vector<std::uint32_t> frames;  ///< of each region
   std::vector<float> seconds;         ///< a frame counts until the next one, at most kLongestFrame_s; while it is frozen no time passes
-  [[nodiscard]] std::size_t seenRegions() const;
   [[nodiscard]] float longest_s() const;
 };
 inline constexpr double kLongestFrame_s = 0.5;

@@ -431,7 +431,7 @@ class TraineeTest : public WindowFixture {
     QVERIFY2(lit({left + shown.width, top, saved.width() - left - shown.width, shown.height}) > 100, "depth scale");
     // The words are the door's: only what leaves the program carries them, and all of it does.
     const QString file = files_.path(QStringLiteral("shown.png"));
-    QVERIFY(writeShownPicture(session(), at, file.toStdString()).has_value());
+    QVERIFY(writeShownPictures({{&session(), {}, {}}}, 1, at, file.toStdString()).has_value());
     const QImage written(file);
     QCOMPARE(written.size(), saved.size());
     int words = 0;

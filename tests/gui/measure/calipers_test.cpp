@@ -314,7 +314,7 @@ class CalipersTest : public WindowFixture {
     const QPoint pixel = pixelOf(end) + QPoint(left, top);
     QVERIFY2(qGray(saved.pixel(pixel)) > 230, qPrintable(QString::number(qGray(saved.pixel(pixel)))));
     const QString file = files_.path(QStringLiteral("measured.png"));
-    QVERIFY(writeShownPicture(session(), at, file.toStdString(), &calipers()).has_value());
+    QVERIFY(writeShownPictures({{&session(), &calipers(), {}}}, 1, at, file.toStdString()).has_value());
     QVERIFY(QImage(file).size() == saved.size());
   }
 

@@ -312,13 +312,6 @@ class View3DTest : public QObject {
     QVERIFY(view_->scene().cameraRight() != right);
   }
 
-  void aBrokenMannequinFileLeavesTheBodyInPlace() {
-    const auto before = view_->skin();
-    const auto loaded = view_->setMannequinFile("no/such/body.stl");
-    QVERIFY(!loaded.has_value());
-    QVERIFY(view_->skin() == before);
-  }
-
   void aNarrowViewCutsNeitherButtonsNorHint() {
     for (const int width : {700, 420, 280, 250}) {
       view_->resize(width, 500);

@@ -149,7 +149,7 @@ class WideImageTest : public ConsoleFixture {
     sweep();
     keep();
     const QString file = files_.path(QStringLiteral("wide.png"));
-    QVERIFY(writeShownPicture(session(), QDateTime::currentDateTime(), file.toStdString(), {&window_->calipers()}));
+    QVERIFY(writeShownPictures({{&session(), &window_->calipers(), {}}}, 1, QDateTime::currentDateTime(), file.toStdString()));
     const QImage saved(file);
     QVERIFY(saved.width() >= session().picture().width() && saved.height() > session().picture().height());
   }

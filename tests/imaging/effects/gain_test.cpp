@@ -87,7 +87,7 @@ TEST(GainTable, IsAppliedRowByRow) {
   }
   GreyImage image(3, 2);
   image.pixels = {1, 2, 3, 4, 5, 6};
-  applyGainTable(viewOf(image), table);
+  applyGainTable(viewOf(image), Spans(2, {{0, 3}}), table);
   EXPECT_EQ(image.pixels, (std::vector<std::uint8_t>{1, 2, 3, 251, 250, 249}));
   const Spans spans = {{}, {{0, 1}, {2, 3}}};
   applyGainTable(viewOf(image), spans, table);

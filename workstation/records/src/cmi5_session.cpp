@@ -182,17 +182,6 @@ Result<json> Cmi5Session::terminated(Moment now) {
   return made;
 }
 
-Result<json> Cmi5Session::allowed(json made) const {
-  if (auto open = expectOpen(say<"What happened in the lesson">()); !open) return passOn(open.error());
-  made["actor"] = launch_.actor;
-  made["context"]["registration"] = launch_.registration;
-  mergeTemplate(made["context"], data_.contextTemplate);
-  made["context"]["registration"] = launch_.registration;
-  const std::string id = textAt(made, "id");
-  made["id"] = uuidOfName(kCmi5Space, launch_.registration + "\n" + timestampText(*begunAt_) + "\n" + id);
-  return made;
-}
-
 bool Cmi5Session::movesOn() const {
   const bool isPassed = passed_.value_or(false);
   switch (data_.moveOn) {

@@ -231,7 +231,6 @@ std::size_t StatementOutbox::count(StatementStatus status) const {
 }
 
 std::size_t StatementOutbox::sentCount() const { return parts_->sent.size(); }
-bool StatementOutbox::wasSent(const std::string& id) const { return parts_->sent.contains(smallLetters(id)); }
 
 Result<std::string> StatementOutbox::textOf(const std::string& id) const {
   const auto at = parts_->files.find(id);

@@ -69,10 +69,6 @@ void lookUp(const std::uint8_t* table, std::uint8_t* pixels, int count) {
 
 #endif
 
-void lookUpRows(const ImageView<std::uint8_t>& image, const std::uint8_t* table) {
-  for (int y = 0; y < image.height; ++y, table += 256) lookUp(table, image.row(y), image.width);
-}
-
 void lookUpSpans(const ImageView<std::uint8_t>& image, const std::vector<RowSpan>* spans, const std::uint8_t* table) {
   for (int y = 0; y < image.height; ++y, table += 256)
     for (const RowSpan& span : spans[y]) lookUp(table, image.row(y) + span.begin, span.end - span.begin);
@@ -85,13 +81,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ew {
 
-HWY_EXPORT(lookUpRows);
 HWY_EXPORT(lookUpSpans);
-
-void applyGainTable(ImageView<std::uint8_t> image, std::span<const std::uint8_t> table) {
-  EW_EXPECTS(table.size() >= 256 * static_cast<std::size_t>(image.height));
-  HWY_DYNAMIC_DISPATCH(lookUpRows)(image, table.data());
-}
 
 void applyGainTable(ImageView<std::uint8_t> image, std::span<const std::vector<RowSpan>> spans, std::span<const std::uint8_t> table) {
   EW_EXPECTS(table.size() >= 256 * static_cast<std::size_t>(image.height));

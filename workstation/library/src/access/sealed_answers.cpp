@@ -282,8 +282,6 @@ Result<Examination> makeExamination(const fs::path& caseFolder, const fs::path& 
   });
 }
 
-Result<SealedHeader> readSealedHeader(const fs::path& examinationFolder) { return readSealedFileHeader(examinationFolder / kSealedName); }
-
 Result<OpenedExamination> openExamination(const fs::path& examinationFolder, const SecretKey& key, const fs::path& folder,
                                           Progress& progress) {
   return guardedCase(examinationFolder, [&]() -> Result<OpenedExamination> {

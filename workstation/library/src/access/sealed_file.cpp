@@ -8,6 +8,7 @@
 
 #include "access/sodium_ready.h"
 #include "ew/core/json_fields.h"
+#include "ew/library/sealed_answers.h"
 
 namespace ew {
 namespace {

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <span>
+#include <string>
+#include <vector>
 
-#include "ew/library/sealed_answers.h"
+#include "ew/core/result.h"
+#include "ew/library/instructor_key.h"
 #include "files/file_pieces.h"
 
 namespace ew {
@@ -18,6 +22,13 @@ namespace ew {
 [[nodiscard]] Result<void> sealFile(const std::filesystem::path& file, const std::string& caseId, const std::string& view,
                                     const std::vector<PublicKey>& instructors, const std::function<Result<void>(const TakePiece&)>& write);
 
+/// What the file says without a key.
+struct SealedHeader {
+  std::string caseId;  ///< of the examination
+  std::string view;    ///< SHA-256 over everything that trainees may read, so that neither goes with another revision's other half
+  std::vector<std::string> forWhom;  ///< short names of the keys that open it
+  bool operator==(const SealedHeader&) const = default;
+};
 /// @error notFound, notReadable, badHeader, badField, newerFormat
 [[nodiscard]] Result<SealedHeader> readSealedFileHeader(const std::filesystem::path& file);
 

@@ -108,8 +108,6 @@ void Database::run(const char* sql) {
   if (code != SQLITE_OK) fail(handle_.get(), code);
 }
 
-std::int64_t Database::lastNumber() const { return sqlite3_last_insert_rowid(handle_.get()); }
-
 Transaction::~Transaction() {
   if (isOpen_) sqlite3_exec(database_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
 }

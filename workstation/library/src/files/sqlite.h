@@ -63,7 +63,6 @@ class Database {
   /// @param file empty: in memory
   explicit Database(const std::filesystem::path& file);
   void run(const char* sql);
-  [[nodiscard]] std::int64_t lastNumber() const;
   [[nodiscard]] sqlite3* handle() const { return handle_.get(); }
 
  private:

@@ -161,7 +161,6 @@ struct View3D::Parts {
   QElapsedTimer sinceDrawn;  ///< runs from the end of the last drawing
   qint64 drawing_ms = 0;     ///< how long that took
   QTimer still;              ///< runs out when nothing has moved for a moment: then there is time for smooth edges
-  QString hintText;
 };
 
 View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>(this)) {
@@ -237,13 +236,6 @@ void View3D::retranslate() {
 
 QString View3D::defaultHint() const {
   return tr("drag: slide on skin   wheel: tilt   Shift: rock   Ctrl: rotate   right drag: look around");
-}
-
-Result<void> View3D::setMannequinFile(const std::filesystem::path& file) {
-  auto loaded = bridge::loadMannequin(file);
-  if (!loaded) return passOn(loaded.error());
-  setMannequin(std::make_shared<const bridge::Mannequin>(std::move(*loaded)));
-  return {};
 }
 
 void View3D::setMannequin(std::shared_ptr<const bridge::Mannequin> mannequin) {

@@ -32,10 +32,6 @@ class View3D : public QWidget {
   explicit View3D(QWidget* parent = nullptr);
   ~View3D() override;
 
-  /// The body: a recipe (.json) or a mesh (.stl, .ply, .obj). On an error the present body stays. Takes about half a second for a recipe;
-  /// a window that must not wait calls bridge::loadMannequin on a worker and setMannequin afterwards.
-  /// @error as bridge::loadMannequin
-  [[nodiscard]] Result<void> setMannequinFile(const std::filesystem::path& file);
   void setMannequin(std::shared_ptr<const bridge::Mannequin> mannequin);
   /// The surface the probe slides on; before a mannequin is set an ellipsoid of a trunk's size, never null.
   [[nodiscard]] std::shared_ptr<const Skin> skin() const;

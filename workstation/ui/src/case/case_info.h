@@ -47,7 +47,6 @@ class CaseInfo final : public QWidget {
   void addHeading(const QString& text);
   QLabel* addText(const QString& text, bool quiet = false);
   void addList(const Case& shown);
-  void showFindings(bool show);
 
   QPushButton* head_ = nullptr;
   QScrollArea* scroll_ = nullptr;

@@ -260,8 +260,4 @@ Result<void> writeShownPictures(const std::vector<SavedPart>& parts, int columns
   return writePicture(coloursOf(saved), pixel_mm, file);
 }
 
-Result<void> writeShownPicture(const Session& session, const QDateTime& at, const std::filesystem::path& file, const OnPicture& on) {
-  return writeShownPictures({{&session, on, {}, true}}, 1, at, file);
-}
-
 }  // namespace ew::ui

@@ -54,13 +54,9 @@ struct SavedTogether {
 /// All of them, each as savedPicture has it and in its own scale, in rows; empty ones are left out.
 /// @param columns >= 1
 [[nodiscard]] SavedTogether savedPictures(const std::vector<SavedPart>& parts, int columns, const QDateTime& at);
-/// As writeShownPicture; a .mha has the bare picture that is in hand. Expects a picture in hand. @error as writePicture
+/// Writes what is shown: a .png to be looked at, as savedPictures has it and with the words it must carry; a .mha to be measured, the bare
+/// picture that is in hand. Expects a picture in hand. @error as writePicture
 [[nodiscard]] Result<void> writeShownPictures(const std::vector<SavedPart>& parts, int columns, const QDateTime& at,
                                               const std::filesystem::path& file);
-
-/// Writes the present picture: a .png to be looked at, as savedPicture has it and with the words it must carry; a .mha to be measured, the
-/// bare picture. Expects a picture. @error as writePicture
-[[nodiscard]] Result<void> writeShownPicture(const Session& session, const QDateTime& at, const std::filesystem::path& file,
-                                             const OnPicture& on = {});
 
 }  // namespace ew::ui

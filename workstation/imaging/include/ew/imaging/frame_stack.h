@@ -29,7 +29,6 @@ class FrameStack {
                                                std::span<const Transform<frame::Voxel, frame::Image>> imageToVoxel);
 
   [[nodiscard]] std::size_t size() const { return frames_.size(); }
-  [[nodiscard]] std::size_t bytes() const { return pixels_.size(); }
 
   /// Samples span.begin .. span.end - 1 of a row that lies at start_voxel + n * step_voxel, n from 0; 0 where nothing was recorded. Nothing
   /// else is written. Weave reads the nearest pixel of the nearest image; linear blends pixels and both images;

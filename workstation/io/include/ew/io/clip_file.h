@@ -31,8 +31,6 @@ class ClipWriter {
   std::unique_ptr<Parts> parts_;
 };
 
-/// The endings a film may have, for help and file dialogs: ".avi .mp4".
-inline constexpr const char* kClipEndings = ".avi .mp4";
 [[nodiscard]] bool isClipFile(const std::filesystem::path& file);
 
 }  // namespace ew

@@ -23,7 +23,6 @@ class LabelEdits {
   /// Edits until close() are one step: a stroke with the button held. A step that changed nothing is none.
   void open(const std::string& what);
   void close();
-  [[nodiscard]] bool isOpen() const { return isOpen_; }
 
   void undo();
   void redo();

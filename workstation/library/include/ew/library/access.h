@@ -27,8 +27,6 @@ enum class Permission {
   judge,              ///< score, rate, report; the Review workspace
   changeLock          ///< set, change or take away the lock
 };
-inline constexpr Permission kPermissions[] = {Permission::seeAnswers,        Permission::editCases, Permission::exportCases,
-                                              Permission::seeOthersAttempts, Permission::judge,     Permission::changeLock};
 
 inline constexpr int kAccessFormat = 1;  ///< of access.json; a larger one leaves the library locked
 

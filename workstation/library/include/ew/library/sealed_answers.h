@@ -50,16 +50,6 @@ struct Examination {
 [[nodiscard]] Result<Examination> exportExamination(const std::filesystem::path& caseFolder, const std::filesystem::path& file,
                                                     const ExaminationOptions& options, Progress& progress = noProgress());
 
-/// What answers.sealed says without a key.
-struct SealedHeader {
-  std::string caseId;  ///< of the examination
-  std::string view;    ///< SHA-256 over everything that trainees may read, so that neither goes with another revision's other half
-  std::vector<std::string> forWhom;  ///< short names of the keys that open it
-  bool operator==(const SealedHeader&) const = default;
-};
-/// @error notFound, badHeader, badField, newerFormat
-[[nodiscard]] Result<SealedHeader> readSealedHeader(const std::filesystem::path& examinationFolder);
-
 /// Which step of the examination is which of the case.
 struct OriginalLesson {
   std::string id;
@@ -77,7 +67,8 @@ struct OpenedExamination {
 
 /// Puts the whole case together again: every file as it was, to the byte.
 /// @param folder new
-/// @error as readSealedHeader; badUsage (the key is another's: with the short names of those that fit); badField (something was changed,
+/// @error notFound, notReadable, badHeader, newerFormat; badUsage (the key is another's: with the short names of those that fit); badField
+/// (something was changed,
 ///        in answers.sealed or in what trainees may read, or they are of two revisions); notWritable, cancelled: then there is no folder
 [[nodiscard]] Result<OpenedExamination> openExamination(const std::filesystem::path& examinationFolder, const SecretKey& key,
                                                         const std::filesystem::path& folder, Progress& progress = noProgress());

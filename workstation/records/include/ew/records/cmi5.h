@@ -80,9 +80,6 @@ class Cmi5Session {
   /// is a score
   [[nodiscard]] Result<nlohmann::json> judged(std::optional<double> score, bool success, Moment now, std::optional<double> worked_s = {});
   [[nodiscard]] Result<nlohmann::json> terminated(Moment now);
-  /// Makes a statement of ours (an outcome of a step) part of the session ("allowed", 9.1): its actor, registration and the template; the
-  /// lesson's own words about completion and passing are not such, use those above.
-  [[nodiscard]] Result<nlohmann::json> allowed(nlohmann::json statement) const;
 
   [[nodiscard]] bool isOpen() const { return begunAt_.has_value() && !isTerminated_; }
   /// Whether what was said is enough for the system to move on (10.2.4).

@@ -51,7 +51,6 @@ class StatementOutbox {
   [[nodiscard]] std::size_t count(StatementStatus status) const;
   /// How many arrived, ever.
   [[nodiscard]] std::size_t sentCount() const;
-  [[nodiscard]] bool wasSent(const std::string& id) const;
   /// A statement as it was taken, byte for byte as it is sent. @error notFound, notReadable
   [[nodiscard]] Result<std::string> textOf(const std::string& id) const;
 

@@ -24,7 +24,6 @@ class Worksheets;
 // What descriptions of kept work call it (Autosave::Left::about, "kind").
 inline const std::string kWindowWork = "window";           ///< of this file
 inline const std::string kExpertScanWork = "expert_scan";  ///< a recording that an author's lesson was to get
-inline const std::string kLessonStepWork = "lesson_step";  ///< of the plugin lessons, which goes on with it
 
 inline const auto kKeepingWorkTopic = QStringLiteral("keep work");  ///< of messages that something cannot be kept
 
