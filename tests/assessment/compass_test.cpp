@@ -6,24 +6,13 @@
 #include <numbers>
 
 #include "../tracking/skins.h"
-#include "ew/assessment/scannable_region.h"
-#include "ew/assessment/simulated_hand.h"
-#include "ew/library/body_skin.h"
+#include "assessment/compass_holds.h"
 
 namespace ew {
 namespace {
 
-/// On the front of a trunk, the marker to the patient's right.
-Hold frontHold(const Skin& skin) {
-  Hold hold;
-  hold.contact = skin.nearest({0.0, -500.0, 0.0});
-  hold.press_mm = 4.0;
-  return hold;
-}
-
-CompassTarget targetAt(const Hold& hold, const Skin& skin, const PlaneTolerance& tolerance = {}) {
-  return compassTargetOf({poseOf(hold).probeToWorld, {0.0, 60.0}}, tolerance, skin);
-}
+using test::frontHold;
+using test::targetAt;
 
 TEST(Compass, KnowsThatAPlaneOfAHoldIsReached) {
   const test::CylinderSkin skin(120.0);
@@ -167,57 +156,6 @@ TEST(Compass, SaysWhenAPlaneCannotBeReachedFromTheSkin) {
   const CompassTarget target = compassTargetOf(inside, {}, skin);
   EXPECT_FALSE(target.reachable);
   EXPECT_EQ(nextMovement(target, frontHold(skin)).movement, HandMovement::none);
-  EXPECT_EQ(followCompass(target, frontHold(skin), skin, 1).reached, false);
-}
-
-/// Starts all over `skin` at most so far from the target, turned anyhow.
-template <class AnySkin>
-void expectHandsArrive(const AnySkin& skin, double farthest_mm, int hands) {
-  const Hold hold = turned(slid(frontHold(skin), skin, 20.0, 10.0), 0.6, -0.2, 0.3);
-  const CompassTarget target = targetAt(hold, skin);
-  ASSERT_TRUE(target.reachable);
-  for (int n = 0; n < hands; ++n) {
-    const double way = farthest_mm * (n + 1.0) / hands;
-    const Hold start =
-        turned(slid(hold, skin, way * std::cos(2.4 * n), way * std::sin(2.4 * n)), 2.4 * n, 0.3 * std::sin(n), 0.3 * std::cos(n));
-    const HandRun run = followCompass(target, start, skin, static_cast<std::uint64_t>(n));
-    EXPECT_TRUE(run.reached) << "from " << way << " mm, angle " << run.error.angle_deg << ", distance " << run.error.distance_mm;
-    EXPECT_TRUE(isFound(planeError(target.plane, poseOf(run.end).probeToWorld), target.tolerance));
-    EXPECT_LT(run.changesOfAdvice, 40) << "it chatters";
-  }
-}
-
-TEST(Compass, BringsClumsyHandsThereOnFlatSkin) { expectHandsArrive(test::PlaneSkin(), 150.0, 20); }
-TEST(Compass, BringsClumsyHandsThereAroundATrunk) { expectHandsArrive(test::CylinderSkin(120.0), 377.0, 30); }
-TEST(Compass, BringsClumsyHandsThereFromTheOtherSideOfTheBody) {
-  const test::CylinderSkin skin(120.0);
-  const CompassTarget target = targetAt(frontHold(skin), skin);
-  for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    Hold start = frontHold(skin);
-    start.contact = skin.nearest({0.5 * static_cast<double>(seed) - 2.5, 500.0, 10.0 * static_cast<double>(seed) - 50.0});
-    const HandRun run = followCompass(target, start, skin, seed);
-    EXPECT_TRUE(run.reached) << run.changesOfAdvice << " changes of advice";
-  }
-}
-TEST(Compass, BringsClumsyHandsThereAroundABall) { expectHandsArrive(test::SphereSkin(90.0), 282.0, 20); }
-
-TEST(Compass, BringsClumsyHandsToThePlanesOfTheNeck) {
-  const auto cases = shippedCasesFolder();
-  const auto resources = resourceFolder();
-  ASSERT_TRUE(cases && resources);
-  const auto opened = loadCase(*cases / "neck-carotid-thyroid");
-  ASSERT_TRUE(opened) << opened.error();
-  const auto truth = loadCaseTruth(*opened, noProgress());
-  ASSERT_TRUE(truth) << truth.error();
-  const auto skin = readBodySkin(*resources / "mannequin" / opened->mannequin);
-  ASSERT_TRUE(skin) << skin.error();
-  ASSERT_GE(truth->planes.size(), 5U);
-  for (const ExpectedPlane& plane : truth->planes) {
-    const CompassTarget target = compassTargetOf(targetOf(plane, *truth, 40.0), toleranceOf(plane), **skin);
-    ASSERT_TRUE(target.reachable) << plane.name << ": " << target.left.angle_deg << " deg, " << target.left.distance_mm << " mm";
-    const Hold start = turned(slid(target.hold, **skin, 25.0, 15.0), 2.0, 0.2, -0.2);
-    EXPECT_TRUE(followCompass(target, start, **skin, 3).reached) << plane.name;
-  }
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "ew/assessment/simulated_trainee.h"
 #include "ew/core/quiet_progress.h"
 #include "ew/library/case.h"
+#include "ew/simulated_people/simulated_trainee.h"
 #include "ew/tracking/fit_check.h"
 #include "places.h"
 #include "skins.h"

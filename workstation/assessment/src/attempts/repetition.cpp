@@ -5,8 +5,8 @@
 #include <set>
 #include <tuple>
 
+#include "ew/assessment/random_numbers.h"
 #include "ew/core/json_fields.h"
-#include "measures/random_numbers.h"
 
 namespace ew {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "ew/assessment/random_numbers.h"
 #include "ew/scanning/contact.h"
-#include "measures/random_numbers.h"
 
 namespace ew {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "measures/random_numbers.h"
+#include "ew/assessment/random_numbers.h"
 
 namespace ew {
 namespace {

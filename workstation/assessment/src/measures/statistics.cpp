@@ -5,8 +5,8 @@
 #include <map>
 #include <numeric>
 
+#include "ew/assessment/random_numbers.h"
 #include "ew/core/contract.h"
-#include "measures/random_numbers.h"
 
 namespace ew {
 namespace {

@@ -3,10 +3,10 @@
 
 #include "bench/bench_parts.h"
 #include "bench/bench_teaching.h"
-#include "ew/assessment/simulated_hand.h"
-#include "ew/assessment/teaching_case.h"
 #include "ew/core/parallel.h"
 #include "ew/scanning/contact.h"
+#include "ew/simulated_people/simulated_hand.h"
+#include "ew/simulated_people/teaching_case.h"
 
 namespace ew {
 namespace {

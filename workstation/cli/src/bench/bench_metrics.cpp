@@ -7,13 +7,13 @@
 
 #include "bench/metric_study.h"
 #include "ew/assessment/metric.h"
-#include "ew/assessment/simulated_trainee.h"
 #include "ew/assessment/step_metrics.h"
 #include "ew/assessment/step_work.h"
 #include "ew/core/parallel.h"
 #include "ew/core/quiet_progress.h"
 #include "ew/core/simd.h"
 #include "ew/core/version.h"
+#include "ew/simulated_people/simulated_trainee.h"
 
 namespace ew {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ew/assessment/statistics.h"
-#include "ew/assessment/trainee_habits.h"
+#include "ew/simulated_people/trainee_habits.h"
 
 namespace ew {
 

@@ -3,10 +3,10 @@
 #include <glm/glm.hpp>
 #include <optional>
 
-#include "ew/assessment/trainee_case.h"
-#include "ew/assessment/trainee_habits.h"
+#include "ew/assessment/random_numbers.h"
 #include "ew/library/step_answer.h"
-#include "measures/random_numbers.h"
+#include "ew/simulated_people/trainee_case.h"
+#include "ew/simulated_people/trainee_habits.h"
 
 namespace ew::assessment {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "ew/assessment/trainee_case.h"
-#include "ew/assessment/trainee_habits.h"
-#include "simulated/trainee_motion.h"
+#include "ew/simulated_people/trainee_case.h"
+#include "ew/simulated_people/trainee_habits.h"
+#include "trainee_motion.h"
 
 namespace ew::assessment {
 

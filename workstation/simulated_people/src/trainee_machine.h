@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "ew/assessment/trainee_habits.h"
 #include "ew/library/lesson.h"
 #include "ew/scanning/state.h"
-#include "simulated/trainee_motion.h"
+#include "ew/simulated_people/trainee_habits.h"
+#include "trainee_motion.h"
 
 namespace ew::assessment {
 

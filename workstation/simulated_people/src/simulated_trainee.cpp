@@ -1,13 +1,13 @@
-#include "ew/assessment/simulated_trainee.h"
+#include "ew/simulated_people/simulated_trainee.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "ew/imaging/display.h"
-#include "simulated/trainee_answers.h"
-#include "simulated/trainee_hand.h"
-#include "simulated/trainee_machine.h"
+#include "trainee_answers.h"
+#include "trainee_hand.h"
+#include "trainee_machine.h"
 
 namespace ew {
 namespace {

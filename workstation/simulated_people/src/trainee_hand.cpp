@@ -1,4 +1,4 @@
-#include "simulated/trainee_hand.h"
+#include "trainee_hand.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ew/assessment/teaching_case.h"
+#include "ew/simulated_people/teaching_case.h"
 
 #include <algorithm>
 

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "ew/assessment/hand_path.h"
-#include "ew/assessment/skin_distance.h"
-#include "ew/assessment/trainee_habits.h"
+#include "ew/assessment/random_numbers.h"
 #include "ew/scanning/events.h"
-#include "measures/random_numbers.h"
+#include "ew/simulated_people/skin_distance.h"
+#include "ew/simulated_people/trainee_habits.h"
 
 namespace ew::assessment {
 

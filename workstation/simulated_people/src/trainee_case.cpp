@@ -1,4 +1,4 @@
-#include "ew/assessment/trainee_case.h"
+#include "ew/simulated_people/trainee_case.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ew/assessment/skin_distance.h"
+#include "ew/simulated_people/skin_distance.h"
 
 #include <cmath>
 #include <mutex>

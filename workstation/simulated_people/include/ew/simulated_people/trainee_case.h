@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "ew/assessment/case_ground.h"
-#include "ew/assessment/skin_distance.h"
-#include "ew/assessment/teaching_case.h"
 #include "ew/library/lesson.h"
 #include "ew/scanning/recording.h"
+#include "ew/simulated_people/skin_distance.h"
+#include "ew/simulated_people/teaching_case.h"
 
 namespace ew {
 

@@ -1,4 +1,4 @@
-#include "ew/assessment/simulated_trainee.h"
+#include "ew/simulated_people/simulated_trainee.h"
 
 #include <gtest/gtest.h>
 
@@ -15,10 +15,10 @@
 #include "../tracking/skins.h"
 #include "ew/assessment/hand_path.h"
 #include "ew/assessment/motion.h"
-#include "ew/assessment/skin_distance.h"
 #include "ew/assessment/step_work.h"
 #include "ew/library/step_answer.h"
 #include "ew/scanning/contact.h"
+#include "ew/simulated_people/skin_distance.h"
 #include "places.h"
 
 namespace ew {

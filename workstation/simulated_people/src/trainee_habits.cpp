@@ -1,10 +1,10 @@
-#include "ew/assessment/trainee_habits.h"
+#include "ew/simulated_people/trainee_habits.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "measures/random_numbers.h"
+#include "ew/assessment/random_numbers.h"
 
 namespace ew {
 namespace {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "ew/assessment/trainee_case.h"
-#include "ew/assessment/trainee_habits.h"
 #include "ew/library/attempt.h"
 #include "ew/library/step_answer.h"
+#include "ew/simulated_people/trainee_case.h"
+#include "ew/simulated_people/trainee_habits.h"
 
 namespace ew {
 

@@ -1,4 +1,4 @@
-#include "simulated/trainee_machine.h"
+#include "trainee_machine.h"
 
 #include <algorithm>
 #include <cmath>

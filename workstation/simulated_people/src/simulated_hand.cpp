@@ -1,11 +1,11 @@
-#include "ew/assessment/simulated_hand.h"
+#include "ew/simulated_people/simulated_hand.h"
 
 #include <algorithm>
 #include <cmath>
 #include <deque>
 #include <glm/gtc/constants.hpp>
 
-#include "measures/random_numbers.h"
+#include "ew/assessment/random_numbers.h"
 
 namespace ew {
 namespace {

@@ -1,10 +1,10 @@
 #include <cstdio>
 
-#include "ew/assessment/simulated_trainee.h"
+#include "ew/assessment/random_numbers.h"
 #include "ew/assessment/step_work.h"
 #include "ew/core/version.h"
 #include "ew/library/lesson.h"
-#include "measures/random_numbers.h"
+#include "ew/simulated_people/simulated_trainee.h"
 
 namespace ew {
 namespace {

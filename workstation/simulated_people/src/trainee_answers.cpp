@@ -1,4 +1,4 @@
-#include "simulated/trainee_answers.h"
+#include "trainee_answers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "simulated/trainee_motion.h"
+#include "trainee_motion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "ew/assessment/simulated_trainee.h"
 #include "ew/assessment/step_work.h"
 #include "ew/core/figure.h"
 #include "ew/library/step_answer.h"
+#include "ew/simulated_people/simulated_trainee.h"
 #include "places.h"
 
 namespace ew {
