@@ -10,7 +10,7 @@ set(EW_ROOMS_assessment measures works attempts rating)
 set(EW_ROOMS_ui widgets jobs measure/words keys case scan scan/console scan/cine scan/zoom scan/source scan/cost annotate body measure/calipers
   measure/worksheets measure trackers/control trackers/wizard trackers start images plugins import
   window/frame window/features window)
-set(EW_ROOMS_cli run commands bench)
+set(EW_ROOMS_cli run commands bench/tools bench/images bench/volumes bench/teaching bench)
 
 # No folder of sources holds more; the next file makes two rooms of one.
 set(EW_LARGEST_ROOM 50)

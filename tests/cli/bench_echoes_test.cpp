@@ -1,8 +1,8 @@
-#include "bench/bench_echoes.h"
+#include "bench/images/bench_echoes.h"
 
 #include <cmath>
 
-#include "bench/echo_subject.h"
+#include "bench/images/echo_subject.h"
 #include "cli/bench_run.h"
 
 namespace ew::test::bench_echoes_test {

@@ -1,10 +1,10 @@
-#include "bench/bench_metrics.h"
+#include "bench/teaching/bench_metrics.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
-#include "bench/metric_study.h"
+#include "bench/teaching/metric_study.h"
 #include "cli/cli_world.h"
 #include "ew/library/attempt.h"
 

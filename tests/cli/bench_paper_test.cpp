@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "bench/bench_paper.h"
+#include "bench/volumes/bench_paper.h"
 #include "ew/io/image_file.h"
 
 namespace bench_paper_test {

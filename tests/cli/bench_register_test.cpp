@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "bench/bench_register.h"
-#include "bench/bench_register_peers.h"
+#include "bench/volumes/bench_register.h"
+#include "bench/volumes/bench_register_peers.h"
 #include "cli/bench_run.h"
 
 namespace ew::test::bench_register_test {

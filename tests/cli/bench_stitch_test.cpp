@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "bench/bench_stitch.h"
+#include "bench/volumes/bench_stitch.h"
 #include "cli/cli_world.h"
 
 namespace ew::test::bench_stitch_test {

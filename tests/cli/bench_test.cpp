@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/bench_page.h"
-#include "bench/bench_parts.h"
+#include "bench/tools/bench_page.h"
+#include "bench/tools/bench_parts.h"
 #include "cli/bench_run.h"
 
 namespace ew::test::bench_test {

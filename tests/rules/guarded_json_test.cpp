@@ -97,7 +97,7 @@ TEST(GuardedJson, ItsFieldsAreAskedForByWhatCannotThrow) {
   const std::vector<Exception> exceptions = withOwnWork({
       {"workstation/records/src/cmi5.cpp", "A map of parameters, each looked for before."},
       {"workstation/scanning/src/preset.cpp", "A field that was asked for before."},
-      {"workstation/cli/src/bench/bench_slicing.cpp", "A map of the benchmark's own."},
+      {"workstation/cli/src/bench/images/bench_slicing.cpp", "A map of the benchmark's own."},
   });
   EXPECT_EQ(
       brokenBy(bareGetters, exceptions,
@@ -123,7 +123,7 @@ TEST(GuardedJson, ItsValuesAreTakenWhereTheirKindWasAskedFor) {
        "An agent with an account, or cmi5LaunchOf() would have refused the launch."},
       {"workstation/cli/src/commands/tracker_command.cpp", "Rows that list() itself has just made."},
       {"workstation/cli/src/commands/phantom_command.cpp", "The truth that the command itself has just worked out."},
-      {"workstation/cli/src/bench/bench_", "Reports that the benchmark itself has just made."},
+      {"workstation/cli/src/bench/", "Reports that the benchmark itself has just made."},
       {"plugins/case_authoring/logic/edits.cpp", "transformIn() asks all 16 numbers at once."},
       {"plugins/case_authoring/logic/targets.cpp", "pointOf() and planeOf() ask all numbers at once."},
       {"plugins/stitching/logic/case_volume.cpp", "Of the case that is open: its manifest is made of a Case, whose place is a matrix."},

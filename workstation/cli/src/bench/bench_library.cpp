@@ -10,7 +10,7 @@
 #include <random>
 #include <thread>
 
-#include "bench/bench_parts.h"
+#include "bench/tools/bench_parts.h"
 #include "ew/core/numbers.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/index.h"

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "bench/bench_parts.h"
+#include "bench/tools/bench_parts.h"
 #include "ew/core/json_fields.h"
 #include "ew/io/safe_file.h"
 #include "ew/trackers/camera_tracking.h"

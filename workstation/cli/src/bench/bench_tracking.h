@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "bench/bench_page.h"
+#include "bench/tools/bench_page.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 
