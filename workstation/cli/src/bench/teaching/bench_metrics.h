@@ -9,7 +9,6 @@
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/library/case.h"
-#include "run/command.h"
 
 namespace ew {
 
@@ -56,9 +55,4 @@ struct AttemptsBenchOptions {
 /// "mib"}. @error as benchMetrics
 [[nodiscard]] Result<nlohmann::json> benchAttempts(const AttemptsBenchOptions& options, Progress& progress);
 
-namespace cli {
-
-void addMetricBenches(CLI::App& group, Selection& selection);
-
-}  // namespace cli
 }  // namespace ew
