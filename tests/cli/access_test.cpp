@@ -74,7 +74,6 @@ TEST_F(AccessCommand, ShowsNoAnswerAndChangesNothingWhileLocked) {
                                                        {"lesson", "check", caseFolder()},
                                                        {"phantom", folder_ / "case/case.json", "--labels", folder_ / "l.mha"},
                                                        {"replay", caseFolder(), "--scan", "s.seq.mha", "-o", folder_ / "clip"},
-                                                       {"bench", "exercises"},
                                                        {"case", "prepare", caseFolder()},
                                                        {"case", "card", caseFolder()},
                                                        {"lesson", "course"},

@@ -21,7 +21,7 @@ struct Said {
 Said run(std::vector<std::string> args) {
   std::ostringstream out, err;
   Said said;
-  said.status = cli::runCommand(args, out, err);
+  said.status = cli::runCommand(args, {out, err});
   said.out = out.str();
   said.err = err.str();
   return said;

@@ -102,9 +102,9 @@ TEST_F(BenchEchoes, FindsTheGrainAndTheViewsOfTheForwardModel) {
 }
 
 TEST(BenchEchoesOptions, AreRefusedOutsideTheirRangeAndForCasesThatAreNotDrawn) {
-  EXPECT_EQ(run({"bench", "echoes", "--poses", "0"}).status, 2);
-  EXPECT_EQ(run({"bench", "echoes", "--timed", "4"}).status, 2);
-  const auto recorded = run({"bench", "echoes", "--case", "liver-sweep-recorded"});
+  EXPECT_EQ(runBench({"bench", "echoes", "--poses", "0"}).status, 2);
+  EXPECT_EQ(runBench({"bench", "echoes", "--timed", "4"}).status, 2);
+  const auto recorded = runBench({"bench", "echoes", "--case", "liver-sweep-recorded"});
   EXPECT_EQ(recorded.status, 2);
   EXPECT_NE(recorded.err.find("is not drawn"), std::string::npos) << recorded.err;
 }

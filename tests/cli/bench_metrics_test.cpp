@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "bench/teaching/metric_study.h"
-#include "cli/cli_world.h"
+#include "cli/bench_run.h"
 #include "ew/library/attempt.h"
 
 namespace ew::test::bench_metrics_test {
@@ -73,10 +73,10 @@ class BenchMetrics : public testing::Test {
 
 TEST_F(BenchMetrics, SaysTheSameOfTheSamePeopleWhateverTheThreads) {
   writeText(folder_ / "study.md", "# Study\n\nBefore.\n\n<!-- bench metrics: begin -->\nold\n<!-- bench metrics: end -->\n\nAfter.\n");
-  const auto one = run(command("1", "one"));
+  const auto one = runBench(command("1", "one"));
   ASSERT_EQ(one.status, 0) << one.err;
   const std::string page = readText(folder_ / "study.md");
-  const auto two = run(command("2", "two"));
+  const auto two = runBench(command("2", "two"));
   ASSERT_EQ(two.status, 0) << two.err;
   EXPECT_EQ(readJson(folder_ / "one-r.json")["quality"], readJson(folder_ / "two-r.json")["quality"]);
   EXPECT_EQ(readText(folder_ / "one.json"), readText(folder_ / "two.json"));
@@ -100,23 +100,23 @@ TEST_F(BenchMetrics, SaysTheSameOfTheSamePeopleWhateverTheThreads) {
 }
 
 TEST_F(BenchMetrics, WritesAttemptsOfTheLengthThatIsAskedFor) {
-  const auto made = run({"bench", "attempts", "--case", "liver-sweep-recorded", "--count", "3", "--minutes", "4", "-o", folder_ / "a",
-                         "--report", folder_ / "r.json"});
+  const auto made = runBench({"bench", "attempts", "--case", "liver-sweep-recorded", "--count", "3", "--minutes", "4", "-o", folder_ / "a",
+                              "--report", folder_ / "r.json"});
   ASSERT_EQ(made.status, 0) << made.err;
   const auto kept = listAttempts(folder_ / "a");
   EXPECT_EQ(kept.attempts.size(), 3U);
   const json quality = readJson(folder_ / "r.json")["quality"];
   EXPECT_GE(quality["seconds"].get<double>(), 3 * 238.0);
   EXPECT_GE(quality["images"].get<double>(), 3 * 20.0 * 238.0);
-  const auto again = run({"bench", "attempts", "--count", "1", "-o", folder_ / "a"});
+  const auto again = runBench({"bench", "attempts", "--count", "1", "-o", folder_ / "a"});
   EXPECT_EQ(again.status, 1) << "the folder is there";
   EXPECT_EQ(listAttempts(folder_ / "a").attempts.size(), 3U);
 }
 
 TEST_F(BenchMetrics, RefusesWhatCannotBeStudied) {
-  EXPECT_EQ(run({"bench", "metrics", "--people", "2"}).status, 2);
-  EXPECT_EQ(run({"bench", "metrics", "--case", "no-such-case"}).status, 1);
-  EXPECT_EQ(run({"bench", "metrics", "--page", folder_ / "study.html"}).status, 2);
+  EXPECT_EQ(runBench({"bench", "metrics", "--people", "2"}).status, 2);
+  EXPECT_EQ(runBench({"bench", "metrics", "--case", "no-such-case"}).status, 1);
+  EXPECT_EQ(runBench({"bench", "metrics", "--page", folder_ / "study.html"}).status, 2);
   EXPECT_TRUE(folder_.names().empty());
 }
 

@@ -62,8 +62,8 @@ TEST(BenchRegisterPeers, AProgramThatIsNotThereIsKnownToBeMissing) {
 }
 
 TEST(BenchRegisterOptions, AreRefusedOutsideTheirRange) {
-  EXPECT_EQ(run({"bench", "register", "--side", "20"}).status, 2);
-  EXPECT_EQ(run({"bench", "register", "--repetitions", "0"}).status, 2);
+  EXPECT_EQ(runBench({"bench", "register", "--side", "20"}).status, 2);
+  EXPECT_EQ(runBench({"bench", "register", "--repetitions", "0"}).status, 2);
 }
 
 }  // namespace

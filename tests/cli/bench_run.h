@@ -3,13 +3,25 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "cli/cli_world.h"
+#include "ew/cli/run_bench.h"
 
 namespace ew::test {
+
+/// Runs a bench in this process, as its program does.
+inline Outcome runBench(const std::vector<std::string>& args) {
+  std::ostringstream out, err;
+  Outcome outcome;
+  outcome.status = cli::runBench(args, {out, err});
+  outcome.out = out.str();
+  outcome.err = err.str();
+  return outcome;
+}
 
 /// Tests that look at one run of `echoweave bench`, with a page and a report. `Suite` has `static std::vector<std::string> command()`.
 template <class Suite>
@@ -18,7 +30,7 @@ class BenchRun : public testing::Test {
   static void SetUpTestSuite() {
     auto args = Suite::command();
     args.insert(args.end(), {"--html", folder() / "page", "--report", folder() / "r.json"});
-    const auto outcome = run(args);
+    const auto outcome = runBench(args);
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     quality() = readJson(folder() / "r.json")["quality"];
     said() = outcome.out;

@@ -1,15 +1,15 @@
 #include <gtest/gtest.h>
 
 #include "bench/volumes/bench_stitch.h"
-#include "cli/cli_world.h"
+#include "cli/bench_run.h"
 
 namespace ew::test::bench_stitch_test {
 namespace {
 
 TEST(BenchStitch, MeasuresEverySettingAndDrawsThem) {
   const TemporaryFolder folder;
-  const auto outcome = run({"bench", "stitch", "--side", "80", "--repetitions", "1", "--html", folder / "page", "--report",
-                            folder / "r.json", "--note", "Nothing else ran."});
+  const auto outcome = runBench({"bench", "stitch", "--side", "80", "--repetitions", "1", "--html", folder / "page", "--report",
+                                 folder / "r.json", "--note", "Nothing else ran."});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto quality = readJson(folder / "r.json")["quality"];
   const auto row = [&](const std::string& name) {
@@ -34,8 +34,8 @@ TEST(BenchStitch, MeasuresEverySettingAndDrawsThem) {
 }
 
 TEST(BenchStitch, RefusesOptionsOutsideTheirRange) {
-  EXPECT_EQ(run({"bench", "stitch", "--side", "20"}).status, 2);
-  EXPECT_EQ(run({"bench", "stitch", "--repetitions", "0"}).status, 2);
+  EXPECT_EQ(runBench({"bench", "stitch", "--side", "20"}).status, 2);
+  EXPECT_EQ(runBench({"bench", "stitch", "--repetitions", "0"}).status, 2);
 }
 
 }  // namespace

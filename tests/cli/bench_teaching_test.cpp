@@ -1,13 +1,16 @@
 #include <gtest/gtest.h>
 
-#include "cli/cli_world.h"
+#include "cli/bench_run.h"
+#include "ew/library/access.h"
 
 namespace ew::test::bench_teaching_test {
 namespace {
 
+constexpr PassphraseCost kCheap{.passes = 1, .memory_bytes = 64 << 10};
+
 TEST(BenchCompass, BringsEveryHandToEveryPlaneOfACase) {
   const TemporaryFolder folder;
-  const auto outcome = run({"bench", "compass", "--case", "neck-carotid-thyroid", "--starts", "4", "--report", folder / "r.json"});
+  const auto outcome = runBench({"bench", "compass", "--case", "neck-carotid-thyroid", "--starts", "4", "--report", folder / "r.json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto quality = readJson(folder / "r.json")["quality"];
   ASSERT_GE(quality["planes"].size(), 5U);
@@ -23,8 +26,9 @@ TEST(BenchCompass, IsTheSameForTheSameSeedWhateverTheThreads) {
   const TemporaryFolder folder;
   const auto report = [&](const std::string& threads) {
     const std::string file = folder / ("r" + threads + ".json");
-    EXPECT_EQ(run({"bench", "compass", "--case", "neck-carotid-thyroid", "--starts", "3", "--threads", threads, "--report", file}).status,
-              0);
+    EXPECT_EQ(
+        runBench({"bench", "compass", "--case", "neck-carotid-thyroid", "--starts", "3", "--threads", threads, "--report", file}).status,
+        0);
     return readJson(file)["quality"]["planes"];
   };
   EXPECT_EQ(report("1"), report("2"));
@@ -32,7 +36,7 @@ TEST(BenchCompass, IsTheSameForTheSameSeedWhateverTheThreads) {
 
 TEST(BenchExercises, ArePassedByWhoKnowsAndTellWhatIsNotOffered) {
   const TemporaryFolder folder;
-  const auto outcome = run({"bench", "exercises", "--case", "neck-carotid-thyroid", "--draws", "1", "--report", folder / "r.json"});
+  const auto outcome = runBench({"bench", "exercises", "--case", "neck-carotid-thyroid", "--draws", "1", "--report", folder / "r.json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto quality = readJson(folder / "r.json")["quality"];
   const auto& row = quality["results"].front();
@@ -42,9 +46,19 @@ TEST(BenchExercises, ArePassedByWhoKnowsAndTellWhatIsNotOffered) {
   EXPECT_NE(outcome.out.find("nodule, volume is not offered: Calipers alone cannot measure it."), std::string::npos) << outcome.out;
 }
 
+TEST(BenchTeaching, ShowsNothingWhileTheLibraryIsLocked) {
+  const TemporaryFolder folder;
+  const EnvironmentValue library("ECHOWEAVE_LIBRARY", folder / "library");
+  AccessPolicy policy = AccessPolicy::of(libraryFolder());
+  ASSERT_TRUE(setLock(policy, Passphrase("correct horse battery"), {}, kCheap));
+  const auto refused = runBench({"bench", "exercises"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("locked for trainees"), std::string::npos) << refused.err;
+}
+
 TEST(BenchTeaching, RefusesOptionsOutsideTheirRange) {
-  EXPECT_EQ(run({"bench", "compass", "--starts", "0"}).status, 2);
-  EXPECT_EQ(run({"bench", "exercises", "--case", "no-such-case"}).status, 1);
+  EXPECT_EQ(runBench({"bench", "compass", "--starts", "0"}).status, 2);
+  EXPECT_EQ(runBench({"bench", "exercises", "--case", "no-such-case"}).status, 1);
 }
 
 }  // namespace

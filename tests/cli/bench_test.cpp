@@ -6,6 +6,7 @@
 #include "bench/tools/bench_page.h"
 #include "bench/tools/bench_parts.h"
 #include "cli/bench_run.h"
+#include "ew/cli/run_command.h"
 
 namespace ew::test::bench_test {
 namespace {
@@ -104,9 +105,43 @@ TEST_F(BenchReconstruct, WritesItsPageWithCurvesOnTheirOwnAxes) {
 }
 
 TEST_F(BenchReconstruct, RefusesWhatItCannotMeasure) {
-  EXPECT_EQ(run({"bench", "reconstruct", "--spacing", "0.1"}).status, 2);
-  EXPECT_EQ(run({"bench", "reconstruct", "--spacing", "fine"}).status, 2);
-  EXPECT_EQ(run({"bench", "reconstruct", "--sweep", "2"}).status, 2);
+  EXPECT_EQ(runBench({"bench", "reconstruct", "--spacing", "0.1"}).status, 2);
+  EXPECT_EQ(runBench({"bench", "reconstruct", "--spacing", "fine"}).status, 2);
+  EXPECT_EQ(runBench({"bench", "reconstruct", "--sweep", "2"}).status, 2);
+}
+
+TEST(BenchUsage, EveryBenchExplainsItselfWithAnExampleAndTheSharedOptions) {
+  for (const char* name : {"slicing", "frame", "echoes", "reconstruct", "register", "stitch", "tracking", "compass", "exercises", "metrics",
+                           "attempts", "library", "all"}) {
+    const auto help = runBench({"bench", name, "--help"});
+    EXPECT_EQ(help.status, 0) << name;
+    for (const std::string& part :
+         {std::string("--report"), std::string("--quiet"), std::string("Examples:"), "echoweave bench " + std::string(name)})
+      EXPECT_NE(help.out.find(part), std::string::npos) << name << " " << part;
+  }
+}
+
+TEST(BenchUsage, WrongWordsAreOneSentenceAndStatusTwo) {
+  const std::vector<std::vector<std::string>> wrong{{"bench"},
+                                                    {"bench", "nothing"},
+                                                    {"bench", "slicing", "--side", "3"},
+                                                    {"bench", "slicing", "--simd", "avx"},
+                                                    {"bench", "all", "--pair-side", "20"},
+                                                    {"bench", "tracking"}};
+  for (const auto& words : wrong) {
+    const auto outcome = runBench(words);
+    EXPECT_EQ(outcome.status, cli::kWrongUsage) << words.back() << outcome.err;
+    EXPECT_EQ(outcome.out, "") << words.back();
+    EXPECT_EQ(outcome.err.rfind("echoweave: ", 0), 0u) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+}
+
+TEST(BenchUsage, AllBenchesAreAskedOnceWhatSeveralHave) {
+  const auto help = runBench({"bench", "all", "--help"});
+  for (const char* option : {"--side", "--size", "--large", "--frame", "--poses", "--case", "--timed", "--spacing", "--sweep", "--image",
+                             "--views", "--pair-side", "--paper", "--view-side", "--seed", "--repetitions", "--no-peers"})
+    EXPECT_NE(help.out.find(std::string("\n  ") + option + " "), std::string::npos) << option << "\n" << help.out;
 }
 
 TEST(BenchField, HasTheMeanThatItsSamplesHaveUnderANormalDistribution) {

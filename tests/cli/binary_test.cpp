@@ -75,6 +75,24 @@ TEST(Program, TellsTheShellHowItWent) {
   EXPECT_NE(missing.err.find("none.mha"), std::string::npos) << missing.err;
 }
 
+TEST(Program, HandsTheBenchesTheSameWordsAndTellsTheShellTheSame) {
+  const TemporaryFolder folder;
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"bench", "--help"}, {"help", "bench"}}) {
+    const auto help = runProgram(words, folder);
+    EXPECT_EQ(help.status, 0) << help.err;
+    EXPECT_NE(help.out.find("Usage: echoweave bench"), std::string::npos) << help.out;
+    EXPECT_NE(help.out.find("slicing"), std::string::npos) << help.out;
+  }
+  const auto wrong = runProgram({"bench", "slicing", "--nonsense"}, folder);
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_EQ(wrong.err, "echoweave: Not expected: '--nonsense'; 'echoweave bench slicing --help' shows how.\n");
+  const auto done = runProgram({"bench", "slicing", "--side", "8", "--size", "16", "--poses", "2", "--repetitions", "1", "--no-peers",
+                                "--report", folder / "r.json"},
+                               folder);
+  EXPECT_EQ(done.status, 0) << done.err;
+  EXPECT_EQ(readJson(folder / "r.json")["command"], "bench slicing");
+}
+
 TEST(Program, WithoutADisplayTheWindowIsASentenceAndNoCrash) {
   const TemporaryFolder folder;
   const auto outcome = runProgram({"--screenshot", folder / "s.png"}, folder);

@@ -95,7 +95,7 @@ class OneResult : public ::testing::Test {
 
   json said(const std::vector<std::string>& args, std::string* words = nullptr) {
     std::ostringstream out, err;
-    EXPECT_EQ(cli::runCommand(args, out, err), 0) << args[0] << ": " << err.str();
+    EXPECT_EQ(cli::runCommand(args, {out, err}), 0) << args[0] << ": " << err.str();
     if (words != nullptr) *words = out.str();
     return json::parse(out.str(), nullptr, false);
   }
@@ -255,7 +255,7 @@ TEST_F(OneResult, OfAPlanThatCannotBeReadIsNotTold) {
   std::ostringstream out, err;
   const std::vector<std::string> shown = {
       "records", "add", folder.string(), "--dry-run", "--settings", (outputs_ / "settings").string(), "--no-keyring"};
-  EXPECT_EQ(cli::runCommand(shown, out, err), 1);
+  EXPECT_EQ(cli::runCommand(shown, {out, err}), 1);
   EXPECT_EQ(out.str(), "[]\n");
   EXPECT_NE(err.str().find("0001.json"), std::string::npos) << err.str();
 }

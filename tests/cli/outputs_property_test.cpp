@@ -20,6 +20,7 @@
 #include <streambuf>
 
 #include "cli/cli_world.h"
+#include "ew/cli/run_bench.h"
 #include "ew/cli/run_command.h"
 #include "ew/core/output_set.h"
 #include "ew/io/image_file.h"
@@ -306,7 +307,8 @@ constexpr const char* kNameOf[] = {"left alone", "stopped", "on a full medium", 
 int runWith(const Words& words, int letters, const std::function<void()>& onLetter, const std::atomic<bool>* cancel) {
   Trip err(letters, onLetter), out(-1, {});
   std::ostream errStream(&err), outStream(&out);
-  return cli::runCommand(words, {outStream, errStream, false, cancel});
+  const cli::Surroundings surroundings{outStream, errStream, false, cancel};
+  return cli::isBench(words) ? cli::runBench(words, surroundings) : cli::runCommand(words, surroundings);
 }
 
 std::uint64_t numberFrom(const char* variable, std::uint64_t otherwise) {

@@ -50,7 +50,6 @@ TEST(Usage, EveryCommandExplainsItselfWithAnExampleAndTheSharedOptions) {
                                                        {"preset", "check"},
                                                        {"send"},
                                                        {"plugins", "list"},
-                                                       {"bench", "slicing"},
                                                        {"lesson", "list"},
                                                        {"lesson", "show"},
                                                        {"lesson", "check"},
@@ -98,9 +97,7 @@ TEST(Usage, WrongWordsAreOneSentenceAndStatusTwo) {
                                                     {"tracker", "print", "no-such-body", "-o", folder / "v.pdf"},
                                                     {"tracker", "print", "-o", folder / "v.pdf", "--paper", "a3"},
                                                     {"tracker", "print", "--measured-scale", "80"},
-                                                    {"bench", "slicing", "--side", "3"},
-                                                    {"plugins", "list", "--simd", "mmx"},
-                                                    {"bench", "slicing", "--simd", "avx"}};
+                                                    {"plugins", "list", "--simd", "mmx"}};
   for (const auto& words : wrong) {
     const auto outcome = run(words);
     std::string line;
@@ -112,6 +109,17 @@ TEST(Usage, WrongWordsAreOneSentenceAndStatusTwo) {
     EXPECT_EQ(outcome.err.substr(outcome.err.size() - 2), ".\n") << outcome.err;
   }
   EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Usage, TheBenchesAreAProgramOfTheirOwnWhoseWordsAreKnown) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"bench"}, {"bench", "slicing"}, {"help", "bench"}, {"-h", "bench", "all"}})
+    EXPECT_TRUE(cli::isBench(words)) << words.front();
+  for (const std::vector<std::string>& words : {std::vector<std::string>{}, {"--help"}, {"case", "bench"}, {"--version", "bench"}})
+    EXPECT_FALSE(cli::isBench(words)) << (words.empty() ? "" : words.front());
+  const auto alone = run({"bench", "slicing", "--side", "256"});
+  EXPECT_EQ(alone.status, cli::kFailed) << "without its program";
+  EXPECT_NE(alone.err.find("echoweave-bench"), std::string::npos) << alone.err;
 }
 
 TEST(Usage, WhatWasNotExpectedIsNamedInTheOrderItWasGiven) {

@@ -106,6 +106,5 @@ void addPreset(CLI::App& root, Selection& selection);
 void addRecords(CLI::App& root, Selection& selection);
 void addTracker(CLI::App& root, Selection& selection);
 void addPlugins(CLI::App& root, Selection& selection);
-void addBench(CLI::App& root, Selection& selection);
 
 }  // namespace ew::cli

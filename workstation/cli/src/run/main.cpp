@@ -1,37 +1,24 @@
-#include <spdlog/sinks/ostream_sink.h>
-#include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "ew/cli/run_command.h"
 #include "ew/cli/window_arguments.h"
 #include "ew/core/printable.h"
-#include "run/printable_stream.h"
+#include "run/program.h"
 
 namespace {
 
-std::atomic<bool> stopAsked{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
-
-extern "C" void askToStop(int) { stopAsked.store(true); }
+namespace fs = std::filesystem;
 
 int runHeadless(const std::vector<std::string>& args) {
-  struct sigaction action {};
-  action.sa_handler = askToStop;
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);  // a second Ctrl-C ends the program the hard way
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-  return ew::cli::runCommand(args, {std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stopAsked});
+  return ew::cli::runUntilStopped([&](const ew::cli::Surroundings& surroundings) { return ew::cli::runCommand(args, surroundings); });
 }
 
 bool hasDisplay() {
@@ -40,11 +27,24 @@ bool hasDisplay() {
   return false;
 }
 
-/// Hands over to the program of the window, which lies beside this one and reads the same words. Returns only when that fails.
-int openWindow(char** argv) {
+/// A program of ours, which lies beside this one; empty when it is not there.
+fs::path programBeside(const char* name) {
   std::error_code error;
-  const std::filesystem::path window = std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / "echoweave-window";
-  if (error || !std::filesystem::exists(window, error)) {
+  const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path() / name;
+  return !error && fs::exists(program, error) ? program : fs::path();
+}
+
+/// Hands over to a program of ours that reads the same words. Returns only when that fails.
+int become(const fs::path& program, const char* what, char** argv) {
+  execv(program.c_str(), argv);
+  std::cerr << "echoweave: " << what << " in '" << ew::printableLine(program.string()) << "' could not be started (" << std::strerror(errno)
+            << "); install EchoWeave again.\n";
+  return ew::cli::kFailed;
+}
+
+int openWindow(char** argv) {
+  const fs::path window = programBeside("echoweave-window");
+  if (window.empty()) {
     std::cerr << "echoweave: This build has no window; configure it with the part 'ui', or use a command ('echoweave --help').\n";
     return ew::cli::kFailed;
   }
@@ -53,19 +53,16 @@ int openWindow(char** argv) {
                  "picture of the window, or use a command ('echoweave --help').\n";
     return ew::cli::kFailed;
   }
-  execv(window.c_str(), argv);
-  std::cerr << "echoweave: The window in '" << ew::printableLine(window.string()) << "' could not be started (" << std::strerror(errno)
-            << "); install EchoWeave again.\n";
-  return ew::cli::kFailed;
+  return become(window, "The window", argv);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);                   // a file that may not grow is a sentence and a clean folder, not the end of the program
-  static ew::cli::PrintableStream err(std::cerr);  // the output stream is for results
-  spdlog::set_default_logger(std::make_shared<spdlog::logger>("echoweave", std::make_shared<spdlog::sinks::ostream_sink_mt>(err, true)));
+  std::ostream& err = ew::cli::beginProgram();
   const std::vector<std::string> args(argv + 1, argv + argc);
+  if (ew::cli::isBench(args))
+    if (const fs::path bench = programBeside("echoweave-bench"); !bench.empty()) return become(bench, "The program of the benches", argv);
   if (ew::cli::isHeadless(args)) return runHeadless(args);
   const auto wish = ew::cli::windowArguments(args);
   if (wish) return openWindow(argv);

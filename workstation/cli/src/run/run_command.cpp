@@ -13,6 +13,7 @@
 #include "run/access_gate.h"
 #include "run/arguments.h"
 #include "run/command.h"
+#include "run/command_line.h"
 #include "run/input_files.h"
 #include "run/passphrase_input.h"
 #include "run/plugin_commands.h"
@@ -36,7 +37,7 @@ constexpr const char* kFooter =
 
 std::vector<std::string> builtInNames() {
   return {"import", "screen", "reconstruct", "register", "slice",  "level", "scan",    "replay",  "phantom", "case", "lesson",
-          "assess", "key",    "access",      "measure",  "preset", "send",  "records", "tracker", "plugins", "bench"};
+          "assess", "key",    "access",      "measure",  "preset", "send",  "records", "tracker", "plugins", kBench};
 }
 
 /// What CLI11 did not expect, in the order it was given: CLI11 lists it from the back.
@@ -134,6 +135,43 @@ int finish(const Selection& selection, const Surroundings& surroundings) {
   return status.error().code == ErrorCode::badUsage ? kWrongUsage : kFailed;
 }
 
+/// The benches are a program of their own; here they have their place among the commands, and a sentence where that program is missing.
+void nameBenches(CLI::App& root, Selection& selection) {
+  auto& app = *root.add_subcommand(kBench, kBenchDescription);
+  app.set_help_flag();  // the program of the benches has it
+  app.prefix_command();
+  app.callback([&selection] {
+    selection.command = kBench;
+    selection.work = [](Run&) -> Result<int> {
+      return failure(ErrorCode::notFound, say<"The program of the benches, echoweave-bench, is not here; install EchoWeave again.">());
+    };
+  });
+}
+
+void addCommands(CLI::App& root, Selection& selection) {
+  addImport(root, selection);
+  addScreen(root, selection);
+  addReconstruct(root, selection);
+  addRegister(root, selection);
+  addSlice(root, selection);
+  addLevel(root, selection);
+  addScan(root, selection);
+  addReplay(root, selection);
+  addPhantom(root, selection);
+  addCase(root, selection);
+  addLesson(root, selection);
+  addAssess(root, selection);
+  addKey(root, selection);
+  addAccess(root, selection);
+  addMeasure(root, selection);
+  addPreset(root, selection);
+  addSend(root, selection);
+  addRecords(root, selection);
+  addTracker(root, selection);
+  addPlugins(root, selection);
+  nameBenches(root, selection);
+}
+
 }  // namespace
 
 void Run::say(const std::string& line) { said_.push_back(line); }
@@ -211,35 +249,23 @@ bool isHeadless(std::span<const std::string> args) {
   return isPluginCommand(first);
 }
 
-int runCommand(std::span<const std::string> args, std::ostream& out, std::ostream& err) { return runCommand(args, {out, err}); }
+bool isBench(std::span<const std::string> args) {
+  const auto asksForHelp = [](const std::string& word) { return word == "--help" || word == "-h" || word == "help"; };
+  const auto first = std::find_if_not(args.begin(), args.end(), asksForHelp);
+  return first != args.end() && *first == kBench;
+}
 
 int runCommand(std::span<const std::string> args, const Surroundings& surroundings) {
+  return runCommandLine(args, surroundings, addCommands);
+}
+
+int runCommandLine(std::span<const std::string> args, const Surroundings& surroundings, void (*add)(CLI::App& root, Selection& selection)) {
   Selection selection;
   CLI::App root(kDescription, "echoweave");
   root.set_version_flag("--version", std::string("echoweave ") + kVersion, "The program's version");
   root.require_subcommand(1);
   root.get_formatter()->column_width(34);
-  addImport(root, selection);
-  addScreen(root, selection);
-  addReconstruct(root, selection);
-  addRegister(root, selection);
-  addSlice(root, selection);
-  addLevel(root, selection);
-  addScan(root, selection);
-  addReplay(root, selection);
-  addPhantom(root, selection);
-  addCase(root, selection);
-  addLesson(root, selection);
-  addAssess(root, selection);
-  addKey(root, selection);
-  addAccess(root, selection);
-  addMeasure(root, selection);
-  addPreset(root, selection);
-  addSend(root, selection);
-  addRecords(root, selection);
-  addTracker(root, selection);
-  addPlugins(root, selection);
-  addBench(root, selection);
+  add(root, selection);
   root.footer(kFooter);  // last, because groups of commands inherit what the root has when they are made
 
   const auto builtIn = builtInNames();

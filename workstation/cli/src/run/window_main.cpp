@@ -1,9 +1,4 @@
-#include <spdlog/sinks/ostream_sink.h>
-#include <spdlog/spdlog.h>
-
-#include <csignal>
-#include <iostream>
-#include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -11,13 +6,11 @@
 #include "ew/cli/window_arguments.h"
 #include "ew/core/simd.h"
 #include "ew/ui/run.h"
-#include "run/printable_stream.h"
+#include "run/program.h"
 
 /// The window: `echoweave` becomes this program when its words name no command.
 int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // as in the command
-  static ew::cli::PrintableStream err(std::cerr);
-  spdlog::set_default_logger(std::make_shared<spdlog::logger>("echoweave", std::make_shared<spdlog::sinks::ostream_sink_mt>(err, true)));
+  std::ostream& err = ew::cli::beginProgram();
   const auto wish = ew::cli::windowArguments(std::vector<std::string>(argv + 1, argv + argc));
   if (!wish) {
     err << "echoweave: " << wish.error().sentence() << "\n" << std::flush;

@@ -25,8 +25,10 @@ struct Surroundings {
 /// meant for the window: nothing, its options, or something to open.
 [[nodiscard]] bool isHeadless(std::span<const std::string> args);
 
+/// True when these words are for the benches, or ask for their help: they are run by a program of their own (run_bench.h).
+[[nodiscard]] bool isBench(std::span<const std::string> args);
+
 /// Runs one headless command, in this process, without a display. Returns one of the four numbers above.
 int runCommand(std::span<const std::string> args, const Surroundings& surroundings);
-int runCommand(std::span<const std::string> args, std::ostream& out, std::ostream& err);
 
 }  // namespace ew::cli

@@ -1,3 +1,5 @@
+#include "ew/cli/run_bench.h"
+
 #include "bench/all_entry.h"
 #include "bench/bench_library.h"
 #include "bench/images/echo_entry.h"
@@ -8,12 +10,13 @@
 #include "bench/volumes/reconstruct_entry.h"
 #include "bench/volumes/register_entry.h"
 #include "bench/volumes/stitch_entry.h"
-#include "run/command.h"
+#include "run/command_line.h"
 
 namespace ew::cli {
+namespace {
 
-void addBench(CLI::App& root, Selection& selection) {
-  auto& group = *root.add_subcommand("bench", "Measure what accuracy costs in time on this machine");
+void addBenches(CLI::App& root, Selection& selection) {
+  auto& group = *root.add_subcommand("bench", kBenchDescription);
   group.require_subcommand(1);
   addSlicingBench(group, selection);
   addFrameBench(group, selection);
@@ -29,5 +32,9 @@ void addBench(CLI::App& root, Selection& selection) {
   addLibraryBench(group, selection);
   addAllBenches(group, selection);
 }
+
+}  // namespace
+
+int runBench(std::span<const std::string> args, const Surroundings& surroundings) { return runCommandLine(args, surroundings, addBenches); }
 
 }  // namespace ew::cli
