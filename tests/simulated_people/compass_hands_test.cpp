@@ -10,7 +10,7 @@
 #include "ew/simulated_people/simulated_hand.h"
 
 // What the compass says is enough for a hand that follows nothing else.
-namespace ew {
+namespace ew::compass_hands_test {
 namespace {
 
 TEST(CompassHands, GiveUpWhereThereIsNothingToFollow) {
@@ -71,4 +71,4 @@ TEST(CompassHands, ArriveAtThePlanesOfTheNeck) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::compass_hands_test
