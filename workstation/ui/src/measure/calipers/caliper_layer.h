@@ -25,6 +25,8 @@ class CaliperLayer final : public QWidget {
   void setKeys(const KeyMap& keys) { keys_ = &keys; }
   /// Where a point is painted: in the middle of its pixel. Of a strip, one that has left lies beyond its left border.
   [[nodiscard]] QPointF placeOf(const glm::dvec2& at) const;
+  /// What the next click is drawn to; of kind none: nothing.
+  [[nodiscard]] const measurement::SnapTarget& snap() const { return snap_; }
 
  Q_SIGNALS:
   void focusChanged();

@@ -25,6 +25,7 @@ class ScanServer final : public QObject {
   /// @error as IgtlServer::start; then nothing is sent
   [[nodiscard]] Result<int> start(const IgtlServerOptions& options);
   void stop();
+  [[nodiscard]] bool isRunning() const { return server_ != nullptr; }
   /// All zero while it does not run.
   [[nodiscard]] IgtlServerStatus status() const { return server_ ? server_->status() : IgtlServerStatus{}; }
 

@@ -33,6 +33,7 @@ class TrackerCameraPicture final : public QWidget {
   void setEmptySentence(const QString& sentence);
   /// Left and right as in a mirror, which is how people know themselves.
   void setMirrored(bool mirrored);
+  [[nodiscard]] bool hasPicture() const { return !picture_.isNull(); }
   [[nodiscard]] std::size_t outlineCount() const { return outlines_.size(); }
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override;
