@@ -172,6 +172,27 @@ TEST_F(AccessCommand, MakesAKeyAndAnExaminationForIt) {
   EXPECT_TRUE(openExamination(imported->folder, *key, folder_ / "again"));
 }
 
+TEST_F(AccessCommand, NeverWritesOverTheFileOfAnExamination) {
+  ASSERT_EQ(run({"key", "new", "--passphrase", folder_ / "words"}).status, 0);
+  ASSERT_EQ(run({"key", "show", "-o", folder_ / "anna.pub"}).status, 0);
+  const std::string exam = folder_ / "exam.ewcase";
+  ASSERT_EQ(run({"case", "export", caseFolder(), "-o", exam, "--examination", "--for", folder_ / "anna.pub"}).status, 0);
+  const std::string before = readText(exam);
+  const std::vector<std::vector<std::string>> ways = {
+      {"case", "export", caseFolder(), "-o", exam},
+      {"case", "export", caseFolder(), "-o", exam, "--examination", "--for", folder_ / "anna.pub"},
+      {"case", "export", caseFolder(), "-o", folder_ / "other.ewcase", "--report", exam},
+      {"key", "show", "-o", exam},
+  };
+  for (const std::vector<std::string>& way : ways) {
+    const Outcome refused = run(way);
+    EXPECT_EQ(refused.status, 2) << refused.out;
+    EXPECT_NE(refused.err.find("is never replaced"), std::string::npos) << refused.err;
+    EXPECT_EQ(readText(exam), before);
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "other.ewcase")) << "what cannot be reported is not begun";
+}
+
 TEST_F(AccessCommand, OpensAnExaminationWithTheKeyAndScoresWhatWasHandedIn) {
   ASSERT_EQ(run({"key", "new", "--passphrase", folder_ / "words"}).status, 0);
   ASSERT_EQ(run({"key", "show", "-o", folder_ / "anna.pub"}).status, 0);

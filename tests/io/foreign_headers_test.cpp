@@ -158,6 +158,9 @@ TEST(ForeignNrrd, UnitsOfASpaceAreUsed) {
     ASSERT_TRUE(succeeded(um)) << unit;
     EXPECT_NEAR(um->volume.grid.spacing_mm.x, 5e-5, 1e-16) << unit;
   }
+  const auto once = nrrd(directions + "space units: \"cm\"\n");
+  ASSERT_TRUE(succeeded(once));
+  EXPECT_EQ(once->volume.grid, cm->volume.grid) << "one word is meant for every axis";
   const auto same = nrrd(directions + "space units: \"mm\" \"mm\" \"mm\"\n");
   ASSERT_TRUE(succeeded(same));
   EXPECT_EQ(same->volume.grid.spacing_mm, glm::dvec3(0.05, 0.05, 0.1));

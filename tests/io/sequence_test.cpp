@@ -100,6 +100,16 @@ TEST(SequenceFile, AGapInTheNumberingIsUnknownAndNotTheFrameBefore) {
   EXPECT_TRUE(contains(read->notes, "1 of 4 frames"));
 }
 
+TEST(SequenceFile, AStatusMayStandInSmallLetters) {
+  const TempFolder folder;
+  const std::string frame = "Seq_Frame0000_ProbeToTrackerTransform = " + kRows + "\nSeq_Frame0000_ProbeToTrackerTransformStatus = ";
+  for (const auto& [word, status] : {std::pair("ok", PoseStatus::ok), std::pair("Missing", PoseStatus::missing)}) {
+    const auto read = readSequence(folder.put("s.mha", recording("1 1 1", frame + word + "\n", ramp(1))));
+    ASSERT_TRUE(succeeded(read));
+    EXPECT_EQ(read->frames[0].transforms[0].status, status) << word;
+  }
+}
+
 TEST(SequenceFile, InvalidTransformsKeepTheirNumbersAndTheirStatus) {
   const TempFolder folder;
   const auto read = readSequence(folder.put("s.mha", recording("1 1 1",

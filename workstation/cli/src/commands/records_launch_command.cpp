@@ -52,6 +52,7 @@ class Telling {
   /// How the attempt ended, and that the session is over.
   Result<void> tellEnd(Cmi5Session& session, const std::optional<AttemptResult>& result) {
     const bool counts = result && session.data().mode == Cmi5Mode::normal;
+    tellsAttempt_ = counts;
     if (counts)
       if (auto told = tell(session.completed(nowInMilliseconds(), result->worked_s)); !told) return told;
     if (counts && result->passed())
@@ -63,6 +64,8 @@ class Telling {
     sending.mostRounds = arguments.rounds;
     return sendStatements(*outbox_, session.store(), sending, run.progress);
   }
+  /// Whether an attempt is among what is told: none was made, or it does not count in the launch's mode.
+  [[nodiscard]] bool tellsAttempt() const { return tellsAttempt_; }
   /// Why a statement was refused; empty: none was.
   [[nodiscard]] std::string refusal() const { return outbox_->entries().empty() ? std::string() : outbox_->entries().front().problem; }
 
@@ -70,6 +73,7 @@ class Telling {
   Telling(fs::path place, StatementOutbox outbox) : place_(std::move(place)), outbox_(std::move(outbox)) {}
   fs::path place_;
   std::optional<StatementOutbox> outbox_;
+  bool tellsAttempt_ = false;
 };
 
 /// Sends what is told and says how it went.
@@ -85,7 +89,9 @@ Result<int> finishTelling(Telling& telling, const Cmi5Session& session, const Re
                        say<"%1 has not got everything: %2 Start the lesson there again, and tell the attempt to the new launch.">(
                            launchHost(launch), sent->left > 0 ? sent->problem : verbatim(telling.refusal() + ".")),
                        {}});
-  run.say(launchHost(launch) + " knows of the attempt now" + (session.movesOn() ? "." : "; its course asks for more before it goes on."));
+  run.say(launchHost(launch) +
+          (telling.tellsAttempt() ? " knows of the attempt now" : " knows that the session is over; no attempt was told") +
+          (session.movesOn() ? "." : "; its course asks for more before it goes on."));
   return kDone;
 }
 

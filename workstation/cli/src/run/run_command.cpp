@@ -10,6 +10,7 @@
 #include "ew/core/simd.h"
 #include "ew/core/version.h"
 #include "ew/io/safe_file.h"
+#include "ew/library/kept_examination.h"
 #include "run/access_gate.h"
 #include "run/arguments.h"
 #include "run/command.h"
@@ -107,8 +108,10 @@ Result<int> execute(const Selection& selection, Run& run) {
   AccessPolicy policy = AccessPolicy::of(libraryFolder());
   if (auto passed = passGate(selection.command, selection.unlockFrom, policy); !passed) return passOn(passed.error());
   const bool wantsReport = !selection.reportFile.empty();
-  if (wantsReport)
+  if (wantsReport) {
+    if (auto kept = keepsExamination(selection.reportFile); !kept) return passOn(kept.error());
     if (auto announced = run.outputs.announce(selection.reportFile); !announced) return passOn(announced.error());
+  }
   auto status = runGuarded(selection.work, run);
   if (!status) return status;
   if (run.progress.cancelRequested() && !run.isPublished) return failure(ErrorCode::cancelled, run.stopped);
@@ -207,6 +210,7 @@ Result<void> Run::protect(const std::filesystem::path& file) {
 
 Result<void> Run::output(const std::filesystem::path& file, std::string_view endings) {
   if (auto own = checkSamplesAreItsOwn(file); !own) return own;
+  if (auto kept = keepsExamination(file); !kept) return kept;
   auto announced = outputs.announce(file, endings);
   if (announced) report.outputs.push_back(file.string());
   return announced;

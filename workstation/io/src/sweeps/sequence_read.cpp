@@ -64,8 +64,9 @@ Result<void> checkFrameCount(const ImageHeader& header, const Layout& layout, co
 }
 
 PoseStatus statusOf(std::string_view text) {
-  if (text == "OK") return PoseStatus::ok;
-  return text == "MISSING" ? PoseStatus::missing : PoseStatus::invalid;
+  const std::string word = lowerCase(text);  // programs write OK, some in small letters
+  if (word == "ok") return PoseStatus::ok;
+  return word == "missing" ? PoseStatus::missing : PoseStatus::invalid;
 }
 
 /// What the reader noticed on the way, told once instead of once per frame.

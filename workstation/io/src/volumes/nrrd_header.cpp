@@ -298,12 +298,14 @@ std::array<double, 3> unitsOf(NrrdDraft& draft, const char* field, std::size_t f
   const auto stated = draft.fields.take(field);
   if (!stated) return mm;
   const auto words = stated->find('"') == std::string::npos ? wordsOf(*stated) : quotedWords(*stated);
-  for (std::size_t axis = 0; axis < std::min<std::size_t>(count, 3) && from + axis < words.size(); ++axis) {
-    const auto unit_mm = lengthUnit_mm(words[from + axis]);
+  const bool isOfAll = words.size() == 1 && from == 0;  // one word for several axes is meant for each of them
+  for (std::size_t axis = 0; axis < std::min<std::size_t>(count, 3) && (isOfAll || from + axis < words.size()); ++axis) {
+    const std::string& word = isOfAll ? words.front() : words[from + axis];
+    const auto unit_mm = lengthUnit_mm(word);
     if (unit_mm)
       mm[axis] = *unit_mm;
     else
-      draft.header.spacingProblem = unknownUnit(draft.header.file, words[from + axis]);
+      draft.header.spacingProblem = unknownUnit(draft.header.file, word);
   }
   return mm;
 }

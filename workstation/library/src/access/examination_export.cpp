@@ -1,7 +1,7 @@
 #include <cstdlib>
 
-#include "access/kept_examination.h"
 #include "ew/library/bundle.h"
+#include "ew/library/kept_examination.h"
 #include "ew/library/sealed_answers.h"
 
 namespace ew {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "access/kept_examination.h"
 #include "case/handed_on.h"
 #include "ew/core/output_set.h"
 #include "ew/core/version.h"
+#include "ew/library/kept_examination.h"
 #include "ew/library/sealed_answers.h"
 #include "files/file_pieces.h"
 #include "files/guarded_case.h"
