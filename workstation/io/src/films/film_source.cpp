@@ -157,8 +157,8 @@ struct FilmSource final : CineReader::Source {
     }
     const double rate_hz = info.rate_hz > 0.0 ? info.rate_hz : 25.0;
     const double counted_s = static_cast<double>(given) / rate_hz;
-    // Some films give every frame the time 0.
-    frame.time_s = info.kind != CineKind::pages && std::isfinite(time_s) && (time_s > 0.0 || given == 0) ? time_s : counted_s;
+    // Some films give every frame the time 0, and some frames none, which comes here as a time before the first.
+    frame.time_s = info.kind != CineKind::pages && std::isfinite(time_s) && time_s > 0.0 ? time_s : counted_s;
   }
   tl::unexpected<Error> changed() const {
     return failure(ErrorCode::notReadable, say<"%1 was changed while it was in use; open it again.">(quoted(shown)),
