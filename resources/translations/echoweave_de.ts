@@ -2631,8 +2631,8 @@
         <translation>Ein anderes Volumen heißt schon „%1“; einen anderen Namen wählen.</translation>
     </message>
     <message>
-        <source>Arranging voxels in bricks</source>
-        <translation>Voxel werden in Blöcken angeordnet</translation>
+        <source>Making the volume ready for fast slices</source>
+        <translation>Das Volumen wird für schnelle Schnitte vorbereitet</translation>
     </message>
     <message>
         <source>Assessing the registration was cancelled.</source>
@@ -13487,8 +13487,8 @@
         <translation>Optionen</translation>
     </message>
     <message>
-        <source>Fewer</source>
-        <translation>Weniger</translation>
+        <source>Fewer options</source>
+        <translation>Weniger Optionen</translation>
     </message>
     <message>
         <source>finest</source>
@@ -15860,6 +15860,22 @@
 </context>
 <context>
     <name>ew::ui::MainWindow</name>
+    <message>
+        <source>Adult</source>
+        <translation>Erwachsene Person</translation>
+    </message>
+    <message>
+        <source>Adult, hands behind the head</source>
+        <translation>Erwachsene Person, Hände hinter dem Kopf</translation>
+    </message>
+    <message>
+        <source>Adult, 21st week of pregnancy</source>
+        <translation>Erwachsene Person, 21. Schwangerschaftswoche</translation>
+    </message>
+    <message>
+        <source>Adult, neck stretched</source>
+        <translation>Erwachsene Person, Hals gestreckt</translation>
+    </message>
     <message>
         <source>&amp;Body and case</source>
         <translation>&amp;Körper und Fall</translation>
@@ -20714,8 +20730,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Alle Lektionen</translation>
     </message>
     <message>
-        <source>Fewer</source>
-        <translation>Weniger</translation>
+        <source>Fewer lessons</source>
+        <translation>Weniger Lektionen</translation>
     </message>
     <message>
         <source>Start</source>
@@ -22017,8 +22033,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Ändern, ab wann ein Schritt bestanden ist</translation>
     </message>
     <message>
-        <source>Within</source>
-        <translation>Innerhalb von</translation>
+        <source>Time for the step</source>
+        <translation>Zeit für den Schritt</translation>
     </message>
     <message>
         <source>s</source>
@@ -22124,16 +22140,16 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>wie die Ebene sagt</translation>
     </message>
     <message>
-        <source>Within</source>
-        <translation>Innerhalb von</translation>
+        <source>Place within</source>
+        <translation>Ort höchstens daneben</translation>
     </message>
     <message>
         <source>mm</source>
         <translation>mm</translation>
     </message>
     <message>
-        <source>and within</source>
-        <translation>und innerhalb von</translation>
+        <source>Tilted at most</source>
+        <translation>Höchstens gekippt</translation>
     </message>
     <message>
         <source>Structure</source>
@@ -22386,7 +22402,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Marke entfernen</translation>
     </message>
     <message>
-        <source>Rest</source>
+        <source>Pause</source>
         <translation>Anhalten</translation>
     </message>
     <message>
@@ -22916,8 +22932,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Den Schallkopf dorthin setzen, wo die Ebene aufgenommen wurde</translation>
     </message>
     <message>
-        <source>Within</source>
-        <translation>Höchstens entfernt</translation>
+        <source>Place within</source>
+        <translation>Ort höchstens daneben</translation>
     </message>
     <message>
         <source>mm</source>

@@ -119,7 +119,7 @@ PlanePage::PlanePage(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(
     onSaid(placed ? QString() : sdk::words(placed.error().message));
   });
   form->addRow(go_);
-  position_ = addTolerance(form, tr("Within"), "position_tolerance_mm", 200.0, tr("mm"), "planePosition");
+  position_ = addTolerance(form, tr("Place within"), "position_tolerance_mm", 200.0, tr("mm"), "planePosition");
   angle_ = addTolerance(form, tr("Tilted at most"), "angle_tolerance_deg", 180.0, tr("°"), "planeAngle");
 }
 

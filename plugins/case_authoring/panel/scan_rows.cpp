@@ -187,7 +187,7 @@ void CasePanel::addMannequin(QFormLayout* form) {
   choice->setObjectName(nameOf(path));
   choice->setFocusPolicy(Qt::StrongFocus);
   choice->addItem(tr("the usual one"), QString());
-  for (const std::string& file : host_.cases().choices().mannequins) choice->addItem(sdk::words(file), sdk::words(file));
+  for (const auto& [file, name] : host_.cases().choices().mannequins) choice->addItem(sdk::words(name), sdk::words(file));
   connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, choice, path] {
     change(path, tr("Change the mannequin"),
            [&](nlohmann::json manifest) { return withText(std::move(manifest), path, choice->currentData().toString().toStdString()); });

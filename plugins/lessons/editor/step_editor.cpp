@@ -164,7 +164,8 @@ void StepEditor::addRest(const EditedStep& edited) {
          return edited.change(tr("Change from when on a step is passed"), "pass",
                               [&](LessonStep& step) { step.passLevel = percent.value_or(70.0) / 100.0; });
        }});
-  rest_->addNumber("stepTime", tr("Within"), {.lowest = 5, .highest = 7200, .unit = tr("s"), .noneText = tr("any time"), .step = 5},
+  rest_->addNumber("stepTime", tr("Time for the step"),
+                   {.lowest = 5, .highest = 7200, .unit = tr("s"), .noneText = tr("any time"), .step = 5},
                    {[edited] { return edited.step() == nullptr ? std::nullopt : edited.step()->time_s; },
                     [edited](const std::optional<double>& seconds) {
                       return edited.change(tr("Change the time of a step"), "time", [&](LessonStep& step) { step.time_s = seconds; });

@@ -140,9 +140,9 @@ TaskForm* makePlaneForm(const EditedStep& edited, QWidget* parent) {
   auto* made = new TargetForm(edited, parent);
   addTarget<PlaneTask>(made->form(), edited, tr_("Plane"), tr_("The case has no planes"), {CaseTarget::Kind::plane});
   const QString own = tr_("as the plane says");
-  made->form().addNumber("planePosition", tr_("Within"), {.lowest = 1, .highest = 200, .unit = tr_("mm"), .noneText = own},
+  made->form().addNumber("planePosition", tr_("Place within"), {.lowest = 1, .highest = 200, .unit = tr_("mm"), .noneText = own},
                          tolerance<PlaneTask>(edited, "position", &PlaneTask::positionTolerance_mm));
-  made->form().addNumber("planeAngle", tr_("and within"), {.lowest = 1, .highest = 180, .unit = QStringLiteral("°"), .noneText = own},
+  made->form().addNumber("planeAngle", tr_("Tilted at most"), {.lowest = 1, .highest = 180, .unit = QStringLiteral("°"), .noneText = own},
                          tolerance<PlaneTask>(edited, "angle", &PlaneTask::angleTolerance_deg));
   return made;
 }

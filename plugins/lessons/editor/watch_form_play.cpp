@@ -186,7 +186,7 @@ void WatchForm::showPlace() {
     const auto end_s = edited().task<WatchTask>().end_s;
     if (player_->isPlaying() && end_s && player_->at_s() >= *end_s) return player_->jumpTo(*end_s);
   }
-  play_->setText(player_ && player_->isPlaying() ? tr("Rest") : tr("Play"));
+  play_->setText(player_ && player_->isPlaying() ? tr("Pause") : tr("Play"));
   place_->setText(clockText(line_->at_s()));
 }
 

@@ -310,7 +310,7 @@ QWidget* StitchPanel::makeResultBox() {
   column->addWidget(options_);
   connect(more, &QPushButton::clicked, this, [this, more] {
     options_->setVisible(!options_->isVisible());
-    more->setText(options_->isVisible() ? tr("Fewer") : tr("Options"));
+    more->setText(options_->isVisible() ? tr("Fewer options") : tr("Options"));
   });
   return box;
 }

@@ -168,6 +168,10 @@ class AuthoringTest : public WindowFixture {
     QVERIFY(session().subject().has_value());
     QVERIFY(waitUntil([this] { return panel() != nullptr && panel()->isVisible(); }));
     QVERIFY(!document().hasUnsavedChanges());
+    const auto* mannequins = panel()->findChild<QComboBox*>(QStringLiteral("mannequin"));
+    QVERIFY(mannequins->findText(QStringLiteral("Adult, neck stretched")) >= 0);
+    for (int n = 0; n < mannequins->count(); ++n)
+      QVERIFY2(!mannequins->itemText(n).contains(QStringLiteral(".json")), qPrintable(mannequins->itemText(n)));
     QVERIFY(waitUntil([] { return topLevel("newCaseDialog") == nullptr; }));
     keepScreenshot(*window_, "new-case-4-opened");
   }

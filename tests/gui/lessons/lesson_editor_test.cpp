@@ -209,7 +209,7 @@ class LessonEditorTest : public WindowFixture {
     press("removeMark_1");
     QCOMPARE(std::get<WatchTask>(stepOf("watch").task).marks.size(), std::size_t(1));
     press("playTake");
-    QVERIFY(waitUntil([this] { return seen<QPushButton>(QStringLiteral("playTake"))->text() == QStringLiteral("Rest"); }));
+    QVERIFY(waitUntil([this] { return seen<QPushButton>(QStringLiteral("playTake"))->text() == QStringLiteral("Pause"); }));
     QVERIFY(waitUntil([this] { return seen<QPushButton>(QStringLiteral("playTake"))->text() == QStringLiteral("Play"); }));
     keepScreenshot(*window_, "lesson-editor-06-recorded");
     back();

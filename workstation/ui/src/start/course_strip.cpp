@@ -92,7 +92,7 @@ CourseStrip::CourseStrip(QWidget* parent) : QFrame(parent) {
   rows->addWidget(scroll_);
 
   const auto showAll = [this](bool shown) {
-    all_->setText(shown ? tr("Fewer") : tr("All lessons"));
+    all_->setText(shown ? tr("Fewer lessons") : tr("All lessons"));
     all_->setToolTip(shown ? tr("Show the next lesson alone") : tr("Show all lessons of the course in their order"));
     scroll_->setVisible(shown);
   };

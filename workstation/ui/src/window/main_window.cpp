@@ -8,8 +8,10 @@
 #include <QSettings>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "body/body_aids.h"
@@ -57,14 +59,26 @@ sdk::Cases::Choices choicesForCases(const std::vector<Probe>& probes, const std:
   for (const Probe& probe : probes) choices.probes.emplace_back(probe.id, probe.name);
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(mannequins, ignored))
-    if (hasEnding(entry.path(), ".json")) choices.mannequins.push_back(entry.path().filename().string());
+    if (hasEnding(entry.path(), ".json")) choices.mannequins.emplace_back(entry.path().filename().string(), entry.path().stem().string());
   std::sort(choices.mannequins.begin(), choices.mannequins.end());
   return choices;
+}
+
+/// What the program's own mannequins are called; any other is called as its file.
+QString mannequinName(const std::pair<std::string, std::string>& fileAndStem) {
+  const std::array<std::pair<std::string_view, QString>, 4> own{{{"adult.json", MainWindow::tr("Adult")},
+                                                                 {"adult-arms-up.json", MainWindow::tr("Adult, hands behind the head")},
+                                                                 {"gravid.json", MainWindow::tr("Adult, 21st week of pregnancy")},
+                                                                 {"neck-extended.json", MainWindow::tr("Adult, neck stretched")}}};
+  for (const auto& [file, name] : own)
+    if (file == fileAndStem.first) return name;
+  return QString::fromStdString(fileAndStem.second);
 }
 
 /// ... with the presets, the user's own as well, the body marks, and where cases are kept, in the window's language.
 sdk::Cases::Choices withConsole(sdk::Cases::Choices choices, const std::vector<Preset>& presets,
                                 const std::vector<const annotation::BodyMark*>& marks) {
+  for (auto& mannequin : choices.mannequins) mannequin.second = mannequinName(mannequin).toStdString();
   const OwnPresets own = readOwnPresets(ownPresetsFolder());
   for (const std::vector<Preset>* all : {&presets, &own.presets})
     for (const Preset& preset : *all) {

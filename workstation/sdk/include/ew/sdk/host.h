@@ -165,12 +165,12 @@ class Cases {
   [[nodiscard]] virtual std::optional<Scan> scan() const;
   /// What the program has for a case to choose from.
   struct Choices {
-    std::vector<std::pair<std::string, std::string>> probes;     ///< id and name
-    std::vector<std::string> mannequins;                         ///< file names; the first is the usual one
-    std::vector<std::pair<std::string, std::string>> presets;    ///< of the console: id and name, in the window's language
-    std::vector<std::pair<std::string, std::string>> bodyMarks;  ///< id and name, in the window's language
-    std::vector<std::string> regions;                            ///< that body marks and word lists are made for
-    std::filesystem::path ownCases;                              ///< where the user keeps cases of their own; it need not be there yet
+    std::vector<std::pair<std::string, std::string>> probes;      ///< id and name
+    std::vector<std::pair<std::string, std::string>> mannequins;  ///< file and name, in the window's language
+    std::vector<std::pair<std::string, std::string>> presets;     ///< of the console: id and name, in the window's language
+    std::vector<std::pair<std::string, std::string>> bodyMarks;   ///< id and name, in the window's language
+    std::vector<std::string> regions;                             ///< that body marks and word lists are made for
+    std::filesystem::path ownCases;                               ///< where the user keeps cases of their own; it need not be there yet
   };
   [[nodiscard]] virtual Choices choices() const;
 
