@@ -221,6 +221,20 @@ class ShownFramesTest : public ConsoleFixture {
     QVERIFY(session().whyBreathingIsNotSeen() != nullptr);
   }
 
+  /// What is said of a breath that does not show is what the program knows: nobody said how the patient was recorded.
+  void ofARecordedCaseThatSaysNothingNoBreathIsInvented() {
+    QVERIFY2(!session().subject()->motion, "the case names a volume, and no word about breath");
+    press("modeBoth");
+    QVERIFY(waitUntil([this] { return session().strip().width > 0; }));
+    QVERIFY2(!window_->messages().text().contains(QStringLiteral("breath")), qPrintable(window_->messages().text()));
+    for (const auto& modifiers : {Qt::KeyboardModifiers(Qt::ShiftModifier), Qt::ControlModifier | Qt::ShiftModifier}) {
+      QTest::keyClick(&window_->scanView(), Qt::Key_C, modifiers);
+      QCOMPARE(window_->messages().text(),
+               QStringLiteral("Nothing that is scanned here moves with the breath, so the image stays as it is."));
+      QVERIFY(session().breathing() == BreathingRequest::free);
+    }
+  }
+
   void theMModeStripFillsAndItsLineFollowsTheKnob() {
     press("modeBoth");
     QVERIFY(waitUntil([this] { return session().strip().width > 0; }));
