@@ -391,6 +391,17 @@ class AuthoringTest : public WindowFixture {
     QVERIFY(!inPanel<QPlainTextEdit>("findings")->isVisible());
     itemFor(*dialog, QStringLiteral("findings"))->click();
     QVERIFY(waitUntil([this] { return inPanel<QPlainTextEdit>("findings")->isVisible(); }));
+    // What is typed next is for the field, and not for a button of the list, which stays in sight: a space pressed Export.
+    auto* findings = inPanel<QPlainTextEdit>("findings");
+    QVERIFY2(waitUntil([&] { return QApplication::focusWidget() == findings; }),
+             QApplication::focusWidget() != nullptr ? qPrintable(QApplication::focusWidget()->objectName()) : "nothing has the keys");
+    QVERIFY(QApplication::activeWindow() == window_.get() && dialog->isVisible());
+    {
+      const Answers nothing({});
+      QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("No stone."));
+      QVERIFY2(nothing.asked.isEmpty(), qPrintable(nothing.asked.join(QLatin1Char(' '))));
+    }
+    QCOMPARE(findings->toPlainText(), QStringLiteral("No stone."));
     QVERIFY2(waitUntil([this] { return inPanel<QLabel>("missing_case")->text().contains(QStringLiteral("missing")); }),
              qPrintable(inPanel<QLabel>("missing_case")->text()));
     keepScreenshot(*window_, "publish-2-led");
