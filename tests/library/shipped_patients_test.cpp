@@ -89,6 +89,59 @@ TEST(ShippedCases, MeasureFluidFromOneOfItsBordersToTheOther) {
     EXPECT_NEAR(signedDistance_mm(**patient, "free fluid in Morison's pouch", p_mm).value_or(1e9), 0.0, 0.1);
 }
 
+/// What a plane cuts of an organ.
+struct Section {
+  glm::dvec2 middle_mm{0.0};  ///< in the probe's x and y
+  double area_mm2 = 0.0;
+};
+
+Section sectionOf(const Patient& patient, const std::string& organ, const glm::dmat4& probeToWorld) {
+  Section section;
+  for (double y = 0.0; y <= 180.0; y += 1.0)
+    for (double x = -60.0; x <= 60.0; x += 1.0) {
+      const glm::dvec3 p_world(probeToWorld * glm::dvec4(x, y, 0.0, 1.0));
+      if (signedDistance_mm(patient, organ, p_world).value_or(1.0) >= 0.0) continue;
+      section.middle_mm += glm::dvec2(x, y);
+      section.area_mm2 += 1.0;
+    }
+  if (section.area_mm2 > 0.0) section.middle_mm /= section.area_mm2;
+  return section;
+}
+
+/// Two round vessels with bright walls lie over each other there, and a lesson that said no more sent trainees to the wrong one.
+TEST(ShippedCases, ShowTheAortaWhereItsLessonSays) {
+  const auto resources = resourceFolder();
+  const auto opened = loadCase(*shippedCasesFolder() / "upper-abdomen-normal");
+  ASSERT_TRUE(opened && resources);
+  const auto lessons = lessonsOf(*opened);
+  ASSERT_TRUE(lessons) << lessons.error();
+  const LessonStep* asked = nullptr;
+  for (const Lesson& lesson : *lessons)
+    for (const LessonStep& step : lesson.steps)
+      if (const auto* task = std::get_if<PointTask>(&step.task); task != nullptr && task->target == "aorta") asked = &step;
+  ASSERT_NE(asked, nullptr);
+  for (const char* told : {"large round vessel", "in front of the bright curve of the spine", "right of the picture",
+                           "small one in front of it", "superior mesenteric artery"})
+    EXPECT_NE(asked->lookFor.find(told), std::string::npos) << told << ": " << asked->lookFor;
+
+  const auto patient = readPatient(opened->folder / opened->volume.recipe, *resources / "mannequin");
+  ASSERT_TRUE(patient) << patient.error();
+  const auto planes = planesOf(**patient);
+  const auto across = std::find_if(planes.begin(), planes.end(),
+                                   [](const StandardPlane& plane) { return plane.name == "transverse at the renal vessels"; });
+  ASSERT_NE(across, planes.end());
+  const glm::dmat4& probeToWorld = across->probeToWorld.matrix;
+  const Section aorta = sectionOf(**patient, "aorta", probeToWorld);
+  const Section small = sectionOf(**patient, "superior mesenteric artery", probeToWorld);
+  const Section spine = sectionOf(**patient, "vertebral body 3", probeToWorld);
+  ASSERT_GT(small.area_mm2, 10.0) << "both are in the picture";
+  EXPECT_GT(aorta.area_mm2, 4.0 * small.area_mm2);
+  EXPECT_LT(aorta.middle_mm.x, -5.0) << "the probe's +x, the marker, is the left of the picture";
+  EXPECT_LT(small.middle_mm.y, aorta.middle_mm.y - 10.0);
+  EXPECT_GT(spine.middle_mm.y, aorta.middle_mm.y + 10.0);
+  EXPECT_LT(glm::distance(aorta.middle_mm, spine.middle_mm), glm::distance(small.middle_mm, spine.middle_mm));
+}
+
 TEST(ShippedCases, NameProbesThatThereAre) {
   const auto resources = resourceFolder();
   ASSERT_TRUE(resources);
