@@ -9,6 +9,7 @@
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QTabWidget>
+#include <cmath>
 #include <filesystem>
 
 #include "ew/library/attempt.h"
@@ -213,6 +214,26 @@ class LessonsTest : public WindowFixture {
       press("skipStep");
     }
   }
+  /// Whether the border of the ball is drawn in the expert's blue, all around: its voxels leave it within 3 mm of 16. What is scanned is
+  /// grey.
+  [[nodiscard]] bool isBallOutlined() const {
+    const QImage shown = window_->scanView().grab().toImage();
+    const auto isBlueAt = [&](const glm::dvec2& at_mm) {
+      const QPoint pixel = (window_->scanView().positionOf({{at_mm, 0.0}}) * shown.devicePixelRatio()).toPoint();
+      if (!shown.rect().contains(pixel)) return false;
+      const QColor found = shown.pixelColor(pixel);
+      return found.blue() - found.red() > 50;
+    };
+    int drawn = 0;
+    for (int n = 0; n < 24; ++n) {
+      const double angle_rad = n * 6.283185307 / 24;
+      bool isDrawn = false;
+      for (double radius_mm = 13.0; radius_mm <= 19.0 && !isDrawn; radius_mm += 0.1)
+        isDrawn = isBlueAt(glm::dvec2(0.0, 50.0) + radius_mm * glm::dvec2(std::cos(angle_rad), std::sin(angle_rad)));
+      drawn += isDrawn ? 1 : 0;
+    }
+    return drawn >= 18;
+  }
   [[nodiscard]] AttemptList attempts() const { return listAttempts(libraryFolder() / "attempts"); }
 
  private Q_SLOTS:
@@ -382,6 +403,25 @@ class LessonsTest : public WindowFixture {
     session().setFrozen(false);
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Left);
     QVERIFY2(!(session().hold() == before), qPrintable(QApplication::focusWidget()->objectName()));
+  }
+
+  /// Whoever pointed beside it sees where it was, and not before.
+  void whatWasToBePointedAtIsOutlinedOnceItWasJudged() {
+    beginWith({step("point", PointTask{"ball"})});
+    session().makePictureNow();
+    session().setFrozen(true);
+    auto* layer = find<PickLayer>("pointing");
+    QVERIFY(waitUntil([&] { return layer->isPicking(); }));
+    const QPointF beside = window_->scanView().positionOf({{30.0, 50.0, 0.0}}) - QPointF(layer->pos());
+    QTest::mouseClick(layer, Qt::LeftButton, Qt::NoModifier, beside.toPoint());
+    QVERIFY2(!isBallOutlined(), "it would be the answer");
+    press("stepDone");
+    QVERIFY(waitUntil([this] { return text("outcomeHeading").startsWith(QStringLiteral("Not passed yet")); }));
+    QVERIFY(waitUntil([this] { return isBallOutlined(); }));
+    keepScreenshot(*window_, "lessons-07c-outlined");
+    press("tryAgain");
+    waitForStep("point");
+    QVERIFY2(waitUntil([this] { return !isBallOutlined(); }), "the next try begins without the answer");
   }
 
   void aLessonThatWasLeftIsGoneOnWith() {
