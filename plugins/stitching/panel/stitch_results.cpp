@@ -92,27 +92,11 @@ StitchResults::PairLine StitchResults::pairLine(std::size_t a, std::size_t b) co
     before.effort = said.effort;  // of bending, which is another question
     line.stale = !(before == said) || !samePlaces(low) || !samePlaces(high);
     line.wrong = line.outcome->wrong;
-    switch (line.outcome->rigid.verdict) {
-      case registration::Verdict::aligned:
-        line.mark = line.wrong                                    ? Mark::notAligned
-                    : line.outcome->used == PairMethod::byHand    ? Mark::byHand
-                    : line.outcome->used == PairMethod::landmarks ? Mark::landmarks
-                                                                  : Mark::aligned;
-        break;
-      case registration::Verdict::cannotTell:
-        line.mark = Mark::cannotTell;
-        break;
-      case registration::Verdict::notAligned:
-        line.mark = Mark::notAligned;
-        break;
-    }
   }
-  if (line.stale && said.method == PairMethod::byHand) line.mark = Mark::byHand;  // moved away from what was proved
-  if (said.decision == Decision::rejected) line.mark = Mark::rejected;
-  const bool isHeld = line.mark == Mark::aligned || line.mark == Mark::landmarks;
-  const WarpedPair* warp = warpedOf(low, high);
-  line.warpDoubted = isHeld && warp != nullptr && warp->verdict != registration::Verdict::aligned;
-  line.needsLook = line.outcome != nullptr && said.decision == Decision::undecided && (line.stale || !isHeld || line.warpDoubted);
+  const PairReview review = reviewOf(line.outcome, warpedOf(low, high), said, line.stale);
+  line.mark = review.mark;
+  line.warpDoubted = review.warpDoubted;
+  line.needsLook = review.needsLook;
   return line;
 }
 

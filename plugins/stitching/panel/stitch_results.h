@@ -14,6 +14,7 @@
 #include "ew/stitching/chain.h"
 #include "ew/stitching/expected_cost.h"
 #include "ew/stitching/project.h"
+#include "logic/pair_review.h"
 
 namespace ew::stitching {
 
@@ -44,16 +45,15 @@ class StitchResults final : public QObject {
   /// The number of a volume as found; empty: it was not in the run.
   [[nodiscard]] std::optional<std::size_t> foundIndex(std::size_t volume) const;
 
-  /// What holds a pair together. A pose that a person gave proves nothing about the images, and never has the sign of one that they proved.
-  enum class Mark { unknown, aligned, landmarks, byHand, cannotTell, notAligned, rejected };
+  using Mark = PairMark;
   struct PairLine {
     std::size_t fixed = 0;
     std::size_t moving = 0;
     Mark mark = Mark::unknown;
     bool stale = false;                    ///< edited since it was found
     bool wrong = false;                    ///< the graph does not believe it
-    bool warpDoubted = false;              ///< the rigid pose holds, and the deformation of the last run was not found to be right
-    bool needsLook = false;                ///< not aligned, or deformed in doubt, and nobody has decided
+    bool warpDoubted = false;              ///< as of PairReview
+    bool needsLook = false;                ///< as of PairReview
     const PairOutcome* outcome = nullptr;  ///< of the last run; null: none
   };
   /// Every pair that a run has looked at or a person has spoken of, and the one that is shown; before the first run all of them.
