@@ -424,6 +424,22 @@ class LessonsTest : public WindowFixture {
     QVERIFY2(waitUntil([this] { return !isBallOutlined(); }), "the next try begins without the answer");
   }
 
+  void whatIsSoughtElsewhereIsSaidInPlaceOfItsOutline() {
+    LessonStep asked = step("point", PointTask{"ball"});
+    asked.aids.outline = true;
+    beginWith({asked});
+    session().makePictureNow();
+    QVERIFY(waitUntil([this] { return isBallOutlined(); }));
+    QCOMPARE(text("outlineElsewhere"), QString());
+    session().setHold(slid(session().hold(), *session().skin(), 0.0, 40.0));
+    session().makePictureNow();
+    QVERIFY(waitUntil([this] { return text("outlineElsewhere") == QStringLiteral("What is sought is not in this image."); }));
+    QVERIFY(!isBallOutlined());
+    session().setHold(slid(session().hold(), *session().skin(), 0.0, -40.0));
+    session().makePictureNow();
+    QVERIFY(waitUntil([this] { return text("outlineElsewhere").isEmpty(); }));
+  }
+
   void aLessonThatWasLeftIsGoneOnWith() {
     begin();
     press("stepDone");
