@@ -76,6 +76,33 @@ class StitchingCareTest : public StitchingFixture {
     keepPicture("32-calibrated");
   }
 
+  void theChosenLineIsSeenAndTheButtonsBelowAreForIt() {
+    openWindow(files_.writeCase(QStringLiteral("two sweeps case")));
+    drop({writeUncalibrated(QStringLiteral("first.igs.mha")), writeUncalibrated(QStringLiteral("second.igs.mha"))});
+    QVERIFY(jobsEnd());
+    auto* list = find<QListWidget>("volumes");
+    QCOMPARE(list->count(), 2);
+    const auto edgeOf = [list](int row) {
+      const QRect box = list->visualItemRect(list->item(row));
+      return list->viewport()->grab().toImage().pixelColor(box.left() + 3, box.center().y());
+    };
+    for (const int row : {0, 1, 0}) {
+      QTest::mouseClick(list->viewport(), Qt::LeftButton, Qt::NoModifier, list->visualItemRect(list->item(row)).center());
+      QTest::qWait(20);
+      QCOMPARE(list->currentRow(), row);
+      const QColor chosen = edgeOf(row), other = edgeOf(1 - row);
+      const int apart =
+          std::abs(chosen.red() - other.red()) + std::abs(chosen.green() - other.green()) + std::abs(chosen.blue() - other.blue());
+      QVERIFY2(apart > 100, "a shade of the ground is seen by nobody");
+    }
+    QVERIFY(find<QPushButton>("calibration")->isVisible());
+    const QString stays = list->item(1)->text();
+    QTest::mouseClick(panel()->findChild<QPushButton*>(QStringLiteral("remove")), Qt::LeftButton);
+    QTest::qWait(20);
+    QCOMPARE(list->count(), 1);
+    QCOMPARE(list->item(0)->text(), stays);
+  }
+
   void aSweepOfWhichLittleIsKeptIsTakenOnceThatIsMeant() {
     openWindow(files_.writeCase(QStringLiteral("little case")));
     drop({writeUncalibrated(QStringLiteral("strip.igs.mha"))});
