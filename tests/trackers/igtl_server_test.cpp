@@ -4,7 +4,9 @@
 #include <igtlClientSocket.h>
 #include <igtlImageMessage.h>
 #include <igtlTransformMessage.h>
+#include <sys/resource.h>
 
+#include <ctime>
 #include <iostream>
 
 #include "ew/trackers/igtl_client.h"
@@ -258,6 +260,39 @@ TEST(IgtlServer, AClientThatTalksRubbishOrLeavesIsLetGo) {
   nonsense.type = "\x01\x02";
   rude.send(nonsense);
   ASSERT_TRUE(it.hasClients(0));
+}
+
+/// Seconds of the processor that this program has taken.
+double worked_s() {
+  timespec now{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+TEST(IgtlServer, WithoutAFreeDescriptorWaitsUntilThereIsOneAndDoesNotSpin) {
+  Serving serving;
+  ASSERT_GT(serving.port, 0);
+  const int visitor = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  ASSERT_GE(visitor, 0);
+  const int next = ::dup(visitor);  // the number that the next one would have
+  ASSERT_EQ(::close(next), 0);
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+  rlimit none = before;
+  none.rlim_cur = static_cast<rlim_t>(next);
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &none), 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  address.sin_port = htons(static_cast<std::uint16_t>(serving.port));
+  EXPECT_EQ(::connect(visitor, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+  const double began_s = worked_s();
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  const double spun_s = worked_s() - began_s;
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
+  EXPECT_LT(spun_s, 0.25) << "poll() says at once that somebody waits, again and again";
+  EXPECT_TRUE(serving.hasClients(1)) << "who waited is let in";
+  ::close(visitor);
 }
 
 TEST(IgtlServer, StopsAndStartsAgainAndLeavesNoThread) {
