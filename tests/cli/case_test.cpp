@@ -60,6 +60,13 @@ TEST(CaseCommand, ShowsTheShippedCaseByItsId) {
   EXPECT_EQ(run({"case", "validate", id}).status, 0);
 }
 
+TEST(CaseCommand, ShowsTolerancesWithTheUnitThatOnlyThePatientKnows) {
+  const auto shown = run({"case", "show", "upper-abdomen-gall-stone"});
+  ASSERT_EQ(shown.status, 0) << shown.err;
+  for (const char* part : {"gall stone, width, tolerance 2 mm", "gall bladder, width, tolerance 4 mm"})
+    EXPECT_NE(shown.out.find(part), std::string::npos) << part << "\n" << shown.out;
+}
+
 TEST(CaseCommand, ShowsEveryFieldAndItsManifestAsJson) {
   const TemporaryFolder folder;
   makeCase(folder, "a", "Knee");
