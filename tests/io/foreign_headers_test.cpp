@@ -232,6 +232,82 @@ TEST(ForeignNrrd, ALastAxisOfTimeHoldsVolumesWithAndWithoutAPlaceInSpace) {
     }
 }
 
+/// 2 x 2 x 1 voxels at three moments: voxel v of moment m holds 10 m + v.
+std::string threeMoments(bool timeFirst) {
+  std::string samples;
+  for (int outer = 0; outer < (timeFirst ? 4 : 3); ++outer)
+    for (int inner = 0; inner < (timeFirst ? 3 : 4); ++inner)
+      samples += static_cast<char>(timeFirst ? 10 * inner + outer : 10 * outer + inner);
+  return samples;
+}
+
+TEST(ForeignNrrd, AnAxisOfTimeIsKnownByItsUnitItsSpacingOrItsDirectionWithoutAKind) {
+  const std::string kindsOfNone = "kinds: none domain domain domain\n", kindsOfDomains = "kinds: domain domain domain domain\n";
+  const std::string first = "dimension: 4\nsizes: 3 2 2 1\n", last = "dimension: 4\nsizes: 2 2 1 3\n";
+  struct Case {
+    std::string header;
+    bool timeFirst;
+  };
+  std::vector<Case> cases;
+  for (const std::string& kinds : {std::string(), kindsOfDomains}) {
+    cases.push_back({first + kinds + "spacings: nan 0.5 0.5 2\n", true});
+    cases.push_back({first + kinds + "spacings: 0.04 0.5 0.5 2\nunits: \"s\" \"mm\" \"mm\" \"mm\"\n", true});
+    cases.push_back({first + kinds + "spacings: 40 0.5 0.5 2\nunits: \"ms\" \"\" \"\" \"\"\n", true});
+    cases.push_back({first + kinds + "space: LPS\nspace directions: none (0.5,0,0) (0,0.5,0) (0,0,2)\n", true});
+    cases.push_back(
+        {first + kinds + "space: left-posterior-superior-time\nspace directions: (0,0,0,0.04) (0.5,0,0,0) (0,0.5,0,0) (0,0,2,0)\n", true});
+    cases.push_back({last + kinds + "spacings: 0.5 0.5 2 nan\n", false});
+    cases.push_back({last + kinds + "spacings: 0.5 0.5 2 0.04\nunits: \"mm\" \"mm\" \"mm\" \"seconds\"\n", false});
+    cases.push_back({last + kinds + "space: LPS\nspace directions: (0.5,0,0) (0,0.5,0) (0,0,2) none\n", false});
+  }
+  cases.push_back({first + kindsOfNone + "spacings: nan 0.5 0.5 2\n", true});
+  cases.push_back({last + "kinds: ??? ??? ??? ???\nspacings: 0.5 0.5 2 nan\n", false});
+  for (const auto& [header, timeFirst] : cases) {
+    const auto second = nrrd(header, threeMoments(timeFirst), {.timeStep = 2});
+    ASSERT_TRUE(succeeded(second)) << header;
+    EXPECT_EQ(second->timeSteps, 3u) << header;
+    EXPECT_EQ(second->volume.echo, (std::vector<std::uint8_t>{10, 11, 12, 13})) << header;
+    EXPECT_EQ(second->volume.grid.spacing_mm, glm::dvec3(0.5, 0.5, 2.0)) << header;
+    EXPECT_TRUE(second->spacingKnown) << header;
+    EXPECT_FALSE(contains(second->notes, "not used")) << header;
+  }
+}
+
+TEST(ForeignNrrd, HintsOfTimeThatContradictEachOtherAreNamed) {
+  const std::string first = "dimension: 4\nsizes: 3 2 2 1\n";
+  struct Case {
+    std::string header;
+    const char* one;
+    const char* other;
+  };
+  for (const auto& [header, one, other] :
+       {Case{first + "kinds: domain domain domain time\nspacings: 1 0.5 0.5 2\nunits: \"s\" \"mm\" \"mm\" \"\"\n",
+             "axis 1 has the unit \"s\"", "axis 4 has the kind \"time\""},
+        Case{first + "kinds: space space space time\nspacings: nan 0.5 0.5 2\n", "axis 1 alone has no spacing",
+             "axis 1 has the kind \"space\""},
+        Case{first + "spacings: nan 0.5 0.5 2\nunits: \"mm\" \"mm\" \"mm\" \"\"\n", "axis 1 alone has no spacing",
+             "axis 1 has the unit \"mm\""},
+        Case{first + "spacings: nan 0.5 0.5 2\nunits: \"\" \"mm\" \"mm\" \"ms\"\n", "axis 4 has the unit \"ms\"",
+             "axis 1 alone has no spacing"},
+        Case{first + "kinds: RGB-color domain domain domain\nunits: \"s\" \"mm\" \"mm\" \"mm\"\n", "axis 1 has the unit \"s\"",
+             "axis 1 has the kind \"RGB-color\""},
+        Case{first + "kinds: time domain domain domain\nunits: \"mm\" \"mm\" \"mm\" \"mm\"\n", "axis 1 has the kind \"time\"",
+             "axis 1 has the unit \"mm\""}}) {
+    const auto read = nrrd(header, threeMoments(true));
+    EXPECT_TRUE(failedWith(read, ErrorCode::badField)) << header;
+    EXPECT_TRUE(says(read, one)) << header;
+    EXPECT_TRUE(says(read, other)) << header;
+    EXPECT_TRUE(says(read, "contradict each other")) << header;
+  }
+}
+
+TEST(ForeignNrrd, SecondsBetweenImagesAreNoMillimetres) {
+  const auto read = nrrd("dimension: 3\nsizes: 2 3 2\nspacings: 0.5 0.5 0.04\nunits: \"mm\" \"mm\" \"s\"\n");
+  ASSERT_TRUE(succeeded(read));
+  EXPECT_FALSE(read->spacingKnown);
+  EXPECT_NE(read->spacingProblem.english().find("no spacing along its axis 3"), std::string::npos) << read->spacingProblem;
+}
+
 TEST(ForeignNrrd, FramesThatAreWovenIntoEachOtherAreNotDropped) {
   const TempFolder folder;
   const auto read = readSequence(folder.put("s.nrrd",
