@@ -223,6 +223,26 @@
         <translation>Die Zeiten der Bilder sind die von %1; eine andere Rate nennt %2, was nicht verwendet wurde.</translation>
     </message>
     <message>
+        <source>Two hints of %1 at its axis of time contradict each other: %2, but %3; correct the header or export the file again.</source>
+        <translation>Zwei Hinweise von %1 auf seine Achse der Zeit widersprechen sich: %2, aber %3; den Kopf berichtigen oder die Datei neu exportieren.</translation>
+    </message>
+    <message>
+        <source>axis %1 has the kind &quot;%2&quot;</source>
+        <translation>Achse %1 ist von der Art „%2“</translation>
+    </message>
+    <message>
+        <source>axis %1 has the unit &quot;%2&quot;</source>
+        <translation>Achse %1 hat die Einheit „%2“</translation>
+    </message>
+    <message>
+        <source>axis %1 alone has no direction in space</source>
+        <translation>Achse %1 hat als einzige keine Richtung im Raum</translation>
+    </message>
+    <message>
+        <source>axis %1 alone has no spacing</source>
+        <translation>Achse %1 hat als einzige keinen Abstand</translation>
+    </message>
+    <message>
         <source>%1 gives its sizes in &quot;%2&quot;, which is no unit of length that is known; give the spacing in mm.</source>
         <translation>%1 nennt seine Größen in „%2“, was keine bekannte Längeneinheit ist; den Abstand in mm angeben.</translation>
     </message>

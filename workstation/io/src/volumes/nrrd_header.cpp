@@ -6,6 +6,7 @@
 #include "files/header_fields.h"
 #include "files/image_header.h"
 #include "files/line_reader.h"
+#include "volumes/nrrd_time_axis.h"
 
 namespace ew::detail {
 namespace {
@@ -54,8 +55,7 @@ constexpr std::array<NrrdType, 36> kNrrdTypes{{
     {"double", SampleType::f64},
 }};
 
-/// A vector "(a,b,c)", or empty for "none".
-using Axis = std::optional<std::vector<double>>;
+using Axis = NrrdDirection;
 
 /// Vectors as `space directions` and `space origin` write them; empty when the text is anything else.
 std::optional<std::vector<Axis>> parseVectors(std::string_view text) {
@@ -111,6 +111,7 @@ struct NrrdDraft {
   std::string dataFile;
   std::string encoding;
   std::string endian;
+  std::optional<std::size_t> timeAxis;  ///< of the file, one with a unit of time
   long long byteSkip = 0;
   long long lineSkip = 0;
   bool hasType = false;
@@ -291,16 +292,41 @@ std::vector<std::string> quotedWords(std::string_view text) {
   return words;
 }
 
+/// The words of a field of units.
+std::vector<std::string> unitWords(const std::string& stated) {
+  return stated.find('"') == std::string::npos ? wordsOf(stated) : quotedWords(stated);
+}
+
+/// Enters an axis that is one of time by its unit, its spacing or its direction as such.
+Result<void> settleTime(NrrdDraft& draft, const std::optional<std::vector<Axis>>& directions) {
+  const std::size_t count = draft.header.sizes.size();
+  NrrdAxes axes{.units = {}, .spacings = {}, .directions = directions};
+  axes.units = unitWords(draft.fields.stated("units").value_or(""));
+  if (axes.units.size() < 2)
+    axes.units.clear();  // one word for all of them
+  else
+    axes.units.resize(count);
+  if (auto spacings = parseNumbers(draft.fields.stated("spacings").value_or("")); spacings && spacings->size() == count)
+    axes.spacings = *std::move(spacings);
+  const auto found = settleTimeAxis(draft.header, axes);
+  if (!found) return passOn(found.error());
+  draft.timeAxis = *found;
+  const auto stated = std::count_if(axes.units.begin(), axes.units.end(), [](const std::string& unit) { return !trimmed(unit).empty(); });
+  if (draft.timeAxis && stated == 1) draft.fields.use("units");
+  return {};
+}
+
 /// Millimetres per unit along `count` axes, as a field of units from its entry `from` on says; 1 where it says nothing. A unit that is none
 /// of length leaves the spacing unknown.
 std::array<double, 3> unitsOf(NrrdDraft& draft, const char* field, std::size_t from, std::size_t count) {
   std::array<double, 3> mm{1.0, 1.0, 1.0};
   const auto stated = draft.fields.take(field);
   if (!stated) return mm;
-  const auto words = stated->find('"') == std::string::npos ? wordsOf(*stated) : quotedWords(*stated);
+  const auto words = unitWords(*stated);
   const bool isOfAll = words.size() == 1 && from == 0;  // one word for several axes is meant for each of them
   for (std::size_t axis = 0; axis < std::min<std::size_t>(count, 3) && (isOfAll || from + axis < words.size()); ++axis) {
     const std::string& word = isOfAll ? words.front() : words[from + axis];
+    if (!isOfAll && std::string_view(field) == "units" && draft.timeAxis == from + axis) continue;
     const auto unit_mm = lengthUnit_mm(word);
     if (unit_mm)
       mm[axis] = *unit_mm;
@@ -341,6 +367,7 @@ Result<void> takeExtents(NrrdDraft& draft, std::size_t spatial, std::size_t chan
   };
   for (std::size_t axis = 0; axis < spatial; ++axis) {
     const std::size_t here = axis + channelAxes;
+    if (draft.timeAxis == here) continue;  // seconds are no millimetres
     const int i = static_cast<int>(axis);
     const bool onNodes = here < centres.size() && lowerCase(centres[here]) == "node";
     const auto samples = static_cast<double>(header.sizes[axis]);
@@ -470,6 +497,7 @@ Result<ImageHeader> readNrrdHeader(const fs::path& file) {
     if (!axes || axes->size() != header.sizes.size())
       return badField(file, verbatim("space directions"), verbatim(draft.directions), say<"one vector or none per axis">());
   }
+  if (auto settled = settleTime(draft, axes); !settled) return passOn(settled.error());
   const auto channelAxes = takeChannels(draft, axes);
   if (!channelAxes) return passOn(channelAxes.error());
   if (auto usable = checkAxes(header, axes, *channelAxes); !usable) return passOn(usable.error());
