@@ -128,6 +128,72 @@ TEST(ForeignDicom, PackedPicturesMayEndWithoutTheirMark) {
   EXPECT_TRUE(failedWith(readDicomCine(folder.put("b.dcm", unmarked.substr(0, unmarked.size() - 20))), ErrorCode::truncated));
 }
 
+TEST(ForeignDicom, AMissingByteOfPaddingAtTheEndCostsNothing) {
+  const TempFolder folder;
+  for (const char* syntax : {kExplicitLittle, kImplicitLittle}) {
+    CineOf cine;
+    cine.syntax = syntax;
+    cine.columns = 7;
+    cine.rows = 5;
+    cine.regions = {{0, 0, 6, 4}};
+    cine.pixels = ramp(105);
+    const std::string whole = cineFile(cine);  // 105 samples and one byte more
+    const auto read = readDicomCine(folder.put("a.dcm", whole.substr(0, whole.size() - 1)));
+    ASSERT_TRUE(succeeded(read)) << syntax;
+    EXPECT_EQ(read->sequence.frames.size(), 3u);
+    EXPECT_EQ(read->sequence.pixels, std::vector<std::uint8_t>(cine.pixels.begin(), cine.pixels.end()));
+    EXPECT_TRUE(contains(read->notes, "one byte shorter than it says"));
+    EXPECT_FALSE(contains(readDicomCine(folder.put("b.dcm", whole))->notes, "shorter"));
+    EXPECT_TRUE(failedWith(readDicomCine(folder.put("c.dcm", whole.substr(0, whole.size() - 2))), ErrorCode::truncated));
+  }
+  const std::string even = cineFile(smallCine());
+  EXPECT_TRUE(failedWith(readDicomCine(folder.put("d.dcm", even.substr(0, even.size() - 1))), ErrorCode::truncated)) << "it is a sample";
+}
+
+TEST(ForeignDicom, AMissingByteOfPaddingOfTheLastPackedPictureCostsNothing) {
+  const TempFolder folder;
+  CineOf rle;
+  rle.syntax = kRle;
+  rle.columns = 7;
+  rle.rows = 7;
+  rle.regions = {{0, 0, 6, 6}};
+  for (int n = 0; n < 3; ++n) rle.packed.push_back(rleOf({ramp(49)}));  // of an odd number of bytes, and one more
+  const std::string packed = cineFile(rle);
+  const auto read = readDicomCine(folder.put("a.dcm", packed.substr(0, packed.size() - 9)));
+  ASSERT_TRUE(succeeded(read));
+  EXPECT_EQ(read->sequence.pixels[146], static_cast<std::uint8_t>(48));
+  EXPECT_TRUE(contains(read->notes, "one byte shorter than it says"));
+  EXPECT_TRUE(failedWith(readDicomCine(folder.put("b.dcm", packed.substr(0, packed.size() - 10))), ErrorCode::truncated));
+
+  CineOf jpegLs;
+  jpegLs.syntax = kJpegLs;
+  jpegLs.columns = 40;
+  jpegLs.rows = 32;
+  jpegLs.frames = 1;
+  jpegLs.regions = {{0, 0, 39, 31}};
+  bool hadOdd = false, hadEven = false;
+  for (int seed = 2; seed < 40 && !(hadOdd && hadEven); ++seed) {
+    std::string grey;
+    for (int p = 0; p < 40 * 32; ++p) grey += static_cast<char>((p * seed) % 251);
+    std::string stream = packedBy<gdcm::JPEGLSCodec>(grey, 40, 32, 1, 8);
+    if (stream.back() == '\0') stream.pop_back();
+    const bool odd = stream.size() % 2 != 0;
+    if (odd ? hadOdd : hadEven) continue;
+    (odd ? hadOdd : hadEven) = true;
+    jpegLs.packed = {stream};
+    const std::string file = cineFile(jpegLs);
+    const auto cut = readDicomCine(folder.put("c.dcm", file.substr(0, file.size() - 9)));
+    if (odd) {
+      ASSERT_TRUE(succeeded(cut)) << seed;
+      EXPECT_EQ(cut->sequence.pixels, std::vector<std::uint8_t>(grey.begin(), grey.end()));
+    } else {
+      EXPECT_TRUE(failedWith(cut, ErrorCode::truncated)) << "a byte of the stream is missing";
+    }
+  }
+  EXPECT_TRUE(hadOdd);
+  EXPECT_TRUE(hadEven);
+}
+
 /// The packed pictures of a file cut into fragments, with an offset table or without.
 std::string inFragments(const CineOf& cine, const std::vector<std::vector<std::string>>& pictures, bool withTable) {
   CineOf one = cine;
