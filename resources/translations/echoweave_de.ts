@@ -223,6 +223,10 @@
         <translation>Die Zeiten der Bilder sind die von %1; eine andere Rate nennt %2, was nicht verwendet wurde.</translation>
     </message>
     <message>
+        <source>%1 is one byte shorter than it says; it is the one that only makes the length even.</source>
+        <translation>%1 ist ein Byte kürzer, als die Datei sagt; es ist das, das nur die Länge gerade macht.</translation>
+    </message>
+    <message>
         <source>Two hints of %1 at its axis of time contradict each other: %2, but %3; correct the header or export the file again.</source>
         <translation>Zwei Hinweise von %1 auf seine Achse der Zeit widersprechen sich: %2, aber %3; den Kopf berichtigen oder die Datei neu exportieren.</translation>
     </message>

@@ -106,6 +106,8 @@ class Parser {
   [[nodiscard]] std::size_t tail() const { return tail_; }
   /// Whether the mark that ends the pixels was not there.
   [[nodiscard]] bool endsUnmarked() const { return endsUnmarked_; }
+  /// Whether the last byte that the file states is not there, where it can only be the one that makes a length even.
+  [[nodiscard]] bool endsUnpadded() const { return endsUnpadded_; }
   [[nodiscard]] bool endsEarly() const { return short_read_; }
 
  private:
@@ -126,6 +128,18 @@ class Parser {
   bool short_(Message why) {
     short_read_ = true;
     return fails(std::move(why));
+  }
+
+  /// Values are made even by a byte behind them, which some writers count and do not write at the end of a file.
+  [[nodiscard]] bool lacksPadding(std::uint32_t length, std::size_t there, std::size_t end) const {
+    return length % 2 == 0 && length == there + 1 && end == bytes_.size();
+  }
+  /// Whether a packed picture can be whole with this last fragment: one of the JPEG family ends with a mark; of the others whoever unpacks
+  /// them sees it.
+  [[nodiscard]] static bool mayEndStream(const DicomElement& pixels, Bytes last) {
+    const Bytes first = pixels.fragments.size() > 1 ? pixels.fragments[1] : last;
+    const bool isJpeg = first.size() > 2 && first[0] == 0xFF && (first[1] == 0xD8 || first[1] == 0x4F);
+    return !isJpeg || (last.size() > 1 && last[last.size() - 2] == 0xFF && last.back() == 0xD9);
   }
 
   bool one(std::size_t& at, std::size_t end, int depth, DicomElement& element) {
@@ -158,6 +172,11 @@ class Parser {
       const bool read = sequence(at, end, true, depth, element);
       explicit_ = true;
       return read;
+    }
+    if (length > end - at && lacksPadding(length, end - at, end) && depth == 0 && (element.tag == kPixelData || element.tag >> 16 & 1u)) {
+      // Whether all samples are there is seen by whoever counts them.
+      endsUnpadded_ = true;
+      length = static_cast<std::uint32_t>(end - at);
     }
     if (length > end - at) {
       // Fragments of pixels that were cut off are told apart from lengths that make no sense by whoever needs them.
@@ -212,10 +231,15 @@ class Parser {
       at += 8;
       if (tag == kSequenceEnd) return true;
       if (tag != kItem) return fails(say<"the pixels hold something that is no fragment">());
-      if (length > end - at) return short_(say<"it ends inside the pixels">());
+      const std::size_t there = std::min<std::size_t>(length, end - at);
+      const Bytes fragment = bytes_.subspan(at, there);
+      if (there < length) {
+        if (!lacksPadding(length, there, end) || !mayEndStream(element, fragment)) return short_(say<"it ends inside the pixels">());
+        endsUnpadded_ = true;
+      }
       if (++elements_ > kMostElements) return fails(say<"it has too many fragments">());
-      element.fragments.push_back(bytes_.subspan(at, length));
-      at += length;
+      element.fragments.push_back(fragment);
+      at += there;
     }
     return unmarked() || short_(say<"it ends inside the pixels">());
   }
@@ -227,6 +251,7 @@ class Parser {
   Message why_;
   std::size_t tail_ = 0;
   bool endsUnmarked_ = false;
+  bool endsUnpadded_ = false;
   bool short_read_ = false;
 };
 
@@ -299,6 +324,8 @@ Result<DicomFile> readOrThrow(const fs::path& file, std::uint64_t maxBytes, cons
   if (!parser.set(at, set.size(), false, 0, dicom.data)) return refused(file, parser);
   if (parser.endsUnmarked())
     dicom.notes.push_back(say<"The mark that ends the pixels of %1 is missing; they were read as far as they go.">(quoted(file)));
+  if (parser.endsUnpadded())
+    dicom.notes.push_back(say<"%1 is one byte shorter than it says; it is the one that only makes the length even.">(quoted(file)));
   if (parser.tail() > 0)
     dicom.notes.push_back(
         counted<"%2 has %1 byte behind its pixels that is no part of them; it was passed over.",

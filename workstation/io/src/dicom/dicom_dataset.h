@@ -67,7 +67,7 @@ struct DicomFile {
 
 /// Reads and takes apart a file without trusting one of its lengths: every element lies inside its parent, nesting and counts are bounded.
 /// Bytes behind the pixels that are no element (padding, zeros, a line break), and an end mark of the pixels that is missing or overwritten
-/// with zeros, cost nothing: they are passed over with a note.
+/// with zeros, cost nothing: they are passed over with a note. So does a last byte that is missing where it can be padding.
 /// @param maxBytes of the file, and of what a deflated one becomes
 /// @error notFound, notReadable, tooLarge, badHeader (no DICOM, or lengths that contradict each other), truncated, unsupported
 [[nodiscard]] Result<DicomFile> readDicomFile(const std::filesystem::path& file, std::uint64_t maxBytes,
