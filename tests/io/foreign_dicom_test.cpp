@@ -395,6 +395,39 @@ TEST(ForeignDicom, ARateThatContradictsTheTimesIsTold) {
   EXPECT_FALSE(contains(notes("34", "29"), "another rate")) << "rates are whole numbers";
 }
 
+TEST(ForeignDicom, TheDurationOfTheAcquisitionGivesTheTimesWhereNothingElseDoes) {
+  const TempFolder folder;
+  for (const char* syntax : {kExplicitLittle, kImplicitLittle, kExplicitBig}) {
+    const auto read = [&](const char* frameTime, double duration_s) {
+      CineOf cine = smallCine();
+      cine.syntax = syntax;
+      cine.frameTime = frameTime;
+      cine.extra = DicomWriter(cine.syntax != kImplicitLittle, cine.syntax == kExplicitBig).fd(0x00189073u, {duration_s}).bytes();
+      return readDicomCine(folder.put("a.dcm", cineFile(cine)));
+    };
+    const auto alone = read("", 0.12);
+    ASSERT_TRUE(succeeded(alone)) << syntax;
+    ASSERT_TRUE(alone->sequence.frames[2].time_s.has_value()) << syntax;
+    EXPECT_NEAR(*alone->sequence.frames[1].time_s, 0.04, 1e-12);
+    EXPECT_NEAR(*alone->sequence.frames[2].time_s, 0.08, 1e-12);
+    EXPECT_TRUE(contains(alone->notes, "The times of the frames are those of Acquisition Duration \"0.12\"."));
+    const auto contradicted = read("40", 0.3);
+    ASSERT_TRUE(succeeded(contradicted));
+    EXPECT_NEAR(*contradicted->sequence.frames[2].time_s, 0.08, 1e-12);
+    EXPECT_TRUE(contains(contradicted->notes, "those of Frame Time \"40\"; another rate is that of Acquisition Duration \"0.3\""));
+    for (const double near_s : {0.12, 0.125, 0.08}) {  // three frames, or the two steps between them
+      const auto agreeing = read("40", near_s);
+      ASSERT_TRUE(succeeded(agreeing));
+      EXPECT_FALSE(contains(agreeing->notes, "another rate")) << near_s;
+    }
+    const auto nothing = read("", 0.0);
+    ASSERT_TRUE(succeeded(nothing));
+    EXPECT_FALSE(nothing->sequence.frames[1].time_s.has_value());
+    EXPECT_TRUE(contains(nothing->notes, "Acquisition Duration \"0\"")) << "what was found is shown";
+    EXPECT_FALSE(contains(nothing->notes, "commas"));
+  }
+}
+
 TEST(ForeignDicom, ACommaInAFrameTimeIsAPointAndARateCanBeGiven) {
   const TempFolder folder;
   CineOf cine = smallCine();
