@@ -385,7 +385,7 @@ std::vector<double> DicomItem::numbers(DicomTag tag) const {
     if (group == 0x0018u && number >= 0x6012u && number <= 0x6014u) return {'U', 'S'};
     if (group == 0x0018u && (number == 0x6024u || number == 0x6026u)) return {'U', 'S'};
     if (group == 0x0018u && (number == 0x6020u || number == 0x6022u)) return {'S', 'L'};
-    if (group == 0x0018u && number >= 0x6028u && number <= 0x602Eu) return {'F', 'D'};
+    if (group == 0x0018u && ((number >= 0x6028u && number <= 0x602Eu) || number == 0x9073u)) return {'F', 'D'};
     if (group == 0x0018u && number >= 0x6016u && number <= 0x601Eu) return {'U', 'L'};
     if (group == 0x0020u && (number == 0x9301u || number == 0x9302u || number == 0x930Du)) return {'F', 'D'};
     if (tag == 0x00209128u) return {'U', 'L'};

@@ -204,10 +204,11 @@ std::vector<UltrasoundRegion> regionsOf(const DicomItem& data, std::uint64_t col
 
 namespace {
 
-/// A field of numbers that may be written with commas, for notes and sentences.
+/// A field of numbers, for notes and sentences; a text of them may be written with commas.
 struct NumberField {
   DicomTag tag;
   const char* name;
+  bool isBinary = false;
 };
 constexpr NumberField kFrameTime{0x00181063u, "Frame Time"};
 constexpr NumberField kFrameTimeVector{0x00181065u, "Frame Time Vector"};
@@ -215,13 +216,21 @@ constexpr NumberField kActualFrameDuration{0x00181242u, "Actual Frame Duration"}
 constexpr NumberField kCineRate{0x00180040u, "Cine Rate"};
 constexpr NumberField kDisplayRate{0x00082144u, "Recommended Display Frame Rate"};
 constexpr NumberField kEffectiveDuration{0x00180072u, "Effective Duration"};
+constexpr NumberField kAcquisitionDuration{0x00189073u, "Acquisition Duration", true};  // in s (PS3.3)
 constexpr NumberField kPixelSpacing{0x00280030u, "Pixel Spacing"};
 constexpr NumberField kAspectRatio{0x00280034u, "Pixel Aspect Ratio"};
 constexpr NumberField kImagerSpacing{0x00181164u, "Imager Pixel Spacing"};
 constexpr NumberField kNominalSpacing{0x00182010u, "Nominal Scanned Pixel Spacing"};
 
+/// What a file has there, as a person can read it.
+Message statedBy(const DicomItem& data, const NumberField& field) {
+  const auto value = field.isBinary ? data.number(field.tag) : std::nullopt;
+  return say<"%1 \"%2\"">(verbatim(field.name),
+                          field.isBinary ? (value ? textOf(*value) : std::string()) : shortened(data.text(field.tag)));
+}
+
 void noteCommas(const DicomItem& data, const NumberField& field, std::vector<Message>& notes) {
-  if (data.hasDecimalCommas(field.tag))
+  if (!field.isBinary && data.hasDecimalCommas(field.tag))
     notes.push_back(say<"%1 is written with commas (\"%2\"); they were read as decimal points.">(verbatim(field.name),
                                                                                                  shortened(data.text(field.tag))));
 }
@@ -233,7 +242,7 @@ std::optional<double> period_msBy(const DicomItem& data, const NumberField& fiel
   const auto value = data.number(field.tag);
   if (!value || !isStep(*value) || !(*value > 0.0)) return std::nullopt;
   if (field.tag == kCineRate.tag || field.tag == kDisplayRate.tag) return 1000.0 / *value;
-  if (field.tag == kEffectiveDuration.tag) return 1000.0 * *value / static_cast<double>(frames);
+  if (field.tag == kEffectiveDuration.tag || field.tag == kAcquisitionDuration.tag) return 1000.0 * *value / static_cast<double>(frames);
   return *value;
 }
 
@@ -271,8 +280,13 @@ std::vector<Message> otherTimes(const DicomItem& data, const NumberField& used, 
     const auto isRate = [](const NumberField& each) { return each.tag == kCineRate.tag || each.tag == kDisplayRate.tag; };
     const double rate_hz = 1000.0 / period_ms, other_hz = 1000.0 / *other_ms;
     const bool rounded = (isRate(field) || isRate(used)) && (std::abs(rate_hz - other_hz) <= 0.5 || std::max(rate_hz, other_hz) <= 1.0);
-    if (!rounded && std::abs(*other_ms - period_ms) > 0.01 * period_ms)
-      others.push_back(say<"%1 \"%2\"">(verbatim(field.name), shortened(data.text(field.tag))));
+    if (!rounded && std::abs(*other_ms - period_ms) > 0.01 * period_ms) others.push_back(statedBy(data, field));
+  }
+  // From the first frame to the last, or to the end of the last one; what a machine does before and behind counts as well.
+  if (const auto other_ms = period_msBy(data, kAcquisitionDuration, frames); other_ms && used.tag != kAcquisitionDuration.tag) {
+    const double toLast_ms = *other_ms * static_cast<double>(frames) / static_cast<double>(frames - 1);
+    if (std::abs(*other_ms - period_ms) > 0.1 * period_ms && std::abs(toLast_ms - period_ms) > 0.1 * period_ms)
+      others.push_back(statedBy(data, kAcquisitionDuration));
   }
   return others;
 }
@@ -393,12 +407,13 @@ std::vector<double> frameTimes(const DicomItem& data, std::uint64_t frames, std:
     };
     named = word(0) << 16 | word(2);
   }
-  std::vector<NumberField> order{kFrameTime, kFrameTimeVector, kActualFrameDuration, kCineRate, kDisplayRate, kEffectiveDuration};
+  std::vector<NumberField> order{kFrameTime,   kFrameTimeVector,   kActualFrameDuration, kCineRate,
+                                 kDisplayRate, kEffectiveDuration, kAcquisitionDuration};
   std::stable_partition(order.begin(), order.end(), [&](const NumberField& field) { return field.tag == named; });
   std::vector<Message> found;
   for (const NumberField& field : order) {
     if (data.find(field.tag) == nullptr) continue;
-    found.push_back(say<"%1 \"%2\"">(verbatim(field.name), shortened(data.text(field.tag))));
+    found.push_back(statedBy(data, field));
     std::vector<double> times_s;
     if (field.tag == kFrameTimeVector.tag) {
       for (const double time_ms : times_msBySteps(data, frames, notes)) times_s.push_back(0.001 * time_ms);

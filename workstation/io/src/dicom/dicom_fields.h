@@ -36,8 +36,8 @@ struct DicomScale {
 [[nodiscard]] std::vector<Message> unusedFields(const DicomItem& data, const std::optional<glm::dvec2>& pixel_mm, bool placed = false);
 
 /// Times of the frames by the field that the file names, else by those that are there: Frame Time, Frame Time Vector, Cine Rate,
-/// Recommended Display Frame Rate, Actual Frame Duration, Effective Duration; empty when none can be used, with a note that tells what was
-/// found.
+/// Recommended Display Frame Rate, Actual Frame Duration, Effective Duration, Acquisition Duration; empty when none can be used, with a
+/// note that tells what was found. A field of other times than those taken is told: from 1 % on, an Acquisition Duration from 10 % on.
 [[nodiscard]] std::vector<double> frameTimes(const DicomItem& data, std::uint64_t frames, std::vector<Message>& notes);
 
 /// The Kretz file inside a private field, or empty bytes.
