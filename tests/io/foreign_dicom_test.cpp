@@ -194,6 +194,36 @@ TEST(ForeignDicom, AMissingByteOfPaddingOfTheLastPackedPictureCostsNothing) {
   EXPECT_TRUE(hadEven);
 }
 
+TEST(ForeignDicom, ADataSetWithoutThePreambleIsReadWithANote) {
+  const TempFolder folder;
+  for (const char* syntax : {kImplicitLittle, kExplicitLittle}) {
+    CineOf cine = smallCine();
+    cine.syntax = syntax;
+    for (const bool withMeta : {false, true}) {
+      const auto file = folder.put("a.dcm", withMeta ? cineFile(cine).substr(132) : dataSetOf(cine));
+      EXPECT_TRUE(isDicom(file)) << syntax << withMeta;
+      const auto read = readDicomCine(file);
+      ASSERT_TRUE(succeeded(read)) << syntax << withMeta;
+      EXPECT_EQ(read->sequence.pixels, std::vector<std::uint8_t>(cine.pixels.begin(), cine.pixels.end()));
+      EXPECT_TRUE(contains(read->notes, "not the beginning of a DICOM file"));
+      EXPECT_TRUE(succeeded(CineReader::open(file)));
+    }
+    EXPECT_FALSE(contains(readDicomCine(folder.put("b.dcm", cineFile(cine)))->notes, "beginning of a DICOM file"));
+  }
+}
+
+TEST(ForeignDicom, SamplesAndTextsThatBeginWithSmallNumbersAreNoDataSet) {
+  const TempFolder folder;
+  const auto samples = [](std::vector<std::uint16_t> values) {
+    values.resize(400, 7);
+    return bytesOf(values);
+  };
+  for (const std::string& bytes : {samples({8, 5, 10, 0, 4, 4, 4, 4}), samples({8, 8, 8, 8}), samples({2, 0, 4, 0, 1, 0, 0, 0}),
+                                   samples({2, 2, 2, 2}), std::string("\x08\0\x05\0XX\x04\0abcd", 12) + ramp(100), std::string(300, '\0'),
+                                   std::string("\x02\0\0\0UL\x02\0ab", 10) + ramp(100)})
+    EXPECT_FALSE(isDicom(folder.put("x.bin", bytes))) << bytes.size();
+}
+
 /// The packed pictures of a file cut into fragments, with an offset table or without.
 std::string inFragments(const CineOf& cine, const std::vector<std::vector<std::string>>& pictures, bool withTable) {
   CineOf one = cine;
