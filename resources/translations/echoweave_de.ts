@@ -227,6 +227,10 @@
         <translation>%1 ist ein Byte kürzer, als die Datei sagt; es ist das, das nur die Länge gerade macht.</translation>
     </message>
     <message>
+        <source>%1 has not the beginning of a DICOM file (preamble and &quot;DICM&quot;); it was read as the data set that it holds.</source>
+        <translation>%1 hat nicht den Anfang einer DICOM-Datei (Vorspann und „DICM“); gelesen wurde der Datensatz, den die Datei enthält.</translation>
+    </message>
+    <message>
         <source>Two hints of %1 at its axis of time contradict each other: %2, but %3; correct the header or export the file again.</source>
         <translation>Zwei Hinweise von %1 auf seine Achse der Zeit widersprechen sich: %2, aber %3; den Kopf berichtigen oder die Datei neu exportieren.</translation>
     </message>

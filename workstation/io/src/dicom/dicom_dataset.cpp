@@ -60,6 +60,57 @@ bool hasLongLength(const std::array<char, 2>& kind) {
 
 bool isKind(std::uint8_t a, std::uint8_t b) { return a >= 'A' && a <= 'Z' && b >= 'A' && b <= 'Z'; }
 
+/// The value representations there are (PS3.5, 6.2).
+bool isNamedKind(const std::array<char, 2>& kind) {
+  constexpr std::string_view all = "AE AS AT CS DA DS DT FD FL IS LO LT OB OD OF OL OV OW PN SH SL SQ SS ST SV TM UC UI UL UN UR US UT UV";
+  for (std::size_t at = 0; at < all.size(); at += 3)
+    if (is(kind, all.substr(at, 2))) return true;
+  return false;
+}
+
+/// Whether bytes are the first elements of a data set in little endian: tags that rise from group 2 or the beginning of group 8, kinds that
+/// there are, lengths that lead from one to the next.
+bool beginsWithElements(Bytes bytes) {
+  if (bytes.size() < 16) return false;
+  const bool explicitKinds = isKind(bytes[4], bytes[5]);
+  constexpr int enough = 3;
+  int met = 0;
+  std::uint32_t before = 0, firstGroup = 0;
+  for (std::size_t at = 0; at + 8 <= bytes.size() && met < enough; ++met) {
+    const std::uint32_t group = numberAt<std::uint16_t>(bytes, at, false), number = numberAt<std::uint16_t>(bytes, at + 2, false);
+    const DicomTag tag = group << 16 | number;
+    if (met == 0) {
+      firstGroup = group;
+      if (!(group == 2u && number <= 0x102u) && !(group == 8u && number <= 0x70u)) return false;
+    } else if (group != firstGroup && firstGroup == 2u) {
+      return group == 8u;  // written in a way of its own
+    } else if (tag <= before) {
+      return false;
+    }
+    before = tag;
+    std::uint32_t length = numberAt<std::uint32_t>(bytes, at + 4, false);
+    std::size_t head = 8;
+    if (explicitKinds) {
+      const std::array<char, 2> kind{static_cast<char>(bytes[at + 4]), static_cast<char>(bytes[at + 5])};
+      if (!isNamedKind(kind)) return false;
+      length = numberAt<std::uint16_t>(bytes, at + 6, false);
+      if (hasLongLength(kind)) {
+        if (at + 12 > bytes.size()) return met > 0;
+        length = numberAt<std::uint32_t>(bytes, at + 8, false);
+        head = 12;
+      }
+    } else if (met == 0 && length >= 256) {
+      return false;
+    }
+    if (number == 0 && length != 4) return false;  // a group's own length
+    if (length > bytes.size() - at - head) return met > 0 || explicitKinds;
+    at += head + length;
+  }
+  return met > 1;
+}
+
+bool hasPreamble(Bytes bytes) { return bytes.size() >= 132 && std::memcmp(bytes.data() + 128, "DICM", 4) == 0; }
+
 /// Walks the bytes of one file.
 class Parser {
  public:
@@ -301,16 +352,17 @@ Result<DicomFile> readOrThrow(const fs::path& file, std::uint64_t maxBytes, cons
   if (!looksLikeDicom(all.first(std::min<std::size_t>(all.size(), 256))))
     return failure(ErrorCode::badHeader, say<"%1 is not a DICOM file; check what kind of file it is.">(quoted(file)),
                    {{"file", file.string()}});
-  std::size_t at = all.size() >= 132 && std::memcmp(all.data() + 128, "DICM", 4) == 0 ? 132 : 0;
-  bool explicitKinds = all.size() >= at + 6 && isKind(all[at + 4], all[at + 5]);
-  dicom.transferSyntax = explicitKinds ? "1.2.840.10008.1.2.1" : "1.2.840.10008.1.2";
-  if (at == 132) {
-    Parser head(all, true, false);
-    if (!head.meta(at, dicom.meta)) return refused(file, head);
-    if (const std::string named = dicom.meta.text(0x00020010u); !named.empty()) dicom.transferSyntax = named;
-  }
+  std::size_t at = hasPreamble(all) ? 132 : 0;
+  const auto namesKinds = [&] { return all.size() >= at + 6 && isKind(all[at + 4], all[at + 5]); };
+  if (at == 0)
+    dicom.notes.push_back(
+        say<"%1 has not the beginning of a DICOM file (preamble and \"DICM\"); it was read as the data set that it holds.">(quoted(file)));
+  Parser head(all, at == 132 || namesKinds(), false);
+  if (!head.meta(at, dicom.meta)) return refused(file, head);
+  dicom.transferSyntax = dicom.meta.text(0x00020010u);
+  if (dicom.transferSyntax.empty()) dicom.transferSyntax = namesKinds() ? "1.2.840.10008.1.2.1" : "1.2.840.10008.1.2";
   const std::string& syntax = dicom.transferSyntax;
-  explicitKinds = syntax != "1.2.840.10008.1.2";
+  const bool explicitKinds = syntax != "1.2.840.10008.1.2";
   const bool bigEndian = syntax == "1.2.840.10008.1.2.2";
   Bytes set = all;
   if (syntax == "1.2.840.10008.1.2.1.99") {
@@ -441,13 +493,7 @@ std::optional<std::uint64_t> DicomItem::count(DicomTag tag) const {
   return static_cast<std::uint64_t>(*value);
 }
 
-bool looksLikeDicom(Bytes beginning) {
-  if (beginning.size() >= 132 && std::memcmp(beginning.data() + 128, "DICM", 4) == 0) return true;
-  // A data set without preamble begins with group 8 and a small element number.
-  if (beginning.size() < 16 || numberAt<std::uint16_t>(beginning, 0, false) != 8 || numberAt<std::uint16_t>(beginning, 2, false) > 0x70)
-    return false;
-  return isKind(beginning[4], beginning[5]) || numberAt<std::uint32_t>(beginning, 4, false) < 256;
-}
+bool looksLikeDicom(Bytes beginning) { return hasPreamble(beginning) || beginsWithElements(beginning); }
 
 Result<DicomFile> readDicomFile(const fs::path& file, std::uint64_t maxBytes, const Progress& progress) try {
   return readOrThrow(file, maxBytes, progress);

@@ -62,7 +62,7 @@ struct DicomFile {
 /// @error notFound, notReadable, tooLarge
 [[nodiscard]] Result<std::vector<std::uint8_t>> readWholeFile(const std::filesystem::path& file, std::uint64_t maxBytes);
 
-/// Whether the file begins as DICOM does (preamble and "DICM", or a data set without them).
+/// Whether the file begins as DICOM does: preamble and "DICM", or the first elements of group 2 or 8 in little endian without them.
 [[nodiscard]] bool looksLikeDicom(Bytes beginning);
 
 /// Reads and takes apart a file without trusting one of its lengths: every element lies inside its parent, nesting and counts are bounded.
