@@ -74,6 +74,46 @@ TEST(ImportFile, AFolderIsPicturesOrDicomStillsAndHalfAVolumeSaysSo) {
   EXPECT_TRUE(succeeded(kindOfFile(pair.put("disk.img", ramp(64)))));
 }
 
+TEST(ImportFile, KindsOfOtherProgramsAndTextsAreNamedAndOnlySamplesAreAskedAbout) {
+  const TempFolder folder;
+  struct Case {
+    const char* name;
+    std::string bytes;
+    std::vector<const char*> says;
+  };
+  const std::string samples = ramp(200);
+  for (const auto& [name, bytes, words] :
+       {Case{"brain.mgz", "\x1F\x8B" + samples, {"a volume of FreeSurfer", "mri_convert"}},
+        Case{"brain.MGH", std::string("\0\0\0\1", 4) + samples, {"a volume of FreeSurfer"}},
+        Case{"sweep.imf", samples, {"ImFusion", ".mha, .nii or DICOM"}}, Case{"a.mat", samples, {"MATLAB"}},
+        Case{"a.dat", "MATLAB 5.0 MAT-file" + samples, {"MATLAB"}}, Case{"a.h5", "\x89HDF\r\n\x1A\n" + samples, {"HDF5"}},
+        Case{"a.vtk", "# vtk DataFile Version 3.0\n" + samples, {"a file of VTK"}},
+        Case{"a", "PK\x03\x04" + samples, {"a packed file", "unpack it"}}, Case{"a.bmp", "BM" + samples, {"a picture", ".png"}},
+        Case{"v.volume", "NRRD0004\ntype: uchar\n", {"under another ending", ".nrrd"}},
+        Case{"notes.md", "# Notes\n\nof the scan, f\xC3\xBCr alle\n", {"a text file"}},
+        Case{"poses.txt", "1 0 0 0\r\n0 1 0 0\r\n", {"a text file"}},
+        Case{"device.xml", "<PlusConfiguration>\n</PlusConfiguration>\n", {"a text file"}}, Case{"empty.bin", "", {"is empty"}},
+        Case{"tiny.bin", std::string("\0\1\2", 3), {"too small for a volume"}}}) {
+    const auto file = folder.put(name, bytes);
+    const auto read = importFile(file, {});
+    ASSERT_FALSE(read.has_value()) << name;
+    EXPECT_EQ(askedFor(read.error()), "") << read.error();
+    EXPECT_TRUE(read.error().sentence().ends_with('.')) << read.error();
+    for (const char* word : words) EXPECT_TRUE(says(read, word)) << name;
+  }
+  // A long text may end within a letter where the look at it ends; samples may be letters alone.
+  EXPECT_TRUE(says(kindOfFile(folder.put("long.txt", "\n" + std::string(65534, 'a') + "\xC3\xBC more\n")), "a text file"));
+  for (const std::string& bytes : {ramp(100), std::string(512, 'v'), "\n" + std::string(100, '\xFF'), std::string(70000, '\0')}) {
+    const auto kind = kindOfFile(folder.put("samples.bin", bytes));
+    ASSERT_TRUE(succeeded(kind)) << bytes.size();
+    EXPECT_EQ(*kind, FileKind::raw);
+  }
+  // Whoever knows better says so.
+  ImportAnswers given;
+  given.raw = RawLayout{.dims = {10, 10, 2}, .spacing_mm = glm::dvec3(1.0)};
+  EXPECT_TRUE(succeeded(importFile(folder.put("mine.imf", samples), given)));
+}
+
 TEST(ImportFile, VolumesWovenIntoEachOtherAndUnknownUnitsAreAskedAbout) {
   const TempFolder folder;
   const std::string start = "NRRD0005\ntype: uchar\nencoding: raw\n";
