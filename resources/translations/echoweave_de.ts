@@ -2367,6 +2367,130 @@
         <translation>„%1“ ist von keiner bekannten Art; wenn die Datei Abtastwerte ohne Kopf enthält, angeben, wie sie gespeichert sind (Größe, Typ, Abstand, Versatz).</translation>
     </message>
     <message>
+        <source>&apos;%1&apos; is %2, which is not read; %3.</source>
+        <translation>„%1“ ist %2, was nicht gelesen wird; %3.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a text file, in which there are no images; choose the file that holds the images or the volume.</source>
+        <translation>„%1“ ist eine Textdatei, in der keine Bilder sind; die Datei wählen, die die Bilder oder das Volumen enthält.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is empty; get the file again.</source>
+        <translation>„%1“ ist leer; die Datei neu beschaffen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is too small for a volume (%2 B); choose the file that holds the images or the volume.</source>
+        <translation>„%1“ ist zu klein für ein Volumen (%2 B); die Datei wählen, die die Bilder oder das Volumen enthält.</translation>
+    </message>
+    <message>
+        <source>export the volume from the program that wrote it as .mha, .nii or DICOM</source>
+        <translation>das Volumen aus dem Programm, das die Datei geschrieben hat, als .mha, .nii oder DICOM exportieren</translation>
+    </message>
+    <message>
+        <source>a volume of FreeSurfer</source>
+        <translation>ein Volumen von FreeSurfer</translation>
+    </message>
+    <message>
+        <source>convert it to .nii.gz (mri_convert)</source>
+        <translation>in .nii.gz umwandeln (mri_convert)</translation>
+    </message>
+    <message>
+        <source>a file of the ImFusion Suite</source>
+        <translation>eine Datei der ImFusion Suite</translation>
+    </message>
+    <message>
+        <source>a volume of MINC or netCDF</source>
+        <translation>ein Volumen von MINC oder netCDF</translation>
+    </message>
+    <message>
+        <source>convert it to .nii (mnc2nii)</source>
+        <translation>in .nii umwandeln (mnc2nii)</translation>
+    </message>
+    <message>
+        <source>a file of VTK</source>
+        <translation>eine Datei von VTK</translation>
+    </message>
+    <message>
+        <source>a scene of 3D Slicer</source>
+        <translation>eine Szene von 3D Slicer</translation>
+    </message>
+    <message>
+        <source>save the volume in it as .nrrd</source>
+        <translation>das Volumen darin als .nrrd speichern</translation>
+    </message>
+    <message>
+        <source>a volume in GIPL</source>
+        <translation>ein Volumen in GIPL</translation>
+    </message>
+    <message>
+        <source>a file of MATLAB</source>
+        <translation>eine Datei von MATLAB</translation>
+    </message>
+    <message>
+        <source>an array of NumPy</source>
+        <translation>ein Feld von NumPy</translation>
+    </message>
+    <message>
+        <source>an HDF5 file</source>
+        <translation>eine HDF5-Datei</translation>
+    </message>
+    <message>
+        <source>a header of Interfile</source>
+        <translation>ein Kopf von Interfile</translation>
+    </message>
+    <message>
+        <source>a NRRD file under another ending</source>
+        <translation>eine NRRD-Datei unter anderer Endung</translation>
+    </message>
+    <message>
+        <source>let its name end in .nrrd</source>
+        <translation>den Namen auf .nrrd enden lassen</translation>
+    </message>
+    <message>
+        <source>a MetaImage under another ending</source>
+        <translation>ein MetaImage unter anderer Endung</translation>
+    </message>
+    <message>
+        <source>let its name end in .mha or .mhd</source>
+        <translation>den Namen auf .mha oder .mhd enden lassen</translation>
+    </message>
+    <message>
+        <source>a picture</source>
+        <translation>ein Bild</translation>
+    </message>
+    <message>
+        <source>save it as .png</source>
+        <translation>als .png speichern</translation>
+    </message>
+    <message>
+        <source>a surface, no volume</source>
+        <translation>eine Oberfläche, kein Volumen</translation>
+    </message>
+    <message>
+        <source>choose the volume that it was made from</source>
+        <translation>das Volumen wählen, aus dem sie gemacht wurde</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>ein PDF-Dokument</translation>
+    </message>
+    <message>
+        <source>save the pictures in it as .png</source>
+        <translation>die Bilder darin als .png speichern</translation>
+    </message>
+    <message>
+        <source>a document of an office program</source>
+        <translation>ein Dokument eines Büroprogramms</translation>
+    </message>
+    <message>
+        <source>a packed file</source>
+        <translation>eine gepackte Datei</translation>
+    </message>
+    <message>
+        <source>unpack it and choose the file in it</source>
+        <translation>auspacken und die Datei darin wählen</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; is read by this project and would be written over by its result; choose another folder.</source>
         <translation>„%1“ wird von diesem Projekt gelesen und würde von seinem Ergebnis überschrieben; einen anderen Ordner wählen.</translation>
     </message>

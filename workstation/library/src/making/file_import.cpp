@@ -11,6 +11,7 @@
 #include "ew/io/kretz.h"
 #include "ew/io/sequence.h"
 #include "ew/io/volume_series.h"
+#include "making/foreign_files.h"
 
 namespace ew {
 namespace {
@@ -229,6 +230,7 @@ Result<FileKind> kindOfFile(const fs::path& file) {
         return FileKind::kretz;
     }
   }
+  if (auto none = whyNoSamples(file)) return tl::unexpected<Error>(*std::move(none));
   return FileKind::raw;
 }
 

@@ -30,7 +30,8 @@ enum class FileKind {
 };
 [[nodiscard]] const char* nameOf(FileKind kind);
 
-/// @error notFound, notReadable, and what the reader of a known format says of a damaged header
+/// @error notFound, notReadable, unsupported (another program's kind of file, a text: the sentence names it and says what to do), truncated
+///        (empty), and what the reader of a known format says of a damaged header
 [[nodiscard]] Result<FileKind> kindOfFile(const std::filesystem::path& file);
 
 /// What a person said where the file says nothing or several things. What is empty is not guessed: the import asks.
