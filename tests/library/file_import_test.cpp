@@ -4,6 +4,7 @@
 
 #include "io/dicom_files.h"
 #include "io/kretz_files.h"
+#include "io/open_files_limit.h"
 
 namespace ew::file_import_test {
 namespace {
@@ -112,6 +113,24 @@ TEST(ImportFile, KindsOfOtherProgramsAndTextsAreNamedAndOnlySamplesAreAskedAbout
   ImportAnswers given;
   given.raw = RawLayout{.dims = {10, 10, 2}, .spacing_mm = glm::dvec3(1.0)};
   EXPECT_TRUE(succeeded(importFile(folder.put("mine.imf", samples), given)));
+}
+
+TEST(ImportFile, WithTooManyOpenFilesNoKindIsGuessed) {
+  const TempFolder folder;
+  const auto samples = folder.put("x.bin", ramp(100));
+  const auto ofFile = [&] {
+    const NoMoreOpenFiles none;
+    return kindOfFile(samples);
+  }();
+  const auto ofFolder = [&] {
+    const NoMoreOpenFiles none;
+    return kindOfFile(folder.path());
+  }();
+  for (const auto& kind : {ofFile, ofFolder}) {
+    EXPECT_TRUE(failedWith(kind, ErrorCode::notReadable));
+    EXPECT_TRUE(says(kind, "too many files are open at the moment"));
+  }
+  EXPECT_TRUE(succeeded(kindOfFile(samples)));
 }
 
 TEST(ImportFile, VolumesWovenIntoEachOtherAndUnknownUnitsAreAskedAbout) {
