@@ -1439,6 +1439,14 @@
         <translation>%1 kann nicht geöffnet werden (%2); die Zugriffsrechte prüfen.</translation>
     </message>
     <message>
+        <source>%1 cannot be opened, because too many files are open at the moment; close other windows or programs and try again.</source>
+        <translation>%1 kann nicht geöffnet werden, weil im Augenblick zu viele Dateien offen sind; andere Fenster oder Programme schließen und es noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be written, because too many files are open at the moment; close other windows or programs and try again.</source>
+        <translation>„%1“ kann nicht geschrieben werden, weil im Augenblick zu viele Dateien offen sind; andere Fenster oder Programme schließen und es noch einmal versuchen.</translation>
+    </message>
+    <message>
         <source>%1 cannot be opened; check its permissions.</source>
         <translation>%1 kann nicht geöffnet werden; die Zugriffsrechte prüfen.</translation>
     </message>

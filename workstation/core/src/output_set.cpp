@@ -18,6 +18,7 @@
 
 #include "ew/core/contract.h"
 #include "ew/core/ending.h"
+#include "ew/core/file_errors.h"
 #include "ew/core/machine_mark.h"
 
 namespace ew {
@@ -37,15 +38,6 @@ bool sameFile(const fs::path& a, const fs::path& b) {
 }
 
 fs::path folderOf(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
-
-Message reasonOf(int number) { return verbatim(std::generic_category().message(number)); }
-
-tl::unexpected<Error> notWritable(const fs::path& file, Message reason) {
-  std::string english = reason.english();
-  return failure(ErrorCode::notWritable,
-                 say<"\"%1\" cannot be written (%2); choose another place or free some room.">(file, std::move(reason)),
-                 {{"file", file.string()}, {"reason", std::move(english)}});
-}
 
 tl::unexpected<Error> isSomebodyElses(const fs::path& file) {
   return failure(ErrorCode::notWritable,
@@ -166,7 +158,9 @@ OutputSet::~OutputSet() { clear(); }
 
 void OutputSet::clear() {
   std::error_code ignored;
-  for (const auto& aside : asides_) fs::remove_all(aside.path, ignored);
+  // What is empty goes without being opened, which may be what could not be done.
+  for (const auto& aside : asides_)
+    if (!fs::remove(aside.path, ignored)) fs::remove_all(aside.path, ignored);
   for (auto folder = madeFolders_.rbegin(); folder != madeFolders_.rend(); ++folder) fs::remove(*folder, ignored);  // only an empty one
   asides_.clear();
   madeFolders_.clear();
@@ -197,7 +191,7 @@ Result<fs::path> OutputSet::asideOf(const fs::path& folder, const fs::path& want
       asides_.push_back({folder, path});
       return path;
     }
-    if (errno != EEXIST) return notWritable(wanted, reasonOf(errno));
+    if (errno != EEXIST) return notWritable(wanted, errno);
   }
   return notWritable(wanted, say<"no free name beside it">());
 }
@@ -222,7 +216,7 @@ Result<void> OutputSet::announceOne(const fs::path& given, const fs::path& targe
   if (fs::is_directory(status)) return notWritable(given, say<"it is a folder">());
   if (fs::exists(status) && !fs::is_regular_file(status))  // renaming over a device would replace the device
     return notWritable(given, say<"it is not a regular file">());
-  if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0) return notWritable(given, reasonOf(errno));
+  if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0) return notWritable(given, errno);
   const fs::path folder = folderOf(target);
   if (!fs::is_directory(folder, problem)) return notWritable(given, say<"its folder '%1' does not exist">(folder));
   const auto aside = asideOf(folder, given);
@@ -356,7 +350,7 @@ Result<void> OutputSet::putInPlace(Output& output) {
   else
     number = renameToFreeName(output.staged, output.target);
   if (number == EEXIST) return isSomebodyElses(output.given);
-  if (number != 0) return notWritable(output.given, reasonOf(number));
+  if (number != 0) return notWritable(output.given, number);
   output.inPlace = true;
   return {};
 }
@@ -387,7 +381,7 @@ Result<void> OutputSet::commit(const std::function<Result<void>()>& last) {
   for (auto& output : outputs_)
     if (fs::exists(output.staged, problem)) written.push_back(&output);
   for (Output* output : written) {
-    if (!syncAll(output->staged)) return notWritable(output->given, reasonOf(errno));
+    if (!syncAll(output->staged)) return notWritable(output->given, errno);
     if (const auto before = fs::status(output->target, problem); output->existedBefore && fs::is_regular_file(before))
       fs::permissions(output->staged, before.permissions(), problem);
   }

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <new>
 
+#include "ew/core/file_errors.h"
 #include "ew/core/numbers.h"
 #include "files/grey_samples.h"
 #include "files/image_header.h"
@@ -395,9 +397,11 @@ Result<std::vector<std::uint8_t>> readWholeFile(const fs::path& file, std::uint6
   if (size > maxBytes)
     return failure(ErrorCode::tooLarge, say<"%1 has %2 bytes, but the limit is %3; cut it into parts.">(quoted(file), size, maxBytes),
                    {{"file", file.string()}, {"bytes", std::to_string(size)}, {"limit", std::to_string(maxBytes)}});
+  errno = 0;
   std::ifstream in(file, std::ios::binary);
+  if (!in) return notOpened(file, errno);
   std::vector<std::uint8_t> bytes(size);
-  if (!in || (size > 0 && !in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size))))
+  if (size > 0 && !in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
     return failure(ErrorCode::notReadable, say<"%1 cannot be read; check its permissions.">(quoted(file)), {{"file", file.string()}});
   return bytes;
 }

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <limits>
 #include <vector>
 
+#include "ew/core/file_errors.h"
 #include "ew/core/numbers.h"
 #include "files/grey_samples.h"
 
@@ -289,10 +291,9 @@ Result<OpenedBytes> openSamples(const ImageHeader& header, std::uint64_t promise
                    say<"%1 is too short: its header promises %2 bytes of samples, the file has %3; get the file again.">(
                        quoted(header.dataFile), promisedBytes, 0),
                    {{"file", header.dataFile.string()}});
+  errno = 0;
   auto file = std::make_unique<FileSource>(header.dataFile, std::min(offset, fileBytes), opened.packedBytes);
-  if (!file->ok())
-    return failure(ErrorCode::notReadable, say<"%1 cannot be opened; check its permissions.">(quoted(header.dataFile)),
-                   {{"file", header.dataFile.string()}});
+  if (!file->ok()) return notOpened(header.dataFile, errno);
   switch (header.packing) {
     case Packing::raw:
       opened.source = std::move(file);

@@ -1,5 +1,8 @@
 #include "files/line_reader.h"
 
+#include <cerrno>
+
+#include "ew/core/file_errors.h"
 #include "files/image_header.h"
 
 namespace ew::detail {
@@ -9,11 +12,14 @@ constexpr std::size_t kLongestLine = 1u << 20;
 constexpr std::uint64_t kLongestHeader = 512u << 20;
 }  // namespace
 
-LineReader::LineReader(const std::filesystem::path& file) : file_(file), in_(file, std::ios::binary) {}
+LineReader::LineReader(const std::filesystem::path& file) : file_(file) {
+  errno = 0;
+  in_.open(file, std::ios::binary);
+  if (!in_.is_open()) problem_ = errno;
+}
 
 Result<std::optional<std::string>> LineReader::next() {
-  if (!in_.is_open())
-    return failure(ErrorCode::notReadable, say<"%1 cannot be opened; check its permissions.">(quoted(file_)), {{"file", file_.string()}});
+  if (!in_.is_open()) return notOpened(file_, problem_);
   std::size_t searched = at_;
   for (;;) {
     const std::size_t end = buffer_.find('\n', searched);

@@ -26,6 +26,7 @@ class LineReader {
  private:
   std::filesystem::path file_;
   std::ifstream in_;
+  int problem_ = 0;  ///< errno, where it could not be opened
   std::string buffer_;
   std::size_t at_ = 0;
   std::uint64_t consumed_ = 0;

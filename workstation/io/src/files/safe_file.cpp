@@ -3,7 +3,6 @@
 #include <cerrno>
 #include <exception>
 #include <fstream>
-#include <system_error>
 
 #include "files/image_header.h"
 #include "files/staged_file.h"
@@ -11,12 +10,6 @@
 namespace ew {
 namespace fs = std::filesystem;
 namespace detail {
-
-tl::unexpected<Error> notWritable(const fs::path& file, const Message& reason) {
-  return failure(ErrorCode::notWritable,
-                 say<"\"%1\" cannot be written (%2); choose another place or free some room.">(file.string(), reason),
-                 {{"file", file.string()}, {"reason", reason.english()}});
-}
 
 Result<StagedFile> StagedFile::create(const fs::path& target) {
   if (target.empty()) return notWritable(target, say<"it names no file">());
@@ -26,8 +19,7 @@ Result<StagedFile> StagedFile::create(const fs::path& target) {
   staged.aside_ = staged.outputs_.staged(target);
   errno = 0;
   staged.out_.open(staged.aside_, std::ios::binary);
-  if (!staged.out_)
-    return notWritable(target, errno != 0 ? verbatim(std::generic_category().message(errno)) : say<"its neighbour could not be opened">());
+  if (!staged.out_) return errno != 0 ? notWritable(target, errno) : notWritable(target, say<"its neighbour could not be opened">());
   return staged;
 }
 
@@ -37,7 +29,7 @@ Result<void> finishStream(std::ofstream& out, const fs::path& target) {
   const bool written = out.good();
   out.close();
   if (written && !out.fail()) return {};
-  return notWritable(target, errno != 0 ? verbatim(std::generic_category().message(errno)) : say<"the medium is full or gone">());
+  return errno != 0 ? notWritable(target, errno) : notWritable(target, say<"the medium is full or gone">());
 }
 
 Result<void> StagedFile::finish() { return finishStream(out_, target_); }
@@ -68,10 +60,9 @@ Result<void> writeFileSafely(const fs::path& file, std::string_view text) {
 
 Result<std::string> readTextFile(const fs::path& file, std::size_t maxBytes) {
   if (const auto status = detail::checkIsFile(file); !status) return passOn(status.error());
+  errno = 0;
   std::ifstream in(file, std::ios::binary);
-  if (!in)
-    return failure(ErrorCode::notReadable, say<"%1 cannot be opened; check its permissions.">(detail::quoted(file)),
-                   {{"file", file.string()}});
+  if (!in) return notOpened(file, errno);
   // The size on disk is not asked for: files under /proc have none, and a growing file has an old one.
   std::string text;
   std::string chunk(64u << 10, '\0');

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "ew/core/file_errors.h"
 #include "ew/core/output_set.h"
 #include "ew/core/result.h"
 
@@ -34,7 +35,5 @@ class StagedFile {
 
 /// Closes a stream. @error notWritable (something did not reach the file): `target` is what the user calls it
 [[nodiscard]] Result<void> finishStream(std::ofstream& out, const std::filesystem::path& target);
-
-[[nodiscard]] tl::unexpected<Error> notWritable(const std::filesystem::path& file, const Message& reason);
 
 }  // namespace ew::detail

@@ -8,6 +8,7 @@
 
 #include "dicom/dicom_pixels.h"
 #include "dicom/stack_picture.h"
+#include "ew/core/file_errors.h"
 #include "ew/core/numbers.h"
 #include "ew/io/orientation.h"
 #include "files/grey_samples.h"
@@ -213,8 +214,7 @@ Result<std::vector<fs::path>> stackFiles(const fs::path& folderOrPicture) {
   const Numbered like = numbered(folderOrPicture.filename().string());
   std::vector<fs::path> files;
   fs::directory_iterator entries(where, ec);
-  if (ec)
-    return failure(ErrorCode::notReadable, say<"%1 cannot be listed; check its permissions.">(quoted(where)), {{"file", where.string()}});
+  if (ec) return notListed(where, ec.value());
   for (const auto& entry : entries) {
     if (!isPicture(entry.path()) || !entry.is_regular_file(ec)) continue;
     const Numbered here = numbered(entry.path().filename().string());

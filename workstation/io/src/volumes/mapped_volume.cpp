@@ -16,6 +16,7 @@
 #include <thread>
 #include <utility>
 
+#include "ew/core/file_errors.h"
 #include "files/image_header.h"
 #include "files/volume_extent.h"
 
@@ -173,11 +174,9 @@ Result<MappedVolume> mapVolume(const fs::path& file, const MapOptions& options) 
   const auto extent = volumeExtentOf(*header, notes);
   if (!extent) return passOn(extent.error());
 
-  auto mapping = std::make_unique<MappedVolume::Mapping>(header->dataFile, ::open(header->dataFile.c_str(), O_RDONLY | O_CLOEXEC));
-  if (mapping->descriptor.number < 0)
-    return failure(ErrorCode::notReadable,
-                   say<"%1 cannot be opened (%2); check its permissions.">(quoted(header->dataFile), verbatim(std::strerror(errno))),
-                   {{"file", header->dataFile.string()}});
+  const int opened = ::open(header->dataFile.c_str(), O_RDONLY | O_CLOEXEC);
+  if (opened < 0) return notOpened(header->dataFile, errno);
+  auto mapping = std::make_unique<MappedVolume::Mapping>(header->dataFile, opened);
   const auto place = placeOf(*header, extent->promised, mapping->descriptor.number);
   if (!place) return passOn(place.error());
   mapping->status = place->status;

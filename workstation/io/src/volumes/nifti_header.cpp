@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cerrno>
 #include <cmath>
 #include <cstring>
 
 #include "ew/core/figures.h"
+#include "ew/core/file_errors.h"
 #include "ew/core/numbers.h"
 #include "files/header_fields.h"
 #include "files/image_header.h"
@@ -316,9 +318,9 @@ tl::unexpected<Error> notNifti(const fs::path& file) {
 Result<ImageHeader> readNiftiHeader(const fs::path& file) {
   std::array<std::uint8_t, kSize2> bytes{};
   // gzread passes files through that are not compressed, so one way serves .nii and .nii.gz.
+  errno = 0;
   gzFile in = gzopen(file.c_str(), "rb");
-  if (in == nullptr)
-    return failure(ErrorCode::notReadable, say<"%1 cannot be opened; check its permissions.">(quoted(file)), {{"file", file.string()}});
+  if (in == nullptr) return notOpened(file, errno);
   const int got = gzread(in, bytes.data(), static_cast<unsigned>(bytes.size()));
   const bool compressed = gzdirect(in) == 0;
   gzclose(in);

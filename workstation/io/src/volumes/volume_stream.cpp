@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <system_error>
 
 #include "ew/core/contract.h"
+#include "ew/core/file_errors.h"
 #include "files/image_header.h"
 #include "files/staged_file.h"
 #include "volumes/meta_writer.h"
@@ -42,9 +42,7 @@ struct VolumeStream::Parts {
     if (descriptor >= 0) ::close(descriptor);
   }
 
-  [[nodiscard]] tl::unexpected<Error> refused(int number) const {
-    return detail::notWritable(target, verbatim(std::generic_category().message(number)));
-  }
+  [[nodiscard]] tl::unexpected<Error> refused(int number) const { return notWritable(target, number); }
 };
 
 VolumeStream::VolumeStream(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}

@@ -193,6 +193,7 @@ Result<FileKind> kindOfFile(const fs::path& file) {
     return failure(ErrorCode::notFound, say<"There is no file or folder '%1'; check the name.">(file), {{"file", file.string()}});
   if (fs::is_directory(file, ec)) {
     const auto pictures = stackFiles(file);
+    if (!pictures && pictures.error().code == ErrorCode::notReadable) return passOn(pictures.error());
     const auto dicom = dicomFilesIn(file);
     if (dicom.empty()) return FileKind::pictures;
     if (!pictures) return FileKind::dicomStack;

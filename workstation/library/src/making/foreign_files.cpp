@@ -1,14 +1,14 @@
 #include "making/foreign_files.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cerrno>
 #include <fstream>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
+
+#include "ew/core/file_errors.h"
 
 namespace ew {
 namespace {
@@ -122,9 +122,7 @@ std::optional<Error> whyNoSamples(const fs::path& file) {
   const auto refused = [&](ErrorCode code, Message message) { return Error{code, std::move(message), {{"file", file.string()}}}; };
   errno = 0;
   std::ifstream in(file, std::ios::binary);
-  if (!in)
-    return refused(ErrorCode::notReadable, say<"'%1' cannot be opened (%2); check its permissions.">(
-                                               file.filename(), verbatim(std::generic_category().message(errno))));
+  if (!in) return notOpened(file, errno).value();
   std::string beginning(looked, '\0');
   in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
   beginning.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
