@@ -115,6 +115,28 @@ TEST(NiftiVolume, OtherTypesUnitsAndSlopesAreHonoured) {
   EXPECT_TRUE(contains(loaded->notes, "from -3 to 7"));
 }
 
+TEST(NiftiVolume, ACodeOfNoUnitLeavesTheSpacingUnknown) {
+  const TempFolder folder;
+  const auto withUnits = [&](std::uint8_t units) {
+    Header1 header({2, 2, 2});
+    header.set<std::uint8_t>(123, units);
+    header.affine({0.5f, 0, 0, 10, 0, 0.5f, 0, 20, 0, 0, 2, 30});
+    return readVolume(folder.put("a.nii", header.bytes + ramp(8)));
+  };
+  for (const std::uint8_t code : {4, 5, 6, 7}) {
+    const auto odd = withUnits(static_cast<std::uint8_t>(code | 8));  // of time: seconds
+    ASSERT_TRUE(succeeded(odd)) << int{code};
+    EXPECT_FALSE(odd->spacingKnown) << int{code};
+    EXPECT_TRUE(contains(odd->notes, "as the code " + std::to_string(code) + ", which means nothing in NIfTI")) << int{code};
+  }
+  for (const std::uint8_t code : {0, 1, 2, 3}) {
+    const auto known = withUnits(static_cast<std::uint8_t>(code | 8));
+    ASSERT_TRUE(succeeded(known)) << int{code};
+    EXPECT_TRUE(known->spacingKnown) << int{code};
+    EXPECT_FALSE(contains(known->notes, "means nothing")) << int{code};
+  }
+}
+
 TEST(NiftiVolume, TheSecondVersionIsReadToo) {
   const TempFolder folder;
   std::string bytes(544, '\0');
