@@ -255,6 +255,10 @@
         <translation>%1 nennt seine Größen in „%2“, was keine bekannte Längeneinheit ist; den Abstand in mm angeben.</translation>
     </message>
     <message>
+        <source>%1 gives the unit of its sizes as the code %2, which means nothing in NIfTI; give the spacing in mm.</source>
+        <translation>%1 nennt die Einheit seiner Größen als Code %2, der in NIfTI nichts bedeutet; den Abstand in mm angeben.</translation>
+    </message>
+    <message>
         <source>%1 has %2 components of %3 per sample, as vectors of a motion have; they are no echo level and no time steps: export the echo levels alone.</source>
         <translation>%1 hat %2 Komponenten von %3 je Abtastwert wie die Vektoren einer Bewegung; das sind weder Echostärken noch Zeitschritte: nur die Echostärken exportieren.</translation>
     </message>

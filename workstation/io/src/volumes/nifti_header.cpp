@@ -156,9 +156,12 @@ Result<void> takeType(const Nifti& nifti, ImageHeader& header) {
   }
 }
 
+/// The code for the unit of length (NIFTI_UNITS): 0 for none stated, 1 to 3 for metres, millimetres and micrometres; others mean nothing.
+int lengthCode(int units) { return units & 7; }
+
 /// Millimetres per unit of length of the file.
 double niftiUnit_mm(int units) {
-  switch (units & 7) {
+  switch (lengthCode(units)) {
     case 1:
       return 1000.0;
     case 3:
@@ -279,6 +282,11 @@ Result<void> takeGeometry(const Nifti& nifti, ImageHeader& header) {
   }
   header.geometry.origin_mm = origin * toLps * mm;
   completeGeometry(header);
+  if (const int code = lengthCode(nifti.units); code > 3) {
+    header.spacingProblem = say<"%1 gives the unit of its sizes as the code %2, which means nothing in NIfTI; give the spacing in mm.">(
+        quoted(header.file), code);
+    header.hasGeometry = false;
+  }
   std::array<bool, 3> stated{};
   for (std::size_t axis = 0; axis < 3; ++axis)
     stated[axis] = static_cast<std::int64_t>(axis) < nifti.dim[0] ||
