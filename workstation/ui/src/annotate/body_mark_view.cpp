@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "annotate/mark_place.h"
 #include "scan/dgc_column.h"
 #include "scan/scan_view.h"
 
@@ -16,6 +17,7 @@ namespace {
 
 const auto kCornerSetting = QStringLiteral("bodyMarkCorner");
 constexpr int kMarkMargin_px = 8;
+constexpr int kLeastMark_px = 48;  // a probe on a smaller drawing says nothing
 constexpr double kGlyphReach_px = 16.0;
 constexpr double kTurnPerStep_rad = std::numbers::pi / 12.0;  // 15 degrees for a click of the wheel
 
@@ -24,7 +26,7 @@ constexpr double kTurnPerStep_rad = std::numbers::pi / 12.0;  // 15 degrees for 
 BodyMarkView::BodyMarkView(ShownMark& mark, ScanView& scan)
     : QWidget(&scan), mark_(mark), scan_(scan), corner_(qBound(0, QSettings().value(kCornerSetting, 2).toInt(), 3)) {
   setObjectName(QStringLiteral("bodyMark"));
-  setFixedSize(kMark_px, kMark_px);
+  resize(kMark_px, kMark_px);
   setAccessibleName(tr("Body mark"));
   setToolTip(tr(
       "Body mark: drag it to another corner. On a frozen image drag the probe on it, turn it with the wheel; a double click lets it follow "
@@ -62,8 +64,10 @@ void BodyMarkView::arrange() {
   // Beside the sliders and the depth scale, which keep their room.
   QRect room = scan_.rect().adjusted((scan_.isCompact() ? 0 : DgcColumn::wanted_px()) + kMarkMargin_px, 56, -72, -40 - kMarkMargin_px);
   if (const QRect strip = scan_.stripRect(); !strip.isEmpty()) room.setBottom(std::min(room.bottom(), strip.top() - kMarkMargin_px));
-  const bool isRight = (corner_ & 1) != 0, isLow = (corner_ & 2) != 0;
-  move(isRight ? room.right() - width() : room.left(), isLow ? room.bottom() - height() : room.top());
+  std::vector<QRect> taken = scan_.fanRects();
+  if (const QRect strip = scan_.stripRect(); !strip.isEmpty()) taken.push_back(strip);
+  const QRect there = placeOfMark(room, taken, corner_, kMark_px, kLeastMark_px);
+  if (there != geometry()) setGeometry(there);
 }
 
 bool BodyMarkView::eventFilter(QObject* watched, QEvent* event) {

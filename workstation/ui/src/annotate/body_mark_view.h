@@ -10,14 +10,15 @@ namespace ew::ui {
 
 class ScanView;
 
-/// The body mark in a corner of the scan. Dragged, it goes to the corner that is nearest; on a picture that stands still the probe on it is
-/// dragged and, with the wheel, turned. A double click lets it follow the probe again.
+/// The body mark in a corner of the scan, beside the fan: in the corner that was chosen as long as the fan leaves it free, otherwise in one
+/// that is, smaller where there is little black. Dragged, it goes to the corner that is nearest; on a picture that stands still the probe
+/// on it is dragged and, with the wheel, turned. A double click lets it follow the probe again.
 class BodyMarkView final : public QWidget {
   Q_OBJECT
 
  public:
   BodyMarkView(ShownMark& mark, ScanView& scan);
-  /// 0 upper left, 1 upper right, 2 lower left, 3 lower right.
+  /// That was chosen: 0 upper left, 1 upper right, 2 lower left, 3 lower right.
   [[nodiscard]] int corner() const { return corner_; }
   void setCorner(int corner);  ///< kept for the next start
   void placeIn(int corner);

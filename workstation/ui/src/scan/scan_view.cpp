@@ -11,6 +11,7 @@
 
 #include "ew/imaging/beam_grid.h"
 #include "scan/dgc_column.h"
+#include "scan/fan_rects.h"
 #include "scan/focus_scale.h"
 #include "scan/tracking_look.h"
 #include "scan/tracking_overlay.h"
@@ -129,6 +130,12 @@ QRect ScanView::stripRect() const {
   const QRect picture = pictureRect();
   if (mode() == DisplayMode::bMode) return {};
   return mode() == DisplayMode::mMode ? picture : picture.translated(0, picture.height() + 16);
+}
+
+std::vector<QRect> ScanView::fanRects() const {
+  if (mode() == DisplayMode::mMode || session_.picture().isEmpty()) return {};
+  if (session_.wide() != nullptr) return {pictureRect()};
+  return rectsOfFan(session_.spans(), pictureRect().topLeft(), devicePixelRatioF());
 }
 
 double ScanView::mmPerWidgetPixel() const {

@@ -5,6 +5,7 @@
 #include <QWidget>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "scan/session.h"
 
@@ -26,6 +27,8 @@ class ScanView final : public QWidget {
   [[nodiscard]] QRect pictureRect() const;
   /// Where the M-mode strip lies; empty in B-mode.
   [[nodiscard]] QRect stripRect() const;
+  /// What the fan of the picture covers, in widget pixels; all of a wide image. Empty without a picture.
+  [[nodiscard]] std::vector<QRect> fanRects() const;
   /// Whether the image fills the view, and leaves no black beside it.
   [[nodiscard]] bool isZoomed() const { return mode() != DisplayMode::mMode && session_.pictureKnobs().zoom > 1.0; }
   /// Millimetres of tissue that a widget pixel shows; what a drag of the mouse is worth.
