@@ -326,6 +326,28 @@ class View3DTest : public QObject {
     }
   }
 
+  void theButtonsOfTheCameraStandInAnEvenRowBesideTheBody() {
+    for (const int width : {1000, 700, 420, 250}) {
+      view_->resize(width, 500);
+      QTest::qWait(30);
+      const auto* bar = view_->findChild<QWidget*>(QStringLiteral("viewButtons"));
+      const QString where = QString::number(width);
+      QVERIFY2(!bar->geometry().intersects(view_->canvas()->geometry()), qPrintable(where));
+      QVERIFY2(view_->canvas()->height() > 400, qPrintable(where));
+      std::vector<QRect> shown;
+      for (const auto* button : view_->findChildren<QToolButton*>())
+        if (button->isVisible()) shown.push_back(button->geometry());
+      QVERIFY(shown.size() >= 3);
+      int narrowest = shown.front().width(), widest = narrowest;
+      for (const QRect& each : shown) {
+        QVERIFY2(each.top() == shown.front().top(), qPrintable(where));
+        narrowest = std::min(narrowest, each.width());
+        widest = std::max(widest, each.width());
+      }
+      if (width == 1000) QVERIFY2(widest - narrowest <= 1, qPrintable(QStringLiteral("%1 to %2").arg(narrowest).arg(widest)));
+    }
+  }
+
   void manyChangesInOneTurnAreDrawnOnce() {
     settle();
     int draws = 0;

@@ -108,10 +108,10 @@ class WindowTest : public WindowFixture {
     const QPoint from = view.pixelOf(session().hold().contact.point_mm).toPoint();
     const QPoint to = from + QPoint(24, -16);
     QWidget* canvas = view.canvas();
-    QTest::mousePress(canvas, Qt::LeftButton, Qt::NoModifier, canvas->mapFrom(&view, from));
-    QMouseEvent move(QEvent::MouseMove, canvas->mapFrom(&view, to), Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
+    QTest::mousePress(canvas, Qt::LeftButton, Qt::NoModifier, from);
+    QMouseEvent move(QEvent::MouseMove, to, Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(canvas, &move);
-    QTest::mouseRelease(canvas, Qt::LeftButton, Qt::NoModifier, canvas->mapFrom(&view, to));
+    QTest::mouseRelease(canvas, Qt::LeftButton, Qt::NoModifier, to);
     QVERIFY(waitUntil([&] {
       return glm::distance(glm::dvec3(session().picturePose().probeToWorld.matrix[3]), glm::dvec3(poseBefore.probeToWorld.matrix[3])) > 3.0;
     }));

@@ -280,11 +280,9 @@ QString BodyTools::wordsOfUse() const {
 
 void BodyTools::paintOver(QPainter& painter) const {
   painter.setRenderHint(QPainter::Antialiasing);
-  const QRectF room = QRectF(view_.rect()).adjusted(16.0, 16.0, -16.0, -16.0);
+  const QRectF room = QRectF(view_.canvas()->rect()).adjusted(16.0, 16.0, -16.0, -16.0);
   if (const auto asking = overlays_.asking()) {
-    const auto* buttons = view_.findChild<QWidget*>(QStringLiteral("viewButtons"));
-    const double top = buttons != nullptr ? buttons->geometry().bottom() + 12.0 : room.top();
-    paintWords(painter, asking->hint, {room.center().x(), top + 16.0}, room.adjusted(0.0, top - room.top(), 0.0, 0.0));
+    paintWords(painter, asking->hint, {room.center().x(), room.top() + 16.0}, room);
     if (!cross_) return;
     const bool isOnSkin = view_.contactAt(cross_->toPoint()).has_value();
     for (const auto& [colour, width] :

@@ -27,6 +27,7 @@ namespace {
 constexpr double kTranslucent = 0.45;
 
 constexpr int kOverlayMargin_px = 16;
+constexpr int kBarMargin_px = 4;
 constexpr int kLeastForHint_px = 280;
 constexpr qint64 kLongestRest_ms = 100;  // the body follows ten times a second at the least
 
@@ -82,30 +83,13 @@ class Glass final : public QWidget {
   }
 };
 
-/// Ground for the small buttons: legible over skin and over the background, in either theme.
-class OverlayBar final : public QWidget {
- public:
-  using QWidget::QWidget;
-
- protected:
-  void paintEvent(QPaintEvent*) override {
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    QColor veil = palette().color(QPalette::Window);
-    veil.setAlpha(215);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(veil);
-    painter.drawRoundedRect(rect(), 4, 4);
-  }
-};
-
 }  // namespace
 
 struct View3D::Parts {
   double opacity = 1.0;  ///< the user's choice
   std::optional<Aids> aids;
   explicit Parts(View3D* view)
-      : canvas(new QVTKOpenGLNativeWidget(view)), glass(new Glass(view)), hint(new QLabel(view)), buttons(new OverlayBar(view)) {
+      : canvas(new QVTKOpenGLNativeWidget(view)), glass(new Glass(view)), hint(new QLabel(view)), buttons(new QWidget(view)) {
     canvas->setRenderWindow(window);
     // The scene draws when something changed; VTK's own interactor would draw on every mouse event and move the camera its own way.
     canvas->setEnableHiDPI(true);
@@ -126,8 +110,8 @@ struct View3D::Parts {
   QWidget* buttons;
   std::vector<QToolButton*> viewButtons;
 
-  /// One row. Where it has no room only those stay that no key has: looking from a side is in the menu, too. Longer words make more rows of
-  /// these, never cut ones.
+  /// One row above the body. Where it has no room only those stay that no key has: looking from a side is in the menu, too. Longer words
+  /// make more rows of these, never cut ones.
   void arrangeButtons(int room_px) {
     for (const bool all : {true, false}) {
       for (QToolButton* each : viewButtons) each->setVisible(all || !looksFromSide(*each));
@@ -139,20 +123,27 @@ struct View3D::Parts {
     return name == QLatin1String("viewFront") || name == QLatin1String("viewRight") || name == QLatin1String("viewLeft") ||
            name == QLatin1String("viewTop");
   }
-  /// @return how many rows there are
+  /// All of one width as far as their words let them be, in as many rows as it takes. @return how many
   int gridButtons(int room_px) {
     auto* grid = static_cast<QGridLayout*>(buttons->layout());
     std::vector<QToolButton*> shown;
-    for (QToolButton* each : viewButtons)
-      if (!each->isHidden()) shown.push_back(each);
+    int widest_px = 0;
+    for (QToolButton* each : viewButtons) {
+      if (each->isHidden()) continue;
+      shown.push_back(each);
+      widest_px = std::max(widest_px, each->sizeHint().width());
+    }
     const int count = static_cast<int>(shown.size());
     int columns = count;
     for (;; columns = (columns + 1) / 2) {
       for (int i = 0; i < count; ++i) grid->addWidget(shown[static_cast<std::size_t>(i)], i / columns, i % columns);
+      for (int i = 0; i < static_cast<int>(viewButtons.size()); ++i) grid->setColumnStretch(i, i < columns ? 1 : 0);
       grid->invalidate();
       if (grid->sizeHint().width() <= room_px || columns == 1) break;
     }
-    buttons->resize(grid->sizeHint());
+    const QMargins margins = grid->contentsMargins();
+    const int even_px = columns * widest_px + (columns - 1) * grid->horizontalSpacing() + margins.left() + margins.right();
+    buttons->resize(std::max(grid->sizeHint().width(), std::min(room_px, even_px)), grid->sizeHint().height());
     return (count + columns - 1) / columns;
   }
   std::unique_ptr<bridge::Scene3D> scene;
@@ -177,13 +168,14 @@ View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts
   parts_->hint->setProperty("small", true);
   parts_->buttons->setObjectName(QStringLiteral("viewButtons"));
   auto* grid = new QGridLayout(parts_->buttons);
-  grid->setContentsMargins(4, 2, 4, 2);
+  grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(4);
   const auto addButton = [&](const char* name, auto action) {
     auto* button = new QToolButton(parts_->buttons);
     button->setObjectName(QString::fromLatin1(name));
     button->setFocusPolicy(Qt::TabFocus);  // a click must not take the arrow keys away from the probe
     button->setAutoRaise(true);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     button->setProperty("small", true);
     connect(button, &QToolButton::clicked, this, action);
     parts_->viewButtons.push_back(button);
@@ -199,6 +191,7 @@ View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts
   skinButton->setFocusPolicy(Qt::TabFocus);
   skinButton->setAutoRaise(true);
   skinButton->setCheckable(true);
+  skinButton->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   skinButton->setProperty("small", true);
   connect(skinButton, &QToolButton::toggled, this, [this](bool through) { setBodyOpacity(through ? kTranslucent : 1.0); });
   parts_->viewButtons.push_back(skinButton);
@@ -376,6 +369,7 @@ QWidget* View3D::canvas() const { return parts_->canvas; }
 bridge::Scene3D& View3D::scene() { return *parts_->scene; }
 const bridge::Scene3D& View3D::scene() const { return *parts_->scene; }
 
+/// The buttons have a row of their own above the body, so that no head lies under them; the hint lies over the body.
 void View3D::placeOverlays() {
   QLabel& hint = *parts_->hint;
   // In a narrow column the words would take the place of the body; the page of keys (F1) has them too.
@@ -390,16 +384,17 @@ void View3D::placeOverlays() {
     hint.resize(beside, hint.heightForWidth(beside));
   }
   hint.move(kOverlayMargin_px, height() - kOverlayMargin_px - hint.height());
-  parts_->arrangeButtons(room);
-  parts_->buttons->move(std::max(0, width() - kOverlayMargin_px - parts_->buttons->width()), kOverlayMargin_px - 4);
+  parts_->arrangeButtons(std::max(80, width() - 2 * kBarMargin_px));
+  parts_->buttons->move(kBarMargin_px, kBarMargin_px);
+  const int top = parts_->buttons->height() + 2 * kBarMargin_px;
+  const QRect body(0, top, width(), std::max(1, height() - top));
+  parts_->canvas->setGeometry(body);
+  parts_->glass->setGeometry(body);
   hint.raise();
-  parts_->buttons->raise();
 }
 
 void View3D::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  parts_->canvas->setGeometry(rect());
-  parts_->glass->setGeometry(rect());
   placeOverlays();
   render();
 }

@@ -24,7 +24,8 @@ class QPainter;
 namespace ew::ui {
 
 /// The mannequin with volume box, probe and live fan, as an interactive picture. Every setter asks for one redraw at the end of the
-/// current turn of the event loop; nothing is drawn twice. Points are in logical pixels of this widget.
+/// current turn of the event loop; nothing is drawn twice. Points are in logical pixels of its canvas, above which
+/// the buttons of the camera stand.
 class View3D : public QWidget {
   Q_OBJECT
 
