@@ -239,13 +239,28 @@ class LessonsTest : public WindowFixture {
  private Q_SLOTS:
   void cleanup() { window_.reset(); }
 
+  void theLessonThatComesNextTellsItsStepsByTheirKind() {
+    showWindowWithCase(writeTaught());
+    window_->openPlugins();
+    openLessons();
+    QVERIFY(waitUntil([this] { return seen("startLesson") != nullptr; }));
+    const QStringList steps = text("lessonSteps").split(QLatin1Char('\n'));
+    QCOMPARE(steps.size(), 9);
+    QCOMPARE(steps.front(), QStringLiteral("1.  Read"));
+    QCOMPARE(steps.at(2), QStringLiteral("3.  Set a plane"));
+    QVERIFY2(!text("lessonSteps").contains(QStringLiteral("Title of ")), "a title may give an answer away");
+  }
+
   void everyKindOfStepIsWorkedThrough() {
     begin();
     QCOMPARE(text("stepNumber"), QStringLiteral("Step 1 of 9"));
     keepScreenshot(*window_, "lessons-02-read");
+    QCOMPARE(seen("stepDone")->text(), QStringLiteral("Go on"));
+    QVERIFY2(seen("pauseStep") == nullptr, "nothing runs that could rest");
     press("stepDone");  // what is read is read: the next step comes at once
 
     waitForStep("watch");
+    QVERIFY(seen("pauseStep") != nullptr && seen("stepDone")->text() == QStringLiteral("Done"));
     QVERIFY2(!seen("stepDone")->isEnabled(), "the scan has to be watched first");
     press("playExpert");
     QVERIFY(waitUntil([this] { return text("expertMark") == QStringLiteral("Here is the ball."); }));
