@@ -21572,7 +21572,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
 </context>
 <context>
-    <name>ew::lessons::LessonDocument</name>
+    <name>ew::lessons::StepKinds</name>
     <message>
         <source>Read</source>
         <translation>Lesen</translation>

@@ -1,8 +1,6 @@
 #include "editor/lesson_document.h"
 
-#include <QCoreApplication>
 #include <algorithm>
-#include <array>
 
 #include "ew/library/published.h"
 #include "ew/sdk/case_parts.h"
@@ -13,51 +11,7 @@ namespace {
 
 const std::string kPart(kLessonsPart);
 
-struct KindWords {
-  std::string_view word;
-  const char* title;
-  const char* tip;
-};
-constexpr std::array<KindWords, std::variant_size_v<LessonTask>> kKindWords = {{
-    {"read", QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "Read"),
-     QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "A text to read, perhaps with a picture")},
-    {"watch", QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "Watch the expert"),
-     QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "Your own scan is played and rests at its marks")},
-    {"plane", QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "Set a plane"),
-     QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "A target plane of the case is to be set")},
-    {"sweep", QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "Sweep through"),
-     QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "A structure is to be seen from end to end")},
-    {"measure", QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "Measure"),
-     QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "A measurement that the case expects is to be taken")},
-    {"point", QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "Point at it"),
-     QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "A point or a structure is to be clicked in the image")},
-    {"settings", QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "Set the machine"),
-     QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "Transducer and settings are to be right")},
-    {"answer", QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "Answer"),
-     QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "A question with answers to choose from, or a number")},
-    {"free", QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "Scan freely"),
-     QT_TRANSLATE_NOOP("ew::lessons::LessonDocument", "The trainee scans at will; what is to be shown is ticked off")},
-}};
-
-const KindWords& wordsOfKind(std::string_view word) {
-  for (const KindWords& kind : kKindWords)
-    if (kind.word == word) return kind;
-  return kKindWords.front();
-}
-
 }  // namespace
-
-QString kindTitle(std::string_view taskWord) { return LessonDocument::tr(wordsOfKind(taskWord).title); }
-QString kindTip(std::string_view taskWord) { return LessonDocument::tr(wordsOfKind(taskWord).tip); }
-
-const std::vector<std::string_view>& kindWords() {
-  static const std::vector<std::string_view> words = [] {
-    std::vector<std::string_view> made;
-    for (const KindWords& kind : kKindWords) made.push_back(kind.word);
-    return made;
-  }();
-  return words;
-}
 
 LessonDocument::LessonDocument(sdk::Host& host, QObject* parent) : QObject(parent), host_(host) {
   tickets_ = {host_.cases().onChanged([this] {

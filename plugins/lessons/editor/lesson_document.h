@@ -89,10 +89,4 @@ struct EditedStep {
   }
 };
 
-/// "Plane": what a kind of step is called, and what the trainee does in it.
-[[nodiscard]] QString kindTitle(std::string_view taskWord);
-[[nodiscard]] QString kindTip(std::string_view taskWord);
-/// The kinds in the order of LessonTask.
-[[nodiscard]] const std::vector<std::string_view>& kindWords();
-
 }  // namespace ew::lessons

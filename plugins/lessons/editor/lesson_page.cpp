@@ -11,6 +11,7 @@
 #include "ew/sdk/panel.h"
 #include "panel/lesson_list.h"
 #include "panel/scrolled_rows.h"
+#include "panel/step_kinds.h"
 
 namespace ew::lessons {
 

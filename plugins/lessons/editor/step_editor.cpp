@@ -13,6 +13,7 @@
 #include "ew/sdk/panel.h"
 #include "panel/aid_words.h"
 #include "panel/scrolled_rows.h"
+#include "panel/step_kinds.h"
 
 namespace ew::lessons {
 

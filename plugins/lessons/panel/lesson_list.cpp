@@ -7,6 +7,7 @@
 
 #include "ew/sdk/panel.h"
 #include "panel/scrolled_rows.h"
+#include "panel/step_kinds.h"
 
 namespace ew::lessons {
 
@@ -37,6 +38,10 @@ LessonList::LessonList(QWidget* parent) : QWidget(parent) {
 
 void LessonList::showLessons(const std::vector<Lesson>& lessons, const std::vector<LessonStanding>& standings) {
   rows_->clear();
+  std::size_t next = 0;  // the first that is not passed; one that was stopped in the middle goes before
+  while (next < lessons.size() && standings[next].isPassed(lessons[next].steps.size())) ++next;
+  for (std::size_t n = lessons.size(); n-- > 0;)
+    if (standings[n].interrupted) next = n;
   for (std::size_t n = 0; n < lessons.size(); ++n) {
     const Lesson& lesson = lessons[n];
     const LessonStanding& stands = standings[n];
@@ -60,6 +65,7 @@ void LessonList::showLessons(const std::vector<Lesson>& lessons, const std::vect
       done->setObjectName(QStringLiteral("lessonProgress"));
       rows->addWidget(done);
     }
+    if (n == next) addSteps(lesson, *rows);
     auto* buttons = new QVBoxLayout;  // beside each other their words are wider than the column in large type
     buttons->setSpacing(kGap_px);
     const QString id = words(lesson.id);
@@ -81,6 +87,15 @@ void LessonList::showLessons(const std::vector<Lesson>& lessons, const std::vect
     rows_->rows()->addWidget(card);
   }
   rows_->rows()->addStretch(1);
+}
+
+void LessonList::addSteps(const Lesson& lesson, QVBoxLayout& rows) {
+  if (lesson.steps.empty()) return;
+  QStringList lines;
+  for (const LessonStep& step : lesson.steps) lines << QStringLiteral("%1.  %2").arg(lines.size() + 1).arg(kindTitle(taskWord(step.task)));
+  auto* steps = sdk::quietLabel(lines.join(QLatin1Char('\n')));
+  steps->setObjectName(QStringLiteral("lessonSteps"));
+  rows.addWidget(steps);
 }
 
 }  // namespace ew::lessons

@@ -7,6 +7,8 @@
 #include "ew/library/learning.h"
 #include "ew/library/lesson.h"
 
+class QVBoxLayout;
+
 namespace ew::lessons {
 
 class ScrolledRows;
@@ -14,7 +16,8 @@ class ScrolledRows;
 /// "Level 2, about 10 min".
 [[nodiscard]] QString levelText(int level);
 
-/// The lessons of a case as cards: title, aim, how far one got, and one button each.
+/// The lessons of a case as cards: title, aim, how far one got, and one button each. The one that comes next tells what its steps are, too:
+/// by their kind, since their titles may give an answer away.
 class LessonList final : public QWidget {
   Q_OBJECT
 
@@ -27,6 +30,8 @@ class LessonList final : public QWidget {
   void goOnAsked(const QString& lessonId);
 
  private:
+  void addSteps(const Lesson& lesson, QVBoxLayout& rows);
+
   ScrolledRows* rows_ = nullptr;
 };
 

@@ -127,6 +127,10 @@ void StepPage::showStep(LessonRun& run, const LessonStep& shown, const StepScene
     pause_->setChecked(false);
     pause_->setText(tr("Pause"));
   }
+  // What is read is not worked on: one click leads on, and nothing runs that could rest.
+  const bool isRead = std::holds_alternative<ReadTask>(shown.task);
+  done_->setText(isRead ? tr("Go on") : tr("Done"));
+  pause_->setVisible(!isRead || shown.time_s.has_value());
   auto* title = sdk::headingLabel(words(shown.title));
   title->setObjectName(QStringLiteral("stepTitle"));
   title->setWordWrap(true);
