@@ -14,6 +14,7 @@
 #include "images/saved_picture.h"
 #include "measure/calipers/caliper_layer.h"
 #include "measure/calipers/calipers.h"
+#include "measure/words/caliper_words.h"
 #include "measure/worksheets/worksheets.h"
 #include "scan/cine/cine_bar.h"
 
@@ -105,6 +106,15 @@ class CalipersTest : public WindowFixture {
     showWindowWithCase(files_.writeCase(QStringLiteral("case")));
   }
   void cleanup() { window_.reset(); }
+
+  void everyToolHasItsWordBesideItsIcon() {
+    for (const CaliperKind kind : measurement::drawnKinds()) {
+      const auto* button = window_->findChild<QPushButton*>(CaliperWords::iconOf(kind));
+      QVERIFY(button != nullptr);
+      QCOMPARE(button->text(), CaliperWords::nameOf(kind));
+      QVERIFY(!button->icon().isNull());
+    }
+  }
 
   void targetsOfShippedCasesReadWithinAPixelOfTheTruth() {
     const auto folder = shippedCasesFolder();
