@@ -12,6 +12,7 @@
 #include "gui/support/answers.h"
 #include "gui/support/window_fixture.h"
 #include "images/saved_picture.h"
+#include "measure/caliper_tool_row.h"
 #include "measure/calipers/caliper_layer.h"
 #include "measure/calipers/calipers.h"
 #include "measure/words/caliper_words.h"
@@ -114,6 +115,16 @@ class CalipersTest : public WindowFixture {
       QCOMPARE(button->text(), CaliperWords::nameOf(kind));
       QVERIFY(!button->icon().isNull());
     }
+  }
+
+  void toolsShareALineWhereTheirWordsHaveRoom() {
+    using Lines = std::vector<int>;
+    QCOMPARE(buttonsOnLines({50, 60, 70}, 204, 4), (Lines{2, 1}));
+    QCOMPARE(buttonsOnLines({100, 100}, 204, 4), (Lines{2}));
+    QCOMPARE(buttonsOnLines({100, 101, 50, 50}, 204, 4), (Lines{1, 1, 2}));
+    QCOMPARE(buttonsOnLines({150, 20, 20}, 204, 4), (Lines{1, 2}));
+    QCOMPARE(buttonsOnLines({20, 20}, 0, 4), (Lines{1, 1}));
+    QVERIFY(buttonsOnLines({}, 204, 4).empty());
   }
 
   void targetsOfShippedCasesReadWithinAPixelOfTheTruth() {

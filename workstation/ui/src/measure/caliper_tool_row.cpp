@@ -1,6 +1,7 @@
 #include "measure/caliper_tool_row.h"
 
-#include <QHBoxLayout>
+#include <QEvent>
+#include <QGridLayout>
 #include <QPushButton>
 #include <QVariant>
 #include <utility>
@@ -16,20 +17,38 @@ namespace ew::ui {
 
 using measurement::CaliperKind;
 
+namespace {
+
+constexpr int kGapOfTools_px = 4;
+
+}  // namespace
+
+std::vector<int> buttonsOnLines(const std::vector<int>& widths_px, int room_px, int gap_px) {
+  std::vector<int> lines;
+  const int half_px = (room_px - gap_px) / 2;
+  for (std::size_t n = 0; n < widths_px.size(); n += static_cast<std::size_t>(lines.back())) {
+    const bool isPair = n + 1 < widths_px.size() && widths_px[n] <= half_px && widths_px[n + 1] <= half_px;
+    lines.push_back(isPair ? 2 : 1);
+  }
+  return lines;
+}
+
 CaliperToolRow::CaliperToolRow(Calipers& calipers, std::vector<CaliperKind> kinds, const std::function<QString(CaliperKind)>& nameOf,
                                QWidget* parent)
     : QWidget(parent), calipers_(calipers), kinds_(std::move(kinds)) {
-  auto* line = new QHBoxLayout(this);
-  line->setContentsMargins(0, 0, 0, 0);
-  line->setSpacing(1);
+  lines_ = new QGridLayout(this);
+  lines_->setContentsMargins(0, 0, 0, 0);
+  lines_->setSpacing(kGapOfTools_px);
+  lines_->setColumnStretch(0, 1);
+  lines_->setColumnStretch(1, 1);
   for (std::size_t n = 0; n < kinds_.size(); ++n) {
     const CaliperKind kind = kinds_[n];
-    auto* button = new QPushButton;
+    auto* button = new QPushButton(CaliperWords::nameOf(kind));
     button->setObjectName(CaliperWords::iconOf(kind));
     button->setCheckable(true);
-    button->setProperty("segment", n == 0 ? "first" : n + 1 == kinds_.size() ? "last" : "true");
+    button->setProperty("compact", true);
     button->setFocusPolicy(Qt::TabFocus);
-    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // an icon: all of them fit beside a scroll bar as well
+    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // as wide as its line, which fits beside a scroll bar as well
     button->setAccessibleName(CaliperWords::nameOf(kind));
     button->setToolTip(tipWithKeys(nameOf(kind) + QStringLiteral(" (%1)"), caliperCommand(kind)));
     connect(button, &QPushButton::clicked, this, [this, kind] {
@@ -37,11 +56,35 @@ CaliperToolRow::CaliperToolRow(Calipers& calipers, std::vector<CaliperKind> kind
       showHeld();  // a tool that could not be taken is not checked
     });
     buttons_.push_back(button);
-    line->addWidget(button, 1);
   }
+  arrange();
   connect(&calipers_, &Calipers::changed, this, &CaliperToolRow::showHeld);
   refreshIcons();
   showHeld();
+}
+
+void CaliperToolRow::arrange() {
+  std::vector<int> widths_px;
+  for (QPushButton* button : buttons_) {
+    button->ensurePolished();
+    widths_px.push_back(button->sizeHint().width());
+  }
+  const std::vector<int> onLines = buttonsOnLines(widths_px, width(), kGapOfTools_px);
+  if (onLines == onLines_) return;
+  onLines_ = onLines;
+  std::size_t next = 0;
+  for (std::size_t line = 0; line < onLines.size(); ++line) {
+    for (int column = 0; column < onLines[line]; ++column)
+      lines_->addWidget(buttons_[next++], static_cast<int>(line), column, 1, onLines[line] == 1 ? 2 : 1);
+  }
+}
+
+void CaliperToolRow::resizeEvent(QResizeEvent*) { arrange(); }
+void CaliperToolRow::showEvent(QShowEvent*) { arrange(); }
+
+void CaliperToolRow::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange) arrange();
 }
 
 void CaliperToolRow::refreshIcons() {
