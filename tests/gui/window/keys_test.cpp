@@ -2,6 +2,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QFile>
+#include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -160,6 +161,44 @@ class KeysTest : public ConsoleFixture {
     QVERIFY(!page.contains(QStringLiteral("F13")));
     window_->keys().setKeys("cine.save", {QKeySequence(Qt::Key_F13)});  // had none: gets a line
     QVERIFY(pageOfKeys().contains(QStringLiteral("F13")));
+  }
+
+  void everyLineOfThePageOfKeysSaysWhatHappens() {
+    for (const Workspace workspace : {Workspace::explore, Workspace::author}) {
+      window_->setWorkspace(workspace);
+      QTest::keyClick(window_.get(), Qt::Key_F1);
+      auto* page = window_->findChild<ShortcutsOverlay*>();
+      QVERIFY(page != nullptr);
+      int lines = 0;
+      for (const QGridLayout* grid : page->findChildren<QGridLayout*>()) {
+        for (int row = 0; row < grid->rowCount(); ++row) {
+          const auto textAt = [&](int column) {
+            const QLayoutItem* item = grid->itemAtPosition(row, column);
+            const auto* label = item != nullptr ? qobject_cast<const QLabel*>(item->widget()) : nullptr;
+            return label != nullptr ? label->text() : QString();
+          };
+          const QString keys = textAt(0), what = textAt(1);
+          QVERIFY2(!keys.isEmpty(), qPrintable(what));
+          QVERIFY2(!what.isEmpty(), qPrintable(keys));
+          QVERIFY2(!what.at(0).isLower(), qPrintable(what));
+          QVERIFY2(workspace == Workspace::author || !what.contains(QStringLiteral("handles"), Qt::CaseInsensitive), qPrintable(what));
+          ++lines;
+        }
+      }
+      QVERIFY2(lines > 50, qPrintable(QString::number(lines)));
+      page->close();
+      QTest::qWait(1);
+    }
+  }
+
+  void aWorkspaceOfAPluginHasItsLine() {
+    KeyCommand review;
+    review.id = "workspace.review";
+    review.source = "Review";
+    review.usual = {QKeySequence(QStringLiteral("Ctrl+3"))};
+    QVERIFY(window_->keys().add(review));
+    const QStringList page = pageOfKeys();
+    QVERIFY(page.contains(QStringLiteral("Ctrl+3")) && page.contains(QStringLiteral("Review")));
   }
 
   void anotherKeyFreezesAndTheFormerOneDoesNot() {
