@@ -17658,6 +17658,22 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>tracker: what moves the probe</source>
         <translation>Tracker: was die Sonde bewegt</translation>
     </message>
+    <message>
+        <source>move what has handles by 1 mm; nearer, away</source>
+        <translation>was Griffe hat um 1 mm verschieben; näher, weiter weg</translation>
+    </message>
+    <message>
+        <source>turn what has handles by 1° to the left, to the right</source>
+        <translation>was Griffe hat um 1° nach links, nach rechts drehen</translation>
+    </message>
+    <message>
+        <source>turn what has handles by 1° up, down</source>
+        <translation>was Griffe hat um 1° nach oben, nach unten drehen</translation>
+    </message>
+    <message>
+        <source>turn what has handles by 1° anticlockwise, clockwise</source>
+        <translation>was Griffe hat um 1° gegen den, im Uhrzeigersinn drehen</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::LeavingQuestion</name>

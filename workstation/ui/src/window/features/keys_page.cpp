@@ -23,6 +23,9 @@ struct KeysPage {
   Q_DECLARE_TR_FUNCTIONS(ew::ui::KeysPage)
 };
 
+/// As a line on its own begins, in whatever language.
+QString capitalised(const QString& what) { return what.left(1).toUpper() + what.mid(1); }
+
 /// Collects lines that name commands, several on one where they belong together; what no line names gets one of its own as soon as it has a
 /// key, so that the page is whole whatever the user chose.
 class Page {
@@ -35,12 +38,19 @@ class Page {
   }
   /// @param mouse what does the same, "Wheel, %1"; empty: keys alone
   void add(const std::string& commands, const QString& what, const QString& mouse = {}, ProbeMotion motion = ProbeMotion::none) {
-    for (const QString& each : QString::fromStdString(commands).split(QStringLiteral(" | "))) named_.insert(each.toStdString());
+    leaveOut(commands);
     const QString words = keys_.words(commands);
     if (mouse.isEmpty() && words.isEmpty()) return;
-    now_.lines.push_back({mouse.isEmpty() ? words : mouse.contains(QStringLiteral("%1")) ? mouse.arg(words) : mouse, what, motion});
+    now_.lines.push_back({mouse.isEmpty()                        ? words
+                          : mouse.contains(QStringLiteral("%1")) ? mouse.arg(words)
+                                                                 : mouse,
+                          capitalised(what), motion});
   }
-  void addMouse(const QString& mouse, const QString& what) { now_.lines.push_back({mouse, what}); }
+  void addMouse(const QString& mouse, const QString& what) { now_.lines.push_back({mouse, capitalised(what)}); }
+  /// Commands that another line has told already, or that are of no use here: they get none of their own.
+  void leaveOut(const std::string& commands) {
+    for (const QString& each : QString::fromStdString(commands).split(QStringLiteral(" | "))) named_.insert(each.toStdString());
+  }
   /// Where the arrows are as they were they are called so.
   [[nodiscard]] bool areUsual(const std::string& commands) const {
     for (const QString& each : QString::fromStdString(commands).split(QStringLiteral(" | ")))
@@ -101,7 +111,7 @@ void addScan(Page& page) {
   const std::string steps = "cine.stepBack | cine.stepOn";
   if (page.areUsual(steps)) {
     page.add("cine.back | cine.on", KeysPage::tr("an image back, on; with Shift ten"), KeysPage::tr("Wheel on the scan, arrows, %1"));
-    page.add(steps, {}, {});
+    page.leaveOut(steps);
   }
   page.add("cine.first | cine.last", KeysPage::tr("first, last image"));
   page.add("cine.play", KeysPage::tr("play in a loop, stop"));
@@ -109,7 +119,22 @@ void addScan(Page& page) {
   page.end();
 }
 
-void addPictures(Page& page) {
+/// What moves and turns by keys has them in Author alone, where volumes are placed.
+void addHandles(Page& page, bool isAuthor) {
+  const std::string moves = "handles.left | handles.right | handles.up | handles.down", along = "handles.nearer | handles.farther";
+  const std::string sideways = "handles.turnLeft | handles.turnRight", over = "handles.turnUp | handles.turnDown",
+                    about = "handles.turnBack | handles.turnOn";
+  if (!isAuthor) return page.leaveOut(moves + " | " + along + " | " + sideways + " | " + over + " | " + about);
+  if (page.areUsual(moves)) {
+    page.add(along, KeysPage::tr("move what has handles by 1 mm; nearer, away"), KeysPage::tr("Arrows, %1"));
+    page.leaveOut(moves);
+  }
+  page.add(sideways, KeysPage::tr("turn what has handles by 1° to the left, to the right"));
+  page.add(over, KeysPage::tr("turn what has handles by 1° up, down"));
+  page.add(about, KeysPage::tr("turn what has handles by 1° anticlockwise, clockwise"));
+}
+
+void addPictures(Page& page, bool isAuthor) {
   page.begin(KeyGroup::measure);
   using measurement::CaliperKind;
   const auto tools = [](std::initializer_list<CaliperKind> kinds) {
@@ -129,7 +154,7 @@ void addPictures(Page& page) {
   const std::string cross = "cross.left | cross.right | cross.up | cross.down";
   if (page.areUsual(cross)) {
     page.add("cross.set", KeysPage::tr("move the cross, set a point; with Ctrl by a pixel"), KeysPage::tr("Arrows, %1"));
-    page.add(cross, {}, {});
+    page.leaveOut(cross);
   }
   page.add("cross.takeBack | escape", KeysPage::tr("take back, put the tool down"));
   page.add("calipers.clear", KeysPage::tr("delete all measurements"));
@@ -151,6 +176,7 @@ void addPictures(Page& page) {
   page.add("look.front | look.back | look.right | look.left | look.head", KeysPage::tr("front, back, right, left, head"));
   page.add("look.volume", KeysPage::tr("look at the volume"));
   page.addMouse(KeysPage::tr("Double click"), KeysPage::tr("in a small window: swap body and scan"));
+  addHandles(page, isAuthor);
   page.end();
 }
 
@@ -213,13 +239,13 @@ std::vector<ShortcutsOverlay::Group> keysPage(const WindowParts& parts) {
   Page page(parts.keys);
   if (!front.isStaged()) {
     addScan(page);
-    addPictures(page);
+    addPictures(page, front.isAuthor());
     addConsole(page);
   }
   for (const sdk::StagedPanel* panel : parts.host->panelsAdded()) {
     if (panel->keys.empty() || panel->workspace != front.current() || (front.isAuthor() && !front.isStaged())) continue;
     Group group{words(panel->title), {}};
-    for (const auto& [key, what] : panel->keys) group.lines.push_back({words(key), words(what)});
+    for (const auto& [key, what] : panel->keys) group.lines.push_back({words(key), capitalised(words(what))});
     page.put(std::move(group));
   }
   if (front.isAuthor()) addAuthor(page);
@@ -227,7 +253,8 @@ std::vector<ShortcutsOverlay::Group> keysPage(const WindowParts& parts) {
   Group tools{titleOf(KeyGroup::tools), {}};
   for (const PluginHosting::Tool& tool : parts.pluginHosting->tools())
     if (tool.action->isEnabled() && !tool.action->shortcut().isEmpty())
-      tools.lines.push_back({tool.action->shortcut().toString(QKeySequence::NativeText), tool.action->text().remove(QLatin1Char('&'))});
+      tools.lines.push_back(
+          {tool.action->shortcut().toString(QKeySequence::NativeText), capitalised(tool.action->text().remove(QLatin1Char('&')))});
   if (!tools.lines.empty()) page.put(std::move(tools));
   return page.takeGroups();
 }
