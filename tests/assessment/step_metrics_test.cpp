@@ -16,6 +16,20 @@ using test::heldAt;
 using test::imageAt;
 using test::scanAlong;
 
+TEST(Metrics, AreNamedInPlainWordsAndSayWhichWayIsSmoother) {
+  int smooth = 0;
+  for (const Metric& metric : metrics()) {
+    const std::string name = metric.name.english(), definition = metric.definition.english();
+    EXPECT_EQ(name.find("dimensionless"), std::string::npos) << name;
+    EXPECT_EQ(name.find("spectral"), std::string::npos) << name;
+    if (name.find("Smoothness") == std::string::npos) continue;
+    ++smooth;
+    EXPECT_NE(definition.find("the smoother"), std::string::npos) << definition;
+    EXPECT_NE(definition.find("without unit"), std::string::npos) << definition;
+  }
+  EXPECT_EQ(smooth, 2);
+}
+
 TEST(HeldFrames, LastUntilTheNextImageAndNotWhileFrozenOrPaused) {
   ScanLog log;
   log.addFrame(imageAt(heldAt(), 1.0));
