@@ -10591,24 +10591,24 @@
         <translation>Summe aller Drehungen des Schallkopfs um beliebige Achsen.</translation>
     </message>
     <message>
-        <source>Smoothness (spectral arc length)</source>
-        <translation>Glätte (spektrale Bogenlänge)</translation>
+        <source>Smoothness of the speed</source>
+        <translation>Gleichmäßigkeit der Geschwindigkeit</translation>
     </message>
     <message>
-        <source>Length of the curve of the speed&apos;s normalised spectrum up to 10 Hz, negative; nearer to 0 is smoother.</source>
-        <translation>Länge der Kurve des normierten Spektrums der Geschwindigkeit bis 10 Hz, negativ; näher an 0 ist glatter.</translation>
+        <source>How evenly the probe goes faster and slower: a number without unit, below 0; the nearer to 0, the smoother. Spectral arc length: the length of the curve of the speed&apos;s normalised spectrum up to 10 Hz, negative.</source>
+        <translation>Wie gleichmäßig der Schallkopf schneller und langsamer wird: eine Zahl ohne Einheit, unter 0; je näher an 0, desto gleichmäßiger. Spektrale Bogenlänge: die Länge der Kurve des normierten Spektrums der Geschwindigkeit bis 10 Hz, negativ.</translation>
     </message>
     <message>
         <source>Balasubramanian et al., J NeuroEng Rehabil 12:112, 2015, eq. 9.</source>
         <translation>Balasubramanian et al., J NeuroEng Rehabil 12:112, 2015, Gl. 9.</translation>
     </message>
     <message>
-        <source>Smoothness (log dimensionless jerk)</source>
-        <translation>Glätte (Logarithmus des dimensionslosen Rucks)</translation>
+        <source>Smoothness of the movements</source>
+        <translation>Gleichmäßigkeit der Bewegungen</translation>
     </message>
     <message>
-        <source>Jerk of the movements between two rests, made independent of their length and time; nearer to 0 is smoother.</source>
-        <translation>Ruck der Bewegungen zwischen zwei Ruhen, unabhängig von ihrer Länge und Dauer gemacht; näher an 0 ist glatter.</translation>
+        <source>How little the probe jerks from one rest to the next: a number without unit, usually below 0; the higher, the smoother. Log dimensionless jerk: the jerk of each movement, made independent of its length and time.</source>
+        <translation>Wie wenig der Schallkopf von einer Ruhe zur nächsten ruckt: eine Zahl ohne Einheit, meist unter 0; je höher, desto gleichmäßiger. Logarithmus des dimensionslosen Rucks: der Ruck jeder Bewegung, unabhängig von ihrer Länge und Dauer gemacht.</translation>
     </message>
     <message>
         <source>Balasubramanian et al., J NeuroEng Rehabil 12:112, 2015, eq. 3.</source>

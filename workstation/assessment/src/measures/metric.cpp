@@ -34,11 +34,13 @@ std::vector<Metric> motionMetrics() {
        say<"Told novices from experts in one of three tasks of one study.">()},
       {"angular_path", 1, "deg", Better::less, scanned(), say<"Angular path">(), say<"Sum of all turns of the probe about any axis.">(),
        dexterity, survey()},
-      {"spectral_arc_length", 1, "", Better::more, scanned(), say<"Smoothness (spectral arc length)">(),
-       say<"Length of the curve of the speed's normalised spectrum up to 10 Hz, negative; nearer to 0 is smoother.">(),
+      {"spectral_arc_length", 1, "", Better::more, scanned(), say<"Smoothness of the speed">(),
+       say<"How evenly the probe goes faster and slower: a number without unit, below 0; the nearer to 0, the smoother. Spectral arc "
+           "length: the length of the curve of the speed's normalised spectrum up to 10 Hz, negative.">(),
        say<"Balasubramanian et al., J NeuroEng Rehabil 12:112, 2015, eq. 9.">(), survey()},
-      {"log_dimensionless_jerk", 1, "", Better::more, scanned(), say<"Smoothness (log dimensionless jerk)">(),
-       say<"Jerk of the movements between two rests, made independent of their length and time; nearer to 0 is smoother.">(),
+      {"log_dimensionless_jerk", 1, "", Better::more, scanned(), say<"Smoothness of the movements">(),
+       say<"How little the probe jerks from one rest to the next: a number without unit, usually below 0; the higher, the smoother. Log "
+           "dimensionless jerk: the jerk of each movement, made independent of its length and time.">(),
        say<"Balasubramanian et al., J NeuroEng Rehabil 12:112, 2015, eq. 3.">(),
        say<"Jerk told novices from experts in brain and spine tasks.">()},
       {"working_volume", 1, "ml", Better::less, scanned(), say<"Working volume">(),
