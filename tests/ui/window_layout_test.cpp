@@ -153,5 +153,15 @@ TEST(WindowLayout, ShortensTheConsoleInALowWindow) {
   EXPECT_TRUE(layoutOf(scanning(1440, 900, 200)).isConsoleShort);
 }
 
+TEST(TopBarLayout, LetsTheProgramsNameAndTheDisclaimerGiveWayToWhatIsOpen) {
+  // German with three workspaces at 1024: the title has 160 px and 24 at either side.
+  EXPECT_EQ(topBarOf({1024, 660, 170, 90, 1.0}), (TopBarLayout{false, false}));
+  EXPECT_EQ(topBarOf({1037, 660, 170, 90, 1.0}), (TopBarLayout{false, false})) << "the name goes first";
+  EXPECT_EQ(topBarOf({1038, 660, 170, 90, 1.0}), (TopBarLayout{true, false}));
+  EXPECT_EQ(topBarOf({1203, 660, 170, 90, 1.0}), (TopBarLayout{true, false}));
+  EXPECT_EQ(topBarOf({1204, 660, 170, 90, 1.0}), (TopBarLayout{true, true}));
+  EXPECT_EQ(topBarOf({1300, 660, 170, 90, 2.0}), (TopBarLayout{true, false})) << "larger words";
+}
+
 }  // namespace
 }  // namespace ew::ui::window_layout_test

@@ -115,4 +115,15 @@ FirstSize firstSizeOn(int width_px, int height_px) {
   return size;
 }
 
+TopBarLayout topBarOf(const TopBarRequest& request) {
+  constexpr int kUsualTitle_px = 220, kBesideBrand_px = 16;
+  const auto scaled = [&](int px) { return static_cast<int>(std::lround(px * request.textScale)); };
+  TopBarLayout made;
+  int needed_px = request.needed_px + 2 * kTitleGap_px;
+  made.showsDisclaimer = needed_px + request.disclaimer_px + scaled(kReadableTitle_px) <= request.width_px;
+  if (made.showsDisclaimer) needed_px += request.disclaimer_px;
+  made.showsBrand = made.showsDisclaimer && needed_px + request.brand_px + kBesideBrand_px + scaled(kUsualTitle_px) <= request.width_px;
+  return made;
+}
+
 }  // namespace ew::ui

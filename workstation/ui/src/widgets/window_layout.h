@@ -51,7 +51,24 @@ struct FirstSize {
 /// beyond the screen's. @param width_px, height_px of the screen, without its bars
 [[nodiscard]] FirstSize firstSizeOn(int width_px, int height_px);
 
-inline constexpr int kConsoleWidth_px = 248;  ///< at 100 %
-inline constexpr int kLeastScan_px = 420;     ///< an image narrower than this teaches nothing, whatever the size of the words
+/// What of the top bar gives way in a narrow window.
+struct TopBarRequest {
+  int width_px = 0;
+  int needed_px = 0;       ///< of workspaces and menus, which stay
+  int disclaimer_px = 0;   ///< of what every saved image says as well
+  int brand_px = 0;        ///< of the program's name, which the window has as well
+  double textScale = 1.0;  ///< 1 at 100 %
+};
+struct TopBarLayout {
+  bool showsDisclaimer = false, showsBrand = false;
+  bool operator==(const TopBarLayout&) const = default;
+};
+/// What is open keeps the room of a title that can be read, whichever it is: nothing moves when another case is opened.
+[[nodiscard]] TopBarLayout topBarOf(const TopBarRequest& request);
+
+inline constexpr int kTitleGap_px = 24;        ///< beside the title of what is open
+inline constexpr int kReadableTitle_px = 160;  ///< of it, at 100 %
+inline constexpr int kConsoleWidth_px = 248;   ///< at 100 %
+inline constexpr int kLeastScan_px = 420;      ///< an image narrower than this teaches nothing, whatever the size of the words
 
 }  // namespace ew::ui

@@ -14,6 +14,7 @@
 #include "keys/key_tips.h"
 #include "widgets/icons.h"
 #include "widgets/theme.h"
+#include "widgets/window_layout.h"
 
 namespace ew::ui {
 
@@ -129,20 +130,16 @@ void TopBar::resizeEvent(QResizeEvent* event) {
 }
 
 void TopBar::placeTitle() {
-  // What a narrow window with large words has no room for, in this order: the program's name, which the window has as well, and what every
-  // saved image says too.
-  constexpr int kGapOfTitle_px = 24;
   int needed_px = layout()->contentsMargins().left() + layout()->contentsMargins().right() + menus_->sizeHint().width();
   for (const Button& each : workspaces_)
     if (!each.button->isHidden()) needed_px += each.button->sizeHint().width() + kGrid_px;
   needed_px += 4 * kGrid_px;
-  // Room for a usual title, not for the one at hand: nothing moves when another case is opened.
-  constexpr int kUsualTitle_px = 220;
-  disclaimer_->setVisible(needed_px + disclaimer_->sizeHint().width() <= width());
-  if (!disclaimer_->isHidden()) needed_px += disclaimer_->sizeHint().width();
-  brand_->setVisible(needed_px + scaled(kUsualTitle_px) + 2 * kGapOfTitle_px + brand_->sizeHint().width() + 2 * kGrid_px <= width());
+  const TopBarLayout shown =
+      topBarOf({width(), needed_px, disclaimer_->sizeHint().width(), brand_->sizeHint().width(), scaled(1000.0) / 1000.0});
+  disclaimer_->setVisible(shown.showsDisclaimer);
+  brand_->setVisible(shown.showsBrand);
   layout()->activate();
-  constexpr int kGap_px = kGapOfTitle_px;
+  constexpr int kGap_px = kTitleGap_px;
   const auto placed = [this](const QRect& rect) { return QStyle::visualRect(layoutDirection(), this->rect(), rect); };
   const int left = placed(menus_->geometry()).right() + kGap_px;
   const int right = disclaimer_->isHidden() ? width() - kGrid_px : placed(disclaimer_->geometry()).left() - kGap_px;
@@ -150,8 +147,7 @@ void TopBar::placeTitle() {
   const int wanted = remark_->text().isEmpty() ? 0 : remark_->sizeHint().width() + kGap_px;
   const QFontMetrics metrics = title_->fontMetrics();
   // What is open is named before what is remarked about it.
-  constexpr int kReadable_px = 160;
-  const int remarkWidth = wanted + std::min(metrics.horizontalAdvance(fullTitle_) + 4, scaled(kReadable_px)) <= room ? wanted : 0;
+  const int remarkWidth = wanted + std::min(metrics.horizontalAdvance(fullTitle_) + 4, scaled(kReadableTitle_px)) <= room ? wanted : 0;
   const int titleWidth = std::min(metrics.horizontalAdvance(fullTitle_) + 4, std::max(0, room - remarkWidth));
   title_->setText(metrics.elidedText(fullTitle_, Qt::ElideRight, titleWidth));
   const int all = titleWidth + remarkWidth;
