@@ -152,6 +152,32 @@ class RecordingTest : public WindowFixture {
     QCOMPARE(bar().position_s(), 0.0);
   }
 
+  void aNameIsProposedWhereTheLastOneOfItsKindWasSaved() {
+    record();
+    const QString title = QString::fromStdString(bar().recording()->title);
+    const auto proposed = [this](const QString& typed) {
+      QString name, folder;
+      const Answers look({{QStringLiteral("fileDialog"), [&](QWidget& dialog) {
+                             name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->text();
+                             folder = qobject_cast<QFileDialog&>(dialog).directory().absolutePath();
+                             if (typed.isEmpty()) return qobject_cast<QFileDialog&>(dialog).reject();
+                             type(typed)(dialog);
+                           }}});
+      find<QPushButton>("replaySave")->click();
+      return std::pair(name, folder);
+    };
+    const auto first = proposed(QString());
+    QVERIFY2(first.first.startsWith(title + QLatin1Char(' ') + QDate::currentDate().toString(QStringLiteral("yyyy-"))),
+             qPrintable(first.first));
+    QVERIFY2(first.second != QDir::currentPath(), "where the program was started says nothing");
+    const QString file = files_.path(QStringLiteral("proposed.seq.mha"));
+    proposed(file);
+    QVERIFY(waitUntil([&] { return !window_->jobs().isRunning() && QFile::exists(file); }));
+    closeByEscape();
+    record();
+    QCOMPARE(proposed(QString()).second, QFileInfo(file).absolutePath());
+  }
+
   void aSavedRecordingIsOpenedAgainAndItsCaseWithIt() {
     record();
     const auto recorded = bar().recording();
