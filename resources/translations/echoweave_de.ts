@@ -17225,10 +17225,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Das Bild speichern</translation>
     </message>
     <message>
-        <source>scan</source>
-        <translation>Bild</translation>
-    </message>
-    <message>
         <source>Images (*.png *.mha);;DICOM images (*.dcm)</source>
         <translation>Bilder (*.png *.mha);;DICOM-Bilder (*.dcm)</translation>
     </message>
@@ -17967,10 +17963,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Gespeichert als %1.</translation>
     </message>
     <message>
-        <source>scan</source>
-        <translation>Bild</translation>
-    </message>
-    <message>
         <source>&amp;Record</source>
         <translation>Auf&amp;zeichnen</translation>
     </message>
@@ -18055,10 +18047,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>What was not saved when the program ended is here again. Save what is to stay.</source>
         <translation>Was beim Ende des Programms nicht gespeichert war, ist wieder da. Speichern, was bleiben soll.</translation>
-    </message>
-    <message>
-        <source>scan</source>
-        <translation>Bild</translation>
     </message>
     <message>
         <source>Decide later</source>

@@ -177,7 +177,8 @@ void WatchForm::saveTaken(ScanRecording made) {
   const auto file = host.window().askSaveFile({.title = tr("Save the expert's scan").toStdString(),
                                                .proposal = tr("scan").toStdString() + ".seq.mha",
                                                .filter = tr("Recordings of a scan (*.seq.mha)").toStdString(),
-                                               .endings = {".seq.mha"}});
+                                               .endings = {".seq.mha"},
+                                               .isDated = true});
   if (!file || !take) return;  // it is paused, and still there
   take->setKeeping(true);
   host.jobs().startSaving(

@@ -14,10 +14,11 @@ ReportButton::ReportButton(ReviewReports& reports, bool isOfClass, QWidget* pare
 
 void ReportButton::ask() {
   const QString kinds = tr("PDF (*.pdf)") + QStringLiteral(";;") + tr("Page for browsers (*.html)");
-  reports_.ask({tr("Save the report").toStdString(),
-                (isOfClass_ ? tr("class.pdf") : tr("attempt.pdf")).toStdString(),
-                kinds.toStdString(),
-                {".pdf", ".html"}},
+  reports_.ask({.title = tr("Save the report").toStdString(),
+                .proposal = (isOfClass_ ? tr("class.pdf") : tr("attempt.pdf")).toStdString(),
+                .filter = kinds.toStdString(),
+                .endings = {".pdf", ".html"},
+                .isDated = true},
                isOfClass_);
 }
 

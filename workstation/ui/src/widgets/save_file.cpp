@@ -1,15 +1,18 @@
 #include "widgets/save_file.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSettings>
 #include <algorithm>
 #include <utility>
 
 #include "ew/core/output_set.h"
+#include "widgets/save_place.h"
 #include "widgets/words.h"
 
 namespace ew::ui {
@@ -105,6 +108,11 @@ QStringList thereAlready(const SaveFile& asked, const QString& file) {
 
 }  // namespace
 
+SaveFile dated(SaveFile asked) {
+  asked.isDated = true;
+  return asked;
+}
+
 SaveFile saveFileOf(const sdk::SaveFile& asked) {
   SaveFile same{words(asked.title), wordsOf(asked.proposal), words(asked.filter), {}};
   for (const std::string& ending : asked.endings) same.endings << words(ending);
@@ -116,6 +124,7 @@ SaveFile saveFileOf(const sdk::SaveFile& asked) {
     };
   if (asked.whyKept) same.whyKept = [why = asked.whyKept](const QString& file) { return words(why(pathOf(file))); };
   same.madeFrom = asked.madeFrom;
+  same.isDated = asked.isDated;
   return same;
 }
 
@@ -133,7 +142,12 @@ std::vector<std::filesystem::path> ShownSources::around(const QWidget* widget) {
 }
 
 QString askSaveFile(QWidget* parent, const SaveFile& asked) {
+  const bool hasFolder = !asked.isDated && asked.proposal.contains(QLatin1Char('/'));
+  QSettings settings;
   QString proposal = asked.proposal;
+  if (!hasFolder)
+    proposal = folderForSaving(asked.endings, settings) + QLatin1Char('/') +
+               (asked.isDated ? datedName(asked.proposal, asked.endings, QDateTime::currentDateTime()) : nameForFiles(asked.proposal));
   while (true) {
     QFileDialog dialog(parent, asked.title, QFileInfo(proposal).path(), asked.filter);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
@@ -143,6 +157,7 @@ QString askSaveFile(QWidget* parent, const SaveFile& asked) {
     dialog.selectFile(proposal);
     if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return {};
     const QString file = completed(dialog.selectedFiles().constFirst(), asked.endings, dialog.selectedNameFilter());
+    if (!hasFolder) keepFolderForSaving(asked.endings, file, settings);
     const QStringList there = thereAlready(asked, file);
     if (there.isEmpty()) return file;
     proposal = file;

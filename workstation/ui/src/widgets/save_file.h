@@ -18,7 +18,8 @@ namespace ew::ui {
 /// Where something is saved.
 struct SaveFile {
   QString title;        ///< of the dialog
-  QString proposal;     ///< a name, with its folder when it has one
+  QString proposal;     ///< a name, which may hold a title as it is; with its folder when it has one. Without, the question begins where
+                        ///< this kind of file was saved last
   QString filter;       ///< "MetaImage (*.mha *.mhd)"
   QStringList endings;  ///< that can be written (".mha"), in any case of letters; a name that ends with none of them gets that of the
                         ///< chosen filter, or the first
@@ -27,8 +28,11 @@ struct SaveFile {
   /// Why a file that is there must never be replaced; empty: the user is asked. None: always asked.
   std::function<QString(const QString& existing)> whyKept = {};
   std::vector<std::filesystem::path> madeFrom = {};  ///< files or folders that are never replaced either
+  bool isDated = false;                              ///< day and time join the proposal, so that the next one is another (dated)
 };
 
+/// The same with day and time in its name; the proposal is then a name alone.
+[[nodiscard]] SaveFile dated(SaveFile asked);
 /// The same, of a plugin.
 [[nodiscard]] SaveFile saveFileOf(const sdk::SaveFile& asked);
 

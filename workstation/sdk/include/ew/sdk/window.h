@@ -27,7 +27,7 @@ struct MenuEntry {
 struct SaveFile {
   using Path = std::filesystem::path;
   std::string title;                 ///< of the dialog, in the window's language
-  Path proposal;                     ///< a name, with its folder when it has one
+  Path proposal;                     ///< a name, with its folder when it has one; without, where this kind of file was saved last
   std::string filter;                ///< "PDF (*.pdf);;Pages for browsers (*.html)", in the window's language
   std::vector<std::string> endings;  ///< that can be written (".pdf"), in any case of letters; a name with none of them gets one
   /// The files that saving under a complete name writes. Empty: that one alone.
@@ -35,6 +35,7 @@ struct SaveFile {
   /// Why a file that is there must never be replaced, a sentence in the window's language; "": the user is asked. Empty: always asked.
   std::function<std::string(const Path& existing)> whyKept = {};
   std::vector<Path> madeFrom = {};  ///< what is saved was made from these files or folders: they are never replaced either
+  bool isDated = false;             ///< day and time join the proposal, so that the next one is another
 };
 
 /// Work that lies in memory alone.

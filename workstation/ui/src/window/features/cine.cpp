@@ -104,11 +104,12 @@ void Cine::saveClip() {
   WindowParts& p = parts_;
   const auto clip = p.cineBar->clip(p.recording->caseId());
   if (!clip || !p.session.subject()) return;
-  const QString file = askSaveFile(&p.window, {tr("Save the clip"),
-                                               tr("clip") + QStringLiteral(".seq.mha"),
-                                               tr("Scan to look at again (*.seq.mha);;Films (*.mp4 *.avi);;DICOM clips (*.dcm)"),
-                                               {QStringLiteral(".seq.mha"), QStringLiteral(".mha"), QStringLiteral(".mp4"),
-                                                QStringLiteral(".avi"), QStringLiteral(".dcm")}});
+  const QString file =
+      askSaveFile(&p.window, dated({tr("Save the clip"),
+                                    words(p.session.subject()->title) + QLatin1Char(' ') + tr("clip") + QStringLiteral(".seq.mha"),
+                                    tr("Scan to look at again (*.seq.mha);;Films (*.mp4 *.avi);;DICOM clips (*.dcm)"),
+                                    {QStringLiteral(".seq.mha"), QStringLiteral(".mha"), QStringLiteral(".mp4"), QStringLiteral(".avi"),
+                                     QStringLiteral(".dcm")}}));
   if (file.isEmpty()) return;
   if (hasEnding(pathOf(file), ".mha")) return void(p.recording->startSaving(clip, file, [] {}));
   p.jobs.start(

@@ -119,11 +119,11 @@ void Images::addSaveAction(QMenu& file) {
 void Images::refresh() { save_->setEnabled(parts_.session.subject().has_value()); }
 
 void Images::save() {
-  if (parts_.session.picture().isEmpty()) return;
-  const QString file = askSaveFile(&parts_.window, {tr("Save the image"),
-                                                    tr("scan") + QStringLiteral(".png"),
-                                                    tr("Images (*.png *.mha);;DICOM images (*.dcm)"),
-                                                    {QStringLiteral(".png"), QStringLiteral(".mha"), QStringLiteral(".dcm")}});
+  if (parts_.session.picture().isEmpty() || !parts_.session.subject()) return;
+  const QString file = askSaveFile(&parts_.window, dated({tr("Save the image"),
+                                                          words(parts_.session.subject()->title) + QStringLiteral(".png"),
+                                                          tr("Images (*.png *.mha);;DICOM images (*.dcm)"),
+                                                          {QStringLiteral(".png"), QStringLiteral(".mha"), QStringLiteral(".dcm")}}));
   if (file.isEmpty()) return;
   const auto written = saveTogether({pathOf(file)}, [&](const OutputSet& outputs) {
     const QDateTime now = QDateTime::currentDateTime();

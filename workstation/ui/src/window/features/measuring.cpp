@@ -144,10 +144,11 @@ bool Measuring::saveMeasurements() {
     p.scanView->say(tr("Nothing is measured yet that could be saved."));
     return false;
   }
-  const QString file = askSaveFile(&p.window, {tr("Save the measurements"),
-                                               tr("measurements") + QStringLiteral(".csv"),
-                                               tr("Measurements (*.csv *.json)"),
-                                               {QStringLiteral(".csv"), QStringLiteral(".json")}});
+  const QString file =
+      askSaveFile(&p.window, dated({tr("Save the measurements"),
+                                    words(p.session.subject()->title) + QLatin1Char(' ') + tr("measurements") + QStringLiteral(".csv"),
+                                    tr("Measurements (*.csv *.json)"),
+                                    {QStringLiteral(".csv"), QStringLiteral(".json")}}));
   if (file.isEmpty()) return false;
   const measurement::Findings findings = p.calipers.findings();
   const auto written = saveTogether({pathOf(file)}, [&](const OutputSet& outputs) {
@@ -166,12 +167,12 @@ bool Measuring::saveWorksheet() {
   WindowParts& p = parts_;
   const measurement::Examination* examination = p.worksheets.current();
   if (examination == nullptr || !p.session.subject()) return false;
-  const QString proposal = QString::fromStdString(examination->package().id);
+  const QString proposal = words(p.session.subject()->title) + QLatin1Char(' ') + QString::fromStdString(examination->package().id);
   const QString file =
-      askSaveFile(&p.window, {tr("Save the worksheet"),
-                              proposal + QStringLiteral(".pdf"),
-                              tr("Worksheets (*.pdf *.csv *.json);;DICOM reports (*.dcm)"),
-                              {QStringLiteral(".pdf"), QStringLiteral(".csv"), QStringLiteral(".json"), QStringLiteral(".dcm")}});
+      askSaveFile(&p.window, dated({tr("Save the worksheet"),
+                                    proposal + QStringLiteral(".pdf"),
+                                    tr("Worksheets (*.pdf *.csv *.json);;DICOM reports (*.dcm)"),
+                                    {QStringLiteral(".pdf"), QStringLiteral(".csv"), QStringLiteral(".json"), QStringLiteral(".dcm")}}));
   if (file.isEmpty()) return false;
   const measurement::Examination asWritten = *examination;
   std::vector<ReportPicture> pictures;

@@ -120,19 +120,18 @@ bool Recording::mayLeave(const QString& next) {
 bool Recording::save() {
   const auto recording = parts_.replayBar->recording();
   if (!recording) return false;
-  return saveAs(recording, tr("Save the recording"), tr("scan"), [this, recording] {
+  return saveAs(recording, tr("Save the recording"), [this, recording] {
     saved_ = recording;
     parts_.replayBar->setSaved(!isUnsaved());
     if (!isUnsaved()) parts_.autosave.dropRecording();
   });
 }
 
-bool Recording::saveAs(const std::shared_ptr<const ScanRecording>& recording, const QString& title, const QString& proposal,
-                       std::function<void()> saved) {
-  const QString file = askSaveFile(&parts_.window, {title,
-                                                    proposal + QStringLiteral(".seq.mha"),
-                                                    tr("Sequences of poses (*.seq.mha *.mha)"),
-                                                    {QStringLiteral(".seq.mha"), QStringLiteral(".mha")}});
+bool Recording::saveAs(const std::shared_ptr<const ScanRecording>& recording, const QString& title, std::function<void()> saved) {
+  const QString file = askSaveFile(&parts_.window, dated({title,
+                                                          words(recording->title) + QStringLiteral(".seq.mha"),
+                                                          tr("Sequences of poses (*.seq.mha *.mha)"),
+                                                          {QStringLiteral(".seq.mha"), QStringLiteral(".mha")}}));
   if (file.isEmpty()) return false;
   startSaving(recording, file, std::move(saved));
   return true;

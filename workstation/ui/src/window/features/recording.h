@@ -42,8 +42,7 @@ class Recording final : public Feature {
   void close();
   [[nodiscard]] bool mayLeave(const QString& next);
   /// Asks for a name and begins to save. @param saved called when it is @return false: nothing is saved
-  bool saveAs(const std::shared_ptr<const ScanRecording>& recording, const QString& title, const QString& proposal,
-              std::function<void()> saved);
+  bool saveAs(const std::shared_ptr<const ScanRecording>& recording, const QString& title, std::function<void()> saved);
   void startSaving(const std::shared_ptr<const ScanRecording>& recording, const QString& file, std::function<void()> saved);
 
  private:

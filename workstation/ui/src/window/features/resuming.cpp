@@ -219,7 +219,7 @@ void Resuming::leaveUnshown(const LeftWork& work) {
         const auto saved = [this, work] {
           if (work.measured.isEmpty() && work.unread.empty()) parts_.autosave.keeper().discardOnceKept(work.left);
         };
-        if (!parts_.recording->saveAs(work.recording, tr("Save the recording"), tr("scan"), saved)) leaveUnshown(work);
+        if (!parts_.recording->saveAs(work.recording, tr("Save the recording"), saved)) leaveUnshown(work);
       },
       kResuming + QLatin1Char(' ') + folder);
 }
