@@ -10,6 +10,8 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSpinBox>
 #include <QTabWidget>
 #include <QToolButton>
@@ -127,6 +129,21 @@ class AuthoringTest : public WindowFixture {
  private Q_SLOTS:
   void initTestCase() { initTranslations(); }
   void cleanup() { window_.reset(); }
+
+  void theFormBecomesNarrowerThanItsFieldsWouldLike() {
+    showWindow();
+    author(files_.writeCase(QStringLiteral("narrow")));
+    window_->resize(1366, 768);
+    inPanel<QPushButton>("addMeasurement")->click();
+    inPanel<QPushButton>("addExamination")->click();
+    for (auto* head : panel()->findChildren<QToolButton*>())
+      if (head->isCheckable() && !head->isChecked()) head->click();
+    QTest::qWait(50);
+    for (const auto* scroll : panel()->findChildren<QScrollArea*>())
+      QVERIFY2(scroll->horizontalScrollBar()->maximum() == 0,
+               qPrintable(QStringLiteral("%1 px beyond the right edge").arg(scroll->horizontalScrollBar()->maximum())));
+    QCOMPARE(inPanel<QListWidget>("presets")->horizontalScrollBarPolicy(), Qt::ScrollBarAlwaysOff);
+  }
 
   void aNewCaseFromASweepOpensInAuthor() {
     const QString sweep = files_.writeSweep(QStringLiteral("liver.igs.mha"));

@@ -1,4 +1,6 @@
 // What the stitching panel must not lose, and must not say: unsaved work of several windows, files of others, verdicts that nobody proved.
+#include <QTabBar>
+
 #include "gui/support/stitching_fixture.h"
 
 namespace ew::ui::testing {
@@ -42,6 +44,16 @@ class StitchingCareTest : public StitchingFixture {
  private Q_SLOTS:
   void initTestCase() { cutPieces(); }
   void cleanup() { closeAndForget(); }
+
+  void everyPanelIsReachedBesideTheStage() {
+    openWindow(files_.writeCase(QStringLiteral("narrow case")));
+    window_->resize(1366, 768);
+    QTest::qWait(50);
+    const QTabBar& bar = *tabs()->tabBar();
+    const bool listsAll = tabs()->cornerWidget() != nullptr && tabs()->cornerWidget()->isVisible();
+    for (int n = 0; n < bar.count(); ++n)
+      if (bar.isTabVisible(n)) QVERIFY2(listsAll || bar.rect().contains(bar.tabRect(n)), qPrintable(bar.tabText(n)));
+  }
 
   void aSecondSweepIsAddedWhileTheFirstIsRead() {
     openWindow(files_.writeCase(QStringLiteral("two sweeps case")));
