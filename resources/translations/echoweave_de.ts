@@ -26183,4 +26183,11 @@ Zeit: %3</translation>
         <translation>Oder weiter mit der Maus: Ziehen Sie die Sonde im Bild oder auf dem Körper.</translation>
     </message>
 </context>
+<context>
+    <name>ew::ui::WorkspacePanels</name>
+    <message>
+        <source>All panels</source>
+        <translation>Alle Bereiche</translation>
+    </message>
+</context>
 </TS>

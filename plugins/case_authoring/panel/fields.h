@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QString>
 #include <QStringList>
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -19,7 +20,18 @@ namespace ew::case_authoring {
 /// The name of the widget that edits a dotted field of the manifest: "patient_name".
 inline QString nameOf(const std::string& path) { return sdk::words(path).replace(QLatin1Char('.'), QLatin1Char('_')); }
 
-using ChoiceField = sdk::WheelWithFocus<QComboBox>;
+/// A choice that becomes narrower than its longest text where the form has no room for it.
+class ChoiceField final : public sdk::WheelWithFocus<QComboBox> {
+ public:
+  explicit ChoiceField(QWidget* parent = nullptr) : WheelWithFocus(parent) {}
+  [[nodiscard]] QSize minimumSizeHint() const override {
+    const QSize whole = QComboBox::minimumSizeHint();
+    return {std::min(whole.width(), kLeastLetters * fontMetrics().averageCharWidth() + kBesideText_px), whole.height()};
+  }
+
+ private:
+  static constexpr int kLeastLetters = 8, kBesideText_px = 32;  ///< its arrow and edges
+};
 
 /// Earlier examinations, one below the other: when, what kind, what it said, and its pictures. Fields of an examination that it does not
 /// show stay as they are.

@@ -112,26 +112,26 @@ void MeasurementsField::addOne(std::size_t number) {
   const std::array<QString, 4> names = {tr("distance"), tr("circumference"), tr("area"), tr("angle")};
   for (std::size_t n = 0; n < kKinds.size(); ++n) kind->addItem(names[n], QLatin1String(kKinds[n].kind));
   kind->setCurrentIndex(std::max(0, kind->findData(sdk::words(textAt(one, "kind")))));
-  grid->addWidget(kind, 1, 0);
+  grid->addWidget(kind, 1, 0, 1, 2);
+  auto* take = new QPushButton(tr("Take caliper"));
+  take->setObjectName(prefix + QStringLiteral("take"));
+  take->setToolTip(tr("Take the caliper I have drawn: value, kind and where it stands"));
+  grid->addWidget(take, 1, 2);
+
   auto* value = new sdk::NumberField(0.0, kMostValue, 2, unitWords(textAt(one, "unit", "mm")));
   value->setObjectName(prefix + QStringLiteral("value"));
   value->setAccessibleName(tr("value"));
   value->setValue(numberAt(one, "value").value_or(0.0));
   value->setEnabled(hasValue(one));
   if (!hasValue(one)) value->setToolTip(tr("The value is the virtual patient's; choose a kind to give one"));
-  grid->addWidget(value, 1, 1);
-  auto* take = new QPushButton(tr("Take caliper"));
-  take->setObjectName(prefix + QStringLiteral("take"));
-  take->setToolTip(tr("Take the caliper I have drawn: value, kind and where it stands"));
-  grid->addWidget(take, 1, 2);
-
+  grid->addWidget(value, 2, 0);
   auto* tolerance = new sdk::NumberField(0.0, kMostValue, 2, unitWords(textAt(one, "unit", "mm")));
   tolerance->setObjectName(prefix + QStringLiteral("tolerance"));
   tolerance->setAccessibleName(tr("tolerance"));
   tolerance->setPrefix(QStringLiteral("± "));
   tolerance->setSpecialValueText(tr("usual tolerance"));
   tolerance->setValue(numberAt(one, "tolerance").value_or(0.0));
-  grid->addWidget(tolerance, 2, 0, 1, 2);
+  grid->addWidget(tolerance, 2, 1, 1, 2);
   auto* reveals = new QCheckBox(tr("Gives the finding away"));
   reveals->setObjectName(prefix + QStringLiteral("reveals"));
   reveals->setToolTip(tr("A trainee sees the name with the findings only"));

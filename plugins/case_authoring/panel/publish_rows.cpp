@@ -153,10 +153,12 @@ void CasePanel::addIds(QFormLayout* form, const std::string& path, const QString
   auto* hint = sdk::quietLabel({});
   hint->setObjectName(nameOf(path) + QStringLiteral("_hint"));
   column->addWidget(hint);
-  auto* list = new QListWidget;
+  auto* list = new sdk::WheelWithFocus<QListWidget>;
   list->setObjectName(nameOf(path));
   list->setAccessibleName(label);
   list->setSelectionMode(QAbstractItemView::SingleSelection);
+  list->setWordWrap(true);  // a long name takes two lines, and none is cut
+  list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   const auto add = [list](const std::string& id, const QString& name) {
     auto* item = new QListWidgetItem(name, list);
     item->setData(Qt::UserRole, sdk::words(id));

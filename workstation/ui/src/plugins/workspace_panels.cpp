@@ -1,7 +1,11 @@
 #include "plugins/workspace_panels.h"
 
+#include <QAction>
+#include <QEvent>
+#include <QMenu>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -29,7 +33,47 @@ QTabWidget& WorkspacePanels::of(const std::string& workspace) {
   rows_->addWidget(tabs, 1);
   connect(tabs, &QTabWidget::currentChanged, this, &WorkspacePanels::changed);
   tabs_[workspace] = tabs;
+  lists_[tabs] = makeList(*tabs);
+  tabs->installEventFilter(this);
   return *tabs;
+}
+
+QToolButton* WorkspacePanels::makeList(QTabWidget& tabs) {
+  auto* list = new QToolButton(&tabs);
+  list->setObjectName(QStringLiteral("allPanels"));
+  list->setArrowType(Qt::DownArrow);
+  list->setPopupMode(QToolButton::InstantPopup);
+  list->setToolTip(tr("All panels"));
+  list->setAccessibleName(list->toolTip());
+  auto* menu = new QMenu(list);
+  list->setMenu(menu);
+  connect(menu, &QMenu::aboutToShow, &tabs, [&tabs, menu] {
+    menu->clear();
+    for (int tab = 0; tab < tabs.count(); ++tab) {
+      if (!tabs.isTabVisible(tab)) continue;
+      QAction* action = menu->addAction(tabs.tabText(tab), &tabs, [&tabs, tab] { tabs.setCurrentIndex(tab); });
+      action->setCheckable(true);
+      action->setChecked(tab == tabs.currentIndex());
+    }
+  });
+  list->hide();
+  return list;
+}
+
+void WorkspacePanels::offerAll(QTabWidget& tabs) {
+  const auto found = lists_.find(&tabs);
+  if (found == lists_.end()) return;
+  QToolButton* list = found->second;
+  const bool isWanted = shownTabs(tabs) > 1 && tabs.tabBar()->sizeHint().width() > tabs.width();
+  if (isWanted == (tabs.cornerWidget(Qt::TopRightCorner) == list)) return;
+  tabs.setCornerWidget(isWanted ? list : nullptr, Qt::TopRightCorner);
+  list->setVisible(isWanted);
+}
+
+bool WorkspacePanels::eventFilter(QObject* watched, QEvent* event) {
+  const bool isOther = event->type() == QEvent::Resize || event->type() == QEvent::Show || event->type() == QEvent::LayoutRequest;
+  if (auto* tabs = isOther ? qobject_cast<QTabWidget*>(watched) : nullptr; tabs != nullptr) offerAll(*tabs);
+  return QWidget::eventFilter(watched, event);
 }
 
 bool WorkspacePanels::has(const std::string& workspace) const {
@@ -83,6 +127,7 @@ void WorkspacePanels::showTabBars() {
 }
 
 void WorkspacePanels::clear() {
+  lists_.clear();
   for (const auto& [id, tabs] : std::exchange(tabs_, {})) delete tabs;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 class QTabWidget;
+class QToolButton;
 class QVBoxLayout;
 
 namespace ew::ui {
@@ -40,10 +41,17 @@ class WorkspacePanels final : public QWidget {
   void tabsChanged();  ///< a workspace has other tabs than before
   void asked();        ///< a panel is wanted in front of whatever takes turns with the column
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void showTabBars();
+  /// Where not all tabs have room a button beside them lists them.
+  void offerAll(QTabWidget& tabs);
+  [[nodiscard]] QToolButton* makeList(QTabWidget& tabs);
   [[nodiscard]] static int shownTabs(const QTabWidget& tabs);
   std::map<std::string, QTabWidget*> tabs_;
+  std::map<const QTabWidget*, QToolButton*> lists_;  ///< of the tabs, shown or not
   std::string inFront_;
   int tabsWidth_px_ = 0;
   QVBoxLayout* rows_ = nullptr;
