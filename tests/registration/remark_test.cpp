@@ -53,7 +53,7 @@ TEST(Remark, LeavesAgreementAndAllButEightNamesOutWhenBrief) {
 TEST(Remark, SaysItsFiguresInTheirPlaces) {
   EXPECT_EQ(said({RemarkCode::onePoseStandsOut, {3.14, 0.26, 0.82, 0.12, 33.06}}),
             "One pose stands out by a margin of 3.1, and halves of the overlap registered apart agree to 0.3 mm (correlation 0.82 over "
-            "12 % overlap, 33.1 deviations above chance).");
+            "12 % overlap, z score 33.1).");
   EXPECT_EQ(said({RemarkCode::placesAgreeBut, {4, 0.84, 6.0, 2, 3}, {"stone", ""}}),
             "4 pairs agree within 0.8 mm (rms); 'stone' and number 3 do not fit, by 6 mm.");
   EXPECT_EQ(
@@ -64,6 +64,27 @@ TEST(Remark, SaysItsFiguresInTheirPlaces) {
             "One can read the pairs in two ways: without 'fork', or without number 4. Add a pair or correct one.");
   EXPECT_EQ(messageOf(std::vector<Remark>{{RemarkCode::streaksTakenOut, {9.0, 13.2}}, {RemarkCode::placedByHand}}).english(),
             "Shadows and other streaks were taken out, which drew the volumes 9.0 mm and 13.2 degrees elsewhere. Placed by hand.");
+}
+
+/// Of images that correlate well over little and of those that correlate weakly the verdict is the same, "cannot tell"; the sentence says
+/// which of the two it is, and what to do.
+TEST(Remark, OfTooLittleEvidenceNeverContradictsItsFigures) {
+  EXPECT_EQ(said({RemarkCode::bestHardlyBetter, {0.98, 0.66, 9.8}}),
+            "In the best pose the images agree, but the overlap shows too little structure to rule out chance (correlation 0.98 over 66 % "
+            "overlap, z score 9.8); look whether they fit, or give landmarks, a tracker's pose or more overlap.");
+  EXPECT_EQ(said({RemarkCode::hardlyBetter, {0.98, 0.66, 7.8}}, Wording::brief),
+            "The images agree, but the overlap shows too little structure to rule out chance; look whether they fit, or give landmarks, a "
+            "tracker's pose or more overlap.");
+  EXPECT_EQ(said({RemarkCode::bestHardlyBetter, {0.31, 0.66, 9.8}}),
+            "In the best pose the images agree in part, and too little to rule out chance (correlation 0.31 over 66 % overlap, z score "
+            "9.8); look whether they fit, or give landmarks, a tracker's pose or more overlap.");
+  for (const RemarkCode what : {RemarkCode::overlapTooSmall, RemarkCode::hardlyBetter, RemarkCode::foundTooSmall,
+                                RemarkCode::bestHardlyBetter, RemarkCode::onlyStreaksAgree})
+    for (const double correlation : {0.3, 0.7, 0.98}) {
+      const std::string sentence = said({what, {correlation, 0.66, 7.0}});
+      EXPECT_EQ(sentence.find("unrelated"), std::string::npos) << sentence;
+      EXPECT_NE(sentence.find("landmarks"), std::string::npos) << "says what to do: " << sentence;
+    }
 }
 
 TEST(Remark, OfAResultIsWhatItsReasonSays) {
