@@ -95,6 +95,10 @@
         <translation>Die aufgenommenen Bilder eines Volumens lassen sich nicht schneiden: %1.</translation>
     </message>
     <message>
+        <source>What agrees are mostly streaks, such as shadows along the beam, which turn with the probe: what agrees without them is too little to rule out chance%1. A tracker, landmarks or the direction of the beams can decide.</source>
+        <translation>Was übereinstimmt, sind vor allem Streifen wie Schatten längs des Strahls, die sich mit dem Schallkopf drehen: Was ohne sie übereinstimmt, ist zu wenig, um Zufall auszuschließen%1. Ein Tracker, Landmarken oder die Richtung der Strahlen können entscheiden.</translation>
+    </message>
+    <message>
         <source>there are fewer than two</source>
         <translation>es sind weniger als zwei</translation>
     </message>
@@ -117,6 +121,34 @@
     <message>
         <source>'volume.frames' in case.json must name %1.</source>
         <translation>„volume.frames“ in case.json muss %1 nennen.</translation>
+    </message>
+    <message>
+        <source>(correlation %1 over %2 overlap, z score %3)</source>
+        <translation>(Korrelation %1 über %2 Überlappung, z-Wert %3)</translation>
+    </message>
+    <message>
+        <source>In the best pose the images agree in part, and too little to rule out chance%1; look whether they fit, or give landmarks, a tracker&apos;s pose or more overlap.</source>
+        <translation>In der besten Lage stimmen die Bilder zum Teil überein, aber zu wenig, um Zufall auszuschließen%1; nachsehen, ob sie passen, oder Landmarken, die Lage eines Trackers oder mehr Überlappung angeben.</translation>
+    </message>
+    <message>
+        <source>In the best pose the images agree, but the overlap shows too little structure to rule out chance%1; look whether they fit, or give landmarks, a tracker&apos;s pose or more overlap.</source>
+        <translation>In der besten Lage stimmen die Bilder überein, aber die Überlappung zeigt zu wenig Struktur, um Zufall auszuschließen%1; nachsehen, ob sie passen, oder Landmarken, die Lage eines Trackers oder mehr Überlappung angeben.</translation>
+    </message>
+    <message>
+        <source>The images agree in part, and too little to rule out chance%1; look whether they fit, or give landmarks, a tracker&apos;s pose or more overlap.</source>
+        <translation>Die Bilder stimmen zum Teil überein, aber zu wenig, um Zufall auszuschließen%1; nachsehen, ob sie passen, oder Landmarken, die Lage eines Trackers oder mehr Überlappung angeben.</translation>
+    </message>
+    <message>
+        <source>The images agree, but the overlap shows too little structure to rule out chance%1; look whether they fit, or give landmarks, a tracker&apos;s pose or more overlap.</source>
+        <translation>Die Bilder stimmen überein, aber die Überlappung zeigt zu wenig Struktur, um Zufall auszuschließen%1; nachsehen, ob sie passen, oder Landmarken, die Lage eines Trackers oder mehr Überlappung angeben.</translation>
+    </message>
+    <message>
+        <source>The overlap found shows too little structure to rule out chance%1; record more overlap, or give landmarks or a tracker&apos;s pose.</source>
+        <translation>Die gefundene Überlappung zeigt zu wenig Struktur, um Zufall auszuschließen%1; mehr Überlappung aufnehmen oder Landmarken oder die Lage eines Trackers angeben.</translation>
+    </message>
+    <message>
+        <source>The overlap shows too little structure to tell%1; record more overlap, or give landmarks or a tracker&apos;s pose.</source>
+        <translation>Die Überlappung zeigt zu wenig Struktur für ein Urteil%1; mehr Überlappung aufnehmen oder Landmarken oder die Lage eines Trackers angeben.</translation>
     </message>
     <message>
         <source>at least two recorded images</source>
@@ -2547,10 +2579,6 @@
         <translation>(Korrelation %1 vorher, %2 nachher, %3 durch Zufall)</translation>
     </message>
     <message>
-        <source>(correlation %1 over %2 overlap, %3 deviations above chance)</source>
-        <translation>(Korrelation %1 über %2 Überlappung, %3 Standardabweichungen über dem Zufall)</translation>
-    </message>
-    <message>
         <source>(none named)</source>
         <translation>(keine genannt)</translation>
     </message>
@@ -3611,10 +3639,6 @@
         <translation>Auch die beste von %1 Drehungen mit allen Verschiebungen stimmt nicht besser überein als fremdes Gewebe%2.</translation>
     </message>
     <message>
-        <source>The best pose agrees hardly better than unrelated tissue does%1.</source>
-        <translation>Die beste Lage stimmt kaum besser überein als fremdes Gewebe%1.</translation>
-    </message>
-    <message>
         <source>The blend beside the seam must be 0 or a positive number of mm.</source>
         <translation>Die Breite des Mischens neben der Naht muss 0 oder eine positive Zahl in mm sein.</translation>
     </message>
@@ -3995,10 +4019,6 @@
         <translation>Die Bilder stimmen überein, wie sie liegen, und keine Verformung passt dort besser, wo sie nicht angepasst wurde: Die Verschiebung bleibt null (Gewinn an Korrelation dort %1, sein Fehler %2).</translation>
     </message>
     <message>
-        <source>The images agree hardly better than unrelated tissue does%1.</source>
-        <translation>Die Bilder stimmen kaum besser überein als fremdes Gewebe%1.</translation>
-    </message>
-    <message>
         <source>The images are stored in orientation %1 and were turned to MF.</source>
         <translation>Die Bilder sind in der Ausrichtung %1 gespeichert und wurden nach MF gedreht.</translation>
     </message>
@@ -4187,16 +4207,8 @@
         <translation>Die Überlappung hält die Lage nicht fest: Die Normalgleichungen sind singulär.</translation>
     </message>
     <message>
-        <source>The overlap found is too small to tell it from chance%1.</source>
-        <translation>Die gefundene Überlappung ist zu klein, um Zufall auszuschließen%1.</translation>
-    </message>
-    <message>
         <source>The overlap is too small to register: fewer than 50 voxels are covered by both volumes.</source>
         <translation>Die Überlappung ist zu klein: Beide Volumen erfassen gemeinsam weniger als 50 Voxel.</translation>
-    </message>
-    <message>
-        <source>The overlap is too small to tell%1.</source>
-        <translation>Die Überlappung ist zu klein für ein Urteil%1.</translation>
     </message>
     <message>
         <source>The overlap shows no structure that could be followed: the normal equations are singular.</source>
@@ -5189,10 +5201,6 @@
     <message>
         <source>What agrees are mostly streaks, such as shadows along the beam, which turn with the probe: without them the pose lies %1 and %2 degrees elsewhere. A tracker, landmarks or the direction of the beams can decide.</source>
         <translation>Was übereinstimmt, sind vor allem Streifen wie Schatten längs des Strahls, die sich mit dem Schallkopf drehen: Ohne sie liegt die Lage %1 und %2° anderswo. Ein Tracker, Landmarken oder die Richtung der Strahlen können entscheiden.</translation>
-    </message>
-    <message>
-        <source>What agrees are mostly streaks, such as shadows along the beam, which turn with the probe: without them the volumes agree hardly better than unrelated tissue does%1.</source>
-        <translation>Was übereinstimmt, sind vor allem Streifen wie Schatten längs des Strahls, die sich mit dem Schallkopf drehen: Ohne sie stimmen die Volumen kaum besser überein als fremdes Gewebe%1.</translation>
     </message>
     <message>
         <source>What moves changes along the sweep; the phase may slip where one part of it ends and the next begins.</source>

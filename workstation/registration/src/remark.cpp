@@ -67,14 +67,18 @@ Message plainMillimetres(double mm) {
 Message percent(double share) { return say<"%1 %">(decimal(100.0 * share, 0)); }
 Message whole(double count) { return decimal(count, 0); }
 
-/// " (correlation 0.82 over 12 % overlap, 33.1 deviations above chance)", behind what it is said of; nothing when brief.
+/// " (correlation 0.82 over 12 % overlap, z score 33.1)", behind what it is said of; nothing when brief.
 Message agreementOf(const Remark& remark, std::size_t first, Wording wording) {
   if (wording == Wording::brief) return {};
   return joined(
-      {verbatim(" "), say<"(correlation %1 over %2 overlap, %3 deviations above chance)">(
+      {verbatim(" "), say<"(correlation %1 over %2 overlap, z score %3)">(
                           decimal(remark.figure(first), 2), percent(remark.figure(first + 1)), decimal(remark.figure(first + 2), 1))},
       "");
 }
+
+/// Whether a pair that is not sure enough correlates as well as sure ones do: then it is not the agreement that is small, but what it was
+/// found over. The z score grows with both.
+bool agreesWell(const Remark& remark, std::size_t first) { return remark.figure(first) >= kGoodCorrelation; }
 
 /// Of names [from, to), whose numbers stand from figure `numbers` on.
 Message namesOf(const Remark& remark, std::size_t from, std::size_t to, std::size_t numbers, Wording wording) {
@@ -129,11 +133,16 @@ Message ofRefining(const Remark& remark, Wording wording) {
             "well.">(millimetres(remark.figure(1)), percent(remark.figure(0)));
       return say<"The overlap does not hold the pose: the normal equations are singular.">();
     case RemarkCode::overlapTooSmall:
-      return say<"The overlap is too small to tell%1.">(agreement(0));
+      return say<"The overlap shows too little structure to tell%1; record more overlap, or give landmarks or a tracker's pose.">(
+          agreement(0));
     case RemarkCode::unrelatedNearStart:
       return say<"Near this start the images agree no better than unrelated tissue does%1.">(agreement(0));
     case RemarkCode::hardlyBetter:
-      return say<"The images agree hardly better than unrelated tissue does%1.">(agreement(0));
+      return agreesWell(remark, 0)
+                 ? say<"The images agree, but the overlap shows too little structure to rule out chance%1; look whether they fit, or give "
+                       "landmarks, a tracker's pose or more overlap.">(agreement(0))
+                 : say<"The images agree in part, and too little to rule out chance%1; look whether they fit, or give landmarks, a "
+                       "tracker's pose or more overlap.">(agreement(0));
     case RemarkCode::startMayBeFar:
       return say<"Halves of the overlap registered apart contradict each other by %1%2: the start may be too far off.">(
           millimetres(remark.figure(0)), agreement(1));
@@ -153,12 +162,18 @@ Message ofSearching(const Remark& remark, Wording wording) {
     case RemarkCode::noPoseAgrees:
       return say<"No pose brings the two volumes into agreement over %1 overlap.">(percent(remark.figure(0)));
     case RemarkCode::foundTooSmall:
-      return say<"The overlap found is too small to tell it from chance%1.">(agreement(0));
+      return say<
+          "The overlap found shows too little structure to rule out chance%1; record more overlap, or give landmarks or a tracker's "
+          "pose.">(agreement(0));
     case RemarkCode::unrelatedEverywhere:
       return say<"The best of %1 turns with all shifts agrees no better than unrelated tissue does%2.">(whole(remark.figure(0)),
                                                                                                         agreement(1));
     case RemarkCode::bestHardlyBetter:
-      return say<"The best pose agrees hardly better than unrelated tissue does%1.">(agreement(0));
+      return agreesWell(remark, 0)
+                 ? say<"In the best pose the images agree, but the overlap shows too little structure to rule out chance%1; look whether "
+                       "they fit, or give landmarks, a tracker's pose or more overlap.">(agreement(0))
+                 : say<"In the best pose the images agree in part, and too little to rule out chance%1; look whether they fit, or give "
+                       "landmarks, a tracker's pose or more overlap.">(agreement(0));
     case RemarkCode::twoPosesAlike:
       return say<"Two different poses agree almost equally (margin %1): the structure repeats, a close start or landmarks must choose%2.">(
           decimal(remark.figure(0), 2), agreement(1));
@@ -172,8 +187,8 @@ Message ofSearching(const Remark& remark, Wording wording) {
           millimetres(remark.figure(0)), decimal(remark.figure(1), 1));
     case RemarkCode::onlyStreaksAgree:
       return say<
-          "What agrees are mostly streaks, such as shadows along the beam, which turn with the probe: without them the volumes "
-          "agree hardly better than unrelated tissue does%1.">(agreement(0));
+          "What agrees are mostly streaks, such as shadows along the beam, which turn with the probe: what agrees without them is too "
+          "little to rule out chance%1. A tracker, landmarks or the direction of the beams can decide.">(agreement(0));
     case RemarkCode::streaksDecide:
       return say<
           "What agrees are mostly streaks, such as shadows along the beam, which turn with the probe: without them the pose lies "

@@ -84,7 +84,7 @@ Remark remarkWith(RemarkCode what, std::vector<double> figures, const Evidence& 
   return {what, std::move(figures)};
 }
 
-double mostSignificance(const Evidence& evidence) { return std::atanh(0.7) * std::sqrt(evidence.samples); }
+double mostSignificance(const Evidence& evidence) { return std::atanh(kGoodCorrelation) * std::sqrt(evidence.samples); }
 
 Remark onlyStreaks(const WithoutStreaks& fare, double sure) {
   if (fare.evidence.significance < sure) return remarkWith(RemarkCode::onlyStreaksAgree, {}, fare.evidence);

@@ -35,7 +35,7 @@ struct Evidence {
 };
 /// RemarkCode::… with the figures before, and behind them those of the agreement.
 [[nodiscard]] Remark remarkWith(RemarkCode what, std::vector<double> figures, const Evidence& evidence);
-/// What a good agreement (correlation 0.7) over as many samples would reach.
+/// What a good agreement (kGoodCorrelation) over as many samples would reach.
 [[nodiscard]] double mostSignificance(const Evidence& evidence);
 /// @return false when cancelled
 [[nodiscard]] bool evidenceAt(const PairLevels& pair, std::size_t level, const Transform<frame::Moving, frame::Fixed>& fixedToMoving,

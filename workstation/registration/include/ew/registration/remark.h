@@ -11,8 +11,11 @@
 
 namespace ew::registration {
 
+inline constexpr double kGoodCorrelation = 0.7;  ///< from which on images are said to agree, though it may be over too little
+
 /// What can be said about a result. Behind each the figures of its remark, in order; "agreement" is three of them: correlation, share of
-/// overlap, standard deviations above chance. Lengths are in mm, turns in degrees, shares 0..1.
+/// overlap, z score (Fisher's z of the correlation times the root of the independent samples: standard deviations above chance). Lengths
+/// are in mm, turns in degrees, shares 0..1.
 enum class RemarkCode {
   // Of the volumes.
   noEcho,       ///< which: 0 the fixed volume, 1 the moving one
