@@ -143,6 +143,14 @@
         <translation>Die Bilder stimmen überein, aber die Überlappung zeigt zu wenig Struktur, um Zufall auszuschließen%1; nachsehen, ob sie passen, oder Landmarken, die Lage eines Trackers oder mehr Überlappung angeben.</translation>
     </message>
     <message>
+        <source>The learning system asks for %1 of 100 points: %2 there. The lesson asks for %3: %4.</source>
+        <translation>Das Lernsystem verlangt %1 von 100 Punkten: dort %2. Die Lektion verlangt %3: %4.</translation>
+    </message>
+    <message>
+        <source>The learning system asks for %1 of 100 points: %2 there. The lesson asks that it is finished and every step that counts is passed: %3.</source>
+        <translation>Das Lernsystem verlangt %1 von 100 Punkten: dort %2. Die Lektion verlangt, dass sie beendet und jeder zählende Schritt bestanden ist: %3.</translation>
+    </message>
+    <message>
         <source>The overlap found shows too little structure to rule out chance%1; record more overlap, or give landmarks or a tracker&apos;s pose.</source>
         <translation>Die gefundene Überlappung zeigt zu wenig Struktur, um Zufall auszuschließen%1; mehr Überlappung aufnehmen oder Landmarken oder die Lage eines Trackers angeben.</translation>
     </message>

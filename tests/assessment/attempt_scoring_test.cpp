@@ -382,6 +382,40 @@ TEST(AttemptResult, OfWhatWasHandedInWaits) {
   EXPECT_EQ(verdictWord(result).english(), "handed in");
 }
 
+TEST(AttemptResult, SaysSoWhereALearningSystemAsksForMoreOrLessThanTheLesson) {
+  auto [lesson, tried] = triedAll({AnswerTask{}, AnswerTask{}});
+  tried.outcomes[0].score = 0.4;
+  tried.outcomes[0].verdict = StepVerdict::failed;
+  const auto said = [&, &lesson = lesson, &tried = tried](std::optional<double> level, std::optional<double> masteryScore) {
+    AssessmentPlan plan;
+    plan.passLevel = level;
+    return systemVerdictRemark(attemptResultOf(tried, &lesson, plan, {}), masteryScore).english();
+  };
+  ASSERT_EQ(attemptResultOf(tried, &lesson, {}, {}).passed(), false);
+  ASSERT_NEAR(*attemptResultOf(tried, &lesson, {}, {}).score(), 0.6, 1e-12);
+  EXPECT_EQ(said(0.7, 0.5), "The learning system asks for 50 of 100 points: passed there. The lesson asks for 70: not passed.");
+  EXPECT_EQ(said(0.5, 2.0 / 3.0), "The learning system asks for 66.7 of 100 points: not passed there. The lesson asks for 50: passed.");
+  EXPECT_EQ(said({}, 0.5),
+            "The learning system asks for 50 of 100 points: passed there. The lesson asks that it is finished and every step that counts "
+            "is passed: not passed.");
+  for (const auto& [level, masteryScore] : std::vector<std::pair<std::optional<double>, std::optional<double>>>{
+           {0.7, 0.8}, {0.5, 0.6}, {0.6, 0.6}, {0.7, std::nullopt}, {std::nullopt, 0.9}})
+    EXPECT_EQ(said(level, masteryScore), "") << "one verdict";
+  tried.masteryScore = 0.5;
+  EXPECT_EQ(attemptResultOf(tried, &lesson, {}, {}).masteryScore, 0.5);
+  tried.outcomes[1].verdict = StepVerdict::handedIn;
+  EXPECT_EQ(said(0.7, 0.5), "") << "nobody has judged it yet";
+}
+
+TEST(AttemptResult, IsPassedForALearningSystemByItsOwnLevel) {
+  EXPECT_TRUE(passedForSystem(0.6, false, 0.5));
+  EXPECT_FALSE(passedForSystem(0.6, true, 0.7));
+  EXPECT_TRUE(passedForSystem((0.7 + 0.7 + 0.7) / 3.0, false, 0.7)) << "to the last digit of a mean";
+  EXPECT_TRUE(passedForSystem(0.6, true, {})) << "it asks for none";
+  EXPECT_FALSE(passedForSystem(0.6, false, {}));
+  EXPECT_TRUE(passedForSystem({}, true, 0.7)) << "nothing to compare";
+}
+
 TEST(AttemptResult, IsOfThePlanThatCountsNow) {
   const auto [lesson, tried] = triedAll({AnswerTask{}, AnswerTask{}});
   AssessmentPlan plan;

@@ -173,6 +173,10 @@ TEST_F(RecordsCommand, TellsAnAttemptToTheSystemThatLaunchedIt) {
   for (const std::string& id : order) verbs.push_back(server_.stored(id)["verb"]["display"]["en"]);
   EXPECT_EQ(verbs, (std::vector<std::string>{"initialized", "completed", "passed", "terminated"}));
   EXPECT_EQ(server_.stored(order[2])["result"]["score"]["scaled"], (0.75 + 0.0 + 0.0) / 3.0) << "above the mastery score of the course";
+  EXPECT_NE(told.err.find("The learning system asks for 20 of 100 points: passed there. The lesson asks that it is finished and every step "
+                          "that counts is passed: not passed."),
+            std::string::npos)
+      << told.err;
   EXPECT_EQ(server_.stored(order[1])["result"]["duration"], "PT2M55.92S");
   const auto again = run({"records", "launch", url, attempt, "--rounds", "1", "--person", "Ada Lovelace"});
   EXPECT_EQ(again.status, 1);
@@ -249,7 +253,7 @@ class LaunchedLesson : public RecordsCommand {
         return ServerAnswer{
             200,
             R"({"contextTemplate": {"extensions": {"urn:s": "42"}}, "launchMode": "Normal", "moveOn": "Passed", "launchParameters": ")" +
-                parameters_ + R"("})",
+                parameters_ + R"(")" + (masteryScore_.empty() ? "" : ", \"masteryScore\": " + masteryScore_) + "}",
             {}};
       if (question.target.starts_with("/xapi/agents/profile")) return ServerAnswer{404, "", {}};
       return std::nullopt;
@@ -290,6 +294,7 @@ class LaunchedLesson : public RecordsCommand {
            (folder_ / ("aside/" + attempt.id)) + "' '" + (folder_ / "library/attempts/") + "'";
   }
   std::string parameters_ = "fetal-biometry/three-standard-planes";
+  std::string masteryScore_;  ///< as JSON; empty: none
   int fetched_ = 0;
 };
 
@@ -301,6 +306,25 @@ TEST_F(LaunchedLesson, IsOpenedInTheWindowAndItsResultTold) {
   EXPECT_TRUE(words.starts_with("--launched-by 127.0.0.1\n")) << words;
   EXPECT_NE(words.find("fetal-biometry --lesson three-standard-planes\n"), std::string::npos) << words;
   EXPECT_TRUE(std::filesystem::is_empty(folder_ / "library/records")) << "nothing of a session stays";
+}
+
+TEST_F(LaunchedLesson, SaysWhatScoreTheSystemAsksForToTheWindow) {
+  const std::string asks = "echo \"asks for ${ECHOWEAVE_MASTERY_SCORE-none}\" >> '" + (folder_ / "words") + "'";
+  const EnvironmentValue stale("ECHOWEAVE_MASTERY_SCORE", "0.9");
+  ASSERT_EQ(run({"records", "launch", address(), "--wanted", "--window", windowThat(0, asks), "--rounds", "1"}).status, 0);
+  EXPECT_NE(readText(folder_ / "words").find("asks for none\n"), std::string::npos) << "another launch's is not passed on";
+  masteryScore_ = "0.65";
+  ASSERT_EQ(run({"records", "launch", address(), "--wanted", "--window", windowThat(0, asks), "--rounds", "1"}).status, 0);
+  EXPECT_NE(readText(folder_ / "words").find("asks for 0.65\n"), std::string::npos) << readText(folder_ / "words");
+}
+
+TEST_F(LaunchedLesson, IsToldByTheSystemsLevelAndSaysWhereTheLessonsDiffers) {
+  masteryScore_ = "0";
+  const auto told = run({"records", "launch", address(), "--wanted", "--window", windowThat(0, finishesALesson()), "--rounds", "1"});
+  ASSERT_EQ(told.status, 0) << told.err;
+  EXPECT_EQ(verbs(), (std::vector<std::string>{"initialized", "completed", "passed", "terminated"}));
+  EXPECT_NE(told.err.find("The learning system asks for 0 of 100 points: passed there."), std::string::npos) << told.err;
+  EXPECT_NE(told.err.find("not passed."), std::string::npos) << told.err;
 }
 
 TEST_F(LaunchedLesson, OfTwoLearnersOnOneLibraryTellsEachTheirOwn) {

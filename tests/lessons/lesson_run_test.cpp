@@ -150,6 +150,21 @@ TEST(LessonRunOfALesson, SaysWhichLaunchBeganIt) {
   EXPECT_EQ(launchOfEnvironment(), "");
 }
 
+TEST(LessonRunOfALesson, SaysWhatScoreItsLaunchAsksFor) {
+  const TemporaryFolder folder;
+  const EnvironmentValue mastery(kMasteryVariable, "0.65");
+  EXPECT_FALSE(masteryScoreOfEnvironment()) << "nobody launched it";
+  const EnvironmentValue launch(kLaunchVariable, "0a5f-17.4");
+  const auto run = LessonRun::begin(lesson(), "home", "", folder.path());
+  ASSERT_TRUE(run);
+  EXPECT_EQ(KeptAttempt::open(run->attempt()->folder())->attempt().masteryScore, 0.65);
+  EXPECT_EQ(run->result({}).masteryScore, 0.65);
+  for (const char* odd : {"", "much", "1.5", "-0.1"}) {
+    const EnvironmentValue other(kMasteryVariable, odd);
+    EXPECT_FALSE(masteryScoreOfEnvironment()) << odd;
+  }
+}
+
 TEST(LessonRunOfALesson, LeavesPausesOutOfTheTimeAndTheRecording) {
   LessonRun run(lesson(), std::nullopt);
   ASSERT_TRUE(run.startStep(scene(), 0.0));

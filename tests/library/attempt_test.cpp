@@ -52,6 +52,7 @@ Attempt begun() {
   attempt.person = "me";
   attempt.program = "0.1.0";
   attempt.launch = "0a5f-17.4";
+  attempt.masteryScore = 0.65;
   attempt.startedAt = kMorning;
   return attempt;
 }

@@ -27,6 +27,17 @@ TEST(ReportOfAnAttempt, SaysWhoWhatWhenAndWhatItIsWorth) {
   EXPECT_TRUE(holds(text, validitySentence().english()));
 }
 
+TEST(ReportOfAnAttempt, SaysWhereALearningSystemWasToldAnotherVerdict) {
+  ReportedAttempt one = madeAttempt(3, 0.85, 0.4);
+  EXPECT_FALSE(holds(plainTextOf(attemptReport(one, madeLesson(), someCodes())), "learning system"));
+  one.attempt.masteryScore = 0.5;
+  const std::string text = plainTextOf(attemptReport(one, madeLesson(), someCodes()));
+  EXPECT_TRUE(holds(text, "Verdict: not passed")) << text;
+  EXPECT_TRUE(holds(text, "The learning system asks for 50 of 100 points: passed there.")) << text;
+  one.attempt.masteryScore = 0.7;
+  EXPECT_FALSE(holds(plainTextOf(attemptReport(one, madeLesson(), someCodes())), "learning system")) << "not passed there either";
+}
+
 TEST(ReportOfAnAttempt, NamesNobodyUnlessAsked) {
   ReportedAttempt one = madeAttempt(1, 0.9, 0.9, "Ana Gomez");
   one.ratings.ratings = {test::ratedBy("Dr. Rateress", 4, 3)};

@@ -51,6 +51,7 @@ Result<LessonRun> LessonRun::begin(Lesson lesson, const std::string& caseId, con
   attempt.person = person;
   attempt.program = kVersion;
   attempt.launch = launchOfEnvironment();
+  attempt.masteryScore = masteryScoreOfEnvironment();
   if (!sealedAnswers.empty()) attempt = withSealedAnswers(std::move(attempt), sealedAnswers);
   auto kept = KeptAttempt::begin(attempts, std::move(attempt));
   if (!kept) return passOn(kept.error());

@@ -27,6 +27,12 @@ OutcomePage::OutcomePage(QWidget* parent) : QWidget(parent) {
   figure_ = sdk::quietLabel({});
   figure_->setObjectName(QStringLiteral("outcomeScore"));
   column->addWidget(figure_);
+  toSystem_ = new QLabel;
+  toSystem_->setObjectName(QStringLiteral("outcomeToSystem"));
+  toSystem_->setTextFormat(Qt::PlainText);
+  toSystem_->setWordWrap(true);
+  toSystem_->hide();
+  column->addWidget(toSystem_);
   remarks_ = new ScrolledRows;
   column->addWidget(remarks_, 1);
   auto* buttons = new QHBoxLayout;
@@ -78,6 +84,7 @@ void OutcomePage::addRemark(bool good, const QString& text) {
 
 void OutcomePage::showStep(const LessonStep& step, const StepOutcome& outcome, bool isLast) {
   remarks_->clear();
+  toSystem_->hide();
   const bool passed = outcome.verdict == StepVerdict::passed, handedIn = outcome.verdict == StepVerdict::handedIn;
   heading_->setText(handedIn                                  ? tr("Handed in: %1").arg(words(step.title))
                     : passed                                  ? tr("Passed: %1").arg(words(step.title))
@@ -129,6 +136,9 @@ void OutcomePage::showLesson(const LessonRun& run, const AttemptResult& result) 
   heading_->setText(result.passed().value_or(false) ? tr("Lesson passed: %1").arg(words(run.lesson().title))
                                                     : tr("Lesson finished: %1").arg(words(run.lesson().title)));
   figure_->setText(tr("%1 of %2 steps passed").arg(result.stepsPassed).arg(result.stepsJudged));
+  const Message toSystem = systemVerdictRemark(result, result.masteryScore);
+  toSystem_->setText(words(toSystem));
+  toSystem_->setVisible(!toSystem.empty());
   if (!result.passed()) {
     heading_->setText(tr("Examination handed in: %1").arg(words(run.lesson().title)));
     const auto isEnded = [&](const LessonStep& step) {

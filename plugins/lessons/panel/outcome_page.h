@@ -40,6 +40,7 @@ class OutcomePage final : public QWidget {
 
   QLabel* heading_ = nullptr;
   QLabel* figure_ = nullptr;
+  QLabel* toSystem_ = nullptr;  ///< what a learning system is told instead
   ScrolledRows* remarks_ = nullptr;
   QPushButton* again_ = nullptr;
   QPushButton* next_ = nullptr;

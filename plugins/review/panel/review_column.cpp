@@ -181,7 +181,9 @@ void ScansPage::showAttempts() {
     const QString state = tried.finishedAt ? tr("%1 of %2 passed").arg(result.stepsPassed).arg(result.stepsJudged) : tr("not finished");
     auto* item = new QListWidgetItem(
         said.join(QStringLiteral(" · ")) + QLatin1Char('\n') + when(tried.startedAt) + QStringLiteral(" · ") + state, attempts_);
-    item->setToolTip(tr("%1, %2 on the steps", "attempt, time").arg(item->text(), words(durationText(result.worked_s))));
+    const Message toSystem = systemVerdictRemark(result, result.masteryScore);
+    item->setToolTip(tr("%1, %2 on the steps", "attempt, time").arg(item->text(), words(durationText(result.worked_s))) +
+                     (toSystem.empty() ? QString() : QLatin1Char('\n') + words(toSystem)));
   }
   attempts_->setCurrentRow(selection_.attemptNumber() ? static_cast<int>(*selection_.attemptNumber()) : -1);
 }

@@ -3,6 +3,7 @@
 #include <QProcess>
 #include <csignal>
 
+#include "ew/library/attempt.h"
 #include "ew/library/bundle.h"
 #include "ew/library/published.h"
 #include "gui/support/screenshots.h"
@@ -46,13 +47,18 @@ class TraineeAtWork final : public LearnerFixture {
     waitForOutcome(QStringLiteral("Passed"));
     press("nextStep");
     waitForOutcome(QStringLiteral("Lesson passed"));
+    QVERIFY2(text("outcomeToSystem").isEmpty(), "no learning system asks for anything");
     keepScreenshot(*window_, "bundle-04-lesson-passed");
     press("nextStep");
 
     window_->showStartPage();
     QVERIFY(waitUntil([this] { return spokenOf(kTitle).contains(QStringLiteral("1 of 3 lessons passed")); }));
+    qputenv(kLaunchVariable, "0a5f-17.4");  // as if a learning system had started it, which is content with 0 points
+    qputenv(kMasteryVariable, "0");
     startFromCard(kTitle, 1);
     waitForStep("read");
+    qunsetenv(kLaunchVariable);
+    qunsetenv(kMasteryVariable);
     press("stepDone");
     waitForStep("answer");
     answer(1);
@@ -60,6 +66,8 @@ class TraineeAtWork final : public LearnerFixture {
     keepScreenshot(*window_, "bundle-05-failed");
     press("nextStep");
     waitForOutcome(QStringLiteral("Lesson finished"));
+    QVERIFY2(text("outcomeToSystem").startsWith(QStringLiteral("The learning system asks for 0 of 100 points: passed there.")),
+             qPrintable(text("outcomeToSystem")));
     press("nextStep");
 
     window_->showStartPage();

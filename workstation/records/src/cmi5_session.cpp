@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ew/assessment/judging.h"
+#include "ew/assessment/attempt_result.h"
 #include "ew/core/foreign_json.h"
 #include "ew/core/json_fields.h"
 #include "ew/records/cmi5.h"
@@ -163,7 +163,7 @@ Result<json> Cmi5Session::judged(std::optional<double> score, bool success, Mome
   if (score && !(*score >= 0.0 && *score <= 1.0))
     return failure(ErrorCode::badField, say<"A score must be a number from 0 to 1.">(), {{"field", "score"}});
   const bool isMeasured = score && data_.masteryScore;
-  const bool isPassed = isMeasured ? reachesLevel(*score, *data_.masteryScore) : success;
+  const bool isPassed = passedForSystem(score, success, data_.masteryScore);
   if (isMeasured && isPassed) score = std::max(*score, *data_.masteryScore);  // a "passed" below it, by a last digit, is refused
   json made = statement(isPassed ? "passed" : "failed", now);
   made["result"] = {{"success", isPassed}, {"duration", isoDuration(worked_s.value_or(secondsBetween(*begunAt_, now)))}};

@@ -129,6 +129,8 @@ ReportDocument attemptReport(const ReportedAttempt& one, const ReportedLesson& l
   auto& blocks = document.blocks;
   const AttemptResult result = one.result();
   blocks.emplace_back(factsOf(one, result, lesson, who));
+  if (const Message there = systemVerdictRemark(result, result.masteryScore); !there.empty())
+    blocks.emplace_back(ReportParagraph{there, ReportTone::caution});
   if (result.isKnown) {
     if (result.passed()) blocks.emplace_back(barsOf(one, result, lesson));
     blocks.emplace_back(stepsTable(one, result, lesson));

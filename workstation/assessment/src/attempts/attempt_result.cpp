@@ -1,9 +1,11 @@
 #include "ew/assessment/attempt_result.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ew/assessment/judging.h"
 #include "ew/assessment/step_work.h"
+#include "ew/core/numbers.h"
 #include "ew/library/lesson_links.h"
 #include "ew/library/published.h"
 
@@ -70,6 +72,9 @@ bool isOfNow(const AttemptScore& score, const Attempt& attempt) {
   return score.madeAt == std::chrono::sys_seconds{} || score.madeAt >= last;
 }
 
+/// "70" of 0.7, "66.7" of two thirds: levels are set in points of 100.
+Message points(double level) { return numeral(textOf(std::round(1000.0 * level) / 10.0)); }
+
 /// The folders that may hold a case: the one that counts now, then every published revision, the latest first.
 std::vector<fs::path> foldersOf(const std::string& caseId, const fs::path& library) {
   std::vector<fs::path> folders;
@@ -89,6 +94,23 @@ Message verdictWord(const AttemptResult& result) {
   if (!result.isKnown) return say<"not scored yet">();
   const auto passed = result.passed();
   return passed ? passedWord(*passed) : verdictWord(StepVerdict::handedIn);
+}
+
+bool passedForSystem(std::optional<double> score, bool passed, std::optional<double> masteryScore) {
+  return score && masteryScore ? reachesLevel(*score, *masteryScore) : passed;
+}
+
+Message systemVerdictRemark(const AttemptResult& result, std::optional<double> masteryScore) {
+  const auto passed = result.passed();
+  if (!passed || !masteryScore) return {};
+  const bool there = passedForSystem(result.score(), *passed, masteryScore);
+  if (there == *passed) return {};
+  if (result.passLevel)
+    return say<"The learning system asks for %1 of 100 points: %2 there. The lesson asks for %3: %4.">(
+        points(*masteryScore), passedWord(there), points(*result.passLevel), passedWord(*passed));
+  return say<
+      "The learning system asks for %1 of 100 points: %2 there. The lesson asks that it is finished and every step that "
+      "counts is passed: %3.">(points(*masteryScore), passedWord(there), passedWord(*passed));
 }
 
 double weightIn(const AttemptResult& result, const StepScore& step) { return result.areAlike ? 1.0 : step.weight; }
@@ -112,6 +134,8 @@ AttemptResult attemptResultOf(const Attempt& attempt, const Lesson* lesson, cons
   AttemptResult result;
   result.startedAt = attempt.startedAt;
   result.finishedAt = attempt.finishedAt;
+  result.passLevel = plan.passLevel;
+  result.masteryScore = attempt.masteryScore;
   for (const StepOutcome& outcome : attempt.outcomes) result.worked_s += outcome.seconds;
   result.isScored = kept && kept->planRevision >= plan.revision && isOfNow(*kept, attempt);
   result.isKnown = result.isScored || lesson != nullptr;

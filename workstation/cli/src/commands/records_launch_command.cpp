@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "commands/records_arguments.h"
+#include "ew/core/numbers.h"
 #include "ew/library/learning.h"
 #include "ew/library/sealed_answers.h"
 #include "ew/records/cmi5.h"
@@ -53,6 +54,7 @@ class Telling {
   Result<void> tellEnd(Cmi5Session& session, const std::optional<AttemptResult>& result) {
     const bool counts = result && session.data().mode == Cmi5Mode::normal;
     tellsAttempt_ = counts;
+    difference_ = counts ? systemVerdictRemark(*result, session.data().masteryScore) : Message();
     if (counts)
       if (auto told = tell(session.completed(nowInMilliseconds(), result->worked_s)); !told) return told;
     if (counts && result->passed())
@@ -66,6 +68,8 @@ class Telling {
   }
   /// Whether an attempt is among what is told: none was made, or it does not count in the launch's mode.
   [[nodiscard]] bool tellsAttempt() const { return tellsAttempt_; }
+  /// Where what is told differs from what the lesson says; empty: it does not.
+  [[nodiscard]] const Message& difference() const { return difference_; }
   /// Why a statement was refused; empty: none was.
   [[nodiscard]] std::string refusal() const { return outbox_->entries().empty() ? std::string() : outbox_->entries().front().problem; }
 
@@ -74,6 +78,7 @@ class Telling {
   fs::path place_;
   std::optional<StatementOutbox> outbox_;
   bool tellsAttempt_ = false;
+  Message difference_;
 };
 
 /// Sends what is told and says how it went.
@@ -84,6 +89,10 @@ Result<int> finishTelling(Telling& telling, const Cmi5Session& session, const Re
   run.progress.clear();
   run.report.options = {{"endpoint", launch.endpoint}, {"activity", launch.activityId}};
   run.report.quality = {{"sent", sent->sent}, {"refused", sent->refused}, {"left", sent->left}};
+  if (!telling.difference().empty()) {
+    run.remark(telling.difference());
+    run.report.details["difference"] = telling.difference().english();
+  }
   if (sent->left > 0 || sent->refused > 0)
     return run.answer({ErrorCode::notWritable,
                        say<"%1 has not got everything: %2 Start the lesson there again, and tell the attempt to the new launch.">(
@@ -118,13 +127,26 @@ std::string newLaunchOf(const Learner& learner) {
   return learner.code + "." + std::to_string(random()) + "-" + std::to_string(random());
 }
 
+/// What a window is told of the launch that opens it.
+struct WindowLaunch {
+  std::string id;                      ///< empty: none opens it
+  std::optional<double> masteryScore;  ///< 0 to 1, where the attempt is judged by one
+};
+
 /// The environment of the window.
-std::vector<std::string> environmentWith(const std::string& launch) {
-  const std::string ours = std::string(kLaunchVariable) + "=";
-  std::vector<std::string> made = {ours + launch};
+std::vector<std::string> environmentWith(const WindowLaunch& launch) {
+  const std::string ours = std::string(kLaunchVariable) + "=", mastery = std::string(kMasteryVariable) + "=";
+  std::vector<std::string> made = {ours + launch.id};
+  if (launch.masteryScore) made.push_back(mastery + textOf(*launch.masteryScore));
   for (char** each = environ; each != nullptr && *each != nullptr; ++each)
-    if (!std::string_view(*each).starts_with(ours)) made.emplace_back(*each);
+    if (const std::string_view variable(*each); !variable.starts_with(ours) && !variable.starts_with(mastery)) made.emplace_back(*each);
   return made;
+}
+
+/// Where the attempt does not count, nothing is told of it that could differ from the lesson's verdict.
+WindowLaunch windowLaunchOf(const Cmi5Session& session, std::string id) {
+  const bool counts = session.data().mode == Cmi5Mode::normal;
+  return {std::move(id), counts ? session.data().masteryScore : std::nullopt};
 }
 
 std::vector<char*> pointersTo(std::vector<std::string>& words) {
@@ -135,7 +157,7 @@ std::vector<char*> pointersTo(std::vector<std::string>& words) {
 }
 
 /// The program of the window, and the words it is started with. @param launch that its attempts belong to
-Result<int> runWindow(const RecordsArguments& arguments, const std::vector<std::string>& words, const std::string& launch,
+Result<int> runWindow(const RecordsArguments& arguments, const std::vector<std::string>& words, const WindowLaunch& launch,
                       const Progress& progress) {
   std::error_code error;
   const fs::path program =
@@ -322,7 +344,8 @@ Result<int> workThrough(const Cmi5Launch& launch, const Cmi5Options& options, co
   if (const auto sent = telling->send(*session, arguments, run); !sent && sent.error().code == ErrorCode::cancelled)
     return passOn(sent.error());
   const std::string id = newLaunchOf(learnerOf(launch));
-  const auto ended = runWindow(arguments, {lesson->folder.string(), "--lesson", lesson->lessonId}, id, run.progress);
+  const auto ended =
+      runWindow(arguments, {lesson->folder.string(), "--lesson", lesson->lessonId}, windowLaunchOf(*session, id), run.progress);
   if (!ended) return passOn(ended.error());
   std::optional<AttemptResult> result;
   const LaunchedAttempts made = attemptsOf(id, learnerOf(launch), *lesson, begun, arguments);

@@ -10,6 +10,7 @@
 #include "ew/core/json_fields.h"
 #include "ew/core/message.h"
 #include "ew/core/message_json.h"
+#include "ew/core/numbers.h"
 #include "ew/io/private_file.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/lesson.h"
@@ -32,9 +33,9 @@ constexpr std::array<std::pair<std::string_view, StepVerdict>, 4> kVerdicts = {{
                                                                                 {"failed", StepVerdict::failed},
                                                                                 {"skipped", StepVerdict::skipped},
                                                                                 {"handed_in", StepVerdict::handedIn}}};
-constexpr std::array<std::string_view, 13> kAttemptFields = {"format",  "id",       "case",       "lesson",      "lesson_title",
-                                                             "person",  "program",  "started_at", "finished_at", "lesson_content",
-                                                             "running", "outcomes", "launch"};
+constexpr std::array<std::string_view, 14> kAttemptFields = {"format",  "id",       "case",       "lesson",       "lesson_title",
+                                                             "person",  "program",  "started_at", "finished_at",  "lesson_content",
+                                                             "running", "outcomes", "launch",     "mastery_score"};
 constexpr std::array<std::string_view, 11> kOutcomeFields = {"step",    "verdict",   "score",    "seconds", "hints", "figures",
                                                              "remarks", "recording", "pictures", "answer",  "at"};
 
@@ -142,6 +143,12 @@ std::string launchOfEnvironment() {
   return isOurs ? launch : std::string();
 }
 
+std::optional<double> masteryScoreOfEnvironment() {
+  const char* said = std::getenv(kMasteryVariable);
+  const auto score = said != nullptr && !launchOfEnvironment().empty() ? parseNumber(said) : std::nullopt;
+  return score && *score >= 0.0 && *score <= 1.0 ? score : std::nullopt;
+}
+
 json StepOutcome::answerJson() const { return otherAnswer.is_null() ? jsonOf(answer) : otherAnswer; }
 
 const StepOutcome* Attempt::outcomeOf(const std::string& stepId) const {
@@ -180,6 +187,7 @@ Result<Attempt> attemptFromJson(const json& document) {
   made.person = fields.text("person", std::string(), 0, kLongestPerson);
   made.program = fields.text("program", std::string(), 0);
   made.launch = fields.text("launch", std::string(), 0, kLongestLaunch);
+  if (fields.has("mastery_score")) made.masteryScore = fields.number("mastery_score", 0.0, 1.0);
   made.startedAt = readMoment(fields, "started_at", true).value_or(sys_seconds{});
   made.finishedAt = readMoment(fields, "finished_at", false);
   made.runningStep = fields.text("running", std::string(), 0, 100);
@@ -203,6 +211,7 @@ json jsonOf(const Attempt& attempt) {
   text("person", attempt.person);
   text("program", attempt.program);
   text("launch", attempt.launch);
+  if (attempt.masteryScore) made["mastery_score"] = *attempt.masteryScore;
   made["started_at"] = momentText(attempt.startedAt);
   if (attempt.finishedAt) made["finished_at"] = momentText(*attempt.finishedAt);
   text("running", attempt.runningStep);

@@ -26,9 +26,11 @@ struct AttemptResult {
   bool isKnown = true;    ///< false: there is neither a score nor the lesson, so nobody knows which steps count, and nothing is judged
   bool areAlike = false;  ///< no step weighs anything (a lesson of reading alone), so that all count alike
   std::size_t stepsPassed = 0;
-  std::size_t stepsJudged = 0;    ///< those that count in the score; reading and watching do not, unless the plan says so
-  std::size_t stepsHandedIn = 0;  ///< that wait for somebody who can open the answers
-  double worked_s = 0.0;          ///< on all tries of all steps, pauses left out
+  std::size_t stepsJudged = 0;         ///< those that count in the score; reading and watching do not, unless the plan says so
+  std::size_t stepsHandedIn = 0;       ///< that wait for somebody who can open the answers
+  double worked_s = 0.0;               ///< on all tries of all steps, pauses left out
+  std::optional<double> passLevel;     ///< of the lesson's plan, 0 to 1; empty: every step that counts has to be passed
+  std::optional<double> masteryScore;  ///< of the launch that began the attempt, 0 to 1; empty: no learning system asks for one
   std::chrono::sys_seconds startedAt{};
   std::optional<std::chrono::sys_seconds> finishedAt;  ///< empty: it was stopped in the middle
 
@@ -38,6 +40,14 @@ struct AttemptResult {
 };
 /// "passed", "not passed", "handed in", "not scored yet".
 [[nodiscard]] Message verdictWord(const AttemptResult& result);
+
+/// Whether a learning system is told *passed*: by its own mastery score where it asks for one and there is a score to compare (cmi5, 9.3.4
+/// and 9.3.5: nothing else may be told to it), else as the lesson says. Everybody else reads the lesson's verdict (decision 0077).
+/// @param score 0 to 1 @param passed what the lesson says @param masteryScore 0 to 1
+[[nodiscard]] bool passedForSystem(std::optional<double> score, bool passed, std::optional<double> masteryScore);
+/// Where a learning system is told another verdict than the lesson's: both, with what each asks for, for whoever reads one of them. Nothing
+/// where they agree, where the system asks for no score, and of what waits to be judged.
+[[nodiscard]] Message systemVerdictRemark(const AttemptResult& result, std::optional<double> masteryScore);
 /// What a step weighs in the score of its attempt: 1 where no step weighs anything, for all count alike then.
 [[nodiscard]] double weightIn(const AttemptResult& result, const StepScore& step);
 

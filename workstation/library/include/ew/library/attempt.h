@@ -81,6 +81,8 @@ struct Attempt {
   std::string person;         ///< who tried, as they call themselves; may be empty
   std::string program;        ///< version that judged
   std::string launch;         ///< of the learning management system's launch that began it (launchOfEnvironment); empty: nobody launched it
+  std::optional<double>
+      masteryScore;  ///< 0 to 1, that this system asks for (masteryScoreOfEnvironment); empty: none, or nobody launched it
   std::chrono::sys_seconds startedAt{};
   std::optional<std::chrono::sys_seconds> finishedAt;  ///< empty: stopped in the middle, and may be gone on with
   std::string runningStep;                             ///< begun and not ended yet; after a crash this is the step that was lost
@@ -101,6 +103,10 @@ struct Attempt {
 inline constexpr const char* kLaunchVariable = "ECHOWEAVE_LAUNCH";
 /// The launch that started this window: letters, digits, '-' and '.', at most 100 of them. Empty: none did, or it says something else.
 [[nodiscard]] std::string launchOfEnvironment();
+/// The mastery score of the launch is told in the same way: a number from 0 to 1, absent where the system asks for none.
+inline constexpr const char* kMasteryVariable = "ECHOWEAVE_MASTERY_SCORE";
+/// Empty: nothing launched this window, it was told none, or no number from 0 to 1.
+[[nodiscard]] std::optional<double> masteryScoreOfEnvironment();
 
 /// An attempt's JSON. @error badField, newerFormat (with both format numbers)
 [[nodiscard]] Result<Attempt> attemptFromJson(const nlohmann::json& document);

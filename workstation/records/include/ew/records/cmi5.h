@@ -77,7 +77,7 @@ class Cmi5Session {
   /// @param worked_s what the learner needed, when that is not the time since the session began (of a lesson that was worked on before)
   [[nodiscard]] Result<nlohmann::json> completed(Moment now, std::optional<double> worked_s = {});
   /// Passed or failed. @param score 0 to 1, or none @param success what we think; a mastery score of the launch decides instead, when there
-  /// is a score
+  /// is a score (passedForSystem)
   [[nodiscard]] Result<nlohmann::json> judged(std::optional<double> score, bool success, Moment now, std::optional<double> worked_s = {});
   [[nodiscard]] Result<nlohmann::json> terminated(Moment now);
 
