@@ -340,7 +340,7 @@ TEST(Templates, AreCompleteAndMakeCasesThatOpen) {
   const TemporaryFolder folder;
   const TemplateList list = listTemplates();
   for (const Error& each : list.problems) ADD_FAILURE() << each;
-  ASSERT_GE(list.templates.size(), 6u);
+  ASSERT_GE(list.templates.size(), 11u);
   for (const CaseTemplate& each : list.templates) {
     EXPECT_FALSE(each.text.german.empty());
     EXPECT_FALSE(each.indications.empty());
@@ -362,6 +362,23 @@ TEST(Templates, AreCompleteAndMakeCasesThatOpen) {
     EXPECT_NE(made->made.region.find(siteFor(*known, made->made.region)->region), std::string::npos) << "no site for " << made->made.region;
     const auto preset = resourceFolder();
     EXPECT_TRUE(fs::exists(*preset / "presets" / (each.preset + ".json"))) << each.preset;
+  }
+}
+
+TEST(Templates, AreThereForHeartChestPelvisLimbAndBreast) {
+  for (const auto& [id, region, probe] :
+       {std::tuple("heart", "heart", "phased-2.5"), std::tuple("lung", "chest", "microconvex-6"),
+        std::tuple("pelvis", "pelvis", "convex-3.5"), std::tuple("limb-tendon", "limb, knee", "linear-12"),
+        std::tuple("breast", "breast", "linear-12")}) {
+    const auto read = readTemplate(id);
+    ASSERT_TRUE(read) << id << ": " << read.error();
+    EXPECT_EQ(read->prefilled.region, region);
+    EXPECT_EQ(read->prefilled.probes.front(), probe) << id;
+    EXPECT_TRUE(read->preset.ends_with(probe)) << id << ": the preset is of another probe";
+    for (const Words& each : read->targets) EXPECT_FALSE(each.german.empty()) << id;
+    const auto known = landmarksOf(read->prefilled.mannequin);
+    ASSERT_TRUE(known) << known.error();
+    EXPECT_TRUE(knowsRegion(*known, region)) << id;
   }
 }
 

@@ -200,6 +200,9 @@ TEST_P(Landmarks, LieOnTheMannequinsSkinAndEverySiteFindsIt) {
   }
   EXPECT_EQ(siteFor(*known, "Right upper quadrant, in deep breath")->region, "right upper quadrant");
   EXPECT_EQ(siteFor(*known, "elbow")->region, known->sites.front().region);
+  for (const char* region : {"heart", "chest", "lung", "breast", "pelvis", "thigh", "knee", "calf"})
+    EXPECT_EQ(siteFor(*known, region)->region, region);
+  for (const char* region : {"limb", "shoulder", "elbow"}) EXPECT_FALSE(knowsRegion(*known, region)) << region;
 }
 INSTANTIATE_TEST_SUITE_P(OfEveryMannequin, Landmarks,
                          testing::Values("adult.json", "adult-arms-up.json", "gravid.json", "neck-extended.json"));
