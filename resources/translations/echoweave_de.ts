@@ -99,6 +99,70 @@
         <translation>Was übereinstimmt, sind vor allem Streifen wie Schatten längs des Strahls, die sich mit dem Schallkopf drehen: Was ohne sie übereinstimmt, ist zu wenig, um Zufall auszuschließen%1. Ein Tracker, Landmarken oder die Richtung der Strahlen können entscheiden.</translation>
     </message>
     <message>
+        <source>an earlier examination</source>
+        <translation>einer früheren Untersuchung</translation>
+    </message>
+    <message>
+        <source>case.json, which names it</source>
+        <translation>case.json, wo sie genannt ist</translation>
+    </message>
+    <message>
+        <source>its card</source>
+        <translation>seiner Karte</translation>
+    </message>
+    <message>
+        <source>its live echoes</source>
+        <translation>seinen Live-Echos</translation>
+    </message>
+    <message>
+        <source>its mannequin</source>
+        <translation>seiner Puppe</translation>
+    </message>
+    <message>
+        <source>its recorded images</source>
+        <translation>seinen aufgenommenen Bildern</translation>
+    </message>
+    <message>
+        <source>its sealed answers</source>
+        <translation>seinen versiegelten Antworten</translation>
+    </message>
+    <message>
+        <source>its virtual patient</source>
+        <translation>seinem virtuellen Patienten</translation>
+    </message>
+    <message>
+        <source>its volume</source>
+        <translation>seinem Volumen</translation>
+    </message>
+    <message>
+        <source>lessons that cannot be read</source>
+        <translation>Lektionen, die nicht gelesen werden können</translation>
+    </message>
+    <message>
+        <source>readers, as words or a document</source>
+        <translation>Lesenden, als Wörter oder Dokument</translation>
+    </message>
+    <message>
+        <source>the case as it was saved last</source>
+        <translation>dem Fall, wie er zuletzt gespeichert wurde</translation>
+    </message>
+    <message>
+        <source>the case itself</source>
+        <translation>dem Fall selbst</translation>
+    </message>
+    <message>
+        <source>the labels of its volume</source>
+        <translation>den Labels seines Volumens</translation>
+    </message>
+    <message>
+        <source>the lesson &apos;%1&apos;</source>
+        <translation>der Lektion „%1“</translation>
+    </message>
+    <message>
+        <source>the part &apos;%1&apos;</source>
+        <translation>dem Teil „%1“</translation>
+    </message>
+    <message>
         <source>there are fewer than two</source>
         <translation>es sind weniger als zwei</translation>
     </message>
@@ -133,6 +197,22 @@
     <message>
         <source>In the best pose the images agree, but the overlap shows too little structure to rule out chance%1; look whether they fit, or give landmarks, a tracker&apos;s pose or more overlap.</source>
         <translation>In der besten Lage stimmen die Bilder überein, aber die Überlappung zeigt zu wenig Struktur, um Zufall auszuschließen%1; nachsehen, ob sie passen, oder Landmarken, die Lage eines Trackers oder mehr Überlappung angeben.</translation>
+    </message>
+    <message>
+        <source>The case has another file &apos;%1&apos; by now, so that nothing was put back; take that one out first.</source>
+        <translation>Der Fall hat inzwischen eine andere Datei „%1“, daher wurde nichts zurückgelegt; zuerst diese herausnehmen.</translation>
+    </message>
+    <message>
+        <source>The case has no file &apos;%1&apos;; name it by its path in the case folder, as &apos;echoweave case files&apos; lists it.</source>
+        <translation>Der Fall hat keine Datei „%1“; sie mit ihrem Pfad im Fallordner nennen, wie „echoweave case files“ ihn zeigt.</translation>
+    </message>
+    <message>
+        <source>The case is an examination: attempts at it are judged by its files, and nothing is taken out of them.</source>
+        <translation>Der Fall ist eine Prüfung: Versuche werden nach seinen Dateien bewertet, und nichts wird herausgenommen.</translation>
+    </message>
+    <message>
+        <source>The case is not your own, so that nothing is taken out of its folder; save it as your own case first.</source>
+        <translation>Der Fall ist kein eigener, daher wird nichts aus seinem Ordner herausgenommen; ihn zuerst als eigenen Fall speichern.</translation>
     </message>
     <message>
         <source>The images agree in part, and too little to rule out chance%1; look whether they fit, or give landmarks, a tracker&apos;s pose or more overlap.</source>
@@ -215,6 +295,10 @@
         <translation>%1 nennt für seine Achsen %2 und %3 keinen Abstand; den Abstand in mm angeben.</translation>
     </message>
     <message>
+        <source>%1 is editing the case at this moment; take files out there, or when it is closed there.</source>
+        <translation>%1 bearbeitet den Fall gerade; Dateien dort herausnehmen, oder wenn er dort geschlossen ist.</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; in case.json is &quot;%2&quot;, in which tissue moves by what is no number or by more than %3 mm; import or publish the case again.</source>
         <translation>&apos;%1&apos; in case.json ist „%2“, worin Gewebe sich um etwas bewegt, das keine Zahl ist, oder um mehr als %3 mm; den Fall erneut importieren oder veröffentlichen.</translation>
     </message>
@@ -229,6 +313,10 @@
     <message>
         <source>&apos;%1&apos; in case.json is &quot;%2&quot;, which names the surface %3 of %4; import or publish the case again.</source>
         <translation>&apos;%1&apos; in case.json ist „%2“ und nennt die Grenzfläche %3 von %4; den Fall erneut importieren oder veröffentlichen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is used by %2, and stays.</source>
+        <translation>„%1“ wird verwendet von: %2, und bleibt.</translation>
     </message>
     <message>
         <source>&apos;echoes&apos; in case.json stands beside a recipe, which makes its own; take one of them out.</source>
@@ -12268,6 +12356,14 @@
     <message>
         <source>Case</source>
         <translation>Fall</translation>
+    </message>
+    <message>
+        <source>Files…</source>
+        <translation>Dateien…</translation>
+    </message>
+    <message>
+        <source>See what lies in the case&apos;s folder, and take out what nothing uses</source>
+        <translation>Zeigen, was im Ordner des Falls liegt, und herausnehmen, was nichts verwendet</translation>
     </message>
     <message>
         <source>Title</source>
@@ -26204,6 +26300,81 @@ Zeit: %3</translation>
     <message>
         <source>All panels</source>
         <translation>Alle Bereiche</translation>
+    </message>
+</context>
+<context>
+    <name>ew::case_authoring::FilesDialog</name>
+    <message>
+        <source>%1
+
+They are moved aside in the case&apos;s folder and can be put back here. Undo in the form brings no file back: put it back before you go back to a step that needs it.</source>
+        <translation>%1
+
+Sie werden im Ordner des Falls beiseitegelegt und können hier zurückgelegt werden. Rückgängig im Formular bringt keine Datei zurück: Sie zurücklegen, bevor Sie zu einem Schritt zurückgehen, der sie braucht.</translation>
+    </message>
+    <message>
+        <source>Choose files that nothing uses</source>
+        <translation>Dateien auswählen, die nichts verwendet</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Files of this case</source>
+        <translation>Dateien dieses Falls</translation>
+    </message>
+    <message>
+        <source>Put back</source>
+        <translation>Zurücklegen</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Take out</source>
+        <translation>Herausnehmen</translation>
+    </message>
+    <message>
+        <source>Take out…</source>
+        <translation>Herausnehmen…</translation>
+    </message>
+    <message>
+        <source>Take these files out of the case?</source>
+        <translation>Diese Dateien aus dem Fall herausnehmen?</translation>
+    </message>
+    <message>
+        <source>Taken out before: %1. They lie in %2.</source>
+        <translation>Früher herausgenommen: %1. Sie liegen in %2.</translation>
+    </message>
+    <message>
+        <source>The files that were taken out last</source>
+        <translation>Die Dateien, die zuletzt herausgenommen wurden</translation>
+    </message>
+    <message>
+        <source>They are moved aside, and not handed on with the case</source>
+        <translation>Sie werden beiseitegelegt und nicht mit dem Fall weitergegeben</translation>
+    </message>
+    <message>
+        <source>Used by</source>
+        <translation>Verwendet von</translation>
+    </message>
+    <message>
+        <source>What is in use stays; choose files that nothing uses</source>
+        <translation>Was verwendet wird, bleibt; Dateien auswählen, die nichts verwendet</translation>
+    </message>
+    <message>
+        <source>Whatever lies in the case&apos;s folder is published and exported with it. What nothing uses can be taken out.</source>
+        <translation>Was im Ordner des Falls liegt, wird mit ihm veröffentlicht und exportiert. Was nichts verwendet, kann herausgenommen werden.</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
     </message>
 </context>
 </TS>

@@ -445,7 +445,7 @@ TEST(Publishing, WarnsOfTargetsFilesAndTextsThatDoNotFit) {
   EXPECT_TRUE(has("targets[0]"));
   EXPECT_TRUE(has("history"));
   EXPECT_TRUE(has("start_pose")) << "the expert's pose gives the finding away";
-  EXPECT_TRUE(has("")) << "nothing names media/left-over.png";
+  EXPECT_TRUE(has("files")) << "nothing names media/left-over.png";
   EXPECT_TRUE(has("volume.file_to_world")) << "a noise block in the middle of the body";
 }
 

@@ -39,7 +39,6 @@ TEST(FileEndings, AreComparedWhateverTheSizeOfTheirLetters) {
       {"workstation/assessment/src/attempts/review_comment.cpp", own},
       {"workstation/io/src/sweeps/sequence_write.cpp", lowered},
       {"workstation/library/src/case/body_landmarks.cpp", own},
-      {"workstation/library/src/publishing/publishing_place.cpp", own},
       {"workstation/library/src/access/sealed_answers.cpp", own},
       {"workstation/records/src/statement_outbox.cpp", own},
       {"workstation/tracking/src/calibration_file.cpp", own},

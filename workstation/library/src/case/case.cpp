@@ -7,6 +7,7 @@
 #include "ew/core/output_set.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
+#include "ew/library/case_contents.h"
 #include "ew/library/checksums.h"
 #include "ew/library/folder_lease.h"
 #include "ew/library/lesson.h"
@@ -84,13 +85,14 @@ Result<void> writeManifest(const Case& edited, const fs::path& folder) {
   return writeFileSafely(folder / kManifestName, *text);
 }
 
-/// What belongs to the folder that was copied, not to the case: who edits it, and the sums of a revision.
+/// What belongs to the folder that was copied, not to the case: who edits it, the sums of a revision, and files that were taken out.
 void leaveBehind(const fs::path& copied) {
   std::error_code ignored;
   std::vector<fs::path> left{copied / kSumsName};
   for (fs::directory_iterator at(copied, ignored), end; !ignored && at != end; at.increment(ignored))
     if (isLeaseFile(at->path())) left.push_back(at->path());
   for (const fs::path& each : left) fs::remove(each, ignored);
+  fs::remove_all(copied / kWithdrawnFiles, ignored);  // of the copy: what was taken out of the case does not come with it
 }
 
 /// A copy of the whole case under another name, made aside and renamed, so that a half-copied case never carries the final name.

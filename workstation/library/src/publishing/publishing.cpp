@@ -8,7 +8,7 @@
 #include "ew/core/numbers.h"
 #include "ew/imaging/probe.h"
 #include "ew/io/volume_file.h"
-#include "ew/library/checksums.h"
+#include "ew/library/case_contents.h"
 #include "ew/library/new_case.h"
 #include "ew/library/placing.h"
 #include "ew/library/real_looking.h"
@@ -149,11 +149,11 @@ void checkTargets(const Case& opened, const CheckSources& sources, CheckList& li
 void checkFiles(const Case& opened, CheckList& list) {
   if (opened.folder.empty()) return;
   const auto unused = unusedFiles(opened);
-  if (unused.empty()) return list.done(say<"Every file of its folder is used.">(), "");
+  if (unused.empty()) return list.done(say<"Every file of its folder is used.">(), "files");
   list.warn(unused.size() == 1 ? say<"A file of its folder is used by nothing, '%1'; it would be handed on as well.">(unused.front())
                                : say<"%1 files of its folder are used by nothing, '%2' first; they would be handed on as well.">(
                                      unused.size(), unused.front()),
-            "");
+            "files");
 }
 
 void addMissing(const Case& opened, const CaseById& caseById, CheckList& list) {

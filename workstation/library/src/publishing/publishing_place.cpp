@@ -2,17 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
-#include <set>
 
 #include "case/manifest.h"
 #include "ew/imaging/probe.h"
 #include "ew/io/volume_file.h"
-#include "ew/library/case_card.h"
-#include "ew/library/case_echoes.h"
-#include "ew/library/checksums.h"
-#include "ew/library/lesson_links.h"
 #include "ew/phantom/patient.h"
 
 namespace ew {
@@ -79,28 +73,6 @@ bool areAlike(const Transform<frame::World, frame::Probe>& a, const Transform<fr
          std::min(angle_rad, turned_rad) * 180.0 / std::numbers::pi <= most_deg;
 }
 
-void addScans(const Case& opened, std::set<std::string>& used) {
-  const auto lessons = lessonsOf(opened);
-  if (!lessons) return;
-  const std::string folder = "parts/" + std::string(kLessonsPart) + "/";
-  for (const Lesson& lesson : *lessons)
-    for (const LessonStep& step : lesson.steps) {
-      if (const auto* read = std::get_if<ReadTask>(&step.task); read && !read->picture.empty()) used.insert(folder + read->picture);
-      const auto* watch = std::get_if<WatchTask>(&step.task);
-      if (watch == nullptr || watch->recording.empty()) continue;
-      used.insert(folder + watch->recording);
-      constexpr std::string_view kEnding = ".seq.mha";
-      if (watch->recording.ends_with(kEnding))  // the path it was recorded from
-        used.insert(folder + watch->recording.substr(0, watch->recording.size() - kEnding.size()) + ".path.json");
-    }
-}
-
-/// Where nothing has to name a file for it to belong there: words and documents.
-bool isDocument(const std::string& path) {
-  const std::string ending = fs::path(path).extension().string();
-  return path.starts_with("words/") || ending == ".md" || ending == ".txt" || path == kSumsName;
-}
-
 }  // namespace
 
 std::optional<bool> startSeesVolume(const Case& opened) {
@@ -145,25 +117,6 @@ Reach reachOf(const CaseTarget& target, const Case& opened, const CheckSources& 
   if (!sources.skin) return Reach::reached;
   const glm::dvec3 face_mm(probeToWorld.matrix[3]);
   return glm::distance(sources.skin->nearest(face_mm).point_mm, face_mm) > kFarthestFromSkin_mm ? Reach::offSkin : Reach::reached;
-}
-
-std::vector<std::string> unusedFiles(const Case& opened) {
-  std::vector<std::string> unused;
-  const auto files = filesOfCase(opened.folder);
-  if (!files) return unused;  // publishing says what is wrong with them
-  const CaseVolume& volume = opened.volume;
-  std::set<std::string> used = {kManifestName, kCardName,    volume.file,   volume.labels,
-                                volume.frames, volume.level, volume.recipe, opened.mannequin};
-  used.insert(volume.sweeps.begin(), volume.sweeps.end());
-  for (std::string& each : echoFilesOf(opened)) used.insert(std::move(each));
-  for (const CaseExamination& each : opened.previousExaminations) used.insert(each.pictures.begin(), each.pictures.end());
-  addScans(opened, used);
-  for (const FileSum& each : *files) {
-    const bool isOfRecipe = !volume.recipe.empty() && each.path.ends_with(".json");  // what a recipe or its mannequin extends
-    const bool isOfOtherPart = each.path.starts_with("parts/") && !each.path.starts_with("parts/" + std::string(kLessonsPart) + "/");
-    if (!used.contains(each.path) && !isDocument(each.path) && !isOfRecipe && !isOfOtherPart) unused.push_back(each.path);
-  }
-  return unused;
 }
 
 }  // namespace ew

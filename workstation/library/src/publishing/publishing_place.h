@@ -1,8 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "ew/library/placing.h"
 #include "ew/library/publishing.h"
@@ -23,8 +21,5 @@ inline constexpr int kFarthestFromSkin_mm = 25;  ///< that a probe's face may st
 /// Whether a hand can get to a target.
 enum class Reach { reached, outside, offSkin };
 [[nodiscard]] Reach reachOf(const CaseTarget& target, const Case& opened, const CheckSources& sources);
-
-/// Files of the case's folder that neither the case nor its lessons name, and that are no documents; sorted.
-[[nodiscard]] std::vector<std::string> unusedFiles(const Case& opened);
 
 }  // namespace ew

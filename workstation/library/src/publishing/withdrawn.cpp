@@ -1,6 +1,5 @@
 #include "ew/library/withdrawn.h"
 
-#include <chrono>
 #include <vector>
 
 #include "case/revisions.h"
@@ -8,8 +7,8 @@
 #include "ew/library/folder_lease.h"
 #include "ew/library/instructor_log.h"
 #include "ew/library/learning.h"
-#include "ew/library/moment.h"
 #include "ew/library/published.h"
+#include "publishing/stamped_place.h"
 
 namespace ew {
 namespace {
@@ -47,18 +46,6 @@ Result<Moved> movedBy(const fs::path& caseFolder, const fs::path& library) {
                  {{"file", folder.string()}});
 }
 
-/// A new name below `withdrawn`, which is made.
-fs::path placeFor(const std::string& name, const fs::path& library) {
-  std::error_code ignored;
-  fs::create_directories(withdrawnFolder(library), ignored);
-  std::string stamp = momentText(std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()));
-  std::erase(stamp, ':');
-  const std::string stamped = stamp + '-' + name;
-  fs::path place = withdrawnFolder(library) / stamped;
-  for (int n = 2; fs::exists(place, ignored); ++n) place = withdrawnFolder(library) / (stamped + '-' + std::to_string(n));
-  return place;
-}
-
 }  // namespace
 
 fs::path withdrawnFolder(const fs::path& library) { return library / "withdrawn"; }
@@ -70,7 +57,7 @@ Result<WithdrawnCase> withdrawCase(const fs::path& caseFolder, const fs::path& l
   if (const auto holder = FolderLease::holderOf(from))
     return failure(ErrorCode::notWritable, say<"%1 is editing the case at this moment; take it out when it is closed there.">(holder->user),
                    {{"file", from.string()}, {"user", holder->user}});
-  const fs::path target = placeFor(from.filename().string(), library);
+  const fs::path target = stampedPlace(withdrawnFolder(library), "-" + from.filename().string());
   const auto move = [&]() -> Result<void> {
     std::error_code failed;
     fs::rename(from, target, failed);

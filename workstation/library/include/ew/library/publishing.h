@@ -18,7 +18,8 @@ struct CheckItem {
   enum class State { missing, warning, done };
   Message what;  ///< a sentence: what is there, or what to do
   State state = State::done;
-  std::string field;  ///< of case.json, to which a click leads: "indication", "volume.file", "targets[2]", "parts.lessons"
+  /// Of case.json, to which a click leads: "indication", "volume.file", "targets[2]", "parts.lessons". "files": the files of its folder
+  std::string field;
   bool operator==(const CheckItem&) const = default;
 };
 

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "ew/core/result.h"
+#include "ew/library/case.h"
+
+namespace ew {
+
+// What the files of a case's folder are for, and how those leave it that nothing uses: whatever lies there is published and exported with
+// the case.
+
+/// One file of a case's folder.
+struct CaseFileUse {
+  std::string path;  ///< relative to the folder, as filesOfCase has it
+  std::uint64_t size_bytes = 0;
+  std::vector<Message> usedBy;  ///< "its volume", "the lesson 'First'"; empty: by nothing
+};
+
+/// Every file of the folder (filesOfCase), sorted by path. A file counts as used when the case or its lessons name it, also by way of
+/// another one (samples beside a header, a link), when the case as it was saved last does, when any text of the manifest is its path, and
+/// when nobody can tell: documents, words, a recipe's JSON, parts of plugins, lessons that cannot be read.
+/// @param opened with its folder, and with edits that are not saved yet
+/// @error as filesOfCase; as readJsonFile and caseFromManifest for what was saved last
+[[nodiscard]] Result<std::vector<CaseFileUse>> fileUsesOf(const Case& opened);
+
+/// Those that nothing of the case uses as it is now; sorted. None when the folder cannot be read.
+[[nodiscard]] std::vector<std::string> unusedFiles(const Case& opened);
+
+/// A hidden folder of the case's own, for files that were taken out of it: not published, not exported, not copied with the case, and never
+/// emptied here.
+inline constexpr const char* kWithdrawnFiles = ".withdrawn";
+
+/// Files that were taken out of a case together.
+struct WithdrawnFiles {
+  std::filesystem::path caseFolder;
+  std::filesystem::path folder;    ///< where they lie, each with its path: CASE/.withdrawn/STAMP
+  std::vector<std::string> paths;  ///< sorted
+};
+
+/// Who edits the case's folder while files are taken out: nobody, or the caller, who holds its lease.
+enum class CaseEditor { nobody, caller };
+
+/// Takes files out of a case that nothing uses, so that they are no longer handed on: all or none. They are moved to kWithdrawnFiles;
+/// moved back, they are there again (putBack).
+/// @param paths as in fileUsesOf
+/// @error notWritable (a shipped or published case, an examination, somebody edits it, a file cannot be moved), notFound, badUsage (in use:
+///        the sentence says by what); as fileUsesOf. Then everything is where it was
+[[nodiscard]] Result<WithdrawnFiles> withdrawFiles(const Case& opened, const std::vector<std::string>& paths, CaseEditor editor);
+/// @error notWritable (another file has the place, or a file cannot be moved): then everything is where it was
+[[nodiscard]] Result<void> putBack(const WithdrawnFiles& taken);
+/// What was taken out and lies aside, the latest first.
+[[nodiscard]] std::vector<WithdrawnFiles> withdrawnFilesOf(const std::filesystem::path& caseFolder);
+
+}  // namespace ew
