@@ -169,6 +169,35 @@ TEST(CaseLibrary, AnIdMeansTheAuthorsOwnCaseBeforeThePublishedOne) {
   EXPECT_EQ(broken.status, 1) << broken.out << "it cannot be opened, which does not make it the published one";
 }
 
+TEST(CaseLibrary, ListsFilesWithWhatUsesThemAndTakesOutWhatNothingUses) {
+  const TemporaryFolder folder;
+  makeCase(folder / "mine", "knee");
+  writeText(folder / "mine/volumes/other.mha", "of another patient");
+  const auto listed = run({"case", "files", folder / "mine"});
+  ASSERT_EQ(listed.status, 0) << listed.err;
+  for (const char* part : {"case.json", "the case itself", "volumes/v.mha", "its volume", "volumes/other.mha", "18 B  used by nothing"})
+    EXPECT_NE(listed.out.find(part), std::string::npos) << part << "\n" << listed.out;
+  const auto told = nlohmann::json::parse(run({"case", "files", folder / "mine", "--json"}).out);
+  ASSERT_EQ(told["files"].size(), 3u) << told;
+  EXPECT_EQ(told["files"][1], nlohmann::json({{"path", "volumes/other.mha"}, {"bytes", 18}, {"used_by", nlohmann::json::array()}}));
+  const auto used = run({"case", "withdraw-file", folder / "mine", "volumes/other.mha", "volumes/v.mha"});
+  EXPECT_EQ(used.status, 2);
+  EXPECT_NE(used.err.find("'volumes/v.mha' is used by its volume, and stays."), std::string::npos) << used.err;
+  EXPECT_TRUE(fs::exists(folder / "mine/volumes/other.mha")) << "all or none";
+  const auto taken = run({"case", "withdraw-file", folder / "mine", "volumes/other.mha", "--report", folder / "r.json"});
+  ASSERT_EQ(taken.status, 0) << taken.err;
+  EXPECT_FALSE(fs::exists(folder / "mine/volumes/other.mha"));
+  const std::string aside = readJson(folder / "r.json")["withdrawn"]["folder"];
+  EXPECT_EQ(readText(aside + "/volumes/other.mha"), "of another patient");
+  EXPECT_NE(taken.out.find("1 file of knee taken out, to " + aside), std::string::npos) << taken.out;
+  EXPECT_NE(run({"case", "files", folder / "mine"}).err.find("1 file taken out before"), std::string::npos);
+  ASSERT_EQ(run({"case", "export", folder / "mine", "-o", folder / "knee.ewcase", "--report", folder / "e.json"}).status, 0);
+  EXPECT_EQ(readJson(folder / "e.json")["quality"]["files"], 2) << "it is not handed on";
+  const auto shipped = run({"case", "withdraw-file", "liver-sweep-recorded", "SOURCE.md"});
+  EXPECT_EQ(shipped.status, 1);
+  EXPECT_NE(shipped.err.find("not your own"), std::string::npos) << shipped.err;
+}
+
 TEST(CaseLibrary, WithdrawsAnOwnCaseByItsId) {
   const TemporaryFolder folder;
   const EnvironmentValue library("ECHOWEAVE_LIBRARY", folder / "library");

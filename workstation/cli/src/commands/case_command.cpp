@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "commands/case_card.h"
+#include "commands/case_files.h"
 #include "commands/case_library.h"
 #include "commands/case_new.h"
 #include "commands/case_withdraw.h"
@@ -411,6 +412,7 @@ void addCase(CLI::App& root, Selection& selection) {
 
   addCaseCard(group, selection);
   addCaseNew(group, selection);
+  addCaseFiles(group, selection);
   addCaseLibrary(group, selection);
   addCaseWithdraw(group, selection);
   addCaseUnseal(group, selection);
