@@ -182,6 +182,12 @@ void CasePanel::addVolumeSection() {
   addVolume(form);
   addLine(form, "volume.attribution", tr("Attribution"), tr("Change the attribution"));
   addLine(form, "volume.licence", tr("Licence"), tr("Change the licence"));
+  auto* files = new QPushButton(tr("Files…"));
+  files->setObjectName(QStringLiteral("caseFiles"));
+  files->setToolTip(tr("See what lies in the case's folder, and take out what nothing uses"));
+  connect(files, &QPushButton::clicked, this, &CasePanel::showFiles);
+  files->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+  form->addRow(files);
 }
 
 QWidget* CasePanel::makeSaveRow() {

@@ -28,6 +28,7 @@ struct Case;
 namespace ew::case_authoring {
 
 class ExaminationsField;
+class FilesDialog;
 class PublishDialog;
 class Section;
 
@@ -84,6 +85,7 @@ class CasePanel final : public QWidget {
   void showWarnings();  ///< what looks real, beside its fields
   void showMissing();   ///< what a published case needs, in the heads of the sections
   [[nodiscard]] std::optional<Case> presentCase() const;
+  void showFiles();
   void publish();
   QWidget* makeSaveRow();
   void addLine(QFormLayout* form, const std::string& path, const QString& label, const QString& what, QWidget* beside = nullptr);
@@ -118,6 +120,7 @@ class CasePanel final : public QWidget {
   QWidget* takenRow_ = nullptr;  ///< somebody else edits the case
   QLabel* takenWhy_ = nullptr;
   QWidget* noVolumeRow_ = nullptr;
+  QPointer<FilesDialog> files_;
   QPointer<PublishDialog> publishing_;
   std::string typedIn_;          ///< path of the field whose changes are one step of undo
   nlohmann::json beforeTyping_;  ///< what it held before that step

@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPlainTextEdit>
 #include <algorithm>
 
@@ -16,6 +17,12 @@ QString textIn(const nlohmann::json& object, const char* key) {
 }
 
 }  // namespace
+
+QString sizeWords(std::uint64_t bytes) {
+  std::uint64_t figure = bytes;
+  while (figure >= 1024) figure /= 1024;
+  return QLocale().formattedDataSize(static_cast<qint64>(bytes), figure < 10 && bytes >= 1024 ? 1 : 0);
+}
 
 ExaminationsField::ExaminationsField(Of what, QWidget* parent) : QWidget(parent), what_(what) {
   const bool isLaboratory = what_ == Of::laboratory;

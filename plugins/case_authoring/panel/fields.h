@@ -5,6 +5,7 @@
 #include <QStringList>
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -32,6 +33,8 @@ class ChoiceField final : public sdk::WheelWithFocus<QComboBox> {
  private:
   static constexpr int kLeastLetters = 8, kBesideText_px = 32;  ///< its arrow and edges
 };
+/// A size that people read has no hundredths: "42 MiB", "4.2 MiB".
+[[nodiscard]] QString sizeWords(std::uint64_t bytes);
 
 /// Earlier examinations, one below the other: when, what kind, what it said, and its pictures. Fields of an examination that it does not
 /// show stay as they are.

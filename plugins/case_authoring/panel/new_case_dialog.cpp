@@ -70,13 +70,6 @@ void alignLabels(const std::vector<QFormLayout*>& forms) {
   for (QWidget* label : labels) label->setMinimumWidth(widest_px);
 }
 
-/// A forecast has no hundredths: "42 MiB", "4.2 MiB".
-QString sizeWords(std::uint64_t bytes) {
-  std::uint64_t figure = bytes;
-  while (figure >= 1024) figure /= 1024;
-  return QLocale().formattedDataSize(static_cast<qint64>(bytes), figure < 10 && bytes >= 1024 ? 1 : 0);
-}
-
 QString timeWords(double seconds) {
   if (seconds < 90.0) return NewCaseDialog::tr("about %1 s").arg(std::max(1, static_cast<int>(std::ceil(seconds))));
   return NewCaseDialog::tr("about %1 min").arg(static_cast<int>(std::ceil(seconds / 60.0)));

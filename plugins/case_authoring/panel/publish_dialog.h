@@ -24,6 +24,8 @@ class PublishDialog final : public QDialog {
 
  public:
   explicit PublishDialog(sdk::Host& host, QWidget* parent = nullptr);
+  /// Looks at the case again: its files have changed, of which it hears nothing else.
+  void checkSoon() { soon_.start(); }
 
  Q_SIGNALS:
   void fieldAsked(const QString& path);

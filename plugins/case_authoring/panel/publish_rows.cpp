@@ -18,6 +18,7 @@
 #include "logic/measurements.h"
 #include "panel/case_panel.h"
 #include "panel/fields.h"
+#include "panel/files_dialog.h"
 #include "panel/give_volume_dialog.h"
 #include "panel/measurements_field.h"
 #include "panel/pictures_field.h"
@@ -257,6 +258,7 @@ void CasePanel::showField(const std::string& path) {
   if (path == "volume.file_to_world") return host_.panels().bringToFront("placing");
   if (path.starts_with("targets")) return host_.panels().bringToFront("targets");
   if (path.starts_with("parts.lessons")) return host_.panels().bringToFront("lesson_editor");
+  if (path == "files") return showFiles();
   const auto row = rows_.find(rowOf(path));
   if (row == rows_.end()) return;
   if (row->second.section != nullptr) row->second.section->setOpen(true);
@@ -269,6 +271,20 @@ void CasePanel::showField(const std::string& path) {
     editor->activateWindow();
     editor->setFocus(Qt::OtherFocusReason);
   });
+}
+
+void CasePanel::showFiles() {
+  if (!host_.cases().current() || host_.cases().isLocked()) return;
+  if (!files_) {
+    files_ = new FilesDialog(host_, this);
+    files_->setAttribute(Qt::WA_DeleteOnClose);
+    connect(files_, &FilesDialog::filesChanged, this, [this] {
+      if (publishing_) publishing_->checkSoon();
+    });
+  }
+  files_->show();
+  files_->raise();
+  files_->activateWindow();
 }
 
 void CasePanel::publish() {

@@ -1,0 +1,168 @@
+#include "panel/files_dialog.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <optional>
+
+#include "ew/library/case.h"
+#include "ew/sdk/panel.h"
+#include "panel/fields.h"
+
+namespace ew::case_authoring {
+namespace {
+
+using sdk::kGap_px;
+using sdk::words;
+
+enum Column { kFile, kSize, kUsedBy };
+
+/// The open case with its edits, where there is one.
+std::optional<Case> openCaseOf(sdk::Host& host) {
+  const auto manifest = host.cases().current();
+  auto present = manifest ? caseFromManifest(*manifest, {}) : Result<Case>(Case());
+  if (!manifest || !present) return std::nullopt;
+  present->folder = host.cases().currentFolder();
+  return *std::move(present);
+}
+
+QStringList namesOf(const std::vector<std::string>& paths) {
+  QStringList names;
+  for (const std::string& each : paths) names << words(each);
+  return names;
+}
+
+}  // namespace
+
+FilesDialog::FilesDialog(sdk::Host& host, QWidget* parent) : QDialog(parent), host_(host) {
+  setObjectName(QStringLiteral("filesDialog"));
+  setWindowTitle(tr("Files of this case"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * kGap_px, 3 * kGap_px, 3 * kGap_px, 3 * kGap_px);
+  column->setSpacing(2 * kGap_px);
+  column->addWidget(
+      sdk::quietLabel(tr("Whatever lies in the case's folder is published and exported with it. What nothing uses can be taken out.")));
+  list_ = new QTreeWidget;
+  list_->setObjectName(QStringLiteral("caseFileList"));
+  list_->setAccessibleName(windowTitle());
+  list_->setHeaderLabels({tr("File"), tr("Size"), tr("Used by")});
+  list_->setRootIsDecorated(false);
+  list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  list_->header()->setSectionResizeMode(kFile, QHeaderView::ResizeToContents);
+  column->addWidget(list_, 1);
+  aside_ = sdk::quietLabel({});
+  aside_->setObjectName(QStringLiteral("filesAside"));
+  aside_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  column->addWidget(aside_);
+  problem_ = sdk::problemLabel();
+  problem_->setObjectName(QStringLiteral("filesProblem"));
+  column->addWidget(problem_);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(kGap_px);
+  takeOut_ = new QPushButton(tr("Take out…"));
+  takeOut_->setObjectName(QStringLiteral("takeFilesOut"));
+  takeOut_->setAutoDefault(false);
+  buttons->addWidget(takeOut_);
+  putBack_ = new QPushButton(tr("Put back"));
+  putBack_->setObjectName(QStringLiteral("putFilesBack"));
+  putBack_->setToolTip(tr("The files that were taken out last"));
+  putBack_->setAutoDefault(false);
+  buttons->addWidget(putBack_);
+  buttons->addStretch(1);
+  auto* close = new QPushButton(tr("Close"));
+  close->setDefault(true);
+  buttons->addWidget(close);
+  column->addLayout(buttons);
+  connect(list_, &QTreeWidget::itemSelectionChanged, this, &FilesDialog::showChosen);
+  connect(takeOut_, &QPushButton::clicked, this, &FilesDialog::takeOut);
+  connect(putBack_, &QPushButton::clicked, this, &FilesDialog::putBackLatest);
+  connect(close, &QPushButton::clicked, this, &QDialog::close);
+  resize(80 * kGap_px, 56 * kGap_px);
+  ticket_ = host_.cases().onChanged([this] { look(); });
+  look();
+}
+
+void FilesDialog::look() {
+  const auto present = openCaseOf(host_);
+  if (!present) {
+    close();
+    return;
+  }
+  list_->clear();
+  const auto files = fileUsesOf(*present);
+  if (files) {
+    for (const CaseFileUse& each : *files) {
+      const bool isUsed = !each.usedBy.empty();
+      auto* row = new QTreeWidgetItem(
+          list_, {words(each.path), sizeWords(each.size_bytes), isUsed ? words(joined(each.usedBy, ", ")) : tr("nothing")});
+      row->setTextAlignment(kSize, Qt::AlignRight | Qt::AlignVCenter);
+      row->setData(kFile, Qt::UserRole, !isUsed);
+    }
+  }
+  withdrawn_ = withdrawnFilesOf(present->folder);
+  aside_->setText(withdrawn_.empty()
+                      ? QString()
+                      : tr("Taken out before: %1. They lie in %2.")
+                            .arg(namesOf(withdrawn_.front().paths).join(QStringLiteral(", ")), words(withdrawn_.front().folder.string())));
+  aside_->setVisible(!withdrawn_.empty());
+  putBack_->setEnabled(!withdrawn_.empty());
+  sdk::setProblem(problem_, files ? QString() : words(files.error()));
+  showChosen();
+}
+
+void FilesDialog::showChosen() {
+  const auto chosen = list_->selectedItems();
+  bool areFree = !chosen.isEmpty();
+  for (const QTreeWidgetItem* each : chosen) areFree = areFree && each->data(kFile, Qt::UserRole).toBool();
+  takeOut_->setEnabled(areFree);
+  takeOut_->setToolTip(areFree            ? tr("They are moved aside, and not handed on with the case")
+                       : chosen.isEmpty() ? tr("Choose files that nothing uses")
+                                          : tr("What is in use stays; choose files that nothing uses"));
+}
+
+void FilesDialog::takeOut() {
+  std::vector<std::string> paths;
+  for (const QTreeWidgetItem* each : list_->selectedItems()) paths.push_back(each->text(kFile).toStdString());
+  if (paths.empty()) return;
+  QMessageBox question(this);
+  question.setObjectName(QStringLiteral("takeOutQuestion"));
+  question.setIcon(QMessageBox::NoIcon);
+  question.setText(tr("Take these files out of the case?"));
+  question.setInformativeText(tr("%1\n\nThey are moved aside in the case's folder and can be put back here. Undo in the form brings no "
+                                 "file back: put it back before you go back to a step that needs it.")
+                                  .arg(namesOf(paths).join(QLatin1Char('\n'))));
+  auto* yes = question.addButton(tr("Take out"), QMessageBox::DestructiveRole);
+  yes->setObjectName(QStringLiteral("takeOutNow"));
+  question.setDefaultButton(question.addButton(QMessageBox::Cancel));
+  question.exec();
+  if (question.clickedButton() != yes) return;
+  if (const auto own = host_.cases().makeOwn(); !own) {
+    if (own.error().code != ErrorCode::cancelled) fail(own.error());
+    return;
+  }
+  const auto present = openCaseOf(host_);
+  if (!present) return;
+  const auto taken = withdrawFiles(*present, paths, CaseEditor::caller);
+  look();
+  if (!taken) return fail(taken.error());
+  Q_EMIT filesChanged();
+}
+
+void FilesDialog::putBackLatest() {
+  if (withdrawn_.empty()) return;
+  const auto back = putBack(withdrawn_.front());
+  look();
+  if (!back) return fail(back.error());
+  Q_EMIT filesChanged();
+}
+
+void FilesDialog::fail(const Error& problem) {
+  host_.log().warn(problem.sentence());
+  sdk::setProblem(problem_, words(problem));
+}
+
+}  // namespace ew::case_authoring

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QDialog>
+#include <vector>
+
+#include "ew/library/case_contents.h"
+#include "ew/sdk/host.h"
+
+class QLabel;
+class QPushButton;
+class QTreeWidget;
+
+namespace ew::case_authoring {
+
+/// The files in the folder of the open case: how large they are, what uses each, and those that nothing uses to be taken out, so that they
+/// are not handed on. What was taken out lies aside and can be put back.
+class FilesDialog final : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit FilesDialog(sdk::Host& host, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  void filesChanged();
+
+ private:
+  void look();
+  void showChosen();
+  void takeOut();
+  void putBackLatest();
+  void fail(const Error& problem);
+
+  sdk::Host& host_;
+  QTreeWidget* list_ = nullptr;
+  QLabel* aside_ = nullptr;
+  QLabel* problem_ = nullptr;
+  QPushButton* takeOut_ = nullptr;
+  QPushButton* putBack_ = nullptr;
+  std::vector<WithdrawnFiles> withdrawn_;  ///< the latest first
+  sdk::Cases::Ticket ticket_;
+};
+
+}  // namespace ew::case_authoring
