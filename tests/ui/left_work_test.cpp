@@ -11,11 +11,12 @@
 namespace ew::ui::left_work_test {
 namespace {
 
-LeftWork leftWith(const std::map<std::string, std::string>& items) {
+LeftWork leftWith(const std::map<std::string, std::string>& items,
+                  const std::string& about = R"({"kind": "window", "path": "/cases/one", "volumes": []})") {
   const test::TemporaryFolder folder;
   const auto own = folder / "kept" / "one";
   test::writeText(own / "lock", "");
-  test::writeText(own / "about.json", R"({"kind": "window", "path": "/cases/one", "volumes": []})");
+  test::writeText(own / "about.json", about);
   for (const auto& [name, text] : items) test::writeText(own / name, text);
   return readLeftWork(std::move(Autosave(folder / "kept").takeLeft().at(0)));
 }
@@ -58,6 +59,16 @@ TEST(LeftWork, SaysWhatOfItCannotBeRead) {
 TEST(LeftWork, BelongsToAPatientOnceSomethingOfItWasRecorded) {
   EXPECT_FALSE(leftWith({}).isOfPatient());
   EXPECT_TRUE(leftWith({{"recording.jsonl", scanned(3)}}).isOfPatient());
+}
+
+/// What an author was recording for a lesson when the program ended is offered as that.
+TEST(LeftWork, OfAnExpertsScanSaysWhatItWasFor) {
+  const LeftWork work = leftWith({{"recording.jsonl", scanned(3)}}, R"({"kind": "expert_scan", "path": "/cases/one", "title": "A ball"})");
+  EXPECT_EQ(work.kind, kExpertScanWork);
+  ASSERT_TRUE(work.recording);
+  EXPECT_EQ(work.recording->log.frameCount(), 3u);
+  ASSERT_EQ(linesOf(work).size(), 1);
+  EXPECT_TRUE(linesOf(work).front().startsWith(QStringLiteral("An expert's scan that was being recorded for a lesson:")));
 }
 
 TEST(LeftWork, HasWhatCouldBeReadBesideWhatCouldNot) {
