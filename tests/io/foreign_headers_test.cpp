@@ -41,6 +41,61 @@ TEST(ForeignDeviceSet, AFanThatOnlySaysNotSetIsNone) {
   EXPECT_FALSE(setWith("FanAnglesDeg=\"\"").fanAngles_deg);
 }
 
+TEST(ForeignDeviceSet, WhateverSetsNothingIsNamedWithWhatHoldsInstead) {
+  const TempFolder folder;
+  const auto notesOf = [&](const std::string& attributes) {
+    const auto set =
+        readDeviceSet(folder.put("d.xml", "<PlusConfiguration><VolumeReconstruction " + attributes + "/></PlusConfiguration>"));
+    EXPECT_TRUE(succeeded(set)) << attributes;
+    return set ? set->notes : std::vector<Message>();
+  };
+  for (const char* spacing : {"", " ", "nan nan nan", "0 0 0", "-1 -1 -1", "0 -1 0"}) {
+    const auto notes = notesOf("OutputSpacing=\"" + std::string(spacing) + "\"");
+    ASSERT_EQ(notes.size(), 1u) << spacing;
+    EXPECT_EQ(notes[0].english(), "The device set states OutputSpacing \"" + std::string(spacing) +
+                                      "\", which sets nothing; unless it is given, the size of a voxel comes from the frames.");
+  }
+  for (const char* angles : {"FanAngles=\"30 30\"", "FanAnglesDeg=\"0 0\"", "FanAngles=\"\"", "FanAnglesDeg=\"NaN nan\""}) {
+    const auto notes = notesOf(angles);
+    ASSERT_EQ(notes.size(), 1u) << angles;
+    EXPECT_TRUE(contains(notes, "which sets nothing; unless a fan is given, none is cut out")) << angles;
+  }
+  EXPECT_TRUE(contains(notesOf("FanAngles=\"30 30\""), "FanAngles \"30 30\""));
+  EXPECT_TRUE(contains(notesOf("ClipRectangleOrigin=\"0 0\" ClipRectangleSize=\"0 0\""), "ClipRectangleSize \"0 0\", which sets nothing"));
+  EXPECT_TRUE(contains(notesOf("FanRadiusStartPixel=\"-1\""), "a fan begins at its apex"));
+  EXPECT_TRUE(contains(notesOf("FanDepth=\"0\""), "FanDepth \"0\", which sets nothing; a fan ends with the image"));
+  EXPECT_TRUE(contains(notesOf("FanOrigin=\"\""), "FanOrigin \"\", which sets nothing; the apex"));
+  for (const char* text : {"Interpolation", "CompoundingMode", "Compounding", "ReferenceCoordinateFrame"})
+    EXPECT_TRUE(contains(notesOf(std::string(text) + "=\" \""), std::string(text) + " \" \", which sets nothing")) << text;
+  EXPECT_TRUE(notesOf("OutputSpacing=\"0.5 0.5 0.5\" FanAngles=\"-30 30\" FanOrigin=\"20 -10\" FanDepth=\"25\"").empty());
+}
+
+TEST(ForeignDeviceSet, AnOlderNameSaysWhatTheNewerLeavesOpen) {
+  const DeviceSet set = setWith("FanAnglesDeg=\"\" FanAngles=\"-30 30\" CompoundingMode=\"\" Compounding=\"ON\"");
+  EXPECT_EQ(set.fanAngles_deg, glm::dvec2(-30, 30));
+  EXPECT_EQ(set.compounding, "ON");
+}
+
+TEST(ForeignDeviceSet, ANumberThatIsNoneAmongOthersIsRefused) {
+  const TempFolder folder;
+  for (const char* half : {"OutputSpacing=\"0.5 nan 0.5\"", "OutputSpacing=\"nan 0.5 0.5\"", "OutputSpacing=\"0.5 0.5 -1\"",
+                           "OutputSpacing=\"inf inf inf\"", "FanAngles=\"-30 nan\"", "ClipRectangleSize=\"nan 4\""}) {
+    const auto refused =
+        readDeviceSet(folder.put("d.xml", "<PlusConfiguration><VolumeReconstruction " + std::string(half) + "/></PlusConfiguration>"));
+    EXPECT_TRUE(failedWith(refused, ErrorCode::badField)) << half;
+  }
+}
+
+TEST(ForeignDeviceSet, TheHeaderOfARecordingFollowsTheSameRule) {
+  Sequence sequence;
+  sequence.otherFields = {{"FanAnglesDeg", "30 30"}, {"ClipRectangleSize", " "}};
+  const auto stated = clipStatedIn(sequence);
+  ASSERT_TRUE(succeeded(stated));
+  EXPECT_FALSE(stated->fanAngles_deg || stated->clipSize_px);
+  EXPECT_TRUE(contains(stated->notes, "The recording states FanAnglesDeg \"30 30\", which sets nothing"));
+  EXPECT_TRUE(contains(stated->notes, "The recording states ClipRectangleSize"));
+}
+
 TEST(ForeignDeviceSet, TheOlderDepthOfAFanEndsIt) {
   EXPECT_EQ(setWith("FanAngles=\"-30 30\" FanOrigin=\"20 -10\" FanDepth=\"25\"").fanRadiusStop_px, 25.0);
 }
