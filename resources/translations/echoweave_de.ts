@@ -507,10 +507,6 @@
         <translation>Die DICOM-Standbilder von %1 sind verschieden groß (%2 x %3 und %4 x %5 Bildpunkte) und deshalb kein Volumen; die eines Volumens in einen Ordner legen oder einzeln importieren.</translation>
     </message>
     <message>
-        <source>The OutputSpacing of the device set is &quot;%1&quot;, which is none; it was not used.</source>
-        <translation>OutputSpacing des Gerätesatzes ist „%1“, also keiner; es wurde nicht verwendet.</translation>
-    </message>
-    <message>
         <source>The clip rectangle begins at (%1) but has no size; the whole images were taken.</source>
         <translation>Das Ausschnittsrechteck beginnt bei (%1), hat aber keine Größe; die ganzen Bilder wurden genommen.</translation>
     </message>
@@ -4653,14 +4649,6 @@
     <message>
         <source>The recording holds scan lines; they were converted to images of %1 x %2 pixels of %3 mm.</source>
         <translation>Die Aufnahme enthält Bildzeilen; sie wurden in Bilder von %1 × %2 Pixeln zu %3 mm umgewandelt.</translation>
-    </message>
-    <message>
-        <source>The recording&apos;s %1 is &quot;%2&quot;; expected %3 numbers.</source>
-        <translation>%1 der Aufnahme ist „%2“; erwartet werden %3 Zahlen.</translation>
-    </message>
-    <message>
-        <source>The recording&apos;s %1 is &quot;%2&quot;; expected 1 number.</source>
-        <translation>%1 der Aufnahme ist „%2“; erwartet wird 1 Zahl.</translation>
     </message>
     <message>
         <source>The recording&apos;s pixels do not match its size, so %1 was not written.</source>
@@ -12025,6 +12013,58 @@
     <message>
         <source>true while nobody has said on which side of the volume the probe was: depth_direction and lateral_direction are assumed</source>
         <translation>wahr, solange niemand gesagt hat, auf welcher Seite des Volumens die Sonde war: depth_direction und lateral_direction sind angenommen</translation>
+    </message>
+    <message>
+        <source>unless it is given, the size of a voxel comes from the frames</source>
+        <translation>wenn nicht anders angegeben, ergibt sich die Größe eines Voxels aus den Bildern</translation>
+    </message>
+    <message>
+        <source>a clip begins at the first pixel</source>
+        <translation>ein Ausschnitt beginnt beim ersten Pixel</translation>
+    </message>
+    <message>
+        <source>unless a clip is given, the whole images are taken</source>
+        <translation>wenn kein Ausschnitt angegeben ist, werden die ganzen Bilder genommen</translation>
+    </message>
+    <message>
+        <source>unless a fan is given, none is cut out</source>
+        <translation>wenn kein Fächer angegeben ist, wird keiner ausgeschnitten</translation>
+    </message>
+    <message>
+        <source>the apex of a fan is taken to be the first pixel</source>
+        <translation>als Spitze eines Fächers gilt das erste Pixel</translation>
+    </message>
+    <message>
+        <source>a fan begins at its apex</source>
+        <translation>ein Fächer beginnt an seiner Spitze</translation>
+    </message>
+    <message>
+        <source>a fan ends with the image</source>
+        <translation>ein Fächer endet mit dem Bild</translation>
+    </message>
+    <message>
+        <source>unless it is given, pixels are shared linearly</source>
+        <translation>wenn nicht anders angegeben, werden Pixel linear verteilt</translation>
+    </message>
+    <message>
+        <source>unless it is given, the mean of all views is taken</source>
+        <translation>wenn nicht anders angegeben, wird das Mittel aller Ansichten genommen</translation>
+    </message>
+    <message>
+        <source>unless a frame is named, the first of Reference, Tracker and World is taken</source>
+        <translation>wenn kein Bezugssystem genannt ist, wird das erste von Reference, Tracker und World genommen</translation>
+    </message>
+    <message>
+        <source>The recording states %1 &quot;%2&quot;, which sets nothing; %3.</source>
+        <translation>Die Aufnahme nennt %1 „%2“, was nichts festlegt; %3.</translation>
+    </message>
+    <message>
+        <source>The device set states %1 &quot;%2&quot;, which sets nothing; %3.</source>
+        <translation>Der Gerätesatz nennt %1 „%2“, was nichts festlegt; %3.</translation>
+    </message>
+    <message>
+        <source>The recording&apos;s %1 is &quot;%2&quot;; expected %3.</source>
+        <translation>%1 der Aufnahme ist „%2“; erwartet: %3.</translation>
     </message>
 </context>
 <context>

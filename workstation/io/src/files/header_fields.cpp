@@ -27,6 +27,25 @@ Message unusedBecause(FieldTouches touches, const Message& fields) {
   return {};
 }
 
+FieldState stateOf(std::span<const double> numbers, NumbersKind kind) {
+  const auto above = static_cast<std::size_t>(std::count_if(numbers.begin(), numbers.end(), [](double value) { return value > 0.0; }));
+  const auto setIf = [](bool isSet) { return isSet ? FieldState::value : FieldState::notSet; };
+  switch (kind) {
+    case NumbersKind::place:
+      return FieldState::value;
+    case NumbersKind::lengths:
+      return above == 0 || above == numbers.size() ? setIf(above > 0) : FieldState::unusable;
+    case NumbersKind::rectangle:
+    case NumbersKind::reach:
+      return setIf(above == numbers.size());
+    case NumbersKind::interval:
+      return setIf(numbers.front() != numbers.back());
+    case NumbersKind::distance:
+      return setIf(std::all_of(numbers.begin(), numbers.end(), [](double value) { return value >= 0.0; }));
+  }
+  return FieldState::unusable;
+}
+
 }  // namespace
 
 void HeaderFields::meet(std::string_view name, std::string_view value) {
@@ -78,15 +97,17 @@ std::vector<Message> HeaderFields::unused() const {
   return notes;
 }
 
-StatedNumbers statedNumbers(std::string_view found, std::size_t count) {
-  if (trimmed(found).empty()) return {};
-  auto numbers = parseNumbers(found);
-  if (!numbers || numbers->size() != count) return {.isSet = true, .isUsable = false};
-  const auto unset = std::count_if(numbers->begin(), numbers->end(), [](double value) { return std::isnan(value); });
-  if (static_cast<std::size_t>(unset) == count) return {};
+StatedNumbers statedNumbers(const std::optional<std::string>& found, std::size_t count, NumbersKind kind) {
+  if (!found) return {.state = FieldState::absent};
+  if (trimmed(*found).empty()) return {.state = FieldState::notSet};
+  auto numbers = parseNumbers(*found);
+  if (!numbers || numbers->size() != count) return {.state = FieldState::unusable};
+  if (std::all_of(numbers->begin(), numbers->end(), [](double value) { return std::isnan(value); })) return {.state = FieldState::notSet};
   if (std::any_of(numbers->begin(), numbers->end(), [](double value) { return !std::isfinite(value); }))
-    return {.isSet = true, .isUsable = false};
-  return {.isSet = true, .isUsable = true, .values = *std::move(numbers)};
+    return {.state = FieldState::unusable};
+  const FieldState state = stateOf(*numbers, kind);
+  if (state != FieldState::value) return {.state = state};
+  return {.state = state, .values = *std::move(numbers)};
 }
 
 }  // namespace ew::detail

@@ -55,13 +55,26 @@ class HeaderFields {
   std::vector<Stated> stated_;
 };
 
-/// Numbers of a field whose value may only say that it is not set: blanks, or NaN for every number.
-struct StatedNumbers {
-  bool isSet = false;
-  bool isUsable = true;             ///< false: something else stands there than the finite numbers that belong there
-  std::vector<double> values = {};  ///< where it is set and usable
+/// What a field amounts to. `notSet`: blanks, NaN for every number, or values that mean or amount to nothing.
+enum class FieldState { absent, notSet, unusable, value };
+
+/// Which finite numbers are a value of a field, and which only say that it is not set.
+enum class NumbersKind {
+  place,      ///< any
+  lengths,    ///< each above 0; none above 0: not set; some: unusable
+  rectangle,  ///< two sides; one that is not above 0 leaves no area: not set
+  interval,   ///< two ends; the same twice: not set
+  distance,   ///< 0 or above; else not set
+  reach,      ///< above 0; else not set
 };
+
+struct StatedNumbers {
+  FieldState state = FieldState::absent;
+  std::vector<double> values = {};  ///< where the state is value
+};
+/// The one answer to whether a field of numbers is there, set, usable.
+/// @param found nothing: there is no such field
 /// @param count of numbers that belong there
-[[nodiscard]] StatedNumbers statedNumbers(std::string_view found, std::size_t count);
+[[nodiscard]] StatedNumbers statedNumbers(const std::optional<std::string>& found, std::size_t count, NumbersKind kind);
 
 }  // namespace ew::detail

@@ -2,26 +2,18 @@
 #include <array>
 #include <cmath>
 #include <pugixml.hpp>
-#include <type_traits>
 
 #include "ew/core/numbers.h"
-#include "ew/io/gating_fields.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/sequence.h"
 #include "files/header_fields.h"
 #include "files/image_header.h"
+#include "sweeps/stated_fields.h"
 
 namespace ew {
 namespace {
 using namespace detail;
 namespace fs = std::filesystem;
-
-/// The first attribute of these names, newest name first; null when there is none.
-pugi::xml_attribute attributeOf(const pugi::xml_node& node, std::initializer_list<const char*> names) {
-  for (const char* name : names)
-    if (const auto attribute = node.attribute(name)) return attribute;
-  return {};
-}
 
 /// What VolumeReconstruction of device sets is known to say. What is not here is told as not known.
 constexpr std::array kReconstructionFields{
@@ -39,33 +31,21 @@ constexpr std::array kReconstructionFields{
     KnownField{"OutputVolDeviceName"},
 };
 
-Result<std::vector<double>> numbersOf(const fs::path& file, const pugi::xml_attribute& attribute, std::size_t count) {
-  if (!attribute) return std::vector<double>();
-  auto stated = statedNumbers(attribute.value(), count);
-  if (!stated.isUsable)
-    return badField(file, verbatim(attribute.name()), verbatim(attribute.value()), counted<"%1 finite number", "%1 finite numbers">(count));
-  return std::move(stated.values);
-}
-
-/// Takes away what only says that nothing is set.
-void dropUnset(DeviceSet& set) {
-  const auto pairText = [](const glm::dvec2& pair) { return textOf(pair.x) + " " + textOf(pair.y); };
-  if (set.clipSize_px && (set.clipSize_px->x <= 0.0 || set.clipSize_px->y <= 0.0)) {
-    if (set.clipSize_px->x > 0.0 || set.clipSize_px->y > 0.0)
-      set.notes.push_back(
-          say<"The clip rectangle has the size %1, which is none; the whole images were taken.">(pairText(*set.clipSize_px)));
-    set.clipSize_px.reset();
-    set.clipOrigin_px.reset();
+/// Takes the fields one after another, and what goes together of them.
+Result<void> takeFields(std::span<const SetField> fields, const StatedFields& from, DeviceSet& set) {
+  bool statesSize = false;
+  for (const SetField field : fields) {
+    const auto taken = takeField(field, from, set);
+    if (!taken) return passOn(taken.error());
+    if (field == SetField::clipSize) statesSize = *taken != FieldState::absent;
   }
-  if (set.clipOrigin_px && !set.clipSize_px) {
-    if (*set.clipOrigin_px != glm::dvec2(0.0) && *set.clipOrigin_px != glm::dvec2(-1.0))
-      set.notes.push_back(
-          say<"The clip rectangle begins at (%1) but has no size; the whole images were taken.">(pairText(*set.clipOrigin_px)));
-    set.clipOrigin_px.reset();
-  }
-  if (set.fanAngles_deg && set.fanAngles_deg->x == set.fanAngles_deg->y) set.fanAngles_deg.reset();
-  if (set.fanRadiusStart_px && *set.fanRadiusStart_px < 0.0) set.fanRadiusStart_px.reset();
-  if (set.fanRadiusStop_px && *set.fanRadiusStop_px <= 0.0) set.fanRadiusStop_px.reset();
+  if (!set.clipOrigin_px || set.clipSize_px) return {};
+  const glm::dvec2 origin_px = *set.clipOrigin_px;
+  if (!statesSize && origin_px != glm::dvec2(0.0) && origin_px != glm::dvec2(-1.0))
+    set.notes.push_back(say<"The clip rectangle begins at (%1) but has no size; the whole images were taken.">(textOf(origin_px.x) + " " +
+                                                                                                               textOf(origin_px.y)));
+  set.clipOrigin_px.reset();
+  return {};
 }
 
 Result<void> readTransform(const fs::path& file, const pugi::xml_node& node, DeviceSet& set) {
@@ -92,79 +72,27 @@ Result<void> readTransform(const fs::path& file, const pugi::xml_node& node, Dev
   return {};
 }
 
-/// Takes numbers out of VolumeReconstruction, each by its first name that is there.
-class ReconstructionReader {
- public:
-  ReconstructionReader(const fs::path& file, const pugi::xml_node& node)
-      : file_(file), node_(node), fields_(kReconstructionFields, FieldTouches::nobodyKnows) {
-    for (const auto& attribute : node.attributes()) fields_.meet(attribute.name(), attribute.value());
-  }
-
-  Result<void> take(std::optional<glm::dvec2>& target, std::initializer_list<const char*> names) {
-    return take(names, 2, [&](const std::vector<double>& values) { target = glm::dvec2(values[0], values[1]); });
-  }
-  Result<void> take(std::optional<double>& target, std::initializer_list<const char*> names) {
-    return take(names, 1, [&](const std::vector<double>& values) { target = values[0]; });
-  }
-  Result<void> takeSpacing(DeviceSet& set) {
-    return take({"OutputSpacing"}, 3, [&](const std::vector<double>& mm) -> Result<void> {
-      if (mm[0] > 0.0 && mm[1] > 0.0 && mm[2] > 0.0) {
-        set.outputSpacing_mm = glm::dvec3(mm[0], mm[1], mm[2]);
-      } else if (mm[0] <= 0.0 && mm[1] <= 0.0 && mm[2] <= 0.0) {
-        set.notes.push_back(say<"The OutputSpacing of the device set is \"%1\", which is none; it was not used.">(
-            shortened(node_.attribute("OutputSpacing").value())));
-      } else {
-        return badField(file_, verbatim("OutputSpacing"), verbatim(node_.attribute("OutputSpacing").value()),
-                        say<"three numbers above 0 (mm)">());
-      }
-      return {};
-    });
-  }
-  std::optional<std::string> text(const char* name) { return fields_.take(name); }
-  HeaderFields& fields() { return fields_; }
-
- private:
-  template <class Use>
-  Result<void> take(std::initializer_list<const char*> names, std::size_t count, Use use) {
-    const auto attribute = attributeOf(node_, names);
-    const auto numbers = numbersOf(file_, attribute, count);
-    if (!numbers) return passOn(numbers.error());
-    fields_.use(attribute.name());
-    if (numbers->empty()) return {};
-    if constexpr (std::is_void_v<decltype(use(*numbers))>) {
-      use(*numbers);
-      return {};
-    } else {
-      return use(*numbers);
-    }
-  }
-
-  const fs::path& file_;
-  const pugi::xml_node& node_;
-  HeaderFields fields_;
-};
-
 Result<void> readReconstruction(const fs::path& file, const pugi::xml_node& node, DeviceSet& set) {
-  ReconstructionReader reader(file, node);
-  if (auto read = reader.takeSpacing(set); !read) return read;
-  if (auto read = reader.take(set.clipOrigin_px, {"ClipRectangleOrigin"}); !read) return read;
-  if (auto read = reader.take(set.clipSize_px, {"ClipRectangleSize"}); !read) return read;
-  if (auto read = reader.take(set.fanAngles_deg, {"FanAnglesDeg", "FanAngles"}); !read) return read;
-  if (auto read = reader.take(set.fanOrigin_px, {"FanOriginPixel", "FanOrigin"}); !read) return read;
-  if (auto read = reader.take(set.fanRadiusStart_px, {"FanRadiusStartPixel"}); !read) return read;
-  // Before fans had two radii, their depth was the radius at which they end, in pixels too.
-  if (auto read = reader.take(set.fanRadiusStop_px, {"FanRadiusStopPixel", "FanDepth"}); !read) return read;
-  set.interpolation = reader.text("Interpolation");
-  set.compounding = reader.text("CompoundingMode");
-  if (const auto older = reader.text("Compounding"); older && !set.compounding)
-    set.compounding = older;  // a switch, before there were modes: On or Off
-  set.referenceFrame = reader.text("ReferenceCoordinateFrame").value_or("");
-  HeaderFields& fields = reader.fields();
+  HeaderFields fields(kReconstructionFields, FieldTouches::nobodyKnows);
+  for (const auto& attribute : node.attributes()) fields.meet(attribute.name(), attribute.value());
+  StatedFields stated;
+  stated.look = [&](const std::string& name) -> std::optional<std::string> {
+    const auto attribute = node.attribute(name.c_str());
+    if (!attribute) return std::nullopt;
+    fields.use(name);
+    return attribute.value();
+  };
+  stated.refusal = [&](const std::string& name, const std::string& found, const Message& needed) {
+    return badField(file, verbatim(name), verbatim(found), needed).value();
+  };
+  constexpr std::array all{SetField::spacing,  SetField::clipOrigin, SetField::clipSize,      SetField::fanAngles,   SetField::fanOrigin,
+                           SetField::fanStart, SetField::fanStop,    SetField::interpolation, SetField::compounding, SetField::reference};
+  if (auto taken = takeFields(all, stated, set); !taken) return taken;
+  fields.use("Compounding");  // device sets that know modes still write the switch
   if (fields.stated("ImageCoordinateFrame") == std::optional<std::string>("Image")) fields.use("ImageCoordinateFrame");
   if (lowerCase(fields.stated("EnableFanAnglesAutoDetect").value_or("")) != "true") fields.use("EnableFanAnglesAutoDetect");
   // Without an extent the origin is that of no grid: PLUS writes it so by default.
   if (!fields.stated("OutputExtent")) fields.use("OutputOrigin");
-  dropUnset(set);
   for (Message& note : fields.unused()) set.notes.push_back(std::move(note));
   return {};
 }
@@ -239,35 +167,22 @@ Result<DeviceSet> readDeviceSets(std::span<const std::filesystem::path> files) {
 }
 
 Result<DeviceSet> clipStatedIn(const Sequence& sequence) {
-  DeviceSet stated;
-  const auto take = [&](auto& target, std::string_view name) -> Result<void> {
-    constexpr bool isPair = std::is_same_v<std::remove_cvref_t<decltype(target)>, std::optional<glm::dvec2>>;
-    constexpr std::size_t count = isPair ? 2 : 1;
-    for (const auto& [field, value] : sequence.otherFields) {
-      if (field != name) continue;
-      const auto found = statedNumbers(value, count);
-      if (!found.isUsable)
-        return failure(ErrorCode::badField,
-                       count == 1 ? say<"The recording's %1 is \"%2\"; expected 1 number.">(field, shortened(value))
-                                  : say<"The recording's %1 is \"%2\"; expected %3 numbers.">(field, shortened(value), count),
-                       {{"field", field}, {"found", shortened(value)}});
-      if (!found.isSet) return {};
-      if constexpr (isPair)
-        target = glm::dvec2(found.values[0], found.values[1]);
-      else
-        target = found.values[0];
-      return {};
-    }
-    return {};
+  StatedFields stated{.isRecording = true};
+  stated.look = [&](const std::string& name) -> std::optional<std::string> {
+    for (const auto& [field, value] : sequence.otherFields)
+      if (field == name) return value;
+    return std::nullopt;
   };
-  if (auto taken = take(stated.clipOrigin_px, fields::kClipOrigin); !taken) return passOn(taken.error());
-  if (auto taken = take(stated.clipSize_px, fields::kClipSize); !taken) return passOn(taken.error());
-  if (auto taken = take(stated.fanAngles_deg, fields::kFanAngles); !taken) return passOn(taken.error());
-  if (auto taken = take(stated.fanOrigin_px, fields::kFanOrigin); !taken) return passOn(taken.error());
-  if (auto taken = take(stated.fanRadiusStart_px, fields::kFanRadiusStart); !taken) return passOn(taken.error());
-  if (auto taken = take(stated.fanRadiusStop_px, fields::kFanRadiusStop); !taken) return passOn(taken.error());
-  dropUnset(stated);
-  return stated;
+  stated.refusal = [](const std::string& name, const std::string& found, const Message& needed) {
+    return failure(ErrorCode::badField, say<"The recording's %1 is \"%2\"; expected %3.">(name, shortened(found), needed),
+                   {{"field", name}, {"found", shortened(found)}})
+        .value();
+  };
+  constexpr std::array clip{SetField::clipOrigin, SetField::clipSize, SetField::fanAngles,
+                            SetField::fanOrigin,  SetField::fanStart, SetField::fanStop};
+  DeviceSet set;
+  if (auto taken = takeFields(clip, stated, set); !taken) return passOn(taken.error());
+  return set;
 }
 
 Result<void> writeDeviceSet(const DeviceSet& set, const fs::path& file) {
