@@ -100,6 +100,57 @@ TEST(SequenceFile, AGapInTheNumberingIsUnknownAndNotTheFrameBefore) {
   EXPECT_TRUE(contains(read->notes, "1 of 4 frames"));
 }
 
+/// A recording of one pixel an image whose frames of these names carry their own time.
+std::string numbered(const std::vector<std::string>& names, int images) {
+  std::string fields;
+  for (std::size_t n = 0; n < names.size(); ++n)
+    fields += "Seq_Frame" + names[n] + "_Timestamp = " + std::to_string(n) + ".5\nSeq_Frame" + names[n] +
+              "_ProbeToTrackerTransform = " + kRows + "\n";
+  return recording("1 1 " + std::to_string(images), fields, ramp(static_cast<std::size_t>(images)));
+}
+
+TEST(SequenceFile, FramesNumberedFromElsewhereAreTakenInTheirOrder) {
+  const TempFolder folder;
+  for (const auto& names : {std::vector<std::string>{"0010", "0011", "0012"},
+                            {"1", "2", "3"},
+                            {"00001", "00002", "00003"},
+                            {"0000", "0004", "0009"},
+                            {"8", "9", "10"}}) {
+    const auto read = readSequence(folder.put("s.mha", numbered(names, 3)));
+    ASSERT_TRUE(succeeded(read)) << names[0];
+    for (std::size_t n = 0; n < 3; ++n) {
+      EXPECT_EQ(read->frames[n].time_s, static_cast<double>(n) + 0.5) << names[0];
+      EXPECT_EQ(read->frames[n].transforms.size(), 1u) << names[0];
+    }
+    EXPECT_TRUE(contains(read->notes, "and not from 0 to 2; as they are as many as the images, they were taken in their order"))
+        << names[0];
+  }
+  const auto read = readSequence(folder.put("s.mha", numbered({"0010", "0011"}, 2)));
+  ASSERT_TRUE(succeeded(read));
+  EXPECT_TRUE(contains(read->notes, "numbered from 10 to 11 and not from 0 to 1"));
+}
+
+TEST(SequenceFile, OtherCountsOfDigitsAreTheSameNumbers) {
+  const TempFolder folder;
+  for (const auto& names : {std::vector<std::string>{"0", "1", "2"}, {"00000", "00001", "00002"}}) {
+    const auto read = readSequence(folder.put("s.mha", numbered(names, 3)));
+    ASSERT_TRUE(succeeded(read)) << names[0];
+    EXPECT_EQ(read->frames[2].time_s, 2.5);
+    EXPECT_FALSE(contains(read->notes, "numbered")) << names[0];
+  }
+}
+
+TEST(SequenceFile, NumbersThatFitNoImageAreRefusedByTheFirstOfThem) {
+  const TempFolder folder;
+  for (const int images : {2, 4, 11}) {
+    const auto refused = readSequence(folder.put("s.mha", numbered({"0010", "0011", "0012"}, images)));
+    ASSERT_TRUE(failedWith(refused, ErrorCode::badHeader)) << images;
+    EXPECT_NE(refused.error().sentence().find("numbers its frames from 10 to 12 and says something about 3 of them"), std::string::npos)
+        << refused.error();
+    EXPECT_NE(refused.error().sentence().find("number them from 0 to " + std::to_string(images - 1)), std::string::npos) << refused.error();
+  }
+}
+
 TEST(SequenceFile, AStatusMayStandInSmallLetters) {
   const TempFolder folder;
   const std::string frame = "Seq_Frame0000_ProbeToTrackerTransform = " + kRows + "\nSeq_Frame0000_ProbeToTrackerTransformStatus = ";
