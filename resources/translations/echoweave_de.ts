@@ -12066,6 +12066,14 @@
         <source>The recording&apos;s %1 is &quot;%2&quot;; expected %3.</source>
         <translation>%1 der Aufnahme ist „%2“; erwartet: %3.</translation>
     </message>
+    <message>
+        <source>The frames are numbered from %1 to %2 and not from 0 to %3; as they are as many as the images, they were taken in their order.</source>
+        <translation>Die Bilder sind von %1 bis %2 nummeriert und nicht von 0 bis %3; da es so viele Nummern wie Bilder sind, wurden sie der Reihe nach genommen.</translation>
+    </message>
+    <message>
+        <source>The header of %1 numbers its frames from %2 to %3 and says something about %4 of them, but the recording has %5, so that which is which cannot be told; number them from 0 to %6, as in Seq_Frame0000_Timestamp.</source>
+        <translation>Der Kopf von %1 nummeriert die Bilder von %2 bis %3 und sagt etwas über %4 davon, die Aufnahme hat aber %5, so dass nicht zu sagen ist, welches welches ist; sie von 0 bis %6 nummerieren, wie in Seq_Frame0000_Timestamp.</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>

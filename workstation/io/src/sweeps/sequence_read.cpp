@@ -145,7 +145,57 @@ void applyStatuses(SequenceFrame& frame, OpenFrame& open, Remarks& remarks) {
   remarks.withoutStatus += static_cast<std::uint64_t>(std::count(told.begin(), told.end(), false));
 }
 
+/// The numbers under which a header says something about frames, each once, rising.
+std::vector<std::uint64_t> frameNumbersOf(const ImageHeader& header) {
+  std::vector<std::uint64_t> numbers;
+  for (const auto& [key, value] : header.fields)
+    if (const auto frame = frameKey(key); frame && (numbers.empty() || numbers.back() != frame->frame)) numbers.push_back(frame->frame);
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
+/// Which frame of the recording a number of the header means: the one at that place, or, where numbers reach beyond the last frame and are
+/// as many as the frames, the one at the number's place among them.
+class FrameNumbering {
+ public:
+  /// @error badHeader (numbers that begin beyond 0, reach beyond the last frame and are more or fewer than the frames)
+  static Result<FrameNumbering> of(const ImageHeader& header, std::size_t frames) {
+    FrameNumbering numbering;
+    std::vector<std::uint64_t> numbers = frameNumbersOf(header);
+    if (numbers.empty() || numbers.back() < frames) return numbering;
+    if (numbers.size() == frames) {
+      numbering.inOrder_ = std::move(numbers);
+      return numbering;
+    }
+    if (numbers.front() == 0) return numbering;
+    return failure(
+        ErrorCode::badHeader,
+        say<"The header of %1 numbers its frames from %2 to %3 and says something about %4 of them, but the recording has %5, so that "
+            "which is which cannot be told; number them from 0 to %6, as in Seq_Frame0000_Timestamp.">(
+            quoted(header.file), numbers.front(), numbers.back(), numbers.size(), frames, frames - 1),
+        {{"file", header.file.string()}, {"field", "Seq_Frame"}, {"found", std::to_string(numbers.front())}, {"expected", "0"}});
+  }
+
+  /// The place of the frame; the number of frames or more where there is none.
+  [[nodiscard]] std::uint64_t placeOf(std::uint64_t number) const {
+    if (inOrder_.empty()) return number;
+    return static_cast<std::uint64_t>(std::lower_bound(inOrder_.begin(), inOrder_.end(), number) - inOrder_.begin());
+  }
+  void tell(std::vector<Message>& notes) const {
+    if (inOrder_.empty()) return;
+    notes.push_back(say<"The frames are numbered from %1 to %2 and not from 0 to %3; as they are as many as the images, they were taken in "
+                        "their order.">(inOrder_.front(), inOrder_.back(), inOrder_.size() - 1));
+  }
+
+ private:
+  std::vector<std::uint64_t> inOrder_;  ///< empty: each number is a place
+};
+
 Result<void> takeFields(const ImageHeader& header, Sequence& sequence, Progress& progress) {
+  const auto numbering = FrameNumbering::of(header, sequence.frames.size());
+  if (!numbering) return passOn(numbering.error());
+  numbering->tell(sequence.notes);
   std::vector<OpenFrame> open(sequence.frames.size());
   Remarks remarks;
   std::size_t fieldsUntilPoll = 0;
@@ -155,12 +205,12 @@ Result<void> takeFields(const ImageHeader& header, Sequence& sequence, Progress&
       fieldsUntilPoll = 4096;
     }
     if (const auto frame = frameKey(key)) {
-      if (frame->frame >= sequence.frames.size()) {
+      const auto index = static_cast<std::size_t>(numbering->placeOf(frame->frame));
+      if (index >= sequence.frames.size()) {
         ++remarks.beyondEnd;
         sequence.otherFields.emplace_back(key, value);
         continue;
       }
-      const auto index = static_cast<std::size_t>(frame->frame);
       const auto taken = takeFrameField(header, key, frame->name, value, sequence.frames[index], open[index]);
       if (!taken) return passOn(taken.error());
     } else if (key == "UltrasoundImageOrientation") {
@@ -191,18 +241,18 @@ Result<void> takeFields(const ImageHeader& header, Sequence& sequence, Progress&
 
 /// Of a header that breaks off: the last frame that something is said of may be half of one and goes, with what is said of it.
 Result<void> dropLastFrame(ImageHeader& header) {
-  std::uint64_t last = 0;
-  for (const auto& [key, value] : header.fields)
-    if (const auto frame = frameKey(key)) last = std::max(last, frame->frame);
-  if (last == 0)
+  const std::vector<std::uint64_t> numbers = frameNumbersOf(header);
+  if (numbers.size() < 2)
     return failure(ErrorCode::truncated, say<"%1 ends before its first frame is whole; nothing of it can be used.">(quoted(header.file)),
                    {{"file", header.file.string()}});
+  const std::uint64_t last = numbers.back();
   std::erase_if(header.fields, [&](const auto& field) {
     const auto frame = frameKey(field.first);
     return frame && frame->frame == last;
   });
-  header.sizes.back() = last;
-  header.notes.push_back(say<"The end of %1 is missing; the %2 frames before it were read.">(quoted(header.file), last));
+  // Frames of which nothing is said lie between those numbered from 0; numbers that begin elsewhere count the frames alone.
+  header.sizes.back() = numbers.front() == 0 ? last : numbers.size() - 1;
+  header.notes.push_back(say<"The end of %1 is missing; the %2 frames before it were read.">(quoted(header.file), header.sizes.back()));
   return {};
 }
 
