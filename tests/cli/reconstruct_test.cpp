@@ -70,6 +70,25 @@ TEST_F(ReconstructCommand, AVolumeOfAlmostNothingIsRefusedUntilItIsMeant) {
   EXPECT_EQ(reconstruct(meant).status, 0);
 }
 
+TEST_F(ReconstructCommand, ACalibrationInMetresIsRefusedUntilItIsMeant) {
+  for (std::size_t n = 0; n < sweep.frames.size(); ++n) {
+    sweep.frames[n].transforms = {{"Probe", "Reference", glm::dmat4(1.0), PoseStatus::ok}};
+    sweep.frames[n].transforms[0].matrix[3].z = static_cast<double>(n);
+  }
+  ASSERT_TRUE(writeSequence(sweep, folder / "s.igs.mha"));
+  writeText(folder / "metres.xml",
+            "<PlusConfiguration><CoordinateDefinitions><Transform From=\"Image\" To=\"Probe\" "
+            "Matrix=\"0.0001 0 0 0 0 0.0001 0 0 0 0 0.0001 0 0 0 0 1\"/></CoordinateDefinitions></PlusConfiguration>");
+  const auto refused = reconstruct({"--spacing", "1", "--calibration", folder / "metres.xml"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.err.find("a pixel is 0.0001 x 0.0001 mm and the whole image 0.0008 x 0.0006 mm: is the matrix in metres?"),
+            std::string::npos)
+      << refused.err;
+  EXPECT_NE(refused.err.find(": --accept-small."), std::string::npos) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "v.mha"));
+  EXPECT_EQ(reconstruct({"--spacing", "1", "--calibration", folder / "metres.xml", "--accept-small"}).status, 0);
+}
+
 TEST_F(ReconstructCommand, TheCommandLineWinsOverTheCalibrationFile) {
   writeText(folder / "device.xml",
             "<PlusConfiguration><VolumeReconstruction OutputSpacing=\"2 2 2\" ClipRectangleOrigin=\"1 1\" ClipRectangleSize=\"5 3\" "
