@@ -12074,6 +12074,22 @@
         <source>The header of %1 numbers its frames from %2 to %3 and says something about %4 of them, but the recording has %5, so that which is which cannot be told; number them from 0 to %6, as in Seq_Frame0000_Timestamp.</source>
         <translation>Der Kopf von %1 nummeriert die Bilder von %2 bis %3 und sagt etwas über %4 davon, die Aufnahme hat aber %5, so dass nicht zu sagen ist, welches welches ist; sie von 0 bis %6 nummerieren, wie in Seq_Frame0000_Timestamp.</translation>
     </message>
+    <message>
+        <source>With this calibration a pixel is %1 x %2 mm and the whole image %3 x %4 mm: is the matrix in metres? Matrices count millimetres; correct it, or say that so small an image is meant.</source>
+        <translation>Mit dieser Kalibrierung ist ein Pixel %1 × %2 mm groß und das ganze Bild %3 × %4 mm: Ist die Matrix in Metern? Matrizen zählen in Millimetern; sie berichtigen, oder sagen, dass ein so kleines Bild gemeint ist.</translation>
+    </message>
+    <message>
+        <source>With this calibration a pixel is %1 x %2 mm and the whole image %3 x %4 mm: is the matrix in micrometres? Matrices count millimetres; correct it, or say that so large an image is meant.</source>
+        <translation>Mit dieser Kalibrierung ist ein Pixel %1 × %2 mm groß und das ganze Bild %3 × %4 mm: Ist die Matrix in Mikrometern? Matrizen zählen in Millimetern; sie berichtigen, oder sagen, dass ein so großes Bild gemeint ist.</translation>
+    </message>
+    <message>
+        <source>With voxels of %1 mm an image of %2 x %3 pixels would become %4 x %5 voxels; give a finer spacing, check the calibration for a wrong scale, or say that so few are meant.</source>
+        <translation>Mit Voxeln von %1 mm würde ein Bild von %2 × %3 Pixeln zu %4 × %5 Voxeln; einen feineren Abstand angeben, die Kalibrierung auf einen falschen Maßstab prüfen, oder sagen, dass so wenige gemeint sind.</translation>
+    </message>
+    <message>
+        <source>Through all %1 frames the image moves by no more than %2 mm, which is less than two voxels: are the poses in metres? They count millimetres; correct them, or say that the probe was held still.</source>
+        <translation>In allen %1 Bildern bewegt sich das Bild um höchstens %2 mm, also um weniger als zwei Voxel: Sind die Lagen in Metern? Sie zählen in Millimetern; sie berichtigen, oder sagen, dass die Sonde stillgehalten wurde.</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
@@ -14328,12 +14344,12 @@
 <context>
     <name>ew::stitching::VolumeList</name>
     <message>
-        <source>Take it although little is kept</source>
-        <translation>Nehmen, obwohl wenig bleibt</translation>
+        <source>Take it all the same</source>
+        <translation>Trotzdem nehmen</translation>
     </message>
     <message>
-        <source>Less than a tenth of this sweep&apos;s pixels or frames becomes part of the volume, and that is meant</source>
-        <translation>Weniger als ein Zehntel der Bildpunkte oder Bilder dieses Schwenks wird Teil des Volumens, und das ist gemeint</translation>
+        <source>Less than a tenth of this sweep&apos;s pixels or frames becomes part of the volume, or its size is unusual, and that is meant</source>
+        <translation>Weniger als ein Zehntel der Bildpunkte oder Bilder dieses Schwenks wird Teil des Volumens, oder seine Größe ist ungewöhnlich, und das ist gemeint</translation>
     </message>
     <message>
         <source>call %1 &apos;%2&apos;</source>
@@ -23783,8 +23799,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Trotzdem machen</translation>
     </message>
     <message>
-        <source>So little is kept</source>
-        <translation>Es bleibt so wenig</translation>
+        <source>This is meant</source>
+        <translation>Das ist so gemeint</translation>
     </message>
 </context>
 <context>

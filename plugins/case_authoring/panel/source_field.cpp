@@ -201,7 +201,7 @@ void SourceField::addAsked() {
   asked_->addRow(tr("The probe was on"), side_);
   acceptsSmall_ = new QCheckBox(tr("Make it all the same"));
   acceptsSmall_->setObjectName(QStringLiteral("sourceAcceptsSmall"));
-  asked_->addRow(tr("So little is kept"), acceptsSmall_);
+  asked_->addRow(tr("This is meant"), acceptsSmall_);
   auto* look = new QWidget;
   auto* seen = new QHBoxLayout(look);
   seen->setContentsMargins(0, 0, 0, 0);

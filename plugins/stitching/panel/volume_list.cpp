@@ -191,9 +191,10 @@ QWidget* VolumeList::makeChosenBox() {
   connect(small(tr("Remove"), tr("Take this volume off the list; its file stays (Delete)"), "remove"), &QPushButton::clicked, this,
           &VolumeList::removeChosen);
   column->addWidget(makeSweepRow());
-  acceptsSmall_ = new QCheckBox(tr("Take it although little is kept"));
+  acceptsSmall_ = new QCheckBox(tr("Take it all the same"));
   acceptsSmall_->setObjectName(QStringLiteral("acceptsSmall"));
-  acceptsSmall_->setToolTip(tr("Less than a tenth of this sweep's pixels or frames becomes part of the volume, and that is meant"));
+  acceptsSmall_->setToolTip(
+      tr("Less than a tenth of this sweep's pixels or frames becomes part of the volume, or its size is unusual, and that is meant"));
   connect(acceptsSmall_, &QCheckBox::clicked, this, [this](bool on) {
     if (const auto chosen = look_.chosenVolume()) inputs_.setAcceptsSmall(*chosen, on);
   });

@@ -16,6 +16,7 @@
 #include "ew/core/figures.h"
 #include "ew/core/numbers.h"
 #include "ew/io/gating_fields.h"
+#include "meant_size.h"
 
 namespace ew {
 namespace {
@@ -278,8 +279,14 @@ std::vector<PosedFrame> posedFrames(const OpenedSweep& opened) {
   return frames;
 }
 
+Result<void> checkMeant(const OpenedSweep& opened) {
+  const ImportPlan& plan = opened.plan;
+  if (plan.acceptsSmall || plan.smallQuestion.empty()) return {};
+  return failure(ErrorCode::unsupported, plan.smallQuestion, {{"file", opened.sweep.string()}, {"ask", "accept-small"}});
+}
+
 Result<WeighedFrames> weighedFrames(const OpenedSweep& opened, Progress& progress) {
-  if (auto enough = checkKept(opened.plan.kept, opened.plan.acceptsSmall, opened.sweep); !enough) return passOn(enough.error());
+  if (auto meant = checkMeant(opened); !meant) return passOn(meant.error());
   WeighedFrames weighed{posedFrames(opened), {}};
   const ReconstructOptions& options = opened.plan.reconstruct;
   if (options.compounding != Compounding::weighted) return weighed;
@@ -321,8 +328,8 @@ Result<void> checkStated(const Clip& clip, const Sequence& sequence) {
                  {{"field", "ClipRectangleSize"}});
 }
 
-/// How much of the recording the plan keeps, and what there is to ask about it.
-Result<void> tellKept(OpenedSweep& opened, const SweepImportOptions& options) {
+/// How much of the recording the plan keeps, how large it gets, and what there is to ask about it.
+Result<void> tellKept(OpenedSweep& opened, std::span<const PosedFrame> frames, const SweepImportOptions& options) {
   const Sequence& sequence = opened.sequence;
   ImportPlan& plan = opened.plan;
   plan.frames = {sequence.frames.size(), opened.poses.usable, opened.poses.invalid, opened.poses.missing};
@@ -332,7 +339,10 @@ Result<void> tellKept(OpenedSweep& opened, const SweepImportOptions& options) {
                .pixelsOf = static_cast<std::uint64_t>(sequence.width) * static_cast<std::uint64_t>(sequence.height),
                .frames = plan.frames.used,
                .framesOf = plan.frames.total};
-  plan.smallQuestion = questionAbout(plan.kept, opened.sweep);
+  const auto clipped = clipRectangle(plan.reconstruct.clip, sequence.width, sequence.height);
+  if (!clipped) return passOn(clipped.error());
+  plan.smallQuestion = questionAboutSize(frames, *clipped, plan.reconstruct.spacing_mm);
+  if (plan.smallQuestion.empty()) plan.smallQuestion = questionAbout(plan.kept, opened.sweep);
   plan.acceptsSmall = options.acceptsSmall;
   if (!plan.smallQuestion.empty()) plan.notes.push_back(plan.smallQuestion);
   return {};
@@ -382,7 +392,7 @@ Result<void> arrange(OpenedSweep& opened, const DeviceSet* calibration, const Sw
           textOf(std::round(10.0 * glm::degrees((*fan)->rightAngle_rad - (*fan)->leftAngle_rad)) / 10.0)));
     }
   }
-  if (const auto told = tellKept(opened, options); !told) return told;
+  if (const auto told = tellKept(opened, frames, options); !told) return told;
   if (options.fillReach_voxels) plan.reconstruct.fillReach_mm = *options.fillReach_voxels * plan.reconstruct.spacing_mm;
   plan.toFrame = opened.poses.toFrame;
 

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "ew/acquisition/sweep_geometry.h"
-#include "ew/io/kept_share.h"
 
 namespace ew {
 namespace {
@@ -36,7 +35,7 @@ std::uint64_t sweepVolumeBytes(const ImportPlan& plan) { return plan.bytes + pla
 Result<SweepVolume> makeSweepVolume(const OpenedSweep& opened, Progress& progress) {
   const ImportPlan& plan = opened.plan;
   const ReconstructOptions& how = plan.reconstruct;
-  if (auto enough = checkKept(plan.kept, plan.acceptsSmall, opened.sweep); !enough) return passOn(enough.error());
+  if (auto meant = checkMeant(opened); !meant) return passOn(meant.error());
   if (auto fits = checkFits(plan); !fits) return passOn(fits.error());
   PartOfProgress judging(progress, 0.0, 0.3), pasting(progress, 0.3, 0.65), again(progress, 0.65, 1.0);
   auto frames = posedFrames(opened);

@@ -269,8 +269,9 @@ void addCaseNew(CLI::App& group, Selection& selection) {
   app.add_option("--keep-images", arguments->framesEvery,
                  "Keep every N-th image of a recording beside its volume: slices read them, and are as sharp as they")
       ->check(CLI::Range(1, 1000));
-  app.add_flag("--accept-small", arguments->acceptsSmall,
-               "Make the case also when less than a tenth of the recording's pixels or frames is used");
+  app.add_flag(
+      "--accept-small", arguments->acceptsSmall,
+      "Make the case also when less than a tenth of the recording's pixels or frames is used, or when its size can hardly be meant");
   app.add_flag("--no-level", arguments->withoutLevel, "No level for live echoes: the picture stays the recorded one");
   app.add_option("--attribution", arguments->attribution, "Whom to name for the recording")->type_name("TEXT");
   app.add_option("--licence", arguments->licence, "Under which licence the recording may be passed on")->type_name("TEXT");

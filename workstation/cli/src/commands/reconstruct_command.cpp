@@ -302,7 +302,7 @@ void addReconstruct(CLI::App& root, Selection& selection) {
   addAcquisitionOptions(app, arguments->acquisition);
   app.add_flag("--no-clip", arguments->noClip, "Use the whole frame, whatever the calibration file says");
   app.add_flag("--accept-small", arguments->acceptsSmall,
-               "Make the volume also when less than a tenth of the pixels or of the frames is used");
+               "Make the volume also when less than a tenth of the pixels or of the frames is used, or when its size can hardly be meant");
 }
 
 }  // namespace ew::cli

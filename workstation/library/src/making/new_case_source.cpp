@@ -240,7 +240,7 @@ Result<NewCasePlan> planned(const SweepFile& given, bool makesLevel, Progress& p
   if (auto usable = checkSpacing(given); !usable) return passOn(usable.error());
   const auto opened = openSweep(given.file, importOptionsFor(given), progress);
   if (!opened) return passOn(opened.error());
-  if (auto enough = checkKept(opened->plan.kept, opened->plan.acceptsSmall, given.file); !enough) return passOn(enough.error());
+  if (auto meant = checkMeant(*opened); !meant) return passOn(meant.error());
   NewCasePlan plan = planOfGrid(opened->plan.grid, makesLevel);
   plan.bytes = std::max(plan.bytes, opened->plan.bytes);
   if (const auto axes = sweepAxesOf(posedFrames(*opened))) plan.axes = *axes;

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "ew/acquisition/sweep_volume.h"
-#include "ew/io/kept_share.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
 #include "ew/io/volume_stream.h"
@@ -17,11 +16,11 @@ SweepVolumeOptions optionsOf(const sdk::SweepOptions& asked) {
   return {.spacing_mm = asked.spacing_mm, .calibration = asked.calibration, .threads = asked.threads, .maxBytes = asked.maxBytes};
 }
 
-/// As checkKept, with what a person can do about it who is asked nothing here.
-Result<void> checkKeptOf(const OpenedSweep& opened) {
-  auto enough = checkKept(opened.plan.kept, opened.plan.acceptsSmall, opened.sweep);
-  if (enough) return {};
-  Error question = enough.error();
+/// As checkMeant, with what a person can do about it who is asked nothing here.
+Result<void> checkMeantOf(const OpenedSweep& opened) {
+  auto meant = checkMeant(opened);
+  if (meant) return {};
+  Error question = meant.error();
   question.message =
       say<"%1 To say so, reconstruct the sweep by itself, which asks about it, and choose its volume instead.">(question.message);
   return passOn(std::move(question));
@@ -67,7 +66,7 @@ Result<sdk::SweepVolume> FileVolumes::reconstruct(const std::filesystem::path& s
   PartOfProgress reading(progress, 0.0, 0.3), making(progress, 0.3, 1.0);
   auto opened = openSweepVolume(sweep, optionsOf(options), reading);
   if (!opened) return passOn(opened.error());
-  if (auto enough = checkKeptOf(*opened); !enough) return passOn(enough.error());
+  if (auto meant = checkMeantOf(*opened); !meant) return passOn(meant.error());
   auto made = makeSweepVolume(*opened, making);
   if (!made) return passOn(made.error());
   return sdk::SweepVolume{std::move(made->volume), std::move(made->confidence), made->beams, std::move(made->notes)};

@@ -6,7 +6,6 @@
 #include "ew/acquisition/sweep_volume.h"
 #include "ew/core/message_json.h"
 #include "ew/core/quiet_progress.h"
-#include "ew/io/kept_share.h"
 #include "ew/io/safe_file.h"
 
 #include "chain/chain_json.h"
@@ -23,11 +22,11 @@ using nlohmann::ordered_json;
 /// Of a sweep's volume, in the store.
 constexpr std::array<const char*, 3> kSweepFiles = {"volume.mha", "coverage.mha", "confidence.mha"};
 
-/// As checkKept, with what a person can do about it here. The message's first argument is the question: a window answers it otherwise.
-Result<void> checkKeptOf(const OpenedSweep& opened, const std::string& name) {
-  auto enough = checkKept(opened.plan.kept, opened.plan.acceptsSmall, opened.sweep);
-  if (enough) return {};
-  Error question = enough.error();
+/// As checkMeant, with what a person can do about it here. The message's first argument is the question: a window answers it otherwise.
+Result<void> checkMeantOf(const OpenedSweep& opened, const std::string& name) {
+  auto meant = checkMeant(opened);
+  if (meant) return {};
+  Error question = meant.error();
   question.message =
       say<"%1 A stitch project says so with \"accept_small\": true in the entry of '%2'; or reconstruct the sweep by itself and take its "
           "volume instead.">(question.message, name);
@@ -124,7 +123,7 @@ Result<void> ChainInputs::make(std::size_t v, Progress& progress) {
   PartOfProgress reading(progress, 0.0, 0.25), making(progress, 0.25, 0.8), writing(progress, 0.8, 1.0);
   const auto opened = openSweepVolume(project_.volumes[v].file, sweepOptions(v), reading);
   if (!opened) return passOn(opened.error());
-  if (auto enough = checkKeptOf(*opened, project_.volumes[v].name); !enough) return enough;
+  if (auto meant = checkMeantOf(*opened, project_.volumes[v].name); !meant) return meant;
   auto made = makeSweepVolume(*opened, making);
   if (!made) return passOn(made.error());
   const std::string& key = inputs_[v].key;

@@ -206,7 +206,7 @@ void ImportDialog::addRows() {
   buttons().addWidget(cancel);
   buttons().addWidget(make_);
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
-  connect(make_, &QPushButton::clicked, this, &ImportDialog::start);
+  connect(make_, &QPushButton::clicked, this, [this] { start(); });
 }
 
 void ImportDialog::addPoseRows(QFormLayout& form) {
@@ -537,10 +537,11 @@ void ImportDialog::showPlan() {
   grow();
 }
 
-void ImportDialog::start() {
+void ImportDialog::start(bool acceptsSmall) {
   auto asked = options();
   if (!asked) return refuse(words(asked.error().message));
-  if (seen_->plan && !seen_->plan->smallQuestion.empty()) {
+  asked->acceptsSmall = acceptsSmall;
+  if (!acceptsSmall && seen_->plan && !seen_->plan->smallQuestion.empty()) {
     if (!askAcceptsSmall(this, words(seen_->plan->smallQuestion))) return;
     asked->acceptsSmall = true;
   }
@@ -589,6 +590,8 @@ void ImportDialog::start() {
           dialog->open();
           dialog->refuse(words(outcome.error().message));
           dialog->make_->setEnabled(true);
+          // What was chosen since the plan was shown can be what there is to ask about.
+          if (askedFor(outcome.error()) == "accept-small" && askAcceptsSmall(dialog, words(outcome.error().message))) dialog->start(true);
           return;
         }
         if (outcome) {

@@ -49,7 +49,7 @@ class ImportDialog final : public FormDialog {
   void offerFrames(const std::vector<std::string>& names, const QString& suggested);
   void showPlan();
   void refuse(const QString& why);
-  void start();
+  void start(bool acceptsSmall = false);
   [[nodiscard]] Result<SweepImportOptions> options() const;
 
   QString sweep_;

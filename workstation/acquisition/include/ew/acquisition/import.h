@@ -47,8 +47,8 @@ struct SweepImportOptions {
   std::string motor = {};                      ///< where poses come from a motor: its file, or kRecordedMotor; empty: the tracker's poses
   std::optional<MotorSweep> statedMotor = {};  ///< the motor as a person said it, in place of a file
   std::optional<double> poseDelay_s = {};      ///< poses lag behind images by this much; they are moved in time (see posesDelayedBy)
-  bool acceptsSmall = false;                   ///< a volume is made also when less than a tenth of pixels or frames is kept (KeptShare)
-  bool estimatePoseDelay = false;              ///< find that out; when nobody can tell, poses stay, and the plan says so
+  bool acceptsSmall = false;       ///< a volume is made also when there is something to ask about it (ImportPlan::smallQuestion)
+  bool estimatePoseDelay = false;  ///< find that out; when nobody can tell, poses stay, and the plan says so
 };
 
 struct SweepCounts {
@@ -65,13 +65,14 @@ struct ImportPlan {
   std::uint64_t frameBytes = 0;  ///< of these: the frames
   bool fits = true;              ///< bytes <= reconstruct.maxBytes; importSweep refuses otherwise
   SweepCounts frames;
-  std::string toFrame;                      ///< the frame of the recording that becomes the world
-  ReconstructOptions reconstruct;           ///< as it will be done, after what the device set said
-  ConfidenceOptions confidence;             ///< used when reconstruct.compounding is weighted
-  std::vector<Message> notes;               ///< what had to be decided, in sentences
-  KeptShare kept = {};                      ///< pixels of the clip, frames with a pose
-  Message smallQuestion = {};               ///< what there is to ask about `kept` before the volume is made; empty: nothing
-  bool acceptsSmall = false;                ///< a person said yes to it; without, importSweep and weighedFrames refuse
+  std::string toFrame;             ///< the frame of the recording that becomes the world
+  ReconstructOptions reconstruct;  ///< as it will be done, after what the device set said
+  ConfidenceOptions confidence;    ///< used when reconstruct.compounding is weighted
+  std::vector<Message> notes;      ///< what had to be decided, in sentences
+  KeptShare kept = {};             ///< pixels of the clip, frames with a pose
+  Message smallQuestion = {};      ///< what there is to ask about `kept`, or about sizes that can hardly be meant, before the volume
+                                   ///< is made; empty: nothing
+  bool acceptsSmall = false;       ///< a person said yes to it; without, importSweep and weighedFrames refuse
   std::optional<PoseDelay> poseDelay = {};  ///< when it was asked for: given, or estimated with its uncertainty and verdict
 };
 
@@ -125,6 +126,10 @@ struct ImportedSweep {
 /// The frames of an opened sweep that have a pose, in order; they look into its pixels.
 [[nodiscard]] std::vector<PosedFrame> posedFrames(const OpenedSweep& opened);
 
+/// Refuses a sweep about which there is something to ask (ImportPlan::smallQuestion) that nobody said yes to.
+/// @error unsupported, with the context entry "ask": "accept-small"
+[[nodiscard]] Result<void> checkMeant(const OpenedSweep& opened);
+
 /// Frames as the plan wants them: with Compounding::weighted each looks into the map of its confidence, which lives beside it. May be
 /// moved, but a copy would look into the maps of the original.
 struct WeighedFrames {
@@ -133,7 +138,7 @@ struct WeighedFrames {
 };
 
 /// The frames of posedFrames, weighed by confidence when the plan's compounding is weighted.
-/// @error as confidenceOfFrames; unsupported (too little is kept and nobody said yes, with the context entry "ask": "accept-small")
+/// @error as confidenceOfFrames and checkMeant
 [[nodiscard]] Result<WeighedFrames> weighedFrames(const OpenedSweep& opened, Progress& progress);
 
 /// Bytes at the peak of an import of the plan's sweep onto `grid` with `options`, as ImportPlan::bytes counts them.

@@ -29,7 +29,7 @@ struct SweepVolumeOptions {
   std::filesystem::path calibration;  ///< device set; empty: the recording says everything itself
   int threads = 0;
   std::uint64_t maxBytes = 16ull << 30;
-  bool acceptsSmall = false;  ///< a volume is made also when less than a tenth of pixels or frames is kept (KeptShare)
+  bool acceptsSmall = false;  ///< a volume is made also when there is something to ask about it (checkMeant)
 };
 
 /// Opens a sweep to be made into a volume as defaultsFor (import.h) says.
@@ -42,7 +42,7 @@ struct SweepVolumeOptions {
 
 /// Reconstructs an opened sweep by its plan, the confidence of its frames the same way, so that it lies where the echoes do. The voxels do
 /// not depend on the number of threads.
-/// @error as reconstructOnto and confidenceOfFrames; unsupported (checkKept: too little is kept and nobody said yes); tooLarge
+/// @error as reconstructOnto and confidenceOfFrames; those of checkMeant; tooLarge
 /// (sweepVolumeBytes above the plan's maxBytes); cancelled
 [[nodiscard]] Result<SweepVolume> makeSweepVolume(const OpenedSweep& opened, Progress& progress);
 

@@ -33,7 +33,7 @@ struct SweepFile {
   std::optional<double> spacing_mm = {};   ///< of a voxel, 0.1 to 10; absent: as fine as the frames carry
   std::filesystem::path calibration = {};  ///< device set; empty: the recording says everything itself
   std::optional<Clip> clip = {};           ///< which pixels are image; absent: as device set or recording say
-  bool acceptsSmall = false;               ///< makes it also when less than a tenth of pixels or frames is used (KeptShare)
+  bool acceptsSmall = false;               ///< makes it also when there is something to ask about it (checkMeant)
   int framesEvery = 0;                     ///< keeps every so many of its images beside the volume, as sharp as they were; 0: none
   bool looksForFan = true;                 ///< when nobody says it: the fan that is found in the images (fanOf); else whole frames
 };

@@ -38,7 +38,7 @@ struct ProjectVolume {
   Transform<frame::World, frame::View> toWorld = {};
   std::string name;                   ///< the file's name when the project gives none; unique in a project
   std::filesystem::path calibration;  ///< device set of a sweep; empty: the recording says everything itself
-  bool acceptsSmall = false;          ///< a sweep is taken also when less than a tenth of its pixels or frames is kept
+  bool acceptsSmall = false;          ///< a sweep is taken also when there is something to ask about it (checkMeant)
   bool operator==(const ProjectVolume&) const = default;
 };
 

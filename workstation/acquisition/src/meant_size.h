@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+
+#include "clip_spans.h"
+#include "ew/acquisition/reconstruct.h"
+
+namespace ew {
+
+/// What there is to ask about sizes and places that can hardly be meant, as a sentence: a pixel below 0.005 mm or above 5 mm, as of a
+/// matrix in another unit than mm; an image of a hundred pixels and more that would be one or two voxels across; ten frames and more that
+/// stay within two voxels, as of poses in metres. Empty where there is nothing to ask.
+/// @param frames  with their poses, in mm; at least one
+/// @param clipped the part of an image that is used
+[[nodiscard]] Message questionAboutSize(std::span<const PosedFrame> frames, const ClipRectangle& clipped, double spacing_mm);
+
+}  // namespace ew
