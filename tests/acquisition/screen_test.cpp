@@ -621,6 +621,32 @@ TEST(Screen, WhichOfSeveralScalesWasTakenIsSaid) {
   EXPECT_EQ(corrected(found, {})->pixel_mm, 0.5) << "one scale in two parts";
 }
 
+TEST(Screen, AScanThatLiesBesideTheStatedPartIsNamed) {
+  FoundScreen found;
+  found.width_px = 400;
+  found.height_px = 200;
+  found.outline = rectangleOf(220, 20, 380, 180);
+  found.scales = {{{0, 0, 200, 200}, glm::dvec2(0.5)}};
+  const auto beside = corrected(found, {});
+  ASSERT_TRUE(beside);
+  EXPECT_FALSE(beside->pixel_mm);
+  EXPECT_TRUE(
+      says(*beside,
+           "The recording states the size of a pixel for a part alone (0.5 mm at (0, 0), 200 x 200 pixels), but the scan as outlined, at "
+           "(220, 20), 160 x 160 pixels, lies beside it, so that this size does not count; check the outline."));
+  EXPECT_TRUE(says(*corrected(found, {.depth_mm = 80.0}), "lies beside it")) << "also where the depth is stated";
+  found.scales = {{{0, 0, 260, 200}, glm::dvec2(0.5)}};
+  EXPECT_TRUE(says(*corrected(found, {}), "but only 25 % of the scan as outlined"));
+  found.scales = {{{240, 90, 60, 20}, glm::dvec2(0.5)}};
+  found.outline = rectangleOf(200, 20, 380, 180);
+  const auto partly = corrected(found, {});
+  ASSERT_TRUE(partly);
+  EXPECT_EQ(partly->pixel_mm, 0.5);
+  EXPECT_TRUE(says(*partly, "Only 4 % of the scan as outlined, at (200, 20), 180 x 160 pixels, lies in the part"));
+  found.scales = {{{180, 0, 220, 200}, glm::dvec2(0.5)}};
+  EXPECT_FALSE(says(*corrected(found, {}), "as outlined"));
+}
+
 TEST(Screen, TheDepthIsAskedForOnlyWhereNothingSaysIt) {
   FoundScreen found;
   found.width_px = 400;
