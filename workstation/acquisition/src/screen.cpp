@@ -76,6 +76,8 @@ struct OwnScale {
   const StatedScale* part = nullptr;
   std::vector<const StatedScale*> others = {};
   bool spansOthers = false;  ///< the outline reaches over a part of another scale
+  double covered = 1.0;      ///< share of the outline's box that lies in parts of that scale, or, where there is none, in any part
+  PixelRect outlined = {};   ///< the outline's box
 };
 
 /// The part that holds the middle of the outline, or the only one there is.
@@ -93,11 +95,14 @@ OwnScale ownScaleOf(const FoundScreen& found, const std::optional<FanOutline>& o
   };
   for (const StatedScale& part : found.scales)
     if (own.part == nullptr && holdsMiddle(part.rect)) own.part = &part;
-  if (own.part == nullptr) return own;
   const PixelRect box{static_cast<int>(std::floor(bounds[0].x)), static_cast<int>(std::floor(bounds[0].y)),
                       static_cast<int>(std::ceil(size.x)), static_cast<int>(std::ceil(size.y))};
+  own.outlined = box;
+  own.covered = 0.0;
   for (const StatedScale& part : found.scales) {
-    if (!differ(part, *own.part)) continue;
+    const bool isOther = own.part != nullptr && differ(part, *own.part);
+    if (!isOther) own.covered += commonArea(part.rect, box) / std::max(1.0, areaOf(box));
+    if (!isOther) continue;
     own.others.push_back(&part);
     own.spansOthers = own.spansOthers || commonArea(part.rect, box) > kSpans * areaOf(box);
   }
@@ -114,9 +119,33 @@ Message describe(const std::vector<const StatedScale*>& parts) {
   return joined(std::move(each), "; ");
 }
 
+/// Says so where the outline and the parts whose scale the recording states have little or nothing in common: one of them is wrong.
+void noteApart(const FoundScreen& found, const OwnScale& own, std::vector<Message>& notes) {
+  constexpr double kLeastCovered = 0.5;
+  if (found.scales.empty() || own.outlined == PixelRect{} || (own.part != nullptr && own.covered >= kLeastCovered)) return;
+  std::vector<const StatedScale*> all;
+  for (const StatedScale& part : found.scales) all.push_back(&part);
+  const PixelRect& box = own.outlined;
+  const Message outlined = say<"(%1, %2), %3 x %4 pixels">(box.x, box.y, box.width, box.height);
+  const auto percent = std::lround(100.0 * std::min(1.0, own.covered));
+  if (own.part != nullptr)
+    notes.push_back(
+        say<"Only %1 % of the scan as outlined, at %2, lies in the part for which the recording states the size of a pixel (%3); check the "
+            "outline.">(percent, outlined, describe(*own.part)));
+  else if (own.covered > 0.0)
+    notes.push_back(
+        say<"The recording states the size of a pixel for a part alone (%1), but only %2 % of the scan as outlined, at %3, lies there, so "
+            "that this size does not count; check the outline.">(describe(all), percent, outlined));
+  else
+    notes.push_back(
+        say<"The recording states the size of a pixel for a part alone (%1), but the scan as outlined, at %2, lies beside it, so that this "
+            "size does not count; check the outline.">(describe(all), outlined));
+}
+
 /// What was stated counts before the recording's own scale, and is held against it.
 void settleScale(const FoundScreen& found, ScreenGeometry& geometry) {
   const OwnScale own = ownScaleOf(found, geometry.outline);
+  if (!own.spansOthers) noteApart(found, own, geometry.notes);
   if (own.part == nullptr) return;
   const double own_mm = own.part->pixel_mm.x;
   const auto shown = [](double mm) { return numeral(rounded(mm)); };
