@@ -76,6 +76,22 @@ TEST(DeviceSetFile, WhatIsNotSaidIsNotMadeUp) {
   EXPECT_EQ(set->compounding, "ON") << "as written, also from the older `Compounding`";
 }
 
+TEST(DeviceSetFile, WhatIsExpectedOfAMatrixReadsAsASentence) {
+  const TempFolder folder;
+  const auto few = readDeviceSet(folder.put(
+      "d.xml", deviceSet("<CoordinateDefinitions><Transform From=\"Image\" To=\"Probe\" Matrix=\"1 2 3\"/></CoordinateDefinitions>")));
+  ASSERT_FALSE(few.has_value());
+  EXPECT_EQ(
+      few.error().sentence(),
+      "In \"d.xml\", the Matrix of Image to Probe is \"1 2 3\" (expected: 16 finite numbers (4 x 4, row by row)); correct the header or "
+      "export the file again.");
+  const auto unnamed = readDeviceSet(folder.put(
+      "d.xml",
+      deviceSet("<CoordinateDefinitions><Transform From=\"Image\" Matrix=\"1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\"/></CoordinateDefinitions>")));
+  ASSERT_FALSE(unnamed.has_value());
+  EXPECT_NE(unnamed.error().sentence().find("two frame names (From and To) are needed"), std::string::npos) << unnamed.error();
+}
+
 TEST(DeviceSetFile, WrongFilesAreRefusedInOneSentence) {
   const TempFolder folder;
   EXPECT_TRUE(failedWith(readDeviceSet(folder / "no.xml"), ErrorCode::notFound));

@@ -340,6 +340,29 @@ TEST(ForeignDicom, PixelSpacingIsUsedWhereNoRegionSaysAnything) {
   EXPECT_TRUE(contains(regional->notes, "Pixel Spacing \"9\\9\", which touches sizes"));
 }
 
+TEST(ForeignDicom, PixelsAsHighAsWideAreNotOneTimesSo) {
+  const TempFolder folder;
+  const auto asked = [&](const char* ratio) {
+    return readDicomCine(folder.put("a.dcm", cineFile(unscaled(DicomWriter().text(0x00280034u, "IS", ratio).bytes()))));
+  };
+  EXPECT_TRUE(says(asked("1\\1"), "they are as high as wide"));
+  EXPECT_FALSE(says(asked("1\\1"), "1 times"));
+  EXPECT_TRUE(says(asked("3\\2"), "they are 1.5 times as high as wide"));
+}
+
+TEST(ForeignDicom, HowSeveralPicturesLieIsSaidAsItIs) {
+  const TempFolder folder;
+  const auto asked = [&](const RegionOf& first, const RegionOf& second) {
+    CineOf of = smallCine();
+    of.regions = {first, second};
+    return readDicomCine(folder.put("a.dcm", cineFile(of)));
+  };
+  EXPECT_TRUE(says(asked({0, 0, 3, 5}, {4, 0, 7, 5, 0.05, 0.05}), "2 calibrated pictures side by side"));
+  EXPECT_TRUE(says(asked({0, 0, 7, 5}, {2, 1, 5, 4, 0.05, 0.05}), "2 calibrated pictures one inside the other"));
+  EXPECT_TRUE(says(asked({0, 0, 7, 2}, {0, 3, 7, 5, 0.05, 0.05}), "2 calibrated pictures one above the other"));
+  EXPECT_TRUE(says(asked({0, 0, 4, 5}, {3, 0, 7, 5, 0.05, 0.05}), "2 calibrated pictures that overlap"));
+}
+
 TEST(ForeignDicom, AnAspectRatioIsNeverLostInSilence) {
   const TempFolder folder;
   const auto file = folder.put("a.dcm", cineFile(unscaled(DicomWriter().text(0x00280034u, "IS", "2\\1").bytes())));
