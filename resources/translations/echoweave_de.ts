@@ -495,8 +495,8 @@
         <translation>Nur %1 der %2 Bilder von %3 würden verwendet; ihre Lagen und Zeiten prüfen oder sagen, dass so wenige gemeint sind.</translation>
     </message>
     <message>
-        <source>Pixel Aspect Ratio: they are %1 times as high as wide</source>
-        <translation>Pixel Aspect Ratio: sie sind %1-mal so hoch wie breit</translation>
+        <source>Pixel Aspect Ratio: they are %1</source>
+        <translation>Pixel Aspect Ratio: sie sind %1</translation>
     </message>
     <message>
         <source>The DICOM stills of %1 do not lie parallel and in line, so that they are no volume; import them one by one.</source>
@@ -639,8 +639,8 @@
         <translation>Die Größe eines Bildpunkts ist die des eigenen Maßstabs der Aufnahme, %1 mm.</translation>
     </message>
     <message>
-        <source>The size of a pixel was given as %1 x %2 mm, but by its Pixel Aspect Ratio the file has pixels that are %3 times as high as wide; check it.</source>
-        <translation>Die Größe eines Bildpunkts wurde mit %1 x %2 mm angegeben, nach dem Pixel Aspect Ratio der Datei sind sie aber %3-mal so hoch wie breit; das prüfen.</translation>
+        <source>The size of a pixel was given as %1 x %2 mm, but by its Pixel Aspect Ratio the file has pixels that are %3; check it.</source>
+        <translation>Die Größe eines Bildpunkts wurde mit %1 x %2 mm angegeben, nach dem Pixel Aspect Ratio der Datei sind sie aber %3; das prüfen.</translation>
     </message>
     <message>
         <source>The size of a pixel was given: %1 x %2 mm instead of the %3 x %4 mm of Pixel Spacing.</source>
@@ -2231,8 +2231,8 @@
         <translation>%1 nennt die Bilder unkomprimiert, sie sind aber nicht so gespeichert; neu exportieren.</translation>
     </message>
     <message>
-        <source>%1 shows %2 calibrated pictures side by side (%3); choose one of the regions.</source>
-        <translation>%1 zeigt %2 kalibrierte Bilder nebeneinander (%3); eine der Regionen wählen.</translation>
+        <source>%1 shows %2 calibrated pictures %3 (%4); choose one of the regions.</source>
+        <translation>%1 zeigt %2 kalibrierte Bilder, %3 (%4); eine der Regionen wählen.</translation>
     </message>
     <message>
         <source>%1 subvolumes lie together, %2 pair confirmed by loops.</source>
@@ -3127,11 +3127,11 @@
         <translation>In %1 sind %2 der Pixel in einer Region mit Farbdoppler farbig, und Echopegel können das nicht zeigen; angeben, ob sie als Grau bleiben oder wegfallen.</translation>
     </message>
     <message>
-        <source>In %1, %2 is &quot;%3&quot;, but %4 is needed; correct the header or export the file again.</source>
+        <source>In %1, %2 is &quot;%3&quot; (expected: %4); correct the header or export the file again.</source>
         <translation>In %1 ist %2 „%3“ (erwartet: %4); den Kopf berichtigen oder die Datei neu exportieren.</translation>
     </message>
     <message>
-        <source>In %1, Transform is &quot;%2 to %3&quot;, but two frame names (From and To) is needed; correct the header or export the file again.</source>
+        <source>In %1, Transform is &quot;%2 to %3&quot;, but two frame names (From and To) are needed; correct the header or export the file again.</source>
         <translation>In %1 ist Transform „%2 zu %3“ (erwartet: zwei Namen von Bezugssystemen, From und To); den Kopf berichtigen oder die Datei neu exportieren.</translation>
     </message>
     <message>
@@ -12089,6 +12089,58 @@
     <message>
         <source>Through all %1 frames the image moves by no more than %2 mm, which is less than two voxels: are the poses in metres? They count millimetres; correct them, or say that the probe was held still.</source>
         <translation>In allen %1 Bildern bewegt sich das Bild um höchstens %2 mm, also um weniger als zwei Voxel: Sind die Lagen in Metern? Sie zählen in Millimetern; sie berichtigen, oder sagen, dass die Sonde stillgehalten wurde.</translation>
+    </message>
+    <message>
+        <source>(%1, %2), %3 x %4 pixels</source>
+        <translation>(%1, %2), %3 × %4 Pixel</translation>
+    </message>
+    <message>
+        <source>Only %1 % of the scan as outlined, at %2, lies in the part for which the recording states the size of a pixel (%3); check the outline.</source>
+        <translation>Nur %1 % des umrissenen Ultraschallbilds bei %2 liegen in dem Teil, für den die Aufnahme die Größe eines Pixels nennt (%3); den Umriss prüfen.</translation>
+    </message>
+    <message>
+        <source>The recording states the size of a pixel for a part alone (%1), but only %2 % of the scan as outlined, at %3, lies there, so that this size does not count; check the outline.</source>
+        <translation>Die Aufnahme nennt die Größe eines Pixels nur für einen Teil (%1), aber nur %2 % des umrissenen Ultraschallbilds bei %3 liegen dort, so dass diese Größe nicht zählt; den Umriss prüfen.</translation>
+    </message>
+    <message>
+        <source>The recording states the size of a pixel for a part alone (%1), but the scan as outlined, at %2, lies beside it, so that this size does not count; check the outline.</source>
+        <translation>Die Aufnahme nennt die Größe eines Pixels nur für einen Teil (%1), aber das umrissene Ultraschallbild bei %2 liegt daneben, so dass diese Größe nicht zählt; den Umriss prüfen.</translation>
+    </message>
+    <message>
+        <source>of which two take the same place</source>
+        <translation>von denen zwei denselben Platz einnehmen</translation>
+    </message>
+    <message>
+        <source>one inside the other</source>
+        <translation>eines im anderen</translation>
+    </message>
+    <message>
+        <source>of which one lies inside another</source>
+        <translation>von denen eines in einem anderen liegt</translation>
+    </message>
+    <message>
+        <source>that overlap</source>
+        <translation>die sich überlappen</translation>
+    </message>
+    <message>
+        <source>side by side</source>
+        <translation>nebeneinander</translation>
+    </message>
+    <message>
+        <source>one above the other</source>
+        <translation>übereinander</translation>
+    </message>
+    <message>
+        <source>apart from each other</source>
+        <translation>voneinander getrennt</translation>
+    </message>
+    <message>
+        <source>as high as wide</source>
+        <translation>so hoch wie breit</translation>
+    </message>
+    <message>
+        <source>%1 times as high as wide</source>
+        <translation>%1-mal so hoch wie breit</translation>
     </message>
 </context>
 <context>

@@ -27,6 +27,36 @@ Message listed(const std::vector<UltrasoundRegion>& regions) {
   return joined(std::move(list), "; ");
 }
 
+/// How rectangles lie to each other, as in "two pictures side by side".
+Message arrangementOf(const std::vector<UltrasoundRegion>& regions, const std::vector<std::size_t>& chosen) {
+  bool areSame = false, isInside = false, overlap = false, besideAll = true, aboveAll = true;
+  for (std::size_t n = 0; n < chosen.size(); ++n)
+    for (std::size_t m = n + 1; m < chosen.size(); ++m) {
+      const PixelRect &a = regions[chosen[n]].rect, &b = regions[chosen[m]].rect;
+      const auto contains = [](const PixelRect& outer, const PixelRect& inner) {
+        return inner.x >= outer.x && inner.y >= outer.y && inner.x + inner.width <= outer.x + outer.width &&
+               inner.y + inner.height <= outer.y + outer.height;
+      };
+      const bool beside = a.x + a.width <= b.x || b.x + b.width <= a.x, above = a.y + a.height <= b.y || b.y + b.height <= a.y;
+      areSame = areSame || a == b;
+      isInside = isInside || contains(a, b) || contains(b, a);
+      overlap = overlap || (!beside && !above);
+      besideAll = besideAll && beside;
+      aboveAll = aboveAll && above;
+    }
+  if (areSame) return say<"of which two take the same place">();
+  if (isInside) return chosen.size() == 2 ? say<"one inside the other">() : say<"of which one lies inside another">();
+  if (overlap) return say<"that overlap">();
+  if (besideAll) return say<"side by side">();
+  return aboveAll ? say<"one above the other">() : say<"apart from each other">();
+}
+
+/// The shape of a pixel, as in "its pixels are 2 times as high as wide".
+Message shapeOf(double heightByWidth) {
+  const double ratio = std::round(heightByWidth * 100.0) / 100.0;
+  return ratio == 1.0 ? say<"as high as wide">() : say<"%1 times as high as wide">(numeral(textOf(ratio)));
+}
+
 struct Chosen {
   PixelRect rect;
   glm::dvec2 pixel_mm{0.0};
@@ -41,14 +71,14 @@ void noteShape(const DicomScale& scale, const glm::dvec2& given_mm, std::vector<
         number(given_mm.x), number(given_mm.y), number(scale.spacing_mm->x), number(scale.spacing_mm->y)));
   else if (scale.heightByWidth && std::abs(given - *scale.heightByWidth) > 0.01 * given)
     notes.push_back(
-        say<"The size of a pixel was given as %1 x %2 mm, but by its Pixel Aspect Ratio the file has pixels that are %3 times as high as "
-            "wide; check it.">(number(given_mm.x), number(given_mm.y), number(*scale.heightByWidth)));
+        say<"The size of a pixel was given as %1 x %2 mm, but by its Pixel Aspect Ratio the file has pixels that are %3; check it.">(
+            number(given_mm.x), number(given_mm.y), shapeOf(*scale.heightByWidth)));
 }
 
 /// What the file says of its pixels although it does not say how large they are.
 Message hintOf(const DicomScale& scale) {
   std::vector<Message> hints = scale.hints;
-  if (scale.heightByWidth) hints.push_back(say<"Pixel Aspect Ratio: they are %1 times as high as wide">(number(*scale.heightByWidth)));
+  if (scale.heightByWidth) hints.push_back(say<"Pixel Aspect Ratio: they are %1">(shapeOf(*scale.heightByWidth)));
   return hints.empty() ? Message() : say<"Of its pixels the file says: %1.">(joined(std::move(hints), ", "));
 }
 
@@ -101,8 +131,8 @@ Result<Chosen> choose(const fs::path& file, const PixelLayout& layout, const Dic
   }
   if (scale.onlyRegion) return take(*scale.onlyRegion);
   if (scale.bModes.size() > 1)
-    return ask("region", say<"%1 shows %2 calibrated pictures side by side (%3); choose one of the regions.">(
-                             quoted(file), scale.bModes.size(), listed(regions)));
+    return ask("region", say<"%1 shows %2 calibrated pictures %3 (%4); choose one of the regions.">(
+                             quoted(file), scale.bModes.size(), arrangementOf(regions, scale.bModes), listed(regions)));
   if (options.pixel_mm || scale.spacing_mm) return takeWhole();
   if (regions.empty())
     return ask("pixel-mm",

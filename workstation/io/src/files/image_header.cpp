@@ -236,7 +236,7 @@ tl::unexpected<Error> badField(const fs::path& file, const Message& field, const
   const Message seen = found.text() == nullptr ? verbatim(shortened(found.verbatim())) : found;
   return failure(
       ErrorCode::badField,
-      say<"In %1, %2 is \"%3\", but %4 is needed; correct the header or export the file again.">(quoted(file), field, seen, expected),
+      say<"In %1, %2 is \"%3\" (expected: %4); correct the header or export the file again.">(quoted(file), field, seen, expected),
       {{"file", file.string()}, {"field", field.english()}, {"found", seen.english()}, {"expected", expected.english()}});
 }
 

@@ -54,7 +54,7 @@ Result<void> readTransform(const fs::path& file, const pugi::xml_node& node, Dev
   if (from.empty() || to.empty())
     return failure(
         ErrorCode::badField,
-        say<"In %1, Transform is \"%2 to %3\", but two frame names (From and To) is needed; correct the header or export the file again.">(
+        say<"In %1, Transform is \"%2 to %3\", but two frame names (From and To) are needed; correct the header or export the file again.">(
             quoted(file), shortened(from), shortened(to)),
         {{"file", file.string()},
          {"field", "Transform"},
