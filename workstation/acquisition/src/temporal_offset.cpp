@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/gtc/quaternion.hpp>
 #include <numeric>
 
 #include "body_signal.h"
 #include "ew/core/numbers.h"
 #include "ew/core/parallel.h"
+#include "pose_track.h"
 
 namespace ew {
 namespace {
@@ -17,48 +17,6 @@ constexpr int kProfile = 256;
 constexpr int kOffsetCells = 48;
 constexpr int kStepsPerFrame = 8;
 constexpr int kBlocks = 8;
-
-using Pose2 = Transform<frame::World, frame::Image>;
-
-/// Poses over time.
-class PoseTrack {
- public:
-  PoseTrack(std::span<const double> time_s, const FramePoses& poses, const glm::dvec2& centre_px, double longestGap_s)
-      : centre_(centre_px, 0.0) {
-    for (std::size_t n = 0; n < time_s.size(); ++n) {
-      if (!time_s_.empty() && time_s[n] <= time_s_.back()) continue;
-      time_s_.push_back(time_s[n]);
-      poses_.push_back(poses[n]);
-    }
-    turns_.resize(poses_.size());
-    for (std::size_t n = 0; n + 1 < poses_.size(); ++n) {
-      if (!poses_[n] || !poses_[n + 1] || time_s_[n + 1] - time_s_[n] > longestGap_s) continue;
-      const glm::dmat4 step = poses_[n + 1]->matrix * glm::inverse(poses_[n]->matrix);
-      // Between poses of different calibrations there is no rigid way.
-      if (checkRigid(step)) turns_[n] = glm::normalize(glm::quat_cast(glm::dmat3(step)));
-    }
-  }
-
-  [[nodiscard]] std::optional<Pose2> at(double t_s) const {
-    const auto after = std::upper_bound(time_s_.begin(), time_s_.end(), t_s);
-    if (after == time_s_.begin()) return std::nullopt;
-    const auto n = static_cast<std::size_t>(after - time_s_.begin()) - 1;
-    if (t_s == time_s_[n]) return poses_[n];
-    if (n + 1 >= poses_.size() || !turns_[n]) return std::nullopt;
-    const double share = (t_s - time_s_[n]) / (time_s_[n + 1] - time_s_[n]);
-    const glm::dmat3 turned = glm::mat3_cast(glm::slerp(glm::dquat(1.0, 0.0, 0.0, 0.0), *turns_[n], share)) * glm::dmat3(poses_[n]->matrix);
-    const glm::dvec3 from_mm = (*poses_[n] * Point<frame::Image>{centre_}).at, to_mm = (*poses_[n + 1] * Point<frame::Image>{centre_}).at;
-    glm::dmat4 matrix(turned);
-    matrix[3] = glm::dvec4(glm::mix(from_mm, to_mm, share) - turned * centre_, 1.0);
-    return Pose2{matrix};
-  }
-
- private:
-  glm::dvec3 centre_;
-  std::vector<double> time_s_;
-  std::vector<std::optional<Pose2>> poses_;
-  std::vector<std::optional<glm::dquat>> turns_;  ///< from pose n to n + 1, where one may go between them
-};
 
 Result<void> checkTimes(std::span<const double> time_s, std::size_t poses) {
   if (time_s.size() != poses)
@@ -74,14 +32,6 @@ Result<void> checkTimes(std::span<const double> time_s, std::size_t poses) {
                      {{"field", "time"}});
   }
   return {};
-}
-
-double gapOf(double asked_s, std::span<const double> time_s) {
-  if (asked_s > 0.0) return asked_s;
-  std::vector<double> steps_s;
-  for (std::size_t n = 1; n < time_s.size(); ++n)
-    if (time_s[n] > time_s[n - 1]) steps_s.push_back(time_s[n] - time_s[n - 1]);
-  return 3.0 * medianOrZero(std::move(steps_s));
 }
 
 /// Mean of `count` pieces of a row or column sum.
@@ -402,7 +352,7 @@ Result<FramePoses> posesDelayedBy(double delay_s, std::span<const double> time_s
   if (!std::isfinite(delay_s))
     return failure(ErrorCode::badField, say<"A delay that is not a finite number cannot be used; give seconds.">(), {{"field", "delay"}});
   if (delay_s == 0.0) return poses;
-  const PoseTrack track(time_s, poses, centre_px, gapOf(longestGap_s, time_s));
+  const PoseTrack track(time_s, poses, centre_px, longestGapOf(longestGap_s, time_s));
   FramePoses delayed;
   delayed.reserve(poses.size());
   for (const double t_s : time_s) delayed.push_back(track.at(t_s + delay_s));
@@ -412,7 +362,7 @@ Result<FramePoses> posesDelayedBy(double delay_s, std::span<const double> time_s
 Result<PoseDelay> estimatePoseDelay(std::span<const ImageView<const std::uint8_t>> frames, std::span<const double> time_s,
                                     const FramePoses& poses, const PoseDelayOptions& options, Progress& progress) {
   if (const auto checked = checkFramesAndPoses(frames, time_s, poses); !checked) return passOn(checked.error());
-  const double gap_s = gapOf(options.longestGap_s, time_s);
+  const double gap_s = longestGapOf(options.longestGap_s, time_s);
   if (frames.size() < kFewestFrames || gap_s <= 0.0) {
     PoseDelay result;
     result.why = say<"The sweep has too few frames at different times to compare movements.">();
