@@ -4355,8 +4355,8 @@
         <translation>In die Bilder von %1 ist Text eingebrannt, der den Patienten nennen kann; eine Region wählen, die zu schwärzenden Rechtecke nennen oder angeben, dass der Text bleiben darf.</translation>
     </message>
     <message>
-        <source>The pictures of this recording know the size of their pixels, but not where the probe was; say how it moved, as a motor file does.</source>
-        <translation>Die Bilder dieser Aufnahme kennen die Größe ihrer Pixel, aber nicht den Ort des Schallkopfs; angeben, wie er sich bewegt hat, wie es eine Motordatei tut.</translation>
+        <source>The pictures of this recording know the size of their pixels, but not where the probe was; say how it moved, as a motor file or a file of poses does.</source>
+        <translation>Die Bilder dieser Aufnahme kennen die Größe ihrer Pixel, aber nicht den Ort des Schallkopfs; angeben, wie er sich bewegt hat, wie es eine Motordatei oder eine Datei mit Lagen tut.</translation>
     </message>
     <message>
         <source>The pictures were cut to region %1.</source>
@@ -7139,8 +7139,8 @@
         <translation>den Umfang, mit dem das Volumen aufgenommen wurde</translation>
     </message>
     <message>
-        <source>the recording holds no tracked poses, so it cannot be placed: choose one recorded with a tracker, or say how a motor moved the probe</source>
-        <translation>die Aufnahme enthält keine verfolgten Lagen und kann nicht platziert werden: eine wählen, die mit einem Tracker aufgenommen wurde, oder angeben, wie ein Motor den Schallkopf bewegt hat</translation>
+        <source>the recording holds no tracked poses, so it cannot be placed: choose one recorded with a tracker, give the file that holds its poses, or say how a motor moved the probe</source>
+        <translation>die Aufnahme enthält keine verfolgten Lagen und kann nicht platziert werden: eine wählen, die mit einem Tracker aufgenommen wurde, die Datei mit ihren Lagen angeben oder angeben, wie ein Motor den Schallkopf bewegt hat</translation>
     </message>
     <message>
         <source>the recording is shorter than three cycles or has gaps of many times its length</source>
@@ -12142,6 +12142,138 @@
         <source>%1 times as high as wide</source>
         <translation>%1-mal so hoch wie breit</translation>
     </message>
+    <message>
+        <source>a line of column names with time_s and either x_mm, y_mm, z_mm, qw, qx, qy, qz or the matrix m00 to m22 with m03_mm, m13_mm, m23_mm</source>
+        <translation>eine Zeile mit Spaltennamen, darunter time_s und entweder x_mm, y_mm, z_mm, qw, qx, qy, qz oder die Matrix m00 bis m22 mit m03_mm, m13_mm, m23_mm</translation>
+    </message>
+    <message>
+        <source>%1 is empty; it needs %2.</source>
+        <translation>%1 ist leer; nötig ist %2.</translation>
+    </message>
+    <message>
+        <source>%1 names its columns and holds no pose; export the tracking again.</source>
+        <translation>%1 nennt seine Spalten und enthält keine Lage; das Tracking neu exportieren.</translation>
+    </message>
+    <message>
+        <source>In line %1 of %2, %3; correct the line, or export the tracking again.</source>
+        <translation>Zeile %1 von %2: %3; die Zeile berichtigen oder das Tracking neu exportieren.</translation>
+    </message>
+    <message>
+        <source>the transform is &quot;%1&quot;, and not two names that To joins, as in ProbeToTracker</source>
+        <translation>die Transformation ist „%1“ und nicht zwei Namen, die To verbindet, wie in ProbeToTracker</translation>
+    </message>
+    <message>
+        <source>%1 has no header line, its first line is &quot;%2&quot;; it needs %3.</source>
+        <translation>%1 hat keine Kopfzeile, die erste Zeile ist „%2“; nötig ist %3.</translation>
+    </message>
+    <message>
+        <source>%1 has the column %2 twice; give each column a name of its own.</source>
+        <translation>%1 hat die Spalte %2 zweimal; jeder Spalte einen eigenen Namen geben.</translation>
+    </message>
+    <message>
+        <source>%1 says each pose twice, as a quaternion and as a matrix; take the columns of one away.</source>
+        <translation>%1 gibt jede Lage zweimal an, als Quaternion und als Matrix; die Spalten von einem wegnehmen.</translation>
+    </message>
+    <message>
+        <source>%1 lacks %2 among its columns; it needs %3.</source>
+        <translation>In den Spalten von %1 fehlt %2; nötig ist %3.</translation>
+    </message>
+    <message>
+        <source>Columns of %1 that are not known here and not used: %2.</source>
+        <translation>Spalten von %1, die hier nicht bekannt sind und nicht verwendet werden: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot; and no number</source>
+        <translation>%1 ist „%2“ und keine Zahl</translation>
+    </message>
+    <message>
+        <source>there is %1 value for %2 columns</source>
+        <translation>dort steht %1 Wert für %2 Spalten</translation>
+    </message>
+    <message>
+        <source>there are %1 values for %2 columns</source>
+        <translation>dort stehen %1 Werte für %2 Spalten</translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot; and no time</source>
+        <translation>%1 ist „%2“ und keine Zeit</translation>
+    </message>
+    <message>
+        <source>the time is %1 s and does not rise above the %2 s of the pose before</source>
+        <translation>die Zeit ist %1 s und steigt nicht über die %2 s der Lage davor</translation>
+    </message>
+    <message>
+        <source>a number of the pose is blank, NaN or infinite, and others are not</source>
+        <translation>eine Zahl der Lage ist leer, NaN oder unendlich, andere sind es nicht</translation>
+    </message>
+    <message>
+        <source>the quaternion has the length %1 instead of 1</source>
+        <translation>das Quaternion hat die Länge %1 statt 1</translation>
+    </message>
+    <message>
+        <source>the matrix cannot be used: %1</source>
+        <translation>die Matrix ist nicht zu gebrauchen: %1</translation>
+    </message>
+    <message>
+        <source>the matrix is no rotation with a translation</source>
+        <translation>die Matrix ist keine Drehung mit einer Verschiebung</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not say when its images were recorded, so that poses cannot be joined with them; give the images&apos; rate.</source>
+        <translation>„%1“ sagt nicht, wann seine Bilder aufgenommen wurden, so dass sich Lagen nicht mit ihnen verbinden lassen; die Bildrate angeben.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is a volume; each of its %2 slices was taken for an image, and what it says of its place was not used.</source>
+        <translation>„%1“ ist ein Volumen; jede seiner %2 Schichten wurde als Bild genommen, und was es über seinen Ort sagt, wurde nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>The images of &quot;%1&quot; need more than the %2 MiB of memory that a recording may take; cut it into parts.</source>
+        <translation>Die Bilder von „%1“ brauchen mehr als die %2 MiB Speicher, die eine Aufnahme haben darf; sie in Teile schneiden.</translation>
+    </message>
+    <message>
+        <source>Pose %1 of &quot;%2&quot; has no time, so that it cannot be joined with images; export the tracking with its times.</source>
+        <translation>Lage %1 von „%2“ hat keine Zeit, so dass sie sich nicht mit Bildern verbinden lässt; das Tracking mit seinen Zeiten exportieren.</translation>
+    </message>
+    <message>
+        <source>In &quot;%1&quot; time runs backwards at pose %2 (%3 s after %4 s); put the poses in the order of time.</source>
+        <translation>In „%1“ läuft die Zeit bei Lage %2 rückwärts (%3 s nach %4 s); die Lagen in die Reihenfolge der Zeit bringen.</translation>
+    </message>
+    <message>
+        <source>Image %1 of the recording has no time, so that poses cannot be joined with it; give the images&apos; rate.</source>
+        <translation>Bild %1 der Aufnahme hat keine Zeit, so dass sich Lagen nicht mit ihm verbinden lassen; die Bildrate angeben.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; holds no poses; give the file with the tracking: a tracked sequence, or a table (.csv) of times and poses.</source>
+        <translation>„%1“ enthält keine Lagen; die Datei mit dem Tracking angeben: eine verfolgte Sequenz oder eine Tabelle (.csv) mit Zeiten und Lagen.</translation>
+    </message>
+    <message>
+        <source>Of &quot;%1&quot;: %2</source>
+        <translation>Zu „%1“: %2</translation>
+    </message>
+    <message>
+        <source>The images and the poses of &quot;%1&quot; have no moment in common: images from %2 to %3 s (with an offset of %4 s), poses from %5 to %6 s; state the offset between their clocks.</source>
+        <translation>Die Bilder und die Lagen von „%1“ haben keinen Augenblick gemeinsam: Bilder von %2 bis %3 s (mit einem Versatz von %4 s), Lagen von %5 bis %6 s; den Versatz zwischen ihren Uhren angeben.</translation>
+    </message>
+    <message>
+        <source>The poses come from &quot;%1&quot;, where there are %2 from %3 to %4 s; an image of time t has the pose of t + %5 s.</source>
+        <translation>Die Lagen kommen aus „%1“, wo %2 von %3 bis %4 s stehen; ein Bild der Zeit t hat die Lage von t + %5 s.</translation>
+    </message>
+    <message>
+        <source>Images outside the times of the poses, which count as invalid: %1 of %2.</source>
+        <translation>Bilder außerhalb der Zeiten der Lagen, die als ungültig gelten: %1 von %2.</translation>
+    </message>
+    <message>
+        <source>Images between poses that are not valid or more than %1 s apart, which count as invalid: %2 of %3.</source>
+        <translation>Bilder zwischen Lagen, die nicht gültig sind oder mehr als %1 s auseinanderliegen, die als ungültig gelten: %2 von %3.</translation>
+    </message>
+    <message>
+        <source>Poses cannot come from a motor and from a file of their own; give one of them.</source>
+        <translation>Lagen können nicht von einem Motor und aus einer eigenen Datei kommen; eines von beiden angeben.</translation>
+    </message>
+    <message>
+        <source>--rate times the images that poses of a file of their own are joined with; give --poses too.</source>
+        <translation>--rate sagt, wann die Bilder aufgenommen wurden, mit denen Lagen aus einer eigenen Datei verbunden werden; auch --poses angeben.</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
@@ -16214,6 +16346,46 @@
     <message>
         <source>a fan; give left and right angle, x and y of the apex, first and last radius</source>
         <translation>ein Fächer aus linkem und rechtem Winkel, x und y der Spitze, erstem und letztem Radius</translation>
+    </message>
+    <message>
+        <source>as a file of poses says</source>
+        <translation>wie eine Datei mit Lagen sagt</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>table or tracked sequence</source>
+        <translation>Tabelle oder verfolgte Sequenz</translation>
+    </message>
+    <message>
+        <source>The poses in a file of their own, joined with the images by time: a tracked sequence, or a table (.csv) with the columns time_s, x_mm, y_mm, z_mm, qw, qx, qy, qz</source>
+        <translation>Die Lagen in einer eigenen Datei, nach der Zeit mit den Bildern verbunden: eine verfolgte Sequenz oder eine Tabelle (.csv) mit den Spalten time_s, x_mm, y_mm, z_mm, qw, qx, qy, qz</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>offset </source>
+        <translation>Versatz </translation>
+    </message>
+    <message>
+        <source>An image takes the pose that lies so much later in the file of poses</source>
+        <translation>Ein Bild nimmt die Lage, die um so viel später in der Datei der Lagen steht</translation>
+    </message>
+    <message>
+        <source>Poses of the sweep</source>
+        <translation>Lagen des Schwenks</translation>
+    </message>
+    <message>
+        <source>Poses (*.csv *.tsv *.txt *.mha *.mhd *.nrrd)</source>
+        <translation>Lagen (*.csv *.tsv *.txt *.mha *.mhd *.nrrd)</translation>
+    </message>
+    <message>
+        <source>Choose the file with the poses of the images.</source>
+        <translation>Wählen Sie die Datei mit den Lagen der Bilder.</translation>
     </message>
 </context>
 <context>

@@ -32,7 +32,7 @@ constexpr std::array kReconstructionFields{
 };
 
 /// Takes the fields one after another, and what goes together of them.
-Result<void> takeFields(std::span<const SetField> fields, const StatedFields& from, DeviceSet& set) {
+Result<void> takeStated(std::span<const SetField> fields, const StatedFields& from, DeviceSet& set) {
   bool statesSize = false;
   for (const SetField field : fields) {
     const auto taken = takeField(field, from, set);
@@ -87,7 +87,7 @@ Result<void> readReconstruction(const fs::path& file, const pugi::xml_node& node
   };
   constexpr std::array all{SetField::spacing,  SetField::clipOrigin, SetField::clipSize,      SetField::fanAngles,   SetField::fanOrigin,
                            SetField::fanStart, SetField::fanStop,    SetField::interpolation, SetField::compounding, SetField::reference};
-  if (auto taken = takeFields(all, stated, set); !taken) return taken;
+  if (auto taken = takeStated(all, stated, set); !taken) return taken;
   fields.use("Compounding");  // device sets that know modes still write the switch
   if (fields.stated("ImageCoordinateFrame") == std::optional<std::string>("Image")) fields.use("ImageCoordinateFrame");
   if (lowerCase(fields.stated("EnableFanAnglesAutoDetect").value_or("")) != "true") fields.use("EnableFanAnglesAutoDetect");
@@ -181,7 +181,7 @@ Result<DeviceSet> clipStatedIn(const Sequence& sequence) {
   constexpr std::array clip{SetField::clipOrigin, SetField::clipSize, SetField::fanAngles,
                             SetField::fanOrigin,  SetField::fanStart, SetField::fanStop};
   DeviceSet set;
-  if (auto taken = takeFields(clip, stated, set); !taken) return passOn(taken.error());
+  if (auto taken = takeStated(clip, stated, set); !taken) return passOn(taken.error());
   return set;
 }
 
