@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "clip_spans.h"
+#include "ew/acquisition/joined_sweep.h"
 #include "ew/acquisition/line_data.h"
 #include "ew/acquisition/sweep_geometry.h"
 #include "ew/core/contract.h"
@@ -208,30 +209,39 @@ Message delayTakenAway(const PoseDelay& delay, bool estimated, std::size_t lost)
   return say<"Poses lag %1 behind the images; they were moved in time.">(lag);
 }
 
-/// Estimates by how much poses lag, when asked, and moves them.
-Result<void> takeDelayAway(OpenedSweep& opened, const SweepImportOptions& options, Progress& progress) {
-  if (!options.poseDelay_s && !options.estimatePoseDelay) return {};
-  const Sequence& sequence = opened.sequence;
+/// Times of all frames; NaN where one has none.
+std::vector<double> timesOf(const Sequence& sequence) {
   std::vector<double> time_s;
   for (const SequenceFrame& frame : sequence.frames) time_s.push_back(frame.time_s.value_or(std::numeric_limits<double>::quiet_NaN()));
-  PoseDelay delay{.verdict = DelayVerdict::found, .delay_s = options.poseDelay_s.value_or(0.0)};
-  if (!options.poseDelay_s) {
-    std::vector<ImageView<const std::uint8_t>> images;
-    for (std::size_t n = 0; n < sequence.frames.size(); ++n)
-      images.push_back({sequence.framePixels(n).data(), sequence.width, sequence.height, sequence.width});
-    PoseDelayOptions estimating;
-    estimating.threads = options.reconstruct.threads;
-    auto estimated = estimatePoseDelay(images, time_s, opened.poses.imageToWorld, estimating, progress);
-    if (!estimated) return passOn(estimated.error());
-    delay = *std::move(estimated);
-  }
+  return time_s;
+}
+
+/// By how much poses lag, as it was given, else as it is estimated.
+Result<PoseDelay> delayOf(const OpenedSweep& opened, const SweepImportOptions& options, Progress& progress) {
+  if (options.poseDelay_s) return PoseDelay{.verdict = DelayVerdict::found, .delay_s = *options.poseDelay_s};
+  const Sequence& sequence = opened.sequence;
+  std::vector<ImageView<const std::uint8_t>> images;
+  for (std::size_t n = 0; n < sequence.frames.size(); ++n)
+    images.push_back({sequence.framePixels(n).data(), sequence.width, sequence.height, sequence.width});
+  PoseDelayOptions estimating;
+  estimating.threads = options.reconstruct.threads;
+  return estimatePoseDelay(images, timesOf(sequence), opened.poses.imageToWorld, estimating, progress);
+}
+
+/// Moves the recording's own poses in time, and says what was done. Poses of a file of their own were joined with the delay.
+Result<void> takeDelayAway(OpenedSweep& opened, const PoseDelay& delay, const SweepImportOptions& options) {
+  const Sequence& sequence = opened.sequence;
   opened.plan.poseDelay = delay;
   if (delay.verdict == DelayVerdict::cannotTell) {
     opened.plan.notes.push_back(say<"By how much the poses lag behind the images cannot be told. %1">(delay.why));
     return {};
   }
+  if (!options.poses.empty()) {
+    if (!options.poseDelay_s) opened.plan.notes.push_back(delayTakenAway(delay, true, 0));
+    return {};
+  }
   const glm::dvec2 centre_px(0.5 * (sequence.width - 1), 0.5 * (sequence.height - 1));
-  auto moved = posesDelayedBy(delay.delay_s, time_s, opened.poses.imageToWorld, centre_px);
+  auto moved = posesDelayedBy(delay.delay_s, timesOf(sequence), opened.poses.imageToWorld, centre_px);
   if (!moved) return passOn(moved.error());
   opened.poses.imageToWorld = *std::move(moved);
   const auto usable = static_cast<std::size_t>(
@@ -328,6 +338,72 @@ Result<void> checkStated(const Clip& clip, const Sequence& sequence) {
                  {{"field", "ClipRectangleSize"}});
 }
 
+/// The files beside the images that say where they lie.
+struct PlacingFiles {
+  std::optional<DeviceSet> device = {};
+  std::optional<Sequence> poses = {};  ///< where they are not those of the images' file
+  [[nodiscard]] const DeviceSet* calibration() const { return device ? &*device : nullptr; }
+};
+
+Result<PlacingFiles> placingFilesOf(const SweepImportOptions& options, Progress& progress) {
+  PlacingFiles files;
+  auto device = deviceOf(options);
+  if (!device) return passOn(device.error());
+  files.device = *std::move(device);
+  if (options.poses.empty()) return files;
+  if (!options.motor.empty() || options.statedMotor)
+    return failure(ErrorCode::badUsage, say<"Poses cannot come from a motor and from a file of their own; give one of them.">());
+  auto poses = readPoses(options.poses, progress, {options.reconstruct.maxBytes});
+  if (!poses) return passOn(poses.error());
+  files.poses = *std::move(poses);
+  return files;
+}
+
+/// Whether images of which the header alone is known can be placed.
+Result<void> checkPlaced(const Sequence& described, const PlacingFiles& files, const SweepImportOptions& options) {
+  if (const auto checked = checkImages(described); !checked) return passOn(checked.error());
+  if (holdsScanLines(described)) return {};
+  Sequence joined = described;
+  if (files.poses) {
+    if (options.imageRate_hz) timeEvenly(joined, *options.imageRate_hz);
+    if (const auto notes = joinPoses(joined, *files.poses, options.poseDelay_s.value_or(0.0), options.poses); !notes)
+      return passOn(notes.error());
+  }
+  const auto poses = acquiredPoses(joined, files.calibration(), options);
+  return poses ? Result<void>() : passOn(poses.error());
+}
+
+/// Finds the pose of every image, after joining poses of a file of their own at this offset.
+Result<void> placeImages(OpenedSweep& opened, const PlacingFiles& files, double offset_s, const SweepImportOptions& options) {
+  if (opened.ownFrames.empty() && files.poses) opened.ownFrames = opened.sequence.frames;
+  if (!opened.ownFrames.empty()) opened.sequence.frames = opened.ownFrames;
+  std::vector<Message> joining;
+  if (files.poses) {
+    if (options.imageRate_hz) timeEvenly(opened.sequence, *options.imageRate_hz);
+    auto joined = joinPoses(opened.sequence, *files.poses, offset_s, options.poses);
+    if (!joined) return passOn(joined.error());
+    joining = *std::move(joined);
+  }
+  auto poses = acquiredPoses(opened.sequence, files.calibration(), options);
+  if (!poses) return passOn(poses.error());
+  opened.poses = *std::move(poses);
+  opened.poses.notes.insert(opened.poses.notes.begin(), joining.begin(), joining.end());
+  return {};
+}
+
+/// Places the images and finds out how far poses lag behind them, where that is asked for.
+Result<std::optional<PoseDelay>> placeInTime(OpenedSweep& opened, const PlacingFiles& files, const SweepImportOptions& options,
+                                             Progress& progress) {
+  if (auto placed = placeImages(opened, files, options.poseDelay_s.value_or(0.0), options); !placed) return passOn(placed.error());
+  if (!options.poseDelay_s && !options.estimatePoseDelay) return std::optional<PoseDelay>();
+  auto delay = delayOf(opened, options, progress);
+  if (!delay) return passOn(delay.error());
+  const bool isFoundOut = !options.poseDelay_s && delay->verdict == DelayVerdict::found;
+  if (files.poses && isFoundOut)
+    if (auto placed = placeImages(opened, files, delay->delay_s, options); !placed) return passOn(placed.error());
+  return std::optional<PoseDelay>(*std::move(delay));
+}
+
 /// How much of the recording the plan keeps, how large it gets, and what there is to ask about it.
 Result<void> tellKept(OpenedSweep& opened, std::span<const PosedFrame> frames, const SweepImportOptions& options) {
   const Sequence& sequence = opened.sequence;
@@ -349,7 +425,8 @@ Result<void> tellKept(OpenedSweep& opened, std::span<const PosedFrame> frames, c
 }
 
 /// Everything about an opened sweep but its pixels.
-Result<void> arrange(OpenedSweep& opened, const DeviceSet* calibration, const SweepImportOptions& options, Progress& progress) {
+Result<void> arrange(OpenedSweep& opened, const PlacingFiles& files, const SweepImportOptions& options, Progress& progress) {
+  const DeviceSet* const calibration = files.calibration();
   opened.plan = {};
   std::optional<Clip> sector = opened.sectorOfScanLines;
   std::vector<Message> sectorNotes;
@@ -360,14 +437,14 @@ Result<void> arrange(OpenedSweep& opened, const DeviceSet* calibration, const Sw
     sector = clipOf(*stated, ClipSaidBy::recording, sectorNotes);
     if (!sector) opened.plan.notes.insert(opened.plan.notes.end(), sectorNotes.begin(), sectorNotes.end());
   }
-  auto poses = acquiredPoses(opened.sequence, calibration, options);
-  if (!poses) return passOn(poses.error());
-  opened.poses = std::move(*poses);
+  const auto delay = placeInTime(opened, files, options, progress);
+  if (!delay) return passOn(delay.error());
   ImportPlan& plan = opened.plan;
   for (const auto* notes : {&opened.readNotes, &opened.poses.notes, &opened.turnNotes})
     plan.notes.insert(plan.notes.end(), notes->begin(), notes->end());
   if (calibration != nullptr) plan.notes.insert(plan.notes.end(), calibration->notes.begin(), calibration->notes.end());
-  if (const auto moved = takeDelayAway(opened, options, progress); !moved) return passOn(moved.error());
+  if (*delay)
+    if (const auto moved = takeDelayAway(opened, **delay, options); !moved) return passOn(moved.error());
   const auto frames = posedFrames(opened);
   ReconstructOptions said = options.reconstruct;
   if (options.clipFromCalibration && calibration != nullptr)
@@ -417,22 +494,18 @@ Result<void> arrange(OpenedSweep& opened, const DeviceSet* calibration, const Sw
 
 Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress) {
   const auto started = Clock::now();
-  const auto device = deviceOf(options);
-  if (!device) return passOn(device.error());
-  const DeviceSet* const calibration = *device ? &**device : nullptr;
+  const auto files = placingFilesOf(options, progress);
+  if (!files) return passOn(files.error());
   // Before minutes of reading: what the header says tells already whether images and a way into the world are there.
-  const auto usable = [&](const Sequence& described) -> Result<void> {
-    if (const auto checked = checkImages(described); !checked) return passOn(checked.error());
-    if (holdsScanLines(described)) return {};
-    const auto poses = acquiredPoses(described, calibration, options);
-    return poses ? Result<void>() : passOn(poses.error());
-  };
-  auto sequence = readSequence(sweep, progress, {options.reconstruct.maxBytes}, usable);
+  const auto usable = [&](const Sequence& described) { return checkPlaced(described, *files, options); };
+  const ReadLimits limits{options.reconstruct.maxBytes};
+  auto sequence =
+      files->poses ? readImages(sweep, options.imageRate_hz, progress, limits, usable) : readSequence(sweep, progress, limits, usable);
   if (!sequence) return passOn(sequence.error());
   OpenedSweep opened;
   opened.sweep = sweep;
   if (holdsScanLines(*sequence)) {
-    const auto geometry = lineGeometryOf(*sequence, calibration);
+    const auto geometry = lineGeometryOf(*sequence, files->calibration());
     if (!geometry) return passOn(geometry.error());
     auto converted = convertLines(std::move(*sequence), *geometry, options.reconstruct.threads, progress, options.reconstruct.maxBytes);
     if (!converted) return passOn(converted.error());
@@ -444,16 +517,16 @@ Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImp
   opened.readNotes.insert(opened.readNotes.begin(), sequence->notes.begin(), sequence->notes.end());
   opened.sequence = std::move(*sequence);
   if (const auto turned = turnToMarkerFar(opened.sequence, opened.turnNotes, progress); !turned) return passOn(turned.error());
-  if (const auto arranged = arrange(opened, calibration, options, progress); !arranged) return passOn(arranged.error());
+  if (const auto arranged = arrange(opened, *files, options, progress); !arranged) return passOn(arranged.error());
   opened.readSeconds = secondsSince(started);
   return opened;
 }
 
 Result<void> planAgain(OpenedSweep& opened, const SweepImportOptions& options, Progress& progress) {
   EW_EXPECTS(!opened.sectorOfScanLines);
-  const auto device = deviceOf(options);
-  if (!device) return passOn(device.error());
-  return arrange(opened, *device ? &**device : nullptr, options, progress);
+  const auto files = placingFilesOf(options, progress);
+  if (!files) return passOn(files.error());
+  return arrange(opened, *files, options, progress);
 }
 
 Result<ImportedSweep> importSweep(OpenedSweep opened, Progress& progress) {

@@ -94,13 +94,13 @@ tl::unexpected<Error> noChain(const Sequence& sequence, std::span<const NamedTra
   if (unplaced)
     return failure(ErrorCode::missingCalibration,
                    say<"The pictures of this recording know the size of their pixels, but not where the probe was; say how it moved, as a "
-                       "motor file does.">(),
+                       "motor file or a file of poses does.">(),
                    {{"from", std::string(kImage)}, {"to", goal.english()}, {"ask", "motor"}});
   Message advice;
   if (!tracked)
-    advice =
-        say<"the recording holds no tracked poses, so it cannot be placed: choose one recorded with a tracker, or say how a motor moved "
-            "the probe">();
+    advice = say<
+        "the recording holds no tracked poses, so it cannot be placed: choose one recorded with a tracker, give the file that holds its "
+        "poses, or say how a motor moved the probe">();
   else if (reachable.empty() && !calibrated)
     advice = others.contains("Probe") ? say<"give the device set (.xml) with the calibration from Image to Probe">()
                                       : say<"give the device set (.xml) with the calibration from Image to the tracked probe">();

@@ -46,6 +46,8 @@ struct SweepImportOptions {
   ConfidenceOptions confidence = {};                ///< with Compounding::weighted: how the weight of each pixel is found
   std::string motor = {};                      ///< where poses come from a motor: its file, or kRecordedMotor; empty: the tracker's poses
   std::optional<MotorSweep> statedMotor = {};  ///< the motor as a person said it, in place of a file
+  std::filesystem::path poses = {};            ///< where poses lie in a file of their own (readPoses); they are joined by time (joinPoses)
+  std::optional<double> imageRate_hz = {};     ///< with `poses`: images a second, in place of the times that they state
   std::optional<double> poseDelay_s = {};      ///< poses lag behind images by this much; they are moved in time (see posesDelayedBy)
   bool acceptsSmall = false;       ///< a volume is made also when there is something to ask about it (ImportPlan::smallQuestion)
   bool estimatePoseDelay = false;  ///< find that out; when nobody can tell, poses stay, and the plan says so
@@ -86,6 +88,7 @@ struct OpenedSweep {
   std::vector<Message> readNotes = {};         ///< of the file, what it holds and what was converted
   std::vector<Message> turnNotes = {};         ///< how its images were turned
   std::optional<Clip> sectorOfScanLines = {};  ///< when the file holds scan lines: the part of the images they were converted to
+  std::vector<SequenceFrame> ownFrames = {};   ///< as the file of the images has them, where poses of another were joined; else empty
 };
 
 struct ImportedSweep {
@@ -99,9 +102,11 @@ struct ImportedSweep {
 /// @error cancelled (within 0.5 s)
 [[nodiscard]] Result<std::optional<ClipFan>> fanOf(const Sequence& sequence, Progress& progress = noProgress());
 
-/// Reads a sweep, its poses and, where given, its device set, and works out grid and memory.
+/// Reads a sweep, its poses and, where given, its device set, and works out grid and memory. With `options.poses` the images may be of any
+/// kind that readImages knows, and their poses are joined by time.
 /// Images recorded mirrored or upside down (UN, MN, ...) are turned to MF, with a note; clip and calibration count pixels in MF.
 /// @error as readSequence, readDeviceSet, sweepPoses and gridFor (but a volume over maxBytes is not an error here: see `fits`);
+///        readImages, readPoses and joinPoses; badUsage (poses of a file and of a motor);
 ///        unsupported (no images, RF data), lineGeometryOf (scan lines, which are
 ///        converted to images first); badField (an OutputSpacing, interpolation or compounding of the
 ///        device set that cannot be used)
