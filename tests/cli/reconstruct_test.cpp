@@ -89,6 +89,36 @@ TEST_F(ReconstructCommand, ACalibrationInMetresIsRefusedUntilItIsMeant) {
   EXPECT_EQ(reconstruct({"--spacing", "1", "--calibration", folder / "metres.xml", "--accept-small"}).status, 0);
 }
 
+TEST_F(ReconstructCommand, JoinsImagesWithPosesOfAnotherFile) {
+  std::string table = "# transform: ImageToReference\ntime_s,x_mm,y_mm,z_mm,qw,qx,qy,qz\n";
+  for (int n = 0; n < 5; ++n) table += std::to_string(10.0 + 0.1 * n) + ",0,0," + std::to_string(n) + ",1,0,0,0\n";
+  writeText(folder / "p.csv", table);
+  for (SequenceFrame& frame : sweep.frames) frame.transforms.clear();
+  ASSERT_TRUE(writeSequence(sweep, folder / "s.igs.mha"));
+  const auto without = reconstruct({"--spacing", "1"});
+  EXPECT_EQ(without.status, 1);
+  EXPECT_NE(without.err.find("--poses FILE"), std::string::npos) << without.err;
+  const auto apart = reconstruct({"--spacing", "1", "--poses", folder / "p.csv"});
+  EXPECT_EQ(apart.status, 1);
+  EXPECT_NE(apart.err.find("images from 0 to 0.4 s (with an offset of 0 s), poses from 10 to 10.4 s"), std::string::npos) << apart.err;
+  EXPECT_NE(apart.err.find(": --time-offset S."), std::string::npos) << apart.err;
+  const auto joined = reconstruct(
+      {"--spacing", "1", "--interpolation", "nearest", "--poses", folder / "p.csv", "--time-offset", "10", "--report", folder / "r.json"});
+  ASSERT_EQ(joined.status, 0) << joined.err;
+  const auto read = readVolume(folder / "v.mha");
+  ASSERT_TRUE(read);
+  const auto& grid = read->volume.grid;
+  ASSERT_EQ(grid.dims, glm::ivec3(8, 6, 5));
+  for (int k = 0; k < 5; ++k) EXPECT_EQ(read->volume.echo[grid.indexOf(3, 2, k)], parallelSweepPixel(3, 2, k));
+  EXPECT_EQ(readJson(folder / "r.json")["options"]["poses"], std::string(folder / "p.csv"));
+  const auto half = reconstruct({"--spacing", "1", "--poses", folder / "p.csv", "--time-offset", "10.2", "--report", folder / "r.json"});
+  ASSERT_EQ(half.status, 0) << half.err;
+  EXPECT_EQ(readJson(folder / "r.json")["quality"]["frames_used"], 3);
+  EXPECT_EQ(readJson(folder / "r.json")["quality"]["frames_invalid"], 2);
+  EXPECT_NE(half.err.find("outside the times of the poses, which count as invalid: 2 of 5"), std::string::npos) << half.err;
+  EXPECT_EQ(reconstruct({"--rate", "25"}).status, 2);
+}
+
 TEST_F(ReconstructCommand, TheCommandLineWinsOverTheCalibrationFile) {
   writeText(folder / "device.xml",
             "<PlusConfiguration><VolumeReconstruction OutputSpacing=\"2 2 2\" ClipRectangleOrigin=\"1 1\" ClipRectangleSize=\"5 3\" "

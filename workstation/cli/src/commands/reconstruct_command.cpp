@@ -20,6 +20,8 @@ struct ReconstructArguments {
   std::string sweep;
   std::string output;
   std::vector<std::string> calibrations;
+  std::string poses;  // empty: the recording's own
+  std::optional<double> imageRate_hz;
   std::string toFrame;
   std::string coverage;
   std::string provenance;
@@ -74,6 +76,8 @@ nlohmann::json toJson(const Clip& clip) {
 SweepImportOptions importOptionsOf(const ReconstructArguments& arguments) {
   SweepImportOptions options;
   options.calibrations.assign(arguments.calibrations.begin(), arguments.calibrations.end());
+  options.poses = arguments.poses;
+  options.imageRate_hz = arguments.imageRate_hz;
   options.toFrame = arguments.toFrame;
   options.acceptsSmall = arguments.acceptsSmall;
   options.clipFromCalibration = !arguments.noClip && !arguments.clip_px && !arguments.fan;
@@ -98,6 +102,7 @@ SweepImportOptions importOptionsOf(const ReconstructArguments& arguments) {
 nlohmann::json optionsReport(const ReconstructArguments& arguments, const ImportPlan& plan) {
   const auto& done = plan.reconstruct;
   return {{"calibration", arguments.calibrations},
+          {"poses", arguments.poses.empty() ? nlohmann::json() : nlohmann::json(arguments.poses)},
           {"image_to", plan.toFrame},
           {"spacing_mm", done.spacing_mm},
           {"interpolation", wordOf(kInterpolationWords, done.interpolation)},
@@ -119,6 +124,9 @@ std::vector<std::uint16_t> usedFrames(const SweepPoses& poses) {
 }
 
 Result<void> checkReconstruction(const ReconstructArguments& arguments) {
+  if (arguments.imageRate_hz && arguments.poses.empty())
+    return failure(ErrorCode::badUsage,
+                   say<"--rate times the images that poses of a file of their own are joined with; give --poses too.">());
   if (arguments.noClip && (arguments.clip_px || arguments.fan))
     return failure(ErrorCode::badUsage, say<"--no-clip contradicts --clip and --fan; give one of them.">());
   if (arguments.fill && (arguments.fillReach_mm || arguments.fillReach_voxels))
@@ -136,6 +144,8 @@ Result<void> announceReconstruction(const ReconstructArguments& arguments, Run& 
   if (auto kept = run.input(arguments.sweep); !kept) return kept;
   for (const auto& file : arguments.calibrations)
     if (auto kept = run.input(file); !kept) return kept;
+  if (!arguments.poses.empty())
+    if (auto kept = run.input(arguments.poses); !kept) return kept;
   if (auto announced = announcePhases(run, arguments.output, arguments.coverage, arguments.acquisition.phases.value_or(1)); !announced)
     return announced;
   if (!arguments.provenance.empty())
@@ -243,9 +253,14 @@ void addReconstruct(CLI::App& root, Selection& selection) {
                          {"reconstruct sweep.igs.mha -o volume.mha --calibration deviceset.xml --spacing 0.5",
                           "reconstruct sweep.igs.mha -o volume.mha --interpolation nearest --fill-reach-mm 3 --coverage coverage.mha",
                           "reconstruct sweep.igs.mha -o phase.mha --phases 8 --gate ecg",
+                          "reconstruct film.mp4 --poses tracker.csv --time-offset 0.12 --calibration deviceset.xml -o volume.mha",
                           "reconstruct sweep.igs.mha -o volume.mha --clip 0 0 739 593 --fan -30.28 30.28 369 -139.33 161.34 724.35"},
                          [arguments](Run& run) { return reconstructSweep(*arguments, run); });
-  app.add_option("SWEEP", arguments->sweep, "The tracked sequence: .igs.mha, .igs.mhd, .igs.nrrd and the like")->required()->type_name("");
+  app.add_option("SWEEP", arguments->sweep,
+                 "The tracked sequence: .igs.mha, .igs.mhd, .igs.nrrd and the like; with --poses also images alone: a film, a DICOM cine, "
+                 "a TIFF, a folder of pictures, a volume of slices")
+      ->required()
+      ->type_name("");
   app.add_option("-o,--output", arguments->output, "The volume: .mha, or .mhd with its .raw")->required()->type_name("VOLUME.mha");
   app.add_option("--calibration", arguments->calibrations,
                  "Device set of the recording: calibration, and clip, spacing and method if it has them; may be given several times, "
@@ -253,6 +268,12 @@ void addReconstruct(CLI::App& root, Selection& selection) {
       ->type_name("XML")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option("--poses", arguments->poses,
+                 "Poses in a file of their own, joined with the images by time: a tracked sequence, or a table (.csv) with the columns "
+                 "time_s, x_mm, y_mm, z_mm, qw, qx, qy, qz, see resources/docs/science/acquisition.md")
+      ->type_name("FILE");
+  addNumber(app, "--rate", arguments->imageRate_hz, {0.001, 100000.0},
+            "With --poses: images a second, of images that do not say their times, or say them wrongly");
   app.add_option("--image-to", arguments->toFrame,
                  "The recording's frame that becomes the world (the calibration file's reference, else Reference, Tracker or World)")
       ->type_name("FRAME");

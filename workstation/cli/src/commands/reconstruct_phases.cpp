@@ -38,8 +38,8 @@ void addAcquisitionOptions(CLI::App& app, AcquisitionArguments& arguments) {
                  "recording itself says")
       ->type_name("MOTOR.json");
   app.add_option("--time-offset", arguments.timeOffset,
-                 "Move the poses in time: by how many seconds they lag behind the images, or 'estimate' to find it from the movement in "
-                 "both")
+                 "Move the poses in time: by how many seconds they lag behind the images (positive: an image of time t has the pose of "
+                 "t + S), or 'estimate' to find it from the movement in both")
       ->type_name("S");
   app.add_option("--phases", arguments.phases, "Gate: write this many volumes of one cycle of heart or breath, numbered")
       ->check(CLI::Range(1, 1000))
@@ -62,7 +62,9 @@ Result<void> applyTo(SweepImportOptions& options, const AcquisitionArguments& ar
     options.estimatePoseDelay = true;
   } else if (!arguments.timeOffset.empty()) {
     const auto delay_s = parseNumber(arguments.timeOffset);
-    if (!delay_s || !(std::abs(*delay_s) <= 1000.0))
+    // The clocks of two files may count from any moment, as from 1970.
+    const double largest_s = options.poses.empty() ? 1000.0 : 1e11;
+    if (!delay_s || !(std::abs(*delay_s) <= largest_s))
       return failure(
           ErrorCode::badUsage,
           say<"The time offset '%1' is neither a number of seconds nor the word estimate; give one of them.">(arguments.timeOffset));

@@ -17,7 +17,9 @@ std::string optionFor(const std::string& asked) {
   if (asked == "calibration") return "--calibration XML";
   if (asked == "frame") return "--image-to FRAME or --calibration XML";
   if (asked == "accept-small") return "--accept-small";
-  if (asked == "motor") return "--motor MOTOR.json, see resources/docs/science/acquisition.md";
+  if (asked == "rate") return "--rate HZ";
+  if (asked == "time-offset") return "--time-offset S";
+  if (asked == "motor") return "--motor MOTOR.json or --poses FILE, see resources/docs/science/acquisition.md";
   return {};
 }
 
