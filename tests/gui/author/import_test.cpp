@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <array>
+#include <cmath>
 #include <cstring>
 
 #include "even_sweep.h"
@@ -280,6 +281,49 @@ class ImportTest : public QObject {
     QCOMPARE(made->grid.dims.x, 10);
     QCOMPARE(made->grid.dims.z, 11);
     QCOMPARE(static_cast<int>(made->echo[made->grid.indexOf(4, 8, 4)]), 80);
+  }
+
+  void imagesTakeTheirPosesFromAFileOfTheirOwn() {
+    const test::TempFolder folder;
+    Sequence sweep = test::evenSweep({}, [](int n, int) { return 60 * n; });
+    for (SequenceFrame& frame : sweep.frames) frame.transforms.clear();
+    QVERIFY(writeSequence(sweep, folder / "images.igs.mha").has_value());
+    DeviceSet device;
+    device.transforms = {{"Image", "Probe", glm::dmat4(1.0), PoseStatus::ok}};
+    QVERIFY(writeDeviceSet(device, folder / "device.xml").has_value());
+    std::string table = "time_s,x_mm,y_mm,z_mm,qw,qx,qy,qz\n";
+    for (int n = 0; n < 8; ++n) table += std::to_string(0.1 * n) + ",0,0," + std::to_string(2 * n) + ",1,0,0,0\n";
+    const QString poses = QString::fromStdString(folder.put("poses.csv", table).string());
+    QWidget parent;
+    Jobs jobs;
+    MessageBar messages(&parent);
+    QPointer<ImportDialog> dialog = new ImportDialog(QString::fromStdString((folder / "images.igs.mha").string()),
+                                                     {QString::fromStdString((folder / "device.xml").string())}, jobs, messages, &parent);
+    std::shared_ptr<const Volume> made;
+    connect(dialog, &ImportDialog::imported,
+            [&](const ew::ScanVoxels& voxels, const QString&, const std::shared_ptr<const ew::Provenance>&) { made = voxels.volume(); });
+    dialog->show();
+    auto* make = dialog->findChild<QPushButton*>(QStringLiteral("makeVolume"));
+    auto* notes = dialog->findChild<QLabel*>(QStringLiteral("importNotes"));
+    auto* file = dialog->findChild<QLineEdit*>(QStringLiteral("posesFile"));
+    QTRY_VERIFY2_WITH_TIMEOUT(notes->text().contains(QStringLiteral("no tracked poses")), qPrintable(notes->text()),
+                              static_cast<int>(ew::test::kPatience_ms));
+    QVERIFY(!file->isVisible());
+    auto* moved = dialog->findChild<QComboBox*>(QStringLiteral("moved"));
+    moved->setCurrentIndex(moved->findText(ImportDialog::tr("as a file of poses says")));
+    QVERIFY(file->isVisible());
+    file->setText(poses);
+    dialog->findChild<QDoubleSpinBox*>(QStringLiteral("spacing"))->setValue(1.0);
+    QTRY_VERIFY2_WITH_TIMEOUT(make->isEnabled(), qPrintable(notes->text()), static_cast<int>(ew::test::kPatience_ms));
+    QTRY_VERIFY2_WITH_TIMEOUT(notes->text().contains(QStringLiteral("poses.csv")), qPrintable(notes->text()),
+                              static_cast<int>(ew::test::kPatience_ms));
+    dialog->findChild<QDoubleSpinBox*>(QStringLiteral("timeOffset"))->setValue(0.3);
+    QTRY_VERIFY2_WITH_TIMEOUT(make->isEnabled() && notes->text().contains(QStringLiteral("t + 0.3 s")), qPrintable(notes->text()),
+                              static_cast<int>(ew::test::kPatience_ms));
+    make->click();
+    QTRY_VERIFY_WITH_TIMEOUT(made != nullptr, static_cast<int>(ew::test::kPatience_ms));
+    QCOMPARE(made->grid.dims.z, 7);
+    QVERIFY(std::abs(made->grid.origin_mm.z - 6.0) < 1e-6);
   }
 
   void theFramesThatCanBeReachedAreOfferedWhenTheSuggestedOneCannot() {

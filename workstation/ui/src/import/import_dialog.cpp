@@ -104,7 +104,7 @@ QLabel* valueLabel(const char* name) {
 }
 
 /// How the probe got from frame to frame.
-enum class Moved { tracker, recordedMotor, motorFile, sideways, tilted, rotated };
+enum class Moved { tracker, recordedMotor, motorFile, sideways, tilted, rotated, posesFile };
 
 /// A choice whose list is as wide as its words while the field may be narrower.
 QComboBox* narrowChoice() {
@@ -225,6 +225,7 @@ void ImportDialog::addPoseRows(QFormLayout& form) {
   moved_->addItem(tr("sideways, evenly"), static_cast<int>(Moved::sideways));
   moved_->addItem(tr("tilted, evenly"), static_cast<int>(Moved::tilted));
   moved_->addItem(tr("rotated about the beam, evenly"), static_cast<int>(Moved::rotated));
+  moved_->addItem(tr("as a file of poses says"), static_cast<int>(Moved::posesFile));
   motorFile_ = new QLineEdit;
   motorFile_->setObjectName(QStringLiteral("motorFile"));
   motorFile_->setPlaceholderText(tr("motor file (.json)"));
@@ -244,6 +245,7 @@ void ImportDialog::addPoseRows(QFormLayout& form) {
   form.addRow(tr("Calibration"), runConcurrently({calibration_, choose}));
   form.addRow(tr("The probe moved"), moved_);
   form.addRow(QString(), motorFileRow_);
+  form.addRow(QString(), posesRow());
   form.addRow(QString(), stepRow_);
   form.addRow(tr("Reference frame"), frame_);
   showMotorRows();
@@ -269,13 +271,38 @@ void ImportDialog::addPoseRows(QFormLayout& form) {
   connect(frame_, qOverload<int>(&QComboBox::activated), this, [this] { soon_.start(); });
 }
 
+QWidget* ImportDialog::posesRow() {
+  posesFile_ = new QLineEdit;
+  posesFile_->setObjectName(QStringLiteral("posesFile"));
+  posesFile_->setAccessibleName(tr("Poses"));
+  posesFile_->setPlaceholderText(tr("table or tracked sequence"));
+  posesFile_->setToolTip(
+      tr("The poses in a file of their own, joined with the images by time: a tracked sequence, or a table (.csv) with the columns time_s, "
+         "x_mm, y_mm, z_mm, qw, qx, qy, qz"));
+  auto* choose = new QPushButton(tr("Choose…"));
+  timeOffset_ = numberBox("timeOffset", -1e10, 1e10, 0.01, 3, tr(" s"));
+  timeOffset_->setPrefix(tr("offset "));
+  timeOffset_->setToolTip(tr("An image takes the pose that lies so much later in the file of poses"));
+  posesFileRow_ = new QWidget;
+  posesFileRow_->setLayout(runConcurrently({posesFile_, choose, timeOffset_}));
+  connect(choose, &QPushButton::clicked, this, [this] {
+    const QString file = QFileDialog::getOpenFileName(this, tr("Poses of the sweep"), QFileInfo(sweep_).path(),
+                                                      tr("Poses (*.csv *.tsv *.txt *.mha *.mhd *.nrrd)"));
+    if (!file.isEmpty()) posesFile_->setText(file);
+  });
+  connect(posesFile_, &QLineEdit::textChanged, this, [this] { soon_.start(); });
+  connect(timeOffset_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this] { soon_.start(); });
+  return posesFileRow_;
+}
+
 void ImportDialog::showMotorRows() {
   const auto moved = static_cast<Moved>(moved_->currentData().toInt());
+  posesFileRow_->setVisible(moved == Moved::posesFile);
   motorFileRow_->setVisible(moved == Moved::motorFile);
   stepRow_->setVisible(moved == Moved::sideways || moved == Moved::tilted || moved == Moved::rotated);
   step_->setSuffix(moved == Moved::sideways ? tr(" mm") : tr("°"));
   axisBehindFace_->setVisible(moved == Moved::tilted);
-  frame_->setEnabled(moved == Moved::tracker);
+  frame_->setEnabled(moved == Moved::tracker || moved == Moved::posesFile);
 }
 
 void ImportDialog::addMethodRows(QFormLayout& form) {
@@ -354,6 +381,13 @@ Result<SweepImportOptions> ImportDialog::options() const {
   const double radian = std::numbers::pi / 180.0;
   switch (moved) {
     case Moved::tracker:
+      chosen.toFrame = frame_->currentData().toString().toStdString();
+      break;
+    case Moved::posesFile:
+      if (posesFile_->text().trimmed().isEmpty())
+        return failure(ErrorCode::badUsage, verbatim(tr("Choose the file with the poses of the images.").toStdString()));
+      chosen.poses = pathOf(posesFile_->text().trimmed());
+      if (timeOffset_->value() != 0.0) chosen.poseDelay_s = timeOffset_->value();
       chosen.toFrame = frame_->currentData().toString().toStdString();
       break;
     case Moved::recordedMotor:

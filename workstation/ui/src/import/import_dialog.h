@@ -43,6 +43,7 @@ class ImportDialog final : public FormDialog {
   void addPoseRows(QFormLayout& form);
   void addMethodRows(QFormLayout& form);
   void addPicture();
+  [[nodiscard]] QWidget* posesRow();
   void showMotorRows();
   void readAgain();
   void take(const std::shared_ptr<Seen>& found, const Result<void>& outcome);
@@ -64,6 +65,9 @@ class ImportDialog final : public FormDialog {
   QWidget* motorFileRow_ = nullptr;
   QLineEdit* motorFile_ = nullptr;
   QWidget* stepRow_ = nullptr;
+  QWidget* posesFileRow_ = nullptr;
+  QLineEdit* posesFile_ = nullptr;
+  QDoubleSpinBox* timeOffset_ = nullptr;
   QDoubleSpinBox* step_ = nullptr;
   QDoubleSpinBox* axisBehindFace_ = nullptr;
   QComboBox* frame_ = nullptr;
