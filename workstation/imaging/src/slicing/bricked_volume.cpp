@@ -124,7 +124,8 @@ Result<BrickedVolume> bricksOf(const VolumeView<const std::uint8_t>& volume, int
     };
     // Coarser levels take an eighth of each other's time, and there is nothing to see after the first.
     PartOfProgress part(progress, 0.0, levels > 1 ? 0.9 : 1.0);
-    if (!forEachTask(static_cast<int>(bricks.count[2]), threads, part, say<"Making the volume ready for fast slices">(), fill)) return cancelled();
+    if (!forEachTask(static_cast<int>(bricks.count[2]), threads, part, say<"Making the volume ready for fast slices">(), fill))
+      return cancelled();
     VolumeView<const std::uint8_t> finer = volume;
     for (int level = 1; level < levels; ++level) {
       const Grid grid = gridOfLevel(finer.grid, 1);

@@ -101,8 +101,8 @@ struct DeviceSet {
 };
 
 /// Reads a device set (PlusConfiguration), or the calibration program's result file (ProbeCalibrationResult: transforms only). Values that
-/// only say that nothing is set are not values and are named in the notes: blanks and NaN, a clip rectangle without area (PLUS's own default
-/// is 0 0) or without a size, two equal fan angles, a fan that ends at radius 0 or below, a spacing of 0 or below.
+/// only say that nothing is set are not values and are named in the notes: blanks and NaN, a clip rectangle without area (PLUS's own
+/// default is 0 0) or without a size, two equal fan angles, a fan that ends at radius 0 or below, a spacing of 0 or below.
 /// @error notFound, notReadable, tooLarge, badHeader (not XML, or neither of the two), badField
 [[nodiscard]] Result<DeviceSet> readDeviceSet(const std::filesystem::path& file);
 
