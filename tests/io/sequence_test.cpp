@@ -151,6 +151,24 @@ TEST(SequenceFile, NumbersThatFitNoImageAreRefusedByTheFirstOfThem) {
   }
 }
 
+TEST(SequenceFile, ARecordingOfPosesThatBreaksOffKeepsItsWholeFrames) {
+  const TempFolder folder;
+  const auto broken = [&](const std::vector<std::string>& names) {
+    std::string whole = numbered(names, 0);
+    whole.replace(whole.find("1 1 0"), 5, "0 0 9");
+    return readPoseSequence(folder.put("s.seq.mha", whole.substr(0, whole.find("ElementDataFile"))));
+  };
+  const auto one = broken({"0000", "0001"});
+  ASSERT_TRUE(succeeded(one));
+  EXPECT_EQ(one->frames.size(), 1u);
+  EXPECT_TRUE(contains(one->notes, "the 1 frame before it was read."));
+  const auto two = broken({"0010", "0011", "0012"});
+  ASSERT_TRUE(succeeded(two));
+  ASSERT_EQ(two->frames.size(), 2u);
+  EXPECT_EQ(two->frames[1].time_s, 1.5);
+  EXPECT_TRUE(contains(two->notes, "the 2 frames before it were read."));
+}
+
 TEST(SequenceFile, AStatusMayStandInSmallLetters) {
   const TempFolder folder;
   const std::string frame = "Seq_Frame0000_ProbeToTrackerTransform = " + kRows + "\nSeq_Frame0000_ProbeToTrackerTransformStatus = ";
