@@ -3939,10 +3939,6 @@
         <translation>Die elastische Registrierung wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>The end of %1 is missing; the %2 frames before it were read.</source>
-        <translation>Das Ende von %1 fehlt; die %2 Bilder davor wurden gelesen.</translation>
-    </message>
-    <message>
         <source>The equalisation was stopped before it was complete.</source>
         <translation>Das Angleichen wurde abgebrochen, bevor es vollständig war.</translation>
     </message>
@@ -12271,8 +12267,16 @@
         <translation>Lagen können nicht von einem Motor und aus einer eigenen Datei kommen; eines von beiden angeben.</translation>
     </message>
     <message>
-        <source>--rate times the images that poses of a file of their own are joined with; give --poses too.</source>
-        <translation>--rate sagt, wann die Bilder aufgenommen wurden, mit denen Lagen aus einer eigenen Datei verbunden werden; auch --poses angeben.</translation>
+        <source>The end of %2 is missing; the %1 frame before it was read.</source>
+        <translation>Das Ende von %2 fehlt; %1 Bild davor wurde gelesen.</translation>
+    </message>
+    <message>
+        <source>The end of %2 is missing; the %1 frames before it were read.</source>
+        <translation>Das Ende von %2 fehlt; die %1 Bilder davor wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>The %1 frame before it was read.</source>
+        <translation>%1 Bild davor wurde gelesen.</translation>
     </message>
 </context>
 <context>

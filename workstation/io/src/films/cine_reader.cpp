@@ -32,6 +32,11 @@ using namespace detail;
 namespace fs = std::filesystem;
 using OpenedSource = Result<std::unique_ptr<CineReader::Source>>;
 
+/// Of a recording that breaks off.
+Message framesBefore(std::uint64_t count) {
+  return counted<"The %1 frame before it was read.", "The %1 frames before it were read.">(count);
+}
+
 constexpr double kUnknownRate_hz = 25.0;
 
 std::vector<std::uint8_t> beginningOf(const fs::path& file) {
@@ -118,7 +123,7 @@ struct DicomSource final : CineReader::Source {
     if (auto got = reader->read(given, levels, frame.coloured, progress, &colour); !got) {
       if (got.error().code == ErrorCode::cancelled || given == 0) return passOn(got.error());
       brokenOff = got.error();
-      brokenOff->message = joined({brokenOff->message, say<"The %1 frames before it were read.">(given)});
+      brokenOff->message = joined({brokenOff->message, framesBefore(given)});
       return false;
     }
     frame.level.width = frame.colour.width = info.width_px;
@@ -377,7 +382,7 @@ struct PicturesSource final : CineReader::Source {
     if (!picture) {
       if (picture.error().code == ErrorCode::cancelled || given == 0) return passOn(picture.error());
       brokenOff = picture.error();
-      brokenOff->message = joined({brokenOff->message, say<"The %1 frames before it were read.">(given)});
+      brokenOff->message = joined({brokenOff->message, framesBefore(given)});
       return false;
     }
     if (picture->width != info.width_px || picture->height != info.height_px) {

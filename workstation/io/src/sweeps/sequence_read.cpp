@@ -252,7 +252,9 @@ Result<void> dropLastFrame(ImageHeader& header) {
   });
   // Frames of which nothing is said lie between those numbered from 0; numbers that begin elsewhere count the frames alone.
   header.sizes.back() = numbers.front() == 0 ? last : numbers.size() - 1;
-  header.notes.push_back(say<"The end of %1 is missing; the %2 frames before it were read.">(quoted(header.file), header.sizes.back()));
+  header.notes.push_back(
+      counted<"The end of %2 is missing; the %1 frame before it was read.", "The end of %2 is missing; the %1 frames before it were read.">(
+          header.sizes.back(), quoted(header.file)));
   return {};
 }
 
