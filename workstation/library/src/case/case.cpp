@@ -7,7 +7,6 @@
 #include "ew/core/output_set.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
-#include "ew/library/case_contents.h"
 #include "ew/library/checksums.h"
 #include "ew/library/folder_lease.h"
 #include "ew/library/lesson.h"

@@ -23,6 +23,10 @@ namespace ew {
 
 class FrameStack;
 
+/// A hidden folder of the case's own, for files that were taken out of it (case_contents.h): not published, not exported, not copied with
+/// the case, and never emptied here.
+inline constexpr const char* kWithdrawnFiles = ".withdrawn";
+
 /// `format` of case.json. A file with a larger one is refused with newerFormat; one with a smaller is read as if it had been written today,
 /// and saved so. 2: laboratory findings are a list of their own (1: examinations of the kind "laboratory"). 3: examinations, whose answers
 /// are sealed; other cases are saved with 2, so that programs that know no examinations go on reading them.

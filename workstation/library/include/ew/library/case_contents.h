@@ -30,10 +30,6 @@ struct CaseFileUse {
 /// Those that nothing of the case uses as it is now; sorted. None when the folder cannot be read.
 [[nodiscard]] std::vector<std::string> unusedFiles(const Case& opened);
 
-/// A hidden folder of the case's own, for files that were taken out of it: not published, not exported, not copied with the case, and never
-/// emptied here.
-inline constexpr const char* kWithdrawnFiles = ".withdrawn";
-
 /// Files that were taken out of a case together.
 struct WithdrawnFiles {
   std::filesystem::path caseFolder;
