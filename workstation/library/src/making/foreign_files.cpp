@@ -15,14 +15,14 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::string_view_literals;
 
-using Words = Message (*)();
+using Sentence = Message (*)();
 
 /// Files of one kind that other programs write and no reader here takes.
 struct ForeignKind {
   std::vector<std::string_view> endings;  ///< in small letters
   std::vector<std::string_view> starts;   ///< first bytes that say so whatever the ending
-  Words isWhat;
-  Words doWhat;
+  Sentence isWhat;
+  Sentence doWhat;
 };
 
 Message exported() { return say<"export the volume from the program that wrote it as .mha, .nii or DICOM">(); }
