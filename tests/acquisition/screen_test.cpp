@@ -473,6 +473,29 @@ TEST(Screen, InAScanThatHardlyMovesNoTextCountsUntilSomebodySaysSo) {
   EXPECT_GT(possible, 2) << "there is text to be offered";
 }
 
+TEST(Screen, ALayerThatStandsStillEndsNoScan) {
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    DrawnScreen screen = madeScreen(seed);
+    FanOutline above = screen.truth, below = screen.truth;  // what lies above the layer, and above its lower edge
+    if (screen.truth.shape == FanShape::linear) {
+      for (const auto& [outline, share] : {std::pair{&above, 0.75}, std::pair{&below, 0.85}})
+        for (const std::size_t side : {0u, 1u})
+          outline->corners_px[3 - side] = glm::mix(screen.truth.corners_px[side], screen.truth.corners_px[3 - side], share);
+    } else {
+      above.far_px = glm::mix(screen.truth.near_px, screen.truth.far_px, 0.75);
+      below.far_px = glm::mix(screen.truth.near_px, screen.truth.far_px, 0.85);
+    }
+    for (auto* frames : {&screen.frames, &screen.bare})
+      for (cv::Mat& picture : *frames)
+        for (int y = 0; y < picture.rows; ++y)
+          for (int x = 0; x < picture.cols; ++x)
+            if (below.contains({x, y}) && !above.contains({x, y})) picture.at<cv::Vec3b>(y, x) = cv::Vec3b(210, 210, 210);
+    const FoundScreen found = findScreen(statisticsOf(screen));
+    ASSERT_TRUE(found.outline) << seed;
+    EXPECT_GE(overlapOf(*found.outline, screen.truth, screen.frames.front().cols, screen.frames.front().rows), 0.98) << seed;
+  }
+}
+
 TEST(Screen, NothingThatLooksLikeAScanIsSaidPlainly) {
   cv::RNG random(3);
   const auto black = [](cv::Mat&, int) {};
