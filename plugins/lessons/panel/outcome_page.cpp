@@ -86,11 +86,13 @@ void OutcomePage::showStep(const LessonStep& step, const StepOutcome& outcome, b
   remarks_->clear();
   toSystem_->hide();
   const bool passed = outcome.verdict == StepVerdict::passed, handedIn = outcome.verdict == StepVerdict::handedIn;
+  const bool isReading = std::holds_alternative<ReadTask>(step.task);
   heading_->setText(handedIn                                  ? tr("Handed in: %1").arg(words(step.title))
+                    : passed && isReading                     ? words(step.title)  // who reads passes nothing
                     : passed                                  ? tr("Passed: %1").arg(words(step.title))
                     : outcome.verdict == StepVerdict::skipped ? tr("Skipped: %1").arg(words(step.title))
                                                               : tr("Not passed yet: %1").arg(words(step.title)));
-  const bool hasPoints = !std::holds_alternative<ReadTask>(step.task) && !std::holds_alternative<WatchTask>(step.task);
+  const bool hasPoints = !isReading && !std::holds_alternative<WatchTask>(step.task);
   figure_->setText(
       outcome.verdict == StepVerdict::skipped || (!hasPoints && !handedIn) ? QString()
       : handedIn                                                           ? tr("An instructor judges it afterwards.")
@@ -105,7 +107,7 @@ void OutcomePage::showStep(const LessonStep& step, const StepOutcome& outcome, b
   }
   remarks_->rows()->addStretch(1);
   again_->setVisible(!handedIn);  // what was handed in is handed in
-  again_->setText(tr("Try again"));
+  again_->setText(isReading ? tr("Read again") : tr("Try again"));
   next_->setText(isLast ? tr("Finish") : tr("Next step"));
   offer(passed || handedIn);
 }

@@ -501,6 +501,19 @@ class LessonsTest : public WindowFixture {
     QVERIFY2(waitUntil([this] { return !isKept("about.json"); }), "and nothing is offered at the next start");
   }
 
+  void whatIsReadIsNotPassed() {
+    LessonStep read = step("read", ReadTask{});
+    read.after = "The box shows how far the recording reaches.";
+    beginWith({read, step("next", ReadTask{})});
+    press("stepDone");
+    QVERIFY(waitUntil([this] { return text("afterStep") == QStringLiteral("The box shows how far the recording reaches."); }));
+    QCOMPARE(text("outcomeHeading"), QString::fromStdString(read.title));
+    QVERIFY(text("outcomeScore").isEmpty());
+    QCOMPARE(seen("tryAgain")->text(), QStringLiteral("Read again"));
+    press("nextStep");
+    waitForStep("next");
+  }
+
   void aStepOfACaseThatIsNotPreparedOpensItByItself() {
     test::makeSmallCase(files_.path(QStringLiteral("own cases/small")).toStdString());
     const QString cache = files_.path(QStringLiteral("cache of steps"));
