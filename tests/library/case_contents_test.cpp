@@ -104,7 +104,9 @@ TEST_F(ContentsOfACase, LeaveItWholeAndComeBackAsTheyWere) {
   EXPECT_FALSE(fs::exists(knee() / "media/old.png"));
   EXPECT_EQ(textOf(taken->folder / "media/old.png"), "picture");
   EXPECT_EQ(unusedFiles(opened()), std::vector<std::string>{});
-  for (const FileSum& each : *filesOfCase(knee())) EXPECT_EQ(each.path.find("withdrawn"), std::string::npos) << "they are not handed on";
+  const auto left = filesOfCase(knee());
+  ASSERT_TRUE(left) << left.error();
+  for (const FileSum& each : *left) EXPECT_EQ(each.path.find("withdrawn"), std::string::npos) << "they are not handed on";
   const auto aside = withdrawnFilesOf(knee());
   ASSERT_EQ(aside.size(), 1u);
   EXPECT_EQ(aside.front().paths, taken->paths);
