@@ -38,7 +38,7 @@ class OneCase final : public sdk::Cases {
   Choices choices() const override {
     Choices all;
     all.probes = {{"convex-3.5", "Convex"}, {"linear-12", "Linear"}};
-    all.mannequins = {"adult.json", "gravid.json"};
+    all.mannequins = {{"adult.json", "Adult"}, {"gravid.json", "Pregnant"}};
     return all;
   }
   Ticket onChanged(std::function<void()> callback) override {

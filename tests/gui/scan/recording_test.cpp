@@ -158,9 +158,10 @@ class RecordingTest : public WindowFixture {
     const auto proposed = [this](const QString& typed) {
       QString name, folder;
       const Answers look({{QStringLiteral("fileDialog"), [&](QWidget& dialog) {
-                             name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->text();
-                             folder = qobject_cast<QFileDialog&>(dialog).directory().absolutePath();
-                             if (typed.isEmpty()) return qobject_cast<QFileDialog&>(dialog).reject();
+                             auto& files = dynamic_cast<QFileDialog&>(dialog);
+                             name = files.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->text();
+                             folder = files.directory().absolutePath();
+                             if (typed.isEmpty()) return files.reject();
                              type(typed)(dialog);
                            }}});
       find<QPushButton>("replaySave")->click();

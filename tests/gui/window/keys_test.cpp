@@ -173,7 +173,7 @@ class KeysTest : public ConsoleFixture {
       for (const QGridLayout* grid : page->findChildren<QGridLayout*>()) {
         for (int row = 0; row < grid->rowCount(); ++row) {
           const auto textAt = [&](int column) {
-            const QLayoutItem* item = grid->itemAtPosition(row, column);
+            QLayoutItem* item = grid->itemAtPosition(row, column);
             const auto* label = item != nullptr ? qobject_cast<const QLabel*>(item->widget()) : nullptr;
             return label != nullptr ? label->text() : QString();
           };
