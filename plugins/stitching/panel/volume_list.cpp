@@ -1,5 +1,6 @@
 #include "panel/volume_list.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFileDialog>
@@ -55,17 +56,18 @@ class VolumeDelegate final : public QStyledItemDelegate {
     painter->setRenderHint(QPainter::Antialiasing);
     const QRect box = option.rect;
     const QPalette& colours = option.palette;
+    const QColor accent = QApplication::palette().color(QPalette::Highlight);  // the style of lists has a quiet one in its place
     if (option.state.testFlag(QStyle::State_Selected)) {
       painter->setPen(Qt::NoPen);
       painter->setBrush(colours.color(QPalette::Button));
       painter->drawRoundedRect(box.adjusted(2, 1, -2, -1), 4, 4);
       // The ground alone is a shade that nobody sees: what the buttons below are about has a bar as well.
-      painter->setBrush(colours.color(QPalette::Highlight));
+      painter->setBrush(accent);
       painter->drawRoundedRect(QStyle::visualRect(option.direction, box, QRect(box.left() + 2, box.top() + 4, 3, box.height() - 8)), 1.5,
                                1.5);
     }
     if (option.state.testFlag(QStyle::State_HasFocus)) {
-      painter->setPen(QPen(colours.color(QPalette::Highlight), 1.0));
+      painter->setPen(QPen(accent, 1.0));
       painter->setBrush(Qt::NoBrush);
       painter->drawRoundedRect(QRectF(box).adjusted(2.5, 1.5, -2.5, -1.5), 4, 4);
     }

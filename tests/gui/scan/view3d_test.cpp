@@ -185,7 +185,7 @@ class View3DTest : public QObject {
     // A point of the fan beside the detail shows no echo.
     const Pose pose = poseOf(hand_->hold());
     const glm::dvec3 beside_mm = glm::dvec3(pose.probeToWorld.matrix * glm::dvec4(0.0, 150.0, 0.0, 1.0));
-    const QPoint at = view_->pixelOf(beside_mm).toPoint();
+    const QPoint at = view_->canvas()->mapTo(view_.get(), view_->pixelOf(beside_mm).toPoint());
     QVERIFY(view_->rect().contains(at));
     QVERIFY(isWhite(whole.pixelColor(at)));
     QVERIFY(!isWhite(zoomed.pixelColor(at)));
