@@ -18271,6 +18271,17 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
 </context>
 <context>
+    <name>ew::ui::PatientBreath</name>
+    <message>
+        <source>Nothing that is scanned here moves with the breath, so the image stays as it is.</source>
+        <translation>Nichts von dem, was hier untersucht wird, bewegt sich mit dem Atem; das Bild bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>The patient breathes, but the image does not show it: switch live echoes and motion on (Effects).</source>
+        <translation>Der Patient atmet, aber das Bild zeigt es nicht: schalten Sie lebendige Echos und Bewegung ein (Effekte).</translation>
+    </message>
+</context>
+<context>
     <name>ew::ui::PluginHosting</name>
     <message>
         <source>There is not enough memory for this; close other programs and try again.</source>
@@ -18955,17 +18966,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>The mouse has the probe. Tracker: %1.</source>
         <translation>Die Maus führt die Sonde. Tracker: %1.</translation>
-    </message>
-</context>
-<context>
-    <name>ew::ui::Session</name>
-    <message>
-        <source>Nothing that is scanned here moves with the breath, so the image stays as it is.</source>
-        <translation>Nichts von dem, was hier untersucht wird, bewegt sich mit dem Atem; das Bild bleibt, wie es ist.</translation>
-    </message>
-    <message>
-        <source>The patient breathes, but the image does not show it: switch live echoes and motion on (Effects).</source>
-        <translation>Der Patient atmet, aber das Bild zeigt es nicht: schalten Sie lebendige Echos und Bewegung ein (Effekte).</translation>
     </message>
 </context>
 <context>

@@ -68,7 +68,7 @@ class AuthorJourneyTest : public WindowFixture {
   /// The probe slides along the skin, an image at each place.
   void scan(int images, double elevational_mm) {
     for (int n = 0; n < images; ++n) {
-      session().setHold(slid(session().hold(), *session().skin(), 0.0, elevational_mm));
+      session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, elevational_mm));
       session().makePictureNow();
       QTest::qWait(20);
     }
@@ -121,7 +121,7 @@ class AuthorJourneyTest : public WindowFixture {
     QVERIFY(belly.has_value());
     QTest::mouseClick(view.canvas(), Qt::LeftButton, Qt::NoModifier, view.pixelOf(belly->point_mm).toPoint());
     QVERIFY(!(opened().volume.fileToWorld == before));
-    session().setHold(movedTo(session().hold(), *belly));  // where the recording is now
+    session().probeControl().setHold(movedTo(session().probeControl().hold(), *belly));  // where the recording is now
     session().makePictureNow();
     QTest::qWait(500);
     keepScreenshot(*window_, "author-07-placed");
@@ -284,7 +284,7 @@ class AuthorJourneyTest : public WindowFixture {
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get(), static_cast<int>(test::kPatience_ms)));
     QApplication::setActiveWindow(window_.get());
-    session().setAdaptive(false);
+    session().frames().setAdaptive(false);
     window_->openPlugins();
     window_->setWorkspace(Workspace::author);
     window_->showStartPage();

@@ -66,7 +66,7 @@ class AuthoringTest : public WindowFixture {
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get(), static_cast<int>(test::kPatience_ms)));
     QApplication::setActiveWindow(window_.get());
-    session().setAdaptive(false);
+    session().frames().setAdaptive(false);
     window_->openPlugins();
     QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }));
   }
@@ -105,7 +105,7 @@ class AuthoringTest : public WindowFixture {
     manifest["difficulty"] = 1;
     manifest["volume"]["attribution"] = "Made by a test.";
     manifest["volume"]["licence"] = "CC0 1.0";
-    const auto& at = session().pose().probeToWorld;
+    const auto& at = session().probeControl().pose().probeToWorld;
     json pose = json::array();
     for (int row = 0; row < 4; ++row)
       for (int column = 0; column < 4; ++column) pose.push_back(at.matrix[column][row]);
@@ -386,10 +386,10 @@ class AuthoringTest : public WindowFixture {
     QCOMPARE(document().manifest()["body_marks"].size(), std::size_t(1));
     QVERIFY(document().save().has_value());
     QVERIFY(validateCase(document().current()->folder).empty());
-    const Knobs before = session().knobs();
+    const Knobs before = session().console().knobs();
     QVERIFY(openCase(QString::fromStdString(document().current()->folder.string())));
     QVERIFY(waitForRest());
-    QVERIFY(!(session().knobs() == before));
+    QVERIFY(!(session().console().knobs() == before));
     QCOMPARE(window_->bodyMark().offered().front()->id, document().manifest()["body_marks"][0].get<std::string>());
   }
 

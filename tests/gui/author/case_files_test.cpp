@@ -21,7 +21,7 @@ class CaseFilesTest : public WindowFixture {
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get(), static_cast<int>(test::kPatience_ms)));
     QApplication::setActiveWindow(window_.get());
-    session().setAdaptive(false);
+    session().frames().setAdaptive(false);
     window_->openPlugins();
     QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }));
     QVERIFY(openCase(folder));

@@ -123,9 +123,9 @@ class PlacingTest : public WindowFixture {
     QVERIFY(in("placeOnSkin").isChecked());
     moveTo(pixelOf(onTheBelly()), Qt::NoButton);
     keepScreenshot(*window_, "placing-02-asked-for-the-skin");
-    const Hold held = session().hold();
+    const Hold held = session().probeControl().hold();
     QTest::mouseClick(&canvas(), Qt::LeftButton, Qt::NoModifier, pixelOf(onTheBelly()));
-    QVERIFY2(session().hold() == held, "the click is no slide of the probe");
+    QVERIFY2(session().probeControl().hold() == held, "the click is no slide of the probe");
     QCOMPARE(steps(), 1);
     QVERIFY(!in("placeOnSkin").isChecked());
     waitForContact();
@@ -208,7 +208,7 @@ class PlacingTest : public WindowFixture {
     view().renderNow();
     canvas().setFocus();
     const FilePlace before = place();
-    const Hold held = session().hold();
+    const Hold held = session().probeControl().hold();
     QTest::keyClick(&canvas(), Qt::Key_Right);  // from the front: towards the patient's left
     QVERIFY(glm::distance(glm::dvec3(place().matrix[3] - before.matrix[3]), glm::dvec3(1, 0, 0)) < 1e-9);
     QTest::keyClick(&canvas(), Qt::Key_PageDown);  // away: into the body
@@ -219,13 +219,13 @@ class PlacingTest : public WindowFixture {
     QTest::keyClick(&canvas(), Qt::Key_Right, Qt::AltModifier);
     const double turned_rad = std::atan2(place().matrix[0].y, place().matrix[0].x);
     QVERIFY2(std::abs(turned_rad - glm::radians(1.0)) < 1e-9, "what faces the viewer goes to the right");
-    QVERIFY2(session().hold() == held, "the probe rests");
-    const double depth_mm = session().depth_mm();
-    QCOMPARE(session().depth_mm(), depth_mm);
+    QVERIFY2(session().probeControl().hold() == held, "the probe rests");
+    const double depth_mm = session().console().depth_mm();
+    QCOMPARE(session().console().depth_mm(), depth_mm);
     press("placeHandles");
     canvas().setFocus();
     QTest::keyClick(&canvas(), Qt::Key_Right);
-    QVERIFY2(!(session().hold() == held), "without handles the keys are the probe's again");
+    QVERIFY2(!(session().probeControl().hold() == held), "without handles the keys are the probe's again");
   }
 
   void numbersButtonsAndTheFaceAreStepsOfTheirOwn() {

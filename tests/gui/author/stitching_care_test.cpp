@@ -194,15 +194,15 @@ class StitchingCareTest : public StitchingFixture {
     openWindow(files_.writeCase(QStringLiteral("keys case")));
     drop({parts_[0].file, parts_[1].file});
     QVERIFY(jobsEnd());
-    const auto knobs = window_->session().knobs();
+    const auto knobs = window_->session().console().knobs();
     find<QPushButton>("matchAll")->setFocus();
     for (const Qt::Key key : {Qt::Key_G, Qt::Key_M, Qt::Key_R, Qt::Key_X, Qt::Key_2}) {
       QTest::keyClick(find<QPushButton>("matchAll"), key);
-      QVERIFY2(window_->session().knobs() == knobs, qPrintable(QKeySequence(key).toString()));
+      QVERIFY2(window_->session().console().knobs() == knobs, qPrintable(QKeySequence(key).toString()));
     }
     window_->setWorkspace(Workspace::explore);
     QTest::keyClick(window_.get(), Qt::Key_G);
-    QVERIFY2(!(window_->session().knobs() == knobs), "the scan is seen again");
+    QVERIFY2(!(window_->session().console().knobs() == knobs), "the scan is seen again");
   }
 
   void whatIsLeftUnsavedStaysUntilSomebodyDecides() {

@@ -140,9 +140,9 @@ class StitchingJourneyTest : public StitchingFixture {
     };
     QTRY_VERIFY_WITH_TIMEOUT(scansIt(), 60000);
     window_->setWorkspace(Workspace::explore);
-    const std::uint64_t frames = session().framesMade();
-    session().setHold(session().hold());
-    QTRY_VERIFY_WITH_TIMEOUT(session().framesMade() > frames, 60000);
+    const std::uint64_t frames = session().frames().framesMade();
+    session().probeControl().setHold(session().probeControl().hold());
+    QTRY_VERIFY_WITH_TIMEOUT(session().frames().framesMade() > frames, 60000);
     window_->setWorkspace(Workspace::author);
     keepPicture("11-in-the-case");
   }

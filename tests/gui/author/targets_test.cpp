@@ -178,7 +178,7 @@ class TargetsTest : public WindowFixture {
     press("addPlane");
     QVERIFY(in<QLabel>("planeAway").text().contains(QStringLiteral("within")));
     const auto taken = *target(0).probeToFile;
-    session().setHold(slid(session().hold(), *session().skin(), 0.0, 15.0));
+    session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, 15.0));
     session().makePictureNow();
     QVERIFY(waitUntil([this] { return !in<QLabel>("planeAway").text().contains(QStringLiteral("within")); }));
     QVERIFY2(in<QLabel>("planeAway").text().contains(QStringLiteral("mm")), qPrintable(in<QLabel>("planeAway").text()));
@@ -187,7 +187,7 @@ class TargetsTest : public WindowFixture {
     session().makePictureNow();
     QVERIFY2(waitUntil([this] { return in<QLabel>("planeAway").text().contains(QStringLiteral("within")); }),
              qPrintable(in<QLabel>("planeAway").text()));
-    session().setHold(slid(session().hold(), *session().skin(), 0.0, 15.0));
+    session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, 15.0));
     session().makePictureNow();
     press("planeTake");
     QVERIFY(glm::distance(glm::dvec3(target(0).probeToFile->matrix[3]), glm::dvec3(taken.matrix[3])) > 10.0);
@@ -317,7 +317,7 @@ class TargetsTest : public WindowFixture {
     press("addStructure");
     press("toolTrace");
     for (const double along_mm : {-8.0, 8.0, 8.0}) {
-      session().setHold(slid(session().hold(), *session().skin(), 0.0, along_mm));
+      session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, along_mm));
       session().makePictureNow();
       strokeTo({{-10.0, 40.0}, {10.0, 40.0}, {10.0, 60.0}, {-10.0, 60.0}});
     }

@@ -34,7 +34,7 @@ class GuidedSweepTest final : public testing::WindowFixture {
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get(), static_cast<int>(test::kPatience_ms)));
     QApplication::setActiveWindow(window_.get());
-    session().setAdaptive(false);
+    session().frames().setAdaptive(false);
     QVERIFY(testing::waitUntil([this] { return !window_->jobs().isRunning(); }));
     window_->openPlugins();
     QVERIFY(openCase(folder_));
@@ -48,13 +48,13 @@ class GuidedSweepTest final : public testing::WindowFixture {
   }
   /// Slides the probe along the skin, and waits for its image.
   void slide(double right_mm, double up_mm) const {
-    Hold hold = session().hold();
-    hold.contact = session().skin()->nearest(hold.contact.point_mm + glm::dvec3(-right_mm, 0.0, up_mm));
-    session().setHold(hold);
+    Hold hold = session().probeControl().hold();
+    hold.contact = session().probeControl().skin()->nearest(hold.contact.point_mm + glm::dvec3(-right_mm, 0.0, up_mm));
+    session().probeControl().setHold(hold);
     waitForImage();
   }
   void waitForImage() const {
-    session().refresh();
+    session().frames().ask();
     session().makePictureNow();
     QTest::qWait(0);
   }
@@ -183,19 +183,19 @@ class GuidedSweepTest final : public testing::WindowFixture {
     QVERIFY(isRingDrawnAbout({0.0, 60.0}));
     QVERIFY(isLabelled({0.0, 60.0}));
     QCOMPARE(savedPicture(session(), at), saved);
-    const Hold there = session().hold();
+    const Hold there = session().probeControl().hold();
     slide(20.0, 0.0);
     const auto target =
         inverse(session().picturePose().probeToWorld) * (poseOf(section()["end"]).probeToWorld * Point<frame::Probe>{{0.0, 60.0, 0.0}});
     QVERIFY(std::abs(target.at.x) > 5.0);
     QVERIFY(isRingDrawnAbout({target.at.x, target.at.y}));
     QVERIFY(!isRingDrawnAbout({target.at.x + 30.0, target.at.y}));
-    session().setHold(there);
-    Knobs knobs = session().knobs();
+    session().probeControl().setHold(there);
+    Knobs knobs = session().console().knobs();
     knobs.zoom = 1.5;
     knobs.markerLeft = !knobs.markerLeft;
     knobs.upsideDown = true;
-    session().setKnobs(knobs);
+    session().console().setKnobs(knobs);
     waitForImage();
     QVERIFY(isRingDrawnAbout({0.0, 60.0}));
     QVERIFY(isLabelled({0.0, 60.0}));
@@ -206,23 +206,23 @@ class GuidedSweepTest final : public testing::WindowFixture {
   void itMovesTheProbeAlongAPathAndGivesItBack() {
     openWindow();
     showGuide();
-    const Pose begin = session().pose();
+    const Pose begin = session().probeControl().pose();
     keepSweep();
-    const Pose end = session().pose();
+    const Pose end = session().probeControl().pose();
     slide(-10.0, -60.0);
-    const Pose hand = session().pose();
+    const Pose hand = session().probeControl().pose();
     std::vector<Pose> seen;
     bool isOver = false;
     const auto connection = connect(&session(), &Session::pictureChanged, this, [&] {
-      if (isOver || (seen.empty() && !session().isFollowing())) return;
+      if (isOver || (seen.empty() && !session().probeControl().isFollowing())) return;
       seen.push_back(session().shownState().pose);
-      isOver = !session().isFollowing();  // the plugin gave the probe back at this image
+      isOver = !session().probeControl().isFollowing();  // the plugin gave the probe back at this image
     });
     press("guideRun");
-    QVERIFY(session().isFollowing());
+    QVERIFY(session().probeControl().isFollowing());
     QVERIFY(!window_->hand().isEnabled());
     QCOMPARE(find<QPushButton>("guideRun")->text(), QStringLiteral("Give the probe back"));
-    QVERIFY(testing::waitUntil([this] { return !session().isFollowing(); }));
+    QVERIFY(testing::waitUntil([this] { return !session().probeControl().isFollowing(); }));
     disconnect(connection);
     QVERIFY(!seen.empty());
     for (std::size_t n = 0; n < seen.size(); ++n) {
@@ -230,7 +230,7 @@ class GuidedSweepTest final : public testing::WindowFixture {
       if (n > 0) QVERIFY(apart_mm(seen[n], end) <= apart_mm(seen[n - 1], end) + 1e-9);
     }
     QVERIFY(apart_mm(seen.back(), end) < 1e-6);
-    QVERIFY(apart_mm(session().pose(), hand) < 1e-9);
+    QVERIFY(apart_mm(session().probeControl().pose(), hand) < 1e-9);
     QVERIFY(window_->hand().isEnabled());
     QCOMPARE(find<QPushButton>("guideRun")->text(), QStringLiteral("Show the sweep"));
   }
@@ -240,19 +240,19 @@ class GuidedSweepTest final : public testing::WindowFixture {
     showGuide();
     keepSweep();
     find<QDoubleSpinBox>("guideDuration")->setValue(60.0);
-    const Pose hand = session().pose();
+    const Pose hand = session().probeControl().pose();
     for (QAction* action : window_->findChildren<QAction*>())
       if (action->shortcuts().contains(QKeySequence(QStringLiteral("Ctrl+G")))) action->trigger();
-    QVERIFY(session().isFollowing());
+    QVERIFY(session().probeControl().isFollowing());
     testing::Answers answers({{QStringLiteral("unsavedQuestion"), testing::press(QMessageBox::Discard)},
                               {QStringLiteral("unsavedPluginQuestion"), testing::press(QMessageBox::Cancel)}});
     QVERIFY(!window_->close());
     QVERIFY2(answers.texts.contains(QStringLiteral("The guided sweep is still going on.")),
              qPrintable(answers.texts.join(QLatin1Char('|'))));
-    QVERIFY(session().isFollowing());
+    QVERIFY(session().probeControl().isFollowing());
     QTest::keyClick(&window_->scanView(), Qt::Key_Escape);
-    QVERIFY(!session().isFollowing());
-    QVERIFY(apart_mm(session().pose(), hand) < 1e-9);
+    QVERIFY(!session().probeControl().isFollowing());
+    QVERIFY(apart_mm(session().probeControl().pose(), hand) < 1e-9);
     QCOMPARE(find<QPushButton>("guideRun")->text(), QStringLiteral("Show the sweep"));
   }
 
@@ -264,10 +264,10 @@ class GuidedSweepTest final : public testing::WindowFixture {
     find<QDoubleSpinBox>("guideDuration")->setValue(60.0);
     QVERIFY(window_->document().save().has_value());
     press("guideRun");
-    QVERIFY(session().isFollowing());
+    QVERIFY(session().probeControl().isFollowing());
     window_->open(other);
     QVERIFY(testing::waitUntil([&] { return window_->isSettled() && window_->document().current()->folder == other.toStdString(); }));
-    QVERIFY(!session().isFollowing());
+    QVERIFY(!session().probeControl().isFollowing());
     QVERIFY(section().is_null());
     QVERIFY(!isRingDrawnAbout({0.0, 60.0}));
   }

@@ -64,8 +64,8 @@ class LearningTest final : public LearnerFixture {
   [[nodiscard]] QString writeExercises() {
     const QString folder = writeTaught();
     showWindowWithCase(folder);
-    const Hold start = session().hold();
-    planes_ = {start, slid(start, *session().skin(), 0.0, 30.0)};
+    const Hold start = session().probeControl().hold();
+    planes_ = {start, slid(start, *session().probeControl().skin(), 0.0, 30.0)};
     window_.reset();
     auto opened = loadCase(folder.toStdString());
     if (!opened) return {};
@@ -88,12 +88,12 @@ class LearningTest final : public LearnerFixture {
   /// Of the exercise that is shown.
   [[nodiscard]] std::size_t askedPlane() const { return text("stepTitle").contains(QStringLiteral("near")) ? 0 : 1; }
   void solve() {
-    session().setHold(planes_[askedPlane()]);
+    session().probeControl().setHold(planes_[askedPlane()]);
     session().makePictureNow();
     press("stepDone");
   }
   void failIt() {
-    session().setHold(slid(planes_[askedPlane()], *session().skin(), 0.0, -40.0));
+    session().probeControl().setHold(slid(planes_[askedPlane()], *session().probeControl().skin(), 0.0, -40.0));
     session().makePictureNow();
     press("stepDone");
   }
@@ -248,14 +248,14 @@ class LearningTest final : public LearnerFixture {
   void anExerciseNeverBeginsSolvedAndTheHandGoesOnFromItsStart() {
     QVERIFY(!writeExercises().isEmpty());
     beginExercises();
-    const Hold start = session().hold();
+    const Hold start = session().probeControl().hold();
     QVERIFY(!(start == planes_[0]) && !(start == planes_[1]));
     QTest::mouseClick(seen("stepDone"), Qt::LeftButton);
     QVERIFY2(text("outcomeHeading").isEmpty(), "nothing was done yet");
     session().setFrozen(true);
     press("stepDone");
     waitForOutcome(QStringLiteral("Not right yet"));
-    QCOMPARE(session().hold(), start);
+    QCOMPARE(session().probeControl().hold(), start);
   }
 
   void aDamagedFileOfExercisesIsPutAsideAndNamed() {

@@ -144,7 +144,7 @@ class LessonEditorTest : public WindowFixture {
   /// Moves the probe along the skin while images are made.
   void scan(int images) {
     for (int n = 0; n < images; ++n) {
-      session().setHold(slid(session().hold(), *session().skin(), 0.0, 1.0));
+      session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, 1.0));
       session().makePictureNow();
       QTest::qWait(20);
     }

@@ -52,7 +52,7 @@ class LessonsTest : public WindowFixture {
   /// Waits until the scan of the step that runs is kept.
   [[nodiscard]] bool isScanKept() {
     return waitUntil([this] {
-      session().refresh();
+      session().frames().ask();
       session().makePictureNow();
       return isKept("step.jsonl");
     });
@@ -269,7 +269,7 @@ class LessonsTest : public WindowFixture {
     press("stepDone");  // waits until it has been shown to its end
 
     waitForStep("plane");
-    session().setHold(slid(session().hold(), *session().skin(), 0.0, 25.0));
+    session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, 25.0));
     QVERIFY(waitUntil([this] { return !text("stepLive").isEmpty(); }));
     press("showHint");
     QCOMPARE(text("stepHint"), QStringLiteral("Look below the probe."));
@@ -280,7 +280,7 @@ class LessonsTest : public WindowFixture {
     QVERIFY2(seen("tryAgain")->property("primary").toBool() && !seen("nextStep")->property("primary").toBool(), "what one would do next");
     press("tryAgain");
     waitForStep("plane");
-    session().setHold(slid(session().hold(), *session().skin(), 0.0, -25.0));
+    session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, -25.0));
     session().makePictureNow();
     press("stepDone");
     QVERIFY2(waitUntil([this] { return text("outcomeHeading").startsWith(QStringLiteral("Passed")); }), qPrintable(text("outcomeScore")));
@@ -291,7 +291,8 @@ class LessonsTest : public WindowFixture {
     QVERIFY2(text("outcomeHeading").isEmpty() && text("stepMissing").startsWith(QStringLiteral("Nothing was done")),
              "a second click ends nothing");
     for (int n = -10; n <= 10; ++n) {
-      session().setHold(slid(session().hold(), *session().skin(), 0.0, n == -10 ? -20.0 : 2.0));
+      session().probeControl().setHold(
+          slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, n == -10 ? -20.0 : 2.0));
       session().makePictureNow();
     }
     press("stepDone");
@@ -312,7 +313,7 @@ class LessonsTest : public WindowFixture {
     press("nextStep");
 
     waitForStep("point");
-    session().setHold(slid(session().hold(), *session().skin(), 0.0, -20.0));
+    session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, -20.0));
     session().makePictureNow();
     session().setFrozen(true);  // and no button is to be pressed
     auto* layer = find<PickLayer>("pointing");
@@ -327,11 +328,12 @@ class LessonsTest : public WindowFixture {
     press("nextStep");
 
     waitForStep("settings");
-    QVERIFY2(session().knobs().depth_mm < 100.0 || session().knobs().depth_mm > 130.0, "it begins with a setting that is wrong");
+    QVERIFY2(session().console().knobs().depth_mm < 100.0 || session().console().knobs().depth_mm > 130.0,
+             "it begins with a setting that is wrong");
     QVERIFY(waitUntil([this] { return text("stepLive").contains(QStringLiteral("\u2022  Depth")); }));
-    Knobs knobs = session().knobs();
+    Knobs knobs = session().console().knobs();
     knobs.depth_mm = 120.0;
-    session().setKnobs(knobs);
+    session().console().setKnobs(knobs);
     session().makePictureNow();
     press("stepDone");
     QVERIFY(waitUntil([this] { return text("outcomeHeading").startsWith(QStringLiteral("Passed")); }));
@@ -346,7 +348,7 @@ class LessonsTest : public WindowFixture {
     press("nextStep");
 
     waitForStep("free");
-    session().setHold(slid(session().hold(), *session().skin(), 0.0, 2.0));
+    session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, 2.0));
     press("stepDone");
     press("nextStep");
     QVERIFY(waitUntil([this] { return text("outcomeHeading").startsWith(QStringLiteral("Lesson")); }));
@@ -375,9 +377,9 @@ class LessonsTest : public WindowFixture {
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
     waitForStep("sweep");
     const auto slidesBy = [this](int key) {
-      const Hold before = session().hold();
+      const Hold before = session().probeControl().hold();
       QTest::keyClick(QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : window_.get(), static_cast<Qt::Key>(key));
-      return !(session().hold() == before);
+      return !(session().probeControl().hold() == before);
     };
     for (QWidget* each : {static_cast<QWidget*>(seen("showHint")), static_cast<QWidget*>(seen<QLabel>("stepTitle")),
                           static_cast<QWidget*>(window_->findChild<QTabWidget*>(QStringLiteral("consolePages"))->tabBar()),
@@ -414,10 +416,10 @@ class LessonsTest : public WindowFixture {
     QVERIFY(!session().isFrozen());
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
     QVERIFY2(session().isFrozen(), qPrintable(QApplication::focusWidget()->objectName()));
-    const Hold before = session().hold();
+    const Hold before = session().probeControl().hold();
     session().setFrozen(false);
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Left);
-    QVERIFY2(!(session().hold() == before), qPrintable(QApplication::focusWidget()->objectName()));
+    QVERIFY2(!(session().probeControl().hold() == before), qPrintable(QApplication::focusWidget()->objectName()));
   }
 
   /// Whoever pointed beside it sees where it was, and not before.
@@ -446,11 +448,11 @@ class LessonsTest : public WindowFixture {
     session().makePictureNow();
     QVERIFY(waitUntil([this] { return isBallOutlined(); }));
     QCOMPARE(text("outlineElsewhere"), QString());
-    session().setHold(slid(session().hold(), *session().skin(), 0.0, 40.0));
+    session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, 40.0));
     session().makePictureNow();
     QVERIFY(waitUntil([this] { return text("outlineElsewhere") == QStringLiteral("What is sought is not in this image."); }));
     QVERIFY(!isBallOutlined());
-    session().setHold(slid(session().hold(), *session().skin(), 0.0, -40.0));
+    session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, -40.0));
     session().makePictureNow();
     QVERIFY(waitUntil([this] { return text("outlineElsewhere").isEmpty(); }));
   }
@@ -480,7 +482,7 @@ class LessonsTest : public WindowFixture {
     beginWith({step("plane", PlaneTask{"start plane", {}, {}})});
     QVERIFY(waitUntil([this] { return isKept("about.json"); }));
     const std::size_t tried = attempts().attempts.size();
-    session().setHold(slid(session().hold(), *session().skin(), 0.0, 25.0));
+    session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, 25.0));
     QVERIFY(waitUntil([this] { return !text("stepLive").isEmpty(); }));
     press("stepDone");
     QVERIFY(waitUntil([this] { return text("outcomeHeading").startsWith(QStringLiteral("Not passed yet")); }));
@@ -492,7 +494,7 @@ class LessonsTest : public WindowFixture {
     kill();
     startAndGoOn("plane");
     QVERIFY2(attempts().attempts.size() == tried, "it goes on in its own attempt");
-    session().setHold(slid(session().hold(), *session().skin(), 0.0, -5.0));
+    session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, -5.0));
     session().makePictureNow();
     press("stepDone");
     press("nextStep");

@@ -102,7 +102,7 @@ class ReviewTest final : public WindowFixture {
     beginAnew();
     case_ = std::make_unique<ReviewedCase>(files_, QStringLiteral("reviewed"));
     showWindowWithCase(case_->folder());
-    QVERIFY(case_->make(*session().skin(), session().probe()));
+    QVERIFY(case_->make(*session().probeControl().skin(), session().console().probe()));
     QVERIFY(case_->writeExpert({.person = {}, .seconds = 9.0, .tremor_mm = 0.4}));
     ann_ = case_->writeAttempt({.person = "Ann",
                                 .seconds = 14.0,

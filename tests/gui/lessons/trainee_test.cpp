@@ -62,7 +62,7 @@ class TraineeTest : public WindowFixture {
   }
   [[nodiscard]] int fanWidth_px() const {
     int widest = 0;
-    for (const auto& row : session().spans()) {
+    for (const auto& row : session().seen().spans()) {
       if (!row.empty()) widest = std::max(widest, row.back().end - row.front().begin);
     }
     return widest;
@@ -161,7 +161,7 @@ class TraineeTest : public WindowFixture {
     QVERIFY2(find<QWidget>("bodyColumn")->width() < 300, qPrintable(QString::number(find<QWidget>("bodyColumn")->width())));
     const int small_px = window_->scanView().width();
     View3D& view = window_->view3d();
-    const Hold before = session().hold();
+    const Hold before = session().probeControl().hold();
     const QPoint onSkin = view.pixelOf(before.contact.point_mm).toPoint() + QPoint(30, 40);
     QTest::mouseClick(view.canvas(), Qt::LeftButton, Qt::NoModifier, onSkin);
     QTest::mouseDClick(view.canvas(), Qt::LeftButton, Qt::NoModifier, onSkin);
@@ -182,13 +182,13 @@ class TraineeTest : public WindowFixture {
     window_->resize(1024, 640);
     QTest::qWait(80);
     View3D& view = window_->view3d();
-    const Hold before = session().hold();
+    const Hold before = session().probeControl().hold();
     const QPoint at = view.pixelOf(before.contact.point_mm).toPoint() + QPoint(28, 36);
     QTest::mousePress(view.canvas(), Qt::LeftButton, Qt::NoModifier, at);
     QTest::mouseRelease(view.canvas(), Qt::LeftButton, Qt::NoModifier, at);
     QMouseEvent twice(QEvent::MouseButtonDblClick, at, Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(view.canvas(), &twice);
-    QVERIFY(session().hold() == before);
+    QVERIFY(session().probeControl().hold() == before);
   }
 
   void scanOnlyShowsNothingElseAndComesBack() {
@@ -197,9 +197,9 @@ class TraineeTest : public WindowFixture {
     QTest::qWait(50);
     QVERIFY(!window_->view3d().isVisible() && !window_->console().isVisible());
     QVERIFY(window_->scanView().width() > before_px * 3 / 2);
-    const Hold hold = session().hold();
+    const Hold hold = session().probeControl().hold();
     QTest::keyClick(&window_->scanView(), Qt::Key_Right);
-    QVERIFY2(!(session().hold() == hold), "the keys of the probe work on");
+    QVERIFY2(!(session().probeControl().hold() == hold), "the keys of the probe work on");
     QTest::keyClick(&window_->scanView(), Qt::Key_Escape);
     QTest::qWait(50);
     QVERIFY(window_->view3d().isVisible() && window_->console().isVisible());
@@ -221,11 +221,11 @@ class TraineeTest : public WindowFixture {
     for (const QSize& size : {QSize(1024, 640), QSize(1280, 720), QSize(1600, 900)})
       for (const char* probe : {"convex-3.5", "phased-2.5", "microconvex-6", "linear-7.5"}) {
         window_->resize(size);
-        session().chooseProbe(probe);
+        session().console().chooseProbe(probe);
         QTest::qWait(30);
         session().makePictureNow();
         const QRect box = window_->scanView().pictureRect();
-        const Spans fan = session().spans();
+        const Spans fan = session().seen().spans();
         const auto* column = find<QWidget>("dgcColumn");
         for (int n = 1; n <= kDgcSliders; ++n) {
           const auto* slider = find<QSlider>(qPrintable(QStringLiteral("dgc%1").arg(n)));
@@ -253,7 +253,7 @@ class TraineeTest : public WindowFixture {
     QTest::mouseMove(&scan, QPoint(20, scan.height() / 2));
     QTest::qWait(20);
     QVERIFY2(find<QWidget>("dgcColumn")->isVisible(), "they come when the pointer is at them");
-    session().setDetail(1.0, {});
+    session().console().setDetail(1.0, {});
     QTest::mouseMove(&scan, scan.rect().center());
     QTest::qWait(20);
     QVERIFY(find<QSlider>("dgc4")->isVisible());
@@ -287,14 +287,14 @@ class TraineeTest : public WindowFixture {
   void aDragMovesTheProbeUntilTheImageIsZoomedAndThenTheDetail() {
     ScanView& scan = window_->scanView();
     const QPoint middle = scan.pictureRect().center();
-    Hold before = session().hold();
+    Hold before = session().probeControl().hold();
     QCOMPARE(scan.cursor().shape(), Qt::SizeAllCursor);
     drag(&scan, middle, middle + QPoint(30, 0));
-    QVERIFY(!(session().hold() == before));
+    QVERIFY(!(session().probeControl().hold() == before));
     for (int i = 0; i < 4; ++i) QTest::keyClick(&scan, Qt::Key_Z);
     session().makePictureNow();
     QCOMPARE(scan.cursor().shape(), Qt::OpenHandCursor);
-    before = session().hold();
+    before = session().probeControl().hold();
     const auto shownAt = [this](const QPoint& at) {
       const QPointF pixel = QPointF(at - window_->scanView().pictureRect().topLeft()) * window_->devicePixelRatioF();
       return session().geometry().probePoint_mm(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
@@ -302,7 +302,7 @@ class TraineeTest : public WindowFixture {
     const glm::dvec2 taken_mm = shownAt(middle);
     drag(&scan, middle, middle + QPoint(40, -24));
     session().makePictureNow();
-    QVERIFY2(session().hold() == before, "the probe stays where it is");
+    QVERIFY2(session().probeControl().hold() == before, "the probe stays where it is");
     QVERIFY2(glm::distance(shownAt(middle + QPoint(40, -24)), taken_mm) < 1.5 * session().geometry().pixel_mm,
              "what was taken lies under the pointer");
     drag(&scan, middle, middle + QPoint(4000, 4000));
@@ -312,17 +312,17 @@ class TraineeTest : public WindowFixture {
 
   void theFrozenProbeSaysWhyItDoesNotMove() {
     QTest::keyClick(&window_->scanView(), Qt::Key_F);
-    const Hold before = session().hold();
+    const Hold before = session().probeControl().hold();
     QVERIFY(window_->scanView().said().isEmpty());
     QTest::keyClick(&window_->scanView(), Qt::Key_Up);
-    QVERIFY(session().hold() == before);
+    QVERIFY(session().probeControl().hold() == before);
     QVERIFY2(window_->scanView().said().contains(QLatin1String("frozen")), qPrintable(window_->scanView().said()));
   }
 
   void theStartPageLeadsBackToTheOpenCaseWithoutLoadingItAnew() {
     const auto volume = session().subject()->voxels.volume();
-    const Hold moved = turned(session().hold(), 0.2, 0.0, 0.0);
-    session().setHold(moved);
+    const Hold moved = turned(session().probeControl().hold(), 0.2, 0.0, 0.0);
+    session().probeControl().setHold(moved);
     window_->showStartPage();
     QVERIFY(!find<QLabel>("position")->isVisible() && !find<QLabel>("contact")->isVisible());
     QTest::keyClick(window_.get(), Qt::Key_Escape);
@@ -334,7 +334,7 @@ class TraineeTest : public WindowFixture {
     Q_EMIT find<StartPage>("startPage")->caseChosen(QString::fromStdString(window_->document().current()->folder.string()));
     QVERIFY(window_->scanView().isVisible());
     QVERIFY(waitUntil([this] { return window_->isSettled(); }));  // the page's pictures may still be loading
-    QVERIFY(session().subject()->voxels.volume() == volume && session().hold() == moved);
+    QVERIFY(session().subject()->voxels.volume() == volume && session().probeControl().hold() == moved);
   }
 
   void recentFilesAreNotTheCardsAgainAndOpenWithEnter() {
@@ -361,7 +361,7 @@ class TraineeTest : public WindowFixture {
     QVERIFY(!find<QPushButton>("qualityCubic")->isVisible() && find<QPushButton>("qualityFine")->isVisible());
     QVERIFY(find<QPushButton>("qualityFine")->isChecked());
     QTest::mouseClick(find<QPushButton>("qualityFast"), Qt::LeftButton);
-    QCOMPARE(static_cast<int>(session().knobs().quality), static_cast<int>(Quality::weave));
+    QCOMPARE(static_cast<int>(session().console().knobs().quality), static_cast<int>(Quality::weave));
     QTest::mouseClick(find<QPushButton>("advanced"), Qt::LeftButton);
     QVERIFY(find<QPushButton>("qualityCubic")->isVisible());
     window_->setWorkspace(Workspace::author);
@@ -395,9 +395,9 @@ class TraineeTest : public WindowFixture {
     const int before = marker();
     QVERIFY2(before >= 0, "there is a marker");
     QVERIFY(session().geometry().markerLeft == (before < middle));
-    Knobs knobs = session().knobs();
+    Knobs knobs = session().console().knobs();
     knobs.markerLeft = !knobs.markerLeft;
-    session().setKnobs(knobs);
+    session().console().setKnobs(knobs);
     session().makePictureNow();
     const int after = marker();
     QVERIFY2(after >= 0 && (after < middle) != (before < middle), "it changes sides with the image");

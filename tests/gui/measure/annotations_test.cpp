@@ -76,7 +76,7 @@ class AnnotationsTest : public WindowFixture {
     const glm::dvec3 marker(-std::cos(angle_rad), 0.0, std::sin(angle_rad)), beam(0.0, 1.0, 0.0);
     const Transform<frame::World, frame::Probe> probeToWorld{
         {glm::dvec4(marker, 0.0), glm::dvec4(beam, 0.0), glm::dvec4(glm::cross(marker, beam), 0.0), glm::dvec4(at_mm, 1.0)}};
-    session().follow(std::make_shared<PosePath>(std::vector<TimedPose>{{0.0, {probeToWorld, PoseStatus::ok}}}));
+    session().probeControl().follow(std::make_shared<PosePath>(std::vector<TimedPose>{{0.0, {probeToWorld, PoseStatus::ok}}}));
     session().makePictureNow();
   }
 
@@ -172,12 +172,12 @@ class AnnotationsTest : public WindowFixture {
 
   void lettersThatAreKeysElsewhereAreTyped() {
     freeze();
-    const Knobs before = session().knobs();
+    const Knobs before = session().console().knobs();
     pressKey(Qt::Key_T);
     QTest::keyClicks(&layer().field(), QStringLiteral("tfgn 4, z"));
     QCOMPARE(layer().field().text(), QStringLiteral("tfgn 4, z"));
     QVERIFY(session().isFrozen());
-    QVERIFY(session().knobs() == before);
+    QVERIFY(session().console().knobs() == before);
   }
 
   void arrowIsDrawnMovedByItsEndsAndTakenBack() {
@@ -285,7 +285,7 @@ class AnnotationsTest : public WindowFixture {
       // Across it points to the left; turned from the patient's right to the head it points up.
       QVERIFY(std::abs(std::remainder(mark().glyph()->angle_rad - (std::numbers::pi + angle), 2.0 * std::numbers::pi)) < 1e-9);
     }
-    session().follow(nullptr);
+    session().probeControl().follow(nullptr);
   }
 
   void theMarkIsMovedHiddenAndPutByHandOnAFrozenImage() {
@@ -311,7 +311,7 @@ class AnnotationsTest : public WindowFixture {
     QVERIFY(!view->isVisible());
     pressKey(Qt::Key_B, Qt::ControlModifier);
     QVERIFY(view->isVisible());
-    session().follow(nullptr);
+    session().probeControl().follow(nullptr);
   }
 
   void savedPictureCarriesTextsArrowsAndMark() {
@@ -335,41 +335,41 @@ class AnnotationsTest : public WindowFixture {
     QCOMPARE(written.size(), bare.size());
     QVERIFY(changedIn(written, written.rect()) > 300);
     QVERIFY(savedPicture(session(), when, {nullptr, &annotated(), &mark()}) != written);
-    session().follow(nullptr);
+    session().probeControl().follow(nullptr);
   }
 
   void aPresetSetsConsoleWordsAndMark() {
     QAction* aorta = preset(QStringLiteral("aorta-convex-3.5"));
     QVERIFY(aorta != nullptr);
     QVERIFY(aorta->isEnabled());
-    Knobs knobs = session().knobs();
+    Knobs knobs = session().console().knobs();
     knobs.quality = Quality::cubic;
-    session().setKnobs(knobs);
+    session().console().setKnobs(knobs);
     aorta->trigger();
     const auto expected = readPreset(resourceFolder().value() / "presets" / "aorta-convex-3.5.json");
     QVERIFY(expected.has_value());
-    QVERIFY(session().knobs() == applied(*expected, knobs));
-    QCOMPARE(session().depth_mm(), 140.0);
-    QVERIFY(session().knobs().quality == Quality::cubic);
+    QVERIFY(session().console().knobs() == applied(*expected, knobs));
+    QCOMPARE(session().console().depth_mm(), 140.0);
+    QVERIFY(session().console().knobs().quality == Quality::cubic);
     QCOMPARE(QString::fromStdString(annotated().wordList()->id), QStringLiteral("vessels"));
     session().makePictureNow();
     QCOMPARE(QString::fromStdString(mark().mark()->id), QStringLiteral("aorta"));
     // A machine refuses settings while its image stands.
     session().setFrozen(true);
     preset(QStringLiteral("abdomen-convex-3.5"))->trigger();
-    QCOMPARE(session().depth_mm(), 140.0);
+    QCOMPARE(session().console().depth_mm(), 140.0);
     QVERIFY(!scan().said().isEmpty());
   }
 
   void ownPresetsAreOfferedBesideTheShippedOnes() {
-    Knobs knobs = session().knobs();
+    Knobs knobs = session().console().knobs();
     knobs.depth_mm = 195.0;
-    QVERIFY(saveOwnPreset(presetOf("Mine & yours", session().probe(), knobs), ownPresetsFolder()).has_value());
+    QVERIFY(saveOwnPreset(presetOf("Mine & yours", session().console().probe(), knobs), ownPresetsFolder()).has_value());
     QAction* mine = preset(QStringLiteral("mine-yours-convex-3-5"));
     QVERIFY(mine != nullptr);
     QCOMPARE(mine->text(), QStringLiteral("Mine && yours"));
     mine->trigger();
-    QCOMPARE(session().depth_mm(), 195.0);
+    QCOMPARE(session().console().depth_mm(), 195.0);
   }
 
   /// Every drawing can be read at the smallest size it is shown in.

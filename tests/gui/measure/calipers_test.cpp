@@ -80,7 +80,7 @@ class CalipersTest : public WindowFixture {
   /// @param mostPixels that both ends of a line can be off along it, each on the middle of the pixel nearest to its place
   void measureExpected(const ExpectedMeasurement& expected, const Placed& at, double mostPixels) const {
     session().setFrozen(false);
-    session().follow(std::make_shared<PosePath>(std::vector<TimedPose>{{0.0, {at.probeToWorld, PoseStatus::ok}}}));
+    session().probeControl().follow(std::make_shared<PosePath>(std::vector<TimedPose>{{0.0, {at.probeToWorld, PoseStatus::ok}}}));
     session().makePictureNow();
     const bool isEllipse = at.points_mm.size() == 4;
     take(isEllipse ? Qt::Key_7 : Qt::Key_4);
@@ -144,7 +144,7 @@ class CalipersTest : public WindowFixture {
         ++measured;
       }
     }
-    session().follow(nullptr);
+    session().probeControl().follow(nullptr);
     QVERIFY2(measured >= 18, qPrintable(QString::number(measured)));
   }
 
@@ -208,7 +208,7 @@ class CalipersTest : public WindowFixture {
 
   void eachImageOfTheCineLoopKeepsItsOwn() {
     for (int n = 0; n < 6; ++n) {
-      session().setHold(turned(session().hold(), 0.0, 0.0, 0.02));
+      session().probeControl().setHold(turned(session().probeControl().hold(), 0.0, 0.0, 0.02));
       session().makePictureNow();
     }
     take(Qt::Key_4);
@@ -381,9 +381,9 @@ class CalipersTest : public WindowFixture {
   }
 
   void whereOnlyTheStripIsShownADistanceIsOneOfDepthAndTheRestIsRefusedWithAWord() {
-    Knobs knobs = session().knobs();
+    Knobs knobs = session().console().knobs();
     knobs.mode = DisplayMode::mMode;
-    session().setKnobs(knobs);
+    session().console().setKnobs(knobs);
     session().makePictureNow();
     pressKey(Qt::Key_4);
     QCOMPARE(calipers().drawing().tool(), std::optional(CaliperKind::depthDistance));

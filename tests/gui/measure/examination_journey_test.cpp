@@ -45,7 +45,7 @@ class ExaminationJourneyTest : public WindowFixture {
       window_->show();
       QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
       QApplication::setActiveWindow(window_.get());
-      session().setAdaptive(false);
+      session().frames().setAdaptive(false);
       window_->open(QString::fromStdString(each.folder.string()));
       QVERIFY(waitUntil([&] { return window_->isSettled() && window_->document().current() && window_->document().current()->id == id; },
                         10.0 * test::kPatience_ms));
@@ -63,7 +63,7 @@ class ExaminationJourneyTest : public WindowFixture {
   void holdIn(const Transform<frame::World, frame::Probe>& probeToWorld) {
     session().setFrozen(false);
     probeToWorld_ = probeToWorld;
-    session().follow(std::make_shared<PosePath>(std::vector<TimedPose>{{0.0, {probeToWorld, PoseStatus::ok}}}));
+    session().probeControl().follow(std::make_shared<PosePath>(std::vector<TimedPose>{{0.0, {probeToWorld, PoseStatus::ok}}}));
     session().makePictureNow();
   }
   void findPlane(const std::string& name) {

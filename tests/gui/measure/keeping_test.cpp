@@ -68,7 +68,7 @@ void record(MainWindow& window) {
   window.recorder().start("window-test");
   waitUntil(
       [&] {
-        window.session().refresh();
+        window.session().frames().ask();
         window.session().makePictureNow();
         return framesKept() >= kFrames;
       },
@@ -122,7 +122,7 @@ int runAsWindow() {
   MainWindow window;
   window.resize(1280, 720);
   window.show();
-  window.session().setAdaptive(false);
+  window.session().frames().setAdaptive(false);
   window.open(qEnvironmentVariable(kCase));
   if (!waitUntil([&] { return window.isSettled() && window.document().current(); })) return 1;
   const QByteArray what = qgetenv(kAsWindow);
@@ -167,7 +167,7 @@ class KeepingTest : public WindowFixture {
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get(), static_cast<int>(test::kPatience_ms)));
     QApplication::setActiveWindow(window_.get());
-    session().setAdaptive(false);
+    session().frames().setAdaptive(false);
     window_->openWhereOneWas();
     window_->offerUnsavedWork();
   }

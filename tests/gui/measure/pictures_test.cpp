@@ -58,16 +58,16 @@ class PicturesTest : public WindowFixture {
     QVERIFY(waitUntil([&] { return grid().active() == place; }));
   }
   void setDepth(double depth_mm) const {
-    Knobs knobs = session().knobs();
+    Knobs knobs = session().console().knobs();
     knobs.depth_mm = depth_mm;
-    session().setKnobs(knobs);
+    session().console().setKnobs(knobs);
     session().makePictureNow();
     QCOMPARE(session().geometry().depth_mm, depth_mm);
   }
   void setGain(double gain_db) const {
-    Knobs knobs = session().knobs();
+    Knobs knobs = session().console().knobs();
     knobs.gain_db = gain_db;
-    session().setKnobs(knobs);
+    session().console().setKnobs(knobs);
     session().makePictureNow();
   }
   /// By clicks on two pixels of the layer that lie `pixels` beside each other.
@@ -102,7 +102,7 @@ class PicturesTest : public WindowFixture {
   }
   void scanForAWhile(int frames) const {
     for (int n = 0; n < frames; ++n) {
-      session().setHold(turned(session().hold(), 0.01, 0.0, 0.01));
+      session().probeControl().setHold(turned(session().probeControl().hold(), 0.01, 0.0, 0.01));
       session().makePictureNow();
       QTest::qWait(2);
     }
@@ -112,7 +112,7 @@ class PicturesTest : public WindowFixture {
     Transform<frame::World, frame::Probe> probeToWorld;
     probeToWorld.matrix =
         glm::dmat4(glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 1, 0, 0), glm::dvec4(0, 0, 1, 0), glm::dvec4(left_mm, -100, 0, 1));
-    session().follow(std::make_shared<PosePath>(std::vector<TimedPose>{{0.0, {probeToWorld, PoseStatus::ok}}}));
+    session().probeControl().follow(std::make_shared<PosePath>(std::vector<TimedPose>{{0.0, {probeToWorld, PoseStatus::ok}}}));
     session().makePictureNow();
   }
 
@@ -134,7 +134,7 @@ class PicturesTest : public WindowFixture {
       session().makePictureNow();
       const ScanView& view = window_->scanView();
       int left = view.width(), right = 0, rows = 0;
-      for (const auto& runs : session().spans()) {
+      for (const auto& runs : session().seen().spans()) {
         if (runs.empty()) continue;
         left = std::min(left, static_cast<int>(runs[0].begin));
         right = std::max(right, static_cast<int>(runs[runs.size() - 1].end));
@@ -194,7 +194,7 @@ class PicturesTest : public WindowFixture {
     QVERIFY(pixelsOf(kept(0).session()) == left);
     QCOMPARE(calipers().lines().size(), std::size_t{0});
     comparesInPixels(kept(0).calipers(), kept(0).session(), 100);
-    QCOMPARE(session().knobs().gain_db, 3.0);  // it begins with the console as it was
+    QCOMPARE(session().console().knobs().gain_db, 3.0);  // it begins with the console as it was
     setDepth(80.0);
     setGain(-6.0);
     QCOMPARE(kept(0).session().geometry().depth_mm, 160.0);
@@ -208,8 +208,8 @@ class PicturesTest : public WindowFixture {
     clickOn(0);
     QVERIFY(session().isFrozen());
     QVERIFY(pixelsOf(session()) == left);
-    QCOMPARE(session().knobs().depth_mm, 160.0);
-    QCOMPARE(session().knobs().gain_db, 3.0);
+    QCOMPARE(session().console().knobs().depth_mm, 160.0);
+    QCOMPARE(session().console().knobs().gain_db, 3.0);
     QCOMPARE(length_mm(calipers()), leftLength_mm);
     pressKey(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(calipers().lines().size(), std::size_t{0});
@@ -222,7 +222,7 @@ class PicturesTest : public WindowFixture {
     QVERIFY(session().isFrozen());
     QVERIFY(pixelsOf(session()) == right);
     QCOMPARE(length_mm(calipers()), rightLength_mm);
-    QCOMPARE(session().knobs().gain_db, -6.0);
+    QCOMPARE(session().console().knobs().gain_db, -6.0);
     // Let run, it goes on with its own settings, and the other one stays.
     pressKey(Qt::Key_F);
     session().makePictureNow();
@@ -240,7 +240,7 @@ class PicturesTest : public WindowFixture {
     pressNext();
     QVERIFY(!session().isFrozen());
     QVERIFY(kept(1).session().isFrozen());
-    QCOMPARE(session().knobs().depth_mm, 160.0);
+    QCOMPARE(session().console().knobs().depth_mm, 160.0);
     session().makePictureNow();
     QCOMPARE(session().geometry().depth_mm, 160.0);
     QCOMPARE(kept(1).session().geometry().depth_mm, 90.0);
@@ -256,7 +256,8 @@ class PicturesTest : public WindowFixture {
     for (int n = 0; n < 3; ++n) pressNext();
     QCOMPARE(grid().active(), 3);
     QTest::qWait(50);
-    const std::uint64_t made[] = {kept(0).session().framesMade(), kept(1).session().framesMade(), kept(2).session().framesMade()};
+    const std::uint64_t made[] = {kept(0).session().frames().framesMade(), kept(1).session().frames().framesMade(),
+                                  kept(2).session().frames().framesMade()};
     Paints first(kept(0)), second(kept(1)), third(kept(2));
     const auto paints = [&] { return first.count + second.count + third.count; };
     for (int before = -1; before != paints();) {  // what is still to be shown of them
@@ -264,10 +265,10 @@ class PicturesTest : public WindowFixture {
       QTest::qWait(200);
     }
     const int shown = paints();
-    const std::uint64_t live = session().framesMade();
+    const std::uint64_t live = session().frames().framesMade();
     scanForAWhile(30);
-    QVERIFY(session().framesMade() >= live + 30);
-    for (int place = 0; place < 3; ++place) QCOMPARE(kept(place).session().framesMade(), made[place]);
+    QVERIFY(session().frames().framesMade() >= live + 30);
+    for (int place = 0; place < 3; ++place) QCOMPARE(kept(place).session().frames().framesMade(), made[place]);
     QCOMPARE(paints(), shown);
   }
 
@@ -278,23 +279,23 @@ class PicturesTest : public WindowFixture {
     const QSize before(kept(0).session().picture().width(), kept(0).session().picture().height());
     window_->resize(1500, 860);
     QVERIFY(waitUntil([&] { return kept(0).session().picture().width() > before.width(); }));
-    QVERIFY(waitUntil([&] { return !kept(0).session().isFormingCine(); }));
+    QVERIFY(waitUntil([&] { return !kept(0).session().cineLoop().isForming(); }));
     QVERIFY(pixelsOf(kept(0).session()) == madeAnew(kept(0).session()));
   }
 
   void eachPictureHasItsOwnCineLoop() {
     pressKey(Qt::Key_M, Qt::ShiftModifier);
-    Knobs knobs = session().knobs();
+    Knobs knobs = session().console().knobs();
     knobs.persistence = 0.6;
-    session().setKnobs(knobs);
+    session().console().setKnobs(knobs);
     scanForAWhile(6);
     pressKey(Qt::Key_F);
     CineBar& bar = window_->cineBar();
     QVERIFY(bar.isOpen());
     pressKey(Qt::Key_Comma);
     pressKey(Qt::Key_Comma);
-    QVERIFY(waitUntil([&] { return !session().isFormingCine(); }));
-    const std::size_t count = session().cine().frameCount(), at = *session().cineFrame();
+    QVERIFY(waitUntil([&] { return !session().cineLoop().isForming(); }));
+    const std::size_t count = session().cineLoop().ring().frameCount(), at = *session().cineLoop().frame();
     QCOMPARE(at + 3, count);
     const std::vector<std::uint8_t> back = pixelsOf(session());
 
@@ -304,24 +305,24 @@ class PicturesTest : public WindowFixture {
     scanForAWhile(3);
     pressKey(Qt::Key_F);
     QVERIFY(bar.isOpen());
-    QVERIFY(session().cine().frameCount() < count);
-    const std::size_t others = session().cine().frameCount();
+    QVERIFY(session().cineLoop().ring().frameCount() < count);
+    const std::size_t others = session().cineLoop().ring().frameCount();
 
     clickOn(0);
     QVERIFY(bar.isOpen());
-    QCOMPARE(session().cine().frameCount(), count);
+    QCOMPARE(session().cineLoop().ring().frameCount(), count);
     QCOMPARE(bar.review().frame(), at);
     QVERIFY(pixelsOf(session()) == back);
     pressKey(Qt::Key_Period);
-    QVERIFY(waitUntil([&] { return !session().isFormingCine(); }));
-    QCOMPARE(*session().cineFrame(), at + 1);
+    QVERIFY(waitUntil([&] { return !session().cineLoop().isForming(); }));
+    QCOMPARE(*session().cineLoop().frame(), at + 1);
     QVERIFY(pixelsOf(session()) != back);
     pressKey(Qt::Key_Comma);
-    QVERIFY(waitUntil([&] { return !session().isFormingCine(); }));
+    QVERIFY(waitUntil([&] { return !session().cineLoop().isForming(); }));
     QVERIFY(pixelsOf(session()) == back);
     pressNext();
-    QCOMPARE(session().cine().frameCount(), others);
-    QCOMPARE(*session().cineFrame(), others - 1);
+    QCOMPARE(session().cineLoop().ring().frameCount(), others);
+    QCOMPARE(*session().cineLoop().frame(), others - 1);
     QCOMPARE(bar.review().frame(), others - 1);
   }
 
@@ -423,7 +424,7 @@ class PicturesTest : public WindowFixture {
     comparesInPixels(calipers(), session(), 70);
     QVERIFY(calipers().picture() != kept(1).calipers().picture());
     QCOMPARE(grid().nameOf(*calipers().picture()), QStringLiteral("1 right"));
-    session().follow(nullptr);
+    session().probeControl().follow(nullptr);
   }
 
   void savedPictureHasAllOfThem() {
@@ -468,7 +469,7 @@ class PicturesTest : public WindowFixture {
     pressKey(Qt::Key_M, Qt::ShiftModifier);
     pressKey(Qt::Key_M, Qt::ShiftModifier);
     QCOMPARE(grid().shown().size(), std::size_t{4});
-    QVERIFY(waitUntil([&] { return !kept(2).session().isFormingCine(); }));
+    QVERIFY(waitUntil([&] { return !kept(2).session().cineLoop().isForming(); }));
     QVERIFY(pixelsOf(kept(2).session()) == third);
   }
 

@@ -450,7 +450,7 @@ class StoringTest : public WindowFixture {
 
   void aClipLeavesAsFilmAndAsDicom() {
     for (int n = 0; n < 5; ++n) {
-      session().refresh();
+      session().frames().ask();
       session().makePictureNow();
       QTest::qWait(20);
     }

@@ -67,26 +67,27 @@ class StripCalipersTest : public WindowFixture {
     Hold hold;
     hold.contact.point_mm = {0.0, -29.0, 0.0};
     hold.contact.outward = {0.0, -1.0, 0.0};
-    session().setHold(hold);
-    Knobs knobs = session().knobs();
+    session().probeControl().setHold(hold);
+    Knobs knobs = session().console().knobs();
     knobs.mode = DisplayMode::both;
     knobs.depth_mm = 60.0;
-    session().setKnobs(knobs);
+    session().console().setKnobs(knobs);
     session().makePictureNow();
     QVERIFY(calipers().hasStrip());
   }
   /// Until the strip shows so much. @return the columns drawn since
   void scanFor(double seconds) const {
     QVERIFY(waitUntil([&] {
-      const MModeStrip& drawn = session().mMode();
-      const int newest = (session().stripCursor() + session().strip().width - 1) % std::max(1, session().strip().width);
+      const MModeStrip& drawn = session().seen().mMode();
+      const int newest =
+          (session().seen().stripCursor() + session().seen().strip().width - 1) % std::max(1, session().seen().strip().width);
       const auto now = drawn.timeOf(newest);
       return now && drawn.columnOf(*now - seconds).has_value();
     }));
   }
   /// How much two columns differ, grey levels.
   [[nodiscard]] double difference(int a, int b) const {
-    const ImageView<const std::uint8_t> drawn = session().strip();
+    const ImageView<const std::uint8_t> drawn = session().seen().strip();
     double sum = 0.0;
     for (int y = 0; y < drawn.height; ++y) sum += std::abs(drawn.at(a, y) - drawn.at(b, y));
     return sum / drawn.height;
@@ -108,8 +109,8 @@ class StripCalipersTest : public WindowFixture {
     find<QSpinBox>("heartBeats")->setValue(3);
     session().setFrozen(true);
     // From any column on: where do three beats later the echoes look the same?
-    const int width = session().strip().width, newest = (session().stripCursor() + width - 1) % width;
-    const double column_s = session().mMode().columnTime_s();
+    const int width = session().seen().strip().width, newest = (session().seen().stripCursor() + width - 1) % width;
+    const double column_s = session().seen().mMode().columnTime_s();
     const auto before = [&](int columns) { return (newest - columns + width) % width; };
     const int first = static_cast<int>(3.2 / column_s);
     int best = 0;
@@ -145,19 +146,19 @@ class StripCalipersTest : public WindowFixture {
     QVERIFY(std::abs(value(FigureKind::heartRate) - rate) < 1e-9);
     // The picture that is saved shows picture, strip, and the results below them.
     const QDateTime at(QDate(2026, 1, 2), QTime(3, 4));
-    QVERIFY(savedPicture(session(), at, &calipers()).height() > 2 * session().strip().height + 40);
+    QVERIFY(savedPicture(session(), at, &calipers()).height() > 2 * session().seen().strip().height + 40);
   }
 
   void timeSlopeAndDepthAreThoseOfTheClicks() {
     showPulse();
     scanFor(2.0);
     session().setFrozen(true);
-    const int width = session().strip().width, newest = (session().stripCursor() + width - 1) % width;
+    const int width = session().seen().strip().width, newest = (session().seen().stripCursor() + width - 1) % width;
     const int right = newest > 150 ? newest - 20 : width - 20, left = right - 100;  // no seam between them
     const QPoint a(left, 30), b(right, 90);
-    const double time_s = 100.0 * session().mMode().columnTime_s();
-    const double depth_mm = 60.0 * session().geometry().depth_mm / (session().strip().height - 1);
-    QVERIFY(session().mMode().timeOf(left) && session().mMode().timeOf(right));
+    const double time_s = 100.0 * session().seen().mMode().columnTime_s();
+    const double depth_mm = 60.0 * session().geometry().depth_mm / (session().seen().strip().height - 1);
+    QVERIFY(session().seen().mMode().timeOf(left) && session().seen().mMode().timeOf(right));
     const auto measure = [&](Qt::Key key) {
       pressKey(key, Qt::AltModifier);
       click(strip(), a);
@@ -194,7 +195,7 @@ class StripCalipersTest : public WindowFixture {
     clickPicture({10.0, 30.0});
     QVERIFY(std::abs(value(FigureKind::length) - 20.0) <= session().geometry().pixel_mm);
     QVERIFY(last().where == Where::picture);
-    const int newest = (session().stripCursor() + session().strip().width - 1) % session().strip().width;
+    const int newest = (session().seen().stripCursor() + session().seen().strip().width - 1) % session().seen().strip().width;
     click(strip(), {newest - 10, 20});
     click(strip(), {newest - 5, 80});
     QCOMPARE(calipers().lines().size(), std::size_t{2});
@@ -214,12 +215,12 @@ class StripCalipersTest : public WindowFixture {
 
   void aLiveCaliperStaysWithItsEchoesAndInTheListWhenTheyHaveLeft() {
     showPulse();
-    Knobs knobs = session().knobs();
+    Knobs knobs = session().console().knobs();
     knobs.mSweep_s = 1.0;
-    session().setKnobs(knobs);
+    session().console().setKnobs(knobs);
     scanFor(0.4);
     pressKey(Qt::Key_6, Qt::AltModifier);
-    const int newest = (session().stripCursor() + session().strip().width - 1) % session().strip().width;
+    const int newest = (session().seen().stripCursor() + session().seen().strip().width - 1) % session().seen().strip().width;
     click(strip(), {std::max(0, newest - 40), 20});
     click(strip(), {std::max(10, newest - 8), 20});
     QVERIFY(!session().isFrozen());
@@ -227,7 +228,7 @@ class StripCalipersTest : public WindowFixture {
     const double duration_s = value(FigureKind::duration);
     const glm::dvec2 point = last().measurement.caliper.parts[0].points[0];
     const QPointF place = strip().placeOf(point);
-    session().refresh();
+    session().frames().ask();
     session().makePictureNow();
     if (!last().hasLeft) QCOMPARE(strip().placeOf(point), place);
     QVERIFY(waitUntil([this] { return last().hasLeft; }));
@@ -237,9 +238,9 @@ class StripCalipersTest : public WindowFixture {
     QVERIFY2(find<QLabel>("measuredHow")->text().contains(QLatin1String("gone on")), qPrintable(find<QLabel>("measuredHow")->text()));
     // Frozen, the cine loop brings them back.
     session().setFrozen(true);
-    const std::size_t then = session().cine().frameAt(point.x + 0.3);
-    session().showCine(then);
-    QVERIFY(waitUntil([this] { return !session().isFormingCine(); }));
+    const std::size_t then = session().cineLoop().ring().frameAt(point.x + 0.3);
+    session().cineLoop().show(then);
+    QVERIFY(waitUntil([this] { return !session().cineLoop().isForming(); }));
     QVERIFY(!last().hasLeft);
     // Another patient takes them away.
     session().show(test::livingSubject());
@@ -254,7 +255,7 @@ class StripCalipersTest : public WindowFixture {
     clickPicture({-30.0, 90.0});
     clickPicture({30.0, 90.0});
     pressKey(Qt::Key_Space);  // on to another plane; its calipers go, what was measured stays
-    session().setHold(turned(session().hold(), 0.0, 0.0, 0.05));
+    session().probeControl().setHold(turned(session().probeControl().hold(), 0.0, 0.0, 0.05));
     session().makePictureNow();
     QCOMPARE(calipers().lines().size(), std::size_t{0});
     pressKey(Qt::Key_4);

@@ -40,14 +40,14 @@ class CineTest : public ConsoleFixture {
   /// Picture and, where there is one, strip.
   [[nodiscard]] std::vector<std::uint8_t> everythingSeen() const {
     std::vector<std::uint8_t> pixels = pixelsOf(session());
-    const ImageView<const std::uint8_t> strip = session().strip();
+    const ImageView<const std::uint8_t> strip = session().seen().strip();
     for (int y = 0; y < strip.height; ++y) pixels.insert(pixels.end(), strip.row(y), strip.row(y) + strip.width);
     return pixels;
   }
   /// Slides and tilts, with noise.
   void scanForAWhile(int frames) const {
     for (int n = 0; n < frames; ++n) {
-      session().setHold(turned(session().hold(), 0.01, 0.0, n % 2 == 0 ? 0.02 : 0.01));
+      session().probeControl().setHold(turned(session().probeControl().hold(), 0.01, 0.0, n % 2 == 0 ? 0.02 : 0.01));
       session().makePictureNow();
       QTest::qWait(2);
     }
@@ -59,12 +59,12 @@ class CineTest : public ConsoleFixture {
     scanForAWhile(frames);
     pressKey(Qt::Key_F);
     QVERIFY(session().isFrozen() && bar().isOpen());
-    QCOMPARE(session().cine().frameCount(), seen_.size());
+    QCOMPARE(session().cineLoop().ring().frameCount(), seen_.size());
   }
   /// What was seen live when the n-th image of the ring was.
-  [[nodiscard]] const Seen& seenAt(std::size_t n) const { return seen_[seen_.size() - session().cine().frameCount() + n]; }
+  [[nodiscard]] const Seen& seenAt(std::size_t n) const { return seen_[seen_.size() - session().cineLoop().ring().frameCount() + n]; }
   void comparesWithWhatWasSeen() const {
-    QVERIFY(waitUntil([this] { return !session().isFormingCine(); }));
+    QVERIFY(waitUntil([this] { return !session().cineLoop().isForming(); }));
     const Seen& was = seenAt(bar().review().frame());
     QVERIFY(session().shownState() == was.state);
     QVERIFY2(everythingSeen() == was.pixels, qPrintable(QStringLiteral("image %1").arg(bar().review().frame())));
@@ -89,7 +89,7 @@ class CineTest : public ConsoleFixture {
     QVERIFY(bar().isVisible() && !find<QLabel>("position")->isVisible());
     QTest::qWait(50);
     QCOMPARE(QSize(session().picture().width(), session().picture().height()), before);
-    const std::size_t last = session().cine().frameCount() - 1;
+    const std::size_t last = session().cineLoop().ring().frameCount() - 1;
     QCOMPARE(bar().review().frame(), last);
     QCOMPARE(everythingSeen(), seenAt(last).pixels);
     for (int n = 0; n < 12; ++n) {
@@ -122,7 +122,7 @@ class CineTest : public ConsoleFixture {
     session().makePictureNow();
     QTest::qWait(50);
     scanAndFreeze(40);
-    const std::size_t last = session().cine().frameCount() - 1;
+    const std::size_t last = session().cineLoop().ring().frameCount() - 1;
     for (const std::size_t frame : {last - 1, last - 2, last - 30, last - 29, last - 5, last}) {
       bar().goTo(frame);
       comparesWithWhatWasSeen();
@@ -131,24 +131,24 @@ class CineTest : public ConsoleFixture {
 
   void theWheelAndTheTimeLineGoThroughTheImages() {
     scanAndFreeze(30);
-    const std::size_t last = session().cine().frameCount() - 1;
+    const std::size_t last = session().cineLoop().ring().frameCount() - 1;
     const auto wheel = [this](int notches) {
       const QPointF middle(window_->scanView().rect().center());
       QWheelEvent event(middle, window_->scanView().mapToGlobal(middle.toPoint()), {}, {0, notches * 120}, Qt::NoButton, Qt::NoModifier,
                         Qt::NoScrollPhase, false);
       QApplication::sendEvent(&window_->scanView(), &event);
     };
-    const Hold before = session().hold();
+    const Hold before = session().probeControl().hold();
     wheel(3);
     QCOMPARE(bar().review().frame(), last - 3);
     wheel(-1);
     QCOMPARE(bar().review().frame(), last - 2);
-    QVERIFY2(session().hold() == before, "the probe rests");
+    QVERIFY2(session().probeControl().hold() == before, "the probe rests");
     comparesWithWhatWasSeen();
     auto* line = find<TimeLine>("cineLine");
     QTest::mouseClick(line, Qt::LeftButton, Qt::NoModifier, QPoint(line->width() / 2, line->height() / 2));
-    const double middle_s = session().cine().frameTime_s(0) + 0.5 * session().cine().length_s();
-    QVERIFY(std::abs(session().shownState().time_s - middle_s) < 0.1 * session().cine().length_s());
+    const double middle_s = session().cineLoop().ring().frameTime_s(0) + 0.5 * session().cineLoop().ring().length_s();
+    QVERIFY(std::abs(session().shownState().time_s - middle_s) < 0.1 * session().cineLoop().ring().length_s());
     comparesWithWhatWasSeen();
     const std::size_t here = bar().review().frame();
     QTest::keyClick(line, Qt::Key_Left);
@@ -157,7 +157,7 @@ class CineTest : public ConsoleFixture {
 
   void itPlaysInALoopBetweenTheMarks() {
     scanAndFreeze(30);
-    const std::size_t last = session().cine().frameCount() - 1;
+    const std::size_t last = session().cineLoop().ring().frameCount() - 1;
     pressKey(Qt::Key_Left, Qt::ShiftModifier);
     pressKey(Qt::Key_O, Qt::ShiftModifier);
     pressKey(Qt::Key_Left, Qt::ShiftModifier);
@@ -191,7 +191,7 @@ class CineTest : public ConsoleFixture {
 
   void whatRunsIsSavedAndPlaysAgain() {
     scanAndFreeze(30);
-    const std::size_t last = session().cine().frameCount() - 1;
+    const std::size_t last = session().cineLoop().ring().frameCount() - 1;
     bar().goTo(last - 4);
     find<QPushButton>("cineOut")->click();
     bar().goTo(last - 14);
@@ -209,14 +209,14 @@ class CineTest : public ConsoleFixture {
     QCOMPARE(saved->log.frameCount(), std::size_t{11});
     QVERIFY(saved->log.frame(0) == seenAt(last - 14).state);
     const std::vector<std::uint8_t> first = seenAt(last - 14).pixels;
-    const double scanned_s = session().now_s();
+    const double scanned_s = session().frames().now_s();
     window_->open(file);
     QVERIFY(waitUntil([this] { return window_->replayBar().recording() != nullptr && window_->isSettled(); }));
     QVERIFY2(!bar().isOpen() && !session().isFrozen(), "a recording takes the place of the frozen scan");
     window_->replayBar().unload();
     session().makePictureNow();
     pressKey(Qt::Key_F);
-    QVERIFY2(session().cine().frameTime_s(0) > scanned_s, "the scan before the recording is another one");
+    QVERIFY2(session().cineLoop().ring().frameTime_s(0) > scanned_s, "the scan before the recording is another one");
   }
 
   void letRunItBeginsAnewAndSoDoesAnotherCase() {
@@ -226,19 +226,19 @@ class CineTest : public ConsoleFixture {
     QVERIFY(!session().isFrozen() && !bar().isOpen());
     QVERIFY(find<QLabel>("position")->isVisible());
     session().makePictureNow();
-    QVERIFY2(session().picturePose() == session().pose(), "the scan runs where the hand is");
+    QVERIFY2(session().picturePose() == session().probeControl().pose(), "the scan runs where the hand is");
     seen_.clear();
     scanForAWhile(8);
     pressKey(Qt::Key_F);
     QVERIFY(bar().isOpen());
-    QCOMPARE(session().cine().frameCount(), seen_.size() + 1);
-    bar().goTo(session().cine().frameCount() - 5);
+    QCOMPARE(session().cineLoop().ring().frameCount(), seen_.size() + 1);
+    bar().goTo(session().cineLoop().ring().frameCount() - 5);
     comparesWithWhatWasSeen();
-    const double before_s = session().now_s();
+    const double before_s = session().frames().now_s();
     QVERIFY(openCase(files_.writeCase(QStringLiteral("next"))));
     QVERIFY(!session().isFrozen() && !bar().isOpen());
     session().makePictureNow();
-    QVERIFY(session().cine().frameTime_s(0) > before_s);
+    QVERIFY(session().cineLoop().ring().frameTime_s(0) > before_s);
   }
 
   void whatWasScannedStaysWhereItWasWhenTheVolumeIsMoved() {

@@ -46,14 +46,14 @@ class ConsoleTest : public ConsoleFixture {
     linear.carrier_hz = 7.5e6;
     linear.maxSteering_rad = glm::radians(20.0);
     linear.trapezoidHalfAngle_rad = glm::radians(10.0);
-    std::vector<Probe> all = session().probes();
+    std::vector<Probe> all = session().console().probes();
     all.push_back(linear);
     ScanSubject subject = *session().subject();
     for (const Probe& probe : all) subject.probes.push_back(probe.id);
-    session().setProbes(all);
+    session().console().setProbes(all);
     session().show(subject);
-    session().chooseProbe("test-linear");
-    QCOMPARE(session().probe().id, std::string("test-linear"));
+    session().console().chooseProbe("test-linear");
+    QCOMPARE(session().console().probe().id, std::string("test-linear"));
   }
   void checkNothingIsClipped() const {
     for (const QLabel* label : window_->findChildren<QLabel*>()) {
@@ -156,11 +156,11 @@ class ConsoleTest : public ConsoleFixture {
     press("foci1");
     QVERIFY(knobs().moreFoci_mm == Knobs{}.moreFoci_mm);
 
-    QVERIFY(!session().isAdaptive());  // the fixture switched it off
+    QVERIFY(!session().frames().isAdaptive());  // the fixture switched it off
     press("adaptive");
-    QVERIFY(session().isAdaptive());
+    QVERIFY(session().frames().isAdaptive());
     press("adaptive");
-    QVERIFY(!session().isAdaptive());
+    QVERIFY(!session().frames().isAdaptive());
     press("freeze");
     QVERIFY(session().isFrozen());
   }
@@ -221,12 +221,12 @@ class ConsoleTest : public ConsoleFixture {
     choose("frequency", 1);
     QCOMPARE(knobs().carrier_hz, 0.0);  // the probe's own
     session().makePictureNow();
-    const auto steered = session().spans();
+    const auto steered = session().seen().spans();
     press("trapezoid");
     QVERIFY(knobs().trapezoid);
     QVERIFY2(!find<QSlider>("steering")->isEnabled(), "a trapezoid does not steer");
     session().makePictureNow();
-    QVERIFY(session().spans() != steered);
+    QVERIFY(session().seen().spans() != steered);
   }
 
   void liveEchoesOfARecordedVolumeBeginOnceItsLevelIsFound() {
@@ -237,7 +237,7 @@ class ConsoleTest : public ConsoleFixture {
     QVERIFY(find<QCheckBox>("effect_live_echoes")->isChecked());
     QVERIFY2(!find<QCheckBox>("harmonic")->isEnabled() && !find<QAbstractButton>("compound3")->isEnabled(), "its grain is one machine's");
     session().makePictureNow();
-    const auto& steps = session().plan().steps;
+    const auto& steps = session().seen().plan().steps;
     QVERIFY(std::any_of(steps.begin(), steps.end(), [](const Step& step) { return step.kind == StepKind::scatterers; }));
     pressEffect("live_echoes");
     QVERIFY(!scene().liveEchoes);
@@ -287,9 +287,9 @@ class ConsoleTest : public ConsoleFixture {
       QVERIFY2(pixelsOf(session()) == before, effect);
     }
     // A probe held off the skin shows it only when the scene has contact.
-    Hold lifted = session().hold();
+    Hold lifted = session().probeControl().hold();
     lifted.press_mm = 0.0;
-    session().setHold(turned(lifted, 0.0, 0.6, 0.0));
+    session().probeControl().setHold(turned(lifted, 0.0, 0.6, 0.0));
     session().makePictureNow();
     const std::vector<std::uint8_t> touching = pixelsOf(session());
     pressEffect("contact");

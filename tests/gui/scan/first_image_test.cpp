@@ -41,7 +41,7 @@ class FirstImageTest : public WindowFixture {
     window_ = std::make_unique<MainWindow>();
     window_->resize(1280, 720);
     window_->show();
-    session().setAdaptive(false);
+    session().frames().setAdaptive(false);
     QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
     QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }, kPatience_ms));
   }
@@ -80,18 +80,18 @@ class FirstImageTest : public WindowFixture {
     QVERIFY(session().subject()->isDraft);
     session().setFrozen(false);
 
-    Knobs turned = session().knobs();
+    Knobs turned = session().console().knobs();
     turned.gain_db = 3.0;
-    session().setKnobs(turned);
-    const Hold hold = session().hold();
-    const Scene scene = session().scene();
+    session().console().setKnobs(turned);
+    const Hold hold = session().probeControl().hold();
+    const Scene scene = session().console().scene();
     QSignalSpy replaced(&session(), &Session::subjectReplaced), another(&session(), &Session::patientReplaced);
     QVERIFY(waitUntil([&] { return !session().subject()->isDraft; }, kPatience_ms));
     QCOMPARE(replaced.count(), 0);
     QCOMPARE(another.count(), 0);
-    QVERIFY(session().knobs() == turned);
-    QVERIFY(session().hold() == hold);
-    QVERIFY(session().scene() == scene);
+    QVERIFY(session().console().knobs() == turned);
+    QVERIFY(session().probeControl().hold() == hold);
+    QVERIFY(session().console().scene() == scene);
     QVERIFY(!window_->messages().text().contains(QStringLiteral("finer")));
 
     // ... and is what whoever opens the case afterwards scans.
@@ -114,22 +114,22 @@ class FirstImageTest : public WindowFixture {
       QVERIFY2(button != nullptr && button->isEnabled(), name);
       button->click();
     };
-    Knobs linear = session().knobs();
+    Knobs linear = session().console().knobs();
     linear.quality = Quality::linear;
-    session().setKnobs(linear);
+    session().console().setKnobs(linear);
     const GreyImage once = picture();
     press("compound3");
-    QCOMPARE(session().knobs().compoundAngles, 3);
+    QCOMPARE(session().console().knobs().compoundAngles, 3);
     QVERIFY(picture() != once);
     press("compound1");
     QVERIFY(picture() == once);
     press("harmonic");
-    QVERIFY(session().knobs().harmonic);
+    QVERIFY(session().console().knobs().harmonic);
     QVERIFY(picture() != once);
     press("harmonic");
     QVERIFY(picture() == once);
     linear.quality = Quality::weave;
-    session().setKnobs(linear);
+    session().console().setKnobs(linear);
     QVERIFY2(!find<QAbstractButton>("compound3")->isEnabled(), "the fast quality follows the hand");
   }
 

@@ -19,12 +19,12 @@ class FrozenImageTest : public ConsoleFixture {
     QTest::keyClick(&window_->scanView(), key, modifiers);
   }
   void settle() const {
-    QVERIFY(waitUntil([this] { return !session().isFormingCine(); }));
+    QVERIFY(waitUntil([this] { return !session().cineLoop().isForming(); }));
     QTest::qWait(30);
   }
   void scanAndFreeze(int frames = 12) const {
     for (int n = 0; n < frames; ++n) {
-      session().setHold(turned(session().hold(), 0.01, 0.0, 0.01));
+      session().probeControl().setHold(turned(session().probeControl().hold(), 0.01, 0.0, 0.01));
       session().makePictureNow();
       QTest::qWait(2);
     }
@@ -103,7 +103,7 @@ class FrozenImageTest : public ConsoleFixture {
     bar.goTo(7);
     settle();
     const auto seventh = pixelsOf(session());
-    const ScanState kept = session().cine().frame(7);
+    const ScanState kept = session().cineLoop().ring().frame(7);
     const int map = static_cast<int>(knobs().greyMap);
     press("greyBright");
     pressKey(Qt::Key_X);
@@ -113,11 +113,11 @@ class FrozenImageTest : public ConsoleFixture {
     settle();
     QVERIFY(pixelsOf(session()) != third && !session().geometry().markerLeft);
     QCOMPARE(session().pictureKnobs().greyMap, GreyMap::bright);
-    QVERIFY2(session().cine().frame(7) == kept, "the ring stays as it was scanned");
+    QVERIFY2(session().cineLoop().ring().frame(7) == kept, "the ring stays as it was scanned");
     pressKey(Qt::Key_X);
     Knobs back = knobs();
     back.greyMap = static_cast<GreyMap>(map);
-    session().setKnobs(back);
+    session().console().setKnobs(back);
     settle();
     QCOMPARE(pixelsOf(session()), third);
     bar.goTo(7);
@@ -139,7 +139,7 @@ class FrozenImageTest : public ConsoleFixture {
     const double length_mm = calipers.lines()[0].measured.figures[0].quantity.value;
     QVERIFY(std::abs(length_mm - std::hypot(45.0, 30.0)) < 1e-9);
     pressKey(Qt::Key_X);
-    session().setDetail(3.0, {5.0, -10.0});
+    session().console().setDetail(3.0, {5.0, -10.0});
     settle();
     QCOMPARE(calipers.lines().size(), std::size_t{1});
     QCOMPARE(calipers.lines()[0].measured.figures[0].quantity.value, length_mm);
@@ -155,7 +155,7 @@ class FrozenImageTest : public ConsoleFixture {
     for (const bool isFrozen : {false, true}) {
       if (isFrozen) scanAndFreeze();
       const DisplayGeometry whole = session().geometry();
-      const auto framesBefore = session().framesMade();
+      const auto framesBefore = session().frames().framesMade();
       pressKey(Qt::Key_O);
       QVERIFY(box().isDrawing() && box().isVisible());
       const QRect drawn = middleBox({-30, 25});
@@ -165,35 +165,36 @@ class FrozenImageTest : public ConsoleFixture {
       QVERIFY(!box().isDrawing());
       session().makePictureNow();
       settle();
-      QVERIFY(session().framesMade() > framesBefore);
-      QVERIFY2(std::abs(session().detail().zoom - 2.0) < 0.02, qPrintable(QString::number(session().detail().zoom)));
-      QVERIFY(std::abs(session().geometry().pixel_mm - whole.pixel_mm / session().detail().zoom) < 1e-6);
+      QVERIFY(session().frames().framesMade() > framesBefore);
+      QVERIFY2(std::abs(session().console().detail().zoom - 2.0) < 0.02, qPrintable(QString::number(session().console().detail().zoom)));
+      QVERIFY(std::abs(session().geometry().pixel_mm - whole.pixel_mm / session().console().detail().zoom) < 1e-6);
       const QPointF at = scan.positionOf(middle) - QPointF(scan.pictureRect().topLeft());
       QVERIFY2(std::hypot(at.x() - box().width() / 2.0, at.y() - box().height() / 2.0) < 2.5,
                qPrintable(QStringLiteral("%1 %2").arg(at.x()).arg(at.y())));
       QVERIFY(overview().isVisible());
       QVERIFY(waitUntil([this] { return overview().isUpToDate() && !overview().image().isNull(); }));
       const QRectF part = overview().box();
-      QVERIFY2(std::abs(part.width() - overview().width() / session().detail().zoom) < 1.5, qPrintable(QString::number(part.width())));
+      QVERIFY2(std::abs(part.width() - overview().width() / session().console().detail().zoom) < 1.5,
+               qPrintable(QString::number(part.width())));
       // A drag in the overview moves the detail there.
-      const Pan before = session().detail().pan;
+      const Pan before = session().console().detail().pan;
       drag(overview(), part.center().toPoint(), part.center().toPoint() + QPoint(8, 6));
       session().makePictureNow();
       settle();
-      QVERIFY(!(session().detail().pan == before));
+      QVERIFY(!(session().console().detail().pan == before));
       QVERIFY2(
           std::abs(overview().box().center().x() - part.center().x() - 8.0) < 2.0,
           qPrintable(QStringLiteral("%1 from %2 of %3").arg(overview().box().center().x()).arg(part.center().x()).arg(overview().width())));
       // So does one in the image.
-      const Pan there = session().detail().pan;
+      const Pan there = session().console().detail().pan;
       drag(window_->scanView(), scan.pictureRect().center(), scan.pictureRect().center() + QPoint(20, 10));
       session().makePictureNow();
       settle();
-      QVERIFY(!(session().detail().pan == there));
+      QVERIFY(!(session().console().detail().pan == there));
       pressKey(Qt::Key_Backspace, Qt::ControlModifier);
       session().makePictureNow();
       settle();
-      QCOMPARE(session().detail().zoom, 1.0);
+      QCOMPARE(session().console().detail().zoom, 1.0);
       QVERIFY(session().geometry() == whole && !overview().isVisible());
     }
   }

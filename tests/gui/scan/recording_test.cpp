@@ -42,11 +42,11 @@ class RecordingTest : public WindowFixture {
       seen.pictures.push_back(pixelsOf(session()));
     });
     for (int n = 0; n < 24; ++n) {
-      session().setHold(turned(session().hold(), 0.01, 0.0, n % 2 == 0 ? 0.02 : 0.01));
-      Knobs knobs = session().knobs();
+      session().probeControl().setHold(turned(session().probeControl().hold(), 0.01, 0.0, n % 2 == 0 ? 0.02 : 0.01));
+      Knobs knobs = session().console().knobs();
       if (n % 5 == 0) knobs.gain = 0.8 + 0.05 * n;
       if (n == 8) knobs.persistence = 0.5;
-      session().setKnobs(knobs);
+      session().console().setKnobs(knobs);
       session().makePictureNow();
     }
     disconnect(look);
@@ -95,17 +95,17 @@ class RecordingTest : public WindowFixture {
   void aRecordingIsPlayedWhileHandAndConsoleRest() {
     toggleRecording();
     scanForAWhile();
-    const Hold after = session().hold();
-    const Knobs knobsAfter = session().knobs();
+    const Hold after = session().probeControl().hold();
+    const Knobs knobsAfter = session().console().knobs();
     toggleRecording();
     QVERIFY(session().isPlaying() && !bar().isPlaying());
     // At rest on the first picture: the console shows what was set then, and the probe stands where it stood.
     session().makePictureNow();
-    QCOMPARE(session().knobs().persistence, 0.0);
+    QCOMPARE(session().console().knobs().persistence, 0.0);
     QVERIFY(session().picturePose() == bar().recording()->log.frame(0).pose);
     QVERIFY(!window_->console().isEnabled());
     pressKey(Qt::Key_Left);
-    QVERIFY(session().hold() == after);
+    QVERIFY(session().probeControl().hold() == after);
     QVERIFY(!window_->scanView().said().isEmpty());
 
     find<QComboBox>("replaySpeed")->setCurrentIndex(4);
@@ -115,7 +115,7 @@ class RecordingTest : public WindowFixture {
     QCOMPARE(bar().position_s(), bar().length_s());
     session().makePictureNow();
     QVERIFY(session().picturePose() == bar().recording()->log.frame(bar().recording()->log.frameCount() - 1).pose);
-    QCOMPARE(session().knobs().persistence, 0.5);
+    QCOMPARE(session().console().knobs().persistence, 0.5);
 
     find<QPushButton>("replayLoop")->setChecked(true);
     pressKey(Qt::Key_Space);
@@ -131,10 +131,10 @@ class RecordingTest : public WindowFixture {
     closeByEscape();
     QVERIFY(bar().recording() == nullptr);
     QVERIFY(!bar().isVisible() && !session().isPlaying());
-    QVERIFY2(session().hold() == after && session().knobs() == knobsAfter, "as they were before it was played");
+    QVERIFY2(session().probeControl().hold() == after && session().console().knobs() == knobsAfter, "as they were before it was played");
     QVERIFY(window_->console().isEnabled());
     pressKey(Qt::Key_Left);
-    QVERIFY(!(session().hold() == after));
+    QVERIFY(!(session().probeControl().hold() == after));
   }
 
   void theTimeLineGoesWhereItIsClicked() {
@@ -235,7 +235,7 @@ class RecordingTest : public WindowFixture {
     scanForAWhile();
     pressKey(Qt::Key_Space);
     QVERIFY(session().isFrozen());
-    const double frozen_s = session().now_s();
+    const double frozen_s = session().frames().now_s();
     QTest::qWait(50);
     pressKey(Qt::Key_Space);
     QVERIFY(!session().isFrozen());

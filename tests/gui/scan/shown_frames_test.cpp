@@ -26,10 +26,10 @@ class ShownFramesTest : public ConsoleFixture {
   }
   /// Whether no more frames come: those that were due may come late.
   [[nodiscard]] bool comesToRest() const {
-    std::uint64_t frames = session().framesMade();
+    std::uint64_t frames = session().frames().framesMade();
     return waitUntil([&] {
       QTest::qWait(200);
-      return std::exchange(frames, session().framesMade()) == frames;
+      return std::exchange(frames, session().frames().framesMade()) == frames;
     });
   }
 
@@ -103,26 +103,27 @@ class ShownFramesTest : public ConsoleFixture {
 
   void slowFramesLowerTheQualityOfAMovingProbeAndRestBringsItBack() {
     press("qualityCubic");
-    session().setAdaptive(true);
-    session().setAdaptiveOptions(strict());
+    session().frames().setAdaptive(true);
+    session().frames().setAdaptiveOptions(strict());
     session().makePictureNow();
     // A lowered quality may be back before the next look, so each frame is looked at.
     bool fell = false;
-    const auto looking = connect(&session(), &Session::pictureChanged, this,
-                                 [&] { fell = fell || (session().isLowered() && session().usedKnobs().quality != Quality::cubic); });
+    const auto looking = connect(&session(), &Session::pictureChanged, this, [&] {
+      fell = fell || (session().frames().isLowered() && session().shownState().knobs.quality != Quality::cubic);
+    });
     for (int n = 0; n < 1000 && !fell; ++n) {
-      Hold moved = session().hold();
+      Hold moved = session().probeControl().hold();
       moved.contact.point_mm.x += n % 2 == 0 ? 6.0 : -6.0;
-      session().setHold(moved);
+      session().probeControl().setHold(moved);
       QTest::qWait(15);
     }
     disconnect(looking);
     QVERIFY2(fell, "the quality did not fall");
     QVERIFY(knobs().quality == Quality::cubic);
-    QVERIFY2(waitUntil([this] { return !session().isLowered(); }), "the quality did not come back at rest");
-    QVERIFY(session().usedKnobs().quality == Quality::cubic);
+    QVERIFY2(waitUntil([this] { return !session().frames().isLowered(); }), "the quality did not come back at rest");
+    QVERIFY(session().shownState().knobs.quality == Quality::cubic);
     const std::vector<std::uint8_t> refined = pixelsOf(session());
-    session().setAdaptive(false);
+    session().frames().setAdaptive(false);
     session().makePictureNow();
     QCOMPARE(pixelsOf(session()), refined);
   }
@@ -130,22 +131,22 @@ class ShownFramesTest : public ConsoleFixture {
   void aFrozenPictureIsMadeInFullAndStaysAsItIs() {
     press("qualityCubic");
     pressEffect("noise");
-    session().setAdaptive(true);
-    session().setAdaptiveOptions(strict());
+    session().frames().setAdaptive(true);
+    session().frames().setAdaptiveOptions(strict());
     for (int n = 0; n < 12; ++n) {
-      Hold moved = session().hold();
+      Hold moved = session().probeControl().hold();
       moved.contact.point_mm.x += 6.0;
-      session().setHold(moved);
+      session().probeControl().setHold(moved);
       QTest::qWait(10);
     }
     session().setFrozen(true);
-    QVERIFY(session().usedKnobs() == session().pictureKnobs());
+    QVERIFY(session().shownState().knobs == session().pictureKnobs());
     const std::vector<std::uint8_t> held = pixelsOf(session());
-    const std::uint64_t frames = session().framesMade();
+    const std::uint64_t frames = session().frames().framesMade();
     pressEffect("attenuation");
     QTest::qWait(200);
     QCOMPARE(pixelsOf(session()), held);
-    QVERIFY2(session().framesMade() == frames, "a frozen picture makes no frames");
+    QVERIFY2(session().frames().framesMade() == frames, "a frozen picture makes no frames");
     // Another size and back gives the same pixels: the same noise, the same scene.
     const DisplayGeometry was = session().geometry();
     session().setPictureSize(was.width / 2, was.height / 2);
@@ -158,14 +159,14 @@ class ShownFramesTest : public ConsoleFixture {
   void framesComeByThemselvesOnlyWhileSomethingChangesByItself() {
     QVERIFY(comesToRest());
     pressEffect("noise");
-    const std::uint64_t frames = session().framesMade();
-    QVERIFY(waitUntil([&] { return session().framesMade() > frames; }));
+    const std::uint64_t frames = session().frames().framesMade();
+    QVERIFY(waitUntil([&] { return session().frames().framesMade() > frames; }));
     const std::vector<std::uint8_t> before = pixelsOf(session());
-    QVERIFY(waitUntil([&] { return session().framesMade() >= frames + 4; }));
+    QVERIFY(waitUntil([&] { return session().frames().framesMade() >= frames + 4; }));
     QVERIFY2(pixelsOf(session()) != before, "noise does not move");
     pressEffect("noise");
     slide("persistence", 50);
-    session().setHold(turned(session().hold(), 0.2, 0.0, 0.0));
+    session().probeControl().setHold(turned(session().probeControl().hold(), 0.2, 0.0, 0.0));
     session().makePictureNow();
     QVERIFY(session().changesByItself());
     QVERIFY(waitUntil([this] { return !session().changesByItself(); }));
@@ -189,7 +190,7 @@ class ShownFramesTest : public ConsoleFixture {
     Hold hold;
     hold.contact.point_mm = {0.0, -29.0, 0.0};
     hold.contact.outward = {0.0, -1.0, 0.0};
-    session().setHold(hold);
+    session().probeControl().setHold(hold);
     session().makePictureNow();
     const auto changes = [this] {
       const std::vector<std::uint8_t> before = pixelsOf(session());
@@ -197,49 +198,49 @@ class ShownFramesTest : public ConsoleFixture {
     };
     QVERIFY2(changes() && changes(), "nobody touches anything, and the patient breathes");
     QTest::keyClick(&window_->scanView(), Qt::Key_C, Qt::ShiftModifier);
-    QVERIFY(session().breathing() == BreathingRequest::breatheInAndHold);
+    QVERIFY(session().breath().asked() == BreathingRequest::breatheInAndHold);
     QVERIFY2(comesToRest(), "who holds the breath stands still");
     QCOMPARE(session().shownState().body.breath, 1.0);
     const std::vector<std::uint8_t> breathedIn = pixelsOf(session());
     QTest::keyClick(&window_->scanView(), Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
-    QVERIFY(session().breathing() == BreathingRequest::breatheOutAndHold && comesToRest());
+    QVERIFY(session().breath().asked() == BreathingRequest::breatheOutAndHold && comesToRest());
     QCOMPARE(session().shownState().body, BodyState{});
     QVERIFY(pixelsOf(session()) != breathedIn);
     QTest::keyClick(&window_->scanView(), Qt::Key_C);
-    QVERIFY(session().breathing() == BreathingRequest::free && changes());
+    QVERIFY(session().breath().asked() == BreathingRequest::free && changes());
     // Frozen, the body stands in the image and goes on breathing behind it.
     session().setFrozen(true);
     const std::vector<std::uint8_t> frozen = pixelsOf(session());
-    const std::uint64_t frames = session().framesMade();
+    const std::uint64_t frames = session().frames().framesMade();
     QTest::qWait(300);
-    QVERIFY(session().framesMade() == frames && pixelsOf(session()) == frozen);
+    QVERIFY(session().frames().framesMade() == frames && pixelsOf(session()) == frozen);
     session().setFrozen(false);
     QVERIFY(changes());
     pressEffect("motion");
     QVERIFY(comesToRest());
     QCOMPARE(session().shownState().body, BodyState{});
-    QVERIFY(session().whyBreathingIsNotSeen() != nullptr);
+    QVERIFY(session().breath().whyItIsNotSeen() != nullptr);
   }
 
   /// What is said of a breath that does not show is what the program knows: nobody said how the patient was recorded.
   void ofARecordedCaseThatSaysNothingNoBreathIsInvented() {
     QVERIFY2(!session().subject()->motion, "the case names a volume, and no word about breath");
     press("modeBoth");
-    QVERIFY(waitUntil([this] { return session().strip().width > 0; }));
+    QVERIFY(waitUntil([this] { return session().seen().strip().width > 0; }));
     QVERIFY2(!window_->messages().text().contains(QStringLiteral("breath")), qPrintable(window_->messages().text()));
     for (const auto& modifiers : {Qt::KeyboardModifiers(Qt::ShiftModifier), Qt::ControlModifier | Qt::ShiftModifier}) {
       QTest::keyClick(&window_->scanView(), Qt::Key_C, modifiers);
       QCOMPARE(window_->messages().text(),
                QStringLiteral("Nothing that is scanned here moves with the breath, so the image stays as it is."));
-      QVERIFY(session().breathing() == BreathingRequest::free);
+      QVERIFY(session().breath().asked() == BreathingRequest::free);
     }
   }
 
   void theMModeStripFillsAndItsLineFollowsTheKnob() {
     press("modeBoth");
-    QVERIFY(waitUntil([this] { return session().strip().width > 0; }));
+    QVERIFY(waitUntil([this] { return session().seen().strip().width > 0; }));
     QVERIFY(waitUntil([this] {
-      const ImageView<const std::uint8_t> strip = session().strip();
+      const ImageView<const std::uint8_t> strip = session().seen().strip();
       for (int y = 0; y < strip.height; ++y) {
         if (std::any_of(strip.row(y), strip.row(y) + strip.width, [](std::uint8_t grey) { return grey > 0; })) return true;
       }
@@ -249,28 +250,28 @@ class ShownFramesTest : public ConsoleFixture {
     const QRect strip = window_->scanView().stripRect();
     QCOMPARE(strip.size(), picture.size());
     QVERIFY(strip.top() > picture.bottom());
-    const int cursor = session().stripCursor();
-    QVERIFY(waitUntil([&] { return session().stripCursor() != cursor; }));
-    QVERIFY(session().latency().count() < 1000);
+    const int cursor = session().seen().stripCursor();
+    QVERIFY(waitUntil([&] { return session().seen().stripCursor() != cursor; }));
+    QVERIFY(session().frames().latency().count() < 1000);
     press("modeM");
     QTest::qWait(100);
     QCOMPARE(window_->scanView().stripRect(), window_->scanView().pictureRect());
     press("modeB");
     session().makePictureNow();
     QVERIFY(window_->scanView().stripRect().isEmpty());
-    QCOMPARE(session().strip().width, 0);
+    QCOMPARE(session().seen().strip().width, 0);
   }
 
   void theStatusLineTellsThePlanAndHowLongPicturesTook() {
     everythingOn();
     for (int n = 0; n < 3; ++n) {
-      session().setHold(turned(session().hold(), 0.05, 0.0, 0.0));
+      session().probeControl().setHold(turned(session().probeControl().hold(), 0.05, 0.0, 0.0));
       QTest::qWait(30);
     }
-    QVERIFY(waitUntil([this] { return session().latency().count() >= 3; }));
+    QVERIFY(waitUntil([this] { return session().frames().latency().count() >= 3; }));
     QVERIFY(waitUntil([this] { return find<QLabel>("plan")->toolTip().contains(QStringLiteral("99 %")); }));
     // The line is written a moment after the picture, so it may still tell the plan before.
-    for (const Step& step : session().plan().steps)
+    for (const Step& step : session().seen().plan().steps)
       QVERIFY2(waitUntil([&] { return find<QLabel>("plan")->toolTip().contains(nameOfStep(step.kind)); }), nameOf(step.kind));
   }
 };

@@ -77,7 +77,7 @@ class SourceTest : public WindowFixture {
     const auto pictureToWorld = session().picturePose().probeToWorld * session().geometry().imageToProbe();
     std::vector<Spot> found;
     for (int y = 4; y < session().geometry().height; y += 16) {
-      for (const RowSpan& run : session().spans()[static_cast<std::size_t>(y)]) {
+      for (const RowSpan& run : session().seen().spans()[static_cast<std::size_t>(y)]) {
         for (int x = run.begin + 2; x < run.end - 2; x += 24) {
           const auto at = pictureToWorld * Point<frame::Image>{{x, y, 0.0}};
           const glm::dvec3 recorded = (subject.voxels.volume()->grid.voxelToWorld() * (subject.placedGrid.worldToVoxel() * at)).at;
@@ -113,7 +113,7 @@ class SourceTest : public WindowFixture {
   void altClickShowsTheFrameHoweverThePictureIsTurnedAndZoomed() {
     QVERIFY(importSweep(files_.writeSweep(QStringLiteral("turned.igs.mha")), true));
     QCOMPARE(session().subject()->provenance->frames.size(), std::size_t{24});
-    Knobs usual = session().knobs();
+    Knobs usual = session().console().knobs();
     usual.depth_mm = 60.0;
     int looks = 0;
     for (const bool flipped : {false, true}) {
@@ -123,7 +123,7 @@ class SourceTest : public WindowFixture {
           knobs.markerLeft = flipped != usual.markerLeft;
           knobs.upsideDown = upsideDown;
           knobs.zoom = zoom;
-          session().setKnobs(knobs);
+          session().console().setKnobs(knobs);
           session().makePictureNow();
           const std::vector<Spot> all = spots();
           if (all.empty()) continue;
@@ -138,10 +138,10 @@ class SourceTest : public WindowFixture {
     QVERIFY2(looks >= 6, qPrintable(QString::number(looks)));
     // Beams give the same picture plane as the display path.
     Knobs knobs = usual;
-    session().setKnobs(knobs);
-    Scene scene = session().scene();
+    session().console().setKnobs(knobs);
+    Scene scene = session().console().scene();
     scene.focus.emplace();
-    session().setScene(scene);
+    session().console().setScene(scene);
     session().makePictureNow();
     const std::vector<Spot> all = spots();
     QVERIFY(!all.empty());
@@ -174,7 +174,7 @@ class SourceTest : public WindowFixture {
 
   void theKeyboardAsksWithoutAMouseAndTheProbeStaysWhereItIs() {
     QVERIFY(importSweep(files_.writeSweep(QStringLiteral("keys.igs.mha")), true));
-    const Hold before = session().hold();
+    const Hold before = session().probeControl().hold();
     QTest::keyClick(&window_->scanView(), Qt::Key_I);
     QVERIFY(waitUntil([this] { return picker().isPicking(); }));
     QTest::mouseClick(&picker(), Qt::LeftButton, Qt::NoModifier, picker().rect().center());
@@ -184,12 +184,12 @@ class SourceTest : public WindowFixture {
     QTest::keyClick(&picker(), Qt::Key_Down);
     QTest::keyClick(&picker(), Qt::Key_Return);
     QCOMPARE(*picker().mark(), first + QPoint(4, 4));
-    QVERIFY(session().hold() == before);
+    QVERIFY(session().probeControl().hold() == before);
     QTest::keyClick(&picker(), Qt::Key_Escape);
     QVERIFY(!picker().isPicking());
     // The mark alone leaves the mouse to the probe, and goes when the plane does.
     QTest::keyClick(&window_->scanView(), Qt::Key_Q);
-    QVERIFY(!(session().hold() == before));
+    QVERIFY(!(session().probeControl().hold() == before));
     session().makePictureNow();
     QVERIFY(!picker().mark().has_value());
   }
@@ -218,7 +218,7 @@ class SourceTest : public WindowFixture {
     const QString sweep = files_.writeSweep(QStringLiteral("gone.igs.mha"));
     QVERIFY(importSweep(sweep, true));
     // The fan reaches deeper than the 40 mm of the sweep.
-    const Spans& fan = session().spans();
+    const Spans& fan = session().seen().spans();
     std::size_t low = fan.size() - 1;
     while (low > 0 && (fan[low].empty() || fan[low].front().end - fan[low].front().begin < 8)) --low;
     QVERIFY(low > 0);

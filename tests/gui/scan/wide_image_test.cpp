@@ -32,7 +32,7 @@ class WideImageTest : public ConsoleFixture {
     probeToWorld.matrix[1] = {0.0, c, s, 0.0};
     probeToWorld.matrix[2] = {0.0, -s, c, 0.0};
     probeToWorld.matrix[3] = {x_mm, -100.0, z_mm, 1.0};
-    session().follow(std::make_shared<PosePath>(std::vector<TimedPose>{{0.0, {probeToWorld, PoseStatus::ok}}}));
+    session().probeControl().follow(std::make_shared<PosePath>(std::vector<TimedPose>{{0.0, {probeToWorld, PoseStatus::ok}}}));
     session().makePictureNow();
     QVERIFY(waitUntil([this] { return wide().isSettled(); }));
   }
@@ -123,17 +123,17 @@ class WideImageTest : public ConsoleFixture {
     const double length_mm = calipers.lines()[0].measured.figures[0].quantity.value;
     QVERIFY2(std::abs(length_mm - 144.0) < pixel_mm, qPrintable(QString::number(length_mm)));
     calipers.take(measurement::CaliperKind::distance);  // put down
-    session().setDetail(3.0, {20.0, 0.0});
+    session().console().setDetail(3.0, {20.0, 0.0});
     QVERIFY(waitUntil([this] { return wide().isSettled(); }));
-    QVERIFY(std::abs(session().detail().zoom - 3.0) < 1e-9 && window_->scanView().mmPerWidgetPixel() < pixel_mm / 2.9);
+    QVERIFY(std::abs(session().console().detail().zoom - 3.0) < 1e-9 && window_->scanView().mmPerWidgetPixel() < pixel_mm / 2.9);
     QCOMPARE(knobs().zoom, 3.0);
     QVERIFY(window_->findChild<ZoomOverview*>()->isVisible());
     QCOMPARE(calipers.lines().size(), std::size_t{1});
     QCOMPARE(calipers.lines()[0].measured.figures[0].quantity.value, length_mm);
     // No farther than there is something.
-    session().setDetail(3.0, {1e6, 0.0});
+    session().console().setDetail(3.0, {1e6, 0.0});
     QVERIFY(waitUntil([this] { return wide().isSettled(); }));
-    QVERIFY(session().detail().pan.lateral_mm < 0.5 * wide().growth().length_mm);
+    QVERIFY(session().console().detail().pan.lateral_mm < 0.5 * wide().growth().length_mm);
     // The frozen image has its own calipers; the wide one's are there again when it is.
     pressKey(Qt::Key_Backspace, Qt::ControlModifier);
     window_->wideScan().toggle();
@@ -177,7 +177,7 @@ class WideImageTest : public ConsoleFixture {
     begin();
     holdAt(10.0);
     keep();
-    QVERIFY(session().cine().frameCount() > 3);
+    QVERIFY(session().cineLoop().ring().frameCount() > 3);
     window_->cineBar().step(-1);
     QCOMPARE(wide().state(), WideScan::State::hidden);
     QVERIFY(session().wide() == nullptr);
@@ -212,7 +212,7 @@ class WideImageTest : public ConsoleFixture {
     keepScreenshot(*window_, "wide_growing");
     keep();
     keepScreenshot(*window_, "wide_kept");
-    session().setDetail(3.0, {30.0, 0.0});
+    session().console().setDetail(3.0, {30.0, 0.0});
     QVERIFY(waitUntil([this] { return wide().isSettled(); }));
     keepScreenshot(*window_, "wide_zoomed");
   }

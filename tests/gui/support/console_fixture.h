@@ -37,8 +37,8 @@ class ConsoleFixture : public WindowFixture {
       if (isOffered(effect) && !effect.isOn(scene())) pressEffect(effect.key);
     }
   }
-  [[nodiscard]] const Knobs& knobs() const { return session().knobs(); }
-  [[nodiscard]] const Scene& scene() const { return session().scene(); }
+  [[nodiscard]] const Knobs& knobs() const { return session().console().knobs(); }
+  [[nodiscard]] const Scene& scene() const { return session().console().scene(); }
   void openConsole() {
     QSettings().clear();
     QSettings().setValue(QStringLiteral("fold/advanced"), true);

@@ -106,7 +106,7 @@ class LearnerFixture : public WindowFixture {
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get(), static_cast<int>(test::kPatience_ms)));
     QApplication::setActiveWindow(window_.get());
-    session().setAdaptive(false);
+    session().frames().setAdaptive(false);
     window_->openPlugins();
     window_->showStartPage();
     QVERIFY(waitUntil([this] { return window_->isSettled(); }));

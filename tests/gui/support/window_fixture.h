@@ -129,7 +129,7 @@ class WindowFixture : public QObject {
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get(), static_cast<int>(test::kPatience_ms)));
     QApplication::setActiveWindow(window_.get());  // the test screen has no window manager that would do it
-    session().setAdaptive(false);                  // how fast frames are made here must not choose the pictures that are compared
+    session().frames().setAdaptive(false);         // how fast frames are made here must not choose the pictures that are compared
     QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }));
     QVERIFY(openCase(folder));
     QVERIFY2(!window_->messages().isError(), qPrintable(window_->messages().text()));

@@ -37,20 +37,21 @@ class TrackedScanTest final : public WindowFixture {
 
   /// 60 readings a second of a probe that slides to and fro on the belly, until somebody says otherwise.
   void startTracker() {
-    onSkin_ = session().pose().probeToWorld.matrix;
+    onSkin_ = session().probeControl().pose().probeToWorld.matrix;
     path_ = [this](double t) { return moved({8.0 * std::sin(1.5 * t), 0.0, 5.0 * std::sin(0.7 * t)}); };
     state_ = TrackingState::live;
     repeats_ = false;
     device_ = std::make_shared<test::ScriptedTracker>();
-    device_->onNews(session().newsOfTracker());
+    device_->onNews(session().probeControl().newsOfTracker());
     device_->start();
-    probe_ = std::make_shared<TrackedProbe>(device_, TrackedProbeOptions{}, TrackerCalibration{}, session().steadyMinusScan_s());
+    probe_ =
+        std::make_shared<TrackedProbe>(device_, TrackedProbeOptions{}, TrackerCalibration{}, session().probeControl().steadyMinusScan_s());
     readings_ = std::make_unique<QTimer>();
     readings_->setTimerType(Qt::PreciseTimer);
     connect(readings_.get(), &QTimer::timeout, this, &TrackedScanTest::read);
     clock_.start();
     readings_->start(16);
-    session().setTracked(probe_);
+    session().probeControl().setTracked(probe_);
   }
   void read() {
     ToolReading reading;
@@ -91,10 +92,12 @@ class TrackedScanTest final : public WindowFixture {
     device_->setLink(LinkState::connected);
     readings_->start(16);
   }
-  [[nodiscard]] bool isLive() const { return session().mover() == Session::Mover::tracker && !session().isLost(); }
+  [[nodiscard]] bool isLive() const {
+    return session().probeControl().mover() == ProbeControl::Mover::tracker && !session().probeControl().isLost();
+  }
   [[nodiscard]] bool goesOn() const {
-    const auto before = session().framesMade();
-    return waitUntil([&] { return isLive() && session().framesMade() > before + 3; });
+    const auto before = session().frames().framesMade();
+    return waitUntil([&] { return isLive() && session().frames().framesMade() > before + 3; });
   }
   [[nodiscard]] QImage viewed() const { return window_->scanView().grab().toImage().convertToFormat(QImage::Format_RGB32); }
   /// Mean grey of what is shown of the picture, beside the words in its middle.
@@ -117,7 +120,7 @@ class TrackedScanTest final : public WindowFixture {
  private Q_SLOTS:
   void init() { showWindowWithCase(files_.writeCase(QStringLiteral("case"))); }
   void cleanup() {
-    if (session().tracked()) session().setTracked(nullptr);
+    if (session().probeControl().tracked()) session().probeControl().setTracked(nullptr);
     readings_.reset();
     probe_.reset();
     device_.reset();
@@ -135,19 +138,19 @@ class TrackedScanTest final : public WindowFixture {
     QVERIFY(waitUntil(isThere));
     auto* hand = window_->findChild<HandInput*>();
     QVERIFY(hand == nullptr || !hand->isEnabled());
-    QVERIFY(session().handRests());
-    const Hold before = session().hold();
-    session().setHold(turned(before, 0.5, 0.0, 0.0));
+    QVERIFY(session().probeControl().handRests());
+    const Hold before = session().probeControl().hold();
+    session().probeControl().setHold(turned(before, 0.5, 0.0, 0.0));
     QVERIFY(goesOn());
-    QCOMPARE(session().mover(), Session::Mover::tracker);
-    QVERIFY2(session().latency().count() > 3, "pictures of readings are timed");
-    qInfo("from measurement to picture: median %.1f ms, 95 %% %.1f ms, of %llu", 1e-3 * session().latency().quantile_us(0.5),
-          1e-3 * session().latency().quantile_us(0.95), static_cast<unsigned long long>(session().latency().count()));
+    QCOMPARE(session().probeControl().mover(), ProbeControl::Mover::tracker);
+    QVERIFY2(session().frames().latency().count() > 3, "pictures of readings are timed");
+    qInfo("from measurement to picture: median %.1f ms, 95 %% %.1f ms, of %llu", 1e-3 * session().frames().latency().quantile_us(0.5),
+          1e-3 * session().frames().latency().quantile_us(0.95), static_cast<unsigned long long>(session().frames().latency().count()));
     // Without a tracker the hand goes on where it was last.
     const glm::dvec4 there = session().shownState().pose.probeToWorld.matrix[3];
-    session().setTracked(nullptr);
-    QVERIFY(glm::distance(glm::dvec3(session().pose().probeToWorld.matrix[3]), glm::dvec3(there)) < 15.0);
-    QVERIFY(!session().handRests());
+    session().probeControl().setTracked(nullptr);
+    QVERIFY(glm::distance(glm::dvec3(session().probeControl().pose().probeToWorld.matrix[3]), glm::dvec3(there)) < 15.0);
+    QVERIFY(!session().probeControl().handRests());
   }
 
   void everyStateHasAPictureOfItsOwnAndNoneLooksLive() {
@@ -158,17 +161,18 @@ class TrackedScanTest final : public WindowFixture {
     for (const TrackingState state : {TrackingState::outOfView, TrackingState::outOfRange, TrackingState::invalid, TrackingState::duplicate,
                                       TrackingState::stale, TrackingState::lost, TrackingState::off}) {
       bring(state);
-      QVERIFY2(waitUntil([&] { return session().isLost() && session().tracking().state == state; }),
+      QVERIFY2(waitUntil([&] { return session().probeControl().isLost() && session().probeControl().tracking().state == state; }),
                qPrintable(QString::number(static_cast<int>(state))));
-      const auto made = session().framesMade();
-      const std::uint64_t cine = session().cine().frameCount();
+      const auto made = session().frames().framesMade();
+      const std::uint64_t cine = session().cineLoop().ring().frameCount();
       QTest::qWait(200);
       QVERIFY2(light() < 0.55 * live, "it is pale");
       const QImage here = viewed();
       QVERIFY2(pixelsOfColour(here, lossColour(state)) > 100, "its border has its colour");
       for (const QImage& other : seen) QVERIFY(here != other);
       seen.push_back(here);
-      QVERIFY2(session().framesMade() == made && session().cine().frameCount() == cine, "nothing is made of a pose that nobody knows");
+      QVERIFY2(session().frames().framesMade() == made && session().cineLoop().ring().frameCount() == cine,
+               "nothing is made of a pose that nobody knows");
       keepScreenshot(*window_, qPrintable(QStringLiteral("tracked-%1").arg(static_cast<int>(state))));
       bringBack();
       QVERIFY2(goesOn(), "it goes on by itself");
@@ -185,18 +189,18 @@ class TrackedScanTest final : public WindowFixture {
     startTracker();
     QVERIFY(goesOn());
     bring(TrackingState::outOfView);
-    QVERIFY(waitUntil([&] { return session().isLost(); }));
+    QVERIFY(waitUntil([&] { return session().probeControl().isLost(); }));
     const Pose last = session().shownState().pose;
     const auto pixels = pixelsOf(session());
     session().setFrozen(true);
-    QVERIFY(session().isFrozen() && !session().isLost());
+    QVERIFY(session().isFrozen() && !session().probeControl().isLost());
     QVERIFY2(session().picturePose() == last, "frozen is what was seen last, with its pose");
     QCOMPARE(pixelsOf(session()), pixels);
     session().setFrozen(false);
-    QVERIFY2(waitUntil([&] { return session().isLost(); }), "it is still lost");
+    QVERIFY2(waitUntil([&] { return session().probeControl().isLost(); }), "it is still lost");
     // A window of another size still shows the picture from before, as pale.
     window_->resize(1400, 800);
-    QVERIFY(waitUntil([&] { return session().isLost() && session().picture().width() == session().pictureSize_px().x; }));
+    QVERIFY(waitUntil([&] { return session().probeControl().isLost() && session().picture().width() == session().pictureSize_px().x; }));
     QVERIFY(session().shownState().pose == last);
     bringBack();
     QVERIFY(goesOn());
@@ -206,14 +210,14 @@ class TrackedScanTest final : public WindowFixture {
     startTracker();
     QVERIFY(goesOn());
     bring(TrackingState::outOfView);
-    QVERIFY(waitUntil([&] { return session().isLost(); }));
+    QVERIFY(waitUntil([&] { return session().probeControl().isLost(); }));
     const Pose last = session().shownState().pose;
-    QVERIFY2(waitUntil([&] { return !session().handRests(); }), "after a second the hand may move");
-    const glm::dvec3 ready(poseOf(session().hold()).probeToWorld.matrix[3]);
+    QVERIFY2(waitUntil([&] { return !session().probeControl().handRests(); }), "after a second the hand may move");
+    const glm::dvec3 ready(poseOf(session().probeControl().hold()).probeToWorld.matrix[3]);
     QVERIFY2(glm::distance(ready, glm::dvec3(last.probeToWorld.matrix[3])) < 15.0, "from where it was tracked last");
     QTest::qWait(200);
     keepScreenshot(*window_, "tracked-mouse-may");
-    const auto before = session().framesMade();
+    const auto before = session().frames().framesMade();
     // A drag in the image.
     ScanView& scan = window_->scanView();
     const QPoint middle = scan.pictureRect().center();
@@ -221,20 +225,21 @@ class TrackedScanTest final : public WindowFixture {
     QMouseEvent drag(QEvent::MouseMove, middle + QPoint(30, 0), Qt::LeftButton, Qt::LeftButton, {});
     QApplication::sendEvent(&scan, &drag);
     QTest::mouseRelease(&scan, Qt::LeftButton, {}, middle + QPoint(30, 0));
-    QCOMPARE(session().mover(), Session::Mover::handMeanwhile);
-    QVERIFY(waitUntil([&] { return session().framesMade() > before; }));
-    QVERIFY(!session().isLost());
+    QCOMPARE(session().probeControl().mover(), ProbeControl::Mover::handMeanwhile);
+    QVERIFY(waitUntil([&] { return session().frames().framesMade() > before; }));
+    QVERIFY(!session().probeControl().isLost());
     QVERIFY(session().shownState().pose.status == PoseStatus::ok);
     keepScreenshot(*window_, "tracked-mouse");
     bringBack();
     QVERIFY2(waitUntil([&] { return isLive(); }), "the tracker takes its probe again");
-    QVERIFY(session().handRests());
+    QVERIFY(session().probeControl().handRests());
 
-    session().chooseMouse(true);
-    QCOMPARE(session().mover(), Session::Mover::hand);
+    session().probeControl().chooseMouse(true);
+    QCOMPARE(session().probeControl().mover(), ProbeControl::Mover::hand);
     QTest::qWait(400);
-    QVERIFY2(session().mover() == Session::Mover::hand && !session().handRests(), "who chose the mouse keeps it");
-    session().chooseMouse(false);
+    QVERIFY2(session().probeControl().mover() == ProbeControl::Mover::hand && !session().probeControl().handRests(),
+             "who chose the mouse keeps it");
+    session().probeControl().chooseMouse(false);
     QVERIFY(goesOn());
   }
 
@@ -242,14 +247,14 @@ class TrackedScanTest final : public WindowFixture {
     startTracker();
     QVERIFY(goesOn());
     const Pose elsewhere{.probeToWorld = {moved({30.0, 0.0, 0.0})}};
-    session().follow(std::make_shared<PosePath>(std::vector<TimedPose>{{0.0, elsewhere}}));
-    QCOMPARE(session().mover(), Session::Mover::plugin);
+    session().probeControl().follow(std::make_shared<PosePath>(std::vector<TimedPose>{{0.0, elsewhere}}));
+    QCOMPARE(session().probeControl().mover(), ProbeControl::Mover::plugin);
     QVERIFY(waitUntil([&] { return session().shownState().pose == elsewhere; }));
     bring(TrackingState::outOfView);
     QTest::qWait(300);
-    QVERIFY2(!session().isLost(), "what the tracker sees is not asked meanwhile");
-    session().follow(nullptr);
-    QVERIFY(waitUntil([&] { return session().isLost(); }));
+    QVERIFY2(!session().probeControl().isLost(), "what the tracker sees is not asked meanwhile");
+    session().probeControl().follow(nullptr);
+    QVERIFY(waitUntil([&] { return session().probeControl().isLost(); }));
     bringBack();
     QVERIFY(goesOn());
   }
@@ -259,27 +264,29 @@ class TrackedScanTest final : public WindowFixture {
     QVERIFY(goesOn());
     bring(TrackingState::lost);
     QVERIFY(openCase(files_.writeCase(QStringLiteral("another"))));
-    QVERIFY(waitUntil([&] { return session().mover() == Session::Mover::handMeanwhile && !session().picture().isEmpty(); }));
-    QVERIFY2(!session().isLost() && !session().handRests(), "there was no picture of this case that could be shown as lost");
+    QVERIFY(waitUntil(
+        [&] { return session().probeControl().mover() == ProbeControl::Mover::handMeanwhile && !session().picture().isEmpty(); }));
+    QVERIFY2(!session().probeControl().isLost() && !session().probeControl().handRests(),
+             "there was no picture of this case that could be shown as lost");
     bringBack();
     QVERIFY(goesOn());
   }
 
   void whatIsRecordedComesAgainPixelForPixelThroughALoss() {
     startTracker();
-    Knobs knobs = session().knobs();
+    Knobs knobs = session().console().knobs();
     knobs.persistence = 0.5;
-    session().setKnobs(knobs);
+    session().console().setKnobs(knobs);
     QVERIFY(goesOn());
     Recorder& recorder = window_->recorder();
     recorder.start("window-test");
     std::vector<std::vector<std::uint8_t>> seen;
     const auto look = connect(&session(), &Session::pictureChanged, this, [&] {
-      if (!session().isLost() && !session().isFrozen()) seen.push_back(pixelsOf(session()));
+      if (!session().probeControl().isLost() && !session().isFrozen()) seen.push_back(pixelsOf(session()));
     });
     QVERIFY(waitUntil([&] { return seen.size() > 12; }));
     bring(TrackingState::outOfView);
-    QVERIFY(waitUntil([&] { return session().isLost(); }));
+    QVERIFY(waitUntil([&] { return session().probeControl().isLost(); }));
     QTest::qWait(400);
     const std::size_t before = seen.size();
     bringBack();
@@ -316,20 +323,23 @@ class TrackedScanTest final : public WindowFixture {
     QVERIFY(goesOn());
     const double live = light();
     path_ = [this](double) { return moved({0.0, -60.0, 0.0}); };
-    QVERIFY(waitUntil([&] { return session().face() && session().face()->how == FaceOnSkin::inAir && session().face()->away_mm > 40.0; }));
+    QVERIFY(waitUntil([&] {
+      return session().probeControl().face() && session().probeControl().face()->how == FaceOnSkin::inAir &&
+             session().probeControl().face()->away_mm > 40.0;
+    }));
     QTest::qWait(100);
     QVERIFY2(light() < 0.1 * live, "the picture is dark below the near field");
     keepScreenshot(*window_, "tracked-air");
     path_ = [this](double) { return glm::rotate(moved({0.0, 2.0, 0.0}), 3.1, glm::dvec3(0.0, 0.0, 1.0)); };
-    QVERIFY(waitUntil([&] { return session().face() && session().face()->how == FaceOnSkin::looksAway; }));
+    QVERIFY(waitUntil([&] { return session().probeControl().face() && session().probeControl().face()->how == FaceOnSkin::looksAway; }));
     QTest::qWait(100);
     QVERIFY2(light() < 0.1 * live, "upside down near the skin is in the air as well");
     keepScreenshot(*window_, "tracked-upside-down");
     path_ = [this](double) { return moved({0.0, 45.0, 0.0}); };
-    QVERIFY(waitUntil([&] { return session().face() && session().face()->how == FaceOnSkin::tooDeep; }));
+    QVERIFY(waitUntil([&] { return session().probeControl().face() && session().probeControl().face()->how == FaceOnSkin::tooDeep; }));
     keepScreenshot(*window_, "tracked-deep");
     path_ = [this](double) { return glm::rotate(moved({0.0, -14.0, 0.0}), 0.52, glm::dvec3(0.0, 0.0, 1.0)); };
-    QVERIFY(waitUntil([&] { return session().face() && session().face()->how == FaceOnSkin::partly; }));
+    QVERIFY(waitUntil([&] { return session().probeControl().face() && session().probeControl().face()->how == FaceOnSkin::partly; }));
     keepScreenshot(*window_, "tracked-slanted");
   }
 
@@ -353,9 +363,9 @@ class TrackedScanTest final : public WindowFixture {
     };
     QVERIFY(waitUntil([&] { return hear() > 0; }));
     QVERIFY(waitUntil([&] { return said.count() == 1; }));
-    const std::uint64_t pictures = session().framesMade();
+    const std::uint64_t pictures = session().frames().framesMade();
     QVERIFY(waitUntil([&] { return hear() >= 6; }));  // without a change of the picture there was one alone
-    QCOMPARE(session().framesMade(), pictures);
+    QCOMPARE(session().frames().framesMade(), pictures);
     for (const ToolReading& each : heard) QCOMPARE(each.state, TrackingState::live);
     client->stop();
     QVERIFY(waitUntil([&] { return said.count() == 2 && server.status().clients == 0; }));
@@ -383,7 +393,7 @@ class TrackedScanTest final : public WindowFixture {
     const glm::dvec3 lps = glm::dvec3(pose->toolToTracker.matrix[3]) * glm::dvec3(-1.0, -1.0, 1.0);
     QVERIFY(glm::distance(lps, glm::dvec3(onSkin_[3])) < 20.0);
     bring(TrackingState::outOfView);
-    QVERIFY(waitUntil([&] { return session().isLost(); }));
+    QVERIFY(waitUntil([&] { return session().probeControl().isLost(); }));
     QTest::qWait(300);
     static_cast<void>(client->take());
     pose.reset();

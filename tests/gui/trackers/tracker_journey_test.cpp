@@ -187,10 +187,10 @@ class TrackerJourneyTest : public WindowFixture {
     for (int n = 0; n <= 4; ++n) way.push_back(heldAt(trackers().skin()->nearest(glm::mix(from, to, n / 4.0)).point_mm));
     QVERIFY(films_->writePaper(film("scan.avi"), way));
     play(film("scan.avi"));
-    const std::uint64_t frames = session().framesMade();
-    QVERIFY(waitUntil([&] { return trackers().report().state == TrackingState::live && session().framesMade() > frames + 10; }));
-    QVERIFY(session().mover() == Session::Mover::tracker && !session().isLost());
-    const glm::dvec3 at = session().pose().probeToWorld.matrix[3];
+    const std::uint64_t frames = session().frames().framesMade();
+    QVERIFY(waitUntil([&] { return trackers().report().state == TrackingState::live && session().frames().framesMade() > frames + 10; }));
+    QVERIFY(session().probeControl().mover() == ProbeControl::Mover::tracker && !session().probeControl().isLost());
+    const glm::dvec3 at = session().probeControl().pose().probeToWorld.matrix[3];
     QVERIFY2(std::abs(Trackers::gap_mm(*trackers().skin(), at)) < 8.0,
              qPrintable(QString::number(Trackers::gap_mm(*trackers().skin(), at))));
     const auto* said = find<QPushButton>("trackingState");
@@ -198,15 +198,15 @@ class TrackerJourneyTest : public WindowFixture {
     keepScreenshot(*window_, "journey-7-scan");
     QVERIFY(films_->writeEmpty(film("empty.avi")));
     play(film("empty.avi"));
-    QVERIFY(waitUntil([this] { return session().isLost(); }));
+    QVERIFY(waitUntil([this] { return session().probeControl().isLost(); }));
     QVERIFY(waitUntil([this] { return trackers().report().state == TrackingState::outOfView; }));
     QVERIFY(waitUntil([&] { return said->text() == lookOf(TrackingState::outOfView).word; }));
     keepScreenshot(*window_, "journey-8-lost");
     play(film("scan.avi"));
-    QVERIFY(waitUntil([this] { return trackers().report().state == TrackingState::live && !session().isLost(); }));
+    QVERIFY(waitUntil([this] { return trackers().report().state == TrackingState::live && !session().probeControl().isLost(); }));
     keepScreenshot(*window_, "journey-9-back");
     trackers().useMouse();
-    QVERIFY(session().mover() == Session::Mover::hand);
+    QVERIFY(session().probeControl().mover() == ProbeControl::Mover::hand);
   }
 };
 

@@ -105,12 +105,12 @@ class TrackerPageTest : public UsabilityFixture {
     showPage();
     page()->choose(id);
     QCOMPARE(textOf("trackerState"), TrackerPage::tr("not in use"));
-    const std::uint64_t frames = session().framesMade();
+    const std::uint64_t frames = session().frames().framesMade();
     page()->findChild<QPushButton*>(QStringLiteral("trackerUse"))->click();
     QCOMPARE(trackers().used(), id);
     QVERIFY(waitUntil([this] { return trackers().report().state == TrackingState::live; }));
-    QVERIFY(waitUntil([&] { return session().framesMade() > frames + 3; }));
-    QVERIFY(session().mover() == Session::Mover::tracker);
+    QVERIFY(waitUntil([&] { return session().frames().framesMade() > frames + 3; }));
+    QVERIFY(session().probeControl().mover() == ProbeControl::Mover::tracker);
     QVERIFY(waitUntil([this] { return find<QPushButton>("trackingState")->isVisible(); }));
     auto* tools = page()->findChild<QComboBox*>(QStringLiteral("trackerTool"));
     QVERIFY(waitUntil([tools] { return tools->count() > 1; }));
@@ -119,7 +119,7 @@ class TrackerPageTest : public UsabilityFixture {
     keepScreenshot(*window_, "tracker-window-live");
     page()->findChild<QPushButton*>(QStringLiteral("trackerUse"))->click();
     QVERIFY(trackers().used().empty());
-    QVERIFY(session().mover() == Session::Mover::hand);
+    QVERIFY(session().probeControl().mover() == ProbeControl::Mover::hand);
     QVERIFY(!find<QPushButton>("trackingState")->isVisible());
   }
 

@@ -117,7 +117,7 @@ class EveryCaseTest : public WindowFixture {
     window_ = std::make_unique<MainWindow>();
     window_->resize(1280, 720);
     window_->show();
-    session().setAdaptive(false);  // the pictures of two windows are compared, whatever the machine does beside
+    session().frames().setAdaptive(false);  // the pictures of two windows are compared, whatever the machine does beside
     QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
     QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }, kPatience_ms));
   }
@@ -148,17 +148,17 @@ class EveryCaseTest : public WindowFixture {
                qPrintable(what));
     }
     QVERIFY2(subject->scene == sceneWithTissues(expected.opened.scene, expected.echo.tissues), qPrintable(what));
-    QVERIFY2(session().scene() == subject->scene, qPrintable(what));
+    QVERIFY2(session().console().scene() == subject->scene, qPrintable(what));
     QVERIFY2(subject->probes == expected.opened.probes, qPrintable(what));
     // Whatever was scanned before, the console stands as a scan of this case begins.
     const auto begun = firstState(*subject, there_.probes, there_.presets);
-    QVERIFY2(begun && session().probe().id == begun->probe.id, qPrintable(what));
-    QVERIFY2(session().knobs() == begun->knobs, qPrintable(what));
+    QVERIFY2(begun && session().console().probe().id == begun->probe.id, qPrintable(what));
+    QVERIFY2(session().console().knobs() == begun->knobs, qPrintable(what));
     session().makePictureNow();
     const std::vector<std::uint8_t> picture = pixelsOf(session());
     QVERIFY2(std::any_of(picture.begin(), picture.end(), [](std::uint8_t level) { return level > 0; }), qPrintable(what));
     // Noise is another one in every picture.
-    if (!expected.picture.empty() && !session().scene().noise) QVERIFY2(picture == expected.picture, qPrintable(what));
+    if (!expected.picture.empty() && !session().console().scene().noise) QVERIFY2(picture == expected.picture, qPrintable(what));
   }
 
  private Q_SLOTS:

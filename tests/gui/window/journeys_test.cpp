@@ -80,21 +80,21 @@ class JourneysTest : public WindowFixture {
       QTest::mouseClick(find<QPushButton>(button), Qt::LeftButton);
       QVERIFY2(window_->scanView().hasFocus(), button);
     }
-    const Hold before = session().hold();
+    const Hold before = session().probeControl().hold();
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Right);
-    QVERIFY(!(session().hold() == before));
+    QVERIFY(!(session().probeControl().hold() == before));
   }
 
   void keysOfTheConsoleWorkWhileItIsHiddenBesideAnAuthorsPanels() {
     window_->setWorkspace(Workspace::author);
     QVERIFY(!window_->console().isVisible());
     QTest::keyClick(&window_->scanView(), Qt::Key_1);
-    QVERIFY(session().knobs().quality == Quality::weave);
+    QVERIFY(session().console().knobs().quality == Quality::weave);
     QTest::keyClick(&window_->scanView(), Qt::Key_2);
-    QVERIFY(session().knobs().quality == Quality::linear);
-    const Knobs before = session().knobs();
+    QVERIFY(session().console().knobs().quality == Quality::linear);
+    const Knobs before = session().console().knobs();
     QTest::keyClick(&window_->scanView(), Qt::Key_X);
-    QVERIFY(!(session().knobs() == before));
+    QVERIFY(!(session().console().knobs() == before));
   }
 
   void besideTheVolumeTheScanSaysWhereItIsAndWithinItDoesNot() {
@@ -109,15 +109,15 @@ class JourneysTest : public WindowFixture {
         for (int x = box.left(); x < box.right(); ++x) lit += qGray(shown.pixel(x, y)) > 60 ? 1 : 0;
       return lit;
     };
-    Knobs silent = session().knobs();
+    Knobs silent = session().console().knobs();
     silent.gain = 0.0;
-    session().setKnobs(silent);
+    session().console().setKnobs(silent);
     session().makePictureNow();
     QVERIFY2(wordsIn(window_->scanView().grab().toImage()) < 100, "a picture turned down to black is not beside the volume");
-    session().setKnobs(Knobs{});
-    Hold away = session().hold();
+    session().console().setKnobs(Knobs{});
+    Hold away = session().probeControl().hold();
     away.contact.point_mm.z -= 700.0;
-    session().setHold(away);
+    session().probeControl().setHold(away);
     session().makePictureNow();
     QVERIFY(!session().seesVolume());
     QVERIFY2(wordsIn(window_->scanView().grab().toImage()) > 300, "nothing tells a user why the picture is black");
@@ -150,7 +150,7 @@ class JourneysTest : public WindowFixture {
     };
     int moves = 0;
     const bool hasRoom = waitUntil([&] {
-      session().setHold(turned(session().hold(), ++moves % 2 == 0 ? 0.02 : -0.02, 0.0, 0.0));
+      session().probeControl().setHold(turned(session().probeControl().hold(), ++moves % 2 == 0 ? 0.02 : -0.02, 0.0, 0.0));
       return roomy() >= 3;
     });
     canvas->renderWindow()->RemoveObserver(tag);

@@ -266,12 +266,12 @@ class KeysTest : public ConsoleFixture {
     QCOMPARE(said(), QStringLiteral("Shift+Q now does 'Rotate to the left (while the image runs)'. Take it away there?"));
     closeDialog();
     for (int n = 0; n < 4; ++n) {
-      session().setHold(turned(session().hold(), 0.02, 0.0, 0.0));
+      session().probeControl().setHold(turned(session().probeControl().hold(), 0.02, 0.0, 0.0));
       session().makePictureNow();
     }
-    const Hold before = session().hold();
+    const Hold before = session().probeControl().hold();
     pressInScan(Qt::Key_Q);
-    QVERIFY(!(session().hold() == before));
+    QVERIFY(!(session().probeControl().hold() == before));
     session().makePictureNow();
     pressInScan(Qt::Key_F);
     QVERIFY(window_->cineBar().isOpen());
@@ -417,10 +417,10 @@ class KeysTest : public ConsoleFixture {
     for (int jog = 251; jog < 260; ++jog) report(jog & 255, 0);
     QCOMPARE(window_->surface().bindings().size(), std::size_t{2});
     QVERIFY(window_->surface().bindings()[1].encoding == controls::Encoding::counter);
-    const Hold before = session().hold();
+    const Hold before = session().probeControl().hold();
     report(3, 0);
     report(8, 0);  // 5 steps, 1 degree each
-    const Hold after = session().hold();
+    const Hold after = session().probeControl().hold();
     QVERIFY(!(before == after));
     QVERIFY(after == turned(before, 0.0, 0.0, glm::radians(5.0)));
     report(8, 0x10);

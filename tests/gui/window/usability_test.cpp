@@ -365,9 +365,9 @@ class UsabilityTest : public UsabilityFixture {
     QTest::mouseClick(flip, Qt::LeftButton);
     QVERIFY(flip->isChecked() && tour->isVisible());
     window_->scanView().setFocus(Qt::MouseFocusReason);
-    const Hold before = session().hold();
+    const Hold before = session().probeControl().hold();
     QTest::keyClick(&window_->scanView(), Qt::Key_Left);
-    QVERIFY(!(session().hold() == before));
+    QVERIFY(!(session().probeControl().hold() == before));
     QTest::keyClick(&window_->scanView(), Qt::Key_Escape);
     QVERIFY(!tour->isVisible());
     QTest::qWait(50);

@@ -75,7 +75,7 @@ class WindowTest : public WindowFixture {
     session().makePictureNow();
     const std::vector<std::uint8_t> after = pixelsOf(session());
     const DisplayGeometry& geometry = session().geometry();
-    const Knobs& knobs = session().knobs();
+    const Knobs& knobs = session().console().knobs();
     QCOMPARE(knobs.gain, 1.3);
     for (int y = 0; y < geometry.height; ++y) {
       const double position = std::clamp((y - geometry.face_px.y) * geometry.pixel_mm / geometry.depth_mm, 0.0, 1.0);
@@ -105,7 +105,7 @@ class WindowTest : public WindowFixture {
     const Pose poseBefore = session().picturePose();
     View3D& view = window_->view3d();
     view.renderNow();
-    const QPoint from = view.pixelOf(session().hold().contact.point_mm).toPoint();
+    const QPoint from = view.pixelOf(session().probeControl().hold().contact.point_mm).toPoint();
     const QPoint to = from + QPoint(24, -16);
     QWidget* canvas = view.canvas();
     QTest::mousePress(canvas, Qt::LeftButton, Qt::NoModifier, from);
@@ -118,7 +118,8 @@ class WindowTest : public WindowFixture {
     const Pose pose = session().picturePose();
     QVERIFY(waitUntil([&] { return pixelsOf(session()) != before; }));
     const std::vector<glm::dvec3> fan_mm = view.scene().fanCorners_mm();
-    const std::vector<glm::dvec2> outline_mm = fanOutline_mm(session().probe(), session().knobs(), session().geometry().depth_mm);
+    const std::vector<glm::dvec2> outline_mm =
+        fanOutline_mm(session().console().probe(), session().console().knobs(), session().geometry().depth_mm);
     QVERIFY(!fan_mm.empty());
     const glm::dvec3 expected_mm = glm::dvec3(pose.probeToWorld.matrix * glm::dvec4(outline_mm.front(), 0.0, 1.0));
     QVERIFY2(glm::distance(fan_mm.front(), expected_mm) < 0.01, "the fan in 3D does not lie where the slice was taken");
@@ -163,16 +164,16 @@ class WindowTest : public WindowFixture {
   }
 
   void theProbeIsPressedOnUntilItsFaceTouchesAndKeepsThePressWhileSliding() {
-    const double usual_mm = usualPress_mm(session().probe());
+    const double usual_mm = usualPress_mm(session().console().probe());
     QVERIFY(usual_mm > 5.0);
-    QCOMPARE(session().hold().press_mm, usual_mm);
+    QCOMPARE(session().probeControl().hold().press_mm, usual_mm);
     const double pressed = *session().contact();
     QTest::keyClick(&window_->scanView(), Qt::Key_Right, Qt::ShiftModifier);
-    QCOMPARE(session().hold().press_mm, usual_mm);
+    QCOMPARE(session().probeControl().hold().press_mm, usual_mm);
     QTest::keyClick(&window_->scanView(), Qt::Key_Home);
-    Hold lifted = session().hold();
+    Hold lifted = session().probeControl().hold();
     lifted.press_mm = 0.0;
-    session().setHold(lifted);
+    session().probeControl().setHold(lifted);
     QVERIFY2(*session().contact() < pressed - 0.2, "contact follows the press");
     QCOMPARE(window_->hand().hold(), lifted);
   }
@@ -217,10 +218,10 @@ class WindowTest : public WindowFixture {
     QVERIFY(session().isFrozen());
     const std::vector<std::uint8_t> held = pixelsOf(session());
     const auto fan_mm = window_->view3d().scene().fanCorners_mm();
-    session().setHold(turned(session().hold(), 0.3, 0.1, 0.2));
-    const Knobs knobs = session().knobs();
+    session().probeControl().setHold(turned(session().probeControl().hold(), 0.3, 0.1, 0.2));
+    const Knobs knobs = session().console().knobs();
     find<QSlider>("gain")->setValue(180);
-    QVERIFY(session().knobs() == knobs);
+    QVERIFY(session().console().knobs() == knobs);
     QTest::qWait(50);
     QCOMPARE(pixelsOf(session()), held);
     QVERIFY(window_->view3d().scene().fanCorners_mm() == fan_mm);

@@ -32,8 +32,8 @@ PictureGrid::PictureGrid(const InHand& inHand, QWidget* parent) : QWidget(parent
   connect(&session, &Session::subjectReplaced, this, &PictureGrid::forget);
   connect(&session, &Session::subjectChanged, this, &PictureGrid::followSubject);
   connect(&session, &Session::pictureChanged, this, &PictureGrid::showNames);
-  connect(&session, &Session::knobsChanged, this, &PictureGrid::fitScale);
-  connect(&session, &Session::probeChanged, this, &PictureGrid::fitScale);
+  connect(&session.console(), &ScanConsole::knobsChanged, this, &PictureGrid::fitScale);
+  connect(&session.console(), &ScanConsole::probeChanged, this, &PictureGrid::fitScale);
   connect(&session, &Session::frozenChanged, this, &PictureGrid::fitScale);
   connect(&inHand_.mark, &ShownMark::changed, this, [this] {
     for (KeptPicture* each : kept_)

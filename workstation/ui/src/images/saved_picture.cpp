@@ -120,7 +120,7 @@ void paintOn(QPainter& painter, const Session& session, const OnPicture& on, con
 /// What lies on the strip of the M-mode, and seconds below it.
 void paintOnStrip(QPainter& painter, const Session& session, const OnPicture& on, const QRect& strip) {
   constexpr int kTick_px = 5;
-  const double second_px = 1.0 / session.mMode().columnTime_s();
+  const double second_px = 1.0 / session.seen().mMode().columnTime_s();
   painter.setFont(smallFont());
   painter.setPen(kWords);
   for (int second = 0; second * second_px < strip.width(); ++second) {
@@ -153,7 +153,8 @@ Shown shownBy(const Session& session) {
   const DisplayMode mode = session.pictureKnobs().mode;
   Shown shown;
   const QImage picture = imageOf(session.picture());
-  if (mode != DisplayMode::bMode && session.strip().width > 0) shown.strip = imageOf(session.strip()).convertToFormat(picture.format());
+  if (mode != DisplayMode::bMode && session.seen().strip().width > 0)
+    shown.strip = imageOf(session.seen().strip()).convertToFormat(picture.format());
   if (mode != DisplayMode::mMode || shown.strip.isNull()) shown.picture = picture;
   return shown;
 }

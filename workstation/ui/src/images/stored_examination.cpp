@@ -37,7 +37,7 @@ ExaminationFiles::StoredStill storedStill(const std::vector<SavedPart>& parts, c
   for (const auto& [session, picture, strip] : saved.places) {
     if (!picture.isEmpty()) still.regions.push_back(regionOf(session->geometry(), {picture.x(), picture.y()}));
     if (!strip.isEmpty())
-      still.regions.push_back(regionOfStrip({strip.width(), strip.height()}, strip.width() * session->mMode().columnTime_s(),
+      still.regions.push_back(regionOfStrip({strip.width(), strip.height()}, strip.width() * session->seen().mMode().columnTime_s(),
                                             session->geometry().depth_mm, {strip.x(), strip.y()}));
   }
   const auto inHand = std::find_if(parts.begin(), parts.end(), [](const SavedPart& part) { return part.isInHand; });

@@ -114,15 +114,16 @@ Opener::Opener(Session& session, CaseDocument& document, Jobs& jobs, MessageBar&
     : QObject(parent), session_(session), document_(document), jobs_(jobs), messages_(messages), view_(view), hand_(hand) {
   connect(&document_, &CaseDocument::changed, this, &Opener::followDocument);
   connect(&view_, &View3D::mannequinChanged, this, [this] {
-    session_.setSkin(view_.skin());
+    session_.probeControl().setSkin(view_.skin());
     if (!startTaken_) {
       takeStart();
     } else if (session_.subject()) {
-      session_.setHold(movedTo(session_.hold(), view_.skin()->nearest(session_.hold().contact.point_mm)));
+      session_.probeControl().setHold(
+          movedTo(session_.probeControl().hold(), view_.skin()->nearest(session_.probeControl().hold().contact.point_mm)));
     }
   });
-  connect(&hand_, &HandInput::moved, &session_, &Session::setHold);
-  connect(&session_, &Session::echoesWanted, this, &Opener::findTissue);
+  connect(&hand_, &HandInput::moved, &session_.probeControl(), &ProbeControl::setHold);
+  connect(&session_.console(), &ScanConsole::echoesWanted, this, &Opener::findTissue);
   constexpr int kLookAgain_ms = 500;
   finerSoon_.setInterval(kLookAgain_ms);
   connect(&finerSoon_, &QTimer::timeout, this, &Opener::takeFiner);
@@ -137,7 +138,7 @@ void Opener::findTissue() {
   auto id = std::make_shared<int>(0);
   *id = jobs_.start(
       tr("Preparing live echoes"),
-      [found, voxels = session_.subject()->voxels, scene = session_.scene()](Progress& progress) -> Result<void> {
+      [found, voxels = session_.subject()->voxels, scene = session_.console().scene()](Progress& progress) -> Result<void> {
         auto made = recordedTissueOf(voxels, scene, 0, progress);
         if (!made) return passOn(made.error());
         *found = std::move(*made);
@@ -439,9 +440,9 @@ void Opener::scanCase() {
   session_.show(subjectOf(*opened, contents_->read), patient);
   if (opened->probes.empty()) lookAtWhole(shapeInWorld(*opened, contents_->read));
   // A case may ask for them without naming the level of its volume.
-  if (Scene scene = session_.scene(); opened->scene.liveEchoes && !scene.liveEchoes) {
+  if (Scene scene = session_.console().scene(); opened->scene.liveEchoes && !scene.liveEchoes) {
     scene.liveEchoes = opened->scene.liveEchoes;
-    session_.setScene(scene);
+    session_.console().setScene(scene);
   }
   takeStart();
   if (showsDraft()) Q_EMIT draftShown();
@@ -589,19 +590,19 @@ void Opener::showVolume(const ScanVoxels& voxels, const QString& title, bool kee
   showsCase_ = false;
   startTaken_ = false;
   session_.show(std::move(subject));
-  session_.setNeutral();
+  session_.console().setNeutral();
   lookAtWhole(shape);
   takeStart();
 }
 
 void Opener::lookAtWhole(const PlacingShape& shape) {
-  if (showsWhole(shape, session_.depth_mm())) return;
-  const auto look = firstLookAt(shape, session_.probes());
+  if (showsWhole(shape, session_.console().depth_mm())) return;
+  const auto look = firstLookAt(shape, session_.console().probes());
   if (!look) return;
-  session_.chooseProbe(look->probe);
-  Knobs knobs = session_.knobs();
+  session_.console().chooseProbe(look->probe);
+  Knobs knobs = session_.console().knobs();
   knobs.depth_mm = look->depth_mm;
-  session_.setKnobs(knobs);
+  session_.console().setKnobs(knobs);
 }
 
 std::vector<fs::path> Opener::sources() const {
@@ -673,18 +674,18 @@ void Opener::followEdits(const Case& edited) {
 void Opener::takeStart() {
   if (!session_.subject()) return;
   const std::shared_ptr<const Skin> skin = view_.skin();
-  session_.setSkin(skin);
+  session_.probeControl().setSkin(skin);
   Hold hold;
   if (const auto& start = session_.subject()->startPose) {
     hold = holdFor(*start, *skin);
   } else {
     hold.contact = skinInFrontOf(*skin, centreOf(session_.subject()->placedGrid));
-    hold.press_mm = usualPress_mm(session_.probe());
+    hold.press_mm = usualPress_mm(session_.console().probe());
   }
   // Before the mannequin is there the skin is a rough ellipsoid: the start is taken again when it comes.
   startTaken_ = view_.scene().mannequin() != nullptr;
   hand_.setStartHold(hold);
-  session_.setHold(hold);
+  session_.probeControl().setHold(hold);
 }
 
 }  // namespace ew::ui

@@ -13,8 +13,8 @@ namespace ew::ui {
 
 HostScan::HostScan(Session& session, QObject* parent) : QObject(parent), session_(session) {
   connect(&session_, &Session::pictureChanged, this, &HostScan::tellPicture);
-  connect(&session_, &Session::poseMissed, this, &HostScan::tellMissed);
-  connect(&session_, &Session::frozenChanged, this, [this](bool frozen) { tell({session_.now_s(), FreezeChanged{frozen}}); });
+  connect(&session_.probeControl(), &ProbeControl::poseMissed, this, &HostScan::tellMissed);
+  connect(&session_, &Session::frozenChanged, this, [this](bool frozen) { tell({session_.frames().now_s(), FreezeChanged{frozen}}); });
   connect(&session_, &Session::subjectReplaced, this, [this] {
     told_.reset();
     ++subjects_;
@@ -23,12 +23,12 @@ HostScan::HostScan(Session& session, QObject* parent) : QObject(parent), session
 
 std::optional<ScanState> HostScan::state() const {
   if (!session_.subject() || session_.picture().isEmpty()) return std::nullopt;
-  return session_.isLost() ? session_.missedState() : session_.shownState();
+  return session_.probeControl().isLost() ? session_.probeControl().missedState() : session_.shownState();
 }
 Picture HostScan::picture() const { return session_.fanPicture(); }
 DisplayGeometry HostScan::geometry() const { return session_.fanGeometry(); }
-Knobs HostScan::knobs() const { return session_.knobs(); }
-double HostScan::now_s() const { return session_.now_s(); }
+Knobs HostScan::knobs() const { return session_.console().knobs(); }
+double HostScan::now_s() const { return session_.frames().now_s(); }
 
 sdk::Ticket HostScan::onEvent(EventCallback callback) {
   auto kept = std::make_shared<EventCallback>(std::move(callback));
@@ -46,7 +46,7 @@ void HostScan::tell(const ScanEvent& event) {
 void HostScan::tellPicture() {
   const auto made = state();
   // A frozen image that is drawn again for a window of another size is no new one.
-  if (!made || session_.isFrozen() || session_.isLost()) return;
+  if (!made || session_.isFrozen() || session_.probeControl().isLost()) return;
   const auto before = std::exchange(told_, made);
   if (!before || before->probe != made->probe) tell({made->time_s, ProbeChosen{made->probe}});
   if (!before || before->knobs != made->knobs || !(before->pan == made->pan)) tell({made->time_s, SettingsChanged{made->knobs, made->pan}});
@@ -57,7 +57,7 @@ void HostScan::tellPicture() {
 /// No picture of now, for want of a pose: told as the frame it would have been, so that nobody takes the picture before for one of now.
 void HostScan::tellMissed() {
   if (!told_) return;
-  const ScanState& missed = session_.missedState();
+  const ScanState& missed = session_.probeControl().missedState();
   tell({missed.time_s, FrameMade{missed.pose, {}, missed.number, missed.body}});
 }
 
@@ -71,7 +71,7 @@ sdk::Ticket HostScan::drive(std::shared_ptr<const PoseSource> source, std::funct
           }};
 }
 
-void HostScan::followLatest() { session_.follow(drivers_.empty() ? nullptr : drivers_.back()->source); }
+void HostScan::followLatest() { session_.probeControl().follow(drivers_.empty() ? nullptr : drivers_.back()->source); }
 
 void HostScan::takeProbeBack() {
   const auto all = std::exchange(drivers_, {});
@@ -94,23 +94,23 @@ Result<void> HostScan::maySet() const {
 
 Result<void> HostScan::placeProbe(const Transform<frame::World, frame::Probe>& probeToWorld) {
   if (auto may = maySet(); !may) return may;
-  if (!session_.skin()) return failure(ErrorCode::badUsage, say<"The body is still being read; try again in a moment.">());
-  session_.setHold(holdFor(Pose{.probeToWorld = probeToWorld}, *session_.skin()));
+  if (!session_.probeControl().skin()) return failure(ErrorCode::badUsage, say<"The body is still being read; try again in a moment.">());
+  session_.probeControl().setHold(holdFor(Pose{.probeToWorld = probeToWorld}, *session_.probeControl().skin()));
   return {};
 }
 
 Result<void> HostScan::apply(const Knobs& knobs) {
   if (auto may = maySet(); !may) return may;
-  session_.setKnobs(limited(knobs));
+  session_.console().setKnobs(limited(knobs));
   return {};
 }
 
 Result<void> HostScan::chooseProbe(const std::string& id) {
   if (auto may = maySet(); !may) return may;
-  const auto& probes = session_.probes();
+  const auto& probes = session_.console().probes();
   if (std::none_of(probes.begin(), probes.end(), [&](const Probe& probe) { return probe.id == id; }))
     return failure(ErrorCode::badUsage, say<"The probe '%1' is none of this case; choose one that it names.">(id));
-  session_.chooseProbe(id);
+  session_.console().chooseProbe(id);
   return {};
 }
 
@@ -128,14 +128,15 @@ sdk::Ticket HostScan::keepSettings() {
     Pan pan;
     Scene scene;
   };
-  auto kept = std::make_shared<Kept>(Kept{session_.probe().id, session_.knobs(), session_.pan(), session_.scene()});
+  auto kept = std::make_shared<Kept>(
+      Kept{session_.console().probe().id, session_.console().knobs(), session_.console().pan(), session_.console().scene()});
   const auto giveBack = [host = QPointer<HostScan>(this), kept, subject = subjects_] {
     // Another case has settings of its own.
     if (!host || host->subjects_ != subject || !host->maySet()) return;
-    host->session_.chooseProbe(kept->probe);
-    host->session_.setKnobs(kept->knobs);
-    host->session_.setPan(kept->pan);
-    host->session_.setScene(kept->scene);
+    host->session_.console().chooseProbe(kept->probe);
+    host->session_.console().setKnobs(kept->knobs);
+    host->session_.console().setPan(kept->pan);
+    host->session_.console().setScene(kept->scene);
   };
   return {kept.get(), [host = QPointer<HostScan>(this), giveBack](void*) {
             if (!host || !host->session_.isFrozen()) return giveBack();
@@ -150,8 +151,8 @@ sdk::Ticket HostScan::keepSettings() {
 std::optional<sdk::Scanned> HostScan::scanned() const {
   const auto& subject = session_.subject();
   if (!subject) return std::nullopt;
-  return sdk::Scanned{subject->placedGrid, subject->labels,   subject->placedLabels,
-                      session_.skin(),     session_.probes(), subject->voxels.volume()};
+  return sdk::Scanned{subject->placedGrid,         subject->labels,         subject->placedLabels, session_.probeControl().skin(),
+                      session_.console().probes(), subject->voxels.volume()};
 }
 
 void HostScan::setCalipers(Calipers& calipers) {

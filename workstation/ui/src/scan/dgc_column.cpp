@@ -59,10 +59,10 @@ DgcColumn::DgcColumn(Session& session, QWidget* parent) : QWidget(parent), sessi
       tipWithKeys(tr("Time gain compensation: one slider for each eighth of the depth. Click to put all of them back to the middle (%1), "
                      "double-click one for itself"),
                   "tgc.reset"));
-  connect(reset_, &QPushButton::clicked, &session_, &Session::resetTgc);
-  connect(&session_, &Session::knobsChanged, this, &DgcColumn::showKnobs);
-  connect(&session_, &Session::sceneChanged, this, &DgcColumn::showKnobs);
-  connect(&session_, &Session::probeChanged, this, &DgcColumn::showKnobs);
+  connect(reset_, &QPushButton::clicked, &session_.console(), &ScanConsole::resetTgc);
+  connect(&session_.console(), &ScanConsole::knobsChanged, this, &DgcColumn::showKnobs);
+  connect(&session_.console(), &ScanConsole::sceneChanged, this, &DgcColumn::showKnobs);
+  connect(&session_.console(), &ScanConsole::probeChanged, this, &DgcColumn::showKnobs);
   refreshIcons();
   showKnobs();
 }
@@ -71,12 +71,14 @@ void DgcColumn::refreshIcons() { reset_->setIcon(icon(QStringLiteral("reset"), s
 
 DgcColumn::Scale DgcColumn::scale() const { return isInDecibels() ? Scale{-20, 20, 0, 1.0} : Scale{0, 200, 100, 100.0}; }
 
-const std::array<double, kDgcSliders>& DgcColumn::values() const { return isInDecibels() ? session_.knobs().tgc_db : session_.knobs().dgc; }
+const std::array<double, kDgcSliders>& DgcColumn::values() const {
+  return isInDecibels() ? session_.console().knobs().tgc_db : session_.console().knobs().dgc;
+}
 
 void DgcColumn::set(int slider, int value) {
-  Knobs knobs = session_.knobs();
+  Knobs knobs = session_.console().knobs();
   (isInDecibels() ? knobs.tgc_db : knobs.dgc)[static_cast<std::size_t>(slider)] = value / scale().perUnit;
-  session_.setKnobs(knobs);
+  session_.console().setKnobs(knobs);
 }
 
 /// A drag is felt, but how far it went is not.
@@ -109,7 +111,7 @@ void DgcColumn::place(double top, double bottom, int room_px) {
 
 void DgcColumn::showKnobs() {
   showing_ = true;
-  const int depth_mm = static_cast<int>(std::lround(session_.depth_mm()));
+  const int depth_mm = static_cast<int>(std::lround(session_.console().depth_mm()));
   const Scale on = scale();
   for (int i = 0; i < kDgcSliders; ++i) {
     QSlider* slider = sliders_[static_cast<std::size_t>(i)];
@@ -118,12 +120,12 @@ void DgcColumn::showKnobs() {
     slider->setSingleStep(isInDecibels() ? 1 : 2);
     slider->setPageStep(isInDecibels() ? 3 : 20);
     slider->setValue(static_cast<int>(std::lround(value * on.perUnit)));
-    slider->setEnabled(session_.scene().gainAndDgc);
+    slider->setEnabled(session_.console().scene().gainAndDgc);
     const int from_mm = depth_mm * i / kDgcSliders, to_mm = depth_mm * (i + 1) / kDgcSliders;
     slider->setToolTip(isInDecibels() ? tr("%1 to %2 mm: %3 dB").arg(from_mm).arg(to_mm).arg(signedFigure(value, 0))
                                       : tr("%1 to %2 mm: %3 %").arg(from_mm).arg(to_mm).arg(std::lround(value * on.perUnit)));
   }
-  reset_->setEnabled(session_.scene().gainAndDgc);
+  reset_->setEnabled(session_.console().scene().gainAndDgc);
   showing_ = false;
   update();
 }
@@ -146,7 +148,7 @@ void DgcColumn::paintEvent(QPaintEvent*) {
     return curve;
   };
   painter.drawPolyline(curveOf([neutral](double) { return neutral; }));
-  painter.setPen(QPen(session_.scene().gainAndDgc ? theme.accent : theme.line, 1.5));
+  painter.setPen(QPen(session_.console().scene().gainAndDgc ? theme.accent : theme.line, 1.5));
   painter.drawPolyline(curveOf([this](double position) { return dgcAt(values(), position); }));
 }
 

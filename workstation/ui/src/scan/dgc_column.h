@@ -35,7 +35,7 @@ class DgcColumn final : public QWidget {
     int lowest, highest, neutral;
     double perUnit;
   };
-  [[nodiscard]] bool isInDecibels() const { return session_.gainLaw() == GainLaw::decibel; }
+  [[nodiscard]] bool isInDecibels() const { return session_.console().gainLaw() == GainLaw::decibel; }
   [[nodiscard]] Scale scale() const;
   [[nodiscard]] const std::array<double, kDgcSliders>& values() const;
   void set(int slider, int value);

@@ -8,8 +8,8 @@
 namespace ew::ui {
 
 std::vector<double> fociOf(const Session& session) {
-  const Knobs& knobs = session.isFrozen() ? session.pictureKnobs() : session.knobs();
-  std::vector<double> foci_mm{session.isFrozen() && knobs.focus_mm > 0.0 ? knobs.focus_mm : session.focus_mm()};
+  const Knobs& knobs = session.isFrozen() ? session.pictureKnobs() : session.console().knobs();
+  std::vector<double> foci_mm{session.isFrozen() && knobs.focus_mm > 0.0 ? knobs.focus_mm : session.console().focus_mm()};
   for (const double more_mm : knobs.moreFoci_mm) {
     if (more_mm > 0.0) foci_mm.push_back(more_mm);
   }
@@ -24,7 +24,7 @@ FocusScale::FocusScale(Session& session, std::function<double(double)> depthAt_m
     setToolTip(isOn() ? tipWithKeys(tr("Drag a mark to its focus depth (%1)"), "focus.shallower | focus.deeper")
                       : tipWithKeys(tr("Depth in cm; the focus is off (%1)"), "effect.FOCUS"));
   };
-  connect(&session_, &Session::sceneChanged, this, show);
+  connect(&session_.console(), &ScanConsole::sceneChanged, this, show);
   connect(&session_, &Session::frozenChanged, this, show);
   show();
 }
@@ -39,7 +39,7 @@ void FocusScale::mousePressEvent(QMouseEvent* event) {
   dragged_ = 0;
   for (int left = static_cast<int>(nearest - foci_mm.begin()); left > 0; --left) {
     do ++dragged_;
-    while (session_.knobs().moreFoci_mm[static_cast<std::size_t>(dragged_ - 1)] <= 0.0);
+    while (session_.console().knobs().moreFoci_mm[static_cast<std::size_t>(dragged_ - 1)] <= 0.0);
   }
   moveTo(event->localPos().y());
 }
@@ -56,14 +56,14 @@ void FocusScale::mouseReleaseEvent(QMouseEvent* event) {
 
 void FocusScale::moveTo(double y_px) {
   constexpr double kNearest_mm = 5.0;
-  const double depth_mm = std::round(std::clamp(depthAt_mm_(y() + y_px), kNearest_mm, session_.depth_mm()));
-  Knobs knobs = session_.knobs();
+  const double depth_mm = std::round(std::clamp(depthAt_mm_(y() + y_px), kNearest_mm, session_.console().depth_mm()));
+  Knobs knobs = session_.console().knobs();
   if (dragged_ == 0) {
     knobs.focus_mm = depth_mm;
   } else {
     knobs.moreFoci_mm[static_cast<std::size_t>(dragged_ - 1)] = depth_mm;
   }
-  session_.setKnobs(knobs);
+  session_.console().setKnobs(knobs);
 }
 
 }  // namespace ew::ui

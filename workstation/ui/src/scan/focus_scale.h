@@ -23,7 +23,7 @@ class FocusScale final : public QWidget {
   void mouseReleaseEvent(QMouseEvent* event) override;
 
  private:
-  [[nodiscard]] bool isOn() const { return session_.scene().focus && !session_.isFrozen(); }
+  [[nodiscard]] bool isOn() const { return session_.console().scene().focus && !session_.isFrozen(); }
   void moveTo(double y_px);
 
   Session& session_;

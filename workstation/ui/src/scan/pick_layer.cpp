@@ -23,7 +23,7 @@ PickLayer::PickLayer(Session& session, ScanView& scan) : QWidget(&scan), session
   hide();
   scan.installEventFilter(this);
   connect(&session_, &Session::pictureChanged, this, &PickLayer::follow);
-  connect(&session_, &Session::knobsChanged, this, &PickLayer::follow);
+  connect(&session_.console(), &ScanConsole::knobsChanged, this, &PickLayer::follow);
   connect(&session_, &Session::subjectChanged, this, [this] {
     if (!session_.subject()) setPicking(false);
   });

@@ -67,21 +67,21 @@ ScanView::ScanView(Session& session, QWidget* parent) : QWidget(parent), session
     said_.clear();
     update();
   });
-  session_.setWatched(false);
+  session_.frames().setWatched(false);
   const auto changed = [this] {
     arrange();
     update();
   };
   connect(&session_, &Session::pictureChanged, this, changed);
-  connect(&session_, &Session::knobsChanged, this, changed);
-  connect(&session_, &Session::sceneChanged, this, changed);
+  connect(&session_.console(), &ScanConsole::knobsChanged, this, changed);
+  connect(&session_.console(), &ScanConsole::sceneChanged, this, changed);
   connect(&session_, &Session::frozenChanged, this, changed);
   connect(&session_, &Session::subjectChanged, this, changed);
-  connect(&session_, &Session::holdChanged, this, [this] {
-    if (session_.tracked()) update();
+  connect(&session_.probeControl(), &ProbeControl::holdChanged, this, [this] {
+    if (session_.probeControl().tracked()) update();
   });
-  connect(&session_, &Session::trackingChanged, this, [this] {
-    const bool wasLost = std::exchange(isLost_, session_.isLost());
+  connect(&session_.probeControl(), &ProbeControl::trackingChanged, this, [this] {
+    const bool wasLost = std::exchange(isLost_, session_.probeControl().isLost());
     if (isLost_ && !wasLost && soundsLoss_) QApplication::beep();
     update();
   });
@@ -135,7 +135,7 @@ QRect ScanView::stripRect() const {
 std::vector<QRect> ScanView::fanRects() const {
   if (mode() == DisplayMode::mMode || session_.picture().isEmpty()) return {};
   if (session_.wide() != nullptr) return {pictureRect()};
-  return rectsOfFan(session_.spans(), pictureRect().topLeft(), devicePixelRatioF());
+  return rectsOfFan(session_.seen().spans(), pictureRect().topLeft(), devicePixelRatioF());
 }
 
 double ScanView::mmPerWidgetPixel() const {
@@ -175,8 +175,8 @@ double ScanView::depthAt_mm(double y) const {
 }
 
 void ScanView::resizeEvent(QResizeEvent*) { arrange(); }
-void ScanView::showEvent(QShowEvent*) { session_.setWatched(true); }
-void ScanView::hideEvent(QHideEvent*) { session_.setWatched(false); }
+void ScanView::showEvent(QShowEvent*) { session_.frames().setWatched(true); }
+void ScanView::hideEvent(QHideEvent*) { session_.frames().setWatched(false); }
 void ScanView::refreshIcons() { dgc_->refreshIcons(); }
 
 void ScanView::enterEvent(QEvent*) { update(); }
@@ -301,7 +301,7 @@ void ScanView::paintEvent(QPaintEvent*) {
     return;
   }
   if (mode() != DisplayMode::mMode) {
-    QImage image = session_.isLost() ? paled(imageOf(picture)) : imageOf(picture);
+    QImage image = session_.probeControl().isLost() ? paled(imageOf(picture)) : imageOf(picture);
     image.setDevicePixelRatio(devicePixelRatioF());
     painter.drawImage(pictureRect().topLeft(), image);
     if (session_.wide() == nullptr && !isInAir()) paintUnrecorded(painter);
@@ -321,14 +321,14 @@ void ScanView::paintEvent(QPaintEvent*) {
   paintWords(painter);
   if (session_.isFrozen()) paintFrozen(painter);
   if (recorded_s_) paintRecording(painter);
-  if (session_.isLost()) return paintLost(painter);
+  if (session_.probeControl().isLost()) return paintLost(painter);
   if (!said_.isEmpty()) return paintSaid(painter);
   if (paintTracked(painter)) return;
   if (mode() != DisplayMode::mMode && session_.wide() == nullptr && isBesideVolume()) {
     painter.setFont(textFont());
     painter.setPen(scanTheme().quiet);
     painter.drawText(pictureRect(), Qt::AlignCenter | Qt::TextWordWrap,
-                     session_.isFrozen() || session_.mover() == Session::Mover::tracker
+                     session_.isFrozen() || session_.probeControl().mover() == ProbeControl::Mover::tracker
                          ? tr("The probe is outside the volume.")
                          : tr("The probe is outside the volume. Slide it back, or press Home for the start."));
   }
@@ -336,14 +336,14 @@ void ScanView::paintEvent(QPaintEvent*) {
 
 /// Of a tracked probe in the air nothing is missing that was not recorded: there is nothing to see.
 bool ScanView::isInAir() const {
-  const auto face = session_.face();
+  const auto face = session_.probeControl().face();
   return face && (face->how == FaceOnSkin::inAir || face->how == FaceOnSkin::looksAway);
 }
 
 /// Border and words over all that would be live: in B- and M-mode over both.
 void ScanView::paintLost(QPainter& painter) {
   const QRect shown = mode() == DisplayMode::bMode ? pictureRect() : pictureRect().united(stripRect());
-  paintLoss(painter, shown, session_.tracking(), !session_.handRests());
+  paintLoss(painter, shown, session_.probeControl().tracking(), !session_.probeControl().handRests());
   if (!said_.isEmpty()) paintSaid(painter);
 }
 
@@ -351,13 +351,13 @@ void ScanView::paintLost(QPainter& painter) {
 /// @return whether something was said
 bool ScanView::paintTracked(QPainter& painter) {
   if (session_.isFrozen() || session_.isPlaying() || session_.wide() != nullptr) return false;
-  if (session_.mover() == Session::Mover::handMeanwhile) {
-    const TrackingState state = session_.tracking().state;
+  if (session_.probeControl().mover() == ProbeControl::Mover::handMeanwhile) {
+    const TrackingState state = session_.probeControl().tracking().state;
     const TrackingLook look = lookOf(state, scanTheme());
     paintTrackingNote(painter, pictureRect(), look.icon, lossColour(state), tr("The mouse has the probe. Tracker: %1.").arg(look.word));
     return true;
   }
-  const auto face = session_.face();
+  const auto face = session_.probeControl().face();
   if (!face || face->how == FaceOnSkin::touches) return false;
   const bool isWrong = face->how == FaceOnSkin::tooDeep;
   paintTrackingNote(painter, pictureRect(), isWrong ? QStringLiteral("tracking-invalid") : QStringLiteral("tracking-live"),
@@ -447,7 +447,7 @@ const ScanView::Veil& ScanView::veil() {
   used = used.adjusted(-1, -1, 1, 1).intersected(cells.rect());
   veil_.at_px = used.topLeft() * every - QPoint(every / 2, every / 2);
   veil_.image = cells.copy(used).scaled(used.size() * every, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
-  cutToFan(veil_.image, veil_.at_px, session_.spans());
+  cutToFan(veil_.image, veil_.at_px, session_.seen().spans());
   QPainter hatch(&veil_.image);
   hatch.setRenderHint(QPainter::Antialiasing);
   hatch.setCompositionMode(QPainter::CompositionMode_SourceAtop);
@@ -591,14 +591,14 @@ void ScanView::paintMLine(QPainter& painter) {
 void ScanView::paintStrip(QPainter& painter) {
   const Theme theme = scanTheme();
   const QRect box = stripRect();
-  const ImageView<const std::uint8_t> strip = session_.strip();
+  const ImageView<const std::uint8_t> strip = session_.seen().strip();
   painter.setPen(QPen(theme.line, 1.0));
   painter.drawLine(box.left(), box.top() - 8, box.right(), box.top() - 8);
   if (strip.width > 0) {
-    QImage image = session_.isLost() ? paled(imageOf(strip)) : imageOf(strip);
+    QImage image = session_.probeControl().isLost() ? paled(imageOf(strip)) : imageOf(strip);
     image.setDevicePixelRatio(devicePixelRatioF());
     painter.drawImage(box.topLeft(), image);
-    const double x = box.left() + session_.stripCursor() / devicePixelRatioF();
+    const double x = box.left() + session_.seen().stripCursor() / devicePixelRatioF();
     painter.setPen(QPen(theme.accent, 1.0));
     painter.drawLine(QPointF(x, box.top()), QPointF(x, box.bottom()));
   }
@@ -637,8 +637,9 @@ void ScanView::paintWords(QPainter& painter) {
   drawFigures(painter, QRect(20, lineTop, lineRoom_px, lineHeight_px()), Qt::AlignLeft, line);
   // What a drag would do, as long as the pointer is here and there is room beside the figures.
   const int hint_px = lineRoom_px - figuresWidth_px(metrics, line) - 48;
-  const bool looksBack = session_.isFrozen() && session_.cineFrame() && session_.cine().frameCount() > 1;
-  if (underMouse() && (!session_.handRests() || looksBack || knobs.zoom > 1.0) && !session_.isPlaying() && hint_px >= scaled(kHint_px)) {
+  const bool looksBack = session_.isFrozen() && session_.cineLoop().frame() && session_.cineLoop().ring().frameCount() > 1;
+  if (underMouse() && (!session_.probeControl().handRests() || looksBack || knobs.zoom > 1.0) && !session_.isPlaying() &&
+      hint_px >= scaled(kHint_px)) {
     painter.drawText(QRect(20 + lineRoom_px - hint_px, lineTop, hint_px, lineHeight_px()), Qt::AlignRight | Qt::AlignVCenter,
                      knobs.zoom > 1.0 ? tr("drag: move the detail")
                      : looksBack      ? tr("wheel: step through what was scanned")

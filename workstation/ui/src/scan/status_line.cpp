@@ -81,12 +81,12 @@ StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), ses
   soon_.setSingleShot(true);
   soon_.setInterval(250);
   connect(&soon_, &QTimer::timeout, this, &StatusLine::showPlan);
-  connect(&session_, &Session::holdChanged, this, &StatusLine::showPose);
-  connect(&session_, &Session::knobsChanged, this, &StatusLine::showPose);
-  connect(&session_, &Session::trackingChanged, this, &StatusLine::showPose);
+  connect(&session_.probeControl(), &ProbeControl::holdChanged, this, &StatusLine::showPose);
+  connect(&session_.console(), &ScanConsole::knobsChanged, this, &StatusLine::showPose);
+  connect(&session_.probeControl(), &ProbeControl::trackingChanged, this, &StatusLine::showPose);
   connect(&session_, &Session::subjectChanged, this, &StatusLine::showPose);
   connect(&session_, &Session::pictureChanged, this, [this] {
-    if (session_.mover() != Session::Mover::hand) showPose();
+    if (session_.probeControl().mover() != ProbeControl::Mover::hand) showPose();
     if (!soon_.isActive()) soon_.start();
   });
   showLabels();
@@ -181,10 +181,10 @@ void StatusLine::showLabels() {
 }
 
 void StatusLine::showPose() {
-  const glm::dvec3 at = session_.pose().probeToWorld.matrix[3];
+  const glm::dvec3 at = session_.probeControl().pose().probeToWorld.matrix[3];
   // A value that rounds to zero is shown as 0.0, never as -0.0.
   const auto aligned = [](double value) { return figure(std::round(value * 10.0) / 10.0 + 0.0, 1).rightJustified(6); };
-  position_->setText(session_.subject() && !session_.isLost()
+  position_->setText(session_.subject() && !session_.probeControl().isLost()
                          ? QStringLiteral("x %1  y %2  z %3 mm").arg(aligned(at.x), aligned(at.y), aligned(at.z))
                          : QString());
   if (!soon_.isActive()) soon_.start();
@@ -198,7 +198,7 @@ void StatusLine::showPlan() {
     contact_->setText({});
     return;
   }
-  const std::vector<StepTime> times = session_.stepTimes();
+  const std::vector<StepTime> times = session_.frames().stepTimes();
   QStringList parts;
   double total_ms = 0.0;
   for (const StepTime& step : times) {
@@ -217,18 +217,18 @@ void StatusLine::showPlan() {
     plan_->setText(tr("plan: %n steps, %1 ms", nullptr, static_cast<int>(parts.size())).arg(figure(total_ms, 2)));
   }
   plan_->setToolTip(planTip());
-  lowered_->setText(session_.isLowered() ? tr("adaptive: %1").arg(nameOfQuality(session_.usedKnobs().quality)) : QString());
-  const auto contact = session_.isLost() ? std::nullopt : session_.contact();
+  lowered_->setText(session_.frames().isLowered() ? tr("adaptive: %1").arg(nameOfQuality(session_.shownState().knobs.quality)) : QString());
+  const auto contact = session_.probeControl().isLost() ? std::nullopt : session_.contact();
   contact_->setText(contact ? tr("contact %1 %").arg(static_cast<int>(std::lround(*contact * 100.0))) : QString());
 }
 
 QString StatusLine::planTip() const {
   const auto cell = [](double us) { return QStringLiteral("<td align='right'>%1</td>").arg(figure(us / 1000.0, 2)); };
   QString rows;
-  const std::vector<StepTime> times = session_.stepTimes();
+  const std::vector<StepTime> times = session_.frames().stepTimes();
   double estimated_us = 0.0;
   double measured_us = 0.0;
-  for (const Step& step : session_.plan().steps) {
+  for (const Step& step : session_.seen().plan().steps) {
     const auto time = std::find_if(times.begin(), times.end(), [&](const StepTime& t) { return t.kind == step.kind; });
     const double took_us = time != times.end() ? time->measured_us : 0.0;
     estimated_us += step.estimated_us;
@@ -240,7 +240,7 @@ QString StatusLine::planTip() const {
                     "<p style='white-space:pre'>%1</p><table cellspacing='2'><tr><td></td><td align='right'>%2&nbsp;</td>"
                     "<td align='right'>%3</td></tr>%4</table>")
                     .arg(tr("What the image runs, ms (median of the last frames)"), tr("estimated"), tr("measured"), rows);
-  const LatencyHistogram& latency = session_.latency();
+  const LatencyHistogram& latency = session_.frames().latency();
   if (latency.count() == 0) return tip;
   const auto quantile_ms = [&](double share) { return latency.quantile_us(share) / 1000.0; };
   tip += QStringLiteral("<p style='white-space:pre'>%1<br>%2</p><table cellspacing='0'>")

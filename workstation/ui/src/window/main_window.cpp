@@ -105,7 +105,7 @@ void readResources(WindowParts& p) {
     p.host->setChoices([&p, choices = choicesForCases(*probes, *resources / "mannequin")] {
       return withConsole(choices, p.presets->all(), p.bodyMark.offered());
     });
-    p.session.setProbes(std::move(*probes));
+    p.session.console().setProbes(std::move(*probes));
   } else {
     p.messages->showError(probes.error());
   }
@@ -260,8 +260,8 @@ void MainWindow::watchViews() {
   p.viewColumns = new ViewColumns(*p.columnSplitter, *p.panels, *p.body, *p.pictures, *p.view3d->canvas(), this);
   p.viewColumns->watch(*p.scanView);
   const auto beforePress = std::make_shared<Hold>();  // where the probe was before the last press in a view
-  p.viewColumns->onPress = [&p, beforePress] { *beforePress = p.session.hold(); };
-  p.viewColumns->takeBackPress = [&p, beforePress] { p.session.setHold(*beforePress); };
+  p.viewColumns->onPress = [&p, beforePress] { *beforePress = p.session.probeControl().hold(); };
+  p.viewColumns->takeBackPress = [&p, beforePress] { p.session.probeControl().setHold(*beforePress); };
   p.caliperLayer = new CaliperLayer(p.session, p.calipers, *p.scanView);
   p.stripCaliperLayer = new CaliperLayer(p.session, p.calipers, *p.scanView, Where::strip);
   p.annotationLayer = new AnnotationLayer(p.session, p.annotated, *p.scanView);
@@ -355,7 +355,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
   if (isEscape && p.help->leaveTour()) return;
   if (isEscape && p.wide.state() == WideScan::State::growing) return parts_->wide.cancel();
   // Before any message goes: the one that tells to press it is a message itself.
-  if (isEscape && p.session.isFollowing() && p.workspaces->isAtWork()) return p.host->hostScan().takeProbeBack();
+  if (isEscape && p.session.probeControl().isFollowing() && p.workspaces->isAtWork()) return p.host->hostScan().takeProbeBack();
   if (isEscape && p.messages->count() > 0) {
     p.messages->dismiss();
     return;

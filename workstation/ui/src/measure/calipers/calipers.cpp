@@ -115,9 +115,11 @@ void Calipers::takeInStrip(CaliperKind kind, const CaliperDrawing::Purpose& aske
   changeIn(Where::strip, [&](CaliperDrawing& drawing) { drawing.take(kind, purpose); });
 }
 
-bool Calipers::hasStrip() const { return session_.strip().width > 0 && session_.strip().height > 1 && session_.geometry().depth_mm > 0.0; }
+bool Calipers::hasStrip() const {
+  return session_.seen().strip().width > 0 && session_.seen().strip().height > 1 && session_.geometry().depth_mm > 0.0;
+}
 
-measurement::StripPlane Calipers::stripPlane() const { return {session_.mMode(), session_.geometry().depth_mm}; }
+measurement::StripPlane Calipers::stripPlane() const { return {session_.seen().mMode(), session_.geometry().depth_mm}; }
 
 void Calipers::putDownOther() {
   CaliperDrawing& other = mine(where_ == Where::strip ? Where::picture : Where::strip);
@@ -408,7 +410,7 @@ void Calipers::measureLines(Where where, const measurement::Measurements& shown,
     }
     if (where == Where::strip && hasStrip() && !std::exchange(isStripKnown, true))
       stripAt_ = measurement::uncertaintyInStrip(session_.pictureProbe(), session_.pictureKnobs(), session_.pictureScene(),
-                                                 session_.geometry(), session_.mMode());
+                                                 session_.geometry(), session_.seen().mMode());
     const measurement::UncertaintyAt& at = uncertainty(where);
     now.push_back({measurement, measured(measurement.caliper, at), where, at, where == Where::strip && hasLeft(measurement.caliper)});
   }

@@ -69,16 +69,16 @@ CineBar::CineBar(Session& session, QWidget* parent) : QWidget(parent), session_(
   connect(line_, &TimeLine::moved, this, [this](double position_s) {
     if (!review_) return;
     setPlaying(false);
-    goTo(session_.cine().frameAt(session_.cine().frameTime_s(0) + position_s));
+    goTo(session_.cineLoop().ring().frameAt(session_.cineLoop().ring().frameTime_s(0) + position_s));
   });
   connect(&session_, &Session::frozenChanged, this, &CineBar::follow);
-  connect(&session_, &Session::cineChanged, this, &CineBar::follow);
-  connect(&session_, &Session::cineReplaced, this, [this] {
+  connect(&session_.cineLoop(), &CineLoop::changed, this, &CineBar::follow);
+  connect(&session_.cineLoop(), &CineLoop::replaced, this, [this] {
     if (isOpen()) close();
     follow();
   });
   connect(&session_, &Session::pictureChanged, this, [this] {
-    if (review_ && session_.cineFrame()) showState();  // not in the moment in which the scan runs on and the ring begins anew
+    if (review_ && session_.cineLoop().frame()) showState();  // not in the moment in which the scan runs on and the ring begins anew
   });
   refreshIcons();
 }
@@ -89,13 +89,13 @@ void CineBar::watch(QWidget* scan, QWidget* body) {
 }
 
 void CineBar::follow() {
-  const bool opens = session_.cineFrame().has_value() && session_.cine().frameCount() > 1;
+  const bool opens = session_.cineLoop().frame().has_value() && session_.cineLoop().ring().frameCount() > 1;
   if (opens == isOpen()) return;
   if (!opens) return close();
-  review_.emplace(session_.cine());
-  review_->goTo(*session_.cineFrame());
+  review_.emplace(session_.cineLoop().ring());
+  review_->goTo(*session_.cineLoop().frame());
   wheel_ = 0;
-  line_->setLength(session_.cine().length_s(), {}, {});
+  line_->setLength(session_.cineLoop().ring().length_s(), {}, {});
   showState();
   Q_EMIT openChanged(true);
 }
@@ -128,7 +128,7 @@ void CineBar::advance() {
   // An image that is still being formed is waited for, and the time it takes is not made up for.
   const double passed_s = static_cast<double>(sinceTick_.nsecsElapsed()) * 1e-9 * speed_->currentData().toDouble();
   sinceTick_.restart();
-  if (session_.isFormingCine()) return;
+  if (session_.cineLoop().isForming()) return;
   review_->advance(passed_s);
   showFrame();
 }
@@ -159,18 +159,18 @@ void CineBar::markOut() {
 }
 
 void CineBar::showFrame() {
-  session_.showCine(review_->frame());
+  session_.cineLoop().show(review_->frame());
   showState();
 }
 
 void CineBar::showState() {
-  const CineRing& ring = session_.cine();
+  const CineRing& ring = session_.cineLoop().ring();
   const double begin_s = ring.frameTime_s(0), at_s = ring.frameTime_s(review_->frame());
   const std::size_t last = ring.frameCount() - 1;
   line_->setPosition(at_s - begin_s);
   line_->setRange(review_->isInMarked() ? std::optional(ring.frameTime_s(review_->in()) - begin_s) : std::nullopt,
                   review_->isOutMarked() ? std::optional(ring.frameTime_s(review_->out()) - begin_s) : std::nullopt);
-  const QString before_s = session_.isFormingCine() ? QStringLiteral("…") : signedFigure(at_s - ring.frameTime_s(last), 1);
+  const QString before_s = session_.cineLoop().isForming() ? QStringLiteral("…") : signedFigure(at_s - ring.frameTime_s(last), 1);
   time_->setText(tr("%1 of %2   %3 s").arg(review_->frame() + 1).arg(last + 1).arg(before_s));
 }
 
@@ -188,7 +188,7 @@ bool CineBar::run(const std::string& command, bool far) {
     goTo(0);
   } else if (command == "cine.last") {
     setPlaying(false);
-    goTo(session_.cine().frameCount() - 1);
+    goTo(session_.cineLoop().ring().frameCount() - 1);
   } else {
     return false;
   }
@@ -217,7 +217,8 @@ bool CineBar::eventFilter(QObject* watched, QEvent* event) {
 
 std::shared_ptr<const ScanRecording> CineBar::clip(const std::string& caseId) const {
   if (!review_ || !session_.subject()) return nullptr;
-  return std::make_shared<const ScanRecording>(clipOf(session_.cine(), review_->in(), review_->out(), caseId, session_.subject()->title));
+  return std::make_shared<const ScanRecording>(
+      clipOf(session_.cineLoop().ring(), review_->in(), review_->out(), caseId, session_.subject()->title));
 }
 
 void CineBar::refreshIcons() {

@@ -10,9 +10,9 @@ namespace ew::ui {
 Recorder::Recorder(Session& session, QObject* parent) : QObject(parent), session_(session) {
   connect(&session_, &Session::pictureChanged, this, &Recorder::takePicture);
   connect(&session_, &Session::frozenChanged, this, [this](bool frozen) {
-    if (recording_) recording_->log.setFrozen(session_.now_s(), frozen);
+    if (recording_) recording_->log.setFrozen(session_.frames().now_s(), frozen);
   });
-  connect(&session_, &Session::poseMissed, this, &Recorder::takeMissed);
+  connect(&session_.probeControl(), &ProbeControl::poseMissed, this, &Recorder::takeMissed);
   second_.setInterval(1000);
   connect(&second_, &QTimer::timeout, this, &Recorder::changed);
 }
@@ -22,7 +22,7 @@ void Recorder::start(const std::string& caseId) {
   recording_ = std::make_shared<ScanRecording>();
   recording_->caseId = caseId;
   recording_->title = session_.subject()->title;
-  begin_s_ = session_.now_s();
+  begin_s_ = session_.frames().now_s();
   trackerState_.clear();
   // Nothing of the time before shows in what is recorded: it could not be shown again.
   session_.forgetPictures();
@@ -38,15 +38,15 @@ std::shared_ptr<const ScanRecording> Recorder::stop() {
   return made->log.frameCount() > 0 ? made : nullptr;
 }
 
-double Recorder::length_s() const { return recording_ ? session_.now_s() - begin_s_ : 0.0; }
+double Recorder::length_s() const { return recording_ ? session_.frames().now_s() - begin_s_ : 0.0; }
 
 void Recorder::addNote(const std::string& kind, const nlohmann::json& what) {
-  if (recording_) recording_->log.addNote(session_.now_s(), kind, what);
+  if (recording_) recording_->log.addNote(session_.frames().now_s(), kind, what);
 }
 
 void Recorder::takePicture() {
   // A frozen picture is made again for a window of another size; it is no new one.
-  if (!recording_ || session_.isFrozen() || session_.isLost() || session_.picture().isEmpty()) return;
+  if (!recording_ || session_.isFrozen() || session_.probeControl().isLost() || session_.picture().isEmpty()) return;
   if (recording_->log.frameCount() == 0) recording_->size_px = {session_.picture().width(), session_.picture().height()};
   noteTracker("");
   recording_->log.addFrame(session_.shownState());
@@ -56,8 +56,9 @@ void Recorder::takePicture() {
 void Recorder::takeMissed() {
   if (!recording_ || recording_->log.frameCount() == 0) return;
   // It may have come back since: then the picture that shows it is the next.
-  if (session_.tracking().state != TrackingState::live) noteTracker(stateWord(session_.tracking().state).english());
-  recording_->log.addFrame(session_.missedState());
+  if (session_.probeControl().tracking().state != TrackingState::live)
+    noteTracker(stateWord(session_.probeControl().tracking().state).english());
+  recording_->log.addFrame(session_.probeControl().missedState());
 }
 
 /// Why poses are missing, once for each reason. @param state empty: they are there

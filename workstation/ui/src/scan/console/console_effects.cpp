@@ -34,8 +34,8 @@ void ConsolePanel::addEffect(QVBoxLayout* rows, const EffectInfo& effect) {
     });
   });
   shows_.emplace_back([this, box, &effect] {
-    if (effect.isOn(session_.scene())) effect.copy(session_.scene(), remembered_);
-    box->setChecked(effect.isOn(session_.scene()));
+    if (effect.isOn(session_.console().scene())) effect.copy(session_.console().scene(), remembered_);
+    box->setChecked(effect.isOn(session_.console().scene()));
     Scene with = remembered_;
     effect.switchTo(with, true);
     box->setEnabled(!session_.subject() || effect.isOn(session_.subject()->possible(with)));
@@ -59,7 +59,7 @@ void ConsolePanel::addStrength(QVBoxLayout* rows, const EffectInfo& effect, cons
   parts.get = [this, &strength, steps] { return steps(strength.of(remembered_)); };
   parts.set = [this, &strength](int v) { changeScene([&](Scene& scene) { strength.set(scene, v * strength.step); }); };
   parts.text = [this, &strength] { return strengthText(strength, strength.of(remembered_)); };
-  parts.isOn = [this, &effect] { return effect.isOn(session_.scene()); };
+  parts.isOn = [this, &effect] { return effect.isOn(session_.console().scene()); };
   addSlider(rows, std::move(parts))->setAccessibleName(effectText(effect.name));
 }
 
@@ -68,8 +68,8 @@ void ConsolePanel::addOption(QVBoxLayout* rows, const EffectInfo& effect, const 
   connect(box, &QCheckBox::toggled, this,
           [this, &option](bool on) { changeScene([&option, on](Scene& scene) { option.switchTo(scene, on); }); });
   shows_.emplace_back([this, box, &effect, &option] {
-    box->setChecked(option.isOn(session_.scene()));
-    box->setEnabled(effect.isOn(session_.scene()));
+    box->setChecked(option.isOn(session_.console().scene()));
+    box->setEnabled(effect.isOn(session_.console().scene()));
   });
 }
 
@@ -83,17 +83,17 @@ void ConsolePanel::addEffectsPage(QVBoxLayout* rows) {
   rows->addSpacing(8);
   rows->addWidget(reset);
   connect(reset, &QPushButton::clicked, this, [this] {
-    if (session_.canUndoSceneReset()) {
-      session_.undoSceneReset();
+    if (session_.console().canUndoSceneReset()) {
+      session_.console().undoSceneReset();
     } else {
-      session_.resetScene();
+      session_.console().resetScene();
     }
   });
   shows_.emplace_back([this, reset] {
-    const bool undo = session_.canUndoSceneReset();
+    const bool undo = session_.console().canUndoSceneReset();
     reset->setText(undo ? tr("Undo: effects of the case") : tr("Effects of the case"));
     reset->setToolTip(undo ? tr("Back to the effects as they were switched before") : tr("Back to the effects that the case calls for"));
-    reset->setEnabled(undo || (session_.subject() && !session_.hasCaseScene()));
+    reset->setEnabled(undo || (session_.subject() && !session_.console().hasCaseScene()));
   });
   connect(&session_, &Session::subjectChanged, this, [this] { remembered_ = sceneWithEverything(); });
 }

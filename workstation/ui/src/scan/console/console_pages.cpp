@@ -42,11 +42,11 @@ double placeForFocus_mm(std::vector<double> foci_mm, double depth_mm) {
 
 void ConsolePanel::setFoci(int count) {
   change([this, count](Knobs& k) {
-    std::vector<double> foci_mm{session_.focus_mm()};
+    std::vector<double> foci_mm{session_.console().focus_mm()};
     for (const double more_mm : k.moreFoci_mm) {
       if (more_mm > 0.0) foci_mm.push_back(more_mm);
     }
-    while (static_cast<int>(foci_mm.size()) < count) foci_mm.push_back(placeForFocus_mm(foci_mm, session_.depth_mm()));
+    while (static_cast<int>(foci_mm.size()) < count) foci_mm.push_back(placeForFocus_mm(foci_mm, session_.console().depth_mm()));
     if (count > 1) k.focus_mm = foci_mm.front();
     k.moreFoci_mm = {};
     for (int i = 1; i < count; ++i) k.moreFoci_mm[static_cast<std::size_t>(i - 1)] = foci_mm[static_cast<std::size_t>(i)];
@@ -54,7 +54,7 @@ void ConsolePanel::setFoci(int count) {
 }
 
 void ConsolePanel::addImagePage(QVBoxLayout* rows) {
-  const auto hasFocus = [this] { return session_.scene().focus.has_value(); };
+  const auto hasFocus = [this] { return session_.console().scene().focus.has_value(); };
   addPresets(rows);
   SliderParts focus{tr("Focus"),
                     QStringLiteral("focus"),
@@ -63,17 +63,17 @@ void ConsolePanel::addImagePage(QVBoxLayout* rows) {
                     5,
                     300,
                     5,
-                    [this] { return rounded(session_.focus_mm()); },
+                    [this] { return rounded(session_.console().focus_mm()); },
                     [this](int v) { change([v](Knobs& k) { k.focus_mm = v; }); },
-                    [this] { return tr("%1 cm").arg(figure(session_.focus_mm() / 10.0, 1)); },
+                    [this] { return tr("%1 cm").arg(figure(session_.console().focus_mm() / 10.0, 1)); },
                     hasFocus};
-  focus.range = [this] { return std::pair{5, rounded(session_.depth_mm())}; };
+  focus.range = [this] { return std::pair{5, rounded(session_.console().depth_mm())}; };
   addSlider(rows, std::move(focus));
   ChoiceParts foci{tr("Focal zones"),
                    QStringLiteral("foci"),
                    {},
                    [this] {
-                     const auto& more = session_.knobs().moreFoci_mm;
+                     const auto& more = session_.console().knobs().moreFoci_mm;
                      return static_cast<int>(std::count_if(more.begin(), more.end(), [](double mm) { return mm > 0.0; }));
                    },
                    [this](int index) { setFoci(index + 1); },
@@ -84,46 +84,48 @@ void ConsolePanel::addImagePage(QVBoxLayout* rows) {
   foci.isInline = true;
   addSegments(rows, std::move(foci));
   const auto shownRange_db = [this] {
-    const double asked_db = session_.knobs().dynamicRange_db;
-    return rounded(asked_db > 0.0 ? asked_db : session_.scene().recordedDynamicRange_db);
+    const double asked_db = session_.console().knobs().dynamicRange_db;
+    return rounded(asked_db > 0.0 ? asked_db : session_.console().scene().recordedDynamicRange_db);
   };
   addSlider(rows, {tr("Dynamic range"), QStringLiteral("dynamicRange"), QStringLiteral("120 dB"),
                    tipWithKeys(tr("How many decibels lie between black and white: fewer give more contrast about the middle greys (%1)"),
                                "range.wider | range.narrower"),
                    20, 120, 5, shownRange_db,
                    [this](int v) {
-                     change([this, v](Knobs& k) { k.dynamicRange_db = v == rounded(session_.scene().recordedDynamicRange_db) ? 0.0 : v; });
+                     change([this, v](Knobs& k) {
+                       k.dynamicRange_db = v == rounded(session_.console().scene().recordedDynamicRange_db) ? 0.0 : v;
+                     });
                    },
                    [shownRange_db] { return tr("%1 dB").arg(shownRange_db()); }});
   addGreyMaps(rows);
   addSlider(rows, {tr("Edge enhancement"), QStringLiteral("edges"), QStringLiteral("100 %"),
                    tipWithKeys(tr("Makes borders sharper (%1)"), "edges.more | edges.less"), 0, 100, 10,
-                   [this] { return rounded(session_.knobs().edgeEnhancement * 100.0); },
+                   [this] { return rounded(session_.console().knobs().edgeEnhancement * 100.0); },
                    [this](int v) { change([v](Knobs& k) { k.edgeEnhancement = v / 100.0; }); },
                    [this] {
-                     const int percent = rounded(session_.knobs().edgeEnhancement * 100.0);
+                     const int percent = rounded(session_.console().knobs().edgeEnhancement * 100.0);
                      return percent == 0 ? tr("off") : tr("%1 %").arg(percent);
                    }});
   addSlider(rows, {tr("Persistence"), QStringLiteral("persistence"), QStringLiteral("95 %"),
                    tipWithKeys(tr("How much of the last image stays (%1)"), "persistence.more | persistence.less"), 0, 95, 10,
-                   [this] { return rounded(session_.knobs().persistence * 100.0); },
+                   [this] { return rounded(session_.console().knobs().persistence * 100.0); },
                    [this](int v) { change([v](Knobs& k) { k.persistence = v / 100.0; }); },
                    [this] {
-                     const int percent = rounded(session_.knobs().persistence * 100.0);
+                     const int percent = rounded(session_.console().knobs().persistence * 100.0);
                      return percent == 0 ? tr("off") : tr("%1 %").arg(percent);
                    }});
   addCompounding(rows);
   addSlider(rows, {tr("Zoom"), QStringLiteral("zoom"), QStringLiteral("8.0 x"),
                    tipWithKeys(tr("Magnify; drag in the image to move the detail (%1)"), "zoom.in | zoom.out"), kZoomSteps, 8 * kZoomSteps,
-                   kZoomSteps / 2, [this] { return rounded(session_.knobs().zoom * kZoomSteps); },
+                   kZoomSteps / 2, [this] { return rounded(session_.console().knobs().zoom * kZoomSteps); },
                    [this](int v) { change([v](Knobs& k) { k.zoom = static_cast<double>(v) / kZoomSteps; }); },
-                   [this] { return tr("%1 x").arg(figure(session_.knobs().zoom, 1)); }});
+                   [this] { return tr("%1 x").arg(figure(session_.console().knobs().zoom, 1)); }});
   addZoomButtons(rows);
   ChoiceParts speed{tr("Quality"),
                     QStringLiteral("speed"),
                     {{tr("Fast"), QStringLiteral("qualityFast"), tr("For a slow computer: the image follows the hand, and is coarser (1)")},
                      {tr("Fine"), QStringLiteral("qualityFine"), tr("Smooth images (2)")}},
-                    [this] { return session_.knobs().quality == Quality::weave ? 0 : 1; },
+                    [this] { return session_.console().knobs().quality == Quality::weave ? 0 : 1; },
                     [this](int i) { chooseQuality(i == 0 ? Quality::weave : Quality::linear); }};
   speed.isInline = true;
   addSegments(rows, std::move(speed));
@@ -132,7 +134,7 @@ void ConsolePanel::addImagePage(QVBoxLayout* rows) {
 
 /// Whether the image is of echoes formed anew: a recorded volume's grain was made by one machine with one setting.
 bool ConsolePanel::formsAnew() const {
-  const std::optional<LiveEchoesEffect>& echoes = session_.scene().liveEchoes;
+  const std::optional<LiveEchoesEffect>& echoes = session_.console().scene().liveEchoes;
   if (!echoes || !session_.subject() || !session_.subject()->tissue) return false;
   return !session_.subject()->tissue->isRecorded || !(echoes->ownGrain > 0.0);
 }
@@ -146,10 +148,10 @@ void ConsolePanel::addCompounding(QVBoxLayout* rows) {
        {QStringLiteral("3"), QStringLiteral("compound3"),
         tip(tr("The mean of three directions: less grain, fuller borders, shorter shadows; an image takes three times as long (%1)"))},
        {QStringLiteral("5"), QStringLiteral("compound5"), tip(tr("The mean of five directions, five times as long (%1)"))}},
-      [this] { return (session_.knobs().compoundAngles - 1) / 2; },
+      [this] { return (session_.console().knobs().compoundAngles - 1) / 2; },
       [this](int i) { change([i](Knobs& k) { k.compoundAngles = 1 + 2 * i; }); },
-      [this] { return formsAnew() && session_.knobs().quality != Quality::weave && !session_.knobs().trapezoid; },
-      [this] { return session_.probe().kind == ProbeKind::linear || session_.probe().kind == ProbeKind::convex; }};
+      [this] { return formsAnew() && session_.console().knobs().quality != Quality::weave && !session_.console().knobs().trapezoid; },
+      [this] { return session_.console().probe().kind == ProbeKind::linear || session_.console().probe().kind == ProbeKind::convex; }};
   angles.isInline = true;
   addSegments(rows, std::move(angles));
 }
@@ -162,7 +164,7 @@ void ConsolePanel::addHarmonics(QVBoxLayout* rows) {
                   "harmonic"));
   connect(harmonic, &QCheckBox::toggled, this, [this](bool on) { change([on](Knobs& k) { k.harmonic = on; }); });
   shows_.emplace_back([this, harmonic] {
-    harmonic->setChecked(session_.knobs().harmonic);
+    harmonic->setChecked(session_.console().knobs().harmonic);
     harmonic->setEnabled(formsAnew());
   });
 }
@@ -178,12 +180,12 @@ void ConsolePanel::addGreyMaps(QVBoxLayout* rows) {
                     {tr("Clinical"), QStringLiteral("greyClinical"),
                      tr("As a machine shows the abdomen: black background, dark tissue, bright borders (G for the next)")}},
                    [this, kMaps] {
-                     const GreyMap shown = resolvedGreyMap(session_.knobs(), session_.scene());
+                     const GreyMap shown = resolvedGreyMap(session_.console().knobs(), session_.console().scene());
                      return static_cast<int>(std::find(kMaps.begin(), kMaps.end(), shown) - kMaps.begin());
                    },
                    [this, kMaps](int i) {
                      const GreyMap chosen = kMaps[static_cast<std::size_t>(i)];
-                     const bool isUsual = chosen == usualGreyMap(formsEchoes(session_.scene()));
+                     const bool isUsual = chosen == usualGreyMap(formsEchoes(session_.console().scene()));
                      change([=](Knobs& k) { k.greyMap = isUsual ? GreyMap::automatic : chosen; });
                    }};
   maps.perLine = 3;  // five words side by side are wider than the console
@@ -196,13 +198,13 @@ void ConsolePanel::addGainLaws(QVBoxLayout* rows) {
              QStringLiteral("gainLaw"),
              {{tr("Decibels"), QStringLiteral("gainDecibels"), tr("As on a machine: along the beam, noise is amplified with the echoes")},
               {tr("Factors"), QStringLiteral("gainFactors"), tr("As in the paper of 1998: factors on grey levels, by rows of the image")}},
-             [this] { return session_.gainLaw() == GainLaw::decibel ? 0 : 1; },
+             [this] { return session_.console().gainLaw() == GainLaw::decibel ? 0 : 1; },
              [this](int i) {
                const GainLaw chosen = i == 0 ? GainLaw::decibel : GainLaw::paper;
-               const bool isUsual = chosen == usualGainLaw(formsEchoes(session_.scene()));
+               const bool isUsual = chosen == usualGainLaw(formsEchoes(session_.console().scene()));
                change([=](Knobs& k) { k.gainLaw = isUsual ? GainLaw::automatic : chosen; });
              },
-             [this] { return session_.scene().gainAndDgc; }});
+             [this] { return session_.console().scene().gainAndDgc; }});
 }
 
 /// What an engineer asks about: how an image is computed, and what that costs.
@@ -212,7 +214,7 @@ void ConsolePanel::addAdvanced(QVBoxLayout* rows) {
                      {{tr("Nearest"), QStringLiteral("qualityWeave"), tr("The nearest voxels, fastest (1)")},
                       {tr("Linear"), QStringLiteral("qualityLinear"), tr("Interpolated between eight voxels (2)")},
                       {tr("Cubic"), QStringLiteral("qualityCubic"), tr("Interpolated between 64 voxels, sharpest (3)")}},
-                     [this] { return static_cast<int>(session_.knobs().quality); },
+                     [this] { return static_cast<int>(session_.console().knobs().quality); },
                      [this](int i) { chooseQuality(static_cast<Quality>(i)); }});
   addSegments(rows,
               {tr("Focus model"),
@@ -221,15 +223,15 @@ void ConsolePanel::addAdvanced(QVBoxLayout* rows) {
                  tipWithKeys(tr("Every depth is blurred by the width its beam has there (%1)"), "focus.model")},
                 {tr("Coarse rows"), QStringLiteral("focusStretch"),
                  tipWithKeys(tr("Rows out of focus are undersampled and stretched back (%1)"), "focus.model")}},
-               [this] { return session_.knobs().focusMethod == FocusMethod::lateralKernel ? 0 : 1; },
+               [this] { return session_.console().knobs().focusMethod == FocusMethod::lateralKernel ? 0 : 1; },
                [this](int i) { change([i](Knobs& k) { k.focusMethod = i == 0 ? FocusMethod::lateralKernel : FocusMethod::rowStretch; }); },
-               [this] { return session_.scene().focus.has_value(); }});
+               [this] { return session_.console().scene().focus.has_value(); }});
   ChoiceParts planes{tr("Slice planes"),
                      QStringLiteral("planes"),
                      {},
-                     [this] { return (session_.knobs().elevationPlanes - 3) / 2; },
+                     [this] { return (session_.console().knobs().elevationPlanes - 3) / 2; },
                      [this](int i) { change([i](Knobs& k) { k.elevationPlanes = 3 + 2 * i; }); },
-                     [this] { return session_.scene().sliceThickness.has_value(); }};
+                     [this] { return session_.console().scene().sliceThickness.has_value(); }};
   for (int n = 3; n <= 9; n += 2) {
     planes.choices.push_back(
         {QString::number(n), QStringLiteral("planes%1").arg(n),
@@ -255,10 +257,10 @@ void ConsolePanel::addAdvanced(QVBoxLayout* rows) {
   connect(cost, &QPushButton::clicked, this, &ConsolePanel::costAsked);
   connect(adaptive, &QCheckBox::toggled, this, [this](bool on) {
     if (showing_) return;
-    session_.setAdaptive(on);
+    session_.frames().setAdaptive(on);
     QSettings().setValue(QStringLiteral("adaptiveQuality"), on);
   });
-  shows_.emplace_back([this, adaptive] { adaptive->setChecked(session_.isAdaptive()); });
+  shows_.emplace_back([this, adaptive] { adaptive->setChecked(session_.frames().isAdaptive()); });
 }
 
 void ConsolePanel::addProbePage(QVBoxLayout* rows) {
@@ -280,21 +282,21 @@ void ConsolePanel::addTransducers(QVBoxLayout* rows) {
   rows->addWidget(probe);
   rows->addSpacing(8);
   connect(probe, qOverload<int>(&QComboBox::activated), this,
-          [this, probe](int index) { session_.chooseProbe(probe->itemData(index).toString().toStdString()); });
+          [this, probe](int index) { session_.console().chooseProbe(probe->itemData(index).toString().toStdString()); });
   shows_.emplace_back([this, probe] {
     const QSignalBlocker quiet(probe);
-    bool isSame = probe->count() == static_cast<int>(session_.probes().size());
+    bool isSame = probe->count() == static_cast<int>(session_.console().probes().size());
     for (int i = 0; isSame && i < probe->count(); ++i) {
-      isSame = probe->itemData(i).toString() == words(session_.probes()[static_cast<std::size_t>(i)].id);
+      isSame = probe->itemData(i).toString() == words(session_.console().probes()[static_cast<std::size_t>(i)].id);
     }
     if (!isSame) {
       probe->clear();
-      for (const Probe& one : session_.probes()) {
+      for (const Probe& one : session_.console().probes()) {
         probe->addItem(nameOfProbe(one.name), words(one.id));
         probe->setItemData(probe->count() - 1, nameOfProbe(one.name), Qt::ToolTipRole);
       }
     }
-    probe->setCurrentIndex(probe->findData(words(session_.probe().id)));
+    probe->setCurrentIndex(probe->findData(words(session_.console().probe().id)));
     probe->setToolTip(tr("Transducer: %1 (T for the next)").arg(probe->currentText()));
   });
 }
@@ -310,11 +312,11 @@ void ConsolePanel::addFrequencies(QVBoxLayout* rows) {
   rows->addSpacing(8);
   connect(carriers, qOverload<int>(&QComboBox::activated), this, [this, carriers](int index) {
     const double carrier_hz = carriers->itemData(index).toDouble();
-    change([this, carrier_hz](Knobs& k) { k.carrier_hz = carrier_hz == session_.probe().carrier_hz ? 0.0 : carrier_hz; });
+    change([this, carrier_hz](Knobs& k) { k.carrier_hz = carrier_hz == session_.console().probe().carrier_hz ? 0.0 : carrier_hz; });
   });
   shows_.emplace_back([this, carriers] {
     const QSignalBlocker quiet(carriers);
-    const Probe& p = session_.probe();
+    const Probe& p = session_.console().probe();
     std::vector<double> offered_hz = p.carriers_hz;
     if (offered_hz.empty()) offered_hz = {p.carrier_hz};
     bool isSame = carriers->count() == static_cast<int>(offered_hz.size());
@@ -325,7 +327,7 @@ void ConsolePanel::addFrequencies(QVBoxLayout* rows) {
       carriers->clear();
       for (const double hz : offered_hz) carriers->addItem(tr("%1 MHz").arg(figure(hz / 1e6, 1)), hz);
     }
-    const double now_hz = session_.knobs().carrier_hz > 0.0 ? session_.knobs().carrier_hz : p.carrier_hz;
+    const double now_hz = session_.console().knobs().carrier_hz > 0.0 ? session_.console().knobs().carrier_hz : p.carrier_hz;
     for (int i = 0; i < carriers->count(); ++i) {
       if (carriers->itemData(i).toDouble() == now_hz) carriers->setCurrentIndex(i);
     }
@@ -341,13 +343,13 @@ void ConsolePanel::addSteering(QVBoxLayout* rows) {
                        -30,
                        30,
                        5,
-                       [this] { return rounded(glm::degrees(session_.knobs().steering_rad)); },
+                       [this] { return rounded(glm::degrees(session_.console().knobs().steering_rad)); },
                        [this](int v) { change([v](Knobs& k) { k.steering_rad = glm::radians(static_cast<double>(v)); }); },
-                       [this] { return tr("%1°").arg(rounded(glm::degrees(session_.knobs().steering_rad))); },
-                       [this] { return !session_.knobs().trapezoid; },
-                       [this] { return session_.probe().maxSteering_rad > 0.0; }};
+                       [this] { return tr("%1°").arg(rounded(glm::degrees(session_.console().knobs().steering_rad))); },
+                       [this] { return !session_.console().knobs().trapezoid; },
+                       [this] { return session_.console().probe().maxSteering_rad > 0.0; }};
   steering.range = [this] {
-    const int most = static_cast<int>(std::floor(glm::degrees(session_.probe().maxSteering_rad) + 1e-9));
+    const int most = static_cast<int>(std::floor(glm::degrees(session_.console().probe().maxSteering_rad) + 1e-9));
     return std::pair{-most, most};
   };
   addSlider(rows, std::move(steering));
@@ -355,8 +357,8 @@ void ConsolePanel::addSteering(QVBoxLayout* rows) {
                                    tipWithKeys(tr("The lines of a linear array fan out (%1)"), "trapezoid"));
   connect(trapezoid, &QCheckBox::toggled, this, [this](bool on) { change([on](Knobs& k) { k.trapezoid = on; }); });
   shows_.emplace_back([this, trapezoid] {
-    trapezoid->setChecked(session_.knobs().trapezoid);
-    trapezoid->setVisible(session_.probe().trapezoidHalfAngle_rad > 0.0);
+    trapezoid->setChecked(session_.console().knobs().trapezoid);
+    trapezoid->setVisible(session_.console().probe().trapezoidHalfAngle_rad > 0.0);
   });
 }
 
@@ -373,12 +375,14 @@ void ConsolePanel::addFacts(QVBoxLayout* rows) {
     rows->addSpacing(4);
     shows_.emplace_back([value, text = std::move(text)] { value->setText(text()); });
   };
-  fact(tr("Scan lines"), QStringLiteral("512"), [this] { return QString::number(session_.probe().lines); });
-  fact(tr("Face"), QStringLiteral("88 mm"), [this] { return tr("%1 mm").arg(rounded(2.0 * faceHalfWidth_mm(session_.probe()))); });
-  fact(tr("Depths"), QStringLiteral("88–888 mm"),
-       [this] { return tr("%1–%2 mm").arg(rounded(session_.probe().minDepth_mm)).arg(rounded(session_.probe().maxDepth_mm)); });
+  fact(tr("Scan lines"), QStringLiteral("512"), [this] { return QString::number(session_.console().probe().lines); });
+  fact(tr("Face"), QStringLiteral("88 mm"),
+       [this] { return tr("%1 mm").arg(rounded(2.0 * faceHalfWidth_mm(session_.console().probe()))); });
+  fact(tr("Depths"), QStringLiteral("88–888 mm"), [this] {
+    return tr("%1–%2 mm").arg(rounded(session_.console().probe().minDepth_mm)).arg(rounded(session_.console().probe().maxDepth_mm));
+  });
   fact(tr("Slice, thinnest"), QStringLiteral("8.8 mm"),
-       [this] { return tr("%1 mm").arg(figure(session_.probe().elevationalThickness_mm, 1)); });
+       [this] { return tr("%1 mm").arg(figure(session_.console().probe().elevationalThickness_mm, 1)); });
 }
 
 }  // namespace ew::ui

@@ -37,7 +37,7 @@ constexpr int kSlider_px = 96, kShortSlider_px = 52;
 ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent), session_(session), remembered_(sceneWithEverything()) {
   setObjectName(QStringLiteral("console"));
   setAttribute(Qt::WA_StyledBackground);
-  session_.setAdaptive(QSettings().value(QStringLiteral("adaptiveQuality"), true).toBool());
+  session_.frames().setAdaptive(QSettings().value(QStringLiteral("adaptiveQuality"), true).toBool());
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(0, 0, 0, 12);
   rows->setSpacing(0);
@@ -53,11 +53,12 @@ ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent),
                     1,
                     300,
                     10,
-                    [this] { return rounded(session_.depth_mm()); },
+                    [this] { return rounded(session_.console().depth_mm()); },
                     [this](int v) { change([v](Knobs& k) { k.depth_mm = v; }); },
-                    [this] { return tr("%1 cm").arg(figure(session_.depth_mm() / 10.0, 1)); }};
+                    [this] { return tr("%1 cm").arg(figure(session_.console().depth_mm() / 10.0, 1)); }};
   depth.range = [this] {
-    return std::pair{static_cast<int>(std::ceil(session_.probe().minDepth_mm)), static_cast<int>(session_.probe().maxDepth_mm)};
+    return std::pair{static_cast<int>(std::ceil(session_.console().probe().minDepth_mm)),
+                     static_cast<int>(session_.console().probe().maxDepth_mm)};
   };
   addSlider(top, std::move(depth));
   topLines_ = lines_;
@@ -93,10 +94,10 @@ ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent),
   rows->addStretch(1);
   refreshIcons();
 
-  connect(&session_, &Session::knobsChanged, this, &ConsolePanel::showAll);
-  connect(&session_, &Session::sceneChanged, this, &ConsolePanel::showAll);
-  connect(&session_, &Session::probeChanged, this, &ConsolePanel::showAll);
-  connect(&session_, &Session::adaptiveChanged, this, &ConsolePanel::showAll);
+  connect(&session_.console(), &ScanConsole::knobsChanged, this, &ConsolePanel::showAll);
+  connect(&session_.console(), &ScanConsole::sceneChanged, this, &ConsolePanel::showAll);
+  connect(&session_.console(), &ScanConsole::probeChanged, this, &ConsolePanel::showAll);
+  connect(&session_.frames(), &FrameTimer::adaptiveChanged, this, &ConsolePanel::showAll);
   connect(&session_, &Session::subjectChanged, this, &ConsolePanel::showAll);
   connect(&session_, &Session::frozenChanged, freeze_, &QPushButton::setChecked);
   showAll();
@@ -104,21 +105,23 @@ ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent),
 
 /// In half decibels, or per cent by the paper's law.
 void ConsolePanel::addGain(QBoxLayout* rows) {
-  const auto inDecibels = [this] { return session_.gainLaw() == GainLaw::decibel; };
+  const auto inDecibels = [this] { return session_.console().gainLaw() == GainLaw::decibel; };
   SliderParts gain;
   gain.name = tr("Gain");
   gain.objectName = QStringLiteral("gain");
   gain.widest = QStringLiteral("−30.0 dB");
   gain.tip = tipWithKeys(tr("Overall gain (%1); double-click for neutral"), "gain.more | gain.less");
-  gain.get = [this, inDecibels] { return rounded(inDecibels() ? session_.knobs().gain_db * 2.0 : session_.knobs().gain * 100.0); };
+  gain.get = [this, inDecibels] {
+    return rounded(inDecibels() ? session_.console().knobs().gain_db * 2.0 : session_.console().knobs().gain * 100.0);
+  };
   gain.set = [this, inDecibels](int v) {
     change([v, db = inDecibels()](Knobs& k) { (db ? k.gain_db : k.gain) = v / (db ? 2.0 : 100.0); });
   };
   gain.text = [this, inDecibels] {
-    return inDecibels() ? tr("%1 dB").arg(signedFigure(session_.knobs().gain_db, 1))
-                        : tr("%1 %").arg(rounded(session_.knobs().gain * 100.0));
+    return inDecibels() ? tr("%1 dB").arg(signedFigure(session_.console().knobs().gain_db, 1))
+                        : tr("%1 %").arg(rounded(session_.console().knobs().gain * 100.0));
   };
-  gain.isOn = [this] { return session_.scene().gainAndDgc; };
+  gain.isOn = [this] { return session_.console().scene().gainAndDgc; };
   gain.range = [inDecibels] { return inDecibels() ? std::pair{-60, 60} : std::pair{0, 300}; };
   gain.pageNow = [inDecibels] { return inDecibels() ? 4 : 5; };
   gain.neutral = [inDecibels] { return inDecibels() ? 0 : 100; };
@@ -133,16 +136,16 @@ QLabel* ConsolePanel::quietLabel(const QString& text) {
 
 void ConsolePanel::change(const std::function<void(Knobs&)>& apply) {
   if (showing_) return;  // the panel is being told, not telling
-  Knobs knobs = session_.knobs();
+  Knobs knobs = session_.console().knobs();
   apply(knobs);
-  session_.setKnobs(knobs);
+  session_.console().setKnobs(knobs);
 }
 
 void ConsolePanel::changeScene(const std::function<void(Scene&)>& apply) {
   if (showing_) return;
-  Scene scene = session_.scene();
+  Scene scene = session_.console().scene();
   apply(scene);
-  session_.setScene(scene);
+  session_.console().setScene(scene);
 }
 
 QWidget* ConsolePanel::makePage(const std::function<void(QVBoxLayout*)>& fill) {
@@ -322,14 +325,14 @@ QCheckBox* ConsolePanel::addSwitch(QBoxLayout* rows, const QString& name, const 
 void ConsolePanel::addBelow(QWidget* row) { always_->addWidget(row); }
 
 void ConsolePanel::addAlways(QVBoxLayout* rows) {
-  const auto movesInTime = [this] { return session_.knobs().mode != DisplayMode::bMode; };
+  const auto movesInTime = [this] { return session_.console().knobs().mode != DisplayMode::bMode; };
   addSegments(rows, {{},
                      QStringLiteral("mode"),
                      {{QStringLiteral("B"), QStringLiteral("modeB"), tr("The image (M for the next mode)")},
                       {QStringLiteral("B + M"), QStringLiteral("modeBoth"), tr("Image and one beam over time (M for the next mode)")},
                       {QStringLiteral("M"), QStringLiteral("modeM"), tr("One beam over time (M for the next mode)")}},
                      [this] {
-                       const DisplayMode mode = session_.knobs().mode;
+                       const DisplayMode mode = session_.console().knobs().mode;
                        return mode == DisplayMode::bMode ? 0 : mode == DisplayMode::both ? 1 : 2;
                      },
                      [this](int i) {
@@ -343,16 +346,19 @@ void ConsolePanel::addAlways(QVBoxLayout* rows) {
       -100,
       100,
       5,
-      [this] { return rounded(session_.knobs().mLine * 100.0) * (session_.knobs().markerLeft ? -1 : 1); },
+      [this] { return rounded(session_.console().knobs().mLine * 100.0) * (session_.console().knobs().markerLeft ? -1 : 1); },
       [this](int v) { change([v](Knobs& k) { k.mLine = (k.markerLeft ? -v : v) / 100.0; }); },
-      [this] { return tr("%1 %").arg(rounded(session_.knobs().mLine * 100.0) * (session_.knobs().markerLeft ? -1 : 1)); },
+      [this] {
+        return tr("%1 %").arg(rounded(session_.console().knobs().mLine * 100.0) * (session_.console().knobs().markerLeft ? -1 : 1));
+      },
       [] { return true; },
       movesInTime};
   addSlider(rows, std::move(line));
-  addSlider(rows, {tr("Sweep"), QStringLiteral("sweep"), QStringLiteral("16 s"),
-                   tipWithKeys(tr("Time across the strip (%1)"), "mode.slower | mode.faster"), 1, 16, 1,
-                   [this] { return rounded(session_.knobs().mSweep_s); }, [this](int v) { change([v](Knobs& k) { k.mSweep_s = v; }); },
-                   [this] { return tr("%1 s").arg(rounded(session_.knobs().mSweep_s)); }, [] { return true; }, movesInTime});
+  addSlider(rows,
+            {tr("Sweep"), QStringLiteral("sweep"), QStringLiteral("16 s"),
+             tipWithKeys(tr("Time across the strip (%1)"), "mode.slower | mode.faster"), 1, 16, 1,
+             [this] { return rounded(session_.console().knobs().mSweep_s); }, [this](int v) { change([v](Knobs& k) { k.mSweep_s = v; }); },
+             [this] { return tr("%1 s").arg(rounded(session_.console().knobs().mSweep_s)); }, [] { return true; }, movesInTime});
   flip_ = new QPushButton(tr("Left/right", "inverts the image"));
   flip_->setObjectName(QStringLiteral("flip"));
   turn_ = new QPushButton(tr("Up/down", "inverts the image"));
@@ -378,7 +384,7 @@ void ConsolePanel::addAlways(QVBoxLayout* rows) {
   connect(turn_, &QPushButton::toggled, this, [this](bool on) { change([on](Knobs& k) { k.upsideDown = on; }); });
   connect(freeze_, &QPushButton::toggled, &session_, &Session::setFrozen);
   shows_.emplace_back([this] {
-    const Knobs& knobs = session_.knobs();
+    const Knobs& knobs = session_.console().knobs();
     flip_->setChecked(!knobs.markerLeft);
     flip_->setToolTip(knobs.markerLeft ? tipWithKeys(tr("The marker is at the left, as usual; put it at the right (%1)"), "flip.sides")
                                        : tipWithKeys(tr("The marker is at the right; put it at the left, as usual (%1)"), "flip.sides"));
@@ -463,7 +469,7 @@ void ConsolePanel::addPresets(QVBoxLayout* rows) {
   rows->addWidget(preset_);
   rows->addSpacing(8);
   shows_.emplace_back([this] {
-    if (presetKnobs_ && !(*presetKnobs_ == session_.knobs())) presetKnobs_.reset();
+    if (presetKnobs_ && !(*presetKnobs_ == session_.console().knobs())) presetKnobs_.reset();
     const QString whole = presetKnobs_ ? tr("Preset: %1").arg(presetTitle_) : tr("Presets");
     const int room_px = scaled(kConsoleWidth_px - 80);
     preset_->setText(preset_->fontMetrics().elidedText(whole, Qt::ElideRight, room_px).replace(QLatin1Char('&'), QStringLiteral("&&")));
@@ -476,7 +482,7 @@ void ConsolePanel::setPresetMenu(QMenu& menu) { preset_->setMenu(&menu); }
 
 void ConsolePanel::showPreset(const QString& title) {
   presetTitle_ = title;
-  presetKnobs_ = session_.knobs();
+  presetKnobs_ = session_.console().knobs();
   showAll();
 }
 

@@ -28,8 +28,8 @@ void ConsolePanel::addZoomButtons(QVBoxLayout* rows) {
   rows->addLayout(line);
   connect(box, &QPushButton::clicked, this, &ConsolePanel::boxZoomAsked);
   connect(wide, &QPushButton::clicked, this, &ConsolePanel::wideAsked);
-  connect(whole, &QPushButton::clicked, this, [this] { session_.setDetail(1.0, {}); });
-  shows_.emplace_back([this, whole] { whole->setEnabled(session_.knobs().zoom > 1.0); });
+  connect(whole, &QPushButton::clicked, this, [this] { session_.console().setDetail(1.0, {}); });
+  shows_.emplace_back([this, whole] { whole->setEnabled(session_.console().knobs().zoom > 1.0); });
 }
 
 }  // namespace ew::ui

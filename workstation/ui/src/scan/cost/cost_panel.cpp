@@ -153,8 +153,8 @@ void CostPanel::connectParts() {
     }
   });
   connect(this, &QDialog::finished, this, &CostPanel::cancel);
-  connect(&session_, &Session::knobsChanged, this, &CostPanel::showAll);
-  connect(&session_, &Session::sceneChanged, this, [this] {
+  connect(&session_.console(), &ScanConsole::knobsChanged, this, &CostPanel::showAll);
+  connect(&session_.console(), &ScanConsole::sceneChanged, this, [this] {
     // Slices and live echoes have figures of their own.
     if (measured_ && measured_->ofEchoes != showsEchoes()) {
       cancel();
@@ -184,15 +184,16 @@ void CostPanel::measure() {
   const ScanSubject& subject = *session_.subject();
   const Picture& picture = session_.picture();
   about_ = tr("%1, %2 x %3 pixels, %4")
-               .arg(nameOfProbe(session_.probe().name))
+               .arg(nameOfProbe(session_.console().probe().name))
                .arg(picture.width())
                .arg(picture.height())
                .arg(words(subject.title));
   const QPointer<CostPanel> panel(this);
   job_ = jobs_.start(
       tr("Measuring the cost of accuracy"),
-      [result, subject, probe = session_.probe(), knobs = session_.knobs(), scene = subject.known(session_.scene()), pose = session_.pose(),
-       width = picture.width(), height = picture.height()](Progress& progress) -> Result<void> {
+      [result, subject, probe = session_.console().probe(), knobs = session_.console().knobs(),
+       scene = subject.known(session_.console().scene()), pose = session_.probeControl().pose(), width = picture.width(),
+       height = picture.height()](Progress& progress) -> Result<void> {
         CostOptions options;
         options.threads = 0;  // as the window makes its own frames
         FrameInput seen;
@@ -224,7 +225,7 @@ void CostPanel::take(const Result<void>& outcome, const CostOfAccuracy& result) 
   showAll();
 }
 
-bool CostPanel::showsEchoes() const { return session_.subject() && formsEchoes(session_.subject()->known(session_.scene())); }
+bool CostPanel::showsEchoes() const { return session_.subject() && formsEchoes(session_.subject()->known(session_.console().scene())); }
 
 bool CostPanel::showsPlanes() const { return measured_ && !measured_->planes.empty() && curve_->checkedId() == 1; }
 
@@ -235,7 +236,7 @@ const std::vector<CostPoint>& CostPanel::shownPoints() const {
 }
 
 bool CostPanel::isInUse(const CostPoint& point) const {
-  const Knobs& knobs = session_.knobs();
+  const Knobs& knobs = session_.console().knobs();
   return showsPlanes() ? point.knobs.elevationPlanes == knobs.elevationPlanes : point.knobs.quality == knobs.quality;
 }
 
@@ -245,7 +246,7 @@ void CostPanel::useFastest() {
     answer_->setText(tr("No setting reaches it."));
     return;
   }
-  Knobs knobs = session_.knobs();
+  Knobs knobs = session_.console().knobs();
   QString name;
   if (showsPlanes()) {
     knobs.elevationPlanes = best->knobs.elevationPlanes;
@@ -254,7 +255,7 @@ void CostPanel::useFastest() {
     knobs.quality = best->knobs.quality;
     name = nameOfQuality(knobs.quality);
   }
-  session_.setKnobs(knobs);
+  session_.console().setKnobs(knobs);
   answer_->setText(tr("In use: %1.").arg(name));
 }
 

@@ -24,7 +24,7 @@ BoxZoom::BoxZoom(Session& session, ScanView& scan) : QWidget(&scan), session_(se
   setCursor(Qt::CrossCursor);
   hide();
   connect(&session_, &Session::subjectReplaced, this, &BoxZoom::end);
-  connect(&session_, &Session::knobsChanged, this, [this] {
+  connect(&session_.console(), &ScanConsole::knobsChanged, this, [this] {
     if (isDrawing() && session_.pictureKnobs().mode != DisplayMode::bMode) end();
   });
 }
@@ -104,8 +104,8 @@ void BoxZoom::zoomTo(const QRectF& drawn) {
   box.moveCenter(drawn.center());
   const double ratio = devicePixelRatioF();
   const QPointF a = box.topLeft() * ratio, b = box.bottomRight() * ratio;
-  const Detail detail = detailOfBox(session_.geometry(), session_.detail(), {a.x(), a.y()}, {b.x(), b.y()});
-  session_.setDetail(detail.zoom, detail.pan);
+  const Detail detail = detailOfBox(session_.geometry(), session_.console().detail(), {a.x(), a.y()}, {b.x(), b.y()});
+  session_.console().setDetail(detail.zoom, detail.pan);
 }
 
 void BoxZoom::paintEvent(QPaintEvent*) {

@@ -41,12 +41,12 @@ bool ScanPan::eventFilter(QObject* watched, QEvent* event) {
       last_ = static_cast<QMouseEvent*>(event)->localPos();
       const DisplayGeometry& geometry = session_.geometry();
       const double perPixel_mm = view_.mmPerWidgetPixel();
-      Detail detail = session_.detail();
+      Detail detail = session_.console().detail();
       Pan& pan = detail.pan;
       pan.lateral_mm += (geometry.markerLeft ? 1.0 : -1.0) * perPixel_mm * by.x();
       pan.axial_mm += (geometry.upsideDown ? 1.0 : -1.0) * perPixel_mm * by.y();
       if (session_.wide() == nullptr) pan = panWithinFan(session_.pictureProbe(), session_.pictureKnobs(), pan);
-      session_.setDetail(detail.zoom, pan);
+      session_.console().setDetail(detail.zoom, pan);
       return true;
     }
     case QEvent::MouseButtonRelease:

@@ -23,13 +23,13 @@ WideScan::WideScan(Session& session, QObject* parent) : QObject(parent), session
   connect(&session_, &Session::pictureChanged, this, &WideScan::takePicture);
   connect(&session_, &Session::frozenChanged, this, &WideScan::freeze);
   connect(&session_, &Session::subjectReplaced, this, &WideScan::drop);
-  connect(&session_, &Session::probeChanged, this, [this] {
+  connect(&session_.console(), &ScanConsole::probeChanged, this, [this] {
     if (state_ == State::growing) cancel();
   });
-  connect(&session_, &Session::cineChanged, this, [this] {
+  connect(&session_.cineLoop(), &CineLoop::changed, this, [this] {
     if (state_ == State::kept) toggle();  // another image is looked at
   });
-  connect(&session_, &Session::wideDetailAsked, this, [this](const Detail& detail) {
+  connect(&session_.console(), &ScanConsole::wideDetailAsked, this, [this](const Detail& detail) {
     detail_ = detail;
     render();
   });
@@ -59,17 +59,18 @@ void WideScan::toggle() {
 void WideScan::start() {
   if (!session_.subject() || session_.fanPicture().isEmpty()) return;
   if (session_.isPlaying()) return Q_EMIT said(tr("A wide image grows from a scan that runs. Close the recording (Escape) first."));
-  if (session_.knobs().mode != DisplayMode::bMode) return Q_EMIT said(tr("A wide image grows from B-mode images. Switch to B (M) first."));
+  if (session_.console().knobs().mode != DisplayMode::bMode)
+    return Q_EMIT said(tr("A wide image grows from B-mode images. Switch to B (M) first."));
   session_.setFrozen(false);
-  session_.setDetail(1.0, {});
+  session_.console().setDetail(1.0, {});
   ++scan_;
   state_ = State::growing;
   growth_ = {};
   said_ = Woven::woven;
   detail_ = {};
   loom_ = std::make_shared<Loom>();
-  takenFrame_ = session_.framesMade();
-  session_.refresh();
+  takenFrame_ = session_.frames().framesMade();
+  session_.frames().ask();
   Q_EMIT said(tr("Slide the probe slowly along its image. Freezing ends the wide image, Escape gives it up."));
   Q_EMIT changed();
 }
@@ -105,8 +106,8 @@ void WideScan::freeze(bool frozen) {
 void WideScan::takePicture() {
   if (state_ == State::off || state_ == State::hidden) return;
   if (session_.pictureSize_px() != askedSize_px_ && last_) render();
-  if (state_ != State::growing || session_.isFrozen() || session_.framesMade() == takenFrame_) return;
-  takenFrame_ = session_.framesMade();
+  if (state_ != State::growing || session_.isFrozen() || session_.frames().framesMade() == takenFrame_) return;
+  takenFrame_ = session_.frames().framesMade();
   const ScanState& shown = session_.shownState();
   if (shown.knobs.mode != DisplayMode::bMode) return cancel();
   if (worker_.waiting() >= kMostImagesWaiting) return;
@@ -135,9 +136,9 @@ void WideScan::post(std::uint64_t scan, const std::function<void(Loom&)>& weave)
   askedSize_px_ = session_.pictureSize_px();
   worker_.add([this, scan, weave, loom = loom_, detail = detail_, size_px = askedSize_px_] {
     weave(*loom);
-    std::optional<Session::Wide> shown;
+    std::optional<WideImage> shown;
     if (!loom->wide.empty() && worker_.waiting() <= 1) {  // what waits shows more
-      Session::Wide& made = shown.emplace();
+      WideImage& made = shown.emplace();
       made.detail = {detail.zoom, loom->wide.panWithin(detail.zoom, detail.pan)};
       made.geometry = loom->wide.fit(size_px.x, size_px.y, detail.zoom, detail.pan);
       made.grey = loom->wide.render(made.geometry);
@@ -154,7 +155,7 @@ void WideScan::post(std::uint64_t scan, const std::function<void(Loom&)>& weave)
   });
 }
 
-void WideScan::take(std::uint64_t scan, std::optional<Session::Wide> shown, Growth growth) {
+void WideScan::take(std::uint64_t scan, std::optional<WideImage> shown, Growth growth) {
   --underWay_;
   if (scan != scan_ || state_ == State::off) return;
   growth_ = std::move(growth);

@@ -57,15 +57,15 @@ class WideScan final : public QObject {
   void freeze(bool frozen);
   void render();
   void post(std::uint64_t scan, const std::function<void(Loom&)>& weave);
-  void take(std::uint64_t scan, std::optional<Session::Wide> shown, Growth growth);
+  void take(std::uint64_t scan, std::optional<WideImage> shown, Growth growth);
   void sayWhy(ew::Woven outcome);
 
   Session& session_;
   State state_ = State::off;
   Growth growth_;
   std::uint64_t scan_ = 0;        ///< number of the present wide picture: what comes late of another one is dropped
-  std::uint64_t takenFrame_ = 0;  ///< Session::framesMade of the latest image that was taken
-  std::optional<Session::Wide> last_;
+  std::uint64_t takenFrame_ = 0;  ///< FrameTimer::framesMade of the latest image that was taken
+  std::optional<WideImage> last_;
   Detail detail_;
   glm::ivec2 askedSize_px_{0};
   int underWay_ = 0;

@@ -77,7 +77,7 @@ ScanState ZoomOverview::wanted() const {
 bool ZoomOverview::isUpToDate() const { return session_.wide() != nullptr || (formed_ && *formed_ == wanted()); }
 
 void ZoomOverview::follow() {
-  const bool isZoomed = session_.subject() && session_.detail().zoom > 1.0 && session_.pictureKnobs().mode != DisplayMode::mMode;
+  const bool isZoomed = session_.subject() && session_.console().detail().zoom > 1.0 && session_.pictureKnobs().mode != DisplayMode::mMode;
   if (!isZoomed) {
     isDragged_ = false;
     return hide();
@@ -145,9 +145,9 @@ void ZoomOverview::moveTo(const QPointF& at) {
   const double ratio = devicePixelRatioF();
   // From the whole image, not from what is shown: that may be an image behind a drag.
   const glm::dvec2 p_mm = pointSeenAt(whole, glm::dvec2(at.x() * ratio - 0.5, at.y() * ratio - 0.5));
-  const Detail detail = detailAround(whole, {session_.detail().zoom, {}}, p_mm);
-  session_.setDetail(detail.zoom,
-                     session_.wide() != nullptr ? detail.pan : panWithinFan(session_.pictureProbe(), session_.pictureKnobs(), detail.pan));
+  const Detail detail = detailAround(whole, {session_.console().detail().zoom, {}}, p_mm);
+  session_.console().setDetail(
+      detail.zoom, session_.wide() != nullptr ? detail.pan : panWithinFan(session_.pictureProbe(), session_.pictureKnobs(), detail.pan));
 }
 
 void ZoomOverview::mousePressEvent(QMouseEvent* event) {

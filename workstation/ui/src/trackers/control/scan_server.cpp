@@ -13,14 +13,14 @@ constexpr int kRest_ms = 300;  ///< so often a resting pose is sent; a client gi
 
 /// Of a moment of the scan's clock, as other computers count.
 double since1970_s(const Session& session, double time_s) {
-  return 1e-3 * static_cast<double>(QDateTime::currentMSecsSinceEpoch()) - (session.now_s() - time_s);
+  return 1e-3 * static_cast<double>(QDateTime::currentMSecsSinceEpoch()) - (session.frames().now_s() - time_s);
 }
 
 }  // namespace
 
 ScanServer::ScanServer(Session& session, QObject* parent) : QObject(parent), session_(session) {
   connect(&session_, &Session::pictureChanged, this, &ScanServer::sendPicture);
-  connect(&session_, &Session::poseMissed, this, &ScanServer::sendMissed);
+  connect(&session_.probeControl(), &ProbeControl::poseMissed, this, &ScanServer::sendMissed);
   look_.setInterval(kLook_ms);
   connect(&look_, &QTimer::timeout, this, &ScanServer::look);
 }
@@ -52,23 +52,23 @@ void ScanServer::look() {
 
 /// Where the probe of the picture is, now as before.
 void ScanServer::sendPose() {
-  if (!server_ || session_.isLost() || session_.fanPicture().isEmpty()) return;
+  if (!server_ || session_.probeControl().isLost() || session_.fanPicture().isEmpty()) return;
   IgtlFrame frame;
   frame.pose = session_.shownState().pose;
-  frame.time_s = since1970_s(session_, session_.now_s());
+  frame.time_s = since1970_s(session_, session_.frames().now_s());
   server_->send(frame);
   sinceSent_.start();
 }
 
 void ScanServer::sendPicture() {
-  if (!server_ || session_.isLost() || session_.fanPicture().isEmpty()) return;
+  if (!server_ || session_.probeControl().isLost() || session_.fanPicture().isEmpty()) return;
   const ScanState& shown = session_.shownState();
   IgtlFrame frame;
   frame.pose = shown.pose;
   frame.image = session_.fanPicture().grey;
   frame.imageToWorld = shown.pose.probeToWorld * session_.fanGeometry().imageToProbe();
   // A recording has the clock of its own day.
-  frame.time_s = since1970_s(session_, session_.isPlaying() ? session_.now_s() : shown.time_s);
+  frame.time_s = since1970_s(session_, session_.isPlaying() ? session_.frames().now_s() : shown.time_s);
   server_->send(frame);
   sinceSent_.start();
 }
@@ -76,8 +76,8 @@ void ScanServer::sendPicture() {
 void ScanServer::sendMissed() {
   if (!server_) return;
   IgtlFrame frame;
-  frame.pose = session_.missedState().pose;
-  frame.time_s = since1970_s(session_, session_.missedState().time_s);
+  frame.pose = session_.probeControl().missedState().pose;
+  frame.time_s = since1970_s(session_, session_.probeControl().missedState().time_s);
   server_->send(frame);
 }
 

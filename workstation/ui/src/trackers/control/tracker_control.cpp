@@ -30,7 +30,7 @@ Trackers::Trackers(Session& session, Jobs& jobs, QObject* parent)
 }
 
 Trackers::~Trackers() {
-  session_.setTracked(nullptr);
+  session_.probeControl().setTracked(nullptr);
   stopDevice();
 }
 
@@ -103,7 +103,7 @@ void Trackers::remove(const std::string& id) {
 void Trackers::use(const std::string& id) {
   const TrackerSettings* settings = find(id);
   if (settings == nullptr) return;
-  session_.chooseMouse(false);
+  session_.probeControl().chooseMouse(false);
   if (used_ == id && (device_ || axes_)) return;
   stopDevice();
   list_.chosen = id;
@@ -115,7 +115,7 @@ void Trackers::use(const std::string& id) {
 
 void Trackers::useMouse() {
   stopDevice();
-  session_.setTracked(nullptr);
+  session_.probeControl().setTracked(nullptr);
   used_.clear();
   list_.startsOn = false;
   keepList();
@@ -131,21 +131,22 @@ void Trackers::start(const TrackerSettings& settings) {
   if (const auto* controller = std::get_if<HandControllerSettings>(&settings.source)) return startHandController(*controller);
   auto made = makeDevice(settings, bodies());
   if (!made) {
-    session_.setTracked(nullptr);
+    session_.probeControl().setTracked(nullptr);
     Q_EMIT problem(made.error());
     used_.clear();
     return;
   }
   device_ = std::shared_ptr<TrackerDevice>(std::move(*made));
   camera_ = std::dynamic_pointer_cast<CameraDevice>(device_);
-  device_->onNews(session_.newsOfTracker());
-  probe_ = std::make_shared<TrackedProbe>(device_, probeOptionsOf(settings), calibrationOf(settings.id), session_.steadyMinusScan_s());
-  session_.setTracked(probe_);
+  device_->onNews(session_.probeControl().newsOfTracker());
+  probe_ = std::make_shared<TrackedProbe>(device_, probeOptionsOf(settings), calibrationOf(settings.id),
+                                          session_.probeControl().steadyMinusScan_s());
+  session_.probeControl().setTracked(probe_);
   devices_.add([device = device_] { device->start(); });
 }
 
 void Trackers::startHandController(const HandControllerSettings& settings) {
-  session_.setTracked(nullptr);
+  session_.probeControl().setTracked(nullptr);
   axes_ = std::shared_ptr<AxisDevice>(makeHandController(settings.kind));
   rateHand_.emplace(settings.hand);
   movedAt_s_ = steadyNow_s();
@@ -165,7 +166,7 @@ void Trackers::stopDevice() {
   fit_.reset();
 }
 
-TrackingReport Trackers::report() const { return probe_ ? probe_->report(session_.now_s()) : TrackingReport{}; }
+TrackingReport Trackers::report() const { return probe_ ? probe_->report(session_.frames().now_s()) : TrackingReport{}; }
 
 DeviceStatus Trackers::deviceStatus() const {
   if (device_) return device_->status();
@@ -203,10 +204,10 @@ void Trackers::lookAtDevice() {
 void Trackers::moveByAxes() {
   const double now_s = steadyNow_s();
   const double since_s = now_s - std::exchange(movedAt_s_, now_s);
-  if (!axes_ || !rateHand_ || !session_.skin() || session_.handRests()) return;
+  if (!axes_ || !rateHand_ || !session_.probeControl().skin() || session_.probeControl().handRests()) return;
   const std::vector<double> axes = axes_->axes();
   if (rateHand_->isAtRest(axes)) return;
-  session_.setHold(rateHand_->step(session_.hold(), *session_.skin(), axes, since_s));
+  session_.probeControl().setHold(rateHand_->step(session_.probeControl().hold(), *session_.probeControl().skin(), axes, since_s));
 }
 
 }  // namespace ew::ui

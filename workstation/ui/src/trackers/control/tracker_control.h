@@ -121,7 +121,7 @@ class Trackers final : public QObject {
   [[nodiscard]] std::vector<BodyLandmark> landmarks() const;
   [[nodiscard]] std::vector<glm::dvec3> landmarkPlaces() const;  ///< world
   [[nodiscard]] std::vector<glm::vec3> bodyPoints() const;
-  [[nodiscard]] std::shared_ptr<const Skin> skin() const { return session_.skin(); }
+  [[nodiscard]] std::shared_ptr<const Skin> skin() const { return session_.probeControl().skin(); }
   /// How far from the skin a point is; below it less than 0.
   [[nodiscard]] static double gap_mm(const Skin& skin, const glm::dvec3& at_world);
   /// Empty while the tool is not seen.

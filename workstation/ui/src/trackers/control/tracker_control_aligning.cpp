@@ -38,7 +38,7 @@ double Trackers::gap_mm(const Skin& skin, const glm::dvec3& at_world) {
   return glm::dot(away, nearest.outward) < 0.0 ? -glm::length(away) : glm::length(away);
 }
 
-std::optional<ToolReading> Trackers::reading() const { return probe_ ? probe_->reading(session_.now_s()) : std::nullopt; }
+std::optional<ToolReading> Trackers::reading() const { return probe_ ? probe_->reading(session_.frames().now_s()) : std::nullopt; }
 
 std::optional<TrackedFace> Trackers::face() const {
   const auto now = reading();
@@ -132,7 +132,7 @@ void Trackers::findAlignment(const std::string& id, const std::vector<glm::dvec3
   }
   TrackerAlignment found;
   AlignmentOptions options;
-  if (session_.subject()) options.target_mm = session_.pose().probeToWorld.matrix[3];
+  if (session_.subject()) options.target_mm = session_.probeControl().pose().probeToWorld.matrix[3];
   auto byLandmarks = alignByLandmarks(touched, options);
   if (!byLandmarks) {
     found.sentence = byLandmarks.error().message;
@@ -178,8 +178,9 @@ void Trackers::mannequinChanged() {
 
 void Trackers::checkFit() {
   if (!probe_ || !skin() || !isAligned(used_)) return;
-  const bool isUsed = session_.subject() && !session_.isFrozen() && !session_.isPlaying() && session_.mover() == Session::Mover::tracker;
-  fit_.add(probe_->poseAt(session_.now_s()), *skin(), isUsed);
+  const bool isUsed = session_.subject() && !session_.isFrozen() && !session_.isPlaying() &&
+                      session_.probeControl().mover() == ProbeControl::Mover::tracker;
+  fit_.add(probe_->poseAt(session_.frames().now_s()), *skin(), isUsed);
   const Message problem = fit_.problem();
   if (problem.empty() == !fitIsLost_) return;
   fitIsLost_ = !problem.empty();

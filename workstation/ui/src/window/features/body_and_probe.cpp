@@ -61,7 +61,7 @@ void BodyAndProbe::connectParts() {
   connect(&coverageSoon_, &QTimer::timeout, this, &BodyAndProbe::showCoverage);
   connect(p.view3d, &View3D::mannequinChanged, this, &BodyAndProbe::showCoverage);
   connect(&p.hand, &HandInput::refused, this, &BodyAndProbe::sayWhyItRests);
-  connect(&p.session, &Session::trackingChanged, this, &BodyAndProbe::showImage);
+  connect(&p.session.probeControl(), &ProbeControl::trackingChanged, this, &BodyAndProbe::showImage);
 }
 
 /// Whoever clicks beside the scan goes on scanning: keys of the probe are not lost to a panel, a slider or a tab.
@@ -125,9 +125,9 @@ void BodyAndProbe::showCoverage() {
 void BodyAndProbe::sayWhyItRests() {
   const Session& session = parts_.session;
   parts_.scanView->say(
-      session.isPlaying()     ? tr("A recording is shown. Close it (Escape) to move the probe yourself.")
-      : session.isFollowing() ? tr("The probe is moved for you. Escape takes it back.")
-      : session.mover() == Session::Mover::tracker && !session.isFrozen()
+      session.isPlaying()                    ? tr("A recording is shown. Close it (Escape) to move the probe yourself.")
+      : session.probeControl().isFollowing() ? tr("The probe is moved for you. Escape takes it back.")
+      : session.probeControl().mover() == ProbeControl::Mover::tracker && !session.isFrozen()
           ? tr("The tracker has the probe. Choose the mouse on the page Tracker to move it here.")
           : tr("The image is frozen, and the probe with it. Let it run (%1): then both move again.").arg(parts_.keys.words("freeze")));
 }

@@ -86,7 +86,7 @@ void Cine::addMenu(QMenu& cine) {
 void Cine::connectParts() {
   WindowParts& p = parts_;
   connect(&p.session, &Session::frozenChanged, this, [this](bool frozen) { freeze_->setChecked(frozen); });
-  connect(&p.session, &Session::changeRefused, this, &Cine::sayWhyRefused);
+  connect(&p.session.console(), &ScanConsole::changeRefused, this, &Cine::sayWhyRefused);
   connect(p.cineBar, &CineBar::openChanged, this, &Cine::showState);
   connect(p.cineBar, &CineBar::saveAsked, this, &Cine::saveClip);
   showState();

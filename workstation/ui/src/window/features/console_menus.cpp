@@ -20,7 +20,7 @@ void ConsoleMenus::addConsoleMenu(QMenu& console) {
   Commands& commands = *parts_.commands;
   commands.addConsole(console, "gain.more", "gain", 1);
   commands.addConsole(console, "gain.less", "gain", -1);
-  commands.add(console, "tgc.reset", [this] { parts_.session.resetTgc(); });
+  commands.add(console, "tgc.reset", [this] { parts_.session.console().resetTgc(); });
   commands.addConsole(console, "depth.more", "depth", 1);
   commands.addConsole(console, "depth.less", "depth", -1);
   commands.addConsole(console, "zoom.in", "zoom", 1);
@@ -47,8 +47,8 @@ void ConsoleMenus::addBreathingMenu(QMenu& breathing) {
     action->setCheckable(true);
     requests->addAction(action);
     if (request == BreathingRequest::free) parts_.cine->giveWay(action);
-    connect(&parts_.session, &Session::breathingChanged, action,
-            [&session = parts_.session, action, request] { action->setChecked(session.breathing() == request); });
+    connect(&parts_.session.breath(), &PatientBreath::changed, action,
+            [&session = parts_.session, action, request] { action->setChecked(session.breath().asked() == request); });
     action->setChecked(request == BreathingRequest::free);
   };
   add("breathing.free", BreathingRequest::free);
@@ -58,11 +58,11 @@ void ConsoleMenus::addBreathingMenu(QMenu& breathing) {
 
 void ConsoleMenus::askBreathing(BreathingRequest request) {
   Session& session = parts_.session;
-  session.askBreathing(request);
+  session.breath().ask(request);
   // An action of a group checks itself, whatever came of it.
-  Q_EMIT session.breathingChanged();
+  Q_EMIT session.breath().changed();
   if (session.subject() && !session.isPlaying())
-    if (const char* why = session.whyBreathingIsNotSeen()) parts_.messages->showNote(Session::tr(why), QStringLiteral("breathing"));
+    if (const char* why = session.breath().whyItIsNotSeen()) parts_.messages->showNote(PatientBreath::tr(why), QStringLiteral("breathing"));
 }
 
 void ConsoleMenus::addImageMenu(QMenu& image) {

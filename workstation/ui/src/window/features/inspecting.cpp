@@ -83,7 +83,7 @@ void Inspecting::showSource(const QPoint& pixel) {
     dialog->show();
     return;
   }
-  const Spans& fan = p.session.spans();
+  const Spans& fan = p.session.seen().spans();
   const auto row = static_cast<std::size_t>(pixel.y());
   const bool isInFan = pixel.y() >= 0 && row < fan.size() && std::any_of(fan[row].begin(), fan[row].end(), [&](const RowSpan& run) {
                          return run.begin <= pixel.x() && pixel.x() < run.end;

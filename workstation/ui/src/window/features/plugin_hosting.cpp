@@ -49,10 +49,10 @@ void PluginHosting::connectParts() {
   p.host->setScan([&p]() -> std::optional<sdk::Cases::Scan> {
     const Session& session = p.session;
     if (!p.opener->showsCase() || !session.subject()) return std::nullopt;
-    const Probe& probe = session.probe();
+    const Probe& probe = session.console().probe();
     return sdk::Cases::Scan{probe.id,
-                            session.pose().probeToWorld,
-                            session.depth_mm(),
+                            session.probeControl().pose().probeToWorld,
+                            session.console().depth_mm(),
                             isSector(probe.kind) ? probe.halfAngle_rad : 0.0,
                             faceHalfWidth_mm(probe),
                             session.subject()->placedGrid};

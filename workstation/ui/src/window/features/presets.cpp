@@ -49,10 +49,10 @@ void Presets::beginScanOfCase() {
   Session& session = parts_.session;
   if (session.isFrozen() || session.isPlaying() || !session.subject() || !parts_.opener->showsCase()) return;
   const std::vector<Preset> offered = ofCase();
-  if (const Preset* start = startPreset(session.subject()->presets, offered, session.probes()))
+  if (const Preset* start = startPreset(session.subject()->presets, offered, session.console().probes()))
     take(*start);
   else
-    session.setNeutral();
+    session.console().setNeutral();
 }
 
 void Presets::addMenu(QMenu& presets) {
@@ -67,8 +67,8 @@ void Presets::fill(QMenu& menu) {
   for (QObject* child : menu.children())  // menus within it, which clear() leaves
     if (qobject_cast<QMenu*>(child) != nullptr) child->deleteLater();
   menu.clear();
-  const auto& probes = p.session.probes();
-  const std::string present = p.session.probe().id;
+  const auto& probes = p.session.console().probes();
+  const std::string present = p.session.console().probe().id;
   const auto add = [&](QMenu& into, const QString& text, const Preset& preset) {
     QAction* action = p.commands->addPlain(into, menuText(text), [this, preset] { take(preset); });
     action->setData(QString::fromStdString(preset.id));
@@ -109,11 +109,11 @@ void Presets::take(const Preset& preset) {
   Session& session = p.session;
   if (!session.subject()) return;
   if (session.isFrozen() || session.isPlaying()) {
-    Q_EMIT session.changeRefused();
+    Q_EMIT session.console().changeRefused();
     return;
   }
-  if (session.probe().id != preset.probe) session.chooseProbe(preset.probe);
-  session.setKnobs(applied(preset, session.knobs()));
+  if (session.console().probe().id != preset.probe) session.console().chooseProbe(preset.probe);
+  session.console().setKnobs(applied(preset, session.console().knobs()));
   p.annotated.chooseList(preset.annotations);
   p.bodyMark.choose(preset.bodyMark);
   p.console->showPreset(words(preset.title));
@@ -142,7 +142,7 @@ void Presets::import() {
   if (file.isEmpty()) return;
   const auto preset = readPreset(pathOf(file));
   if (!preset) return p.messages->showError(preset.error(), kPreset);
-  if (const auto fits = checkPreset(*preset, p.session.probes()); !fits) return p.messages->showError(fits.error(), kPreset);
+  if (const auto fits = checkPreset(*preset, p.session.console().probes()); !fits) return p.messages->showError(fits.error(), kPreset);
   const auto saved = saveOwnPreset(*preset, ownPresetsFolder());
   if (saved)
     p.messages->showNote(tr("'%1' is now among your presets.").arg(words(preset->title)), kPreset);

@@ -27,12 +27,12 @@ void Recording::addMenu(QMenu& recording) {
 void Recording::connectParts() {
   WindowParts& p = parts_;
   const auto showWhetherHandRests = [this] {
-    if (parts_.hand.isEnabled() == parts_.session.handRests()) showState();
+    if (parts_.hand.isEnabled() == parts_.session.probeControl().handRests()) showState();
   };
   connect(&p.session, &Session::frozenChanged, this, &Recording::showState);
-  connect(&p.session, &Session::probeChanged, this, &Recording::showState);
-  connect(&p.session, &Session::holdChanged, this, showWhetherHandRests);
-  connect(&p.session, &Session::trackingChanged, this, showWhetherHandRests);
+  connect(&p.session.console(), &ScanConsole::probeChanged, this, &Recording::showState);
+  connect(&p.session.probeControl(), &ProbeControl::holdChanged, this, showWhetherHandRests);
+  connect(&p.session.probeControl(), &ProbeControl::trackingChanged, this, showWhetherHandRests);
   connect(&p.recorder, &Recorder::changed, this, &Recording::showState);
   connect(p.replayBar, &ReplayBar::saveAsked, this, &Recording::save);
   connect(p.replayBar, &ReplayBar::closeAsked, this, [this] {
@@ -90,7 +90,7 @@ void Recording::showState() {
   mark_->setEnabled(isRecording);
   save_->setEnabled(p.replayBar->recording() != nullptr);
   p.scanView->setRecording(isRecording ? std::optional(p.recorder.length_s()) : std::nullopt);
-  p.hand.setEnabled(!p.session.handRests());
+  p.hand.setEnabled(!p.session.probeControl().handRests());
   p.console->setEnabled(!p.session.isPlaying());
   p.scanView->setControlsEnabled(!p.session.isPlaying());
 }

@@ -11,7 +11,7 @@ void ZoomAndWide::addActions(QMenu& console) {
   boxZoom_ =
       commands.add(console, "zoom.box", [this] { boxZoom_->setChecked(parts_.workspaces->showsScan() && parts_.boxZoom->toggle()); });
   boxZoom_->setCheckable(true);
-  commands.add(console, "zoom.whole", [this] { parts_.session.setDetail(1.0, {}); });
+  commands.add(console, "zoom.whole", [this] { parts_.session.console().setDetail(1.0, {}); });
   wide_ = commands.add(console, "wide", [this] {
     if (parts_.workspaces->showsScan()) parts_.wide.toggle();
     showState();

@@ -107,7 +107,7 @@ struct WindowParts {
   KeyMap keys;
   KeyTips keyTips{keys};
   ControlSurface surface;
-  HandInput hand{session.hand()};
+  HandInput hand{session.probeControl().hand()};
   Trackers trackers{session, jobs};
   Recorder recorder{session};
   WideScan wide{session};
