@@ -83,7 +83,7 @@ TEST(ClassSize, CountsWhatAClassDeclares) {
 
 TEST(ClassSize, IsAtMostSixtyMethods) {
   // What is larger may only shrink: the number is what it has.
-  const std::map<std::string, int> larger = {{"Trackers", 78}};
+  const std::map<std::string, int> larger;
   std::string tooLarge;
   std::map<std::string, int> sizes;
   for (const Source& source : sources()) {
