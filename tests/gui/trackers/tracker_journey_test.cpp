@@ -40,14 +40,14 @@ class TrackerJourneyTest : public WindowFixture {
 
   /// Held upright on the skin: the beam along the inward normal, the marker to the patient's right.
   [[nodiscard]] Transform<frame::World, frame::Probe> heldAt(const glm::dvec3& at_mm) const {
-    const Skin::Contact contact = trackers().skin()->nearest(at_mm);
+    const Skin::Contact contact = trackers().mannequin().skin()->nearest(at_mm);
     const glm::dvec3 y = -contact.outward;
     const glm::dvec3 x = glm::normalize(glm::dvec3(-1.0, 0.0, 0.0) - glm::dot(glm::dvec3(-1.0, 0.0, 0.0), y) * y);
     const glm::dvec3 z = glm::cross(x, y);
     return {glm::dmat4(glm::dvec4(x, 0.0), glm::dvec4(y, 0.0), glm::dvec4(z, 0.0), glm::dvec4(at_mm, 1.0))};
   }
   [[nodiscard]] glm::dvec3 landmark(const std::string& id) const {
-    for (const BodyLandmark& each : trackers().landmarks())
+    for (const BodyLandmark& each : trackers().mannequin().landmarks())
       if (each.id == id) return each.at_mm;
     return {};
   }
@@ -62,16 +62,16 @@ class TrackerJourneyTest : public WindowFixture {
  private Q_SLOTS:
   void fromPaperToAScanAndThroughALoss() {
     showWindowWithCase(files_.writeCase(QStringLiteral("case")));
-    QVERIFY(waitUntil([this] { return trackers().skin() != nullptr && !trackers().papers().empty(); }));
+    QVERIFY(waitUntil([this] { return trackers().mannequin().skin() != nullptr && !trackers().papers().all().empty(); }));
     for (const TrackerSettings& each : trackers().all())
       if (std::holds_alternative<CameraSource>(each.source)) camera_ = each.id;
     QVERIFY(!camera_.empty());
     MarkerBody probe, board;
-    for (const PaperBody& each : trackers().papers()) {
+    for (const PaperBody& each : trackers().papers().all()) {
       if (each.id == "box-60") probe = foldedBody(each);
       if (each.kind == PaperKind::board) board = foldedBody(each);
     }
-    films_ = std::make_unique<TrackerFilms>(probe, board, trackers().charucoBoard());
+    films_ = std::make_unique<TrackerFilms>(probe, board, trackers().papers().charucoBoard());
     print();
     if (QTest::currentTestFailed()) return;
     calibrate();
@@ -148,11 +148,11 @@ class TrackerJourneyTest : public WindowFixture {
       const std::string file = film(qPrintable(QStringLiteral("touch%1.avi").arg(n)));
       QVERIFY(films_->writePaper(file, {heldAt(landmark(place))}));
       play(file);
-      QVERIFY(lookUntil("a touch", [&] { return trackers().touches(camera_).size() == n + 1; }));
+      QVERIFY(lookUntil("a touch", [&] { return trackers().mannequin().touches(camera_).size() == n + 1; }));
       if (n == 1) keepScreenshot(*wizard(), "journey-5-align");
     }
     QVERIFY(step.isDone());
-    QVERIFY(trackers().alignment(camera_).wrong.empty());
+    QVERIFY(trackers().mannequin().alignment(camera_).wrong.empty());
     keepScreenshot(*wizard(), "journey-5-align-done");
     // The board is the tracker's frame: the truth is where the films have it.
     const glm::dmat4 found = trackers().calibrationOf(camera_).trackerToWorld.matrix;
@@ -184,15 +184,15 @@ class TrackerJourneyTest : public WindowFixture {
     const glm::dvec3 from = landmark("xiphoid");
     const glm::dvec3 to = landmark("navel");
     std::vector<Transform<frame::World, frame::Probe>> way;
-    for (int n = 0; n <= 4; ++n) way.push_back(heldAt(trackers().skin()->nearest(glm::mix(from, to, n / 4.0)).point_mm));
+    for (int n = 0; n <= 4; ++n) way.push_back(heldAt(trackers().mannequin().skin()->nearest(glm::mix(from, to, n / 4.0)).point_mm));
     QVERIFY(films_->writePaper(film("scan.avi"), way));
     play(film("scan.avi"));
     const std::uint64_t frames = session().frames().framesMade();
     QVERIFY(waitUntil([&] { return trackers().report().state == TrackingState::live && session().frames().framesMade() > frames + 10; }));
     QVERIFY(session().probeControl().mover() == ProbeControl::Mover::tracker && !session().probeControl().isLost());
     const glm::dvec3 at = session().probeControl().pose().probeToWorld.matrix[3];
-    QVERIFY2(std::abs(Trackers::gap_mm(*trackers().skin(), at)) < 8.0,
-             qPrintable(QString::number(Trackers::gap_mm(*trackers().skin(), at))));
+    QVERIFY2(std::abs(MannequinTouches::gap_mm(*trackers().mannequin().skin(), at)) < 8.0,
+             qPrintable(QString::number(MannequinTouches::gap_mm(*trackers().mannequin().skin(), at))));
     const auto* said = find<QPushButton>("trackingState");
     QVERIFY(waitUntil([&] { return said->isVisible() && said->text() == lookOf(TrackingState::live).word; }));
     keepScreenshot(*window_, "journey-7-scan");

@@ -142,7 +142,7 @@ void TrackerForm::addCamera(QFormLayout& form, const CameraSource& source) {
   auto* bodies = addChoice(form, tr("Paper body"), "trackerBody");
   auto* boards = addChoice(form, tr("Board at the mannequin"), "trackerBoard");
   boards->addItem(tr("none: the camera stands still"), QString());
-  for (const PaperBody& each : trackers_.papers()) {
+  for (const PaperBody& each : trackers_.papers().all()) {
     if (each.kind == PaperKind::held) bodies->addItem(words(each.name), QString::fromStdString(each.id));
     if (each.kind == PaperKind::board) boards->addItem(words(each.name), QString::fromStdString(each.id));
   }

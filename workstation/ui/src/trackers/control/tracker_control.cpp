@@ -21,7 +21,13 @@ std::filesystem::path trackersFile() { return pathOf(QFileInfo(QSettings().fileN
 }  // namespace
 
 Trackers::Trackers(Session& session, Jobs& jobs, QObject* parent)
-    : QObject(parent), session_(session), jobs_(jobs), list_(usualTrackers()) {
+    : QObject(parent),
+      session_(session),
+      jobs_(jobs),
+      list_(usualTrackers()),
+      mannequin_(session, [this](const std::string& id, const auto& trackerToWorld, const CalibrationQuality& quality) {
+        keepAlignment(id, trackerToWorld, quality);
+      }) {
   poll_.setInterval(kTrackerPoll_ms);
   connect(&poll_, &QTimer::timeout, this, &Trackers::lookAtDevice);
   axisTimer_.setInterval(kAxes_ms);
@@ -45,7 +51,7 @@ void Trackers::load() {
       Q_EMIT problem(kept.error());
     }
   }
-  readPapers();
+  papers_.read();
   if (list_.serves) serve(true, list_.servePort, list_.servesNetwork);
   Q_EMIT listChanged();
   if (list_.startsOn && find(list_.chosen) != nullptr) use(list_.chosen);
@@ -129,7 +135,7 @@ void Trackers::start(const TrackerSettings& settings) {
   readCalibration(settings.id);
   poll_.start();
   if (const auto* controller = std::get_if<HandControllerSettings>(&settings.source)) return startHandController(*controller);
-  auto made = makeDevice(settings, bodies());
+  auto made = makeDevice(settings, papers_.bodies());
   if (!made) {
     session_.probeControl().setTracked(nullptr);
     Q_EMIT problem(made.error());

@@ -9,40 +9,21 @@
 #include <string>
 #include <vector>
 
-#include "ew/library/placing.h"
 #include "ew/trackers/camera_calibration.h"
 #include "ew/trackers/camera_device.h"
 #include "ew/trackers/hand_controller.h"
-#include "ew/trackers/paper_body.h"
 #include "ew/trackers/tracker_settings.h"
-#include "ew/tracking/alignment.h"
 #include "ew/tracking/fit_check.h"
 #include "ew/tracking/tracked_probe.h"
 #include "scan/session.h"
+#include "trackers/control/mannequin_touches.h"
+#include "trackers/control/tracker_papers.h"
 #include "widgets/worker.h"
 
 namespace ew::ui {
 
 class Jobs;
 class ScanServer;
-
-/// A place of the mannequin and where the tracker saw the probe's face touch it.
-struct TrackerTouch {
-  std::string landmark;
-  glm::dvec3 at_mm{0.0};       ///< world
-  glm::dvec3 at_tracker{0.0};  ///< mm
-  double spread_mm = 0.0;      ///< while it was held
-};
-
-/// What the touched places, and the traced surface, make of the tracker's frame.
-struct TrackerAlignment {
-  bool isFound = false;
-  bool isTraced = false;
-  std::vector<double> residuals_mm;  ///< of each touch
-  std::string wrong;                 ///< landmark that does not fit to the others; empty: none
-  double rms_mm = 0.0, expected_mm = 0.0;
-  Message sentence;  ///< in words, with what to do
-};
 
 /// Where the middle of the probe's face is.
 struct TrackedFace {
@@ -57,16 +38,9 @@ class Trackers final : public QObject {
   Q_OBJECT
 
  public:
-  /// What the window lends.
-  struct Window {
-    std::function<std::string()> mannequin;                 ///< as Case::mannequin
-    std::function<std::vector<glm::vec3>()> bodyPoints_mm;  ///< corners of its surface, world
-  };
-
   Trackers(Session& session, Jobs& jobs, QObject* parent = nullptr);
   ~Trackers() override;
 
-  void setWindow(Window window) { window_ = std::move(window); }
   /// Reads what was kept, and goes on with the tracker that was in use.
   void load();
   /// Another mannequin lies there: its alignment is looked for.
@@ -104,26 +78,18 @@ class Trackers final : public QObject {
   [[nodiscard]] CameraDevice* camera() const { return camera_.get(); }  ///< in use; null: none
   [[nodiscard]] const std::shared_ptr<CameraDevice>& sharedCamera() const { return camera_; }
   [[nodiscard]] std::optional<CameraView> cameraView() const;
-  [[nodiscard]] const std::vector<PaperBody>& papers() const { return papers_; }
-  [[nodiscard]] const Message& paperProblem() const { return paperProblem_; }
+  [[nodiscard]] const TrackerPapers& papers() const { return papers_; }  ///< what there is to look for
   [[nodiscard]] std::string bodyOf(const std::string& id) const;
   void chooseBody(const std::string& id, const std::string& body);
-  [[nodiscard]] double measuredScale_mm() const;
-  void setMeasuredScale(double mm);  ///< of the printed line of 100 mm
-  [[nodiscard]] CharucoBoard charucoBoard() const;
-  /// The body to hold, the board for the mannequin and the chess board.
-  [[nodiscard]] Result<void> writeSheet(const std::filesystem::path& file, const std::string& body, bool isLetter) const;
+  /// Keeps what the printed line of 100 mm measures; a camera in use goes by it at once.
+  void setMeasuredScale(double mm);
   using LensFound = std::function<void(const Result<CameraCalibration>&)>;
   void solveLens(const std::string& id, const std::vector<CharucoView>& views, const CharucoBoard& board, int width, int height,
                  LensFound found);
 
   // The mannequin.
-  [[nodiscard]] std::vector<BodyLandmark> landmarks() const;
-  [[nodiscard]] std::vector<glm::dvec3> landmarkPlaces() const;  ///< world
-  [[nodiscard]] std::vector<glm::vec3> bodyPoints() const;
-  [[nodiscard]] std::shared_ptr<const Skin> skin() const { return session_.probeControl().skin(); }
-  /// How far from the skin a point is; below it less than 0.
-  [[nodiscard]] static double gap_mm(const Skin& skin, const glm::dvec3& at_world);
+  /// What was touched of it; an alignment found there is kept here, and the probe follows it at once.
+  [[nodiscard]] MannequinTouches& mannequin() { return mannequin_; }
   /// Empty while the tool is not seen.
   [[nodiscard]] std::optional<TrackedFace> face() const;
   [[nodiscard]] std::optional<ToolReading> reading() const;
@@ -131,13 +97,6 @@ class Trackers final : public QObject {
   /// Where the face lies has to be found by touching: of every tool but a paper body that is a probe itself.
   [[nodiscard]] bool needsFace(const std::string& id) const;
   [[nodiscard]] bool isAligned(const std::string& id) const;
-  [[nodiscard]] const std::vector<TrackerTouch>& touches(const std::string& id);
-  void setTouches(const std::string& id, std::vector<TrackerTouch> touches);
-  [[nodiscard]] const TrackerAlignment& alignment(const std::string& id);
-  void beginTracing(const std::string& id);
-  void trace(const glm::dvec3& at_tracker);
-  [[nodiscard]] int tracedCount() const { return static_cast<int>(traced_.size()); }
-  void endTracing(const std::string& id);
   /// Keeps where the face of a tool lies.
   void keepFace(const std::string& id, const Transform<frame::Tool, frame::Probe>& probeToTool, const CalibrationQuality& quality);
 
@@ -150,31 +109,23 @@ class Trackers final : public QObject {
   void fitFound();                        ///< it does again
 
  private:
-  struct Aligning {
-    std::vector<TrackerTouch> touches;
-    TrackerAlignment found;
-  };
   [[nodiscard]] TrackerSettings* findMutable(const std::string& id);
   void keepList();
   void start(const TrackerSettings& settings);
   void startHandController(const HandControllerSettings& settings);
   void stopDevice();
-  void readPapers();
-  [[nodiscard]] std::vector<MarkerBody> bodies() const;
-  [[nodiscard]] MarkerBody bodyCalled(const std::string& body) const;
   void applyCamera(const TrackerSettings& settings, const CameraSettings& before);
   void lookAtDevice();
   void moveByAxes();
   void checkFit();
   [[nodiscard]] std::string toolOf(const std::string& id) const;
-  [[nodiscard]] double printedFactorNow() const;
   void readCalibration(const std::string& id);
   void keep(const std::string& id, TrackerCalibration calibration);
-  void findAlignment(const std::string& id, const std::vector<glm::dvec3>& traced);
+  void keepAlignment(const std::string& id, const Transform<frame::World, frame::Tracker>& trackerToWorld,
+                     const CalibrationQuality& quality);
 
   Session& session_;
   Jobs& jobs_;
-  Window window_;
   TrackerList list_;
   bool listIsBroken_ = false;  ///< the file cannot be read: it is left alone
   std::string used_;
@@ -186,12 +137,10 @@ class Trackers final : public QObject {
   double movedAt_s_ = 0.0;
   QTimer poll_, axisTimer_;
   TrackingState told_ = TrackingState::off;
-  std::vector<PaperBody> papers_;
-  Message paperProblem_;
+  TrackerPapers papers_;
   std::map<std::string, TrackerCalibration> calibrations_;  ///< by tracker, as far as they were asked for
   std::string readTool_;                                    ///< of the tracker in use, that its calibration was read for
-  std::map<std::string, Aligning> aligning_;
-  std::vector<glm::dvec3> traced_;
+  MannequinTouches mannequin_;
   FitCheck fit_;
   bool fitIsLost_ = false;
   std::unique_ptr<ScanServer> server_;

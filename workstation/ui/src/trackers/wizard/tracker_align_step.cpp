@@ -101,9 +101,9 @@ bool TrackerAlignStep::isDone() const { return trackers_.isAligned(tracker_); }
 
 void TrackerAlignStep::enter() {
   trackers_.use(tracker_);
-  landmarks_ = trackers_.landmarks();
-  body_->setBody(trackers_.bodyPoints());
-  body_->lookAt(trackers_.landmarkPlaces());
+  landmarks_ = trackers_.mannequin().landmarks();
+  body_->setBody(trackers_.mannequin().bodyPoints());
+  body_->lookAt(trackers_.mannequin().landmarkPlaces());
   still_.forget();
   chooseFirstLeft();
 }
@@ -121,7 +121,7 @@ void TrackerAlignStep::chooseNext(const std::string& id) {
 }
 
 void TrackerAlignStep::chooseFirstLeft() {
-  const auto& touches = trackers_.touches(tracker_);
+  const auto& touches = trackers_.mannequin().touches(tracker_);
   const auto isLeft = [&](const std::string& id) {
     return std::none_of(touches.begin(), touches.end(), [&](const TrackerTouch& each) { return each.landmark == id; });
   };
@@ -142,21 +142,21 @@ void TrackerAlignStep::take() {
 }
 
 void TrackerAlignStep::keep(const glm::dvec3& at_tracker, double spread_mm) {
-  auto touches = trackers_.touches(tracker_);
+  auto touches = trackers_.mannequin().touches(tracker_);
   std::erase_if(touches, [this](const TrackerTouch& each) { return each.landmark == next_; });
   touches.push_back({next_, find(next_)->at_mm, at_tracker, spread_mm});
-  trackers_.setTouches(tracker_, std::move(touches));
+  trackers_.mannequin().setTouches(tracker_, std::move(touches));
   chooseFirstLeft();
   Q_EMIT changed();
 }
 
 void TrackerAlignStep::removeChosen() {
-  auto touches = trackers_.touches(tracker_);
+  auto touches = trackers_.mannequin().touches(tracker_);
   const int row = touched_->currentRow();
   if (row < 0 || row >= static_cast<int>(touches.size())) return;
   const std::string removed = touches[static_cast<std::size_t>(row)].landmark;
   touches.erase(touches.begin() + row);
-  trackers_.setTouches(tracker_, std::move(touches));
+  trackers_.mannequin().setTouches(tracker_, std::move(touches));
   chooseNext(removed);
   Q_EMIT changed();
 }
@@ -165,9 +165,9 @@ void TrackerAlignStep::setTracing(bool tracing) {
   if (tracing == isTracing_) return;
   isTracing_ = tracing;
   if (tracing)
-    trackers_.beginTracing(tracker_);
+    trackers_.mannequin().beginTracing();
   else
-    trackers_.endTracing(tracker_);
+    trackers_.mannequin().endTracing(tracker_);
   showAll();
   Q_EMIT changed();
 }
@@ -182,8 +182,9 @@ void TrackerAlignStep::poll() {
 }
 
 void TrackerAlignStep::pollTracing() {
-  if (const auto face = trackers_.face()) trackers_.trace(face->at_tracker);
-  say(*hand_, tr("Slide over the skin, all over the belly and around both flanks. Places traced: %1").arg(trackers_.tracedCount()));
+  if (const auto face = trackers_.face()) trackers_.mannequin().trace(face->at_tracker);
+  say(*hand_,
+      tr("Slide over the skin, all over the belly and around both flanks. Places traced: %1").arg(trackers_.mannequin().tracedCount()));
 }
 
 void TrackerAlignStep::pollTouching() {
@@ -203,8 +204,8 @@ void TrackerAlignStep::pollTouching() {
 }
 
 void TrackerAlignStep::showAll() {
-  const auto& touches = trackers_.touches(tracker_);
-  const TrackerAlignment& found = trackers_.alignment(tracker_);
+  const auto& touches = trackers_.mannequin().touches(tracker_);
+  const TrackerAlignment& found = trackers_.mannequin().alignment(tracker_);
   const BodyLandmark* next = find(next_);
   nextName_->setText(isTracing_        ? tr("Trace the surface")
                      : next == nullptr ? tr("All places are touched")

@@ -63,8 +63,8 @@ bool TrackerCheckStep::isDone() const {
 
 void TrackerCheckStep::enter() {
   trackers_.use(tracker_);
-  body_->setBody(trackers_.bodyPoints());
-  body_->lookAt(trackers_.landmarkPlaces());
+  body_->setBody(trackers_.mannequin().bodyPoints());
+  body_->lookAt(trackers_.mannequin().landmarkPlaces());
   still_.forget();
   checked_.clear();
   showAll();
@@ -72,7 +72,7 @@ void TrackerCheckStep::enter() {
 
 void TrackerCheckStep::poll() {
   const auto face = trackers_.face();
-  const auto skin = trackers_.skin();
+  const auto skin = trackers_.mannequin().skin();
   if (!trackers_.isAligned(tracker_)) {
     gap_->setText(QStringLiteral("–"));
     return say(*hand_, tr("The tracker is not aligned with the mannequin yet; go back one step."), Tone::bad);
@@ -84,7 +84,7 @@ void TrackerCheckStep::poll() {
     return say(*hand_, words(trackers_.report().sentence));
   }
   body_->setProbe(face->at_world);
-  const double gap_mm = Trackers::gap_mm(*skin, face->at_world);
+  const double gap_mm = MannequinTouches::gap_mm(*skin, face->at_world);
   gap_->setText(tr("%1 mm").arg(signedFigure(gap_mm, 1)));
   still_.add(face->at_world, face->time_s);
   const int percent = static_cast<int>(100.0 * std::clamp(still_.heldFor_s() / TrackerStill::kHold_s, 0.0, 1.0));
@@ -94,7 +94,7 @@ void TrackerCheckStep::poll() {
 }
 
 void TrackerCheckStep::take(const glm::dvec3& at_world) {
-  const Checked fresh{at_world, Trackers::gap_mm(*trackers_.skin(), at_world)};
+  const Checked fresh{at_world, MannequinTouches::gap_mm(*trackers_.mannequin().skin(), at_world)};
   const auto near =
       std::find_if(checked_.begin(), checked_.end(), [&](const Checked& each) { return glm::distance(each.at_mm, at_world) < kApart_mm; });
   if (near != checked_.end())

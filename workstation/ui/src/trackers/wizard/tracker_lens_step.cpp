@@ -95,7 +95,7 @@ void TrackerLensStep::look() {
   CameraDevice* camera = trackers_.camera();
   if (camera == nullptr) return;
   isLooking_ = true;
-  worker_.add([this, camera = trackers_.sharedCamera(), board = trackers_.charucoBoard(), gathering = gathering_]() mutable {
+  worker_.add([this, camera = trackers_.sharedCamera(), board = trackers_.papers().charucoBoard(), gathering = gathering_]() mutable {
     const GreyImage picture = camera->picture();
     const std::uint64_t number = camera->view().number;
     if (!gathering && !picture.pixels.empty()) {

@@ -36,7 +36,7 @@ QString saveTrackerSheet(Trackers& trackers, const std::string& body, bool isLet
                                             TrackerPrintStep::tr("PDF (*.pdf)"),
                                             {QStringLiteral(".pdf")}});
   if (file.isEmpty()) return {};
-  const Result<void> written = trackers.writeSheet(pathOf(file), body, isLetter);
+  const Result<void> written = trackers.papers().writeSheet(pathOf(file), body, isLetter);
   *isProblem = !written;
   return written ? TrackerPrintStep::tr("Saved as %1. Print it at 100 %, without 'fit to page'.").arg(file) : words(written.error());
 }
@@ -104,16 +104,16 @@ bool TrackerPrintStep::isDone() const { return ready_->isChecked(); }
 
 void TrackerPrintStep::enter() {
   bodies_->clear();
-  for (const PaperBody& each : trackers_.papers())
+  for (const PaperBody& each : trackers_.papers().all())
     if (each.kind == PaperKind::held) bodies_->addItem(words(each.name), QString::fromStdString(each.id));
   const QString chosen = QString::fromStdString(trackers_.bodyOf(tracker_));
   bodies_->setCurrentIndex(std::max(0, bodies_->findData(chosen)));
   if (bodies_->count() == 0)
-    say(*answer_, words(trackers_.paperProblem()), Tone::bad);
+    say(*answer_, words(trackers_.papers().problem()), Tone::bad);
   else if (bodies_->findData(chosen) < 0)
     chooseBody();
   const QSignalBlocker quietly(scale_);
-  scale_->setValue(trackers_.measuredScale_mm());
+  scale_->setValue(trackers_.papers().measuredScale_mm());
 }
 
 void TrackerPrintStep::chooseBody() { trackers_.chooseBody(tracker_, bodies_->currentData().toString().toStdString()); }

@@ -30,11 +30,11 @@ void Tracking::addAction(QMenu& scan) {
 
 void Tracking::connectParts() {
   WindowParts& p = parts_;
-  p.trackers.setWindow({[&p] { return p.document.current() ? p.document.current()->mannequin : std::string(); },
-                        [&p] {
-                          const auto mannequin = p.view3d->scene().mannequin();
-                          return mannequin ? bridge::skinVerticesOf(*mannequin).points_mm : std::vector<glm::vec3>{};
-                        }});
+  p.trackers.mannequin().setWindow({[&p] { return p.document.current() ? p.document.current()->mannequin : std::string(); },
+                                    [&p] {
+                                      const auto mannequin = p.view3d->scene().mannequin();
+                                      return mannequin ? bridge::skinVerticesOf(*mannequin).points_mm : std::vector<glm::vec3>{};
+                                    }});
   connect(&p.trackers, &Trackers::problem, this, [this](const Error& error) { parts_.messages->showError(error); });
   connect(&p.trackers, &Trackers::fitLost, this, [this](const QString& sentence) { parts_.messages->showError(sentence, kFit); });
   connect(&p.trackers, &Trackers::fitFound, this, [this] { parts_.messages->forget(kFit); });

@@ -1,17 +1,9 @@
-// Cameras and the paper they look for: bodies, sheets, the lens.
-#include <QLocale>
-#include <algorithm>
-
-#include "ew/library/case.h"
-#include "ew/trackers/marker_sheet.h"
+// Cameras: which one, what it looks for, its lens.
 #include "jobs/jobs.h"
 #include "trackers/control/tracker_control.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {
-
-constexpr double kPrintedScale_mm = 100.0;
 
 const CameraSource* cameraSourceOf(const TrackerSettings* settings) {
   return settings != nullptr ? std::get_if<CameraSource>(&settings->source) : nullptr;
@@ -19,58 +11,13 @@ const CameraSource* cameraSourceOf(const TrackerSettings* settings) {
 
 }  // namespace
 
-void Trackers::readPapers() {
-  std::vector<std::filesystem::path> folders;
-  if (const auto resources = resourceFolder()) folders.push_back(*resources / "marker_bodies");
-  folders.push_back(libraryFolder() / "trackers" / "bodies");
-  auto read = readPaperBodies(folders);
-  paperProblem_ = read ? Message() : read.error().message;
-  papers_ = read ? std::move(*read) : std::vector<PaperBody>{};
-  if (read && papers_.empty()) paperProblem_ = say<"No paper body is installed; install EchoWeave again.">();
-}
-
-double Trackers::measuredScale_mm() const { return readPrintedScale(libraryFolder() / "trackers").value_or(kPrintedScale_mm); }
-
-double Trackers::printedFactorNow() const { return printedFactor(measuredScale_mm()).value_or(1.0); }
-
 void Trackers::setMeasuredScale(double mm) {
-  if (const auto kept = keepPrintedScale(libraryFolder() / "trackers", mm); !kept) Q_EMIT problem(kept.error());
+  if (const auto kept = papers_.keepMeasuredScale(mm); !kept) Q_EMIT problem(kept.error());
   const TrackerSettings* settings = find(used_);
   if (settings != nullptr && camera_) applyCamera(*settings, *cameraOf(used_));
 }
 
-std::vector<MarkerBody> Trackers::bodies() const {
-  std::vector<MarkerBody> made;
-  const double factor = printedFactorNow();
-  for (const PaperBody& each : papers_)
-    if (each.kind != PaperKind::calibration) made.push_back(foldedBody(each, factor));
-  return made;
-}
-
-MarkerBody Trackers::bodyCalled(const std::string& body) const {
-  for (MarkerBody& each : bodies())
-    if (each.id == body) return each;
-  return {};
-}
-
-bool Trackers::needsFace(const std::string& id) const { return cameraOf(id) == nullptr || !bodyCalled(bodyOf(id)).faceIsExact; }
-
-CharucoBoard Trackers::charucoBoard() const {
-  const auto paper =
-      std::find_if(papers_.begin(), papers_.end(), [](const PaperBody& each) { return each.kind == PaperKind::calibration; });
-  if (paper == papers_.end()) return {};
-  const CalibrationBoard printed = printedBoard(*paper, printedFactorNow());
-  return {printed.columns, printed.rows, printed.square_mm, printed.marker_mm, printed.dictionary};
-}
-
-Result<void> Trackers::writeSheet(const std::filesystem::path& file, const std::string& body, bool isLetter) const {
-  std::vector<PaperBody> wanted;
-  for (const PaperBody& each : papers_)
-    if (each.id == body || each.kind != PaperKind::held) wanted.push_back(each);
-  return writeMarkerSheet(
-      wanted, isLetter ? PaperSize::letter : PaperSize::a4, file, [](const Message& text) { return words(text).toStdString(); },
-      QLocale().language() == QLocale::German ? "de" : "en");
-}
+bool Trackers::needsFace(const std::string& id) const { return cameraOf(id) == nullptr || !papers_.bodyCalled(bodyOf(id)).faceIsExact; }
 
 const CameraSettings* Trackers::cameraOf(const std::string& id) const {
   const CameraSource* source = cameraSourceOf(find(id));
@@ -123,7 +70,7 @@ void Trackers::applyCamera(const TrackerSettings& settings, const CameraSettings
     return start(settings);
   }
   const auto known = [this](const std::string& body) {
-    return body.empty() || bodyCalled(body).id.empty() ? std::nullopt : std::optional(bodyCalled(body));
+    return body.empty() || papers_.bodyCalled(body).id.empty() ? std::nullopt : std::optional(papers_.bodyCalled(body));
   };
   camera_->setTracking(source.camera.model, known(source.probeBody), known(source.boardBody), source.camera.tracking);
   if (probe_) probe_->setCalibration(calibrationOf(settings.id));
