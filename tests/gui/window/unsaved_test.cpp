@@ -473,15 +473,39 @@ class UnsavedTest : public WindowFixture {
     qputenv("ECHOWEAVE_CACHE", files_.path(QStringLiteral("cache %1").arg(made_)).toUtf8());
     auto* opener = window_->findChild<Opener*>();
     QVERIFY(opener != nullptr);
+    const QString instead = files_.writeSweep(QStringLiteral("instead.igs.mha"));
     const QSignalSpy preparing(opener, &Opener::preparing), ended(opener, &Opener::ended), sweep(opener, &Opener::sweepChosen);
+    int endedBefore = -1, endedAfter = -1;
+    QObject whileItIsPrepared;
+    connect(opener, &Opener::preparing, &whileItIsPrepared, [&] {
+      endedBefore = ended.count();
+      window_->open(instead);
+      endedAfter = ended.count();
+    });
     window_->open(unprepared);
-    QCOMPARE(preparing.count(), 1);
-    QCOMPARE(ended.count(), 0);
-    window_->open(files_.writeSweep(QStringLiteral("instead.igs.mha")));
-    QCOMPARE(ended.count(), 1);
+    QCOMPARE(preparing.count(), 0);  // it is read by the job, not by the window
     QVERIFY(waitUntil([&] { return sweep.count() == 1; }, kPatience_ms));
+    QCOMPARE(preparing.count(), 1);
+    QCOMPARE(endedBefore, 0);
+    QCOMPARE(endedAfter, 1);
     QCOMPARE(ended.count(), 2);
     QVERIFY(waitForRest());
+  }
+
+  void anOpeningThatIsGivenUpBeforeItsCaseIsReadTellsNothingOfIt() {
+    const QString unprepared = files_.path(QStringLiteral("given up %1").arg(made_));
+    test::makeSmallCase(unprepared.toStdString());
+    qputenv("ECHOWEAVE_CACHE", files_.path(QStringLiteral("cache of given up %1").arg(made_)).toUtf8());
+    auto* opener = window_->findChild<Opener*>();
+    QVERIFY(opener != nullptr);
+    const QString instead = files_.writeSweep(QStringLiteral("at once.igs.mha"));
+    const QSignalSpy preparing(opener, &Opener::preparing), ended(opener, &Opener::ended), sweep(opener, &Opener::sweepChosen);
+    window_->open(unprepared);
+    window_->open(instead);
+    QVERIFY(waitUntil([&] { return sweep.count() == 1; }, kPatience_ms));
+    QVERIFY(waitForRest());
+    QCOMPARE(preparing.count(), 0);
+    QCOMPARE(ended.count(), 2);
   }
 
   void theStartPageIsFilledHoweverItIsReached() {
