@@ -8,6 +8,7 @@
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "ew/core/progress.h"
 #include "ew/library/case.h"
@@ -16,6 +17,7 @@
 #include "gui/support/screenshots.h"
 #include "gui/support/window_fixture.h"
 #include "library/small_case.h"
+#include "library/temporary_folder.h"
 #include "start/case_details.h"
 #include "start/start_page.h"
 
@@ -265,6 +267,30 @@ class LibraryTest final : public WindowFixture {
     const QImage made = shown();
     QVERIFY(!made.isNull());
     QVERIFY(made != brought.copy(0, 0, kCardPictureWidth_px, kCardPictureHeight_px));
+  }
+
+  /// The case that is opened may be the first of those that are made behind: it is not made twice at once, and the others follow.
+  void whatIsMadeBehindWaitsUntilTheOpenedCaseIsRead() {
+    const QString first = program_ + QStringLiteral("/cases/first"), second = program_ + QStringLiteral("/cases/second");
+    for (const QString& each : {first, second}) test::makeSmallCase(each.toStdString());
+    const std::string file = second.toStdString() + "/case.json";
+    auto manifest = nlohmann::json::parse(test::textOf(file));
+    manifest["id"] = "second";
+    manifest["volume"]["reconstruct"]["spacing_mm"] = 1.5;
+    test::writeText(file, manifest.dump());
+    const auto isPrepared = [](const QString& folder) {
+      const auto read = loadCase(folder.toStdString());
+      return read && !caseNeedsPreparation(*read);
+    };
+    showStartPage();
+    QVERIFY(!isPrepared(first) && !isPrepared(second));
+    window_->open(first);
+    window_->prepareCases();
+    for (const Jobs::Seen& each : window_->jobs().seen())
+      QVERIFY2(each.kind != Jobs::Kind::background || !each.title.startsWith(QStringLiteral("Preparing")), qPrintable(each.title));
+    QVERIFY(waitUntil([&] { return isPrepared(second); }));
+    QVERIFY(isPrepared(first));
+    QVERIFY(window_->document().current() && window_->document().current()->folder == first.toStdString());
   }
 
   void tenThousandCasesAreSearchedAsOneTypes() {

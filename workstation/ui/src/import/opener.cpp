@@ -1,6 +1,7 @@
 #include "import/opener.h"
 
 #include <QFileInfo>
+#include <QMetaObject>
 #include <algorithm>
 #include <future>
 #include <utility>
@@ -309,13 +310,15 @@ void Opener::takeContents(Loading& loaded) {
 
 void Opener::openCase(const QString& path) {
   auto loaded = std::make_shared<Loading>();
+  const auto job = std::make_shared<int>(0);
   startOpening(
       path,
-      [loaded, path, present = mannequinFile_](Progress& progress) -> Result<void> {
+      [this, loaded, path, job, present = mannequinFile_](Progress& progress) -> Result<void> {
         auto read = readCase(pathOf(path));
         if (!read) return passOn(read.error());
         loaded->opened = std::move(read->opened);
         loaded->asRead = read->manifest;
+        if (caseNeedsPreparation(*loaded->opened)) tellPreparing(path, loaded->opened->id, job);
         return load(*loaded, present, progress);
       },
       [this, loaded, path] {
@@ -328,7 +331,16 @@ void Opener::openCase(const QString& path) {
         tellOpened(path, contents_->read.notes);
         Q_EMIT opened(path);
       });
-  if (const auto chosen = loadCase(pathOf(path)); chosen && caseNeedsPreparation(*chosen)) Q_EMIT preparing(path);
+  *job = openingJob_;
+}
+
+void Opener::tellPreparing(const QString& path, const std::string& caseId, const std::shared_ptr<const int>& job) {
+  QMetaObject::invokeMethod(
+      this,
+      [this, path, caseId = words(caseId), job] {
+        if (*job == openingJob_) Q_EMIT preparing(path, caseId);
+      },
+      Qt::QueuedConnection);
 }
 
 void Opener::reloadCase(const Case& edited) {
@@ -356,7 +368,7 @@ void Opener::reloadCase(const Case& edited) {
       });
   openingPath_.clear();  // whoever opens the case meanwhile wants what its folder holds
   reloading_ = wanted;
-  if (caseNeedsPreparation(edited)) Q_EMIT preparing(path);
+  if (caseNeedsPreparation(edited)) Q_EMIT preparing(path, words(edited.id));
 }
 
 void Opener::loadChanged(const Case& edited) {

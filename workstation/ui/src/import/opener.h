@@ -62,14 +62,17 @@ class Opener final : public QObject {
   /// place of the draft as soon as that disturbs nobody.
   void refine();
   [[nodiscard]] bool isBusy() const { return busy_ > 0; }
+  /// Whether anything is being opened; ended() follows.
+  [[nodiscard]] bool isOpening() const { return openingJob_ != 0; }
   /// Whether this is what is being opened now; ended() follows.
   [[nodiscard]] bool isOpening(const QString& path) const;
   /// The files that what is shown was read or made from, those of the open case among them: nothing may be saved over them.
   [[nodiscard]] std::vector<std::filesystem::path> sources() const;
 
  Q_SIGNALS:
-  void preparing(const QString& path);  ///< a case is being opened whose volume has to be made first
-  void ended();                         ///< nothing is being opened any more, whatever came of it; another opening may follow
+  /// A case is being opened whose volume has to be made first: told once it is read, and before ended().
+  void preparing(const QString& path, const QString& caseId);
+  void ended();  ///< nothing is being opened any more, whatever came of it; another opening may follow
   void opened(const QString& path);
   void draftShown();                       ///< the volume of the open case is still to be made
   void refined();                          ///< the open case is scanned as it asks for
@@ -97,6 +100,9 @@ class Opener final : public QObject {
     CaseContents read;
   };
   void openCase(const QString& path);
+  /// From the thread of a job: preparing() on the window's, if that job is still the opening there is. @param job its id, known and looked
+  /// at on the window's thread alone
+  void tellPreparing(const QString& path, const std::string& caseId, const std::shared_ptr<const int>& job);
   void openImage(const QString& path);
   /// Loads what the open case names since it was edited.
   void reloadCase(const Case& edited);

@@ -79,13 +79,14 @@ void Opening::connectParts() {
     return all;
   });
   connect(p.opener, &Opener::opened, this, &Opening::opened);
-  connect(p.opener, &Opener::preparing, this, [this](const QString& path) {
+  connect(p.opener, &Opener::preparing, this, [this](const QString& path, const QString& caseId) {
     preparing_ = path;
+    preparingId_ = caseId.toStdString();
     parts_.preparation.pause();
+    parts_.preparing->openingIsRead();
   });
   connect(p.opener, &Opener::failed, this, [this](const Error& error) {
-    const auto stopped = loadCase(pathOf(preparing_));
-    if (error.code == ErrorCode::cancelled && stopped) parts_.preparation.stop(stopped->id);
+    if (error.code == ErrorCode::cancelled && !preparing_.isEmpty()) parts_.preparation.stop(preparingId_);
   });
   connect(p.opener, &Opener::ended, this, &Opening::ended);
   connectImports();
@@ -242,6 +243,7 @@ void Opening::ended() {
   waiting_ = {};
   parts_.caseSaving->openingEnded();
   parts_.resuming->openingEnded();
+  parts_.preparing->openingIsRead();
   if (std::exchange(preparing_, {}).isEmpty()) return;
   parts_.preparation.resume();
   parts_.preparing->show();

@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "window/frame/feature.h"
 
@@ -55,7 +56,8 @@ class Opening final : public Feature {
   void playRecording(const QString& path, const std::shared_ptr<const ScanRecording>& recording);
 
   QStringList calibrations_;  ///< dropped together with the sweep that is opened
-  QString preparing_;         ///< the case that is opened and has to be made first
+  QString preparing_;         ///< the case that is opened and has to be made first; empty: none
+  std::string preparingId_;   ///< its id
   struct {
     QString path;
     std::shared_ptr<const ScanRecording> recording;

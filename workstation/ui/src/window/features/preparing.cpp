@@ -1,5 +1,7 @@
 #include "window/features/preparing.h"
 
+#include <utility>
+
 #include "case/case_preparation.h"
 #include "ew/library/case.h"
 #include "ew/library/folders.h"
@@ -45,6 +47,13 @@ void Preparing::connectParts() {
 }
 
 void Preparing::begin() {
+  // The case that is opened may be the one that would be made first here, and two at one volume wait for each other.
+  waitsToBegin_ = true;
+  if (!parts_.opener->isOpening()) openingIsRead();
+}
+
+void Preparing::openingIsRead() {
+  if (!std::exchange(waitsToBegin_, false)) return;
   if (const auto folder = shippedCasesFolder()) parts_.preparation.start(listCases(*folder).cases);
 }
 

@@ -17,8 +17,10 @@ class Preparing final : public Feature {
 
   void connectParts() override;
 
-  /// Makes the volumes of the shipped cases that have none yet.
+  /// Makes the volumes of the shipped cases that have none yet; while something is opened that waits until openingIsRead().
   void begin();
+  /// What was being opened when the work was to begin is read, and has the work paused where it makes a volume itself; or it is over.
+  void openingIsRead();
   /// Prepares a case without taking what is open away, and offers it when it is ready. @return false: it needs no time, or takes nothing
   /// away
   bool prepareBehind(const QString& path, bool isSomethingWorkedWith);
@@ -30,6 +32,7 @@ class Preparing final : public Feature {
   void offer(const QString& caseId);
 
   std::map<std::string, QString> offers_;  ///< cases by id, with their paths, that are prepared behind what is open
+  bool waitsToBegin_ = false;
 };
 
 }  // namespace ew::ui
