@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <random>
 
 #include "acquisition/outline_overlap.h"
@@ -494,6 +495,36 @@ TEST(Screen, ALayerThatStandsStillEndsNoScan) {
     ASSERT_TRUE(found.outline) << seed;
     EXPECT_GE(overlapOf(*found.outline, screen.truth, screen.frames.front().cols, screen.frames.front().rows), 0.98) << seed;
   }
+}
+
+/// Made screens whose scan is black in one part.
+void expectFoundThough(const char* what, const std::function<bool(const FanOutline& scan, double depth, double across)>& isBlack) {
+  int fans = 0;
+  for (unsigned seed = 1; seed <= 16; ++seed) {
+    DrawnScreen screen = madeScreen(seed);
+    const FanOutline& scan = screen.truth;
+    if (scan.shape != FanShape::convex) continue;
+    ++fans;
+    for (cv::Mat& picture : screen.frames)
+      for (int y = 0; y < picture.rows; ++y)
+        for (int x = 0; x < picture.cols; ++x) {
+          if (!scan.contains({x, y})) continue;
+          const glm::dvec2 d = glm::dvec2(x, y) - scan.apex_px;
+          const double depth = (glm::length(d) - scan.near_px) / (scan.far_px - scan.near_px),
+                       across = (std::atan2(d.x, d.y) - scan.left_rad) / (scan.right_rad - scan.left_rad);
+          if (isBlack(scan, depth, across)) picture.at<cv::Vec3b>(y, x) = cv::Vec3b(0, 0, 0);
+        }
+    const FoundScreen found = findScreen(statisticsOf(screen));
+    ASSERT_TRUE(found.outline) << what << " " << seed;
+    EXPECT_GE(overlapOf(*found.outline, scan, screen.frames.front().cols, screen.frames.front().rows), 0.97) << what << " " << seed;
+  }
+  EXPECT_GT(fans, 2) << what;
+}
+
+TEST(Screen, WhatSendsNothingBackPartsNoScan) {
+  expectFoundThough("a layer of gel", [](const FanOutline&, double depth, double) { return depth > 0.3 && depth < 0.4; });
+  expectFoundThough("a beam without contact", [](const FanOutline&, double, double across) { return across > 0.55 && across < 0.65; });
+  expectFoundThough("the same at a side", [](const FanOutline&, double, double across) { return across > 0.14 && across < 0.24; });
 }
 
 TEST(Screen, NothingThatLooksLikeAScanIsSaidPlainly) {

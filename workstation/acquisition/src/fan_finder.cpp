@@ -481,77 +481,51 @@ std::optional<FanFit> fitTo(const Candidate& candidate) {
   return best;
 }
 
-/// How much of the outline's far edge is borne out by edges, 0..1.
-double farEdgeSeen(const FanOutline& outline, const cv::Mat& evidence) {
-  double seen = 0.0, all = 0.0;
+/// Of the sides and the far edge of an outline the share that edges bear out, where it is least, 0..1.
+double leastEdgeSeen(const FanOutline& outline, const cv::Mat& evidence) {
+  std::array<double, 4> seen{}, all{};
   for (const EdgePoint& point : edgePoints(outline, evidence, 8.0)) {
-    if (point.side != kFar) continue;
-    all += 1.0;
-    seen += point.seen && std::abs(point.offset_px) < kSupport_px ? 1.0 : 0.0;
+    const auto side = static_cast<std::size_t>(point.side);
+    all[side] += 1.0;
+    seen[side] += point.seen && std::abs(point.offset_px) < kSupport_px ? 1.0 : 0.0;
   }
-  return all > 0.0 ? seen / all : 0.0;
-}
-
-/// The sides of an outline seen upright, left and right.
-std::array<Line, 2> sidesOf(const FanOutline& outline) {
-  if (outline.shape == FanShape::linear)
-    return {lineOf(outline.corners_px[0], outline.corners_px[3]), lineOf(outline.corners_px[1], outline.corners_px[2])};
-  return {Line{outline.apex_px, outline.left_rad}, Line{outline.apex_px, outline.right_rad}};
-}
-
-/// Left end, middle and right end of the near or the far edge.
-std::array<glm::dvec2, 3> placesOf(const FanOutline& outline, bool far) {
-  if (outline.shape == FanShape::linear) {
-    const glm::dvec2 left = outline.corners_px[far ? 3 : 0], right = outline.corners_px[far ? 2 : 1];
-    return {left, 0.5 * (left + right), right};
+  double least = 1.0;
+  for (const Side side : {kRight, kFar, kLeft}) {
+    const auto n = static_cast<std::size_t>(side);
+    least = std::min(least, all[n] > 0.0 ? seen[n] / all[n] : 0.0);
   }
-  const auto at = [&](double share) {
-    return outline.apex_px +
-           (far ? outline.far_px : outline.near_px) * down(outline.left_rad + share * (outline.right_rad - outline.left_rad));
-  };
-  return {at(0.0), at(0.5), at(1.0)};
+  return least;
 }
 
-/// Share of what `longer` holds beyond `fan` that moves.
-double movesBeyond(const FanOutline& fan, const FanOutline& longer, const cv::Mat& moving) {
-  const GreyImage had = maskOf(fan, moving.cols, moving.rows), has = maskOf(longer, moving.cols, moving.rows);
-  double beyond = 0.0, moves = 0.0;
+/// Whether `larger` holds all of `fan`, and beyond it pixels of which a good part moves.
+bool goesOnIn(const FanOutline& fan, const FanOutline& larger, const cv::Mat& moving) {
+  constexpr double kHeld = 0.97, kLeastMore = 0.03, kLeastMoving = 0.25;
+  const GreyImage had = maskOf(fan, moving.cols, moving.rows), has = maskOf(larger, moving.cols, moving.rows);
+  double before = 0.0, held = 0.0, beyond = 0.0, moves = 0.0;
   for (int y = 0; y < moving.rows; ++y)
     for (int x = 0; x < moving.cols; ++x) {
-      if (viewOf(has).at(x, y) == 0 || viewOf(had).at(x, y) != 0) continue;
+      const bool was = viewOf(had).at(x, y) != 0, is = viewOf(has).at(x, y) != 0;
+      before += was ? 1.0 : 0.0;
+      held += was && is ? 1.0 : 0.0;
+      if (was || !is) continue;
       beyond += 1.0;
       moves += moving.at<std::uint8_t>(y, x) != 0 ? 1.0 : 0.0;
     }
-  return beyond > 0.0 ? moves / beyond : 0.0;
-}
-
-/// Whether `longer` is `fan` with its sides drawn on.
-bool goesOnAs(const FanOutline& fan, const FanOutline& longer) {
-  constexpr double kLeastShare = 0.03, kTurned_rad = 1.5 * kDegree;
-  if (fan.shape != FanShape::linear && longer.shape == FanShape::linear) return false;
-  const double least_px = kLeastShare * fan.depth_px();
-  if (longer.depth_px() < fan.depth_px() + least_px) return false;
-  if (glm::distance(placesOf(fan, false)[1], placesOf(longer, false)[1]) > least_px + 2.0 * kTolerance_px) return false;
-  const auto sides = sidesOf(fan), drawnOn = sidesOf(longer);
-  const auto ends = placesOf(fan, true);
-  for (std::size_t side = 0; side < 2; ++side)
-    if (std::abs(sides[side].angle_rad - drawnOn[side].angle_rad) > kTurned_rad ||
-        std::abs(drawnOn[side].rightOf(ends[2 * side])) > 2.0 * kTolerance_px)
-      return false;
-  return true;
+  return held >= kHeld * before && beyond >= kLeastMore * before && moves >= kLeastMoving * beyond;
 }
 
 using Fits = std::vector<std::pair<FanFit, const Candidate*>>;
 
-/// The best outline that goes on as `best` does and moves again there: a layer that stands still ends what moves and not the scan.
-std::optional<FanFit> behindStillLayer(const FanFit& best, const Fits& fits, const cv::Mat& moving) {
-  constexpr double kNearlyAsGood = 0.8, kLeastFarEdge = 0.5, kLeastMoving = 0.25;
-  std::optional<FanFit> longer;
+/// The best outline that holds `best` and moves beyond it, too: a layer or a beam without echoes, or one that stands still, parts what
+/// moves and not the scan.
+std::optional<FanFit> beyondWhatParts(const FanFit& best, const Fits& fits, const cv::Mat& moving) {
+  constexpr double kNearlyAsGood = 0.8, kLeastSeen = 0.5;
+  std::optional<FanFit> larger;
   for (const auto& [fit, candidate] : fits)
-    if (fit.quality >= kNearlyAsGood * best.quality && goesOnAs(best.outline, fit.outline) &&
-        farEdgeSeen(fit.outline, candidate->evidence) >= kLeastFarEdge && movesBeyond(best.outline, fit.outline, moving) >= kLeastMoving)
-      longer = better(longer, fit);
-  return longer;
+    if (fit.quality >= kNearlyAsGood * best.quality && leastEdgeSeen(fit.outline, candidate->evidence) >= kLeastSeen &&
+        goesOnIn(best.outline, fit.outline, moving))
+      larger = better(larger, fit);
+  return larger;
 }
 
 cv::Mat rooted(const cv::Mat& map) {
@@ -594,7 +568,7 @@ std::optional<FanFit> findFan(const ScreenStatistics& statistics) {
       best = better(best, fit);
     }
   if (best && statistics.frames() >= 3)
-    if (auto longer = behindStillLayer(*best, fits, (matOf(statistics.activity()) > kMoves) / 255)) best = std::move(longer);
+    if (auto larger = beyondWhatParts(*best, fits, (matOf(statistics.activity()) > kMoves) / 255)) best = std::move(larger);
   if (best && best->outline.shape != FanShape::linear)
     best->outline.shape = best->outline.near_px < kSectorShare * best->outline.far_px ? FanShape::sector : FanShape::convex;
   return best;
