@@ -12087,6 +12087,10 @@
         <translation>In allen %1 Bildern bewegt sich das Bild um höchstens %2 mm, also um weniger als zwei Voxel: Sind die Lagen in Metern? Sie zählen in Millimetern; sie berichtigen, oder sagen, dass die Sonde stillgehalten wurde.</translation>
     </message>
     <message>
+        <source>Neighbouring frames lie %1 mm apart, which is more than the image of %2 x %3 mm is large, so that next to nothing of the volume would be measured: are the poses in micrometres? They count millimetres; correct them, or say that so large a volume is meant.</source>
+        <translation>Benachbarte Bilder liegen %1 mm auseinander, weiter als das Bild von %2 × %3 mm groß ist, so dass fast nichts vom Volumen gemessen wäre: Sind die Lagen in Mikrometern? Sie zählen in Millimetern; sie berichtigen, oder sagen, dass ein so großes Volumen gemeint ist.</translation>
+    </message>
+    <message>
         <source>(%1, %2), %3 x %4 pixels</source>
         <translation>(%1, %2), %3 × %4 Pixel</translation>
     </message>

@@ -618,12 +618,32 @@ TEST_F(ImportSweep, PosesInMetresAreAskedAbout) {
                 "Through all 12 frames the image moves by no more than 0.011 mm, which is less than two voxels: are the poses in metres?"),
             std::string::npos)
       << metres->smallQuestion;
-  const auto few = planFile(written(wideSweep(9, 0.001)), options, noProgress());
+  const auto few = planFile(written(wideSweep(2, 0.001)), options, noProgress());
   ASSERT_TRUE(few.has_value()) << few.error();
   EXPECT_TRUE(few->smallQuestion.empty()) << few->smallQuestion;
   const auto moving = planFile(written(wideSweep(12, 0.1)), options, noProgress());
   ASSERT_TRUE(moving.has_value()) << moving.error();
   EXPECT_TRUE(moving->smallQuestion.empty()) << moving->smallQuestion;
+}
+
+TEST_F(ImportSweep, AFewSmallImagesOfPosesInAnotherUnitAreAskedAbout) {
+  const auto questionAt = [&](double perMm) {
+    Sequence sequence = sweep();
+    for (SequenceFrame& frame : sequence.frames)
+      for (NamedTransform& one : frame.transforms) one.matrix[3] = glm::dvec4(glm::dvec3(one.matrix[3]) * perMm, 1.0);
+    const auto plan = planFile(written(sequence), nearestAt(0.5, deviceSet("")), noProgress());
+    if (!plan) ADD_FAILURE() << plan.error();
+    return plan ? plan->smallQuestion.english() : std::string();
+  };
+  EXPECT_EQ(questionAt(0.001),
+            "Through all 5 frames the image moves by no more than 0.004 mm, which is less than two voxels: are the poses in metres? They "
+            "count millimetres; correct them, or say that the probe was held still.");
+  EXPECT_EQ(questionAt(1000.0),
+            "Neighbouring frames lie 1000 mm apart, which is more than the image of 10 x 5 mm is large, so that next to nothing of the "
+            "volume would be measured: are the poses in micrometres? They count millimetres; correct them, or say that so large a volume "
+            "is meant.");
+  EXPECT_EQ(questionAt(1.0), "");
+  EXPECT_EQ(questionAt(0.0), "") << "poses that are all the same were written so";
 }
 
 TEST_F(ImportSweep, ASubvolumeOfAnotherUnitIsAskedAboutToo) {

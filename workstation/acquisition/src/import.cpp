@@ -418,6 +418,8 @@ Result<void> tellKept(OpenedSweep& opened, std::span<const PosedFrame> frames, c
   const auto clipped = clipRectangle(plan.reconstruct.clip, sequence.width, sequence.height);
   if (!clipped) return passOn(clipped.error());
   plan.smallQuestion = questionAboutSize(frames, *clipped, plan.reconstruct.spacing_mm);
+  const bool isTracked = options.motor.empty() && !options.statedMotor;
+  if (plan.smallQuestion.empty() && isTracked) plan.smallQuestion = questionAboutMovement(frames, *clipped, plan.reconstruct.spacing_mm);
   if (plan.smallQuestion.empty()) plan.smallQuestion = questionAbout(plan.kept, opened.sweep);
   plan.acceptsSmall = options.acceptsSmall;
   if (!plan.smallQuestion.empty()) plan.notes.push_back(plan.smallQuestion);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ew/acquisition/sweep_geometry.h"
 #include "ew/core/contract.h"
 #include "ew/core/figures.h"
 
@@ -15,8 +16,16 @@ constexpr double kLargestPixel_mm = 5.0;
 constexpr double kFewestVoxels = 3.0;  // below, an image is a stamp of one or two
 constexpr double kManyPixels = 100.0;  // an image that has them was not meant to become that
 constexpr std::size_t kManyFrames = 10;
+constexpr std::size_t kFewestFrames = 3;     // two may be anything
+constexpr double kSamePlace_mm = 1e-6;       // poses that are all the same were written so
+constexpr double kLargestGap_voxels = 50.0;  // of which a frame measures one or two
 
 Message figure(double value) { return numeral(figureText(value, 3)); }
+
+glm::dvec2 pixelSize_mm(const PosedFrame& frame) {
+  const glm::dmat4& matrix = frame.imageToWorld.matrix;
+  return {glm::length(glm::dvec3(matrix[0])), glm::length(glm::dvec3(matrix[1]))};
+}
 
 /// How far the corner that moves most gets away from where it is in the first frame.
 double movement_mm(std::span<const PosedFrame> frames, const ClipRectangle& clipped) {
@@ -33,11 +42,30 @@ double movement_mm(std::span<const PosedFrame> frames, const ClipRectangle& clip
 
 }  // namespace
 
+Message questionAboutMovement(std::span<const PosedFrame> frames, const ClipRectangle& clipped, double spacing_mm) {
+  EW_EXPECTS(!frames.empty());
+  if (frames.size() < kFewestFrames) return {};
+  const glm::dvec2 used_px(clipped.right - clipped.left + 1.0, clipped.bottom - clipped.top + 1.0);
+  const double moved_mm = movement_mm(frames, clipped);
+  const bool isManyAndLarge = frames.size() >= kManyFrames && used_px.x >= kManyPixels && used_px.y >= kManyPixels;
+  const bool isFlat = moved_mm > kSamePlace_mm && moved_mm < 0.5 * spacing_mm;
+  if (isFlat || (isManyAndLarge && moved_mm < 2.0 * spacing_mm))
+    return say<
+        "Through all %1 frames the image moves by no more than %2 mm, which is less than two voxels: are the poses in metres? They count "
+        "millimetres; correct them, or say that the probe was held still.">(frames.size(), figure(moved_mm));
+  const glm::dvec2 used_mm = used_px * pixelSize_mm(frames.front());
+  const double gap_mm = frameDistance_mm(frames);
+  if (gap_mm <= kLargestGap_voxels * spacing_mm || gap_mm <= std::max(used_mm.x, used_mm.y)) return {};
+  return say<
+      "Neighbouring frames lie %1 mm apart, which is more than the image of %2 x %3 mm is large, so that next to nothing of the volume "
+      "would be measured: are the poses in micrometres? They count millimetres; correct them, or say that so large a volume is meant.">(
+      figure(gap_mm), figure(used_mm.x), figure(used_mm.y));
+}
+
 Message questionAboutSize(std::span<const PosedFrame> frames, const ClipRectangle& clipped, double spacing_mm) {
   EW_EXPECTS(!frames.empty());
-  const glm::dmat4& matrix = frames.front().imageToWorld.matrix;
   const auto& pixels = frames.front().pixels;
-  const glm::dvec2 pixel_mm(glm::length(glm::dvec3(matrix[0])), glm::length(glm::dvec3(matrix[1])));
+  const glm::dvec2 pixel_mm = pixelSize_mm(frames.front());
   const glm::dvec2 image_mm = pixel_mm * glm::dvec2(pixels.width, pixels.height);
   if (std::min(pixel_mm.x, pixel_mm.y) < kSmallestPixel_mm)
     return say<
@@ -56,12 +84,7 @@ Message questionAboutSize(std::span<const PosedFrame> frames, const ClipRectangl
         "With voxels of %1 mm an image of %2 x %3 pixels would become %4 x %5 voxels; give a finer spacing, check the calibration for a "
         "wrong scale, or say that so few are meant.">(figure(spacing_mm), std::lround(used_px.x), std::lround(used_px.y),
                                                       std::max(1L, std::lround(voxels.x)), std::max(1L, std::lround(voxels.y)));
-  if (frames.size() < kManyFrames || used_px.x < kManyPixels || used_px.y < kManyPixels) return {};
-  const double moved_mm = movement_mm(frames, clipped);
-  if (moved_mm >= 2.0 * spacing_mm) return {};
-  return say<
-      "Through all %1 frames the image moves by no more than %2 mm, which is less than two voxels: are the poses in metres? They count "
-      "millimetres; correct them, or say that the probe was held still.">(frames.size(), figure(moved_mm));
+  return {};
 }
 
 }  // namespace ew
