@@ -2407,6 +2407,14 @@
         <translation>„%1“ enthält %2 Volumen nacheinander; eines über seine Nummer wählen, 1 bis %2.</translation>
     </message>
     <message>
+        <source>A voxel of &apos;%1&apos; is %2 x %3 x %4 mm: is its spacing in micrometres? Spacings count millimetres; give the true spacing, or say that voxels so large are meant.</source>
+        <translation>Ein Voxel von &apos;%1&apos; ist %2 × %3 × %4 mm groß: Ist der Abstand in Mikrometern? Abstände zählen in Millimetern; den wahren Abstand angeben, oder sagen, dass so große Voxel gemeint sind.</translation>
+    </message>
+    <message>
+        <source>A voxel of &apos;%1&apos; is %2 x %3 x %4 mm: is its spacing in metres or centimetres? Spacings count millimetres; give the true spacing, or say that voxels so small are meant.</source>
+        <translation>Ein Voxel von &apos;%1&apos; ist %2 × %3 × %4 mm groß: Ist der Abstand in Metern oder Zentimetern? Abstände zählen in Millimetern; den wahren Abstand angeben, oder sagen, dass so kleine Voxel gemeint sind.</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; holds poses, but is no recording of a scan made here; open it as a sweep&apos;s tracking instead.</source>
         <translation>„%1“ enthält Lagen, ist aber keine hier gemachte Aufzeichnung einer Untersuchung; stattdessen als Tracking eines Schwenks öffnen.</translation>
     </message>

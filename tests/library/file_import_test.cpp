@@ -210,6 +210,44 @@ TEST(ImportFile, ASpacingThatIsNotStatedAlongAnAxisIsAskedFor) {
   EXPECT_TRUE(succeeded(importFile(folder.put("h.nrrd", nrrd + "spacings: 0.5 0.5 1\n\n" + ramp(8)), {})));
 }
 
+TEST(ImportFile, AVoxelOfASizeThatCanHardlyBeMeantIsAskedAbout) {
+  const TempFolder folder;
+  const auto stating = [&](const std::string& spacing) {
+    return folder.put("v.mha", "ObjectType = Image\nNDims = 3\nDimSize = 2 2 2\nElementSpacing = " + spacing +
+                                   "\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n" + ramp(8));
+  };
+  const std::string small =
+      "A voxel of 'v.mha' is 0.0005 x 0.0005 x 0.001 mm: is its spacing in metres or centimetres? Spacings count millimetres; give the "
+      "true "
+      "spacing, or say that voxels so small are meant.";
+  const std::string large =
+      "A voxel of 'v.mha' is 500 x 500 x 1000 mm: is its spacing in micrometres? Spacings count millimetres; give the true spacing, or say "
+      "that voxels so large are meant.";
+  for (const auto& [spacing, sentence] : {std::pair("0.0005 0.0005 0.001", small), std::pair("500 500 1000", large)}) {
+    const auto file = stating(spacing);
+    const auto looked = volumeOf(file, {});
+    const auto imported = importFile(file, {});
+    ASSERT_FALSE(looked.has_value()) << spacing;
+    ASSERT_FALSE(imported.has_value()) << spacing;
+    EXPECT_EQ(looked.error().sentence(), sentence);
+    EXPECT_EQ(imported.error().sentence(), sentence);
+    EXPECT_EQ(askedFor(imported.error()), "accept-small");
+    ImportAnswers accepted;
+    accepted.acceptsSmall = true;
+    EXPECT_TRUE(succeeded(volumeOf(file, accepted))) << spacing;
+    EXPECT_TRUE(succeeded(importFile(file, accepted))) << spacing;
+    ImportAnswers given;
+    given.spacing_mm = glm::dvec3(0.5);
+    EXPECT_TRUE(succeeded(importFile(file, given))) << spacing;
+  }
+  ImportAnswers given;
+  given.spacing_mm = glm::dvec3(0.0005, 0.0005, 0.001);
+  const auto asked = importFile(stating("1 1 2"), given);
+  ASSERT_FALSE(asked.has_value());
+  EXPECT_EQ(asked.error().sentence(), small) << "said by a person";
+  for (const char* usual : {"0.006 0.006 0.006", "1 1 19"}) EXPECT_TRUE(succeeded(importFile(stating(usual), {}))) << usual;
+}
+
 TEST(ImportFile, AnswersAreTakenAsGivenAndToldInTheNotes) {
   const TempFolder folder;
   ImportAnswers answers;

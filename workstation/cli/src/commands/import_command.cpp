@@ -205,7 +205,8 @@ void addImport(CLI::App& root, Selection& selection) {
          "Read samples without a header, as in 256x256x180:u8:0.5,0.5,1.2:512; types u8 i8 u16 i16 u32 i32 f32 f64, with be for big endian")
       ->type_name("DIMS:TYPE:SPACING[:OFFSET]");
   app.add_flag("--mirrored", arguments->mirrored, "Turn the elevational axis of a Kretz volume over");
-  app.add_flag("--accept-small", arguments->acceptsSmall, "Import also when less than a tenth of each picture is kept");
+  app.add_flag("--accept-small", arguments->acceptsSmall,
+               "Import also when less than a tenth of each picture is kept, or when the size of a voxel can hardly be meant");
   app.add_flag("--planes", arguments->asSequence, "Write the planes of an Enhanced US Volume as a sequence with their poses");
 }
 

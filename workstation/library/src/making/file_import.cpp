@@ -5,6 +5,7 @@
 #include <cctype>
 #include <fstream>
 
+#include "ew/core/figures.h"
 #include "ew/io/cine_reader.h"
 #include "ew/io/dicom_stack.h"
 #include "ew/io/image_stack.h"
@@ -65,6 +66,16 @@ tl::unexpected<Error> askForSpacing(const fs::path& file, const Message& problem
              say<"'%1' says 1 x 1 x 1 mm without place or rotation, as converters write when they do not know; give the spacing in mm.">(
                  file.filename()),
              file);
+}
+
+constexpr double kSmallestVoxel_mm = 0.005;
+constexpr double kLargestVoxel_mm = 20.0;
+
+Result<void> checkVoxels(const fs::path& file, const glm::dvec3& spacing_mm, const ImportAnswers& answers) {
+  if (answers.acceptsSmall) return {};
+  Message question = questionAboutVoxels(file, spacing_mm);
+  if (question.empty()) return {};
+  return ask(ErrorCode::unsupported, "accept-small", std::move(question), file);
 }
 
 Result<ImportedFile> fromVolume(const fs::path& file, const ImportAnswers& answers, Progress& progress, const ReadLimits& limits) {
@@ -244,6 +255,7 @@ Result<ImportedFile> importFile(const fs::path& file, const ImportAnswers& answe
     made.notes = std::move(raw->notes);
     made.warnings = std::move(raw->warnings);
     made.volume = std::move(raw->volume);
+    if (auto meant = checkVoxels(file, made.volume->grid.spacing_mm, answers); !meant) return passOn(meant.error());
     return made;
   }
   if (answers.spacing_mm)
@@ -253,8 +265,26 @@ Result<ImportedFile> importFile(const fs::path& file, const ImportAnswers& answe
   const auto kind = kindOfFile(file);
   if (!kind) return passOn(kind.error());
   auto made = read(*kind, file, answers, progress, limits);
-  if (made) made->kind = *kind;
+  if (!made) return made;
+  made->kind = *kind;
+  if (made->volume)
+    if (auto meant = checkVoxels(file, made->volume->grid.spacing_mm, answers); !meant) return passOn(meant.error());
   return made;
+}
+
+Message questionAboutVoxels(const fs::path& file, const glm::dvec3& spacing_mm) {
+  const auto [least_mm, most_mm] = std::minmax({spacing_mm.x, spacing_mm.y, spacing_mm.z});
+  const auto figure = [&](int axis) { return numeral(figureText(spacing_mm[axis], 3)); };
+  if (least_mm < kSmallestVoxel_mm)
+    return say<
+        "A voxel of '%1' is %2 x %3 x %4 mm: is its spacing in metres or centimetres? Spacings count millimetres; give the true spacing, "
+        "or "
+        "say that voxels so small are meant.">(file.filename(), figure(0), figure(1), figure(2));
+  if (most_mm > kLargestVoxel_mm)
+    return say<
+        "A voxel of '%1' is %2 x %3 x %4 mm: is its spacing in micrometres? Spacings count millimetres; give the true spacing, or say that "
+        "voxels so large are meant.">(file.filename(), figure(0), figure(1), figure(2));
+  return {};
 }
 
 Result<Grid> volumeOf(const fs::path& file, const ImportAnswers& answers) {
@@ -265,6 +295,7 @@ Result<Grid> volumeOf(const fs::path& file, const ImportAnswers& answers) {
   Grid grid = series->grid;
   if (answers.spacing_mm) grid.spacing_mm = *answers.spacing_mm;
   if (auto usable = checkGrid(grid); !usable) return passOn(usable.error());
+  if (auto meant = checkVoxels(file, grid.spacing_mm, answers); !meant) return passOn(meant.error());
   return grid;
 }
 

@@ -521,8 +521,9 @@ void Opener::openImage(const QString& path) {
         if (*kind == FileKind::volume && !isNifti(path)) {
           auto volume = readVolume(pathOf(path), most);
           if (!volume) return passOn(volume.error());
-          // A file that has to be asked about (a time step, a unit that is none) goes the way of all others that have.
-          if (volume->timeSteps > 1 || !volume->spacingProblem.empty()) {
+          // A file that has to be asked about (a time step, a unit that is none or another) goes the way of all others that have.
+          if (volume->timeSteps > 1 || !volume->spacingProblem.empty() ||
+              !questionAboutVoxels(pathOf(path), volume->volume.grid.spacing_mm).empty()) {
             const auto asking = importFile(pathOf(path), {}, most);
             if (!asking) loaded->question = asking.error().message;
             loaded->asks = true;

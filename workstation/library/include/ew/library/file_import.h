@@ -47,7 +47,7 @@ struct ImportAnswers {
   std::optional<int> timeStep;   ///< from 1
   std::optional<RawLayout> raw;  ///< then the file is read as raw samples, whatever it is
   bool mirrored = false;         ///< Kretz: the elevational axis turned over
-  bool acceptsSmall = false;     ///< a result with less than a tenth of the pixels is taken (KeptShare)
+  bool acceptsSmall = false;     ///< a result with less than a tenth of the pixels is taken (KeptShare), or voxels of any size
   bool asSequence = false;       ///< an Enhanced US Volume as planes with poses instead of a volume
 };
 
@@ -66,6 +66,10 @@ struct ImportedFile {
 /// @error as readVolume, readDicomCine, readDicomVolume, readKretz, readImageStack, readRawVolume; unsupported (a sweep: reconstruct it)
 [[nodiscard]] Result<ImportedFile> importFile(const std::filesystem::path& file, const ImportAnswers& answers,
                                               Progress& progress = noProgress(), const ReadLimits& limits = {});
+
+/// What there is to ask about voxels that can hardly be meant, below 0.005 mm or above 20 mm along an axis, as of a spacing in another unit
+/// than mm. Empty where there is nothing to ask.
+[[nodiscard]] Message questionAboutVoxels(const std::filesystem::path& file, const glm::dvec3& spacing_mm);
 
 /// The grid that importFile gives a volume file (FileKind::volume), found in its header. @error as importFile, as far as a header tells
 [[nodiscard]] Result<Grid> volumeOf(const std::filesystem::path& file, const ImportAnswers& answers);
