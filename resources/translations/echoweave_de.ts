@@ -12263,8 +12263,24 @@
         <translation>Die Bilder und die Lagen von „%1“ haben keinen Augenblick gemeinsam: Bilder von %2 bis %3 s (mit einem Versatz von %4 s), Lagen von %5 bis %6 s; den Versatz zwischen ihren Uhren angeben.</translation>
     </message>
     <message>
-        <source>The poses come from &quot;%1&quot;, where there are %2 from %3 to %4 s; an image of time t has the pose of t + %5 s.</source>
-        <translation>Die Lagen kommen aus „%1“, wo %2 von %3 bis %4 s stehen; ein Bild der Zeit t hat die Lage von t + %5 s.</translation>
+        <source>The poses come from &quot;%1&quot;, where there are %2 from %3 to %4 s; an image of time t has the pose of %5.</source>
+        <translation>Die Lagen kommen aus „%1“, wo %2 von %3 bis %4 s stehen; ein Bild der Zeit t hat die Lage von %5.</translation>
+    </message>
+    <message>
+        <source>Images lie between poses of &quot;%1&quot; that are %2 s apart, while the images are %3 s apart: do the poses count milliseconds? Correct their times (in a table a column time_ms counts milliseconds), or export the tracking with more poses.</source>
+        <translation>Bilder liegen zwischen Lagen von „%1“, die %2 s auseinander liegen, die Bilder selbst %3 s: Zählen die Lagen Millisekunden? Ihre Zeiten berichtigen (in einer Tabelle zählt eine Spalte time_ms Millisekunden) oder die Lagen dichter exportieren.</translation>
+    </message>
+    <message>
+        <source>t - %1 s</source>
+        <translation>t - %1 s</translation>
+    </message>
+    <message>
+        <source>t + %1 s</source>
+        <translation>t + %1 s</translation>
+    </message>
+    <message>
+        <source>The poses come from &quot;%1&quot;, where there is one alone, at %2 s; an image of time t has the pose of %3.</source>
+        <translation>Die Lagen kommen aus „%1“, wo eine einzige steht, bei %2 s; ein Bild der Zeit t hat die Lage von %3.</translation>
     </message>
     <message>
         <source>Images outside the times of the poses, which count as invalid: %1 of %2.</source>

@@ -145,6 +145,34 @@ TEST_F(JoinedSweep, WithoutACommonMomentBothRangesAreSaid) {
       << refused.error();
 }
 
+TEST_F(JoinedSweep, PosesMuchCoarserThanTheImagesAreRefusedByBothSteps) {
+  std::vector<std::pair<double, NamedTransform>> given;
+  for (int n = 0; n < 5; ++n) given.emplace_back(50.0 * n, probeAt({0.0, 0.0, n}, 0.0));  // milliseconds taken for seconds
+  Sequence some = images(5, 100.05);
+  const auto refused = joinPoses(some, posesAt(given), 0.0, "p.csv");
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::badField);
+  EXPECT_EQ(refused.error().sentence(),
+            "Images lie between poses of \"p.csv\" that are 50 s apart, while the images are 0.1 s apart: do the poses count milliseconds? "
+            "Correct their times (in a table a column time_ms counts milliseconds), or export the tracking with more poses.");
+  Sequence slow = images(3, 100.0);  // images that are slow themselves
+  for (std::size_t n = 0; n < 3; ++n) slow.frames[n].time_s = 40.0 * static_cast<double>(n);
+  EXPECT_TRUE(joinPoses(slow, posesAt(given), 0.0, "p.csv").has_value());
+}
+
+TEST_F(JoinedSweep, ANoteSaysTheOffsetWithItsSignAndOnePoseAsOne) {
+  const auto noteOf = [](const std::vector<std::pair<double, NamedTransform>>& given, double offset_s) {
+    Sequence joined = images(3);
+    const auto notes = joinPoses(joined, posesAt(given), offset_s, "p.csv");
+    if (!notes) ADD_FAILURE() << notes.error();
+    return notes && !notes->empty() ? notes->front().english() : std::string();
+  };
+  EXPECT_EQ(noteOf({{0.0, probeAt({0, 0, 0}, 0.0)}, {0.2, probeAt({1, 0, 0}, 0.0)}}, -0.1),
+            "The poses come from \"p.csv\", where there are 2 from 0 to 0.2 s; an image of time t has the pose of t - 0.1 s.");
+  EXPECT_EQ(noteOf({{0.1, probeAt({0, 0, 0}, 0.0)}}, 0.0),
+            "The poses come from \"p.csv\", where there is one alone, at 0.1 s; an image of time t has the pose of t + 0 s.");
+}
+
 TEST_F(JoinedSweep, TimesThatAreMissingOrRunBackwardsAreRefused) {
   const Sequence poses = posesAt({{0.0, probeAt({0, 0, 0}, 0.0)}, {0.5, probeAt({1, 0, 0}, 0.0)}});
   Sequence untimed = images(3);

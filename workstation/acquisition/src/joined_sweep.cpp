@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "body_signal.h"
 #include "ew/core/contract.h"
 #include "ew/core/ending.h"
 #include "ew/core/figures.h"
@@ -136,6 +137,13 @@ class TimedWays {
     return after != time_s_.end() && *after <= t_s + same_s ? *after : t_s;
   }
 
+  /// How far the two poses lie apart between which a moment lies; 0 at the moment of a pose and outside of all.
+  [[nodiscard]] double stepAround_s(double t_s) const {
+    const auto after = std::lower_bound(time_s_.begin(), time_s_.end(), t_s);
+    if (after == time_s_.begin() || after == time_s_.end() || *after == t_s) return 0.0;
+    return *after - *std::prev(after);
+  }
+
   /// The transforms of a moment; those that are not known are marked invalid.
   [[nodiscard]] std::vector<NamedTransform> at(double t_s) const {
     std::vector<NamedTransform> all;
@@ -164,6 +172,37 @@ Result<std::pair<double, double>> momentsOf(const Sequence& images) {
     range_s = {std::min(range_s.first, *time_s), std::max(range_s.second, *time_s)};
   }
   return range_s;
+}
+
+/// The usual time between two images; 0: there is one alone.
+double stepOf(const Sequence& images) {
+  std::vector<double> steps_s;
+  for (std::size_t n = 1; n < images.frames.size(); ++n)
+    steps_s.push_back(std::abs(*images.frames[n].time_s - *images.frames[n - 1].time_s));
+  return medianOrZero(std::move(steps_s));
+}
+
+/// Refuses to read poses between neighbours that lie much farther apart than the images do, where a probe may have been anywhere.
+/// @param step_s of the two poses around an image, the longest
+Result<void> checkDense(double step_s, const Sequence& images, const fs::path& name) {
+  constexpr double longestStep_s = 1.0, mostImages = 10.0;
+  const double imageStep_s = stepOf(images);
+  if (step_s <= longestStep_s || imageStep_s <= 0.0 || step_s <= mostImages * imageStep_s) return {};
+  return failure(ErrorCode::badField,
+                 say<"Images lie between poses of \"%1\" that are %2 s apart, while the images are %3 s apart: do the poses count "
+                     "milliseconds? Correct their times (in a table a column time_ms counts milliseconds), or export the tracking with "
+                     "more poses.">(name.filename(), numeral(figureText(step_s, 3)), numeral(figureText(imageStep_s, 3))),
+                 {{"file", name.string()}, {"field", "time"}});
+}
+
+/// Where the poses come from, and which one an image has.
+Message joinedFrom(const fs::path& name, std::size_t poses, double first_s, double last_s, double offset_s) {
+  const Message moment = offset_s < 0.0 ? say<"t - %1 s">(numeral(textOf(-offset_s))) : say<"t + %1 s">(numeral(textOf(offset_s)));
+  if (poses == 1)
+    return say<"The poses come from \"%1\", where there is one alone, at %2 s; an image of time t has the pose of %3.">(
+        name.filename(), shownMoment(first_s), moment);
+  return say<"The poses come from \"%1\", where there are %2 from %3 to %4 s; an image of time t has the pose of %5.">(
+      name.filename(), poses, shownMoment(first_s), shownMoment(last_s), moment);
 }
 
 }  // namespace
@@ -218,6 +257,7 @@ Result<std::vector<Message>> joinPoses(Sequence& images, const Sequence& poses, 
                                                                   shownMoment(ways->last_s())),
         {{"file", name.string()}, {"field", "time"}, {"ask", "time-offset"}});
   std::size_t outside = 0, between = 0;
+  double longestStep_s = 0.0;
   for (SequenceFrame& frame : images.frames) {
     const double t_s = ways->nearestMoment(*frame.time_s + offset_s);
     std::erase_if(frame.transforms, [&](const NamedTransform& own) { return ways->states(own); });
@@ -226,11 +266,12 @@ Result<std::vector<Message>> joinPoses(Sequence& images, const Sequence& poses, 
     const bool isPosed = std::any_of(joined.begin(), joined.end(), [](const NamedTransform& one) { return one.status == PoseStatus::ok; });
     outside += isOutside ? 1 : 0;
     between += !isOutside && !isPosed ? 1 : 0;
+    if (isPosed) longestStep_s = std::max(longestStep_s, ways->stepAround_s(t_s));
     frame.transforms.insert(frame.transforms.end(), std::make_move_iterator(joined.begin()), std::make_move_iterator(joined.end()));
   }
+  if (auto dense = checkDense(longestStep_s, images, name); !dense) return passOn(dense.error());
   std::vector<Message> notes = poses.notes;
-  notes.push_back(say<"The poses come from \"%1\", where there are %2 from %3 to %4 s; an image of time t has the pose of t + %5 s.">(
-      name.filename(), poses.frames.size(), shownMoment(ways->first_s()), shownMoment(ways->last_s()), numeral(textOf(offset_s))));
+  notes.push_back(joinedFrom(name, poses.frames.size(), ways->first_s(), ways->last_s(), offset_s));
   if (outside > 0)
     notes.push_back(say<"Images outside the times of the poses, which count as invalid: %1 of %2.">(outside, images.frames.size()));
   if (between > 0)

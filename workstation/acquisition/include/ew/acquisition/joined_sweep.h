@@ -36,7 +36,8 @@ void timeEvenly(Sequence& images, double rate_hz);
 /// @param offset_s by which the poses' clock is ahead, so by how much poses lag behind images; positive: an image has a later pose
 /// @param name     of the poses' file, for sentences
 /// @return notes: what was joined, how many images have no pose and why
-/// @error badField (an image or a pose without a time, times of poses that run backwards), noValidPose (no moment in common; both ranges
+/// @error badField (an image or a pose without a time, times of poses that run backwards, poses around an image that lie more than 1 s and
+///        more than ten steps of the images apart), noValidPose (no moment in common; both ranges
 ///        are named, "ask": "time-offset")
 [[nodiscard]] Result<std::vector<Message>> joinPoses(Sequence& images, const Sequence& poses, double offset_s,
                                                      const std::filesystem::path& name);
