@@ -507,12 +507,12 @@
         <translation>Die DICOM-Standbilder von %1 sind verschieden groß (%2 x %3 und %4 x %5 Bildpunkte) und deshalb kein Volumen; die eines Volumens in einen Ordner legen oder einzeln importieren.</translation>
     </message>
     <message>
-        <source>The clip rectangle begins at (%1) but has no size; the whole images were taken.</source>
-        <translation>Das Ausschnittsrechteck beginnt bei (%1), hat aber keine Größe; die ganzen Bilder wurden genommen.</translation>
+        <source>The clip rectangle begins at (%1) but has no size; unless a clip is given, the whole images are taken.</source>
+        <translation>Das Ausschnittsrechteck beginnt bei (%1), hat aber keine Größe; ohne anderen Ausschnitt werden die ganzen Bilder genommen.</translation>
     </message>
     <message>
-        <source>The clip rectangle has the size %1, which is none; the whole images were taken.</source>
-        <translation>Das Ausschnittsrechteck hat die Größe %1, also keine; die ganzen Bilder wurden genommen.</translation>
+        <source>The clip rectangle has the size %1, which is none; unless a clip is given, the whole images are taken.</source>
+        <translation>Das Ausschnittsrechteck hat die Größe %1, also keine; ohne anderen Ausschnitt werden die ganzen Bilder genommen.</translation>
     </message>
     <message>
         <source>The clip rectangle of %1 x %2 px from (%3, %4) on reaches beyond the %5 x %6 px frame, so that it was made for other images; give one that lies inside, or take the whole frame.</source>
@@ -571,24 +571,36 @@
         <translation>Die erste Achse von %1 läuft über die %2 Bilder, sie sind also ineinander verwoben; mit dieser Achse als letzter speichern.</translation>
     </message>
     <message>
-        <source>The header also states %1, which is not known here and not used.</source>
-        <translation>Der Kopf nennt auch %1; das ist hier nicht bekannt und wird nicht verwendet.</translation>
+        <source>%1 also states %2, which is not known here and not used.</source>
+        <translation>%1 nennt auch %2; das ist hier nicht bekannt und wird nicht verwendet.</translation>
     </message>
     <message>
-        <source>The header also states %1, which touches how many pictures there are and is not used.</source>
-        <translation>Der Kopf nennt auch %1; das betrifft die Zahl der Bilder und wird nicht verwendet.</translation>
+        <source>%1 also states %2, which touches how many pictures there are and is not used.</source>
+        <translation>%1 nennt auch %2; das betrifft die Zahl der Bilder und wird nicht verwendet.</translation>
     </message>
     <message>
-        <source>The header also states %1, which touches sizes and places and is not used.</source>
-        <translation>Der Kopf nennt auch %1; das betrifft Größe und Lage und wird nicht verwendet.</translation>
+        <source>%1 also states %2, which touches sizes and places and is not used.</source>
+        <translation>%1 nennt auch %2; das betrifft Größe und Lage und wird nicht verwendet.</translation>
     </message>
     <message>
-        <source>The header also states %1, which touches the grey levels and is not used.</source>
-        <translation>Der Kopf nennt auch %1; das betrifft die Graustufen und wird nicht verwendet.</translation>
+        <source>%1 also states %2, which touches the grey levels and is not used.</source>
+        <translation>%1 nennt auch %2; das betrifft die Graustufen und wird nicht verwendet.</translation>
     </message>
     <message>
-        <source>The header also states %1, which touches the times and is not used.</source>
-        <translation>Der Kopf nennt auch %1; das betrifft die Zeiten und wird nicht verwendet.</translation>
+        <source>%1 also states %2, which touches the times and is not used.</source>
+        <translation>%1 nennt auch %2; das betrifft die Zeiten und wird nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot; of the device set is not used, because its %3 says it.</source>
+        <translation>%1 „%2“ des Gerätesatzes wird nicht verwendet, weil sein %3 es sagt.</translation>
+    </message>
+    <message>
+        <source>The device set</source>
+        <translation>Der Gerätesatz</translation>
+    </message>
+    <message>
+        <source>The header</source>
+        <translation>Der Kopf</translation>
     </message>
     <message>
         <source>The header promises %1 frame, which takes %2 bytes, but %3 are stored; what lies beyond was not read.</source>
@@ -12097,6 +12109,34 @@
     <message>
         <source>Neighbouring frames lie %1 mm apart, which is more than the image of %2 x %3 mm is large, so that next to nothing of the volume would be measured: are the poses in micrometres? They count millimetres; correct them, or say that so large a volume is meant.</source>
         <translation>Benachbarte Bilder liegen %1 mm auseinander, weiter als das Bild von %2 × %3 mm groß ist, so dass fast nichts vom Volumen gemessen wäre: Sind die Lagen in Mikrometern? Sie zählen in Millimetern; sie berichtigen, oder sagen, dass ein so großes Volumen gemeint ist.</translation>
+    </message>
+    <message>
+        <source>The recording states a fan (%1) without its angles (FanAnglesDeg), so that it is not used.</source>
+        <translation>Die Aufnahme nennt einen Fächer (%1) ohne seine Winkel (FanAnglesDeg), so dass er nicht verwendet wird.</translation>
+    </message>
+    <message>
+        <source>The device set states a fan (%1) without its angles (FanAnglesDeg), so that it is not used.</source>
+        <translation>Der Gerätesatz nennt einen Fächer (%1) ohne seine Winkel (FanAnglesDeg), so dass er nicht verwendet wird.</translation>
+    </message>
+    <message>
+        <source>end at radius %1</source>
+        <translation>Ende beim Radius %1</translation>
+    </message>
+    <message>
+        <source>begin at radius %1</source>
+        <translation>Beginn beim Radius %1</translation>
+    </message>
+    <message>
+        <source>apex (%1, %2)</source>
+        <translation>Spitze (%1, %2)</translation>
+    </message>
+    <message>
+        <source>The recording states the angles of a fan without its apex (FanOriginPixel); the pixel (0, 0) was taken.</source>
+        <translation>Die Aufnahme nennt die Winkel eines Fächers ohne seine Spitze (FanOriginPixel); das Pixel (0, 0) wurde genommen.</translation>
+    </message>
+    <message>
+        <source>The device set states the angles of a fan without its apex (FanOriginPixel); the pixel (0, 0) was taken.</source>
+        <translation>Der Gerätesatz nennt die Winkel eines Fächers ohne seine Spitze (FanOriginPixel); das Pixel (0, 0) wurde genommen.</translation>
     </message>
     <message>
         <source>(%1, %2), %3 x %4 pixels</source>

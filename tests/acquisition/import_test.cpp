@@ -499,6 +499,34 @@ TEST_F(ImportSweep, ValuesThatSayNotSetInDeviceSetOrRecordingKeepTheWholeImages)
   }
 }
 
+TEST_F(ImportSweep, AFanThatIsStatedInPartIsNamed) {
+  const auto notesOf = [&](const Sequence& sequence, const std::string& reconstruction) {
+    const auto plan = planFile(written(sequence), nearestAt(0.5, deviceSet(reconstruction)), noProgress());
+    if (!plan) ADD_FAILURE() << plan.error();
+    std::vector<std::string> notes;
+    if (plan)
+      for (const Message& note : plan->notes) notes.push_back(note.english());
+    return notes;
+  };
+  const auto has = [](const std::vector<std::string>& notes, const std::string& note) {
+    return std::find(notes.begin(), notes.end(), note) != notes.end();
+  };
+  EXPECT_TRUE(has(notesOf(sweep(), "FanAngles=\"-30 30\""),
+                  "The device set states the angles of a fan without its apex (FanOriginPixel); the pixel (0, 0) was taken."));
+  EXPECT_TRUE(has(notesOf(sweep(), "FanOrigin=\"20 -10\" FanRadiusStartPixel=\"3\" FanDepth=\"25\""),
+                  "The device set states a fan (apex (20, -10), begin at radius 3, end at radius 25) without its angles (FanAnglesDeg), so "
+                  "that it is not used."));
+  Sequence stating = sweep();
+  stating.otherFields = {{"FanOriginPixel", "20 -10"}};
+  EXPECT_TRUE(
+      has(notesOf(stating, ""), "The recording states a fan (apex (20, -10)) without its angles (FanAnglesDeg), so that it is not used."));
+  stating.otherFields = {{"FanAnglesDeg", "-60 60"}};
+  EXPECT_TRUE(
+      has(notesOf(stating, ""), "The recording states the angles of a fan without its apex (FanOriginPixel); the pixel (0, 0) was taken."));
+  EXPECT_EQ(notesOf(sweep(), "FanOrigin=\"0 0\" FanRadiusStartPixel=\"0\""), notesOf(sweep(), ""))
+      << "zeros are written where there is none";
+}
+
 TEST_F(ImportSweep, AClipForOtherImagesIsRefusedByItsNumbers) {
   const auto refused =
       importFile(written(sweep()), nearestAt(0.5, deviceSet("ClipRectangleOrigin=\"0 0\" ClipRectangleSize=\"820 616\"")), noProgress());

@@ -76,6 +76,22 @@ TEST(ForeignDeviceSet, AnOlderNameSaysWhatTheNewerLeavesOpen) {
   EXPECT_EQ(set.compounding, "ON");
 }
 
+TEST(ForeignDeviceSet, AnOlderNameBesideTheNewerIsNamedAsOutranked) {
+  const DeviceSet set = setWith(
+      "FanAngles=\"-10 10\" FanAnglesDeg=\"-30 30\" FanDepth=\"9\" FanRadiusStopPixel=\"20\" CompoundingMode=\"MEAN\" Compounding=\"ON\"");
+  EXPECT_EQ(set.fanAngles_deg, glm::dvec2(-30, 30));
+  ASSERT_EQ(set.notes.size(), 2u);
+  EXPECT_EQ(set.notes[0].english(), "FanAngles \"-10 10\" of the device set is not used, because its FanAnglesDeg says it.");
+  EXPECT_EQ(set.notes[1].english(), "FanDepth \"9\" of the device set is not used, because its FanRadiusStopPixel says it.");
+}
+
+TEST(ForeignDeviceSet, WhatADeviceSetSaysIsNotCalledAHeader) {
+  const auto notes = setWith("Wobble=\"4\" ClipRectangleOrigin=\"5 6\"").notes;
+  ASSERT_EQ(notes.size(), 2u);
+  EXPECT_EQ(notes[0].english(), "The clip rectangle begins at (5 6) but has no size; unless a clip is given, the whole images are taken.");
+  EXPECT_EQ(notes[1].english(), "The device set also states Wobble \"4\", which is not known here and not used.");
+}
+
 TEST(ForeignDeviceSet, ANumberThatIsNoneAmongOthersIsRefused) {
   const TempFolder folder;
   for (const char* half : {"OutputSpacing=\"0.5 nan 0.5\"", "OutputSpacing=\"nan 0.5 0.5\"", "OutputSpacing=\"0.5 0.5 -1\"",

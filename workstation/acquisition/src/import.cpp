@@ -83,8 +83,38 @@ Message clippedTo(bool fan, ClipSaidBy who) {
   return {};
 }
 
+Message apexUnsaid(ClipSaidBy who) {
+  switch (who) {
+    case ClipSaidBy::deviceSet:
+      return say<"The device set states the angles of a fan without its apex (FanOriginPixel); the pixel (0, 0) was taken.">();
+    case ClipSaidBy::recording:
+      return say<"The recording states the angles of a fan without its apex (FanOriginPixel); the pixel (0, 0) was taken.">();
+  }
+  return {};
+}
+
+/// Of a fan everything but its angles. Zeros are what is written where there is no fan.
+Message fanWithoutAngles(const DeviceSet& device, ClipSaidBy who) {
+  std::vector<Message> parts;
+  if (const auto& apex_px = device.fanOrigin_px; apex_px && *apex_px != glm::dvec2(0.0))
+    parts.push_back(say<"apex (%1, %2)">(numeral(textOf(apex_px->x)), numeral(textOf(apex_px->y))));
+  if (device.fanRadiusStart_px.value_or(0.0) > 0.0) parts.push_back(say<"begin at radius %1">(numeral(textOf(*device.fanRadiusStart_px))));
+  if (device.fanRadiusStop_px) parts.push_back(say<"end at radius %1">(numeral(textOf(*device.fanRadiusStop_px))));
+  if (parts.empty()) return {};
+  const Message fan = joined(std::move(parts), ", ");
+  switch (who) {
+    case ClipSaidBy::deviceSet:
+      return say<"The device set states a fan (%1) without its angles (FanAnglesDeg), so that it is not used.">(fan);
+    case ClipSaidBy::recording:
+      return say<"The recording states a fan (%1) without its angles (FanAnglesDeg), so that it is not used.">(fan);
+  }
+  return {};
+}
+
 std::optional<Clip> clipOf(const DeviceSet& device, ClipSaidBy who, std::vector<Message>& notes) {
   const bool fan = device.fanAngles_deg.has_value();
+  if (Message unused = fan ? Message() : fanWithoutAngles(device, who); !unused.empty()) notes.push_back(std::move(unused));
+  if (fan && !device.fanOrigin_px) notes.push_back(apexUnsaid(who));
   if (!device.clipSize_px && !fan) return std::nullopt;
   Clip clip;
   clip.origin_px = device.clipOrigin_px.value_or(glm::dvec2(0.0));

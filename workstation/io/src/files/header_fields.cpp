@@ -9,18 +9,28 @@
 namespace ew::detail {
 namespace {
 
-Message unusedBecause(FieldTouches touches, const Message& fields) {
+Message whoIs(FieldsOf of) {
+  switch (of) {
+    case FieldsOf::header:
+      return say<"The header">();
+    case FieldsOf::deviceSet:
+      return say<"The device set">();
+  }
+  return {};
+}
+
+Message unusedBecause(FieldTouches touches, const Message& who, const Message& fields) {
   switch (touches) {
     case FieldTouches::geometry:
-      return say<"The header also states %1, which touches sizes and places and is not used.">(fields);
+      return say<"%1 also states %2, which touches sizes and places and is not used.">(who, fields);
     case FieldTouches::levels:
-      return say<"The header also states %1, which touches the grey levels and is not used.">(fields);
+      return say<"%1 also states %2, which touches the grey levels and is not used.">(who, fields);
     case FieldTouches::time:
-      return say<"The header also states %1, which touches the times and is not used.">(fields);
+      return say<"%1 also states %2, which touches the times and is not used.">(who, fields);
     case FieldTouches::count:
-      return say<"The header also states %1, which touches how many pictures there are and is not used.">(fields);
+      return say<"%1 also states %2, which touches how many pictures there are and is not used.">(who, fields);
     case FieldTouches::nobodyKnows:
-      return say<"The header also states %1, which is not known here and not used.">(fields);
+      return say<"%1 also states %2, which is not known here and not used.">(who, fields);
     case FieldTouches::nothing:
       break;
   }
@@ -92,7 +102,7 @@ std::vector<Message> HeaderFields::unused() const {
     }
     if (fields.empty()) continue;
     const Message list = joined(std::move(fields), ", ");
-    notes.push_back(unusedBecause(touches, further == 0 ? list : say<"%1 and %2 more">(list, further)));
+    notes.push_back(unusedBecause(touches, whoIs(of_), further == 0 ? list : say<"%1 and %2 more">(list, further)));
   }
   return notes;
 }

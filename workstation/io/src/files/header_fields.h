@@ -14,6 +14,9 @@ namespace ew::detail {
 /// What a result would be different in if a field of a foreign header were used.
 enum class FieldTouches { geometry, levels, time, count, nobodyKnows, nothing };
 
+/// What states the fields, for sentences.
+enum class FieldsOf { header, deviceSet };
+
 /// One line of a format's table of fields.
 struct KnownField {
   std::string_view name;
@@ -27,8 +30,8 @@ class HeaderFields {
  public:
   /// @param table   of the format; it must outlive this
   /// @param unknown what a field touches that the table does not have
-  explicit HeaderFields(std::span<const KnownField> table, FieldTouches unknown = FieldTouches::nothing)
-      : table_(table), unknown_(unknown) {}
+  explicit HeaderFields(std::span<const KnownField> table, FieldTouches unknown = FieldTouches::nothing, FieldsOf of = FieldsOf::header)
+      : table_(table), unknown_(unknown), of_(of) {}
 
   /// The header states `name`. A value of blanks states nothing.
   void meet(std::string_view name, std::string_view value);
@@ -52,6 +55,7 @@ class HeaderFields {
 
   std::span<const KnownField> table_;
   FieldTouches unknown_;
+  FieldsOf of_;
   std::vector<Stated> stated_;
 };
 

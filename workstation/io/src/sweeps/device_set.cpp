@@ -42,8 +42,8 @@ Result<void> takeStated(std::span<const SetField> fields, const StatedFields& fr
   if (!set.clipOrigin_px || set.clipSize_px) return {};
   const glm::dvec2 origin_px = *set.clipOrigin_px;
   if (!statesSize && origin_px != glm::dvec2(0.0) && origin_px != glm::dvec2(-1.0))
-    set.notes.push_back(say<"The clip rectangle begins at (%1) but has no size; the whole images were taken.">(textOf(origin_px.x) + " " +
-                                                                                                               textOf(origin_px.y)));
+    set.notes.push_back(say<"The clip rectangle begins at (%1) but has no size; unless a clip is given, the whole images are taken.">(
+        textOf(origin_px.x) + " " + textOf(origin_px.y)));
   set.clipOrigin_px.reset();
   return {};
 }
@@ -73,7 +73,7 @@ Result<void> readTransform(const fs::path& file, const pugi::xml_node& node, Dev
 }
 
 Result<void> readReconstruction(const fs::path& file, const pugi::xml_node& node, DeviceSet& set) {
-  HeaderFields fields(kReconstructionFields, FieldTouches::nobodyKnows);
+  HeaderFields fields(kReconstructionFields, FieldTouches::nobodyKnows, FieldsOf::deviceSet);
   for (const auto& attribute : node.attributes()) fields.meet(attribute.name(), attribute.value());
   StatedFields stated;
   stated.look = [&](const std::string& name) -> std::optional<std::string> {

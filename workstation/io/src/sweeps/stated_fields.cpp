@@ -73,9 +73,20 @@ Message withoutIt(SetField field) {
 Message noteOfUnset(SetField field, const StatedFields& from, const std::string& name, const std::string& found) {
   if (const auto sides = parseNumbers(found); field == SetField::clipSize && sides && sides->size() == 2 &&
                                               std::any_of(sides->begin(), sides->end(), [](double side) { return side > 0.0; }))
-    return say<"The clip rectangle has the size %1, which is none; the whole images were taken.">(shortened(found));
+    return say<"The clip rectangle has the size %1, which is none; unless a clip is given, the whole images are taken.">(shortened(found));
   return from.isRecording ? say<"The recording states %1 \"%2\", which sets nothing; %3.">(name, shortened(found), withoutIt(field))
                           : say<"The device set states %1 \"%2\", which sets nothing; %3.">(name, shortened(found), withoutIt(field));
+}
+
+/// Older names that a device set states beside the one that counts. The switch of compounding is not told: device sets that know its modes
+/// still write it.
+void noteOutranked(SetField field, const StatedFields& from, const std::vector<std::string>& names, const std::string& used,
+                   DeviceSet& set) {
+  if (field == SetField::compounding) return;
+  const auto after = std::find(names.begin(), names.end(), used);
+  for (auto older = std::next(after); older != names.end(); ++older)
+    if (const auto found = from.look(*older); found && !trimmed(*found).empty())
+      set.notes.push_back(say<"%1 \"%2\" of the device set is not used, because its %3 says it.">(*older, shortened(*found), used));
 }
 
 Message neededFor(SetField field, std::size_t count) {
@@ -140,6 +151,7 @@ Result<FieldState> takeField(SetField field, const StatedFields& from, DeviceSet
       continue;  // an older name may say it
     }
     assign(field, stated.values, std::string(trimmed(*found)), set);
+    noteOutranked(field, from, rule.names, name, set);
     return state;
   }
   return state;
