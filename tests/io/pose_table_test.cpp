@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "files.h"
@@ -85,6 +86,72 @@ TEST(PoseTable, AWayFromTheImageMayScale) {
   const auto refused = table(rows);
   EXPECT_TRUE(failedWith(refused, ErrorCode::badField));
   EXPECT_TRUE(says(refused, "In line 2 of \"poses.csv\", the matrix is no rotation"));
+}
+
+TEST(PoseTable, AStatusOfUnknownWordsIsRefusedByTheWord) {
+  for (const char* word : {"1", "Valid", ""}) {
+    const auto read = table("time_s,x_mm,y_mm,z_mm,qw,qx,qy,qz,status\n0,1,2,3,1,0,0,0," + std::string(word) + "\n");
+    ASSERT_TRUE(failedWith(read, ErrorCode::badField)) << word;
+    EXPECT_EQ(read.error().sentence(), "In line 2 of \"poses.csv\", the status is \"" + std::string(word) +
+                                           "\", which is none of OK, INVALID and MISSING; correct the line, or export the tracking again.");
+  }
+}
+
+TEST(PoseTable, LinesMayEndWithCarriageReturnsAlone) {
+  std::string text = "# of an old program\n" + kHeader + "0,1,2,3,1,0,0,0\n0.5,4,5,6,1,0,0,0\n";
+  std::replace(text.begin(), text.end(), '\n', '\r');
+  const auto read = table(text);
+  ASSERT_TRUE(succeeded(read));
+  ASSERT_EQ(read->frames.size(), 2u);
+  EXPECT_EQ(glm::dvec3(read->frames[1].transforms[0].matrix[3]), glm::dvec3(4, 5, 6));
+}
+
+TEST(PoseTable, BetweenTabsNumbersMayHaveDecimalCommas) {
+  const auto read = table("time_s\tx_mm\ty_mm\tz_mm\tqw\tqx\tqy\tqz\n0,5\t1,5\t2\t3\t1,0\t0\t0\t0\n", "poses.tsv");
+  ASSERT_TRUE(succeeded(read));
+  EXPECT_EQ(read->frames[0].time_s, 0.5);
+  EXPECT_EQ(glm::dvec3(read->frames[0].transforms[0].matrix[3]), glm::dvec3(1.5, 2, 3));
+}
+
+TEST(PoseTable, AColumnThatAnotherOutranksIsNamedAsSuch) {
+  const auto read = table("time_s,time_ms,x_mm,x_m,y_mm,z_mm,qw,qx,qy,qz\n0.5,9,1,9,2,3,1,0,0,0\n");
+  ASSERT_TRUE(succeeded(read));
+  EXPECT_EQ(read->frames[0].time_s, 0.5);
+  ASSERT_EQ(read->notes.size(), 2u);
+  EXPECT_EQ(read->notes[0].english(), "The column time_ms of \"poses.csv\" is not used, because time_s says it.");
+  EXPECT_EQ(read->notes[1].english(), "The column x_m of \"poses.csv\" is not used, because x_mm says it.");
+}
+
+TEST(PoseTable, QuaternionsOfImageSayNothingOfPixels) {
+  const auto read = table("# transform: ImageToTracker\n" + kHeader + "0,1,2,3,1,0,0,0\n");
+  ASSERT_TRUE(succeeded(read));
+  ASSERT_EQ(read->notes.size(), 1u);
+  EXPECT_EQ(read->notes[0].english(),
+            "\"poses.csv\" gives poses of Image by quaternions, which do not say how large a pixel is; 1 x 1 mm was taken.");
+}
+
+TEST(PoseTable, ATableOfAnotherKindOfTextSaysWhatToDo) {
+  const auto sentenceOf = [](const std::string& text) {
+    const auto read = table(text);
+    return read ? std::string("read") : read.error().sentence();
+  };
+  const std::string line = "0,1,2,3,1,0,0,0\n";
+  const std::string needs =
+      "a line of column names with time_s and either x_mm, y_mm, z_mm, qw, qx, qy, qz or the matrix m00 to m22 with m03_mm, m13_mm, "
+      "m23_mm.";
+  EXPECT_EQ(sentenceOf("# only a remark\n"), "\"poses.csv\" is empty but for remarks; it needs " + needs);
+  EXPECT_EQ(sentenceOf(std::string("\xFF\xFEt\0i\0", 6)), "\"poses.csv\" is text in UTF-16, which is not read; save it as UTF-8.");
+  EXPECT_EQ(sentenceOf(std::string("t\0i\0", 4)), "\"poses.csv\" is no text in UTF-8, it holds bytes of 0; save it as UTF-8.");
+  EXPECT_EQ(sentenceOf("time_s x_mm y_mm z_mm qw qx qy qz\n0 1 2 3 1 0 0 0\n"),
+            "In \"poses.csv\" blanks stand between the columns; put commas, semicolons or tabs there.");
+  EXPECT_EQ(
+      sentenceOf(kHeader + "0,5,1,0,2,3,1,0,0,0\n"),
+      "In line 2 of \"poses.csv\", there are 10 values for 8 columns; where numbers have decimal commas, semicolons must stand between "
+      "the columns; correct the line, or export the tracking again.");
+  EXPECT_EQ(sentenceOf("# transform: ProbeToTracker\n# transform: StylusToWorld\n" + kHeader + line),
+            "In line 2 of \"poses.csv\", the transform is StylusToWorld, but line 1 says ProbeToTracker; correct the line, or export the "
+            "tracking again.");
+  EXPECT_EQ(sentenceOf("# transform: ProbeToWorld\n# transform: ProbeToWorld\n" + kHeader + line), "read");
 }
 
 TEST(PoseTable, ATableThatIsWrongIsRefusedByWhatIsWrong) {

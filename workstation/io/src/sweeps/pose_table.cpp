@@ -67,6 +67,15 @@ std::string listOf(const std::vector<std::string>& names) {
   return text;
 }
 
+/// Empty: the word says nothing that is known.
+std::optional<PoseStatus> statusOf(std::string_view word) {
+  const std::string known = lowerCase(word);
+  if (known == "ok") return PoseStatus::ok;
+  if (known == "invalid") return PoseStatus::invalid;
+  if (known == "missing") return PoseStatus::missing;
+  return std::nullopt;
+}
+
 /// What a table needs, for sentences.
 Message needs() {
   return say<
@@ -81,9 +90,14 @@ class TableReader {
   Result<Sequence> read() {
     const auto text = readTextFile(file_);
     if (!text) return passOn(text.error());
+    if (auto plain = checkPlain(*text); !plain) return passOn(plain.error());
     if (auto taken = takeLines(*text); !taken) return passOn(taken.error());
-    if (lines_.empty()) return refuse(say<"%1 is empty; it needs %2.">(quoted(file_), needs()));
+    if (lines_.empty())
+      return trimmed(*text).empty() ? refuse(say<"%1 is empty; it needs %2.">(quoted(file_), needs()))
+                                    : refuse(say<"%1 is empty but for remarks; it needs %2.">(quoted(file_), needs()));
     const std::string_view header = lines_.front().text;
+    if (header.find_first_of(";\t,") == std::string_view::npos && wordsOf(header).size() > 1)
+      return refuse(say<"In %1 blanks stand between the columns; put commas, semicolons or tabs there.">(quoted(file_)));
     separator_ = header.find(';') != std::string_view::npos ? ';' : header.find('\t') != std::string_view::npos ? '\t' : ',';
     if (auto named = takeHeader(cellsOf(header, separator_)); !named) return passOn(named.error());
     if (lines_.size() < 2) return refuse(say<"%1 names its columns and holds no pose; export the tracking again.">(quoted(file_)));
@@ -103,12 +117,20 @@ class TableReader {
                    {{"file", file_.string()}, {"line", std::to_string(number)}});
   }
 
+  [[nodiscard]] Result<void> checkPlain(std::string_view text) const {
+    const bool isUtf16 = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+    if (!isUtf16 && text.find('\0') == std::string_view::npos) return {};
+    return isUtf16 ? refuse(say<"%1 is text in UTF-16, which is not read; save it as UTF-8.">(quoted(file_)))
+                   : refuse(say<"%1 is no text in UTF-8, it holds bytes of 0; save it as UTF-8.">(quoted(file_)));
+  }
+
   Result<void> takeLines(std::string_view text) {
     constexpr std::string_view kMark = "\xEF\xBB\xBF";
     if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
+    const char lineEnd = text.find('\n') == std::string_view::npos ? '\r' : '\n';  // old programs write CR alone
     std::size_t number = 0;
     for (std::size_t from = 0; from < text.size();) {
-      const auto end = std::min(text.find('\n', from), text.size());
+      const auto end = std::min(text.find(lineEnd, from), text.size());
       const std::string_view line = text.substr(from, end - from), words = trimmed(line);
       from = end + 1;
       ++number;
@@ -129,20 +151,29 @@ class TableReader {
     if (!split)
       return badLine(number,
                      say<"the transform is \"%1\", and not two names that To joins, as in ProbeToTracker">(shortened(std::string(name))));
+    if (lineOfTransform_ > 0 && (split->from != from_ || split->to != to_))
+      return badLine(number, say<"the transform is %1, but line %2 says %3To%4">(shortened(std::string(name)), lineOfTransform_,
+                                                                                 shortened(from_), shortened(to_)));
     from_ = split->from;
     to_ = split->to;
+    lineOfTransform_ = number;
     return {};
   }
 
   /// A column of this name, or of this name with a unit. Empty: there is none.
   std::optional<Column> find(const std::string& name, std::initializer_list<std::pair<const char*, double>> units = {{"", 1.0}}) {
+    std::optional<Column> found;
     for (const auto& [unit, scale] : units)
-      for (std::size_t n = 0; n < names_.size(); ++n)
-        if (names_[n] == name + unit) {
-          isUsed_[n] = true;
-          return Column{n, scale};
-        }
-    return std::nullopt;
+      for (std::size_t n = 0; n < names_.size(); ++n) {
+        if (names_[n] != name + unit) continue;
+        isUsed_[n] = true;
+        if (found)
+          sequence_.notes.push_back(
+              say<"The column %1 of %2 is not used, because %3 says it.">(names_[n], quoted(file_), names_[found->at]));
+        else
+          found = Column{n, scale};
+      }
+    return found;
   }
 
   /// All columns of a group; those that are not there are added to `missing` under the name that is wanted.
@@ -186,6 +217,9 @@ class TableReader {
     columns_.time = *time;
     columns_.place = noTurn.empty() ? place : shift;
     columns_.rotation = noTurn.empty() ? turn : rotation;
+    if (!columns_.isMatrix() && (from_ == "Image" || to_ == "Image"))
+      sequence_.notes.push_back(
+          say<"%1 gives poses of Image by quaternions, which do not say how large a pixel is; 1 x 1 mm was taken.">(quoted(file_)));
     std::vector<std::string> noLastRow;
     if (columns_.isMatrix())
       if (auto row = findAll(kLastRow, false, noLastRow); noLastRow.empty()) columns_.lastRow = std::move(row);
@@ -202,7 +236,7 @@ class TableReader {
   std::optional<double> numberAt(const std::vector<std::string>& cells, const Column& column) const {
     std::string text = cells[column.at];
     if (text.empty()) return kNone;
-    if (separator_ == ';') std::replace(text.begin(), text.end(), ',', '.');
+    if (separator_ != ',') std::replace(text.begin(), text.end(), ',', '.');
     const auto number = parseNumber(text);
     if (!number) return std::nullopt;
     return *number * column.scale;
@@ -221,6 +255,10 @@ class TableReader {
 
   Result<void> takeLine(const TableLine& line) {
     const std::vector<std::string> cells = cellsOf(line.text, separator_);
+    if (separator_ == ',' && cells.size() > columns_.count)
+      return badLine(line.number,
+                     say<"there are %1 values for %2 columns; where numbers have decimal commas, semicolons must stand between "
+                         "the columns">(cells.size(), columns_.count));
     if (cells.size() != columns_.count)
       return badLine(line.number,
                      counted<"there is %1 value for %2 columns", "there are %1 values for %2 columns">(cells.size(), columns_.count));
@@ -232,8 +270,11 @@ class TableReader {
                                       numeral(textOf(*time_s)), numeral(textOf(*sequence_.frames.back().time_s))));
     NamedTransform pose{from_, to_, glm::dmat4(1.0), PoseStatus::ok};
     if (columns_.status) {
-      const std::string word = lowerCase(cells[*columns_.status]);
-      pose.status = word == "ok" ? PoseStatus::ok : word == "missing" ? PoseStatus::missing : PoseStatus::invalid;
+      const auto status = statusOf(cells[*columns_.status]);
+      if (!status)
+        return badLine(line.number,
+                       say<"the status is \"%1\", which is none of OK, INVALID and MISSING">(shortened(cells[*columns_.status])));
+      pose.status = *status;
     }
     if (pose.status == PoseStatus::ok)
       if (auto taken = takePose(line, cells, pose); !taken) return taken;
@@ -284,6 +325,7 @@ class TableReader {
   fs::path file_;
   std::string from_ = "Probe";
   std::string to_ = "Tracker";
+  std::size_t lineOfTransform_ = 0;  ///< that says so; 0: none does
   char separator_ = ',';
   std::vector<TableLine> lines_;
   std::vector<std::string> names_;
