@@ -12243,6 +12243,50 @@
         <translation>dort stehen %1 Werte für %2 Spalten</translation>
     </message>
     <message>
+        <source>%1 is empty but for remarks; it needs %2.</source>
+        <translation>%1 ist bis auf Bemerkungen leer; nötig ist %2.</translation>
+    </message>
+    <message>
+        <source>In %1 blanks stand between the columns; put commas, semicolons or tabs there.</source>
+        <translation>In %1 stehen Leerzeichen zwischen den Spalten; dort Kommas, Strichpunkte oder Tabulatoren setzen.</translation>
+    </message>
+    <message>
+        <source>%1 is text in UTF-16, which is not read; save it as UTF-8.</source>
+        <translation>%1 ist Text in UTF-16, der nicht gelesen wird; als UTF-8 speichern.</translation>
+    </message>
+    <message>
+        <source>%1 is no text in UTF-8, it holds bytes of 0; save it as UTF-8.</source>
+        <translation>%1 ist kein Text in UTF-8, es stehen Bytes 0 darin; als UTF-8 speichern.</translation>
+    </message>
+    <message>
+        <source>the transform is %1, but line %2 says %3To%4</source>
+        <translation>die Transformation ist %1, aber Zeile %2 sagt %3To%4</translation>
+    </message>
+    <message>
+        <source>The column %1 of %2 is not used, because %3 says it.</source>
+        <translation>Die Spalte %1 von %2 wird nicht verwendet, weil %3 es sagt.</translation>
+    </message>
+    <message>
+        <source>there are %1 values for %2 columns; where numbers have decimal commas, semicolons must stand between the columns</source>
+        <translation>dort stehen %1 Werte für %2 Spalten; wo Zahlen Dezimalkommas haben, müssen Strichpunkte zwischen den Spalten stehen</translation>
+    </message>
+    <message>
+        <source>the status is &quot;%1&quot;, which is none of OK, INVALID and MISSING</source>
+        <translation>der Status ist „%1“, also keines von OK, INVALID und MISSING</translation>
+    </message>
+    <message>
+        <source>%1 gives poses of Image by quaternions, which do not say how large a pixel is; 1 x 1 mm was taken.</source>
+        <translation>%1 gibt Lagen von Image als Quaternionen an, die nicht sagen, wie groß ein Pixel ist; 1 × 1 mm wurde genommen.</translation>
+    </message>
+    <message>
+        <source>The poses of &quot;%1&quot; lead from %2 to %3 and make a pixel 1 x 1 mm, as quaternions do, but the device set says %4 x %5 mm. If they are those of the probe, name them so (transform: ProbeToTracker); else give matrices that scale, or leave the device set away.</source>
+        <translation>Die Lagen von „%1“ führen von %2 nach %3 und machen ein Pixel 1 × 1 mm groß, wie Quaternionen es tun, aber der Gerätesatz sagt %4 × %5 mm. Wenn es die der Sonde sind, sie so nennen (transform: ProbeToTracker); sonst Matrizen angeben, die skalieren, oder den Gerätesatz weglassen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has an ending of which no poses are read; give a table of text (.csv, .tsv, .txt) or a tracked sequence (.mha, .mhd, .nrrd, .nhdr).</source>
+        <translation>„%1“ hat eine Endung, von der keine Lagen gelesen werden; eine Texttabelle (.csv, .tsv, .txt) oder eine Aufnahme mit Lagen (.mha, .mhd, .nrrd, .nhdr) angeben.</translation>
+    </message>
+    <message>
         <source>%1 is &quot;%2&quot; and no time</source>
         <translation>%1 ist „%2“ und keine Zeit</translation>
     </message>

@@ -308,6 +308,30 @@ TEST_F(JoinedSweep, AFilmOfKnownFramesLiesWhereTheTableSays) {
   }
 }
 
+TEST_F(JoinedSweep, PosesOfImageThatDoNotScaleAreRefusedBesideACalibration) {
+  ASSERT_TRUE(writeSequence(images(5), folder_ / "images.igs.mha"));
+  const auto refused =
+      openSweep(folder_ / "images.igs.mha", optionsWith(put("p.csv", "# transform: ImageToTracker\n" + evenTable(5))), noProgress());
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::badField);
+  EXPECT_EQ(refused.error().sentence(),
+            "The poses of \"p.csv\" lead from Image to Tracker and make a pixel 1 x 1 mm, as quaternions do, but the device set says 0.5 x "
+            "0.5 mm. If they are those of the probe, name them so (transform: ProbeToTracker); else give matrices that scale, or leave the "
+            "device set away.");
+  SweepImportOptions alone = optionsWith(put("p.csv", "# transform: ImageToTracker\n" + evenTable(5)));
+  alone.calibrations.clear();
+  EXPECT_TRUE(openSweep(folder_ / "images.igs.mha", alone, noProgress()).has_value());
+}
+
+TEST_F(JoinedSweep, PosesOfAFileOfAnotherEndingAreRefusedByWhatIsRead) {
+  const auto refused = readPoses(put("p.dat", evenTable(5)), noProgress());
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(
+      refused.error().sentence(),
+      "\"p.dat\" has an ending of which no poses are read; give a table of text (.csv, .tsv, .txt) or a tracked sequence (.mha, .mhd, "
+      ".nrrd, .nhdr).");
+}
+
 TEST_F(JoinedSweep, AFileWithoutPosesAndAMotorBesideThemAreRefused) {
   ASSERT_TRUE(writeSequence(images(5), folder_ / "images.igs.mha"));
   const auto none = openSweep(folder_ / "images.igs.mha", optionsWith(folder_ / "images.igs.mha"), noProgress());

@@ -385,6 +385,8 @@ Result<PlacingFiles> placingFilesOf(const SweepImportOptions& options, Progress&
     return failure(ErrorCode::badUsage, say<"Poses cannot come from a motor and from a file of their own; give one of them.">());
   auto poses = readPoses(options.poses, progress, {options.reconstruct.maxBytes});
   if (!poses) return passOn(poses.error());
+  if (files.device)
+    if (auto fits = checkPixelsOf(*poses, *files.device, options.poses); !fits) return passOn(fits.error());
   files.poses = *std::move(poses);
   return files;
 }

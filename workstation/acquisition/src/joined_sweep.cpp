@@ -28,6 +28,11 @@ Message shownMoment(double time_s) { return numeral(textOf(std::round(time_s * 1
 
 bool isTable(const fs::path& file) { return hasEnding(file, ".csv") || hasEnding(file, ".tsv") || hasEnding(file, ".txt"); }
 
+bool mayBeSequence(const fs::path& file) {
+  return hasEnding(file, ".mha") || hasEnding(file, ".mhd") || hasEnding(file, ".nrrd") || hasEnding(file, ".nhdr") ||
+         hasEnding(file, ".nii") || hasEnding(file, ".nii.gz");
+}
+
 tl::unexpected<Error> rateUnknown(const fs::path& file) {
   return failure(ErrorCode::badField,
                  say<"\"%1\" does not say when its images were recorded, so that poses cannot be joined with them; give the images' rate.">(
@@ -205,9 +210,22 @@ Message joinedFrom(const fs::path& name, std::size_t poses, double first_s, doub
       name.filename(), poses, shownMoment(first_s), shownMoment(last_s), moment);
 }
 
+/// The size of a pixel by a transform from Image or to it; empty: it is none, or not usable.
+std::optional<glm::dvec2> pixelSizeBy_mm(const NamedTransform& one) {
+  if (one.status != PoseStatus::ok || (one.from != "Image" && one.to != "Image")) return std::nullopt;
+  const glm::dmat4 from = one.from == "Image" ? one.matrix : glm::inverse(one.matrix);
+  return glm::dvec2(glm::length(glm::dvec3(from[0])), glm::length(glm::dvec3(from[1])));
+}
+
 }  // namespace
 
 Result<Sequence> readPoses(const fs::path& file, Progress& progress, const ReadLimits& limits) {
+  if (!isTable(file) && !mayBeSequence(file))
+    return failure(
+        ErrorCode::unsupported,
+        say<"\"%1\" has an ending of which no poses are read; give a table of text (.csv, .tsv, .txt) or a tracked sequence (.mha, "
+            ".mhd, .nrrd, .nhdr).">(file.filename()),
+        {{"file", file.string()}});
   auto poses = isTable(file) ? readPoseTable(file) : readSequence(file, progress, limits);
   if (!poses) return passOn(poses.error());
   const bool isTracked =
@@ -221,6 +239,29 @@ Result<Sequence> readPoses(const fs::path& file, Progress& progress, const ReadL
   if (!isTable(file))
     for (Message& note : poses->notes) note = say<"Of \"%1\": %2">(file.filename(), note);
   return poses;
+}
+
+Result<void> checkPixelsOf(const Sequence& poses, const DeviceSet& device, const fs::path& name) {
+  const glm::dvec2 one_mm(1.0);
+  const auto differs = [&](const std::optional<glm::dvec2>& pixel_mm) { return pixel_mm && glm::distance(*pixel_mm, one_mm) > 1e-3; };
+  const auto calibrated = std::find_if(device.transforms.begin(), device.transforms.end(),
+                                       [&](const NamedTransform& each) { return differs(pixelSizeBy_mm(each)); });
+  if (calibrated == device.transforms.end()) return {};
+  const glm::dvec2 pixel_mm = *pixelSizeBy_mm(*calibrated);
+  for (const SequenceFrame& frame : poses.frames)
+    for (const NamedTransform& each : frame.transforms) {
+      const auto posed_mm = pixelSizeBy_mm(each);
+      if (!posed_mm) continue;
+      if (differs(posed_mm)) return {};
+      return failure(
+          ErrorCode::badField,
+          say<"The poses of \"%1\" lead from %2 to %3 and make a pixel 1 x 1 mm, as quaternions do, but the device set says %4 x "
+              "%5 mm. If they are those of the probe, name them so (transform: ProbeToTracker); else give matrices that scale, or "
+              "leave the device set away.">(name.filename(), each.from, each.to, numeral(figureText(pixel_mm.x, 3)),
+                                            numeral(figureText(pixel_mm.y, 3))),
+          {{"file", name.string()}, {"field", "transform"}});
+    }
+  return {};
 }
 
 Result<Sequence> readImages(const fs::path& file, const std::optional<double>& rate_hz, Progress& progress, const ReadLimits& limits,

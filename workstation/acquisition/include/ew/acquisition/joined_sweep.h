@@ -14,9 +14,15 @@ namespace ew {
 // A recording whose images and poses lie in two files, as a film and the log of a tracker.
 
 /// The poses: a table (.csv, .tsv, .txt, see readPoseTable), else a tracked sequence, whose own images are not used.
-/// @error as readPoseTable and readSequence; noValidPose (a sequence without transforms)
+/// @error as readPoseTable and readSequence; noValidPose (a sequence without transforms); unsupported (another ending)
 [[nodiscard]] Result<Sequence> readPoses(const std::filesystem::path& file, Progress& progress = noProgress(),
                                          const ReadLimits& limits = {});
+
+/// Refuses poses that lead from Image without scaling, as those of quaternions do, beside a device set that says how large a pixel is: they
+/// come before its calibration, and would make each pixel 1 mm.
+/// @param name of the poses' file, for sentences
+/// @error badField
+[[nodiscard]] Result<void> checkPixelsOf(const Sequence& poses, const DeviceSet& device, const std::filesystem::path& name);
 
 /// The images: a sequence, a film, a DICOM cine, a TIFF, a folder of pictures, or a volume, each slice of which is an image. Films and
 /// pictures come upright and with square pixels, grey; a sequence comes as it is, with the poses it may have.
