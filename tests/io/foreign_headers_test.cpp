@@ -92,6 +92,12 @@ TEST(ForeignDeviceSet, WhatADeviceSetSaysIsNotCalledAHeader) {
   EXPECT_EQ(notes[1].english(), "The device set also states Wobble \"4\", which is not known here and not used.");
 }
 
+TEST(ForeignDeviceSet, AValueWithQuotesOfItsOwnGetsNoOthers) {
+  const auto notes = setWith("Wobble='\"mm\" \"mm\"' Other=\"4\"").notes;
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes[0].english(), "The device set also states Wobble \"mm\" \"mm\", Other \"4\", which is not known here and not used.");
+}
+
 TEST(ForeignDeviceSet, ANumberThatIsNoneAmongOthersIsRefused) {
   const TempFolder folder;
   for (const char* half : {"OutputSpacing=\"0.5 nan 0.5\"", "OutputSpacing=\"nan 0.5 0.5\"", "OutputSpacing=\"0.5 0.5 -1\"",

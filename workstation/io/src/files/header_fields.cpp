@@ -98,7 +98,9 @@ std::vector<Message> HeaderFields::unused() const {
       if (fields.size() == most)
         ++further;
       else
-        fields.push_back(say<"%1 \"%2\"">(shortened(each.name), shortened(each.value)));
+        fields.push_back(each.value.find('"') == std::string::npos
+                             ? say<"%1 \"%2\"">(shortened(each.name), shortened(each.value))
+                             : verbatim(shortened(each.name) + " " + shortened(each.value)));  // it has quotes of its own
     }
     if (fields.empty()) continue;
     const Message list = joined(std::move(fields), ", ");
