@@ -2859,8 +2859,8 @@
         <translation>Eine Füllweite von %1 mm ist nicht zu gebrauchen; 0 mm oder mehr angeben.</translation>
     </message>
     <message>
-        <source>A hole filling reach of %1 mm is %2 voxels here, more than the %3 that can be bridged; give a shorter reach or a coarser spacing.</source>
-        <translation>Eine Füllweite von %1 mm entspricht hier %2 Voxeln, mehr als den %3, die überbrückt werden können; eine kürzere Füllweite oder einen gröberen Voxelabstand angeben.</translation>
+        <source>A hole filling reach of %1 mm is %2 voxels here, more than the %3 that can be bridged; check the poses for their unit, take a coarser spacing or, where it can be given, a shorter reach.</source>
+        <translation>Eine Füllweite von %1 mm entspricht hier %2 Voxeln, mehr als den %3, die überbrückt werden können; die Lagen auf ihre Einheit prüfen, einen gröberen Abstand nehmen oder, wo sie angegeben werden kann, eine kürzere Reichweite.</translation>
     </message>
     <message>
         <source>A mannequin is a recipe (.json) or a mesh (.stl, .ply, .obj), and %1 is neither.</source>
@@ -3719,8 +3719,8 @@
         <translation>Das EKG ist übersteuert: %1 % davon liegen am höchsten oder tiefsten Wert; als Zeit der R-Zacken gilt die Mitte ihrer Spitzen.</translation>
     </message>
     <message>
-        <source>The OutputSpacing of the device set differs between axes (%1, %2, %3 mm), but voxels are cubes; choose their size yourself (--spacing).</source>
-        <translation>OutputSpacing der Kalibrierung ist je Achse verschieden (%1, %2, %3 mm), Voxel sind aber Würfel; ihre Größe selbst wählen (--spacing).</translation>
+        <source>The OutputSpacing of the device set differs between axes (%1, %2, %3 mm), but voxels are cubes; choose their size yourself.</source>
+        <translation>OutputSpacing der Kalibrierung ist je Achse verschieden (%1, %2, %3 mm), Voxel sind aber Würfel; ihre Größe selbst wählen.</translation>
     </message>
     <message>
         <source>The apex of the beams of the %1 volume is no place.</source>
@@ -3919,8 +3919,8 @@
         <translation>Die Verformung hat eine andere Zahl von Vektoren, als ihr Gitter Knoten hat.</translation>
     </message>
     <message>
-        <source>The device set asks for the compounding %1; expected MEAN, MAXIMUM or LATEST. Correct it there, or choose the compounding yourself (--compounding).</source>
-        <translation>Die Kalibrierung verlangt das Compounding %1; erwartet wird MEAN, MAXIMUM oder LATEST. Dort berichtigen oder das Compounding selbst wählen (--compounding).</translation>
+        <source>The device set asks for the compounding %1; expected MEAN, MAXIMUM or LATEST. Correct it there, or choose the compounding yourself.</source>
+        <translation>Die Kalibrierung verlangt das Compounding %1; erwartet wird MEAN, MAXIMUM oder LATEST. Dort berichtigen oder das Compounding selbst wählen.</translation>
     </message>
     <message>
         <source>The device set asks for the interpolation %1; expected NEAREST_NEIGHBOR or LINEAR.</source>

@@ -106,6 +106,25 @@ TEST(CaseNew, TakesAStepOfAFileOfVolumesAndOneLengthOrThreeForItsVoxels) {
   EXPECT_NE(uneven.err.find("one --spacing along all axes"), std::string::npos) << uneven.err;
 }
 
+TEST(CaseNew, NamesNoOptionsOfOtherCommands) {
+  const TemporaryFolder folder;
+  Sequence images = parallelSweep(8, 6, 5);
+  const auto refusalOf = [&] {
+    if (!writeSequence(images, folder / "s.igs.mha")) ADD_FAILURE();
+    const auto refused = run({"case", "new", folder / "s.igs.mha", "-o", folder / "a"});
+    EXPECT_EQ(refused.status, 1);
+    for (const char* foreign : {"--motor", "--poses", "--image-to"}) EXPECT_EQ(refused.err.find(foreign), std::string::npos) << refused.err;
+    return refused.err;
+  };
+  for (SequenceFrame& frame : images.frames)
+    for (NamedTransform& one : frame.transforms) one.to = "Stylus";
+  EXPECT_NE(refusalOf().find(": --calibration XML, or make its volume first (echoweave reconstruct), then the case of that."),
+            std::string::npos);
+  for (SequenceFrame& frame : images.frames) frame.transforms.clear();
+  EXPECT_NE(refusalOf().find("say how a motor moved the probe: make its volume first (echoweave reconstruct), then the case of that."),
+            std::string::npos);
+}
+
 TEST(CaseNew, PutsItWhereItIsTold) {
   const TemporaryFolder folder;
   makeSweep(folder / "s.igs.mha");

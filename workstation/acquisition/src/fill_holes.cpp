@@ -331,8 +331,9 @@ Result<void> checkFillReach(const Grid& grid, double reach_mm) {
                    {{"field", "fill reach"}});
   if (const double farthest = farthest_voxels(grid, reach_mm); farthest > kMaxFillReach_voxels + 1e-6)
     return failure(ErrorCode::badField,
-                   say<"A hole filling reach of %1 mm is %2 voxels here, more than the %3 that can be bridged; give a shorter reach or a "
-                       "coarser spacing.">(textOf(reach_mm), textOf(std::ceil(farthest)), kMaxFillReach_voxels),
+                   say<"A hole filling reach of %1 mm is %2 voxels here, more than the %3 that can be bridged; check the poses for "
+                       "their unit, take a coarser spacing or, where it can be given, a shorter reach.">(
+                       textOf(reach_mm), textOf(std::ceil(farthest)), kMaxFillReach_voxels),
                    {{"field", "fill reach"}});
   return {};
 }

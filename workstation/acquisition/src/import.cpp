@@ -134,7 +134,7 @@ Result<void> takeSpacing(const DeviceSet& device, ReconstructOptions& options) {
   if (spacing_mm.x != spacing_mm.y || spacing_mm.x != spacing_mm.z)
     return failure(ErrorCode::badField,
                    say<"The OutputSpacing of the device set differs between axes (%1, %2, %3 mm), but voxels are cubes; choose their size "
-                       "yourself (--spacing).">(figureText(spacing_mm.x), figureText(spacing_mm.y), figureText(spacing_mm.z)),
+                       "yourself.">(figureText(spacing_mm.x), figureText(spacing_mm.y), figureText(spacing_mm.z)),
                    {{"field", "OutputSpacing"}});
   options.spacing_mm = spacing_mm.x;
   return {};
@@ -169,7 +169,7 @@ Result<void> takeCompounding(const DeviceSet& device, ReconstructOptions& option
   } else if (!compounding.empty()) {
     return failure(ErrorCode::badField,
                    say<"The device set asks for the compounding %1; expected MEAN, MAXIMUM or LATEST. Correct it there, or choose the "
-                       "compounding yourself (--compounding).">(written),
+                       "compounding yourself.">(written),
                    {{"field", "CompoundingMode"}, {"found", written}});
   }
   if (isSwitch)

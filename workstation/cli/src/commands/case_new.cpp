@@ -1,5 +1,7 @@
 #include "commands/case_new.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
@@ -103,6 +105,21 @@ Result<std::optional<glm::dvec3>> spacingGiven(const NewCaseArguments& arguments
   return std::optional(glm::dvec3((*given)[0], (*given)[1], (*given)[2]));
 }
 
+/// As withOption, of the options that this command has. What else is asked the command answers that makes a volume.
+tl::unexpected<Error> withOwnOption(Error error) {
+  constexpr std::array<std::string_view, 4> own{"time-step", "spacing", "calibration", "accept-small"};
+  constexpr std::array<std::string_view, 5> ofSweep{"frame", "motor", "rate", "time-offset", "reconstruct"};
+  const std::string asked = askedFor(error);
+  if (asked.empty() || std::find(own.begin(), own.end(), asked) != own.end()) return withOption(std::move(error));
+  const bool isOfSweep = std::find(ofSweep.begin(), ofSweep.end(), asked) != ofSweep.end();
+  std::string sentence = error.sentence();
+  if (sentence.ends_with('.')) sentence.pop_back();
+  const std::string calibration = asked == "frame" ? optionFor("calibration") + ", or " : std::string();
+  error.message = verbatim(sentence + ": " + calibration + "make its volume first (echoweave " + (isOfSweep ? "reconstruct" : "import") +
+                           "), then the case of that.");
+  return passOn(std::move(error));
+}
+
 Result<CaseSource> sourceOf(const NewCaseArguments& arguments) {
   if (arguments.source.empty()) return CaseSource{};
   auto source = ew::sourceOf(arguments.source);
@@ -149,7 +166,7 @@ Result<NewCase> wantedOf(const NewCaseArguments& arguments, Run& run) {
   wanted.licence = arguments.licence;
   wanted.makesLevel = !arguments.withoutLevel;
   auto source = sourceOf(arguments);
-  if (!source) return withOption(source.error());
+  if (!source) return withOwnOption(source.error());
   wanted.source = *std::move(source);
   if (arguments.place) wanted.fileToWorld = placeOf(*arguments.place);
   if (arguments.landmarks.empty()) return wanted;
@@ -208,7 +225,7 @@ Result<int> makeNew(const NewCaseArguments& arguments, Run& run) {
     const StepClock clock(run.report, "plan");
     return planCase(*wanted, planning);
   }();
-  if (!plan) return withOption(plan.error());
+  if (!plan) return withOwnOption(plan.error());
   run.remark(say<"Making the case needs about %1 MiB of memory and at most %2 MiB on disk.">(plan->bytes >> 20, plan->disk_bytes >> 20));
   run.report.options = {{"template", arguments.templateId}, {"region", arguments.region}, {"mannequin", arguments.mannequin}};
   const auto spacing_mm = spacingGiven(arguments);
@@ -218,7 +235,7 @@ Result<int> makeNew(const NewCaseArguments& arguments, Run& run) {
     const StepClock clock(run.report, "make");
     return makeCase(*wanted, arguments.output, making);
   }();
-  if (!made) return withOption(made.error());
+  if (!made) return withOwnOption(made.error());
   run.isPublished = true;
   for (const Message& each : made->notes) run.remark(each);
   tellMade(arguments, *plan, *made, run);
