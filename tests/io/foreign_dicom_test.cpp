@@ -546,6 +546,21 @@ TEST(ForeignDicom, ARecordedScreenTakesTheScaleThatAnImportTakes) {
   EXPECT_TRUE(stale->info().scales.empty()) << "made for another size";
 }
 
+TEST(ForeignDicom, ATraceIsNamedAsNoScaleWhereItStandsAlone) {
+  const TempFolder folder;
+  CineOf cine = smallCine();
+  const std::string sentence = "Region 1: M-mode, 8 x 6 pixels at (0, 0) (it is no two-dimensional picture) was not used for the scale.";
+  const RegionOf trace{.units = 4, .format = 2}, scan;
+  const auto saysSo = [&](const std::vector<RegionOf>& regions) {
+    cine.regions = regions;
+    const auto reader = CineReader::open(folder.put("m.dcm", cineFile(cine)));
+    EXPECT_TRUE(succeeded(reader));
+    return reader && contains(reader->info().notes, sentence.c_str());
+  };
+  EXPECT_TRUE(saysSo({trace}));
+  EXPECT_FALSE(saysSo({trace, scan})) << "it has no scale of a scan to lose";
+}
+
 /// One slice of a volume of stills.
 std::string stillAt(double z, int level, const std::string& series = "2.25.7", const std::string& position = "") {
   DicomWriter set;

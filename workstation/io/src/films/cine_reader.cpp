@@ -205,8 +205,9 @@ void takeScale(const DicomItem& data, CineInfo& info) {
       std::any_of(scale.regions.begin(), scale.regions.end(), [](const UltrasoundRegion& region) { return region.stale; });
   for (std::size_t n = 0; n < scale.regions.size(); ++n) {
     const UltrasoundRegion& region = scale.regions[n];
-    // Traces, bars and colour flow have no scale of a scan to lose.
-    if (region.stale || (!region.usable() && region.spatialFormat <= 1 && region.dataType <= 1))
+    // Beside a B-mode, traces, bars and colour flow have no scale of a scan to lose.
+    const bool couldBeScan = region.spatialFormat <= 1 && region.dataType <= 1;
+    if (region.stale || (!region.usable() && (couldBeScan || scale.bModes.empty())))
       info.notes.push_back(say<"Region %1 was not used for the scale.">(region.describe(n + 1)));
   }
   if (anyStale && !scale.bModes.empty())
