@@ -79,6 +79,18 @@
         <source>Up</source>
         <translation>Hoch</translation>
     </message>
+    <message>
+        <source>the link &apos;%1&apos;</source>
+        <translation>der Verknüpfung „%1“</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a link or a file, and what is taken out lies in a folder of that name; move it away.</source>
+        <translation>„%1“ ist eine Verknüpfung oder eine Datei, und was herausgenommen wird, liegt in einem Ordner dieses Namens; verschieben Sie das woandershin.</translation>
+    </message>
+    <message>
+        <source>Revision %1 of &apos;%2&apos;, which was published before, holds %3 all the same.</source>
+        <translation>Revision %1 von „%2“, die vorher veröffentlicht wurde, enthält %3 weiterhin.</translation>
+    </message>
 </context>
 <context>
     <name>ew::Message</name>

@@ -198,6 +198,18 @@ TEST(CaseLibrary, ListsFilesWithWhatUsesThemAndTakesOutWhatNothingUses) {
   EXPECT_NE(shipped.err.find("not your own"), std::string::npos) << shipped.err;
 }
 
+TEST(CaseLibrary, SaysWhichRevisionHoldsAFileThatIsTakenOut) {
+  const TemporaryFolder folder;
+  const EnvironmentValue library("ECHOWEAVE_LIBRARY", folder / "library");
+  makeCase(folder / "mine", "knee");
+  writeText(folder / "mine/report.txt", "of another patient");
+  ASSERT_EQ(run({"case", "publish", folder / "mine"}).status, 0);
+  const auto taken = run({"case", "withdraw-file", folder / "mine", "report.txt"});
+  ASSERT_EQ(taken.status, 0) << taken.err;
+  EXPECT_NE(taken.err.find("Revision 1 of 'knee', which was published before, holds 'report.txt' all the same."), std::string::npos)
+      << taken.err;
+}
+
 TEST(CaseLibrary, WithdrawsAnOwnCaseByItsId) {
   const TemporaryFolder folder;
   const EnvironmentValue library("ECHOWEAVE_LIBRARY", folder / "library");

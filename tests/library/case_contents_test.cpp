@@ -29,6 +29,8 @@ class ContentsOfACase : public ::testing::Test {
   void SetUp() override {
     makeVolumeCase(folder_ / "knee", "knee");
     ASSERT_TRUE(writeVolume(noisyVolume({6, 6, 6}, 5), folder_ / "knee/volumes/other.mha"));
+    for (const char* each : {"media/übersicht.txt", "scans/expert.txt"}) fs::remove(folder_ / "knee" / each);
+    writeText(folder_ / "knee/README.md", "A knee.");
   }
   [[nodiscard]] fs::path knee() const { return folder_ / "knee"; }
   [[nodiscard]] Case opened() const {
@@ -59,7 +61,7 @@ TEST_F(ContentsOfACase, AreSaidWithWhatUsesThem) {
   EXPECT_EQ(useOf(knee, "media/lump.png"), "an earlier examination");
   EXPECT_EQ(useOf(knee, "media/odd.bin"), "case.json, which names it");
   EXPECT_EQ(useOf(knee, "parts/placing/pairs.bin"), "the part 'placing'");
-  EXPECT_EQ(useOf(knee, "scans/expert.txt"), "readers, as words or a document");
+  EXPECT_EQ(useOf(knee, "README.md"), "readers, as words or a document");
   EXPECT_EQ(useOf(knee, "volumes/other.mha"), "nothing");
   EXPECT_EQ(unusedFiles(knee), std::vector<std::string>{"volumes/other.mha"});
 }
@@ -75,6 +77,63 @@ TEST_F(ContentsOfACase, HoldSamplesBesideTheirHeaderAndWhatALinkLeadsTo) {
   EXPECT_EQ(useOf(opened(), "volumes/w.raw"), "nothing");
   change([](json& manifest) { manifest["volume"]["file"] = "./volumes/v.mha"; });
   EXPECT_EQ(useOf(opened(), "volumes/v.mha"), "its volume");
+}
+
+TEST_F(ContentsOfACase, AreDocumentsWhenTheirNameSaysSo) {
+  for (const char* path : {"LICENSE", "media/LICENCE.txt", "source-of-images.md", "ATTRIBUTION.TXT", "words/notes.txt"}) {
+    writeText(knee() / path, "text");
+    EXPECT_EQ(useOf(opened(), path), "readers, as words or a document") << path;
+  }
+  for (const char* path : {"report-of-another-patient.txt", "media/notes.md", "sources.png", "readme.mha"}) {
+    writeText(knee() / path, "text");
+    EXPECT_EQ(useOf(opened(), path), "nothing") << path;
+  }
+  EXPECT_TRUE(withdrawFiles(opened(), {"report-of-another-patient.txt"}, CaseEditor::nobody));
+}
+
+TEST_F(ContentsOfACase, AreUsedByALinkOfTheFolderUnlessItIsTakenOutWithThem) {
+  writeText(knee() / "media/old.png", "picture");
+  fs::create_symlink("media/old.png", knee() / "link-in");
+  fs::create_symlink("link-in", knee() / "link-to-link");
+  EXPECT_EQ(useOf(opened(), "media/old.png"), "the link 'link-in', the link 'link-to-link'");
+  EXPECT_EQ(useOf(opened(), "link-in"), "the link 'link-to-link'");
+  EXPECT_EQ(useOf(opened(), "link-to-link"), "nothing");
+  EXPECT_EQ(unusedFiles(opened()), (std::vector<std::string>{"link-to-link", "volumes/other.mha"}));
+  const auto before = treeOf(knee());
+  const auto held = withdrawFiles(opened(), {"media/old.png", "link-in"}, CaseEditor::nobody);
+  ASSERT_FALSE(held);
+  EXPECT_EQ(held.error().sentence(), "'media/old.png' is used by the link 'link-in', the link 'link-to-link', and stays.");
+  EXPECT_EQ(treeOf(knee()), before);
+  EXPECT_TRUE(filesOfCase(knee()));
+  const auto taken = withdrawFiles(opened(), {"media/old.png", "link-in", "link-to-link"}, CaseEditor::nobody);
+  ASSERT_TRUE(taken) << taken.error();
+  EXPECT_TRUE(filesOfCase(knee())) << "no link leads to nothing";
+  ASSERT_TRUE(putBack(*taken));
+  EXPECT_EQ(treeOf(knee()), before);
+}
+
+TEST_F(ContentsOfACase, AreNotLedElsewhereByALink) {
+  fs::create_directories(folder_ / "outside");
+  fs::create_directory_symlink(folder_ / "outside", knee() / kWithdrawnFiles);
+  const auto before = treeOf(knee());
+  const auto taken = withdrawFiles(opened(), {"volumes/other.mha"}, CaseEditor::nobody);
+  ASSERT_FALSE(taken);
+  EXPECT_EQ(taken.error().code, ErrorCode::notWritable);
+  EXPECT_NE(taken.error().sentence().find("is a link or a file, and what is taken out lies in a folder of that name; move it away."),
+            std::string::npos)
+      << taken.error();
+  EXPECT_EQ(treeOf(knee()), before);
+  EXPECT_TRUE(fs::is_empty(folder_ / "outside"));
+}
+
+TEST_F(ContentsOfACase, AreSaidToBePublishedWhenARevisionHoldsThem) {
+  ASSERT_TRUE(publishCase(knee(), folder_ / "library"));
+  writeText(knee() / "media/later.png", "picture");
+  const auto taken = withdrawFiles(opened(), {"volumes/other.mha", "media/later.png"}, CaseEditor::nobody);
+  ASSERT_TRUE(taken) << taken.error();
+  const std::vector<std::pair<int, std::vector<std::string>>> held{{1, {"volumes/other.mha"}}};
+  EXPECT_EQ(stillPublished(*taken, "knee", folder_ / "library"), held);
+  EXPECT_TRUE(stillPublished(*taken, "elbow", folder_ / "library").empty());
 }
 
 TEST_F(ContentsOfACase, AreUsedByTheCaseAsItWasSavedToo) {

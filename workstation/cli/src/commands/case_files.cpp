@@ -29,6 +29,12 @@ std::string sizeOfFile(std::uint64_t bytes) {
 
 std::string useOf(const CaseFileUse& file) { return file.usedBy.empty() ? "used by nothing" : joined(file.usedBy, ", ").english(); }
 
+std::string inQuotes(const std::vector<std::string>& paths) {
+  std::string text;
+  for (const std::string& each : paths) text += (text.empty() ? "'" : ", '") + each + "'";
+  return text;
+}
+
 json jsonOf(const Case& opened, const std::vector<CaseFileUse>& files, const std::vector<WithdrawnFiles>& aside) {
   json made = {{"case", opened.id}, {"folder", opened.folder.string()}, {"files", json::array()}, {"withdrawn", json::array()}};
   for (const CaseFileUse& each : files) {
@@ -80,6 +86,8 @@ Result<int> withdraw(const FilesArguments& arguments, Run& run) {
   run.report.details["withdrawn"] = {{"case", opened->id}, {"folder", taken->folder.string()}, {"files", taken->paths}};
   run.say(counted(taken->paths.size(), "file") + " of " + opened->id + " taken out, to " + taken->folder.string() +
           "; no longer handed on with the case. Moved back to " + taken->caseFolder.string() + ", it is there again.");
+  for (const auto& [revision, files] : stillPublished(*taken, opened->id, libraryFolder()))
+    run.remark(say<"Revision %1 of '%2', which was published before, holds %3 all the same.">(revision, opened->id, inQuotes(files)));
   return kDone;
 }
 

@@ -1,8 +1,10 @@
 #include "ew/library/case_contents.h"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string_view>
 
 #include "case/manifest.h"
@@ -90,10 +92,46 @@ void addTexts(const nlohmann::json& value, FileUses& uses) {
     for (const auto& each : value) addTexts(each, uses);
 }
 
-/// Whether a file belongs there without being named: words and documents.
+/// Whether a file belongs there without being named: words, and documents that say by their name what they are. Any other text may be the
+/// report of another patient.
 bool isDocument(const std::string& path) {
-  return path.starts_with("words/") || hasEnding(path, ".md") || hasEnding(path, ".txt") || path == kSumsName;
+  static const std::set<std::string> names{"attribution", "authors", "changelog", "changes", "citation", "copying",
+                                           "credits",     "licence", "license",   "notice",  "readme",   "source"};
+  if (path.starts_with("words/") || path == kSumsName) return true;
+  const fs::path name = fs::path(path).filename();
+  std::string stem = name.stem().string();
+  std::transform(stem.begin(), stem.end(), stem.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const bool isText = !name.has_extension() || hasEnding(path, ".md") || hasEnding(path, ".txt");
+  return isText && names.contains(stem.substr(0, stem.find_first_of("-_.")));
 }
+
+/// The links of a case's folder by the files they lead to, all paths in the folder: one step, and where the last one ends.
+class LinksOfFolder {
+ public:
+  LinksOfFolder(const fs::path& folder, const std::vector<FileSum>& files) {
+    std::error_code failed;
+    const fs::path root = fs::canonical(folder, failed);
+    if (failed) return;
+    for (const FileSum& each : files) {
+      const fs::path link = root / each.path;
+      if (!fs::is_symlink(link, failed)) continue;
+      const fs::path step = link.parent_path() / fs::read_symlink(link, failed);  // an absolute one stands alone
+      add(fs::canonical(step.parent_path(), failed) / step.filename(), root, each.path);
+      add(fs::canonical(link, failed), root, each.path);
+    }
+  }
+  /// @return sorted
+  [[nodiscard]] std::vector<std::string> to(const std::string& path) const {
+    const auto at = byTarget_.find(path);
+    return at == byTarget_.end() ? std::vector<std::string>() : std::vector<std::string>(at->second.begin(), at->second.end());
+  }
+
+ private:
+  void add(const fs::path& target, const fs::path& root, const std::string& link) {
+    byTarget_[target.lexically_relative(root).generic_string()].insert(link);
+  }
+  std::map<std::string, std::set<std::string>> byTarget_;
+};
 
 /// What the case names, and what of it cannot be told by names.
 class UsesOfCase {
@@ -160,10 +198,13 @@ Result<std::vector<CaseFileUse>> fileUsesOf(const Case& opened) {
   const auto saved = savedCase(opened.folder);
   if (!saved) return passOn(saved.error());
   const UsesOfCase now(opened), before(*saved);
+  const LinksOfFolder links(opened.folder, *files);
   std::vector<CaseFileUse> all;
   for (const FileSum& each : *files) {
-    CaseFileUse use{each.path, each.size_bytes, now.of(each.path)};
+    CaseFileUse use{each.path, each.size_bytes, now.of(each.path), {}};
     if (use.usedBy.empty() && !before.of(each.path).empty()) use.usedBy = {say<"the case as it was saved last">()};
+    if (use.usedBy.empty()) use.linkedBy = links.to(each.path);
+    for (const std::string& link : use.linkedBy) use.usedBy.push_back(say<"the link '%1'">(link));
     all.push_back(std::move(use));
   }
   return all;
@@ -174,8 +215,9 @@ std::vector<std::string> unusedFiles(const Case& opened) {
   const auto files = filesOfCase(opened.folder);
   if (!files) return unused;  // publishing says what is wrong with them
   const UsesOfCase uses(opened);
+  const LinksOfFolder links(opened.folder, *files);
   for (const FileSum& each : *files)
-    if (uses.of(each.path).empty()) unused.push_back(each.path);
+    if (uses.of(each.path).empty() && links.to(each.path).empty()) unused.push_back(each.path);
   return unused;
 }
 

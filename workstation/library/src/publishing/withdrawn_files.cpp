@@ -2,6 +2,7 @@
 #include <set>
 
 #include "ew/library/case_contents.h"
+#include "ew/library/checksums.h"
 #include "ew/library/folder_lease.h"
 #include "ew/library/published.h"
 #include "files/guarded_case.h"
@@ -37,10 +38,25 @@ Result<std::set<std::string>> freeFiles(const Case& opened, const std::vector<st
       return failure(ErrorCode::notFound,
                      say<"The case has no file '%1'; name it by its path in the case folder, as 'echoweave case files' lists it.">(path),
                      {{"file", path}});
-    if (!use->usedBy.empty())
+    const bool goesWithLinks =
+        use->usedBy.size() == use->linkedBy.size() && std::all_of(use->linkedBy.begin(), use->linkedBy.end(), [&](const std::string& link) {
+          return std::find(paths.begin(), paths.end(), link) != paths.end();
+        });
+    if (!goesWithLinks)
       return failure(ErrorCode::badUsage, say<"'%1' is used by %2, and stays.">(path, joined(use->usedBy, ", ")), {{"file", path}});
   }
   return std::set<std::string>(paths.begin(), paths.end());
+}
+
+/// What is taken out stays in the case's folder: a link there would lead it elsewhere.
+Result<void> expectOwnPlace(const fs::path& caseFolder) {
+  std::error_code ignored;
+  const fs::path place = caseFolder / kWithdrawnFiles;
+  const auto type = fs::symlink_status(place, ignored).type();
+  if (type == fs::file_type::not_found || type == fs::file_type::directory) return {};
+  return failure(ErrorCode::notWritable,
+                 say<"'%1' is a link or a file, and what is taken out lies in a folder of that name; move it away.">(place),
+                 {{"file", place.string()}});
 }
 
 /// Moves every file or none. @error notWritable
@@ -90,6 +106,7 @@ Result<WithdrawnFiles> withdrawFiles(const Case& opened, const std::vector<std::
     if (auto own = expectOwn(opened, editor); !own) return passOn(own.error());
     const auto wanted = freeFiles(opened, paths);
     if (!wanted) return passOn(wanted.error());
+    if (auto place = expectOwnPlace(opened.folder); !place) return passOn(place.error());
     WithdrawnFiles taken{opened.folder, stampedPlace(opened.folder / kWithdrawnFiles, {}), {wanted->begin(), wanted->end()}};
     if (auto moved = moveAll(taken.paths, taken.caseFolder, taken.folder); !moved) return passOn(moved.error());
     return taken;
@@ -109,6 +126,26 @@ Result<void> putBack(const WithdrawnFiles& taken) {
     fs::remove(taken.folder.parent_path(), ignored);  // only an empty one
     return {};
   });
+}
+
+std::vector<std::pair<int, std::vector<std::string>>> stillPublished(const WithdrawnFiles& taken, const std::string& caseId,
+                                                                     const fs::path& library) {
+  std::vector<std::pair<int, std::vector<std::string>>> held;
+  const auto revisions = publishedRevisions(library, caseId);
+  if (revisions.empty()) return held;
+  std::vector<std::pair<std::string, std::string>> sums;  // path and sum
+  for (const std::string& path : taken.paths)
+    if (auto sum = sha256Of(taken.folder / path)) sums.emplace_back(path, *std::move(sum));
+  for (const PublishedCase& each : revisions) {
+    const auto files = readSums(each.folder);
+    if (!files) continue;
+    std::vector<std::string> there;
+    for (const auto& [path, sum] : sums)
+      if (std::any_of(files->begin(), files->end(), [&, &sum = sum](const FileSum& file) { return file.sha256 == sum; }))
+        there.push_back(path);
+    if (!there.empty()) held.emplace_back(each.revision, std::move(there));
+  }
+  return held;
 }
 
 std::vector<WithdrawnFiles> withdrawnFilesOf(const fs::path& caseFolder) {
