@@ -91,6 +91,14 @@
         <source>Revision %1 of &apos;%2&apos;, which was published before, holds %3 all the same.</source>
         <translation>Revision %1 von „%2“, die vorher veröffentlicht wurde, enthält %3 weiterhin.</translation>
     </message>
+    <message>
+        <source>The published revision &apos;%1&apos; is damaged and is not handed on: %2</source>
+        <translation>Die veröffentlichte Revision „%1“ ist beschädigt und wird nicht weitergegeben: %2</translation>
+    </message>
+    <message>
+        <source>The published revision &apos;%1&apos; is damaged in %2 files and is not handed on. The first: %3</source>
+        <translation>Die veröffentlichte Revision „%1“ ist in %2 Dateien beschädigt und wird nicht weitergegeben. Die erste: %3</translation>
+    </message>
 </context>
 <context>
     <name>ew::Message</name>

@@ -102,6 +102,33 @@ TEST(PublishCase, DoesNotHandTheDamageOfARevisionOn) {
   EXPECT_EQ(filesOf(*verifyCase(one->folder)), std::vector<std::string>{"volumes/v.mha"});
 }
 
+TEST(PublishedRevision, ThatIsDamagedIsNotHandedOn) {
+  const TemporaryFolder folder;
+  makeVolumeCase(folder / "mine", "knee");
+  const auto one = publishCase(folder / "mine", folder / "library");
+  ASSERT_TRUE(one);
+  ASSERT_TRUE(exportBundle(one->folder, folder / "good.ewcase"));
+  std::string damaged = textOf(one->folder / "volumes/v.mha");
+  damaged.back() = static_cast<char>(damaged.back() ^ 1);
+  writeText(one->folder / "volumes/v.mha", damaged);
+  const auto exported = exportBundle(one->folder, folder / "bad.ewcase");
+  ASSERT_FALSE(exported);
+  EXPECT_EQ(exported.error().code, ErrorCode::badField);
+  EXPECT_EQ(exported.error().sentence().find("The published revision '"), 0u) << exported.error();
+  EXPECT_NE(exported.error().sentence().find(
+                "published/knee/1' is damaged and is not handed on: \"volumes/v.mha\" is not what was kept: its content has changed; put "
+                "the kept file back, or import or publish the case again."),
+            std::string::npos)
+      << exported.error();
+  EXPECT_FALSE(fs::exists(folder / "bad.ewcase"));
+  EXPECT_FALSE(publishCase(one->folder, folder / "another library"));
+  writeText(one->folder / "more.txt", "more");
+  const auto twice = exportBundle(one->folder, folder / "bad.ewcase");
+  ASSERT_FALSE(twice);
+  EXPECT_NE(twice.error().sentence().find("is damaged in 2 files and is not handed on. The first: \"volumes/v.mha\""), std::string::npos)
+      << twice.error();
+}
+
 TEST(PublishCase, OfACaseThatCannotBeOpenedLeavesTheLibraryAsItWas) {
   const TemporaryFolder folder;
   makeVolumeCase(folder / "mine", "knee");

@@ -40,7 +40,8 @@ struct BundleLimits : CaseFileLimits {
 /// and owners are not kept.
 /// @param file ends in .ewcase; replaced, if it is there, when the new one is complete
 /// @return what stands in bundle.json
-/// @error as loadCase and sumsOfCase; badUsage (ending; holdsExamination(file)), notWritable, cancelled (within 0.5 s)
+/// @error as loadCase and sumsOfCase; badField (a published revision that is not as its sums say), badUsage (ending;
+///        holdsExamination(file)), notWritable, cancelled (within 0.5 s)
 [[nodiscard]] Result<BundleHeader> exportBundle(const std::filesystem::path& caseFolder, const std::filesystem::path& file,
                                                 Progress& progress = noProgress());
 
