@@ -99,6 +99,10 @@
         <source>The published revision &apos;%1&apos; is damaged in %2 files and is not handed on. The first: %3</source>
         <translation>Die veröffentlichte Revision „%1“ ist in %2 Dateien beschädigt und wird nicht weitergegeben. Die erste: %3</translation>
     </message>
+    <message>
+        <source>It is an examination, which is published as it was made: what trainees may not read is sealed.</source>
+        <translation>Er ist eine Prüfung und wird veröffentlicht, wie sie gemacht wurde: Was Lernende nicht lesen dürfen, ist versiegelt.</translation>
+    </message>
 </context>
 <context>
     <name>ew::Message</name>

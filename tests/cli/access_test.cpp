@@ -172,6 +172,31 @@ TEST_F(AccessCommand, MakesAKeyAndAnExaminationForIt) {
   EXPECT_TRUE(openExamination(imported->folder, *key, folder_ / "again"));
 }
 
+TEST_F(AccessCommand, PublishesAndExportsAnImportedExaminationAsItIs) {
+  ASSERT_EQ(run({"key", "new", "--passphrase", folder_ / "words"}).status, 0);
+  ASSERT_EQ(run({"key", "show", "-o", folder_ / "anna.pub"}).status, 0);
+  ASSERT_EQ(run({"case", "export", caseFolder(), "-o", folder_ / "friday.ewcase", "--examination", "--for", folder_ / "anna.pub",
+                 "--examination-id", "friday"})
+                .status,
+            0);
+  ASSERT_EQ(run({"case", "import", folder_ / "friday.ewcase"}).status, 0);
+  const Outcome exported = run({"case", "export", "friday", "-o", folder_ / "again.ewcase"});
+  ASSERT_EQ(exported.status, 0) << exported.err;
+  EXPECT_NE(exported.out.find("An examination, as it was made: its answers stay sealed for the instructors whose keys it was made for."),
+            std::string::npos)
+      << exported.out;
+  EXPECT_EQ(exported.out.find("can read the answers"), std::string::npos) << exported.out;
+  const Outcome published = run({"case", "publish", "friday"});
+  ASSERT_EQ(published.status, 0) << published.err;
+  EXPECT_EQ(published.out.find("missing:"), std::string::npos) << published.out;
+  EXPECT_NE(published.out.find("An examination is published as it was made, and was published before, so nothing was done: friday, "
+                               "revision 1: "),
+            std::string::npos)
+      << published.out;
+  ASSERT_EQ(run({"case", "publish", "friday", "--library", folder_ / "another"}).status, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "another/published/friday/1/answers.sealed"));
+}
+
 TEST_F(AccessCommand, NeverWritesOverTheFileOfAnExamination) {
   ASSERT_EQ(run({"key", "new", "--passphrase", folder_ / "words"}).status, 0);
   ASSERT_EQ(run({"key", "show", "-o", folder_ / "anna.pub"}).status, 0);

@@ -106,7 +106,11 @@ void tellExport(const BundleHeader& header, const std::optional<Examination>& ex
   run.say("Exported " + header.id + (header.revision > 0 ? ", revision " + std::to_string(header.revision) : "") + " (" +
           sizeText(header.files) + ") to " + arguments.output + ".");
   if (!examination) {
-    if (arguments.isExamination) return;
+    const auto isSealed = [](const FileSum& each) { return each.path == kSealedName; };
+    if (std::any_of(header.files.begin(), header.files.end(), isSealed)) {
+      run.say("An examination, as it was made: its answers stay sealed for the instructors whose keys it was made for.");
+      return;
+    }
     run.say(
         "For practice: whoever opens the bundle can read the answers in its files. For an examination add --examination --for KEY.pub.");
     return;
@@ -219,7 +223,9 @@ Result<int> publish(const LibraryArguments& arguments, Run& run) {
   const auto folder = folderOfCase(arguments.chosen, run);
   if (!folder) return passOn(folder.error());
   if (auto kept = readsCase(*folder, run); !kept) return passOn(kept.error());
+  const char* nothing = "Nothing has changed since, and nothing was done:";
   if (const auto opened = loadCase(*folder)) {
+    if (opened->sealed) nothing = "An examination is published as it was made, and was published before, so nothing was done:";
     const auto list = [&] {
       const StepClock clock(run.report, "check");
       return publishingList(*opened, {.caseById = caseByIdFor(*opened)});
@@ -232,7 +238,7 @@ Result<int> publish(const LibraryArguments& arguments, Run& run) {
     return publishCase(*folder, libraryOf(arguments), run.progress);
   }();
   if (!published) return passOn(published.error());
-  tellPublished(*published, "Published", "Nothing has changed since, and nothing was done:", run);
+  tellPublished(*published, "Published", nothing, run);
   return kDone;
 }
 

@@ -156,6 +156,11 @@ void checkFiles(const Case& opened, CheckList& list) {
             "files");
 }
 
+/// What trainees may not read is sealed, so nobody can look for it here, and an examination is not edited.
+void sayExamination(CheckList& list) {
+  list.done(say<"It is an examination, which is published as it was made: what trainees may not read is sealed.">(), "sealed");
+}
+
 void addMissing(const Case& opened, const CaseById& caseById, CheckList& list) {
   checkTexts(opened, list);
   checkVolume(opened, list);
@@ -167,6 +172,10 @@ void addMissing(const Case& opened, const CaseById& caseById, CheckList& list) {
 
 Result<std::vector<CheckItem>> publishingList(const Case& opened, const CheckSources& sources, Progress& progress) {
   CheckList list;
+  if (opened.sealed) {
+    sayExamination(list);
+    return std::move(list.items);
+  }
   addMissing(opened, sources.caseById, list);
   CheckSources complete = sources;
   if (!complete.skin)
@@ -180,6 +189,7 @@ Result<std::vector<CheckItem>> publishingList(const Case& opened, const CheckSou
 }
 
 std::vector<CheckItem> missingForPublishing(const Case& opened, const CaseById& caseById) {
+  if (opened.sealed) return {};
   CheckList list;
   addMissing(opened, caseById, list);
   std::erase_if(list.items, [](const CheckItem& each) { return each.state != State::missing; });

@@ -18,7 +18,8 @@ struct CheckItem {
   enum class State { missing, warning, done };
   Message what;  ///< a sentence: what is there, or what to do
   State state = State::done;
-  /// Of case.json, to which a click leads: "indication", "volume.file", "targets[2]", "parts.lessons". "files": the files of its folder
+  /// Of case.json, to which a click leads: "indication", "volume.file", "targets[2]", "parts.lessons". "files": the files of its folder;
+  /// "sealed": an examination
   std::string field;
   bool operator==(const CheckItem&) const = default;
 };
@@ -31,7 +32,7 @@ struct CheckSources {
 };
 
 /// What a case has and lacks before it can be handed to trainees, in the order of the form; lines that need a volume or a skin that
-/// cannot be read say so. Reads the volume's file.
+/// cannot be read say so. Reads the volume's file. Of an examination one line: that it is published as it was made.
 /// @param opened with its folder
 /// @error cancelled
 [[nodiscard]] Result<std::vector<CheckItem>> publishingList(const Case& opened, const CheckSources& sources = {},
