@@ -103,6 +103,14 @@
         <source>It is an examination, which is published as it was made: what trainees may not read is sealed.</source>
         <translation>Er ist eine Prüfung und wird veröffentlicht, wie sie gemacht wurde: Was Lernende nicht lesen dürfen, ist versiegelt.</translation>
     </message>
+    <message>
+        <source>The archive %1 at %2 port %3 cannot be reached (%4); check its host, its port and the network.</source>
+        <translation>Das Archiv %1 auf %2, Port %3, ist nicht zu erreichen (%4); Rechner, Port und Netz prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 has bytes behind its data set, or lacks the mark that ends its pixels; its images are read here, but archives take whole DICOM objects only: export it anew from the program that wrote it.</source>
+        <translation>%1 hat Bytes hinter seinem Datensatz, oder die Marke am Ende seiner Bildpunkte fehlt; seine Bilder werden hier gelesen, aber Archive nehmen nur ganze DICOM-Objekte: aus dem Programm, das die Datei schrieb, neu exportieren.</translation>
+    </message>
 </context>
 <context>
     <name>ew::Message</name>

@@ -87,6 +87,33 @@ TEST_F(SendCommand, KeepsWhatNoArchiveTookAndTakesNothingTwice) {
   EXPECT_NE(send({"--archive", "a title that is far too long"}).status, 0);
 }
 
+TEST_F(SendCommand, SaysThatAnArchiveCannotBeReachedAndCountsNothing) {
+  ASSERT_EQ(report("r.dcm").status, 0);
+  const auto outcome = send({folder_ / "r.dcm"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("The archive NOBODY at 127.0.0.1 port 1 cannot be reached (Connection refused); check its host, its port and "
+                             "the network."),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(outcome.out.find("The archive has"), std::string::npos) << outcome.out;
+}
+
+TEST_F(SendCommand, SaysThatBytesLieBehindTheDataSet) {
+  ASSERT_TRUE(writeVolume(*waves(), folder_ / "v.mha"));
+  ScanRecording recording;
+  recording.size_px = {160, 120};
+  for (int n = 0; n < 3; ++n) recording.log.addFrame(movingState(n));
+  ASSERT_TRUE(writeRecording(recording, folder_ / "r.seq.mha"));
+  ASSERT_EQ(run({"replay", folder_ / "v.mha", "--scan", folder_ / "r.seq.mha", "-o", folder_ / "clip.dcm", "--quiet"}).status, 0);
+  writeText(folder_ / "tail.dcm", readText(folder_ / "clip.dcm") + "\r\n");
+  const auto outcome = send({folder_ / "tail.dcm"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("tail.dcm\" has bytes behind its data set, or lacks the mark that ends its pixels; its images are read here, "
+                             "but archives take whole DICOM objects only: export it anew from the program that wrote it."),
+            std::string::npos)
+      << outcome.err;
+}
+
 TEST_F(SendCommand, SaysThatNothingWasWaiting) {
   const auto outcome = send({});
   EXPECT_EQ(outcome.status, 0) << outcome.err;

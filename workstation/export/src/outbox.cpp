@@ -12,6 +12,7 @@
 
 #include "dicom_elements.h"
 #include "ew/core/foreign_json.h"
+#include "ew/io/dicom.h"
 #include "ew/io/file_lock.h"
 #include "ew/io/private_file.h"
 #include "ew/io/safe_file.h"
@@ -34,15 +35,25 @@ std::string textIn(DcmItem& item, const DcmTagKey& tag) {
   return text.c_str();
 }
 
+/// Why a file that DCMTK does not take cannot be sent. The reader of images passes more over than an archive does.
+tl::unexpected<Error> notSendable(const fs::path& file, const std::string& why) {
+  const auto images = inspectDicom(file);
+  if (images)
+    return failure(ErrorCode::badHeader,
+                   say<"%1 has bytes behind its data set, or lacks the mark that ends its pixels; its images are read here, but archives "
+                       "take whole DICOM objects only: export it anew from the program that wrote it.">(quoted(file)));
+  if (images.error().code == ErrorCode::badHeader || images.error().code == ErrorCode::truncated) return passOn(images.error());
+  return failure(ErrorCode::badHeader,
+                 say<"%1 is no DICOM file that can be read (%2); only such files can be sent.">(quoted(file), verbatim(why)));
+}
+
 /// The identifiers of an object; pixels stay on the disk.
 Result<OutboxEntry> entryOf(const fs::path& file) {
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return failure(ErrorCode::notFound, say<"%1 is not there; check the name.">(quoted(file)));
   quietDcmtk();
   DcmFileFormat dicom;
-  if (const auto read = dicom.loadFile(file.c_str()); read.bad())
-    return failure(ErrorCode::badHeader,
-                   say<"%1 is no DICOM file that can be read (%2); only such files can be sent.">(quoted(file), verbatim(read.text())));
+  if (const auto read = dicom.loadFile(file.c_str()); read.bad()) return notSendable(file, read.text());
   DcmItem& data = *dicom.getDataset();
   OutboxEntry entry;
   entry.object = {textIn(data, DCM_SOPClassUID), textIn(data, DCM_SOPInstanceUID)};

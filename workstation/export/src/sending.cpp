@@ -55,6 +55,10 @@ Result<void> check(const DicomArchive& archive) {
 Message doesNotAnswer(const DicomArchive& archive, const std::string& why) {
   return say<"The archive %1 at %2 port %3 does not answer as it should (%4).">(archive.aeTitle, archive.host, archive.port, verbatim(why));
 }
+Message cannotBeReached(const DicomArchive& archive, const std::string& why) {
+  return say<"The archive %1 at %2 port %3 cannot be reached (%4); check its host, its port and the network.">(
+      archive.aeTitle, archive.host, archive.port, verbatim(why));
+}
 tl::unexpected<Error> stoppedAsAsked() {
   return failure(ErrorCode::cancelled, say<"Stopped as asked; what was not sent yet stays in the outbox.">());
 }
@@ -80,13 +84,14 @@ class Association {
   }
 
   DcmSCU& scu() { return scu_; }
-  /// @return empty, or why it could not be made
-  [[nodiscard]] std::string open() {
-    if (std::string why = whyNotReached(archive_.host, archive_.port, timeout_s_, progress_); !why.empty()) return why;
+  /// @return empty, or why it could not be made, a sentence
+  [[nodiscard]] Message open() {
+    if (const std::string why = whyNotReached(archive_.host, archive_.port, timeout_s_, progress_); !why.empty())
+      return cannotBeReached(archive_, why);
     OFCondition status = scu_.initNetwork();
     if (status.good()) status = scu_.useSecureConnection(&layer_);  // plain TCP all the same: the layer decides
     if (status.good()) status = scu_.negotiateAssociation();
-    return status.good() ? std::string() : std::string(status.text());
+    return status.good() ? Message() : doesNotAnswer(archive_, status.text());
   }
 
  private:
@@ -146,9 +151,9 @@ class Round {
                     : static_cast<double>(outbox_.count(OutboxStatus::verified) + outbox_.count(OutboxStatus::accepted)) /
                           static_cast<double>(all);
   }
-  void fails(const std::string& why) {
+  void fails(Message why) {
     isBroken_ = true;
-    result_.problem = doesNotAnswer(archive_, why);
+    result_.problem = std::move(why);
   }
   /// Offers the class of every object that is not done, so that an archive that takes no questions has something to agree to each time;
   /// each in the default transfer syntax too, which every archive has to take (PS3.5, 10.1).
@@ -167,9 +172,10 @@ class Round {
       for (const char* each : kPlainSyntaxes) offer(entry.object.classUid, each);
     }
     for (const char* each : kPlainSyntaxes) offer(kFindClass, each);
-    const std::string why = association_.open();
-    if (!why.empty()) fails(why);
-    return why.empty();
+    Message why = association_.open();
+    if (why.empty()) return true;
+    fails(std::move(why));
+    return false;
   }
   /// What the archive agreed to; 0: to none.
   T_ASC_PresentationContextID contextFor(const std::string& classUid, const std::string& syntax) {
@@ -201,7 +207,7 @@ class Round {
     Uint16 answer = 0xC000;
     status = scu_.sendSTORERequest(context, OFFilename(), file.getDataset(), answer);
     if (status.bad()) {
-      fails(status.text());
+      fails(doesNotAnswer(archive_, status.text()));
       entry.problem = status.text();
       return outbox_.keep(entry);
     }
@@ -248,7 +254,7 @@ class Round {
     }
     if (isRefused) return accept(entry);
     if (status.bad()) {
-      fails(status.text());
+      fails(doesNotAnswer(archive_, status.text()));
       // Some archives know no other way to refuse a question than to end the connection; one may have been going down.
       if (status == DUL_PEERABORTEDASSOCIATION || status == DUL_PEERREQUESTEDRELEASE) ++abortedQuestions_;
       return {};
@@ -324,11 +330,11 @@ Result<void> askArchive(const DicomArchive& archive, const Progress& progress) {
   syntaxes.push_back(UID_LittleEndianExplicitTransferSyntax);
   syntaxes.push_back(UID_LittleEndianImplicitTransferSyntax);
   scu.addPresentationContext(UID_VerificationSOPClass, syntaxes);
-  std::string why = association.open();
+  Message why = association.open();
   if (why.empty())
-    if (const OFCondition status = scu.sendECHORequest(0); status.bad()) why = status.text();
+    if (const OFCondition status = scu.sendECHORequest(0); status.bad()) why = doesNotAnswer(archive, status.text());
   if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Stopped as asked.">());
-  if (!why.empty()) return failure(ErrorCode::notReadable, doesNotAnswer(archive, why));
+  if (!why.empty()) return failure(ErrorCode::notReadable, std::move(why));
   scu.releaseAssociation();
   return {};
 }

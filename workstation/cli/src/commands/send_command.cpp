@@ -61,7 +61,7 @@ Result<int> send(const SendArguments& arguments, Run& run) {
             "; it cannot be asked what it has, so this counts as delivered.");
   if (sent->rounds == 0)
     run.say("Nothing was waiting in the outbox, so nothing was sent.");
-  else if (sent->verified > 0 || sent->accepted == 0)
+  else if (sent->verified > 0)
     run.say("The archive has " + counted(sent->verified, "object") + " now.");
   const std::size_t refused = outbox->count(OutboxStatus::refused);
   if (sent->left == 0 && refused == 0) return kDone;

@@ -48,7 +48,8 @@ class Outbox {
   Outbox& operator=(Outbox&&) noexcept;
 
   /// Takes a copy of a DICOM file. @return false when the object is here already or was sent before
-  /// @error notFound, notReadable, badHeader (no DICOM object with its identifiers), notWritable, what unreadable() says of its note
+  /// @error notFound, notReadable, badHeader (no DICOM object with its identifiers, or bytes behind it), truncated, notWritable, what
+  /// unreadable() says of its note
   [[nodiscard]] Result<bool> add(const std::filesystem::path& file);
   /// By identifier.
   [[nodiscard]] const std::vector<OutboxEntry>& entries() const;
