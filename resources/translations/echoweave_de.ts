@@ -111,6 +111,10 @@
         <source>%1 has bytes behind its data set, or lacks the mark that ends its pixels; its images are read here, but archives take whole DICOM objects only: export it anew from the program that wrote it.</source>
         <translation>%1 hat Bytes hinter seinem Datensatz, oder die Marke am Ende seiner Bildpunkte fehlt; seine Bilder werden hier gelesen, aber Archive nehmen nur ganze DICOM-Objekte: aus dem Programm, das die Datei schrieb, neu exportieren.</translation>
     </message>
+    <message>
+        <source>Another program has just made the folder &quot;%1&quot;; choose another name.</source>
+        <translation>Ein anderes Programm hat gerade den Ordner „%1“ angelegt; einen anderen Namen wählen.</translation>
+    </message>
 </context>
 <context>
     <name>ew::Message</name>

@@ -156,6 +156,7 @@ TEST(CaseNew, OfNothingOrATemplateWaitsForItsVolumeAndIsNotPublished) {
   const auto made = run({"case", "new", "-o", folder / "later", "--template", "thyroid-and-neck"});
   ASSERT_EQ(made.status, 0) << made.err;
   EXPECT_NE(made.out.find("no volume yet"), std::string::npos) << made.out;
+  EXPECT_NE(made.err.find("Making the case needs less than 1 MiB of memory and less than 1 MiB on disk."), std::string::npos) << made.err;
   EXPECT_EQ(readJson(folder / "later/case.json")["mannequin"], "neck-extended.json");
   EXPECT_EQ(run({"case", "validate", folder / "later"}).status, 0);
   const auto published = run({"case", "publish", folder / "later", "--library", folder / "library"});

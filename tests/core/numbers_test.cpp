@@ -5,6 +5,7 @@
 
 #include <clocale>
 #include <cmath>
+#include <limits>
 
 namespace ew::numbers_test {
 namespace {
@@ -32,6 +33,17 @@ TEST(Numbers, DoNotDependOnTheLocale) {
   EXPECT_EQ(textOf(1.5), "1.5");
   std::setlocale(LC_ALL, before.c_str());
 }
+
+TEST(Numbers, OfFloatsAreTheDecimalsTheyWereWrittenFor) {
+  EXPECT_EQ(decimalOf(0.0005f), 0.0005);
+  EXPECT_EQ(decimalOf(-0.3f), -0.3);
+  EXPECT_EQ(decimalOf(16777216.0f), 16777216.0);
+  EXPECT_EQ(decimalOf(0.0f), 0.0);
+  EXPECT_TRUE(std::isnan(decimalOf(std::numeric_limits<float>::quiet_NaN())));
+  EXPECT_EQ(decimalOf(-std::numeric_limits<float>::infinity()), -std::numeric_limits<double>::infinity());
+}
+
+RC_GTEST_PROP(Numbers, OfFloatsReadBackAsTheSameFloat, (float value)) { RC_ASSERT(static_cast<float>(decimalOf(value)) == value); }
 
 RC_GTEST_PROP(Numbers, SurviveTheRoundTripThroughText, (double value)) {
   RC_PRE(std::isfinite(value));

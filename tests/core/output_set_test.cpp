@@ -276,7 +276,12 @@ TEST(OutputSet, AWholeFolderTakesThePlaceOfNothingOrOfAnEmptyOne) {
     EXPECT_EQ(codeOf(outputs.announceNewFolder(folder / "full")), ErrorCode::notWritable);
     if (inTheWay) fs::create_directory(folder / "empty" / "in the way");
     if (committed) {
-      EXPECT_EQ(outputs.commit().has_value(), !inTheWay);
+      const auto put = outputs.commit();
+      EXPECT_EQ(put.has_value(), !inTheWay);
+      if (!put) {
+        EXPECT_EQ(put.error().sentence(),
+                  "Another program has just made the folder \"" + (folder / "empty").string() + "\"; choose another name.");
+      }
     }
   };
   make(false, false);

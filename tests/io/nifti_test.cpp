@@ -137,6 +137,23 @@ TEST(NiftiVolume, ACodeOfNoUnitLeavesTheSpacingUnknown) {
   }
 }
 
+TEST(NiftiVolume, LengthsAreTheDecimalsThatWereMeant) {
+  const TempFolder folder;
+  Header1 metres({2, 2, 2});
+  metres.set<std::uint8_t>(123, 1);
+  metres.affine({0.0005f, 0, 0, 0.01f, 0, 0.0005f, 0, 0.02f, 0, 0, 0.0003f, 0.03f});
+  const auto read = readVolume(folder.put("m.nii", metres.bytes + ramp(8)));
+  ASSERT_TRUE(succeeded(read));
+  EXPECT_EQ(read->volume.grid.spacing_mm.x, 0.5);
+  EXPECT_EQ(read->volume.grid.spacing_mm.y, 0.5);
+  EXPECT_DOUBLE_EQ(read->volume.grid.spacing_mm.z, 0.3);
+  Header1 bare({2, 2, 2});
+  for (std::size_t axis = 0; axis < 3; ++axis) bare.set<float>(80 + 4 * axis, 0.3f);
+  const auto sizes = readVolume(folder.put("b.nii", bare.bytes + ramp(8)));
+  ASSERT_TRUE(succeeded(sizes));
+  EXPECT_EQ(sizes->volume.grid.spacing_mm, glm::dvec3(0.3));
+}
+
 TEST(NiftiVolume, TheSecondVersionIsReadToo) {
   const TempFolder folder;
   std::string bytes(544, '\0');

@@ -58,6 +58,14 @@ std::string textOf(double value) {
   return error == std::errc{} ? std::string(buffer.data(), end) : std::string("nan");
 }
 
+double decimalOf(float value) {
+  std::array<char, 32> buffer{};
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  double decimal = static_cast<double>(value);
+  if (error == std::errc{} && std::isfinite(value)) std::from_chars(buffer.data(), end, decimal);
+  return decimal;
+}
+
 double factorGiving(double product, double factor) {
   const double middle = product / factor;
   double below = middle, above = middle;

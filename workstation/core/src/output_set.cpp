@@ -349,6 +349,11 @@ Result<void> OutputSet::putInPlace(Output& output) {
     number = ::rename(output.staged.c_str(), output.target.c_str()) == 0 ? 0 : errno;
   else
     number = renameToFreeName(output.staged, output.target);
+  // A folder takes the place of an empty one alone: it is full now.
+  const bool isFull = output.isFolder && (number == ENOTEMPTY || number == EEXIST);
+  if (isFull)
+    return failure(ErrorCode::notWritable, say<"Another program has just made the folder \"%1\"; choose another name.">(output.given),
+                   {{"file", output.given.string()}});
   if (number == EEXIST) return isSomebodyElses(output.given);
   if (number != 0) return notWritable(output.given, number);
   output.inPlace = true;

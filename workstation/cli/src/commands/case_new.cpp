@@ -212,6 +212,14 @@ Result<int> listAll(Run& run) {
   return kDone;
 }
 
+constexpr std::uint64_t kMebibyte = 1ull << 20;
+Message aboutMebibytes(std::uint64_t bytes) {
+  return bytes < kMebibyte ? say<"less than 1 MiB">() : say<"about %1 MiB">(bytes / kMebibyte);
+}
+Message mostMebibytes(std::uint64_t bytes) {
+  return bytes < kMebibyte ? say<"less than 1 MiB">() : say<"at most %1 MiB">((bytes + kMebibyte - 1) / kMebibyte);
+}
+
 Result<int> makeNew(const NewCaseArguments& arguments, Run& run) {
   if (arguments.isListing) return listAll(run);
   if (arguments.output.empty()) return failure(ErrorCode::badUsage, say<"Say where the case is to be made, with -o DIR.">());
@@ -226,7 +234,7 @@ Result<int> makeNew(const NewCaseArguments& arguments, Run& run) {
     return planCase(*wanted, planning);
   }();
   if (!plan) return withOwnOption(plan.error());
-  run.remark(say<"Making the case needs about %1 MiB of memory and at most %2 MiB on disk.">(plan->bytes >> 20, plan->disk_bytes >> 20));
+  run.remark(say<"Making the case needs %1 of memory and %2 on disk.">(aboutMebibytes(plan->bytes), mostMebibytes(plan->disk_bytes)));
   run.report.options = {{"template", arguments.templateId}, {"region", arguments.region}, {"mannequin", arguments.mannequin}};
   const auto spacing_mm = spacingGiven(arguments);
   if (!spacing_mm) return passOn(spacing_mm.error());

@@ -58,11 +58,12 @@ struct Nifti {
   double timeOffset = 0.0;
 };
 
+/// Sizes and places are lengths that somebody gave in decimals.
 Nifti parse1(const Binary& in) {
   Nifti nifti;
   for (std::size_t i = 0; i < 8; ++i) {
     nifti.dim[i] = in.at<std::int16_t>(40 + 2 * i);
-    nifti.pixdim[i] = static_cast<double>(in.at<float>(76 + 4 * i));
+    nifti.pixdim[i] = decimalOf(in.at<float>(76 + 4 * i));
   }
   nifti.dataType = in.at<std::int16_t>(70);
   nifti.voxelOffset = static_cast<double>(in.at<float>(108));
@@ -77,8 +78,8 @@ Nifti parse1(const Binary& in) {
   nifti.sformCode = in.at<std::int16_t>(254);
   for (std::size_t i = 0; i < 3; ++i) {
     nifti.quaternion[i] = static_cast<double>(in.at<float>(256 + 4 * i));
-    nifti.offset[i] = static_cast<double>(in.at<float>(268 + 4 * i));
-    for (std::size_t j = 0; j < 4; ++j) nifti.rows[i][j] = static_cast<double>(in.at<float>(280 + 16 * i + 4 * j));
+    nifti.offset[i] = decimalOf(in.at<float>(268 + 4 * i));
+    for (std::size_t j = 0; j < 4; ++j) nifti.rows[i][j] = decimalOf(in.at<float>(280 + 16 * i + 4 * j));
   }
   return nifti;
 }

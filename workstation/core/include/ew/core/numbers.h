@@ -19,6 +19,10 @@ namespace ew {
 /// The shortest text that parses back to the same double, in the C locale.
 [[nodiscard]] std::string textOf(double value);
 
+/// The decimal number that a float was written for, as a double: 0.0005 of the float beside it, not 0.0005000000237487257. Read back as a
+/// float it is the same.
+[[nodiscard]] double decimalOf(float value);
+
 /// The number that times `factor` gives exactly `product`, if there is one close by, else the quotient: an angle that was read in degrees
 /// is written as the degrees that give it again.
 [[nodiscard]] double factorGiving(double product, double factor);
