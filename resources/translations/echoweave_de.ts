@@ -115,6 +115,26 @@
         <source>Another program has just made the folder &quot;%1&quot;; choose another name.</source>
         <translation>Ein anderes Programm hat gerade den Ordner „%1“ angelegt; einen anderen Namen wählen.</translation>
     </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>The DICOM stills of %1 lie %2 mm apart; missing between them, and made up of those next to them: %3. Get the missing files, or accept that.</source>
+        <translation>Die DICOM-Einzelbilder von %1 liegen %2 mm auseinander; dazwischen fehlen und würden aus ihren Nachbarn erfunden: %3. Die fehlenden Dateien besorgen, oder das hinnehmen.</translation>
+    </message>
+    <message>
+        <source>The DICOM stills of %1 lie %2 mm apart; missing between them, and made up of those next to them: %3. Get the files anew that hold no DICOM data (%4), or accept that.</source>
+        <translation>Die DICOM-Einzelbilder von %1 liegen %2 mm auseinander; dazwischen fehlen und würden aus ihren Nachbarn erfunden: %3. Die Dateien neu besorgen, die keine DICOM-Daten enthalten (%4), oder das hinnehmen.</translation>
+    </message>
+    <message>
+        <source>Left out of %1, because they hold no DICOM data: %2.</source>
+        <translation>Aus %1 ausgelassen, weil sie keine DICOM-Daten enthalten: %2.</translation>
+    </message>
+    <message>
+        <source>The spacing that was given is not used: the stills say where they lie and how large their pixels are.</source>
+        <translation>Der angegebene Abstand wird nicht verwendet: Die Einzelbilder sagen, wo sie liegen und wie groß ihre Bildpunkte sind.</translation>
+    </message>
 </context>
 <context>
     <name>ew::Message</name>

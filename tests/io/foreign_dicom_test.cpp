@@ -592,6 +592,34 @@ TEST(DicomStack, StillsAreJoinedByTheirPositionsWhateverTheirNames) {
   EXPECT_FALSE(contains(read->notes, "is not used")) << "spacing, position and orientation are";
 }
 
+TEST(DicomStack, AStillThatIsMissingIsNotMadeUpUnasked) {
+  const TempFolder folder;
+  for (const int z : {1, 2, 4, 5}) static_cast<void>(folder.put("i" + std::to_string(z) + ".dcm", stillAt(z, 10 * z)));
+  const std::string name = "\"" + folder.path().filename().string() + "\"";
+  const auto unnamed = readDicomStack(folder.path());
+  EXPECT_TRUE(failedWith(unnamed, ErrorCode::unsupported));
+  EXPECT_TRUE(says(
+      unnamed, "The DICOM stills of " + name +
+                   " lie 1 mm apart; missing between them, and made up of those next to them: 1. Get the missing files, or accept that."));
+  for (const std::string& broken : {std::string(), std::string(100, '\0')}) {
+    static_cast<void>(folder.put("i3.dcm", broken));
+    const auto refused = readDicomStack(folder.path());
+    EXPECT_TRUE(says(refused, "Get the files anew that hold no DICOM data (\"i3.dcm\"), or accept that."));
+    DicomStackOptions accepted;
+    accepted.acceptsSmall = true;
+    const auto made = readDicomStack(folder.path(), accepted);
+    ASSERT_TRUE(succeeded(made));
+    EXPECT_EQ(made->volume.grid.dims.z, 5);
+    EXPECT_TRUE(contains(made->notes, "Left out of " + name + ", because they hold no DICOM data: \"i3.dcm\"."));
+  }
+  static_cast<void>(folder.put("i3.dcm", stillAt(3, 30)));
+  static_cast<void>(folder.put("empty", ""));
+  static_cast<void>(folder.put("notes.txt", "no picture"));
+  const auto whole = readDicomStack(folder.path());
+  ASSERT_TRUE(succeeded(whole)) << "at an end, or beside it, nothing is missed";
+  EXPECT_TRUE(contains(whole->notes, "because they hold no DICOM data: \"empty\"."));
+}
+
 TEST(DicomStack, WhatIsNoVolumeIsSaid) {
   const auto joined = [](std::initializer_list<std::string> stills) {
     const TempFolder folder;

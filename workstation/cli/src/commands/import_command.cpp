@@ -206,7 +206,8 @@ void addImport(CLI::App& root, Selection& selection) {
       ->type_name("DIMS:TYPE:SPACING[:OFFSET]");
   app.add_flag("--mirrored", arguments->mirrored, "Turn the elevational axis of a Kretz volume over");
   app.add_flag("--accept-small", arguments->acceptsSmall,
-               "Import also when less than a tenth of each picture is kept, or when the size of a voxel can hardly be meant");
+               "Import also when less than a tenth of each picture is kept, DICOM stills are missing between others, or the size of a "
+               "voxel can hardly be meant");
   app.add_flag("--planes", arguments->asSequence, "Write the planes of an Enhanced US Volume as a sequence with their poses");
 }
 

@@ -9,6 +9,7 @@
 #include "dicom/dicom_fields.h"
 #include "dicom/plane_stack.h"
 #include "dicom/stack_picture.h"
+#include "ew/core/ending.h"
 #include "ew/core/numbers.h"
 #include "files/grey_samples.h"
 #include "files/image_header.h"
@@ -55,6 +56,53 @@ std::optional<VolumePlane> planeOf(const DicomItem& data, const glm::dvec2& pixe
   plane.across_mm = glm::normalize(across) * pixel_mm.x;
   plane.down_mm = glm::normalize(down) * pixel_mm.y;
   return plane;
+}
+
+/// Files of a folder that seem to be stills by their names, or hold nothing at all, and are none: a copy that broke off leaves such.
+std::vector<fs::path> brokenStillsIn(const fs::path& folder, const std::vector<fs::path>& stills) {
+  std::set<std::string> endings;
+  for (const fs::path& each : stills) endings.insert(endingOf(each));
+  std::vector<fs::path> broken;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const fs::path& file = entry.path();
+    if (!entry.is_regular_file(ignored) || file.filename().string().starts_with('.')) continue;
+    const bool seemsStill = fs::file_size(file, ignored) == 0 || endings.contains(endingOf(file));
+    if (seemsStill && !isDicom(file)) broken.push_back(file);
+  }
+  std::sort(broken.begin(), broken.end());
+  return broken;
+}
+
+/// The names of files; of many the first ones.
+Message namesOf(const std::vector<fs::path>& files) {
+  constexpr std::size_t kMost = 5;
+  std::vector<Message> names;
+  for (std::size_t n = 0; n < std::min(files.size(), kMost); ++n) names.push_back(quoted(files[n]));
+  if (files.size() > kMost) names.push_back(say<"and %1 more">(files.size() - kMost));
+  return joined(names, ", ");
+}
+
+/// That no still is missing between others that lie evenly: its image would be made up of those next to it.
+Result<void> checkNoGap(const PlaneStack& stack, const std::vector<fs::path>& broken, const fs::path& folder) {
+  double closest_mm = stack.along_mm.back();
+  for (std::size_t n = 1; n < stack.along_mm.size(); ++n) closest_mm = std::min(closest_mm, stack.along_mm[n] - stack.along_mm[n - 1]);
+  long missing = 0;
+  for (std::size_t n = 1; n < stack.along_mm.size(); ++n) {
+    const double steps = (stack.along_mm[n] - stack.along_mm[n - 1]) / closest_mm;
+    if (std::abs(steps - std::round(steps)) > 0.02 * steps) return {};  // uneven throughout: no still is missed
+    missing += std::lround(steps) - 1;
+  }
+  if (missing == 0) return {};
+  const auto ask = [&](Message sentence) {
+    return failure(ErrorCode::unsupported, std::move(sentence), {{"file", folder.string()}, {"ask", "accept-small"}});
+  };
+  const double apart_mm = std::round(closest_mm * 1000.0) / 1000.0;
+  if (broken.empty())
+    return ask(say<"The DICOM stills of %1 lie %2 mm apart; missing between them, and made up of those next to them: %3. Get the missing "
+                   "files, or accept that.">(quoted(folder), textOf(apart_mm), missing));
+  return ask(say<"The DICOM stills of %1 lie %2 mm apart; missing between them, and made up of those next to them: %3. Get the files anew "
+                 "that hold no DICOM data (%4), or accept that.">(quoted(folder), textOf(apart_mm), missing, namesOf(broken)));
 }
 
 /// Takes one still into what is known of all.
@@ -202,6 +250,10 @@ Result<StackVolume> readDicomStack(const fs::path& folder, const DicomStackOptio
                         say<"The DICOM stills of %1 do not lie parallel and in line, so that they are no volume; import them one by "
                             "one.">(quoted(folder)));
   if (!stack) return passOn(stack.error());
+  const std::vector<fs::path> broken = brokenStillsIn(folder, stills->files);
+  if (!options.acceptsSmall)
+    if (auto whole = checkNoGap(*stack, broken, folder); !whole) return passOn(whole.error());
+  if (!broken.empty()) made.notes.push_back(say<"Left out of %1, because they hold no DICOM data: %2.">(quoted(folder), namesOf(broken)));
   if (stack->grid.voxelCount() > limits.maxBytes)
     return failure(ErrorCode::tooLarge,
                    say<"The pictures would need %1 bytes of memory, but the limit is %2; take fewer or smaller ones.">(
@@ -238,6 +290,7 @@ Result<DicomStackPicture> readFirstOfDicomStack(const fs::path& folder, Progress
   DicomStackOptions all;
   all.colour = ColourRule::keepGrey;
   all.keepText = true;
+  all.acceptsSmall = true;
   auto whole = readDicomStack(folder, all, progress, limits);
   if (!whole) return passOn(whole.error());
   DicomStackPicture first;

@@ -121,6 +121,15 @@ Result<ImportedFile> fromParts(Result<Read> read) {
   return made;
 }
 
+Result<ImportedFile> fromStills(const fs::path& folder, const ImportAnswers& answers, Progress& progress, const ReadLimits& limits) {
+  auto made = fromParts(readDicomStack(
+      folder, {.colour = answers.colour, .blank = answers.blank, .keepText = answers.keepText, .acceptsSmall = answers.acceptsSmall},
+      progress, limits));
+  if (made && answers.spacing_mm)
+    made->notes.push_back(say<"The spacing that was given is not used: the stills say where they lie and how large their pixels are.">());
+  return made;
+}
+
 Result<ImportedFile> read(FileKind kind, const fs::path& file, const ImportAnswers& answers, Progress& progress, const ReadLimits& limits) {
   switch (kind) {
     case FileKind::volume:
@@ -142,8 +151,7 @@ Result<ImportedFile> read(FileKind kind, const fs::path& file, const ImportAnswe
                                      .acceptsSmall = answers.acceptsSmall},
                                     progress, limits));
     case FileKind::dicomStack:
-      return fromParts(
-          readDicomStack(file, {.colour = answers.colour, .blank = answers.blank, .keepText = answers.keepText}, progress, limits));
+      return fromStills(file, answers, progress, limits);
     case FileKind::dicomVolume:
       if (answers.asSequence) return fromCine(readDicomPlanes(file, {.timeStep = answers.timeStep}, progress, limits));
       return fromParts(readDicomVolume(file, {.timeStep = answers.timeStep}, progress, limits));

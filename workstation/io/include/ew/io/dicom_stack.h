@@ -16,13 +16,16 @@ struct DicomStackOptions {
   ColourRule colour = ColourRule::ask;
   std::vector<PixelRect> blank;
   bool keepText = false;
+  bool acceptsSmall = false;  ///< a volume is made also when stills are missing between others that lie evenly
 };
 
 /// Reads a volume that is stored as one still a slice: joined by Image Position and Orientation (Patient) into the patient's mm (LPS),
-/// whatever the names of the files. Levels deeper than 8 bits are mapped alike in all stills.
+/// whatever the names of the files. Files that seem to be stills and hold no DICOM data are named in a note. Levels deeper than 8 bits are
+/// mapped alike in all stills.
 /// @error notFound, unsupported (a cine among them, stills of several series, stills that do not say where they lie, planes that are no
 /// regular
-///        grid, coloured or with burned-in text and not told what to do: asked), badField, tooLarge, and as readDicomCine of one file
+///        grid, coloured or with burned-in text and not told what to do: asked; stills are missing: "ask": "accept-small"), badField,
+///        tooLarge, and as readDicomCine of one file
 [[nodiscard]] Result<StackVolume> readDicomStack(const std::filesystem::path& folder, const DicomStackOptions& options = {},
                                                  Progress& progress = noProgress(), const ReadLimits& limits = {});
 

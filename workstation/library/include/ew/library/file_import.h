@@ -47,8 +47,8 @@ struct ImportAnswers {
   std::optional<int> timeStep;   ///< from 1
   std::optional<RawLayout> raw;  ///< then the file is read as raw samples, whatever it is
   bool mirrored = false;         ///< Kretz: the elevational axis turned over
-  bool acceptsSmall = false;     ///< a result with less than a tenth of the pixels is taken (KeptShare), or voxels of any size
-  bool asSequence = false;       ///< an Enhanced US Volume as planes with poses instead of a volume
+  bool acceptsSmall = false;  ///< a result with less than a tenth of the pixels is taken (KeptShare), stills with gaps, voxels of any size
+  bool asSequence = false;    ///< an Enhanced US Volume as planes with poses instead of a volume
 };
 
 struct ImportedFile {
