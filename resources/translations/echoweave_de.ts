@@ -135,6 +135,18 @@
         <source>The spacing that was given is not used: the stills say where they lie and how large their pixels are.</source>
         <translation>Der angegebene Abstand wird nicht verwendet: Die Einzelbilder sagen, wo sie liegen und wie groß ihre Bildpunkte sind.</translation>
     </message>
+    <message>
+        <source>By %1 the frames are %2 ms apart, which is hardly meant; is it given in the unit that DICOM has for it?</source>
+        <translation>Nach %1 liegen die Bilder %2 ms auseinander, was kaum gemeint ist; steht es in der Einheit, die DICOM dafür hat?</translation>
+    </message>
+    <message>
+        <source>%1 gives %2 units (%3) for %4 axes, so that the sizes are not known; give the spacing in mm.</source>
+        <translation>%1 gibt %2 Einheiten (%3) für %4 Achsen an, so dass die Größen nicht bekannt sind; den Abstand in mm angeben.</translation>
+    </message>
+    <message>
+        <source>The file gives two voxel sizes: %1 mm by its space directions, which were used, and %2 by its spacings.</source>
+        <translation>Die Datei gibt zwei Voxelgrößen an: %1 mm in ihren „space directions“, die verwendet wurden, und %2 in ihren „spacings“.</translation>
+    </message>
 </context>
 <context>
     <name>ew::Message</name>

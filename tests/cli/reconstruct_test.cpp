@@ -308,6 +308,10 @@ TEST_F(WrongSweep, ASpacingThatNeedsMoreMemoryThanThereIsIsRefusedWithItsForecas
 
 TEST_F(WrongSweep, AClipOutsideTheFrameIsRefused) { expectRefused({"--clip", "20", "20", "5", "5"}, {"clip"}); }
 
+TEST_F(WrongSweep, AClipThatReachesBeyondTheFrameIsRefused) {
+  expectRefused({"--clip", "0", "0", "500", "500"}, {"The clip rectangle of 500 x 500 px from (0, 0) on reaches beyond the "});
+}
+
 TEST_F(WrongSweep, AnUnwritableOutputIsFoundBeforeTheSweepIsRead) {
   const auto outcome = run({"reconstruct", "no-such-sweep.igs.mha", "-o", "/proc/v.mha"});
   EXPECT_EQ(outcome.status, 1);

@@ -430,6 +430,22 @@ TEST(ForeignDicom, TimesAreTakenFromWhicheverElementHasThem) {
   EXPECT_TRUE(contains(nothing->notes, "Cine Rate \"0\"")) << "what was found is shown";
 }
 
+TEST(ForeignDicom, FrameTimesOfAnotherUnitAreAskedAbout) {
+  const TempFolder folder;
+  const auto notes = [&](const char* frameTime) {
+    CineOf cine = smallCine();
+    cine.frameTime = frameTime;
+    const auto read = readDicomCine(folder.put("a.dcm", cineFile(cine)));
+    EXPECT_TRUE(succeeded(read)) << frameTime;
+    return read ? read->notes : std::vector<Message>();
+  };
+  EXPECT_TRUE(contains(notes("0.04"),
+                       "By Frame Time \"0.04\" the frames are 0.04 ms apart, which is hardly meant; is it given in the unit "
+                       "that DICOM has for it?"));
+  EXPECT_TRUE(contains(notes("40000"), "the frames are 40000 ms apart, which is hardly meant"));
+  for (const char* usual : {"0.5", "40", "10000"}) EXPECT_FALSE(contains(notes(usual), "hardly meant")) << usual;
+}
+
 TEST(ForeignDicom, ARateThatContradictsTheTimesIsTold) {
   const TempFolder folder;
   const auto notes = [&](const char* frameTime, const char* rate) {

@@ -251,6 +251,32 @@ TEST(ForeignNrrd, AUnitOfNoLengthLeavesTheSpacingUnknown) {
   EXPECT_NE(odd->spacingProblem.english().find("\"furlong\", which is no unit of length"), std::string::npos);
 }
 
+TEST(ForeignNrrd, FewerUnitsThanAxesLeaveTheSpacingUnknown) {
+  const auto two = nrrd("dimension: 3\nsizes: 2 3 2\nspacings: 0.05 0.05 0.05\nunits: \"cm\" \"cm\"\n");
+  ASSERT_TRUE(succeeded(two));
+  EXPECT_FALSE(two->spacingKnown);
+  EXPECT_EQ(two->spacingProblem.english(),
+            "\"a.nrrd\" gives 2 units (\"cm\" \"cm\") for 3 axes, so that the sizes are not known; give the spacing in mm.");
+  const auto flat = nrrd("dimension: 2\nsizes: 4 3\nspace dimension: 2\nspace directions: (0.05,0) (0,0.05)\nspace units: \"cm\" \"cm\"\n");
+  ASSERT_TRUE(succeeded(flat));
+  EXPECT_EQ(flat->spacingProblem.english().find("units"), std::string::npos) << flat->spacingProblem.english();
+}
+
+TEST(ForeignNrrd, SpacingsThatContradictTheDirectionsAreTold) {
+  const std::string start = "dimension: 3\nsizes: 2 3 2\nspace: LPS\nspace directions: (2,0,0) (0,2,0) (0,0,3)\n";
+  const auto differ = nrrd(start + "spacings: 0.5 2 3\n");
+  ASSERT_TRUE(succeeded(differ));
+  EXPECT_EQ(differ->volume.grid.spacing_mm, glm::dvec3(2, 2, 3));
+  EXPECT_TRUE(contains(differ->notes,
+                       "The file gives two voxel sizes: 2 x 2 x 3 mm by its space directions, which were used, and 0.5 x 2 x 3 by its "
+                       "spacings."));
+  for (const char* same : {"spacings: 2 2 3\n", "spacings: nan nan nan\n", ""}) {
+    const auto one = nrrd(start + same);
+    ASSERT_TRUE(succeeded(one)) << same;
+    EXPECT_FALSE(contains(one->notes, "two voxel sizes")) << same;
+  }
+}
+
 TEST(ForeignNrrd, SpacingsOfAxesHaveUnitsAndPlacesToo) {
   const auto cells = nrrd("dimension: 3\nsizes: 2 3 2\nspacings: 0.1 0.2 0.4\nunits: \"cm\" \"cm\" \"cm\"\naxis mins: 1 2 3\n");
   ASSERT_TRUE(succeeded(cells));

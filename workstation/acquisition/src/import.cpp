@@ -354,7 +354,7 @@ Result<std::optional<DeviceSet>> deviceOf(const SweepImportOptions& options) {
   return device;
 }
 
-/// A clip that was typed is cut to the images; one that is stated and reaches beyond them was made for others.
+/// A clip that reaches beyond the images, whoever gives it, was made for others.
 Result<void> checkStated(const Clip& clip, const Sequence& sequence) {
   // Writers count the last pixel in or out.
   if (!clip.size_px ||
@@ -486,6 +486,7 @@ Result<void> arrange(OpenedSweep& opened, const PlacingFiles& files, const Sweep
       if (const auto fits = checkStated(*clip, opened.sequence); !fits) return fits;
       said.clip = *clip;
     }
+  if (const auto fits = checkStated(options.reconstruct.clip, opened.sequence); !fits) return fits;
   auto made = defaultsFor(frames, calibration, options.usual, said, plan.notes);
   if (!made) return passOn(made.error());
   plan.reconstruct = *made;

@@ -263,6 +263,16 @@ std::vector<double> times_msBySteps(const DicomItem& data, std::uint64_t frames,
   return times_ms;
 }
 
+/// Times that no images of ultrasound have come of a unit that was not meant: seconds for milliseconds, a rate in thousandths.
+void noteUnlikely(const std::vector<double>& times_s, const Message& stated, std::vector<Message>& notes) {
+  constexpr double kShortest_ms = 0.5, kLongest_ms = 10'000.0;
+  if (times_s.size() < 2) return;
+  const double step_ms = 1000.0 * times_s.back() / static_cast<double>(times_s.size() - 1);
+  if (!(step_ms > 0.0) || (step_ms >= kShortest_ms && step_ms <= kLongest_ms)) return;
+  notes.push_back(say<"By %1 the frames are %2 ms apart, which is hardly meant; is it given in the unit that DICOM has for it?">(
+      stated, numeral(figureText(step_ms))));
+}
+
 /// Fields that give a frame time or rate other than that of the times which were taken from `used`. Rates are whole numbers.
 std::vector<Message> otherTimes(const DicomItem& data, const NumberField& used, const std::vector<double>& times_s) {
   std::vector<Message> others;
@@ -422,6 +432,7 @@ std::vector<double> frameTimes(const DicomItem& data, std::uint64_t frames, std:
     }
     if (times_s.empty()) continue;
     noteCommas(data, field, notes);
+    noteUnlikely(times_s, found.back(), notes);
     if (auto others = otherTimes(data, field, times_s); !others.empty())
       notes.push_back(say<"The times of the frames are those of %1; another rate is that of %2, which was not used.">(
           found.back(), joined(std::move(others), ", ")));

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "ew/core/figures.h"
 #include "ew/core/numbers.h"
 #include "files/header_fields.h"
 #include "files/image_header.h"
@@ -317,13 +318,16 @@ Result<void> settleTime(NrrdDraft& draft, const std::optional<std::vector<Axis>>
 }
 
 /// Millimetres per unit along `count` axes, as a field of units from its entry `from` on says; 1 where it says nothing. A unit that is none
-/// of length leaves the spacing unknown.
+/// of length leaves the spacing unknown, and so does one that is missing where others are given: of which axes they are, nobody knows.
 std::array<double, 3> unitsOf(NrrdDraft& draft, const char* field, std::size_t from, std::size_t count) {
   std::array<double, 3> mm{1.0, 1.0, 1.0};
   const auto stated = draft.fields.take(field);
   if (!stated) return mm;
   const auto words = unitWords(*stated);
   const bool isOfAll = words.size() == 1 && from == 0;  // one word for several axes is meant for each of them
+  if (!isOfAll && words.size() < from + count)
+    draft.header.spacingProblem = say<"%1 gives %2 units (%3) for %4 axes, so that the sizes are not known; give the spacing in mm.">(
+        quoted(draft.header.file), words.size(), shortened(*stated), from + count);
   for (std::size_t axis = 0; axis < std::min<std::size_t>(count, 3) && (isOfAll || from + axis < words.size()); ++axis) {
     const std::string& word = isOfAll ? words.front() : words[from + axis];
     if (!isOfAll && std::string_view(field) == "units" && draft.timeAxis == from + axis) continue;
@@ -392,6 +396,33 @@ std::optional<glm::dvec3> signsOf(std::string space) {
   return std::nullopt;
 }
 
+/// Of the vectors of a space, 3 where there are none.
+std::size_t componentsOf(const std::optional<std::vector<Axis>>& axes) {
+  if (axes)
+    for (const Axis& each : *axes)
+      if (each) return std::min<std::size_t>(each->size(), 3);
+  return 3;
+}
+
+/// Directions have lengths, and a file that gives spacings besides says the same twice.
+void noteSizes(NrrdDraft& draft, std::size_t spatial, std::size_t channelAxes, const std::array<bool, 3>& given) {
+  const auto stated = draft.fields.take("spacings");
+  const auto spacings = stated ? parseNumbers(*stated) : std::nullopt;
+  if (!spacings || spacings->size() != draft.header.sizes.size() + channelAxes) return;
+  std::array<std::string, 2> sizes;
+  bool differ = false;
+  for (std::size_t axis = 0; axis < spatial; ++axis) {
+    const double used = draft.header.geometry.spacing_mm[static_cast<int>(axis)], other = (*spacings)[axis + channelAxes];
+    if (!given[axis] || !std::isfinite(other)) continue;
+    differ = differ || std::abs(other - used) > 0.01 * used;
+    sizes[0] += (sizes[0].empty() ? "" : " x ") + figureText(used);
+    sizes[1] += (sizes[1].empty() ? "" : " x ") + figureText(other);
+  }
+  if (differ)
+    draft.header.notes.push_back(
+        say<"The file gives two voxel sizes: %1 mm by its space directions, which were used, and %2 by its spacings.">(sizes[0], sizes[1]));
+}
+
 Result<void> takeGeometry(NrrdDraft& draft, const std::optional<std::vector<Axis>>& axes, std::size_t channelAxes) {
   ImageHeader& header = draft.header;
   const std::size_t spatial = std::min<std::size_t>(header.sizes.size(), 3);
@@ -407,7 +438,7 @@ Result<void> takeGeometry(NrrdDraft& draft, const std::optional<std::vector<Axis
   };
   // Units of a space are those of the components of its vectors.
   const std::array<double, 3> space_mm =
-      axes || !draft.origin.empty() ? unitsOf(draft, "space units", 0, 3) : std::array<double, 3>{1.0, 1.0, 1.0};
+      axes || !draft.origin.empty() ? unitsOf(draft, "space units", 0, componentsOf(axes)) : std::array<double, 3>{1.0, 1.0, 1.0};
   std::array<bool, 3> given{};  // along which axes the file states a spacing
   if (axes) {
     for (std::size_t axis = 0; axis < spatial; ++axis) {
@@ -425,6 +456,7 @@ Result<void> takeGeometry(NrrdDraft& draft, const std::optional<std::vector<Axis
       header.geometry.directions[static_cast<int>(axis)] = step_mm / length * toLps;
       given[axis] = true;
     }
+    noteSizes(draft, spatial, channelAxes, given);
     // An axis without a direction (frames, or the missing third one of a picture) stands upright on the other two.
     if (given[0] && given[1] && !given[2]) {
       const glm::dvec3 upright = glm::cross(header.geometry.directions[0], header.geometry.directions[1]);
