@@ -147,6 +147,78 @@
         <source>The file gives two voxel sizes: %1 mm by its space directions, which were used, and %2 by its spacings.</source>
         <translation>Die Datei gibt zwei Voxelgrößen an: %1 mm in ihren „space directions“, die verwendet wurden, und %2 in ihren „spacings“.</translation>
     </message>
+    <message>
+        <source>a MetaImage</source>
+        <translation>ein MetaImage</translation>
+    </message>
+    <message>
+        <source>a NRRD file</source>
+        <translation>eine NRRD-Datei</translation>
+    </message>
+    <message>
+        <source>a NIfTI volume</source>
+        <translation>ein NIfTI-Volumen</translation>
+    </message>
+    <message>
+        <source>a packed file (gzip)</source>
+        <translation>eine gepackte Datei (gzip)</translation>
+    </message>
+    <message>
+        <source>a DICOM file</source>
+        <translation>eine DICOM-Datei</translation>
+    </message>
+    <message>
+        <source>a PNG picture</source>
+        <translation>ein PNG-Bild</translation>
+    </message>
+    <message>
+        <source>a JPEG picture</source>
+        <translation>ein JPEG-Bild</translation>
+    </message>
+    <message>
+        <source>a TIFF</source>
+        <translation>ein TIFF</translation>
+    </message>
+    <message>
+        <source>a film</source>
+        <translation>ein Film</translation>
+    </message>
+    <message>
+        <source>a Kretz volume</source>
+        <translation>ein Kretz-Volumen</translation>
+    </message>
+    <message>
+        <source>%1 is empty; get the file again.</source>
+        <translation>%1 ist leer; die Datei noch einmal beschaffen.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 under another ending; let its name end in %3.</source>
+        <translation>%1 ist %2 unter einer anderen Endung; den Namen auf %3 enden lassen.</translation>
+    </message>
+    <message>
+        <source>a NIfTI volume under another ending</source>
+        <translation>ein NIfTI-Volumen unter einer anderen Endung</translation>
+    </message>
+    <message>
+        <source>let its name end in .nii</source>
+        <translation>den Namen auf .nii enden lassen</translation>
+    </message>
+    <message>
+        <source>a PNG picture under another ending</source>
+        <translation>ein PNG-Bild unter einer anderen Endung</translation>
+    </message>
+    <message>
+        <source>let its name end in .png</source>
+        <translation>den Namen auf .png enden lassen</translation>
+    </message>
+    <message>
+        <source>a JPEG picture under another ending</source>
+        <translation>ein JPEG-Bild unter einer anderen Endung</translation>
+    </message>
+    <message>
+        <source>let its name end in .jpg</source>
+        <translation>den Namen auf .jpg enden lassen</translation>
+    </message>
 </context>
 <context>
     <name>ew::Message</name>

@@ -198,6 +198,23 @@ TEST(CaseLibrary, ListsFilesWithWhatUsesThemAndTakesOutWhatNothingUses) {
   EXPECT_NE(shipped.err.find("not your own"), std::string::npos) << shipped.err;
 }
 
+TEST(CaseLibrary, SaysThatABundleIsImportedBeforeItIsACase) {
+  const TemporaryFolder folder;
+  makeCase(folder / "mine", "knee");
+  ASSERT_EQ(run({"case", "export", folder / "mine", "-o", folder / "knee.ewcase"}).status, 0);
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"case", "files", folder / "knee.ewcase"},
+                                                {"case", "show", folder / "knee.ewcase"},
+                                                {"case", "export", folder / "knee.ewcase", "-o", folder / "again.ewcase"}}) {
+    const auto outcome = run(words);
+    EXPECT_EQ(outcome.status, 2) << words[1];
+    EXPECT_NE(outcome.err.find("'" + (folder / "knee.ewcase") +
+                               "' is a bundle, in which a case is handed on; take it into the library with 'echoweave case import', and "
+                               "name the case by its id then."),
+              std::string::npos)
+        << outcome.err;
+  }
+}
+
 TEST(CaseLibrary, SaysWhichRevisionHoldsAFileThatIsTakenOut) {
   const TemporaryFolder folder;
   const EnvironmentValue library("ECHOWEAVE_LIBRARY", folder / "library");

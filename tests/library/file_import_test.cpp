@@ -115,6 +115,38 @@ TEST(ImportFile, KindsOfOtherProgramsAndTextsAreNamedAndOnlySamplesAreAskedAbout
   EXPECT_TRUE(succeeded(importFile(folder.put("mine.imf", samples), given)));
 }
 
+TEST(ImportFile, AFileUnderAWrongEndingIsNamedWithTheRightOne) {
+  const TempFolder folder;
+  const std::string nrrd = "NRRD0004\ntype: uchar\n\n", meta = "ObjectType = Image\nNDims = 3\n";
+  const std::string nifti = std::string("\x5C\1\0\0", 4) + std::string(340, '\0') + std::string("n+1\0", 4) + ramp(8);
+  const std::string dicom = cineFile(CineOf{});
+  const std::string film = std::string("\0\0\0\x18", 4) + "ftypisom" + ramp(300);
+  struct Case {
+    const char* name;
+    std::string bytes;
+    const char* says;
+  };
+  for (const auto& [name, bytes, words] :
+       {Case{"a.mha", nrrd, "\"a.mha\" is a NRRD file under another ending; let its name end in .nrrd."},
+        Case{"b.mha", nifti, "\"b.mha\" is a NIfTI volume under another ending; let its name end in .nii."},
+        Case{"c.MHA", dicom, "\"c.MHA\" is a DICOM file under another ending; let its name end in .dcm."},
+        Case{"d.mha", film, "\"d.mha\" is a film under another ending; let its name end in .mp4."},
+        Case{"e.nrrd", meta, "\"e.nrrd\" is a MetaImage under another ending; let its name end in .mha."},
+        Case{"f.nii", meta, "\"f.nii\" is a MetaImage under another ending; let its name end in .mha."},
+        Case{"g.nrrd", "\x1F\x8B" + ramp(300), "\"g.nrrd\" is a packed file (gzip) under another ending; let its name end in .nii.gz."},
+        Case{"h.jpg", dicom, "\"h.jpg\" is a DICOM file under another ending; let its name end in .dcm."},
+        Case{"i.png", "\xFF\xD8\xFF" + ramp(300), "\"i.png\" is a JPEG picture under another ending; let its name end in .jpg."},
+        Case{"j.mha", "", "\"j.mha\" is empty; get the file again."}, Case{"k.nrrd", "", "\"k.nrrd\" is empty; get the file again."},
+        Case{"l.dat", nifti, "'l.dat' is a NIfTI volume under another ending, which is not read; let its name end in .nii."},
+        Case{"m.dat", "\xFF\xD8\xFF" + ramp(300),
+             "'m.dat' is a JPEG picture under another ending, which is not read; let its name end in .jpg."}}) {
+    const auto read = importFile(folder.put(name, bytes), {});
+    ASSERT_FALSE(read.has_value()) << name;
+    EXPECT_EQ(read.error().sentence(), words);
+    std::filesystem::remove(folder / name);
+  }
+}
+
 TEST(ImportFile, WithTooManyOpenFilesNoKindIsGuessed) {
   const TempFolder folder;
   const auto samples = folder.put("x.bin", ramp(100));

@@ -42,6 +42,7 @@ bool isBundle(const fs::path& named) {
 Result<fs::path> folderOfCase(const std::string& caseOrId, Run& run) {
   std::error_code ignored;
   if (fs::is_directory(caseOrId, ignored)) return fs::path(caseOrId);
+  if (auto isCase = expectNoBundle(caseOrId); !isCase) return passOn(isCase.error());
   if (fs::exists(caseOrId, ignored)) return fs::absolute(caseOrId, ignored).parent_path();
   if (const auto own = ownCases(caseOrId, libraryFolder()); !own.empty()) return own.front();
   const auto taken = takenPublished(libraryFolder(), caseOrId);

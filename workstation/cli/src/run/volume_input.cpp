@@ -3,6 +3,7 @@
 #include "ew/core/ending.h"
 #include "ew/core/numbers.h"
 #include "ew/io/volume_file.h"
+#include "ew/library/bundle.h"
 #include "ew/library/learning.h"
 #include "run/arguments.h"
 
@@ -51,8 +52,18 @@ bool meansCase(const std::string& argument) {
   return !fs::exists(path, ignored) && !path.has_extension() && !path.has_parent_path();
 }
 
+Result<void> expectNoBundle(const std::string& caseOrId) {
+  std::error_code ignored;
+  if (!hasEnding(caseOrId, kBundleEnding) || !fs::is_regular_file(caseOrId, ignored)) return {};
+  return failure(ErrorCode::badUsage,
+                 say<"'%1' is a bundle, in which a case is handed on; take it into the library with 'echoweave case import', and name the "
+                     "case by its id then.">(caseOrId),
+                 {{"file", caseOrId}});
+}
+
 Result<Case> findCase(const std::string& caseOrId) {
   std::error_code ignored;
+  if (auto isCase = expectNoBundle(caseOrId); !isCase) return passOn(isCase.error());
   if (fs::exists(caseOrId, ignored)) return loadCase(caseOrId);
   if (const auto known = ew::findCase(caseOrId, libraryFolder())) return loadCase(*known);
   const auto shipped = shippedCasesFolder();

@@ -24,8 +24,11 @@ inline constexpr std::uint64_t kMapFrom_bytes = 1ull << 30;
 /// @error as readVolume, as mapVolume when `map`
 [[nodiscard]] Result<ScanVoxels> openInputVoxels(Run& run, const std::filesystem::path& file, bool map);
 
+/// That a case is not named by a bundle (.ewcase), which has to be imported first. @error badUsage
+[[nodiscard]] Result<void> expectNoBundle(const std::string& caseOrId);
+
 /// A case by folder, by case.json, or by the id of a shipped case.
-/// @error as loadCase; notFound names the shipped ids
+/// @error as loadCase and expectNoBundle; notFound names the shipped ids
 [[nodiscard]] Result<Case> findCase(const std::string& caseOrId);
 
 /// The poses of `--pose`; a file of poses is a command's input. @error as posesOf

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "files/content_kind.h"
+
 namespace ew::detail {
 namespace fs = std::filesystem;
 
@@ -265,6 +267,7 @@ void noteUnstatedSpacing(ImageHeader& header, const std::array<bool, 3>& stated)
 
 Result<ImageHeader> readImageHeader(const fs::path& file) {
   if (const auto status = checkIsFile(file); !status) return passOn(status.error());
+  if (const auto fits = checkContent(file); !fits) return passOn(fits.error());
   const std::string name = lowerCase(file.filename().string());
   if (name.ends_with(".mha") || name.ends_with(".mhd")) return readMetaHeader(file);
   if (name.ends_with(".nrrd") || name.ends_with(".nhdr")) return readNrrdHeader(file);

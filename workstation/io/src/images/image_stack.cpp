@@ -11,6 +11,7 @@
 #include "ew/core/file_errors.h"
 #include "ew/core/numbers.h"
 #include "ew/io/orientation.h"
+#include "files/content_kind.h"
 #include "files/grey_samples.h"
 #include "files/header_fields.h"
 #include "files/image_header.h"
@@ -172,6 +173,7 @@ void putUpright(JpegGrey& picture, const Orientation& orientation) {
 }  // namespace
 
 Result<JpegGrey> detail::readStackPicture(const fs::path& file, const Progress& progress) {
+  if (const auto fits = checkContent(file); !fits) return passOn(fits.error());
   const auto bytes = readWholeFile(file, kLargestFile);
   if (!bytes) return passOn(bytes.error());
   const std::string ending = lowerCase(file.extension().string());
@@ -250,6 +252,7 @@ Result<StackVolume> readImageStack(const fs::path& folderOrPicture, const StackO
                                    const ReadLimits& limits) try {
   const auto files = stackFiles(folderOrPicture);
   if (!files) return passOn(files.error());
+  if (const auto fits = checkContent(files->front()); !fits) return passOn(fits.error());
   if (!options.spacing_mm)
     return failure(ErrorCode::missingCalibration,
                    say<"Pictures do not say how large a pixel is and how far apart they lie; give the spacing in mm.">(),
