@@ -79,146 +79,6 @@
         <source>Up</source>
         <translation>Hoch</translation>
     </message>
-    <message>
-        <source>the link &apos;%1&apos;</source>
-        <translation>der Verknüpfung „%1“</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is a link or a file, and what is taken out lies in a folder of that name; move it away.</source>
-        <translation>„%1“ ist eine Verknüpfung oder eine Datei, und was herausgenommen wird, liegt in einem Ordner dieses Namens; verschieben Sie das woandershin.</translation>
-    </message>
-    <message>
-        <source>Revision %1 of &apos;%2&apos;, which was published before, holds %3 all the same.</source>
-        <translation>Revision %1 von „%2“, die vorher veröffentlicht wurde, enthält %3 weiterhin.</translation>
-    </message>
-    <message>
-        <source>The published revision &apos;%1&apos; is damaged and is not handed on: %2</source>
-        <translation>Die veröffentlichte Revision „%1“ ist beschädigt und wird nicht weitergegeben: %2</translation>
-    </message>
-    <message>
-        <source>The published revision &apos;%1&apos; is damaged in %2 files and is not handed on. The first: %3</source>
-        <translation>Die veröffentlichte Revision „%1“ ist in %2 Dateien beschädigt und wird nicht weitergegeben. Die erste: %3</translation>
-    </message>
-    <message>
-        <source>It is an examination, which is published as it was made: what trainees may not read is sealed.</source>
-        <translation>Er ist eine Prüfung und wird veröffentlicht, wie sie gemacht wurde: Was Lernende nicht lesen dürfen, ist versiegelt.</translation>
-    </message>
-    <message>
-        <source>The archive %1 at %2 port %3 cannot be reached (%4); check its host, its port and the network.</source>
-        <translation>Das Archiv %1 auf %2, Port %3, ist nicht zu erreichen (%4); Rechner, Port und Netz prüfen.</translation>
-    </message>
-    <message>
-        <source>%1 has bytes behind its data set, or lacks the mark that ends its pixels; its images are read here, but archives take whole DICOM objects only: export it anew from the program that wrote it.</source>
-        <translation>%1 hat Bytes hinter seinem Datensatz, oder die Marke am Ende seiner Bildpunkte fehlt; seine Bilder werden hier gelesen, aber Archive nehmen nur ganze DICOM-Objekte: aus dem Programm, das die Datei schrieb, neu exportieren.</translation>
-    </message>
-    <message>
-        <source>Another program has just made the folder &quot;%1&quot;; choose another name.</source>
-        <translation>Ein anderes Programm hat gerade den Ordner „%1“ angelegt; einen anderen Namen wählen.</translation>
-    </message>
-    <message>
-        <source>and %1 more</source>
-        <translation>und %1 weitere</translation>
-    </message>
-    <message>
-        <source>The DICOM stills of %1 lie %2 mm apart; missing between them, and made up of those next to them: %3. Get the missing files, or accept that.</source>
-        <translation>Die DICOM-Einzelbilder von %1 liegen %2 mm auseinander; dazwischen fehlen und würden aus ihren Nachbarn erfunden: %3. Die fehlenden Dateien besorgen, oder das hinnehmen.</translation>
-    </message>
-    <message>
-        <source>The DICOM stills of %1 lie %2 mm apart; missing between them, and made up of those next to them: %3. Get the files anew that hold no DICOM data (%4), or accept that.</source>
-        <translation>Die DICOM-Einzelbilder von %1 liegen %2 mm auseinander; dazwischen fehlen und würden aus ihren Nachbarn erfunden: %3. Die Dateien neu besorgen, die keine DICOM-Daten enthalten (%4), oder das hinnehmen.</translation>
-    </message>
-    <message>
-        <source>Left out of %1, because they hold no DICOM data: %2.</source>
-        <translation>Aus %1 ausgelassen, weil sie keine DICOM-Daten enthalten: %2.</translation>
-    </message>
-    <message>
-        <source>The spacing that was given is not used: the stills say where they lie and how large their pixels are.</source>
-        <translation>Der angegebene Abstand wird nicht verwendet: Die Einzelbilder sagen, wo sie liegen und wie groß ihre Bildpunkte sind.</translation>
-    </message>
-    <message>
-        <source>By %1 the frames are %2 ms apart, which is hardly meant; is it given in the unit that DICOM has for it?</source>
-        <translation>Nach %1 liegen die Bilder %2 ms auseinander, was kaum gemeint ist; steht es in der Einheit, die DICOM dafür hat?</translation>
-    </message>
-    <message>
-        <source>%1 gives %2 units (%3) for %4 axes, so that the sizes are not known; give the spacing in mm.</source>
-        <translation>%1 gibt %2 Einheiten (%3) für %4 Achsen an, so dass die Größen nicht bekannt sind; den Abstand in mm angeben.</translation>
-    </message>
-    <message>
-        <source>The file gives two voxel sizes: %1 mm by its space directions, which were used, and %2 by its spacings.</source>
-        <translation>Die Datei gibt zwei Voxelgrößen an: %1 mm in ihren „space directions“, die verwendet wurden, und %2 in ihren „spacings“.</translation>
-    </message>
-    <message>
-        <source>a MetaImage</source>
-        <translation>ein MetaImage</translation>
-    </message>
-    <message>
-        <source>a NRRD file</source>
-        <translation>eine NRRD-Datei</translation>
-    </message>
-    <message>
-        <source>a NIfTI volume</source>
-        <translation>ein NIfTI-Volumen</translation>
-    </message>
-    <message>
-        <source>a packed file (gzip)</source>
-        <translation>eine gepackte Datei (gzip)</translation>
-    </message>
-    <message>
-        <source>a DICOM file</source>
-        <translation>eine DICOM-Datei</translation>
-    </message>
-    <message>
-        <source>a PNG picture</source>
-        <translation>ein PNG-Bild</translation>
-    </message>
-    <message>
-        <source>a JPEG picture</source>
-        <translation>ein JPEG-Bild</translation>
-    </message>
-    <message>
-        <source>a TIFF</source>
-        <translation>ein TIFF</translation>
-    </message>
-    <message>
-        <source>a film</source>
-        <translation>ein Film</translation>
-    </message>
-    <message>
-        <source>a Kretz volume</source>
-        <translation>ein Kretz-Volumen</translation>
-    </message>
-    <message>
-        <source>%1 is empty; get the file again.</source>
-        <translation>%1 ist leer; die Datei noch einmal beschaffen.</translation>
-    </message>
-    <message>
-        <source>%1 is %2 under another ending; let its name end in %3.</source>
-        <translation>%1 ist %2 unter einer anderen Endung; den Namen auf %3 enden lassen.</translation>
-    </message>
-    <message>
-        <source>a NIfTI volume under another ending</source>
-        <translation>ein NIfTI-Volumen unter einer anderen Endung</translation>
-    </message>
-    <message>
-        <source>let its name end in .nii</source>
-        <translation>den Namen auf .nii enden lassen</translation>
-    </message>
-    <message>
-        <source>a PNG picture under another ending</source>
-        <translation>ein PNG-Bild unter einer anderen Endung</translation>
-    </message>
-    <message>
-        <source>let its name end in .png</source>
-        <translation>den Namen auf .png enden lassen</translation>
-    </message>
-    <message>
-        <source>a JPEG picture under another ending</source>
-        <translation>ein JPEG-Bild unter einer anderen Endung</translation>
-    </message>
-    <message>
-        <source>let its name end in .jpg</source>
-        <translation>den Namen auf .jpg enden lassen</translation>
-    </message>
 </context>
 <context>
     <name>ew::Message</name>
@@ -12529,6 +12389,142 @@
     <message>
         <source>The %1 frame before it was read.</source>
         <translation>%1 Bild davor wurde gelesen.</translation>
+    </message>
+    <message>
+        <source>the link &apos;%1&apos;</source>
+        <translation>der Verknüpfung „%1“</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a link or a file, and what is taken out lies in a folder of that name; move it away.</source>
+        <translation>„%1“ ist eine Verknüpfung oder eine Datei, und was herausgenommen wird, liegt in einem Ordner dieses Namens; verschieben Sie das woandershin.</translation>
+    </message>
+    <message>
+        <source>The published revision &apos;%1&apos; is damaged and is not handed on: %2</source>
+        <translation>Die veröffentlichte Revision „%1“ ist beschädigt und wird nicht weitergegeben: %2</translation>
+    </message>
+    <message>
+        <source>The published revision &apos;%1&apos; is damaged in %2 files and is not handed on. The first: %3</source>
+        <translation>Die veröffentlichte Revision „%1“ ist in %2 Dateien beschädigt und wird nicht weitergegeben. Die erste: %3</translation>
+    </message>
+    <message>
+        <source>It is an examination, which is published as it was made: what trainees may not read is sealed.</source>
+        <translation>Er ist eine Prüfung und wird veröffentlicht, wie sie gemacht wurde: Was Lernende nicht lesen dürfen, ist versiegelt.</translation>
+    </message>
+    <message>
+        <source>The archive %1 at %2 port %3 cannot be reached (%4); check its host, its port and the network.</source>
+        <translation>Das Archiv %1 auf %2, Port %3, ist nicht zu erreichen (%4); Rechner, Port und Netz prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 has bytes behind its data set, or lacks the mark that ends its pixels; its images are read here, but archives take whole DICOM objects only: export it anew from the program that wrote it.</source>
+        <translation>%1 hat Bytes hinter seinem Datensatz, oder die Marke am Ende seiner Bildpunkte fehlt; seine Bilder werden hier gelesen, aber Archive nehmen nur ganze DICOM-Objekte: aus dem Programm, das die Datei schrieb, neu exportieren.</translation>
+    </message>
+    <message>
+        <source>Another program has just made the folder &quot;%1&quot;; choose another name.</source>
+        <translation>Ein anderes Programm hat gerade den Ordner „%1“ angelegt; einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>The DICOM stills of %1 lie %2 mm apart; missing between them, and made up of those next to them: %3. Get the missing files, or accept that.</source>
+        <translation>Die DICOM-Einzelbilder von %1 liegen %2 mm auseinander; dazwischen fehlen und würden aus ihren Nachbarn erfunden: %3. Die fehlenden Dateien besorgen, oder das hinnehmen.</translation>
+    </message>
+    <message>
+        <source>The DICOM stills of %1 lie %2 mm apart; missing between them, and made up of those next to them: %3. Get the files anew that hold no DICOM data (%4), or accept that.</source>
+        <translation>Die DICOM-Einzelbilder von %1 liegen %2 mm auseinander; dazwischen fehlen und würden aus ihren Nachbarn erfunden: %3. Die Dateien neu besorgen, die keine DICOM-Daten enthalten (%4), oder das hinnehmen.</translation>
+    </message>
+    <message>
+        <source>Left out of %1, because they hold no DICOM data: %2.</source>
+        <translation>Aus %1 ausgelassen, weil sie keine DICOM-Daten enthalten: %2.</translation>
+    </message>
+    <message>
+        <source>The spacing that was given is not used: the stills say where they lie and how large their pixels are.</source>
+        <translation>Der angegebene Abstand wird nicht verwendet: Die Einzelbilder sagen, wo sie liegen und wie groß ihre Bildpunkte sind.</translation>
+    </message>
+    <message>
+        <source>By %1 the frames are %2 ms apart, which is hardly meant; is it given in the unit that DICOM has for it?</source>
+        <translation>Nach %1 liegen die Bilder %2 ms auseinander, was kaum gemeint ist; steht es in der Einheit, die DICOM dafür hat?</translation>
+    </message>
+    <message>
+        <source>%1 gives %2 units (%3) for %4 axes, so that the sizes are not known; give the spacing in mm.</source>
+        <translation>%1 gibt %2 Einheiten (%3) für %4 Achsen an, so dass die Größen nicht bekannt sind; den Abstand in mm angeben.</translation>
+    </message>
+    <message>
+        <source>The file gives two voxel sizes: %1 mm by its space directions, which were used, and %2 by its spacings.</source>
+        <translation>Die Datei gibt zwei Voxelgrößen an: %1 mm in ihren „space directions“, die verwendet wurden, und %2 in ihren „spacings“.</translation>
+    </message>
+    <message>
+        <source>a MetaImage</source>
+        <translation>ein MetaImage</translation>
+    </message>
+    <message>
+        <source>a NRRD file</source>
+        <translation>eine NRRD-Datei</translation>
+    </message>
+    <message>
+        <source>a NIfTI volume</source>
+        <translation>ein NIfTI-Volumen</translation>
+    </message>
+    <message>
+        <source>a packed file (gzip)</source>
+        <translation>eine gepackte Datei (gzip)</translation>
+    </message>
+    <message>
+        <source>a DICOM file</source>
+        <translation>eine DICOM-Datei</translation>
+    </message>
+    <message>
+        <source>a PNG picture</source>
+        <translation>ein PNG-Bild</translation>
+    </message>
+    <message>
+        <source>a JPEG picture</source>
+        <translation>ein JPEG-Bild</translation>
+    </message>
+    <message>
+        <source>a TIFF</source>
+        <translation>ein TIFF</translation>
+    </message>
+    <message>
+        <source>a film</source>
+        <translation>ein Film</translation>
+    </message>
+    <message>
+        <source>a Kretz volume</source>
+        <translation>ein Kretz-Volumen</translation>
+    </message>
+    <message>
+        <source>%1 is empty; get the file again.</source>
+        <translation>%1 ist leer; die Datei noch einmal beschaffen.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 under another ending; let its name end in %3.</source>
+        <translation>%1 ist %2 unter einer anderen Endung; den Namen auf %3 enden lassen.</translation>
+    </message>
+    <message>
+        <source>a NIfTI volume under another ending</source>
+        <translation>ein NIfTI-Volumen unter einer anderen Endung</translation>
+    </message>
+    <message>
+        <source>let its name end in .nii</source>
+        <translation>den Namen auf .nii enden lassen</translation>
+    </message>
+    <message>
+        <source>a PNG picture under another ending</source>
+        <translation>ein PNG-Bild unter einer anderen Endung</translation>
+    </message>
+    <message>
+        <source>let its name end in .png</source>
+        <translation>den Namen auf .png enden lassen</translation>
+    </message>
+    <message>
+        <source>a JPEG picture under another ending</source>
+        <translation>ein JPEG-Bild unter einer anderen Endung</translation>
+    </message>
+    <message>
+        <source>let its name end in .jpg</source>
+        <translation>den Namen auf .jpg enden lassen</translation>
     </message>
 </context>
 <context>
