@@ -108,7 +108,8 @@ void Trackers::mannequinChanged() {
 void Trackers::checkFit() {
   const auto skin = session_.probeControl().skin();
   if (!probe_ || !skin || !isAligned(used_)) return;
-  const bool isUsed = session_.subject() && !session_.isFrozen() && !session_.isPlaying() && session_.probeControl().mover() == ProbeControl::Mover::tracker;
+  const bool isUsed = session_.subject() && !session_.isFrozen() && !session_.isPlaying() &&
+                      session_.probeControl().mover() == ProbeControl::Mover::tracker;
   fit_.add(probe_->poseAt(session_.frames().now_s()), *skin, isUsed);
   const Message problem = fit_.problem();
   if (problem.empty() == !fitIsLost_) return;
