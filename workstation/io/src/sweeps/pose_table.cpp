@@ -68,7 +68,7 @@ std::string listOf(const std::vector<std::string>& names) {
 }
 
 /// Empty: the word says nothing that is known.
-std::optional<PoseStatus> statusOf(std::string_view word) {
+std::optional<PoseStatus> statusOfWord(std::string_view word) {
   const std::string known = lowerCase(word);
   if (known == "ok") return PoseStatus::ok;
   if (known == "invalid") return PoseStatus::invalid;
@@ -270,7 +270,7 @@ class TableReader {
                                       numeral(textOf(*time_s)), numeral(textOf(*sequence_.frames.back().time_s))));
     NamedTransform pose{from_, to_, glm::dmat4(1.0), PoseStatus::ok};
     if (columns_.status) {
-      const auto status = statusOf(cells[*columns_.status]);
+      const auto status = statusOfWord(cells[*columns_.status]);
       if (!status)
         return badLine(line.number,
                        say<"the status is \"%1\", which is none of OK, INVALID and MISSING">(shortened(cells[*columns_.status])));
