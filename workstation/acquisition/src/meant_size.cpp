@@ -16,7 +16,7 @@ constexpr double kLargestPixel_mm = 5.0;
 constexpr double kFewestVoxels = 3.0;  // below, an image is a stamp of one or two
 constexpr double kManyPixels = 100.0;  // an image that has them was not meant to become that
 constexpr std::size_t kManyFrames = 10;
-constexpr std::size_t kFewestFrames = 3;     // two may be anything
+constexpr std::size_t kFewestMoved = 3;      // two may be anything
 constexpr double kSamePlace_mm = 1e-6;       // poses that are all the same were written so
 constexpr double kLargestGap_voxels = 50.0;  // of which a frame measures one or two
 
@@ -44,7 +44,7 @@ double movement_mm(std::span<const PosedFrame> frames, const ClipRectangle& clip
 
 Message questionAboutMovement(std::span<const PosedFrame> frames, const ClipRectangle& clipped, double spacing_mm) {
   EW_EXPECTS(!frames.empty());
-  if (frames.size() < kFewestFrames) return {};
+  if (frames.size() < kFewestMoved) return {};
   const glm::dvec2 used_px(clipped.right - clipped.left + 1.0, clipped.bottom - clipped.top + 1.0);
   const double moved_mm = movement_mm(frames, clipped);
   const bool isManyAndLarge = frames.size() >= kManyFrames && used_px.x >= kManyPixels && used_px.y >= kManyPixels;
