@@ -217,6 +217,36 @@ TEST(Documents, AreEachReachedByALink) {
   EXPECT_EQ(said, "") << "Instead: give each a line in resources/docs/README.md.";
 }
 
+/// `Suite.Test` and `gui_NAME function` of a page that no source of tests holds, a line each.
+std::string unknownTestsIn(const std::string& page, const std::string& sourcesOfTests) {
+  static const std::regex googleTest("`(\\w+)\\.(\\w+)`"), windowTest("`gui_\\w+ (\\w+)`");
+  std::string unknown;
+  for (std::sregex_iterator each(page.begin(), page.end(), googleTest), end; each != end; ++each) {
+    const std::string suite = (*each)[1], test = (*each)[2];
+    const bool isThere = sourcesOfTests.find("(" + suite + ", " + test + ")") != std::string::npos;
+    if (!isThere && suite != "Suite") unknown += suite + "." + test + "\n";
+  }
+  for (std::sregex_iterator each(page.begin(), page.end(), windowTest), end; each != end; ++each) {
+    const std::string function = (*each)[1];
+    if (sourcesOfTests.find("void " + function + "(") == std::string::npos && function != "function") unknown += function + "\n";
+  }
+  return unknown;
+}
+
+TEST(Documents, NameTestsThatAreThere) {
+  std::string sourcesOfTests;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(EW_SOURCE_DIR) / "tests")) {
+    if (entry.path().extension() != ".cpp") continue;
+    std::ifstream in(entry.path());
+    sourcesOfTests.append(std::istreambuf_iterator<char>(in), {});
+  }
+  const auto page = inTree("resources/docs/developer/review-tests.md");
+  ASSERT_TRUE(page);
+  EXPECT_EQ(unknownTestsIn(*page, sourcesOfTests), "") << "Instead: name the test that holds it now.";
+  EXPECT_EQ(unknownTestsIn("`Pose.Moves` and `gui_window opens`, `Gone.Is`, `gui_window closes`", "TEST(Pose, Moves) { } void opens() {"),
+            "Gone.Is\ncloses\n");
+}
+
 TEST(Documents, LinksThatLeadNowhereAreFound) {
   const std::map<std::string, std::string> tree = {{"docs/a.md", "# A\n\n## Two words\n"}, {"docs/sub", ""}, {"top.png", ""}};
   const Lookup lookup = [&](const std::string& path) {
