@@ -183,7 +183,7 @@ TEST_F(ImportSweep, UnderstandsTheSwitchOfOldDeviceSetsAndSaysHow) {
   options.usual.compounding = true;
   const auto refused = planFile(written(sweep()), options, noProgress());
   ASSERT_FALSE(refused.has_value());
-  EXPECT_NE(refused.error().sentence().find("--compounding"), std::string::npos) << refused.error();
+  EXPECT_NE(refused.error().sentence().find("choose the compounding yourself"), std::string::npos) << refused.error();
 }
 
 /// Two frames in one place: one sees tissue everywhere, the other is black from a third of its depth on in a few columns.
