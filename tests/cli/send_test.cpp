@@ -108,7 +108,7 @@ TEST_F(SendCommand, SaysThatBytesLieBehindTheDataSet) {
   writeText(folder_ / "tail.dcm", readText(folder_ / "clip.dcm") + "\r\n");
   const auto outcome = send({folder_ / "tail.dcm"});
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_NE(outcome.err.find("tail.dcm\" has bytes behind its data set, or lacks the mark that ends its pixels; its images are read here, "
+  EXPECT_NE(outcome.err.find("tail.dcm' has bytes behind its data set, or lacks the mark that ends its pixels; its images are read here, "
                              "but archives take whole DICOM objects only: export it anew from the program that wrote it."),
             std::string::npos)
       << outcome.err;
