@@ -70,9 +70,15 @@ Message withoutIt(SetField field) {
   return {};
 }
 
+/// A size of which one side alone is none.
+bool isClipOfOneSide(SetField field, const std::string& found) {
+  if (field != SetField::clipSize) return false;
+  const auto sides = parseNumbers(found);
+  return sides && sides->size() == 2 && std::any_of(sides->begin(), sides->end(), [](double side) { return side > 0.0; });
+}
+
 Message noteOfUnset(SetField field, const StatedFields& from, const std::string& name, const std::string& found) {
-  if (const auto sides = parseNumbers(found); field == SetField::clipSize && sides && sides->size() == 2 &&
-                                              std::any_of(sides->begin(), sides->end(), [](double side) { return side > 0.0; }))
+  if (isClipOfOneSide(field, found))
     return say<"The clip rectangle has the size %1, which is none; unless a clip is given, the whole images are taken.">(shortened(found));
   return from.isRecording ? say<"The recording states %1 \"%2\", which sets nothing; %3.">(name, shortened(found), withoutIt(field))
                           : say<"The device set states %1 \"%2\", which sets nothing; %3.">(name, shortened(found), withoutIt(field));
@@ -90,8 +96,21 @@ void noteOutranked(SetField field, const StatedFields& from, const std::vector<s
 }
 
 Message neededFor(SetField field, std::size_t count) {
-  if (field == SetField::spacing) return say<"three numbers above 0 (mm)">();
-  return counted<"%1 finite number", "%1 finite numbers">(count);
+  switch (field) {
+    case SetField::spacing:
+      return say<"three numbers above 0 (mm)">();
+    case SetField::clipOrigin:
+    case SetField::clipSize:
+    case SetField::fanAngles:
+    case SetField::fanOrigin:
+    case SetField::fanStart:
+    case SetField::fanStop:
+    case SetField::interpolation:
+    case SetField::compounding:
+    case SetField::reference:
+      return counted<"%1 finite number", "%1 finite numbers">(count);
+  }
+  return {};
 }
 
 void assign(SetField field, const std::vector<double>& numbers, const std::string& text, DeviceSet& set) {
