@@ -117,6 +117,20 @@ class CalipersTest : public WindowFixture {
     }
   }
 
+  void theirIconsAreSeenInEitherTheme() {
+    for (const bool dark : {false, true}) {
+      window_->setDarkTheme(dark);
+      for (const CaliperKind kind : measurement::drawnKinds()) {
+        const QImage painted = window_->findChild<QPushButton*>(CaliperWords::iconOf(kind))->icon().pixmap(24, 24).toImage();
+        int seen = 0;
+        for (int y = 0; y < painted.height(); ++y)
+          for (int x = 0; x < painted.width(); ++x)
+            seen += qAlpha(painted.pixel(x, y)) > 200 && (qGray(painted.pixel(x, y)) > 128) == dark ? 1 : 0;
+        QVERIFY2(seen > 4, qPrintable(CaliperWords::nameOf(kind)));
+      }
+    }
+  }
+
   void toolsShareALineWhereTheirWordsHaveRoom() {
     using Lines = std::vector<int>;
     QCOMPARE(buttonsOnLines({50, 60, 70}, 204, 4), (Lines{2, 1}));
