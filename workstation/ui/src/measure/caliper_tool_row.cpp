@@ -90,7 +90,8 @@ void CaliperToolRow::changeEvent(QEvent* event) {
 void CaliperToolRow::refreshIcons() {
   held_ = calipers_.drawing().tool();
   for (std::size_t n = 0; n < kinds_.size(); ++n)
-    buttons_[n]->setIcon(icon(CaliperWords::iconOf(kinds_[n]), held_ == kinds_[n] ? currentTheme().onAccent : currentTheme().text));
+    buttons_[n]->setIcon(held_ == kinds_[n] ? icon(CaliperWords::iconOf(kinds_[n]), currentTheme().onAccent)
+                                            : icon(CaliperWords::iconOf(kinds_[n])));  // follows the theme
 }
 
 void CaliperToolRow::showHeld() {

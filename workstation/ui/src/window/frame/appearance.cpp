@@ -105,6 +105,7 @@ void Appearance::restyle() {
   parts_.topBar->refreshIcons();
   parts_.caseInfo->refreshIcons();
   parts_.console->refreshIcons();
+  parts_.measurePage->refreshIcons();
   parts_.scanView->refreshIcons();
   parts_.pictures->refreshIcons();
   parts_.replayBar->refreshIcons();
