@@ -6,6 +6,14 @@
 
 namespace ew::test {
 
+#ifdef __SANITIZE_ADDRESS__
+/// The sanitizer for undefined behaviour opens a pipe to see whether an object can be read; without one it takes sound objects for broken.
+/// Which of them it looks at differs from run to run.
+inline constexpr bool kSanitizerOpensFiles = true;
+#else
+inline constexpr bool kSanitizerOpensFiles = false;
+#endif
+
 /// No file can be opened while this lives, as in a program that has all it may have. Opens nothing itself that stays; what is open goes on.
 class NoMoreOpenFiles {
  public:
