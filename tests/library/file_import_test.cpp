@@ -121,6 +121,7 @@ TEST(ImportFile, AFileUnderAWrongEndingIsNamedWithTheRightOne) {
   const std::string nifti = std::string("\x5C\1\0\0", 4) + std::string(340, '\0') + std::string("n+1\0", 4) + ramp(8);
   const std::string dicom = cineFile(CineOf{});
   const std::string film = std::string("\0\0\0\x18", 4) + "ftypisom" + ramp(300);
+  const std::string packet = "\x47" + std::string(187, '\0'), packets = packet + packet + packet;
   struct Case {
     const char* name;
     std::string bytes;
@@ -131,6 +132,12 @@ TEST(ImportFile, AFileUnderAWrongEndingIsNamedWithTheRightOne) {
         Case{"b.mha", nifti, "\"b.mha\" is a NIfTI volume under another ending; let its name end in .nii."},
         Case{"c.MHA", dicom, "\"c.MHA\" is a DICOM file under another ending; let its name end in .dcm."},
         Case{"d.mha", film, "\"d.mha\" is a film under another ending; let its name end in .mp4."},
+        Case{"n.mha", std::string("\0\0\x2\0", 4) + "moov" + ramp(300),
+             "\"n.mha\" is a film under another ending; let its name end in .mov."},
+        Case{"o.png", std::string("\0\0\1\xBA", 4) + ramp(300), "\"o.png\" is a film under another ending; let its name end in .mpg."},
+        Case{"p.nrrd", "\x30\x26\xB2\x75\x8E\x66\xCF\x11" + ramp(300),
+             "\"p.nrrd\" is a film under another ending; let its name end in .wmv."},
+        Case{"q.jpg", packets, "\"q.jpg\" is a film under another ending; let its name end in .ts."},
         Case{"e.nrrd", meta, "\"e.nrrd\" is a MetaImage under another ending; let its name end in .mha."},
         Case{"f.nii", meta, "\"f.nii\" is a MetaImage under another ending; let its name end in .mha."},
         Case{"g.nrrd", "\x1F\x8B" + ramp(300), "\"g.nrrd\" is a packed file (gzip) under another ending; let its name end in .nii.gz."},

@@ -30,6 +30,12 @@ bool isAt(std::string_view bytes, std::size_t at, std::string_view mark) {
   return bytes.size() >= at && bytes.substr(at).starts_with(mark);
 }
 
+bool isTransportStream(std::string_view bytes) { return bytes.starts_with('\x47') && isAt(bytes, 188, "\x47") && isAt(bytes, 376, "\x47"); }
+bool isMpeg(std::string_view bytes) { return bytes.starts_with("\0\0\1\xBA"sv) || bytes.starts_with("\0\0\1\xB3"sv); }
+bool isQuickTime(std::string_view bytes) {
+  return isAt(bytes, 4, "moov") || isAt(bytes, 4, "mdat") || isAt(bytes, 4, "wide") || isAt(bytes, 4, "ftypqt");
+}
+
 const std::vector<ContentKind>& contentKinds() {
   static const std::vector<ContentKind> kinds{
       {[](std::string_view bytes) { return bytes.starts_with("ObjectType ="); }, [] { return say<"a MetaImage">(); }, {".mha", ".mhd"}},
@@ -41,13 +47,19 @@ const std::vector<ContentKind>& contentKinds() {
       {[](std::string_view bytes) { return isAt(bytes, 128, "DICM"); }, [] { return say<"a DICOM file">(); }, {".dcm"}},
       {[](std::string_view bytes) { return bytes.starts_with("\x89PNG\r\n"); }, [] { return say<"a PNG picture">(); }, {".png"}},
       {[](std::string_view bytes) { return bytes.starts_with("\xFF\xD8\xFF"); }, [] { return say<"a JPEG picture">(); }, {".jpg", ".jpeg"}},
-      {[](std::string_view bytes) { return bytes.starts_with("II*\0"sv) || bytes.starts_with("MM\0*"sv); },
+      {[](std::string_view bytes) { return bytes.starts_with("II*\0"sv) || bytes.starts_with("MM\0*"sv) || bytes.starts_with("II+\0"sv); },
        [] { return say<"a TIFF">(); },
        {".tif"}},
       {[](std::string_view bytes) { return bytes.starts_with("RIFF") && isAt(bytes, 8, "AVI "); },
        [] { return say<"a film">(); },
        {".avi"}},
+      {isQuickTime, [] { return say<"a film">(); }, {".mov"}},
       {[](std::string_view bytes) { return isAt(bytes, 4, "ftyp"); }, [] { return say<"a film">(); }, {".mp4"}},
+      {isMpeg, [] { return say<"a film">(); }, {".mpg"}},
+      {[](std::string_view bytes) { return bytes.starts_with("\x30\x26\xB2\x75\x8E\x66\xCF\x11"); },
+       [] { return say<"a film">(); },
+       {".wmv"}},
+      {isTransportStream, [] { return say<"a film">(); }, {".ts"}},
       {[](std::string_view bytes) { return bytes.starts_with("\x1A\x45\xDF\xA3"); }, [] { return say<"a film">(); }, {".mkv"}},
       {[](std::string_view bytes) { return bytes.starts_with("KRETZFILE"); }, [] { return say<"a Kretz volume">(); }, {".vol"}},
   };
@@ -64,8 +76,8 @@ Result<void> checkContent(const fs::path& file) {
   const std::string name = lowerCase(file.filename().string());
   if (!endsIn(name, {".mha", ".mhd", ".nrrd", ".nhdr", ".nii", ".nii.gz", ".png", ".jpg", ".jpeg", ".pgm"})) return {};
   std::ifstream in(file, std::ios::binary);
-  if (!in) return {};  // whoever reads it says why
-  std::string bytes(352, '\0');
+  if (!in) return {};            // whoever reads it says why
+  std::string bytes(384, '\0');  // to the third packet of a transport stream
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
   const auto refused = [&](Message sentence) { return failure(ErrorCode::badHeader, std::move(sentence), {{"file", file.string()}}); };

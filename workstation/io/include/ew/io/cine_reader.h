@@ -18,7 +18,7 @@ namespace ew {
 
 /// What pictures in the order of time come from.
 enum class CineKind {
-  film,       ///< .mp4, .avi, .mov, .mkv, .mpg, by content
+  film,       ///< .mp4, .avi, .mov, .mkv, .mpg, .wmv, .ts, by content
   dicomFilm,  ///< MPEG-2, H.264 or HEVC inside DICOM
   dicom,      ///< other DICOM stills and cines
   pages,      ///< a TIFF, its pages one after the other

@@ -216,11 +216,11 @@ void Opening::choose() {
   const QString file = QFileDialog::getOpenFileName(
       &parts_.window, tr("Open a case, a volume or a sweep"), QString(),
       tr("All that EchoWeave reads (case.json *.ewcase *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw "
-         "*.png *.jpg *.pgm *.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff);;"
+         "*.png *.jpg *.pgm *.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.wmv *.ts *.webm *.tif *.tiff);;"
          "Cases (case.json *.ewcase);;"
          "Sweeps (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;"
          "Volumes (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;"
-         "Films and recorded screens (*.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.tif *.tiff *.dcm);;"
+         "Films and recorded screens (*.mp4 *.mov *.mkv *.avi *.mpg *.mpeg *.wmv *.ts *.webm *.tif *.tiff *.dcm);;"
          "DICOM, Kretz, raw samples, images (*)"));
   if (!file.isEmpty()) open(file);
 }

@@ -35,8 +35,8 @@ QString coverageBeside(const QString& file) {
 /// Never the name of a file it was made from: "sweep.igs.mha" gives "sweep-volume.mha". A title that is no file's name stays.
 QString nameForVolumeOf(const QString& title) {
   QString stem = QFileInfo(title).fileName();
-  for (const char* ending : {".gz",  ".mha", ".mhd", ".nrrd", ".nhdr", ".nii", ".igs", ".seq", ".dcm", ".vol", ".v00", ".raw",
-                             ".png", ".jpg", ".pgm", ".tif",  ".tiff", ".avi", ".mp4", ".mov", ".mkv", ".mpg", ".mpeg"})
+  for (const char* ending : {".gz",  ".mha", ".mhd", ".nrrd", ".nhdr", ".nii", ".igs", ".seq", ".dcm", ".vol",  ".v00", ".raw", ".png",
+                             ".jpg", ".pgm", ".tif", ".tiff", ".avi",  ".mp4", ".mov", ".mkv", ".mpg", ".mpeg", ".wmv", ".ts",  ".webm"})
     if (const QLatin1String known(ending); stem.size() > known.size() && stem.endsWith(known, Qt::CaseInsensitive)) stem.chop(known.size());
   return stem + (stem == QFileInfo(title).fileName() ? QStringLiteral(".mha") : QStringLiteral("-volume.mha"));
 }
