@@ -180,6 +180,15 @@ class TrackerJourneyTest : public WindowFixture {
     QVERIFY(waitUntil([this] { return wizard() == nullptr || !wizard()->isVisible(); }));
   }
 
+  /// From a picture's arrival at the program to the scan on the screen, with a film as the camera: what a camera itself takes is not in it.
+  void sayLatency() {
+    const auto& latency = session().frames().latency();
+    QVERIFY(waitUntil([&] { return latency.count() >= 30; }));
+    qInfo("from capture to image: camera to reading %.1f ms in the median; to the image %.1f, 95 %% %.1f ms, of %llu",
+          trackers().cameraView().value_or(CameraView{}).latency_ms, 1e-3 * latency.quantile_us(0.5), 1e-3 * latency.quantile_us(0.95),
+          static_cast<unsigned long long>(latency.count()));
+  }
+
   void scanThroughALoss() {
     const glm::dvec3 from = landmark("xiphoid");
     const glm::dvec3 to = landmark("navel");
@@ -196,6 +205,7 @@ class TrackerJourneyTest : public WindowFixture {
     const auto* said = find<QPushButton>("trackingState");
     QVERIFY(waitUntil([&] { return said->isVisible() && said->text() == lookOf(TrackingState::live).word; }));
     keepScreenshot(*window_, "journey-7-scan");
+    sayLatency();
     QVERIFY(films_->writeEmpty(film("empty.avi")));
     play(film("empty.avi"));
     QVERIFY(waitUntil([this] { return session().probeControl().isLost(); }));
