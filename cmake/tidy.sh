@@ -1,0 +1,89 @@
+# shellcheck shell=bash
+# Sourced by ./check after cmake/setup.sh: clang-tidy with the checks of .clang-tidy.
+# Call with the current directory at the top of the project, build/dev built: headers that the build makes are read there.
+
+# ew_tidy_commands FOLDER: writes FOLDER/compile_commands.json with one entry for each source. The build joins several sources into one and
+# precompiles headers in GCC's own form, neither of which clang-tidy can use; and which warnings are asked for is .clang-tidy's to say.
+ew_tidy_commands() {
+  mkdir -p "$1"
+  awk '
+    function entry(file) {
+      printf "%s{\"directory\": \"%s\", \"command\": \"%s -c \\\"%s\\\"\", \"file\": \"%s\"}", separator, directory, command, file, file
+      separator = ",\n"
+    }
+    function value(line) { sub(/^ *"[a-z]*": "/, "", line); sub(/",?$/, "", line); return line }
+    BEGIN { print "[" }
+    /^ *"directory": / { directory = value($0) }
+    /^ *"command": / {
+      command = value($0)
+      gsub(/ -include [^ ]*cmake_pch\.hxx| -fpch-preprocess| -W[^ ]*/, "", command)
+      sub(/ -o .*/, "", command)
+      sub(/^[^ ]*ccache /, "", command)
+    }
+    /^ *"file": / {
+      file = value($0)
+      if (file !~ /\/Unity\/unity_[^\/]*$/) entry(file)
+      else while ((getline line <file) > 0) if (sub(/^#include "/, "", line) && sub(/"$/, "", line)) entry(line)
+    }
+    END { print "\n]" }' build/dev/compile_commands.json >"$1/compile_commands.json"
+}
+
+# ew_changed_files: what changed against what this tree came from, newest first: what is not committed, then the commits since the branch
+# left origin/main or, on it, since the last tag; the last twenty commits where there is neither. Fails where no history tells.
+ew_changed_files() {
+  local base='' since=(-n 20)
+  [ "$(git rev-parse --show-toplevel 2>/dev/null)" = "$PWD" ] && git rev-parse --quiet --verify HEAD^ >/dev/null || return 1
+  base=$(git merge-base HEAD origin/main 2>/dev/null) || true
+  if [ -z "$base" ] || [ "$base" = "$(git rev-parse HEAD)" ]; then base=$(git describe --tags --abbrev=0 HEAD^ 2>/dev/null) || true; fi
+  [ -z "$base" ] || since=("$base..HEAD")
+  git -c core.quotePath=off diff --name-only HEAD
+  git -c core.quotePath=off ls-files --others --exclude-standard
+  git -c core.quotePath=off log --first-parent -m --name-only --format= "${since[@]}"
+}
+
+# ew_tidy_sources FOLDER [FILE...]: those of the given files (from the top of the project; all without any) that clang-tidy has a command
+# for, each once, in their order; a header stands for the source of its name in the same library.
+ew_tidy_sources() {
+  local commands=$1/compile_commands.json
+  shift
+  grep -oE '"file": "[^"]*' "$commands" | cut -c10- | grep -E "^$PWD/(workstation|plugins|tests)/" | cut -c$((${#PWD} + 2))- | sort -u |
+    if [ $# -eq 0 ]; then cat; else
+      awk '
+        function key(path) { match(path, /^[^\/]*\/[^\/]*\//); name = path; gsub(/^.*\/|\.[a-z]*$/, "", name); return substr(path, 1, RLENGTH) name }
+        FNR == NR { is[$0] = 1; named[key($0)] = $0; next }
+        { file = /\.h$/ ? named[key($0)] : $0 }
+        file in is && !seen[file]++ { print file }' - <(printf '%s\n' "$@")
+    fi
+}
+
+# ew_tidy_one FOLDER FILE END: looks at one file unless the time is up (END in seconds since 1970; 0: never) and marks in FOLDER/seen that it did.
+ew_tidy_one() {
+  local limit=() said status=0
+  if [ "$3" -gt 0 ]; then
+    local left=$(($3 - $(date +%s)))
+    [ "$left" -gt 30 ] || return 0
+    limit=(timeout "$left")
+  fi
+  said=$("${limit[@]}" clang-tidy --quiet -p "$1" --warnings-as-errors='*' "$2" 2>"$1/errors.$$") || status=$?
+  if [ "$status" -ne 124 ]; then
+    [ "$status" -eq 0 ] || { [ -n "$said" ] || said=$(<"$1/errors.$$"); printf '%s\n' "$said" >&2; }
+    printf '%d %s\n' "$status" "$2" >>"$1/seen"
+  fi
+  rm -f "$1/errors.$$"
+}
+export -f ew_tidy_one
+
+# ew_tidy SECONDS [FILE...]: clang-tidy over the sources among the files (all without any), and a line that says how many it looked at. It is
+# over after SECONDS and begins no file in the last thirty; 0: it takes as long as it takes. Fails where there is a finding.
+ew_tidy() {
+  local folder=build/tidy end=0 files looked
+  [ "$1" -eq 0 ] || end=$(($(date +%s) + $1))
+  shift
+  ew_tidy_commands "$folder"
+  mapfile -t files < <(ew_tidy_sources "$folder" "$@")
+  : >"$folder/seen"
+  [ ${#files[@]} -eq 0 ] || printf '%s\0' "${files[@]}" | xargs -0 -P "$(nproc)" -I '{}' bash -c 'ew_tidy_one "$@"' _ "$folder" '{}' "$end"
+  looked=$(wc -l <"$folder/seen")
+  ew_say "clang-tidy looked at $looked of ${#files[@]} sources$([ "$looked" -eq "${#files[@]}" ] || printf '; ./check --tidy looks at all')."
+  ! grep -qv '^0 ' "$folder/seen"
+}
