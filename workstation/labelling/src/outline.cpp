@@ -40,6 +40,96 @@ class Shares {
 /// Edges of cells that an outline crosses: from the point (column, row) to its right (0) or lower (1) neighbour.
 using Edge = std::array<int, 3>;
 
+/// The shares at the points of a grid over the area, within a border of zeros that closes what leaves it.
+class ShareGrid {
+ public:
+  ShareGrid(const Shares& shares, const Transform<frame::Voxel, frame::Probe>& planeToVoxel, const PlaneArea& area)
+      : area_(area), wide_(pointsAlong(area.right_mm - area.left_mm)), high_(pointsAlong(area.bottom_mm - area.top_mm)) {
+    share_.resize(static_cast<std::size_t>(wide_) * static_cast<std::size_t>(high_), 0.0);
+    for (int row = 1; row + 1 < high_; ++row)
+      for (int column = 1; column + 1 < wide_; ++column)
+        share_[indexOf(column, row)] = shares.at(carried(planeToVoxel, {pointOf(column - 1, row - 1), 0.0}));
+  }
+
+  [[nodiscard]] int wide() const { return wide_; }
+  [[nodiscard]] int high() const { return high_; }
+  [[nodiscard]] bool isIn(int column, int row) const { return share_[indexOf(column, row)] > 0.5; }
+
+  /// Where the outline crosses an edge, mm.
+  [[nodiscard]] glm::dvec2 crossing(const Edge& edge) const {
+    const auto& [column, row, downwards] = edge;
+    const double a = share_[indexOf(column, row)], b = share_[indexOf(column + 1 - downwards, row + downwards)];
+    const double at = a == b ? 0.5 : (0.5 - a) / (b - a);
+    return pointOf(column - 1 + (downwards == 0 ? at : 0.0), row - 1 + (downwards == 1 ? at : 0.0));
+  }
+
+ private:
+  [[nodiscard]] int pointsAlong(double length_mm) const { return static_cast<int>(std::ceil(length_mm / area_.step_mm - 1e-9)) + 3; }
+  [[nodiscard]] std::size_t indexOf(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(wide_) + static_cast<std::size_t>(column);
+  }
+  [[nodiscard]] glm::dvec2 pointOf(double column, double row) const {
+    return {area_.left_mm + column * area_.step_mm, area_.top_mm + row * area_.step_mm};
+  }
+
+  PlaneArea area_;
+  int wide_, high_;
+  std::vector<double> share_;
+};
+
+/// The edges that follow each crossed one.
+using Followers = std::map<Edge, std::vector<Edge>>;
+
+Followers followersIn(const ShareGrid& grid) {
+  // The pieces of outline in a cell by which of its corners are inside (1, 2, 4, 8: clockwise from the upper left): from the side that a
+  // piece comes from to the one it leaves by, the inside at its right hand. -1: none.
+  enum Side { top, right, bottom, left };
+  static constexpr std::array<std::array<int, 4>, 16> kPieces{{{-1, -1, -1, -1},
+                                                               {left, top, -1, -1},
+                                                               {top, right, -1, -1},
+                                                               {left, right, -1, -1},
+                                                               {right, bottom, -1, -1},
+                                                               {left, top, right, bottom},
+                                                               {top, bottom, -1, -1},
+                                                               {left, bottom, -1, -1},
+                                                               {bottom, left, -1, -1},
+                                                               {bottom, top, -1, -1},
+                                                               {top, right, bottom, left},
+                                                               {bottom, right, -1, -1},
+                                                               {right, left, -1, -1},
+                                                               {right, top, -1, -1},
+                                                               {top, left, -1, -1},
+                                                               {-1, -1, -1, -1}}};
+  Followers next;
+  for (int row = 0; row + 1 < grid.high(); ++row)
+    for (int column = 0; column + 1 < grid.wide(); ++column) {
+      const std::array<Edge, 4> sides{{{column, row, 0}, {column + 1, row, 1}, {column, row + 1, 0}, {column, row, 1}}};
+      const int corners = (grid.isIn(column, row) ? 1 : 0) | (grid.isIn(column + 1, row) ? 2 : 0) |
+                          (grid.isIn(column + 1, row + 1) ? 4 : 0) | (grid.isIn(column, row + 1) ? 8 : 0);
+      const auto& pieces = kPieces[static_cast<std::size_t>(corners)];
+      for (std::size_t n = 0; n < pieces.size() && pieces[n] >= 0; n += 2)
+        next[sides[static_cast<std::size_t>(pieces[n])]].push_back(sides[static_cast<std::size_t>(pieces[n + 1])]);
+    }
+  return next;
+}
+
+/// One outline, taken out of `next`, which is not empty.
+std::vector<glm::dvec2> takeOutline(Followers& next, const ShareGrid& grid) {
+  std::vector<glm::dvec2> outline;
+  const Edge begin = next.begin()->first;
+  Edge at = begin;
+  do {
+    outline.push_back(grid.crossing(at));
+    const auto found = next.find(at);
+    if (found == next.end()) break;
+    const Edge to = found->second.back();
+    found->second.pop_back();
+    if (found->second.empty()) next.erase(found);
+    at = to;
+  } while (at != begin);
+  return outline;
+}
+
 }  // namespace
 
 std::vector<std::vector<glm::dvec2>> outlinesOf(const Volume& labels, std::uint8_t label,
@@ -47,101 +137,10 @@ std::vector<std::vector<glm::dvec2>> outlinesOf(const Volume& labels, std::uint8
   EW_EXPECTS(area.step_mm > 0.0);
   const Shares shares(labels, label);
   if (shares.empty() || area.right_mm <= area.left_mm || area.bottom_mm <= area.top_mm) return {};
-  const int columns = static_cast<int>(std::ceil((area.right_mm - area.left_mm) / area.step_mm - 1e-9)) + 1,
-            rows = static_cast<int>(std::ceil((area.bottom_mm - area.top_mm) / area.step_mm - 1e-9)) + 1;
-  const auto pointOf = [&](double column, double row) {
-    return glm::dvec2(area.left_mm + column * area.step_mm, area.top_mm + row * area.step_mm);
-  };
-  // A border of zeros closes what leaves the area.
-  const int wide = columns + 2, high = rows + 2;
-  std::vector<double> share(static_cast<std::size_t>(wide) * static_cast<std::size_t>(high), 0.0);
-  const auto shareAt = [&](int column, int row) -> double& {
-    return share[static_cast<std::size_t>(row) * static_cast<std::size_t>(wide) + static_cast<std::size_t>(column)];
-  };
-  for (int row = 1; row + 1 < high; ++row)
-    for (int column = 1; column + 1 < wide; ++column)
-      shareAt(column, row) = shares.at(carried(planeToVoxel, {pointOf(column - 1, row - 1), 0.0}));
-
-  // Each crossed edge is left to the next one with the inside at the right hand.
-  std::map<Edge, std::vector<Edge>> next;
-  const auto isIn = [&](int column, int row) { return shareAt(column, row) > 0.5; };
-  for (int row = 0; row + 1 < high; ++row)
-    for (int column = 0; column + 1 < wide; ++column) {
-      const Edge top{column, row, 0}, left{column, row, 1}, bottom{column, row + 1, 0}, right{column + 1, row, 1};
-      const int cell = (isIn(column, row) ? 1 : 0) | (isIn(column + 1, row) ? 2 : 0) | (isIn(column + 1, row + 1) ? 4 : 0) |
-                       (isIn(column, row + 1) ? 8 : 0);
-      const auto add = [&](const Edge& from, const Edge& to) { next[from].push_back(to); };
-      switch (cell) {
-        case 1:
-          add(left, top);
-          break;
-        case 2:
-          add(top, right);
-          break;
-        case 3:
-          add(left, right);
-          break;
-        case 4:
-          add(right, bottom);
-          break;
-        case 5:
-          add(left, top);
-          add(right, bottom);
-          break;
-        case 6:
-          add(top, bottom);
-          break;
-        case 7:
-          add(left, bottom);
-          break;
-        case 8:
-          add(bottom, left);
-          break;
-        case 9:
-          add(bottom, top);
-          break;
-        case 10:
-          add(top, right);
-          add(bottom, left);
-          break;
-        case 11:
-          add(bottom, right);
-          break;
-        case 12:
-          add(right, left);
-          break;
-        case 13:
-          add(right, top);
-          break;
-        case 14:
-          add(top, left);
-          break;
-        default:
-          break;
-      }
-    }
-  const auto placeOf = [&](const Edge& edge) {
-    const int otherColumn = edge[0] + (edge[2] == 0 ? 1 : 0), otherRow = edge[1] + (edge[2] == 1 ? 1 : 0);
-    const double a = shareAt(edge[0], edge[1]), b = shareAt(otherColumn, otherRow);
-    const double at = a == b ? 0.5 : (0.5 - a) / (b - a);
-    return pointOf(edge[0] - 1 + (edge[2] == 0 ? at : 0.0), edge[1] - 1 + (edge[2] == 1 ? at : 0.0));
-  };
+  const ShareGrid grid(shares, planeToVoxel, area);
+  Followers next = followersIn(grid);
   std::vector<std::vector<glm::dvec2>> outlines;
-  while (!next.empty()) {
-    std::vector<glm::dvec2> outline;
-    const Edge begin = next.begin()->first;
-    Edge at = begin;
-    do {
-      outline.push_back(placeOf(at));
-      const auto found = next.find(at);
-      if (found == next.end()) break;
-      const Edge to = found->second.back();
-      found->second.pop_back();
-      if (found->second.empty()) next.erase(found);
-      at = to;
-    } while (at != begin);
-    outlines.push_back(std::move(outline));
-  }
+  while (!next.empty()) outlines.push_back(takeOutline(next, grid));
   return outlines;
 }
 
