@@ -210,6 +210,40 @@ Result<void> settleColours(Cine& cine, ColourRule rule, bool flowRegion, const f
   return {};
 }
 
+/// The frames of a cine without poses, at these times (s; empty: unknown).
+void addFrames(Cine& cine, const std::vector<double>& times_s, std::uint64_t frames) {
+  glm::dmat4 imageToPicture(1.0);
+  imageToPicture[0][0] = cine.pixel_mm.x;
+  imageToPicture[1][1] = cine.pixel_mm.y;
+  imageToPicture[2][2] = std::sqrt(cine.pixel_mm.x * cine.pixel_mm.y);
+  for (std::uint64_t n = 0; n < frames; ++n) {
+    SequenceFrame frame;
+    if (!times_s.empty()) frame.time_s = times_s[n];
+    frame.transforms.push_back({"Image", "Picture", imageToPicture, PoseStatus::ok});
+    cine.sequence.frames.push_back(std::move(frame));
+  }
+}
+
+/// Notes on where the pictures lie, and on text that may be burned in (`burnedIn`: the file's word on it).
+void tellPlace(Cine& cine, const Chosen& chosen, const std::vector<UltrasoundRegion>& regions, const std::string& burnedIn) {
+  cine.notes.push_back(
+      say<"The pictures have no place in space: Picture counts mm from the middle of the upper left pixel, x to the right, y down, %1 x %2 "
+          "mm a pixel; the file does not say on which side the probe's marker is.">(number(cine.pixel_mm.x), number(cine.pixel_mm.y)));
+  if (chosen.region != nullptr) {
+    const UltrasoundRegion& region = *chosen.region;
+    cine.notes.push_back(
+        say<"The pictures were cut to region %1.">(region.describe(static_cast<std::size_t>(&region - regions.data()) + 1)));
+    if (region.referencePixel)
+      cine.notes.push_back(say<"The region counts its own mm from pixel (%1, %2) of the cut picture, where x is %3 and y is %4.">(
+          number(region.referencePixel->x), number(region.referencePixel->y), number(10.0 * region.referenceValue.x),
+          number(10.0 * region.referenceValue.y)));
+  } else if (burnedIn != "NO") {
+    cine.notes.push_back(burnedIn == "YES"
+                             ? say<"Text is burned into the pictures; check that what is left names nobody.">()
+                             : say<"The file does not rule out text burned into the pictures; check that they name nobody.">());
+  }
+}
+
 }  // namespace
 
 bool isDicom(const fs::path& file) {
@@ -291,43 +325,19 @@ Result<Cine> readDicomCine(const fs::path& file, const CineOptions& options, Pro
     const std::uint64_t kept = static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height);
     cine.removed.pixelsPerFrame = std::max(cine.removed.pixelsPerFrame, layout->pixelsPerFrame() - kept);
   }
-  Sequence& sequence = cine.sequence;
-  sequence.width = rect.width;
-  sequence.height = rect.height;
-  sequence.pixels = std::move(grey->level);
+  cine.sequence.width = rect.width;
+  cine.sequence.height = rect.height;
+  cine.sequence.pixels = std::move(grey->level);
   cine.coloured = std::move(grey->coloured);
-  sequence.imageType = "BRIGHTNESS";
+  cine.sequence.imageType = "BRIGHTNESS";
   cine.pixel_mm = chosen->pixel_mm;
   for (Message& note : unusedFields(dicom->data, cine.pixel_mm)) cine.notes.push_back(std::move(note));
   const auto times_s = timesOf(dicom->data, layout->frames, options.rate_hz, cine.notes);
-  glm::dmat4 imageToPicture(1.0);
-  imageToPicture[0][0] = cine.pixel_mm.x;
-  imageToPicture[1][1] = cine.pixel_mm.y;
-  imageToPicture[2][2] = std::sqrt(cine.pixel_mm.x * cine.pixel_mm.y);
-  for (std::uint64_t n = 0; n < frames; ++n) {
-    SequenceFrame frame;
-    if (!times_s.empty()) frame.time_s = times_s[n];
-    frame.transforms.push_back({"Image", "Picture", imageToPicture, PoseStatus::ok});
-    sequence.frames.push_back(std::move(frame));
-  }
+  addFrames(cine, times_s, frames);
   const bool flow = std::any_of(regions.begin(), regions.end(),
                                 [&](const UltrasoundRegion& one) { return one.dataType == 2 && overlap(one.rect, rect); });
   if (auto settled = settleColours(cine, options.colour, flow, file); !settled) return passOn(settled.error());
-  cine.notes.push_back(
-      say<"The pictures have no place in space: Picture counts mm from the middle of the upper left pixel, x to the right, y down, %1 x %2 "
-          "mm a pixel; the file does not say on which side the probe's marker is.">(number(cine.pixel_mm.x), number(cine.pixel_mm.y)));
-  if (chosen->region != nullptr) {
-    const UltrasoundRegion& region = *chosen->region;
-    cine.notes.push_back(
-        say<"The pictures were cut to region %1.">(region.describe(static_cast<std::size_t>(&region - regions.data()) + 1)));
-    if (region.referencePixel)
-      cine.notes.push_back(say<"The region counts its own mm from pixel (%1, %2) of the cut picture, where x is %3 and y is %4.">(
-          number(region.referencePixel->x), number(region.referencePixel->y), number(10.0 * region.referenceValue.x),
-          number(10.0 * region.referenceValue.y)));
-  } else if (burnedIn || dicom->data.text(0x00280301u) != "NO") {
-    cine.notes.push_back(burnedIn ? say<"Text is burned into the pictures; check that what is left names nobody.">()
-                                  : say<"The file does not rule out text burned into the pictures; check that they name nobody.">());
-  }
+  tellPlace(cine, *chosen, regions, dicom->data.text(0x00280301u));
   progress.report(say<"Reading frames">(), 1.0);
   return cine;
 } catch (const std::bad_alloc&) {
