@@ -211,37 +211,17 @@ void refuseCostly(const JsonFields& object) {
                      say<"at most %1 solids and %2 shapes inside one another">(textOf(kMostSolids), kDeepestUse));
 }
 
-ShapePtr shapeIn(const JsonFields& object, Surroundings around) {
+/// The one kind of shape that the object names at this depth; else it is refused.
+std::string kindOf(const JsonFields& object, int depth) {
   static const std::array<std::string, 17> kKinds{"capsule", "difference", "ellipsoid", "grown",       "half_space",    "intersection",
                                                   "loft",    "of",         "patches",   "rough",       "septa",         "sheets",
                                                   "shell",   "tube",       "union",     "vessel_tree", "vessels_beside"};
-  object.only({"blend_mm",
-               "capsule",
-               "difference",
-               "ellipsoid",
-               "frame",
-               "grown",
-               "half_space",
-               "intersection",
-               "loft",
-               "mirrored",
-               "mirror_smoothing_mm",
-               "of",
-               "patches",
-               "relief",
-               "rough",
-               "septa",
-               "sheets",
-               "shell",
-               "tube",
-               "union",
-               "vessel_tree",
-               "vessels_beside"});
-  if (!object.good()) return nullptr;
-  if (around.depth > kDeepestShape) {
-    object.refuseWhole(say<"nested too deeply">(), say<"at most %1 shapes inside one another">(kDeepestShape));
-    return nullptr;
-  }
+  std::vector<std::string> known{"blend_mm", "frame", "mirrored", "mirror_smoothing_mm", "relief"};
+  known.insert(known.end(), kKinds.begin(), kKinds.end());
+  std::ranges::sort(known);
+  object.only(known);
+  if (depth > kDeepestShape) object.refuseWhole(say<"nested too deeply">(), say<"at most %1 shapes inside one another">(kDeepestShape));
+  if (!object.good()) return {};
   std::string kind;
   for (const std::string& each : kKinds) {
     if (!object.has(each)) continue;
@@ -253,11 +233,11 @@ ShapePtr shapeIn(const JsonFields& object, Surroundings around) {
         say<"without a shape">(),
         say<"one of capsule, difference, ellipsoid, grown, half_space, intersection, loft, of, patches, rough, septa, sheets, "
             "shell, tube, union, vessel_tree, vessels_beside">());
-  if (!object.good()) return nullptr;
+  return kind;
+}
 
-  if (object.has("frame")) around.frame = entryNamed(object, "frame", around.frames, say<"a frame described before this one">());
-  if (!object.good()) return nullptr;
-
+/// The shape of that kind as it is drawn, without what is done to it afterwards; its solids are counted in `around`.
+ShapePtr drawnIn(const JsonFields& object, const std::string& kind, Surroundings around) {
   // A kind that is drawn has an object of its own; the others name a shape or list some.
   const bool drawn = kind != "of" && kind != "union" && kind != "intersection" && kind != "difference";
   const JsonFields inner = drawn ? object.object(kind) : object;
@@ -279,12 +259,20 @@ ShapePtr shapeIn(const JsonFields& object, Surroundings around) {
   if (kind == "union" || kind == "intersection" || kind == "difference") {
     std::vector<BlendedPart> parts = readParts(object, kind, around);
     if (!object.good()) return nullptr;
-    shape = kind == "union"          ? makeUnion(std::move(parts))
-            : kind == "intersection" ? makeIntersection(std::move(parts))
-                                     : makeDifference(std::move(parts));
-  } else if (shape) {
-    around.solids += shape->solids();
+    return kind == "union"          ? makeUnion(std::move(parts))
+           : kind == "intersection" ? makeIntersection(std::move(parts))
+                                    : makeDifference(std::move(parts));
   }
+  if (shape) around.solids += shape->solids();
+  return shape;
+}
+
+ShapePtr shapeIn(const JsonFields& object, Surroundings around) {
+  const std::string kind = kindOf(object, around.depth);
+  if (object.good() && object.has("frame"))
+    around.frame = entryNamed(object, "frame", around.frames, say<"a frame described before this one">());
+  if (!object.good()) return nullptr;
+  ShapePtr shape = drawnIn(object, kind, around);
   if (!object.good()) return nullptr;
   if (around.solids > kMostSolids || shape->depth() > kDeepestUse) {
     refuseCostly(object);
