@@ -31,6 +31,13 @@ QString unitWords(const std::string& unit) {
   return unit == "deg" ? QStringLiteral("°") : QStringLiteral("mm");
 }
 
+/// The widget, under the name by which tests and styles find that part of the measurement.
+template <class Widget>
+Widget* named(Widget* widget, std::size_t number, const char* part) {
+  widget->setObjectName(QStringLiteral("measurement_%1_%2").arg(number).arg(QLatin1String(part)));
+  return widget;
+}
+
 }  // namespace
 
 MeasurementsField::MeasurementsField(QWidget* parent) : QWidget(parent) {
@@ -84,86 +91,46 @@ void MeasurementsField::remake() {
 }
 
 void MeasurementsField::addOne(std::size_t number) {
-  const nlohmann::json& one = list_[number];
-  const QString prefix = QStringLiteral("measurement_%1_").arg(number);
   auto* grid = new QGridLayout;
   grid->setSpacing(kGap_px);
-  auto* name = new sdk::WithHostUndo<QLineEdit>;
-  name->setObjectName(prefix + QStringLiteral("name"));
+  addNameRow(*grid, number);
+  addKindRow(*grid, number);
+  addValueRows(*grid, number);
+  grid->setColumnStretch(0, 1);
+  grid->setColumnStretch(1, 1);
+  static_cast<QVBoxLayout*>(entries_->layout())->addLayout(grid);
+}
+
+void MeasurementsField::addNameRow(QGridLayout& grid, std::size_t number) {
+  auto* name = named(new sdk::WithHostUndo<QLineEdit>, number, "name");
   name->setAccessibleName(tr("what is measured"));
   name->setPlaceholderText(tr("what is measured"));
-  name->setText(sdk::words(textAt(one, "name")));
+  name->setText(sdk::words(textAt(list_[number], "name")));
   connect(name, &QLineEdit::textEdited, this, [this, number](const QString& text) { set(number, "name", text.toStdString()); });
-  grid->addWidget(name, 0, 0, 1, 2);
-  auto* away = new QPushButton(tr("Remove"));
-  away->setObjectName(prefix + QStringLiteral("remove"));
+  grid.addWidget(name, 0, 0, 1, 2);
+  auto* away = named(new QPushButton(tr("Remove")), number, "remove");
   connect(away, &QPushButton::clicked, this, [this, number] {
     list_.erase(number);
     remake();
     tell();
   });
-  grid->addWidget(away, 0, 2);
+  grid.addWidget(away, 0, 2);
+}
 
-  auto* kind = new ChoiceField;
-  kind->setObjectName(prefix + QStringLiteral("kind"));
+void MeasurementsField::addKindRow(QGridLayout& grid, std::size_t number) {
+  const nlohmann::json& one = list_[number];
+  auto* kind = named(new ChoiceField, number, "kind");
   kind->setFocusPolicy(Qt::StrongFocus);
   kind->setAccessibleName(tr("kind"));
   if (patientKnows_ || !hasValue(one)) kind->addItem(tr("known by the patient"), QString());
   const std::array<QString, 4> names = {tr("distance"), tr("circumference"), tr("area"), tr("angle")};
   for (std::size_t n = 0; n < kKinds.size(); ++n) kind->addItem(names[n], QLatin1String(kKinds[n].kind));
   kind->setCurrentIndex(std::max(0, kind->findData(sdk::words(textAt(one, "kind")))));
-  grid->addWidget(kind, 1, 0, 1, 2);
-  auto* take = new QPushButton(tr("Take caliper"));
-  take->setObjectName(prefix + QStringLiteral("take"));
+  connect(kind, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+          [this, number, kind] { setKind(number, kind->currentData().toString().toStdString()); });
+  grid.addWidget(kind, 1, 0, 1, 2);
+  auto* take = named(new QPushButton(tr("Take caliper")), number, "take");
   take->setToolTip(tr("Take the caliper I have drawn: value, kind and where it stands"));
-  grid->addWidget(take, 1, 2);
-
-  auto* value = new sdk::NumberField(0.0, kMostValue, 2, unitWords(textAt(one, "unit", "mm")));
-  value->setObjectName(prefix + QStringLiteral("value"));
-  value->setAccessibleName(tr("value"));
-  value->setValue(numberAt(one, "value").value_or(0.0));
-  value->setEnabled(hasValue(one));
-  if (!hasValue(one)) value->setToolTip(tr("The value is the virtual patient's; choose a kind to give one"));
-  grid->addWidget(value, 2, 0);
-  auto* tolerance = new sdk::NumberField(0.0, kMostValue, 2, unitWords(textAt(one, "unit", "mm")));
-  tolerance->setObjectName(prefix + QStringLiteral("tolerance"));
-  tolerance->setAccessibleName(tr("tolerance"));
-  tolerance->setPrefix(QStringLiteral("± "));
-  tolerance->setSpecialValueText(tr("usual tolerance"));
-  tolerance->setValue(numberAt(one, "tolerance").value_or(0.0));
-  grid->addWidget(tolerance, 2, 1, 1, 2);
-  auto* reveals = new QCheckBox(tr("Gives the finding away"));
-  reveals->setObjectName(prefix + QStringLiteral("reveals"));
-  reveals->setToolTip(tr("A trainee sees the name with the findings only"));
-  reveals->setChecked(flagAt(one, "reveals_finding"));
-  grid->addWidget(reveals, 3, 0, 1, 3);
-  grid->setColumnStretch(0, 1);
-  grid->setColumnStretch(1, 1);
-
-  connect(kind, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, number, kind] {
-    nlohmann::json& edited = list_[number];
-    const std::string chosen = kind->currentData().toString().toStdString();
-    edited.erase("points_mm");  // of another kind of caliper
-    for (const char* key : {"kind", "unit"}) edited.erase(key);
-    const auto known = std::find_if(kKinds.begin(), kKinds.end(), [&](const KindOfMeasurement& each) { return each.kind == chosen; });
-    if (known == kKinds.end()) {
-      edited.erase("value");
-    } else {
-      edited["kind"] = known->kind;
-      edited["unit"] = known->unit;
-      if (!edited.contains("value")) edited["value"] = 0.0;
-    }
-    remake();
-    tell();
-  });
-  connect(value, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this, number](double now) {
-    list_[number].erase("points_mm");  // a typed value is no longer what the calipers stand at
-    set(number, "value", now);
-  });
-  connect(tolerance, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
-          [this, number](double now) { set(number, "tolerance", now > 0.0 ? nlohmann::json(now) : nlohmann::json()); });
-  connect(reveals, &QCheckBox::toggled, this,
-          [this, number](bool on) { set(number, "reveals_finding", on ? nlohmann::json(true) : nlohmann::json()); });
   connect(take, &QPushButton::clicked, this, [this, number] {
     if (!onTake) return;
     nlohmann::json taken = onTake(list_[number]);
@@ -172,7 +139,51 @@ void MeasurementsField::addOne(std::size_t number) {
     remake();
     tell();
   });
-  static_cast<QVBoxLayout*>(entries_->layout())->addLayout(grid);
+  grid.addWidget(take, 1, 2);
+}
+
+void MeasurementsField::addValueRows(QGridLayout& grid, std::size_t number) {
+  const nlohmann::json& one = list_[number];
+  const QString unit = unitWords(textAt(one, "unit", "mm"));
+  auto* value = named(new sdk::NumberField(0.0, kMostValue, 2, unit), number, "value");
+  value->setAccessibleName(tr("value"));
+  value->setValue(numberAt(one, "value").value_or(0.0));
+  value->setEnabled(hasValue(one));
+  if (!hasValue(one)) value->setToolTip(tr("The value is the virtual patient's; choose a kind to give one"));
+  connect(value, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this, number](double now) {
+    list_[number].erase("points_mm");  // a typed value is no longer what the calipers stand at
+    set(number, "value", now);
+  });
+  grid.addWidget(value, 2, 0);
+  auto* tolerance = named(new sdk::NumberField(0.0, kMostValue, 2, unit), number, "tolerance");
+  tolerance->setAccessibleName(tr("tolerance"));
+  tolerance->setPrefix(QStringLiteral("± "));
+  tolerance->setSpecialValueText(tr("usual tolerance"));
+  tolerance->setValue(numberAt(one, "tolerance").value_or(0.0));
+  connect(tolerance, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
+          [this, number](double now) { set(number, "tolerance", now > 0.0 ? nlohmann::json(now) : nlohmann::json()); });
+  grid.addWidget(tolerance, 2, 1, 1, 2);
+  auto* reveals = named(new QCheckBox(tr("Gives the finding away")), number, "reveals");
+  reveals->setToolTip(tr("A trainee sees the name with the findings only"));
+  reveals->setChecked(flagAt(one, "reveals_finding"));
+  connect(reveals, &QCheckBox::toggled, this,
+          [this, number](bool on) { set(number, "reveals_finding", on ? nlohmann::json(true) : nlohmann::json()); });
+  grid.addWidget(reveals, 3, 0, 1, 3);
+}
+
+void MeasurementsField::setKind(std::size_t number, const std::string& chosen) {
+  nlohmann::json& edited = list_[number];
+  for (const char* key : {"points_mm", "kind", "unit"}) edited.erase(key);  // the points are those of another kind of caliper
+  const auto known = std::find_if(kKinds.begin(), kKinds.end(), [&](const KindOfMeasurement& each) { return each.kind == chosen; });
+  if (known == kKinds.end()) {
+    edited.erase("value");
+  } else {
+    edited["kind"] = known->kind;
+    edited["unit"] = known->unit;
+    if (!edited.contains("value")) edited["value"] = 0.0;
+  }
+  remake();
+  tell();
 }
 
 void MeasurementsField::set(std::size_t number, const char* key, const nlohmann::json& value) {

@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <string>
 
+class QGridLayout;
 class QVBoxLayout;
 
 namespace ew::case_authoring {
@@ -27,6 +29,10 @@ class MeasurementsField final : public QWidget {
  private:
   void remake();
   void addOne(std::size_t number);
+  void addNameRow(QGridLayout& grid, std::size_t number);
+  void addKindRow(QGridLayout& grid, std::size_t number);
+  void addValueRows(QGridLayout& grid, std::size_t number);
+  void setKind(std::size_t number, const std::string& chosen);
   void tell();
   void set(std::size_t number, const char* key, const nlohmann::json& value);
 
