@@ -27,12 +27,7 @@ LessonsPage::LessonsPage(LessonDocument& document, QWidget* parent) : QWidget(pa
   column->addWidget(sdk::headingLabel(tr("Lessons of this case")));
   none_ = sdk::quietLabel(tr("There is none yet. Begin with the usual outline, or with an empty lesson."));
   column->addWidget(none_);
-
-  list_ = new OrderList;
-  list_->setObjectName(QStringLiteral("editedLessons"));
-  list_->setAccessibleName(tr("Lessons of this case"));
-  list_->setToolTip(tr("Enter edits a lesson, Alt+Up and Alt+Down move it, Del removes it"));
-  column->addWidget(list_);
+  addList(*column);
 
   auto* makeRow = new QHBoxLayout;
   makeRow->setSpacing(kGap_px);
@@ -48,64 +43,82 @@ LessonsPage::LessonsPage(LessonDocument& document, QWidget* parent) : QWidget(pa
   auto* some = new QVBoxLayout(some_);
   some->setContentsMargins(0, 0, 0, 0);
   some->setSpacing(kGap_px);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(kGap_px);
-  auto* open = smallButton(tr("Edit"), "editLesson", tr("Edit the chosen lesson and its steps"));
-  open->setProperty("primary", true);
-  auto* copy = smallButton(tr("Duplicate"), "copyLesson", tr("Put a copy behind the chosen lesson"));
-  auto* remove = smallButton(tr("Remove"), "removeLesson", tr("Remove the chosen lesson; undo brings it back"));
-  row->addWidget(open);
-  row->addWidget(copy);
-  row->addWidget(remove);
-  row->addStretch(1);
-  some->addLayout(row);
-  auto* order = new QHBoxLayout;
-  order->setSpacing(kGap_px);
-  auto* up = smallButton(QStringLiteral("\u2191"), "lessonUp", tr("Move the chosen lesson up (Alt+Up)"));
-  auto* down = smallButton(QStringLiteral("\u2193"), "lessonDown", tr("Move the chosen lesson down (Alt+Down)"));
-  order->addWidget(up);
-  order->addWidget(down);
-  order->addStretch(1);
-  words_ = smallButton({}, "lessonWords", tr("Write what trainees read in another language"));
-  order->addWidget(words_);
-  some->addLayout(order);
+  some->addLayout(makeChosenRow());
+  some->addLayout(makeOrderRow());
   column->addWidget(some_);
-
-  unusedRow_ = new QWidget;
-  auto* unusedRow = new QVBoxLayout(unusedRow_);
-  unusedRow->setContentsMargins(0, kGap_px, 0, 0);
-  unusedRow->setSpacing(kGap_px / 2);
-  unused_ = sdk::quietLabel({});
-  unused_->setObjectName(QStringLiteral("unusedLessonFiles"));
-  auto* clean = smallButton(tr("Remove them"), "removeUnusedLessonFiles",
-                            tr("Remove scans and pictures that no lesson names; undo cannot bring them back"));
-  unusedRow->addWidget(unused_);
-  unusedRow->addWidget(clean, 0, Qt::AlignLeft);
-  column->addWidget(unusedRow_);
+  addUnusedRow(*column);
   column->addStretch(1);
+}
 
-  const auto chosen = [this] { return list_->chosen(); };
-  connect(open, &QPushButton::clicked, this, [this, chosen] { Q_EMIT openAsked(words(chosen())); });
-  connect(copy, &QPushButton::clicked, this, [this, chosen] {
-    const Lesson* lesson = lessonIn(document_.lessons(), chosen());
-    if (lesson == nullptr) return;
-    const std::string title = tr("%1 (copy)").arg(words(lesson->title)).left(200).toStdString();
-    edit(tr("Duplicate a lesson"), [id = lesson->id, title](Lessons all) { return withCopyOf(std::move(all), id, title); });
-  });
-  const auto removeOne = [this](const std::string& id) {
-    edit(tr("Remove a lesson"), [id](Lessons all) { return without(std::move(all), id); });
-  };
-  connect(remove, &QPushButton::clicked, this, [removeOne, chosen] { removeOne(chosen()); });
-  connect(list_, &OrderList::removeAsked, this, [removeOne](const QString& id) { removeOne(id.toStdString()); });
+void LessonsPage::addList(QVBoxLayout& column) {
+  list_ = new OrderList;
+  list_->setObjectName(QStringLiteral("editedLessons"));
+  list_->setAccessibleName(tr("Lessons of this case"));
+  list_->setToolTip(tr("Enter edits a lesson, Alt+Up and Alt+Down move it, Del removes it"));
+  connect(list_, &OrderList::removeAsked, this, [this](const QString& id) { remove(id.toStdString()); });
   connect(list_, &OrderList::openAsked, this, &LessonsPage::openAsked);
   connect(list_, &OrderList::moveAsked, this, [this](const QString& id, int place) {
     edit(tr("Move a lesson"),
          [id = id.toStdString(), place](Lessons all) { return withMoved(std::move(all), id, static_cast<std::size_t>(place)); });
   });
+  column.addWidget(list_);
+}
+
+QHBoxLayout* LessonsPage::makeChosenRow() {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(kGap_px);
+  auto* open = smallButton(tr("Edit"), "editLesson", tr("Edit the chosen lesson and its steps"));
+  open->setProperty("primary", true);
+  auto* copy = smallButton(tr("Duplicate"), "copyLesson", tr("Put a copy behind the chosen lesson"));
+  auto* removeChosen = smallButton(tr("Remove"), "removeLesson", tr("Remove the chosen lesson; undo brings it back"));
+  row->addWidget(open);
+  row->addWidget(copy);
+  row->addWidget(removeChosen);
+  row->addStretch(1);
+  connect(open, &QPushButton::clicked, this, [this] { Q_EMIT openAsked(words(list_->chosen())); });
+  connect(copy, &QPushButton::clicked, this, [this] {
+    const Lesson* lesson = lessonIn(document_.lessons(), list_->chosen());
+    if (lesson == nullptr) return;
+    const std::string title = tr("%1 (copy)").arg(words(lesson->title)).left(200).toStdString();
+    edit(tr("Duplicate a lesson"), [id = lesson->id, title](Lessons all) { return withCopyOf(std::move(all), id, title); });
+  });
+  connect(removeChosen, &QPushButton::clicked, this, [this] { remove(list_->chosen()); });
+  return row;
+}
+
+QHBoxLayout* LessonsPage::makeOrderRow() {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(kGap_px);
+  auto* up = smallButton(QStringLiteral("\u2191"), "lessonUp", tr("Move the chosen lesson up (Alt+Up)"));
+  auto* down = smallButton(QStringLiteral("\u2193"), "lessonDown", tr("Move the chosen lesson down (Alt+Down)"));
+  row->addWidget(up);
+  row->addWidget(down);
+  row->addStretch(1);
+  words_ = smallButton({}, "lessonWords", tr("Write what trainees read in another language"));
+  row->addWidget(words_);
   connect(up, &QPushButton::clicked, this, [this] { list_->moveChosen(-1); });
   connect(down, &QPushButton::clicked, this, [this] { list_->moveChosen(1); });
   connect(words_, &QPushButton::clicked, this, &LessonsPage::wordsAsked);
+  return row;
+}
+
+void LessonsPage::addUnusedRow(QVBoxLayout& column) {
+  unusedRow_ = new QWidget;
+  auto* row = new QVBoxLayout(unusedRow_);
+  row->setContentsMargins(0, kGap_px, 0, 0);
+  row->setSpacing(kGap_px / 2);
+  unused_ = sdk::quietLabel({});
+  unused_->setObjectName(QStringLiteral("unusedLessonFiles"));
+  auto* clean = smallButton(tr("Remove them"), "removeUnusedLessonFiles",
+                            tr("Remove scans and pictures that no lesson names; undo cannot bring them back"));
   connect(clean, &QPushButton::clicked, this, &LessonsPage::removeUnused);
+  row->addWidget(unused_);
+  row->addWidget(clean, 0, Qt::AlignLeft);
+  column.addWidget(unusedRow_);
+}
+
+void LessonsPage::remove(const std::string& id) {
+  edit(tr("Remove a lesson"), [id](Lessons all) { return without(std::move(all), id); });
 }
 
 void LessonsPage::fillMenu(QMenu& menu) {

@@ -5,9 +5,11 @@
 
 #include "editor/lesson_document.h"
 
+class QHBoxLayout;
 class QLabel;
 class QMenu;
 class QPushButton;
+class QVBoxLayout;
 
 namespace ew::lessons {
 
@@ -27,9 +29,14 @@ class LessonsPage final : public QWidget {
   void failed(const QString& problem);  ///< empty: what was asked for has been done
 
  private:
+  void addList(QVBoxLayout& column);
+  QHBoxLayout* makeChosenRow();
+  QHBoxLayout* makeOrderRow();
+  void addUnusedRow(QVBoxLayout& column);
   void fillMenu(QMenu& menu);
   void add(Lesson lesson);
   void edit(const QString& what, const LessonDocument::Edit& edit);
+  void remove(const std::string& id);
   void removeUnused();
 
   LessonDocument& document_;
