@@ -1,38 +1,14 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <string>
 #include <vector>
 
-#include "dicom/dicom_dataset.h"
+#include "dicom/pixel_layout.h"
 #include "ew/core/image.h"
 #include "ew/core/progress.h"
-#include "ew/io/volume_file.h"
 
 namespace ew::detail {
-
-/// How the pixels of a DICOM file are stored, checked against each other and against the file.
-struct PixelLayout {
-  std::uint64_t rows = 0;
-  std::uint64_t columns = 0;
-  std::uint64_t frames = 1;
-  int samples = 1;
-  int bitsAllocated = 8;
-  int bitsStored = 8;
-  int highBit = 7;
-  bool isSigned = false;
-  bool planar = false;
-  std::string photometric;
-  std::string codec;           ///< "uncompressed", "JPEG" ...
-  bool thinned = false;        ///< uncompressed colours that two neighbours of a row share
-  std::vector<Message> notes;  ///< what the header leaves open or says wrongly, and what was passed over
-
-  [[nodiscard]] std::uint64_t pixelsPerFrame() const { return rows * columns; }
-  [[nodiscard]] bool inColour() const { return samples == 3 || photometric == "PALETTE COLOR"; }
-};
-
-/// @error badField, unsupported (no pixels, a codec or a colour model that is not read), tooLarge, truncated
-[[nodiscard]] Result<PixelLayout> pixelLayoutOf(const DicomFile& dicom, const ReadLimits& limits);
 
 /// The frames of a file as grey levels, one after the other.
 class FrameReader {
