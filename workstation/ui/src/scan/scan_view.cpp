@@ -13,11 +13,11 @@
 #include "scan/dgc_column.h"
 #include "scan/fan_rects.h"
 #include "scan/focus_scale.h"
+#include "scan/scan_badges.h"
 #include "scan/tracking_look.h"
 #include "scan/tracking_overlay.h"
 #include "widgets/figures.h"
 #include "widgets/focus_ring.h"
-#include "widgets/icons.h"
 #include "widgets/picture_image.h"
 #include "widgets/theme.h"
 #include "widgets/words.h"
@@ -304,7 +304,10 @@ void ScanView::paintEvent(QPaintEvent*) {
     QImage image = session_.probeControl().isLost() ? paled(imageOf(picture)) : imageOf(picture);
     image.setDevicePixelRatio(devicePixelRatioF());
     painter.drawImage(pictureRect().topLeft(), image);
-    if (session_.wide() == nullptr && !isInAir()) paintUnrecorded(painter);
+    if (session_.wide() == nullptr && !isInAir()) {
+      veil_.follow(session_, devicePixelRatioF());
+      veil_.paint(painter, pictureRect(), session_, tr("Nothing recorded here"));
+    }
   }
   if (mode() != DisplayMode::bMode) paintStrip(painter);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -319,8 +322,8 @@ void ScanView::paintEvent(QPaintEvent*) {
     painter.restore();
   }
   paintWords(painter);
-  if (session_.isFrozen()) paintFrozen(painter);
-  if (recorded_s_) paintRecording(painter);
+  if (session_.isFrozen()) paintFrozenBadge(painter, width(), tr("Frozen"));
+  if (recorded_s_) paintRecordingTime(painter, width() - 24, session_.isFrozen() ? 14 + badgeHeight_px() : 8, *recorded_s_);
   if (session_.probeControl().isLost()) return paintLost(painter);
   if (!said_.isEmpty()) return paintSaid(painter);
   if (paintTracked(painter)) return;
@@ -376,118 +379,6 @@ bool ScanView::isBesideVolume() const {
   return !session_.seesVolume();
 }
 
-namespace {
-
-/// The tint one cell further to all sides, so that it reaches the rim of the fan, where cells are cut.
-void spread(QImage& cells, QRgb tint) {
-  const QImage before = cells;
-  for (int row = 0; row < cells.height(); ++row) {
-    auto* line = reinterpret_cast<QRgb*>(cells.scanLine(row));
-    for (int near = std::max(0, row - 1); near <= std::min(cells.height() - 1, row + 1); ++near) {
-      const auto* from = reinterpret_cast<const QRgb*>(before.constScanLine(near));
-      for (int column = 0; column < cells.width(); ++column) {
-        const bool beside = (column > 0 && from[column - 1] != 0) || (column + 1 < cells.width() && from[column + 1] != 0);
-        if (beside || from[column] != 0) line[column] = tint;
-      }
-    }
-  }
-}
-
-/// Leaves only what lies in the fan. @param at_px where the image lies on the picture
-void cutToFan(QImage& image, const QPoint& at_px, const Spans& fan) {
-  for (int y = 0; y < image.height(); ++y) {
-    auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
-    const int row = y + at_px.y();
-    int done = 0;
-    if (row >= 0 && row < static_cast<int>(fan.size())) {
-      for (const RowSpan& run : fan[static_cast<std::size_t>(row)]) {
-        std::fill(line + done, line + std::clamp(run.begin - at_px.x(), done, image.width()), 0U);
-        done = std::clamp(run.end - at_px.x(), done, image.width());
-      }
-    }
-    std::fill(line + done, line + image.width(), 0U);
-  }
-}
-
-}  // namespace
-
-const ScanView::Veil& ScanView::veil() {
-  const Pose& pose = session_.shownState().pose;
-  const DisplayGeometry& geometry = session_.geometry();
-  const Grid& grid = session_.subject()->placedGrid;
-  if (veil_.pose == pose && veil_.geometry == geometry && veil_.grid == grid) return veil_;
-  veil_ = {pose, geometry, grid, {}, {}, {}, {}, 0.0};
-  const UnrecordedPart part = session_.unrecorded();
-  veil_.end_mm = part.end_mm;
-  veil_.share = part.share;
-  if (!(part.share > 0.0)) return veil_;
-  // A tint that no tissue has, under lines that no beam follows: plain darkness would be taken for a shadow.
-  const QRgb tint = qPremultiply(qRgba(34, 44, 58, 215));
-  QImage cells(part.columns, part.rows, QImage::Format_ARGB32_Premultiplied);
-  cells.fill(Qt::transparent);
-  const int every = part.every_px;
-  QRect used;
-  int widest = 0;
-  for (int row = 0; row < part.rows; ++row) {
-    const std::uint8_t* outside = part.outside.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(part.columns);
-    auto* line = reinterpret_cast<QRgb*>(cells.scanLine(row));
-    int run = 0;
-    for (int column = 0; column < part.columns; ++column) {
-      run = outside[column] != 0 ? run + 1 : 0;
-      if (run == 0) continue;
-      line[column] = tint;
-      used |= QRect(column, row, 1, 1);
-      if (run <= widest) continue;
-      widest = run;
-      veil_.widest_px = QRect((column - run + 1) * every, row * every, run * every, every);
-    }
-  }
-  // The border to the data moves by a cell as well, about a millimetre: what lies there is torn anyway.
-  spread(cells, tint);
-  used = used.adjusted(-1, -1, 1, 1).intersected(cells.rect());
-  veil_.at_px = used.topLeft() * every - QPoint(every / 2, every / 2);
-  veil_.image = cells.copy(used).scaled(used.size() * every, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
-  cutToFan(veil_.image, veil_.at_px, session_.seen().spans());
-  QPainter hatch(&veil_.image);
-  hatch.setRenderHint(QPainter::Antialiasing);
-  hatch.setCompositionMode(QPainter::CompositionMode_SourceAtop);
-  hatch.setPen(QPen(QColor(112, 136, 164, 120), devicePixelRatioF()));
-  // Anchored to the picture and not to the veil: lines that swim while the probe moves would draw the eye.
-  const double apart = 9.0 * devicePixelRatioF(), height = veil_.image.height();
-  const double phase = std::fmod(veil_.at_px.x() + veil_.at_px.y() + height, apart);
-  for (double x = -height - phase; x < veil_.image.width(); x += apart) hatch.drawLine(QPointF(x + height, 0.0), QPointF(x, height));
-  return veil_;
-}
-
-void ScanView::paintUnrecorded(QPainter& painter) {
-  const Veil& unrecorded = veil();
-  if (unrecorded.image.isNull()) return;
-  const double ratio = devicePixelRatioF();
-  QImage image = unrecorded.image;
-  image.setDevicePixelRatio(ratio);
-  const QRect box = pictureRect();
-  painter.save();
-  painter.setClipRect(box);
-  painter.drawImage(QPointF(box.topLeft()) + QPointF(unrecorded.at_px) / ratio, image);
-  constexpr double kWorthWords = 0.12;
-  painter.setFont(smallFont());
-  const QString what = tr("Nothing recorded here");
-  const QSize room = painter.fontMetrics().boundingRect(what).size() + QSize(16, 6);
-  const QRectF widest(QPointF(box.topLeft()) + QPointF(unrecorded.widest_px.topLeft()) / ratio,
-                      QSizeF(unrecorded.widest_px.size()) / ratio);
-  if (unrecorded.share >= kWorthWords && widest.width() >= room.width() + 8 && session_.seesVolume()) {
-    QRectF label(QPointF(0.0, 0.0), QSizeF(room));
-    label.moveCenter(widest.center());
-    label.moveBottom(std::min(label.bottom(), box.bottom() - 4.0));
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(34, 44, 58));
-    painter.drawRoundedRect(label, 4.0, 4.0);
-    painter.setPen(QColor(176, 194, 214));
-    painter.drawText(label, Qt::AlignCenter, what);
-  }
-  painter.restore();
-}
-
 /// Where data end below the middle of the face: from here on a row of dots runs along the scale.
 void ScanView::paintEndOfData(QPainter& painter, double end_mm) {
   const QRect box = pictureRect();
@@ -520,7 +411,7 @@ void ScanView::paintDepthScale(QPainter& painter) {
     }
   };
   paintScale(pictureRect(), [this](double mm) { return yOfDepth(mm); });
-  if (mode() != DisplayMode::mMode && session_.wide() == nullptr && veil_.end_mm && !isInAir()) paintEndOfData(painter, *veil_.end_mm);
+  if (mode() != DisplayMode::mMode && session_.wide() == nullptr && veil_.end_mm() && !isInAir()) paintEndOfData(painter, *veil_.end_mm());
   if (mode() == DisplayMode::both) {
     const QRect strip = stripRect();
     paintScale(strip, [&](double mm) { return strip.top() + strip.height() * mm / depth_mm; });
@@ -647,25 +538,6 @@ void ScanView::paintWords(QPainter& painter) {
   }
 }
 
-void ScanView::paintFrozen(QPainter& painter) {
-  const Theme theme = scanTheme();
-  QFont font = textFont();
-  font.setWeight(QFont::DemiBold);
-  painter.setFont(font);
-  const QString word = tr("Frozen");
-  const int flake_px = scaled(16);
-  const int width_px = painter.fontMetrics().horizontalAdvance(word) + 24 + flake_px + 6;
-  const QRect badge(width() - 16 - width_px, 8, width_px, scaled(26));
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(theme.accent);
-  painter.drawRoundedRect(badge, 4.0, 4.0);
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(theme.onAccent);
-  icon(QStringLiteral("freeze"), theme.onAccent)
-      .paint(&painter, QRect(badge.left() + 12, badge.center().y() - flake_px / 2, flake_px, flake_px));
-  painter.drawText(badge.adjusted(flake_px + 6, 0, 0, 0), Qt::AlignCenter, word);
-}
-
 void ScanView::setControlsEnabled(bool enabled) {
   dgc_->setEnabled(enabled);
   scale_->setEnabled(enabled);
@@ -675,22 +547,6 @@ void ScanView::setRecording(std::optional<double> length_s) {
   if (length_s == recorded_s_) return;
   recorded_s_ = length_s;
   update();
-}
-
-void ScanView::paintRecording(QPainter& painter) {
-  const Theme theme = scanTheme();
-  painter.setFont(smallFont());
-  const int whole_s = static_cast<int>(*recorded_s_);
-  const QString length = QStringLiteral("%1:%2").arg(whole_s / 60).arg(whole_s % 60, 2, 10, QLatin1Char('0'));
-  const int length_px = figuresWidth_px(painter.fontMetrics(), length);
-  const int top = session_.isFrozen() ? 14 + scaled(26) : 8;  // below the word "Frozen" when it is there
-  const int left = width() - 24 - length_px;
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(theme.danger);
-  painter.drawEllipse(QPointF(left - 14.0, top + scaled(12.0)), 6.0, 6.0);
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(theme.text);
-  drawFigures(painter, QRect(left, top, length_px + 8, lineHeight_px()), Qt::AlignLeft, length);
 }
 
 void ScanView::paintSaid(QPainter& painter) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QImage>
 #include <QTimer>
 #include <QWidget>
 #include <functional>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "scan/session.h"
+#include "scan/unrecorded_veil.h"
 
 namespace ew::ui {
 
@@ -93,7 +93,6 @@ class ScanView final : public QWidget {
   [[nodiscard]] DisplayMode mode() const { return session_.pictureKnobs().mode; }
   [[nodiscard]] bool isBesideVolume() const;
   [[nodiscard]] bool isInAir() const;
-  void paintUnrecorded(QPainter& painter);
   void paintEndOfData(QPainter& painter, double end_mm);
   void paintDepthScale(QPainter& painter);
   void paintFoci(QPainter& painter);
@@ -101,11 +100,9 @@ class ScanView final : public QWidget {
   void paintMLine(QPainter& painter);
   void paintStrip(QPainter& painter);
   void paintWords(QPainter& painter);
-  void paintFrozen(QPainter& painter);
   void paintSaid(QPainter& painter);
   void paintLost(QPainter& painter);
   [[nodiscard]] bool paintTracked(QPainter& painter);
-  void paintRecording(QPainter& painter);
 
   Session& session_;
   DgcColumn* dgc_ = nullptr;
@@ -122,19 +119,7 @@ class ScanView final : public QWidget {
     bool operator==(const Fitted&) const = default;
   };
   Fitted fitted_;  ///< what the margins were fitted to
-  /// What of the picture looks at nothing recorded, kept while the probe rests: a picture with noise comes thirty times a second.
-  struct Veil {
-    Pose pose;
-    DisplayGeometry geometry;
-    Grid grid;
-    QImage image;  ///< to lie on the picture at `at_px`, in device pixels
-    QPoint at_px;
-    QRect widest_px;  ///< the widest run of it in a row
-    std::optional<double> end_mm;
-    double share = 0.0;
-  };
-  [[nodiscard]] const Veil& veil();
-  Veil veil_;
+  UnrecordedVeil veil_;
   std::optional<double> recorded_s_;
   QString label_;
   double leastPixel_mm_ = 0.0;
