@@ -20,6 +20,7 @@
 #include <algorithm>
 
 #include "ew/io/sequence.h"
+#include "import/import_fields.h"
 #include "jobs/jobs.h"
 #include "jobs/message_bar.h"
 #include "widgets/picture_chooser.h"
@@ -34,13 +35,8 @@ namespace {
 constexpr int kSlice_px = 160;
 
 /// Millimetres where 0 stands for "not said".
-QDoubleSpinBox* lengthBox(const QString& name) {
-  auto* box = new QDoubleSpinBox;
-  box->setObjectName(name);
-  box->setRange(0.0, 100.0);
-  box->setDecimals(4);
-  box->setSingleStep(0.1);
-  box->setSuffix(FileImportDialog::tr(" mm"));
+QDoubleSpinBox* lengthBox(const char* name) {
+  auto* box = numberBox(name, 0.0, 100.0, 0.1, 4, FileImportDialog::tr(" mm"));
   box->setSpecialValueText(FileImportDialog::tr("not said"));
   return box;
 }
@@ -80,7 +76,7 @@ void FileImportDialog::addRows() {
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   if (kind_ == FileKind::dicomPictures || kind_ == FileKind::dicomStack || kind_ == FileKind::pictures) addPictureRows(*form);
   if (kind_ != FileKind::dicomPictures && kind_ != FileKind::dicomVolume && kind_ != FileKind::dicomStack) {
-    spacing_ = {lengthBox(QStringLiteral("spacingX")), lengthBox(QStringLiteral("spacingY")), lengthBox(QStringLiteral("spacingZ"))};
+    spacing_ = {lengthBox("spacingX"), lengthBox("spacingY"), lengthBox("spacingZ")};
     form->addRow(kind_ == FileKind::kretz ? tr("Spacing to convert to") : tr("Spacing x, y, z"),
                  kind_ == FileKind::kretz ? inRow(std::array{spacing_[0]}) : inRow(spacing_));
     if (kind_ == FileKind::kretz)
@@ -164,7 +160,7 @@ void FileImportDialog::addPictureRows(QFormLayout& form) {
     // Regions are told apart by whole sentences: the list is as wide as they are, the field need not be.
     region_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     region_->setMinimumContentsLength(24);
-    pixel_ = {lengthBox(QStringLiteral("pixelX")), lengthBox(QStringLiteral("pixelY"))};
+    pixel_ = {lengthBox("pixelX"), lengthBox("pixelY")};
     form.addRow(tr("Part of the image"), region_);
     form.addRow(tr("Size of a pixel"), inRow(pixel_));
     rate_ = new QDoubleSpinBox;

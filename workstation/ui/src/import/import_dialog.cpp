@@ -6,7 +6,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPointer>
@@ -16,7 +15,6 @@
 #include <QVariant>
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <mutex>
 #include <numbers>
 #include <set>
@@ -25,6 +23,7 @@
 #include "ew/acquisition/fill_holes.h"
 #include "ew/core/numbers.h"
 #include "ew/library/file_import.h"
+#include "import/import_fields.h"
 #include "jobs/jobs.h"
 #include "jobs/message_bar.h"
 #include "widgets/picture_chooser.h"
@@ -62,7 +61,6 @@ namespace {
 
 /// A voxel's frame is kept in 16 bits, of which 0 says that there is none.
 constexpr std::size_t kMostTracedFrames = 65534;
-constexpr int kValueWidth_px = 260;  // what is said of frames and memory, in a line or two
 
 /// All frames the sweep and its calibration can bring the image to, without the image itself.
 std::vector<std::string> framesOf(const Sequence& sequence, const std::vector<NamedTransform>& calibration) {
@@ -95,42 +93,8 @@ QString mebibytes(double bytes) {
                        : ImportDialog::tr("%1 GiB").arg(mib / 1024.0, 0, 'f', 1);
 }
 
-QLabel* valueLabel(const char* name) {
-  auto* label = new QLabel(QStringLiteral("–"));
-  label->setObjectName(QLatin1String(name));
-  label->setWordWrap(true);
-  label->setMinimumWidth(scaled(kValueWidth_px));
-  return label;
-}
-
 /// How the probe got from frame to frame.
 enum class Moved { tracker, recordedMotor, motorFile, sideways, tilted, rotated, posesFile };
-
-/// A choice whose list is as wide as its words while the field may be narrower.
-QComboBox* narrowChoice() {
-  auto* box = new QComboBox;
-  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  box->setMinimumContentsLength(18);
-  return box;
-}
-
-QDoubleSpinBox* numberBox(const char* name, double lowest, double highest, double step, int decimals, const QString& suffix) {
-  auto* box = new QDoubleSpinBox;
-  box->setObjectName(QLatin1String(name));
-  box->setRange(lowest, highest);
-  box->setSingleStep(step);
-  box->setDecimals(decimals);
-  box->setSuffix(suffix);
-  return box;
-}
-
-QHBoxLayout* runConcurrently(std::initializer_list<QWidget*> widgets) {
-  auto* row = new QHBoxLayout;
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(8);
-  for (QWidget* widget : widgets) row->addWidget(widget, dynamic_cast<QLineEdit*>(widget) != nullptr ? 1 : 0);
-  return row;
-}
 
 /// "1, 2 3" as numbers. @error badUsage (not `count` numbers)
 Result<std::vector<double>> numbersIn(const QString& text, std::size_t count, const QString& what) {
@@ -140,13 +104,6 @@ Result<std::vector<double>> numbersIn(const QString& text, std::size_t count, co
   if (numbers && numbers->size() == count && std::all_of(numbers->begin(), numbers->end(), [](double one) { return std::isfinite(one); }))
     return *std::move(numbers);
   return failure(ErrorCode::badUsage, verbatim(ImportDialog::tr("'%1' is not %2.").arg(text, what).toStdString()));
-}
-
-QStringList filesIn(const QString& text) {
-  QStringList files;
-  for (const QString& one : text.split(QLatin1Char(';'), Qt::SkipEmptyParts))
-    if (!one.trimmed().isEmpty()) files << one.trimmed();
-  return files;
 }
 
 }  // namespace
@@ -231,18 +188,18 @@ void ImportDialog::addPoseRows(QFormLayout& form) {
   motorFile_->setPlaceholderText(tr("motor file (.json)"));
   auto* chooseMotor = new QPushButton(tr("Choose…"));
   motorFileRow_ = new QWidget;
-  motorFileRow_->setLayout(runConcurrently({motorFile_, chooseMotor}));
+  motorFileRow_->setLayout(inOneRow({motorFile_, chooseMotor}));
   step_ = numberBox("motorStep", -100.0, 100.0, 0.1, 3, tr(" mm"));
   step_->setValue(0.5);
   axisBehindFace_ = numberBox("axisBehindFace", -500.0, 500.0, 1.0, 1, tr(" mm"));
   axisBehindFace_->setToolTip(tr("From the face back to the axis the probe was tilted about; 0: about its face"));
   axisBehindFace_->setPrefix(tr("axis "));
   stepRow_ = new QWidget;
-  stepRow_->setLayout(runConcurrently({step_, new QLabel(tr("from frame to frame")), axisBehindFace_}));
+  stepRow_->setLayout(inOneRow({step_, new QLabel(tr("from frame to frame")), axisBehindFace_}));
   frame_ = narrowChoice();
   frame_->setObjectName(QStringLiteral("frame"));
   frame_->addItem(tr("default"), QString());
-  form.addRow(tr("Calibration"), runConcurrently({calibration_, choose}));
+  form.addRow(tr("Calibration"), inOneRow({calibration_, choose}));
   form.addRow(tr("The probe moved"), moved_);
   form.addRow(QString(), motorFileRow_);
   form.addRow(QString(), posesRow());
@@ -284,7 +241,7 @@ QWidget* ImportDialog::posesRow() {
   timeOffset_->setPrefix(tr("offset "));
   timeOffset_->setToolTip(tr("An image takes the pose that lies so much later in the file of poses"));
   posesFileRow_ = new QWidget;
-  posesFileRow_->setLayout(runConcurrently({posesFile_, choose, timeOffset_}));
+  posesFileRow_->setLayout(inOneRow({posesFile_, choose, timeOffset_}));
   connect(choose, &QPushButton::clicked, this, [this] {
     const QString file = QFileDialog::getOpenFileName(this, tr("Poses of the sweep"), QFileInfo(sweep_).path(),
                                                       tr("Poses (*.csv *.tsv *.txt *.mha *.mhd *.nrrd)"));

@@ -6,7 +6,6 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QImage>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMessageBox>
@@ -19,13 +18,15 @@
 #include <QVariant>
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <mutex>
 #include <utility>
 
-#include "ew/acquisition/screen_frames.h"
 #include "ew/acquisition/screen_recording.h"
+#include "import/import_fields.h"
+#include "import/opened_film.h"
+#include "import/screen_distances.h"
 #include "import/screen_view.h"
+#include "import/screen_words.h"
 #include "jobs/jobs.h"
 #include "jobs/message_bar.h"
 #include "measure/words/caliper_words.h"
@@ -42,19 +43,8 @@ namespace {
 constexpr int kPlayTick_ms = 20;
 constexpr int kPageFrames = 10;
 
-QImage imageOf(const GreyImage& picture) {
-  QImage image(picture.width, picture.height, QImage::Format_Grayscale8);
-  for (int y = 0; y < picture.height; ++y) std::memcpy(image.scanLine(y), viewOf(picture).row(y), static_cast<std::size_t>(picture.width));
-  return image;
-}
-
-QDoubleSpinBox* millimetres(const QString& name, double most, const QString& tip) {
-  auto* box = new QDoubleSpinBox;
-  box->setObjectName(name);
-  box->setRange(0.0, most);
-  box->setDecimals(2);
-  box->setSingleStep(1.0);
-  box->setSuffix(ScreenDialog::tr(" mm"));
+QDoubleSpinBox* millimetres(const char* name, double most, const QString& tip) {
+  auto* box = numberBox(name, 0.0, most, 1.0, 2, ScreenDialog::tr(" mm"));
   box->setSpecialValueText(ScreenDialog::tr("not said"));
   box->setKeyboardTracking(false);
   box->setToolTip(tip);
@@ -63,41 +53,7 @@ QDoubleSpinBox* millimetres(const QString& name, double most, const QString& tip
 
 std::optional<double> saidBy(const QDoubleSpinBox& box) { return box.value() > 0.0 ? std::optional(box.value()) : std::nullopt; }
 
-QLabel* wrapped(const char* name) {
-  auto* label = new QLabel;
-  label->setObjectName(QString::fromLatin1(name));
-  label->setWordWrap(true);
-  label->setProperty("small", true);
-  return label;
-}
-
-/// The points of a caliper in mm, where they are those of pixels.
-measurement::Caliper inMillimetres(measurement::Caliper caliper, double pixel_mm) {
-  for (auto& part : caliper.parts)
-    for (glm::dvec2& point : part.points) point *= pixel_mm;
-  return caliper;
-}
-
 }  // namespace
-
-/// What jobs read. One of them at a time has the reader: whoever comes second waits for the lock.
-struct ScreenDialog::Opened {
-  explicit Opened(OpenedScreen read) : screen(std::move(read)), notes(screen.reader.info().notes) {}
-  std::mutex mutex;
-  OpenedScreen screen;  ///< its reader belongs to whoever has the lock
-  std::vector<Message> notes;
-  ScreenFrames frames;
-  std::optional<ScreenCleaner> cleaner;  ///< for the state of the edit below
-  int cleanerOf = -1;
-};
-
-/// A frame as it is to be shown.
-struct ScreenDialog::Shown {
-  QImage picture;
-  QPoint at;
-  int frame = 0;
-  int changes = 0;
-};
 
 ScreenDialog::ScreenDialog(const QString& file, Jobs& jobs, MessageBar& messages, QWidget* parent)
     : FormDialog(QFileInfo(file).fileName(), file, parent), file_(file), jobs_(jobs), messages_(messages) {
@@ -143,7 +99,7 @@ void ScreenDialog::addRows() {
   });
   addScaleRows(*form);
   rows().addLayout(form);
-  text_ = wrapped("screenText");
+  text_ = smallText("screenText");
   rows().addWidget(text_);
   again_ = new QPushButton(tr("Look again within this outline"));
   again_->setObjectName(QStringLiteral("screenAgain"));
@@ -158,9 +114,9 @@ void ScreenDialog::addRows() {
   measure_->setCheckable(true);
   measure_->setToolTip(tr("Click or drag from one end to the other, in any frame; Backspace takes the last one away"));
   rows().addWidget(measure_);
-  distances_ = wrapped("screenDistances");
+  distances_ = smallText("screenDistances");
   rows().addWidget(distances_);
-  notes_ = wrapped("screenNotes");
+  notes_ = smallText("screenNotes");
   notes_->setProperty("quiet", true);
   rows().addWidget(notes_);
   rows().addStretch(1);
@@ -212,10 +168,9 @@ void ScreenDialog::addTurnRows(QFormLayout& form) {
 }
 
 void ScreenDialog::addScaleRows(QFormLayout& form) {
-  depth_ =
-      millimetres(QStringLiteral("screenDepth"), 1000.0, tr("Depth of the scan as the screen states it, from its near to its far edge"));
-  tick_ = millimetres(QStringLiteral("screenTick"), 500.0, tr("Distance of neighbouring marks of the depth scale that was found"));
-  scale_ = wrapped("screenScale");
+  depth_ = millimetres("screenDepth", 1000.0, tr("Depth of the scan as the screen states it, from its near to its far edge"));
+  tick_ = millimetres("screenTick", 500.0, tr("Distance of neighbouring marks of the depth scale that was found"));
+  scale_ = smallText("screenScale");
   form.addRow(tr("Depth of the scan"), depth_);
   form.addRow(tr("Distance of marks"), tick_);
   form.addRow(tr("Scale"), scale_);
@@ -315,13 +270,13 @@ void ScreenDialog::showTurned(const Orientation& turned) {
 
 void ScreenDialog::look(const std::optional<FanOutline>& outline) {
   setPlaying(false);
-  auto found = std::make_shared<std::shared_ptr<Opened>>();
+  auto found = std::make_shared<std::shared_ptr<OpenedFilm>>();
   job_ = jobs_.start(
       tr("Reading %1").arg(QFileInfo(file_).fileName()),
       [found, outline, turned = turned_, file = pathOf(file_)](Progress& progress) -> Result<void> {
         auto opened = openScreen(file, outline, progress, {}, kScreenFrames, turned);
         if (!opened) return passOn(opened.error());
-        *found = std::make_shared<Opened>(*std::move(opened));
+        *found = std::make_shared<OpenedFilm>(*std::move(opened));
         return {};
       },
       [here = QPointer<ScreenDialog>(this), found](const Result<void>& outcome) {
@@ -338,7 +293,7 @@ void ScreenDialog::look(const std::optional<FanOutline>& outline) {
       false);
 }
 
-void ScreenDialog::take(const std::shared_ptr<Opened>& opened) {
+void ScreenDialog::take(const std::shared_ptr<OpenedFilm>& opened) {
   opened_ = opened;
   view_->setEdit(nullptr);
   if (edit_)
@@ -351,7 +306,7 @@ void ScreenDialog::take(const std::shared_ptr<Opened>& opened) {
     shownFrame_ = -1;
   }
   const FoundScreen& found = edit_->found();
-  if (shownFrame_ < 0) view_->setPicture(imageOf(opened->screen.picture), {0, 0}, {found.width_px, found.height_px});
+  if (shownFrame_ < 0) view_->setPicture(greyImageOf(opened->screen.picture), {0, 0}, {found.width_px, found.height_px});
   view_->setEdit(&*edit_);
   const QSignalBlocker quiet(frames_);
   frames_->setRange(0, static_cast<int>(opened->screen.times_s.size()) - 1);
@@ -395,13 +350,8 @@ void ScreenDialog::follow() {
     const auto& outline = edit_->outline();
     shape_->setCurrentIndex(!outline ? 0 : outline->shape == FanShape::linear ? 2 : 1);
   }
-  const auto boxes = edit_->boxes();
-  const auto count = static_cast<int>(std::count_if(boxes.begin(), boxes.end(), [](const TextBox& box) { return box.counts; }));
-  const auto open = std::count_if(boxes.begin(), boxes.end(), [](const TextBox& box) { return box.isPossible && !box.counts; });
-  QString text = count == 0 ? tr("No text over the scan is taken out.") : tr("Boxes of text over the scan that are filled: %1").arg(count);
-  if (open > 0) text += QLatin1Char(' ') + tr("Dashed boxes that may be text, or echoes: %1. Click those that are text.").arg(open);
-  text_->setText(text);
-  showScale(geometry);
+  text_->setText(wordsOfBoxes(edit_->boxes()));
+  scale_->setText(wordsOfScale(edit_->found().ticks, geometry));
   showNotes(geometry);
   const auto& said = edit_->correction();
   back_->setEnabled(job_ == 0 && (said.outline || !said.added.empty() || !said.removed.empty()));
@@ -415,19 +365,6 @@ void ScreenDialog::follow() {
     say(tr("Check the outline, the scale and the boxes of text. Everything outside the outline becomes black."), false);
   measureAll();
   if (cleaned_->isChecked()) fetch();
-}
-
-void ScreenDialog::showScale(const Result<ScreenGeometry>& geometry) {
-  const auto& ticks = edit_->found().ticks;
-  QString text =
-      ticks ? tr("%1 marks were found, %2 pixels apart.").arg(ticks->count).arg(figure(ticks->spacing_px, 2)) : tr("No marks were found.");
-  text += QLatin1Char(' ');
-  if (geometry && geometry->pixel_mm && geometry->outline)
-    text += tr("A pixel is %1 mm, the scan %2 mm deep.")
-                .arg(figure(*geometry->pixel_mm, 4), figure(*geometry->pixel_mm * geometry->outline->depth_px(), 1));
-  else
-    text += ticks ? tr("Type how far apart they are, or the depth.") : tr("Type the depth that the screen states.");
-  scale_->setText(text);
 }
 
 void ScreenDialog::showNotes(const Result<ScreenGeometry>& geometry) {
@@ -457,29 +394,11 @@ void ScreenDialog::fetch() {
   std::optional<ScreenGeometry> geometry;
   if (cleaned_->isChecked())
     if (auto now = edit_->geometry(); now && now->outline) geometry = *std::move(now);
-  auto shown = std::make_shared<Shown>();
+  auto shown = std::make_shared<FilmFrame>();
   shown->frame = wantedFrame_;
   shown->changes = changes_;
   frameJob_ = jobs_.start(
-      tr("Reading a frame"),
-      [shown, geometry, opened = opened_](Progress& progress) -> Result<void> {
-        const std::lock_guard<std::mutex> alone(opened->mutex);
-        const auto frame = opened->frames.at(opened->screen.reader, static_cast<std::size_t>(shown->frame), progress);
-        if (!frame) return passOn(frame.error());
-        if (!geometry) {
-          shown->picture = imageOf(**frame);
-          return {};
-        }
-        if (opened->cleanerOf != shown->changes) {
-          opened->cleaner.emplace(*geometry, CleaningOptions());
-          opened->cleanerOf = shown->changes;
-        }
-        GreyImage clean;
-        opened->cleaner->clean(**frame, clean);
-        shown->picture = imageOf(clean);
-        shown->at = {opened->cleaner->kept().x, opened->cleaner->kept().y};
-        return {};
-      },
+      tr("Reading a frame"), [shown, geometry, opened = opened_](Progress& progress) { return opened->read(*shown, geometry, progress); },
       [here = QPointer<ScreenDialog>(this), shown, opened = opened_](const Result<void>& outcome) {
         ScreenDialog* const dialog = here.data();
         if (dialog == nullptr) return;
@@ -492,7 +411,7 @@ void ScreenDialog::fetch() {
       Jobs::Kind::background);
 }
 
-void ScreenDialog::takeFrame(const Shown& shown) {
+void ScreenDialog::takeFrame(const FilmFrame& shown) {
   shownFrame_ = shown.frame;
   shownChanges_ = shown.changes;
   view_->setPicture(shown.picture, shown.at, {edit_->found().width_px, edit_->found().height_px});
@@ -555,41 +474,14 @@ void ScreenDialog::measureAll() {
   const auto found = drawings_.find(shownFrame_);
   measurement::CaliperDrawing* const drawn = measure_->isChecked() ? &drawing() : found == drawings_.end() ? nullptr : &found->second;
   view_->setDrawing(measure_->isChecked() ? drawn : nullptr);
-  std::vector<ScreenView::Label> labels;
-  QStringList lines;
+  ScreenDistances now;
   if (drawn != nullptr) {
     const auto geometry = edit_->geometry();
-    const std::optional<double> pixel_mm = geometry ? geometry->pixel_mm : std::nullopt;
-    // A point can be set no finer than a pixel of the recording, nor than one of the screen it is set on.
-    const double within_px = std::max(1.0, 1.0 / view_->scale());
-    const auto labelOf = [&](const measurement::Measurement& measurement) {
-      ScreenView::Label label{{measurement, {}}, {}, drawn->selected() == measurement.number};
-      const double mm = pixel_mm.value_or(1.0);
-      const measurement::UncertaintyAt at = [mm, within_px](int, const glm::dvec2&) {
-        return measurement::PointUncertainty{.pixel = glm::dvec2(mm * within_px)};
-      };
-      if (auto measured = measurement::measure(inMillimetres(measurement.caliper, mm), at)) label.line.measured = *std::move(measured);
-      if (pixel_mm)
-        label.text = CaliperWords::mainResult(label.line.measured);
-      else if (!label.line.measured.figures.empty())
-        label.text = tr("%1 pixels").arg(figure(label.line.measured.figures.front().quantity.value, 1));
-      return label;
-    };
-    for (const measurement::Measurement& each : drawn->shown().all) {
-      labels.push_back(labelOf(each));
-      lines << tr("%1: %2").arg(each.number).arg(labels.back().text);
-    }
-    if (const auto unfinished = drawn->unfinished()) {
-      measurement::Measurement now;
-      now.caliper = *unfinished;
-      labels.push_back(labelOf(now));
-      labels.back().isChosen = true;
-    }
-    if (!pixel_mm && !lines.isEmpty()) lines << tr("State the depth to measure in mm.");
+    now = distancesOf(*drawn, geometry ? geometry->pixel_mm : std::nullopt, view_->scale());
   }
-  if (measure_->isChecked() && lines.isEmpty()) lines << CaliperWords::hintOf(measurement::CaliperKind::distance);
-  view_->setLabels(std::move(labels));
-  distances_->setText(lines.join(QLatin1Char('\n')));
+  if (measure_->isChecked() && now.lines.isEmpty()) now.lines << CaliperWords::hintOf(measurement::CaliperKind::distance);
+  view_->setLabels(std::move(now.labels));
+  distances_->setText(now.lines.join(QLatin1Char('\n')));
 }
 
 bool ScreenDialog::isUnsaved() const { return edit_ && !(edit_->correction() == ScreenCorrection()) && !(edit_->correction() == written_); }

@@ -21,8 +21,10 @@ class QSlider;
 namespace ew::ui {
 
 class FigureLabel;
+struct FilmFrame;
 class Jobs;
 class MessageBar;
+struct OpenedFilm;
 class ScreenView;
 
 /// A film or recorded screen before it comes in: reads it, shows what was found of the scan in it (outline, depth scale, text), lets a
@@ -52,8 +54,6 @@ class ScreenDialog final : public FormDialog {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  struct Opened;
-  struct Shown;
   void addRows();
   void addTurnRows(QFormLayout& form);
   void addScaleRows(QFormLayout& form);
@@ -61,15 +61,14 @@ class ScreenDialog final : public FormDialog {
   void look(const std::optional<FanOutline>& outline);
   void turn();  ///< as the fields say
   void showTurned(const Orientation& turned);
-  void take(const std::shared_ptr<Opened>& opened);
+  void take(const std::shared_ptr<OpenedFilm>& opened);
   void showProgress();
   void setBusy(bool busy);
   void follow();  ///< what the edit has become
   void showNotes(const Result<ScreenGeometry>& geometry);
-  void showScale(const Result<ScreenGeometry>& geometry);
   void wantFrame(int frame);
   void fetch();
-  void takeFrame(const Shown& shown);
+  void takeFrame(const FilmFrame& shown);
   void setPlaying(bool playing);
   void step(int frames);
   void advance();
@@ -82,7 +81,7 @@ class ScreenDialog final : public FormDialog {
   QString file_;
   Jobs& jobs_;
   MessageBar& messages_;
-  std::shared_ptr<Opened> opened_;
+  std::shared_ptr<OpenedFilm> opened_;
   std::optional<ScreenEdit> edit_;
   Orientation turned_;                       ///< of what is or will be looked at
   bool tookBack_ = false;                    ///< corrections, because the pictures were turned
