@@ -568,7 +568,7 @@ std::optional<FanFit> findFan(const ScreenStatistics& statistics) {
       best = better(best, fit);
     }
   if (best && statistics.frames() >= 3)
-    if (auto larger = beyondWhatParts(*best, fits, (matOf(statistics.activity()) > kMoves) / 255)) best = std::move(larger);
+    if (const auto larger = beyondWhatParts(*best, fits, (matOf(statistics.activity()) > kMoves) / 255)) best = larger;
   if (best && best->outline.shape != FanShape::linear)
     best->outline.shape = best->outline.near_px < kSectorShare * best->outline.far_px ? FanShape::sector : FanShape::convex;
   return best;

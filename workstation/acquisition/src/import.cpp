@@ -483,15 +483,15 @@ Result<void> arrange(OpenedSweep& opened, const PlacingFiles& files, const Sweep
   ReconstructOptions said = options.reconstruct;
   if (options.clipFromCalibration && calibration != nullptr)
     if (auto clip = clipOf(*calibration, ClipSaidBy::deviceSet, plan.notes)) {
-      if (const auto fits = checkStated(*clip, opened.sequence); !fits) return fits;
+      if (auto fits = checkStated(*clip, opened.sequence); !fits) return fits;
       said.clip = *clip;
     }
-  if (const auto fits = checkStated(options.reconstruct.clip, opened.sequence); !fits) return fits;
+  if (auto fits = checkStated(options.reconstruct.clip, opened.sequence); !fits) return fits;
   auto made = defaultsFor(frames, calibration, options.usual, said, plan.notes);
   if (!made) return passOn(made.error());
   plan.reconstruct = *made;
   if (sector && plan.reconstruct.clip == Clip{}) {
-    if (const auto fits = checkStated(*sector, opened.sequence); !fits) return fits;
+    if (auto fits = checkStated(*sector, opened.sequence); !fits) return fits;
     plan.reconstruct.clip = *sector;
     plan.notes.insert(plan.notes.end(), sectorNotes.begin(), sectorNotes.end());
   }
@@ -504,7 +504,7 @@ Result<void> arrange(OpenedSweep& opened, const PlacingFiles& files, const Sweep
           textOf(std::round(10.0 * glm::degrees((*fan)->rightAngle_rad - (*fan)->leftAngle_rad)) / 10.0)));
     }
   }
-  if (const auto told = tellKept(opened, frames, options); !told) return told;
+  if (auto told = tellKept(opened, frames, options); !told) return told;
   if (options.fillReach_voxels) plan.reconstruct.fillReach_mm = *options.fillReach_voxels * plan.reconstruct.spacing_mm;
   plan.toFrame = opened.poses.toFrame;
 

@@ -303,7 +303,7 @@ struct DelayJudgement {
  private:
   /// Shifts below a tenth of a pixel and an even speed drown in the noise of watching.
   [[nodiscard]] static bool moves(std::size_t signal, const OffsetSums& still) {
-    if (still.n < kFewestFrames / 2) return false;
+    if (2.0 * still.n < kFewestFrames) return false;
     const double mean = still.x / still.n, spread = std::sqrt(std::max(0.0, still.xx / still.n - mean * mean));
     return signal == kChange ? spread >= 0.1 * std::abs(mean) && spread > 0.0 : spread >= 0.1;
   }

@@ -390,7 +390,7 @@ Result<void> OutputSet::commit(const std::function<Result<void>()>& last) {
     if (const auto before = fs::status(output->target, problem); output->existedBefore && fs::is_regular_file(before))
       fs::permissions(output->staged, before.permissions(), problem);
   }
-  const auto all = [&]() -> Result<void> {
+  auto all = [&]() -> Result<void> {
     if (written.size() > 1 || last)  // one alone needs no way back
       for (Output* output : written)
         if (output->existedBefore || late_ == LateFile::replace)
