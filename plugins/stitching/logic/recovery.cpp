@@ -1,11 +1,6 @@
 #include "logic/recovery.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <string_view>
 #include <system_error>
@@ -18,16 +13,10 @@ namespace fs = std::filesystem;
 constexpr std::string_view kBegin = "unsaved-", kEnd = ".json";
 constexpr int kMostPlaces = 10000;
 
-/// Held until the file is closed. -1: another window holds it, or nothing can be locked here.
-int locked(const fs::path& file) {
-  const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-  if (descriptor < 0) return -1;
-  while (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
-    if (errno == EINTR) continue;
-    ::close(descriptor);
-    return -1;
-  }
-  return descriptor;
+/// Nothing: another window holds it, or its file cannot be made.
+std::optional<FileLock> locked(const fs::path& file) {
+  auto taken = FileLock::tryTake(file, FileLock::Kind::alone, 0600);
+  return taken ? std::move(*taken) : std::nullopt;
 }
 
 /// 0: the name is another one's.
@@ -47,18 +36,13 @@ RecoveryPlace::RecoveryPlace(fs::path folder) : folder_(std::move(folder)) {
   for (number_ = 1; number_ < kMostPlaces; ++number_) {
     if (fs::exists(fileOf(number_), ignored)) continue;
     lock_ = locked(lockOf(number_));
-    if (lock_ < 0) {
+    if (!lock_) {
       if (fs::exists(lockOf(number_), ignored)) continue;  // another window's
       break;
     }
     if (!fs::exists(fileOf(number_), ignored)) return;
-    ::close(lock_);  // written and left between the two looks
-    lock_ = -1;
+    lock_.reset();  // written and left between the two looks
   }
-}
-
-RecoveryPlace::~RecoveryPlace() {
-  if (lock_ >= 0) ::close(lock_);  // its file stays: were it removed, two windows could hold two files of one name
 }
 
 fs::path RecoveryPlace::fileOf(int number) const { return folder_ / (std::string(kBegin) + std::to_string(number) + std::string(kEnd)); }
@@ -75,11 +59,7 @@ std::vector<int> RecoveryPlace::left() const {
   for (auto at = fs::directory_iterator(folder_, ignored); at != fs::directory_iterator(); at.increment(ignored)) {
     const int number = numberOf(at->path().filename().string());
     if (number == 0 || number == number_ || !at->is_regular_file(ignored)) continue;
-    if (fs::exists(lockOf(number), ignored)) {
-      const int lock = locked(lockOf(number));
-      if (lock < 0) continue;  // of a window that lives
-      ::close(lock);
-    }
+    if (fs::exists(lockOf(number), ignored) && !locked(lockOf(number))) continue;  // of a window that lives
     found.push_back({at->last_write_time(ignored), number});
   }
   std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.time > b.time; });

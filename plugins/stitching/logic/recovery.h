@@ -1,8 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "ew/io/file_lock.h"
 
 namespace ew::stitching {
 
@@ -14,9 +17,6 @@ class RecoveryPlace {
   /// Takes the first place that no window has and in which nothing was left. Where nothing can be locked (a medium without locks, a folder
   /// that cannot be written) the place is as good as none, and what is kept there may be offered too early.
   explicit RecoveryPlace(std::filesystem::path folder);
-  ~RecoveryPlace();
-  RecoveryPlace(const RecoveryPlace&) = delete;
-  RecoveryPlace& operator=(const RecoveryPlace&) = delete;
 
   /// The number of the place: what else must not be shared with another window is called after it.
   [[nodiscard]] int number() const { return number_; }
@@ -33,7 +33,7 @@ class RecoveryPlace {
 
   std::filesystem::path folder_;
   int number_ = 1;
-  int lock_ = -1;
+  std::optional<FileLock> lock_;  ///< its file stays: were it removed, two windows could hold two files of one name
 };
 
 }  // namespace ew::stitching

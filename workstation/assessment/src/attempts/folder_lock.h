@@ -1,8 +1,6 @@
 #pragma once
 
-#include <chrono>
 #include <filesystem>
-#include <thread>
 #include <utility>
 
 #include "ew/core/result.h"
@@ -13,8 +11,6 @@ namespace ew::assessment {
 /// Makes a folder and takes its lock, for writes that last milliseconds: waits at most 3 s for another window.
 /// @error notWritable
 [[nodiscard]] inline Result<FileLock> lockFolder(const std::filesystem::path& folder) {
-  constexpr int kTries = 100;
-  constexpr std::chrono::milliseconds kPause{30};
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error)
@@ -22,12 +18,9 @@ namespace ew::assessment {
                    say<"The folder '%1' cannot be made (%2); free some space, or choose a library you may write to.">(
                        folder, verbatim(error.message())),
                    {{"file", folder.string()}});
-  for (int n = 0; n < kTries; ++n) {
-    auto taken = FileLock::tryTake(folder / ".lock");
-    if (!taken) return passOn(taken.error());
-    if (*taken) return std::move(**taken);
-    std::this_thread::sleep_for(kPause);
-  }
+  auto taken = FileLock::tryTakeSoon(folder / ".lock");
+  if (!taken) return passOn(taken.error());
+  if (*taken) return std::move(**taken);
   return failure(ErrorCode::notWritable, say<"Another window is writing into '%1'; try again in a moment.">(folder),
                  {{"file", folder.string()}});
 }

@@ -1,7 +1,6 @@
 #include "ew/assessment/kept_repetition.h"
 
 #include <algorithm>
-#include <thread>
 
 #include "ew/core/json_fields.h"
 #include "ew/io/content_key.h"
@@ -15,8 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestRepetition_bytes = 64u << 20;
-constexpr int kLockTries = 100;
-constexpr std::chrono::milliseconds kLockPause{30};  // another window writes for some milliseconds
 
 Result<FileLock> lockOf(const fs::path& file) {
   std::error_code error;
@@ -26,12 +23,9 @@ Result<FileLock> lockOf(const fs::path& file) {
                    say<"The folder '%1' for your exercises cannot be made (%2); free some space, or choose a library you may write to.">(
                        file.parent_path(), verbatim(error.message())),
                    {{"file", file.string()}});
-  for (int n = 0; n < kLockTries; ++n) {
-    auto taken = FileLock::tryTake(file.parent_path() / ".lock");
-    if (!taken) return passOn(taken.error());
-    if (*taken) return std::move(**taken);
-    std::this_thread::sleep_for(kLockPause);
-  }
+  auto taken = FileLock::tryTakeSoon(file.parent_path() / ".lock");
+  if (!taken) return passOn(taken.error());
+  if (*taken) return std::move(**taken);
   return failure(ErrorCode::notWritable, say<"Another window is writing '%1'; try again in a moment.">(file), {{"file", file.string()}});
 }
 

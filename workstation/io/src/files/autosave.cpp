@@ -1,7 +1,6 @@
 #include "ew/io/autosave.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -90,7 +89,7 @@ bool addTo(int file, std::string_view bytes) {
 }  // namespace
 
 Autosave::Left::Left(Left&& other) noexcept
-    : folder_(std::move(other.folder_)), lock_(std::exchange(other.lock_, -1)), about_(std::move(other.about_)), at_(other.at_) {}
+    : folder_(std::move(other.folder_)), lock_(std::exchange(other.lock_, std::nullopt)), about_(std::move(other.about_)), at_(other.at_) {}
 
 Autosave::Left& Autosave::Left::operator=(Left&& other) noexcept {
   std::swap(folder_, other.folder_);
@@ -100,11 +99,9 @@ Autosave::Left& Autosave::Left::operator=(Left&& other) noexcept {
   return *this;
 }
 
-Autosave::Left::~Left() { release(); }
+Autosave::Left::~Left() = default;
 
-void Autosave::Left::release() {
-  if (lock_ >= 0) ::close(std::exchange(lock_, -1));
-}
+void Autosave::Left::release() { lock_.reset(); }
 
 bool Autosave::Left::has(const std::string& item) const {
   std::error_code ignored;
@@ -121,10 +118,10 @@ std::vector<std::string> Autosave::Left::items() const {
 }
 
 void Autosave::Left::discard() {
-  if (lock_ < 0) return;
+  if (!lock_) return;
   std::error_code ignored;
   fs::remove_all(folder_, ignored);
-  ::close(std::exchange(lock_, -1));
+  lock_.reset();
 }
 
 /// The thread that writes, with what waits for it. Everything but the queue is the thread's own.
@@ -483,10 +480,10 @@ std::vector<Autosave::Left> Autosave::takeLeft(const std::function<bool(const js
   for (fs::directory_iterator at(root_, failed); !failed && at != fs::directory_iterator(); at.increment(failed)) {
     std::error_code ignored;
     if (!fs::is_directory(at->symlink_status(ignored))) continue;
-    const int lock = OwnFolder::lockOfAbandoned(at->path());
-    if (lock < 0) continue;
+    auto lock = OwnFolder::lockOfAbandoned(at->path());
+    if (!lock) continue;
     auto about = aboutOf(at->path());
-    Left left(at->path(), lock, about ? std::move(*about) : json(), latestIn(at->path()));
+    Left left(at->path(), std::move(*lock), about ? std::move(*about) : json(), latestIn(at->path()));
     if (left.about_.is_object() && isWanted(left.about_)) found.push_back(std::move(left));
   }
   std::sort(found.begin(), found.end(), [](const Left& a, const Left& b) { return a.at_ > b.at_; });

@@ -1,7 +1,6 @@
 #include "ew/io/private_file.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -11,6 +10,8 @@
 #include <fstream>
 #include <system_error>
 #include <utility>
+
+#include "ew/io/file_lock.h"
 
 namespace ew {
 namespace {
@@ -156,7 +157,7 @@ Result<void> appendPrivateLine(const fs::path& file, std::string_view line) {
   const OpenFile out(::open(file.c_str(), O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0600));
   if (!out.isOpen()) return notPrivate(file, reasonNow());
   struct stat found {};
-  if (::flock(out.get(), LOCK_EX) != 0 || ::fstat(out.get(), &found) != 0) return notPrivate(file, reasonNow());
+  if (!FileLock::holdOpen(out.get()) || ::fstat(out.get(), &found) != 0) return notPrivate(file, reasonNow());
   if (const Message strange = strangeness(found); !strange.empty()) return notPrivate(file, strange);
   if ((found.st_mode & 0777) != 0600 && ::fchmod(out.get(), 0600) != 0) return notPrivate(file, reasonNow());
   char last = '\n';

@@ -1,11 +1,6 @@
 #include "ew/library/published.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <fstream>
 
@@ -13,6 +8,7 @@
 #include "case/manifest.h"
 #include "case/revisions.h"
 #include "ew/core/output_set.h"
+#include "ew/io/file_lock.h"
 #include "files/file_pieces.h"
 
 namespace ew {
@@ -25,24 +21,6 @@ constexpr const char* kNumbers = ".numbers";  // hidden, so that no list takes i
 
 /// Numbers of revisions that were taken away: an empty file each, because a folder without files does not survive every copying.
 fs::path numbersFolder(const fs::path& library, const std::string& id) { return publishedFolder(library) / kNumbers / id; }
-
-/// The revisions of one case, for as long as it takes to look whether one is there and to give the next its number. A folder is locked, so
-/// that nothing is left behind; where the file system cannot, the second of two who look at once may make a revision of the same content.
-class RevisionsLock {
- public:
-  explicit RevisionsLock(const fs::path& folder) : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    while (folder_ >= 0 && ::flock(folder_, LOCK_EX) != 0 && errno == EINTR) {
-    }
-  }
-  ~RevisionsLock() {
-    if (folder_ >= 0) ::close(folder_);
-  }
-  RevisionsLock(const RevisionsLock&) = delete;
-  RevisionsLock& operator=(const RevisionsLock&) = delete;
-
- private:
-  int folder_;
-};
 
 std::optional<int> numberOfRevision(const std::string& name) {
   int revision = 0;
@@ -189,7 +167,8 @@ Result<PublishedCase> makeRevision(const fs::path& library, const std::string& i
     if (auto filled = fill(aside); !filled) return passOn(outputs.inGivenNames(filled.error()));
     if (const auto opened = loadCase(aside); !opened) return passOn(outputs.inGivenNames(opened.error()));
     if (auto written = writeSums(files, aside); !written) return passOn(outputs.inGivenNames(written.error()));
-    const RevisionsLock lock(folder);
+    // Where the folder cannot be locked the second of two who look at once may make a revision of the same content.
+    const FileLock lock = FileLock::takeFolder(folder);
     if (auto same = there()) return *same;
     auto committed = outputs.commit();
     if (committed) return PublishedCase{.id = id, .revision = revision, .folder = place};
@@ -199,7 +178,7 @@ Result<PublishedCase> makeRevision(const fs::path& library, const std::string& i
 }
 
 Result<void> takeRevisionsAway(const fs::path& library, const std::string& id, const std::function<Result<void>()>& move) {
-  const RevisionsLock lock(publishedFolder(library) / id);
+  const FileLock lock = FileLock::takeFolder(publishedFolder(library) / id);
   if (auto kept = keepNumbers(library, id); !kept) return kept;
   return move();
 }

@@ -6,11 +6,13 @@
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "ew/core/result.h"
+#include "ew/io/file_lock.h"
 
 namespace ew {
 
@@ -45,11 +47,11 @@ class Autosave {
 
    private:
     friend class Autosave;
-    Left(std::filesystem::path folder, int lock, nlohmann::json about, std::chrono::system_clock::time_point at)
-        : folder_(std::move(folder)), lock_(lock), about_(std::move(about)), at_(at) {}
+    Left(std::filesystem::path folder, FileLock lock, nlohmann::json about, std::chrono::system_clock::time_point at)
+        : folder_(std::move(folder)), lock_(std::move(lock)), about_(std::move(about)), at_(at) {}
 
     std::filesystem::path folder_;
-    int lock_ = -1;
+    std::optional<FileLock> lock_;
     nlohmann::json about_;
     std::chrono::system_clock::time_point at_;
   };

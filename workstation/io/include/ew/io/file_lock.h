@@ -23,10 +23,19 @@ class FileLock {
   /// @error notWritable (the file of the lock cannot be made)
   [[nodiscard]] static Result<std::optional<FileLock>> tryTake(const std::filesystem::path& file, Kind kind = Kind::alone,
                                                                mode_t mode = 0666);
+  /// The same for work of milliseconds: waits at most 3 s for whoever holds it.
+  [[nodiscard]] static Result<std::optional<FileLock>> tryTakeSoon(const std::filesystem::path& file);
+  /// Of a file that is there already, at once. @return nothing: it is not there, is a link, somebody holds it, or it cannot be locked here
+  [[nodiscard]] static std::optional<FileLock> tryTakeExisting(const std::filesystem::path& file);
   /// Waits for whoever holds it.
   /// @param waiting what is reported meanwhile
   /// @error notWritable, cancelled
-  [[nodiscard]] static Result<FileLock> take(const std::filesystem::path& file, const Message& waiting, Progress& progress);
+  [[nodiscard]] static Result<FileLock> take(const std::filesystem::path& file, const Message& waiting, Progress& progress,
+                                             mode_t mode = 0666);
+  /// Of a folder itself, so that nothing is left behind in it. Waits for whoever holds it; where it cannot be locked it is none.
+  [[nodiscard]] static FileLock takeFolder(const std::filesystem::path& folder);
+  /// Locks a file that is open until it is closed; waits for whoever holds it. @return false, with errno: it cannot be locked
+  [[nodiscard]] static bool holdOpen(int descriptor);
   ~FileLock();
   FileLock(FileLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
   FileLock& operator=(FileLock&& other) noexcept {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ew/core/result.h"
+#include "ew/io/file_lock.h"
 
 namespace ew {
 
@@ -24,7 +26,7 @@ class OwnFolder {
 
   [[nodiscard]] const std::filesystem::path& root() const { return root_; }
   [[nodiscard]] const std::filesystem::path& path() const { return folder_; }  ///< empty: not made
-  [[nodiscard]] bool isMade() const { return lock_ >= 0; }
+  [[nodiscard]] bool isMade() const { return lock_.has_value(); }
 
   /// Makes it, when it is not there; the rest of the path is made as makePrivateFolder does. @return what stands in the way; empty: nothing
   [[nodiscard]] std::string make();
@@ -35,12 +37,12 @@ class OwnFolder {
 
   /// Folders of programs that are gone, this one not among them.
   [[nodiscard]] std::vector<std::filesystem::path> left() const;
-  /// The lock of a folder whose program is gone, to be closed; -1: it lives, somebody else has taken the folder, or there is none.
-  [[nodiscard]] static int lockOfAbandoned(const std::filesystem::path& folder);
+  /// The lock of a folder whose program is gone; nothing: it lives, somebody else has taken the folder, or there is none.
+  [[nodiscard]] static std::optional<FileLock> lockOfAbandoned(const std::filesystem::path& folder);
 
  private:
   std::filesystem::path root_, folder_;
-  int lock_ = -1;
+  std::optional<FileLock> lock_;
 };
 
 }  // namespace ew
