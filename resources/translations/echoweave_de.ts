@@ -7959,8 +7959,8 @@
         <translation>%1 wurde von einer neueren Version von EchoWeave geschrieben; senden Sie mit dieser.</translation>
     </message>
     <message>
-        <source>The outbox %1 cannot be written; check the folder and its permissions.</source>
-        <translation>Der Postausgang %1 lässt sich nicht schreiben; prüfen Sie den Ordner und seine Rechte.</translation>
+        <source>The outbox %1 cannot be written (%2); check the folder, its permissions and the free space.</source>
+        <translation>Der Postausgang %1 lässt sich nicht schreiben (%2); prüfen Sie den Ordner, seine Rechte und den freien Platz.</translation>
     </message>
     <message>
         <source>Another program is sending from the outbox %1; wait until it has finished.</source>

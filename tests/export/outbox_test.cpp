@@ -73,6 +73,13 @@ fs::path writeReport(const fs::path& folder) {
   return folder / "report.dcm";
 }
 
+/// As versions before the common notes left it beside each copy.
+std::string earlierNote(const std::string& uid, const std::string& status, const std::string& problem) {
+  return "{\n  \"format\": 1,\n  \"class\": \"1.2.840.10008.5.1.4.1.1.6.1\",\n  \"instance\": \"" + uid +
+         "\",\n  \"study\": \"1.3\",\n  \"series\": \"1.4\",\n  \"status\": \"" + status + "\",\n  \"attempts\": 0,\n  \"problem\": \"" +
+         problem + "\"\n}\n";
+}
+
 /// Acts when the n-th object was sent or asked for.
 class AtReport final : public Progress {
  public:
@@ -127,7 +134,7 @@ TEST(Outbox, KeepsACopyOfEachObjectOnceUntilItIsVerified) {
   const TemporaryFolder folder;
   const fs::path first = writePicture(folder.path(), 1), second = writePicture(folder.path(), 2);
   {
-    auto outbox = Outbox::open(folder / "outbox");
+    auto outbox = DicomOutbox::open(folder / "outbox");
     ASSERT_TRUE(succeeded(outbox));
     EXPECT_EQ(outbox->add(first).value(), true);
     EXPECT_EQ(outbox->add(first).value(), false);
@@ -138,7 +145,7 @@ TEST(Outbox, KeepsACopyOfEachObjectOnceUntilItIsVerified) {
     ASSERT_TRUE(succeeded(outbox->keep(sent)));
     EXPECT_FALSE(fs::exists(outbox->copyOf(sent)));
   }
-  auto again = Outbox::open(folder / "outbox");
+  auto again = DicomOutbox::open(folder / "outbox");
   ASSERT_TRUE(succeeded(again));
   EXPECT_EQ(again->count(OutboxStatus::verified), 1u);
   EXPECT_EQ(again->count(OutboxStatus::waiting), 1u);
@@ -150,17 +157,17 @@ TEST(Outbox, FindsACopyWhoseNoteWasNotWrittenAndRemovesOneThatIsDone) {
   const fs::path first = writePicture(folder.path(), 1);
   OutboxEntry entry;
   fs::path copy;
+  const fs::path notes = folder / "outbox/notes";
   {
-    auto outbox = Outbox::open(folder / "outbox");
+    auto outbox = DicomOutbox::open(folder / "outbox");
     ASSERT_TRUE(succeeded(outbox));
     ASSERT_TRUE(outbox->add(first).value());
     entry = outbox->entries().front();
     copy = outbox->copyOf(entry);
   }
-  fs::path note = copy;
-  fs::remove(note.replace_extension(".json"));
+  ASSERT_TRUE(fs::remove(notes));
   {
-    auto outbox = Outbox::open(folder / "outbox");
+    auto outbox = DicomOutbox::open(folder / "outbox");
     ASSERT_TRUE(succeeded(outbox));
     ASSERT_EQ(outbox->entries().size(), 1u);
     EXPECT_EQ(outbox->entries().front(), entry);
@@ -169,7 +176,7 @@ TEST(Outbox, FindsACopyWhoseNoteWasNotWrittenAndRemovesOneThatIsDone) {
     ASSERT_TRUE(succeeded(outbox->keep(done)));
   }
   fs::copy_file(first, copy);  // as if it had stopped between the note and the removal
-  auto outbox = Outbox::open(folder / "outbox");
+  auto outbox = DicomOutbox::open(folder / "outbox");
   ASSERT_TRUE(succeeded(outbox));
   EXPECT_FALSE(fs::exists(copy));
   EXPECT_EQ(outbox->count(OutboxStatus::verified), 1u);
@@ -177,9 +184,9 @@ TEST(Outbox, FindsACopyWhoseNoteWasNotWrittenAndRemovesOneThatIsDone) {
 
 TEST(Outbox, BelongsToOneProgramAtATimeAndTakesDicomAlone) {
   const TemporaryFolder folder;
-  auto outbox = Outbox::open(folder / "outbox");
+  auto outbox = DicomOutbox::open(folder / "outbox");
   ASSERT_TRUE(succeeded(outbox));
-  const auto second = Outbox::open(folder / "outbox");
+  const auto second = DicomOutbox::open(folder / "outbox");
   ASSERT_FALSE(second);
   EXPECT_NE(second.error().sentence().find("Another program"), std::string::npos);
   writeText(folder / "a.txt", "no picture");
@@ -193,19 +200,19 @@ TEST(Outbox, WhatCannotBeReadIsNamedAndHoldsNothingUp) {
   const fs::path first = writePicture(folder.path(), 1), second = writePicture(folder.path(), 2);
   fs::path note;
   {
-    auto outbox = Outbox::open(folder / "outbox");
+    auto outbox = DicomOutbox::open(folder / "outbox");
     ASSERT_TRUE(outbox->add(first).value());
     ASSERT_TRUE(outbox->add(second).value());
     note = outbox->copyOf(outbox->entries().front()).replace_extension(".json");
   }
-  const std::string good = textOf(note);
+  const std::string good = earlierNote(note.stem().string(), "waiting", "");
   writeText(folder / "outbox/9.9.9.dcm", "");
   std::string deep;
   for (int n = 0; n < 100'000; ++n) deep += "{\"problem\":";
   for (const std::string& bad : {std::string(R"({"format":"x"})"), std::string("[]"), std::string(R"({"format": 1.5})"),
                                  std::string(R"({"format": 99})"), deep, std::string()}) {
     writeText(note, bad);
-    auto outbox = Outbox::open(folder / "outbox");
+    auto outbox = DicomOutbox::open(folder / "outbox");
     ASSERT_TRUE(succeeded(outbox)) << bad.substr(0, 30);
     EXPECT_EQ(outbox->entries().size(), 1u);
     const auto unreadable = outbox->unreadable();
@@ -218,7 +225,7 @@ TEST(Outbox, WhatCannotBeReadIsNamedAndHoldsNothingUp) {
     archive.host = "127.0.0.1";
     archive.port = freePort();
     archive.aeTitle = "NOBODY";
-    SendOptions options;
+    RetryOptions options;
     options.mostRounds = 1;
     const auto sent = sendOutbox(*outbox, archive, options);
     ASSERT_TRUE(succeeded(sent));
@@ -228,19 +235,47 @@ TEST(Outbox, WhatCannotBeReadIsNamedAndHoldsNothingUp) {
   std::string odd = good;
   odd.replace(odd.find("\"attempts\": 0"), 13, "\"attempts\": 99999999999999");
   writeText(note, odd);
-  EXPECT_EQ(Outbox::open(folder / "outbox")->entries().size(), 2u);
+  EXPECT_EQ(DicomOutbox::open(folder / "outbox")->entries().size(), 2u);
+}
+
+TEST(Outbox, OfAnEarlierVersionGoesOnWhereItStood) {
+  const TemporaryFolder folder;
+  const auto uid = [](std::uint64_t n) { return dicomUidOf(7, n); };
+  fs::create_directory(folder / "outbox");
+  for (int n = 1; n <= 4; ++n)
+    fs::copy_file(writePicture(folder.path(), n), folder / ("outbox/" + uid(static_cast<std::uint64_t>(n)) + ".dcm"));
+  writeText(folder / ("outbox/" + uid(1) + ".json"), earlierNote(uid(1), "refused", "no room"));
+  writeText(folder / ("outbox/" + uid(2) + ".json"), earlierNote(uid(2), "stored", ""));
+  writeText(folder / ("outbox/" + uid(3) + ".json"), earlierNote(uid(3), "verified", ""));  // stopped before the removal
+  for (int opened = 0; opened < 2; ++opened) {
+    auto outbox = DicomOutbox::open(folder / "outbox");
+    ASSERT_TRUE(succeeded(outbox));
+    ASSERT_EQ(outbox->entries().size(), 4u);
+    const OutboxEntry& refused = *outbox->find(uid(1));
+    EXPECT_EQ(refused.status, OutboxStatus::refused);
+    EXPECT_EQ(refused.problem, "no room");
+    EXPECT_EQ(refused.attempts, 0);
+    EXPECT_EQ(aboutOf(refused, kObjectClass), "1.2.840.10008.5.1.4.1.1.6.1");
+    EXPECT_EQ(aboutOf(refused, kObjectStudy), "1.3");
+    EXPECT_EQ(aboutOf(refused, kObjectSeries), "1.4");
+    EXPECT_EQ(outbox->find(uid(2))->status, OutboxStatus::stored);
+    EXPECT_EQ(outbox->find(uid(3))->status, OutboxStatus::verified);
+    EXPECT_EQ(outbox->find(uid(4))->status, OutboxStatus::waiting);
+    EXPECT_EQ(outbox->add(folder / "picture3.dcm").value(), false) << "sent already";
+    EXPECT_EQ(namesIn(folder / "outbox"), (std::set<std::string>{".lock", "notes", uid(1) + ".dcm", uid(2) + ".dcm", uid(4) + ".dcm"}));
+  }
 }
 
 TEST(Outbox, IsForItsOwnerAlone) {
   const TemporaryFolder folder;
-  auto outbox = Outbox::open(folder / "outbox");
+  auto outbox = DicomOutbox::open(folder / "outbox");
   ASSERT_TRUE(outbox->add(writePicture(folder.path(), 1)).value());
   EXPECT_EQ(fs::status(folder / "outbox").permissions(), fs::perms::owner_all);
   for (const auto& each : fs::directory_iterator(folder / "outbox"))
     EXPECT_EQ(each.status().permissions(), fs::perms::owner_read | fs::perms::owner_write) << each.path();
-  outbox = Result<Outbox>(tl::unexpected(Error{}));
+  outbox = Result<DicomOutbox>(tl::unexpected(Error{}));
   writeText(folder / "outbox/.ew-private-Abc123", "half");
-  outbox = Outbox::open(folder / "outbox");
+  outbox = DicomOutbox::open(folder / "outbox");
   EXPECT_FALSE(fs::exists(folder / "outbox/.ew-private-Abc123")) << "left by a program that was ended";
 }
 
@@ -251,11 +286,13 @@ TEST(Outbox, OfAnEarlierVersionIsClosedToOthersAndWhatElseLiesThereIsNot) {
   const auto modeOf = [](const fs::path& file) { return fs::status(file).permissions(); };
   std::vector<fs::path> own = {folder / "outbox/.lock", folder / "outbox/9.9.9.dcm", folder / "outbox/9.9.9.json"};
   {
-    auto outbox = Outbox::open(folder / "outbox");
+    auto outbox = DicomOutbox::open(folder / "outbox");
     ASSERT_TRUE(succeeded(outbox));
     ASSERT_TRUE(outbox->add(writePicture(folder.path(), 1)).value());
     own.push_back(outbox->copyOf(outbox->entries().front()));
     own.push_back(fs::path(own.back()).replace_extension(".json"));
+    writeText(own.back(), earlierNote(own.back().stem().string(), "waiting", ""));
+    own.push_back(folder / "outbox/notes");
   }
   writeText(folder / "outbox/9.9.9.dcm", "cannot be read");
   writeText(folder / "outbox/9.9.9.json", "nor can its note");
@@ -266,16 +303,19 @@ TEST(Outbox, OfAnEarlierVersionIsClosedToOthersAndWhatElseLiesThereIsNot) {
   for (const fs::path& file : own) fs::permissions(file, loose);
   for (const fs::path& file : others) fs::permissions(file, loose);
   fs::permissions(folder / "outbox", fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec);
-  const auto outbox = Outbox::open(folder / "outbox");
+  const auto outbox = DicomOutbox::open(folder / "outbox");
   ASSERT_TRUE(succeeded(outbox));
   EXPECT_EQ(outbox->entries().size(), 1u);
+  const fs::path takenOver = own[own.size() - 2];
+  EXPECT_FALSE(fs::exists(takenOver)) << "its note is among the others now";
+  std::erase(own, takenOver);
   for (const fs::path& file : own) EXPECT_EQ(modeOf(file), closed) << file;
   for (const fs::path& file : others) EXPECT_EQ(modeOf(file), loose) << file;
 }
 
 TEST(Sending, WithoutAnArchiveWaitsLongerEachTimeAndLosesNothing) {
   const TemporaryFolder folder;
-  auto outbox = Outbox::open(folder / "outbox");
+  auto outbox = DicomOutbox::open(folder / "outbox");
   ASSERT_TRUE(succeeded(outbox));
   ASSERT_TRUE(outbox->add(writePicture(folder.path(), 1)).value());
   DicomArchive archive;
@@ -283,7 +323,7 @@ TEST(Sending, WithoutAnArchiveWaitsLongerEachTimeAndLosesNothing) {
   archive.port = freePort();
   archive.aeTitle = "NOBODY";
   std::vector<double> waits;
-  SendOptions options;
+  RetryOptions options;
   options.mostRounds = 5;
   options.longestWait_s = 3.0;
   options.wait = [&](double seconds) {
@@ -336,7 +376,7 @@ class StopsAfter final : public Progress {
 
 TEST(Sending, StopsAtOnceWhenToldWhileTheArchiveIsSilent) {
   const TemporaryFolder folder;
-  auto outbox = Outbox::open(folder / "outbox");
+  auto outbox = DicomOutbox::open(folder / "outbox");
   ASSERT_TRUE(succeeded(outbox));
   ASSERT_TRUE(outbox->add(writePicture(folder.path(), 1)).value());
   const SilentPort port;
@@ -372,12 +412,12 @@ TEST(Sending, BringsPicturesClipAndReportToARealArchiveOnceEach) {
   const TemporaryFolder folder;
   Orthanc archive(folder / "orthanc");
   ASSERT_TRUE(archive.start()) << archive.said();
-  auto outbox = Outbox::open(folder / "outbox");
+  auto outbox = DicomOutbox::open(folder / "outbox");
   ASSERT_TRUE(succeeded(outbox));
   for (const fs::path& file :
        {writePicture(folder.path(), 1), writePicture(folder.path(), 2), writeClip(folder.path()), writeReport(folder.path())})
     ASSERT_TRUE(outbox->add(file).value());
-  SendOptions once;
+  RetryOptions once;
   once.mostRounds = 1;
   const auto result = sendOutbox(*outbox, archive.address(), once);
   ASSERT_TRUE(succeeded(result));
@@ -395,12 +435,12 @@ TEST(Sending, GoesOnWhenTheArchiveIsKilledInTheMiddleAndComesBack) {
     fs::create_directories(own);
     Orthanc archive(own / "orthanc");
     ASSERT_TRUE(archive.start()) << archive.said();
-    auto outbox = Outbox::open(own / "outbox");
+    auto outbox = DicomOutbox::open(own / "outbox");
     ASSERT_TRUE(succeeded(outbox));
     for (const fs::path& file : {writePicture(own, 1), writePicture(own, 2), writePicture(own, 3), writeClip(own), writeReport(own)})
       ASSERT_TRUE(outbox->add(file).value());
     AtReport progress(killedAt, [&] { archive.kill(); });
-    SendOptions options;
+    RetryOptions options;
     options.wait = [&](double) {
       EXPECT_TRUE(archive.start()) << archive.said();
       return true;
@@ -422,10 +462,10 @@ TEST(Sending, TakesTheWordOfAnArchiveThatCannotBeAsked) {
     const fs::path own = folder / (option == nullptr ? "any" : "implicit");
     fs::create_directories(own);
     const Storescp gateway(own / "kept", option);
-    auto outbox = Outbox::open(own / "outbox");
+    auto outbox = DicomOutbox::open(own / "outbox");
     ASSERT_TRUE(succeeded(outbox));
     for (const fs::path& file : {writePicture(own, 1), writeClip(own), writeReport(own)}) ASSERT_TRUE(outbox->add(file).value());
-    SendOptions options;
+    RetryOptions options;
     options.wait = [](double) {
       ADD_FAILURE() << "there is nothing to wait for";
       return false;
@@ -462,7 +502,7 @@ TEST(Sending, WhatWaitsToBeAskedForLeavesTheOutboxOfAnArchiveThatCannotBeAsked) 
   const TemporaryFolder folder;
   const Storescp gateway(folder / "kept");
   {
-    auto outbox = Outbox::open(folder / "outbox");
+    auto outbox = DicomOutbox::open(folder / "outbox");
     ASSERT_TRUE(succeeded(outbox));
     ASSERT_TRUE(outbox->add(writePicture(folder.path(), 1)).value());
     OutboxEntry entry = outbox->entries().front();
@@ -470,16 +510,16 @@ TEST(Sending, WhatWaitsToBeAskedForLeavesTheOutboxOfAnArchiveThatCannotBeAsked) 
     ASSERT_TRUE(succeeded(outbox->keep(entry)));
   }
   {
-    auto outbox = Outbox::open(folder / "outbox");
+    auto outbox = DicomOutbox::open(folder / "outbox");
     ASSERT_TRUE(succeeded(outbox));
-    SendOptions once;
+    RetryOptions once;
     once.mostRounds = 1;
     const auto result = sendOutbox(*outbox, gateway.address(), once);
     ASSERT_TRUE(succeeded(result));
     EXPECT_EQ(result->accepted, 1u) << result->problem;
     EXPECT_TRUE(result->problem.empty()) << result->problem;
   }
-  const auto later = Outbox::open(folder / "outbox");
+  const auto later = DicomOutbox::open(folder / "outbox");
   ASSERT_TRUE(succeeded(later));
   EXPECT_EQ(later->count(OutboxStatus::accepted), 1u) << "its note is read again";
 }
@@ -490,10 +530,10 @@ TEST(Sending, EndsWithAnArchiveThatRefusesQuestions) {
     const fs::path own = folder / (how == RefusesQuestions::How::says ? "says" : "hangsUp");
     fs::create_directories(own);
     const RefusesQuestions archive(how);
-    auto outbox = Outbox::open(own / "outbox");
+    auto outbox = DicomOutbox::open(own / "outbox");
     ASSERT_TRUE(succeeded(outbox));
     for (const fs::path& file : {writePicture(own, 1), writePicture(own, 2), writeReport(own)}) ASSERT_TRUE(outbox->add(file).value());
-    SendOptions options;
+    RetryOptions options;
     options.wait = [](double) { return true; };
     const auto result = sendOutbox(*outbox, archive.address(), options);
     ASSERT_TRUE(succeeded(result));

@@ -285,6 +285,8 @@ void records(const fs::path& folder) {
       "x" + kNext + R"({"error-code": "1", "error-text": "no secret here", "message": {"a": [1]}})" + kNext + "120");
   put(folder / "outbox_note", "note",
       R"({"format": 1, "class": "1.2", "instance": "1.2.3", "study": "1.3", "series": "1.4", "status": "waiting", "attempts": 2, "problem": ""})");
+  put(folder / "outbox_note", "notes",
+      "{}" + kNext + "{\"format\":1}\n" + R"({"id":"1.2.4","status":"stored","about":{"class":"1.2"}})" + "\n" + kNext + "no object");
 }
 
 void texts(const fs::path& folder) {

@@ -143,7 +143,7 @@ TEST(RecordsKilled, WhileAddingAStatementIsThereWholeOrNotAtAll) {
     ASSERT_EQ(::waitpid(child, &status, 0), child);
     const auto outbox = StatementOutbox::open(folder / "o");
     ASSERT_TRUE(outbox) << outbox.error();
-    for (const StatementEntry& each : outbox->entries()) EXPECT_TRUE(nlohmann::json::accept(*outbox->textOf(each.id))) << each.id;
+    for (const OutboxEntry& each : outbox->entries()) EXPECT_TRUE(nlohmann::json::accept(*outbox->textOf(each.id))) << each.id;
   }
 }
 

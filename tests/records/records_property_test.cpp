@@ -66,7 +66,7 @@ void runSequence(unsigned seed, std::map<Fault, int>& met) {
     if (added > 0) (void)outbox->add(statementNumbered(world.below(added)));
     ASSERT_TRUE(sendStatements(*outbox, world.store, world.options));
     world.server.comeBack();
-    const bool isDone = outbox->count(StatementStatus::waiting) + outbox->count(StatementStatus::doubtful) == 0;
+    const bool isDone = outbox->count(OutboxStatus::waiting) + outbox->count(OutboxStatus::doubtful) == 0;
     if (added == count && isDone) break;
   }
   const auto arrivals = world.server.arrivals();

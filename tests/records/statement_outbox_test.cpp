@@ -61,7 +61,7 @@ TEST(StatementOutbox, RemembersWhatWasSentInTheNextRun) {
     ASSERT_TRUE(outbox.keepSent({idNumbered(0), idNumbered(2)}));
   }
   StatementOutbox again = opened(folder / "o");
-  EXPECT_EQ(again.sentCount(), 2u);
+  EXPECT_EQ(again.count(OutboxStatus::arrived), 2u);
   ASSERT_EQ(again.entries().size(), 1u);
   EXPECT_EQ(again.add(statementNumbered(0)), false);
 }
@@ -73,12 +73,14 @@ TEST(StatementOutbox, OvercomesALineOfSentThatACrashCutOff) {
     fill(outbox, 3);
     ASSERT_TRUE(outbox.keepSent({idNumbered(0)}));
   }
-  std::ofstream(folder / "o/sent", std::ios::app) << idNumbered(1).substr(0, 20);
+  const std::string whole = textOf(folder / "o/notes");
+  std::ofstream(folder / "o/notes", std::ios::app) << "{\"id\":\"" + idNumbered(1).substr(0, 20);
   StatementOutbox again = opened(folder / "o");
-  EXPECT_EQ(again.sentCount(), 1u);
+  EXPECT_EQ(again.count(OutboxStatus::arrived), 1u);
   EXPECT_EQ(again.entries().size(), 2u) << "what is not known to have arrived is still here";
   ASSERT_TRUE(again.keepSent({idNumbered(1), idNumbered(2)}));
-  EXPECT_EQ(textOf(folder / "o/sent"), idNumbered(0) + "\n" + idNumbered(1) + "\n" + idNumbered(2) + "\n");
+  const auto line = [](int n) { return "{\"id\":\"" + idNumbered(n) + "\",\"status\":\"arrived\"}\n"; };
+  EXPECT_EQ(textOf(folder / "o/notes"), whole + line(1) + line(2));
 }
 
 TEST(StatementOutbox, RemovesWhatACrashLeftBetweenTheLineAndTheRemoval) {
@@ -97,6 +99,30 @@ TEST(StatementOutbox, RemovesWhatACrashLeftBetweenTheLineAndTheRemoval) {
   EXPECT_EQ(filesIn(folder / "o"), 0);
 }
 
+TEST(StatementOutbox, OfAnEarlierVersionGoesOnWhereItStood) {
+  const TemporaryFolder folder;
+  const auto copyNumbered = [&](int n) { return folder / ("o/000000000" + std::to_string(n) + "-" + idNumbered(n) + ".json"); };
+  for (int n = 1; n <= 5; ++n) writeText(copyNumbered(n), statementNumbered(n).dump());
+  writeText(folder / "o/sent", idNumbered(0) + "\n" + idNumbered(1) + "\n" + idNumbered(4).substr(0, 20));  // cut off by a crash
+  writeText(folder / "o/sending", idNumbered(1) + "\n" + idNumbered(2) + "\n");
+  writeText(folder / ("o/" + idNumbered(3) + ".refused"), "400 The verb\nis not known here.\n");
+  for (int runs = 0; runs < 2; ++runs) {
+    StatementOutbox outbox = opened(folder / "o");
+    EXPECT_EQ(outbox.count(OutboxStatus::arrived), 2u);
+    EXPECT_EQ(outbox.add(statementNumbered(0)), false);
+    ASSERT_EQ(outbox.entries().size(), 4u);
+    EXPECT_EQ(outbox.entries()[0], (OutboxEntry{.id = idNumbered(2), .status = OutboxStatus::doubtful}));
+    EXPECT_EQ(outbox.entries()[1],
+              (OutboxEntry{.id = idNumbered(3), .status = OutboxStatus::refused, .problem = "400 The verb is not known here"}));
+    EXPECT_EQ(outbox.entries()[2], OutboxEntry{.id = idNumbered(4)});
+    EXPECT_EQ(outbox.entries()[3], OutboxEntry{.id = idNumbered(5)});
+    EXPECT_EQ(outbox.textOf(idNumbered(5)), statementNumbered(5).dump());
+    EXPECT_FALSE(fs::exists(copyNumbered(1))) << "stopped between the line and the removal";
+    for (const std::string& name : {std::string("sent"), std::string("sending"), idNumbered(3) + ".refused"})
+      EXPECT_FALSE(fs::exists(folder / "o" / name)) << name;
+  }
+}
+
 TEST(StatementOutbox, KnowsAfterACrashWhatWasBeingSent) {
   const TemporaryFolder folder;
   {
@@ -105,10 +131,10 @@ TEST(StatementOutbox, KnowsAfterACrashWhatWasBeingSent) {
     ASSERT_TRUE(outbox.announce({idNumbered(1)}));
   }
   StatementOutbox again = opened(folder / "o");
-  EXPECT_EQ(again.count(StatementStatus::doubtful), 1u);
-  EXPECT_EQ(again.entries()[1].status, StatementStatus::doubtful);
+  EXPECT_EQ(again.count(OutboxStatus::doubtful), 1u);
+  EXPECT_EQ(again.entries()[1].status, OutboxStatus::doubtful);
   again.withdraw({idNumbered(1)});
-  EXPECT_EQ(again.count(StatementStatus::waiting), 3u);
+  EXPECT_EQ(again.count(OutboxStatus::waiting), 3u);
 }
 
 TEST(StatementOutbox, KeepsWhyOneWasRefusedUntilItIsTriedAgain) {
@@ -119,10 +145,10 @@ TEST(StatementOutbox, KeepsWhyOneWasRefusedUntilItIsTriedAgain) {
     ASSERT_TRUE(outbox.keepRefused(idNumbered(0), "400 The verb\nis not known here."));
   }
   StatementOutbox again = opened(folder / "o");
-  EXPECT_EQ(again.entries()[0].status, StatementStatus::refused);
+  EXPECT_EQ(again.entries()[0].status, OutboxStatus::refused);
   EXPECT_EQ(again.entries()[0].problem, "400 The verb is not known here");
   ASSERT_TRUE(again.retryRefused());
-  EXPECT_EQ(again.count(StatementStatus::waiting), 2u);
+  EXPECT_EQ(again.count(OutboxStatus::waiting), 2u);
 }
 
 TEST(StatementOutbox, IsOneProgramsAtATimeAndOnlyItsOwnersToRead) {

@@ -81,7 +81,7 @@ TEST_F(StatementSending, SendsSeveralTogetherInTheirOrderWithVersionAndPassword)
     EXPECT_EQ(each.headers.at("content-type"), "application/json");
   }
   EXPECT_EQ(server_.stored(idNumbered(7)), statementNumbered(7));
-  EXPECT_EQ(outbox_->sentCount(), 120u);
+  EXPECT_EQ(outbox_->count(OutboxStatus::arrived), 120u);
 }
 
 TEST_F(StatementSending, SendsATokenAsItIs) {
@@ -322,19 +322,27 @@ TEST_F(StatementSending, ANoteOfARefusalThatCannotBeReadHoldsNothingUp) {
   fill(*outbox_, 2);
   writeText(folder_ / "o" / (idNumbered(0) + ".refused"), std::string(70'000, 'x'));
   reopen();
-  EXPECT_EQ(outbox_->count(StatementStatus::refused), 1u);
+  EXPECT_EQ(outbox_->count(OutboxStatus::refused), 1u);
   EXPECT_EQ(send().sent, 1u);
 }
 
 TEST_F(StatementSending, WhereTheReceiptCannotBeWrittenNothingIsSentTwiceAfterwards) {
   fill(*outbox_, 4);
-  std::filesystem::create_directory(folder_ / "o/sent");
+  const std::filesystem::path notes = folder_ / "o/notes", aside = folder_ / "aside";
+  server_.other = [&](const ServerQuestion&) -> std::optional<ServerAnswer> {
+    std::filesystem::rename(notes, aside);
+    std::filesystem::create_directory(notes);
+    return std::nullopt;
+  };
   const auto sent = sendStatements(*outbox_, store_, options_);
+  server_.other = nullptr;
   ASSERT_FALSE(sent);
   EXPECT_EQ(sent.error().code, ErrorCode::notWritable);
-  std::filesystem::remove(folder_ / "o/sent");
+  std::filesystem::remove(notes);
+  std::filesystem::rename(aside, notes);
   reopen();
   EXPECT_EQ(outbox_->entries().size(), 4u);
+  EXPECT_EQ(outbox_->count(OutboxStatus::doubtful), 4u);
   EXPECT_EQ(send().sent, 4u);
   expectEachOnce(4);
 }
@@ -385,7 +393,7 @@ TEST_F(StatementSending, GoesOnWhereAStoppedCallEnded) {
   options_.mostRounds = 1;
   EXPECT_EQ(send().left, 2u);
   reopen();
-  EXPECT_EQ(outbox_->count(StatementStatus::doubtful), 2u);
+  EXPECT_EQ(outbox_->count(OutboxStatus::doubtful), 2u);
   server_.fault = nullptr;
   EXPECT_EQ(send().sent, 2u);
   expectEachOnce(2);

@@ -32,6 +32,7 @@ TEST(FileEndings, AreComparedWhateverTheSizeOfTheirLetters) {
       {"workstation/library/src/making/file_import.cpp", lowered},
       {"workstation/library/src/files/content_name.cpp", lowered},
       {"workstation/export/src/outbox.cpp", own},
+      {"workstation/io/src/files/outbox.cpp", own},
       {"workstation/io/src/sweeps/sequence_read.cpp", lowered},
       {"workstation/io/src/files/image_header.cpp", lowered},
       {"workstation/reports/src/report_numbers.cpp", "A number, no file."},

@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <chrono>
 #include <set>
-#include <thread>
 #include <utility>
 
 #include "cancellable_layer.h"
@@ -22,6 +20,8 @@ constexpr const char* kFindClass = "1.2.840.10008.5.1.4.1.2.2.1";  // Study Root
 constexpr const char* kPlainSyntaxes[] = {UID_LittleEndianExplicitTransferSyntax, UID_LittleEndianImplicitTransferSyntax};
 constexpr std::size_t kMostContexts = 128;  // of one association (PS3.8)
 constexpr int kMostAborted = 2;             // questions: an archive that ended the connection each time takes none
+
+std::string classOf(const OutboxEntry& entry) { return aboutOf(entry, kObjectClass); }
 
 /// What an object is written in; empty: it cannot be read.
 std::string syntaxOf(const std::filesystem::path& copy) {
@@ -106,7 +106,7 @@ class Association {
 class Round {
  public:
   /// @param abortedQuestions of all rounds: how often the archive ended the connection because it was asked
-  Round(Outbox& outbox, const DicomArchive& archive, SendResult& result, int& abortedQuestions, Progress& progress)
+  Round(DicomOutbox& outbox, const DicomArchive& archive, SendResult& result, int& abortedQuestions, Progress& progress)
       : outbox_(outbox),
         archive_(archive),
         result_(result),
@@ -168,8 +168,8 @@ class Round {
     for (const OutboxEntry& entry : outbox_.entries()) {
       if (entry.status != OutboxStatus::waiting && entry.status != OutboxStatus::stored) continue;
       if (contexts.size() + 5 > kMostContexts) break;  // the rest goes with the next connection
-      if (const std::string own = syntaxOf(outbox_.copyOf(entry)); !own.empty()) offer(entry.object.classUid, own);
-      for (const char* each : kPlainSyntaxes) offer(entry.object.classUid, each);
+      if (const std::string own = syntaxOf(outbox_.copyOf(entry)); !own.empty()) offer(classOf(entry), own);
+      for (const char* each : kPlainSyntaxes) offer(classOf(entry), each);
     }
     for (const char* each : kPlainSyntaxes) offer(kFindClass, each);
     Message why = association_.open();
@@ -194,13 +194,13 @@ class Round {
   }
   Result<void> send(OutboxEntry& entry) {
     const std::string own = syntaxOf(outbox_.copyOf(entry));
-    auto context = contextFor(entry.object.classUid, own);
+    auto context = contextFor(classOf(entry), own);
     const bool isPlain = std::find(std::begin(kPlainSyntaxes), std::end(kPlainSyntaxes), own) != std::end(kPlainSyntaxes);
-    if (context == 0 && isPlain) context = plainContextFor(entry.object.classUid);
+    if (context == 0 && isPlain) context = plainContextFor(classOf(entry));
     ++entry.attempts;
     if (context == 0)
-      return refuse(entry, plainContextFor(entry.object.classUid) == 0 ? "the archive does not take objects of this kind"
-                                                                       : "the archive does not take pictures that are packed in this way");
+      return refuse(entry, plainContextFor(classOf(entry)) == 0 ? "the archive does not take objects of this kind"
+                                                                : "the archive does not take pictures that are packed in this way");
     DcmFileFormat file;
     OFCondition status = file.loadFile(outbox_.copyOf(entry).c_str());
     if (status.bad()) return refuse(entry, "the copy in the outbox cannot be read: " + std::string(status.text()));
@@ -236,9 +236,9 @@ class Round {
     DcmDataset query;
     Elements elements(query);
     elements.text(DCM_QueryRetrieveLevel, "IMAGE");
-    elements.text(DCM_StudyInstanceUID, entry.studyUid);
-    elements.text(DCM_SeriesInstanceUID, entry.seriesUid);
-    elements.text(DCM_SOPInstanceUID, entry.object.instanceUid);
+    elements.text(DCM_StudyInstanceUID, aboutOf(entry, kObjectStudy));
+    elements.text(DCM_SeriesInstanceUID, aboutOf(entry, kObjectSeries));
+    elements.text(DCM_SOPInstanceUID, entry.id);
     if (auto put = elements.check(); !put) return put;
     OFList<QRResponse*> responses;
     const OFCondition status = scu_.sendFINDRequest(context, &query, &responses);
@@ -246,7 +246,7 @@ class Round {
     for (QRResponse* response : responses) {
       OFString found;
       if (response->m_dataset != nullptr && response->m_dataset->findAndGetOFString(DCM_SOPInstanceUID, found).good() &&
-          found == entry.object.instanceUid.c_str())
+          found == entry.id.c_str())
         isThere = true;
       isWhole = isWhole || response->m_status == STATUS_Success;
       isRefused = isRefused || refusesQuestions(response->m_status);
@@ -275,7 +275,7 @@ class Round {
     return outbox_.keep(entry);
   }
 
-  Outbox& outbox_;
+  DicomOutbox& outbox_;
   const DicomArchive& archive_;
   SendResult& result_;
   int& abortedQuestions_;
@@ -285,34 +285,23 @@ class Round {
   bool isBroken_ = false;
 };
 
-/// Sleeps in pieces, so that whoever cancels does not wait. @return whether to go on
-bool sleepFor(double seconds, const Progress& progress) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
-  while (std::chrono::steady_clock::now() < end) {
-    if (progress.cancelRequested()) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  }
-  return !progress.cancelRequested();
-}
-
 }  // namespace
 
-Result<SendResult> sendOutbox(Outbox& outbox, const DicomArchive& archive, const SendOptions& options, Progress& progress) {
+Result<SendResult> sendOutbox(DicomOutbox& outbox, const DicomArchive& archive, const RetryOptions& options, Progress& progress) {
   EW_EXPECTS(options.mostRounds >= 1 && options.firstWait_s >= 0.0);
   if (auto good = check(archive); !good) return passOn(good.error());
   quietDcmtk();
   SendResult result;
   const auto left = [&] { return outbox.count(OutboxStatus::waiting) + outbox.count(OutboxStatus::stored); };
   int abortedQuestions = 0;
-  double wait_s = options.firstWait_s;
+  int failed = 0;
   while (left() > 0) {
     const std::size_t before = left();
     ++result.rounds;
     if (auto ran = Round(outbox, archive, result, abortedQuestions, progress).run(); !ran) return passOn(ran.error());
     if (left() == 0 || result.rounds >= options.mostRounds) break;
-    if (left() < before) wait_s = options.firstWait_s;  // it got on
-    if (!(options.wait ? options.wait(wait_s) : sleepFor(wait_s, progress))) break;
-    wait_s = std::min(2.0 * wait_s, options.longestWait_s);
+    failed = left() < before ? 1 : failed + 1;  // it got on
+    if (!options.waitFor(options.waitAfter_s(failed), progress)) break;
   }
   const auto unreadable = outbox.unreadable();
   result.left = left() + unreadable.size();

@@ -94,8 +94,8 @@ Result<Next> StatementSender::settleDoubts(std::vector<std::string>& ids) {
   std::vector<std::string> left;
   for (const std::string& id : ids) {
     const auto& entries = outbox_.entries();
-    const auto entry = std::find_if(entries.begin(), entries.end(), [&](const StatementEntry& each) { return each.id == id; });
-    if (entry == entries.end() || entry->status != StatementStatus::doubtful) {
+    const auto entry = std::find_if(entries.begin(), entries.end(), [&](const OutboxEntry& each) { return each.id == id; });
+    if (entry == entries.end() || entry->status != OutboxStatus::doubtful) {
       left.push_back(id);
       continue;
     }

@@ -39,7 +39,6 @@ class StatementSender {
   Next refusesUs(const HttpAnswer& answer);
   Result<Next> refuse(const std::string& id, const std::string& words);
   Result<Next> arrived(const std::vector<std::string>& ids);
-  bool waitFor(double seconds) const;
   std::string words(const HttpAnswer& answer) const;
 
   StatementOutbox& outbox_;

@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <thread>
 
 #include "ew/core/foreign_json.h"
 #include "iri.h"
@@ -75,9 +73,9 @@ Result<Next> StatementSender::deliver(std::vector<std::string> ids) {
 std::vector<std::string> StatementSender::nextBatch() {
   std::vector<std::string> ids;
   std::size_t bytes = 0;
-  for (const StatementEntry& entry : outbox_.entries()) {
+  for (const OutboxEntry& entry : outbox_.entries()) {
     if (ids.size() >= options_.mostTogether) break;
-    if (entry.status == StatementStatus::refused || tried_.contains(entry.id)) continue;
+    if (entry.status == OutboxStatus::refused || tried_.contains(entry.id)) continue;
     const auto text = outbox_.textOf(entry.id);
     bytes += text ? text->size() : 0;
     if (!ids.empty() && bytes > options_.mostTogether_bytes) break;
@@ -106,18 +104,8 @@ Result<Next> StatementSender::round() {
   }
 }
 
-bool StatementSender::waitFor(double seconds) const {
-  if (options_.wait) return options_.wait(seconds);
-  const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
-  while (std::chrono::steady_clock::now() < until) {
-    if (progress_.cancelRequested()) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  }
-  return true;
-}
-
 Result<SendStatementsResult> StatementSender::run() {
-  whole_ = outbox_.entries().size() - outbox_.count(StatementStatus::refused);
+  whole_ = outbox_.entries().size() - outbox_.count(OutboxStatus::refused);
   for (int inVain = 0;;) {
     const std::size_t before = result_.sent + result_.refused;
     const auto next = round();
@@ -131,12 +119,11 @@ Result<SendStatementsResult> StatementSender::run() {
           store_.endpoint, static_cast<long long>(std::ceil(std::min(askedWait_s_, 1e9))));
       break;
     }
-    const double wait_s = std::min(options_.firstWait_s * std::pow(2.0, inVain - 1), options_.longestWait_s);
-    isCancelled_ = !waitFor(std::max(wait_s, askedWait_s_));
+    isCancelled_ = !options_.waitFor(std::max(options_.waitAfter_s(inVain), askedWait_s_), progress_);
     if (isCancelled_) break;
   }
   if (isCancelled_) return failure(ErrorCode::cancelled, say<"Stopped as asked; statements that were not sent yet stay in the outbox.">());
-  result_.left = outbox_.entries().size() - outbox_.count(StatementStatus::refused);
+  result_.left = outbox_.entries().size() - outbox_.count(OutboxStatus::refused);
   return result_;
 }
 

@@ -157,13 +157,13 @@ Result<int> tellSent(const SendStatementsResult& sent, const StatementOutbox& ou
   run.progress.clear();
   constexpr std::size_t kMostRemarks = 5;
   std::size_t told = 0;
-  for (const StatementEntry& each : outbox.entries())
-    if (each.status == StatementStatus::refused && told++ < kMostRemarks)
+  for (const OutboxEntry& each : outbox.entries())
+    if (each.status == OutboxStatus::refused && told++ < kMostRemarks)
       run.remark(say<"The record store refuses %1: %2.">(each.id, verbatim(each.problem)));
   if (told > kMostRemarks) run.remark(say<"... and %1 more; 'echoweave records list' shows all.">(told - kMostRemarks));
   run.report.quality = {{"sent", sent.sent}, {"refused", sent.refused}, {"left", sent.left}, {"rounds", sent.rounds}};
   run.say("The record store has " + counted(sent.sent, "statement") + " more now.");
-  const std::size_t refused = outbox.count(StatementStatus::refused);
+  const std::size_t refused = outbox.count(OutboxStatus::refused);
   if (sent.left > 0)
     return run.answer({ErrorCode::notWritable,
                        say<"Not in the record store yet, but safe in the outbox: %1. Send again to go on. %2">(sent.left, sent.problem),
@@ -200,7 +200,7 @@ Result<int> listRecords(const RecordsArguments& arguments, Run& run) {
   const auto outbox = StatementOutbox::open(arguments.outboxPlace());
   if (!outbox) return passOn(outbox.error());
   nlohmann::json rows = nlohmann::json::array();
-  for (const StatementEntry& each : outbox->entries()) {
+  for (const OutboxEntry& each : outbox->entries()) {
     const auto text = outbox->textOf(each.id);
     const auto statement = text ? jsonOrNull(*text) : nlohmann::json();
     const auto word = [&](const char* path) {
@@ -213,11 +213,11 @@ Result<int> listRecords(const RecordsArguments& arguments, Run& run) {
     rows.push_back({{"id", each.id}, {"status", std::string(wordOf(each.status))}, {"problem", each.problem}});
   }
   run.report.details["statements"] = std::move(rows);
-  run.report.quality = {{"waiting", outbox->count(StatementStatus::waiting) + outbox->count(StatementStatus::doubtful)},
-                        {"refused", outbox->count(StatementStatus::refused)},
-                        {"sent", outbox->sentCount()}};
-  run.out() << counted(outbox->entries().size() - outbox->count(StatementStatus::refused), "statement") << " to send, "
-            << outbox->count(StatementStatus::refused) << " refused, " << outbox->sentCount() << " sent so far.\n";
+  run.report.quality = {{"waiting", outbox->count(OutboxStatus::waiting) + outbox->count(OutboxStatus::doubtful)},
+                        {"refused", outbox->count(OutboxStatus::refused)},
+                        {"sent", outbox->count(OutboxStatus::arrived)}};
+  run.out() << counted(outbox->entries().size() - outbox->count(OutboxStatus::refused), "statement") << " to send, "
+            << outbox->count(OutboxStatus::refused) << " refused, " << outbox->count(OutboxStatus::arrived) << " sent so far.\n";
   return kDone;
 }
 

@@ -20,7 +20,7 @@ Result<int> send(const SendArguments& arguments, Run& run) {
   run.stopped = {};
   for (const std::string& file : arguments.files)
     if (auto kept = run.input(file); !kept) return passOn(kept.error());
-  auto outbox = Outbox::open(arguments.outbox);
+  auto outbox = DicomOutbox::open(arguments.outbox);
   if (!outbox) return passOn(outbox.error());
   std::size_t known = 0;
   for (const std::string& file : arguments.files) {
@@ -32,18 +32,17 @@ Result<int> send(const SendArguments& arguments, Run& run) {
   if (arguments.retriesRefused)
     if (auto waits = outbox->retryRefused(); !waits) return passOn(waits.error());
 
-  SendOptions options;
+  RetryOptions options;
   options.mostRounds = arguments.rounds;
   const auto sent = sendOutbox(*outbox, arguments.archive, options, run.progress);
   if (!sent) return passOn(sent.error());
   for (const OutboxEntry& entry : outbox->entries()) {
-    run.report.details["objects"].push_back({{"instance_uid", entry.object.instanceUid},
-                                             {"class_uid", entry.object.classUid},
+    run.report.details["objects"].push_back({{"instance_uid", entry.id},
+                                             {"class_uid", aboutOf(entry, kObjectClass)},
                                              {"status", std::string(wordOf(entry.status))},
                                              {"attempts", entry.attempts},
                                              {"problem", entry.problem}});
-    if (entry.status == OutboxStatus::refused)
-      run.remark(say<"The archive refuses %1: %2.">(entry.object.instanceUid, verbatim(entry.problem)));
+    if (entry.status == OutboxStatus::refused) run.remark(say<"The archive refuses %1: %2.">(entry.id, verbatim(entry.problem)));
   }
   run.report.options = {{"host", arguments.archive.host},
                         {"port", arguments.archive.port},

@@ -183,4 +183,11 @@ Result<void> closeToOthers(const fs::path& folder) {
   return {};
 }
 
+void closeFileToOthers(const fs::path& file) {
+  const OpenFile opened(::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  struct stat found {};
+  if (!opened.isOpen() || ::fstat(opened.get(), &found) != 0 || !strangeness(found).empty()) return;
+  if ((found.st_mode & kOthers) != 0) static_cast<void>(::fchmod(opened.get(), 0600));
+}
+
 }  // namespace ew

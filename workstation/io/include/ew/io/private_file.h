@@ -37,5 +37,7 @@ inline constexpr std::string_view kPrivateAside = ".ew-private-";
 /// Closes a folder of this account and everything in it to others: folders 0700, files 0600. Links stay as they are and are not followed.
 /// @error notWritable
 [[nodiscard]] Result<void> closeToOthers(const std::filesystem::path& folder);
+/// The same of one file (0600), so far as it can be: links and what another account owns stay as they are.
+void closeFileToOthers(const std::filesystem::path& file);
 
 }  // namespace ew

@@ -46,7 +46,7 @@ std::chrono::sys_seconds secondsNow() { return std::chrono::floor<std::chrono::s
 QString waitingIn(const fs::path& folder) {
   std::error_code failed;
   if (!fs::exists(folder, failed)) return {};
-  const auto outbox = Outbox::open(folder);
+  const auto outbox = DicomOutbox::open(folder);
   if (!outbox) return words(outbox.error());
   const auto waiting = static_cast<int>(outbox->count(OutboxStatus::waiting) + outbox->count(OutboxStatus::stored));
   const auto refused = static_cast<int>(outbox->count(OutboxStatus::refused));
@@ -65,7 +65,7 @@ Result<void> sendThroughOutbox(const ExaminationFiles& examination, const DicomA
                                Progress& progress) {
   std::error_code failed;
   fs::create_directories(folder, failed);
-  auto outbox = Outbox::open(folder);
+  auto outbox = DicomOutbox::open(folder);
   if (!outbox) return passOn(outbox.error());
   const fs::path incoming = folder / "incoming";
   fs::remove_all(incoming, failed);
@@ -78,7 +78,7 @@ Result<void> sendThroughOutbox(const ExaminationFiles& examination, const DicomA
   fs::remove_all(incoming, failed);
   if (!files) return passOn(files.error());
   if (auto again = outbox->retryRefused(); !again) return again;
-  SendOptions options;
+  RetryOptions options;
   options.mostRounds = kRounds;
   auto result = sendOutbox(*outbox, archive, options, progress);
   if (!result) return passOn(result.error());
