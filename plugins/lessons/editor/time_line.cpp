@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ew/core/figures.h"
 #include "ew/sdk/panel.h"
 
 namespace ew::lessons {
@@ -22,10 +23,7 @@ constexpr double kStep_s = 0.5;
 
 }  // namespace
 
-QString clockText(double time_s) {
-  const int tenths = static_cast<int>(std::lround(10.0 * std::max(0.0, time_s)));
-  return QStringLiteral("%1:%2.%3").arg(tenths / 600).arg(tenths / 10 % 60, 2, 10, QLatin1Char('0')).arg(tenths % 10);
-}
+QString clockText(double time_s) { return QString::fromStdString(ew::clockText(std::max(0.0, time_s))); }
 
 TimeLine::TimeLine(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);

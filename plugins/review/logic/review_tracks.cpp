@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "ew/core/figures.h"
 #include "ew/imaging/display.h"
 #include "ew/imaging/resolved.h"
 #include "ew/library/step_answer.h"
@@ -13,17 +13,11 @@
 namespace ew::review {
 namespace {
 
-std::string fixed(double value, int decimals) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-  return text.data();
-}
-
-Message inUnit(double value, int decimals, const char* unit) { return joined({numeral(fixed(value, decimals)), verbatim(unit)}, " "); }
+Message inUnit(double value, int decimals, const char* unit) { return joined({fixedNumeral(value, decimals), verbatim(unit)}, " "); }
 
 Message gainOf(const ScanState& state) {
   if (resolvedGainLaw(state.knobs, state.scene) == GainLaw::decibel) return inUnit(state.knobs.gain_db, 0, "dB");
-  return joined({verbatim("×"), numeral(fixed(state.knobs.gain, 2))}, " ");
+  return joined({verbatim("×"), fixedNumeral(state.knobs.gain, 2)}, " ");
 }
 
 /// Eight sliders in one word: whether they stand where they rest, else how far they reach.
@@ -33,14 +27,14 @@ Message tgcOf(const ScanState& state) {
   const auto [low, high] = std::minmax_element(sliders.begin(), sliders.end());
   if (*low == (inDecibels ? 0.0 : 1.0) && *high == *low) return say<"neutral">();
   const int decimals = inDecibels ? 0 : 2;
-  return say<"%1 to %2">(numeral(fixed(*low, decimals)), inDecibels ? inUnit(*high, decimals, "dB") : numeral(fixed(*high, decimals)));
+  return say<"%1 to %2">(fixedNumeral(*low, decimals), inDecibels ? inUnit(*high, decimals, "dB") : fixedNumeral(*high, decimals));
 }
 
 Message focusOf(const ScanState& state) {
   const double depth_mm = resolvedDepth_mm(state.probe, state.knobs);
-  std::vector<Message> foci{numeral(fixed((state.knobs.focus_mm > 0.0 ? state.knobs.focus_mm : 0.5 * depth_mm) / 10.0, 1))};
+  std::vector<Message> foci{fixedNumeral((state.knobs.focus_mm > 0.0 ? state.knobs.focus_mm : 0.5 * depth_mm) / 10.0, 1)};
   for (const double more_mm : state.knobs.moreFoci_mm)
-    if (more_mm > 0.0) foci.push_back(numeral(fixed(more_mm / 10.0, 1)));
+    if (more_mm > 0.0) foci.push_back(fixedNumeral(more_mm / 10.0, 1));
   return joined({joined(std::move(foci), ", "), verbatim("cm")}, " ");
 }
 
@@ -134,7 +128,7 @@ std::vector<Setting> settingsOf(const ScanState& state) {
           {say<"focus">(), focusOf(state)},
           {say<"frequency">(), inUnit(carrier_hz / 1e6, 1, "MHz")},
           {say<"dynamic range">(), knobs.dynamicRange_db > 0.0 ? inUnit(knobs.dynamicRange_db, 0, "dB") : say<"as recorded">()},
-          {say<"zoom">(), joined({verbatim("×"), numeral(fixed(knobs.zoom, 1))}, " ")},
+          {say<"zoom">(), joined({verbatim("×"), fixedNumeral(knobs.zoom, 1)}, " ")},
           {say<"mode">(), modeOf(knobs.mode)}};
 }
 

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "ew/assessment/judging.h"
+#include "ew/core/figures.h"
 
 namespace ew::review {
 namespace {
@@ -65,14 +66,7 @@ const char* workspaceIcon() {
   return R"(<svg xmlns="http://www.w3.org/2000/svg" width="24" height="24" viewBox="0 0 24 24" fill="none" stroke="currentColor" stroke-width="1.75" stroke-linecap="round" stroke-linejoin="round"><path d="M7 4.5 3.5 14h7zM17 4.5 13.5 14h7zM3.5 19h17M9 17.5v3"/></svg>)";
 }
 
-QString clockText(double time_s) {
-  const auto tenths = std::lround(10.0 * std::abs(time_s));
-  return QStringLiteral("%1%2:%3.%4")
-      .arg(time_s < 0.0 && tenths > 0 ? QStringLiteral("-") : QString())
-      .arg(tenths / 600)
-      .arg(tenths / 10 % 60, 2, 10, QLatin1Char('0'))
-      .arg(tenths % 10);
-}
+QString clockText(double time_s) { return QString::fromStdString(ew::clockText(time_s)); }
 
 QString percent(double share) { return QLocale().toString(100.0 * share, 'f', 0) + QStringLiteral(" %"); }
 

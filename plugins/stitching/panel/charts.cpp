@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ew/core/figures.h"
 #include "panel/look.h"
 #include "panel/stitch_session.h"
 
@@ -15,8 +16,6 @@ namespace ew::stitching {
 namespace {
 
 using registration::ElasticEffort;
-
-QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
 
 /// The sunken card that charts are drawn on, in small type.
 void paintCard(QPainter& painter, const QWidget& on) {
@@ -263,6 +262,13 @@ QString nameOfEffort(ElasticEffort effort) {
       return CostChart::tr("accurate");
   }
   return {};
+}
+
+QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
+
+QString memoryText(double bytes) {
+  const auto [value, decimals, isGibibytes] = memoryFigure(bytes);
+  return (isGibibytes ? QStringLiteral("%1 GiB") : QStringLiteral("%1 MiB")).arg(number(value, decimals));
 }
 
 QString inSeconds(double seconds) {

@@ -6,7 +6,6 @@
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFormLayout>
-#include <QLocale>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
@@ -17,6 +16,7 @@
 #include <QUrl>
 #include <algorithm>
 
+#include "panel/charts.h"
 #include "panel/folders.h"
 #include "panel/look.h"
 #include "panel/stitch_session.h"
@@ -27,12 +27,6 @@ namespace {
 namespace fs = std::filesystem;
 using sdk::kGap_px;
 using sdk::words;
-
-QString mebibytes(double bytes) {
-  const double mib = bytes / (1024.0 * 1024.0);
-  return mib < 1024.0 ? QStringLiteral("%1 MiB").arg(QLocale().toString(mib, 'f', mib < 10.0 ? 1 : 0))
-                      : QStringLiteral("%1 GiB").arg(QLocale().toString(mib / 1024.0, 'f', 1));
-}
 
 /// Marks the one button that is the next thing to do.
 void setPrimary(QPushButton* button, bool primary) {
@@ -430,9 +424,9 @@ void StitchPanel::showForecast() {
   if (grids.empty()) return forecast_->say({});
   const auto forecast = forecastJoin(grids, document_.project().settings.join);
   if (!forecast) return forecast_->say(words(forecast.error().message));
-  const QString needs = mebibytes(static_cast<double>(forecast->bytes));
+  const QString needs = memoryText(static_cast<double>(forecast->bytes));
   QString tip = tr("What the stitched volume will be, and the memory that making it takes at its peak");
-  if (const auto free = availableMemory_bytes()) tip += QLatin1Char('\n') + tr("%1 are free").arg(mebibytes(static_cast<double>(*free)));
+  if (const auto free = availableMemory_bytes()) tip += QLatin1Char('\n') + tr("%1 are free").arg(memoryText(static_cast<double>(*free)));
   forecast_->setToolTip(tip);
   forecast_->say(tr("Result: %1, %2").arg(sizeOf(forecast->grid), needs));
 }

@@ -26,8 +26,6 @@ using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-std::string mebibytes(std::uint64_t bytes) { return std::to_string((bytes + (1u << 20) - 1) >> 20) + " MiB"; }
-
 Result<void> checkImages(const Sequence& sequence) {
   if (sequence.width < 1 || sequence.height < 1)
     return failure(
@@ -570,7 +568,8 @@ Result<ImportedSweep> importSweep(OpenedSweep opened, Progress& progress) {
     return failure(
         ErrorCode::tooLarge,
         say<"The volume would have %1 x %2 x %3 voxels and need %4 of memory with the frames, more than the %5 that a volume may take; use "
-            "a coarser spacing.">(dims.x, dims.y, dims.z, mebibytes(opened.plan.bytes), mebibytes(opened.plan.reconstruct.maxBytes)),
+            "a coarser spacing.">(dims.x, dims.y, dims.z, mebibytesText(static_cast<double>(opened.plan.bytes)),
+                                  mebibytesText(static_cast<double>(opened.plan.reconstruct.maxBytes))),
         {{"bytes", std::to_string(opened.plan.bytes)}, {"maxBytes", std::to_string(opened.plan.reconstruct.maxBytes)}});
   const bool weighing = opened.plan.reconstruct.compounding == Compounding::weighted;
   PartOfProgress before(progress, 0.0, weighing ? 0.4 : 0.0), making(progress, weighing ? 0.4 : 0.0, 1.0);

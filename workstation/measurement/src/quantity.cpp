@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <ostream>
 
 #include "ew/core/contract.h"
+#include "ew/core/figures.h"
 #include "ew/core/numbers.h"
 
 namespace ew::measurement {
@@ -62,14 +62,6 @@ const UnitInfo& infoOf(Unit unit) {
   return *found;
 }
 
-std::string fixed(double value, int decimals) {
-  std::array<char, 400> buffer{};
-  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
-  std::string text = error == std::errc{} ? std::string(buffer.data(), end) : textOf(value);
-  const bool isZero = text.find_first_not_of("-0.") == std::string::npos;
-  return isZero && text.starts_with('-') ? text.substr(1) : text;
-}
-
 int decimalsOf(const Quantity& quantity) {
   if (!(quantity.uncertainty > 0.0) || !std::isfinite(quantity.uncertainty)) return infoOf(quantity.unit).usualDecimals;
   return std::clamp(1 - static_cast<int>(std::floor(std::log10(quantity.uncertainty))), 0, 4);
@@ -101,11 +93,11 @@ Quantity converted(const Quantity& quantity, Unit to) {
   return {converted(quantity.value, quantity.unit, to), converted(quantity.uncertainty, quantity.unit, to), to};
 }
 
-std::string shownValue(const Quantity& quantity) { return fixed(quantity.value, decimalsOf(quantity)); }
+std::string shownValue(const Quantity& quantity) { return fixedText(quantity.value, decimalsOf(quantity)); }
 
 std::string shown(const Quantity& quantity) {
   std::string text = shownValue(quantity);
-  if (quantity.uncertainty > 0.0) text += " ± " + fixed(quantity.uncertainty, decimalsOf(quantity));
+  if (quantity.uncertainty > 0.0) text += " ± " + fixedText(quantity.uncertainty, decimalsOf(quantity));
   return quantity.unit == Unit::one ? text : text + " " + std::string(symbolOf(quantity.unit));
 }
 

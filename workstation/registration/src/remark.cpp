@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
+#include "ew/core/figures.h"
 #include "ew/core/numbers.h"
 #include "listed.h"
 
@@ -53,17 +53,10 @@ constexpr std::array<const char*, static_cast<std::size_t>(RemarkCode::count_)> 
                                                                                           "bend agrees",
                                                                                           "motion is left"};
 
-std::string withDigits(double value, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
-Message decimal(double value, int digits) { return std::isfinite(value) ? numeral(withDigits(value, digits)) : say<"any amount">(); }
+Message decimal(double value, int digits) { return std::isfinite(value) ? fixedNumeral(value, digits) : say<"any amount">(); }
 Message millimetres(double mm) { return std::isfinite(mm) ? say<"%1 mm">(decimal(mm, 1)) : say<"any distance">(); }
 /// As people write who measured with a ruler: no zero behind the point.
-Message plainMillimetres(double mm) {
-  return std::isfinite(mm) ? say<"%1 mm">(numeral(textOf(std::round(mm * 10.0) / 10.0))) : say<"any distance">();
-}
+Message plainMillimetres(double mm) { return std::isfinite(mm) ? say<"%1 mm">(numeral(roundedText(mm, 1))) : say<"any distance">(); }
 Message percent(double share) { return say<"%1 %">(decimal(100.0 * share, 0)); }
 Message whole(double count) { return decimal(count, 0); }
 

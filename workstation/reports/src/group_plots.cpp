@@ -3,6 +3,7 @@
 #include <set>
 
 #include "ew/core/chart_axis.h"
+#include "ew/core/figures.h"
 #include "ew/reports/distribution.h"
 #include "ew/reports/report_document.h"
 #include "plot_canvas.h"

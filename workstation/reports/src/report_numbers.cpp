@@ -1,24 +1,13 @@
 #include "report_numbers.h"
 
-#include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
 #include "ew/assessment/judging.h"
+#include "ew/core/figures.h"
 #include "ew/reports/report_document.h"
 
 namespace ew {
 namespace reports {
-
-std::string fixedText(double value, int decimals) {
-  if (!std::isfinite(value)) return std::isnan(value) ? "nan" : value > 0.0 ? "inf" : "-inf";
-  std::array<char, 400> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
-  std::string made(text.data(), end.ptr);
-  if (made.starts_with('-') && made.find_first_not_of("-0.") == std::string::npos) made.erase(0, 1);
-  return made;
-}
 
 std::string coordinate(double value) {
   std::string made = fixedText(value, 1);
@@ -28,23 +17,17 @@ std::string coordinate(double value) {
 
 }  // namespace reports
 
-namespace {
-
-Message decimals(double value, int count) { return numeral(reports::fixedText(value, count)); }
-
-}  // namespace
-
-Message percentText(double share) { return joined({decimals(100.0 * share, 0), verbatim("%")}); }
+Message percentText(double share) { return joined({fixedNumeral(100.0 * share, 0), verbatim("%")}); }
 
 Message scoreText(double score, double passLevel) {
   if (reachesLevel(score, passLevel) || std::round(100.0 * score) < std::round(100.0 * passLevel)) return percentText(score);
-  return joined({decimals(std::floor(1000.0 * score) / 10.0, 1), verbatim("%")});
+  return joined({fixedNumeral(std::floor(1000.0 * score) / 10.0, 1), verbatim("%")});
 }
 
 Message figureText(double value, std::string_view unit) {
   const double size = std::abs(value);
   const bool isWhole = unit.empty() && value == std::round(value);
-  Message number = decimals(value, isWhole || size >= 99.95 ? 0 : size >= 9.995 ? 1 : 2);
+  Message number = fixedNumeral(value, isWhole || size >= 99.95 ? 0 : size >= 9.995 ? 1 : 2);
   if (unit.empty()) return number;
   return joined({std::move(number), verbatim(unit == "deg" ? "°" : std::string(unit))});
 }

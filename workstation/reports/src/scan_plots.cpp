@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "ew/core/chart_axis.h"
+#include "ew/core/figures.h"
 #include "plot_canvas.h"
 #include "report_numbers.h"
 

@@ -1,8 +1,8 @@
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <limits>
 
+#include "ew/core/figures.h"
 #include "ew/stitching/common_grid.h"
 #include "view_sampler.h"
 
@@ -11,12 +11,7 @@ namespace {
 
 constexpr std::size_t kMostInputs = 255;  // a source is one byte per voxel
 
-Message gibibytes(double bytes) {
-  std::string text(32, '\0');
-  const int length = std::snprintf(text.data(), text.size(), "%.1f", bytes / (1024.0 * 1024.0 * 1024.0));
-  text.resize(static_cast<std::size_t>(std::max(length, 0)));
-  return say<"%1 GiB">(numeral(text));
-}
+Message gibibytes(double bytes) { return say<"%1 GiB">(fixedNumeral(bytes / (1024.0 * 1024.0 * 1024.0), 1)); }
 
 Result<void> checkOptions(const StitchOptions& options) {
   if (!(options.spacing_mm >= 0.0) || !std::isfinite(options.spacing_mm))

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <ctime>
 #include <opencv2/calib3d.hpp>
 
 #include "camera_charuco.h"
+#include "ew/core/figures.h"
 #include "ew/core/order_statistics.h"
 
 namespace ew {
@@ -103,11 +103,7 @@ std::string timeNow() {
   return text;
 }
 
-Message hundredths(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", value);
-  return numeral(text);
-}
+Message hundredths(double value) { return fixedNumeral(value, 2); }
 
 void judge(CameraCalibration& found, bool isTipped) {
   using Quality = CameraCalibration::Quality;

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <set>
 #include <span>
+
+#include "ew/core/figures.h"
 
 namespace ew {
 namespace {
@@ -14,11 +15,7 @@ using Quad = std::array<glm::dvec2, 4>;
 
 constexpr double kMeets_mm = 0.2;  // what a careful hand folds and cuts
 
-Message millimetres(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", value);
-  return numeral(text);
-}
+Message millimetres(double value) { return fixedNumeral(value, 1); }
 
 /// How far p lies inside a convex quad that goes counter-clockwise; negative outside.
 double depthInside(const Quad& quad, const glm::dvec2& p) {

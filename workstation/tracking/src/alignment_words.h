@@ -1,15 +1,9 @@
 #pragma once
 
-#include <cstdio>
-
-#include "ew/core/message.h"
+#include "ew/core/figures.h"
 
 namespace ew {
 
-[[nodiscard]] inline Message tenths(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", value);
-  return numeral(text);
-}
+[[nodiscard]] inline Message tenths(double value) { return fixedNumeral(value, 1); }
 
 }  // namespace ew

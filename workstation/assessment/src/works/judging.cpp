@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ew/core/contract.h"
+#include "ew/core/figures.h"
 #include "ew/core/numbers.h"
 #include "ew/measurement/ellipse.h"
 
@@ -12,7 +13,7 @@ namespace ew {
 namespace {
 
 std::string whole(double value) { return std::to_string(std::lround(value)); }
-std::string tenths(double value) { return textOf(std::round(10.0 * value) / 10.0); }
+std::string tenths(double value) { return roundedText(value, 1); }
 
 void missed(StepResult& judged, Message text) { judged.remarks.push_back({false, std::move(text)}); }
 void wellDone(StepResult& judged, Message text) { judged.remarks.push_back({true, std::move(text)}); }

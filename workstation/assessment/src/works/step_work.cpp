@@ -35,10 +35,6 @@ void conclude(const LessonStep& step, double passLevel, StepOutcome& outcome) {
   outcome.verdict = inTime && reachesLevel(outcome.score, passLevel) ? StepVerdict::passed : StepVerdict::failed;
 }
 
-std::string roundedText(double value, int decimals) {
-  return textOf(std::round(value * std::pow(10.0, decimals)) / std::pow(10.0, decimals));
-}
-
 CaliperReading inWorld(const HandedMeasurement& handed, const ScanState& image) {
   CaliperReading made{handed.kind, handed.figures, {}};
   for (Figure& figure : made.figures) figure.uncertainty = 0.0;  // which attempts do not keep

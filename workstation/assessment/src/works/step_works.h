@@ -3,6 +3,7 @@
 #include "ew/assessment/judging.h"
 #include "ew/assessment/organ_coverage.h"
 #include "ew/assessment/step_work.h"
+#include "ew/core/figures.h"
 #include "ew/library/case_truth.h"
 #include "ew/library/step_answer.h"
 
@@ -29,7 +30,6 @@ using Work = std::unique_ptr<StepWork>;
 [[nodiscard]] Work answerWork(const AnswerTask& task);
 
 // What several of them share.
-[[nodiscard]] std::string roundedText(double value, int decimals = 0);
 [[nodiscard]] Message noImage();
 /// What was measured in an image, as an attempt keeps it.
 [[nodiscard]] CaliperReading inWorld(const HandedMeasurement& handed, const ScanState& image);

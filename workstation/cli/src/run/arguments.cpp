@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "ew/core/figures.h"
 #include "ew/core/numbers.h"
 
 namespace ew::cli {
@@ -162,10 +163,6 @@ std::string counted(std::size_t count, std::string_view noun) {
   return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
 }
 
-std::string rounded(double value, int digits) {
-  std::array<char, 64> buffer{};
-  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, digits);
-  return error == std::errc{} ? std::string(buffer.data(), end) : textOf(value);
-}
+std::string rounded(double value, int digits) { return fixedText(value, digits); }
 
 }  // namespace ew::cli

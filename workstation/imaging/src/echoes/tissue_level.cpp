@@ -9,6 +9,7 @@
 
 #include "echo_layout.h"
 #include "ew/core/contract.h"
+#include "ew/core/figures.h"
 #include "ew/core/numbers.h"
 #include "ew/core/parallel.h"
 #include "ew/imaging/effects/gain.h"
@@ -270,10 +271,9 @@ int threadsOf(const Grid& grid, const LevelOptions& options) {
 }
 
 tl::unexpected<Error> needsMore(std::uint64_t bytes, const LevelOptions& options) {
-  const auto mebibytes = [](std::uint64_t each) { return textOf(std::ceil(static_cast<double>(each) / 1048576.0)) + " MiB"; };
   return failure(ErrorCode::tooLarge,
                  say<"The level of this volume needs %1 of memory, %2 are allowed; allow more, or choose a smaller sigma.">(
-                     mebibytes(bytes), mebibytes(options.maxBytes)),
+                     mebibytesText(static_cast<double>(bytes)), mebibytesText(static_cast<double>(options.maxBytes))),
                  {{"forecast_bytes", std::to_string(bytes)}});
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "case/manifest.h"
+#include "ew/core/figures.h"
 #include "ew/core/numbers.h"
 #include "ew/imaging/probe.h"
 #include "ew/io/volume_file.h"
@@ -104,8 +105,8 @@ void checkReal(const Case& opened, CheckList& list) {
   if (found.empty()) list.done(say<"Nothing in its texts looks like a real person's.">(), "patient.name");
 }
 
-Message millimetres(double value_mm) { return numeral(textOf(std::round(value_mm * 10.0) / 10.0)); }
-Message percent(double share) { return numeral(textOf(std::round(100.0 * share))); }
+Message millimetres(double value_mm) { return numeral(roundedText(value_mm, 1)); }
+Message percent(double share) { return numeral(roundedText(100.0 * share, 0)); }
 
 void checkContact(const Case& opened, const CheckSources& sources, CheckList& list, Progress& progress) {
   if (opened.volume.file.empty()) return;

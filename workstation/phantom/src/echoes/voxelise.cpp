@@ -8,6 +8,7 @@
 
 #include "echoes/echo_levels.h"
 #include "echoes/reflecting_surfaces.h"
+#include "ew/core/figures.h"
 #include "ew/core/large_pages.h"
 #include "ew/core/numbers.h"
 #include "ew/core/parallel.h"
@@ -187,10 +188,9 @@ class MapPainter {
 tl::unexpected<Error> stoppedByUser() { return failure(ErrorCode::cancelled, say<"Building the virtual patient was stopped.">()); }
 
 tl::unexpected<Error> tooLargeAt(const VoxeliseOptions& options, double forecast_bytes) {
-  const auto mebibytes = [](double bytes) { return textOf(std::ceil(bytes / 1048576.0)) + " MiB"; };
   return failure(ErrorCode::tooLarge,
                  say<"This patient at %1 mm needs %2 of memory, %3 are allowed; choose a coarser spacing.">(
-                     textOf(options.spacing_mm), mebibytes(forecast_bytes), mebibytes(static_cast<double>(options.maxBytes))),
+                     textOf(options.spacing_mm), mebibytesText(forecast_bytes), mebibytesText(static_cast<double>(options.maxBytes))),
                  {{"forecast_bytes", textOf(forecast_bytes)}});
 }
 

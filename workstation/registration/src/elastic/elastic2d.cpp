@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "elastic/planar_registration.h"
+#include "ew/core/figures.h"
 #include "ew/core/quiet_progress.h"
 #include "ew/registration/elastic.h"
 
@@ -56,11 +56,7 @@ Result<void> check(ImageView<const std::uint8_t> fixed, ImageView<const std::uin
   return {};
 }
 
-Message hundredths(double value) {
-  std::array<char, 16> text{};
-  std::snprintf(text.data(), text.size(), "%.2f", value);
-  return numeral(text.data());
-}
+Message hundredths(double value) { return fixedNumeral(value, 2); }
 
 Agreement agreementOf(const PlanarAgreement& found, double coverable) {
   Agreement out;

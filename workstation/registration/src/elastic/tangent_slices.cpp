@@ -1,9 +1,8 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
+#include "ew/core/figures.h"
 #include "ew/registration/elastic.h"
 
 namespace ew::registration {
@@ -106,11 +105,7 @@ ControlGrid fading(const Elastic2dResult& slices, const Grid& plane, double fall
   return control;
 }
 
-Message tenths(double value) {
-  std::array<char, 24> text{};
-  std::snprintf(text.data(), text.size(), "%.1f", value);
-  return numeral(text.data());
-}
+Message tenths(double value) { return fixedNumeral(value, 1); }
 
 }  // namespace
 

@@ -21,11 +21,13 @@
 #include <utility>
 
 #include "ew/acquisition/fill_holes.h"
+#include "ew/core/figures.h"
 #include "ew/core/numbers.h"
 #include "ew/library/file_import.h"
 #include "import/import_fields.h"
 #include "jobs/jobs.h"
 #include "jobs/message_bar.h"
+#include "widgets/figures.h"
 #include "widgets/picture_chooser.h"
 #include "widgets/small_result_question.h"
 #include "widgets/theme.h"
@@ -88,9 +90,8 @@ Grid respaced(const Grid& grid, double spacing_mm) {
 }
 
 QString mebibytes(double bytes) {
-  const double mib = bytes / (1024.0 * 1024.0);
-  return mib < 10240.0 ? ImportDialog::tr("%1 MiB").arg(mib, 0, 'f', mib < 10.0 ? 1 : 0)
-                       : ImportDialog::tr("%1 GiB").arg(mib / 1024.0, 0, 'f', 1);
+  const auto [value, decimals, isGibibytes] = memoryFigure(bytes);
+  return (isGibibytes ? ImportDialog::tr("%1 GiB") : ImportDialog::tr("%1 MiB")).arg(figure(value, decimals));
 }
 
 /// How the probe got from frame to frame.

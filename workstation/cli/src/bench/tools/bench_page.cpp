@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <string>
 #include <vector>
@@ -231,12 +230,6 @@ std::vector<std::string> sectionsOfPage(const std::string& page) {
 }
 
 }  // namespace
-
-std::string fixedText(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
 
 std::string benchPage(const std::string& title, const std::vector<std::string>& introduction, const std::vector<BenchSection>& sections,
                       const std::string& before) {

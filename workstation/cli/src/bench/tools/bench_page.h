@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "ew/core/figures.h"
+
 namespace ew {
 
 /// How a point or bar is drawn: EchoWeave round and accented, a peer square and grey-brown; hollow for a second kind of pose.
@@ -57,8 +59,5 @@ struct BenchSection {
 /// @param before the page as it was: its sections stay where they were unless one with the same title takes their place
 [[nodiscard]] std::string benchPage(const std::string& title, const std::vector<std::string>& introduction,
                                     const std::vector<BenchSection>& sections, const std::string& before = {});
-
-/// "1.234"
-[[nodiscard]] std::string fixedText(double value, int decimals);
 
 }  // namespace ew

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ew/core/figures.h"
 #include "keys/key_tips.h"
 #include "scan/cine/bar_parts.h"
 #include "scan/session.h"
@@ -19,10 +20,8 @@ namespace ew::ui {
 namespace {
 
 /// "0:07.4"
-QString clockOf(double time_s) {
-  const int tenths = static_cast<int>(std::floor(time_s * 10.0 + 1e-6));
-  return QStringLiteral("%1:%2.%3").arg(tenths / 600).arg(tenths / 10 % 60, 2, 10, QLatin1Char('0')).arg(tenths % 10);
-}
+/// The tenth that has begun, as clocks have it.
+QString clockOf(double time_s) { return QString::fromStdString(clockText(std::floor(time_s * 10.0 + 1e-6) / 10.0)); }
 
 }  // namespace
 
