@@ -3,6 +3,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "ew/core/memory.h"
 #include "ew/io/image_file.h"
 #include "ew/io/sweep.h"
 #include "io/files.h"
@@ -57,7 +58,7 @@ TEST(HardFiles, AHeaderThatPromisesTenToTheTwelveBytesIsRefusedAtOnceWithoutTaki
     const auto volume = readVolume(file);
     EXPECT_TRUE(failedWith(volume, ErrorCode::tooLarge)) << file;
     EXPECT_TRUE(says(volume, "1000000000000")) << file;
-    EXPECT_TRUE(says(volume, std::to_string(16ull << 30))) << file;
+    EXPECT_TRUE(says(volume, std::to_string(kLargestVolume_bytes))) << file;
     if (file.extension() == ".mha" || file.extension() == ".nrrd") {
       const auto sequence = readSequence(file);
       EXPECT_TRUE(failedWith(sequence, ErrorCode::tooLarge)) << file;

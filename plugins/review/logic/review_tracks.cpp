@@ -1,7 +1,6 @@
 #include "logic/review_tracks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "ew/core/figures.h"

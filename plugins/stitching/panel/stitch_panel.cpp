@@ -16,6 +16,7 @@
 #include <QUrl>
 #include <algorithm>
 
+#include "ew/core/memory.h"
 #include "panel/charts.h"
 #include "panel/folders.h"
 #include "panel/look.h"

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "ew/core/memory.h"
 #include "ew/sdk/words.h"
 #include "ew/stitching/places.h"
 #include "logic/stitch_document.h"

@@ -14,6 +14,7 @@
 #include "ew/acquisition/line_data.h"
 #include "ew/acquisition/sweep_geometry.h"
 #include "ew/core/contract.h"
+#include "ew/core/elapsed.h"
 #include "ew/core/figures.h"
 #include "ew/core/numbers.h"
 #include "ew/io/gating_fields.h"
@@ -23,8 +24,6 @@ namespace ew {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 Result<void> checkImages(const Sequence& sequence) {
   if (sequence.width < 1 || sequence.height < 1)

@@ -8,6 +8,7 @@
 
 #include "clip_spans.h"
 #include "ew/acquisition/fill_holes.h"
+#include "ew/core/elapsed.h"
 #include "ew/core/figures.h"
 #include "ew/core/large_pages.h"
 #include "ew/core/numbers.h"
@@ -166,10 +167,6 @@ Result<Grid> checkedOnto(const Grid& grid, std::span<const PosedFrame> frames, c
 }
 
 constexpr std::size_t kMostSources = 65534;
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 }  // namespace
 

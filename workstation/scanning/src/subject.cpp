@@ -1,11 +1,10 @@
 #include "ew/scanning/subject.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <utility>
 
 #include "ew/core/contract.h"
+#include "ew/core/memory.h"
 #include "ew/imaging/tissue_level.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/case_start.h"
@@ -20,8 +19,8 @@ constexpr std::size_t kSmall_bytes = std::size_t{1} << 20;
 
 /// Whether bricks leave at least half of the free memory free.
 bool bricksFit(const Volume& volume) {
-  const double free_bytes = static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  return static_cast<double>(bricksForecast_bytes(volume.grid.dims, kLevels)) <= 0.5 * free_bytes;
+  const auto free_bytes = availableMemory_bytes();
+  return !free_bytes || bricksForecast_bytes(volume.grid.dims, kLevels) <= *free_bytes / 2;
 }
 
 }  // namespace

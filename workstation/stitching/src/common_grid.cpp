@@ -1,5 +1,4 @@
 #include <cmath>
-#include <fstream>
 #include <limits>
 
 #include "ew/core/figures.h"
@@ -100,18 +99,6 @@ Result<StitchForecast> forecastStitch(std::span<const PlacedGrid> inputs, const 
   grid.dims = glm::ivec3(dims);
   forecast.bytes = static_cast<std::uint64_t>(bytes);
   return forecast;
-}
-
-std::optional<std::uint64_t> availableMemory_bytes() {
-  std::ifstream table("/proc/meminfo");
-  std::string name;
-  std::uint64_t kibibytes = 0;
-  std::string unit;
-  while (table >> name >> kibibytes) {
-    std::getline(table, unit);
-    if (name == "MemAvailable:") return kibibytes * 1024;
-  }
-  return std::nullopt;
 }
 
 }  // namespace ew::stitching

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "ew/core/contract.h"
+#include "ew/core/elapsed.h"
 #include "ew/core/parallel.h"
 #include "ew/stitching/distance.h"
 #include "grid_flow.h"
@@ -306,10 +307,6 @@ void takeSeam(const SeamVisibility& measured, const JoinOptions& options, JoinRe
   if (options.seam.method != SeamMethod::feather && options.seam.blend_mm > 0.0) report.seam.meanStep_db = step_db;
 }
 
-double since(std::chrono::steady_clock::time_point started) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-}
-
 }  // namespace
 
 Result<JoinReport> join(std::span<const View> views, const SeamMap& seams, const Grid& result, const JoinOptions& options, BlockSink& sink,
@@ -321,7 +318,7 @@ Result<JoinReport> join(std::span<const View> views, const SeamMap& seams, const
   if (!made) return made;
   if (progress.cancelRequested()) return stitchingCancelled();
   takeSeam(measure.result(), options, *made);
-  made->seconds = since(started);
+  made->seconds = secondsSince(started);
   return made;
 }
 
@@ -338,7 +335,7 @@ Result<JoinResult> join(std::span<const View> views, const SeamMap& seams, const
   measure.look(glm::ivec3(0), result.dims, made.volume.echo, made.source, [&] { return progress.cancelRequested(); });
   if (progress.cancelRequested()) return stitchingCancelled();
   takeSeam(measure.result(), options, made.report);
-  made.report.seconds = since(started);
+  made.report.seconds = secondsSince(started);
   return made;
 }
 

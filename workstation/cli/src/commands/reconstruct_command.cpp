@@ -6,6 +6,7 @@
 #include "ew/acquisition/import.h"
 #include "ew/acquisition/reconstruct_words.h"
 #include "ew/core/figures.h"
+#include "ew/core/memory.h"
 #include "ew/core/numbers.h"
 #include "ew/io/volume_file.h"
 #include "ew/stitching/common_grid.h"
@@ -200,7 +201,7 @@ Result<void> tellForecast(const ReconstructArguments& arguments, const ImportPla
   const auto mebibytes = [](std::uint64_t bytes) { return std::max<std::uint64_t>(1, bytes >> 20); };
   run.remark(say<"Reconstructing %1 x %2 x %3 voxels of %4 mm needs about %5 MiB of memory.">(
       dims.x, dims.y, dims.z, numeral(figureText(plan.grid.spacing_mm.x)), mebibytes(plan.bytes)));
-  const auto free = stitching::availableMemory_bytes();
+  const auto free = availableMemory_bytes();
   if (arguments.isBeyondMemory || !free || plan.bytes <= *free) return {};
   return failure(
       ErrorCode::tooLarge,

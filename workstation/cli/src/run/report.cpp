@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "ew/core/elapsed.h"
 #include "ew/core/numbers.h"
 #include "ew/core/simd.h"
 #include "ew/core/version.h"
@@ -62,7 +63,7 @@ nlohmann::ordered_json Report::toJson() const {
   json["inputs"] = inputs;
   json["outputs"] = outputs;
   json["options"] = options;
-  json["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  json["seconds"] = secondsSince(start_);
   auto steps = nlohmann::ordered_json(summarisedSteps);
   for (const auto& [name, durations_us] : steps_) steps.push_back(stepRow(name, durations_us));
   json["steps"] = std::move(steps);

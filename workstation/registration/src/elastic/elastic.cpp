@@ -15,6 +15,7 @@
 #include "elastic/residual_motion.h"
 #include "elastic/wide_start.h"
 #include "ew/core/contract.h"
+#include "ew/core/elapsed.h"
 #include "ew/core/parallel.h"
 #include "ew/core/quiet_progress.h"
 
@@ -22,8 +23,6 @@ namespace ew::registration {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
 constexpr double kAgreement_mm = 2.0;  // voxels at which agreement is stated: speckle is suppressed, structure is not
 constexpr double kCoarsest_mm = 4.0;
 constexpr double kLookedAt_mm = 0.7;       // the finest voxels, from these on, at which motion left by the warp is looked for

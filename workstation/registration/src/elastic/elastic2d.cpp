@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "elastic/planar_registration.h"
+#include "ew/core/elapsed.h"
 #include "ew/core/figures.h"
 #include "ew/core/quiet_progress.h"
 #include "ew/registration/elastic.h"
@@ -271,10 +272,6 @@ class PlanarRun {
   Elastic2dResult result_;
 };
 
-double secondsFrom(std::chrono::steady_clock::time_point then) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
-}
-
 PlanarRun::PlanarRun(ImageView<const std::uint8_t> fixed, ImageView<const std::uint8_t> moving, glm::dvec2 pixel_mm,
                      const Elastic2dOptions& options, Progress& progress, const OnLevel& onLevel)
     : options_(options),
@@ -404,7 +401,7 @@ void PlanarRun::report(const PlanarPair& pair, std::chrono::steady_clock::time_p
   report.iterations = state_.iterations;
   report.correlationBefore = result_.correlationAfter;
   result_.correlationAfter = report.correlationAfter = planarAgreement(grey_, full_.x, full_.y).correlation;
-  report.seconds = secondsFrom(began);
+  report.seconds = secondsSince(began);
   result_.levels.push_back(report);
   result_.stiffness = state_.stiffness;
   result_.speckleCorrelation = state_.coherence;
@@ -459,7 +456,7 @@ Elastic2dResult PlanarRun::finish(Verdict verdict, StopReason stop, Message reas
   result_.verdict = verdict;
   result_.stop = stop;
   result_.reason = std::move(reason);
-  result_.seconds = secondsFrom(started_);
+  result_.seconds = secondsSince(started_);
   progress_.report(say<"Registering">(), 1.0);
   return std::move(result_);
 }

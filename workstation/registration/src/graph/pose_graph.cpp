@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "ew/core/elapsed.h"
 #include "ew/core/order_statistics.h"
 #include "graph/graph_inputs.h"
 #include "graph/graph_verdict.h"
@@ -217,7 +218,7 @@ Result<GraphResult> solve(const Joints& joints, Progress& progress) {
   reportParts(joints, believed, result);
   judge(joints.nodes, joints.edges, result);
   progress.report(say<"Placing subvolumes">(), 1.0);
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.seconds = secondsSince(begin);
   return result;
 }
 

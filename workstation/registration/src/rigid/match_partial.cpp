@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "ew/core/elapsed.h"
 #include "ew/core/parallel.h"
 #include "ew/registration/rigid.h"
 #include "refine.h"
@@ -265,7 +266,7 @@ Result<PartialResult> matchAbout(const Input& fixed, const Input& moving, const 
     result.best.verdict = verdict;
     result.best.remarks = std::move(remarks);
     result.best.reason = messageOf(result.best.remarks);
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    result.seconds = secondsSince(begun);
     result.best.seconds = result.seconds;
     return result;
   };

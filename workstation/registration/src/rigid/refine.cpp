@@ -9,6 +9,7 @@
 #include <string>
 
 #include "../streaks.h"
+#include "ew/core/elapsed.h"
 
 namespace ew::registration {
 namespace {
@@ -167,7 +168,7 @@ bool refineThrough(const PairLevels& pair, std::size_t first, std::size_t last, 
     report.iterations = descent.iterations;
     report.correlationBefore = descent.correlationBefore;
     report.correlationAfter = descent.sums.correlation();
-    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    report.seconds = secondsSince(begun);
     result.levels.push_back(report);
     if (onLevel) onLevel(report);
     result.stop = descent.stop;

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "doubts.h"
+#include "ew/core/elapsed.h"
 #include "ew/core/parallel.h"
 #include "ew/registration/rigid.h"
 #include "refine.h"
@@ -149,7 +150,7 @@ Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const T
       result->reason = messageOf(result->remarks);
     }
   }
-  result->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  result->seconds = secondsSince(begun);
   return result;
 }
 

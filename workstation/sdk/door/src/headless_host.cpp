@@ -6,6 +6,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "ew/core/elapsed.h"
 #include "ew/door/host_parts.h"
 #include "ew/library/case.h"
 #include "ew/sdk/case_parts.h"
@@ -62,7 +63,7 @@ class NoScan final : public sdk::Scan {
   [[nodiscard]] Picture picture() const override { return {}; }
   [[nodiscard]] DisplayGeometry geometry() const override { return {}; }
   [[nodiscard]] Knobs knobs() const override { return {}; }
-  [[nodiscard]] double now_s() const override { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+  [[nodiscard]] double now_s() const override { return secondsSince(begin_); }
   [[nodiscard]] sdk::Ticket onEvent(EventCallback) override { return nullptr; }
   [[nodiscard]] sdk::Ticket drive(std::shared_ptr<const PoseSource>, std::function<void()>) override { return nullptr; }
   Result<void> apply(const Knobs&) override { return nothing(); }

@@ -6,6 +6,7 @@
 #include "chain/chain_memory.h"
 #include "chain/chain_run.h"
 #include "chain/steps/steps.h"
+#include "ew/core/elapsed.h"
 
 namespace ew::stitching {
 namespace {
@@ -21,7 +22,7 @@ constexpr std::array<Body, kSteps.size()> kBodies = {reconstructStep, rigidStep,
 
 class Clock {
  public:
-  [[nodiscard]] double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count(); }
+  [[nodiscard]] double seconds() const { return secondsSince(started_); }
 
  private:
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();

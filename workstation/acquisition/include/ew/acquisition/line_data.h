@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 
 #include "ew/acquisition/reconstruct.h"
+#include "ew/core/memory.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/io/sequence.h"
@@ -38,6 +39,6 @@ struct LineGeometry {
 /// The same pixels on any number of threads (0: all cores).
 /// @error unsupported (RF or IQ data, images), badField (fewer than 2 lines or samples), tooLarge, cancelled
 [[nodiscard]] Result<Sequence> convertLines(Sequence lines, const LineGeometry& geometry, int threads, Progress& progress,
-                                            std::uint64_t maxBytes = 16ull << 30);
+                                            std::uint64_t maxBytes = kLargestVolume_bytes);
 
 }  // namespace ew

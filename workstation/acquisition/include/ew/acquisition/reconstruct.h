@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ew/core/image.h"
+#include "ew/core/memory.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
@@ -70,7 +71,7 @@ struct ReconstructOptions {
   int threads = 0;           ///< 0: all cores; the voxels do not depend on it
   bool keepWeights = false;  ///< also return each voxel's weight; compounding mean and weighted only
   bool keepSource = false;   ///< also return which frame each voxel came from: 2 bytes a voxel more; at most 65534 frames
-  std::uint64_t maxBytes = 16ull << 30;
+  std::uint64_t maxBytes = kLargestVolume_bytes;
 };
 
 /// One frame of a sweep with its way into the world: (height x width) pixels.

@@ -9,6 +9,7 @@
 
 #include "ew/acquisition/import.h"
 #include "ew/core/beams.h"
+#include "ew/core/memory.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
@@ -28,7 +29,7 @@ struct SweepVolumeOptions {
   double spacing_mm = 0.0;            ///< of the volume; 0: as defaultsFor says
   std::filesystem::path calibration;  ///< device set; empty: the recording says everything itself
   int threads = 0;
-  std::uint64_t maxBytes = 16ull << 30;
+  std::uint64_t maxBytes = kLargestVolume_bytes;
   bool acceptsSmall = false;  ///< a volume is made also when there is something to ask about it (checkMeant)
 };
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ew/core/memory.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
@@ -14,7 +15,7 @@ namespace ew {
 
 /// What a reader may take from an untrusted file; sizes are checked before memory is taken.
 struct ReadLimits {
-  std::uint64_t maxBytes = 16ull << 30;  ///< of samples in memory
+  std::uint64_t maxBytes = kLargestVolume_bytes;  ///< of samples in memory
 };
 
 /// A volume as read, with what the reader had to decide, in sentences for the user ("Spacing is 1 x 1 x 1 with …: treat as unknown").

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "ew/core/memory.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
@@ -122,7 +123,7 @@ struct VoxeliseOptions {
   double spacing_mm = 1.0;
   std::uint64_t seed = 1;  ///< of the speckle; the same patient and seed give the same voxels on every machine and thread count
   int threads = 0;
-  std::uint64_t maxBytes = 16ull << 30;
+  std::uint64_t maxBytes = kLargestVolume_bytes;
   bool maps = false;              ///< TissueMaps, too
   VoxelPieces* pieces = nullptr;  ///< of a run that was stopped, and for the next one; null: none are kept
 };

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ew/core/memory.h"
 #include "ew/core/pose.h"
 #include "ew/imaging/probe.h"
 #include "ew/io/sequence.h"
@@ -105,7 +106,7 @@ struct VirtualSweep {
 /// World frame = the sequence's "Reference".
 /// @error as forecastSweep and makeVirtualScanner, cancelled (within 0.5 s)
 [[nodiscard]] Result<VirtualSweep> recordSweep(std::shared_ptr<const Patient> patient, const Probe& probe, const SweepRecipe& recipe,
-                                               int threads, Progress& progress, std::uint64_t maxBytes = 16ull << 30);
+                                               int threads, Progress& progress, std::uint64_t maxBytes = kLargestVolume_bytes);
 
 /// How the body is deformed at one moment of a recording: its own motion as far as the recipe asks for it, and the face's push. With what a
 /// VirtualSweep holds of a frame it says where the tissue rests that the frame shows. The patient must outlive the result.

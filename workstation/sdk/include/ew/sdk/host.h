@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "ew/core/beams.h"
+#include "ew/core/memory.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
@@ -41,7 +42,7 @@ struct SweepOptions {
   double spacing_mm = 0.0;            ///< of the volume; 0: from the pixels and the distance of the frames
   std::filesystem::path calibration;  ///< device set; empty: the recording says everything itself
   int threads = 0;
-  std::uint64_t maxBytes = 16ull << 30;
+  std::uint64_t maxBytes = kLargestVolume_bytes;
 };
 struct SweepPlan {
   Grid grid;

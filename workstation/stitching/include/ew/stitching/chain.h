@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "ew/core/memory.h"
 #include "ew/stitching/project.h"
 
 namespace ew::stitching {
@@ -97,7 +98,7 @@ struct ChainState {
 struct ChainOptions {
   Step until = Step::volume;
   int threads = 0;
-  std::uint64_t maxBytes = 16ull << 30;
+  std::uint64_t maxBytes = kLargestVolume_bytes;
   bool keepVolumes = true;  ///< false: ChainState::volumes stays empty when nothing had to be made from them
   /// The folder is the program's own: nobody else's files can lie there, so that nothing is asked about what does.
   bool isFolderOwn = false;

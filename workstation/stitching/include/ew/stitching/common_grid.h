@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "ew/core/memory.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
 
@@ -22,8 +23,8 @@ struct StitchOptions {
   double featherWidth_mm = 10.0;     ///< how far from an input's border its weight reaches full height; 0: plain mean in overlaps
   double interpolatedWeight = 0.25;  ///< of an interpolated voxel beside a measured one, > 0
   GridAxes axes = GridAxes::first;
-  int threads = 0;                       ///< 0: all cores; the voxels do not depend on it
-  std::uint64_t maxBytes = 16ull << 30;  ///< a forecast above this is refused before memory is taken
+  int threads = 0;                                ///< 0: all cores; the voxels do not depend on it
+  std::uint64_t maxBytes = kLargestVolume_bytes;  ///< a forecast above this is refused before memory is taken
   bool operator==(const StitchOptions&) const = default;
 };
 
@@ -51,8 +52,5 @@ struct Contribution {
   std::size_t dominantVoxels = 0;  ///< of the result in which it weighed most
   bool operator==(const Contribution&) const = default;
 };
-
-/// Memory the system can give now; empty where it does not say.
-[[nodiscard]] std::optional<std::uint64_t> availableMemory_bytes();
 
 }  // namespace ew::stitching

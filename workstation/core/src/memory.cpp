@@ -1,0 +1,20 @@
+#include "ew/core/memory.h"
+
+#include <fstream>
+#include <string>
+
+namespace ew {
+
+std::optional<std::uint64_t> availableMemory_bytes() {
+  std::ifstream table("/proc/meminfo");
+  std::string name;
+  std::uint64_t kibibytes = 0;
+  std::string unit;
+  while (table >> name >> kibibytes) {
+    std::getline(table, unit);
+    if (name == "MemAvailable:") return kibibytes * 1024;
+  }
+  return std::nullopt;
+}
+
+}  // namespace ew
