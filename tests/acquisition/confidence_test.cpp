@@ -70,19 +70,19 @@ TEST_P(Confidence, IsKeptBehindAVessel) {
 TEST_P(Confidence, OfAnEvenImageIsOneEverywhere) {
   for (const int level : {90, 255}) {
     const Image<float> map = mapOf(sweeps::imageOf(32, 64, [&](int, int) { return level; }));
-    for (const float each : map.pixels) ASSERT_GT(each, 0.99f) << level;
+    for (const float each : map.pixels) ASSERT_GT(each, 0.99F) << level;
   }
 }
 
 TEST_P(Confidence, OfAFrameWithoutEchoesIsNothing) {
   const Image<float> map = mapOf(GreyImage(32, 64));
-  for (const float each : map.pixels) ASSERT_EQ(each, 0.0f);
+  for (const float each : map.pixels) ASSERT_EQ(each, 0.0F);
 }
 
 TEST_P(Confidence, StaysBetweenZeroAndOneInTheSmallestAndOddestImages) {
   for (const auto& [width, height] : {std::pair{2, 2}, std::pair{2, 300}, std::pair{300, 2}, std::pair{3, 3}}) {
     const Image<float> map = mapOf(sweeps::imageOf(width, height, [](int x, int y) { return (x * 131 + y * 71 + 9) % 256; }));
-    for (const float each : map.pixels) ASSERT_TRUE(each >= 0.0f && each <= 1.0f) << width << " x " << height;
+    for (const float each : map.pixels) ASSERT_TRUE(each >= 0.0F && each <= 1.0F) << width << " x " << height;
   }
 }
 

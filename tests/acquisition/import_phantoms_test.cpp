@@ -36,7 +36,7 @@ Likeness likenessOf(const ReconstructResult& ours, const Volume& theirs) {
       for (int i = 0; i < common.x; ++i) {
         const std::size_t voxel = a.indexOf(i, j, k);
         const double x = ours.volume.echo[voxel], y = theirs.echo[theirs.grid.indexOf(i, j, k)];
-        if (ours.weights[voxel] <= 0.5f || x == 0.0 || y == 0.0) continue;
+        if (ours.weights[voxel] <= 0.5F || x == 0.0 || y == 0.0) continue;
         n += 1;
         sx += x;
         sy += y;

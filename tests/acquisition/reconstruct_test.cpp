@@ -306,7 +306,7 @@ TEST(Reconstruct, WeighsEachPixelAsItsFrameSays) {
       const std::size_t index = result.volume.grid.indexOf(x, 2, 0);
       EXPECT_EQ(result.volume.echo[index], x < 2 ? 85 : x < 4 ? 10 : 0);
       EXPECT_EQ(result.volume.coverageAt(index), x < 4 ? Coverage::measured : Coverage::absent);
-      EXPECT_FLOAT_EQ(result.weights[index], x < 2 ? 240.0f / 255.0f : x < 4 ? 60.0f / 255.0f : 0.0f);
+      EXPECT_FLOAT_EQ(result.weights[index], x < 2 ? 240.0F / 255.0F : x < 4 ? 60.0F / 255.0F : 0.0F);
     }
   }
 }

@@ -56,7 +56,7 @@ class Speckle {
   [[nodiscard]] cv::Mat decibels(int frame) const {
     const cv::Mat a = real_(cv::Rect(frame * 3 % 128, frame * 2 % 128, width_, height_));
     const cv::Mat b = imaginary_(cv::Rect(frame * 2 % 128, 127 - frame * 3 % 128, width_, height_));
-    cv::Mat power = a.mul(a) + b.mul(b) + 1e-4f, log;
+    cv::Mat power = a.mul(a) + b.mul(b) + 1e-4F, log;
     cv::log(power, log);
     return log * (10.0 / std::log(10.0));
   }
@@ -109,7 +109,7 @@ inline cv::Mat scanOf(const cv::Mat& level, const Speckle& speckle, int frame) {
   const cv::Mat sum = level + speckle.decibels(frame);
   cv::Mat grey;
   sum.convertTo(grey, CV_8U, 255.0 / 60.0, 255.0);
-  cv::Mat outside = level < -500.0f;
+  cv::Mat outside = level < -500.0F;
   grey.setTo(0, outside);
   return grey;
 }
@@ -395,7 +395,7 @@ inline double readability(const GreyImage& clean, const PixelRect& kept, const D
     double highest = 0.0;
     for (int y = 0; y < found.rows; ++y)
       for (int x = 0; x < found.cols; ++x)
-        if (std::isfinite(found.at<float>(y, x)) && found.at<float>(y, x) <= 1.01f)
+        if (std::isfinite(found.at<float>(y, x)) && found.at<float>(y, x) <= 1.01F)
           highest = std::max(highest, static_cast<double>(found.at<float>(y, x)));
     best = std::max(best, highest);
   }

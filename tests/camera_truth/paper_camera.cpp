@@ -349,7 +349,7 @@ PaperCamera::PaperCamera(const CameraModel& model, const std::vector<MarkerBody>
   state_->renderer->AddActor(state_->cover);
   state_->prepareLens();
   std::mt19937_64 random(options.seed + 77);
-  std::normal_distribution<float> normal(0.0f, 1.0f);
+  std::normal_distribution<float> normal(0.0F, 1.0F);
   state_->noise.resize((1u << 20) + 4096u);
   for (float& each : state_->noise) each = normal(random);
 }
@@ -397,7 +397,7 @@ GreyImage PaperCamera::picture(const PaperShot& shot) {
 void PaperCamera::State::encode(const cv::Mat& seen, const cv::Rect& part, const PaperShot& shot, GreyImage& picture) const {
   std::array<float, 1024> encoded{};  // light to grey
   for (std::size_t n = 0; n < encoded.size(); ++n)
-    encoded[n] = 255.0f * static_cast<float>(std::pow(std::min(1.0, static_cast<double>(n) / 1020.0), 1.0 / options.gamma));
+    encoded[n] = 255.0F * static_cast<float>(std::pow(std::min(1.0, static_cast<double>(n) / 1020.0), 1.0 / options.gamma));
   std::mt19937_64 random(shot.seed);
   const glm::dvec2 towards(std::cos(shot.lightAngle_rad), std::sin(shot.lightAngle_rad));
   const auto lightStep = static_cast<float>(shot.exposure * -shot.unevenLight * towards.x / model.width);
@@ -409,11 +409,11 @@ void PaperCamera::State::encode(const cv::Mat& seen, const cv::Rect& part, const
     const double v = static_cast<double>(part.y + y) / model.height - 0.5, u = static_cast<double>(part.x) / model.width - 0.5;
     const auto light0 = static_cast<float>(shot.exposure * (1.0 - shot.unevenLight * (0.5 + towards.y * v + towards.x * u)));
     for (int x = 0; x < part.width; ++x) {
-      const float light = std::clamp(4.0f * from[x] * (light0 + lightStep * static_cast<float>(x)), 0.0f, 1022.0f);
+      const float light = std::clamp(4.0F * from[x] * (light0 + lightStep * static_cast<float>(x)), 0.0F, 1022.0F);
       const auto n = static_cast<std::size_t>(light);
       const float share = light - static_cast<float>(n);
-      const float grey = encoded[n] + share * (encoded[n + 1] - encoded[n]) + deviation * grain[x] + 0.5f;
-      to[x] = static_cast<std::uint8_t>(std::clamp(grey, 0.0f, 255.0f));
+      const float grey = encoded[n] + share * (encoded[n + 1] - encoded[n]) + deviation * grain[x] + 0.5F;
+      to[x] = static_cast<std::uint8_t>(std::clamp(grey, 0.0F, 255.0F));
     }
   }
 }

@@ -35,10 +35,10 @@ TEST(Numbers, DoNotDependOnTheLocale) {
 }
 
 TEST(Numbers, OfFloatsAreTheDecimalsTheyWereWrittenFor) {
-  EXPECT_EQ(decimalOf(0.0005f), 0.0005);
-  EXPECT_EQ(decimalOf(-0.3f), -0.3);
-  EXPECT_EQ(decimalOf(16777216.0f), 16777216.0);
-  EXPECT_EQ(decimalOf(0.0f), 0.0);
+  EXPECT_EQ(decimalOf(0.0005F), 0.0005);
+  EXPECT_EQ(decimalOf(-0.3F), -0.3);
+  EXPECT_EQ(decimalOf(16777216.0F), 16777216.0);
+  EXPECT_EQ(decimalOf(0.0F), 0.0);
   EXPECT_TRUE(std::isnan(decimalOf(std::numeric_limits<float>::quiet_NaN())));
   EXPECT_EQ(decimalOf(-std::numeric_limits<float>::infinity()), -std::numeric_limits<double>::infinity());
 }

@@ -91,12 +91,12 @@ std::string nifti(std::int16_t type, std::size_t bytes) {
   const std::array<std::int16_t, 5> dim{4, 3, 2, 2, 2};
   std::memcpy(head.data() + 40, dim.data(), sizeof dim);
   set(70, type);
-  for (std::size_t n = 0; n < 5; ++n) set(76 + 4 * n, 0.5f);
-  set(108, 352.0f);
-  set(112, 1.0f);
+  for (std::size_t n = 0; n < 5; ++n) set(76 + 4 * n, 0.5F);
+  set(108, 352.0F);
+  set(112, 1.0F);
   head[123] = 2;
   set(254, std::int16_t{1});
-  for (std::size_t n = 0; n < 3; ++n) set(280 + 20 * n, 0.5f);
+  for (std::size_t n = 0; n < 3; ++n) set(280 + 20 * n, 0.5F);
   std::memcpy(head.data() + 344, "n+1", 4);
   return head + ramp(24 * bytes);
 }
@@ -363,7 +363,7 @@ void igtl(const fs::path& folder) {
   needle.state = TrackingState::invalid;
   const GreyImage picture(6, 4, 90);
   std::string numbers;  // a place and a quaternion, as big-endian floats: POSITION, QTRANS, and with a name QTDATA
-  for (const float value : {1.0f, 2.0f, 3.0f, 0.0f, 0.0f, 0.0f, 1.0f}) {
+  for (const float value : {1.0F, 2.0F, 3.0F, 0.0F, 0.0F, 0.0F, 1.0F}) {
     auto four = std::bit_cast<std::array<char, 4>>(value);
     std::reverse(four.begin(), four.end());
     numbers.append(four.begin(), four.end());

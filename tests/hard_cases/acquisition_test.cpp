@@ -93,7 +93,7 @@ TEST(HardGeometry, ARowOfAHundredThousandPixelsDriftsByLessThanHalfAVoxel) {
   for (int x = 0; x < kPixels; ++x) {
     const glm::ivec3 at(glm::floor(perPixel * static_cast<double>(x) + 0.5));
     ASSERT_TRUE(grid.contains(at));
-    expected[grid.indexOf(at.x, at.y, at.z)] += 1.0f;
+    expected[grid.indexOf(at.x, at.y, at.z)] += 1.0F;
   }
   EXPECT_TRUE(result->weights == expected);
 }

@@ -262,7 +262,7 @@ TEST(RigidHardCases, ConfidenceThatBelievesNothingCountsAsNotGiven) {
   // As of wires in water, where every frame is nearly black.
   const Volume fixed = fixedView();
   const Volume moving = movingView();
-  const std::vector<float> none(fixed.echo.size(), 0.0f);
+  const std::vector<float> none(fixed.echo.size(), 0.0F);
   const auto found = matchPartial({&fixed, none}, {&moving, none}, {}, noProgress());
   ASSERT_TRUE(found);
   EXPECT_EQ(found->best.verdict, Verdict::aligned) << found->best.reason;
@@ -318,11 +318,11 @@ TEST(RigidHardCases, ShadowOverHalfOfOneImageIsNeverClaimedWronglyAndConfidenceO
   const auto all = tissue(21, 140.0);
   const Volume fixed = seen(all, grid, {}, 1);
   Volume moving = seen(all, grid, inverse(kTruth), 2);
-  std::vector<float> confidence(moving.echo.size(), 1.0f);
+  std::vector<float> confidence(moving.echo.size(), 1.0F);
   for (std::size_t q = 0; q < moving.echo.size(); ++q) {
     if (q % 52 >= 26) continue;
     moving.echo[q] = static_cast<std::uint8_t>(1 + q * 2654435761u % 7u);  // noise below a bright interface
-    confidence[q] = 0.0f;
+    confidence[q] = 0.0F;
   }
   const auto unsaid = matchPartial({&fixed}, {&moving}, {}, noProgress());
   ASSERT_TRUE(unsaid);

@@ -190,7 +190,7 @@ TEST(HardStitching, NumbersThatAreNoneAreRefusedByName) {
   view.correction.grey = {1.0, std::nan("")};
   EXPECT_NE(refusal(view).sentence().find("left lobe"), std::string::npos);
   view = viewOf(one, "left lobe");
-  registration::ControlGrid warp{gridOf({2, 2, 2}), std::vector<glm::vec3>(8, glm::vec3(0.0f))};
+  registration::ControlGrid warp{gridOf({2, 2, 2}), std::vector<glm::vec3>(8, glm::vec3(0.0F))};
   warp.displacement_mm[3].y = std::numeric_limits<float>::infinity();
   view.warp = &warp;
   EXPECT_EQ(refusal(view).code, ErrorCode::badField);
@@ -209,7 +209,7 @@ TEST(HardStitching, NumbersThatAreNoneAreRefusedByName) {
 
 TEST(HardStitching, ABendThatCarriesAViewAwayLeavesNothingOfIt) {
   const Volume one = constant(gridOf({20, 20, 20}), 9);
-  registration::ControlGrid warp{gridOf({2, 2, 2}, {0, 0, 0}, 19.0), std::vector<glm::vec3>(8, glm::vec3(1e6f, 0.0f, 0.0f))};
+  registration::ControlGrid warp{gridOf({2, 2, 2}, {0, 0, 0}, 19.0), std::vector<glm::vec3>(8, glm::vec3(1e6F, 0.0F, 0.0F))};
   View view = viewOf(one, "gone");
   view.warp = &warp;
   for (const SeamMethod method : kMethods) {

@@ -106,14 +106,14 @@ TEST(MetaImageVolume, EveryTypeIsMappedFromItsSmallestToItsLargestValueInBothByt
     expectMapped<std::int32_t>("MET_LONG", {-5, 5, -3}, big, {0, 255, 51});
     expectMapped<std::uint64_t>("MET_ULONG_LONG", {0, ~0ull, 1ull << 63}, big, {0, 255, 128});
     expectMapped<std::int64_t>("MET_LONG_LONG", {-10, 10, -6}, big, {0, 255, 51});
-    expectMapped<float>("MET_FLOAT", {-0.5f, 0.5f, -0.25f}, big, {0, 255, 64});
+    expectMapped<float>("MET_FLOAT", {-0.5F, 0.5F, -0.25F}, big, {0, 255, 64});
     expectMapped<double>("MET_DOUBLE", {-1.7e308, 1.7e308, 0.0}, big, {0, 255, 128});
   }
 }
 
 TEST(MetaImageVolume, SamplesThatAreNoNumbersBecomeBlackAndAreCounted) {
   const TempFolder folder;
-  const std::vector<float> samples{1.0f, std::numeric_limits<float>::quiet_NaN(), 3.0f, std::numeric_limits<float>::infinity(), 2.0f};
+  const std::vector<float> samples{1.0F, std::numeric_limits<float>::quiet_NaN(), 3.0F, std::numeric_limits<float>::infinity(), 2.0F};
   const auto loaded = readVolume(folder.put("a.mha", header("NDims = 3\nDimSize = 5 1 1\nElementType = MET_FLOAT\n") + bytesOf(samples)));
   ASSERT_TRUE(succeeded(loaded));
   EXPECT_EQ(loaded->volume.echo, (std::vector<std::uint8_t>{0, 0, 255, 0, 128}));

@@ -26,8 +26,8 @@ struct Header1 {
     set<std::int16_t>(40, static_cast<std::int16_t>(sizes.size()));
     for (std::size_t i = 0; i < sizes.size(); ++i) set<std::int16_t>(42 + 2 * i, sizes[i]);
     set<std::int16_t>(70, type);
-    for (std::size_t i = 0; i < 8; ++i) set<float>(76 + 4 * i, 1.0f);
-    set<float>(108, 352.0f);
+    for (std::size_t i = 0; i < 8; ++i) set<float>(76 + 4 * i, 1.0F);
+    set<float>(108, 352.0F);
     bytes.replace(344, 4, std::string("n+1\0", 4));
   }
   void affine(const std::array<float, 12>& rows) {
@@ -40,7 +40,7 @@ TEST(NiftiVolume, TheAffineIsTurnedFromRightAnteriorToLeftPosterior) {
   const TempFolder folder;
   for (const bool big : {false, true}) {
     Header1 header({2, 3, 2}, 2, big);
-    header.affine({0.5f, 0, 0, 10, 0, 0, -2, 20, 0, 0.25f, 0, 30});
+    header.affine({0.5F, 0, 0, 10, 0, 0, -2, 20, 0, 0.25F, 0, 30});
     for (const auto& file :
          {folder.put("a.nii", header.bytes + ramp(12)), folder.put("a.nii.gz", deflated(header.bytes + ramp(12), true))}) {
       const auto loaded = readVolume(file);
@@ -65,11 +65,11 @@ TEST(NiftiVolume, TheQuaternionIsUsedWhenThereIsNoAffine) {
     Header1 header({2, 2, 2});
     header.set<std::int16_t>(252, 1);
     header.set<float>(76, static_cast<float>(hand));
-    header.set<float>(80, 0.5f);
-    header.set<float>(84, 2.0f);
-    header.set<float>(88, 4.0f);
+    header.set<float>(80, 0.5F);
+    header.set<float>(84, 2.0F);
+    header.set<float>(88, 4.0F);
     for (std::size_t i = 0; i < 3; ++i) header.set<float>(256 + 4 * i, static_cast<float>(std::array{q.x, q.y, q.z}[i]));
-    for (std::size_t i = 0; i < 3; ++i) header.set<float>(268 + 4 * i, std::array{1.0f, 2.0f, 3.0f}[i]);
+    for (std::size_t i = 0; i < 3; ++i) header.set<float>(268 + 4 * i, std::array{1.0F, 2.0F, 3.0F}[i]);
     const auto loaded = readVolume(folder.put("a.nii", header.bytes + ramp(8)));
     ASSERT_TRUE(succeeded(loaded));
     const glm::dvec3 expected = (glm::dvec3(1, 2, 3) + rotation * glm::dvec3(0.5, 2.0, 4.0 * hand)) * glm::dvec3(-1, -1, 1);
@@ -103,8 +103,8 @@ TEST(NiftiVolume, OfSeveralTimeStepsTheFirstIsRead) {
 TEST(NiftiVolume, OtherTypesUnitsAndSlopesAreHonoured) {
   const TempFolder folder;
   Header1 header({3, 1, 1}, 4);
-  header.set<float>(112, -2.0f);
-  header.set<float>(116, 5.0f);
+  header.set<float>(112, -2.0F);
+  header.set<float>(116, 5.0F);
   header.set<std::uint8_t>(123, 3);
   header.affine({500, 0, 0, 0, 0, 500, 0, 0, 0, 0, 500, 1000});
   const auto loaded = readVolume(folder.put("a.nii", header.bytes + bytesOf(std::vector<std::int16_t>{-1, 0, 4})));
@@ -120,7 +120,7 @@ TEST(NiftiVolume, ACodeOfNoUnitLeavesTheSpacingUnknown) {
   const auto withUnits = [&](std::uint8_t units) {
     Header1 header({2, 2, 2});
     header.set<std::uint8_t>(123, units);
-    header.affine({0.5f, 0, 0, 10, 0, 0.5f, 0, 20, 0, 0, 2, 30});
+    header.affine({0.5F, 0, 0, 10, 0, 0.5F, 0, 20, 0, 0, 2, 30});
     return readVolume(folder.put("a.nii", header.bytes + ramp(8)));
   };
   for (const std::uint8_t code : {4, 5, 6, 7}) {
@@ -141,14 +141,14 @@ TEST(NiftiVolume, LengthsAreTheDecimalsThatWereMeant) {
   const TempFolder folder;
   Header1 metres({2, 2, 2});
   metres.set<std::uint8_t>(123, 1);
-  metres.affine({0.0005f, 0, 0, 0.01f, 0, 0.0005f, 0, 0.02f, 0, 0, 0.0003f, 0.03f});
+  metres.affine({0.0005F, 0, 0, 0.01F, 0, 0.0005F, 0, 0.02F, 0, 0, 0.0003F, 0.03F});
   const auto read = readVolume(folder.put("m.nii", metres.bytes + ramp(8)));
   ASSERT_TRUE(succeeded(read));
   EXPECT_EQ(read->volume.grid.spacing_mm.x, 0.5);
   EXPECT_EQ(read->volume.grid.spacing_mm.y, 0.5);
   EXPECT_DOUBLE_EQ(read->volume.grid.spacing_mm.z, 0.3);
   Header1 bare({2, 2, 2});
-  for (std::size_t axis = 0; axis < 3; ++axis) bare.set<float>(80 + 4 * axis, 0.3f);
+  for (std::size_t axis = 0; axis < 3; ++axis) bare.set<float>(80 + 4 * axis, 0.3F);
   const auto sizes = readVolume(folder.put("b.nii", bare.bytes + ramp(8)));
   ASSERT_TRUE(succeeded(sizes));
   EXPECT_EQ(sizes->volume.grid.spacing_mm, glm::dvec3(0.3));
@@ -209,28 +209,28 @@ TEST(NiftiVolume, TwoPlacesThatDifferAreTold) {
     header.affine({1, 0, 0, 10, 0, 1, 0, 20, 0, 0, 1, 30});
     header.set<std::int16_t>(252, 1);  // the quaternion of no rotation is 0 0 0
     header.set<float>(268, x);
-    header.set<float>(272, 20.0f);
-    header.set<float>(276, 30.0f);
+    header.set<float>(272, 20.0F);
+    header.set<float>(276, 30.0F);
     const auto loaded = readVolume(folder.put("a.nii", header.bytes + ramp(12)));
     EXPECT_TRUE(succeeded(loaded));
     return loaded ? loaded->notes : std::vector<Message>();
   };
-  EXPECT_TRUE(notes(10.0f).empty());
-  EXPECT_TRUE(contains(notes(15.0f), "differ by up to 5 mm (sform and qform)"));
+  EXPECT_TRUE(notes(10.0F).empty());
+  EXPECT_TRUE(contains(notes(15.0F), "differ by up to 5 mm (sform and qform)"));
 }
 
 TEST(NiftiVolume, VoxelSizesThatDifferFromTheAffineAreTold) {
   const TempFolder folder;
   const auto notes = [&](float size) {
     Header1 header({2, 3, 2});
-    header.affine({0.5f, 0, 0, 10, 0, 0.5f, 0, 20, 0, 0, 0.5f, 30});
+    header.affine({0.5F, 0, 0, 10, 0, 0.5F, 0, 20, 0, 0, 0.5F, 30});
     for (std::size_t axis = 0; axis < 3; ++axis) header.set<float>(80 + 4 * axis, size);
     const auto loaded = readVolume(folder.put("a.nii", header.bytes + ramp(12)));
     EXPECT_TRUE(succeeded(loaded));
     return loaded ? loaded->notes : std::vector<Message>();
   };
-  EXPECT_TRUE(notes(0.5f).empty());
-  EXPECT_TRUE(contains(notes(2.0f), "0.5 x 0.5 x 0.5 mm by its sform, which was used, and 2 x 2 x 2 mm by its pixdim"));
+  EXPECT_TRUE(notes(0.5F).empty());
+  EXPECT_TRUE(contains(notes(2.0F), "0.5 x 0.5 x 0.5 mm by its sform, which was used, and 2 x 2 x 2 mm by its pixdim"));
 }
 
 TEST(NiftiVolume, ComponentsOfVectorsAreNoStepsOfTime) {
@@ -267,8 +267,8 @@ TEST(NiftiVolume, ARangeThatIsToBeShownIsTold) {
   const TempFolder folder;
   Header1 header({2, 3, 2});
   header.affine({1, 0, 0, 10, 0, 1, 0, 20, 0, 0, 1, 30});
-  header.set<float>(124, 200.0f);
-  header.set<float>(128, 20.0f);
+  header.set<float>(124, 200.0F);
+  header.set<float>(128, 20.0F);
   const auto loaded = readVolume(folder.put("a.nii", header.bytes + ramp(12)));
   ASSERT_TRUE(succeeded(loaded));
   EXPECT_TRUE(contains(loaded->notes, "cal_min cal_max \"20 200\", which touches the grey levels"));

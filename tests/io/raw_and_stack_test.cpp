@@ -71,7 +71,7 @@ TEST(RawVolume, EveryTypeAndByteOrderGivesTheSameLevels) {
     const std::string order = big ? "be" : "le";
     EXPECT_EQ(levels(bytesOf(std::vector<std::int16_t>{-200, 200, 1, -100}, big), "i16" + order), expected);
     EXPECT_EQ(levels(bytesOf(std::vector<std::uint16_t>{100, 500, 301, 200}, big), "u16" + order), expected);
-    EXPECT_EQ(levels(bytesOf(std::vector<float>{-1.f, 1.f, 0.005f, -0.5f}, big), "f32" + order), expected);
+    EXPECT_EQ(levels(bytesOf(std::vector<float>{-1.F, 1.F, 0.005F, -0.5F}, big), "f32" + order), expected);
     EXPECT_EQ(levels(bytesOf(std::vector<double>{-1., 1., 0.005, -0.5}, big), "f64" + order), expected);
     EXPECT_EQ(levels(bytesOf(std::vector<std::int32_t>{-200000, 200000, 1000, -100000}, big), "i32" + order), expected);
   }

@@ -128,7 +128,7 @@ TEST(Comparable, LevelsKeepThePlaceOfThingsOnAnyAxes) {
     for (int k = 1; k < level.grid.dims.z - 1; ++k) {
       for (int j = 1; j < level.grid.dims.y - 1; ++j) {
         for (int i = 1; i < level.grid.dims.x - 1; ++i) {
-          const double v = std::max(0.0f, level.value[level.grid.indexOf(i, j, k)] - 0.5f);
+          const double v = std::max(0.0F, level.value[level.grid.indexOf(i, j, k)] - 0.5F);
           const double h = height(glm::dvec3(level.grid.voxelToWorld().matrix * glm::dvec4(i, j, k, 1.0)));
           if (std::abs(h) > 8.0) continue;
           sum += v;
@@ -179,7 +179,7 @@ TEST(Streaks, AreTakenOutAndWhatIsCompactStays) {
     for (const float v : sum) mean += static_cast<double>(v) / static_cast<double>(sum.size());
     double before = 0.0;
     for (const float v : sum) before += (static_cast<double>(v) - mean) * (static_cast<double>(v) - mean);
-    EXPECT_TRUE(takeOutAlong(grid, {static_cast<std::size_t>(grid.dims.x)}, {beam}, kAlongBeam_mm, std::vector<float>(sum.size(), 1.0f),
+    EXPECT_TRUE(takeOutAlong(grid, {static_cast<std::size_t>(grid.dims.x)}, {beam}, kAlongBeam_mm, std::vector<float>(sum.size(), 1.0F),
                              sum, 1, noProgress()));
     double after = 0.0;
     for (const float v : sum) after += static_cast<double>(v) * static_cast<double>(v);
@@ -205,7 +205,7 @@ TEST(Streaks, OfAFanAreTakenOutAlongEachBeam) {
     shadowsOfTheFan();
     double before = 0.0, after = 0.0;
     for (const float v : sum) before += static_cast<double>(v) * static_cast<double>(v);
-    EXPECT_TRUE(takeOutAlong(grid, {static_cast<std::size_t>(grid.dims.x)}, beams, kAlongBeam_mm, std::vector<float>(sum.size(), 1.0f), sum,
+    EXPECT_TRUE(takeOutAlong(grid, {static_cast<std::size_t>(grid.dims.x)}, beams, kAlongBeam_mm, std::vector<float>(sum.size(), 1.0F), sum,
                              2, noProgress()));
     for (const float v : sum) after += static_cast<double>(v) * static_cast<double>(v);
     return std::sqrt(after / before);

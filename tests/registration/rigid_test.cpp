@@ -333,11 +333,11 @@ TEST(RefineRigid, LeavesOutWhatConfidenceDistrusts) {
   // Half of the moving view shows another tissue, and is said to.
   const auto other = tissue(99, 120.0);
   const Volume wrong = seen(other, pair.moving.grid, {}, 5);
-  std::vector<float> confidence(pair.moving.echo.size(), 1.0f);
+  std::vector<float> confidence(pair.moving.echo.size(), 1.0F);
   for (std::size_t q = 0; q < pair.moving.echo.size(); ++q) {
     if (q % 44 < 20) {
       pair.moving.echo[q] = wrong.echo[q];
-      confidence[q] = 0.0f;
+      confidence[q] = 0.0F;
     }
   }
   const auto start = pair.truth * motion({2.0, 1.0, -1.0}, {2.0, -2.0, 1.0});
@@ -454,9 +454,9 @@ TEST(RefineRigid, RefusesWhatItCannotUseInASentence) {
     return found ? ErrorCode::internal : found.error().code;
   };
   const Transform<frame::Moving, frame::Fixed> one;
-  std::vector<float> few(7, 1.0f);
+  std::vector<float> few(7, 1.0F);
   EXPECT_EQ(code({&pair.fixed, few}, {&pair.moving}, one), ErrorCode::badField);
-  std::vector<float> wild(pair.fixed.echo.size(), 1.5f);
+  std::vector<float> wild(pair.fixed.echo.size(), 1.5F);
   EXPECT_EQ(code({&pair.fixed, wild}, {&pair.moving}, one), ErrorCode::badField);
   EXPECT_EQ(code({&pair.fixed}, {&pair.moving}, {2.0 * one.matrix}), ErrorCode::notRigid);
   EXPECT_EQ(code({&pair.fixed}, {&pair.moving}, one, {.finest_mm = -1.0}), ErrorCode::badField);

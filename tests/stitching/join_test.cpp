@@ -156,7 +156,7 @@ TEST(Join, BendsAViewAsItsControlGridSays) {
   warp.nodes = gridOf({4, 3, 3}, {0, 0, 0}, 20.0);
   for (int k = 0; k < 3; ++k)
     for (int j = 0; j < 3; ++j)
-      for (int i = 0; i < 4; ++i) warp.displacement_mm.emplace_back(1.5 * i - 2.0 * j + 1.0, 0.0f, 0.0f);
+      for (int i = 0; i < 4; ++i) warp.displacement_mm.emplace_back(1.5 * i - 2.0 * j + 1.0, 0.0F, 0.0F);
   View view = viewOf(ramp, "a");
   view.warp = &warp;
   JoinOptions options;

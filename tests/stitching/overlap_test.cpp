@@ -69,7 +69,7 @@ TEST(Overlap, APartKeepsItsVoxelsAndTheirPlaces) {
         const std::size_t from = whole.indexOf(i + 3, j + 5, k + 2), to = own.indexOf(i, j, k);
         ASSERT_EQ(part.volume.echo[to], view.volume->echo[from]);
         ASSERT_EQ(part.volume.coverage[to], view.volume->coverage[from]);
-        ASSERT_FLOAT_EQ(part.confidence[to], static_cast<float>(view.confidence[from]) / 255.0f);
+        ASSERT_FLOAT_EQ(part.confidence[to], static_cast<float>(view.confidence[from]) / 255.0F);
       }
   const glm::dvec4 corner(0.0, 0.0, 0.0, 1.0), same(3.0, 5.0, 2.0, 1.0);
   EXPECT_NEAR(glm::distance(own.voxelToWorld().matrix * corner, whole.voxelToWorld().matrix * same), 0.0, 1e-12);

@@ -165,7 +165,7 @@ TEST(Slices, AMappingGoesThroughTheBendInItsOwnFrame) {
   warp.nodes.dims = {2, 2, 2};
   warp.nodes.spacing_mm = glm::dvec3(100.0);
   warp.nodes.origin_mm = glm::dvec3(-50.0);
-  warp.displacement_mm.assign(8, glm::vec3(1.0f, 2.0f, 3.0f));
+  warp.displacement_mm.assign(8, glm::vec3(1.0F, 2.0F, 3.0F));
   Mapping mapping;
   mapping.toWarp.matrix[3] = {10, 0, 0, 1};
   mapping.toGrid.matrix[3] = {0, 0, -5, 1};

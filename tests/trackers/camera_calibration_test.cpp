@@ -87,7 +87,7 @@ TEST(CameraCalibration, IsNotCalledGoodFromViewsThatAreAllStraightOn) {
 
 TEST(CameraCalibration, ReadsAPrintedBoardToATenthOfAPixel) {
   const auto dictionary = cv::aruco::getPredefinedDictionary(cv::aruco::DICT_5X5_100);
-  const auto board = cv::aruco::CharucoBoard::create(7, 5, 36.0f, 26.0f, dictionary);
+  const auto board = cv::aruco::CharucoBoard::create(7, 5, 36.0F, 26.0F, dictionary);
   cv::Mat drawn;
   board->draw(cv::Size(1260, 900), drawn, 0, 1);  // a square is 180 pixels
   const CharucoView view = findCharuco({drawn.data, drawn.cols, drawn.rows, static_cast<std::ptrdiff_t>(drawn.step)}, aBoard());
@@ -102,7 +102,7 @@ TEST(CameraCalibration, ReadsAPrintedBoardToATenthOfAPixel) {
 
 TEST(CalibrationCollector, KeepsAStillViewOnceAndSaysWhatIsMissing) {
   const auto dictionary = cv::aruco::getPredefinedDictionary(cv::aruco::DICT_5X5_100);
-  const auto board = cv::aruco::CharucoBoard::create(7, 5, 36.0f, 26.0f, dictionary);
+  const auto board = cv::aruco::CharucoBoard::create(7, 5, 36.0F, 26.0F, dictionary);
   cv::Mat drawn, picture(720, 1280, CV_8UC1, cv::Scalar(200));
   board->draw(cv::Size(700, 500), drawn, 0, 1);
   drawn.copyTo(picture(cv::Rect(290, 110, 700, 500)));

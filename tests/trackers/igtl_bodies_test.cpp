@@ -237,9 +237,9 @@ TEST(IgtlBodies, AnImageStandsWhereTheLibraryAndSlicerLookForIt) {
   EXPECT_TRUE(std::equal(picture.pixels.begin(), picture.pixels.end(), static_cast<const std::uint8_t*>(image->GetScalarPointer())));
   float spacing[3];
   image->GetSpacing(spacing);
-  EXPECT_NEAR(spacing[0], 0.3f, 1e-6f);
-  EXPECT_NEAR(spacing[1], 0.2f, 1e-6f);
-  EXPECT_NEAR(spacing[2], 1.0f, 1e-6f);
+  EXPECT_NEAR(spacing[0], 0.3F, 1e-6F);
+  EXPECT_NEAR(spacing[1], 0.2F, 1e-6F);
+  EXPECT_NEAR(spacing[2], 1.0F, 1e-6F);
   // The place of the image is its centre: back to the first pixel as a receiver goes back.
   igtl::Matrix4x4 matrix;
   image->GetMatrix(matrix);

@@ -74,8 +74,8 @@ class LibraryServer {
       list->Pack();
       auto position = igtl::PositionMessage::New();
       position->SetDeviceName("Needle");
-      position->SetPosition(1.0f, 2.0f, 3.0f);
-      position->SetQuaternion(0.6f, 0.0f, 0.0f, 0.8f);
+      position->SetPosition(1.0F, 2.0F, 3.0F);
+      position->SetQuaternion(0.6F, 0.0F, 0.0F, 0.8F);
       position->SetTimeStamp(0u, 0u);
       position->Pack();
       if (client->Send(transform->GetPackPointer(), transform->GetPackSize()) == 0) return;

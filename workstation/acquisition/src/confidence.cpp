@@ -20,7 +20,7 @@ constexpr double kWalkReferenceShare = 0.6;
 /// Length of the average along a line, of the depth: longer than speckle, shorter than most shadows.
 constexpr double kAlongShare = 0.05;
 /// A row whose upper fifth is darker than this tells nothing about single lines.
-constexpr float kDarkRow = 8.0f;
+constexpr float kDarkRow = 8.0F;
 /// Where a row is so dark that `shadow_db` would leave nothing, half of its level counts instead.
 constexpr double kHalfOfReference = 0.5;
 /// Half of the lines averaged across, since one line alone is all speckle.
@@ -78,7 +78,7 @@ void averageAcross(const Image<float>& from, int half, Image<float>& to) {
   for (int y = 0; y < from.height; ++y)
     for (int x = 0; x < from.width; ++x) {
       const int first = std::max(x - half, 0), last = std::min(x + half, from.width - 1);
-      float sum = 0.0f;
+      float sum = 0.0F;
       for (int n = first; n <= last; ++n) sum += from.pixels[indexOf(n, y, from.width)];
       to.pixels[indexOf(x, y, from.width)] = sum / static_cast<float>(last - first + 1);
     }
@@ -153,7 +153,7 @@ Result<void> randomWalk(ImageView<const std::uint8_t> lines, const ConfidenceOpt
                         Image<float>& confidence) {
   const int width = std::min(lines.width, options.lines), height = std::min(lines.height, options.samples);
   if (height < 3) {
-    std::fill(confidence.pixels.begin(), confidence.pixels.end(), 1.0f);
+    std::fill(confidence.pixels.begin(), confidence.pixels.end(), 1.0F);
     return {};
   }
   shrink(lines, width, height, memory.levels);
@@ -164,8 +164,8 @@ Result<void> randomWalk(ImageView<const std::uint8_t> lines, const ConfidenceOpt
     memory.references[static_cast<std::size_t>(y)] = quantileOfRow(memory.probability, y, kWalkReferenceShare, memory.sorted);
   const auto relative = [&](int x, int y) {
     const float reference = memory.references[static_cast<std::size_t>(y)];
-    const float share = reference > 1e-6f ? std::min(1.0f, memory.probability.pixels[indexOf(x, y, width)] / reference) : 1.0f;
-    return share * share / (share * share + (1.0f - share) * (1.0f - share));
+    const float share = reference > 1e-6F ? std::min(1.0F, memory.probability.pixels[indexOf(x, y, width)] / reference) : 1.0F;
+    return share * share / (share * share + (1.0F - share) * (1.0F - share));
   };
   // Rows next to the last one hold next to nothing, and the quotient of two such numbers says nothing: the last one that does stands for
   // it.
@@ -178,9 +178,9 @@ Result<void> randomWalk(ImageView<const std::uint8_t> lines, const ConfidenceOpt
       const double u = std::clamp((x + 0.5) * width / lines.width - 0.5, 0.0, static_cast<double>(width - 1));
       const int u0 = std::min(static_cast<int>(u), width - 2);
       const auto fu = static_cast<float>(u - u0);
-      const float upper = (1.0f - fu) * relative(u0, v0) + fu * relative(u0 + 1, v0);
-      const float lower = (1.0f - fu) * relative(u0, v0 + 1) + fu * relative(u0 + 1, v0 + 1);
-      confidence.pixels[indexOf(x, y, lines.width)] = (1.0f - fv) * upper + fv * lower;
+      const float upper = (1.0F - fu) * relative(u0, v0) + fu * relative(u0 + 1, v0);
+      const float lower = (1.0F - fu) * relative(u0, v0 + 1) + fu * relative(u0 + 1, v0 + 1);
+      confidence.pixels[indexOf(x, y, lines.width)] = (1.0F - fv) * upper + fv * lower;
     }
   }
   return {};
@@ -226,7 +226,7 @@ bool isDark(const ImageView<const std::uint8_t>& lines) {
   return 100 * bright < static_cast<std::size_t>(lines.width) * static_cast<std::size_t>(lines.height);
 }
 
-std::uint8_t levelOf(float confidence) { return static_cast<std::uint8_t>(std::clamp(confidence, 0.0f, 1.0f) * 255.0f + 0.5f); }
+std::uint8_t levelOf(float confidence) { return static_cast<std::uint8_t>(std::clamp(confidence, 0.0F, 1.0F) * 255.0F + 0.5F); }
 
 }  // namespace
 
@@ -239,7 +239,7 @@ Result<void> confidenceOfLines(ImageView<const std::uint8_t> lines, const Confid
                    {{"field", "size"}});
   resize(confidence, lines.width, lines.height);
   if (isDark(lines)) {
-    std::fill(confidence.pixels.begin(), confidence.pixels.end(), 0.0f);
+    std::fill(confidence.pixels.begin(), confidence.pixels.end(), 0.0F);
     return {};
   }
   if (options.method == ConfidenceMethod::randomWalk) return randomWalk(lines, options, scratch.memory(), confidence);

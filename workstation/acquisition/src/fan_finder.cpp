@@ -182,8 +182,8 @@ double bestRadius(const std::vector<glm::dvec2>& points, const FanOutline& fan, 
 float sample(const cv::Mat& map, glm::dvec2 p) {
   const int x = static_cast<int>(std::floor(p.x)), y = static_cast<int>(std::floor(p.y));
   const auto fx = static_cast<float>(p.x - x), fy = static_cast<float>(p.y - y);
-  const auto at = [&](int i, int j) { return i < 0 || j < 0 || i >= map.cols || j >= map.rows ? 0.0f : map.at<float>(j, i); };
-  return (at(x, y) * (1.0f - fx) + at(x + 1, y) * fx) * (1.0f - fy) + (at(x, y + 1) * (1.0f - fx) + at(x + 1, y + 1) * fx) * fy;
+  const auto at = [&](int i, int j) { return i < 0 || j < 0 || i >= map.cols || j >= map.rows ? 0.0F : map.at<float>(j, i); };
+  return (at(x, y) * (1.0F - fx) + at(x + 1, y) * fx) * (1.0F - fy) + (at(x, y + 1) * (1.0F - fx) + at(x + 1, y + 1) * fx) * fy;
 }
 
 /// The best step from a higher level inside to a lower one outside, of all steps along the normal.
@@ -540,7 +540,7 @@ float backgroundOf(const ScreenStatistics& statistics) {
   const Image<float> mean = statistics.mean(), deviation = statistics.deviation();
   std::vector<std::size_t> counts(256, 0);
   for (std::size_t n = 0; n < mean.pixels.size(); ++n)
-    if (deviation.pixels[n] < 1.0f) ++counts[static_cast<std::size_t>(std::clamp(mean.pixels[n] + 0.5f, 0.0f, 255.0f))];
+    if (deviation.pixels[n] < 1.0F) ++counts[static_cast<std::size_t>(std::clamp(mean.pixels[n] + 0.5F, 0.0F, 255.0F))];
   return static_cast<float>(std::max_element(counts.begin(), counts.end()) - counts.begin());
 }
 

@@ -250,7 +250,7 @@ struct LinearLatest {
 /// Which frame has the pixel nearest to a voxel's centre, among the pixels less than one voxel from it along each axis.
 struct NearestSource {
   struct Cell {
-    float distance2_voxel = 0.0f;  ///< 0 and no source: nothing yet
+    float distance2_voxel = 0.0F;  ///< 0 and no source: nothing yet
     std::uint16_t source = 0;
   };
   static constexpr int kGuard = 1;

@@ -86,8 +86,8 @@ bool RandomWalk::solve(const Image<float>& levels, const Weights& weights, Image
 
   probability.width = width;
   probability.height = height;
-  probability.pixels.assign(levels.pixels.size(), 0.0f);
-  std::fill_n(probability.pixels.begin(), width, 1.0f);
+  probability.pixels.assign(levels.pixels.size(), 0.0F);
+  std::fill_n(probability.pixels.begin(), width, 1.0F);
   for (int n = 0; n < unknowns; ++n)
     probability.pixels[static_cast<std::size_t>(n + width)] = static_cast<float>(std::clamp(found[n], 0.0, 1.0));
   return true;

@@ -49,11 +49,11 @@ double shareUnder(const std::vector<PixelRect>& boxes, const FanOutline& outline
 }
 
 /// Levels by which half of the echoes deviate over time. Five pictures of a tank have 5, scans that move 12 to 30.
-constexpr float kHardlyMoves = 7.0f;
+constexpr float kHardlyMoves = 7.0F;
 
 /// Whether half of what a scan shows is as still as text over it: then sharp echoes cannot be told from characters.
 bool hardlyMoves(const ScreenStatistics& statistics, const FanOutline& outline) {
-  constexpr float kEcho = 16.0f;  // levels above black, which is still in every scan
+  constexpr float kEcho = 16.0F;  // levels above black, which is still in every scan
   if (statistics.frames() < 3) return true;
   const GreyImage inside = maskOf(outline, statistics.width_px(), statistics.height_px());
   const Image<float> mean = statistics.mean(), deviation = statistics.deviation();
@@ -307,7 +307,7 @@ ScreenCleaner::ScreenCleaner(const ScreenGeometry& geometry, const CleaningOptio
       if (viewOf(under).at(x + kept_.x, y + kept_.y) == 0 || viewOf(inside).at(x + kept_.x, y + kept_.y) == 0) continue;
       Fill fill;
       fill.to = static_cast<std::uint32_t>(y * kept_.width + x);
-      float sum = 0.0f;
+      float sum = 0.0F;
       for (std::size_t way = 0; way < ways.size(); ++way) {
         glm::ivec2 at(x, y);
         int distance = 0;
@@ -318,10 +318,10 @@ ScreenCleaner::ScreenCleaner(const ScreenGeometry& geometry, const CleaningOptio
                  viewOf(inside).at(at.x + kept_.x, at.y + kept_.y) != 0);
         if (!taken(at.x, at.y)) continue;
         fill.from[way] = static_cast<std::uint32_t>(at.y * kept_.width + at.x);
-        fill.weight[way] = 1.0f / static_cast<float>(distance);
+        fill.weight[way] = 1.0F / static_cast<float>(distance);
         sum += fill.weight[way];
       }
-      if (sum <= 0.0f) continue;
+      if (sum <= 0.0F) continue;
       for (float& weight : fill.weight) weight /= sum;
       fills_.push_back(fill);
     }
@@ -338,19 +338,19 @@ void ScreenCleaner::clean(const GreyImage& picture, GreyImage& clean) const {
     for (int x = 0; x < kept_.width; ++x) to[x] = takes[x] != 0 ? from[x] : std::uint8_t{0};
   }
   for (const Fill& fill : fills_) {
-    float value = 0.0f;
+    float value = 0.0F;
     // Five pixels along the rim, so that one grain of speckle does not become a streak.
     for (std::size_t way = 0; way < 4; ++way) {
-      if (fill.weight[way] <= 0.0f) continue;
+      if (fill.weight[way] <= 0.0F) continue;
       const auto across = way < 2 ? static_cast<std::int64_t>(kept_.width) : 1;
-      float sum = 0.0f, count = 0.0f;
+      float sum = 0.0F, count = 0.0F;
       for (std::int64_t aside = -2; aside <= 2; ++aside) {
         const std::int64_t at = static_cast<std::int64_t>(fill.from[way]) + aside * across;
         if (at < 0 || at >= static_cast<std::int64_t>(mask_.pixels.size()) || mask_.pixels[static_cast<std::size_t>(at)] == 0) continue;
         sum += clean.pixels[static_cast<std::size_t>(at)];
-        count += 1.0f;
+        count += 1.0F;
       }
-      value += fill.weight[way] * (count > 0.0f ? sum / count : 0.0f);
+      value += fill.weight[way] * (count > 0.0F ? sum / count : 0.0F);
     }
     clean.pixels[fill.to] = static_cast<std::uint8_t>(std::lround(value));
   }

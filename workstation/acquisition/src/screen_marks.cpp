@@ -117,7 +117,7 @@ Strokes strokesOf(const ScreenStatistics& statistics, const FanOutline& outline)
   const cv::Mat weak = (s.height > 20) & (s.deviation < 3.0 * still);
   // Coloured pixels of a grey scan that stay are graphics however dark (blue has a luminance of 29).
   const cv::Mat coloured = matOf(statistics.colouredShare()), changes = matOf(statistics.activity());
-  const cv::Mat hue = (coloured > 0.9f) & (changes < 0.1f) & (s.deviation < 2.0 * still);
+  const cv::Mat hue = (coloured > 0.9F) & (changes < 0.1F) & (s.deviation < 2.0 * still);
   // A colour flow box is coloured too, but it changes and is no stroke.
   cv::Mat broad;
   cv::morphologyEx(hue, broad, cv::MORPH_OPEN, box);
@@ -175,7 +175,7 @@ bool isCharacter(const Component& one, const cv::Mat& labels, const Strokes& s, 
   // Of a thin stroke most pixels are half text, half scan: the stillest quarter is its middle.
   const float rim = ranked(rims, 2), level = ranked(levels, 2), shake = ranked(shakes, 1), moving = ranked(around, 2);
   // Echoes that do not move are spread by the beam: their rims are slopes.
-  return rim > 0.6f * level && shake < std::max(static_cast<float>(kCodecNoise), 0.35f * moving);
+  return rim > 0.6F * level && shake < std::max(static_cast<float>(kCodecNoise), 0.35F * moving);
 }
 
 /// The static part of what lies outside the scan.
@@ -185,7 +185,7 @@ cv::Mat standing(const ScreenStatistics& statistics, const FanOutline& outline, 
   if (margin > 0) cv::dilate(inside, inside, cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * margin + 1, 2 * margin + 1}));
   cv::Mat away;
   cv::absdiff(mean, cv::Scalar(static_cast<double>(background)), away);
-  return ((away > 30.0f) & (deviation < 6.0f) & (inside == 0)) / 255;
+  return ((away > 30.0F) & (deviation < 6.0F) & (inside == 0)) / 255;
 }
 
 /// The evenly spaced run through most of `ys`: places first + k spacing. Ticks may be hidden, other marks may stand between them.

@@ -14,7 +14,7 @@ constexpr int kMostFrames = 60000;   ///< sums of squares of so many frames fit 
 template <class Value>
 Image<float> shareOf(int width, int height, const std::vector<Value>& counts, int of) {
   Image<float> share(width, height);
-  const float each = of > 0 ? 1.0f / static_cast<float>(of) : 0.0f;
+  const float each = of > 0 ? 1.0F / static_cast<float>(of) : 0.0F;
   for (std::size_t n = 0; n < counts.size(); ++n) share.pixels[n] = each * static_cast<float>(counts[n]);
   return share;
 }

@@ -18,8 +18,8 @@ class Pages final : public EwFilmParts {
     if (!size(facts.width_px, facts.height_px, why)) return false;
     std::uint16_t tag = 0;
     if (TIFFGetField(in_, TIFFTAG_ORIENTATION, &tag) != 0) facts.orientationTag = tag;
-    float across = 0.0f, down = 0.0f;  // pixels in a unit of length
-    if (TIFFGetField(in_, TIFFTAG_XRESOLUTION, &across) != 0 && TIFFGetField(in_, TIFFTAG_YRESOLUTION, &down) != 0 && across > 0.0f)
+    float across = 0.0F, down = 0.0F;  // pixels in a unit of length
+    if (TIFFGetField(in_, TIFFTAG_XRESOLUTION, &across) != 0 && TIFFGetField(in_, TIFFTAG_YRESOLUTION, &down) != 0 && across > 0.0F)
       facts.pixelAspect = static_cast<double>(down) / static_cast<double>(across);
     TIFF* const counted = TIFFOpen(file, "rm");
     if (counted != nullptr) {

@@ -13,7 +13,7 @@ namespace ew::registration {
 namespace {
 
 constexpr int kPlanesPerTask = 8;
-constexpr float kBelieved = 0.05f;           // a confidence above it
+constexpr float kBelieved = 0.05F;           // a confidence above it
 constexpr std::size_t kLeastBelieved = 200;  // one voxel of so many has to be, or the map says nothing
 
 /// dst = max (or min) over 2 r + 1 neighbours along one axis; outside counts as `outside`.
@@ -103,7 +103,7 @@ Taps tentTaps(int from, double from_mm, int to, double to_mm) {
   const double reach = std::max(ratio, 1.0);
   taps.count = std::min(from, 2 * static_cast<int>(std::ceil(reach)) + 1);
   taps.first.resize(to);
-  taps.weight.assign(static_cast<std::size_t>(to) * taps.count, 0.0f);
+  taps.weight.assign(static_cast<std::size_t>(to) * taps.count, 0.0F);
   const double middle = 0.5 * (from - 1);
   for (int o = 0; o < to; ++o) {
     const double at = middle + (o - 0.5 * (to - 1)) * ratio;
@@ -117,7 +117,7 @@ Taps tentTaps(int from, double from_mm, int to, double to_mm) {
     }
     for (int t = 0; t < taps.count; ++t) {
       auto& w = taps.weight[static_cast<std::size_t>(o) * taps.count + t];
-      w = sum > 0.0 ? static_cast<float>(static_cast<double>(w) / sum) : (t == 0 ? 1.0f : 0.0f);
+      w = sum > 0.0 ? static_cast<float>(static_cast<double>(w) / sum) : (t == 0 ? 1.0F : 0.0F);
     }
   }
   return taps;
@@ -141,9 +141,9 @@ bool resampleAxis(std::vector<float>& data, glm::ivec3& dims, int axis, const Ta
     float* target = result.data() + k * outPlane;
     if (axis == 2) {
       const float* w = taps.weight.data() + static_cast<std::size_t>(k) * taps.count;
-      std::fill(target, target + outPlane, 0.0f);
+      std::fill(target, target + outPlane, 0.0F);
       for (int t = 0; t < taps.count; ++t) {
-        if (w[t] == 0.0f) continue;
+        if (w[t] == 0.0F) continue;
         const float* source = data.data() + (taps.first[k] + t) * plane;
         for (std::size_t q = 0; q < outPlane; ++q) target[q] += w[t] * source[q];
       }
@@ -153,10 +153,10 @@ bool resampleAxis(std::vector<float>& data, glm::ivec3& dims, int axis, const Ta
     if (axis == 1) {
       for (int j = 0; j < to; ++j) {
         float* row = target + static_cast<std::size_t>(j) * out.x;
-        std::fill(row, row + out.x, 0.0f);
+        std::fill(row, row + out.x, 0.0F);
         const float* w = taps.weight.data() + static_cast<std::size_t>(j) * taps.count;
         for (int t = 0; t < taps.count; ++t) {
-          if (w[t] == 0.0f) continue;
+          if (w[t] == 0.0F) continue;
           const float* from = source + static_cast<std::size_t>(taps.first[j] + t) * dims.x;
           for (int i = 0; i < out.x; ++i) row[i] += w[t] * from[i];
         }
@@ -168,7 +168,7 @@ bool resampleAxis(std::vector<float>& data, glm::ivec3& dims, int axis, const Ta
       float* row = target + static_cast<std::size_t>(j) * to;
       for (int i = 0; i < to; ++i) {
         const float* w = taps.weight.data() + static_cast<std::size_t>(i) * taps.count;
-        float sum = 0.0f;
+        float sum = 0.0F;
         for (int t = 0; t < taps.count; ++t) sum += w[t] * from[taps.first[i] + t];
         row[i] = sum;
       }
@@ -199,7 +199,7 @@ bool smoothWith(std::vector<float>& data, const glm::ivec3& size, const std::vec
     Taps taps;  // zero outside: what is missing there is missing in the weight too
     taps.count = std::min(n, 2 * reach + 1);
     taps.first.resize(n);
-    taps.weight.assign(static_cast<std::size_t>(n) * taps.count, 0.0f);
+    taps.weight.assign(static_cast<std::size_t>(n) * taps.count, 0.0F);
     for (int o = 0; o < n; ++o) {
       taps.first[o] = std::clamp(o - reach, 0, n - taps.count);
       for (int t = 0; t < taps.count; ++t) {
@@ -243,7 +243,7 @@ bool normalise(Weighted image, const ComparableOptions& options, ComparableImage
   const double momentVoxel_mm = std::max(grid.spacing_mm.x, std::min(3.0, options.window_mm / 2.5));
   const Grid coarse = levelGrid(grid, momentVoxel_mm);
   std::vector<float> value(n);
-  for (std::size_t q = 0; q < n; ++q) value[q] = image.weight[q] > 0.0f ? image.sum[q] / image.weight[q] : 0.0f;
+  for (std::size_t q = 0; q < n; ++q) value[q] = image.weight[q] > 0.0F ? image.sum[q] / image.weight[q] : 0.0F;
 
   std::vector<float> second(n);
   for (std::size_t q = 0; q < n; ++q) second[q] = image.sum[q] * value[q];
@@ -293,9 +293,9 @@ bool normalise(Weighted image, const ComparableOptions& options, ComparableImage
               const float m = mean[low] + share * (mean[low + 1] - mean[low]);
               const float s = scale[low] + share * (scale[low + 1] - scale[low]);
               const float weight = image.weight[at + i];
-              const bool inside = weight > 0.5f / 255.0f;
-              out.weight[at + i] = inside ? static_cast<std::uint8_t>(std::min(255.0f, weight * 255.0f + 0.5f)) : std::uint8_t{0};
-              value[at + i] = inside ? std::clamp((value[at + i] - m) * s, -4.0f, 4.0f) : 0.0f;
+              const bool inside = weight > 0.5F / 255.0F;
+              out.weight[at + i] = inside ? static_cast<std::uint8_t>(std::min(255.0F, weight * 255.0F + 0.5F)) : std::uint8_t{0};
+              value[at + i] = inside ? std::clamp((value[at + i] - m) * s, -4.0F, 4.0F) : 0.0F;
             }
           }
         }
@@ -403,7 +403,7 @@ Result<void> checkInput(const Input& input, const Message& side) {
                      say<"The confidence of the %1 volume has %2 values for %3 voxels.">(side, input.confidence.size(), n));
     }
     for (const float c : input.confidence) {
-      if (!(c >= 0.0f && c <= 1.0f)) {
+      if (!(c >= 0.0F && c <= 1.0F)) {
         return failure(ErrorCode::badField, say<"The confidence of the %1 volume has values outside 0 to 1.">(side));
       }
     }
@@ -441,7 +441,7 @@ Result<std::vector<ComparableImage>> comparableImages(const Input& input, std::s
     image.weight.resize(n);
     image.sum.resize(n);
     for (std::size_t q = 0; q < n; ++q) {
-      const float w = mask[q] == 0 ? 0.0f : confidence.empty() ? 1.0f : confidence[q];
+      const float w = mask[q] == 0 ? 0.0F : confidence.empty() ? 1.0F : confidence[q];
       image.weight[q] = w;
       image.sum[q] = w * volume.echo[q];
     }
@@ -454,23 +454,23 @@ Result<std::vector<ComparableImage>> comparableImages(const Input& input, std::s
     image.grid = grid;
     Weighted level = image;
     if (voxel_mm[l] >= options.suppressFrom_mm) {
-      const std::vector<float> binomial{0.25f, 0.5f, 0.25f};
+      const std::vector<float> binomial{0.25F, 0.5F, 0.25F};
       std::vector<float> soft = level.weight;
       if (!smoothWith(level.sum, grid.dims, binomial, options.threads, progress)) return cancelled();
       if (!smoothWith(soft, grid.dims, binomial, options.threads, progress)) return cancelled();
       // Smoothing fills from the neighbours but covers nothing that was not covered.
       for (std::size_t q = 0; q < soft.size(); ++q) {
-        const float mean = soft[q] > 1e-6f ? level.sum[q] / soft[q] : 0.0f;
-        if (level.weight[q] < 0.25f / 255.0f) level.weight[q] = 0.0f;
+        const float mean = soft[q] > 1e-6F ? level.sum[q] / soft[q] : 0.0F;
+        if (level.weight[q] < 0.25F / 255.0F) level.weight[q] = 0.0F;
         level.sum[q] = mean * level.weight[q];
       }
     }
     // Voxels that straddle the rim of the covered area are mostly made of what lies beside it.
     if (confidence.empty()) {
       for (std::size_t q = 0; q < level.weight.size(); ++q) {
-        const bool inside = level.weight[q] > 0.5f;
-        level.sum[q] = inside ? level.sum[q] / level.weight[q] : 0.0f;
-        level.weight[q] = inside ? 1.0f : 0.0f;
+        const bool inside = level.weight[q] > 0.5F;
+        level.sum[q] = inside ? level.sum[q] / level.weight[q] : 0.0F;
+        level.weight[q] = inside ? 1.0F : 0.0F;
       }
     }
     const RowLayout rows{static_cast<std::size_t>(grid.dims.x)};

@@ -117,13 +117,13 @@ bool takeOutAlong(const Grid& grid, const RowLayout& rows, const Beams& beams, d
         const std::size_t row = rowOf(y, z);
         for (int i = begin; i < end; ++i) {
           echo[i] += tap.weight * sum[row + i + tap.step.x];
-          share[i] += tap.weight * (weighted ? weight[row + i + tap.step.x] : 1.0f);
+          share[i] += tap.weight * (weighted ? weight[row + i + tap.step.x] : 1.0F);
         }
       }
     };
     for (int j = 0; j < dims.y; ++j) {
-      std::fill(echo.begin(), echo.end(), 0.0f);
-      std::fill(share.begin(), share.end(), 0.0f);
+      std::fill(echo.begin(), echo.end(), 0.0F);
+      std::fill(share.begin(), share.end(), 0.0F);
       if (!beams.fan) {
         add(j, 0, dims.x, everywhere);
       } else {
@@ -141,8 +141,8 @@ bool takeOutAlong(const Grid& grid, const RowLayout& rows, const Beams& beams, d
       }
       const std::size_t at = rowOf(j, k);
       for (int i = 0; i < dims.x; ++i) {
-        const float here = weighted ? weight[at + i] : 1.0f;
-        out[at + i] = share[i] > 1e-6f ? sum[at + i] - here * echo[i] / share[i] : 0.0f;
+        const float here = weighted ? weight[at + i] : 1.0F;
+        out[at + i] = share[i] > 1e-6F ? sum[at + i] - here * echo[i] / share[i] : 0.0F;
       }
     }
   });

@@ -108,7 +108,7 @@ bool Band::Gathered::weighsAround(const float* weights, int i, int j, int k) con
   for (int c = std::max(k - 1, box.begin.z); c < std::min(k + 2, box.end.z); ++c)
     for (int b = std::max(j - 1, box.begin.y); b < std::min(j + 2, box.end.y); ++b)
       for (int a = std::max(i - 1, box.begin.x); a < std::min(i + 2, box.end.x); ++a)
-        if (weights[box.indexOf(a, b, c)] > 0.0f) return true;
+        if (weights[box.indexOf(a, b, c)] > 0.0F) return true;
   return false;
 }
 
@@ -234,7 +234,7 @@ void Band::takeMoments(const Gathered& gathered, const glm::ivec3& at) {
     mine = {static_cast<float>(mean / kUnit), static_cast<float>(std::max(0.0, s.firstSquared / s.count - mean * mean) / (kUnit * kUnit))};
     for (std::size_t b = 0; b < a; ++b) {
       const Moments& other = moments_[cell * views_ + b];
-      if (other.variance < 0.0f) continue;
+      if (other.variance < 0.0F) continue;
       // The correlation is that of the speckle both show, the deviations are each view's own.
       const auto correlation = speckleCorrelation(gathered.sumOver(window, gathered.both, pairOf(a, b), gathered.pairs));
       if (correlation)
@@ -254,9 +254,9 @@ double Band::blend(const BetweenCells& x, const BetweenCells& y, const BetweenCe
   double deviation = 0.0;
   double variance = 0.0;
   for (int corner = 0; corner < 8; ++corner) {
-    const double share = static_cast<double>((corner & 1) ? x.part : 1.0f - x.part) *
-                         static_cast<double>((corner & 2) ? y.part : 1.0f - y.part) *
-                         static_cast<double>((corner & 4) ? z.part : 1.0f - z.part);
+    const double share = static_cast<double>((corner & 1) ? x.part : 1.0F - x.part) *
+                         static_cast<double>((corner & 2) ? y.part : 1.0F - y.part) *
+                         static_cast<double>((corner & 4) ? z.part : 1.0F - z.part);
     if (share <= 0.0) continue;
     const std::size_t cell = box_.indexOf(x.cell + (corner & 1), y.cell + ((corner >> 1) & 1), z.cell + (corner >> 2));
     double cellMean = 0.0;
@@ -266,7 +266,7 @@ double Band::blend(const BetweenCells& x, const BetweenCells& y, const BetweenCe
     for (std::size_t a = 0; a < views_ && all; ++a) {
       if (weights[a] <= 0.0) continue;
       const Moments& m = moments_[cell * views_ + a];
-      all = m.variance >= 0.0f;
+      all = m.variance >= 0.0F;
       const double w = weights[a] / total;
       const auto v = static_cast<double>(m.variance);
       cellMean += w * static_cast<double>(m.mean);

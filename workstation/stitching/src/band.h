@@ -9,7 +9,7 @@ namespace ew::stitching {
 /// Where a voxel lies among cells, along one axis.
 struct BetweenCells {
   int cell = 0;  ///< the lower of its two
-  float part = 0.0f;
+  float part = 0.0F;
 };
 
 /// Keeps the speckle's deviation where views are blended. The mean of two views whose speckle is independent has a deviation up to sqrt(2)
@@ -39,8 +39,8 @@ class Band {
 
  private:
   struct Moments {
-    float mean = 0.0f;
-    float variance = -1.0f;  ///< below 0: not known
+    float mean = 0.0F;
+    float variance = -1.0F;  ///< below 0: not known
   };
   struct Gathered;
   void takeMoments(const Gathered& gathered, const glm::ivec3& at);

@@ -52,7 +52,7 @@ void lookAlongCells(const ViewSampler& view, const glm::ivec3& ratio, int j, int
         const ViewSample sample = view.nearestTo(at);
         if (sample.quality <= 0.0) return;
         CellLook& look = looks[i / ratio.x - begin];
-        look.share += 1.0f;
+        look.share += 1.0F;
         look.level += static_cast<float>(sample.level);
         look.trust += static_cast<float>(sample.confidence * (sample.measured ? 1.0 : 0.75));
       });
@@ -62,7 +62,7 @@ void lookAlongCells(const ViewSampler& view, const glm::ivec3& ratio, int j, int
   }
   const auto all = static_cast<float>((x0 == x1 ? 1 : 2) * (y0 == y1 ? 1 : 2) * (z0 == z1 ? 1 : 2));
   for (CellLook* look = looks; look != looks + (end - begin); ++look) {
-    if (look->share <= 0.0f) continue;
+    if (look->share <= 0.0F) continue;
     look->level /= look->share;
     look->share /= all;
     look->trust /= all;
@@ -86,10 +86,10 @@ void boxSum(std::vector<float>& values, const CellBox& box, const glm::dvec3& re
       for (int u = 0; u < size[a]; ++u) {
         float* line = values.data() + u * strides[a] + v * strides[b];
         for (int n = 0; n < length; ++n) {
-          float sum = 0.0f;
+          float sum = 0.0F;
           for (int t = -taps; t <= taps; ++t) {
             if (n + t < 0 || n + t >= length) continue;
-            sum += (t == -taps || t == taps ? last : 1.0f) * line[(n + t) * stride];
+            sum += (t == -taps || t == taps ? last : 1.0F) * line[(n + t) * stride];
           }
           scratch[static_cast<std::size_t>(n)] = sum;
         }

@@ -35,9 +35,9 @@ struct CellBox {
 
 /// What a view shows in a cell: up to two voxels of the result along each axis are looked at.
 struct CellLook {
-  float share = 0.0f;  ///< of the looks that met a covered voxel
-  float level = 0.0f;  ///< mean over these
-  float trust = 0.0f;  ///< mean over all looks of confidence, an interpolated voxel counting three quarters, an absent one nothing
+  float share = 0.0F;  ///< of the looks that met a covered voxel
+  float level = 0.0F;  ///< mean over these
+  float trust = 0.0F;  ///< mean over all looks of confidence, an interpolated voxel counting three quarters, an absent one nothing
 };
 
 /// Looks at a row of cells [begin, end) x (j, k).

@@ -58,7 +58,7 @@ Result<std::vector<float>> distanceFromBorder_mm(const Volume& volume, double li
   const double limit2 = limit_mm * limit_mm;
   std::vector<float> squared(grid.voxelCount());
   for (std::size_t i = 0; i < squared.size(); ++i)
-    squared[i] = volume.coverageAt(i) == Coverage::absent ? 0.0f : static_cast<float>(limit2);
+    squared[i] = volume.coverageAt(i) == Coverage::absent ? 0.0F : static_cast<float>(limit2);
 
   const glm::ivec3 dims = grid.dims;
   const std::ptrdiff_t row = dims.x;

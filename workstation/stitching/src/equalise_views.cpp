@@ -21,10 +21,10 @@ constexpr double kTrustedShare = 0.5;
 
 /// What a view shows in a cube of the world.
 struct Cell {
-  float looks = 0.0f;
-  float clipped = 0.0f;
-  float grey = 0.0f;
-  float depth_mm = 0.0f;
+  float looks = 0.0F;
+  float clipped = 0.0F;
+  float grey = 0.0F;
+  float depth_mm = 0.0F;
 };
 struct Seen {
   CellBox box;
@@ -65,8 +65,8 @@ Result<Seen> look(const View& view, const Grid& world, int threads, Progress& pr
           const ViewSample sample = sampler.nearestTo(where);
           if (sample.quality <= 0.0 || sample.confidence < kTrustedShare) return;
           Cell& cell = seen.cells[seen.box.indexOf(i / kLooksPerSide, j / kLooksPerSide, ck)];
-          cell.looks += 1.0f;
-          cell.clipped += sample.level <= 0.0 || sample.level >= 255.0 ? 1.0f : 0.0f;
+          cell.looks += 1.0F;
+          cell.clipped += sample.level <= 0.0 || sample.level >= 255.0 ? 1.0F : 0.0F;
           cell.grey += static_cast<float>(sample.level);
           if (beams) cell.depth_mm += static_cast<float>(beams->depth_mm((voxelToOwn * Point<frame::Voxel>{where}).at));
         });
@@ -75,7 +75,7 @@ Result<Seen> look(const View& view, const Grid& world, int threads, Progress& pr
   for (Cell& cell : seen.cells) {
     if (static_cast<double>(cell.looks) < kFewestLooks ||
         static_cast<double>(cell.clipped) > kClippedShare * static_cast<double>(cell.looks)) {
-      cell.looks = 0.0f;
+      cell.looks = 0.0F;
       continue;
     }
     cell.grey /= cell.looks;
@@ -93,7 +93,7 @@ std::vector<DepthDifference> differencesOf(const Seen& a, const Seen& b, std::si
       for (int i = begin.x; i < end.x; ++i) {
         const Cell& one = a.cells[a.box.indexOf(i, j, k)];
         const Cell& other = b.cells[b.box.indexOf(i, j, k)];
-        if (one.looks <= 0.0f || other.looks <= 0.0f) continue;
+        if (one.looks <= 0.0F || other.looks <= 0.0F) continue;
         found.push_back({first, second, static_cast<double>(one.depth_mm), static_cast<double>(other.depth_mm),
                          static_cast<double>(one.grey - other.grey), std::sqrt(static_cast<double>(std::min(one.looks, other.looks)))});
       }

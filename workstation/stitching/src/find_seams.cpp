@@ -41,7 +41,7 @@ void paint(const Grid& cells, std::span<const SeamStroke> strokes, std::span<con
 /// Each cell to the view in whose inside it lies deepest; of equals to the first.
 Result<void> nearest(std::span<const ViewSurvey> surveys, std::span<const std::uint8_t> forced, const SeamOptions& options, SeamMap& map,
                      Progress& progress) {
-  std::vector<float> deepest(map.view.size(), 0.0f);
+  std::vector<float> deepest(map.view.size(), 0.0F);
   for (std::size_t n = 0; n < surveys.size(); ++n) {
     const ViewSurvey& survey = surveys[n];
     if (survey.box.count() == 0) continue;
@@ -56,7 +56,7 @@ Result<void> nearest(std::span<const ViewSurvey> surveys, std::span<const std::u
         for (int i = survey.box.begin.x; i < survey.box.end.x; ++i, ++from, ++to) {
           if (!survey.covers(from)) continue;
           // Cells that a view covers only in part are its border; they are kept for want of better.
-          const float depth = std::max((*distance)[from], 1e-3f * static_cast<float>(survey.share[from]));
+          const float depth = std::max((*distance)[from], 1e-3F * static_cast<float>(survey.share[from]));
           if (depth > deepest[to]) {
             deepest[to] = depth;
             map.view[to] = static_cast<std::uint8_t>(n + 1);

@@ -158,14 +158,14 @@ std::vector<Joiner::Weights> Joiner::weightsOf(const std::vector<std::size_t>& r
     if (std::find(labels.begin(), labels.end(), static_cast<std::uint8_t>(n + 1)) != labels.end()) found.push_back({n, {}, {}});
   if (found.empty()) return found;
 
-  std::vector<float> all(wide.count(), 1.0f);
+  std::vector<float> all(wide.count(), 1.0F);
   std::vector<float> scratch;
   boxSum(all, wide, blend_cells_, scratch);
   std::vector<CellLook> looks(static_cast<std::size_t>(wide.size().x));
   std::vector<float> own(wide.count());
   std::vector<float> covered(wide.count());
   for (Weights& weights : found) {
-    for (std::size_t c = 0; c < labels.size(); ++c) own[c] = labels[c] == weights.view + 1 ? 1.0f : 0.0f;
+    for (std::size_t c = 0; c < labels.size(); ++c) own[c] = labels[c] == weights.view + 1 ? 1.0F : 0.0F;
     boxSum(own, wide, blend_cells_, scratch);
     if (found.size() > 1)
       for (int k = wide.begin.z; k < wide.end.z; ++k)
@@ -182,7 +182,7 @@ std::vector<Joiner::Weights> Joiner::weightsOf(const std::vector<std::size_t>& r
         for (int i = cells.begin.x; i < cells.end.x; ++i, ++to) {
           const std::size_t c = wide.indexOf(i, j, k);
           // A view fades out towards its own border, so that no step is left where the seam keeps close to it.
-          const float inside = found.size() > 1 ? std::clamp(2.0f * covered[c] / all[c] - 1.0f, 1e-3f, 1.0f) : 1.0f;
+          const float inside = found.size() > 1 ? std::clamp(2.0F * covered[c] / all[c] - 1.0F, 1e-3F, 1.0F) : 1.0F;
           weights.cells[to] = own[c] / all[c] * inside;
         }
     if (weights.view >= seams_->levels.size() || seams_->levels[weights.view].offset.empty()) continue;
@@ -195,7 +195,7 @@ std::vector<Joiner::Weights> Joiner::weightsOf(const std::vector<std::size_t>& r
           const glm::ivec3 at = glm::clamp(glm::ivec3(i, j, k), box.begin, box.end - 1);
           const std::int16_t offset = levels.offset[box.indexOf(at.x, at.y, at.z)];
           if (offset == 0) continue;
-          if (weights.added.empty()) weights.added.assign(cells.count(), 0.0f);
+          if (weights.added.empty()) weights.added.assign(cells.count(), 0.0F);
           weights.added[to] = static_cast<float>(offset * SeamMap::kOffsetUnit);
         }
   }
@@ -226,7 +226,7 @@ void Joiner::countOverlap(const std::vector<std::size_t>& reaching, const glm::i
 namespace {
 
 BetweenCells betweenCells(int voxel, int ratio, int cells, bool sharp) {
-  if (sharp) return {voxel / ratio, 0.0f};
+  if (sharp) return {voxel / ratio, 0.0F};
   const double along = std::clamp((voxel - 0.5 * (ratio - 1)) / ratio, 0.0, cells - 1.0);
   const int cell = std::min(static_cast<int>(along), std::max(cells - 2, 0));
   return {cell, static_cast<float>(along - cell)};
@@ -293,8 +293,8 @@ Joiner::SeamBox::SeamBox(const Joiner& joiner, const std::vector<std::size_t>& r
       line_(static_cast<std::size_t>(cells_.size().x)),
       taken_(views_) {
   for (int i = begin.x; i < end.x; ++i) along_.push_back(betweenCells(i, joiner.ratio_.x, dims_.x, sharp_));
-  rowWeights_.assign(views_, std::vector<float>(along_.size(), 1.0f));
-  rowAdded_.assign(levelled_ ? views_ : 0, std::vector<float>(along_.size(), 0.0f));
+  rowWeights_.assign(views_, std::vector<float>(along_.size(), 1.0F));
+  rowAdded_.assign(levelled_ ? views_ : 0, std::vector<float>(along_.size(), 0.0F));
   samples_.resize(along_.size() * views_);
 }
 
@@ -338,16 +338,16 @@ void Joiner::SeamBox::drawWeights(const BetweenCells& y, const BetweenCells& z) 
 
 /// Linear between cells.
 void Joiner::SeamBox::drawRow(const BetweenCells& y, const BetweenCells& z, const std::vector<float>& ofCells, std::vector<float>& ofRow) {
-  std::fill(line_.begin(), line_.end(), 0.0f);
+  std::fill(line_.begin(), line_.end(), 0.0F);
   for (int corner = 0; corner < 4; ++corner) {
-    const float share = ((corner & 1) ? y.part : 1.0f - y.part) * ((corner & 2) ? z.part : 1.0f - z.part);
-    if (share <= 0.0f) continue;
+    const float share = ((corner & 1) ? y.part : 1.0F - y.part) * ((corner & 2) ? z.part : 1.0F - z.part);
+    if (share <= 0.0F) continue;
     const float* from = ofCells.data() + cells_.indexOf(cells_.begin.x, y.cell + (corner & 1), z.cell + (corner >> 1));
     for (std::size_t c = 0; c < line_.size(); ++c) line_[c] += share * from[c];
   }
   for (std::size_t at = 0; at < along_.size(); ++at) {
     const auto c = static_cast<std::size_t>(along_[at].cell - cells_.begin.x);
-    ofRow[at] = along_[at].part > 0.0f ? line_[c] + along_[at].part * (line_[c + 1] - line_[c]) : line_[c];
+    ofRow[at] = along_[at].part > 0.0F ? line_[c] + along_[at].part * (line_[c + 1] - line_[c]) : line_[c];
   }
 }
 
@@ -356,7 +356,7 @@ void Joiner::SeamBox::sampleViews(int j, int k) {
     const ViewSampler& sampler = joiner_.samplers_[weights_[n].view];
     sampler.alongRow(j, k, begin_.x, end_, [&](int i, const glm::dvec3& where) {
       const auto at = static_cast<std::size_t>(i - begin_.x);
-      if (rowWeights_[n][at] > 0.0f) samples_[at * views_ + n] = sampler.at(where);
+      if (rowWeights_[n][at] > 0.0F) samples_[at * views_ + n] = sampler.at(where);
     });
   }
 }

@@ -10,7 +10,7 @@
 namespace ew::stitching {
 namespace {
 
-constexpr float kLeast = 1e-3f;  // of a weight: a view at its border, where there is no other
+constexpr float kLeast = 1e-3F;  // of a weight: a view at its border, where there is no other
 
 /// The cells of a box in their order: take(cell of the box, cell of the whole).
 template <class Take>
@@ -47,23 +47,23 @@ Result<void> levelSeams(std::span<const ViewSurvey> surveys, const SeamOptions& 
       shownTrust[cell] = surveys[v].trust[own];
     });
   }
-  std::vector<float> weight(map.view.size(), 0.0f), level(map.view.size(), 0.0f), around, scratch;
+  std::vector<float> weight(map.view.size(), 0.0F), level(map.view.size(), 0.0F), around, scratch;
   std::vector<std::vector<std::uint8_t>> near(surveys.size());
   for (std::size_t v = 0; v < surveys.size(); ++v) {
     if (progress.cancelRequested()) return stitchingCancelled();
     const ViewSurvey& survey = surveys[v];
-    around.assign(survey.box.count(), 0.0f);
-    forEachCell(survey.box, map.cells, [&](std::size_t own, std::size_t cell) { around[own] = map.view[cell] == v + 1 ? 1.0f : 0.0f; });
+    around.assign(survey.box.count(), 0.0F);
+    forEachCell(survey.box, map.cells, [&](std::size_t own, std::size_t cell) { around[own] = map.view[cell] == v + 1 ? 1.0F : 0.0F; });
     boxSum(around, survey.box, reach_cells, scratch);
     near[v].assign(around.size(), 0);
     forEachCell(survey.box, map.cells, [&](std::size_t own, std::size_t cell) {
-      if (around[own] <= 0.0f || !survey.covers(own)) return;
+      if (around[own] <= 0.0F || !survey.covers(own)) return;
       near[v][own] = 1;
-      const float ends = std::max(0.0f, 1.0f - 2.0f * static_cast<float>(shownInside[cell]) / 255.0f);
+      const float ends = std::max(0.0F, 1.0F - 2.0F * static_cast<float>(shownInside[cell]) / 255.0F);
       // A third of the trust of the view that is shown is next to none: the darkness of a shadow must not creep back into what fills it.
-      const float trust = static_cast<float>(survey.trust[own]) / std::max(1.0f, static_cast<float>(shownTrust[cell]));
-      const float believed = map.view[cell] == v + 1 ? 1.0f : std::max(std::min(1.0f, trust * trust * trust), ends);
-      const float w = around[own] * std::max(kLeast, static_cast<float>(inside[v][own]) / 255.0f) * std::max(kLeast, believed);
+      const float trust = static_cast<float>(survey.trust[own]) / std::max(1.0F, static_cast<float>(shownTrust[cell]));
+      const float believed = map.view[cell] == v + 1 ? 1.0F : std::max(std::min(1.0F, trust * trust * trust), ends);
+      const float w = around[own] * std::max(kLeast, static_cast<float>(inside[v][own]) / 255.0F) * std::max(kLeast, believed);
       weight[cell] += w;
       level[cell] += w * static_cast<float>(survey.level[own] * ViewSurvey::kLevelUnit);
     });
@@ -76,7 +76,7 @@ Result<void> levelSeams(std::span<const ViewSurvey> surveys, const SeamOptions& 
     levels.size = survey.box.size();
     levels.offset.assign(survey.box.count(), 0);
     forEachCell(survey.box, map.cells, [&](std::size_t own, std::size_t cell) {
-      if (near[v][own] == 0 || weight[cell] <= 0.0f) return;
+      if (near[v][own] == 0 || weight[cell] <= 0.0F) return;
       const double offset =
           static_cast<double>(level[cell]) / static_cast<double>(weight[cell]) - survey.level[own] * ViewSurvey::kLevelUnit;
       levels.offset[own] = static_cast<std::int16_t>(std::lround(offset / SeamMap::kOffsetUnit));

@@ -68,7 +68,7 @@ Result<std::vector<ViewSurvey>> surveyViews(std::span<const View> views, const G
     if (progress.cancelRequested()) return stitchingCancelled();
     boxSum(weight, box, glm::dvec3(kMeanReach_cells), scratch);
     for (std::size_t c = 0; c < sum.size(); ++c)
-      if (weight[c] > 0.0f)
+      if (weight[c] > 0.0F)
         survey.level[c] = static_cast<std::uint16_t>(std::lround(static_cast<double>(sum[c] / weight[c]) / ViewSurvey::kLevelUnit));
     surveys.push_back(std::move(survey));
   }

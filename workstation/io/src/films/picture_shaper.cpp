@@ -21,7 +21,7 @@ struct Between {
       const double at = std::clamp((n + 0.5) * there / wanted - 0.5, 0.0, there - 1.0);
       const int before = std::min(static_cast<int>(at), std::max(0, there - 2));
       from[static_cast<std::size_t>(n)] = before;
-      share[static_cast<std::size_t>(n)] = there < 2 ? 0.0f : static_cast<float>(at - before);
+      share[static_cast<std::size_t>(n)] = there < 2 ? 0.0F : static_cast<float>(at - before);
     }
   }
 };

@@ -212,7 +212,7 @@ void toLevels(const Image<float>& envelope, double dynamicRange_db, BeamImage& l
   levels.pixels.resize(envelope.pixels.size());
   const auto slope = static_cast<float>(255.0 / dynamicRange_db * 20.0);
   for (std::size_t n = 0; n < levels.pixels.size(); ++n)
-    levels.pixels[n] = std::clamp(255.0f + slope * std::log10(std::max(envelope.pixels[n], 1e-20f)), 0.0f, 255.0f);
+    levels.pixels[n] = std::clamp(255.0F + slope * std::log10(std::max(envelope.pixels[n], 1e-20F)), 0.0F, 255.0F);
 }
 
 /// One line a row, samples along the row; between the machine's samples in a straight line.
@@ -223,7 +223,7 @@ void writeLines(const BeamImage& levels, int samples, std::uint8_t* out) {
       const int above = std::min(static_cast<int>(at), levels.height - 2);
       const auto below = static_cast<float>(at - above);
       const auto index = static_cast<std::size_t>(above) * static_cast<std::size_t>(levels.width) + static_cast<std::size_t>(line);
-      const float level = (1.0f - below) * levels.pixels[index] + below * levels.pixels[index + static_cast<std::size_t>(levels.width)];
+      const float level = (1.0F - below) * levels.pixels[index] + below * levels.pixels[index + static_cast<std::size_t>(levels.width)];
       *out++ = static_cast<std::uint8_t>(std::lround(level));
     }
   }

@@ -98,7 +98,7 @@ PairPass::PairPass(const ComparableImage& fixed, const PackedImage& moving, cons
     common_.step[a] = static_cast<float>(toMovingVoxel_[0][a]);
     for (int b = 0; b < 3; ++b) common_.turn[3 * a + b] = static_cast<float>(toMovingVoxel_[a][b]);
   }
-  common_.perLoss2 = options.lossScale > 0.0 ? static_cast<float>(1.0 / (options.lossScale * options.lossScale)) : 0.0f;
+  common_.perLoss2 = options.lossScale > 0.0 ? static_cast<float>(1.0 / (options.lossScale * options.lossScale)) : 0.0F;
   common_.middle = static_cast<float>(0.5 * dims_.x);
   common_.perMiddle = static_cast<float>(2.0 / dims_.x);
   common_.derivatives = options.derivatives;
@@ -185,7 +185,7 @@ PackedImage packed(const ComparableImage& image) {
     const std::uint32_t weight = image.weight[q];
     float value = image.value[q];
     // A value of nothing with a weight would be a denormal number, which is slow.
-    if (weight != 0 && std::abs(value) < 1e-6f) value = 1e-6f;
+    if (weight != 0 && std::abs(value) < 1e-6F) value = 1e-6F;
     out.value[q] = std::bit_cast<float>((std::bit_cast<std::uint32_t>(value) & ~255u) | weight);
   }
   return out;

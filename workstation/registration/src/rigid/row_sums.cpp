@@ -145,7 +145,7 @@ HWY_INLINE PoseGradient movingGradient(const PoseRow& job, const PoseCell& c, co
 /// Central differences.
 HWY_INLINE PoseGradient fixedGradient(const PoseRow& job, const float* fixed, const PoseReader& read) {
   const PoseFloats d;
-  const PoseV half = hn::Set(d, 0.5f);
+  const PoseV half = hn::Set(d, 0.5F);
   return {hn::Mul(half, hn::Sub(read.values(fixed + 1), read.values(fixed - 1))),
           hn::Mul(half, hn::Sub(read.values(fixed + job.fixedRow), read.values(fixed - job.fixedRow))),
           hn::Mul(half, hn::Sub(read.values(fixed + job.fixedPlane), read.values(fixed - job.fixedPlane)))};
@@ -163,7 +163,7 @@ struct PoseValueSums {
   HWY_INLINE PoseValueSums() { count = weight = f = m = ff = mm = fm = hn::Zero(PoseFloats()); }
   template <class Mask>
   HWY_INLINE void add(Mask valid, PoseV w, PoseV fixed, PoseV moving) {
-    count = hn::Add(count, hn::IfThenElseZero(valid, hn::Set(PoseFloats(), 1.0f)));
+    count = hn::Add(count, hn::IfThenElseZero(valid, hn::Set(PoseFloats(), 1.0F)));
     weight = hn::Add(weight, w);
     const PoseV wf = hn::Mul(w, fixed);
     const PoseV wm = hn::Mul(w, moving);
@@ -205,9 +205,9 @@ struct PoseGradientSums {
   /// @param place along the row, times perMiddle
   HWY_INLINE void add(const PoseRow& job, PoseV place, PoseV w, PoseV r, const PoseGradient& f, const PoseGradient& m) {
     const PoseFloats d;
-    const PoseV half = hn::Set(d, 0.5f);
+    const PoseV half = hn::Set(d, 0.5F);
     const PoseV rr = hn::Mul(r, r);
-    const PoseV weight = hn::Div(w, hn::MulAdd(rr, hn::Set(d, job.perLoss2), hn::Set(d, 1.0f)));
+    const PoseV weight = hn::Div(w, hn::MulAdd(rr, hn::Set(d, job.perLoss2), hn::Set(d, 1.0F)));
     residual = hn::MulAdd(weight, rr, residual);
     robust = hn::Add(robust, weight);
     both = hn::MulAdd(weight, f.dot(m), both);
@@ -263,7 +263,7 @@ void sumPoseRow(const PoseRow& job, PoseRowSums& out) {
     w = hn::IfThenElseZero(hn::Lt(at, hn::Set(d, static_cast<float>(job.end))), w);
     if (hn::AllTrue(d, hn::Eq(w, zero))) continue;
     const PoseCell cell(job, at);
-    w = hn::Mul(hn::Mul(w, cell.leastWeight()), hn::Set(d, 1.0f / (255.0f * 255.0f)));
+    w = hn::Mul(hn::Mul(w, cell.leastWeight()), hn::Set(d, 1.0F / (255.0F * 255.0F)));
     const auto valid = hn::Gt(w, zero);
     if (hn::AllFalse(d, valid)) continue;
     const PoseMate mate(cell);

@@ -19,9 +19,9 @@ struct PoseRow {
   float at[3]{};          ///< moving voxel of i = 0
   float step[3]{};        ///< per fixed voxel
   float turn[9]{};        ///< fixed axis a takes turn[3 a + b] of the moving derivative along b
-  float perLoss2 = 0.0f;  ///< 1 / lossScale^2
-  float middle = 0.0f;    ///< powers of (i - middle) * perMiddle
-  float perMiddle = 1.0f;
+  float perLoss2 = 0.0F;  ///< 1 / lossScale^2
+  float middle = 0.0F;    ///< powers of (i - middle) * perMiddle
+  float perMiddle = 1.0F;
   bool derivatives = true;
 };
 

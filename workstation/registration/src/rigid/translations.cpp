@@ -84,7 +84,7 @@ Weighed pack(const ComparableImage& image, const Place& place, std::vector<Compl
     for (int j = 0; j < image.grid.dims.y; ++j) {
       for (int i = 0; i < image.grid.dims.x; ++i) {
         const std::size_t q = image.grid.indexOf(i, j, k);
-        const float w = static_cast<float>(image.weight[q]) / 255.0f;
+        const float w = static_cast<float>(image.weight[q]) / 255.0F;
         into[place(i, j, k)] = {image.value[q] * w, w};
         sum.cells += static_cast<double>(w);
         sum.energy += static_cast<double>(w * image.value[q] * image.value[q]);
@@ -150,7 +150,7 @@ TranslationSearch::TranslationSearch(const ComparableImage& fixed, const Compara
       size_(sizeFor(fixed.grid.dims, moving.grid.dims)),
       rim_(moving.grid.dims + 2),
       cells_(static_cast<std::size_t>(size_.x) * size_.y * size_.z),
-      perCell_(1.0f / static_cast<float>(cells_)),
+      perCell_(1.0F / static_cast<float>(cells_)),
       fixedSpectrum_(cells_),
       padded_(static_cast<std::size_t>(rim_.x) * rim_.y * rim_.z) {
   {
@@ -178,7 +178,7 @@ void TranslationSearch::search(const glm::dvec3& turn, const Stopped& stopped, W
   scoreShifts(own.spectrum, own.score);
   for (int peak = 0; peak < options_.peaks; ++peak) {
     const auto best = std::max_element(own.score.begin(), own.score.end());
-    if (*best < 0.0f) break;
+    if (*best < 0.0F) break;
     const std::size_t q = best - own.score.begin();
     found.push_back(coarseAt(q, turned, own.spectrum));
     clearAround(placeOf(q), own.score);
@@ -197,7 +197,7 @@ Turned TranslationSearch::turnedBy(const glm::dvec3& turn) const {
 /// The turned moving image on the fixed lattice, from the first cell of `space` on.
 template <class Stopped>
 bool TranslationSearch::draw(const Turned& turned, const Stopped& stopped, std::vector<Complex>& space) const {
-  std::fill(space.begin(), space.end(), Complex(0.0f, 0.0f));
+  std::fill(space.begin(), space.end(), Complex(0.0F, 0.0F));
   for (int k = 0; k < turned.box.z; ++k) {
     if (stopped()) return false;
     for (int j = 0; j < turned.box.y; ++j) {
@@ -257,14 +257,14 @@ void TranslationSearch::multiplySpectra(const std::vector<Complex>& movingSpectr
       Complex* out = product.data() + at(0, j, k);
       for (int i = 0; i < size.x; ++i) {
         const int mi = i == 0 ? 0 : size.x - i;
-        const float far = 0.5f * (a[i].real() + am[mi].real());
-        const float fai = 0.5f * (a[i].imag() - am[mi].imag());
-        const float war = 0.5f * (a[i].imag() + am[mi].imag());
-        const float wai = -0.5f * (a[i].real() - am[mi].real());
-        const float fbr = 0.5f * (b[i].real() + bm[mi].real());
-        const float fbi = 0.5f * (b[i].imag() - bm[mi].imag());
-        const float wbr = 0.5f * (b[i].imag() + bm[mi].imag());
-        const float wbi = -0.5f * (b[i].real() - bm[mi].real());
+        const float far = 0.5F * (a[i].real() + am[mi].real());
+        const float fai = 0.5F * (a[i].imag() - am[mi].imag());
+        const float war = 0.5F * (a[i].imag() + am[mi].imag());
+        const float wai = -0.5F * (a[i].real() - am[mi].real());
+        const float fbr = 0.5F * (b[i].real() + bm[mi].real());
+        const float fbi = 0.5F * (b[i].imag() - bm[mi].imag());
+        const float wbr = 0.5F * (b[i].imag() + bm[mi].imag());
+        const float wbi = -0.5F * (b[i].real() - bm[mi].real());
         const float imageR = far * fbr + fai * fbi;
         const float imageI = fai * fbr - far * fbi;
         const float weightR = war * wbr + wai * wbi;
@@ -282,7 +282,7 @@ void TranslationSearch::scoreShifts(const std::vector<Complex>& sums, std::vecto
   for (std::size_t q = 0; q < cells_; ++q) {
     const float n = sums[q].imag() * perCell;
     const float sum = sums[q].real() * perCell;
-    score[q] = n >= least ? sum / std::sqrt(n) : -1e30f;
+    score[q] = n >= least ? sum / std::sqrt(n) : -1e30F;
   }
 }
 
@@ -316,7 +316,7 @@ void TranslationSearch::clearAround(const glm::ivec3& place, std::vector<float>&
     for (int dj = -2; dj <= 2; ++dj) {
       for (int di = -2; di <= 2; ++di) {
         const glm::ivec3 near = (place + glm::ivec3(di, dj, dk) + size_) % size_;
-        score[at(near.x, near.y, near.z)] = -1e30f;
+        score[at(near.x, near.y, near.z)] = -1e30F;
       }
     }
   }

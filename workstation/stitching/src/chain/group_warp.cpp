@@ -38,9 +38,9 @@ Grid latticeOver(std::span<const Grid> placedGrids, double margin_mm, double nod
 
 /// Squared distance to the nearest node where `inside`, exact, one axis after the other.
 std::vector<float> distanceTo_mm(const Grid& lattice, const std::vector<bool>& inside) {
-  constexpr float kFar = 1e12f;
+  constexpr float kFar = 1e12F;
   std::vector<float> squared(inside.size());
-  for (std::size_t n = 0; n < inside.size(); ++n) squared[n] = inside[n] ? 0.0f : kFar;
+  for (std::size_t n = 0; n < inside.size(); ++n) squared[n] = inside[n] ? 0.0F : kFar;
   const auto h2 = static_cast<float>(lattice.spacing_mm.x * lattice.spacing_mm.x);
   std::vector<float> line, best;
   const glm::ivec3 dims = lattice.dims;
@@ -118,21 +118,21 @@ void unfold(registration::ControlGrid& warp, double leastJacobian) {
   const Grid& nodes = warp.nodes;
   for (int round = 0; registration::jacobianOf(warp).smallest < leastJacobian; ++round) {
     if (round >= kSmoothings) {
-      for (auto& each : warp.displacement_mm) each *= 0.85f;
+      for (auto& each : warp.displacement_mm) each *= 0.85F;
       continue;
     }
     const auto before = warp.displacement_mm;
     for (int k = 0; k < nodes.dims.z; ++k)
       for (int j = 0; j < nodes.dims.y; ++j)
         for (int i = 0; i < nodes.dims.x; ++i) {
-          glm::vec3 sum(0.0f);
+          glm::vec3 sum(0.0F);
           for (int side = 0; side < 6; ++side) {
             glm::ivec3 at(i, j, k);
             at[side / 2] = std::clamp(at[side / 2] + (side % 2 == 0 ? -1 : 1), 0, nodes.dims[side / 2] - 1);
             sum += before[nodes.indexOf(at.x, at.y, at.z)];
           }
           const std::size_t n = nodes.indexOf(i, j, k);
-          warp.displacement_mm[n] = 0.5f * before[n] + sum / 12.0f;
+          warp.displacement_mm[n] = 0.5F * before[n] + sum / 12.0F;
         }
   }
 }
@@ -155,7 +155,7 @@ class BendingGroup {
     for (std::size_t v = 0; v < views.size(); ++v) grids.push_back(placed(views[v]->volume->grid, toWorld[v]));
     lattice_ = latticeOver(grids, options.fallOff_mm, options.node_mm);
     nodeToWorld_ = lattice_.voxelToWorld();
-    group.warps.assign(views.size(), {lattice_, std::vector<glm::vec3>(lattice_.voxelCount(), glm::vec3(0.0f))});
+    group.warps.assign(views.size(), {lattice_, std::vector<glm::vec3>(lattice_.voxelCount(), glm::vec3(0.0F))});
     group.largest_mm.assign(views.size(), 0.0);
   }
 
@@ -263,7 +263,7 @@ void BendingGroup::shareSlice(int k, const Progress& progress, std::vector<doubl
       solveNode(p, at);
       for (std::size_t m = 0; m < at.members.size(); ++m) group.warps[at.members[m]].displacement_mm[node] = glm::vec3(at.warp[m]);
       for (const auto& [meeting, weight] : at.here) {
-        if (meeting->distance_mm[node] > 0.0f || meeting->pair->trust < 0.5) continue;
+        if (meeting->distance_mm[node] > 0.0F || meeting->pair->trust < 0.5) continue;
         const glm::dvec3 fixed = at.warp[at.place[meeting->pair->fixed]], moving = at.warp[at.place[meeting->pair->moving]];
         disagreements.push_back(glm::distance(moving - fixed, meeting->motionAt(p + fixed)));
       }

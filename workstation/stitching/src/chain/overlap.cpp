@@ -125,7 +125,7 @@ PartOfView partOf(const LoadedView& view, const VoxelBox& box) {
   part.volume.coverage = cut(whole.coverage, whole.grid, box);
   const std::vector<std::uint8_t> bytes = cut(view.confidence, whole.grid, box);
   part.confidence.resize(bytes.size());
-  std::transform(bytes.begin(), bytes.end(), part.confidence.begin(), [](std::uint8_t c) { return static_cast<float>(c) / 255.0f; });
+  std::transform(bytes.begin(), bytes.end(), part.confidence.begin(), [](std::uint8_t c) { return static_cast<float>(c) / 255.0F; });
   part.beams = view.beams;
   return part;
 }

@@ -21,7 +21,7 @@ constexpr double kReach_deg = 6.0;
 
 std::vector<float> sharesOf(std::span<const std::uint8_t> confidence) {
   std::vector<float> shares(confidence.size());
-  std::transform(confidence.begin(), confidence.end(), shares.begin(), [](std::uint8_t c) { return static_cast<float>(c) / 255.0f; });
+  std::transform(confidence.begin(), confidence.end(), shares.begin(), [](std::uint8_t c) { return static_cast<float>(c) / 255.0F; });
   return shares;
 }
 
