@@ -49,6 +49,26 @@ TEST(History, KeepTheLatestThousand) {
   EXPECT_EQ(states.now(), 1500 - back);
 }
 
+TEST(History, ForgetsTheOldestWhenTheyCostTooMuch) {
+  const auto costOf = [](int value) { return static_cast<std::size_t>(value); };
+  History<int> states(1000, 4);  // what is before the first step costs nothing
+  for (const int value : {10, 20, 30}) states.step(value, "add", {});
+  EXPECT_EQ(states.cost(costOf), 60u);
+  states.forgetBeyond(55, costOf);
+  EXPECT_EQ(states.cost(costOf), 50u);
+  EXPECT_EQ(states.steps(), 3u);
+  EXPECT_EQ(states.forgotten(), 1u);
+  EXPECT_TRUE(states.undo());
+  EXPECT_EQ(states.steps(), 2u);
+  EXPECT_EQ(states.cost(costOf), 50u) << "what was taken back counts";
+  states.forgetBeyond(0, costOf);
+  EXPECT_EQ(states.undoName(), "add") << "the latest step stays";
+  EXPECT_TRUE(states.redo());
+  for (const int value : {1, 2, 3}) states.step(value);
+  EXPECT_EQ(states.steps(), 6u);
+  EXPECT_EQ(states.forgotten(), 3u) << "no more than four states";
+}
+
 TEST(History, NamesItsStepsAndMergesThoseOfOneKey) {
   History<int> states(0);
   EXPECT_EQ(states.undoName(), "");

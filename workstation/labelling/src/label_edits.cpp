@@ -1,6 +1,7 @@
 #include "ew/labelling/label_edits.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace ew::labelling {
@@ -28,7 +29,8 @@ std::vector<std::uint8_t> runsOf(const VoxelBox& box, const At& differenceAt, bo
 
 }  // namespace
 
-LabelEdits::LabelEdits(Volume labels, std::size_t mostBytes) : labels_(std::move(labels)), before_(labels_.echo), mostBytes_(mostBytes) {}
+LabelEdits::LabelEdits(Volume labels, std::size_t mostBytes)
+    : labels_(std::move(labels)), before_(labels_.echo), steps_({}, std::numeric_limits<std::size_t>::max()), mostBytes_(mostBytes) {}
 
 void LabelEdits::edit(const std::string& what, const std::function<VoxelBox(Volume&)>& change) {
   const bool isAlone = !isOpen_;
@@ -48,7 +50,7 @@ void LabelEdits::close() {
   if (!std::exchange(isOpen_, false)) return;
   const Grid& grid = labels_.grid;
   bool isSame = true;
-  Step step{std::move(openWhat_), openBox_, {}};
+  Step step{openBox_, {}};
   step.runs = runsOf(
       step.box,
       [&](int i, int j, int k) {
@@ -63,19 +65,8 @@ void LabelEdits::close() {
       const auto first = static_cast<std::ptrdiff_t>(grid.indexOf(step.box.first.x, j, k));
       std::copy_n(labels_.echo.begin() + first, step.box.end.x - step.box.first.x, before_.begin() + first);
     }
-  for (const Step& gone : undone_) bytes_ -= gone.runs.size();
-  undone_.clear();
-  bytes_ += step.runs.size();
-  done_.push_back(std::move(step));
-  forgetOldest();
-}
-
-void LabelEdits::forgetOldest() {
-  while (bytes_ > mostBytes_ && done_.size() > 1) {
-    bytes_ -= done_.front().runs.size();
-    done_.pop_front();
-    ++forgotten_;
-  }
+  steps_.step(std::move(step), std::move(openWhat_), {});
+  steps_.forgetBeyond(mostBytes_, bytesOf);
 }
 
 void LabelEdits::toggle(const Step& step) {
@@ -96,21 +87,13 @@ void LabelEdits::toggle(const Step& step) {
 
 void LabelEdits::undo() {
   close();
-  if (done_.empty()) return;
-  toggle(done_.back());
-  undone_.push_back(std::move(done_.back()));
-  done_.pop_back();
+  const auto step = steps_.kept();
+  if (steps_.undo()) toggle(*step);
 }
 
 void LabelEdits::redo() {
   close();
-  if (undone_.empty()) return;
-  toggle(undone_.back());
-  done_.push_back(std::move(undone_.back()));
-  undone_.pop_back();
+  if (steps_.redo()) toggle(steps_.now());
 }
-
-std::string LabelEdits::undoText() const { return done_.empty() ? std::string() : done_.back().what; }
-std::string LabelEdits::redoText() const { return undone_.empty() ? std::string() : undone_.back().what; }
 
 }  // namespace ew::labelling

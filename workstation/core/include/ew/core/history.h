@@ -13,13 +13,17 @@ namespace ew {
 enum class Change { begins, goesOn };
 
 /// A value with undo and redo. Every state is a whole, unchanging value, so that whoever shows one keeps it and nothing has to be taken
-/// back piece by piece. Steps may have names, and keys by which steps in a row become one. Not for several threads at once; the states are.
+/// back piece by piece. Steps may have names, and keys by which steps in a row become one. Where a whole state would be too large, a value
+/// says what its step changed, and whoever holds the state applies it (labelling/label_edits.h). Not for several threads at once; the
+/// states are.
 template <class Value>
 class History {
  public:
-  static constexpr std::size_t kMost = 1000;  ///< states; older ones are forgotten
+  static constexpr std::size_t kMost = 1000;
 
-  explicit History(Value first = {}) : states_{State{std::make_shared<const Value>(std::move(first)), {}}} {}
+  /// @param most states, >= 2; older ones are forgotten
+  explicit History(Value first = {}, std::size_t most = kMost)
+      : states_{State{std::make_shared<const Value>(std::move(first)), {}}}, most_(most) {}
 
   [[nodiscard]] const Value& now() const { return *states_[at_].value; }
   /// The same, to be kept: it stays as it is whatever happens here.
@@ -44,6 +48,9 @@ class History {
   [[nodiscard]] bool canRedo() const { return at_ + 1 < states_.size(); }
   [[nodiscard]] std::string undoName() const { return canUndo() ? states_[at_].name : std::string(); }  ///< empty: no step, or no name
   [[nodiscard]] std::string redoName() const { return canRedo() ? states_[at_ + 1].name : std::string(); }
+  /// Since the first value, so far as they were not undone.
+  [[nodiscard]] std::size_t steps() const { return forgotten_ + at_; }
+  [[nodiscard]] std::size_t forgotten() const { return forgotten_; }  ///< of steps(): cannot be undone any more
   bool undo() {
     endMerging();
     if (!canUndo()) return false;
@@ -63,6 +70,19 @@ class History {
     return std::any_of(states_.begin(), states_.end(), [&](const State& state) { return isSo(*state.value); });
   }
 
+  /// What the values behind the oldest add up to, also of those that were taken back.
+  template <class Cost>
+  [[nodiscard]] std::size_t cost(const Cost& costOf) const {
+    std::size_t all = 0;
+    for (std::size_t n = 1; n < states_.size(); ++n) all += costOf(*states_[n].value);
+    return all;
+  }
+  /// Forgets the oldest until those behind it cost no more; the latest step stays.
+  template <class Cost>
+  void forgetBeyond(std::size_t most, const Cost& costOf) {
+    for (std::size_t left = cost(costOf); left > most && at_ > 1; forgetOldest()) left -= costOf(*states_[1].value);
+  }
+
  private:
   struct State {
     std::shared_ptr<const Value> value;
@@ -78,12 +98,19 @@ class History {
       return;
     }
     states_.push_back(std::move(state));
-    if (states_.size() > kMost) states_.erase(states_.begin());
     at_ = states_.size() - 1;
+    if (states_.size() > most_) forgetOldest();
+  }
+  void forgetOldest() {
+    states_.erase(states_.begin());
+    --at_;
+    ++forgotten_;
   }
 
   std::vector<State> states_;
+  std::size_t most_;
   std::size_t at_ = 0;
+  std::size_t forgotten_ = 0;
   std::string mergeKey_;
 };
 

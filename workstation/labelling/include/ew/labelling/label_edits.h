@@ -1,9 +1,9 @@
 #pragma once
 
-#include <deque>
 #include <functional>
 #include <string>
 
+#include "ew/core/history.h"
 #include "ew/labelling/labels.h"
 
 namespace ew::labelling {
@@ -26,29 +26,25 @@ class LabelEdits {
 
   void undo();
   void redo();
-  [[nodiscard]] std::string undoText() const;  ///< of the latest step; empty: nothing to undo
-  [[nodiscard]] std::string redoText() const;
+  [[nodiscard]] std::string undoText() const { return steps_.undoName(); }  ///< of the latest step; empty: nothing to undo
+  [[nodiscard]] std::string redoText() const { return steps_.redoName(); }
   /// Steps since the labels were given, so far as they were not undone.
-  [[nodiscard]] std::size_t steps() const { return forgotten_ + done_.size(); }
-  [[nodiscard]] std::size_t forgotten() const { return forgotten_; }
-  [[nodiscard]] std::size_t bytes() const { return bytes_; }
+  [[nodiscard]] std::size_t steps() const { return steps_.steps(); }
+  [[nodiscard]] std::size_t forgotten() const { return steps_.forgotten(); }
+  [[nodiscard]] std::size_t bytes() const { return steps_.cost(bytesOf); }
 
  private:
   struct Step {
-    std::string what;
     VoxelBox box;
     std::vector<std::uint8_t> runs;  ///< (difference, length) of the box's voxels in memory's order
   };
+  static std::size_t bytesOf(const Step& step) { return step.runs.size(); }
   void toggle(const Step& step);
-  void forgetOldest();
 
   Volume labels_;
   std::vector<std::uint8_t> before_;  ///< as they were at the latest step
-  std::deque<Step> done_;
-  std::vector<Step> undone_;
+  History<Step> steps_;               ///< each as what it changed; the first is none
   std::size_t mostBytes_;
-  std::size_t bytes_ = 0;
-  std::size_t forgotten_ = 0;
   bool isOpen_ = false;
   std::string openWhat_;
   VoxelBox openBox_;
