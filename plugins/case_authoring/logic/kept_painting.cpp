@@ -4,7 +4,6 @@
 #include <system_error>
 
 #include "ew/core/foreign_json.h"
-#include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/content_name.h"
 
@@ -15,14 +14,11 @@ namespace fs = std::filesystem;
 
 constexpr const char* kPaintingFile = "painting.json";
 
-std::optional<KeptPainting::Left> leftIn(const fs::path& folder) {
-  const auto text = readTextFile(folder / kPaintingFile, 1u << 20);
-  if (!text) return std::nullopt;
-  const auto kept = jsonOrNull(*text);
-  const auto field = [&](const char* key) { return textAt(kept, key); };
+std::optional<KeptPainting::Left> paintingIn(const OwnFolder::Left& left) {
+  const auto field = [&](const char* key) { return textAt(left.note, key); };
   // A name made by addVolume, never a path that leads elsewhere.
   if (field("case_folder").empty() || !isContentNamed(field("labels"))) return std::nullopt;
-  return KeptPainting::Left{folder, field("case_folder"), field("labels"), field("before")};
+  return KeptPainting::Left{left.folder, field("case_folder"), field("labels"), field("before")};
 }
 
 }  // namespace
@@ -39,10 +35,7 @@ Result<void> KeptPainting::keep(const Volume& labels, const fs::path& caseFolder
                    {{"folder", own_.root().string()}});
   auto name = addVolume(labels, own_.path(), progress);
   if (!name) return passOn(name.error());
-  const nlohmann::json kept = {{"case_folder", caseFolder.string()}, {"labels", *name}, {"before", before}};
-  if (auto written =
-          writeFileSafely(own_.path() / kPaintingFile, kept.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-      !written)
+  if (auto written = own_.writeNote(kPaintingFile, {{"case_folder", caseFolder.string()}, {"labels", *name}, {"before", before}}); !written)
     return written;
   // Those before are not named any more.
   std::error_code ignored;
@@ -63,17 +56,9 @@ void KeptPainting::leave() {
 
 std::optional<KeptPainting::Left> KeptPainting::leftFor(const fs::path& caseFolder) const {
   const std::lock_guard lock(guard_);
-  std::optional<Left> latest;
-  fs::file_time_type at = fs::file_time_type::min();
-  for (const fs::path& folder : own_.left()) {
-    std::error_code ignored;
-    const auto left = leftIn(folder);
-    const auto written = fs::last_write_time(folder / kPaintingFile, ignored);
-    if (!left || left->caseFolder != caseFolder || (latest && written <= at)) continue;
-    latest = left;
-    at = written;
-  }
-  return latest;
+  for (const OwnFolder::Left& each : own_.leftWith(kPaintingFile))
+    if (auto left = paintingIn(each); left && left->caseFolder == caseFolder) return left;
+  return std::nullopt;
 }
 
 Result<Volume> KeptPainting::read(const Left& left, Progress& progress) {
@@ -82,13 +67,6 @@ Result<Volume> KeptPainting::read(const Left& left, Progress& progress) {
   return std::move(labels->volume);
 }
 
-void KeptPainting::remove(const Left& decided) {
-  std::error_code ignored;
-  fs::remove(decided.kept / decided.labels, ignored);
-  fs::remove(decided.kept / "volumes", ignored);  // only when nothing else lies in it
-  fs::remove(decided.kept / kPaintingFile, ignored);
-  fs::remove(decided.kept / OwnFolder::kLock, ignored);
-  fs::remove(decided.kept, ignored);
-}
+void KeptPainting::remove(const Left& decided) { OwnFolder::discard(decided.kept, {decided.labels, "volumes", kPaintingFile}); }
 
 }  // namespace ew::case_authoring

@@ -52,9 +52,7 @@ std::chrono::system_clock::time_point latestIn(const fs::path& folder) {
     const auto written = at->last_write_time(gone);
     if (!gone) latest = std::max(latest, written);
   }
-  const auto now = std::chrono::system_clock::now();
-  if (latest == fs::file_time_type::min()) return now;
-  return now - std::chrono::duration_cast<std::chrono::system_clock::duration>(fs::file_time_type::clock::now() - latest);
+  return latest == fs::file_time_type::min() ? std::chrono::system_clock::now() : systemTimeOf(latest);
 }
 
 /// On the medium, so that a power cut does not take it; false with errno.

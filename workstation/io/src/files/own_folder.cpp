@@ -1,11 +1,14 @@
 #include "ew/io/own_folder.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <system_error>
 #include <utility>
 
+#include "ew/core/foreign_json.h"
 #include "ew/io/private_file.h"
+#include "ew/io/safe_file.h"
 
 namespace ew {
 
@@ -57,6 +60,36 @@ std::vector<fs::path> OwnFolder::left() const {
     if (!fs::exists(at->path() / kLock, ignored) || lockOfAbandoned(at->path())) found.push_back(at->path());
   }
   return found;
+}
+
+Result<void> OwnFolder::writeNote(const std::string& file, const nlohmann::json& note) const {
+  return writeFileSafely(folder_ / file, note.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
+std::vector<OwnFolder::Left> OwnFolder::leftWith(const std::string& file) const {
+  constexpr std::size_t kLargestNote_bytes = 8u << 20;
+  std::vector<Left> found;
+  for (const fs::path& folder : left()) {
+    std::error_code failed;
+    const auto text = readTextFile(folder / file, kLargestNote_bytes);
+    const auto written = fs::last_write_time(folder / file, failed);
+    if (!text || failed) continue;
+    if (auto note = jsonOrNull(*text); note.is_object()) found.push_back({folder, std::move(note), written});
+  }
+  std::sort(found.begin(), found.end(), [](const Left& a, const Left& b) { return a.written > b.written; });
+  return found;
+}
+
+void OwnFolder::discard(const fs::path& folder, const std::vector<fs::path>& files) {
+  std::error_code ignored;
+  for (const fs::path& file : files) fs::remove(folder / file, ignored);
+  fs::remove(folder / kLock, ignored);
+  fs::remove(folder, ignored);
+}
+
+std::chrono::system_clock::time_point systemTimeOf(fs::file_time_type time) {
+  const auto age = fs::file_time_type::clock::now() - time;
+  return std::chrono::system_clock::now() - std::chrono::duration_cast<std::chrono::system_clock::duration>(age);
 }
 
 }  // namespace ew

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +37,20 @@ class OwnFolder {
   /// It stays, as if the program had ended.
   void leave();
 
+  /// Writes a note of what lies in the folder, whole or not at all; where it is not made there is nothing to write to. @error notWritable
+  [[nodiscard]] Result<void> writeNote(const std::string& file, const nlohmann::json& note) const;
+
+  /// What a program that is gone has left: its folder and the note in it.
+  struct Left {
+    std::filesystem::path folder;
+    nlohmann::json note;  ///< an object
+    std::filesystem::file_time_type written;
+  };
+  /// Those that have such a note, the latest first. One that cannot be read is not among them. @param file of the note, at most 8 MiB
+  [[nodiscard]] std::vector<Left> leftWith(const std::string& file) const;
+  /// Somebody has decided about what was left: these files go, and the folder when nothing else lies in it.
+  static void discard(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
+
   /// Folders of programs that are gone, this one not among them.
   [[nodiscard]] std::vector<std::filesystem::path> left() const;
   /// The lock of a folder whose program is gone; nothing: it lives, somebody else has taken the folder, or there is none.
@@ -44,5 +60,8 @@ class OwnFolder {
   std::filesystem::path root_, folder_;
   std::optional<FileLock> lock_;
 };
+
+/// A time of a file on the clock that people read.
+[[nodiscard]] std::chrono::system_clock::time_point systemTimeOf(std::filesystem::file_time_type time);
 
 }  // namespace ew
