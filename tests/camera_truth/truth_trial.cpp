@@ -142,7 +142,7 @@ std::string textOf(const TrialResult& r) {
   char line[400];
   const auto put = [&](const char* name, const std::vector<double>& values, const char* unit) {
     if (values.empty()) return;
-    std::snprintf(line, sizeof line, "%-26s median %8.4F  95 %% %8.4F  99 %% %8.4F  worst %8.4F %s\n", name, percentile(values, 0.5),
+    std::snprintf(line, sizeof line, "%-26s median %8.4f  95 %% %8.4f  99 %% %8.4f  worst %8.4f %s\n", name, percentile(values, 0.5),
                   percentile(values, 0.95), percentile(values, 0.99), percentile(values, 1.0), unit);
     text += line;
   };

@@ -96,7 +96,7 @@ void count(const char* how, const Wrong& wrong, const RigidResult& result, const
     mean += apart / static_cast<double>(places.size());
     worst = std::max(worst, apart);
   }
-  std::printf("%s, %4.1F mm and %5.2F degrees off: %s, %.2f mm (worst place %.2f)\n", how, wrong.mm, wrong.deg, nameOf(result.verdict),
+  std::printf("%s, %4.1f mm and %5.2f degrees off: %s, %.2f mm (worst place %.2f)\n", how, wrong.mm, wrong.deg, nameOf(result.verdict),
               mean, worst);
   if (result.verdict != Verdict::aligned) {
     ++tally.undecided;

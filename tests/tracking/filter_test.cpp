@@ -68,7 +68,7 @@ TEST(PoseFilter, KalmanIsTheBestOrNearlySoOnEveryPathOfAHandThatIsReadWithNoise)
         const auto euro = errorsOn(path, FilterKind::oneEuro, rate_hz, noise_mm, 0.01 * noise_mm);
         const auto kalman = errorsOn(path, FilterKind::kalman, rate_hz, noise_mm, 0.01 * noise_mm);
         if (std::getenv("EW_FIGURES") != nullptr)
-          std::printf("%.2f mm %3.0F Hz %-14s none %.2f mm %.2f deg | One Euro %.2f mm %.2f deg | Kalman %.2f mm %.2f deg\n", noise_mm,
+          std::printf("%.2f mm %3.0f Hz %-14s none %.2f mm %.2f deg | One Euro %.2f mm %.2f deg | Kalman %.2f mm %.2f deg\n", noise_mm,
                       rate_hz, name, plain.rms_mm, 57.3 * plain.rms_rad, euro.rms_mm, 57.3 * euro.rms_rad, kalman.rms_mm,
                       57.3 * kalman.rms_rad);
         EXPECT_LT(kalman.rms_mm, 1.4 * euro.rms_mm) << name << " at " << rate_hz;

@@ -153,12 +153,12 @@ TEST(BeamTheory, TheGrainIsAsWideAsDelayAndSumMakesItAndTheFocusShows) {
       shot.knobs.carrier_hz = carrier_hz;
       shot.knobs.focus_mm = kFoci_mm[f];
       const std::vector<Lines> views = viewsOf(maps, shot);
-      std::printf("%.1f MHz, focus %3.0F mm:", 1e-6 * carrier_hz, kFoci_mm[f]);
+      std::printf("%.1f MHz, focus %3.0f mm:", 1e-6 * carrier_hz, kFoci_mm[f]);
       for (std::size_t d = 0; d < kDepths_mm.size(); ++d) {
         const double width_mm = grainWidths_mm(views, kDepths_mm[d]).x;
         const double narrowest_mm = theoreticalWidth_mm(carrier_hz, kFoci_mm[f], kDepths_mm[d], false),
                      widest_mm = theoreticalWidth_mm(carrier_hz, kFoci_mm[f], kDepths_mm[d], true);
-        std::printf("  %3.0F mm %.2f (%.2f to %.2f)", kDepths_mm[d], width_mm, narrowest_mm, widest_mm);
+        std::printf("  %3.0f mm %.2f (%.2f to %.2f)", kDepths_mm[d], width_mm, narrowest_mm, widest_mm);
         const std::string place = std::to_string(kFoci_mm[f]) + " seen at " + std::to_string(kDepths_mm[d]);
         EXPECT_GT(width_mm, 0.95 * narrowest_mm) << place;
         EXPECT_LT(width_mm, 1.05 * widest_mm) << place;
@@ -183,7 +183,7 @@ TEST(BeamTheory, TheGrainIsAsLongAsThePulseAtEveryFrequency) {
     std::printf("%.1f MHz, along the beam (%.2f mm):", 1e-6 * carrier_hz, pulse_mm);
     for (const double depth_mm : {37.0, 70.0, 118.0}) {
       const double length_mm = grainWidths_mm(views, depth_mm).y;
-      std::printf("  %3.0F mm %.2f", depth_mm, length_mm);
+      std::printf("  %3.0f mm %.2f", depth_mm, length_mm);
       EXPECT_NEAR(length_mm, pulse_mm, 0.12 * pulse_mm) << carrier_hz << " at " << depth_mm;
     }
     std::printf("\n");
@@ -207,7 +207,7 @@ TEST(BeamTheory, TheEnvelopeIsRayleighAtEveryDepthAndFrequency) {
             count += 1.0;
           }
       const double mean = sum / count, ratio = mean / std::sqrt(square / count - mean * mean);
-      std::printf("  %3.0F mm %.2f", depth_mm, ratio);
+      std::printf("  %3.0f mm %.2f", depth_mm, ratio);
       EXPECT_NEAR(ratio, 1.91, 0.2) << carrier_hz << " at " << depth_mm;
     }
     std::printf("\n");
@@ -313,7 +313,7 @@ TEST(BeamTheory, FluidIsDarkAndFillsInWhereItIsNarrow) {
     const std::vector<Lines> views = viewsOf(cylinderIn(0.0, 0.5 * width_mm), shot);
     const double half_mm = 0.25 * width_mm,
                  seen_db = inDecibel(meanPower(views, 50.0, half_mm, half_mm) / meanPower(even, 50.0, half_mm, half_mm));
-    std::printf("cylinder of fluid, %2.0F mm wide: %.1f dB\n", width_mm, seen_db);
+    std::printf("cylinder of fluid, %2.0f mm wide: %.1f dB\n", width_mm, seen_db);
     EXPECT_GT(seen_db, darkest_db) << width_mm;
     EXPECT_LT(seen_db, brightest_db) << width_mm;
     EXPECT_GT(seen_db, wider_db) << width_mm;
