@@ -18324,7 +18324,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
 </context>
 <context>
-    <name>ew::ui::LeavingQuestion</name>
+    <name>ew::LeavingQuestion</name>
     <message>
         <source>&apos;%1&apos; is ready to be shown in its place.</source>
         <translation>„%1“ ist bereit und würde an seiner Stelle gezeigt.</translation>
@@ -19092,7 +19092,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
 </context>
 <context>
-    <name>ew::ui::SaveFile</name>
+    <name>ew::SaveFile</name>
     <message>
         <source>There is a file &apos;%1&apos; already. It would be replaced.</source>
         <translation>Es gibt schon eine Datei „%1“. Sie würde ersetzt.</translation>
@@ -19622,7 +19622,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
 </context>
 <context>
-    <name>ew::ui::PictureChooser</name>
+    <name>ew::PictureChooser</name>
     <message>
         <source>The image as the file holds it</source>
         <translation>Das Bild, wie es in der Datei steht</translation>
@@ -19699,7 +19699,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
 </context>
 <context>
-    <name>ew::ui::TimeLine</name>
+    <name>ew::TimeLine</name>
     <message>
         <source>Time line of the recording</source>
         <translation>Zeitleiste der Aufzeichnung</translation>
@@ -21014,7 +21014,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
 </context>
 <context>
-    <name>ew::ui::SmallResult</name>
+    <name>ew::SmallResult</name>
     <message>
         <source>Back</source>
         <translation>Zurück</translation>

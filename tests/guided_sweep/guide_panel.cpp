@@ -8,7 +8,7 @@
 
 #include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
-#include "ew/sdk/words.h"
+#include "ew/widgets/words.h"
 
 namespace guided_sweep {
 
@@ -70,7 +70,7 @@ void GuidePanel::show_() {
 }
 
 void GuidePanel::tell(const ew::Result<void>& done) {
-  if (!done) host_.window().error(ew::sdk::words(done.error()).toStdString(), "guided sweep");
+  if (!done) host_.window().error(ew::words(done.error()).toStdString(), "guided sweep");
 }
 
 }  // namespace guided_sweep

@@ -102,7 +102,7 @@ TEST(ClassSize, IsAtMostSixtyMethods) {
 
 TEST(ClassSize, OnePlaceAsksForTheNameOfAFileToSave) {
   EXPECT_EQ(brokenBy([](const Source& source) { return matchesOf(source, R"(getSaveFileName|AcceptSave)"); },
-                     {{"workstation/ui/src/widgets/save_file.cpp", "It is the place."}}, "Use askSaveFile() of widgets/save_file.h."),
+                     {{"workstation/widgets/src/save_file.cpp", "It is the place."}}, "Use askSaveFile() of ew/widgets/save_file.h."),
             "");
 }
 

@@ -39,7 +39,7 @@ std::vector<Offence> savedByFlag(const Source& source) {
 }
 
 TEST(KeptWork, IsAskedWhereToInOnePlace) {
-  const std::vector<Exception> exceptions = {{"workstation/ui/src/widgets/save_file.cpp", "The one place."}};
+  const std::vector<Exception> exceptions = {{"workstation/widgets/src/save_file.cpp", "The one place."}};
   EXPECT_EQ(
       brokenBy(
           ownSaveQuestion, exceptions,

@@ -1,4 +1,4 @@
-#include "widgets/window_layout.h"
+#include "window/layout/window_layout.h"
 
 #include <gtest/gtest.h>
 

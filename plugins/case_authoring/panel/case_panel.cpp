@@ -283,7 +283,7 @@ void CasePanel::addLine(QFormLayout* form, const std::string& path, const QStrin
     change(path, what, [&](nlohmann::json manifest) { return withText(std::move(manifest), path, text.toStdString()); });
   });
   fields_[path] = {[line, path](const nlohmann::json& manifest) {
-                     const QString text = sdk::words(textOf(manifest, path));
+                     const QString text = words(textOf(manifest, path));
                      if (line->text() != text) line->setText(text);
                    },
                    addRow(form, label, editor, path)};
@@ -300,7 +300,7 @@ void CasePanel::addText(QFormLayout* form, const std::string& path, const QStrin
     change(path, what, [&](nlohmann::json manifest) { return withText(std::move(manifest), path, text->toPlainText().toStdString()); });
   });
   fields_[path] = {[text, path](const nlohmann::json& manifest) {
-                     const QString next = sdk::words(textOf(manifest, path));
+                     const QString next = words(textOf(manifest, path));
                      if (text->toPlainText() == next) return;
                      const QSignalBlocker quiet(text);
                      text->setPlainText(next);
@@ -323,7 +323,7 @@ void CasePanel::addSex(QFormLayout* form) {
   });
   fields_[path] = {[choice, path](const nlohmann::json& manifest) {
                      const QSignalBlocker quiet(choice);
-                     choice->setCurrentIndex(std::max(0, choice->findData(sdk::words(textOf(manifest, path)))));
+                     choice->setCurrentIndex(std::max(0, choice->findData(words(textOf(manifest, path)))));
                    },
                    addRow(form, tr("Sex"), choice, path)};
 }
@@ -401,10 +401,10 @@ void CasePanel::change(const std::string& path, const QString& what, const std::
   if (isHeldByOther(done.error())) {
     showCase();  // the fields are what the case is, not what could not be written
     takenRow_->show();
-    return sdk::setProblem(takenWhy_, sdk::words(done.error()));
+    return sdk::setProblem(takenWhy_, words(done.error()));
   }
   if (fieldOf(done.error()) == path)
-    sdk::setProblem(fields_[path].problem, sdk::words(done.error().message));
+    sdk::setProblem(fields_[path].problem, words(done.error().message));
   else
     say(done.error());
 }
@@ -423,7 +423,7 @@ void CasePanel::save(bool elsewhere) {
 
 void CasePanel::say(const Error& problem) {
   host_.log().warn(problem.sentence());
-  sdk::setProblem(problem_, sdk::words(problem.message));
+  sdk::setProblem(problem_, words(problem.message));
 }
 
 void CasePanel::showCase() {
@@ -442,7 +442,7 @@ void CasePanel::showCase() {
     field.show(*manifest);
     QString sentence;
     for (const auto& problem : problems)
-      if (fieldOf(problem) == path) sentence = sdk::words(problem.message);
+      if (fieldOf(problem) == path) sentence = words(problem.message);
     sdk::setProblem(field.problem, sentence);
   }
   showSaved();
@@ -456,7 +456,7 @@ void CasePanel::showSaved() {
   saved_->setText(unsaved ? tr("● unsaved changes") : tr("saved"));
   saved_->setProperty("quiet", !unsaved);
   saved_->setToolTip(unsaved ? tr("The case has changes that are not in its folder yet") : tr("The folder holds the case as it is shown"));
-  where_->setText(sdk::words(host_.cases().currentFolder().string()));
+  where_->setText(words(host_.cases().currentFolder().string()));
 }
 
 }  // namespace ew::case_authoring

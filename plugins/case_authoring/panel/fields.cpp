@@ -13,7 +13,7 @@ namespace ew::case_authoring {
 namespace {
 
 QString textIn(const nlohmann::json& object, const char* key) {
-  return object.is_object() && object.contains(key) && object[key].is_string() ? sdk::words(object[key].get<std::string>()) : QString();
+  return object.is_object() && object.contains(key) && object[key].is_string() ? words(object[key].get<std::string>()) : QString();
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ class QVBoxLayout;
 namespace ew::case_authoring {
 
 /// The name of the widget that edits a dotted field of the manifest: "patient_name".
-inline QString nameOf(const std::string& path) { return sdk::words(path).replace(QLatin1Char('.'), QLatin1Char('_')); }
+inline QString nameOf(const std::string& path) { return words(path).replace(QLatin1Char('.'), QLatin1Char('_')); }
 
 /// A choice that becomes narrower than its longest text where the form has no room for it.
 class ChoiceField final : public sdk::WheelWithFocus<QComboBox> {

@@ -17,7 +17,6 @@ namespace ew::case_authoring {
 namespace {
 
 using sdk::kGap_px;
-using sdk::words;
 
 enum Column { kFile, kSize, kUsedBy };
 

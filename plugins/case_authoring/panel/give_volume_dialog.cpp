@@ -18,7 +18,6 @@ namespace ew::case_authoring {
 namespace {
 
 using sdk::kGap_px;
-using sdk::words;
 
 /// What giving a volume changes, on the case as it is by now.
 nlohmann::json withGiven(nlohmann::json present, const GivenVolume& given) {

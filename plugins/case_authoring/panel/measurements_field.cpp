@@ -105,7 +105,7 @@ void MeasurementsField::addNameRow(QGridLayout& grid, std::size_t number) {
   auto* name = named(new sdk::WithHostUndo<QLineEdit>, number, "name");
   name->setAccessibleName(tr("what is measured"));
   name->setPlaceholderText(tr("what is measured"));
-  name->setText(sdk::words(textAt(list_[number], "name")));
+  name->setText(words(textAt(list_[number], "name")));
   connect(name, &QLineEdit::textEdited, this, [this, number](const QString& text) { set(number, "name", text.toStdString()); });
   grid.addWidget(name, 0, 0, 1, 2);
   auto* away = named(new QPushButton(tr("Remove")), number, "remove");
@@ -125,7 +125,7 @@ void MeasurementsField::addKindRow(QGridLayout& grid, std::size_t number) {
   if (patientKnows_ || !hasValue(one)) kind->addItem(tr("known by the patient"), QString());
   const std::array<QString, 4> names = {tr("distance"), tr("circumference"), tr("area"), tr("angle")};
   for (std::size_t n = 0; n < kKinds.size(); ++n) kind->addItem(names[n], QLatin1String(kKinds[n].kind));
-  kind->setCurrentIndex(std::max(0, kind->findData(sdk::words(textAt(one, "kind")))));
+  kind->setCurrentIndex(std::max(0, kind->findData(words(textAt(one, "kind")))));
   connect(kind, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
           [this, number, kind] { setKind(number, kind->currentData().toString().toStdString()); });
   grid.addWidget(kind, 1, 0, 1, 2);

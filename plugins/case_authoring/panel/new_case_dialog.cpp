@@ -27,7 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using sdk::kGap_px;
-using sdk::words;
 
 constexpr int kSteps = 3;
 constexpr int kWidth_px = 640;

@@ -23,8 +23,8 @@ void PaintWork::rememberCase() {
   caseFolder_ = host_.cases().currentFolder();
   const auto manifest = host_.cases().current();
   before_ = manifest ? textOf(*manifest, "volume.labels") : std::string();
-  title_ = manifest ? sdk::words(textOf(*manifest, "title")) : QString();
-  if (title_.isEmpty()) title_ = sdk::words(caseFolder_.filename().string());
+  title_ = manifest ? words(textOf(*manifest, "title")) : QString();
+  if (title_.isEmpty()) title_ = words(caseFolder_.filename().string());
 }
 
 void PaintWork::startKeepingAside() {
@@ -67,7 +67,7 @@ void PaintWork::settle(const std::shared_ptr<Parted>& parted, const Result<void>
     QStringList sentences;
     if (outcome.error().code != ErrorCode::cancelled) {
       host_.log().warn(outcome.error().sentence());
-      sentences << sdk::words(outcome.error().message);
+      sentences << words(outcome.error().message);
     }
     sentences << tr("What was painted in '%1' lies in this window alone and is lost when that closes. Open the case again to go on with "
                     "it, or try again on the page Targets.")

@@ -57,7 +57,7 @@ void PaintWork::say(const QString& sentence) const {
 void PaintWork::say(const Error& error) const {
   if (error.code == ErrorCode::cancelled) return say(QString());
   host_.log().warn(error.sentence());
-  say(sdk::words(error.message));
+  say(words(error.message));
 }
 
 std::optional<Transform<frame::World, frame::File>> PaintWork::fileToWorld() const {
@@ -215,8 +215,8 @@ void PaintWork::showGrowth(const labelling::GrowResult& result) {
   }
 }
 
-QString PaintWork::undoText() const { return painting_ ? sdk::words(painting_->edits().undoText()) : QString(); }
-QString PaintWork::redoText() const { return painting_ ? sdk::words(painting_->edits().redoText()) : QString(); }
+QString PaintWork::undoText() const { return painting_ ? words(painting_->edits().undoText()) : QString(); }
+QString PaintWork::redoText() const { return painting_ ? words(painting_->edits().redoText()) : QString(); }
 
 void PaintWork::undo() {
   if (isBusy_ || undoText().isEmpty()) return;

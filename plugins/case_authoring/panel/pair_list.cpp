@@ -22,7 +22,7 @@ constexpr int kClick = 1;
 constexpr int kClicked = 2;  // there once somebody has
 constexpr int kFirstLandmark = 3;
 
-QString nameOf(const BodyLandmark& landmark) { return sdk::words(landmark.name.in(QLocale().name().toStdString())); }
+QString nameOf(const BodyLandmark& landmark) { return words(landmark.name.in(QLocale().name().toStdString())); }
 
 }  // namespace
 
@@ -116,7 +116,7 @@ void PairList::show(const std::vector<DraftPair>& pairs, const PairsFit& fit, co
   for (std::size_t pair = 0; pair < pairs.size(); ++pair) {
     const DraftPair& one = pairs[pair];
     const Row& row = rows_[pair];
-    const QString name = sdk::words(one.name);
+    const QString name = words(one.name);
     if (row.name->text() != name) row.name->setText(name);
     const bool isWrong = fit.wrong == pair;
     row.residual->setText(fit.residuals_mm[pair] ? (isWrong ? QStringLiteral("⚠ ") : QString()) +

@@ -31,7 +31,7 @@ QImage pixelsOf(const QImage& picture) {
 }  // namespace
 
 Result<CleanPicture> cleanPicture(const std::filesystem::path& file) {
-  const QString path = sdk::words(file.string());
+  const QString path = words(file.string());
   const QFileInfo info(path);
   if (!info.exists())
     return failure(ErrorCode::notFound, say<"There is no picture '%1'; choose it again.">(file), {{"file", file.string()}});
@@ -86,8 +86,8 @@ PicturesField::PicturesField(const QString& name, const std::filesystem::path& f
     shown->setFixedSize(kThumbnail_px, kThumbnail_px);
     shown->setAlignment(Qt::AlignCenter);
     shown->setFrameShape(QFrame::StyledPanel);
-    shown->setToolTip(sdk::words(pictures[n]));
-    QImageReader reader(sdk::words((folder / pictures[n]).string()));
+    shown->setToolTip(words(pictures[n]));
+    QImageReader reader(words((folder / pictures[n]).string()));
     const QSize size = reader.size();
     if (size.isValid()) reader.setScaledSize(size.scaled(kThumbnail_px, kThumbnail_px, Qt::KeepAspectRatio));
     const QImage image = reader.read();

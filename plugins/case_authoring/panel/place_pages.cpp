@@ -116,7 +116,7 @@ PlanePage::PlanePage(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(
     const auto fileToWorld = placeOf(manifest_);
     if (!plane || !fileToWorld) return;
     const auto placed = host_.scan().placeProbe(*fileToWorld * *plane);
-    onSaid(placed ? QString() : sdk::words(placed.error().message));
+    onSaid(placed ? QString() : words(placed.error().message));
   });
   form->addRow(go_);
   position_ = addTolerance(form, tr("Place within"), "position_tolerance_mm", 200.0, tr("mm"), "planePosition");

@@ -98,12 +98,12 @@ void PlacePanel::showPairs() {
   const auto pairs = pairsIn(host_.caseParts().read(kPlacingPart));
   const PairsFit found = fitOf(pairs);
   pairs_->show(pairs, found, asked_);
-  const auto nameOfPair = [&](std::size_t n) { return pairs[n].name.empty() ? tr("Place %1").arg(n + 1) : sdk::words(pairs[n].name); };
+  const auto nameOfPair = [&](std::size_t n) { return pairs[n].name.empty() ? tr("Place %1").arg(n + 1) : words(pairs[n].name); };
   QString sentence;
   if (pairs.empty()) {
     sentence.clear();
   } else if (!found.fit) {
-    sentence = sdk::words(found.fit.error());
+    sentence = words(found.fit.error());
   } else if (found.wrong) {
     sentence = tr("'%1' does not fit with the others: it lies %2 mm off and is left out. Point at it again. The others lie %3 mm apart on "
                   "average.")

@@ -64,7 +64,7 @@ QWidget* PlacePanel::makeForm() {
   numbers_ = new sdk::PlacementFields<frame::World, frame::File>;
   numbers_->setObjectName(QStringLiteral("placement"));
   numbers_->onChanged = [this](const FilePlace& fileToWorld, const std::string& axis) {
-    place(fileToWorld, tr("Move the volume, %1").arg(sdk::words(axis)), "volume.file_to_world" + axis);
+    place(fileToWorld, tr("Move the volume, %1").arg(words(axis)), "volume.file_to_world" + axis);
   };
   column->addWidget(numbers_);
   problem_ = sdk::problemLabel();
@@ -352,7 +352,7 @@ void PlacePanel::askForSkin() {
 
 void PlacePanel::say(const Error& problem) {
   host_.log().warn(problem.sentence());
-  sdk::setProblem(problem_, sdk::words(problem.message));
+  sdk::setProblem(problem_, words(problem.message));
 }
 
 }  // namespace ew::case_authoring

@@ -25,7 +25,6 @@ namespace ew::case_authoring {
 namespace {
 
 using sdk::kGap_px;
-using sdk::words;
 using State = CheckItem::State;
 
 constexpr int kCheckAfter_ms = 500;

@@ -93,15 +93,14 @@ void CasePanel::addVolume(QFormLayout* form) {
   connect(give, &QPushButton::clicked, this, &CasePanel::giveVolume);
   cell->setFocusProxy(give);
   const std::string path = "volume.file";
-  fields_[path] = {[what, give](const nlohmann::json& manifest) {
-                     const std::string file = textOf(manifest, "volume.file"), recipe = textOf(manifest, "volume.recipe");
-                     const bool hasNone = file.empty() && recipe.empty();
-                     what->setText(hasNone        ? tr("none yet")
-                                   : file.empty() ? tr("made from the virtual patient %1").arg(sdk::words(recipe))
-                                                  : sdk::words(file));
-                     give->setText(hasNone ? tr("Give the case a volume…") : tr("Another volume…"));
-                   },
-                   addRow(form, tr("Volume"), cell, path)};
+  fields_[path] = {
+      [what, give](const nlohmann::json& manifest) {
+        const std::string file = textOf(manifest, "volume.file"), recipe = textOf(manifest, "volume.recipe");
+        const bool hasNone = file.empty() && recipe.empty();
+        what->setText(hasNone ? tr("none yet") : file.empty() ? tr("made from the virtual patient %1").arg(words(recipe)) : words(file));
+        give->setText(hasNone ? tr("Give the case a volume…") : tr("Another volume…"));
+      },
+      addRow(form, tr("Volume"), cell, path)};
 }
 
 void CasePanel::giveVolume() {
@@ -162,11 +161,11 @@ void CasePanel::addIds(QFormLayout* form, const std::string& path, const QString
   list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   const auto add = [list](const std::string& id, const QString& name) {
     auto* item = new QListWidgetItem(name, list);
-    item->setData(Qt::UserRole, sdk::words(id));
+    item->setData(Qt::UserRole, words(id));
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
     item->setCheckState(Qt::Unchecked);
   };
-  for (const auto& [id, name] : known) add(id, sdk::words(name));
+  for (const auto& [id, name] : known) add(id, words(name));
   const int rows = std::clamp(static_cast<int>(known.size()), 1, kRowsOfIds);
   list->setFixedHeight(rows * (list->fontMetrics().lineSpacing() + kGap_px) + 2 * list->frameWidth());
   column->addWidget(list);
@@ -187,7 +186,7 @@ void CasePanel::addIds(QFormLayout* form, const std::string& path, const QString
                        return nullptr;
                      };
                      for (const std::string& id : ids)
-                       if (itemOf(id) == nullptr) add(id, tr("%1 (unknown)").arg(sdk::words(id)));
+                       if (itemOf(id) == nullptr) add(id, tr("%1 (unknown)").arg(words(id)));
                      for (int n = 0; n < list->count(); ++n) {
                        const std::string id = list->item(n)->data(Qt::UserRole).toString().toStdString();
                        list->item(n)->setCheckState(std::find(ids.begin(), ids.end(), id) != ids.end() ? Qt::Checked : Qt::Unchecked);
@@ -212,14 +211,14 @@ void CasePanel::addPicturesTo(ExaminationsField& field, std::size_t number) {
   for (const QString& file : chosen) {
     const auto picture = cleanPicture(file.toStdString());
     if (!picture) {
-      problems << sdk::words(picture.error());
+      problems << words(picture.error());
       continue;
     }
     const std::string name = pictureName(*picture);
     std::error_code failed;
     std::filesystem::create_directories((folder / name).parent_path(), failed);
     if (const auto written = host_.files().writeText(folder / name, picture->bytes); !written)
-      problems << sdk::words(written.error());
+      problems << words(written.error());
     else
       added.push_back(name);
   }
@@ -230,7 +229,7 @@ void CasePanel::addPicturesTo(ExaminationsField& field, std::size_t number) {
 void CasePanel::showWarnings() {
   std::map<std::string, QStringList> warnings;
   if (const auto present = presentCase())
-    for (const RealLooking& each : realLooking(*present)) warnings[rowOf(each.field)] << sdk::words(each.text);
+    for (const RealLooking& each : realLooking(*present)) warnings[rowOf(each.field)] << words(each.text);
   for (auto& [path, row] : rows_) {
     QStringList& sentences = warnings[path];
     sentences.removeDuplicates();
@@ -249,7 +248,7 @@ void CasePanel::showMissing() {
   if (present)
     for (const CheckItem& each : missingForPublishing(*present))
       if (const auto row = rows_.find(rowOf(each.field)); row != rows_.end() && row->second.section != nullptr)
-        missing[row->second.section] << (row->second.label.isEmpty() ? sdk::words(each.what) : row->second.label);
+        missing[row->second.section] << (row->second.label.isEmpty() ? words(each.what) : row->second.label);
   for (Section* section : sections_) section->setMissing(missing[section], needed.count(section) > 0 || !missing[section].isEmpty());
 }
 

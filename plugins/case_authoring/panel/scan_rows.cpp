@@ -34,7 +34,7 @@ void CasePanel::addLines(QFormLayout* form, const std::string& path, const QStri
                      const auto typed = withLines(nlohmann::json::object(), path, text->toPlainText().toStdString());
                      if (fieldOf(typed, path) == fieldOf(manifest, path)) return;
                      const QSignalBlocker quiet(text);
-                     text->setPlainText(sdk::words(linesOf(manifest, path)));
+                     text->setPlainText(words(linesOf(manifest, path)));
                    },
                    addRow(form, label, text, path)};
 }
@@ -153,7 +153,7 @@ void CasePanel::addProbes(QFormLayout* form) {
   const auto names = host_.cases().choices().probes;
   const auto box = [this, path, boxes, column](const std::string& id, const QString& name) {
     auto* made = new QCheckBox(name);
-    made->setObjectName(QStringLiteral("probe_") + sdk::words(id));
+    made->setObjectName(QStringLiteral("probe_") + words(id));
     connect(made, &QCheckBox::toggled, this, [this, path, id, name](bool on) {
       change(path, on ? tr("Allow: %1").arg(name) : tr("Take out: %1").arg(name),
              [&](nlohmann::json manifest) { return withProbe(std::move(manifest), id, on); });
@@ -162,11 +162,11 @@ void CasePanel::addProbes(QFormLayout* form) {
     column->addWidget(made);
     (*boxes)[id] = made;
   };
-  for (const auto& [id, name] : names) box(id, sdk::words(name));
+  for (const auto& [id, name] : names) box(id, words(name));
   fields_[path] = {[boxes, box, names, hint](const nlohmann::json& manifest) {
                      const auto listed = probesOf(manifest);
                      for (const std::string& id : listed)
-                       if (boxes->count(id) == 0) box(id, tr("%1 (unknown)").arg(sdk::words(id)));
+                       if (boxes->count(id) == 0) box(id, tr("%1 (unknown)").arg(words(id)));
                      for (const auto& [id, one] : *boxes) {
                        const QSignalBlocker quiet(one);
                        one->setChecked(listsProbe(manifest, id));
@@ -175,7 +175,7 @@ void CasePanel::addProbes(QFormLayout* form) {
                                                      [&](const auto& one) { return !listed.empty() && one.first == listed.front(); });
                      hint->setText(listed.empty()         ? tr("None is ticked: all may be used.")
                                    : first == names.end() ? QString()
-                                                          : tr("At the start: %1").arg(sdk::words(first->second)));
+                                                          : tr("At the start: %1").arg(words(first->second)));
                      hint->setVisible(!hint->text().isEmpty());
                    },
                    addRow(form, tr("Probes"), cell, path)};
@@ -187,13 +187,13 @@ void CasePanel::addMannequin(QFormLayout* form) {
   choice->setObjectName(nameOf(path));
   choice->setFocusPolicy(Qt::StrongFocus);
   choice->addItem(tr("the usual one"), QString());
-  for (const auto& [file, name] : host_.cases().choices().mannequins) choice->addItem(sdk::words(name), sdk::words(file));
+  for (const auto& [file, name] : host_.cases().choices().mannequins) choice->addItem(words(name), words(file));
   connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, choice, path] {
     change(path, tr("Change the mannequin"),
            [&](nlohmann::json manifest) { return withText(std::move(manifest), path, choice->currentData().toString().toStdString()); });
   });
   fields_[path] = {[choice, path](const nlohmann::json& manifest) {
-                     const QString file = sdk::words(textOf(manifest, path));
+                     const QString file = words(textOf(manifest, path));
                      const QSignalBlocker quiet(choice);
                      if (choice->findData(file) < 0) choice->addItem(file, file);  // one of the case's own folder
                      choice->setCurrentIndex(choice->findData(file));
@@ -215,12 +215,12 @@ void CasePanel::checkCase() {
   const auto manifest = host_.cases().current();
   if (!manifest) return;
   QStringList found;
-  for (const Error& problem : host_.cases().check(*manifest)) found << sdk::words(problem.message);
+  for (const Error& problem : host_.cases().check(*manifest)) found << words(problem.message);
   const auto known = host_.cases().choices().probes;
   for (const std::string& id : probesOf(*manifest))
-    if (!known.empty() && found.filter(sdk::words(id)).isEmpty() &&
+    if (!known.empty() && found.filter(words(id)).isEmpty() &&
         std::none_of(known.begin(), known.end(), [&](const auto& one) { return one.first == id; }))
-      found << tr("There is no probe '%1'; take it out.").arg(sdk::words(id));
+      found << tr("There is no probe '%1'; take it out.").arg(words(id));
   if (!startRemark_->text().isEmpty()) found << startRemark_->text();
   checked_->setText(tr("Nothing is wrong with this case."));
   checked_->setVisible(found.isEmpty());

@@ -60,8 +60,7 @@ SourceField::SourceField(sdk::Host& host, bool offersNothing, QWidget* parent)
   column->setSpacing(kGap_px);
   kinds_ = new QButtonGroup(this);
   if (shown_)
-    addKind(Kind::shown, "sourceShown", tr("What is on screen"),
-            tr("%1, as it was opened or reconstructed.").arg(sdk::words(shown_->title)));
+    addKind(Kind::shown, "sourceShown", tr("What is on screen"), tr("%1, as it was opened or reconstructed.").arg(words(shown_->title)));
   addKind(Kind::volume, "sourceVolume", tr("A volume"), tr("MetaImage, NRRD, NIfTI, DICOM or a Kretz file."));
   addKind(Kind::sweep, "sourceSweep", tr("A recorded sweep"), tr("Images with the probe's poses; the volume is made from them."));
   addKind(Kind::stitched, "sourceStitched", tr("A stitched result"),
@@ -331,7 +330,7 @@ void SourceField::ask(const Error& question) {
   setShown(*asked_, voxelRow_, asksSpacing_);
   askedRows_->setVisible(asksStep_ || asksSpacing_ || asksSide_ || asksSmall_);
   isRefused_ = true;
-  QString sentence = sdk::words(question);
+  QString sentence = words(question);
   const bool hasField = asked.empty() || asked == "time-step" || asked == "spacing" || asked == "calibration" || asked == "accept-small";
   if (!hasField) sentence += QLatin1Char(' ') + tr("File, Open asks for it; then begin the case anew, with what is on screen.");
   sdk::setProblem(remark_, sentence);
@@ -366,7 +365,7 @@ void SourceField::showSide() {
 
 QString SourceField::openQuestion() const {
   const auto found = source();
-  if (!found) return file().isEmpty() ? sdk::words(found.error()) : tr("This file cannot become a case.");
+  if (!found) return file().isEmpty() ? words(found.error()) : tr("This file cannot become a case.");
   if (isLooking_) return tr("The file is being looked at.");
   if (asksStep_ && timeStep_->value() == 0) return tr("Choose which volume of the file is meant.");
   if (asksSpacing_ && (voxel_[0]->value() <= 0.0 || voxel_[1]->value() <= 0.0 || voxel_[2]->value() <= 0.0))
@@ -398,7 +397,7 @@ void SourceField::look() {
   if (isFile && !file().isEmpty()) {
     const auto found = sourceOf(std::filesystem::path(file().toStdString()));
     if (!found) {
-      sdk::setProblem(remark_, sdk::words(found.error()));
+      sdk::setProblem(remark_, words(found.error()));
     } else if (kindOf(*found) != kind()) {
       // The file knows better than the button.
       const QSignalBlocker quiet(kinds_);

@@ -249,10 +249,9 @@ void StructurePage::showOrgans() {
   organ_->clear();
   if (const auto image = host_.scan().state())
     for (const TissueAcoustics& tissue : image->scene.tissues)
-      if (tissue.label > 0 && organ_->findData(sdk::words(tissue.name)) < 0)
-        organ_->addItem(sdk::words(tissue.name), sdk::words(tissue.name));
+      if (tissue.label > 0 && organ_->findData(words(tissue.name)) < 0) organ_->addItem(words(tissue.name), words(tissue.name));
   organ_->model()->sort(0);
-  const QString organ = sdk::words(textOf(target_, "organ"));
+  const QString organ = words(textOf(target_, "organ"));
   if (organ_->findData(organ) < 0) organ_->insertItem(0, organ.isEmpty() ? tr("Choose an organ") : organ, organ);
   organ_->setCurrentIndex(organ_->findData(organ));
 }

@@ -195,7 +195,7 @@ void TargetsPanel::change(const QString& what, const std::string& part,
   const auto manifest = host_.cases().current();
   if (!manifest || targetAt(*manifest, chosen_).is_null()) return;
   const auto done = host_.cases().edit(edit(*manifest, chosen_), what.toStdString(), "targets " + std::to_string(chosen_) + " " + part);
-  say(done ? QString() : sdk::words(done.error().message));
+  say(done ? QString() : words(done.error().message));
 }
 
 void TargetsPanel::add(const QString& what, const nlohmann::json& target) {
@@ -203,7 +203,7 @@ void TargetsPanel::add(const QString& what, const nlohmann::json& target) {
   if (!manifest) return;
   const std::size_t number = targetCount(*manifest);
   const auto done = host_.cases().edit(withTargetAdded(*manifest, target), what.toStdString(), {});
-  say(done ? QString() : sdk::words(done.error().message));
+  say(done ? QString() : words(done.error().message));
   if (!done) return;
   choose(number);
   name_->setFocus();
@@ -250,7 +250,7 @@ void TargetsPanel::addStructure() {
     const std::size_t number = targetCount(*now);
     const auto done =
         host_.cases().edit(withTargetAdded(withField(*now, "volume.labels", file), target), tr("Add a structure").toStdString(), {});
-    say(done ? QString() : sdk::words(done.error().message));
+    say(done ? QString() : words(done.error().message));
     if (done) choose(number);
   });
 }
@@ -262,7 +262,7 @@ void TargetsPanel::remove() {
   const int label = labelOf(target).value_or(0);
   const auto edit = [this](const nlohmann::json& edited) {
     const auto done = host_.cases().edit(edited, tr("Remove the target").toStdString(), {});
-    say(done ? QString() : sdk::words(done.error().message));
+    say(done ? QString() : words(done.error().message));
   };
   const nlohmann::json without = withoutTarget(*manifest, chosen_);
   if (label == 0 || isLabelled(without, label)) return edit(without);
@@ -281,7 +281,7 @@ void TargetsPanel::move(int by) {
   const std::size_t from = std::exchange(chosen_, to);
   const auto done = host_.cases().edit(withTargetMoved(*manifest, from, to), tr("Move the target").toStdString(), "targets order");
   if (!done) chosen_ = from;
-  say(done ? QString() : sdk::words(done.error().message));
+  say(done ? QString() : words(done.error().message));
 }
 
 void TargetsPanel::rename(const QString& name) {
@@ -304,7 +304,7 @@ void TargetsPanel::choose(std::size_t number) {
 QString TargetsPanel::lineOf(const nlohmann::json& target) const {
   const std::string kind = kindOf(target);
   const QString word = kind == "point" ? tr("point") : kind == "plane" ? tr("plane") : tr("structure");
-  return QStringLiteral("%1 · %2").arg(sdk::words(textOf(target, "name")), word);
+  return QStringLiteral("%1 · %2").arg(words(textOf(target, "name")), word);
 }
 
 void TargetsPanel::showCase() {
@@ -343,7 +343,7 @@ void TargetsPanel::showChosen() {
     list_->setCurrentRow(static_cast<int>(chosen_));
     reveals_->setChecked(fieldOf(target, "reveals_finding") == true);
   }
-  const QString name = sdk::words(textOf(target, "name"));
+  const QString name = words(textOf(target, "name"));
   if (name_->text() != name && !(name_->hasFocus() && name_->text().trimmed().isEmpty())) name_->setText(name);
   const std::size_t steps = stepsNaming(manifest_, textOf(target, "name"));
   lessons_->setText(tr("Steps of lessons that ask for it: %1. They follow when it is renamed.").arg(steps));

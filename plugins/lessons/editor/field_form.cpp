@@ -12,7 +12,6 @@
 namespace ew::lessons {
 
 using sdk::kGap_px;
-using sdk::words;
 
 namespace {
 

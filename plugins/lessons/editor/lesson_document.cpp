@@ -4,7 +4,7 @@
 
 #include "ew/library/published.h"
 #include "ew/sdk/case_parts.h"
-#include "ew/sdk/words.h"
+#include "ew/widgets/words.h"
 
 namespace ew::lessons {
 namespace {

@@ -16,7 +16,6 @@
 namespace ew::lessons {
 
 using sdk::kGap_px;
-using sdk::words;
 
 std::string writtenLanguage() { return QLocale().language() == QLocale::German ? "de" : "en"; }
 

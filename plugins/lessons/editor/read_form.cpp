@@ -18,7 +18,6 @@
 namespace ew::lessons {
 
 using sdk::kGap_px;
-using sdk::words;
 
 namespace {
 

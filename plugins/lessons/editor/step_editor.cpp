@@ -18,7 +18,6 @@
 namespace ew::lessons {
 
 using sdk::kGap_px;
-using sdk::words;
 
 TaskForm* makeTaskForm(const EditedStep& edited, ExpertTake& take, QWidget* parent) {
   const LessonStep* step = edited.step();

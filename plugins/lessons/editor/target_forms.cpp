@@ -9,8 +9,6 @@
 
 namespace ew::lessons {
 
-using sdk::words;
-
 namespace {
 
 QString tr_(const char* text) { return QCoreApplication::translate("ew::lessons::TargetForm", text); }

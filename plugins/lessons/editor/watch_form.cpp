@@ -18,7 +18,6 @@
 namespace ew::lessons {
 
 using sdk::kGap_px;
-using sdk::words;
 
 WatchForm::WatchForm(const EditedStep& edited, ExpertTake& take, QWidget* parent) : TaskForm(edited, parent), take_(take) {
   auto* column = new QVBoxLayout(this);

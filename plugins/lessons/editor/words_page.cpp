@@ -15,7 +15,6 @@
 namespace ew::lessons {
 
 using sdk::kGap_px;
-using sdk::words;
 
 std::vector<std::string> textsWithout(const std::vector<std::string>& texts, const CaseWords& words) {
   std::vector<std::string> missing;

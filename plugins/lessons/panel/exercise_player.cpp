@@ -17,8 +17,6 @@
 
 namespace ew::lessons {
 
-using sdk::words;
-
 namespace {
 
 enum ExercisePage { kPlanning, kAtWork, kJudged };
@@ -82,7 +80,7 @@ void ExercisePlayer::begin(const Case& opened, CaseWords words, bool withFinding
   auto kept = readRepetition(file_);
   if (kept) {
     states_ = std::move(kept->states);
-    if (kept->note) host_.window().warn(sdk::words(*kept->note).toStdString(), "exercises");
+    if (kept->note) host_.window().warn(ew::words(*kept->note).toStdString(), "exercises");
   } else {
     isKept_ = false;
     tell(kept.error());

@@ -14,7 +14,6 @@
 namespace ew::lessons {
 
 using sdk::kGap_px;
-using sdk::words;
 
 OutcomePage::OutcomePage(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);

@@ -21,8 +21,6 @@
 
 namespace ew::lessons {
 
-using sdk::words;
-
 namespace {
 
 enum PanelPage { kEmpty, kList, kPlayer, kExercises };

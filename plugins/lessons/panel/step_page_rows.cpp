@@ -16,7 +16,6 @@
 namespace ew::lessons {
 
 using sdk::kGap_px;
-using sdk::words;
 
 void StepPage::addAids(const LessonStep& step) {
   auto on = std::make_shared<LessonAids>(step.aids);

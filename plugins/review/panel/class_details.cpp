@@ -14,7 +14,6 @@
 namespace ew::review {
 
 using sdk::kGap_px;
-using sdk::words;
 
 void ClassPage::showAttempts() {
   attempts_->clear();

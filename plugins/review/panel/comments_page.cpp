@@ -13,7 +13,6 @@
 namespace ew::review {
 
 using sdk::kGap_px;
-using sdk::words;
 
 CommentsPage::CommentsPage(ReviewSession& session, QWidget* parent)
     : QWidget(parent),

@@ -27,7 +27,6 @@
 namespace ew::review {
 
 using sdk::kGap_px;
-using sdk::words;
 
 namespace {
 

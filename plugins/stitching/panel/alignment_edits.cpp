@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ew/sdk/words.h"
+#include "ew/widgets/words.h"
 #include "logic/slices.h"
 #include "logic/stitch_document.h"
 #include "panel/charts.h"
@@ -16,11 +16,7 @@
 #include "panel/stitch_runs.h"
 
 namespace ew::stitching {
-namespace {
-
-using sdk::words;
-
-}  // namespace
+namespace {}  // namespace
 
 AlignmentEdits::AlignmentEdits(Notices& notices, ProjectDocument& document, const StitchResults& results, StitchLook& look,
                                StitchRuns& runs)

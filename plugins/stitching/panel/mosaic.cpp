@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "ew/core/output_set.h"
-#include "ew/sdk/words.h"
+#include "ew/widgets/words.h"
 #include "logic/case_volume.h"
 #include "panel/notices.h"
 #include "panel/project_document.h"
@@ -20,7 +20,6 @@ namespace ew::stitching {
 namespace {
 
 namespace fs = std::filesystem;
-using sdk::words;
 
 /// How the files of a result end in a case, in the order of ResultFiles::kNames.
 constexpr std::array<const char*, 5> kEndings = {".mha", "-coverage.mha", "-source.mha", "-level.mha", "-provenance.json"};

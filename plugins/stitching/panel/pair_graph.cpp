@@ -163,7 +163,7 @@ void PairGraph::paintEvent(QPaintEvent*) {
     painter.setBrush(palette().color(QPalette::Base));
     painter.drawEllipse(at, kNode_px, kNode_px);
     painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(QRectF(at.x() - 16, at.y() - 16, 32, 32), Qt::AlignCenter, sdk::words(letterOf(n)));
+    painter.drawText(QRectF(at.x() - 16, at.y() - 16, 32, 32), Qt::AlignCenter, words(letterOf(n)));
   }
   if (hasFocus()) {
     painter.setPen(QPen(palette().color(QPalette::Highlight), 1.0));
@@ -250,10 +250,10 @@ bool PairGraph::event(QEvent* event) {
     const auto* help = static_cast<QHelpEvent*>(event);
     QString text;
     if (const int node = nodeUnder(help->pos()); node >= 0) {
-      text = QStringLiteral("%1: %2").arg(sdk::words(letterOf(static_cast<std::size_t>(node))),
-                                          sdk::words(document_.project().volumes[static_cast<std::size_t>(node)].name));
+      text = QStringLiteral("%1: %2").arg(words(letterOf(static_cast<std::size_t>(node))),
+                                          words(document_.project().volumes[static_cast<std::size_t>(node)].name));
     } else if (const auto* edge = edgeUnder(help->pos())) {
-      text = tr("%1 to %2: %3").arg(sdk::words(letterOf(edge->fixed)), sdk::words(letterOf(edge->moving)), wordsOfMark(edge->mark));
+      text = tr("%1 to %2: %3").arg(words(letterOf(edge->fixed)), words(letterOf(edge->moving)), wordsOfMark(edge->mark));
       if (edge->wrong) text += QStringLiteral(", ") + tr("against what the other pairs say");
       if (edge->stale) text += QStringLiteral(", ") + tr("changed since it was matched");
     }

@@ -17,7 +17,6 @@ namespace ew::stitching {
 namespace {
 
 using sdk::kGap_px;
-using sdk::words;
 
 QString briefly(const std::vector<registration::Remark>& remarks) {
   return words(registration::messageOf(remarks, registration::Wording::brief));

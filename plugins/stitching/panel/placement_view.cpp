@@ -161,7 +161,7 @@ void PlacementView::paintEvent(QPaintEvent*) {
     painter.setBrush(QColor(0, 0, 0, 170));
     painter.drawRoundedRect(chip, 3, 3);
     painter.setPen(colour.lighter(chosen ? 115 : 100));
-    painter.drawText(chip, Qt::AlignCenter, sdk::words(letterOf(n)));
+    painter.drawText(chip, Qt::AlignCenter, words(letterOf(n)));
     painter.setBrush(Qt::NoBrush);
   }
   // Which way the patient lies.
@@ -214,7 +214,7 @@ void PlacementView::place(std::size_t index, const glm::dvec3& shift_mm, const g
   if (!volume) return;
   const glm::dvec3 middle = carried(heldFrom_ * volume->grid.voxelTo<frame::View>(), 0.5 * (glm::dvec3(volume->grid.dims) - 1.0));
   const QLocale locale;
-  const QString letter = sdk::words(letterOf(index));
+  const QString letter = words(letterOf(index));
   const bool turns = turnOf_ != glm::dvec3(0.0);
   edits_.setPlace(index, motionOf<frame::World>(wayOf_, turnOf_, middle) * heldFrom_,
                   turns ? tr("rotate %1 by %2°").arg(letter, locale.toString(glm::length(turnOf_), 'f', 0))

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "ew/sdk/window.h"
-#include "ew/sdk/words.h"
+#include "ew/widgets/words.h"
 #include "panel/folders.h"
 #include "panel/notices.h"
 #include "panel/project_files.h"
@@ -18,7 +18,6 @@ namespace ew::stitching {
 namespace {
 
 namespace fs = std::filesystem;
-using sdk::words;
 
 constexpr int kKeepAfter_ms = 700;
 

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "ew/core/ending.h"
-#include "ew/sdk/words.h"
 #include "ew/stitching/chain.h"
+#include "ew/widgets/words.h"
 #include "panel/folders.h"
 #include "panel/notices.h"
 #include "panel/project_document.h"
@@ -31,7 +31,6 @@ struct FilesRead {
 namespace {
 
 namespace fs = std::filesystem;
-using sdk::words;
 
 bool isProject(const fs::path& file) { return hasEnding(file, ".json"); }
 

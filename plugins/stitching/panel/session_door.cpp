@@ -2,8 +2,8 @@
 
 #include "ew/core/frames.h"
 #include "ew/registration/verdict.h"
-#include "ew/sdk/words.h"
 #include "ew/stitching/project.h"
+#include "ew/widgets/words.h"
 #include "panel/stitch_session.h"
 
 namespace ew::stitching {
@@ -24,7 +24,7 @@ void SessionDoor::setCalibrationFile(int volume, const QString& file) {
 
 void SessionDoor::chooseThePair(int a, int b) { session_.look().choosePair(static_cast<std::size_t>(a), static_cast<std::size_t>(b)); }
 
-QString SessionDoor::projectAsText() const { return sdk::words(projectText(session_.document().project(), {})); }
+QString SessionDoor::projectAsText() const { return words(projectText(session_.document().project(), {})); }
 
 QString SessionDoor::verdictOf(int a, int b) const {
   const StitchResults::PairLine line = session_.results().pairLine(static_cast<std::size_t>(a), static_cast<std::size_t>(b));

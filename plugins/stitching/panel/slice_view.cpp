@@ -155,7 +155,7 @@ void SliceView::render() {
   const auto side = kind_ == Kind::moving ? look_.pair()->moving : look_.pair()->fixed;
   const auto volume = inputs_.volume(side);
   if (!volume && kind_ != Kind::fourth) {
-    nothing_ = tr("%1 is being read, or cannot be read.").arg(sdk::words(document_.project().volumes[side].name));
+    nothing_ = tr("%1 is being read, or cannot be read.").arg(words(document_.project().volumes[side].name));
     return;
   }
   const bool halves = kind_ == Kind::overlap && tools_.sideBySide;
@@ -344,7 +344,7 @@ void SliceView::paintEvent(QPaintEvent*) {
     for (std::size_t n = 0; n < document_.project().volumes.size(); ++n, y += 16.0) {
       painter.fillRect(QRectF(10, y + 3, 10, 10), colourOf(colourOfView(n)));
       painter.setPen(kViewBright);
-      painter.drawText(QRectF(26, y, 60, 16), Qt::AlignLeft | Qt::AlignVCenter, sdk::words(letterOf(n)));
+      painter.drawText(QRectF(26, y, 60, 16), Qt::AlignLeft | Qt::AlignVCenter, words(letterOf(n)));
     }
   }
   if (!halves) {
@@ -378,7 +378,7 @@ void SliceView::paintStroke(const QPointF& at) {
   if (lastStroke_ && glm::length(*lastStroke_ - p) < 0.5 * tools_.brush_mm) return;
   lastStroke_ = p;
   document_.edit(withStroke(document_.project(), {tools_.brushView, p, tools_.brush_mm}),
-                 tr("prefer %1 at the seam").arg(sdk::words(letterOf(tools_.brushView))), "stroke");
+                 tr("prefer %1 at the seam").arg(words(letterOf(tools_.brushView))), "stroke");
 }
 
 void SliceView::mousePressEvent(QMouseEvent* event) {

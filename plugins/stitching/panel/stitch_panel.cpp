@@ -27,7 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using sdk::kGap_px;
-using sdk::words;
 
 /// Marks the one button that is the next thing to do.
 void setPrimary(QPushButton* button, bool primary) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "ew/core/memory.h"
-#include "ew/sdk/words.h"
 #include "ew/stitching/places.h"
+#include "ew/widgets/words.h"
 #include "logic/stitch_document.h"
 #include "panel/mosaic.h"
 #include "panel/notices.h"
@@ -34,7 +34,6 @@ struct StitchRuns::Inbox {
 namespace {
 
 namespace fs = std::filesystem;
-using sdk::words;
 
 /// Sweeps were made volumes when they were read: the run takes these up instead of making them again. What does not work is made again.
 void takeUpRead(const fs::path& reading, const fs::path& work) {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "ew/sdk/words.h"
+#include "ew/widgets/words.h"
 
 namespace ew::stitching {
 
@@ -74,7 +74,7 @@ void StitchSession::tellWindow() {
 
 std::string StitchSession::title() const {
   const auto count = static_cast<int>(document_.project().volumes.size());
-  const QString name = document_.file().empty() ? QString() : sdk::words(document_.file().stem().string());
+  const QString name = document_.file().empty() ? QString() : words(document_.file().stem().string());
   if (count == 0 && name.isEmpty()) return tr("Stitching").toStdString();
   const QString subvolumes = count == 1 ? tr("1 subvolume") : tr("%1 subvolumes").arg(count);
   return (name.isEmpty() ? tr("Stitching: %1").arg(subvolumes) : tr("Stitching: %1, %2").arg(name, subvolumes)).toStdString();

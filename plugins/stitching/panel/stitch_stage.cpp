@@ -17,7 +17,6 @@ namespace ew::stitching {
 namespace {
 
 using sdk::kGap_px;
-using sdk::words;
 
 constexpr int kInspectorWidth_px = 312;
 constexpr int kMostInspectorWidth_px = 420;  // with large words it scrolls to the side, and the views keep their room

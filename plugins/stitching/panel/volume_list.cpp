@@ -26,7 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using sdk::kGap_px;
-using sdk::words;
 
 constexpr int kRow_px = 44;
 

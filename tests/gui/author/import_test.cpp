@@ -16,6 +16,7 @@
 #include "even_sweep.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/sequence.h"
+#include "ew/widgets/picture_chooser.h"
 #include "gui/support/answers.h"
 #include "import/file_import_dialog.h"
 #include "import/import_dialog.h"
@@ -23,7 +24,6 @@
 #include "jobs/jobs.h"
 #include "jobs/message_bar.h"
 #include "time_limit.h"
-#include "widgets/picture_chooser.h"
 
 namespace ew::ui {
 namespace {

@@ -12,6 +12,7 @@
 #include "ew/bridge/handles.h"
 #include "ew/library/case.h"
 #include "ew/library/placing.h"
+#include "ew/widgets/apply_theme.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/window_fixture.h"
 

@@ -14,6 +14,7 @@
 #include "ew/labelling/labels.h"
 #include "ew/library/case.h"
 #include "ew/library/lesson.h"
+#include "ew/widgets/apply_theme.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/window_fixture.h"
 #include "scan/pick_layer.h"

@@ -11,11 +11,11 @@
 
 #include "ew/imaging/picture.h"
 #include "ew/library/schema.h"
+#include "ew/widgets/words.h"
 #include "gui/support/answers.h"
 #include "gui/support/window_fixture.h"
 #include "images/saved_picture.h"
 #include "places.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

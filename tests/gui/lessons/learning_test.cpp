@@ -6,9 +6,9 @@
 #include <QToolButton>
 
 #include "ew/assessment/kept_repetition.h"
+#include "ew/widgets/theme.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/taught_case.h"
-#include "widgets/theme.h"
 
 namespace ew::ui::testing {
 

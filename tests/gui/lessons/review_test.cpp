@@ -19,12 +19,12 @@
 #include "ew/assessment/rating.h"
 #include "ew/assessment/review_comment.h"
 #include "ew/assessment/standings.h"
+#include "ew/widgets/apply_theme.h"
 #include "gui/support/panel_hand.h"
 #include "gui/support/reviewed_case.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/usability_walk.h"
 #include "gui/support/window_fixture.h"
-#include "widgets/theme.h"
 
 namespace ew::ui::testing {
 

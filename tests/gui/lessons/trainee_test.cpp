@@ -15,11 +15,11 @@
 
 #include "case/case_info.h"
 #include "ew/library/case.h"
+#include "ew/widgets/figures.h"
 #include "gui/support/window_fixture.h"
 #include "images/saved_picture.h"
 #include "start/start_page.h"
 #include "start/thumbnails.h"
-#include "widgets/figures.h"
 #include "window/frame/view_columns.h"
 
 namespace ew::ui::testing {

@@ -7,12 +7,12 @@
 #include <QWheelEvent>
 #include <set>
 
+#include "ew/widgets/time_line.h"
 #include "gui/support/answers.h"
 #include "gui/support/console_fixture.h"
 #include "scan/cine/cine_bar.h"
 #include "scan/cine/recorder.h"
 #include "scan/cine/replay_bar.h"
-#include "widgets/time_line.h"
 
 namespace ew::ui::testing {
 

@@ -5,11 +5,11 @@
 #include <QSignalSpy>
 
 #include "ew/scanning/replay.h"
+#include "ew/widgets/time_line.h"
 #include "gui/support/answers.h"
 #include "gui/support/window_fixture.h"
 #include "scan/cine/recorder.h"
 #include "scan/cine/replay_bar.h"
-#include "widgets/time_line.h"
 
 namespace ew::ui::testing {
 

@@ -12,6 +12,7 @@
 
 #include "ew/library/case.h"
 #include "ew/library/lesson.h"
+#include "ew/widgets/apply_theme.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/usability_walk.h"
 #include "gui/support/window_fixture.h"

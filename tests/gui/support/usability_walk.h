@@ -24,8 +24,8 @@
 #include <cmath>
 #include <set>
 
-#include "widgets/elided_label.h"
-#include "widgets/figures.h"
+#include "ew/widgets/elided_label.h"
+#include "ew/widgets/figures.h"
 
 // Looks at every widget of a page as a person with large type, a keyboard or a screen reader would. Each function gives sentences about
 // what is wrong; none when nothing is.

@@ -23,13 +23,13 @@
 #include "ew/io/sequence.h"
 #include "ew/io/volume_file.h"
 #include "ew/ui/main_window.h"
+#include "ew/widgets/theme.h"
 #include "jobs/jobs.h"
 #include "jobs/message_bar.h"
 #include "scan/console/console_panel.h"
 #include "scan/scan_view.h"
 #include "scan/session.h"
 #include "time_limit.h"
-#include "widgets/theme.h"
 
 namespace ew::ui::testing {
 

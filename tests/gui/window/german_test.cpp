@@ -10,7 +10,7 @@
 
 #include "ew/core/message.h"
 #include "ew/library/schema.h"
-#include "ew/sdk/words.h"
+#include "ew/widgets/words.h"
 
 /// Outside of any namespace, as the macro demands.
 static void initTranslations() { Q_INIT_RESOURCE(translations); }
@@ -71,7 +71,7 @@ class GermanTest : public QObject {
   void decimalsHaveTheirComma() {
     const QLocale before;
     QLocale::setDefault(QLocale(QStringLiteral("de_DE")));
-    const QString said = sdk::words(say<"%1: %2">(std::string("1.5.mha"), numeral("0.5")));
+    const QString said = words(say<"%1: %2">(std::string("1.5.mha"), numeral("0.5")));
     QLocale::setDefault(before);
     QCOMPARE(said, QStringLiteral("1.5.mha: 0,5"));
   }

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ew/controls/keys_file.h"
-#include "ew/sdk/words.h"
+#include "ew/widgets/words.h"
 #include "gui/support/answers.h"
 #include "gui/support/console_fixture.h"
 #include "keys/control_surface.h"

@@ -6,8 +6,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "ew/widgets/apply_theme.h"
+#include "ew/widgets/focus_ring.h"
 #include "gui/support/usability_fixture.h"
-#include "widgets/focus_ring.h"
 #include "window/frame/tour.h"
 
 namespace ew::ui::testing {

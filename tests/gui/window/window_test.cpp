@@ -22,9 +22,9 @@
 #include "ew/imaging/effects/gain.h"
 #include "ew/library/case.h"
 #include "ew/scanning/contact.h"
+#include "ew/widgets/icons.h"
 #include "gui/support/window_fixture.h"
 #include "library/small_case.h"
-#include "widgets/icons.h"
 
 /// Outside of any namespace, as the macro demands.
 static void initTranslations() { Q_INIT_RESOURCE(translations); }
@@ -517,7 +517,7 @@ class WindowTest : public WindowFixture {
   }
 
   void anIconIsPaintedInTheThemeOfNow() {
-    const QIcon made = ew::ui::icon(QStringLiteral("undo"));
+    const QIcon made = ew::icon(QStringLiteral("undo"));
     for (const bool dark : {false, true}) {
       window_->setDarkTheme(dark);
       const QImage painted = made.pixmap(24, 24).toImage();

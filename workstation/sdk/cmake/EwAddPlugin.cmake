@@ -2,7 +2,7 @@
 #               [TRANSLATIONS NAME_de.ts ...]):
 # one plugin, the same way inside EchoWeave's own tree and outside it after find_package(EchoWeave REQUIRED COMPONENTS sdk).
 #   LOGIC  sources without Qt: the static library NAME_logic, which tests link on its own; LINK goes to it as well
-#   PANEL  Qt widgets (moc runs over them); Qt5::Widgets is linked when there are any
+#   PANEL  Qt widgets (moc runs over them); ew::widgets and Qt5::Widgets are linked when there are any
 #   ENTRY  the source with the three exported functions of ew/sdk/plugin.h
 #   TRANSLATIONS  its words in other languages, NAME_LANGUAGE.ts; what lrelease makes of them lies beside the manifest, and the window loads it
 # The library lands in <build>/lib/plugins/NAME/ with its manifest plugin.json beside it and installs to lib/echoweave/plugins/NAME.
@@ -57,15 +57,15 @@ function(ew_add_plugin name)
     target_link_libraries(ew_plugin_${name} PRIVATE ${arg_LINK})
   endif()
   if(arg_PANEL)
-    if(NOT TARGET Qt5::Widgets)
-      find_package(Qt5 5.15 REQUIRED COMPONENTS Widgets)
+    if(NOT TARGET Qt5::Widgets OR NOT TARGET Qt5::Svg)
+      find_package(Qt5 5.15 REQUIRED COMPONENTS Widgets Svg)
     endif()
     ew_sdk_says(EW_ABI_QT qt)
     if(NOT "${Qt5Widgets_VERSION}" MATCHES "^${qt}\\.")
       message(FATAL_ERROR "ew_add_plugin(${name}): EchoWeave was built with Qt ${qt}, and Qt ${Qt5Widgets_VERSION} was found; widgets cross the door.")
     endif()
     set_target_properties(ew_plugin_${name} PROPERTIES AUTOMOC ON)
-    target_link_libraries(ew_plugin_${name} PRIVATE Qt5::Widgets)
+    target_link_libraries(ew_plugin_${name} PRIVATE ew::widgets Qt5::Widgets)
     target_compile_definitions(ew_plugin_${name} PRIVATE QT_NO_KEYWORDS)
   endif()
   foreach(target ew_plugin_${name} ew_${name}_logic)

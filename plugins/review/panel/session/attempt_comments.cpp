@@ -5,11 +5,9 @@
 #include <utility>
 
 #include "ew/sdk/window.h"
-#include "ew/sdk/words.h"
+#include "ew/widgets/words.h"
 
 namespace ew::review {
-
-using sdk::words;
 
 namespace {
 

@@ -6,11 +6,9 @@
 #include "ew/assessment/attempt_scoring.h"
 #include "ew/core/progress.h"
 #include "ew/sdk/window.h"
-#include "ew/sdk/words.h"
+#include "ew/widgets/words.h"
 
 namespace ew::review {
-
-using sdk::words;
 
 void LessonScores::readPlan() {
   plan_ = {};

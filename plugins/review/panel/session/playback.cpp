@@ -4,11 +4,9 @@
 #include <optional>
 
 #include "ew/sdk/window.h"
-#include "ew/sdk/words.h"
+#include "ew/widgets/words.h"
 
 namespace ew::review {
-
-using sdk::words;
 
 Playback::Playback(sdk::Host& host, const ScanPair& scans) : host_(host), scans_(scans) {
   timer_.setInterval(33);

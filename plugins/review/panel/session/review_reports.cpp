@@ -12,11 +12,9 @@
 #include "ew/reports/class_report.h"
 #include "ew/reports/html.h"
 #include "ew/reports/report_pdf.h"
-#include "ew/sdk/words.h"
+#include "ew/widgets/words.h"
 
 namespace ew::review {
-
-using sdk::words;
 
 namespace {
 

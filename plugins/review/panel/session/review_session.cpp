@@ -6,7 +6,7 @@
 #include "ew/library/folders.h"
 #include "ew/sdk/person.h"
 #include "ew/sdk/window.h"
-#include "ew/sdk/words.h"
+#include "ew/widgets/words.h"
 #include "logic/class_attempts.h"
 #include "panel/session/opening.h"
 
@@ -14,7 +14,6 @@ namespace ew::review {
 namespace {
 
 namespace fs = std::filesystem;
-using sdk::words;
 
 }  // namespace
 

@@ -3,11 +3,9 @@
 #include <QSettings>
 
 #include "ew/library/folders.h"
-#include "ew/sdk/words.h"
+#include "ew/widgets/words.h"
 
 namespace ew::review {
-
-using sdk::words;
 
 namespace {
 

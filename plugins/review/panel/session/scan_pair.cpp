@@ -1,12 +1,10 @@
 #include "panel/session/scan_pair.h"
 
 #include "ew/core/progress.h"
-#include "ew/sdk/words.h"
+#include "ew/widgets/words.h"
 #include "panel/session/opening.h"
 
 namespace ew::review {
-
-using sdk::words;
 
 namespace {
 

@@ -15,8 +15,8 @@
 #include <utility>
 
 #include "annotate/annotation_paint.h"
+#include "ew/widgets/theme.h"
 #include "scan/scan_view.h"
-#include "widgets/theme.h"
 
 namespace ew::ui {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "ew/imaging/probe.h"
-#include "widgets/theme.h"
+#include "ew/widgets/theme.h"
 
 namespace ew::ui {
 namespace {

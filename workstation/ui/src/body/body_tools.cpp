@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "body/view3d.h"
-#include "widgets/figures.h"
-#include "widgets/theme.h"
-#include "widgets/words.h"
+#include "ew/widgets/figures.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 
 namespace ew::ui {
 namespace {

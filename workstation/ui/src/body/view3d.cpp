@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "ew/core/contract.h"
-#include "widgets/focus_ring.h"
+#include "ew/widgets/focus_ring.h"
 
 namespace ew::ui {
 namespace {

@@ -5,7 +5,7 @@
 #include <chrono>
 
 #include "ew/library/published.h"
-#include "widgets/words.h"
+#include "ew/widgets/words.h"
 
 namespace ew::ui {
 namespace {

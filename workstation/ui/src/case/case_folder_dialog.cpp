@@ -11,8 +11,8 @@
 
 #include "ew/library/case.h"
 #include "ew/library/published.h"
-#include "widgets/theme.h"
-#include "widgets/words.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 
 namespace ew::ui {
 namespace {

@@ -16,9 +16,9 @@
 #include "case/case_pictures.h"
 #include "ew/library/case.h"
 #include "ew/library/case_words.h"
-#include "widgets/icons.h"
-#include "widgets/theme.h"
-#include "widgets/words.h"
+#include "ew/widgets/icons.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 
 namespace ew::ui {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "ew/library/case.h"
 #include "ew/sdk/flow_layout.h"
-#include "widgets/words.h"
+#include "ew/widgets/words.h"
 
 namespace ew::ui {
 namespace {

@@ -8,7 +8,7 @@
 #include "ew/core/quiet_work.h"
 #include "ew/library/case_words.h"
 #include "ew/library/preparation.h"
-#include "widgets/words.h"
+#include "ew/widgets/words.h"
 
 namespace ew::ui {
 namespace {

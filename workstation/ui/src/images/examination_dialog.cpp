@@ -12,10 +12,10 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "ew/widgets/words.h"
 #include "images/stored_examination.h"
 #include "jobs/jobs.h"
 #include "measure/worksheets/worksheets.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

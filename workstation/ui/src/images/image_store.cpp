@@ -11,8 +11,8 @@
 #include "ew/io/private_file.h"
 #include "ew/io/safe_file.h"
 #include "ew/scanning/picture_file.h"
-#include "widgets/picture_image.h"
-#include "widgets/words.h"
+#include "ew/widgets/picture_image.h"
+#include "ew/widgets/words.h"
 
 namespace ew::ui {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ew/export/stored_image.h"
-#include "widgets/worker.h"
+#include "ew/widgets/worker.h"
 
 namespace ew::ui {
 

@@ -5,10 +5,10 @@
 
 #include "annotate/annotation_layer.h"
 #include "annotate/body_mark_view.h"
+#include "ew/widgets/theme.h"
 #include "keys/key_tips.h"
 #include "measure/calipers/caliper_layer.h"
 #include "scan/scan_view.h"
-#include "widgets/theme.h"
 
 namespace ew::ui {
 

@@ -7,11 +7,11 @@
 #include "annotate/annotated_pictures.h"
 #include "annotate/body_mark_view.h"
 #include "annotate/shown_mark.h"
+#include "ew/widgets/theme.h"
 #include "images/kept_picture.h"
 #include "measure/calipers/calipers.h"
 #include "scan/scan_view.h"
 #include "scan/session.h"
-#include "widgets/theme.h"
 
 namespace ew::ui {
 namespace {

@@ -14,15 +14,15 @@
 #include "ew/core/ending.h"
 #include "ew/imaging/orientation_marker.h"
 #include "ew/scanning/picture_file.h"
+#include "ew/widgets/figures.h"
+#include "ew/widgets/picture_image.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "measure/calipers/caliper_paint.h"
 #include "measure/words/caliper_words.h"
 #include "measure/words/finding_words.h"
 #include "scan/session.h"
-#include "widgets/figures.h"
-#include "widgets/picture_image.h"
-#include "widgets/theme.h"
-#include "widgets/window_text.h"
-#include "widgets/words.h"
+#include "window/layout/window_text.h"
 
 namespace ew::ui {
 namespace {

@@ -9,12 +9,12 @@
 
 #include "ew/core/contract.h"
 #include "ew/imaging/caption.h"
+#include "ew/widgets/figures.h"
+#include "ew/widgets/picture_image.h"
+#include "ew/widgets/words.h"
 #include "measure/worksheets/worksheets.h"
 #include "scan/session.h"
-#include "widgets/figures.h"
-#include "widgets/picture_image.h"
-#include "widgets/window_text.h"
-#include "widgets/words.h"
+#include "window/layout/window_text.h"
 
 namespace ew::ui {
 namespace {

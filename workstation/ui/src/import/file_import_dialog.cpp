@@ -20,14 +20,14 @@
 #include <algorithm>
 
 #include "ew/io/sequence.h"
+#include "ew/widgets/picture_chooser.h"
+#include "ew/widgets/save_file.h"
+#include "ew/widgets/small_result_question.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "import/import_fields.h"
 #include "jobs/jobs.h"
 #include "jobs/message_bar.h"
-#include "widgets/picture_chooser.h"
-#include "widgets/save_file.h"
-#include "widgets/small_result_question.h"
-#include "widgets/theme.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

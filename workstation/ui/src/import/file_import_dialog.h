@@ -6,7 +6,7 @@
 
 #include "ew/library/file_import.h"
 #include "ew/scanning/subject.h"
-#include "widgets/form_dialog.h"
+#include "ew/widgets/form_dialog.h"
 
 class QCheckBox;
 class QComboBox;
@@ -18,11 +18,14 @@ class QLineEdit;
 class QPushButton;
 class QSpinBox;
 
+namespace ew {
+class PictureChooser;
+}
+
 namespace ew::ui {
 
 class Jobs;
 class MessageBar;
-class PictureChooser;
 
 /// Asks what a DICOM file, a Kretz volume, a folder of pictures or raw samples leave open, says what of the patient is left out, and
 /// imports. Nothing is filled in beforehand: layouts that fit a raw file are offered in a list, with its three middle slices as they would

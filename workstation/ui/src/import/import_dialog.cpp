@@ -24,14 +24,14 @@
 #include "ew/core/figures.h"
 #include "ew/core/numbers.h"
 #include "ew/library/file_import.h"
+#include "ew/widgets/figures.h"
+#include "ew/widgets/picture_chooser.h"
+#include "ew/widgets/small_result_question.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "import/import_fields.h"
 #include "jobs/jobs.h"
 #include "jobs/message_bar.h"
-#include "widgets/figures.h"
-#include "widgets/picture_chooser.h"
-#include "widgets/small_result_question.h"
-#include "widgets/theme.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 

@@ -6,7 +6,7 @@
 
 #include "ew/library/voxel_source.h"
 #include "ew/scanning/subject.h"
-#include "widgets/form_dialog.h"
+#include "ew/widgets/form_dialog.h"
 
 class QCheckBox;
 class QComboBox;
@@ -16,11 +16,14 @@ class QLabel;
 class QLineEdit;
 class QPushButton;
 
+namespace ew {
+class PictureChooser;
+}
+
 namespace ew::ui {
 
 class Jobs;
 class MessageBar;
-class PictureChooser;
 
 /// Asks what a sweep leaves open before it becomes a volume: calibration, how the probe moved, frame, spacing, method, which part of the
 /// frames; and says beforehand how large the volume will be and what memory it takes. The reconstruction itself is a job.

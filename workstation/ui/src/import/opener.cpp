@@ -20,9 +20,9 @@
 #include "ew/library/new_case.h"
 #include "ew/library/voxel_source.h"
 #include "ew/scanning/contact.h"
+#include "ew/widgets/words.h"
 #include "jobs/message_bar.h"
 #include "start/recent_files.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

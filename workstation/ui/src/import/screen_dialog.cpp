@@ -22,6 +22,12 @@
 #include <utility>
 
 #include "ew/acquisition/screen_recording.h"
+#include "ew/widgets/figures.h"
+#include "ew/widgets/icons.h"
+#include "ew/widgets/question.h"
+#include "ew/widgets/save_file.h"
+#include "ew/widgets/small_result_question.h"
+#include "ew/widgets/words.h"
 #include "import/import_fields.h"
 #include "import/opened_film.h"
 #include "import/screen_distances.h"
@@ -30,12 +36,6 @@
 #include "jobs/jobs.h"
 #include "jobs/message_bar.h"
 #include "measure/words/caliper_words.h"
-#include "widgets/figures.h"
-#include "widgets/icons.h"
-#include "widgets/question.h"
-#include "widgets/save_file.h"
-#include "widgets/small_result_question.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "ew/acquisition/screen_edit.h"
 #include "ew/measurement/caliper_drawing.h"
-#include "widgets/form_dialog.h"
+#include "ew/widgets/form_dialog.h"
 
 class QCheckBox;
 class QComboBox;
@@ -18,9 +18,12 @@ class QProgressBar;
 class QPushButton;
 class QSlider;
 
+namespace ew {
+class FigureLabel;
+}
+
 namespace ew::ui {
 
-class FigureLabel;
 struct FilmFrame;
 class Jobs;
 class MessageBar;

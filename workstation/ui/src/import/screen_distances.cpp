@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "ew/widgets/figures.h"
 #include "import/screen_dialog.h"
 #include "measure/words/caliper_words.h"
-#include "widgets/figures.h"
 
 namespace ew::ui {
 namespace {

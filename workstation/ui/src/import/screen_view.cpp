@@ -9,8 +9,8 @@
 #include <cmath>
 #include <utility>
 
+#include "ew/widgets/theme.h"
 #include "measure/calipers/caliper_paint.h"
-#include "widgets/theme.h"
 
 namespace ew::ui {
 namespace {

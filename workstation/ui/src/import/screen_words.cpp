@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "ew/widgets/figures.h"
 #include "import/screen_dialog.h"
-#include "widgets/figures.h"
 
 namespace ew::ui {
 

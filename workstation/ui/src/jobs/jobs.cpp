@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "ew/core/guarded.h"
-#include "widgets/words.h"
+#include "ew/widgets/words.h"
 
 namespace ew::ui {
 

@@ -12,10 +12,10 @@
 #include <cmath>
 #include <utility>
 
-#include "widgets/elided_label.h"
-#include "widgets/figures.h"
-#include "widgets/icons.h"
-#include "widgets/theme.h"
+#include "ew/widgets/elided_label.h"
+#include "ew/widgets/figures.h"
+#include "ew/widgets/icons.h"
+#include "ew/widgets/theme.h"
 
 namespace ew::ui {
 namespace {

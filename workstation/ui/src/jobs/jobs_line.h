@@ -12,10 +12,12 @@ class QLabel;
 class QProgressBar;
 class QPushButton;
 
-namespace ew::ui {
-
+namespace ew {
 class ElidedLabel;
 class FigureLabel;
+}  // namespace ew
+
+namespace ew::ui {
 
 /// Running work in the status line: a name, how far it is, a thin bar, cancel. It covers nothing and takes nothing away. It is seen for
 /// jobs that have run longer than half a second; with several it shows the one somebody waits for, and a button unfolds all of them.

@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "widgets/icons.h"
-#include "widgets/theme.h"
-#include "widgets/words.h"
+#include "ew/widgets/icons.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 
 namespace ew::ui {
 namespace {

@@ -13,7 +13,7 @@
 #include <QScrollArea>
 #include <QTabBar>
 
-#include "widgets/focus_ring.h"
+#include "ew/widgets/focus_ring.h"
 
 namespace ew::ui {
 namespace {

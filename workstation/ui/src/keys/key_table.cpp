@@ -5,7 +5,7 @@
 #include "ew/measurement/caliper_drawing.h"
 #include "keys/effect_words.h"
 #include "measure/words/caliper_words.h"
-#include "widgets/window_text.h"
+#include "window/layout/window_text.h"
 
 namespace ew::ui {
 namespace {

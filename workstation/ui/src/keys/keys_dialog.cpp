@@ -17,12 +17,12 @@
 #include <map>
 
 #include "ew/controls/keys_file.h"
+#include "ew/widgets/save_file.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "keys/control_surface.h"
 #include "keys/control_words.h"
 #include "keys/key_field.h"
-#include "widgets/save_file.h"
-#include "widgets/theme.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

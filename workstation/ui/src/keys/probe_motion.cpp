@@ -4,7 +4,7 @@
 #include <QPainterPath>
 #include <cmath>
 
-#include "widgets/theme.h"
+#include "ew/widgets/theme.h"
 
 namespace ew::ui {
 namespace {

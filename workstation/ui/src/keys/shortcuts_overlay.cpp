@@ -13,7 +13,7 @@
 #include <QVariant>
 #include <algorithm>
 
-#include "widgets/icons.h"
+#include "ew/widgets/icons.h"
 
 namespace ew::ui {
 namespace {

@@ -6,12 +6,12 @@
 #include <QVariant>
 #include <utility>
 
+#include "ew/widgets/icons.h"
+#include "ew/widgets/theme.h"
 #include "keys/key_table.h"
 #include "keys/key_tips.h"
 #include "measure/calipers/calipers.h"
 #include "measure/words/caliper_words.h"
-#include "widgets/icons.h"
-#include "widgets/theme.h"
 
 namespace ew::ui {
 

@@ -11,9 +11,9 @@
 #include <algorithm>
 #include <array>
 
+#include "ew/widgets/figures.h"
 #include "measure/calipers/calipers.h"
 #include "measure/words/finding_words.h"
-#include "widgets/figures.h"
 
 namespace ew::ui {
 namespace {

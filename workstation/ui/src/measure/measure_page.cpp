@@ -10,6 +10,9 @@
 #include <functional>
 #include <utility>
 
+#include "ew/widgets/figures.h"
+#include "ew/widgets/icons.h"
+#include "ew/widgets/theme.h"
 #include "keys/key_table.h"
 #include "keys/key_tips.h"
 #include "measure/caliper_tool_row.h"
@@ -18,9 +21,6 @@
 #include "measure/strip_tools.h"
 #include "measure/words/caliper_words.h"
 #include "measure/worksheets/worksheet_list.h"
-#include "widgets/figures.h"
-#include "widgets/icons.h"
-#include "widgets/theme.h"
 
 namespace ew::ui {
 

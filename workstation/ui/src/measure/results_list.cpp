@@ -7,11 +7,11 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "ew/widgets/figures.h"
+#include "ew/widgets/theme.h"
 #include "keys/key_tips.h"
 #include "measure/calipers/calipers.h"
 #include "measure/words/finding_words.h"
-#include "widgets/figures.h"
-#include "widgets/theme.h"
 
 namespace ew::ui {
 namespace {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "ew/widgets/words.h"
 #include "measure/calipers/calipers.h"
 #include "scan/pick_layer.h"
 #include "scan/session.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 

@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "widgets/theme.h"
-#include "widgets/words.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 
 namespace ew::ui {
 namespace {

@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "widgets/words.h"
+#include "ew/widgets/words.h"
 
 namespace ew::ui {
 

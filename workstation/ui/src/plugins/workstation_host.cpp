@@ -18,14 +18,30 @@
 #include "ew/library/access.h"
 #include "ew/library/case.h"
 #include "ew/sdk/case_parts.h"
+#include "ew/widgets/save_file.h"
+#include "ew/widgets/words.h"
 #include "jobs/message_bar.h"
 #include "plugins/host_scan.h"
 #include "plugins/workspace_panels.h"
-#include "widgets/save_file.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {
+
+/// What a plugin asks, as the one question asks it.
+SaveFile saveFileOf(const sdk::SaveFile& asked) {
+  SaveFile same{words(asked.title), wordsOf(asked.proposal), words(asked.filter), {}};
+  for (const std::string& ending : asked.endings) same.endings << words(ending);
+  if (asked.written)
+    same.written = [written = asked.written](const QString& file) {
+      QStringList names;
+      for (const auto& each : written(pathOf(file))) names << wordsOf(each);
+      return names;
+    };
+  if (asked.whyKept) same.whyKept = [why = asked.whyKept](const QString& file) { return words(why(pathOf(file))); };
+  same.madeFrom = asked.madeFrom;
+  same.isDated = asked.isDated;
+  return same;
+}
 
 constexpr const char* kPanelId = "panelId";  ///< property of a panel's column and stage
 
@@ -341,7 +357,7 @@ class HostWindow final : public sdk::Window {
   }
   [[nodiscard]] std::optional<std::filesystem::path> askSaveFile(const sdk::SaveFile& asked) override {
     QWidget* modal = QApplication::activeModalWidget();
-    const QString file = ui::askSaveFile(modal != nullptr ? modal : messages_.window(), saveFileOf(asked));
+    const QString file = ew::askSaveFile(modal != nullptr ? modal : messages_.window(), saveFileOf(asked));
     return file.isEmpty() ? std::nullopt : std::optional(pathOf(file));
   }
   [[nodiscard]] std::vector<sdk::UnsavedWork> unsaved() {

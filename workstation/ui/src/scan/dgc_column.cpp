@@ -5,15 +5,16 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QToolTip>
+#include <QVariant>
 #include <algorithm>
 #include <cmath>
 
 #include "ew/imaging/effects/gain.h"
+#include "ew/widgets/double_click.h"
+#include "ew/widgets/figures.h"
+#include "ew/widgets/icons.h"
+#include "ew/widgets/theme.h"
 #include "keys/key_tips.h"
-#include "widgets/double_click.h"
-#include "widgets/figures.h"
-#include "widgets/icons.h"
-#include "widgets/theme.h"
 
 namespace ew::ui {
 namespace {

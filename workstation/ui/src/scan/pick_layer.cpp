@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "ew/widgets/theme.h"
 #include "scan/scan_view.h"
-#include "widgets/theme.h"
 
 namespace ew::ui {
 namespace {

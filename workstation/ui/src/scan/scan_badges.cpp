@@ -2,9 +2,9 @@
 
 #include <QPainter>
 
-#include "widgets/figures.h"
-#include "widgets/icons.h"
-#include "widgets/theme.h"
+#include "ew/widgets/figures.h"
+#include "ew/widgets/icons.h"
+#include "ew/widgets/theme.h"
 
 namespace ew::ui {
 

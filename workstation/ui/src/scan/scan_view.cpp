@@ -10,17 +10,18 @@
 #include <utility>
 
 #include "ew/imaging/beam_grid.h"
+#include "ew/widgets/figures.h"
+#include "ew/widgets/focus_ring.h"
+#include "ew/widgets/icons.h"
+#include "ew/widgets/picture_image.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "scan/dgc_column.h"
 #include "scan/fan_rects.h"
 #include "scan/focus_scale.h"
 #include "scan/scan_badges.h"
 #include "scan/tracking_look.h"
 #include "scan/tracking_overlay.h"
-#include "widgets/figures.h"
-#include "widgets/focus_ring.h"
-#include "widgets/picture_image.h"
-#include "widgets/theme.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

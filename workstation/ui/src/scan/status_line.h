@@ -8,9 +8,11 @@
 class QLabel;
 class QPushButton;
 
-namespace ew::ui {
-
+namespace ew {
 class FigureLabel;
+}
+
+namespace ew::ui {
 
 /// Where the probe is and how well it touches; for authors also what the frame runs and what it costs: the plan's tooltip shows each step,
 /// estimated and measured, and how long pictures took from the hand to the screen's memory.

@@ -1,7 +1,7 @@
 #include "scan/tracking_look.h"
 
 #include "ew/tracking/tracking_words.h"
-#include "widgets/words.h"
+#include "ew/widgets/words.h"
 
 namespace ew::ui {
 namespace {

@@ -4,7 +4,7 @@
 #include <QString>
 
 #include "ew/tracking/tool_reading.h"
-#include "widgets/theme.h"
+#include "ew/widgets/theme.h"
 
 namespace ew::ui {
 

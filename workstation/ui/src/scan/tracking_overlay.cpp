@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ew/widgets/icons.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "scan/tracking_look.h"
-#include "widgets/icons.h"
-#include "widgets/theme.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

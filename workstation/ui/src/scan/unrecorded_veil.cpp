@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ew/widgets/theme.h"
 #include "scan/session.h"
-#include "widgets/theme.h"
 
 namespace ew::ui {
 namespace {

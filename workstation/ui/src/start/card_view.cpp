@@ -7,9 +7,9 @@
 #include <QStyle>
 #include <algorithm>
 
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "start/case_card.h"
-#include "widgets/theme.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 CardView::CardView(CaseCatalogue& list, QWidget* parent) : QListView(parent), list_(list) {

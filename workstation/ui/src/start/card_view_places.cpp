@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "ew/widgets/theme.h"
 #include "start/card_view.h"
 #include "start/case_card.h"
-#include "widgets/theme.h"
 
 // Where the cards of a list lie: reckoned from their rows.
 

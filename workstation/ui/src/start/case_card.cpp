@@ -4,8 +4,8 @@
 #include <QTextLayout>
 #include <algorithm>
 
-#include "widgets/theme.h"
-#include "widgets/words.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 
 namespace ew::ui {
 namespace {

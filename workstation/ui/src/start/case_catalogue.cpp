@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "widgets/words.h"
+#include "ew/widgets/words.h"
 
 namespace ew::ui {
 namespace {

@@ -6,8 +6,8 @@
 #include "ew/core/quiet_work.h"
 #include "ew/library/case_card.h"
 #include "ew/scanning/subject.h"
+#include "ew/widgets/words.h"
 #include "start/thumbnails.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

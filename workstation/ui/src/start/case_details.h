@@ -9,7 +9,7 @@
 
 #include "ew/library/case.h"
 #include "ew/scanning/first_picture.h"
-#include "widgets/worker.h"
+#include "ew/widgets/worker.h"
 
 namespace ew::ui {
 

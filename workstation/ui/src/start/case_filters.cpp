@@ -7,9 +7,9 @@
 #include <QSignalBlocker>
 
 #include "ew/sdk/flow_layout.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "start/case_catalogue.h"
-#include "widgets/theme.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

@@ -8,10 +8,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "start/case_catalogue.h"
 #include "start/learning_words.h"
-#include "widgets/theme.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

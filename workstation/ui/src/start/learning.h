@@ -7,7 +7,7 @@
 #include <string>
 
 #include "ew/library/learning.h"
-#include "widgets/worker.h"
+#include "ew/widgets/worker.h"
 
 namespace ew::ui {
 

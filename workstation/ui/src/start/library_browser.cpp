@@ -5,7 +5,7 @@
 #include "case/case_folder_dialog.h"
 #include "ew/library/case.h"
 #include "ew/library/published.h"
-#include "widgets/words.h"
+#include "ew/widgets/words.h"
 
 namespace ew::ui {
 namespace {

@@ -4,7 +4,7 @@
 #include <QFileInfo>
 
 #include "ew/library/case.h"
-#include "widgets/words.h"
+#include "ew/widgets/words.h"
 
 namespace ew::ui {
 namespace {

@@ -6,7 +6,7 @@
 #include <QStyle>
 #include <algorithm>
 
-#include "widgets/theme.h"
+#include "ew/widgets/theme.h"
 
 namespace ew::ui {
 namespace {

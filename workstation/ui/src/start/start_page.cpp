@@ -11,15 +11,15 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include "ew/widgets/icons.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "keys/key_tips.h"
 #include "start/card_view.h"
 #include "start/case_filters.h"
 #include "start/case_lessons.h"
 #include "start/course_strip.h"
 #include "start/recent_strip.h"
-#include "widgets/icons.h"
-#include "widgets/theme.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

@@ -12,8 +12,8 @@
 #include "ew/library/case.h"
 #include "ew/library/case_card.h"
 #include "ew/scanning/first_picture.h"
-#include "widgets/picture_image.h"
-#include "widgets/words.h"
+#include "ew/widgets/picture_image.h"
+#include "ew/widgets/words.h"
 
 namespace ew::ui {
 namespace {

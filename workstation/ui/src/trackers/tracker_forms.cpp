@@ -14,10 +14,10 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "ew/widgets/elided_label.h"
+#include "ew/widgets/words.h"
 #include "trackers/control/tracker_control.h"
 #include "trackers/control/tracker_figures.h"
-#include "widgets/elided_label.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

@@ -17,15 +17,15 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "ew/widgets/figures.h"
+#include "ew/widgets/icons.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "scan/tracking_look.h"
 #include "trackers/control/tracker_control.h"
 #include "trackers/control/tracker_figures.h"
 #include "trackers/tracker_forms.h"
 #include "trackers/wizard/tracker_print_step.h"
-#include "widgets/figures.h"
-#include "widgets/icons.h"
-#include "widgets/theme.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

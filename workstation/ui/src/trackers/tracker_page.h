@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "widgets/form_dialog.h"
+#include "ew/widgets/form_dialog.h"
 
 class QCheckBox;
 class QLabel;

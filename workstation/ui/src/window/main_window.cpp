@@ -19,16 +19,14 @@
 #include "case/case_folder_dialog.h"
 #include "ew/core/ending.h"
 #include "ew/library/new_case.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "images/picture_buttons.h"
 #include "jobs/saving_dialog.h"
 #include "plugins/host_scan.h"
 #include "scan/zoom/scan_pan.h"
 #include "scan/zoom/wide_layer.h"
 #include "scan/zoom/zoom_overview.h"
-#include "widgets/theme.h"
-#include "widgets/time_line_access.h"
-#include "widgets/window_layout.h"
-#include "widgets/words.h"
 #include "window/features/annotating.h"
 #include "window/features/body_and_probe.h"
 #include "window/features/case_saving.h"
@@ -43,10 +41,8 @@
 #include "window/frame/columns.h"
 #include "window/frame/window_parts.h"
 #include "window/frame/workspaces.h"
+#include "window/layout/window_layout.h"
 #include "window/menus.h"
-
-/// A static library's resources are known to Qt once this has run; outside of any namespace, as the macro demands.
-static void initResources() { Q_INIT_RESOURCE(icons); }
 
 namespace ew::ui {
 namespace {
@@ -121,11 +117,9 @@ void readResources(WindowParts& p) {
 }  // namespace
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), parts_(std::make_unique<WindowParts>(*this)) {
-  initResources();
   setWindowTitle(QStringLiteral("EchoWeave"));
   setAcceptDrops(true);
   setMinimumSize(1024, 640);
-  describePaintedWidgets();
   qApp->installEventFilter(&parts_->focusKeys);
   Appearance::begin();
   makeViews();

@@ -18,10 +18,10 @@
 #include "ew/core/printable.h"
 #include "ew/core/version.h"
 #include "ew/ui/main_window.h"
+#include "ew/widgets/apply_theme.h"
 #include "jobs/jobs.h"
 #include "jobs/message_bar.h"
 #include "scan/session.h"
-#include "widgets/theme.h"
 #include "window/frame/guarded_application.h"
 #include "window/language.h"
 

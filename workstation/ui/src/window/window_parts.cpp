@@ -2,8 +2,8 @@
 
 #include <QStandardPaths>
 
+#include "ew/widgets/words.h"
 #include "jobs/saving_dialog.h"
-#include "widgets/words.h"
 #include "window/features/access_lock.h"
 #include "window/features/annotating.h"
 #include "window/features/body_and_probe.h"

@@ -62,4 +62,13 @@ using GreyImage = Image<std::uint8_t>;
 using Rgb = glm::u8vec3;
 using RgbImage = Image<Rgb>;
 
+/// A rectangle of pixels; x to the right, y down, from the upper left corner.
+struct PixelRect {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+  bool operator==(const PixelRect&) const = default;
+};
+
 }  // namespace ew

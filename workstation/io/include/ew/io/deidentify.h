@@ -5,18 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "ew/core/image.h"
 #include "ew/core/result.h"
 
 namespace ew {
-
-/// A rectangle of pixels; x to the right, y down, from the upper left corner.
-struct PixelRect {
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
-  bool operator==(const PixelRect&) const = default;
-};
 
 /// "x,y,width,height". @error badUsage
 [[nodiscard]] Result<PixelRect> parsePixelRect(std::string_view text);

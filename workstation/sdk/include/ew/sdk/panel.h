@@ -19,7 +19,7 @@
 #include <utility>
 
 #include "ew/sdk/placement.h"
-#include "ew/sdk/words.h"
+#include "ew/widgets/words.h"
 
 namespace ew::sdk {
 

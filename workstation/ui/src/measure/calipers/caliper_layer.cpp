@@ -6,12 +6,12 @@
 #include <QPolygonF>
 #include <algorithm>
 
+#include "ew/widgets/theme.h"
 #include "measure/calipers/caliper_paint.h"
 #include "measure/words/caliper_words.h"
 #include "scan/dgc_column.h"
 #include "scan/scan_view.h"
 #include "scan/session.h"
-#include "widgets/theme.h"
 
 namespace ew::ui {
 namespace {

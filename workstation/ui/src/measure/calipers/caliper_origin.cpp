@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <glm/glm.hpp>
 
+#include "ew/widgets/figures.h"
 #include "measure/words/caliper_words.h"
-#include "widgets/figures.h"
 
 namespace ew::ui {
 

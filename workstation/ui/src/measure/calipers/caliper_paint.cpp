@@ -9,9 +9,9 @@
 #include <numbers>
 #include <utility>
 
+#include "ew/widgets/figures.h"
+#include "ew/widgets/theme.h"
 #include "measure/words/caliper_words.h"
-#include "widgets/figures.h"
-#include "widgets/theme.h"
 
 namespace ew::ui {
 namespace {

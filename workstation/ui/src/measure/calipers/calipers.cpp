@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "ew/measurement/on_picture.h"
+#include "ew/widgets/words.h"
 #include "jobs/jobs.h"
 #include "scan/session.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

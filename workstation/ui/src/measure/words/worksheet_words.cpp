@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ew/widgets/figures.h"
+#include "ew/widgets/words.h"
 #include "measure/words/caliper_words.h"
-#include "widgets/figures.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 

@@ -12,10 +12,10 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "measure/words/worksheet_words.h"
 #include "measure/worksheets/worksheets.h"
-#include "widgets/theme.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 

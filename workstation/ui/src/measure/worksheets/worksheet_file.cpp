@@ -14,8 +14,8 @@
 
 #include "ew/core/ending.h"
 #include "ew/io/safe_file.h"
+#include "ew/widgets/words.h"
 #include "measure/words/worksheet_words.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

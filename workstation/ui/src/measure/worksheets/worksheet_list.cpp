@@ -8,12 +8,12 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "ew/widgets/figures.h"
+#include "ew/widgets/words.h"
 #include "keys/key_tips.h"
 #include "measure/calipers/calipers.h"
 #include "measure/words/worksheet_words.h"
 #include "measure/worksheets/worksheets.h"
-#include "widgets/figures.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 

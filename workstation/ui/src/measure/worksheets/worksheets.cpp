@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "ew/widgets/words.h"
 #include "measure/calipers/calipers.h"
 #include "scan/session.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 

@@ -7,12 +7,12 @@
 #include <QVariant>
 #include <QWheelEvent>
 
+#include "ew/widgets/figures.h"
+#include "ew/widgets/icons.h"
+#include "ew/widgets/time_line.h"
 #include "keys/key_tips.h"
 #include "scan/cine/bar_parts.h"
 #include "scan/session.h"
-#include "widgets/figures.h"
-#include "widgets/icons.h"
-#include "widgets/time_line.h"
 
 namespace ew::ui {
 namespace {

@@ -14,11 +14,14 @@ class QKeyEvent;
 class QPushButton;
 class QWheelEvent;
 
+namespace ew {
+class FigureLabel;
+class TimeLine;
+}  // namespace ew
+
 namespace ew::ui {
 
-class FigureLabel;
 class Session;
-class TimeLine;
 
 /// Looks through the last seconds of a frozen scan: step, drag along, play between two marks in a loop, save what runs as a recording. It
 /// is open while the scan is frozen and there is more than one image to look at.

@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "ew/core/figures.h"
+#include "ew/widgets/icons.h"
+#include "ew/widgets/time_line.h"
 #include "keys/key_tips.h"
 #include "scan/cine/bar_parts.h"
 #include "scan/session.h"
-#include "widgets/icons.h"
-#include "widgets/time_line.h"
 
 namespace ew::ui {
 namespace {

@@ -12,10 +12,13 @@ class QComboBox;
 class QLabel;
 class QPushButton;
 
+namespace ew {
+class TimeLine;
+}
+
 namespace ew::ui {
 
 class Session;
-class TimeLine;
 
 /// Plays a recording in the scan: play and pause, a time line to drag along, speed, loop. Hidden while there is no recording.
 class ReplayBar final : public QWidget {

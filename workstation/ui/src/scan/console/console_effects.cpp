@@ -6,9 +6,9 @@
 #include <QVariant>
 
 #include "ew/imaging/effect_info.h"
+#include "ew/widgets/figures.h"
 #include "keys/effect_words.h"
 #include "scan/console/console_panel.h"
-#include "widgets/figures.h"
 
 namespace ew::ui {
 namespace {

@@ -13,10 +13,10 @@
 #include <array>
 #include <cmath>
 
+#include "ew/widgets/figures.h"
+#include "ew/widgets/words.h"
 #include "keys/key_tips.h"
 #include "scan/console/console_panel.h"
-#include "widgets/figures.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

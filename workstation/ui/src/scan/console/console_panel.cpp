@@ -20,12 +20,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ew/widgets/double_click.h"
+#include "ew/widgets/figures.h"
+#include "ew/widgets/icons.h"
+#include "ew/widgets/theme.h"
 #include "keys/key_tips.h"
-#include "widgets/double_click.h"
-#include "widgets/figures.h"
-#include "widgets/icons.h"
-#include "widgets/theme.h"
-#include "widgets/window_layout.h"
+#include "window/layout/window_layout.h"
 
 namespace ew::ui {
 namespace {

@@ -24,9 +24,12 @@ struct EffectOption;
 struct EffectStrength;
 }  // namespace ew
 
+namespace ew {
+class FigureLabel;
+}
+
 namespace ew::ui {
 
-class FigureLabel;
 class KeyTips;
 
 /// The machine's front panel. Gain and depth are always under the thumb, and so are mode, orientation and freeze; between them lie three

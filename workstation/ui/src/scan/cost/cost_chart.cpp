@@ -6,8 +6,8 @@
 
 #include "ew/core/chart_axis.h"
 #include "ew/imaging/cost_of_accuracy.h"
-#include "widgets/figures.h"
-#include "widgets/theme.h"
+#include "ew/widgets/figures.h"
+#include "ew/widgets/theme.h"
 
 namespace ew::ui {
 namespace {

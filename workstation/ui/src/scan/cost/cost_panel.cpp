@@ -13,9 +13,9 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "ew/widgets/words.h"
 #include "scan/cost/cost_chart.h"
 #include "scan/status_line.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 

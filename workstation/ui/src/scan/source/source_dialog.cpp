@@ -11,9 +11,9 @@
 #include <QVariant>
 #include <algorithm>
 
-#include "widgets/figures.h"
-#include "widgets/theme.h"
-#include "widgets/words.h"
+#include "ew/widgets/figures.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 
 namespace ew::ui {
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "ew/imaging/box_zoom.h"
+#include "ew/widgets/theme.h"
 #include "scan/scan_view.h"
 #include "scan/session.h"
-#include "widgets/theme.h"
 
 namespace ew::ui {
 namespace {

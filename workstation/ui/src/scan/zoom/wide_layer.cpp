@@ -2,11 +2,11 @@
 
 #include <QPainter>
 
+#include "ew/widgets/figures.h"
+#include "ew/widgets/theme.h"
 #include "scan/scan_view.h"
 #include "scan/session.h"
 #include "scan/zoom/wide_scan.h"
-#include "widgets/figures.h"
-#include "widgets/theme.h"
 
 namespace ew::ui {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "ew/imaging/wide_picture.h"
+#include "ew/widgets/worker.h"
 #include "scan/session.h"
-#include "widgets/worker.h"
 
 namespace ew::ui {
 

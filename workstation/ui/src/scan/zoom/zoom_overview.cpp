@@ -9,9 +9,9 @@
 
 #include "ew/imaging/box_zoom.h"
 #include "ew/scanning/scanner.h"
+#include "ew/widgets/picture_image.h"
+#include "ew/widgets/theme.h"
 #include "scan/scan_view.h"
-#include "widgets/picture_image.h"
-#include "widgets/theme.h"
 
 namespace ew::ui {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "ew/imaging/display.h"
 #include "ew/scanning/state.h"
+#include "ew/widgets/worker.h"
 #include "scan/session.h"
-#include "widgets/worker.h"
 
 namespace ew::ui {
 

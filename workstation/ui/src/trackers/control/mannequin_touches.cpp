@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "ew/widgets/words.h"
 #include "scan/session.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

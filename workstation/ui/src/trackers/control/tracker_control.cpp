@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "ew/widgets/words.h"
 #include "trackers/control/scan_server.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

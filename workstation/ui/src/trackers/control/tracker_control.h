@@ -15,10 +15,10 @@
 #include "ew/trackers/tracker_settings.h"
 #include "ew/tracking/fit_check.h"
 #include "ew/tracking/tracked_probe.h"
+#include "ew/widgets/worker.h"
 #include "scan/session.h"
 #include "trackers/control/mannequin_touches.h"
 #include "trackers/control/tracker_papers.h"
-#include "widgets/worker.h"
 
 namespace ew::ui {
 

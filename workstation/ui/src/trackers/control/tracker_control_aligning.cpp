@@ -2,8 +2,8 @@
 #include <QDateTime>
 
 #include "ew/tracking/calibration_file.h"
+#include "ew/widgets/words.h"
 #include "trackers/control/tracker_control.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

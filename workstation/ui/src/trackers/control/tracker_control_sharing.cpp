@@ -1,7 +1,7 @@
 // The scan for others: the OpenIGTLink server.
+#include "ew/widgets/words.h"
 #include "trackers/control/scan_server.h"
 #include "trackers/control/tracker_control.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 

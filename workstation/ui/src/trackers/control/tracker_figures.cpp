@@ -10,8 +10,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "widgets/figures.h"
-#include "widgets/words.h"
+#include "ew/widgets/figures.h"
+#include "ew/widgets/words.h"
 
 namespace ew::ui {
 namespace {

@@ -8,9 +8,11 @@
 class QComboBox;
 class QLabel;
 
-namespace ew::ui {
-
+namespace ew {
 class FigureLabel;
+}
+
+namespace ew::ui {
 
 /// What a tracker does at this moment, in figures, and which of the tools it tells of is the probe and which the mannequin's.
 class TrackerFigures final : public QWidget {

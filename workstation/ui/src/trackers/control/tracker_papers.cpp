@@ -5,7 +5,7 @@
 
 #include "ew/library/folders.h"
 #include "ew/trackers/marker_sheet.h"
-#include "widgets/words.h"
+#include "ew/widgets/words.h"
 
 namespace ew::ui {
 namespace {

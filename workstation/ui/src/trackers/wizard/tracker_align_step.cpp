@@ -11,12 +11,12 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "ew/widgets/figures.h"
+#include "ew/widgets/icons.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "trackers/control/tracker_control.h"
 #include "trackers/wizard/tracker_body_picture.h"
-#include "widgets/figures.h"
-#include "widgets/icons.h"
-#include "widgets/theme.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

@@ -3,7 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "widgets/theme.h"
+#include "ew/widgets/theme.h"
 
 namespace ew::ui {
 

@@ -12,11 +12,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "ew/widgets/figures.h"
+#include "ew/widgets/words.h"
 #include "scan/tracking_look.h"
 #include "trackers/control/tracker_control.h"
 #include "trackers/wizard/tracker_camera_picture.h"
-#include "widgets/figures.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "ew/trackers/camera_calibration.h"
 #include "ew/trackers/camera_device.h"
+#include "ew/widgets/worker.h"
 #include "trackers/wizard/tracker_step.h"
-#include "widgets/worker.h"
 
 class QComboBox;
 class QLabel;

@@ -9,9 +9,12 @@
 
 class QLabel;
 
+namespace ew {
+class FigureLabel;
+}
+
 namespace ew::ui {
 
-class FigureLabel;
 class TrackerBodyPicture;
 class Trackers;
 

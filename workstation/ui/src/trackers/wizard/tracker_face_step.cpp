@@ -9,11 +9,11 @@
 #include <algorithm>
 
 #include "ew/tracking/face_calibration.h"
+#include "ew/widgets/figures.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "trackers/control/tracker_control.h"
 #include "trackers/control/tracker_drawing.h"
-#include "widgets/figures.h"
-#include "widgets/theme.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

@@ -7,12 +7,12 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ew/widgets/figures.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "trackers/control/tracker_control.h"
 #include "trackers/wizard/tracker_camera_picture.h"
 #include "trackers/wizard/tracker_camera_steps.h"
-#include "widgets/figures.h"
-#include "widgets/theme.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 

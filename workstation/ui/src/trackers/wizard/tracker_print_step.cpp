@@ -13,10 +13,10 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "ew/widgets/save_file.h"
+#include "ew/widgets/words.h"
 #include "trackers/control/tracker_control.h"
 #include "trackers/control/tracker_drawing.h"
-#include "widgets/save_file.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

@@ -4,7 +4,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "widgets/theme.h"
+#include "ew/widgets/theme.h"
 
 namespace ew::ui {
 

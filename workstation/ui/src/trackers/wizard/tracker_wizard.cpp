@@ -10,13 +10,13 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "ew/widgets/theme.h"
 #include "trackers/control/tracker_control.h"
 #include "trackers/wizard/tracker_align_step.h"
 #include "trackers/wizard/tracker_camera_steps.h"
 #include "trackers/wizard/tracker_check_step.h"
 #include "trackers/wizard/tracker_face_step.h"
 #include "trackers/wizard/tracker_print_step.h"
-#include "widgets/theme.h"
 
 namespace ew::ui {
 namespace {

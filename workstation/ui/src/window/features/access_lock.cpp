@@ -10,7 +10,7 @@
 #include "ew/library/folders.h"
 #include "ew/library/learning.h"
 #include "ew/sdk/person.h"
-#include "widgets/words.h"
+#include "ew/widgets/words.h"
 #include "window/features/case_saving.h"
 #include "window/frame/access_dialog.h"
 #include "window/frame/commands.h"

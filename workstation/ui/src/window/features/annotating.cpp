@@ -6,7 +6,7 @@
 
 #include "ew/library/case.h"
 #include "ew/library/case_start.h"
-#include "widgets/words.h"
+#include "ew/widgets/words.h"
 #include "window/frame/commands.h"
 #include "window/frame/menu_text.h"
 #include "window/frame/undo.h"

@@ -7,7 +7,7 @@
 #include "body/host_overlays.h"
 #include "ew/bridge/mannequin.h"
 #include "ew/scanning/recorded.h"
-#include "widgets/theme.h"
+#include "ew/widgets/theme.h"
 #include "window/frame/commands.h"
 #include "window/frame/window_parts.h"
 #include "window/frame/workspaces.h"

@@ -17,7 +17,7 @@
 #include "ew/library/published.h"
 #include "ew/library/withdrawn.h"
 #include "ew/sdk/person.h"
-#include "widgets/words.h"
+#include "ew/widgets/words.h"
 #include "window/features/opening.h"
 #include "window/features/preparing.h"
 #include "window/frame/commands.h"

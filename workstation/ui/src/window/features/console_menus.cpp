@@ -7,12 +7,12 @@
 #include "ew/imaging/knobs.h"
 #include "ew/scanning/breathing.h"
 #include "keys/key_table.h"
-#include "widgets/window_layout.h"
 #include "window/features/cine.h"
 #include "window/features/zoom_and_wide.h"
 #include "window/frame/columns.h"
 #include "window/frame/commands.h"
 #include "window/frame/window_parts.h"
+#include "window/layout/window_layout.h"
 
 namespace ew::ui {
 

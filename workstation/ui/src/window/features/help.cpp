@@ -8,7 +8,6 @@
 
 #include "ew/core/version.h"
 #include "plugins/plugins_dialog.h"
-#include "widgets/window_layout.h"
 #include "window/features/keys_page.h"
 #include "window/features/own_keys.h"
 #include "window/frame/columns.h"
@@ -16,6 +15,7 @@
 #include "window/frame/tour.h"
 #include "window/frame/window_parts.h"
 #include "window/frame/workspaces.h"
+#include "window/layout/window_layout.h"
 
 namespace ew::ui {
 namespace {

@@ -5,10 +5,10 @@
 #include <set>
 #include <utility>
 
+#include "ew/widgets/words.h"
 #include "keys/effect_words.h"
 #include "keys/key_map.h"
 #include "keys/key_table.h"
-#include "widgets/words.h"
 #include "window/features/plugin_hosting.h"
 #include "window/frame/window_parts.h"
 #include "window/frame/workspaces.h"

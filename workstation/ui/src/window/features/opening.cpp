@@ -18,13 +18,12 @@
 #include "ew/library/lesson.h"
 #include "ew/library/preparation.h"
 #include "ew/scanning/recording.h"
+#include "ew/widgets/save_file.h"
+#include "ew/widgets/words.h"
 #include "import/file_import_dialog.h"
 #include "import/import_dialog.h"
 #include "import/screen_dialog.h"
 #include "start/recent_files.h"
-#include "widgets/save_file.h"
-#include "widgets/window_layout.h"
-#include "widgets/words.h"
 #include "window/features/access_lock.h"
 #include "window/features/case_library.h"
 #include "window/features/case_saving.h"
@@ -38,6 +37,7 @@
 #include "window/frame/commands.h"
 #include "window/frame/window_parts.h"
 #include "window/frame/workspaces.h"
+#include "window/layout/window_layout.h"
 
 namespace ew::ui {
 namespace {

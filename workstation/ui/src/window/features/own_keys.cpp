@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "ew/controls/keys_file.h"
+#include "ew/widgets/figures.h"
+#include "ew/widgets/words.h"
 #include "keys/keys_dialog.h"
-#include "widgets/figures.h"
-#include "widgets/words.h"
 #include "window/frame/commands.h"
 #include "window/frame/undo.h"
 #include "window/frame/window_parts.h"

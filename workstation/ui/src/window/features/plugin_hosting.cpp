@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "ew/core/guarded.h"
-#include "widgets/question.h"
-#include "widgets/words.h"
+#include "ew/widgets/question.h"
+#include "ew/widgets/words.h"
 #include "window/features/opening.h"
 #include "window/frame/commands.h"
 #include "window/frame/guarded_application.h"

@@ -6,7 +6,7 @@
 #include "ew/library/case.h"
 #include "ew/library/folders.h"
 #include "ew/library/preparation.h"
-#include "widgets/words.h"
+#include "ew/widgets/words.h"
 #include "window/features/case_library.h"
 #include "window/features/opening.h"
 #include "window/frame/window_parts.h"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "ew/library/case_start.h"
-#include "widgets/words.h"
+#include "ew/widgets/words.h"
 #include "window/frame/commands.h"
 #include "window/frame/menu_text.h"
 #include "window/frame/window_parts.h"

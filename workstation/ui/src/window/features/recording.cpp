@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "ew/scanning/recording.h"
-#include "widgets/question.h"
-#include "widgets/save_file.h"
-#include "widgets/words.h"
+#include "ew/widgets/question.h"
+#include "ew/widgets/save_file.h"
+#include "ew/widgets/words.h"
 #include "window/features/opening.h"
 #include "window/frame/commands.h"
 #include "window/frame/window_parts.h"

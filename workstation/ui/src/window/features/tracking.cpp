@@ -5,10 +5,10 @@
 
 #include "ew/bridge/mannequin.h"
 #include "ew/trackers/hand_controller.h"
+#include "ew/widgets/words.h"
 #include "scan/tracking_look.h"
 #include "trackers/tracker_page.h"
 #include "trackers/wizard/tracker_wizard.h"
-#include "widgets/words.h"
 #include "window/frame/commands.h"
 #include "window/frame/window_parts.h"
 

@@ -6,7 +6,7 @@
 
 #include "ew/core/result.h"
 #include "ew/library/passphrase.h"
-#include "widgets/form_dialog.h"
+#include "ew/widgets/form_dialog.h"
 
 class QGridLayout;
 class QLineEdit;

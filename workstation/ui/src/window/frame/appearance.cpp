@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "widgets/theme.h"
+#include "ew/widgets/apply_theme.h"
 #include "window/frame/columns.h"
 #include "window/frame/commands.h"
 #include "window/frame/window_parts.h"

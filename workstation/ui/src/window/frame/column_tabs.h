@@ -3,7 +3,7 @@
 #include <QTabBar>
 #include <vector>
 
-#include "widgets/window_layout.h"
+#include "window/layout/window_layout.h"
 
 namespace ew::ui {
 

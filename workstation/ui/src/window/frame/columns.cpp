@@ -6,13 +6,13 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ew/widgets/theme.h"
 #include "keys/key_tips.h"
-#include "widgets/theme.h"
-#include "widgets/window_layout.h"
 #include "window/frame/column_tabs.h"
 #include "window/frame/commands.h"
 #include "window/frame/window_parts.h"
 #include "window/frame/workspaces.h"
+#include "window/layout/window_layout.h"
 
 namespace ew::ui {
 namespace {

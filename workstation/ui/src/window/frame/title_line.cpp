@@ -5,7 +5,7 @@
 #include "ew/library/access.h"
 #include "ew/library/case.h"
 #include "ew/library/new_case.h"
-#include "widgets/words.h"
+#include "ew/widgets/words.h"
 #include "window/frame/window_parts.h"
 #include "window/frame/workspaces.h"
 

@@ -11,10 +11,10 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "ew/widgets/icons.h"
+#include "ew/widgets/theme.h"
 #include "keys/key_tips.h"
-#include "widgets/icons.h"
-#include "widgets/theme.h"
-#include "widgets/window_layout.h"
+#include "window/layout/window_layout.h"
 
 namespace ew::ui {
 

@@ -10,7 +10,7 @@
 #include <QVariant>
 #include <algorithm>
 
-#include "widgets/theme.h"
+#include "ew/widgets/theme.h"
 
 namespace ew::ui {
 namespace {

@@ -1,7 +1,7 @@
 #include "window/frame/undo.h"
 
 #include "ew/sdk/host.h"
-#include "widgets/words.h"
+#include "ew/widgets/words.h"
 #include "window/frame/commands.h"
 #include "window/frame/window_parts.h"
 #include "window/frame/workspaces.h"

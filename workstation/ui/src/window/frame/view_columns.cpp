@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "case/case_info.h"
-#include "widgets/theme.h"
+#include "ew/widgets/theme.h"
 
 namespace ew::ui {
 namespace {

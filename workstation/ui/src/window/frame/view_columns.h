@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <functional>
 
-#include "widgets/window_layout.h"
+#include "window/layout/window_layout.h"
 
 class QSplitter;
 

@@ -8,11 +8,11 @@
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
 #include "ew/scanning/recording_journal.h"
+#include "ew/widgets/words.h"
 #include "measure/calipers/calipers.h"
 #include "measure/worksheets/worksheets.h"
 #include "scan/cine/recorder.h"
 #include "scan/session.h"
-#include "widgets/words.h"
 
 namespace ew::ui {
 namespace {

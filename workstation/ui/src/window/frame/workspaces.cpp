@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "ew/sdk/host.h"
+#include "ew/widgets/words.h"
 #include "keys/key_tips.h"
-#include "widgets/words.h"
 #include "window/frame/columns.h"
 #include "window/frame/commands.h"
 #include "window/frame/undo.h"
