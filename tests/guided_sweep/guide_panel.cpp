@@ -8,6 +8,7 @@
 
 #include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/words.h"
 
 namespace guided_sweep {
@@ -38,7 +39,7 @@ GuidePanel::GuidePanel(ew::sdk::Host& host, Guide& guide, QWidget* parent) : QWi
   form->addRow(ew::sdk::quietLabel(tr("Duration")), duration_);
   rows->addLayout(form);
   run_ = button("guideRun", {}, tr("The probe moves along the sweep by itself, and is yours again at its end"));
-  run_->setProperty("primary", true);
+  setLook(run_, Look::primary);
   rows->addWidget(run_);
   state_ = ew::sdk::quietLabel({});
   state_->setObjectName(QStringLiteral("guideState"));

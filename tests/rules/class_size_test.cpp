@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -104,6 +105,22 @@ TEST(ClassSize, OnePlaceAsksForTheNameOfAFileToSave) {
   EXPECT_EQ(brokenBy([](const Source& source) { return matchesOf(source, R"(getSaveFileName|AcceptSave)"); },
                      {{"workstation/widgets/src/save_file.cpp", "It is the place."}}, "Use askSaveFile() of ew/widgets/save_file.h."),
             "");
+}
+
+TEST(ClassSize, OnePlaceKnowsWhatTheStyleSheetCallsALook) {
+  // In the text as it is written: codeOf() blanks what stands between quotation marks.
+  const std::regex hook(
+      R"re(setProperty\("(heading|quiet|small|primary|compact|flat|fold|listed|segment|onScan|panels|edge|workspace)")re");
+  EXPECT_TRUE(std::regex_search(R"(hint->setProperty("quiet", true);)", hook));
+  const auto hooksOf = [&](const Source& source) {
+    std::vector<Offence> found;
+    std::istringstream lines(source.text);
+    int number = 0;
+    for (std::string line; std::getline(lines, line);)
+      if (++number; std::regex_search(line, hook)) found.push_back({source.path, number, line});
+    return found;
+  };
+  EXPECT_EQ(brokenBy(hooksOf, {}, "Use setLook() of ew/widgets/look.h."), "");
 }
 
 }  // namespace

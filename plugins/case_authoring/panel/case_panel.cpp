@@ -14,6 +14,7 @@
 
 #include "ew/imaging/effect_info.h"
 #include "ew/library/case.h"
+#include "ew/widgets/look.h"
 #include "logic/edits.h"
 #include "panel/fields.h"
 #include "panel/section.h"
@@ -121,7 +122,7 @@ QWidget* CasePanel::makeNoVolumeRow() {
   column->addWidget(sentence);
   auto* give = new QPushButton(tr("Give the case a volume…"));
   give->setObjectName(QStringLiteral("giveVolumeFirst"));
-  give->setProperty("primary", true);
+  setLook(give, Look::primary);
   connect(give, &QPushButton::clicked, this, &CasePanel::giveVolume);
   column->addWidget(give, 0, Qt::AlignLeft);
   noVolumeRow_->hide();
@@ -231,7 +232,7 @@ QWidget* CasePanel::makeSaveRow() {
   buttons->addWidget(saveAs);
   auto* saveHere = new QPushButton(tr("Save"));
   saveHere->setObjectName(QStringLiteral("save"));
-  saveHere->setProperty("primary", true);
+  setLook(saveHere, Look::primary);
   connect(saveHere, &QPushButton::clicked, this, [this] { save(); });
   buttons->addWidget(saveHere);
   column->addLayout(buttons);
@@ -454,7 +455,7 @@ void CasePanel::showCase() {
 void CasePanel::showSaved() {
   const bool unsaved = host_.cases().hasUnsavedChanges();
   saved_->setText(unsaved ? tr("● unsaved changes") : tr("saved"));
-  saved_->setProperty("quiet", !unsaved);
+  setLook(saved_, Look::quiet, !unsaved);
   saved_->setToolTip(unsaved ? tr("The case has changes that are not in its folder yet") : tr("The folder holds the case as it is shown"));
   where_->setText(words(host_.cases().currentFolder().string()));
 }

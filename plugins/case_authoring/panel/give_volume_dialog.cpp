@@ -10,6 +10,7 @@
 #include "ew/library/new_case.h"
 #include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
+#include "ew/widgets/look.h"
 #include "logic/edits.h"
 #include "panel/rights_form.h"
 #include "panel/source_field.h"
@@ -60,7 +61,7 @@ GiveVolumeDialog::GiveVolumeDialog(sdk::Host& host, QWidget* parent) : QDialog(p
   buttons->addWidget(cancel);
   give_ = new QPushButton(hasOne ? tr("Replace the volume") : tr("Give the volume"));
   give_->setObjectName(QStringLiteral("giveVolumeNow"));
-  give_->setProperty("primary", true);
+  setLook(give_, Look::primary);
   give_->setDefault(true);
   connect(give_, &QPushButton::clicked, this, &GiveVolumeDialog::give);
   buttons->addWidget(give_);

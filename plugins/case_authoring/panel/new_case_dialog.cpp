@@ -18,6 +18,7 @@
 #include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
 #include "ew/sdk/workspaces.h"
+#include "ew/widgets/look.h"
 #include "panel/fields.h"
 #include "panel/rights_form.h"
 #include "panel/source_field.h"
@@ -213,7 +214,7 @@ QWidget* NewCaseDialog::makeButtons() {
   buttons->addWidget(back_);
   next_ = new QPushButton;
   next_->setObjectName(QStringLiteral("newCaseNext"));
-  next_->setProperty("primary", true);
+  setLook(next_, Look::primary);
   next_->setDefault(true);
   connect(next_, &QPushButton::clicked, this, [this] {
     if (steps_->currentIndex() == where)

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "ew/sdk/panel.h"
+#include "ew/widgets/look.h"
 #include "panel/fields.h"
 
 namespace ew::case_authoring {
@@ -75,7 +76,7 @@ PairList::Row PairList::addRow(std::size_t pair) {
   head->addWidget(row.residual);
   auto* away = new QPushButton(tr("Remove"));
   away->setObjectName(prefix + QStringLiteral("remove"));
-  away->setProperty("flat", true);
+  setLook(away, Look::flat);
   connect(away, &QPushButton::clicked, this, [this, pair] { onRemoved(pair); });
   head->addWidget(away);
   auto* places = new QHBoxLayout;

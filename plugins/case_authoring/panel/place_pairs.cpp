@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <QPushButton>
 
+#include "ew/widgets/look.h"
 #include "logic/edits.h"
 #include "panel/place_panel.h"
 
@@ -67,7 +68,7 @@ QWidget* PlacePanel::makePairs() {
   buttons->addStretch(1);
   fit_ = new QPushButton(tr("Place by these"));
   fit_->setObjectName(QStringLiteral("placeByPairs"));
-  fit_->setProperty("primary", true);
+  setLook(fit_, Look::primary);
   connect(fit_, &QPushButton::clicked, this, [this] {
     if (const auto found = fitOf(pairsIn(host_.caseParts().read(kPlacingPart))); found.fit)
       place(found.fit->fileToWorld, tr("Place the volume by places"), {});

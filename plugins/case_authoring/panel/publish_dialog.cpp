@@ -20,6 +20,7 @@
 #include "ew/sdk/panel.h"
 #include "ew/sdk/scan.h"
 #include "ew/sdk/window.h"
+#include "ew/widgets/look.h"
 
 namespace ew::case_authoring {
 namespace {
@@ -103,7 +104,7 @@ PublishDialog::PublishDialog(sdk::Host& host, QWidget* parent) : QDialog(parent)
   buttons->addWidget(close);
   publish_ = new QPushButton(tr("Publish"));
   publish_->setObjectName(QStringLiteral("publishNow"));
-  publish_->setProperty("primary", true);
+  setLook(publish_, Look::primary);
   publish_->setDefault(true);
   buttons->addWidget(publish_);
   column->addLayout(buttons);
@@ -203,14 +204,14 @@ void PublishDialog::addItem(QVBoxLayout& rows, const CheckItem& item, int number
   auto* sign = new QLabel(signOf(item.state));
   sign->setFixedWidth(2 * kGap_px);
   sign->setAlignment(Qt::AlignTop | Qt::AlignHCenter);
-  sign->setProperty("heading", true);
+  setLook(sign, Look::heading);
   if (item.state == State::missing) sign->setForegroundRole(QPalette::BrightText);
-  if (item.state == State::done) sign->setProperty("quiet", true);
+  if (item.state == State::done) setLook(sign, Look::quiet);
   inside->addWidget(sign);
   auto* what = new QLabel(words(item.what));
   what->setWordWrap(true);
   what->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  if (item.state == State::done) what->setProperty("quiet", true);
+  if (item.state == State::done) setLook(what, Look::quiet);
   inside->addWidget(what, 1);
   for (QLabel* label : {sign, what}) label->setAttribute(Qt::WA_TransparentForMouseEvents);
   row->setMinimumHeight(inside->sizeHint().height());

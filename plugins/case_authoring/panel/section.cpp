@@ -4,11 +4,11 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSettings>
-#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "ew/sdk/panel.h"
+#include "ew/widgets/look.h"
 
 namespace ew::case_authoring {
 namespace {
@@ -27,7 +27,7 @@ Section::Section(const QString& id, const QString& title, QWidget* parent) : QWi
   head_ = new QToolButton;
   head_->setObjectName(QStringLiteral("head_") + id);
   head_->setText(title);
-  head_->setProperty("heading", true);
+  setLook(head_, Look::heading);
   head_->setCheckable(true);
   head_->setAutoRaise(true);
   head_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -65,11 +65,9 @@ void Section::setOpen(bool open) {
 void Section::setMissing(const QStringList& names, bool isNeeded) {
   mark_->setVisible(isNeeded);
   const bool isComplete = names.isEmpty();
-  mark_->setProperty("quiet", isComplete);
   mark_->setForegroundRole(isComplete ? QPalette::WindowText : QPalette::BrightText);
+  setLook(mark_, Look::quiet, isComplete);
   mark_->setText(isComplete ? tr("complete") : names.size() == 1 ? tr("1 missing") : tr("%1 missing").arg(names.size()));
-  mark_->style()->unpolish(mark_);
-  mark_->style()->polish(mark_);
   mark_->updateGeometry();
   mark_->setToolTip(isComplete ? QString() : tr("Before the case can be published: %1").arg(names.join(QStringLiteral(", "))));
 }

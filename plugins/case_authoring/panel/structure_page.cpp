@@ -13,6 +13,7 @@
 
 #include "ew/sdk/panel.h"
 #include "ew/sdk/scan.h"
+#include "ew/widgets/look.h"
 #include "logic/edits.h"
 #include "logic/targets.h"
 #include "logic/tissues.h"
@@ -206,7 +207,7 @@ QWidget* StructurePage::makeKeeping() {
   discard_ = structureButton(tr("Discard"), tr("Give up everything that was painted since it was kept last"), "paintDiscard");
   connect(discard_, &QPushButton::clicked, this, [this] { work_.discard(); });
   keep_ = structureButton(tr("Keep in the case"), tr("Put what was painted into the case, as one step that can be undone"), "paintKeep");
-  keep_->setProperty("primary", true);
+  setLook(keep_, Look::primary);
   connect(keep_, &QPushButton::clicked, this, [this] { work_.keep(); });
   decisions->addWidget(discard_);
   decisions->addWidget(keep_);
@@ -313,7 +314,7 @@ void StructurePage::followWork() {
   state_->setText(work_.isBusy()      ? tr("Working…")
                   : work_.hasUnkept() ? tr("● painted, not kept in the case yet")
                                       : tr("The case holds what is shown."));
-  state_->setProperty("quiet", !work_.hasUnkept());
+  setLook(state_, Look::quiet, !work_.hasUnkept());
 }
 
 }  // namespace ew::case_authoring

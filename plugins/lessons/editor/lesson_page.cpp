@@ -9,6 +9,7 @@
 #include "editor/field_form.h"
 #include "editor/order_list.h"
 #include "ew/sdk/panel.h"
+#include "ew/widgets/look.h"
 #include "panel/lesson_list.h"
 #include "panel/scrolled_rows.h"
 #include "panel/step_kinds.h"
@@ -72,7 +73,7 @@ QWidget* LessonPage::makeStepButtons() {
   }
   add->setMenu(menu);
   auto* open = smallButton(tr("Edit"), "editStep", tr("Edit the chosen step"));
-  open->setProperty("primary", true);
+  setLook(open, Look::primary);
   auto* copy = smallButton(tr("Duplicate"), "copyStep", tr("Put a copy behind the chosen step"));
   auto* remove = smallButton(tr("Remove"), "removeStep", tr("Remove the chosen step; undo brings it back"));
   auto* up = smallButton(QStringLiteral("\u2191"), "stepUp", tr("Move the chosen step up (Alt+Up)"));

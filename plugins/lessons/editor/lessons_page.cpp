@@ -11,6 +11,7 @@
 #include "editor/order_list.h"
 #include "ew/library/templates.h"
 #include "ew/sdk/panel.h"
+#include "ew/widgets/look.h"
 #include "panel/lesson_list.h"
 
 namespace ew::lessons {
@@ -67,7 +68,7 @@ QHBoxLayout* LessonsPage::makeChosenRow() {
   auto* row = new QHBoxLayout;
   row->setSpacing(kGap_px);
   auto* open = smallButton(tr("Edit"), "editLesson", tr("Edit the chosen lesson and its steps"));
-  open->setProperty("primary", true);
+  setLook(open, Look::primary);
   auto* copy = smallButton(tr("Duplicate"), "copyLesson", tr("Put a copy behind the chosen lesson"));
   auto* removeChosen = smallButton(tr("Remove"), "removeLesson", tr("Remove the chosen lesson; undo brings it back"));
   row->addWidget(open);

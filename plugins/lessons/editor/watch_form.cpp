@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QPointer>
 #include <QPushButton>
-#include <QStyle>
 #include <cmath>
 
 #include "editor/expert_take.h"
@@ -13,6 +12,7 @@
 #include "editor/time_line.h"
 #include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
+#include "ew/widgets/look.h"
 #include "panel/expert_player.h"
 
 namespace ew::lessons {
@@ -67,7 +67,7 @@ QWidget* WatchForm::makeTakePart() {
   auto* row = new QHBoxLayout;
   row->setSpacing(kGap_px);
   stop_ = smallButton(tr("Stop"), "stopRecording", tr("End the recording and keep it in the case"));
-  stop_->setProperty("primary", true);
+  setLook(stop_, Look::primary);
   pause_ = smallButton({}, "pauseRecording", {});
   discard_ = smallButton(tr("Discard"), "discardRecording", tr("End the recording without keeping it"));
   row->addWidget(stop_);
@@ -228,9 +228,7 @@ void WatchForm::showTask(bool typed) {
   record_->setVisible(!isMine && isHome());
   record_->setEnabled(!elsewhere);
   record_->setText(task.recording.empty() ? tr("Record here") : tr("Record again"));
-  record_->setProperty("primary", task.recording.empty());
-  record_->style()->unpolish(record_);  // the look follows a property that has changed
-  record_->style()->polish(record_);
+  setLook(record_, Look::primary, task.recording.empty());
   choose_->setVisible(!isMine);
   if (elsewhere)
     state_->setText(take_.isOfOpenCase()

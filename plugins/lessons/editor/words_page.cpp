@@ -11,6 +11,7 @@
 
 #include "editor/order_list.h"
 #include "ew/sdk/panel.h"
+#include "ew/widgets/look.h"
 
 namespace ew::lessons {
 
@@ -67,7 +68,7 @@ WordsPage::WordsPage(LessonDocument& document, QWidget* parent) : QWidget(parent
   translation_->setAccessibleName(tr("Translation"));
   column->addWidget(translation_, 1);
   keep_ = smallButton(tr("Keep and go to the next"), "keepWords", tr("Written into the case folder at once"));
-  keep_->setProperty("primary", true);
+  setLook(keep_, Look::primary);
   column->addWidget(keep_, 0, Qt::AlignLeft);
   connect(language_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &WordsPage::showTexts);
   connect(onlyMissing_, &QCheckBox::toggled, this, &WordsPage::showTexts);

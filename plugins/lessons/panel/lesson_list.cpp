@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ew/sdk/panel.h"
+#include "ew/widgets/look.h"
 #include "panel/scrolled_rows.h"
 #include "panel/step_kinds.h"
 
@@ -71,13 +72,13 @@ void LessonList::showLessons(const std::vector<Lesson>& lessons, const std::vect
     if (stands.interrupted) {
       auto* goOn = new QPushButton(tr("Go on at step %1").arg(std::min(stands.interruptedAt + 1, lesson.steps.size())));
       goOn->setObjectName(QStringLiteral("goOnWithLesson"));
-      goOn->setProperty("primary", true);
+      setLook(goOn, Look::primary);
       connect(goOn, &QPushButton::clicked, this, [this, id] { Q_EMIT goOnAsked(id); });
       buttons->addWidget(goOn, 0, Qt::AlignLeft);
     }
     auto* start = new QPushButton(stands.interrupted ? tr("Begin again") : tr("Start"));
     start->setObjectName(QStringLiteral("startLesson"));
-    start->setProperty("primary", !stands.interrupted);
+    setLook(start, Look::primary, !stands.interrupted);
     start->setAccessibleName(tr("%1: %2").arg(start->text(), words(lesson.title)));
     start->setEnabled(!lesson.steps.empty());
     connect(start, &QPushButton::clicked, this, [this, id] { Q_EMIT startAsked(id); });

@@ -2,12 +2,12 @@
 
 #include <QLabel>
 #include <QPushButton>
-#include <QStyle>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
 #include "ew/sdk/panel.h"
+#include "ew/widgets/look.h"
 #include "logic/lesson_run.h"
 #include "panel/scrolled_rows.h"
 
@@ -41,7 +41,7 @@ OutcomePage::OutcomePage(QWidget* parent) : QWidget(parent) {
   connect(again_, &QPushButton::clicked, this, &OutcomePage::againAsked);
   next_ = new QPushButton;
   next_->setObjectName(QStringLiteral("nextStep"));
-  next_->setProperty("primary", true);
+  setLook(next_, Look::primary);
   connect(next_, &QPushButton::clicked, this, &OutcomePage::nextAsked);
   buttons->addWidget(again_);
   buttons->addStretch(1);
@@ -56,18 +56,15 @@ void OutcomePage::addStep(int number, bool good, const QString& title, bool canR
   auto* again = new QPushButton(tr("Try this step again"));
   again->setObjectName(QStringLiteral("repeatStep"));
   again->setAccessibleName(tr("Try again: %1").arg(title));
-  again->setProperty("small", true);
+  setLook(again, Look::small);
   connect(again, &QPushButton::clicked, this, [this, number] { Q_EMIT stepAsked(number); });
   remarks_->rows()->addWidget(again, 0, Qt::AlignLeft);
 }
 
 /// What one would do next has colour and focus.
 void OutcomePage::offer(bool nextFirst) {
-  for (auto* each : {again_, next_}) {
-    each->setProperty("primary", (each == next_) == nextFirst);
-    each->style()->unpolish(each);  // the look follows a property that has changed
-    each->style()->polish(each);
-  }
+  setLook(again_, Look::primary, !nextFirst);
+  setLook(next_, Look::primary, nextFirst);
   guard_.begin({again_, next_}, nextFirst ? next_ : again_);
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ew/sdk/panel.h"
+#include "ew/widgets/look.h"
 #include "panel/scrolled_rows.h"
 
 namespace ew::lessons {
@@ -66,7 +67,7 @@ StepPage::StepPage(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(ho
   connect(skip, &QPushButton::clicked, this, &StepPage::skipAsked);
   done_ = new QPushButton(tr("Done"));
   done_->setObjectName(QStringLiteral("stepDone"));
-  done_->setProperty("primary", true);
+  setLook(done_, Look::primary);
   connect(done_, &QPushButton::clicked, this, &StepPage::doneAsked);
   buttons->addWidget(pause_);
   buttons->addWidget(skip);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ew/sdk/panel.h"
+#include "ew/widgets/look.h"
 #include "panel/class_page.h"
 #include "panel/class_table.h"
 #include "panel/session/review_session.h"
@@ -42,7 +43,7 @@ void ClassPage::showAttempts() {
 /// What may be said of whoever made an attempt, and what was.
 QComboBox* ClassPage::standingBox(std::size_t attempt) {
   auto* box = new QComboBox;
-  box->setProperty("small", true);
+  setLook(box, Look::small);
   box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   box->setObjectName(QStringLiteral("classStanding"));
   box->setToolTip(tr("What you say here is kept in the library and counts before what raters say"));

@@ -10,6 +10,7 @@
 
 #include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
+#include "ew/widgets/look.h"
 #include "panel/session/review_session.h"
 #include "panel/style.h"
 
@@ -122,7 +123,7 @@ void RatingPage::makeBody() {
   connect(draft_, &QPushButton::clicked, this, [this] { keep(false); });
   finish_ = new QPushButton(tr("Finish"));
   finish_->setObjectName(QStringLiteral("ratingFinish"));
-  finish_->setProperty("primary", true);
+  setLook(finish_, Look::primary);
   finish_->setToolTip(tr("Counts from now on; another one by you would be the next revision, and this one is kept"));
   connect(finish_, &QPushButton::clicked, this, [this] { keep(true); });
   buttons->addWidget(draft_, 1);

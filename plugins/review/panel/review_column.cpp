@@ -18,6 +18,7 @@
 #include "ew/sdk/flow_layout.h"
 #include "ew/sdk/panel.h"
 #include "ew/sdk/person.h"
+#include "ew/widgets/look.h"
 #include "panel/comments_page.h"
 #include "panel/rating_page.h"
 #include "panel/scores_page.h"
@@ -231,7 +232,7 @@ ReviewColumn::ReviewColumn(ReviewSession& session, QWidget* parent) : QWidget(pa
   rows->addLayout(makeReviewer());
   tabs_ = new QTabWidget;
   tabs_->setObjectName(QStringLiteral("reviewTabs"));
-  tabs_->setProperty("panels", true);
+  setLook(tabs_, Look::lowPanels);
   tabs_->setDocumentMode(true);
   tabs_->addTab(new ScansPage(session_), tr("Scans"));
   tabs_->addTab(new CommentsPage(session_), tr("Comments"));

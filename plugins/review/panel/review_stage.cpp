@@ -13,6 +13,7 @@
 #include "ew/sdk/flow_layout.h"
 #include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
+#include "ew/widgets/look.h"
 #include "panel/body_view.h"
 #include "panel/class_page.h"
 #include "panel/image_view.h"
@@ -30,12 +31,12 @@ namespace {
 constexpr double kSpeeds[] = {0.25, 0.5, 1.0, 2.0, 4.0};
 constexpr double kMostOffset_s = 600.0;
 
-QPushButton* segment(const QString& text, const QString& tip, const char* name, const char* place) {
+QPushButton* segment(const QString& text, const QString& tip, const char* name, Look place) {
   auto* button = new QPushButton(text);
   button->setObjectName(QLatin1String(name));
   button->setCheckable(true);
-  button->setProperty("small", true);
-  button->setProperty("segment", QLatin1String(place));
+  setLook(button, Look::small);
+  setLook(button, place);
   button->setToolTip(tip);
   button->setFocusPolicy(Qt::TabFocus);
   return button;
@@ -44,8 +45,8 @@ QPushButton* segment(const QString& text, const QString& tip, const char* name, 
 QPushButton* smallButton(const QString& text, const QString& tip, const char* name) {
   auto* button = new QPushButton(text);
   button->setObjectName(QLatin1String(name));
-  button->setProperty("small", true);
-  button->setProperty("compact", true);
+  setLook(button, Look::small);
+  setLook(button, Look::compact);
   button->setToolTip(tip);
   button->setFocusPolicy(Qt::TabFocus);
   return button;
@@ -165,7 +166,7 @@ QWidget* ReviewStage::makeBodyFrame() {
   body_ = new BodyView(scans_, playback_);
   heat_ = new QComboBox;
   heat_->setObjectName(QStringLiteral("reviewHeat"));
-  heat_->setProperty("small", true);
+  setLook(heat_, Look::small);
   heat_->setFocusPolicy(Qt::TabFocus);
   heat_->setAccessibleName(tr("Regions of the volume"));
   heat_->setToolTip(tr("Which regions of the volume were seen, and which were not (H)"));
@@ -221,7 +222,7 @@ QWidget* ReviewStage::makeTransport() {
   row->addWidget(time_);
   speed_ = new QComboBox;
   speed_->setObjectName(QStringLiteral("reviewSpeed"));
-  speed_->setProperty("small", true);
+  setLook(speed_, Look::small);
   speed_->setFocusPolicy(Qt::TabFocus);
   speed_->setAccessibleName(tr("Speed"));
   speed_->setToolTip(tr("Speed (- and +)"));
@@ -236,15 +237,16 @@ QWidget* ReviewStage::makeTransport() {
   connect(atEnd_, &QPushButton::clicked, this, [this](bool on) { playback_.setAtEnd(on ? AtEnd::beginAnew : AtEnd::rest); });
   row->addWidget(atEnd_);
   row->addStretch();
-  oneClock_ = segment(tr("One clock"), tr("Both scans go on in the same seconds, each from its beginning"), "reviewOneClock", "first");
+  oneClock_ =
+      segment(tr("One clock"), tr("Both scans go on in the same seconds, each from its beginning"), "reviewOneClock", Look::firstOf);
   aligned_ = segment(tr("Aligned"), tr("The expert's scan follows the trainee's probe: the same places at the same time (T)"),
-                     "reviewAligned", "last");
+                     "reviewAligned", Look::lastOf);
   connect(oneClock_, &QPushButton::clicked, this, [this] { playback_.setAligned(false); });
   connect(aligned_, &QPushButton::clicked, this, [this] { playback_.setAligned(true); });
   row->addWidget(together({oneClock_, aligned_}));
   offset_ = new sdk::NumberField(-kMostOffset_s, kMostOffset_s, 1, QStringLiteral("s"));
   offset_->setObjectName(QStringLiteral("reviewOffset"));
-  offset_->setProperty("small", true);
+  setLook(offset_, Look::small);
   offset_->setSingleStep(0.5);
   offset_->setAccessibleName(tr("The expert's scan begins later by"));
   offset_->setToolTip(tr("The expert's scan begins so much later than the trainee's"));
@@ -258,14 +260,15 @@ QWidget* ReviewStage::makeTransport() {
 QWidget* ReviewStage::makeDrawing() {
   drawing_ = new QWidget;
   sdk::FlowLayout* row = controlRow(drawing_);
-  const auto tool = [&](const QString& text, const QString& tip, const char* name, const char* place, CommentStroke::Kind kind) {
+  const auto tool = [&](const QString& text, const QString& tip, const char* name, Look place, CommentStroke::Kind kind) {
     auto* made = segment(text, tip, name, place);
     connect(made, &QPushButton::clicked, this, [this, kind](bool on) { chooseTool(on ? std::optional(kind) : std::nullopt); });
     tools_.push_back(made);
   };
-  tool(tr("Line"), tr("Draw a line on the trainee's image (D)"), "reviewLine", "first", CommentStroke::Kind::line);
-  tool(tr("Arrow"), tr("Draw an arrow on the trainee's image"), "reviewArrow", "true", CommentStroke::Kind::arrow);
-  tool(tr("Circle"), tr("Draw a circle on the trainee's image, from its middle"), "reviewCircle", "last", CommentStroke::Kind::circle);
+  tool(tr("Line"), tr("Draw a line on the trainee's image (D)"), "reviewLine", Look::firstOf, CommentStroke::Kind::line);
+  tool(tr("Arrow"), tr("Draw an arrow on the trainee's image"), "reviewArrow", Look::segment, CommentStroke::Kind::arrow);
+  tool(tr("Circle"), tr("Draw a circle on the trainee's image, from its middle"), "reviewCircle", Look::lastOf,
+       CommentStroke::Kind::circle);
   row->addWidget(together(tools_));
   dropDrawing_ = smallButton(tr("Clear"), tr("Take away what was drawn (Escape)"), "reviewDropDrawing");
   connect(dropDrawing_, &QPushButton::clicked, this, [this] { reviewed_->setDrawn({}); });

@@ -13,6 +13,7 @@
 
 #include "ew/assessment/metric.h"
 #include "ew/sdk/panel.h"
+#include "ew/widgets/look.h"
 #include "panel/report_button.h"
 #include "panel/session/review_session.h"
 #include "panel/style.h"
@@ -80,7 +81,7 @@ ScoresPage::ScoresPage(ReviewSession& session, QWidget* parent)
   table_->setAccessibleName(tr("Figures of this step"));
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);  // long names take two lines
-  table_->setProperty("small", true);
+  setLook(table_, Look::small);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);

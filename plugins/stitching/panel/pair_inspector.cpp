@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ew/widgets/look.h"
 #include "panel/charts.h"
 #include "panel/look.h"
 #include "panel/stitch_session.h"
@@ -189,7 +190,7 @@ QWidget* PairInspector::makeLandmarks() {
   head->addWidget(sdk::headingLabel(tr("Landmarks")), 1);
   pick_ = new QPushButton(tr("+ pick in both"));
   pick_->setObjectName(QStringLiteral("pickLandmarks"));
-  pick_->setProperty("flat", true);
+  setLook(pick_, Look::flat);
   pick_->setCheckable(true);
   pick_->setToolTip(tr("Click the same place in the fixed and in the moving view (P)"));
   connect(pick_, &QPushButton::toggled, this, [this](bool on) {
@@ -256,7 +257,7 @@ QWidget* PairInspector::makeRedo() {
   choice->addWidget(method_, 1);
   auto* redo = new QPushButton(tr("Match again"));
   redo->setObjectName(QStringLiteral("redoPair"));
-  redo->setProperty("compact", true);
+  setLook(redo, Look::compact);
   connect(redo, &QPushButton::clicked, this, [this] {
     const auto method = static_cast<PairMethod>(method_->currentData().toInt());
     if (method == PairMethod::byHand) return edits_.setTransform(look_.transform(), tr("keep the pair as it lies"), {});

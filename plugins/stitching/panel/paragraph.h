@@ -4,6 +4,8 @@
 #include <QLabel>
 #include <algorithm>
 
+#include "ew/widgets/look.h"
+
 namespace ew::stitching {
 
 /// A quiet text of as many lines as it takes at the width it is given. A plain label that wraps asks for height by width, which scrolled
@@ -11,7 +13,7 @@ namespace ew::stitching {
 class Paragraph final : public QLabel {
  public:
   explicit Paragraph(const QString& text = {}, QWidget* parent = nullptr) : QLabel(text, parent) {
-    setProperty("quiet", true);
+    setLook(this, Look::quiet);
     setWordWrap(true);
     fit();
   }

@@ -12,11 +12,11 @@
 #include <QPainter>
 #include <QScrollArea>
 #include <QStackedWidget>
-#include <QStyle>
 #include <QUrl>
 #include <algorithm>
 
 #include "ew/core/memory.h"
+#include "ew/widgets/look.h"
 #include "panel/charts.h"
 #include "panel/folders.h"
 #include "panel/look.h"
@@ -27,14 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using sdk::kGap_px;
-
-/// Marks the one button that is the next thing to do.
-void setPrimary(QPushButton* button, bool primary) {
-  if (button->property("primary").toBool() == primary) return;
-  button->setProperty("primary", primary);
-  button->style()->unpolish(button);
-  button->style()->polish(button);
-}
 
 class LegendMark final : public QWidget {
  public:
@@ -115,7 +107,7 @@ QWidget* StitchPanel::makeOffer() {
   auto* row = new QHBoxLayout;
   auto* reopen = new QPushButton(tr("Reopen"));
   reopen->setObjectName(QStringLiteral("reopenLeft"));
-  reopen->setProperty("primary", true);
+  setLook(reopen, Look::primary);
   connect(reopen, &QPushButton::clicked, &document_, &ProjectDocument::reopenLeft);
   auto* discard = new QPushButton(tr("Discard"));
   discard->setObjectName(QStringLiteral("discardLeft"));
@@ -135,7 +127,7 @@ QWidget* StitchPanel::makeWorkPage(StitchSession& session) {
 
   const auto flat = [this](const QString& text, const QString& hint, const char* name) {
     auto* button = new QPushButton(text);
-    button->setProperty("flat", true);
+    setLook(button, Look::flat);
     button->setToolTip(hint);
     button->setObjectName(QLatin1String(name));
     return button;
@@ -203,7 +195,7 @@ QWidget* StitchPanel::makeLegend() {
   using Mark = StitchResults::Mark;
   for (const auto mark : {Mark::aligned, Mark::cannotTell, Mark::landmarks, Mark::notAligned, Mark::byHand, Mark::rejected}) {
     auto* word = sdk::quietLabel(mark == Mark::byHand ? tr("manual") : wordsOfMark(mark));  // that it was not checked is said at the pair
-    word->setProperty("small", true);
+    setLook(word, Look::small);
     word->setWordWrap(false);
     grid->addWidget(new LegendMark(mark), n / 2, 2 * (n % 2));
     grid->addWidget(word, n / 2, 2 * (n % 2) + 1);
@@ -263,7 +255,7 @@ QWidget* StitchPanel::makeResultBox() {
   row->setSpacing(kGap_px / 2);
   const auto button = [&](const QString& text, const QString& hint, const char* name) {
     auto* made = new QPushButton(text);
-    made->setProperty("compact", true);
+    setLook(made, Look::compact);
     made->setToolTip(hint);
     made->setObjectName(QLatin1String(name));
     row->addWidget(made, 1);
@@ -280,7 +272,7 @@ QWidget* StitchPanel::makeResultBox() {
   old_ = new Paragraph(tr("Older than the last edit."));
   old_->setToolTip(tr("'Compute mosaic' renews the stitched volume"));
   old_->setObjectName(QStringLiteral("resultIsOld"));
-  old_->setProperty("small", true);
+  setLook(old_, Look::small);
   column->addWidget(old_);
   outcome_ = new Paragraph;
   outcome_->setObjectName(QStringLiteral("outcome"));
@@ -288,11 +280,11 @@ QWidget* StitchPanel::makeResultBox() {
   column->addWidget(outcome_);
   auto* more = new QPushButton(tr("Options"));
   more->setObjectName(QStringLiteral("moreOptions"));
-  more->setProperty("flat", true);
+  setLook(more, Look::flat);
   more->setCheckable(false);
   forecast_ = new Paragraph;
   forecast_->setObjectName(QStringLiteral("forecast"));
-  forecast_->setProperty("small", true);
+  setLook(forecast_, Look::small);
   moreRow_ = new QWidget;
   auto* moreRow = new QHBoxLayout(moreRow_);
   moreRow->setContentsMargins(0, 0, 0, 0);
@@ -364,7 +356,7 @@ void StitchPanel::refresh() {
   const bool was = std::exchange(showing_, true);
   const auto* left = document_.left();
   offer_->setVisible(left != nullptr);
-  setPrimary(addFirst_, left == nullptr);
+  setLook(addFirst_, Look::primary, left == nullptr);
   if (left != nullptr) {
     QString word = left->file.empty() ? tr("A project of %n volumes was not saved when the program ended.", nullptr,
                                            static_cast<int>(left->project.volumes.size()))
@@ -400,12 +392,12 @@ void StitchPanel::refresh() {
   const bool matched = results_.isMatchFresh();
   const bool placed = std::all_of(project.volumes.begin(), project.volumes.end(), isPlaced);
   const bool made = mosaic_.isFresh();
-  setPrimary(match_, !matched && !placed);
-  setPrimary(refine_, !matched && placed);
-  setPrimary(seams_, matched && !made && results_.pairsToLookAt() == 0);  // a pair that needs a look comes first
+  setLook(match_, Look::primary, !matched && !placed);
+  setLook(refine_, Look::primary, !matched && placed);
+  setLook(seams_, Look::primary, matched && !made && results_.pairsToLookAt() == 0);  // a pair that needs a look comes first
   const bool isCaseOpen = mosaic_.isCaseOpen();
-  setPrimary(handOver_, matched && made && isCaseOpen);
-  setPrimary(saveVolume_, matched && made && !isCaseOpen);
+  setLook(handOver_, Look::primary, matched && made && isCaseOpen);
+  setLook(saveVolume_, Look::primary, matched && made && !isCaseOpen);
   saveProject_->setEnabled(document_.hasUnsavedChanges());
   resultBox_->setVisible(mosaic_.volume() != nullptr);
   old_->setVisible(mosaic_.volume() != nullptr && !mosaic_.isFresh());

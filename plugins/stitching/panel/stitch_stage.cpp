@@ -9,6 +9,7 @@
 #include <QUrl>
 #include <algorithm>
 
+#include "ew/widgets/look.h"
 #include "panel/look.h"
 #include "panel/session_door.h"
 #include "panel/stitch_session.h"
@@ -58,7 +59,7 @@ QComboBox* smallCombo(const char* name, const QString& hint) {
   auto* box = new QComboBox;
   box->setObjectName(QLatin1String(name));
   box->setToolTip(hint);
-  box->setProperty("small", true);
+  setLook(box, Look::small);
   box->setFocusPolicy(Qt::TabFocus);
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   box->setMinimumContentsLength(5);
@@ -71,8 +72,8 @@ QPushButton* smallToggle(const QString& text, const QString& hint, const char* n
   auto* button = new QPushButton(text);
   button->setObjectName(QLatin1String(name));
   button->setCheckable(true);
-  button->setProperty("compact", true);
-  button->setProperty("small", true);
+  setLook(button, Look::compact);
+  setLook(button, Look::small);
   button->setToolTip(hint);
   button->setFocusPolicy(Qt::TabFocus);
   return button;
@@ -191,7 +192,7 @@ void StitchStage::makeBrush() {
   });
   brush_ = new sdk::NumberField(1.0, 50.0, 0, tr("mm"));
   brush_->setObjectName(QStringLiteral("brush"));
-  brush_->setProperty("small", true);
+  setLook(brush_, Look::small);
   brush_->setMinimumWidth(68);
   brush_->setValue(tools_.brush_mm);
   brush_->setToolTip(tr("Radius of the brush ([ and ])"));
@@ -247,7 +248,7 @@ QWidget* StitchStage::makeFrame(QLabel*& title, QWidget* content, const std::vec
   row->setContentsMargins(kGap_px, 3, kGap_px / 2, 3);
   row->setSpacing(kGap_px / 2);
   title = new ElidedLabel;
-  title->setProperty("small", true);
+  setLook(title, Look::small);
   title->setBuddy(content);  // and so its name for who has it read aloud
   row->addWidget(title, 1);
   for (QWidget* control : controls) row->addWidget(control);

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "ew/sdk/panel.h"
+#include "ew/widgets/look.h"
 #include "panel/folders.h"
 #include "panel/look.h"
 #include "panel/stitch_session.h"
@@ -181,7 +182,7 @@ QWidget* VolumeList::makeChosenBox() {
   row->addWidget(placement_, 1);
   const auto small = [&](const QString& text, const QString& hint, const char* name) {
     auto* button = new QPushButton(text);
-    button->setProperty("compact", true);
+    setLook(button, Look::compact);
     button->setToolTip(hint);
     button->setObjectName(QLatin1String(name));
     row->addWidget(button);
@@ -210,7 +211,7 @@ QWidget* VolumeList::makeSweepRow() {
   row->setSpacing(kGap_px / 2);
   calibration_ = new QPushButton;
   calibration_->setObjectName(QStringLiteral("calibration"));
-  calibration_->setProperty("compact", true);
+  setLook(calibration_, Look::compact);
   calibration_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   connect(calibration_, &QPushButton::clicked, this, &VolumeList::chooseCalibration);
   row->addWidget(calibration_, 1);

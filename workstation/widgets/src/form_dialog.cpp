@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 
 namespace ew {
@@ -50,7 +51,7 @@ FormDialog::FormDialog(const QString& heading, const QString& tip, QWidget* pare
   outer_->setContentsMargins(24, 24, 24, 24);
   outer_->setSpacing(16);
   auto* title = new QLabel(heading);
-  title->setProperty("heading", true);
+  setLook(title, Look::heading);
   title->setToolTip(tip);
   outer_->addWidget(title);
   sentence_ = new QLabel;

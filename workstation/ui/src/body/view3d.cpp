@@ -20,6 +20,7 @@
 
 #include "ew/core/contract.h"
 #include "ew/widgets/focus_ring.h"
+#include "ew/widgets/look.h"
 
 namespace ew::ui {
 namespace {
@@ -165,7 +166,7 @@ View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts
 
   parts_->hint->setObjectName(QStringLiteral("viewHints"));
   parts_->hint->setAttribute(Qt::WA_TransparentForMouseEvents);
-  parts_->hint->setProperty("small", true);
+  setLook(parts_->hint, Look::small);
   parts_->buttons->setObjectName(QStringLiteral("viewButtons"));
   auto* grid = new QGridLayout(parts_->buttons);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -176,7 +177,7 @@ View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts
     button->setFocusPolicy(Qt::TabFocus);  // a click must not take the arrow keys away from the probe
     button->setAutoRaise(true);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    button->setProperty("small", true);
+    setLook(button, Look::small);
     connect(button, &QToolButton::clicked, this, action);
     parts_->viewButtons.push_back(button);
   };
@@ -192,7 +193,7 @@ View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts
   skinButton->setAutoRaise(true);
   skinButton->setCheckable(true);
   skinButton->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  skinButton->setProperty("small", true);
+  setLook(skinButton, Look::small);
   connect(skinButton, &QToolButton::toggled, this, [this](bool through) { setBodyOpacity(through ? kTranslucent : 1.0); });
   parts_->viewButtons.push_back(skinButton);
   new FocusRing(*this, *parts_->canvas);

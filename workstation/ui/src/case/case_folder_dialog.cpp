@@ -11,6 +11,7 @@
 
 #include "ew/library/case.h"
 #include "ew/library/published.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 
@@ -73,7 +74,7 @@ CaseFolderDialog::CaseFolderDialog(const QString& why, const QString& name, QWid
   rows->addStretch(1);
   save_ = new QPushButton(tr("Save"));
   save_->setObjectName(QStringLiteral("saveCaseFolder"));
-  save_->setProperty("primary", true);
+  setLook(save_, Look::primary);
   save_->setDefault(true);
   auto* cancel = new QPushButton(tr("Cancel"));
   cancel->setAutoDefault(false);

@@ -17,6 +17,7 @@
 #include "ew/library/case.h"
 #include "ew/library/case_words.h"
 #include "ew/widgets/icons.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 
@@ -90,7 +91,7 @@ CaseInfo::CaseInfo(QWidget* parent) : QWidget(parent) {
   rows->setSpacing(0);
   head_ = new QPushButton(tr("Case"));
   head_->setObjectName(QStringLiteral("caseInfoHead"));
-  head_->setProperty("fold", true);
+  setLook(head_, Look::fold);
   holdFixedHeight(*head_, kHead_px);
   head_->setFocusPolicy(Qt::TabFocus);
   head_->setToolTip(tr("Patient, history, indication, and what is to be shown"));
@@ -218,8 +219,8 @@ void CaseInfo::fill(const Case& shown) {
 void CaseInfo::addHeading(const QString& text) {
   rows_->addSpacing(8);
   auto* label = new QLabel(text);
-  label->setProperty("quiet", true);
-  label->setProperty("small", true);
+  setLook(label, Look::quiet);
+  setLook(label, Look::small);
   rows_->addWidget(label);
 }
 
@@ -227,7 +228,7 @@ QLabel* CaseInfo::addText(const QString& text, bool quiet) {
   auto* label = new QLabel(text);
   label->setTextFormat(Qt::PlainText);
   label->setWordWrap(true);
-  label->setProperty("quiet", quiet);
+  setLook(label, Look::quiet, quiet);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   label->setFocusPolicy(Qt::NoFocus);
   rows_->addWidget(label);
@@ -267,7 +268,7 @@ void CaseInfo::addList(const Case& shown) {
   add(tr("Points to find"), targetsOf(shown, CaseTarget::Kind::point));
   add(tr("To measure"), measurementsOf(shown));
   if (waiting > 0) {
-    addText(tr("%n more with the findings", nullptr, waiting), true)->setProperty("small", true);
+    setLook(addText(tr("%n more with the findings", nullptr, waiting), true), Look::small);
   }
 }
 

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "ew/widgets/look.h"
 #include "ew/widgets/words.h"
 #include "images/stored_examination.h"
 #include "jobs/jobs.h"
@@ -38,14 +39,14 @@ ExaminationDialog::ExaminationDialog(StoredExamination& stored, Worksheets& work
   rows->setContentsMargins(16, 16, 16, 16);
   rows->setSpacing(8);
   auto* heading = new QLabel(tr("Stored images"));
-  heading->setProperty("heading", true);
+  setLook(heading, Look::heading);
   rows->addWidget(heading);
   noImages_ =
       new QLabel(tr("No image is stored yet. 'Store image' in the menu 'File' keeps what the scan shows, with all that is measured "
                     "and written on it."));
   noImages_->setObjectName(QStringLiteral("noStoredImages"));
   noImages_->setWordWrap(true);
-  noImages_->setProperty("quiet", true);
+  setLook(noImages_, Look::quiet);
   rows->addWidget(noImages_);
   images_ = new QListWidget;
   images_->setObjectName(QStringLiteral("storedImages"));
@@ -70,15 +71,15 @@ ExaminationDialog::ExaminationDialog(StoredExamination& stored, Worksheets& work
   rows->addSpacing(8);
   addArchive(*rows);
   auto* caution = new QLabel(tr("Every image and report says that it is a simulation and not for diagnosis."));
-  caution->setProperty("small", true);
-  caution->setProperty("quiet", true);
+  setLook(caution, Look::small);
+  setLook(caution, Look::quiet);
   rows->addWidget(caution);
   auto* buttons = new QHBoxLayout;
   save_ = new QPushButton(tr("Save as DICOM files…"));
   save_->setObjectName(QStringLiteral("saveExamination"));
   send_ = new QPushButton(tr("Send to the archive"));
   send_->setObjectName(QStringLiteral("sendExamination"));
-  send_->setProperty("primary", true);
+  setLook(send_, Look::primary);
   auto* close = new QPushButton(tr("Close"));
   buttons->addWidget(save_);
   buttons->addStretch(1);
@@ -100,7 +101,7 @@ ExaminationDialog::ExaminationDialog(StoredExamination& stored, Worksheets& work
 
 void ExaminationDialog::addArchive(QVBoxLayout& rows) {
   auto* heading = new QLabel(tr("Archive"));
-  heading->setProperty("heading", true);
+  setLook(heading, Look::heading);
   rows.addWidget(heading);
   const QSettings kept;
   host_ = new QLineEdit(kept.value(kHost).toString());

@@ -4,6 +4,7 @@
 #include <QPushButton>
 #include <QVariant>
 
+#include "ew/widgets/look.h"
 #include "images/picture_grid.h"
 #include "keys/key_tips.h"
 
@@ -39,7 +40,7 @@ PictureButtons::PictureButtons(PictureGrid& grid, QWidget* parent) : QWidget(par
       add(line, "fourPictures", QStringLiteral("4"), tipWithKeys(tr("Four pictures (%1: the next number of pictures)"), "pictures.count"))};
   for (std::size_t n = 0; n < counts_.size(); ++n) {
     counts_[n]->setCheckable(true);
-    counts_[n]->setProperty("segment", n == 0 ? "first" : n + 1 == counts_.size() ? "last" : "true");
+    setLook(counts_[n], n == 0 ? Look::firstOf : n + 1 == counts_.size() ? Look::lastOf : Look::segment);
     connect(counts_[n], &QPushButton::clicked, this, [this, n] {
       grid_.setCount(kCounts[n]);
       showAll();  // a button checks itself, whatever came of it
@@ -48,11 +49,11 @@ PictureButtons::PictureButtons(PictureGrid& grid, QWidget* parent) : QWidget(par
   line->addWidget(severalOnly_, 2);
   next_ = add(several, "nextPicture", tr("L/R", "the next of several pictures"),
               tipWithKeys(tr("Next picture: a running scan goes on in it, a frozen one is kept (%1)"), "pictures.next"));
-  next_->setProperty("compact", true);
+  setLook(next_, Look::compact);
   connect(next_, &QPushButton::clicked, this, [this] { grid_.takeNext(); });
   scale_ =
       add(several, "sameScale", tr("1 : 1", "all pictures at the same scale"), tr("All pictures at the scale of the one that shows most"));
-  scale_->setProperty("compact", true);
+  setLook(scale_, Look::compact);
   scale_->setCheckable(true);
   connect(scale_, &QPushButton::clicked, this, [this](bool same) { grid_.setSameScale(same); });
   connect(&grid_, &PictureGrid::changed, this, &PictureButtons::showAll);

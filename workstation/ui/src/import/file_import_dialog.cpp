@@ -20,6 +20,7 @@
 #include <algorithm>
 
 #include "ew/io/sequence.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/picture_chooser.h"
 #include "ew/widgets/save_file.h"
 #include "ew/widgets/small_result_question.h"
@@ -110,14 +111,14 @@ void FileImportDialog::addRows() {
   }
   removed_ = new QLabel;
   removed_->setObjectName(QStringLiteral("importRemoved"));
-  removed_->setProperty("small", true);
+  setLook(removed_, Look::small);
   removed_->setWordWrap(true);
   rows().addWidget(removed_);
   rows().addStretch(1);
 
   import_ = new QPushButton(tr("Import"));
   import_->setObjectName(QStringLiteral("importFile"));
-  import_->setProperty("primary", true);
+  setLook(import_, Look::primary);
   import_->setDefault(true);
   auto* cancel = new QPushButton(tr("Cancel"));
   if (picture_ != nullptr && kind_ != FileKind::dicomStack) {
@@ -149,7 +150,7 @@ void FileImportDialog::addPictureRows(QFormLayout& form) {
                                    "on it takes it away. Coloured pixels are orange.")
                               : tr("Drag a rectangle over what is to become black; a right click on it takes it away. Coloured pixels "
                                    "are orange."));
-  hint->setProperty("quiet", true);
+  setLook(hint, Look::quiet);
   hint->setWordWrap(true);
   below->addWidget(hint);
   putBeside(column, {960, 560});

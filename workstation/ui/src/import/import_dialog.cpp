@@ -25,6 +25,7 @@
 #include "ew/core/numbers.h"
 #include "ew/library/file_import.h"
 #include "ew/widgets/figures.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/picture_chooser.h"
 #include "ew/widgets/small_result_question.h"
 #include "ew/widgets/theme.h"
@@ -148,7 +149,7 @@ void ImportDialog::addRows() {
   rows().addLayout(form);
   notes_ = new QLabel;
   notes_->setObjectName(QStringLiteral("importNotes"));
-  notes_->setProperty("small", true);
+  setLook(notes_, Look::small);
   notes_->setWordWrap(true);
   notes_->setMinimumHeight(notes_->fontMetrics().height() * 4);
   notes_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -158,7 +159,7 @@ void ImportDialog::addRows() {
 
   make_ = new QPushButton(tr("Reconstruct"));
   make_->setObjectName(QStringLiteral("makeVolume"));
-  make_->setProperty("primary", true);
+  setLook(make_, Look::primary);
   make_->setDefault(true);
   auto* cancel = new QPushButton(tr("Cancel"));
   buttons().addWidget(cancel);
@@ -323,7 +324,7 @@ void ImportDialog::addPicture() {
   picture_ = new PictureChooser;
   below->addWidget(picture_, 1);
   auto* hint = new QLabel(tr("The first frame. Drag a rectangle over what is to be used of every frame."));
-  hint->setProperty("quiet", true);
+  setLook(hint, Look::quiet);
   hint->setWordWrap(true);
   below->addWidget(hint);
   putBeside(column, {960, 600});

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 
 namespace ew::ui {
@@ -27,7 +28,7 @@ QLabel* smallText(const char* name) {
   auto* label = new QLabel;
   label->setObjectName(QString::fromLatin1(name));
   label->setWordWrap(true);
-  label->setProperty("small", true);
+  setLook(label, Look::small);
   return label;
 }
 

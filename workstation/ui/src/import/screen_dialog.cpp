@@ -24,6 +24,7 @@
 #include "ew/acquisition/screen_recording.h"
 #include "ew/widgets/figures.h"
 #include "ew/widgets/icons.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/question.h"
 #include "ew/widgets/save_file.h"
 #include "ew/widgets/small_result_question.h"
@@ -117,7 +118,7 @@ void ScreenDialog::addRows() {
   distances_ = smallText("screenDistances");
   rows().addWidget(distances_);
   notes_ = smallText("screenNotes");
-  notes_->setProperty("quiet", true);
+  setLook(notes_, Look::quiet);
   rows().addWidget(notes_);
   rows().addStretch(1);
   putBeside(viewWithFrames(), {1200, 640});
@@ -126,7 +127,7 @@ void ScreenDialog::addRows() {
   close_->setObjectName(QStringLiteral("screenClose"));
   import_ = new QPushButton(tr("Import…"));
   import_->setObjectName(QStringLiteral("screenImport"));
-  import_->setProperty("primary", true);
+  setLook(import_, Look::primary);
   import_->setToolTip(tr("Writes the cleaned recording; nothing else of it is stored"));
   for (auto* button : {again_, back_, measure_, close_, import_}) button->setAutoDefault(false);
   buttons().addWidget(close_);
@@ -203,7 +204,7 @@ QWidget* ScreenDialog::viewWithFrames() {
   row->setSpacing(8);
   play_ = new QPushButton;
   play_->setObjectName(QStringLiteral("screenPlay"));
-  play_->setProperty("compact", true);
+  setLook(play_, Look::compact);
   play_->setAutoDefault(false);
   frames_ = new QSlider(Qt::Horizontal);
   frames_->setObjectName(QStringLiteral("screenFrames"));
@@ -212,7 +213,7 @@ QWidget* ScreenDialog::viewWithFrames() {
   frames_->setPageStep(kPageFrames);
   time_ = new FigureLabel(tr("%1 of %2   %3 s").arg(88888).arg(88888).arg(figure(888.88, 2)));
   time_->setObjectName(QStringLiteral("screenTime"));
-  time_->setProperty("small", true);
+  setLook(time_, Look::small);
   time_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   time_->setToolTip(tr("Which frame is shown, and how long after the first"));
   cleaned_ = new QCheckBox(tr("Cleaned"));
@@ -226,8 +227,8 @@ QWidget* ScreenDialog::viewWithFrames() {
   auto* hint = new QLabel(
       tr("Drag the round handles to the edges of the scan, and the square one to move all of it. Click a box to keep what is below it, or "
          "drag a new box over text. H and Ctrl with arrows do for the mouse."));
-  hint->setProperty("quiet", true);
-  hint->setProperty("small", true);
+  setLook(hint, Look::quiet);
+  setLook(hint, Look::small);
   hint->setWordWrap(true);
   below->addWidget(hint);
   connect(view_, &ScreenView::edited, this, &ScreenDialog::follow);

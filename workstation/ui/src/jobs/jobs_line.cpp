@@ -15,6 +15,7 @@
 #include "ew/widgets/elided_label.h"
 #include "ew/widgets/figures.h"
 #include "ew/widgets/icons.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 
 namespace ew::ui {
@@ -44,8 +45,8 @@ QProgressBar* thinBar() {
 QPushButton* flatButton(const QString& text, const char* name) {
   auto* button = new QPushButton(text);
   button->setObjectName(QLatin1String(name));
-  button->setProperty("flat", true);
-  button->setProperty("small", true);
+  setLook(button, Look::flat);
+  setLook(button, Look::small);
   button->setFocusPolicy(Qt::TabFocus);  // it vanishes with its job; the focus had better stay where it was
   return button;
 }
@@ -67,8 +68,8 @@ JobsLine::JobsLine(Jobs& jobs, QWidget* parent) : QWidget(parent), jobs_(jobs) {
   percent_ = new FigureLabel(QStringLiteral("100 %"));
   percent_->setObjectName(QStringLiteral("jobPercent"));
   for (QLabel* label : {static_cast<QLabel*>(title_), static_cast<QLabel*>(percent_)}) {
-    label->setProperty("small", true);
-    label->setProperty("quiet", true);
+    setLook(label, Look::small);
+    setLook(label, Look::quiet);
   }
   more_ = flatButton({}, "moreJobs");
   more_->setCheckable(true);
@@ -163,8 +164,8 @@ void JobsLine::fillList() {
       head->addWidget(title, 1);
       head->addWidget(cancel, 0, Qt::AlignTop);
       auto* step = new QLabel;
-      step->setProperty("quiet", true);
-      step->setProperty("small", true);
+      setLook(step, Look::quiet);
+      setLook(step, Look::small);
       step->setWordWrap(true);
       auto* bar = thinBar();
       column->addLayout(head);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "ew/widgets/icons.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 
@@ -40,21 +41,21 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
   sentence_ = textLabel("messageText");
   details_ = textLabel("messageDetails");
   more_ = new QLabel;
-  more_->setProperty("quiet", true);
+  setLook(more_, Look::quiet);
   unfold_ = new QPushButton(tr("Details"));
   unfold_->setObjectName(QStringLiteral("unfoldMessage"));
   unfold_->setCheckable(true);
   unfold_->setFocusPolicy(Qt::TabFocus);
   offer_ = new QPushButton;
   offer_->setObjectName(QStringLiteral("takeOffer"));
-  offer_->setProperty("primary", true);
+  setLook(offer_, Look::primary);
   offer_->setFocusPolicy(Qt::TabFocus);
   connect(offer_, &QPushButton::clicked, this, [this] {
     if (const auto taken = takePressed(); taken && taken->run) taken->run();
   });
   close_ = new QPushButton;
   close_->setObjectName(QStringLiteral("dismissMessage"));
-  close_->setProperty("flat", true);
+  setLook(close_, Look::flat);
   close_->setToolTip(tr("Dismiss (Esc)"));
   close_->setAccessibleName(tr("Dismiss"));
   holdFixedWidth(*close_, 32);

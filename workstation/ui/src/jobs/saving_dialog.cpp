@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "ew/widgets/look.h"
 #include "jobs/jobs.h"
 
 namespace ew::ui {
@@ -19,7 +20,7 @@ SavingDialog::SavingDialog(Jobs& jobs, bool closes, QWidget* parent) : QDialog(p
   rows->setContentsMargins(24, 24, 24, 24);
   rows->setSpacing(16);
   auto* heading = new QLabel(tr("Not everything is saved yet"));
-  heading->setProperty("heading", true);
+  setLook(heading, Look::heading);
   what_ = new QLabel;
   what_->setObjectName(QStringLiteral("savingWhat"));
   what_->setWordWrap(true);
@@ -27,7 +28,7 @@ SavingDialog::SavingDialog(Jobs& jobs, bool closes, QWidget* parent) : QDialog(p
   bar_->setRange(0, 1000);
   bar_->setTextVisible(false);
   auto* hint = new QLabel(closes ? tr("The window closes as soon as it is. Closing now loses it.") : tr("It goes on as soon as it is."));
-  hint->setProperty("quiet", true);
+  setLook(hint, Look::quiet);
   hint->setWordWrap(true);
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(8);

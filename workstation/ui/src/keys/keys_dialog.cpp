@@ -17,6 +17,7 @@
 #include <map>
 
 #include "ew/controls/keys_file.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/save_file.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
@@ -175,7 +176,7 @@ QWidget* KeysDialog::makeChosen() {
   rows->setSpacing(8);
   name_ = new QLabel;
   name_->setObjectName(QStringLiteral("chosenKey"));
-  name_->setProperty("heading", true);
+  setLook(name_, Look::heading);
   rows->addWidget(name_);
   auto* line = new QHBoxLayout;
   line->setSpacing(8);
@@ -390,7 +391,7 @@ QWidget* KeysDialog::makeControls() {
   targets_->setToolTip(tr("A setting for a knob, or an action for a button"));
   targets_->setMaxVisibleItems(20);
   learn_ = button(tr("Learn"), "learnControl", tr("Bind what you move next"));
-  learn_->setProperty("primary", true);
+  setLook(learn_, Look::primary);
   line->addWidget(targets_, 1);
   line->addWidget(learn_);
   rows->addLayout(line);
@@ -404,7 +405,7 @@ QWidget* KeysDialog::makeControls() {
   auto* below = new QHBoxLayout;
   below->setSpacing(8);
   devices_ = sentenceLabel("controlDevices");
-  devices_->setProperty("quiet", true);
+  setLook(devices_, Look::quiet);
   remove_ = button(tr("Remove"), "removeControl", tr("The chosen control does nothing any more"));
   below->addWidget(devices_, 1);
   below->addWidget(remove_, 0, Qt::AlignTop);

@@ -14,6 +14,7 @@
 #include <algorithm>
 
 #include "ew/widgets/icons.h"
+#include "ew/widgets/look.h"
 
 namespace ew::ui {
 namespace {
@@ -29,10 +30,10 @@ QGridLayout* linesOf(const ShortcutsOverlay::Group& group) {
     const ShortcutsOverlay::Line& line = group.lines[static_cast<std::size_t>(row)];
     auto* keys = new QLabel(line.keys);
     keys->setObjectName(QStringLiteral("keyCap"));
-    keys->setProperty("small", true);
+    setLook(keys, Look::small);
     grid->addWidget(keys, row, 0, Qt::AlignLeft | Qt::AlignVCenter);
     auto* what = new QLabel(line.what);
-    what->setProperty("quiet", true);
+    setLook(what, Look::quiet);
     grid->addWidget(what, row, 1);
     if (line.motion != ProbeMotion::none) grid->addWidget(new ProbeMotionPicture(line.motion), row, 2, Qt::AlignRight);
   }
@@ -61,7 +62,7 @@ QWidget* bodyOf(const std::vector<ShortcutsOverlay::Group>& groups, int count) {
       columns->addLayout(column);
     }
     auto* title = new QLabel(group.title);
-    title->setProperty("heading", true);
+    setLook(title, Look::heading);
     column->addWidget(title);
     column->addLayout(linesOf(group));
     column->addSpacing(8);
@@ -83,12 +84,12 @@ ShortcutsOverlay::ShortcutsOverlay(const std::vector<Group>& groups, QWidget* pa
   auto* head = new QHBoxLayout;
   head->setContentsMargins(24, 12, 12, 8);
   auto* title = new QLabel(tr("Keys and mouse"));
-  title->setProperty("heading", true);
+  setLook(title, Look::heading);
   head->addWidget(title);
   head->addStretch(1);
   auto* closeButton = new QPushButton(icon(QStringLiteral("close")), QString());
   closeButton->setObjectName(QStringLiteral("closeKeys"));
-  closeButton->setProperty("flat", true);
+  setLook(closeButton, Look::flat);
   closeButton->setFocusPolicy(Qt::NoFocus);  // the page keeps the keys
   closeButton->setToolTip(tr("Close this page (Escape)"));
   closeButton->setAccessibleName(closeButton->toolTip());

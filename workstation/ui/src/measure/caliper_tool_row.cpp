@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ew/widgets/icons.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "keys/key_table.h"
 #include "keys/key_tips.h"
@@ -46,7 +47,7 @@ CaliperToolRow::CaliperToolRow(Calipers& calipers, std::vector<CaliperKind> kind
     auto* button = new QPushButton(CaliperWords::nameOf(kind));
     button->setObjectName(CaliperWords::iconOf(kind));
     button->setCheckable(true);
-    button->setProperty("compact", true);
+    setLook(button, Look::compact);
     button->setFocusPolicy(Qt::TabFocus);
     button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // as wide as its line, which fits beside a scroll bar as well
     button->setAccessibleName(CaliperWords::nameOf(kind));

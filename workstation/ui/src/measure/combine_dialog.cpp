@@ -12,6 +12,7 @@
 #include <array>
 
 #include "ew/widgets/figures.h"
+#include "ew/widgets/look.h"
 #include "measure/calipers/calipers.h"
 #include "measure/words/finding_words.h"
 
@@ -70,7 +71,7 @@ CombineDialog::CombineDialog(Calipers& calipers, QWidget* parent) : QDialog(pare
   rows->addWidget(result_);
   how_ = new QLabel;
   how_->setObjectName(QStringLiteral("combinedHow"));
-  how_->setProperty("quiet", true);
+  setLook(how_, Look::quiet);
   how_->setWordWrap(true);
   how_->setMinimumHeight(6 * how_->fontMetrics().lineSpacing());  // nothing jumps when another one is chosen
   how_->setAlignment(Qt::AlignLeft | Qt::AlignTop);

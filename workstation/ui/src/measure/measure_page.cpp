@@ -12,6 +12,7 @@
 
 #include "ew/widgets/figures.h"
 #include "ew/widgets/icons.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "keys/key_table.h"
 #include "keys/key_tips.h"
@@ -41,7 +42,7 @@ class MeasuredLine final : public QPushButton {
   explicit MeasuredLine(QWidget* parent) : QPushButton(parent) {
     setObjectName(QStringLiteral("measuredLine"));
     setCheckable(true);
-    setProperty("listed", true);
+    setLook(this, Look::listed);
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(kLineSide_px, 4, kLineSide_px, 4);
     rows->setSpacing(0);
@@ -62,8 +63,8 @@ class MeasuredLine final : public QPushButton {
     rows->addWidget(below_);
     others_ = new QLabel;
     others_->setObjectName(QStringLiteral("measuredOthers"));
-    others_->setProperty("small", true);
-    others_->setProperty("quiet", true);
+    setLook(others_, Look::small);
+    setLook(others_, Look::quiet);
     others_->setContentsMargins(kNumber_px + 8, 0, 0, 0);
     rows->addWidget(others_);
     for (QLabel* each : {number_, name_, static_cast<QLabel*>(value_), static_cast<QLabel*>(below_), others_}) {
@@ -118,12 +119,12 @@ MeasurePage::MeasurePage(Session& session, Calipers& calipers, Worksheets& works
   rows->addWidget(worksheet);
   addEdits(rows);  // above the list, which may become long
   empty_ = new QLabel;
-  empty_->setProperty("quiet", true);
+  setLook(empty_, Look::quiet);
   empty_->setWordWrap(true);
   rows->addWidget(empty_);
   own_ = new QLabel;
   own_->setObjectName(QStringLiteral("measuredPicture"));
-  own_->setProperty("quiet", true);
+  setLook(own_, Look::quiet);
   own_->hide();
   rows->addWidget(own_);
   list_ = new QVBoxLayout;
@@ -131,8 +132,8 @@ MeasurePage::MeasurePage(Session& session, Calipers& calipers, Worksheets& works
   rows->addLayout(list_);
   explanation_ = new QLabel;
   explanation_->setObjectName(QStringLiteral("measuredHow"));
-  explanation_->setProperty("quiet", true);
-  explanation_->setProperty("small", true);
+  setLook(explanation_, Look::quiet);
+  setLook(explanation_, Look::small);
   explanation_->setWordWrap(true);
   rows->addWidget(explanation_);
   auto* results = new ResultsList(calipers_);
@@ -184,7 +185,7 @@ void MeasurePage::addEdits(QVBoxLayout* rows) {
   const auto add = [&](const char* name, const QString& tip, const QString& text, std::function<void()> edit) {
     auto* button = new QPushButton(text);
     button->setObjectName(QLatin1String(name));
-    button->setProperty("compact", true);
+    setLook(button, Look::compact);
     button->setAccessibleName(tip);
     button->setToolTip(tip);
     connect(button, &QPushButton::clicked, this, std::move(edit));
@@ -223,7 +224,7 @@ void MeasurePage::setPictures(const QString& own, const std::vector<OfPicture>& 
     isAny = true;
     auto* name = new QLabel(tr("Picture %1").arg(picture.name));
     name->setObjectName(QStringLiteral("measuredPicture"));
-    name->setProperty("quiet", true);
+    setLook(name, Look::quiet);
     others_->layout()->addWidget(name);
     for (const Calipers::Line& each : picture.lines) {
       auto* line = new MeasuredLine(others_);

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "ew/widgets/figures.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "keys/key_tips.h"
 #include "measure/calipers/calipers.h"
@@ -31,8 +32,8 @@ ResultsList::ResultsList(Calipers& calipers, QWidget* parent) : QWidget(parent),
   rows->addLayout(list_);
   how_ = new QLabel;
   how_->setObjectName(QStringLiteral("resultHow"));
-  how_->setProperty("quiet", true);
-  how_->setProperty("small", true);
+  setLook(how_, Look::quiet);
+  setLook(how_, Look::small);
   how_->setWordWrap(true);
   rows->addWidget(how_);
   auto* line = new QHBoxLayout;
@@ -40,7 +41,7 @@ ResultsList::ResultsList(Calipers& calipers, QWidget* parent) : QWidget(parent),
   const auto add = [&](const char* name, const QString& text, const QString& tip) {
     auto* button = new QPushButton(text);
     button->setObjectName(QLatin1String(name));
-    button->setProperty("compact", true);
+    setLook(button, Look::compact);
     button->setAccessibleName(text);
     button->setToolTip(tip);
     line->addWidget(button, 1);
@@ -70,7 +71,7 @@ void ResultsList::showAll() {
     Line line{new QPushButton, new QLabel, new FigureLabel, 0};
     line.button->setObjectName(QStringLiteral("resultLine"));
     line.button->setCheckable(true);
-    line.button->setProperty("listed", true);
+    setLook(line.button, Look::listed);
     auto* inside = new QVBoxLayout(line.button);
     inside->setContentsMargins(6, 4, 6, 4);
     inside->setSpacing(0);

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 
@@ -26,8 +27,8 @@ QString stateOf(const door::PluginStatus& plugin) {
 
 QLabel* quiet(const QString& text) {
   auto* label = new QLabel(text);
-  label->setProperty("quiet", true);
-  label->setProperty("small", true);
+  setLook(label, Look::quiet);
+  setLook(label, Look::small);
   label->setWordWrap(true);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   return label;
@@ -41,7 +42,7 @@ QWidget* rowOf(const door::PluginStatus& plugin) {
   lines->setSpacing(4);
   auto* head = new QHBoxLayout;
   auto* title = new QLabel(words(plugin.title()));
-  title->setProperty("heading", true);
+  setLook(title, Look::heading);
   head->addWidget(title);
   if (plugin.manifest) head->addWidget(quiet(words(plugin.manifest->version)));
   head->addStretch(1);

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "ew/widgets/look.h"
 #include "ew/widgets/words.h"
 
 namespace ew::ui {
@@ -25,7 +26,7 @@ QTabWidget& WorkspacePanels::of(const std::string& workspace) {
   if (const auto found = tabs_.find(workspace); found != tabs_.end()) return *found->second;
   auto* tabs = new QTabWidget;
   tabs->setObjectName(words(workspace) + QStringLiteral("Panel"));
-  tabs->setProperty("panels", true);
+  setLook(tabs, Look::panels);
   tabs->setAttribute(Qt::WA_StyledBackground);
   tabs->setDocumentMode(true);
   tabs->setMinimumWidth(tabsWidth_px_);

@@ -13,6 +13,7 @@
 #include "ew/widgets/double_click.h"
 #include "ew/widgets/figures.h"
 #include "ew/widgets/icons.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "keys/key_tips.h"
 
@@ -38,7 +39,7 @@ DgcColumn::DgcColumn(Session& session, QWidget* parent) : QWidget(parent), sessi
   for (int i = 0; i < kDgcSliders; ++i) {
     auto* slider = new QSlider(Qt::Horizontal, this);
     slider->setObjectName(QStringLiteral("dgc%1").arg(i + 1));
-    slider->setProperty("onScan", true);
+    setLook(slider, Look::onScan);
     slider->setAccessibleName(tr("TGC %1").arg(i + 1));
     sliders_[static_cast<std::size_t>(i)] = slider;
     connect(slider, &QSlider::valueChanged, this, [this, slider, i](int v) {
@@ -51,9 +52,9 @@ DgcColumn::DgcColumn(Session& session, QWidget* parent) : QWidget(parent), sessi
   }
   reset_ = new QPushButton(tr("TGC"), this);
   reset_->setObjectName(QStringLiteral("dgcReset"));
-  reset_->setProperty("flat", true);
-  reset_->setProperty("small", true);
-  reset_->setProperty("onScan", true);
+  setLook(reset_, Look::flat);
+  setLook(reset_, Look::small);
+  setLook(reset_, Look::onScan);
   reset_->setFocusPolicy(Qt::TabFocus);
   reset_->setAccessibleName(tr("Reset TGC"));
   reset_->setToolTip(

@@ -13,6 +13,7 @@
 #include "ew/widgets/elided_label.h"
 #include "ew/widgets/figures.h"
 #include "ew/widgets/icons.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 
 namespace ew::ui {
@@ -53,15 +54,15 @@ StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), ses
   position_->setToolTip(tr("Middle of the transducer's face: left, back, up from the mannequin's origin"));
   contact_->setToolTip(tr("How much of the transducer's face touches skin with something recorded below it"));
   for (QLabel* label : {static_cast<QLabel*>(position_), static_cast<QLabel*>(plan_), static_cast<QLabel*>(contact_), edit_, lowered_}) {
-    label->setProperty("small", true);
-    if (label != lowered_) label->setProperty("quiet", true);
+    setLook(label, Look::small);
+    if (label != lowered_) setLook(label, Look::quiet);
     label->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   }
   contact_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   tracker_ = new QPushButton;
   tracker_->setObjectName(QStringLiteral("trackingState"));
-  tracker_->setProperty("flat", true);
-  tracker_->setProperty("small", true);
+  setLook(tracker_, Look::flat);
+  setLook(tracker_, Look::small);
   tracker_->hide();
   connect(tracker_, &QPushButton::clicked, this, &StatusLine::trackerAsked);
   row->addWidget(tracker_);
@@ -73,7 +74,7 @@ StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), ses
   row->addWidget(contact_);
   note_ = new ElidedLabel;
   note_->setObjectName(QStringLiteral("panelNote"));
-  note_->setProperty("small", true);
+  setLook(note_, Look::small);
   note_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   row->addWidget(note_);
 

@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 
 #include "ew/sdk/flow_layout.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "start/case_catalogue.h"
@@ -37,7 +38,7 @@ CaseFilters::CaseFilters(QWidget* parent) : QWidget(parent) {
   line->addWidget(clear_);
   count_ = new QLabel;
   count_->setObjectName(QStringLiteral("caseCount"));
-  count_->setProperty("quiet", true);
+  setLook(count_, Look::quiet);
   count_->setMinimumHeight(kind_->sizeHint().height());
   line->addWidget(count_);
   connect(lessons_, &QCheckBox::toggled, this, &CaseFilters::changed);

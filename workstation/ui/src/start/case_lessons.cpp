@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "start/case_catalogue.h"
@@ -23,7 +24,7 @@ QLabel* wrapped(const QString& text, const char* name, bool quiet) {
   label->setObjectName(QLatin1String(name));
   label->setTextFormat(Qt::PlainText);
   label->setWordWrap(true);
-  label->setProperty("quiet", quiet);
+  setLook(label, Look::quiet, quiet);
   return label;
 }
 
@@ -38,7 +39,7 @@ CaseLessons::CaseLessons(const CaseRow& row, const Standings& standings, QWidget
   column->setContentsMargins(2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px);
   column->setSpacing(kGrid_px);
   auto* title = wrapped(words(row.title), "caseLessonsTitle", false);
-  title->setProperty("heading", true);
+  setLook(title, Look::heading);
   column->addWidget(title);
   auto* scroll = new QScrollArea;
   scroll->setWidgetResizable(true);
@@ -57,7 +58,7 @@ CaseLessons::CaseLessons(const CaseRow& row, const Standings& standings, QWidget
   column->addWidget(scroll, 1);
   auto* open = new QPushButton(tr("Open the case without a lesson"));
   open->setObjectName(QStringLiteral("openWithoutLesson"));
-  open->setProperty("flat", true);
+  setLook(open, Look::flat);
   connect(open, &QPushButton::clicked, this, [this, folder = wordsOf(row.folder)] {
     Q_EMIT caseChosen(folder);
     close();
@@ -81,7 +82,7 @@ QWidget* CaseLessons::lessonRow(const CaseRow& row, const LessonRow& lesson, con
   line->addLayout(texts, 1);
   auto* start = new QPushButton(startWords(standing, steps));
   start->setObjectName(QStringLiteral("startLessonOfCase"));
-  start->setProperty("primary", !standing.isPassed(steps));
+  setLook(start, Look::primary, !standing.isPassed(steps));
   start->setEnabled(steps > 0);
   if (steps == 0) start->setToolTip(tr("This lesson has no steps yet."));
   start->setAccessibleName(tr("%1: %2").arg(start->text(), words(lesson.title)));

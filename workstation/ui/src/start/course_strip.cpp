@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "start/learning_words.h"
@@ -22,7 +23,7 @@ QLabel* label(const char* name, bool quiet) {
   auto* made = new QLabel;
   made->setObjectName(QLatin1String(name));
   made->setTextFormat(Qt::PlainText);
-  made->setProperty("quiet", quiet);
+  setLook(made, Look::quiet, quiet);
   made->setWordWrap(true);
   made->setMinimumWidth(80);
   return made;
@@ -45,7 +46,7 @@ CourseStrip::CourseStrip(QWidget* parent) : QFrame(parent) {
   stoppedRow->addWidget(stoppedText_, 1);
   stoppedGoOn_ = new QPushButton(tr("Go on"));
   stoppedGoOn_->setObjectName(QStringLiteral("goOnWithStopped"));
-  stoppedGoOn_->setProperty("primary", true);
+  setLook(stoppedGoOn_, Look::primary);
   stoppedRow->addWidget(stoppedGoOn_);
   rows->addWidget(stopped_);
 
@@ -56,7 +57,7 @@ CourseStrip::CourseStrip(QWidget* parent) : QFrame(parent) {
   auto* texts = new QVBoxLayout;
   texts->setSpacing(2);
   title_ = label("courseTitle", false);
-  title_->setProperty("heading", true);
+  setLook(title_, Look::heading);
   texts->addWidget(title_);
   progressText_ = label("courseProgress", true);
   texts->addWidget(progressText_);
@@ -146,7 +147,7 @@ void CourseStrip::showCourse(const std::optional<CourseStanding>& course) {
     goOn_->setText(startWords(next_->standing, next_->steps));
     goOn_->setAccessibleName(tr("%1: %2").arg(goOn_->text(), words(next_->title)));
   }
-  goOn_->setProperty("primary", !stoppedLesson_.has_value());
+  setLook(goOn_, Look::primary, !stoppedLesson_.has_value());
   listLessons(*course);
 }
 

@@ -6,6 +6,7 @@
 #include <QStyle>
 #include <algorithm>
 
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 
 namespace ew::ui {
@@ -30,7 +31,7 @@ class RecentButton final : public QPushButton {
 
 RecentStrip::RecentStrip(QWidget* parent) : QWidget(parent) {
   title_ = new QLabel(tr("Recently opened"), this);
-  title_->setProperty("heading", true);
+  setLook(title_, Look::heading);
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   hide();
 }
@@ -41,7 +42,7 @@ void RecentStrip::show(const std::vector<RecentFile>& files) {
   for (const RecentFile& file : files) {
     auto* button = new RecentButton(file.name, this);
     button->setObjectName(QStringLiteral("recentFile"));
-    button->setProperty("flat", true);
+    setLook(button, Look::flat);
     button->setToolTip(file.tip);
     connect(button, &QPushButton::clicked, this, [this, path = file.path] { Q_EMIT chosen(path); });
     buttons_.push_back(button);

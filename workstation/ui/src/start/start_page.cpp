@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "ew/widgets/icons.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "keys/key_tips.h"
@@ -29,7 +30,7 @@ constexpr int kMostAtAGlance = 24;
 QLabel* quietLabel(const char* name) {
   auto* label = new QLabel;
   label->setObjectName(QLatin1String(name));
-  label->setProperty("quiet", true);
+  setLook(label, Look::quiet);
   label->setWordWrap(true);
   return label;
 }
@@ -51,7 +52,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   recent_ = new RecentStrip;
   rows->addWidget(recent_);
   hint_ = quietLabel("startHint");
-  hint_->setProperty("small", true);
+  setLook(hint_, Look::small);
   rows->addWidget(hint_);
   connect(filters_, &CaseFilters::changed, this, &StartPage::find);
   connect(filters_, &CaseFilters::clearRequested, this, &StartPage::clearSearch);
@@ -76,7 +77,7 @@ void StartPage::makeHead() {
   head->setSpacing(kGrid_px);
   static_cast<QVBoxLayout*>(layout())->addLayout(head);
   auto* title = new QLabel(tr("Cases"));
-  title->setProperty("heading", true);
+  setLook(title, Look::heading);
   head->addWidget(title);
   head->addSpacing(kGrid_px);
   search_ = new QLineEdit;
@@ -97,7 +98,7 @@ void StartPage::makeHead() {
   head->addWidget(back_);
   open_ = new QPushButton(icon(QStringLiteral("open"), currentTheme().onAccent), tr("Open…"));
   open_->setObjectName(QStringLiteral("startOpen"));
-  open_->setProperty("primary", true);
+  setLook(open_, Look::primary);
   open_->setToolTip(tipWithKeys(tr("Open a case, a volume or a sweep (%1)"), "open"));
   head->addWidget(open_);
   connect(search_, &QLineEdit::textChanged, this, &StartPage::find);

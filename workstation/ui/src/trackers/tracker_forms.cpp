@@ -15,6 +15,7 @@
 #include <algorithm>
 
 #include "ew/widgets/elided_label.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/words.h"
 #include "trackers/control/tracker_control.h"
 #include "trackers/control/tracker_figures.h"
@@ -150,7 +151,7 @@ void TrackerForm::addCamera(QFormLayout& form, const CameraSource& source) {
   boards->setCurrentIndex(boards->findData(words(source.boardBody)));
   const auto lens =
       new QLabel(source.camera.model && source.camera.model->views > 0 ? tr("measured") : tr("not measured: set the camera up first"));
-  lens->setProperty("quiet", true);
+  setLook(lens, Look::quiet);
   form.addRow(tr("Lens"), lens);
   connect(cameras, qOverload<int>(&QComboBox::activated), this,
           [this, cameras] { trackers_.chooseCamera(tracker_, cameras->currentData().toString().toStdString()); });

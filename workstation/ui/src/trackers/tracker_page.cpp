@@ -11,7 +11,6 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
-#include <QStyle>
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <QVariant>
@@ -19,6 +18,7 @@
 
 #include "ew/widgets/figures.h"
 #include "ew/widgets/icons.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "scan/tracking_look.h"
@@ -174,7 +174,7 @@ void TrackerPage::addState() {
   holdFixedWidth(*stateIcon_, kIcon_px);
   stateWord_ = new QLabel;
   stateWord_->setObjectName(QStringLiteral("trackerState"));
-  stateWord_->setProperty("heading", true);
+  setLook(stateWord_, Look::heading);
   use_ = new QPushButton;
   use_->setObjectName(QStringLiteral("trackerUse"));
   use_->setAutoDefault(false);
@@ -272,7 +272,7 @@ QWidget* TrackerPage::makeSharing() {
   serverSentence_ = new QLabel;
   serverSentence_->setObjectName(QStringLiteral("trackerServer"));
   serverSentence_->setWordWrap(true);
-  serverSentence_->setProperty("quiet", true);
+  setLook(serverSentence_, Look::quiet);
   holdLeastHeight(*serverSentence_, 36);
   form->addRow(serverSentence_);
   sounds_ = new QCheckBox(tr("Sound when the probe is lost"));
@@ -412,13 +412,8 @@ void TrackerPage::showButtons() {
   use_->setText(isUsed && !chosen_.empty() ? tr("Stop") : tr("Use"));
   use_->setEnabled(!(chosen_.empty() && isUsed));
   use_->setToolTip(isUsed ? tr("The mouse moves the probe again") : tr("The probe follows it from now on; the scan goes on"));
-  const auto setPrimary = [](QPushButton& button, bool primary) {
-    if (button.property("primary").toBool() == primary) return;
-    button.setProperty("primary", primary);
-    button.style()->polish(&button);
-  };
-  setPrimary(*use_, !isUsed && (chosen_.empty() || isReady));
-  setPrimary(*setUp_, isCamera && !isReady);
+  setLook(use_, Look::primary, !isUsed && (chosen_.empty() || isReady));
+  setLook(setUp_, Look::primary, isCamera && !isReady);
   setUp_->setEnabled(isCamera);
   print_->setEnabled(isCamera);
   align_->setEnabled(settings != nullptr && !isController(settings));

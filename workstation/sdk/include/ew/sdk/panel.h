@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "ew/sdk/placement.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/words.h"
 
 namespace ew::sdk {
@@ -27,13 +28,13 @@ inline constexpr int kGap_px = 8;  ///< the workstation's grid
 
 inline QLabel* headingLabel(const QString& text, QWidget* parent = nullptr) {
   auto* label = new QLabel(text, parent);
-  label->setProperty("heading", true);
+  setLook(label, Look::heading);
   return label;
 }
 
 inline QLabel* quietLabel(const QString& text, QWidget* parent = nullptr) {
   auto* label = new QLabel(text, parent);
-  label->setProperty("quiet", true);
+  setLook(label, Look::quiet);
   label->setWordWrap(true);
   return label;
 }
@@ -111,7 +112,7 @@ inline QWidget* emptyState(const QString& title, const QString& sentence, QPushB
   hint->setAlignment(Qt::AlignHCenter);
   column->addWidget(hint);
   if (button != nullptr) {
-    button->setProperty("primary", true);
+    setLook(button, Look::primary);
     column->addSpacing(kGap_px);
     column->addWidget(button, 0, Qt::AlignHCenter);
   }

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "measure/words/worksheet_words.h"
@@ -32,7 +33,7 @@ WorksheetDialog::WorksheetDialog(Worksheets& worksheets, QWidget* parent) : QDia
   rows->setContentsMargins(16, 16, 16, 16);
   rows->setSpacing(8);
   heading_ = new QLabel;
-  heading_->setProperty("heading", true);
+  setLook(heading_, Look::heading);
   rows->addWidget(heading_);
   questions_ = new QWidget;
   rows->addWidget(questions_);
@@ -42,8 +43,8 @@ WorksheetDialog::WorksheetDialog(Worksheets& worksheets, QWidget* parent) : QDia
   sheet_->setOpenLinks(false);
   rows->addWidget(sheet_, 1);
   auto* caution = new QLabel(tr("Simulation, training only: not for diagnosis."));
-  caution->setProperty("small", true);
-  caution->setProperty("quiet", true);
+  setLook(caution, Look::small);
+  setLook(caution, Look::quiet);
   rows->addWidget(caution);
   auto* buttons = new QHBoxLayout;
   remove_ = new QPushButton(tr("Remove a value"));
@@ -86,7 +87,7 @@ void WorksheetDialog::build() {
     gestation_->setToolTip(tr("Weeks and days since the last period: 32w1d. Charts and redating need it."));
     gestationProblem_ = new QLabel;
     gestationProblem_->setObjectName(QStringLiteral("gestationProblem"));
-    gestationProblem_->setProperty("small", true);
+    setLook(gestationProblem_, Look::small);
     gestationProblem_->setWordWrap(true);
     gestationProblem_->hide();
     form->addRow(tr("Gestational age by dates"), gestation_);

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "ew/widgets/figures.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/words.h"
 #include "keys/key_tips.h"
 #include "measure/calipers/calipers.h"
@@ -53,7 +54,7 @@ WorksheetList::WorksheetList(Worksheets& worksheets, Calipers& calipers, QWidget
   open_ = new QPushButton(tr("Show worksheet…"));
   open_->setObjectName(QStringLiteral("showWorksheet"));
   open_->setAccessibleName(open_->text());
-  open_->setProperty("compact", true);
+  setLook(open_, Look::compact);
   open_->setToolTip(tipWithKeys(tr("Results, usual ranges and charts, answers; save it (%1)"), "calipers.worksheet"));
   rows->addWidget(open_);
   connect(open_, &QPushButton::clicked, this, &WorksheetList::worksheetAsked);
@@ -90,7 +91,7 @@ void WorksheetList::showItems() {
           const QString title = words(item.title);
           const QString named = *side == 0 ? title : tr("%1, %2", "an item and its side").arg(title, WorksheetWords::sideOf(side));
           entry.button->setObjectName(QStringLiteral("worksheetItem"));
-          entry.button->setProperty("listed", true);
+          setLook(entry.button, Look::listed);
           entry.button->setCheckable(true);
           entry.button->setFocusPolicy(Qt::TabFocus);
           entry.button->setAccessibleName(named);
@@ -102,7 +103,7 @@ void WorksheetList::showItems() {
           line->setContentsMargins(6, 2, 6, 2);
           auto* name = new QLabel(named);
           name->setWordWrap(true);
-          name->setProperty("small", true);
+          setLook(name, Look::small);
           for (QLabel* each : {name, entry.value}) each->setAttribute(Qt::WA_TransparentForMouseEvents);
           entry.value->setObjectName(QStringLiteral("worksheetValue"));
           line->addWidget(name, 1);

@@ -2,6 +2,8 @@
 
 #include <QPushButton>
 
+#include "ew/widgets/look.h"
+
 namespace ew::ui {
 
 inline constexpr int kBarTick_ms = 20;  ///< between two looks at the clock while something plays
@@ -11,7 +13,7 @@ inline constexpr int kBarTick_ms = 20;  ///< between two looks at the clock whil
 inline QPushButton* smallButton(const char* name, const QString& tip) {
   auto* button = new QPushButton;
   button->setObjectName(QString::fromLatin1(name));
-  button->setProperty("compact", true);
+  setLook(button, Look::compact);
   button->setFocusPolicy(Qt::TabFocus);  // a click must not take the arrow keys away
   button->setAccessibleName(tip);
   button->setToolTip(tip);

@@ -9,6 +9,7 @@
 
 #include "ew/widgets/figures.h"
 #include "ew/widgets/icons.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/time_line.h"
 #include "keys/key_tips.h"
 #include "scan/cine/bar_parts.h"
@@ -38,7 +39,7 @@ CineBar::CineBar(Session& session, QWidget* parent) : QWidget(parent), session_(
   line_->installEventFilter(this);
   time_ = new FigureLabel(tr("%1 of %2   %3 s").arg(8888).arg(8888).arg(signedFigure(-88.8, 1)));
   time_->setObjectName(QStringLiteral("cineTime"));
-  time_->setProperty("small", true);
+  setLook(time_, Look::small);
   time_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   time_->setToolTip(tr("Which image is shown, and how long before the freeze it was made"));
   in_ = smallButton("cineIn", tipWithKeys(tr("The loop begins with this image; once more: with the first (%1)"), "cine.in"));

@@ -11,6 +11,7 @@
 
 #include "ew/core/figures.h"
 #include "ew/widgets/icons.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/time_line.h"
 #include "keys/key_tips.h"
 #include "scan/cine/bar_parts.h"
@@ -37,7 +38,7 @@ ReplayBar::ReplayBar(Session& session, QWidget* parent) : QWidget(parent), sessi
   line_->setObjectName(QStringLiteral("replayLine"));
   time_ = new QLabel;
   time_->setObjectName(QStringLiteral("replayTime"));
-  time_->setProperty("small", true);
+  setLook(time_, Look::small);
   speed_ = new QComboBox;
   speed_->setObjectName(QStringLiteral("replaySpeed"));
   speed_->setToolTip(tr("Speed"));

@@ -7,6 +7,7 @@
 
 #include "ew/imaging/effect_info.h"
 #include "ew/widgets/figures.h"
+#include "ew/widgets/look.h"
 #include "keys/effect_words.h"
 #include "scan/console/console_panel.h"
 
@@ -78,7 +79,7 @@ void ConsolePanel::addEffectsPage(QVBoxLayout* rows) {
 
   auto* reset = new QPushButton;
   reset->setObjectName(QStringLiteral("sceneReset"));
-  reset->setProperty("compact", true);
+  setLook(reset, Look::compact);
   reset->setFocusPolicy(Qt::TabFocus);
   rows->addSpacing(8);
   rows->addWidget(reset);

@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "ew/widgets/figures.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/words.h"
 #include "keys/key_tips.h"
 #include "scan/console/console_panel.h"
@@ -249,7 +250,7 @@ void ConsolePanel::addAdvanced(QVBoxLayout* rows) {
   cost->setObjectName(QStringLiteral("cost"));
   cost->setAccessibleName(tr("Performance"));
   cost->setToolTip(tipWithKeys(tr("Measure what accuracy costs on this computer (%1)"), "cost"));
-  cost->setProperty("flat", true);
+  setLook(cost, Look::flat);
   cost->setFocusPolicy(Qt::TabFocus);
   line->addStretch(1);
   line->addWidget(cost);

@@ -23,6 +23,7 @@
 #include "ew/widgets/double_click.h"
 #include "ew/widgets/figures.h"
 #include "ew/widgets/icons.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "keys/key_tips.h"
 #include "window/layout/window_layout.h"
@@ -130,7 +131,7 @@ void ConsolePanel::addGain(QBoxLayout* rows) {
 
 QLabel* ConsolePanel::quietLabel(const QString& text) {
   auto* label = new QLabel(text);
-  label->setProperty("quiet", true);
+  setLook(label, Look::quiet);
   return label;
 }
 
@@ -249,7 +250,7 @@ void ConsolePanel::addSegments(QBoxLayout* rows, ChoiceParts parts) {
     const bool isFirst = i % parts.perLine == 0;
     const bool isLast = i + 1 == parts.choices.size() || (i + 1) % parts.perLine == 0;
     const bool isAtLeft = QApplication::isRightToLeft() ? isLast : isFirst, isAtRight = QApplication::isRightToLeft() ? isFirst : isLast;
-    button->setProperty("segment", isAtLeft ? QStringLiteral("first") : isAtRight ? QStringLiteral("last") : QStringLiteral("true"));
+    setLook(button, isAtLeft ? Look::firstOf : isAtRight ? Look::lastOf : Look::segment);
     if (isFirst && i > 0) {
       column->addLayout(line);
       line = new QHBoxLayout;
@@ -277,7 +278,7 @@ void ConsolePanel::addSegments(QBoxLayout* rows, ChoiceParts parts) {
 QVBoxLayout* ConsolePanel::addFold(QBoxLayout* rows, const QString& title, const QString& objectName, const QString& tip) {
   auto* head = new QPushButton(title);
   head->setObjectName(objectName);
-  head->setProperty("fold", true);
+  setLook(head, Look::fold);
   head->setAccessibleName(title);
   head->setToolTip(tip);
   head->setCheckable(true);
@@ -368,7 +369,7 @@ void ConsolePanel::addAlways(QVBoxLayout* rows) {
   freeze_->setToolTip(tipWithKeys(tr("Keep the image, and look through the last 30 s (%1)"), "freeze"));
   for (QPushButton* button : {flip_, turn_, freeze_}) {
     button->setCheckable(true);
-    button->setProperty("compact", true);  // two long words side by side in some languages
+    setLook(button, Look::compact);  // two long words side by side in some languages
     button->setFocusPolicy(Qt::TabFocus);
     button->setAccessibleName(button->text());
   }

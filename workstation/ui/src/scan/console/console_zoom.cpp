@@ -2,6 +2,7 @@
 #include <QBoxLayout>
 #include <QPushButton>
 
+#include "ew/widgets/look.h"
 #include "keys/key_tips.h"
 #include "scan/console/console_panel.h"
 
@@ -16,7 +17,7 @@ void ConsolePanel::addZoomButtons(QVBoxLayout* rows) {
     button->setObjectName(QLatin1String(name));
     button->setToolTip(tip);
     button->setAccessibleName(text);
-    button->setProperty("compact", true);
+    setLook(button, Look::compact);
     button->setFocusPolicy(Qt::TabFocus);
     line->addWidget(button, 1);
     return button;

@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "ew/widgets/look.h"
 #include "ew/widgets/words.h"
 #include "scan/cost/cost_chart.h"
 #include "scan/status_line.h"
@@ -32,15 +33,15 @@ CostPanel::CostPanel(Session& session, Jobs& jobs, QWidget* parent) : QDialog(pa
   rows->addWidget(chart_, 1);
   reference_ = new QLabel;
   reference_->setObjectName(QStringLiteral("costReference"));
-  reference_->setProperty("quiet", true);
-  reference_->setProperty("small", true);
+  setLook(reference_, Look::quiet);
+  setLook(reference_, Look::small);
   reference_->setWordWrap(true);
   rows->addWidget(reference_);
 
   layout_ = new QLabel;
   layout_->setObjectName(QStringLiteral("costLayout"));
-  layout_->setProperty("quiet", true);
-  layout_->setProperty("small", true);
+  setLook(layout_, Look::quiet);
+  setLook(layout_, Look::small);
   layout_->setWordWrap(true);
   layout_->setToolTip(
       tr("Timed on this machine when the first volume of about this size was opened: slices of 200 x 140 pixels of every quality in "
@@ -65,7 +66,7 @@ void CostPanel::addCurves(QVBoxLayout* rows) {
     auto* button = new QPushButton(names[i].first);
     button->setObjectName(names[i].second);
     button->setCheckable(true);
-    button->setProperty("segment", i == 0 ? QStringLiteral("first") : QStringLiteral("last"));
+    setLook(button, i == 0 ? Look::firstOf : Look::lastOf);
     curve_->addButton(button, i);
     curves->addWidget(button, 1);
   }
@@ -88,7 +89,7 @@ void CostPanel::addWishes(QVBoxLayout* rows) {
   wishName->setBuddy(wish_);
   use_ = new QPushButton(tr("Use the fastest that meets it"));
   use_->setObjectName(QStringLiteral("costUse"));
-  use_->setProperty("primary", true);
+  setLook(use_, Look::primary);
   use_->setToolTip(tr("Sets the console to the fastest setting at or above the dashed line (Enter)"));
   use_->setDefault(true);
   answer_ = new QLabel;
@@ -113,8 +114,8 @@ void CostPanel::addProgress(QVBoxLayout* rows) {
   last->setSpacing(8);
   state_ = new QLabel;
   state_->setObjectName(QStringLiteral("costState"));
-  state_->setProperty("quiet", true);
-  state_->setProperty("small", true);
+  setLook(state_, Look::quiet);
+  setLook(state_, Look::small);
   state_->setWordWrap(true);
   again_ = new QPushButton;
   again_->setObjectName(QStringLiteral("costMeasure"));

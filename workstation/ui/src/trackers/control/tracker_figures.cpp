@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "ew/widgets/figures.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/words.h"
 
 namespace ew::ui {
@@ -50,7 +51,7 @@ TrackerFigures::TrackerFigures(QWidget* parent) : QWidget(parent) {
   int count = 0;
   const auto place = [&](const QString& name, QLabel* value, const char* objectName, const QString& tip) {
     auto* label = new QLabel(name);
-    label->setProperty("quiet", true);
+    setLook(label, Look::quiet);
     label->setToolTip(tip);
     value->setObjectName(QLatin1String(objectName));
     value->setToolTip(tip);
@@ -105,8 +106,8 @@ TrackerFigures::TrackerFigures(QWidget* parent) : QWidget(parent) {
   refused_->setObjectName(QStringLiteral("trackerRefused"));
   for (QLabel* each : {noTools_, refused_}) {
     each->setWordWrap(true);
-    each->setProperty("quiet", true);
-    each->setProperty("small", true);
+    setLook(each, Look::quiet);
+    setLook(each, Look::small);
     rows->addWidget(each);
   }
   rows->addStretch(1);

@@ -13,6 +13,7 @@
 
 #include "ew/widgets/figures.h"
 #include "ew/widgets/icons.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "trackers/control/tracker_control.h"
@@ -43,7 +44,7 @@ TrackerAlignStep::TrackerAlignStep(Trackers& trackers, std::string tracker, QWid
   column->setSpacing(8);
   nextName_ = new QLabel;
   nextName_->setObjectName(QStringLiteral("trackerNextPlace"));
-  nextName_->setProperty("heading", true);
+  setLook(nextName_, Look::heading);
   nextName_->setWordWrap(true);
   column->addWidget(nextName_);
   hand_ = new QLabel;

@@ -9,6 +9,7 @@
 
 #include "ew/tracking/hand.h"
 #include "ew/widgets/figures.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "trackers/control/tracker_control.h"
@@ -37,11 +38,11 @@ TrackerCheckStep::TrackerCheckStep(Trackers& trackers, std::string tracker, QWid
   auto* column = new QVBoxLayout;
   column->setSpacing(8);
   auto* name = new QLabel(tr("Distance from the skin"));
-  name->setProperty("quiet", true);
+  setLook(name, Look::quiet);
   column->addWidget(name);
   gap_ = new FigureLabel(tr("%1 mm").arg(QStringLiteral("-888.8")));
   gap_->setObjectName(QStringLiteral("trackerGap"));
-  gap_->setProperty("heading", true);
+  setLook(gap_, Look::heading);
   gap_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   column->addWidget(gap_);
   hand_ = new QLabel;

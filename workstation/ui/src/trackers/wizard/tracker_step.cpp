@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 
 namespace ew::ui {
@@ -13,7 +14,7 @@ TrackerStep::TrackerStep(const QString& title, const QString& task, QWidget* par
   rows_->setContentsMargins(0, 0, 0, 0);
   rows_->setSpacing(12);
   auto* heading = new QLabel(title);
-  heading->setProperty("heading", true);
+  setLook(heading, Look::heading);
   rows_->addWidget(heading);
   auto* words = new QLabel(task);
   words->setWordWrap(true);

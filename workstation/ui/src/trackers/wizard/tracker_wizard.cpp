@@ -10,6 +10,7 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "trackers/control/tracker_control.h"
 #include "trackers/wizard/tracker_align_step.h"
@@ -60,7 +61,7 @@ TrackerWizard::TrackerWizard(Trackers& trackers, std::string tracker, TrackerCou
   back_->setObjectName(QStringLiteral("trackerBack"));
   next_ = new QPushButton;
   next_->setObjectName(QStringLiteral("trackerNext"));
-  next_->setProperty("primary", true);
+  setLook(next_, Look::primary);
   next_->setDefault(true);
   for (QPushButton* each : {later, back_}) each->setAutoDefault(false);
   buttons->addWidget(later);
@@ -105,7 +106,7 @@ void TrackerWizard::addColumn(QWidget& column) {
   for (int n = 0; n < stepCount(); ++n) {
     auto* name = new QPushButton;
     name->setObjectName(QStringLiteral("trackerStep%1").arg(n + 1));
-    name->setProperty("flat", true);
+    setLook(name, Look::flat);
     name->setCheckable(true);
     name->setAutoDefault(false);
     name->setFocusPolicy(Qt::ClickFocus);  // Back and Next do the same from the keyboard

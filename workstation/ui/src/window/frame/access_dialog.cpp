@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 
@@ -36,7 +37,7 @@ AccessDialog::AccessDialog(Asks asks, const QString& heading, const QString& sen
   auto* cancel = new QPushButton(tr("Cancel"));
   accept_ = new QPushButton(asks == Asks::fresh ? tr("Lock") : tr("Unlock"));
   accept_->setObjectName(QStringLiteral("accept"));
-  accept_->setProperty("primary", true);
+  setLook(accept_, Look::primary);
   accept_->setDefault(true);
   buttons().addWidget(cancel);
   buttons().addWidget(accept_);

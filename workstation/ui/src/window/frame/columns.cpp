@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "keys/key_tips.h"
 #include "window/frame/column_tabs.h"
@@ -41,7 +42,7 @@ void Columns::makeHandles() {
   comeBack_->setAccessibleName(tr("Show the console and the other columns"));
   comeBack_->setToolTip(tipWithKeys(tr("Show the console and the other columns (%1)"), "scanOnly"));
   comeBack_->setFocusPolicy(Qt::TabFocus);
-  comeBack_->setProperty("edge", true);
+  setLook(comeBack_, Look::edge);
   comeBack_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
   holdFixedWidth(*comeBack_, kComeBack_px);
   comeBack_->hide();

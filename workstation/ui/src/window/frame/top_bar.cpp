@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "ew/widgets/icons.h"
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "keys/key_tips.h"
 #include "window/layout/window_layout.h"
@@ -74,7 +75,7 @@ TopBar::TopBar(QWidget* parent) : QWidget(parent) {
   addWorkspace(QStringLiteral("explore"), tr("Explore"), tipWithKeys(tr("Scan the open case (%1)"), "workspace.explore"), {});
   addWorkspace(QStringLiteral("author"), tr("Author"), tipWithKeys(tr("Edit the case and build volumes (%1)"), "workspace.author"), {});
   disclaimer_ = new QLabel(tr("simulation, not for diagnosis"));
-  disclaimer_->setProperty("quiet", true);
+  setLook(disclaimer_, Look::quiet);
   row->addWidget(disclaimer_);
   setWorkspace(QStringLiteral("explore"));
   // The title stands in the middle of the window, whatever stands beside it; a layout would put it into the middle of what is left.
@@ -83,14 +84,14 @@ TopBar::TopBar(QWidget* parent) : QWidget(parent) {
   title_->setTextFormat(Qt::PlainText);
   remark_ = new QLabel(this);
   remark_->setObjectName(QStringLiteral("titleRemark"));
-  remark_->setProperty("quiet", true);
+  setLook(remark_, Look::quiet);
 }
 
 void TopBar::addWorkspace(const QString& id, const QString& title, const QString& tip, const QByteArray& icon) {
   auto* button = new QPushButton(title);
   button->setObjectName(QStringLiteral("workspace") + id.left(1).toUpper() + id.mid(1));
   button->setToolTip(tip);
-  button->setProperty("workspace", true);
+  setLook(button, Look::workspace);
   button->setCheckable(true);
   button->setFocusPolicy(Qt::TabFocus);  // a click must not take the arrow keys away from the probe
   group_->addButton(button);

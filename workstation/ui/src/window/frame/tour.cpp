@@ -10,6 +10,7 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 
 namespace ew::ui {
@@ -52,15 +53,15 @@ void Tour::makeRows() {
   rows->setSpacing(kGrid_px);
   name_ = new QLabel;
   name_->setObjectName(QStringLiteral("tourName"));
-  name_->setProperty("heading", true);
+  setLook(name_, Look::heading);
   name_->setWordWrap(true);
   text_ = new QLabel;
   text_->setObjectName(QStringLiteral("tourText"));
   text_->setWordWrap(true);
   count_ = new QLabel;
   count_->setObjectName(QStringLiteral("tourCount"));
-  count_->setProperty("quiet", true);
-  count_->setProperty("small", true);
+  setLook(count_, Look::quiet);
+  setLook(count_, Look::small);
   const auto button = [this](const char* name, const QString& text) {
     auto* made = new QPushButton(text);
     made->setObjectName(QLatin1String(name));
@@ -68,11 +69,11 @@ void Tour::makeRows() {
     return made;
   };
   auto* leaves = button("tourLeave", tr("Leave"));
-  leaves->setProperty("flat", true);
+  setLook(leaves, Look::flat);
   leaves->setToolTip(tr("Leave the tour (Escape). Help, Tour begins it again."));
   back_ = button("tourBack", tr("Back"));
   next_ = button("tourNext", tr("Next"));
-  next_->setProperty("primary", true);
+  setLook(next_, Look::primary);
   auto* line = new QHBoxLayout;
   line->setSpacing(kGrid_px);
   line->addWidget(count_);
