@@ -1,24 +1,27 @@
 #include "guide_panel.h"
 
+#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
+#include "ew/widgets/fields.h"
+#include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 
 namespace guided_sweep {
 
 GuidePanel::GuidePanel(ew::sdk::Host& host, Guide& guide, QWidget* parent) : QWidget(parent), host_(host), guide_(guide) {
-  using ew::sdk::kGap_px;
   auto* rows = new QVBoxLayout(this);
-  rows->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
-  rows->setSpacing(kGap_px);
-  rows->addWidget(ew::sdk::quietLabel(tr("Hold the probe where the sweep begins, and keep the pose; then where it ends.")));
+  rows->setContentsMargins(2 * ew::kGrid_px, 2 * ew::kGrid_px, 2 * ew::kGrid_px, 2 * ew::kGrid_px);
+  rows->setSpacing(ew::kGrid_px);
+  rows->addWidget(ew::quietLabel(tr("Hold the probe where the sweep begins, and keep the pose; then where it ends.")));
   const auto button = [&](const char* name, const QString& text, const QString& tip) {
     auto* made = new QPushButton(text);
     made->setObjectName(QLatin1String(name));
@@ -28,20 +31,20 @@ GuidePanel::GuidePanel(ew::sdk::Host& host, Guide& guide, QWidget* parent) : QWi
   auto* start = button("guideStart", tr("Start here"), tr("The sweep begins where the probe is now"));
   auto* end = button("guideEnd", tr("End here"), tr("The sweep ends where the probe is now"));
   auto* poses = new QHBoxLayout;
-  poses->setSpacing(kGap_px);
+  poses->setSpacing(ew::kGrid_px);
   poses->addWidget(start);
   poses->addWidget(end);
   rows->addLayout(poses);
-  duration_ = new ew::sdk::NumberField(1.0, 60.0, 1, QStringLiteral("s"));
+  duration_ = new ew::NumberField(1.0, 60.0, 1, QStringLiteral("s"));
   duration_->setObjectName(QStringLiteral("guideDuration"));
   auto* form = new QFormLayout;
-  form->setSpacing(kGap_px);
-  form->addRow(ew::sdk::quietLabel(tr("Duration")), duration_);
+  form->setSpacing(ew::kGrid_px);
+  form->addRow(ew::quietLabel(tr("Duration")), duration_);
   rows->addLayout(form);
   run_ = button("guideRun", {}, tr("The probe moves along the sweep by itself, and is yours again at its end"));
-  setLook(run_, Look::primary);
+  ew::setLook(run_, ew::Look::primary);
   rows->addWidget(run_);
-  state_ = ew::sdk::quietLabel({});
+  state_ = ew::quietLabel({});
   state_->setObjectName(QStringLiteral("guideState"));
   rows->addWidget(state_);
   rows->addStretch(1);

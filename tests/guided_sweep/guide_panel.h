@@ -8,7 +8,7 @@
 class QLabel;
 class QPushButton;
 
-namespace ew::sdk {
+namespace ew {
 class NumberField;
 }
 
@@ -29,7 +29,7 @@ class GuidePanel final : public QWidget {
   ew::sdk::Host& host_;
   Guide& guide_;
   QLabel* state_ = nullptr;
-  ew::sdk::NumberField* duration_ = nullptr;
+  ew::NumberField* duration_ = nullptr;
   QPushButton* run_ = nullptr;
 };
 

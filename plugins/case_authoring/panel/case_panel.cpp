@@ -4,25 +4,30 @@
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QFormLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSignalBlocker>
 #include <QSpinBox>
 #include <QStackedWidget>
+#include <QVBoxLayout>
 #include <algorithm>
 
 #include "ew/imaging/effect_info.h"
 #include "ew/library/case.h"
+#include "ew/widgets/fields.h"
+#include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "logic/edits.h"
 #include "panel/fields.h"
 #include "panel/section.h"
 
 namespace ew::case_authoring {
 namespace {
-
-using sdk::kGap_px;
 
 constexpr int kAgeUnknown = -1;
 constexpr int kMissingAfter_ms = 300;  // of rest: what is typed is not looked through letter by letter
@@ -32,7 +37,7 @@ bool isHeldByOther(const Error& problem) {
   return std::any_of(problem.context.begin(), problem.context.end(), [](const auto& each) { return each.first == "user"; });
 }
 
-using AgeField = sdk::WheelWithFocus<sdk::WithHostUndo<QSpinBox>>;
+using AgeField = WheelWithFocus<WithHostUndo<QSpinBox>>;
 
 }  // namespace
 
@@ -44,11 +49,10 @@ CasePanel::CasePanel(sdk::Host& host, std::function<void()> begin, QWidget* pare
   auto* newCase = new QPushButton(tr("New case…"));
   newCase->setObjectName(QStringLiteral("newCaseHere"));
   connect(newCase, &QPushButton::clicked, this, std::move(begin));
-  pages_->addWidget(
-      sdk::emptyState(tr("No case is open"),
-                      tr("Open a case from the start page, from the File menu, or by dropping its folder on the window, or "
-                         "make a new one, of what is on screen as well. Then its patient, texts and volume can be edited here."),
-                      newCase));
+  pages_->addWidget(emptyState(tr("No case is open"),
+                               tr("Open a case from the start page, from the File menu, or by dropping its folder on the window, or "
+                                  "make a new one, of what is on screen as well. Then its patient, texts and volume can be edited here."),
+                               newCase));
   pages_->widget(0)->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);  // its sentence must not make the form taller
   pages_->addWidget(makeForm());
   column->addWidget(pages_, 1);
@@ -70,8 +74,8 @@ QWidget* CasePanel::makeForm() {
   scroll_->setWidgetResizable(true);
   auto* body = new QWidget;
   sectionColumn_ = new QVBoxLayout(body);
-  sectionColumn_->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
-  sectionColumn_->setSpacing(kGap_px);
+  sectionColumn_->setContentsMargins(2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px);
+  sectionColumn_->setSpacing(kGrid_px);
   addCaseSection();
   addPatientSection();
   addBeforeSection();
@@ -91,11 +95,11 @@ QWidget* CasePanel::makeTakenRow() {
   takenRow_ = new QWidget;
   takenRow_->setObjectName(QStringLiteral("takenRow"));
   auto* column = new QVBoxLayout(takenRow_);
-  column->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 0);
-  column->setSpacing(kGap_px);
-  takenWhy_ = sdk::problemLabel();
+  column->setContentsMargins(2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px, 0);
+  column->setSpacing(kGrid_px);
+  takenWhy_ = problemLabel();
   takenWhy_->setObjectName(QStringLiteral("takenWhy"));
-  takenWhy_->setMinimumWidth(30 * kGap_px);  // else its height is reckoned for a word a line
+  takenWhy_->setMinimumWidth(30 * kGrid_px);  // else its height is reckoned for a word a line
   column->addWidget(takenWhy_);
   auto* copy = new QPushButton(tr("Open a copy…"));
   copy->setObjectName(QStringLiteral("openCopy"));
@@ -114,11 +118,11 @@ QWidget* CasePanel::makeNoVolumeRow() {
   noVolumeRow_ = new QWidget;
   noVolumeRow_->setObjectName(QStringLiteral("noVolumeRow"));
   auto* column = new QVBoxLayout(noVolumeRow_);
-  column->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 0);
-  column->setSpacing(kGap_px);
+  column->setContentsMargins(2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px, 0);
+  column->setSpacing(kGrid_px);
   auto* sentence = new QLabel(tr("This case has no volume yet, so nothing can be scanned."));
   sentence->setWordWrap(true);
-  sentence->setMinimumWidth(30 * kGap_px);
+  sentence->setMinimumWidth(30 * kGrid_px);
   column->addWidget(sentence);
   auto* give = new QPushButton(tr("Give the case a volume…"));
   give->setObjectName(QStringLiteral("giveVolumeFirst"));
@@ -194,22 +198,22 @@ void CasePanel::addVolumeSection() {
 QWidget* CasePanel::makeSaveRow() {
   auto* row = new QWidget;
   auto* column = new QVBoxLayout(row);
-  column->setContentsMargins(2 * kGap_px, kGap_px, 2 * kGap_px, 2 * kGap_px);
-  column->setSpacing(kGap_px);
-  problem_ = sdk::problemLabel();
+  column->setContentsMargins(2 * kGrid_px, kGrid_px, 2 * kGrid_px, 2 * kGrid_px);
+  column->setSpacing(kGrid_px);
+  problem_ = problemLabel();
   problem_->setObjectName(QStringLiteral("problem"));
   column->addWidget(problem_);
-  checked_ = sdk::quietLabel({});
+  checked_ = quietLabel({});
   checked_->setObjectName(QStringLiteral("checked"));
   checked_->hide();
   column->addWidget(checked_);
-  where_ = sdk::quietLabel({});
+  where_ = quietLabel({});
   where_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   column->addWidget(where_);
   saved_ = new QLabel;
   saved_->setObjectName(QStringLiteral("savedMark"));
   auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(kGap_px);
+  buttons->setSpacing(kGrid_px);
   auto* check = new QPushButton(tr("Check"));
   check->setObjectName(QStringLiteral("checkCase"));
   check->setToolTip(tr("Look for everything that is wrong with this case"));
@@ -223,7 +227,7 @@ QWidget* CasePanel::makeSaveRow() {
   buttons->addStretch(1);
   column->addLayout(buttons);
   buttons = new QHBoxLayout;
-  buttons->setSpacing(kGap_px);
+  buttons->setSpacing(kGrid_px);
   buttons->addWidget(saved_, 1);
   auto* saveAs = new QPushButton(tr("Save as…"));
   saveAs->setObjectName(QStringLiteral("saveAs"));
@@ -243,12 +247,12 @@ QLabel* CasePanel::addRow(QFormLayout* form, const QString& label, QWidget* edit
   auto* cell = new QWidget;
   auto* column = new QVBoxLayout(cell);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px / 2);
+  column->setSpacing(kGrid_px / 2);
   column->addWidget(editor);
-  auto* problem = sdk::problemLabel();
+  auto* problem = problemLabel();
   problem->setObjectName(nameOf(path) + QStringLiteral("_problem"));
   column->addWidget(problem);
-  auto* warning = sdk::quietLabel({});
+  auto* warning = quietLabel({});
   warning->setObjectName(nameOf(path) + QStringLiteral("_warning"));
   warning->hide();
   column->addWidget(warning);
@@ -256,9 +260,9 @@ QLabel* CasePanel::addRow(QFormLayout* form, const QString& label, QWidget* edit
   if (label.isEmpty()) {
     form->addRow(cell);
   } else {
-    auto* name = sdk::quietLabel(label);
+    auto* name = quietLabel(label);
     name->setWordWrap(false);
-    name->setMinimumWidth(9 * kGap_px);
+    name->setMinimumWidth(9 * kGrid_px);
     name->setBuddy(editor);
     form->addRow(name, cell);
   }
@@ -267,13 +271,13 @@ QLabel* CasePanel::addRow(QFormLayout* form, const QString& label, QWidget* edit
 }
 
 void CasePanel::addLine(QFormLayout* form, const std::string& path, const QString& label, const QString& what, QWidget* beside) {
-  auto* line = new sdk::WithHostUndo<QLineEdit>;
+  auto* line = new WithHostUndo<QLineEdit>;
   QWidget* editor = line;
   if (beside != nullptr) {
     editor = new QWidget;
     auto* both = new QHBoxLayout(editor);
     both->setContentsMargins(0, 0, 0, 0);
-    both->setSpacing(kGap_px);
+    both->setSpacing(kGrid_px);
     both->addWidget(line, 1);
     both->addWidget(beside);
     editor->setFocusProxy(line);
@@ -294,8 +298,8 @@ void CasePanel::addText(QFormLayout* form, const std::string& path, const QStrin
   auto* text = new QPlainTextEdit;
   text->setObjectName(nameOf(path));
   text->setTabChangesFocus(true);
-  text->setMinimumHeight(8 * kGap_px);
-  text->setMaximumHeight(14 * kGap_px);
+  text->setMinimumHeight(8 * kGrid_px);
+  text->setMaximumHeight(14 * kGrid_px);
   text->setUndoRedoEnabled(false);  // undo is the host's, for the whole case
   connect(text, &QPlainTextEdit::textChanged, this, [this, text, path, what] {
     change(path, what, [&](nlohmann::json manifest) { return withText(std::move(manifest), path, text->toPlainText().toStdString()); });
@@ -352,7 +356,7 @@ void CasePanel::addAge(QFormLayout* form) {
 }
 
 void CasePanel::addScene(QFormLayout* form) {
-  form->addRow(sdk::quietLabel(tr("What a scan of this case has to show; nothing else is computed.")));
+  form->addRow(quietLabel(tr("What a scan of this case has to show; nothing else is computed.")));
   const auto text = [](const char* source) { return QCoreApplication::translate(kEffectTexts, source); };
   for (const EffectInfo& effect : sceneEffects()) {
     const std::string path = std::string("scene.") + effect.key;
@@ -382,9 +386,9 @@ void CasePanel::change(const std::string& path, const QString& what, const std::
     typedIn_ = path;
     beforeTyping_ = fieldOf(*manifest, path);
   }
-  sdk::setProblem(problem_, {});
+  setProblem(problem_, {});
   checked_->hide();
-  sdk::setProblem(fields_[path].problem, {});
+  setProblem(fields_[path].problem, {});
   if (next == *manifest) return;
   changing_ = true;
   const auto done = host_.cases().edit(next, what.toStdString(), path + part);
@@ -402,10 +406,10 @@ void CasePanel::change(const std::string& path, const QString& what, const std::
   if (isHeldByOther(done.error())) {
     showCase();  // the fields are what the case is, not what could not be written
     takenRow_->show();
-    return sdk::setProblem(takenWhy_, words(done.error()));
+    return setProblem(takenWhy_, words(done.error()));
   }
   if (fieldOf(done.error()) == path)
-    sdk::setProblem(fields_[path].problem, words(done.error().message));
+    setProblem(fields_[path].problem, words(done.error().message));
   else
     say(done.error());
 }
@@ -413,18 +417,18 @@ void CasePanel::change(const std::string& path, const QString& what, const std::
 void CasePanel::save(bool elsewhere) {
   for (auto& [path, field] : fields_) {
     if (field.problem->text().isEmpty()) continue;
-    sdk::setProblem(problem_, tr("A marked field cannot be used as it is; correct it first, or undo."));
+    setProblem(problem_, tr("A marked field cannot be used as it is; correct it first, or undo."));
     return;
   }
   const auto saved = elsewhere ? host_.cases().saveCopy() : host_.cases().save();
-  sdk::setProblem(problem_, {});
+  setProblem(problem_, {});
   if (!saved) return say(saved.error());
   showCase();
 }
 
 void CasePanel::say(const Error& problem) {
   host_.log().warn(problem.sentence());
-  sdk::setProblem(problem_, words(problem.message));
+  setProblem(problem_, words(problem.message));
 }
 
 void CasePanel::showCase() {
@@ -432,7 +436,7 @@ void CasePanel::showCase() {
   typedIn_.clear();
   const auto manifest = host_.cases().current();
   pages_->setCurrentIndex(manifest ? 1 : 0);
-  sdk::setProblem(problem_, {});
+  setProblem(problem_, {});
   checked_->hide();
   if (host_.cases().currentFolder() != shownFolder_) takenRow_->hide();
   shownFolder_ = host_.cases().currentFolder();
@@ -444,7 +448,7 @@ void CasePanel::showCase() {
     QString sentence;
     for (const auto& problem : problems)
       if (fieldOf(problem) == path) sentence = words(problem.message);
-    sdk::setProblem(field.problem, sentence);
+    setProblem(field.problem, sentence);
   }
   showSaved();
   showStartRemark();

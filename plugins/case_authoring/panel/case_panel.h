@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "ew/sdk/host.h"
-#include "ew/sdk/panel.h"
 
 class QComboBox;
 class QFormLayout;

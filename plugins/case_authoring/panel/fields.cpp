@@ -4,9 +4,14 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QPlainTextEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
 #include <algorithm>
 
 #include "ew/core/foreign_json.h"
+#include "ew/widgets/fields.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/pictures_field.h"
 
 namespace ew::case_authoring {
@@ -29,7 +34,7 @@ ExaminationsField::ExaminationsField(Of what, QWidget* parent) : QWidget(parent)
   setObjectName(isLaboratory ? QStringLiteral("laboratory") : QStringLiteral("previous_examinations"));
   column_ = new QVBoxLayout(this);
   column_->setContentsMargins(0, 0, 0, 0);
-  column_->setSpacing(sdk::kGap_px);
+  column_->setSpacing(kGrid_px);
   entries_ = new QWidget;
   column_->addWidget(entries_);
   auto* add = new QPushButton(isLaboratory ? tr("Add laboratory values") : tr("Add an examination"));
@@ -60,7 +65,7 @@ void ExaminationsField::remake() {
   entries_ = new QWidget;
   auto* rows = new QVBoxLayout(entries_);
   rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(sdk::kGap_px);
+  rows->setSpacing(kGrid_px);
   column_->insertWidget(0, entries_);
   for (std::size_t n = 0; n < list_.size(); ++n) addOne(n);
 }
@@ -69,9 +74,9 @@ void ExaminationsField::addOne(std::size_t number) {
   const nlohmann::json& one = list_[number];
   const QString name = namePrefix(number);
   auto* head = new QHBoxLayout;
-  head->setSpacing(sdk::kGap_px);
+  head->setSpacing(kGrid_px);
   const auto line = [&](const char* key, const QString& hint) {
-    auto* edited = new sdk::WithHostUndo<QLineEdit>;
+    auto* edited = new WithHostUndo<QLineEdit>;
     edited->setObjectName(name + QLatin1String(key));
     edited->setPlaceholderText(hint);
     edited->setAccessibleName(hint);
@@ -97,7 +102,7 @@ void ExaminationsField::addOne(std::size_t number) {
   findings->setAccessibleName(tr("what it said"));
   findings->setTabChangesFocus(true);
   findings->setUndoRedoEnabled(false);  // undo is the host's, for the whole case
-  findings->setFixedHeight(8 * sdk::kGap_px);
+  findings->setFixedHeight(8 * kGrid_px);
   findings->setPlainText(textIn(one, "findings"));
   connect(findings, &QPlainTextEdit::textChanged, this, [this, number, findings] { edit(number, "findings", findings->toPlainText()); });
   rows->addWidget(findings);

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "ew/sdk/panel.h"
+#include "ew/widgets/words.h"
 
 class QVBoxLayout;
 
@@ -21,18 +21,6 @@ namespace ew::case_authoring {
 /// The name of the widget that edits a dotted field of the manifest: "patient_name".
 inline QString nameOf(const std::string& path) { return words(path).replace(QLatin1Char('.'), QLatin1Char('_')); }
 
-/// A choice that becomes narrower than its longest text where the form has no room for it.
-class ChoiceField final : public sdk::WheelWithFocus<QComboBox> {
- public:
-  explicit ChoiceField(QWidget* parent = nullptr) : WheelWithFocus(parent) {}
-  [[nodiscard]] QSize minimumSizeHint() const override {
-    const QSize whole = QComboBox::minimumSizeHint();
-    return {std::min(whole.width(), kLeastLetters * fontMetrics().averageCharWidth() + kBesideText_px), whole.height()};
-  }
-
- private:
-  static constexpr int kLeastLetters = 8, kBesideText_px = 32;  ///< its arrow and edges
-};
 /// A size that people read has no hundredths: "42 MiB", "4.2 MiB".
 [[nodiscard]] QString sizeWords(std::uint64_t bytes);
 

@@ -10,13 +10,13 @@
 #include <optional>
 
 #include "ew/library/case.h"
-#include "ew/sdk/panel.h"
+#include "ew/widgets/labels.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/fields.h"
 
 namespace ew::case_authoring {
 namespace {
-
-using sdk::kGap_px;
 
 enum Column { kFile, kSize, kUsedBy };
 
@@ -41,10 +41,10 @@ FilesDialog::FilesDialog(sdk::Host& host, QWidget* parent) : QDialog(parent), ho
   setObjectName(QStringLiteral("filesDialog"));
   setWindowTitle(tr("Files of this case"));
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(3 * kGap_px, 3 * kGap_px, 3 * kGap_px, 3 * kGap_px);
-  column->setSpacing(2 * kGap_px);
+  column->setContentsMargins(3 * kGrid_px, 3 * kGrid_px, 3 * kGrid_px, 3 * kGrid_px);
+  column->setSpacing(2 * kGrid_px);
   column->addWidget(
-      sdk::quietLabel(tr("Whatever lies in the case's folder is published and exported with it. What nothing uses can be taken out.")));
+      quietLabel(tr("Whatever lies in the case's folder is published and exported with it. What nothing uses can be taken out.")));
   list_ = new QTreeWidget;
   list_->setObjectName(QStringLiteral("caseFileList"));
   list_->setAccessibleName(windowTitle());
@@ -53,15 +53,15 @@ FilesDialog::FilesDialog(sdk::Host& host, QWidget* parent) : QDialog(parent), ho
   list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   list_->header()->setSectionResizeMode(kFile, QHeaderView::ResizeToContents);
   column->addWidget(list_, 1);
-  aside_ = sdk::quietLabel({});
+  aside_ = quietLabel({});
   aside_->setObjectName(QStringLiteral("filesAside"));
   aside_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   column->addWidget(aside_);
-  problem_ = sdk::problemLabel();
+  problem_ = problemLabel();
   problem_->setObjectName(QStringLiteral("filesProblem"));
   column->addWidget(problem_);
   auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(kGap_px);
+  buttons->setSpacing(kGrid_px);
   takeOut_ = new QPushButton(tr("Take out…"));
   takeOut_->setObjectName(QStringLiteral("takeFilesOut"));
   takeOut_->setAutoDefault(false);
@@ -80,7 +80,7 @@ FilesDialog::FilesDialog(sdk::Host& host, QWidget* parent) : QDialog(parent), ho
   connect(takeOut_, &QPushButton::clicked, this, &FilesDialog::takeOut);
   connect(putBack_, &QPushButton::clicked, this, &FilesDialog::putBackLatest);
   connect(close, &QPushButton::clicked, this, &QDialog::close);
-  resize(80 * kGap_px, 56 * kGap_px);
+  resize(80 * kGrid_px, 56 * kGrid_px);
   ticket_ = host_.cases().onChanged([this] { look(); });
   look();
 }
@@ -109,7 +109,7 @@ void FilesDialog::look() {
                             .arg(namesOf(withdrawn_.front().paths).join(QStringLiteral(", ")), words(withdrawn_.front().folder.string())));
   aside_->setVisible(!withdrawn_.empty());
   putBack_->setEnabled(!withdrawn_.empty());
-  sdk::setProblem(problem_, files ? QString() : words(files.error()));
+  setProblem(problem_, files ? QString() : words(files.error()));
   showChosen();
 }
 
@@ -161,7 +161,7 @@ void FilesDialog::putBackLatest() {
 
 void FilesDialog::fail(const Error& problem) {
   host_.log().warn(problem.sentence());
-  sdk::setProblem(problem_, words(problem));
+  setProblem(problem_, words(problem));
 }
 
 }  // namespace ew::case_authoring

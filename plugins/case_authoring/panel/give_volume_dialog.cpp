@@ -8,17 +8,17 @@
 #include <memory>
 
 #include "ew/library/new_case.h"
-#include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
+#include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "logic/edits.h"
 #include "panel/rights_form.h"
 #include "panel/source_field.h"
 
 namespace ew::case_authoring {
 namespace {
-
-using sdk::kGap_px;
 
 /// What giving a volume changes, on the case as it is by now.
 nlohmann::json withGiven(nlohmann::json present, const GivenVolume& given) {
@@ -36,24 +36,24 @@ GiveVolumeDialog::GiveVolumeDialog(sdk::Host& host, QWidget* parent) : QDialog(p
   const auto opened = manifest ? caseFromManifest(*manifest, {}) : Result<Case>(Case{});
   const bool hasOne = opened && !hasNoVolume(*opened);
   setWindowTitle(hasOne ? tr("Another volume for the case") : tr("Give the case a volume"));
-  setMinimumWidth(72 * kGap_px);
+  setMinimumWidth(72 * kGrid_px);
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(3 * kGap_px, 3 * kGap_px, 3 * kGap_px, 3 * kGap_px);
-  column->setSpacing(2 * kGap_px);
+  column->setContentsMargins(3 * kGrid_px, 3 * kGrid_px, 3 * kGrid_px, 3 * kGrid_px);
+  column->setSpacing(2 * kGrid_px);
   if (hasOne)
-    column->addWidget(sdk::quietLabel(
+    column->addWidget(quietLabel(
         tr("The volume keeps its place in the body. Targets and measurements that only the present volume knows are left out; undo brings "
            "everything back.")));
   source_ = new SourceField(host_, false);
   column->addWidget(source_);
   rights_ = new RightsForm;
   column->addWidget(rights_);
-  problem_ = sdk::problemLabel();
+  problem_ = problemLabel();
   problem_->setObjectName(QStringLiteral("giveVolumeProblem"));
   column->addWidget(problem_);
   column->addStretch(1);
   auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(kGap_px);
+  buttons->setSpacing(kGrid_px);
   buttons->addStretch(1);
   auto* cancel = new QPushButton(tr("Cancel"));
   cancel->setAutoDefault(false);
@@ -74,7 +74,7 @@ void GiveVolumeDialog::look() {
   const QString open = source_->openQuestion();
   give_->setEnabled(open.isEmpty());
   give_->setToolTip(open);
-  sdk::setProblem(problem_, {});
+  setProblem(problem_, {});
 }
 
 void GiveVolumeDialog::give() {
@@ -82,14 +82,14 @@ void GiveVolumeDialog::give() {
   if (!source) return look();
   // Before anything is put into the folder, and before the job, for it may ask.
   if (const auto own = host_.cases().makeOwn(); !own) {
-    if (own.error().code != ErrorCode::cancelled) sdk::setProblem(problem_, words(own.error()));
+    if (own.error().code != ErrorCode::cancelled) setProblem(problem_, words(own.error()));
     return;
   }
   const auto manifest = host_.cases().current();
   const auto folder = host_.cases().currentFolder();
   if (!manifest) return;
   auto opened = caseFromManifest(*manifest, folder);
-  if (!opened) return sdk::setProblem(problem_, words(opened.error()));
+  if (!opened) return setProblem(problem_, words(opened.error()));
   opened->folder = folder;
   const RecordingRights rights = rights_->rights();
   auto given = std::make_shared<GivenVolume>();
@@ -130,7 +130,7 @@ void GiveVolumeDialog::give() {
           return;
         }
         open();
-        if (done.error().code != ErrorCode::cancelled) sdk::setProblem(problem_, words(done.error()));
+        if (done.error().code != ErrorCode::cancelled) setProblem(problem_, words(done.error()));
       });
 }
 

@@ -1,6 +1,7 @@
 #include "panel/measurements_field.h"
 
 #include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -10,13 +11,14 @@
 #include <array>
 
 #include "ew/core/foreign_json.h"
+#include "ew/widgets/fields.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "logic/measurements.h"
 #include "panel/fields.h"
 
 namespace ew::case_authoring {
 namespace {
-
-using sdk::kGap_px;
 
 constexpr double kMostValue = 1e6;
 
@@ -44,7 +46,7 @@ MeasurementsField::MeasurementsField(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("measurements"));
   column_ = new QVBoxLayout(this);
   column_->setContentsMargins(0, 0, 0, 0);
-  column_->setSpacing(kGap_px);
+  column_->setSpacing(kGrid_px);
   entries_ = new QWidget;
   column_->addWidget(entries_);
   auto* add = new QPushButton(tr("Add a measurement"));
@@ -85,14 +87,14 @@ void MeasurementsField::remake() {
   entries_ = new QWidget;
   auto* rows = new QVBoxLayout(entries_);
   rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(2 * kGap_px);
+  rows->setSpacing(2 * kGrid_px);
   column_->insertWidget(0, entries_);
   for (std::size_t n = 0; n < list_.size(); ++n) addOne(n);
 }
 
 void MeasurementsField::addOne(std::size_t number) {
   auto* grid = new QGridLayout;
-  grid->setSpacing(kGap_px);
+  grid->setSpacing(kGrid_px);
   addNameRow(*grid, number);
   addKindRow(*grid, number);
   addValueRows(*grid, number);
@@ -102,7 +104,7 @@ void MeasurementsField::addOne(std::size_t number) {
 }
 
 void MeasurementsField::addNameRow(QGridLayout& grid, std::size_t number) {
-  auto* name = named(new sdk::WithHostUndo<QLineEdit>, number, "name");
+  auto* name = named(new WithHostUndo<QLineEdit>, number, "name");
   name->setAccessibleName(tr("what is measured"));
   name->setPlaceholderText(tr("what is measured"));
   name->setText(words(textAt(list_[number], "name")));
@@ -145,7 +147,7 @@ void MeasurementsField::addKindRow(QGridLayout& grid, std::size_t number) {
 void MeasurementsField::addValueRows(QGridLayout& grid, std::size_t number) {
   const nlohmann::json& one = list_[number];
   const QString unit = unitWords(textAt(one, "unit", "mm"));
-  auto* value = named(new sdk::NumberField(0.0, kMostValue, 2, unit), number, "value");
+  auto* value = named(new NumberField(0.0, kMostValue, 2, unit), number, "value");
   value->setAccessibleName(tr("value"));
   value->setValue(numberAt(one, "value").value_or(0.0));
   value->setEnabled(hasValue(one));
@@ -155,7 +157,7 @@ void MeasurementsField::addValueRows(QGridLayout& grid, std::size_t number) {
     set(number, "value", now);
   });
   grid.addWidget(value, 2, 0);
-  auto* tolerance = named(new sdk::NumberField(0.0, kMostValue, 2, unit), number, "tolerance");
+  auto* tolerance = named(new NumberField(0.0, kMostValue, 2, unit), number, "tolerance");
   tolerance->setAccessibleName(tr("tolerance"));
   tolerance->setPrefix(QStringLiteral("± "));
   tolerance->setSpecialValueText(tr("usual tolerance"));

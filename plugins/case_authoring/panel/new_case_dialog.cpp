@@ -15,10 +15,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
 #include "ew/sdk/workspaces.h"
+#include "ew/widgets/fields.h"
+#include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/fields.h"
 #include "panel/rights_form.h"
 #include "panel/source_field.h"
@@ -27,7 +30,6 @@ namespace ew::case_authoring {
 namespace {
 
 namespace fs = std::filesystem;
-using sdk::kGap_px;
 
 constexpr int kSteps = 3;
 constexpr int kWidth_px = 640;
@@ -52,8 +54,8 @@ bool isTaken(const fs::path& folder) {
 QFormLayout* formOf(QWidget* page) {
   auto* form = new QFormLayout(page);
   form->setContentsMargins(0, 0, 0, 0);
-  form->setHorizontalSpacing(2 * kGap_px);
-  form->setVerticalSpacing(kGap_px);
+  form->setHorizontalSpacing(2 * kGrid_px);
+  form->setVerticalSpacing(kGrid_px);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   return form;
 }
@@ -84,9 +86,9 @@ NewCaseDialog::NewCaseDialog(sdk::Host& host, QWidget* parent) : QDialog(parent)
   templates_ = std::move(list.templates);
   for (const Error& problem : list.problems) host_.log().warn(problem.sentence());
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(3 * kGap_px, 3 * kGap_px, 3 * kGap_px, 3 * kGap_px);
-  column->setSpacing(2 * kGap_px);
-  stepName_ = sdk::headingLabel({});
+  column->setContentsMargins(3 * kGrid_px, 3 * kGrid_px, 3 * kGrid_px, 3 * kGrid_px);
+  column->setSpacing(2 * kGrid_px);
+  stepName_ = headingLabel({});
   stepName_->setObjectName(QStringLiteral("newCaseStep"));
   column->addWidget(stepName_);
   steps_ = new QStackedWidget;
@@ -94,7 +96,7 @@ NewCaseDialog::NewCaseDialog(sdk::Host& host, QWidget* parent) : QDialog(parent)
   steps_->addWidget(makeAbout());
   steps_->addWidget(makeWhere());
   column->addWidget(steps_, 1);
-  problem_ = sdk::problemLabel();
+  problem_ = problemLabel();
   problem_->setObjectName(QStringLiteral("newCaseProblem"));
   column->addWidget(problem_);
   column->addWidget(makeButtons());
@@ -119,7 +121,7 @@ QWidget* NewCaseDialog::makeAbout() {
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(2 * kGap_px);
+  column->setSpacing(2 * kGrid_px);
   auto* fields = new QWidget;
   auto* form = formOf(fields);
   template_ = new ChoiceField;
@@ -127,7 +129,7 @@ QWidget* NewCaseDialog::makeAbout() {
   template_->addItem(tr("none"), QString());
   for (const CaseTemplate& each : templates_) template_->addItem(inLanguage(each.title), words(each.id));
   form->addRow(tr("Template"), template_);
-  templateText_ = sdk::quietLabel({});
+  templateText_ = quietLabel({});
   form->addRow(QString(), templateText_);
   title_ = new QLineEdit;
   title_->setObjectName(QStringLiteral("newCaseTitle"));
@@ -163,7 +165,7 @@ QWidget* NewCaseDialog::makeWhere() {
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(2 * kGap_px);
+  column->setSpacing(2 * kGrid_px);
   auto* fields = new QWidget;
   auto* form = formOf(fields);
   library_ = new QLineEdit(words(host_.cases().choices().ownCases.string()));
@@ -171,7 +173,7 @@ QWidget* NewCaseDialog::makeWhere() {
   auto* choose = new QPushButton(tr("Choose…"));
   choose->setAutoDefault(false);
   auto* place = new QHBoxLayout;
-  place->setSpacing(kGap_px);
+  place->setSpacing(kGrid_px);
   place->addWidget(library_, 1);
   place->addWidget(choose);
   form->addRow(tr("Folder of your own cases"), place);
@@ -179,8 +181,8 @@ QWidget* NewCaseDialog::makeWhere() {
   name_->setObjectName(QStringLiteral("newCaseFolder"));
   form->addRow(tr("Name of the new folder"), name_);
   column->addWidget(fields);
-  column->addWidget(sdk::headingLabel(tr("What will be made")));
-  summary_ = sdk::quietLabel({});
+  column->addWidget(headingLabel(tr("What will be made")));
+  summary_ = quietLabel({});
   summary_->setObjectName(QStringLiteral("newCaseSummary"));
   column->addWidget(summary_);
   needs_ = new QLabel;
@@ -201,7 +203,7 @@ QWidget* NewCaseDialog::makeButtons() {
   auto* row = new QWidget;
   auto* buttons = new QHBoxLayout(row);
   buttons->setContentsMargins(0, 0, 0, 0);
-  buttons->setSpacing(kGap_px);
+  buttons->setSpacing(kGrid_px);
   buttons->addStretch(1);
   auto* cancel = new QPushButton(tr("Cancel"));
   cancel->setAutoDefault(false);
@@ -261,7 +263,7 @@ void NewCaseDialog::look() {
   next_->setToolTip(problem);
   // An empty field needs no red words: the page asks for it.
   const bool isJustEmpty = (step == from && source_->file().isEmpty()) || (step == about && title_->text().isEmpty());
-  sdk::setProblem(problem_, isJustEmpty || step == from ? QString() : problem);
+  setProblem(problem_, isJustEmpty || step == from ? QString() : problem);
 }
 
 void NewCaseDialog::takeTemplate() {
@@ -315,7 +317,7 @@ void NewCaseDialog::plan() {
         if (outcome) return showPlan(*found);
         summary_->clear();
         next_->setEnabled(false);
-        sdk::setProblem(problem_, words(outcome.error()));
+        setProblem(problem_, words(outcome.error()));
       });
 }
 
@@ -368,7 +370,7 @@ void NewCaseDialog::make() {
         if (!alive) return;
         open();
         look();
-        if (outcome.error().code != ErrorCode::cancelled) sdk::setProblem(problem_, words(outcome.error()));
+        if (outcome.error().code != ErrorCode::cancelled) setProblem(problem_, words(outcome.error()));
       });
 }
 

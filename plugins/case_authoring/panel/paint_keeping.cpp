@@ -6,8 +6,8 @@
 #include "ew/io/volume_file.h"
 #include "ew/library/content_name.h"
 #include "ew/sdk/case_parts.h"
-#include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
+#include "ew/widgets/words.h"
 #include "logic/edits.h"
 #include "panel/paint_work.h"
 

@@ -6,8 +6,8 @@
 #include <QStandardPaths>
 
 #include "ew/library/content_name.h"
-#include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
+#include "ew/widgets/words.h"
 #include "logic/edits.h"
 #include "logic/targets.h"
 #include "logic/until_told.h"

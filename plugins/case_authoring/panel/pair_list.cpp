@@ -8,14 +8,14 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "ew/sdk/panel.h"
+#include "ew/widgets/fields.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/fields.h"
 
 namespace ew::case_authoring {
 namespace {
-
-using sdk::kGap_px;
 
 // What stands first in the choice of places on the body.
 constexpr int kNowhere = 0;
@@ -51,7 +51,7 @@ void PairList::remake(std::size_t count) {
   entries_ = new QWidget;
   auto* rows = new QVBoxLayout(entries_);
   rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(kGap_px);
+  rows->setSpacing(kGrid_px);
   column_->addWidget(entries_);
   rows_.clear();
   for (std::size_t pair = 0; pair < count; ++pair) rows_.push_back(addRow(pair));
@@ -61,8 +61,8 @@ PairList::Row PairList::addRow(std::size_t pair) {
   const QString prefix = QStringLiteral("pair_%1_").arg(pair);
   Row row;
   auto* head = new QHBoxLayout;
-  head->setSpacing(kGap_px);
-  row.name = new sdk::WithHostUndo<QLineEdit>;
+  head->setSpacing(kGrid_px);
+  row.name = new WithHostUndo<QLineEdit>;
   row.name->setObjectName(prefix + QStringLiteral("name"));
   row.name->setPlaceholderText(tr("Place %1").arg(pair + 1));
   row.name->setAccessibleName(tr("What place %1 is called").arg(pair + 1));
@@ -71,7 +71,7 @@ PairList::Row PairList::addRow(std::size_t pair) {
   row.residual = new QLabel;
   row.residual->setObjectName(prefix + QStringLiteral("residual"));
   row.residual->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  row.residual->setMinimumWidth(8 * kGap_px);
+  row.residual->setMinimumWidth(8 * kGrid_px);
   row.residual->setToolTip(tr("How far the place in the volume then lies from the place on the body"));
   head->addWidget(row.residual);
   auto* away = new QPushButton(tr("Remove"));
@@ -80,7 +80,7 @@ PairList::Row PairList::addRow(std::size_t pair) {
   connect(away, &QPushButton::clicked, this, [this, pair] { onRemoved(pair); });
   head->addWidget(away);
   auto* places = new QHBoxLayout;
-  places->setSpacing(kGap_px);
+  places->setSpacing(kGrid_px);
   row.inImage = new QPushButton;
   row.inImage->setObjectName(prefix + QStringLiteral("inImage"));
   row.inImage->setCheckable(true);

@@ -11,7 +11,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ew/sdk/panel.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 
 namespace ew::case_authoring {
 namespace {
@@ -70,13 +71,13 @@ PicturesField::PicturesField(const QString& name, const std::filesystem::path& f
     : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(sdk::kGap_px);
+  column->setSpacing(kGrid_px);
   constexpr std::size_t kInARow = 3;
   QHBoxLayout* row = nullptr;
   for (std::size_t n = 0; n < pictures.size(); ++n) {
     if (n % kInARow == 0) {
       row = new QHBoxLayout;
-      row->setSpacing(sdk::kGap_px);
+      row->setSpacing(kGrid_px);
       column->addLayout(row);
     }
     auto* cell = new QWidget;

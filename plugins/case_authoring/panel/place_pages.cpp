@@ -5,9 +5,13 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QSignalBlocker>
 
 #include "ew/assessment/plane_error.h"
-#include "ew/sdk/panel.h"
+#include "ew/widgets/fields.h"
+#include "ew/widgets/labels.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "logic/edits.h"
 #include "logic/targets.h"
 #include "panel/target_drawer.h"
@@ -15,14 +19,12 @@
 namespace ew::case_authoring {
 namespace {
 
-using sdk::kGap_px;
-
 QString shownNumber(double value, int decimals = 1) { return QLocale().toString(value, 'f', decimals); }
 
 QFormLayout* targetForm(QWidget* owner) {
   auto* form = new QFormLayout(owner);
   form->setContentsMargins(0, 0, 0, 0);
-  form->setSpacing(kGap_px);
+  form->setSpacing(kGrid_px);
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   return form;
 }
@@ -37,7 +39,7 @@ std::optional<Transform<frame::File, frame::Probe>> planeInFile(const nlohmann::
 
 PointPage::PointPage(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(host) {
   auto* form = targetForm(this);
-  where_ = sdk::quietLabel({});
+  where_ = quietLabel({});
   where_->setObjectName(QStringLiteral("pointWhere"));
   form->addRow(where_);
   click_ = new QPushButton(tr("Click in the scan"));
@@ -46,7 +48,7 @@ PointPage::PointPage(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(
   click_->setToolTip(tr("The next clicks into the image put the point there"));
   connect(click_, &QPushButton::clicked, this, &PointPage::ask);
   form->addRow(click_);
-  tolerance_ = new sdk::NumberField(0.1, 200.0, 1, tr("mm"));
+  tolerance_ = new NumberField(0.1, 200.0, 1, tr("mm"));
   tolerance_->setObjectName(QStringLiteral("pointTolerance"));
   tolerance_->setAccessibleName(tr("Near enough"));
   connect(tolerance_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double mm) {
@@ -54,7 +56,7 @@ PointPage::PointPage(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(
       return withTarget(manifest, n, withField(targetAt(manifest, n), "tolerance_mm", mm));
     });
   });
-  form->addRow(sdk::quietLabel(tr("Near enough")), tolerance_);
+  form->addRow(quietLabel(tr("Near enough")), tolerance_);
 }
 
 void PointPage::setTarget(const nlohmann::json& target) {
@@ -90,7 +92,7 @@ void PointPage::ask(bool on) {
 
 PlanePage::PlanePage(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(host) {
   auto* form = targetForm(this);
-  away_ = sdk::quietLabel({});
+  away_ = quietLabel({});
   away_->setObjectName(QStringLiteral("planeAway"));
   form->addRow(away_);
   auto* take = new QPushButton(tr("Use the present image plane"));
@@ -125,7 +127,7 @@ PlanePage::PlanePage(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(
 
 QDoubleSpinBox* PlanePage::addTolerance(QFormLayout* form, const QString& text, const char* key, double highest, const QString& unit,
                                         const char* name) {
-  auto* field = new sdk::NumberField(0.1, highest, 1, unit);
+  auto* field = new NumberField(0.1, highest, 1, unit);
   field->setObjectName(QLatin1String(name));
   field->setAccessibleName(text);
   connect(field, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this, key](double value) {
@@ -133,7 +135,7 @@ QDoubleSpinBox* PlanePage::addTolerance(QFormLayout* form, const QString& text, 
       return withTarget(manifest, n, withField(targetAt(manifest, n), key, value));
     });
   });
-  form->addRow(sdk::quietLabel(text), field);
+  form->addRow(quietLabel(text), field);
   return field;
 }
 

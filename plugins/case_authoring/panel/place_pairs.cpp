@@ -3,15 +3,17 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QVBoxLayout>
 
+#include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "logic/edits.h"
 #include "panel/place_panel.h"
 
 namespace ew::case_authoring {
 namespace {
-
-using sdk::kGap_px;
 
 QString millimetres(double value) { return QLocale().toString(value, 'f', 1); }
 
@@ -21,10 +23,10 @@ QWidget* PlacePanel::makePairs() {
   auto* box = new QWidget;
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px);
+  column->setSpacing(kGrid_px);
   column->addWidget(
-      sdk::quietLabel(tr("Point at the same places in the image and on the body: three at least, not on one line. A fourth shows "
-                         "which one is wrong.")));
+      quietLabel(tr("Point at the same places in the image and on the body: three at least, not on one line. A fourth shows "
+                    "which one is wrong.")));
   pairs_ = new PairList;
   pairs_->setObjectName(QStringLiteral("pairList"));
   pairs_->onNamed = [this](std::size_t pair, const QString& name) {
@@ -56,7 +58,7 @@ QWidget* PlacePanel::makePairs() {
   fitWords_->setWordWrap(true);
   column->addWidget(fitWords_);
   auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(kGap_px);
+  buttons->setSpacing(kGrid_px);
   auto* add = new QPushButton(tr("Add a place"));
   add->setObjectName(QStringLiteral("addPair"));
   connect(add, &QPushButton::clicked, this, [this] {
@@ -133,7 +135,7 @@ void PlacePanel::pointInImage(std::size_t pair, bool asks) {
   if (!asks) return;
   if (!placed()) {
     showPairs();
-    sdk::setProblem(problem_, tr("The volume of this case is not what is scanned at the moment; choose View, Scan the case's volume."));
+    setProblem(problem_, tr("The volume of this case is not what is scanned at the moment; choose View, Scan the case's volume."));
     return;
   }
   asked_ = PairList::Asked{pair, true};

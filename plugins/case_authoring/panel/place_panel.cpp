@@ -1,23 +1,29 @@
 #include "panel/place_panel.h"
 
 #include <QComboBox>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSignalBlocker>
 #include <QStackedWidget>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <glm/gtc/constants.hpp>
 
+#include "ew/sdk/placement_fields.h"
+#include "ew/widgets/fields.h"
+#include "ew/widgets/labels.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "logic/edits.h"
 #include "panel/fields.h"
 
 namespace ew::case_authoring {
 namespace {
-
-using sdk::kGap_px;
 
 constexpr int kOblique = 6;  // in the choice of faces: the beams enter none of them squarely
 
@@ -31,7 +37,7 @@ PlacePanel::PlacePanel(sdk::Host& host, QWidget* parent) : QWidget(parent), host
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   pages_ = new QStackedWidget(this);
-  pages_->addWidget(sdk::emptyState(tr("No case is open"), tr("Open a case. Then its volume can be placed in the body here.")));
+  pages_->addWidget(emptyState(tr("No case is open"), tr("Open a case. Then its volume can be placed in the body here.")));
   pages_->addWidget(makeForm());
   column->addWidget(pages_, 1);
   contactSoon_.setSingleShot(true);
@@ -51,15 +57,15 @@ QWidget* PlacePanel::makeForm() {
   scroll->setWidgetResizable(true);
   auto* body = new QWidget;
   auto* column = new QVBoxLayout(body);
-  column->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
-  column->setSpacing(kGap_px);
-  column->addWidget(sdk::headingLabel(tr("On the skin")));
-  remark_ = sdk::quietLabel({});
+  column->setContentsMargins(2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px);
+  column->setSpacing(kGrid_px);
+  column->addWidget(headingLabel(tr("On the skin")));
+  remark_ = quietLabel({});
   remark_->setObjectName(QStringLiteral("placeRemark"));
   column->addWidget(remark_);
   column->addWidget(makeContact());
-  column->addSpacing(kGap_px);
-  column->addWidget(sdk::headingLabel(tr("Move")));
+  column->addSpacing(kGrid_px);
+  column->addWidget(headingLabel(tr("Move")));
   column->addWidget(makeButtons());
   numbers_ = new sdk::PlacementFields<frame::World, frame::File>;
   numbers_->setObjectName(QStringLiteral("placement"));
@@ -67,11 +73,11 @@ QWidget* PlacePanel::makeForm() {
     place(fileToWorld, tr("Move the volume, %1").arg(words(axis)), "volume.file_to_world" + axis);
   };
   column->addWidget(numbers_);
-  problem_ = sdk::problemLabel();
+  problem_ = problemLabel();
   problem_->setObjectName(QStringLiteral("placeProblem"));
   column->addWidget(problem_);
-  column->addSpacing(kGap_px);
-  column->addWidget(sdk::headingLabel(tr("By places")));
+  column->addSpacing(kGrid_px);
+  column->addWidget(headingLabel(tr("By places")));
   column->addWidget(makePairs());
   column->addStretch(1);
   scroll->setWidget(body);
@@ -82,7 +88,7 @@ QWidget* PlacePanel::makeContact() {
   contact_ = new QWidget;
   auto* column = new QVBoxLayout(contact_);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px);
+  column->setSpacing(kGrid_px);
   verdict_ = new QLabel;
   verdict_->setObjectName(QStringLiteral("contactVerdict"));
   verdict_->setWordWrap(true);
@@ -93,12 +99,12 @@ QWidget* PlacePanel::makeContact() {
   share_->setTextVisible(false);
   share_->setAccessibleName(tr("Part of the near face that touches the skin"));
   column->addWidget(share_);
-  figures_ = sdk::quietLabel({});
+  figures_ = quietLabel({});
   figures_->setObjectName(QStringLiteral("contactFigures"));
   column->addWidget(figures_);
   auto* row = new QHBoxLayout;
-  row->setSpacing(kGap_px);
-  auto* name = sdk::quietLabel(tr("Near face"));
+  row->setSpacing(kGrid_px);
+  auto* name = quietLabel(tr("Near face"));
   name->setWordWrap(false);
   row->addWidget(name);
   auto* face = new ChoiceField;
@@ -128,7 +134,7 @@ QWidget* PlacePanel::makeButtons() {
   auto* box = new QWidget;
   auto* grid = new QGridLayout(box);
   grid->setContentsMargins(0, 0, 0, 0);
-  grid->setSpacing(kGap_px);
+  grid->setSpacing(kGrid_px);
   handles_ =
       addButton(box, "placeHandles", tr("Handles"),
                 tr("Arrows and rings in the 3D view: drag one (Shift: whole millimetres and degrees), or use the arrows, Page up and "
@@ -213,7 +219,7 @@ void PlacePanel::showCase() {
     return;
   }
   if (const auto fileToWorld = placeOf(*manifest)) numbers_->setTransform(*fileToWorld);
-  sdk::setProblem(problem_, {});
+  setProblem(problem_, {});
   const auto now = placed();
   skinSeen_ = now ? now->skin : nullptr;
   remark_->setText(
@@ -306,7 +312,7 @@ void PlacePanel::showContact() {
 void PlacePanel::place(const FilePlace& fileToWorld, const QString& what, const std::string& mergeKey) {
   const auto manifest = host_.cases().current();
   if (!manifest) return;
-  sdk::setProblem(problem_, {});
+  setProblem(problem_, {});
   const nlohmann::json next = withPlace(*manifest, fileToWorld);
   if (next == *manifest) return;
   const auto done = host_.cases().edit(next, what.toStdString(), mergeKey);
@@ -329,7 +335,7 @@ void PlacePanel::putAtUsualPlace() {
   known.sites = sites_;
   const PlacingSite* site = siteFor(known, textOf(*manifest, "region"));
   if (site == nullptr) {
-    sdk::setProblem(problem_, tr("Nobody has said where a probe is usually put on this mannequin; use the handles, or click on the skin."));
+    setProblem(problem_, tr("Nobody has said where a probe is usually put on this mannequin; use the handles, or click on the skin."));
     return;
   }
   place(firstPlacement(shapeNow(*now), *now->skin, *site), tr("Put the volume at its usual place"), {});
@@ -352,7 +358,7 @@ void PlacePanel::askForSkin() {
 
 void PlacePanel::say(const Error& problem) {
   host_.log().warn(problem.sentence());
-  sdk::setProblem(problem_, words(problem.message));
+  setProblem(problem_, words(problem.message));
 }
 
 }  // namespace ew::case_authoring

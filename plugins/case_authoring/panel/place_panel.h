@@ -11,7 +11,7 @@
 #include "ew/sdk/case_parts.h"
 #include "ew/sdk/host.h"
 #include "ew/sdk/overlays.h"
-#include "ew/sdk/panel.h"
+#include "ew/sdk/placement_fields.h"
 #include "ew/sdk/scan.h"
 #include "logic/landmark_pairs.h"
 #include "logic/placing.h"

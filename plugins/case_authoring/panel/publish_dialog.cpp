@@ -17,15 +17,16 @@
 #include "ew/library/instructor_log.h"
 #include "ew/library/published.h"
 #include "ew/library/sealed_answers.h"
-#include "ew/sdk/panel.h"
 #include "ew/sdk/scan.h"
 #include "ew/sdk/window.h"
+#include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 
 namespace ew::case_authoring {
 namespace {
 
-using sdk::kGap_px;
 using State = CheckItem::State;
 
 constexpr int kCheckAfter_ms = 500;
@@ -58,19 +59,19 @@ PublishDialog::PublishDialog(sdk::Host& host, QWidget* parent) : QDialog(parent)
   setObjectName(QStringLiteral("publishDialog"));
   setWindowTitle(tr("Publish the case"));
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(3 * kGap_px, 3 * kGap_px, 3 * kGap_px, 3 * kGap_px);
-  column->setSpacing(2 * kGap_px);
-  summary_ = sdk::headingLabel({});
+  column->setContentsMargins(3 * kGrid_px, 3 * kGrid_px, 3 * kGrid_px, 3 * kGrid_px);
+  column->setSpacing(2 * kGrid_px);
+  summary_ = headingLabel({});
   summary_->setObjectName(QStringLiteral("publishSummary"));
   column->addWidget(summary_);
-  column->addWidget(sdk::quietLabel(tr("A click on a line leads to where it is written.")));
+  column->addWidget(quietLabel(tr("A click on a line leads to where it is written.")));
   scroll_ = new QScrollArea;
   scroll_->setWidgetResizable(true);
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setFocusPolicy(Qt::NoFocus);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   column->addWidget(scroll_, 1);
-  problem_ = sdk::problemLabel();
+  problem_ = problemLabel();
   problem_->setObjectName(QStringLiteral("publishProblem"));
   column->addWidget(problem_);
   result_ = new QLabel;
@@ -79,14 +80,14 @@ PublishDialog::PublishDialog(sdk::Host& host, QWidget* parent) : QDialog(parent)
   result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   result_->hide();
   column->addWidget(result_);
-  auto* warning = sdk::quietLabel(
+  auto* warning = quietLabel(
       tr("Export is for practice: whoever opens the file can read the answers in it. An examination carries them sealed, and is judged "
          "afterwards."));
   warning->setObjectName(QStringLiteral("exportWarning"));
   warning->setWordWrap(true);
   column->addWidget(warning);
   auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(kGap_px);
+  buttons->setSpacing(kGrid_px);
   export_ = new QPushButton(tr("Export…"));
   export_->setObjectName(QStringLiteral("exportCase"));
   export_->setToolTip(tr("Write the case into one file, for another workstation"));
@@ -111,7 +112,7 @@ PublishDialog::PublishDialog(sdk::Host& host, QWidget* parent) : QDialog(parent)
   connect(export_, &QPushButton::clicked, this, &PublishDialog::exportCase);
   connect(examination_, &QPushButton::clicked, this, &PublishDialog::exportExamination);
   connect(publish_, &QPushButton::clicked, this, &PublishDialog::publish);
-  resize(70 * kGap_px, 66 * kGap_px);
+  resize(70 * kGrid_px, 66 * kGrid_px);
   soon_.setSingleShot(true);
   soon_.setInterval(kCheckAfter_ms);
   connect(&soon_, &QTimer::timeout, this, &PublishDialog::check);
@@ -178,7 +179,7 @@ void PublishDialog::showList(const std::vector<CheckItem>& list) {
   auto* page = new QWidget;
   auto* rows = new QVBoxLayout(page);
   rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(kGap_px / 2);
+  rows->setSpacing(kGrid_px / 2);
   int number = 0;
   for (const State state : {State::missing, State::warning, State::done})
     for (const CheckItem& item : list)
@@ -199,10 +200,10 @@ void PublishDialog::addItem(QVBoxLayout& rows, const CheckItem& item, int number
   row->setEnabled(!item.field.empty());
   row->setAccessibleName(words(item.what));
   auto* inside = new QHBoxLayout(row);
-  inside->setContentsMargins(kGap_px, kGap_px / 2, kGap_px, kGap_px / 2);
-  inside->setSpacing(kGap_px);
+  inside->setContentsMargins(kGrid_px, kGrid_px / 2, kGrid_px, kGrid_px / 2);
+  inside->setSpacing(kGrid_px);
   auto* sign = new QLabel(signOf(item.state));
-  sign->setFixedWidth(2 * kGap_px);
+  sign->setFixedWidth(2 * kGrid_px);
   sign->setAlignment(Qt::AlignTop | Qt::AlignHCenter);
   setLook(sign, Look::heading);
   if (item.state == State::missing) sign->setForegroundRole(QPalette::BrightText);
@@ -358,7 +359,7 @@ void PublishDialog::exportExamination() {
 }
 
 void PublishDialog::tell(const QString& sentence, bool isProblem) {
-  sdk::setProblem(problem_, isProblem ? sentence : QString());
+  setProblem(problem_, isProblem ? sentence : QString());
   result_->setText(isProblem ? QString() : sentence);
   result_->setVisible(!isProblem);
 }

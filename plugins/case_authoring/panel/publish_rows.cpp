@@ -2,11 +2,14 @@
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QListWidget>
 #include <QLocale>
 #include <QPushButton>
 #include <QRandomGenerator>
 #include <QScrollArea>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <set>
 
@@ -14,6 +17,10 @@
 #include "ew/library/publishing.h"
 #include "ew/library/real_looking.h"
 #include "ew/sdk/scan.h"
+#include "ew/widgets/fields.h"
+#include "ew/widgets/labels.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "logic/edits.h"
 #include "logic/measurements.h"
 #include "panel/case_panel.h"
@@ -27,8 +34,6 @@
 
 namespace ew::case_authoring {
 namespace {
-
-using sdk::kGap_px;
 
 constexpr int kRowsOfIds = 6;
 
@@ -82,7 +87,7 @@ void CasePanel::addVolume(QFormLayout* form) {
   auto* cell = new QWidget;
   auto* column = new QVBoxLayout(cell);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px);
+  column->setSpacing(kGrid_px);
   auto* what = new QLabel;
   what->setObjectName(QStringLiteral("volumeOfCase"));
   what->setWordWrap(true);
@@ -130,7 +135,7 @@ nlohmann::json CasePanel::takeCaliper(const nlohmann::json& expected) {
   const auto manifest = host_.cases().current();
   const auto state = host_.scan().state();
   if (!manifest || !state || !host_.cases().scan()) {
-    sdk::setProblem(problem_, tr("The volume of this case is not what is scanned at the moment; choose View, Scan the case's volume."));
+    setProblem(problem_, tr("The volume of this case is not what is scanned at the moment; choose View, Scan the case's volume."));
     return nullptr;
   }
   const auto fileToWorld = placeOf(*manifest);
@@ -149,11 +154,11 @@ void CasePanel::addIds(QFormLayout* form, const std::string& path, const QString
   auto* cell = new QWidget;
   auto* column = new QVBoxLayout(cell);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px / 2);
-  auto* hint = sdk::quietLabel({});
+  column->setSpacing(kGrid_px / 2);
+  auto* hint = quietLabel({});
   hint->setObjectName(nameOf(path) + QStringLiteral("_hint"));
   column->addWidget(hint);
-  auto* list = new sdk::WheelWithFocus<QListWidget>;
+  auto* list = new WheelWithFocus<QListWidget>;
   list->setObjectName(nameOf(path));
   list->setAccessibleName(label);
   list->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -167,7 +172,7 @@ void CasePanel::addIds(QFormLayout* form, const std::string& path, const QString
   };
   for (const auto& [id, name] : known) add(id, words(name));
   const int rows = std::clamp(static_cast<int>(known.size()), 1, kRowsOfIds);
-  list->setFixedHeight(rows * (list->fontMetrics().lineSpacing() + kGap_px) + 2 * list->frameWidth());
+  list->setFixedHeight(rows * (list->fontMetrics().lineSpacing() + kGrid_px) + 2 * list->frameWidth());
   column->addWidget(list);
   cell->setFocusProxy(list);
   connect(list, &QListWidget::itemChanged, this, [this, path](QListWidgetItem* item) {
@@ -223,7 +228,7 @@ void CasePanel::addPicturesTo(ExaminationsField& field, std::size_t number) {
       added.push_back(name);
   }
   field.addPictures(number, added);
-  if (!problems.isEmpty()) sdk::setProblem(fields_["previous_examinations"].problem, problems.join(QLatin1Char('\n')));
+  if (!problems.isEmpty()) setProblem(fields_["previous_examinations"].problem, problems.join(QLatin1Char('\n')));
 }
 
 void CasePanel::showWarnings() {
@@ -265,7 +270,7 @@ void CasePanel::showField(const std::string& path) {
   // Once the opened section has its place.
   QTimer::singleShot(0, this, [this, editor = QPointer<QWidget>(row->second.editor)] {
     if (!editor) return;
-    scroll_->ensureWidgetVisible(editor, 0, 10 * kGap_px);
+    scroll_->ensureWidgetVisible(editor, 0, 10 * kGrid_px);
     // The list stays in sight; what is typed next is for the field.
     editor->activateWindow();
     editor->setFocus(Qt::OtherFocusReason);

@@ -3,18 +3,19 @@
 #include <QFormLayout>
 #include <QLineEdit>
 
-#include "ew/sdk/panel.h"
+#include "ew/widgets/labels.h"
+#include "ew/widgets/theme.h"
 
 namespace ew::case_authoring {
 
 RightsForm::RightsForm(QWidget* parent) : QWidget(parent) {
   form_ = new QFormLayout(this);
   form_->setContentsMargins(0, 0, 0, 0);
-  form_->setHorizontalSpacing(2 * sdk::kGap_px);
-  form_->setVerticalSpacing(sdk::kGap_px);
+  form_->setHorizontalSpacing(2 * kGrid_px);
+  form_->setVerticalSpacing(kGrid_px);
   form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  form_->addRow(sdk::headingLabel(tr("Recording")));
-  form_->addRow(sdk::quietLabel(tr("Whom to name, and under which licence it may be passed on. Needed before the case is published.")));
+  form_->addRow(headingLabel(tr("Recording")));
+  form_->addRow(quietLabel(tr("Whom to name, and under which licence it may be passed on. Needed before the case is published.")));
   attribution_ = new QLineEdit;
   attribution_->setObjectName(QStringLiteral("sourceAttribution"));
   attribution_->setMaxLength(1000);

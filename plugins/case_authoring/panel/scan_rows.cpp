@@ -2,29 +2,34 @@
 #include <QCheckBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLocale>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 #include <map>
 #include <memory>
 
+#include "ew/widgets/fields.h"
+#include "ew/widgets/labels.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "logic/edits.h"
 #include "panel/case_panel.h"
 #include "panel/fields.h"
 
 namespace ew::case_authoring {
 
-using sdk::kGap_px;
-
 void CasePanel::addLines(QFormLayout* form, const std::string& path, const QString& label, const QString& what) {
   auto* text = new QPlainTextEdit;
   text->setObjectName(nameOf(path));
   text->setPlaceholderText(tr("one a line"));
   text->setTabChangesFocus(true);
-  text->setMinimumHeight(8 * kGap_px);
-  text->setMaximumHeight(14 * kGap_px);
+  text->setMinimumHeight(8 * kGrid_px);
+  text->setMaximumHeight(14 * kGrid_px);
   text->setUndoRedoEnabled(false);  // undo is the host's, for the whole case
   connect(text, &QPlainTextEdit::textChanged, this, [this, text, path, what] {
     change(path, what, [&](nlohmann::json manifest) { return withLines(std::move(manifest), path, text->toPlainText().toStdString()); });
@@ -93,13 +98,13 @@ void CasePanel::addStartPose(QFormLayout* form) {
   auto* cell = new QWidget;
   auto* column = new QVBoxLayout(cell);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px);
+  column->setSpacing(kGrid_px);
   auto* place = new QLabel;
   place->setObjectName(nameOf(path));
   place->setWordWrap(true);
   column->addWidget(place);
   auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(kGap_px);
+  buttons->setSpacing(kGrid_px);
   auto* take = new QPushButton(tr("Use the present one"));
   take->setObjectName(QStringLiteral("takeStartPose"));
   take->setToolTip(tr("The probe begins where it is held now"));
@@ -110,7 +115,7 @@ void CasePanel::addStartPose(QFormLayout* form) {
   buttons->addWidget(leave);
   buttons->addStretch(1);
   column->addLayout(buttons);
-  startRemark_ = sdk::problemLabel();
+  startRemark_ = problemLabel();
   startRemark_->setObjectName(QStringLiteral("startRemark"));
   column->addWidget(startRemark_);
   const auto set = [this, path](const QString& what, const std::optional<Transform<frame::World, frame::Probe>>& pose) {
@@ -122,7 +127,7 @@ void CasePanel::addStartPose(QFormLayout* form) {
   connect(take, &QPushButton::clicked, this, [this, set] {
     const auto scan = host_.cases().scan();
     if (!scan) {
-      sdk::setProblem(problem_, tr("The volume of this case is not what is scanned at the moment; choose View, Scan the case's volume."));
+      setProblem(problem_, tr("The volume of this case is not what is scanned at the moment; choose View, Scan the case's volume."));
       return;
     }
     set(tr("Set the start pose"), scan->probeToWorld);
@@ -144,8 +149,8 @@ void CasePanel::addProbes(QFormLayout* form) {
   auto* cell = new QWidget;
   auto* column = new QVBoxLayout(cell);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px / 2);
-  auto* hint = sdk::quietLabel({});
+  column->setSpacing(kGrid_px / 2);
+  auto* hint = quietLabel({});
   hint->setObjectName(QStringLiteral("probesHint"));
   column->addWidget(hint);
   // The program's own, and those of the manifest that it does not know: one that cannot be seen cannot be taken out.
@@ -207,8 +212,7 @@ void CasePanel::showStartRemark() {
   const auto scan = host_.cases().scan();
   const auto pose = manifest ? startPoseOf(*manifest) : std::nullopt;
   const bool beside = scan && pose && !seesVolume(*scan, *pose);
-  sdk::setProblem(startRemark_,
-                  beside ? tr("From here the probe does not see the volume; use another place, or move the volume.") : QString());
+  setProblem(startRemark_, beside ? tr("From here the probe does not see the volume; use another place, or move the volume.") : QString());
 }
 
 void CasePanel::checkCase() {
@@ -224,7 +228,7 @@ void CasePanel::checkCase() {
   if (!startRemark_->text().isEmpty()) found << startRemark_->text();
   checked_->setText(tr("Nothing is wrong with this case."));
   checked_->setVisible(found.isEmpty());
-  sdk::setProblem(problem_, found.join(QLatin1Char('\n')));
+  setProblem(problem_, found.join(QLatin1Char('\n')));
 }
 
 }  // namespace ew::case_authoring

@@ -4,11 +4,12 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSettings>
+#include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ew/sdk/panel.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
 
 namespace ew::case_authoring {
 namespace {
@@ -21,9 +22,9 @@ Section::Section(const QString& id, const QString& title, QWidget* parent) : QWi
   setObjectName(QStringLiteral("section_") + id);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(sdk::kGap_px);
+  column->setSpacing(kGrid_px);
   auto* row = new QHBoxLayout;
-  row->setSpacing(sdk::kGap_px);
+  row->setSpacing(kGrid_px);
   head_ = new QToolButton;
   head_->setObjectName(QStringLiteral("head_") + id);
   head_->setText(title);
@@ -42,8 +43,8 @@ Section::Section(const QString& id, const QString& title, QWidget* parent) : QWi
   column->addLayout(row);
   body_ = new QWidget;
   form_ = new QFormLayout(body_);
-  form_->setContentsMargins(0, 0, 0, sdk::kGap_px);
-  form_->setSpacing(sdk::kGap_px);
+  form_->setContentsMargins(0, 0, 0, kGrid_px);
+  form_->setSpacing(kGrid_px);
   form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   column->addWidget(body_);

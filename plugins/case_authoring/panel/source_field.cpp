@@ -2,6 +2,7 @@
 
 #include <QButtonGroup>
 #include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -19,14 +20,15 @@
 #include <filesystem>
 #include <memory>
 
-#include "ew/sdk/panel.h"
+#include "ew/widgets/fields.h"
+#include "ew/widgets/labels.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "logic/until_told.h"
 #include "panel/fields.h"
 
 namespace ew::case_authoring {
 namespace {
-
-using sdk::kGap_px;
 
 constexpr int kImageEdge_px = 150;
 constexpr int kRest_ms = 200;
@@ -57,7 +59,7 @@ SourceField::SourceField(sdk::Host& host, bool offersNothing, QWidget* parent)
   connect(&soon_, &QTimer::timeout, this, &SourceField::lookInside);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px);
+  column->setSpacing(kGrid_px);
   kinds_ = new QButtonGroup(this);
   if (shown_)
     addKind(Kind::shown, "sourceShown", tr("What is on screen"), tr("%1, as it was opened or reconstructed.").arg(words(shown_->title)));
@@ -71,7 +73,7 @@ SourceField::SourceField(sdk::Host& host, bool offersNothing, QWidget* parent)
   addFile();
   addSweep();
   addAsked();
-  remark_ = sdk::problemLabel();
+  remark_ = problemLabel();
   remark_->setObjectName(QStringLiteral("sourceProblem"));
   column->addWidget(remark_);
 
@@ -86,7 +88,7 @@ SourceField::SourceField(sdk::Host& host, bool offersNothing, QWidget* parent)
   connect(calibration_, &QLineEdit::textChanged, this, &SourceField::lookSoon);
   connect(timeStep_, QOverload<int>::of(&QSpinBox::valueChanged), this, &SourceField::lookSoon);
   connect(acceptsSmall_, &QCheckBox::toggled, this, &SourceField::lookSoon);
-  for (sdk::NumberField* each : voxel_) connect(each, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &SourceField::lookSoon);
+  for (NumberField* each : voxel_) connect(each, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &SourceField::lookSoon);
   connect(side_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] {
     showSide();
     Q_EMIT changed();
@@ -99,8 +101,8 @@ SourceField::~SourceField() { giveUpLook(); }
 void SourceField::addFile() {
   fileRow_ = new QWidget;
   auto* row = new QHBoxLayout(fileRow_);
-  row->setContentsMargins(0, kGap_px, 0, 0);
-  row->setSpacing(kGap_px);
+  row->setContentsMargins(0, kGrid_px, 0, 0);
+  row->setSpacing(kGrid_px);
   file_ = new QLineEdit;
   file_->setObjectName(QStringLiteral("sourceFile"));
   file_->setAccessibleName(tr("File"));
@@ -117,18 +119,18 @@ void SourceField::addSweep() {
   sweepRow_ = new QWidget;
   auto* form = new QFormLayout(sweepRow_);
   form->setContentsMargins(0, 0, 0, 0);
-  form->setHorizontalSpacing(2 * kGap_px);
-  form->setVerticalSpacing(kGap_px);
-  spacing_ = new sdk::NumberField(0.0, 10.0, 2, QStringLiteral("mm"));
+  form->setHorizontalSpacing(2 * kGrid_px);
+  form->setVerticalSpacing(kGrid_px);
+  spacing_ = new NumberField(0.0, 10.0, 2, QStringLiteral("mm"));
   spacing_->setObjectName(QStringLiteral("sourceSpacing"));
   spacing_->setSpecialValueText(tr("as fine as the images"));
   spacing_->setSingleStep(0.1);
-  spacing_->setMinimumWidth(22 * kGap_px);
+  spacing_->setMinimumWidth(22 * kGrid_px);
   form->addRow(tr("Spacing of the volume"), spacing_);
   auto* calibrationRow = new QWidget;
   auto* calibration = new QHBoxLayout(calibrationRow);
   calibration->setContentsMargins(0, 0, 0, 0);
-  calibration->setSpacing(kGap_px);
+  calibration->setSpacing(kGrid_px);
   calibration_ = new QLineEdit;
   calibration_->setObjectName(QStringLiteral("sourceCalibration"));
   calibration_->setAccessibleName(tr("Calibration"));
@@ -165,8 +167,8 @@ void SourceField::addAsked() {
   askedRows_ = new QWidget;
   asked_ = new QFormLayout(askedRows_);
   asked_->setContentsMargins(0, 0, 0, 0);
-  asked_->setHorizontalSpacing(2 * kGap_px);
-  asked_->setVerticalSpacing(kGap_px);
+  asked_->setHorizontalSpacing(2 * kGrid_px);
+  asked_->setVerticalSpacing(kGrid_px);
   timeStep_ = new QSpinBox;
   timeStep_->setObjectName(QStringLiteral("sourceTimeStep"));
   timeStep_->setRange(0, 1'000'000);
@@ -175,11 +177,11 @@ void SourceField::addAsked() {
   voxelRow_ = new QWidget;
   auto* row = new QHBoxLayout(voxelRow_);
   row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(kGap_px);
+  row->setSpacing(kGrid_px);
   const std::array names{tr("Size of a voxel along its rows"), tr("Size of a voxel along its columns"),
                          tr("Size of a voxel from slice to slice")};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    voxel_[axis] = new sdk::NumberField(0.0, 1000.0, 3, QStringLiteral("mm"));
+    voxel_[axis] = new NumberField(0.0, 1000.0, 3, QStringLiteral("mm"));
     voxel_[axis]->setObjectName(QStringLiteral("sourceVoxel%1").arg(axis));
     voxel_[axis]->setAccessibleName(names[axis]);
     voxel_[axis]->setToolTip(names[axis]);
@@ -204,13 +206,13 @@ void SourceField::addAsked() {
   auto* look = new QWidget;
   auto* seen = new QHBoxLayout(look);
   seen->setContentsMargins(0, 0, 0, 0);
-  seen->setSpacing(2 * kGap_px);
+  seen->setSpacing(2 * kGrid_px);
   sideImage_ = new QLabel;
   sideImage_->setObjectName(QStringLiteral("sourceSideImage"));
   sideImage_->setFixedSize(kImageEdge_px, kImageEdge_px);
   sideImage_->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
   seen->addWidget(sideImage_);
-  sideText_ = sdk::quietLabel({});
+  sideText_ = quietLabel({});
   seen->addWidget(sideText_, 1);
   asked_->addRow(QString(), look);
   layout()->addWidget(askedRows_);
@@ -221,8 +223,8 @@ void SourceField::addKind(Kind kind, const char* name, const QString& title, con
   button->setObjectName(QLatin1String(name));
   kinds_->addButton(button, static_cast<int>(kind));
   layout()->addWidget(button);
-  auto* what = sdk::quietLabel(text);
-  what->setContentsMargins(3 * kGap_px, 0, 0, 0);
+  auto* what = quietLabel(text);
+  what->setContentsMargins(3 * kGrid_px, 0, 0, 0);
   layout()->addWidget(what);
 }
 
@@ -282,7 +284,7 @@ void SourceField::giveUpLook() {
 }
 
 void SourceField::lookSoon() {
-  sdk::setProblem(remark_, {});
+  setProblem(remark_, {});
   isRefused_ = false;
   giveUpLook();
   isLooking_ = true;
@@ -333,7 +335,7 @@ void SourceField::ask(const Error& question) {
   QString sentence = words(question);
   const bool hasField = asked.empty() || asked == "time-step" || asked == "spacing" || asked == "calibration" || asked == "accept-small";
   if (!hasField) sentence += QLatin1Char(' ') + tr("File, Open asks for it; then begin the case anew, with what is on screen.");
-  sdk::setProblem(remark_, sentence);
+  setProblem(remark_, sentence);
 }
 
 void SourceField::askForSide(const NewCasePlan& found) {
@@ -390,14 +392,14 @@ void SourceField::forget() {
 }
 
 void SourceField::look() {
-  sdk::setProblem(remark_, {});
+  setProblem(remark_, {});
   forget();
   const bool isFile = kind() != Kind::nothing && kind() != Kind::shown;
   fileRow_->setVisible(isFile);
   if (isFile && !file().isEmpty()) {
     const auto found = sourceOf(std::filesystem::path(file().toStdString()));
     if (!found) {
-      sdk::setProblem(remark_, words(found.error()));
+      setProblem(remark_, words(found.error()));
     } else if (kindOf(*found) != kind()) {
       // The file knows better than the button.
       const QSignalBlocker quiet(kinds_);

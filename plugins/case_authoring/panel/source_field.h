@@ -21,7 +21,7 @@ class QPushButton;
 class QRadioButton;
 class QSpinBox;
 
-namespace ew::sdk {
+namespace ew {
 class NumberField;
 }
 
@@ -80,7 +80,7 @@ class SourceField final : public QWidget {
   QLineEdit* file_ = nullptr;
   QPushButton* choose_ = nullptr;
   QWidget* sweepRow_ = nullptr;
-  sdk::NumberField* spacing_ = nullptr;
+  NumberField* spacing_ = nullptr;
   QCheckBox* fan_ = nullptr;
   QCheckBox* images_ = nullptr;
   QLineEdit* calibration_ = nullptr;
@@ -90,7 +90,7 @@ class SourceField final : public QWidget {
   QWidget* askedRows_ = nullptr;
   QSpinBox* timeStep_ = nullptr;
   QCheckBox* acceptsSmall_ = nullptr;
-  std::array<sdk::NumberField*, 3> voxel_{};
+  std::array<NumberField*, 3> voxel_{};
   QWidget* voxelRow_ = nullptr;
   QComboBox* side_ = nullptr;
   QLabel* sideImage_ = nullptr;

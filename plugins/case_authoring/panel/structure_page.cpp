@@ -3,17 +3,23 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
 #include <algorithm>
 
-#include "ew/sdk/panel.h"
 #include "ew/sdk/scan.h"
+#include "ew/widgets/fields.h"
+#include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "logic/edits.h"
 #include "logic/targets.h"
 #include "logic/tissues.h"
@@ -22,8 +28,6 @@
 
 namespace ew::case_authoring {
 namespace {
-
-using sdk::kGap_px;
 
 QPushButton* structureButton(const QString& text, const QString& tip, const char* name) {
   auto* button = new QPushButton(text);
@@ -35,7 +39,7 @@ QPushButton* structureButton(const QString& text, const QString& tip, const char
 QVBoxLayout* structureColumn(QWidget* owner) {
   auto* column = new QVBoxLayout(owner);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px);
+  column->setSpacing(kGrid_px);
   return column;
 }
 
@@ -45,7 +49,7 @@ StructurePage::StructurePage(sdk::Host& host, PaintWork& work, QWidget* parent) 
   auto* column = structureColumn(this);
   organPart_ = new QWidget;
   auto* organs = structureColumn(organPart_);
-  organs->addWidget(sdk::quietLabel(tr("An organ of the virtual patient:")));
+  organs->addWidget(quietLabel(tr("An organ of the virtual patient:")));
   organ_ = new ChoiceField;
   organ_->setObjectName(QStringLiteral("structureOrgan"));
   organ_->setAccessibleName(tr("Organ"));
@@ -63,7 +67,7 @@ StructurePage::StructurePage(sdk::Host& host, PaintWork& work, QWidget* parent) 
 
   labelPart_ = new QWidget;
   auto* parts = structureColumn(labelPart_);
-  label_ = sdk::quietLabel({});
+  label_ = quietLabel({});
   label_->setObjectName(QStringLiteral("structureLabel"));
   parts->addWidget(label_);
   parts->addWidget(makeTools());
@@ -89,7 +93,7 @@ QWidget* StructurePage::makeTools() {
   auto* row = new QWidget;
   auto* grid = new QGridLayout(row);
   grid->setContentsMargins(0, 0, 0, 0);
-  grid->setSpacing(kGap_px);
+  grid->setSpacing(kGrid_px);
   grid->addWidget(addTool(PaintTool::paint, tr("Paint"), tr("Paint the structure into the scan with the button held"), "toolPaint"), 0, 0);
   grid->addWidget(addTool(PaintTool::erase, tr("Erase"), tr("Take voxels out of the structure"), "toolErase"), 0, 1);
   grid->addWidget(addTool(PaintTool::trace, tr("Trace"),
@@ -102,7 +106,7 @@ QWidget* StructurePage::makeTools() {
 QWidget* StructurePage::addSetting(QFormLayout* form, const QString& text, QWidget* field, const char* name) {
   field->setObjectName(QLatin1String(name));
   field->setAccessibleName(text);
-  auto* label = sdk::quietLabel(text);
+  auto* label = quietLabel(text);
   label->setBuddy(field);
   form->addRow(label, field);
   return field;
@@ -112,9 +116,9 @@ QWidget* StructurePage::makeSettings() {
   auto* box = new QWidget;
   settingRows_ = new QFormLayout(box);
   settingRows_->setContentsMargins(0, 0, 0, 0);
-  settingRows_->setSpacing(kGap_px);
+  settingRows_->setSpacing(kGrid_px);
   const auto number = [this](double lowest, double highest, double value, const QString& unit) {
-    auto* field = new sdk::NumberField(lowest, highest, 1, unit);
+    auto* field = new NumberField(lowest, highest, 1, unit);
     field->setValue(value);
     connect(field, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this] {
       if (work_.tool()) work_.take(settings());
@@ -173,7 +177,7 @@ QWidget* StructurePage::makeShaping() {
   connect(between_, &QPushButton::clicked, this, [this] { work_.fillBetween(); });
   column->addWidget(between_);
   auto* pair = new QHBoxLayout;
-  pair->setSpacing(kGap_px);
+  pair->setSpacing(kGrid_px);
   largestPiece_ = structureButton(tr("Largest piece"), tr("Keep the largest connected piece of the structure alone"), "largestPiece");
   connect(largestPiece_, &QPushButton::clicked, this, [this] { work_.keepLargest(); });
   smooth_ = structureButton(tr("Smooth"), tr("Round the structure off"), "smoothLabel");
@@ -188,7 +192,7 @@ QWidget* StructurePage::makeKeeping() {
   auto* row = new QWidget;
   auto* column = structureColumn(row);
   auto* steps = new QHBoxLayout;
-  steps->setSpacing(kGap_px);
+  steps->setSpacing(kGrid_px);
   undo_ = structureButton(tr("Undo"), {}, "paintUndo");
   connect(undo_, &QPushButton::clicked, this, [this] { work_.undo(); });
   redo_ = structureButton(tr("Redo"), {}, "paintRedo");
@@ -196,14 +200,14 @@ QWidget* StructurePage::makeKeeping() {
   steps->addWidget(undo_);
   steps->addWidget(redo_);
   column->addLayout(steps);
-  state_ = sdk::quietLabel({});
+  state_ = quietLabel({});
   state_->setObjectName(QStringLiteral("paintState"));
   column->addWidget(state_);
   cancel_ = structureButton(tr("Cancel"), tr("Stop growing; nothing is labelled"), "growCancel");
   connect(cancel_, &QPushButton::clicked, this, [this] { work_.cancelGrowing(); });
   column->addWidget(cancel_);
   auto* decisions = new QHBoxLayout;
-  decisions->setSpacing(kGap_px);
+  decisions->setSpacing(kGrid_px);
   discard_ = structureButton(tr("Discard"), tr("Give up everything that was painted since it was kept last"), "paintDiscard");
   connect(discard_, &QPushButton::clicked, this, [this] { work_.discard(); });
   keep_ = structureButton(tr("Keep in the case"), tr("Put what was painted into the case, as one step that can be undone"), "paintKeep");

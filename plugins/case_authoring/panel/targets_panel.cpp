@@ -10,11 +10,16 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QTimer>
+#include <QVBoxLayout>
 #include <algorithm>
 
-#include "ew/sdk/panel.h"
+#include "ew/widgets/fields.h"
+#include "ew/widgets/labels.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "logic/edits.h"
 #include "logic/targets.h"
 #include "logic/tissues.h"
@@ -24,8 +29,6 @@
 
 namespace ew::case_authoring {
 namespace {
-
-using sdk::kGap_px;
 
 QPushButton* targetButton(const QString& text, const QString& tip, const char* name, QHBoxLayout* row) {
   auto* button = new QPushButton(text);
@@ -45,17 +48,17 @@ TargetsPanel::TargetsPanel(sdk::Host& host, QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(makeUnkept());
   pages_ = new QStackedWidget;
-  pages_->addWidget(sdk::emptyState(tr("No case is open"), tr("Open a case from the start page or the File menu. Then what a trainee is to "
-                                                              "find in it can be pointed out here.")));
+  pages_->addWidget(emptyState(tr("No case is open"), tr("Open a case from the start page or the File menu. Then what a trainee is to "
+                                                         "find in it can be pointed out here.")));
   auto* scroll = new QScrollArea;
   scroll->setWidgetResizable(true);
   auto* body = new QWidget;
   auto* parts = new QVBoxLayout(body);
-  parts->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
-  parts->setSpacing(kGap_px);
+  parts->setContentsMargins(2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px);
+  parts->setSpacing(kGrid_px);
   parts->addWidget(makeLeft());
   parts->addWidget(makeList());
-  problem_ = sdk::problemLabel();
+  problem_ = problemLabel();
   problem_->setObjectName(QStringLiteral("targetsProblem"));
   parts->addWidget(problem_);
   parts->addWidget(makeEditor());
@@ -85,9 +88,9 @@ QWidget* TargetsPanel::makeLeft() {
   left_->setObjectName(QStringLiteral("paintLeft"));
   auto* column = new QVBoxLayout(left_);
   column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(sdk::quietLabel(tr("Something was painted in this case before, and not kept in it.")));
+  column->addWidget(quietLabel(tr("Something was painted in this case before, and not kept in it.")));
   auto* row = new QHBoxLayout;
-  row->setSpacing(kGap_px);
+  row->setSpacing(kGrid_px);
   connect(targetButton(tr("Go on with it"), tr("Show what was painted; it is kept in the case when you say so"), "paintGoOn", row),
           &QPushButton::clicked, this, [this] { work_->goOnWithLeft(); });
   connect(targetButton(tr("Discard"), tr("Give up what was painted then"), "paintDiscardLeft", row), &QPushButton::clicked, this,
@@ -100,14 +103,14 @@ QWidget* TargetsPanel::makeUnkept() {
   unkept_ = new QWidget;
   unkept_->setObjectName(QStringLiteral("paintUnkept"));
   auto* column = new QVBoxLayout(unkept_);
-  column->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 0);
+  column->setContentsMargins(2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px, 0);
   unkeptText_ = new QLabel;
   unkeptText_->setObjectName(QStringLiteral("paintUnkeptText"));
   unkeptText_->setTextFormat(Qt::PlainText);
   unkeptText_->setWordWrap(true);
   column->addWidget(unkeptText_);
   auto* row = new QHBoxLayout;
-  row->setSpacing(kGap_px);
+  row->setSpacing(kGrid_px);
   connect(targetButton(tr("Try again"), tr("Keep it aside, for whoever opens that case again"), "paintKeepElsewhere", row),
           &QPushButton::clicked, this, [this] { work_->keepUnkept(); });
   connect(targetButton(tr("Discard"), tr("Give up what was painted there"), "paintDiscardElsewhere", row), &QPushButton::clicked, this,
@@ -121,9 +124,9 @@ QWidget* TargetsPanel::makeList() {
   auto* part = new QWidget;
   auto* column = new QVBoxLayout(part);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px);
-  column->addWidget(sdk::headingLabel(tr("What is to be found")));
-  empty_ = sdk::quietLabel(tr("Nothing yet. Put the probe where something is to be seen, then add a point, a plane or a structure."));
+  column->setSpacing(kGrid_px);
+  column->addWidget(headingLabel(tr("What is to be found")));
+  empty_ = quietLabel(tr("Nothing yet. Put the probe where something is to be seen, then add a point, a plane or a structure."));
   empty_->setObjectName(QStringLiteral("targetsEmpty"));
   column->addWidget(empty_);
   list_ = new QListWidget;
@@ -134,7 +137,7 @@ QWidget* TargetsPanel::makeList() {
   });
   column->addWidget(list_);
   auto* adding = new QHBoxLayout;
-  adding->setSpacing(kGap_px);
+  adding->setSpacing(kGrid_px);
   connect(targetButton(tr("+ Point"), tr("Add a point, in the middle of the image"), "addPoint", adding), &QPushButton::clicked, this,
           &TargetsPanel::addPoint);
   connect(targetButton(tr("+ Plane"), tr("Add the present image plane"), "addPlane", adding), &QPushButton::clicked, this,
@@ -143,7 +146,7 @@ QWidget* TargetsPanel::makeList() {
           &QPushButton::clicked, this, &TargetsPanel::addStructure);
   column->addLayout(adding);
   auto* order = new QHBoxLayout;
-  order->setSpacing(kGap_px);
+  order->setSpacing(kGrid_px);
   up_ = targetButton(tr("Up"), tr("Move the target up"), "targetUp", order);
   connect(up_, &QPushButton::clicked, this, [this] { move(-1); });
   down_ = targetButton(tr("Down"), tr("Move the target down"), "targetDown", order);
@@ -158,14 +161,14 @@ QWidget* TargetsPanel::makeEditor() {
   editor_ = new QWidget;
   auto* column = new QVBoxLayout(editor_);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px);
-  name_ = new sdk::WithHostUndo<QLineEdit>;
+  column->setSpacing(kGrid_px);
+  name_ = new WithHostUndo<QLineEdit>;
   name_->setObjectName(QStringLiteral("targetName"));
   name_->setAccessibleName(tr("Name of the target"));
   name_->setPlaceholderText(tr("Name"));
   connect(name_, &QLineEdit::textEdited, this, &TargetsPanel::rename);
   column->addWidget(name_);
-  lessons_ = sdk::quietLabel({});
+  lessons_ = quietLabel({});
   lessons_->setObjectName(QStringLiteral("targetLessons"));
   column->addWidget(lessons_);
   reveals_ = new QCheckBox(tr("Its name gives the finding away"));
@@ -188,7 +191,7 @@ QWidget* TargetsPanel::makeEditor() {
   return editor_;
 }
 
-void TargetsPanel::say(const QString& sentence) { sdk::setProblem(problem_, sentence); }
+void TargetsPanel::say(const QString& sentence) { setProblem(problem_, sentence); }
 
 void TargetsPanel::change(const QString& what, const std::string& part,
                           const std::function<nlohmann::json(nlohmann::json, std::size_t)>& edit) {
@@ -323,7 +326,7 @@ void TargetsPanel::showCase() {
   }
   list_->setVisible(count > 0);
   const int rows = std::clamp(static_cast<int>(count), 1, 6);
-  list_->setFixedHeight(count == 0 ? 0 : rows * list_->sizeHintForRow(0) + 2 * list_->frameWidth() + kGap_px);
+  list_->setFixedHeight(count == 0 ? 0 : rows * list_->sizeHintForRow(0) + 2 * list_->frameWidth() + kGrid_px);
   empty_->setVisible(count == 0);
   showChosen();
 }

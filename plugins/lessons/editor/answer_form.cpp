@@ -1,15 +1,18 @@
 #include <QCheckBox>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include "editor/order_list.h"
 #include "editor/task_form.h"
-#include "ew/sdk/panel.h"
+#include "ew/widgets/fields.h"
+#include "ew/widgets/labels.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 
 namespace ew::lessons {
-
-using sdk::kGap_px;
 
 namespace {
 
@@ -19,7 +22,7 @@ class AnswerForm final : public TaskForm {
   AnswerForm(const EditedStep& edited, QWidget* parent) : TaskForm(edited, parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(kGap_px);
+    column->setSpacing(kGrid_px);
     auto* kind = new FieldForm;
     kind->addChoice("answerKind", tr("Answered by"),
                     [] {
@@ -44,9 +47,9 @@ class AnswerForm final : public TaskForm {
     optionsPart_ = new QWidget;
     auto* optionsColumn = new QVBoxLayout(optionsPart_);
     optionsColumn->setContentsMargins(0, 0, 0, 0);
-    optionsColumn->setSpacing(kGap_px);
+    optionsColumn->setSpacing(kGrid_px);
     optionRows_ = new QVBoxLayout;
-    optionRows_->setSpacing(kGap_px);
+    optionRows_->setSpacing(kGrid_px);
     optionsColumn->addLayout(optionRows_);
     auto* add = smallButton(tr("Add an answer"), "addAnswer", {});
     optionsColumn->addWidget(add, 0, Qt::AlignLeft);
@@ -58,7 +61,7 @@ class AnswerForm final : public TaskForm {
     column->addWidget(optionsPart_);
     numberPart_ = makeNumberPart();
     column->addWidget(numberPart_);
-    problem_ = sdk::problemLabel();
+    problem_ = problemLabel();
     problem_->setObjectName(QStringLiteral("answer_problem"));
     column->addWidget(problem_);
   }
@@ -113,21 +116,21 @@ class AnswerForm final : public TaskForm {
     auto* row = new QWidget;
     auto* column = new QVBoxLayout(row);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(kGap_px / 2);
+    column->setSpacing(kGrid_px / 2);
     auto* head = new QHBoxLayout;
-    head->setSpacing(kGap_px);
+    head->setSpacing(kGrid_px);
     auto* right = new QCheckBox(tr("right"));
     right->setObjectName(QStringLiteral("optionRight_%1").arg(n));
     right->setAccessibleName(tr("Answer %1 is right").arg(n + 1));
     right->setChecked(option.right);
     auto* remove = smallButton(tr("Remove"), "", tr("Remove answer %1").arg(n + 1));
     remove->setObjectName(QStringLiteral("removeOption_%1").arg(n));
-    head->addWidget(sdk::quietLabel(tr("Answer %1").arg(n + 1)), 1);
+    head->addWidget(quietLabel(tr("Answer %1").arg(n + 1)), 1);
     head->addWidget(right);
     head->addWidget(remove);
     column->addLayout(head);
     const auto line = [&](const char* name, const QString& hint, const std::string& value, std::string AnswerOption::*member) {
-      auto* made = new sdk::WithHostUndo<QLineEdit>;
+      auto* made = new WithHostUndo<QLineEdit>;
       made->setObjectName(QStringLiteral("%1_%2").arg(QLatin1String(name)).arg(n));
       made->setPlaceholderText(hint);
       made->setAccessibleName(QStringLiteral("%1, %2").arg(tr("Answer %1").arg(n + 1), hint));
@@ -157,7 +160,7 @@ class AnswerForm final : public TaskForm {
     }));
   }
 
-  void say(const Result<void>& done) { sdk::setProblem(problem_, done ? QString() : words(done.error())); }
+  void say(const Result<void>& done) { setProblem(problem_, done ? QString() : words(done.error())); }
 
   std::vector<FieldForm*> forms_;
   QWidget* optionsPart_ = nullptr;

@@ -12,12 +12,12 @@
 #include "editor/order_list.h"
 #include "editor/step_editor.h"
 #include "editor/words_page.h"
-#include "ew/sdk/panel.h"
+#include "ew/widgets/labels.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/lesson_player.h"
 
 namespace ew::lessons {
-
-using sdk::kGap_px;
 
 namespace {
 
@@ -30,13 +30,13 @@ EditorPanel::EditorPanel(sdk::Host& host, QWidget* parent) : QWidget(parent), ho
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  problem_ = sdk::problemLabel();
+  problem_ = problemLabel();
   problem_->setObjectName(QStringLiteral("lessonEditorProblem"));
-  problem_->setMargin(2 * kGap_px);
+  problem_->setMargin(2 * kGrid_px);
   column->addWidget(problem_);
   pages_ = new QStackedWidget;
   pages_->addWidget(
-      sdk::emptyState(tr("No case is open"), tr("Open a case from the start page or the File menu. Then its lessons are made here.")));
+      emptyState(tr("No case is open"), tr("Open a case from the start page or the File menu. Then its lessons are made here.")));
   lessons_ = new LessonsPage(document_);
   lesson_ = new LessonPage(document_);
   step_ = new StepEditor(document_, take_);
@@ -56,11 +56,11 @@ QWidget* EditorPanel::makePreview() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   auto* top = new QHBoxLayout;
-  top->setContentsMargins(2 * kGap_px, kGap_px, 2 * kGap_px, kGap_px);
-  top->setSpacing(kGap_px);
+  top->setContentsMargins(2 * kGrid_px, kGrid_px, 2 * kGrid_px, kGrid_px);
+  top->setSpacing(kGrid_px);
   auto* back = smallButton(tr("Back to editing"), "endTry", tr("Leave the trial; nothing of it is kept"));
   top->addWidget(back);
-  auto* remark = sdk::quietLabel(tr("As a trainee sees it; nothing is kept."));
+  auto* remark = quietLabel(tr("As a trainee sees it; nothing is kept."));
   remark->setObjectName(QStringLiteral("tryRemark"));
   top->addWidget(remark, 1);
   column->addLayout(top);
@@ -204,6 +204,6 @@ void EditorPanel::comeBackTo(const Tried& tried) {
   if (!tried.stepId.empty()) showStep(tried.stepId);
 }
 
-void EditorPanel::say(const QString& problem) { sdk::setProblem(problem_, problem); }
+void EditorPanel::say(const QString& problem) { setProblem(problem_, problem); }
 
 }  // namespace ew::lessons

@@ -2,40 +2,45 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFontMetrics>
 #include <QFormLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
 
-#include "ew/sdk/panel.h"
+#include "ew/widgets/fields.h"
+#include "ew/widgets/labels.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 
 namespace ew::lessons {
 
-using sdk::kGap_px;
-
 namespace {
 
-void tell(QLabel* problem, const Result<void>& done) { sdk::setProblem(problem, done ? QString() : words(done.error())); }
+void tell(QLabel* problem, const Result<void>& done) { setProblem(problem, done ? QString() : words(done.error())); }
 
 }  // namespace
 
 FieldForm::FieldForm(QWidget* parent) : QWidget(parent) {
   rows_ = new QFormLayout(this);
   rows_->setContentsMargins(0, 0, 0, 0);
-  rows_->setSpacing(kGap_px);
+  rows_->setSpacing(kGrid_px);
   rows_->setRowWrapPolicy(QFormLayout::WrapLongRows);
   rows_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
 }
 
 void FieldForm::showValues() {
   for (const auto& each : shows_) each();
-  for (QLabel* each : problems_) sdk::setProblem(each, {});
+  for (QLabel* each : problems_) setProblem(each, {});
 }
 
-void FieldForm::addHeading(const QString& text) { rows_->addRow(sdk::headingLabel(text)); }
+void FieldForm::addHeading(const QString& text) { rows_->addRow(headingLabel(text)); }
 
 QLabel* FieldForm::addRemark(const QString& text) {
-  auto* remark = sdk::quietLabel(text);
+  auto* remark = quietLabel(text);
   rows_->addRow(remark);
   return remark;
 }
@@ -46,9 +51,9 @@ QLabel* FieldForm::addRow(const QString& label, QWidget* editor) {
   auto* cell = new QWidget;
   auto* column = new QVBoxLayout(cell);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px / 2);
+  column->setSpacing(kGrid_px / 2);
   column->addWidget(editor);
-  auto* problem = sdk::problemLabel();
+  auto* problem = problemLabel();
   problem->setObjectName(editor->objectName() + QStringLiteral("_problem"));
   column->addWidget(problem);
   problems_.push_back(problem);
@@ -56,9 +61,9 @@ QLabel* FieldForm::addRow(const QString& label, QWidget* editor) {
     rows_->addRow(cell);
     return problem;
   }
-  auto* name = sdk::quietLabel(label);
+  auto* name = quietLabel(label);
   name->setWordWrap(false);
-  name->setMinimumWidth(9 * kGap_px);
+  name->setMinimumWidth(9 * kGrid_px);
   name->setBuddy(editor);
   rows_->addRow(name, cell);
   editor->setAccessibleName(label);
@@ -66,7 +71,7 @@ QLabel* FieldForm::addRow(const QString& label, QWidget* editor) {
 }
 
 void FieldForm::addLine(const char* name, const QString& label, TextAccess access) {
-  auto* line = new sdk::WithHostUndo<QLineEdit>;
+  auto* line = new WithHostUndo<QLineEdit>;
   line->setObjectName(QLatin1String(name));
   QLabel* problem = addRow(label, line);
   QObject::connect(line, &QLineEdit::textEdited, line, [access, problem](const QString& text) { tell(problem, access.set(text)); });
@@ -84,7 +89,7 @@ void FieldForm::addText(const char* name, const QString& label, TextAccess acces
   text->setTabChangesFocus(true);
   text->setUndoRedoEnabled(false);  // undo is the host's, for the whole case
   text->setPlaceholderText(placeholder);
-  text->setFixedHeight(lines * QFontMetrics(text->font()).lineSpacing() + 2 * kGap_px);
+  text->setFixedHeight(lines * QFontMetrics(text->font()).lineSpacing() + 2 * kGrid_px);
   QLabel* problem = addRow(label, text);
   QObject::connect(text, &QPlainTextEdit::textChanged, text, [text, access, problem] { tell(problem, access.set(text->toPlainText())); });
   add([text, get = access.get] {
@@ -110,7 +115,7 @@ void FieldForm::addFlag(const char* name, const QString& label, Access<bool> acc
 void FieldForm::addNumber(const char* name, const QString& label, const NumberRange& range, Access<std::optional<double>> access) {
   const bool mayBeNone = !range.noneText.isEmpty();
   const double lowest = mayBeNone ? range.lowest - range.step : range.lowest;
-  auto* field = new sdk::NumberField(lowest, range.highest, range.decimals, range.unit);
+  auto* field = new NumberField(lowest, range.highest, range.decimals, range.unit);
   field->setObjectName(QLatin1String(name));
   field->setSingleStep(range.step);
   if (mayBeNone) field->setSpecialValueText(range.noneText);
@@ -128,7 +133,7 @@ void FieldForm::addNumber(const char* name, const QString& label, const NumberRa
 }
 
 void FieldForm::addChoice(const char* name, const QString& label, std::function<Options()> options, Access<std::string> access) {
-  auto* choice = new sdk::WheelWithFocus<QComboBox>;
+  auto* choice = new WheelWithFocus<QComboBox>;
   choice->setObjectName(QLatin1String(name));
   choice->setFocusPolicy(Qt::StrongFocus);
   choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // a long name must not widen the column

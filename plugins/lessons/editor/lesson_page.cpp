@@ -8,22 +8,22 @@
 
 #include "editor/field_form.h"
 #include "editor/order_list.h"
-#include "ew/sdk/panel.h"
+#include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/lesson_list.h"
 #include "panel/scrolled_rows.h"
 #include "panel/step_kinds.h"
 
 namespace ew::lessons {
 
-using sdk::kGap_px;
-
 LessonPage::LessonPage(LessonDocument& document, QWidget* parent) : QWidget(parent), document_(document) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   auto* top = new QHBoxLayout;
-  top->setContentsMargins(2 * kGap_px, kGap_px, 2 * kGap_px, kGap_px);
+  top->setContentsMargins(2 * kGrid_px, kGrid_px, 2 * kGrid_px, kGrid_px);
   auto* back = smallButton(tr("Lessons"), "backToLessons", tr("Back to the lessons of the case"));
   connect(back, &QPushButton::clicked, this, &LessonPage::backAsked);
   top->addWidget(back);
@@ -32,12 +32,12 @@ LessonPage::LessonPage(LessonDocument& document, QWidget* parent) : QWidget(pare
   connect(try_, &QPushButton::clicked, this, &LessonPage::tryAsked);
   top->addWidget(try_);
   column->addLayout(top);
-  auto* scrolled = new ScrolledRows(2 * kGap_px);
-  head_ = sdk::headingLabel({});
+  auto* scrolled = new ScrolledRows(2 * kGrid_px);
+  head_ = headingLabel({});
   head_->setWordWrap(true);
   scrolled->rows()->addWidget(head_);
-  scrolled->rows()->addWidget(sdk::headingLabel(tr("Steps")));
-  noSteps_ = sdk::quietLabel(tr("A lesson is a list of steps. Add the first one."));
+  scrolled->rows()->addWidget(headingLabel(tr("Steps")));
+  noSteps_ = quietLabel(tr("A lesson is a list of steps. Add the first one."));
   scrolled->rows()->addWidget(noSteps_);
   steps_ = new OrderList;
   steps_->setObjectName(QStringLiteral("editedSteps"));
@@ -55,12 +55,12 @@ LessonPage::LessonPage(LessonDocument& document, QWidget* parent) : QWidget(pare
 QWidget* LessonPage::makeStepButtons() {
   auto* all = new QWidget;
   auto* column = new QVBoxLayout(all);
-  column->setContentsMargins(0, 0, 0, kGap_px);
-  column->setSpacing(kGap_px);
+  column->setContentsMargins(0, 0, 0, kGrid_px);
+  column->setSpacing(kGrid_px);
   auto* first = new QHBoxLayout;
   auto* second = new QHBoxLayout;
   for (QHBoxLayout* each : {first, second}) {
-    each->setSpacing(kGap_px);
+    each->setSpacing(kGrid_px);
     column->addLayout(each);
   }
   auto* add = smallButton(tr("Add a step"), "addStep", tr("Behind the chosen one; choose what the trainee does"));

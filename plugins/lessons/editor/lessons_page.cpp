@@ -10,27 +10,27 @@
 
 #include "editor/order_list.h"
 #include "ew/library/templates.h"
-#include "ew/sdk/panel.h"
+#include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/lesson_list.h"
 
 namespace ew::lessons {
-
-using sdk::kGap_px;
 
 std::string writtenLanguage() { return QLocale().language() == QLocale::German ? "de" : "en"; }
 
 LessonsPage::LessonsPage(LessonDocument& document, QWidget* parent) : QWidget(parent), document_(document) {
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
-  column->setSpacing(kGap_px);
-  column->addWidget(sdk::headingLabel(tr("Lessons of this case")));
-  none_ = sdk::quietLabel(tr("There is none yet. Begin with the usual outline, or with an empty lesson."));
+  column->setContentsMargins(2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px);
+  column->setSpacing(kGrid_px);
+  column->addWidget(headingLabel(tr("Lessons of this case")));
+  none_ = quietLabel(tr("There is none yet. Begin with the usual outline, or with an empty lesson."));
   column->addWidget(none_);
   addList(*column);
 
   auto* makeRow = new QHBoxLayout;
-  makeRow->setSpacing(kGap_px);
+  makeRow->setSpacing(kGrid_px);
   auto* addButton = smallButton(tr("New lesson"), "addLesson", tr("Make a lesson: empty, or with the steps that a lesson usually has"));
   auto* menu = new QMenu(addButton);
   connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillMenu(*menu); });
@@ -42,7 +42,7 @@ LessonsPage::LessonsPage(LessonDocument& document, QWidget* parent) : QWidget(pa
   some_ = new QWidget;
   auto* some = new QVBoxLayout(some_);
   some->setContentsMargins(0, 0, 0, 0);
-  some->setSpacing(kGap_px);
+  some->setSpacing(kGrid_px);
   some->addLayout(makeChosenRow());
   some->addLayout(makeOrderRow());
   column->addWidget(some_);
@@ -66,7 +66,7 @@ void LessonsPage::addList(QVBoxLayout& column) {
 
 QHBoxLayout* LessonsPage::makeChosenRow() {
   auto* row = new QHBoxLayout;
-  row->setSpacing(kGap_px);
+  row->setSpacing(kGrid_px);
   auto* open = smallButton(tr("Edit"), "editLesson", tr("Edit the chosen lesson and its steps"));
   setLook(open, Look::primary);
   auto* copy = smallButton(tr("Duplicate"), "copyLesson", tr("Put a copy behind the chosen lesson"));
@@ -88,7 +88,7 @@ QHBoxLayout* LessonsPage::makeChosenRow() {
 
 QHBoxLayout* LessonsPage::makeOrderRow() {
   auto* row = new QHBoxLayout;
-  row->setSpacing(kGap_px);
+  row->setSpacing(kGrid_px);
   auto* up = smallButton(QStringLiteral("\u2191"), "lessonUp", tr("Move the chosen lesson up (Alt+Up)"));
   auto* down = smallButton(QStringLiteral("\u2193"), "lessonDown", tr("Move the chosen lesson down (Alt+Down)"));
   row->addWidget(up);
@@ -105,9 +105,9 @@ QHBoxLayout* LessonsPage::makeOrderRow() {
 void LessonsPage::addUnusedRow(QVBoxLayout& column) {
   unusedRow_ = new QWidget;
   auto* row = new QVBoxLayout(unusedRow_);
-  row->setContentsMargins(0, kGap_px, 0, 0);
-  row->setSpacing(kGap_px / 2);
-  unused_ = sdk::quietLabel({});
+  row->setContentsMargins(0, kGrid_px, 0, 0);
+  row->setSpacing(kGrid_px / 2);
+  unused_ = quietLabel({});
   unused_->setObjectName(QStringLiteral("unusedLessonFiles"));
   auto* clean = smallButton(tr("Remove them"), "removeUnusedLessonFiles",
                             tr("Remove scans and pictures that no lesson names; undo cannot bring them back"));

@@ -3,14 +3,14 @@
 #include <QDropEvent>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QSignalBlocker>
 #include <QStyledItemDelegate>
 #include <algorithm>
 
-#include "ew/sdk/panel.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 
 namespace ew::lessons {
-
-using sdk::kGap_px;
 
 namespace {
 
@@ -22,7 +22,7 @@ class EntryDelegate final : public QStyledItemDelegate {
   using QStyledItemDelegate::QStyledItemDelegate;
 
   [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override {
-    return {10 * kGap_px, 2 * option.fontMetrics.lineSpacing() + kGap_px};
+    return {10 * kGrid_px, 2 * option.fontMetrics.lineSpacing() + kGrid_px};
   }
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
@@ -33,7 +33,7 @@ class EntryDelegate final : public QStyledItemDelegate {
     const QWidget* widget = option.widget;
     widget->style()->drawControl(QStyle::CE_ItemViewItem, &whole, painter, widget);
     const bool chosen = (option.state & QStyle::State_Selected) != 0;
-    const QRect inside = option.rect.adjusted(kGap_px, kGap_px / 2, -kGap_px, -kGap_px / 2);
+    const QRect inside = option.rect.adjusted(kGrid_px, kGrid_px / 2, -kGrid_px, -kGrid_px / 2);
     const int line = option.fontMetrics.lineSpacing();
     const QPalette& palette = option.palette;
     painter->save();
@@ -138,8 +138,8 @@ void OrderList::keyPressEvent(QKeyEvent* event) {
 }
 
 QSize OrderList::sizeHint() const {
-  const int row = count() > 0 ? sizeHintForRow(0) : 5 * kGap_px;
-  return {20 * kGap_px, std::clamp(count(), 3, 9) * row + 2 * frameWidth()};
+  const int row = count() > 0 ? sizeHintForRow(0) : 5 * kGrid_px;
+  return {20 * kGrid_px, std::clamp(count(), 3, 9) * row + 2 * frameWidth()};
 }
 
 QPushButton* smallButton(const QString& text, const char* name, const QString& tip) {

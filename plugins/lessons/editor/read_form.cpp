@@ -12,12 +12,12 @@
 
 #include "editor/order_list.h"
 #include "editor/step_picture.h"
-#include "ew/sdk/panel.h"
+#include "ew/widgets/labels.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "logic/expert_recorder.h"
 
 namespace ew::lessons {
-
-using sdk::kGap_px;
 
 namespace {
 
@@ -28,13 +28,13 @@ constexpr int kHighestPreview_px = 160;
 ReadForm::ReadForm(const EditedStep& edited, QWidget* parent) : TaskForm(edited, parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px);
+  column->setSpacing(kGrid_px);
   setAcceptDrops(true);
   picture_ = new QLabel;
   picture_->setObjectName(QStringLiteral("chosenPicture"));
   column->addWidget(picture_);
   auto* row = new QHBoxLayout;
-  row->setSpacing(kGap_px);
+  row->setSpacing(kGrid_px);
   auto* choose = smallButton(tr("Choose a picture…"), "choosePicture",
                              tr("PNG or JPEG; it is kept without what is written in the file about patient, place and time"));
   remove_ = smallButton(tr("Remove it"), "removePicture", tr("The step goes without a picture; undo brings it back"));
@@ -42,7 +42,7 @@ ReadForm::ReadForm(const EditedStep& edited, QWidget* parent) : TaskForm(edited,
   row->addWidget(remove_);
   row->addStretch(1);
   column->addLayout(row);
-  problem_ = sdk::problemLabel();
+  problem_ = problemLabel();
   problem_->setObjectName(QStringLiteral("picture_problem"));
   column->addWidget(problem_);
   connect(choose, &QPushButton::clicked, this, [this] {
@@ -88,7 +88,7 @@ void ReadForm::dropEvent(QDropEvent* event) {
   takePicture(event->mimeData()->urls().front().toLocalFile());
 }
 
-void ReadForm::say(const Result<void>& done) { sdk::setProblem(problem_, done ? QString() : words(done.error())); }
+void ReadForm::say(const Result<void>& done) { setProblem(problem_, done ? QString() : words(done.error())); }
 
 TaskForm* makeReadForm(const EditedStep& edited, QWidget* parent) { return new ReadForm(edited, parent); }
 

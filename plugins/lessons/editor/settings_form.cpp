@@ -1,5 +1,9 @@
 #include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <map>
@@ -7,12 +11,13 @@
 #include "editor/order_list.h"
 #include "editor/task_form.h"
 #include "ew/assessment/step_work.h"
-#include "ew/sdk/panel.h"
 #include "ew/sdk/scan.h"
+#include "ew/widgets/fields.h"
+#include "ew/widgets/labels.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 
 namespace ew::lessons {
-
-using sdk::kGap_px;
 
 namespace {
 
@@ -21,16 +26,16 @@ class SettingsForm final : public TaskForm {
   SettingsForm(const EditedStep& edited, QWidget* parent) : TaskForm(edited, parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(kGap_px);
+    column->setSpacing(kGrid_px);
     auto* take = smallButton(tr("Take the present settings"), "takeSettings",
                              tr("The transducer and the settings of the console, each within what still gives a good image"));
     column->addWidget(take, 0, Qt::AlignLeft);
-    column->addWidget(sdk::quietLabel(tr("Right transducers; none chosen: any")));
+    column->addWidget(quietLabel(tr("Right transducers; none chosen: any")));
     probes_ = new QVBoxLayout;
-    probes_->setSpacing(kGap_px / 2);
+    probes_->setSpacing(kGrid_px / 2);
     column->addLayout(probes_);
     addBands(*column);
-    problem_ = sdk::problemLabel();
+    problem_ = problemLabel();
     problem_->setObjectName(QStringLiteral("settings_problem"));
     column->addWidget(problem_);
     connect(take, &QPushButton::clicked, this, &SettingsForm::takePresent);
@@ -57,8 +62,8 @@ class SettingsForm final : public TaskForm {
  private:
   struct Band {
     QCheckBox* asked = nullptr;
-    sdk::NumberField* lowest = nullptr;
-    sdk::NumberField* highest = nullptr;
+    NumberField* lowest = nullptr;
+    NumberField* highest = nullptr;
   };
 
   static QString tr(const char* text) { return QCoreApplication::translate("ew::lessons::SettingsForm", text); }
@@ -72,8 +77,8 @@ class SettingsForm final : public TaskForm {
 
   void addBands(QVBoxLayout& column) {
     auto* grid = new QGridLayout;
-    grid->setSpacing(kGap_px);
-    grid->addWidget(sdk::quietLabel(tr("Settings that are right")), 0, 0, 1, 2);
+    grid->setSpacing(kGrid_px);
+    grid->addWidget(quietLabel(tr("Settings that are right")), 0, 0, 1, 2);
     int row = 1;
     for (const std::string_view setting : kLessonSettings) {
       Band band;
@@ -81,7 +86,7 @@ class SettingsForm final : public TaskForm {
       band.asked = new QCheckBox(name);
       band.asked->setObjectName(QStringLiteral("band_") + words(std::string(setting)));
       const auto field = [&](const QString& end, const QString& meaning) {
-        auto* made = new sdk::NumberField(-200.0, 500.0, 0, unitOf(setting));
+        auto* made = new NumberField(-200.0, 500.0, 0, unitOf(setting));
         made->setObjectName(band.asked->objectName() + end);
         made->setAccessibleName(QStringLiteral("%1, %2").arg(name, meaning));
         made->setToolTip(made->accessibleName());
@@ -145,7 +150,7 @@ class SettingsForm final : public TaskForm {
 
   void takePresent() {
     const auto state = edited().document.host().scan().state();
-    if (!state) return sdk::setProblem(problem_, tr("Nothing is scanned; open a case that has a volume first."));
+    if (!state) return setProblem(problem_, tr("Nothing is scanned; open a case that has a volume first."));
     say(edited().changeTask<SettingsTask>(tr("Take the present settings"), {}, [&](SettingsTask& task) {
       task.probes = {state->probe.id};
       task.bands.clear();
@@ -155,7 +160,7 @@ class SettingsForm final : public TaskForm {
     showTask(false);
   }
 
-  void say(const Result<void>& done) { sdk::setProblem(problem_, done ? QString() : words(done.error())); }
+  void say(const Result<void>& done) { setProblem(problem_, done ? QString() : words(done.error())); }
 
   QVBoxLayout* probes_ = nullptr;
   std::map<std::string_view, Band> bands_;

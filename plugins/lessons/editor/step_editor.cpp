@@ -10,14 +10,14 @@
 #include "editor/field_form.h"
 #include "editor/order_list.h"
 #include "editor/task_form.h"
-#include "ew/sdk/panel.h"
+#include "ew/widgets/labels.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/aid_words.h"
 #include "panel/scrolled_rows.h"
 #include "panel/step_kinds.h"
 
 namespace ew::lessons {
-
-using sdk::kGap_px;
 
 TaskForm* makeTaskForm(const EditedStep& edited, ExpertTake& take, QWidget* parent) {
   const LessonStep* step = edited.step();
@@ -44,15 +44,15 @@ StepEditor::StepEditor(LessonDocument& document, ExpertTake& take, QWidget* pare
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   auto* top = new QHBoxLayout;
-  top->setContentsMargins(2 * kGap_px, kGap_px, 2 * kGap_px, kGap_px);
-  top->setSpacing(kGap_px);
+  top->setContentsMargins(2 * kGrid_px, kGrid_px, 2 * kGrid_px, kGrid_px);
+  top->setSpacing(kGrid_px);
   auto* back = smallButton(tr("Steps"), "backToSteps", tr("Back to the steps of the lesson"));
   connect(back, &QPushButton::clicked, this, &StepEditor::backAsked);
   earlier_ = smallButton(QStringLiteral("\u2039"), "earlierStep", tr("The step before"));
   later_ = smallButton(QStringLiteral("\u203a"), "laterStep", tr("The step after"));
   connect(earlier_, &QPushButton::clicked, this, [this] { step(-1); });
   connect(later_, &QPushButton::clicked, this, [this] { step(1); });
-  number_ = sdk::quietLabel({});
+  number_ = quietLabel({});
   number_->setObjectName(QStringLiteral("editedStepNumber"));
   number_->setWordWrap(false);
   auto* tryIt = smallButton(tr("Try this step"), "tryStep", tr("Work through it as a trainee does; no attempt is kept"));
@@ -64,7 +64,7 @@ StepEditor::StepEditor(LessonDocument& document, ExpertTake& take, QWidget* pare
   top->addStretch(1);
   top->addWidget(tryIt);
   column->addLayout(top);
-  scrolled_ = new ScrolledRows(2 * kGap_px);
+  scrolled_ = new ScrolledRows(2 * kGrid_px);
   column->addWidget(scrolled_, 1);
 }
 
@@ -96,7 +96,7 @@ void StepEditor::refresh() {
   QStringList missing;
   for (const LessonProblem& problem : document_.problemsOf(*lesson))
     if (problem.stepId == stepId_) missing << words(problem.text);
-  sdk::setProblem(missing_, missing.join(QLatin1Char('\n')));
+  setProblem(missing_, missing.join(QLatin1Char('\n')));
   if (!typed) {
     texts_->showValues();
     rest_->showValues();
@@ -109,10 +109,10 @@ void StepEditor::build() {
   const EditedStep edited{document_, lessonId_, stepId_};
   kind_ = edited.step()->task.index();
   QVBoxLayout* rows = scrolled_->rows();
-  kindName_ = sdk::headingLabel({});
+  kindName_ = headingLabel({});
   kindName_->setObjectName(QStringLiteral("editedKind"));
   rows->addWidget(kindName_);
-  missing_ = sdk::problemLabel();
+  missing_ = problemLabel();
   missing_->setObjectName(QStringLiteral("stepMissingParts"));
   rows->addWidget(missing_);
   texts_ = new FieldForm;

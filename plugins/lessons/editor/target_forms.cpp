@@ -1,11 +1,14 @@
 // Kinds of steps that ask for something the case has: a plane, a structure, a measurement, a point.
 #include <QCheckBox>
+#include <QLabel>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <initializer_list>
 
 #include "editor/task_form.h"
-#include "ew/sdk/panel.h"
+#include "ew/widgets/labels.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 
 namespace ew::lessons {
 
@@ -72,7 +75,7 @@ class FreeForm final : public TaskForm {
   FreeForm(const EditedStep& edited, QWidget* parent) : TaskForm(edited, parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(sdk::kGap_px);
+    column->setSpacing(kGrid_px);
     form_ = new FieldForm;
     form_->addNumber("freeShortest", tr_("At least"), {.lowest = 0, .highest = 7200, .unit = tr_("s"), .step = 10},
                      {[edited] { return std::optional<double>(edited.task<FreeTask>().shortest_s); },
@@ -81,11 +84,11 @@ class FreeForm final : public TaskForm {
                                                            [&](FreeTask& task) { task.shortest_s = seconds.value_or(0.0); });
                       }});
     column->addWidget(form_);
-    column->addWidget(sdk::quietLabel(tr_("To be shown meanwhile:")));
+    column->addWidget(quietLabel(tr_("To be shown meanwhile:")));
     targets_ = new QVBoxLayout;
-    targets_->setSpacing(sdk::kGap_px / 2);
+    targets_->setSpacing(kGrid_px / 2);
     column->addLayout(targets_);
-    none_ = sdk::quietLabel(tr_("The case has neither planes nor structures; make them on the page Targets."));
+    none_ = quietLabel(tr_("The case has neither planes nor structures; make them on the page Targets."));
     column->addWidget(none_);
   }
 

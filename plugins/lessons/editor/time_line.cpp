@@ -8,11 +8,9 @@
 #include <cmath>
 
 #include "ew/core/figures.h"
-#include "ew/sdk/panel.h"
+#include "ew/widgets/theme.h"
 
 namespace ew::lessons {
-
-using sdk::kGap_px;
 
 namespace {
 
@@ -32,7 +30,7 @@ TimeLine::TimeLine(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("The recording along its time"));
 }
 
-QSize TimeLine::sizeHint() const { return {25 * kGap_px, 5 * kGap_px}; }
+QSize TimeLine::sizeHint() const { return {25 * kGrid_px, 5 * kGrid_px}; }
 
 void TimeLine::setRecording(double first_s, double last_s) {
   first_s_ = first_s;

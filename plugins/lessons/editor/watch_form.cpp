@@ -5,38 +5,39 @@
 #include <QLabel>
 #include <QPointer>
 #include <QPushButton>
+#include <QVBoxLayout>
 #include <cmath>
 
 #include "editor/expert_take.h"
 #include "editor/order_list.h"
 #include "editor/time_line.h"
-#include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
+#include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/expert_player.h"
 
 namespace ew::lessons {
 
-using sdk::kGap_px;
-
 WatchForm::WatchForm(const EditedStep& edited, ExpertTake& take, QWidget* parent) : TaskForm(edited, parent), take_(take) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px);
-  column->addWidget(sdk::headingLabel(tr("The expert's scan")));
-  state_ = sdk::quietLabel({});
+  column->setSpacing(kGrid_px);
+  column->addWidget(headingLabel(tr("The expert's scan")));
+  state_ = quietLabel({});
   state_->setObjectName(QStringLiteral("recordingState"));
   column->addWidget(state_);
   column->addWidget(makeTakePart());
   auto* row = new QHBoxLayout;
-  row->setSpacing(kGap_px);
+  row->setSpacing(kGrid_px);
   record_ = smallButton({}, "recordExpert", tr("Then scan as the trainee is to see it, with mouse or keys"));
   choose_ = smallButton(tr("Choose a recording…"), "chooseRecording", tr("One that was saved from this body before (.seq.mha)"));
   row->addWidget(record_);
   row->addWidget(choose_);
   row->addStretch(1);
   column->addLayout(row);
-  problem_ = sdk::problemLabel();
+  problem_ = problemLabel();
   problem_->setObjectName(QStringLiteral("recording_problem"));
   column->addWidget(problem_);
   playPart_ = makePlayPart();
@@ -49,8 +50,7 @@ WatchForm::WatchForm(const EditedStep& edited, ExpertTake& take, QWidget* parent
   });
   connect(&take_, &ExpertTake::changed, this, &WatchForm::showTake);
   connect(&take_, &ExpertTake::full, this, [this] {
-    sdk::setProblem(problem_,
-                    tr("The recording is as long as it may be, %1 min; stop it here.").arg(std::lround(kLongestExpertScan_s / 60.0)));
+    setProblem(problem_, tr("The recording is as long as it may be, %1 min; stop it here.").arg(std::lround(kLongestExpertScan_s / 60.0)));
   });
 }
 
@@ -60,12 +60,12 @@ QWidget* WatchForm::makeTakePart() {
   takePart_ = new QWidget;
   auto* column = new QVBoxLayout(takePart_);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px);
+  column->setSpacing(kGrid_px);
   length_ = new QLabel;
   length_->setObjectName(QStringLiteral("takeLength"));
   column->addWidget(length_);
   auto* row = new QHBoxLayout;
-  row->setSpacing(kGap_px);
+  row->setSpacing(kGrid_px);
   stop_ = smallButton(tr("Stop"), "stopRecording", tr("End the recording and keep it in the case"));
   setLook(stop_, Look::primary);
   pause_ = smallButton({}, "pauseRecording", {});
@@ -163,7 +163,7 @@ void WatchForm::keep(ScanRecording made, const std::vector<double>& marks_s, boo
         const bool isSeen = form && document->folder() == kept->folder;
         if (!isSeen && !named) document->host().window().error(problem.toStdString(), "expert scan");
         if (!isSeen) return;
-        sdk::setProblem(form->problem_, problem);
+        setProblem(form->problem_, problem);
         form->showTask(false);
       });
 }
@@ -295,7 +295,7 @@ void WatchForm::change(const QString& what, const std::string& field, const std:
   say(edited().changeTask<WatchTask>(what, field, edit));
 }
 
-void WatchForm::say(const Result<void>& done) { sdk::setProblem(problem_, done ? QString() : words(done.error())); }
+void WatchForm::say(const Result<void>& done) { setProblem(problem_, done ? QString() : words(done.error())); }
 
 TaskForm* makeWatchForm(const EditedStep& edited, ExpertTake& take, QWidget* parent) { return new WatchForm(edited, take, parent); }
 

@@ -1,41 +1,42 @@
 // Looking at the expert's scan: the part that is shown, its marks, playing it.
 #include "editor/watch_form.h"
+#include "ew/widgets/labels.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QVBoxLayout>
 #include <algorithm>
 
 #include "editor/expert_take.h"
 #include "editor/order_list.h"
 #include "editor/time_line.h"
-#include "ew/sdk/panel.h"
 #include "ew/sdk/scan.h"
 #include "panel/expert_player.h"
 
 namespace ew::lessons {
 
-using sdk::kGap_px;
-
 QWidget* WatchForm::makePlayPart() {
   auto* part = new QWidget;
   auto* column = new QVBoxLayout(part);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px);
+  column->setSpacing(kGrid_px);
   line_ = new TimeLine;
   line_->setObjectName(QStringLiteral("timeLine"));
   column->addWidget(line_);
   auto* row = new QHBoxLayout;
-  row->setSpacing(kGap_px);
+  row->setSpacing(kGrid_px);
   play_ = smallButton(tr("Play"), "playTake", tr("Play the part that trainees see; the probe follows it"));
   speed_ = new QComboBox;
   speed_->setObjectName(QStringLiteral("playSpeed"));
   speed_->setAccessibleName(tr("Speed"));
   for (const double speed : {0.5, 1.0, 2.0, 4.0}) speed_->addItem(QStringLiteral("%1\u00d7").arg(QLocale().toString(speed)), speed);
   speed_->setCurrentIndex(1);
-  place_ = sdk::quietLabel({});
+  place_ = quietLabel({});
   place_->setObjectName(QStringLiteral("playPlace"));
   place_->setWordWrap(false);
   row->addWidget(play_);
@@ -43,16 +44,16 @@ QWidget* WatchForm::makePlayPart() {
   row->addWidget(place_, 1, Qt::AlignRight);
   column->addLayout(row);
   auto* ends = new QHBoxLayout;
-  ends->setSpacing(kGap_px);
+  ends->setSpacing(kGrid_px);
   auto* begin = smallButton(tr("Begin here"), "beginHere", tr("Trainees see the scan from here on ([)"));
   auto* end = smallButton(tr("End here"), "endHere", tr("Trainees see the scan up to here (])"));
   ends->addWidget(begin);
   ends->addWidget(end);
   ends->addStretch(1);
   column->addLayout(ends);
-  column->addWidget(sdk::quietLabel(tr("Marks: the trainee's view rests there and shows the sentence.")));
+  column->addWidget(quietLabel(tr("Marks: the trainee's view rests there and shows the sentence.")));
   marks_ = new QVBoxLayout;
-  marks_->setSpacing(kGap_px);
+  marks_->setSpacing(kGrid_px);
   column->addLayout(marks_);
   auto* add = smallButton(tr("Mark this moment"), "markMoment", tr("Put a mark where the time line stands"));
   column->addWidget(add, 0, Qt::AlignLeft);
@@ -99,9 +100,9 @@ QWidget* WatchForm::makeMark(std::size_t number, const ExpertMark& mark) {
   auto* row = new QWidget;
   auto* column = new QVBoxLayout(row);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px / 2);
+  column->setSpacing(kGrid_px / 2);
   auto* head = new QHBoxLayout;
-  head->setSpacing(kGap_px);
+  head->setSpacing(kGrid_px);
   auto* jump = smallButton(clockText(mark.time_s), "", tr("Look at this moment"));
   jump->setObjectName(QStringLiteral("jumpToMark_%1").arg(number));
   auto* here = smallButton(tr("Move here"), "", tr("Move the mark to where the time line stands"));

@@ -6,16 +6,17 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "editor/order_list.h"
-#include "ew/sdk/panel.h"
+#include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 
 namespace ew::lessons {
-
-using sdk::kGap_px;
 
 std::vector<std::string> textsWithout(const std::vector<std::string>& texts, const CaseWords& words) {
   std::vector<std::string> missing;
@@ -25,8 +26,8 @@ std::vector<std::string> textsWithout(const std::vector<std::string>& texts, con
 
 WordsPage::WordsPage(LessonDocument& document, QWidget* parent) : QWidget(parent), document_(document) {
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(2 * kGap_px, kGap_px, 2 * kGap_px, 2 * kGap_px);
-  column->setSpacing(kGap_px);
+  column->setContentsMargins(2 * kGrid_px, kGrid_px, 2 * kGrid_px, 2 * kGrid_px);
+  column->setSpacing(kGrid_px);
   auto* top = new QHBoxLayout;
   auto* back = smallButton(tr("Lessons"), "backFromWords", tr("Back to the lessons of the case"));
   connect(back, &QPushButton::clicked, this, &WordsPage::backAsked);
@@ -40,8 +41,8 @@ WordsPage::WordsPage(LessonDocument& document, QWidget* parent) : QWidget(parent
   top->addStretch(1);
   top->addWidget(language_);
   column->addLayout(top);
-  column->addWidget(sdk::headingLabel(tr("Translations")));
-  count_ = sdk::quietLabel({});
+  column->addWidget(headingLabel(tr("Translations")));
+  count_ = quietLabel({});
   count_->setObjectName(QStringLiteral("wordsCount"));
   column->addWidget(count_);
   onlyMissing_ = new QCheckBox(tr("Only texts that have none yet"));

@@ -9,12 +9,12 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "ew/sdk/panel.h"
 #include "ew/sdk/person.h"
+#include "ew/widgets/labels.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 
 namespace ew::lessons {
-
-using sdk::kGap_px;
 
 namespace {
 
@@ -29,14 +29,14 @@ QString dayOf(std::chrono::sys_seconds moment) {
 ExerciseCard::ExerciseCard(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("exerciseCard"));
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(2 * kGap_px, kGap_px, 2 * kGap_px, kGap_px);
-  column->setSpacing(kGap_px);
+  column->setContentsMargins(2 * kGrid_px, kGrid_px, 2 * kGrid_px, kGrid_px);
+  column->setSpacing(kGrid_px);
   exercises_ = new QWidget;
   auto* rows = new QVBoxLayout(exercises_);
   rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(kGap_px / 2);
-  rows->addWidget(sdk::headingLabel(tr("Teach yourself")));
-  state_ = sdk::quietLabel({});
+  rows->setSpacing(kGrid_px / 2);
+  rows->addWidget(headingLabel(tr("Teach yourself")));
+  state_ = quietLabel({});
   state_->setObjectName(QStringLiteral("exerciseState"));
   rows->addWidget(state_);
   for (auto* label : {&weakest_, &strongest_}) {

@@ -8,9 +8,10 @@
 #include <algorithm>
 
 #include "ew/sdk/case_parts.h"
-#include "ew/sdk/panel.h"
 #include "ew/sdk/person.h"
 #include "ew/sdk/window.h"
+#include "ew/widgets/labels.h"
+#include "ew/widgets/words.h"
 #include "panel/aids_drawer.h"
 #include "panel/outcome_page.h"
 #include "panel/step_page.h"
@@ -31,7 +32,7 @@ ExercisePlayer::ExercisePlayer(sdk::Host& host, QWidget* parent) : QWidget(paren
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   pages_ = new QStackedWidget;
-  waiting_ = sdk::quietLabel({});
+  waiting_ = quietLabel({});
   waiting_->setObjectName(QStringLiteral("exerciseWaiting"));
   waiting_->setAlignment(Qt::AlignCenter);
   pages_->addWidget(waiting_);

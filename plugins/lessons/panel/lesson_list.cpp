@@ -5,14 +5,14 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ew/sdk/panel.h"
+#include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/scrolled_rows.h"
 #include "panel/step_kinds.h"
 
 namespace ew::lessons {
-
-using sdk::kGap_px;
 
 QString levelText(int level) {
   switch (level) {
@@ -32,7 +32,7 @@ QString levelText(int level) {
 LessonList::LessonList(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  rows_ = new ScrolledRows(2 * kGap_px);
+  rows_ = new ScrolledRows(2 * kGrid_px);
   column->addWidget(rows_);
 }
 
@@ -48,12 +48,12 @@ void LessonList::showLessons(const std::vector<Lesson>& lessons, const std::vect
     auto* card = new QWidget;
     card->setObjectName(QStringLiteral("lesson_") + words(lesson.id));
     auto* rows = new QVBoxLayout(card);
-    rows->setContentsMargins(0, 0, 0, 2 * kGap_px);
-    rows->setSpacing(kGap_px / 2);
-    auto* title = sdk::headingLabel(words(lesson.title));
+    rows->setContentsMargins(0, 0, 0, 2 * kGrid_px);
+    rows->setSpacing(kGrid_px / 2);
+    auto* title = headingLabel(words(lesson.title));
     title->setWordWrap(true);
     rows->addWidget(title);
-    rows->addWidget(sdk::quietLabel(tr("%1, about %2 min").arg(levelText(lesson.level)).arg(lesson.minutes)));
+    rows->addWidget(quietLabel(tr("%1, about %2 min").arg(levelText(lesson.level)).arg(lesson.minutes)));
     if (!lesson.aim.empty()) {
       auto* aim = new QLabel(words(lesson.aim));
       aim->setWordWrap(true);
@@ -61,13 +61,13 @@ void LessonList::showLessons(const std::vector<Lesson>& lessons, const std::vect
       rows->addWidget(aim);
     }
     if (stands.attempts > 0) {
-      auto* done = sdk::quietLabel(tr("%1 of %2 steps passed").arg(stands.bestPassed).arg(stands.counting(lesson.steps.size())));
+      auto* done = quietLabel(tr("%1 of %2 steps passed").arg(stands.bestPassed).arg(stands.counting(lesson.steps.size())));
       done->setObjectName(QStringLiteral("lessonProgress"));
       rows->addWidget(done);
     }
     if (n == next) addSteps(lesson, *rows);
     auto* buttons = new QVBoxLayout;  // beside each other their words are wider than the column in large type
-    buttons->setSpacing(kGap_px);
+    buttons->setSpacing(kGrid_px);
     const QString id = words(lesson.id);
     if (stands.interrupted) {
       auto* goOn = new QPushButton(tr("Go on at step %1").arg(std::min(stands.interruptedAt + 1, lesson.steps.size())));
@@ -93,7 +93,7 @@ void LessonList::addSteps(const Lesson& lesson, QVBoxLayout& rows) {
   if (lesson.steps.empty()) return;
   QStringList lines;
   for (const LessonStep& step : lesson.steps) lines << QStringLiteral("%1.  %2").arg(lines.size() + 1).arg(kindTitle(taskWord(step.task)));
-  auto* steps = sdk::quietLabel(lines.join(QLatin1Char('\n')));
+  auto* steps = quietLabel(lines.join(QLatin1Char('\n')));
   steps->setObjectName(QStringLiteral("lessonSteps"));
   rows.addWidget(steps);
 }

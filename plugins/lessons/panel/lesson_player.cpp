@@ -11,8 +11,10 @@
 #include "ew/library/learning.h"
 #include "ew/scanning/picture_file.h"
 #include "ew/sdk/case_parts.h"
-#include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
+#include "ew/widgets/labels.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "logic/case_at_hand.h"
 #include "logic/wrong_settings.h"
 #include "panel/aids_drawer.h"
@@ -81,7 +83,7 @@ LessonPlayer::~LessonPlayer() {
 QWidget* LessonPlayer::makeWaiting() {
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(2 * sdk::kGap_px, sdk::kGap_px, 2 * sdk::kGap_px, 2 * sdk::kGap_px);
+  column->setContentsMargins(2 * kGrid_px, kGrid_px, 2 * kGrid_px, 2 * kGrid_px);
   leaveWaiting_ = new QPushButton(tr("Leave"));
   leaveWaiting_->setObjectName(QStringLiteral("leaveWaiting"));
   leaveWaiting_->setToolTip(tr("Back to the lessons; the lesson can be gone on with later"));
@@ -93,7 +95,7 @@ QWidget* LessonPlayer::makeWaiting() {
   top->addWidget(leaveWaiting_);
   top->addStretch(1);
   column->addLayout(top);
-  waiting_ = sdk::quietLabel({});
+  waiting_ = quietLabel({});
   waiting_->setObjectName(QStringLiteral("lessonWaiting"));
   waiting_->setAlignment(Qt::AlignCenter);
   column->addWidget(waiting_, 1);

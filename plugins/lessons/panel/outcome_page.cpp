@@ -6,24 +6,24 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ew/sdk/panel.h"
+#include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "logic/lesson_run.h"
 #include "panel/scrolled_rows.h"
 
 namespace ew::lessons {
 
-using sdk::kGap_px;
-
 OutcomePage::OutcomePage(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
-  column->setSpacing(kGap_px);
-  heading_ = sdk::headingLabel({});
+  column->setContentsMargins(2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px);
+  column->setSpacing(kGrid_px);
+  heading_ = headingLabel({});
   heading_->setObjectName(QStringLiteral("outcomeHeading"));
   heading_->setWordWrap(true);
   column->addWidget(heading_);
-  figure_ = sdk::quietLabel({});
+  figure_ = quietLabel({});
   figure_->setObjectName(QStringLiteral("outcomeScore"));
   column->addWidget(figure_);
   toSystem_ = new QLabel;
@@ -35,7 +35,7 @@ OutcomePage::OutcomePage(QWidget* parent) : QWidget(parent) {
   remarks_ = new ScrolledRows;
   column->addWidget(remarks_, 1);
   auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(kGap_px);
+  buttons->setSpacing(kGrid_px);
   again_ = new QPushButton(tr("Try again"));
   again_->setObjectName(QStringLiteral("tryAgain"));
   connect(again_, &QPushButton::clicked, this, &OutcomePage::againAsked);
@@ -112,7 +112,7 @@ void OutcomePage::showExercise(const LessonStep& step, const StepOutcome& outcom
   showStep(step, outcome, false);
   const bool passed = outcome.verdict == StepVerdict::passed;
   heading_->setText((passed ? tr("Right: %1") : tr("Not right yet: %1")).arg(words(step.title)));
-  auto* comesAgain = sdk::quietLabel(then);
+  auto* comesAgain = quietLabel(then);
   comesAgain->setObjectName(QStringLiteral("comesAgain"));
   remarks_->rows()->insertWidget(remarks_->rows()->count() - 1, comesAgain);
   again_->setText(tr("Stop"));

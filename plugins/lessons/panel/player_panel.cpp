@@ -10,9 +10,11 @@
 #include "ew/library/learning.h"
 #include "ew/library/lesson_links.h"
 #include "ew/sdk/case_parts.h"
-#include "ew/sdk/panel.h"
 #include "ew/sdk/person.h"
 #include "ew/sdk/window.h"
+#include "ew/widgets/labels.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "logic/case_at_hand.h"
 #include "panel/exercise_card.h"
 #include "panel/exercise_player.h"
@@ -35,12 +37,12 @@ PlayerPanel::PlayerPanel(sdk::Host& host, std::function<void(bool)> working, QWi
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  problem_ = sdk::problemLabel();
+  problem_ = problemLabel();
   problem_->setObjectName(QStringLiteral("lessonProblem"));
-  problem_->setMargin(2 * sdk::kGap_px);
+  problem_->setMargin(2 * kGrid_px);
   column->addWidget(problem_);
   pages_ = new QStackedWidget;
-  pages_->addWidget(sdk::emptyState(tr("No lessons here"), tr("Open a case that has lessons: the start page says how many each has.")));
+  pages_->addWidget(emptyState(tr("No lessons here"), tr("Open a case that has lessons: the start page says how many each has.")));
   auto* listPage = new QWidget;
   auto* listRows = new QVBoxLayout(listPage);
   listRows->setContentsMargins(0, 0, 0, 0);
@@ -62,10 +64,10 @@ PlayerPanel::PlayerPanel(sdk::Host& host, std::function<void(bool)> working, QWi
   connect(card_, &ExerciseCard::personChanged, this, &PlayerPanel::showLessons);
   connect(player_, &LessonPlayer::ended, this, &PlayerPanel::stop);
   connect(exercises_, &ExercisePlayer::ended, this, &PlayerPanel::stop);
-  connect(exercises_, &ExercisePlayer::failed, this, [this](const QString& problem) { sdk::setProblem(problem_, problem); });
-  connect(exercises_, &ExercisePlayer::problemGone, this, [this] { sdk::setProblem(problem_, {}); });
-  connect(player_, &LessonPlayer::failed, this, [this](const QString& problem) { sdk::setProblem(problem_, problem); });
-  connect(player_, &LessonPlayer::problemGone, this, [this] { sdk::setProblem(problem_, {}); });
+  connect(exercises_, &ExercisePlayer::failed, this, [this](const QString& problem) { setProblem(problem_, problem); });
+  connect(exercises_, &ExercisePlayer::problemGone, this, [this] { setProblem(problem_, {}); });
+  connect(player_, &LessonPlayer::failed, this, [this](const QString& problem) { setProblem(problem_, problem); });
+  connect(player_, &LessonPlayer::problemGone, this, [this] { setProblem(problem_, {}); });
 
   tickets_ = {host_.cases().onChanged([this] { showCase(); }),
               host_.caseParts().onOpened([this](const std::filesystem::path&) { showCase(); }),
@@ -97,7 +99,7 @@ void PlayerPanel::showCase() {
     if (lessons)
       lessons_ = std::move(*lessons);
     else
-      sdk::setProblem(problem_, words(lessons.error()));
+      setProblem(problem_, words(lessons.error()));
   }
   // Told of every edit of the case; attempts are read again only when what is listed is another.
   const bool isListed = pages_->currentIndex() == kList && case_ && case_->folder == folderBefore && lessons_ == before;
@@ -213,7 +215,7 @@ void PlayerPanel::take(Result<LessonRun> run, std::optional<StepAutosave::Left> 
 
 void PlayerPanel::fail(const Error& problem) {
   host_.log().warn(problem.sentence());
-  sdk::setProblem(problem_, words(problem));
+  setProblem(problem_, words(problem));
 }
 
 }  // namespace ew::lessons

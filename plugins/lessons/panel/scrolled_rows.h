@@ -3,7 +3,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include "ew/sdk/panel.h"
+#include "ew/widgets/theme.h"
 
 namespace ew::lessons {
 
@@ -18,7 +18,7 @@ class ScrolledRows final : public QScrollArea {
     auto* body = new QWidget;
     rows_ = new QVBoxLayout(body);
     rows_->setContentsMargins(margin_px, margin_px, margin_px, margin_px);
-    rows_->setSpacing(sdk::kGap_px);
+    rows_->setSpacing(kGrid_px);
     setWidget(body);
   }
 

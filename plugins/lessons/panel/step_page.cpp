@@ -3,16 +3,17 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "ew/sdk/panel.h"
+#include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/scrolled_rows.h"
 
 namespace ew::lessons {
-
-using sdk::kGap_px;
 
 namespace {
 
@@ -25,17 +26,17 @@ QString minutes(double seconds) {
 
 StepPage::StepPage(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(host) {
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(2 * kGap_px, kGap_px, 2 * kGap_px, 2 * kGap_px);
-  column->setSpacing(kGap_px);
+  column->setContentsMargins(2 * kGrid_px, kGrid_px, 2 * kGrid_px, 2 * kGrid_px);
+  column->setSpacing(kGrid_px);
   auto* top = new QHBoxLayout;
   auto* leave = new QPushButton(tr("Leave"));
   leave->setObjectName(QStringLiteral("leaveLesson"));
   leave->setToolTip(tr("Back to the lessons; the lesson can be gone on with later"));
   connect(leave, &QPushButton::clicked, this, &StepPage::leaveAsked);
-  head_ = sdk::quietLabel({});
+  head_ = quietLabel({});
   head_->setObjectName(QStringLiteral("stepNumber"));
   head_->setWordWrap(false);
-  time_ = sdk::quietLabel({});
+  time_ = quietLabel({});
   time_->setObjectName(QStringLiteral("stepTime"));
   time_->setWordWrap(false);
   top->addWidget(leave);
@@ -44,16 +45,16 @@ StepPage::StepPage(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(ho
   column->addLayout(top);
   bar_ = new QProgressBar;
   bar_->setTextVisible(false);
-  bar_->setFixedHeight(kGap_px / 2);
+  bar_->setFixedHeight(kGrid_px / 2);
   column->addWidget(bar_);
   scrolled_ = new ScrolledRows;
   rows_ = scrolled_->rows();
   column->addWidget(scrolled_, 1);
-  missing_ = sdk::quietLabel({});
+  missing_ = quietLabel({});
   missing_->setObjectName(QStringLiteral("stepMissing"));
   column->addWidget(missing_);
   auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(kGap_px);
+  buttons->setSpacing(kGrid_px);
   pause_ = new QPushButton(tr("Pause"));
   pause_->setObjectName(QStringLiteral("pauseStep"));
   pause_->setCheckable(true);
@@ -102,7 +103,7 @@ void StepPage::end() {
 }
 
 QLabel* StepPage::addText(const QString& text, const char* name, bool quiet) {
-  auto* label = quiet ? sdk::quietLabel(text) : new QLabel(text);
+  auto* label = quiet ? quietLabel(text) : new QLabel(text);
   label->setObjectName(QLatin1String(name));
   label->setTextFormat(Qt::PlainText);
   label->setWordWrap(true);
@@ -131,7 +132,7 @@ void StepPage::showStep(LessonRun& run, const LessonStep& shown, const StepScene
   const bool isRead = std::holds_alternative<ReadTask>(shown.task);
   done_->setText(isRead ? tr("Go on") : tr("Done"));
   pause_->setVisible(!isRead || shown.time_s.has_value());
-  auto* title = sdk::headingLabel(words(shown.title));
+  auto* title = headingLabel(words(shown.title));
   title->setObjectName(QStringLiteral("stepTitle"));
   title->setWordWrap(true);
   rows_->addWidget(title);

@@ -1,3 +1,6 @@
+#include "ew/widgets/fields.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/step_page.h"
 
 #include <QButtonGroup>
@@ -10,12 +13,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ew/sdk/panel.h"
 #include "panel/aid_words.h"
 
 namespace ew::lessons {
-
-using sdk::kGap_px;
 
 void StepPage::addAids(const LessonStep& step) {
   auto on = std::make_shared<LessonAids>(step.aids);
@@ -41,7 +41,7 @@ void StepPage::addAids(const LessonStep& step) {
 
 void StepPage::addAnswer(const AnswerTask& task) {
   if (task.options.empty()) {
-    number_ = new sdk::NumberField(-1e9, 1e9, 2, words(task.unit));
+    number_ = new NumberField(-1e9, 1e9, 2, words(task.unit));
     number_->setObjectName(QStringLiteral("answerNumber"));
     number_->setAccessibleName(tr("Your answer"));
     number_->setSpecialValueText(QStringLiteral(" "));  // nothing was entered yet
@@ -59,7 +59,7 @@ void StepPage::addAnswer(const AnswerTask& task) {
     option->setAccessibleName(words(task.options[n].text));
     options_->addButton(option, static_cast<int>(n));
     auto* line = new QHBoxLayout;
-    line->setSpacing(kGap_px);
+    line->setSpacing(kGrid_px);
     line->addWidget(option, 0, Qt::AlignTop);
     auto* label = new QLabel(words(task.options[n].text));  // wraps where the words of a button would be cut off
     label->setWordWrap(true);
@@ -142,7 +142,7 @@ void StepPage::addPicture(const std::filesystem::path& file) {
   }
   auto* label = new QLabel;
   label->setObjectName(QStringLiteral("stepPicture"));
-  const int width = std::max(200, this->width() - 5 * kGap_px);
+  const int width = std::max(200, this->width() - 5 * kGrid_px);
   label->setPixmap(picture.width() > width ? picture.scaledToWidth(width, Qt::SmoothTransformation) : picture);
   rows_->addWidget(label);
 }

@@ -7,15 +7,13 @@
 
 #include "ew/bridge/scene3d.h"
 #include "ew/imaging/display.h"
-#include "ew/sdk/panel.h"
+#include "ew/widgets/theme.h"
 #include "panel/body_view.h"
 #include "panel/session/playback.h"
 #include "panel/session/scan_pair.h"
 #include "panel/style.h"
 
 namespace ew::review {
-
-using sdk::kGap_px;
 
 void BodyView::paintOver(QPainter& painter) {
   if (!still_) makeStill();
@@ -40,7 +38,7 @@ void BodyView::makeStill() {
   painter.setFont(smaller(*this));
   const QString text = heatWords();
   if (!text.isEmpty()) {
-    const QRectF room = QRectF(rect()).adjusted(kGap_px, 0, -kGap_px, -kGap_px);
+    const QRectF room = QRectF(rect()).adjusted(kGrid_px, 0, -kGrid_px, -kGrid_px);
     const QRectF box = painter.boundingRect(room, Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, text);
     QColor veil = palette().color(QPalette::Window);
     veil.setAlpha(215);

@@ -16,14 +16,11 @@
 
 #include "ew/bridge/scene3d.h"
 #include "ew/imaging/display.h"
-#include "ew/sdk/panel.h"
 #include "panel/session/playback.h"
 #include "panel/session/scan_pair.h"
 #include "panel/style.h"
 
 namespace ew::review {
-
-using sdk::kGap_px;
 
 namespace {
 

@@ -4,13 +4,11 @@
 #include <cmath>
 
 #include "ew/core/chart_axis.h"
-#include "ew/sdk/panel.h"
+#include "ew/widgets/theme.h"
 #include "panel/class_page.h"
 #include "panel/style.h"
 
 namespace ew::review {
-
-using sdk::kGap_px;
 
 namespace {
 
@@ -23,8 +21,8 @@ DistributionChart::DistributionChart(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-QSize DistributionChart::sizeHint() const { return {45 * kGap_px, withText(190, font())}; }
-QSize DistributionChart::minimumSizeHint() const { return {25 * kGap_px, withText(150, font())}; }
+QSize DistributionChart::sizeHint() const { return {45 * kGrid_px, withText(190, font())}; }
+QSize DistributionChart::minimumSizeHint() const { return {25 * kGrid_px, withText(150, font())}; }
 
 void DistributionChart::show(const Distribution& values, const QString& unit, double lowest, double highest, std::optional<double> level) {
   values_ = values;
@@ -58,9 +56,9 @@ void DistributionChart::paintEvent(QPaintEvent*) {
     return;
   }
   const double words = withText(20, font());
-  const QRectF box(4 * kGap_px, 2 * kGap_px, width() - 6.0 * kGap_px, height() - 2.0 * kGap_px - words - 4.0);
+  const QRectF box(4 * kGrid_px, 2 * kGrid_px, width() - 6.0 * kGrid_px, height() - 2.0 * kGrid_px - words - 4.0);
   const double boxHigh = withText(28, font());
-  paintBars(painter, box.adjusted(0, 0, 0, -boxHigh - kGap_px));
+  paintBars(painter, box.adjusted(0, 0, 0, -boxHigh - kGrid_px));
   paintBox(painter, QRectF(box.left(), box.bottom() - boxHigh, box.width(), boxHigh));
   painter.setPen(palette().color(QPalette::PlaceholderText));
   const ChartAxis axis = linearAxis(std::vector<double>{lowest_, highest_}, {.steps = 4});
@@ -79,7 +77,7 @@ void DistributionChart::paintEvent(QPaintEvent*) {
   const QString word = tr("pass level");
   const double wide = painter.fontMetrics().horizontalAdvance(word) + 8.0;
   const bool isLeft = x + wide > width();
-  painter.drawText(QRectF(isLeft ? x - wide : x + 4, box.top() - 2 * kGap_px, wide, 2 * kGap_px),
+  painter.drawText(QRectF(isLeft ? x - wide : x + 4, box.top() - 2 * kGrid_px, wide, 2 * kGrid_px),
                    (isLeft ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter, word);
 }
 

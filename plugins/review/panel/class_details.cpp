@@ -5,16 +5,15 @@
 #include <QSignalBlocker>
 #include <algorithm>
 
-#include "ew/sdk/panel.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/class_page.h"
 #include "panel/class_table.h"
 #include "panel/session/review_session.h"
 #include "panel/style.h"
 
 namespace ew::review {
-
-using sdk::kGap_px;
 
 void ClassPage::showAttempts() {
   attempts_->clear();
@@ -34,7 +33,7 @@ void ClassPage::showAttempts() {
     item->setTextAlignment(kVerdict, Qt::AlignRight | Qt::AlignVCenter);
     QComboBox* stands = standingBox(n);
     stands->setAccessibleName(tr("How %1 stands").arg(item->text(kWho)));
-    item->setSizeHint(kStanding, stands->sizeHint() + QSize(kGap_px, kGap_px));
+    item->setSizeHint(kStanding, stands->sizeHint() + QSize(kGrid_px, kGrid_px));
     attempts_->setItemWidget(item, kStanding, stands);
   }
   showSuggestion();

@@ -1,25 +1,28 @@
 #include "panel/class_page.h"
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTreeWidget>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
 #include "ew/assessment/metric.h"
-#include "ew/sdk/panel.h"
+#include "ew/widgets/fields.h"
+#include "ew/widgets/labels.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/class_table.h"
 #include "panel/report_button.h"
 #include "panel/session/review_session.h"
 #include "panel/style.h"
 
 namespace ew::review {
-
-using sdk::kGap_px;
 
 namespace {
 
@@ -39,10 +42,10 @@ ClassPage::ClassPage(ReviewSession& session, QWidget* parent)
     : QWidget(parent), session_(session), selection_(session.selection()), reviewer_(session.reviewer()), scores_(session.scores()) {
   setObjectName(QStringLiteral("classPage"));
   auto* rows = new QVBoxLayout(this);
-  rows->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
-  rows->setSpacing(kGap_px);
+  rows->setContentsMargins(2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px);
+  rows->setSpacing(kGrid_px);
   auto* head = new QHBoxLayout;
-  heading_ = sdk::headingLabel({});
+  heading_ = headingLabel({});
   heading_->setObjectName(QStringLiteral("classHeading"));
   heading_->setWordWrap(true);
   head->addWidget(heading_, 1);
@@ -57,7 +60,7 @@ ClassPage::ClassPage(ReviewSession& session, QWidget* parent)
   hardest_->setWordWrap(true);
   rows->addWidget(hardest_);
   auto* halves = new QHBoxLayout;
-  halves->setSpacing(2 * kGap_px);
+  halves->setSpacing(2 * kGrid_px);
   halves->addWidget(makeSteps(), 5);
   halves->addWidget(makeDetails(), 4);
   rows->addLayout(halves, 1);
@@ -88,9 +91,9 @@ QWidget* ClassPage::makeDetails() {
   scroll->setFocusPolicy(Qt::NoFocus);
   auto* body = new QWidget;
   auto* rows = new QVBoxLayout(body);
-  rows->setContentsMargins(0, 0, kGap_px, 0);
-  rows->setSpacing(kGap_px);
-  stepTitle_ = sdk::headingLabel({});
+  rows->setContentsMargins(0, 0, kGrid_px, 0);
+  rows->setSpacing(kGrid_px);
+  stepTitle_ = headingLabel({});
   stepTitle_->setWordWrap(true);
   rows->addWidget(stepTitle_);
   figure_ = new QComboBox;
@@ -101,13 +104,13 @@ QWidget* ClassPage::makeDetails() {
   rows->addWidget(figure_);
   chart_ = new DistributionChart;
   rows->addWidget(chart_);
-  numbers_ = sdk::quietLabel({});
+  numbers_ = quietLabel({});
   numbers_->setObjectName(QStringLiteral("classNumbers"));
   rows->addWidget(numbers_);
   auto* levelRow = new QHBoxLayout;
   auto* levelName = new QLabel(tr("Pass level of this step"));
   levelName->setWordWrap(true);
-  level_ = new sdk::NumberField(0.0, 100.0, 0, QStringLiteral("%"));
+  level_ = new NumberField(0.0, 100.0, 0, QStringLiteral("%"));
   level_->setObjectName(QStringLiteral("classLevel"));
   level_->setAccessibleName(tr("Pass level of this step"));
   level_->setKeyboardTracking(false);
@@ -118,14 +121,14 @@ QWidget* ClassPage::makeDetails() {
   levelRow->addWidget(levelName, 1);
   levelRow->addWidget(level_);
   rows->addLayout(levelRow);
-  rows->addWidget(sdk::quietLabel(
-      tr("To find a pass level, say of people you know whether they should pass; the level then lies where both groups part.")));
+  rows->addWidget(
+      quietLabel(tr("To find a pass level, say of people you know whether they should pass; the level then lies where both groups part.")));
   attempts_ = table("classAttempts", tr("Attempts at this step"), {tr("Who"), tr("Score"), tr("Passed"), tr("Stands")});
   attempts_->header()->setSectionResizeMode(kWho, QHeaderView::ResizeToContents);
   attempts_->header()->setSectionResizeMode(kVerdict, QHeaderView::Stretch);
   attempts_->setMinimumHeight(withText(150, font()));
   rows->addWidget(attempts_, 1);
-  suggestion_ = sdk::quietLabel({});
+  suggestion_ = quietLabel({});
   suggestion_->setObjectName(QStringLiteral("classSuggestion"));
   rows->addWidget(suggestion_);
   take_ = new QPushButton(tr("Use this level"));

@@ -14,7 +14,7 @@ class QLabel;
 class QPushButton;
 class QTreeWidget;
 
-namespace ew::sdk {
+namespace ew {
 class NumberField;
 }
 
@@ -92,7 +92,7 @@ class ClassPage final : public QWidget {
   QComboBox* figure_ = nullptr;
   DistributionChart* chart_ = nullptr;
   QLabel* numbers_ = nullptr;
-  sdk::NumberField* level_ = nullptr;
+  NumberField* level_ = nullptr;
   QTreeWidget* attempts_ = nullptr;
   QLabel* suggestion_ = nullptr;
   QPushButton* take_ = nullptr;

@@ -4,15 +4,17 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QVBoxLayout>
 #include <algorithm>
 
-#include "ew/sdk/panel.h"
+#include "ew/widgets/fields.h"
+#include "ew/widgets/labels.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/session/review_session.h"
 #include "panel/style.h"
 
 namespace ew::review {
-
-using sdk::kGap_px;
 
 CommentsPage::CommentsPage(ReviewSession& session, QWidget* parent)
     : QWidget(parent),
@@ -22,9 +24,9 @@ CommentsPage::CommentsPage(ReviewSession& session, QWidget* parent)
       document_(session.document()) {
   setObjectName(QStringLiteral("reviewComments"));
   auto* rows = new QVBoxLayout(this);
-  rows->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
-  rows->setSpacing(kGap_px);
-  hint_ = sdk::quietLabel({});
+  rows->setContentsMargins(2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px);
+  rows->setSpacing(kGrid_px);
+  hint_ = quietLabel({});
   hint_->setObjectName(QStringLiteral("reviewCommentsHint"));
   rows->addWidget(hint_);
   list_ = new QListWidget;
@@ -34,7 +36,7 @@ CommentsPage::CommentsPage(ReviewSession& session, QWidget* parent)
   connect(list_, &QListWidget::itemClicked, this, [this] { goTo(list_->currentRow()); });
   connect(list_, &QListWidget::itemActivated, this, [this] { goTo(list_->currentRow()); });
   rows->addWidget(list_, 2);
-  text_ = new sdk::WithHostUndo<QPlainTextEdit>;
+  text_ = new WithHostUndo<QPlainTextEdit>;
   text_->setObjectName(QStringLiteral("reviewCommentEdit"));
   text_->setAccessibleName(tr("Text of the comment"));
   text_->setTabChangesFocus(true);

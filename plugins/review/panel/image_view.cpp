@@ -7,13 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ew/sdk/panel.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/session/review_session.h"
 #include "panel/style.h"
 
 namespace ew::review {
-
-using sdk::kGap_px;
 
 namespace {
 
@@ -80,7 +79,7 @@ void ImageView::setDrawn(std::vector<CommentStroke> strokes) {
 int ImageView::headHeight() const { return withText(28, font()); }
 /// Where all of them would leave the image less than twice their own height, only those are written that differ.
 bool ImageView::showsAllSettings() const { return height() - headHeight() >= 3 * settingsHeight(kSettingRows); }
-int ImageView::settingsHeight(int rows) const { return rows * withText(17, font()) + kGap_px; }
+int ImageView::settingsHeight(int rows) const { return rows * withText(17, font()) + kGrid_px; }
 int ImageView::settingsHeight() const { return settingsHeight(showsAllSettings() ? kSettingRows : 1); }
 
 QRectF ImageView::imageRect() const { return QRectF(0, headHeight(), width(), std::max(40, height() - headHeight() - settingsHeight())); }
@@ -169,21 +168,21 @@ void ImageView::paintHead(QPainter& painter) const {
   const QColor colour = colourOf(who, true);
   painter.setPen(Qt::NoPen);
   painter.setBrush(colour);
-  drawMarkOf(painter, who, QPointF(2.0 * kGap_px, 0.5 * headHeight()), withText(5, font()));
+  drawMarkOf(painter, who, QPointF(2.0 * kGrid_px, 0.5 * headHeight()), withText(5, font()));
   QFont bold = font();
   bold.setWeight(QFont::DemiBold);
   painter.setFont(bold);
   const QString word = wordOf(who);
   const int wide = QFontMetrics(bold).horizontalAdvance(word);
   painter.setPen(colour);
-  painter.drawText(QRect(4 * kGap_px, 0, wide + 2, headHeight()), Qt::AlignLeft | Qt::AlignVCenter, word);
+  painter.drawText(QRect(4 * kGrid_px, 0, wide + 2, headHeight()), Qt::AlignLeft | Qt::AlignVCenter, word);
   painter.setFont(smaller(*this));
   painter.setPen(kScanQuiet);
   const QString time =
       scans_.opened(side_) == nullptr ? QString() : clockText(playback_.time_s(side_) - scans_.opened(side_)->scan->part.begin_s);
   const int timeWide = painter.fontMetrics().horizontalAdvance(QStringLiteral("-00:00.0"));
-  painter.drawText(QRect(width() - timeWide - kGap_px, 0, timeWide, headHeight()), Qt::AlignRight | Qt::AlignVCenter, time);
-  const QRect room(4 * kGap_px + wide + kGap_px, 0, width() - timeWide - wide - 7 * kGap_px, headHeight());
+  painter.drawText(QRect(width() - timeWide - kGrid_px, 0, timeWide, headHeight()), Qt::AlignRight | Qt::AlignVCenter, time);
+  const QRect room(4 * kGrid_px + wide + kGrid_px, 0, width() - timeWide - wide - 7 * kGrid_px, headHeight());
   painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, painter.fontMetrics().elidedText(titleOfScan(), Qt::ElideRight, room.width()));
 }
 
@@ -195,7 +194,7 @@ void ImageView::paintEmpty(QPainter& painter) const {
                            : side_ != kReviewed              ? tr("Nothing to compare with is chosen.")
                            : selection_.attempt() == nullptr ? tr("No attempt is chosen.")
                                                              : tr("This step was not recorded in this attempt.");
-  painter.drawText(imageRect().adjusted(2 * kGap_px, 0, -2 * kGap_px, 0), Qt::AlignCenter | Qt::TextWordWrap, sentence);
+  painter.drawText(imageRect().adjusted(2 * kGrid_px, 0, -2 * kGrid_px, 0), Qt::AlignCenter | Qt::TextWordWrap, sentence);
 }
 
 void ImageView::paintImage(QPainter& painter) {
@@ -258,13 +257,13 @@ void ImageView::paintSettings(QPainter& painter) const {
   if (!showsAllSettings()) lines = lines.filter(QRegularExpression(QStringLiteral("^≠"))).mid(0, kSettingColumns);
   painter.setFont(smaller(*this));
   const int row = withText(17, font());
-  const double wide = (width() - 2.0 * kGap_px) / kSettingColumns;
-  const double top = height() - settingsHeight() + 0.5 * kGap_px;
+  const double wide = (width() - 2.0 * kGrid_px) / kSettingColumns;
+  const double top = height() - settingsHeight() + 0.5 * kGrid_px;
   const int rows = (static_cast<int>(lines.size()) + kSettingColumns - 1) / kSettingColumns;
   for (int n = 0; n < lines.size(); ++n) {
     const bool differs = lines[n].startsWith(QStringLiteral("≠"));
     painter.setPen(differs ? kDiffers : kScanQuiet);
-    const QRectF room(kGap_px + wide * (n / rows), top + row * (n % rows), wide - kGap_px, row);
+    const QRectF room(kGrid_px + wide * (n / rows), top + row * (n % rows), wide - kGrid_px, row);
     painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
                      painter.fontMetrics().elidedText(lines[n], Qt::ElideRight, static_cast<int>(room.width())));
   }

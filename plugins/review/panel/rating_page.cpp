@@ -7,16 +7,18 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QVBoxLayout>
 
-#include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
+#include "ew/widgets/fields.h"
+#include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/session/review_session.h"
 #include "panel/style.h"
 
 namespace ew::review {
-
-using sdk::kGap_px;
 
 namespace {
 
@@ -52,8 +54,8 @@ RatingPage::RatingPage(ReviewSession& session, QWidget* parent)
   scroll->setFocusPolicy(Qt::NoFocus);
   auto* page = new QWidget;
   auto* rows = new QVBoxLayout(page);
-  rows->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
-  rows->setSpacing(kGap_px);
+  rows->setContentsMargins(2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px);
+  rows->setSpacing(kGrid_px);
   form_ = combo("ratingForm", tr("Rating form"));
   if (const auto resources = resourceFolder()) forms_ = listRatingForms(*resources, libraryFolder());
   for (const RatingForm& each : forms_.forms)
@@ -63,10 +65,10 @@ RatingPage::RatingPage(ReviewSession& session, QWidget* parent)
     refresh();
   });
   rows->addWidget(form_);
-  blind_ = sdk::quietLabel({});
+  blind_ = quietLabel({});
   blind_->setObjectName(QStringLiteral("ratingBlind"));
   rows->addWidget(blind_);
-  problem_ = sdk::problemLabel();
+  problem_ = problemLabel();
   problem_->setObjectName(QStringLiteral("ratingProblem"));
   rows->addWidget(problem_);
   makeBody();
@@ -93,11 +95,11 @@ void RatingPage::makeBody() {
   body_ = new QWidget;
   auto* inner = new QVBoxLayout(body_);
   inner->setContentsMargins(0, 0, 0, 0);
-  inner->setSpacing(kGap_px);
+  inner->setSpacing(kGrid_px);
   auto* holder = new QWidget;
   items_ = new QVBoxLayout(holder);
   items_->setContentsMargins(0, 0, 0, 0);
-  items_->setSpacing(kGap_px / 2);
+  items_->setSpacing(kGrid_px / 2);
   inner->addWidget(holder);
   remark_ = new QPlainTextEdit;
   remark_->setObjectName(QStringLiteral("ratingRemark"));
@@ -110,10 +112,10 @@ void RatingPage::makeBody() {
   level_ = combo("ratingLevel", tr("Kind of examination"));
   connect(level_, qOverload<int>(&QComboBox::activated), this, [this] { showTotal(); });
   inner->addWidget(level_);
-  total_ = sdk::headingLabel({});
+  total_ = headingLabel({});
   total_->setObjectName(QStringLiteral("ratingTotal"));
   inner->addWidget(total_);
-  kept_ = sdk::quietLabel({});
+  kept_ = quietLabel({});
   kept_->setObjectName(QStringLiteral("ratingKept"));
   inner->addWidget(kept_);
   auto* buttons = new QHBoxLayout;
@@ -129,7 +131,7 @@ void RatingPage::makeBody() {
   buttons->addWidget(draft_, 1);
   buttons->addWidget(finish_, 1);
   inner->addLayout(buttons);
-  others_ = sdk::quietLabel({});
+  others_ = quietLabel({});
   others_->setObjectName(QStringLiteral("ratingOthers"));
   inner->addWidget(others_);
 }
@@ -140,7 +142,7 @@ const RatingForm* RatingPage::form() const { return forms_.find(form_->currentDa
 
 void RatingPage::refresh() {
   const bool hasAttempt = selection_.attempt() != nullptr, hasName = !reviewer_.name().isEmpty();
-  sdk::setProblem(problem_, {});
+  setProblem(problem_, {});
   body_->setVisible(hasAttempt && hasName && form() != nullptr);
   blind_->setText(form() == nullptr        ? tr("No rating form was found.")
                   : !hasAttempt            ? tr("Choose an attempt to rate it.")
@@ -176,7 +178,7 @@ void RatingPage::makeItems() {
     title->setWordWrap(true);
     title->setToolTip(in(item.description));
     items_->addWidget(title);
-    auto* score = new sdk::WheelWithFocus<QComboBox>;
+    auto* score = new WheelWithFocus<QComboBox>;
     score->setObjectName(QStringLiteral("rating_") + words(item.id));
     score->setAccessibleName(in(item.title));
     score->setAccessibleDescription(in(item.description));
@@ -204,7 +206,7 @@ void RatingPage::makeItems() {
     remark->setAccessibleName(tr("Remark on %1").arg(in(item.title)));
     connect(remark, &QLineEdit::textChanged, this, [this] { showTotal(); });
     items_->addWidget(remark);
-    items_->addSpacing(kGap_px / 2);
+    items_->addSpacing(kGrid_px / 2);
     scores_[item.id] = score;
     remarks_[item.id] = remark;
   }
@@ -236,7 +238,7 @@ void RatingPage::readRating() {
     if (!each.rating.passLevel.empty()) level_->setCurrentIndex(std::max(0, level_->findData(words(each.rating.passLevel))));
     kept_->setText(each.rating.finished ? tr("Finished, revision %1").arg(each.rating.revision) : tr("A draft, which does not count yet"));
   }
-  if (!seen.problems.empty()) sdk::setProblem(problem_, words(seen.problems.front()));
+  if (!seen.problems.empty()) setProblem(problem_, words(seen.problems.front()));
   read_ = rating(false);
   showing_ = false;
   showTotal();
@@ -306,7 +308,7 @@ bool RatingPage::keepDraft() {
 
 bool RatingPage::keep(bool finished) {
   const auto kept = keepRating(attempt_, *shownForm(), rating(finished));
-  sdk::setProblem(problem_, kept ? QString() : words(kept.error()));
+  setProblem(problem_, kept ? QString() : words(kept.error()));
   if (!kept) return false;
   read_ = rating(false);
   idle_.stop();

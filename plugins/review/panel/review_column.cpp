@@ -11,14 +11,17 @@
 #include <QPushButton>
 #include <QTabWidget>
 #include <QTimeZone>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <set>
 
 #include "ew/reports/report_document.h"
-#include "ew/sdk/flow_layout.h"
-#include "ew/sdk/panel.h"
 #include "ew/sdk/person.h"
+#include "ew/widgets/flow_layout.h"
+#include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/comments_page.h"
 #include "panel/rating_page.h"
 #include "panel/scores_page.h"
@@ -26,8 +29,6 @@
 #include "panel/style.h"
 
 namespace ew::review {
-
-using sdk::kGap_px;
 
 namespace {
 
@@ -53,14 +54,14 @@ ScansPage::ScansPage(ReviewSession& session, QWidget* parent)
     : QWidget(parent), session_(session), selection_(session.selection()), reviewer_(session.reviewer()), scores_(session.scores()) {
   setObjectName(QStringLiteral("reviewScans"));
   auto* rows = new QVBoxLayout(this);
-  rows->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
-  rows->setSpacing(kGap_px / 2);
+  rows->setContentsMargins(2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px);
+  rows->setSpacing(kGrid_px / 2);
   const auto field = [&](const QString& title, QWidget* editor, int stretch = 0) {
-    auto* label = sdk::quietLabel(title);
+    auto* label = quietLabel(title);
     label->setBuddy(editor);
     rows->addWidget(label);
     rows->addWidget(editor, stretch);
-    rows->addSpacing(kGap_px / 2);
+    rows->addSpacing(kGrid_px / 2);
   };
   lesson_ = choice("reviewLesson", tr("Lesson"));
   connect(lesson_, qOverload<int>(&QComboBox::activated), this, [this](int n) { session_.chooseLesson(static_cast<std::size_t>(n)); });
@@ -81,7 +82,7 @@ ScansPage::ScansPage(ReviewSession& session, QWidget* parent)
     if (!showing_) reviewer_.setShowsNames(on);
   });
   rows->addWidget(names_);
-  rows->addSpacing(kGap_px / 2);
+  rows->addSpacing(kGrid_px / 2);
   step_ = choice("reviewStep", tr("Step"));
   connect(step_, qOverload<int>(&QComboBox::activated), this,
           [this](int n) { session_.chooseStep(step_->itemData(n).toString().toStdString()); });
@@ -106,7 +107,7 @@ ScansPage::ScansPage(ReviewSession& session, QWidget* parent)
 }
 
 void ScansPage::makeButtons(QVBoxLayout& rows) {
-  note_ = sdk::quietLabel({});
+  note_ = quietLabel({});
   note_->setObjectName(QStringLiteral("reviewNote"));
   rows.addWidget(note_);
   auto* buttons = new QHBoxLayout;
@@ -126,7 +127,7 @@ void ScansPage::makeButtons(QVBoxLayout& rows) {
   connect(again, &QPushButton::clicked, this, [this] { session_.readShelf(); });
   rows.addLayout(buttons);
   auto* more = new QWidget;
-  auto* flow = new sdk::FlowLayout(kGap_px);
+  auto* flow = new FlowLayout(kGrid_px);
   more->setLayout(flow);
   for (QPushButton* each : {file, again}) {
     each->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -247,8 +248,8 @@ ReviewColumn::ReviewColumn(ReviewSession& session, QWidget* parent) : QWidget(pa
 QHBoxLayout* ReviewColumn::makeReviewer() {
   const Reviewer& reviewer = session_.reviewer();
   auto* row = new QHBoxLayout;
-  row->setContentsMargins(2 * kGap_px, kGap_px, 2 * kGap_px, kGap_px);
-  auto* title = sdk::quietLabel(tr("You are"));
+  row->setContentsMargins(2 * kGrid_px, kGrid_px, 2 * kGrid_px, kGrid_px);
+  auto* title = quietLabel(tr("You are"));
   title->setWordWrap(false);
   reviewer_ = new QLineEdit(reviewer.name());
   reviewer_->setObjectName(QStringLiteral("reviewReviewer"));

@@ -1,6 +1,7 @@
 #include "panel/review_stage.h"
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -8,12 +9,15 @@
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include "ew/bridge/scene3d.h"
-#include "ew/sdk/flow_layout.h"
-#include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
+#include "ew/widgets/fields.h"
+#include "ew/widgets/flow_layout.h"
+#include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
 #include "panel/body_view.h"
 #include "panel/class_page.h"
 #include "panel/image_view.h"
@@ -23,8 +27,6 @@
 #include "panel/track_view.h"
 
 namespace ew::review {
-
-using sdk::kGap_px;
 
 namespace {
 
@@ -63,9 +65,9 @@ QWidget* together(const std::vector<QPushButton*>& segments) {
 }
 
 /// A row of controls that goes on in a next line where text is large and the window small.
-sdk::FlowLayout* controlRow(QWidget* bar) {
-  auto* row = new sdk::FlowLayout(kGap_px / 2);
-  row->setContentsMargins(kGap_px, kGap_px / 2, kGap_px, kGap_px / 2);
+FlowLayout* controlRow(QWidget* bar) {
+  auto* row = new FlowLayout(kGrid_px / 2);
+  row->setContentsMargins(kGrid_px, kGrid_px / 2, kGrid_px, kGrid_px / 2);
   bar->setLayout(row);
   return row;
 }
@@ -108,10 +110,10 @@ ReviewStage::ReviewStage(ReviewSession& session, QWidget* parent)
   auto* look = new QPushButton(tr("Find new attempts"));
   look->setObjectName(QStringLiteral("reviewLookAgain"));
   connect(look, &QPushButton::clicked, this, [this] { session_.readShelf(); });
-  pages_->addWidget(sdk::emptyState(tr("Nothing to review yet"),
-                                    tr("When trainees have worked through lessons at this library, their attempts are listed at the left. "
-                                       "Open a case with lessons to see its expert's scans."),
-                                    look));
+  pages_->addWidget(emptyState(tr("Nothing to review yet"),
+                               tr("When trainees have worked through lessons at this library, their attempts are listed at the left. "
+                                  "Open a case with lessons to see its expert's scans."),
+                               look));
   rows->addWidget(pages_);
   for (QWidget* each :
        std::initializer_list<QWidget*>{reviewed_, compared_, tracks_, body_->findChild<QWidget*>(QStringLiteral("reviewBodyCanvas"))})
@@ -182,8 +184,8 @@ QWidget* ReviewStage::makeBodyFrame() {
   connect(front, &QPushButton::clicked, this, [this] { body_->showFrom(bridge::CameraPreset::front); });
   heat_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   auto* head = new QWidget;
-  sdk::FlowLayout* row = controlRow(head);
-  row->setContentsMargins(kGap_px / 2, kGap_px / 2, kGap_px / 2, kGap_px / 2);
+  FlowLayout* row = controlRow(head);
+  row->setContentsMargins(kGrid_px / 2, kGrid_px / 2, kGrid_px / 2, kGrid_px / 2);
   row->addWidget(heat_);
   row->addWidget(planes);
   row->addWidget(front);
@@ -205,7 +207,7 @@ QToolButton* ReviewStage::iconButton(const char* name, const char* icon, const Q
 
 QWidget* ReviewStage::makeTransport() {
   auto* bar = new QWidget;
-  sdk::FlowLayout* row = controlRow(bar);
+  FlowLayout* row = controlRow(bar);
   const auto button = [&](const char* name, const char* icon, const QString& tip, auto does) {
     auto* made = iconButton(name, icon, tip);
     connect(made, &QToolButton::clicked, this, does);
@@ -244,7 +246,7 @@ QWidget* ReviewStage::makeTransport() {
   connect(oneClock_, &QPushButton::clicked, this, [this] { playback_.setAligned(false); });
   connect(aligned_, &QPushButton::clicked, this, [this] { playback_.setAligned(true); });
   row->addWidget(together({oneClock_, aligned_}));
-  offset_ = new sdk::NumberField(-kMostOffset_s, kMostOffset_s, 1, QStringLiteral("s"));
+  offset_ = new NumberField(-kMostOffset_s, kMostOffset_s, 1, QStringLiteral("s"));
   offset_->setObjectName(QStringLiteral("reviewOffset"));
   setLook(offset_, Look::small);
   offset_->setSingleStep(0.5);
@@ -259,7 +261,7 @@ QWidget* ReviewStage::makeTransport() {
 
 QWidget* ReviewStage::makeDrawing() {
   drawing_ = new QWidget;
-  sdk::FlowLayout* row = controlRow(drawing_);
+  FlowLayout* row = controlRow(drawing_);
   const auto tool = [&](const QString& text, const QString& tip, const char* name, Look place, CommentStroke::Kind kind) {
     auto* made = segment(text, tip, name, place);
     connect(made, &QPushButton::clicked, this, [this, kind](bool on) { chooseTool(on ? std::optional(kind) : std::nullopt); });

@@ -17,7 +17,7 @@ class QPushButton;
 class QStackedWidget;
 class QToolButton;
 
-namespace ew::sdk {
+namespace ew {
 class NumberField;
 }
 
@@ -82,7 +82,7 @@ class ReviewStage final : public QWidget {
   QComboBox* heat_ = nullptr;
   QPushButton* oneClock_ = nullptr;
   QPushButton* aligned_ = nullptr;
-  sdk::NumberField* offset_ = nullptr;
+  NumberField* offset_ = nullptr;
   QPushButton* atEnd_ = nullptr;
   QWidget* drawing_ = nullptr;
   std::vector<QPushButton*> tools_;

@@ -1,6 +1,7 @@
 #include "panel/scores_page.h"
 
 #include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -8,19 +9,21 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTableWidget>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
 #include "ew/assessment/metric.h"
-#include "ew/sdk/panel.h"
+#include "ew/widgets/fields.h"
+#include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/report_button.h"
 #include "panel/session/review_session.h"
 #include "panel/style.h"
 
 namespace ew::review {
-
-using sdk::kGap_px;
 
 namespace {
 
@@ -68,13 +71,13 @@ ScoresPage::ScoresPage(ReviewSession& session, QWidget* parent)
   scroll->setFocusPolicy(Qt::NoFocus);
   auto* body = new QWidget;
   auto* rows = new QVBoxLayout(body);
-  rows->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
-  rows->setSpacing(kGap_px);
-  verdict_ = sdk::headingLabel({});
+  rows->setContentsMargins(2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px);
+  rows->setSpacing(kGrid_px);
+  verdict_ = headingLabel({});
   verdict_->setObjectName(QStringLiteral("reviewVerdict"));
   verdict_->setWordWrap(true);
   rows->addWidget(verdict_);
-  made_ = sdk::quietLabel({});
+  made_ = quietLabel({});
   rows->addWidget(made_);
   table_ = new QTableWidget(0, kColumns);
   table_->setObjectName(QStringLiteral("reviewMetrics"));
@@ -124,10 +127,10 @@ QWidget* ScoresPage::makePlan() {
   plan_ = new QWidget;
   auto* form = new QFormLayout(plan_);
   form->setContentsMargins(0, 0, 0, 0);
-  form->setSpacing(kGap_px);
+  form->setSpacing(kGrid_px);
   form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
   const auto field = [&](const char* name, const QString& title, const QString& tip, double most, const QString& unit) {
-    auto* made = new sdk::NumberField(0.0, most, unit.isEmpty() ? 1 : 0, unit);
+    auto* made = new NumberField(0.0, most, unit.isEmpty() ? 1 : 0, unit);
     made->setObjectName(QLatin1String(name));
     made->setToolTip(tip);
     made->setAccessibleName(title);
@@ -154,13 +157,13 @@ QWidget* ScoresPage::makeMetricPlan() {
   metricPlan_ = new QWidget;
   auto* form = new QFormLayout(metricPlan_);
   form->setContentsMargins(0, 0, 0, 0);
-  form->setSpacing(kGap_px);
+  form->setSpacing(kGrid_px);
   form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
-  metricName_ = sdk::headingLabel({});
+  metricName_ = headingLabel({});
   metricName_->setWordWrap(true);
   form->addRow(metricName_);
   const auto field = [&](const char* name, const QString& title, const QString& tip, double least, double most) {
-    auto* made = new sdk::NumberField(least, most, 2, {});
+    auto* made = new NumberField(least, most, 2, {});
     made->setObjectName(QLatin1String(name));
     made->setToolTip(tip);
     made->setAccessibleName(title);

@@ -15,7 +15,7 @@ class QLabel;
 class QPushButton;
 class QTableWidget;
 
-namespace ew::sdk {
+namespace ew {
 class NumberField;
 }
 
@@ -55,14 +55,14 @@ class ScoresPage final : public QWidget {
   QCheckBox* all_ = nullptr;
   MetricDefaults defaults_;
   QWidget* plan_ = nullptr;
-  sdk::NumberField* level_ = nullptr;
-  sdk::NumberField* weight_ = nullptr;
-  sdk::NumberField* taskWeight_ = nullptr;
+  NumberField* level_ = nullptr;
+  NumberField* weight_ = nullptr;
+  NumberField* taskWeight_ = nullptr;
   QWidget* metricPlan_ = nullptr;
   QLabel* metricName_ = nullptr;
-  sdk::NumberField* metricWeight_ = nullptr;
-  sdk::NumberField* worst_ = nullptr;
-  sdk::NumberField* best_ = nullptr;
+  NumberField* metricWeight_ = nullptr;
+  NumberField* worst_ = nullptr;
+  NumberField* best_ = nullptr;
   QPushButton* score_ = nullptr;
   QPushButton* report_ = nullptr;
   bool showing_ = false;

@@ -7,15 +7,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ew/sdk/panel.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/session/attempt_comments.h"
 #include "panel/session/playback.h"
 #include "panel/session/scan_pair.h"
 #include "panel/style.h"
 
 namespace ew::review {
-
-using sdk::kGap_px;
 
 namespace {
 
@@ -70,30 +69,30 @@ int TrackView::labelWidth() const {
   const QFontMetrics metrics(smaller(*this));
   int widest = 0;
   for (int n = 0; n < kTrackKinds; ++n) widest = std::max(widest, metrics.horizontalAdvance(titleOf(static_cast<TrackKind>(n))));
-  return widest + 2 * kGap_px;
+  return widest + 2 * kGrid_px;
 }
 
 QSize TrackView::sizeHint() const {
-  return {60 * kGap_px, rulerHeight() + static_cast<int>(std::max<std::size_t>(shownKinds().size(), 3)) * rowHeight() + kGap_px};
+  return {60 * kGrid_px, rulerHeight() + static_cast<int>(std::max<std::size_t>(shownKinds().size(), 3)) * rowHeight() + kGrid_px};
 }
-QSize TrackView::minimumSizeHint() const { return {30 * kGap_px, sizeHint().height()}; }
+QSize TrackView::minimumSizeHint() const { return {30 * kGrid_px, sizeHint().height()}; }
 
 double TrackView::xOf(double clock_s) const {
   const double first = playback_.clock().first_s(), length = std::max(1e-3, playback_.clock().last_s() - first);
-  const double left = labelWidth(), room = std::max(1.0, width() - left - 2.0 * kGap_px);
+  const double left = labelWidth(), room = std::max(1.0, width() - left - 2.0 * kGrid_px);
   return left + room * (clock_s - first) / length;
 }
 
 double TrackView::timeAt(double x_px) const {
   const double first = playback_.clock().first_s(), length = playback_.clock().last_s() - first;
-  const double left = labelWidth(), room = std::max(1.0, width() - left - 2.0 * kGap_px);
+  const double left = labelWidth(), room = std::max(1.0, width() - left - 2.0 * kGrid_px);
   return first + std::clamp((x_px - left) / room, 0.0, 1.0) * length;
 }
 
 QRectF TrackView::laneOf(std::size_t row, Side side) const {
   const double top = rulerHeight() + static_cast<double>(row) * rowHeight() + 1.0;
   const double high = 0.5 * (rowHeight() - 3.0);
-  return {static_cast<double>(labelWidth()), top + (side == kCompared ? 0.0 : high), width() - labelWidth() - 2.0 * kGap_px, high - 1.0};
+  return {static_cast<double>(labelWidth()), top + (side == kCompared ? 0.0 : high), width() - labelWidth() - 2.0 * kGrid_px, high - 1.0};
 }
 
 void TrackView::paintEvent(QPaintEvent*) {
@@ -105,7 +104,7 @@ void TrackView::paintEvent(QPaintEvent*) {
   for (std::size_t row = 0; row < kinds.size(); ++row) {
     const QRectF above = laneOf(row, kCompared), below = laneOf(row, kReviewed);
     painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(QRectF(kGap_px, above.top(), labelWidth() - kGap_px, 2.0 * above.height() + 1.0), Qt::AlignLeft | Qt::AlignVCenter,
+    painter.drawText(QRectF(kGrid_px, above.top(), labelWidth() - kGrid_px, 2.0 * above.height() + 1.0), Qt::AlignLeft | Qt::AlignVCenter,
                      titleOf(kinds[row]));
     painter.setPen(Qt::NoPen);
     painter.setBrush(palette().color(QPalette::Base));
@@ -184,7 +183,7 @@ void TrackView::paintLoop(QPainter& painter) const {
 
 void TrackView::mousePressEvent(QMouseEvent* event) {
   setFocus(Qt::MouseFocusReason);
-  if (event->button() == Qt::LeftButton && event->localPos().x() >= labelWidth() - kGap_px) playback_.seek(timeAt(event->localPos().x()));
+  if (event->button() == Qt::LeftButton && event->localPos().x() >= labelWidth() - kGrid_px) playback_.seek(timeAt(event->localPos().x()));
 }
 
 void TrackView::mouseMoveEvent(QMouseEvent* event) {

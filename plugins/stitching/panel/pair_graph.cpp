@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "ew/sdk/panel.h"
+#include "ew/widgets/words.h"
 #include "panel/look.h"
 #include "panel/stitch_session.h"
 

@@ -1,15 +1,25 @@
 #include "panel/pair_inspector.h"
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QLabel>
+#include <QLocale>
 #include <QPainter>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QTableWidget>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
+#include "ew/sdk/placement_fields.h"
+#include "ew/widgets/fields.h"
+#include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/charts.h"
 #include "panel/look.h"
 #include "panel/stitch_session.h"
@@ -17,16 +27,14 @@
 namespace ew::stitching {
 namespace {
 
-using sdk::kGap_px;
-
 QString briefly(const std::vector<registration::Remark>& remarks) {
   return words(registration::messageOf(remarks, registration::Wording::brief));
 }
 /// A line of the inspector: what at the left, how much at the right.
 QLabel* addLine(QVBoxLayout* column, const QString& name, const QString& hint) {
   auto* row = new QHBoxLayout;
-  row->setSpacing(kGap_px);
-  auto* label = sdk::quietLabel(name);
+  row->setSpacing(kGrid_px);
+  auto* label = quietLabel(name);
   label->setWordWrap(false);
   label->setToolTip(hint);
   auto* value = new QLabel;
@@ -41,7 +49,7 @@ QLabel* addLine(QVBoxLayout* column, const QString& name, const QString& hint) {
 QVBoxLayout* columnIn(QWidget* box) {
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px / 2);
+  column->setSpacing(kGrid_px / 2);
   return column;
 }
 
@@ -77,27 +85,27 @@ PairInspector::PairInspector(StitchSession& session, Tools& tools, QWidget* pare
   scroll->setFrameShape(QFrame::NoFrame);
   body_ = new QWidget;
   auto* column = new QVBoxLayout(body_);
-  column->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
-  column->setSpacing(kGap_px);
+  column->setContentsMargins(2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px);
+  column->setSpacing(kGrid_px);
   column->addWidget(makeHead());
   column->addWidget(makeFigures());
-  column->addSpacing(kGap_px / 2);
-  column->addWidget(sdk::headingLabel(tr("Correlation by level")));
+  column->addSpacing(kGrid_px / 2);
+  column->addWidget(headingLabel(tr("Correlation by level")));
   chart_ = new LevelChart(session);
   column->addWidget(chart_);
-  column->addSpacing(kGap_px / 2);
+  column->addSpacing(kGrid_px / 2);
   column->addWidget(makeLandmarks());
-  column->addSpacing(kGap_px / 2);
+  column->addSpacing(kGrid_px / 2);
   column->addWidget(makePose());
-  column->addSpacing(kGap_px / 2);
+  column->addSpacing(kGrid_px / 2);
   column->addWidget(makeElastic());
-  column->addSpacing(kGap_px / 2);
+  column->addSpacing(kGrid_px / 2);
   column->addWidget(makeRedo());
   column->addStretch(1);
   scroll->setWidget(body_);
   body_->setAutoFillBackground(false);
   scroll->viewport()->setAutoFillBackground(false);
-  empty_ = sdk::quietLabel(tr("How well two volumes fit is told here, once there are two."));
+  empty_ = quietLabel(tr("How well two volumes fit is told here, once there are two."));
   static_cast<QLabel*>(empty_)->setAlignment(Qt::AlignCenter);
   empty_->setContentsMargins(24, 24, 24, 24);
   outer->addWidget(empty_, 1);
@@ -111,14 +119,14 @@ QWidget* PairInspector::makeHead() {
   auto* box = new QWidget;
   auto* column = columnIn(box);
   auto* row = new QHBoxLayout;
-  row->setSpacing(kGap_px);
-  title_ = sdk::headingLabel({});
+  row->setSpacing(kGrid_px);
+  title_ = headingLabel({});
   title_->setObjectName(QStringLiteral("pairTitle"));
   mark_ = new MarkBox;
   word_ = new QLabel;
   word_->setObjectName(QStringLiteral("pairVerdict"));
   row->addWidget(title_);
-  row->addSpacing(kGap_px);
+  row->addSpacing(kGrid_px);
   row->addWidget(mark_);
   row->addWidget(word_, 1);
   column->addLayout(row);
@@ -126,7 +134,7 @@ QWidget* PairInspector::makeHead() {
   reason_->setObjectName(QStringLiteral("pairReason"));
   column->addWidget(reason_);
   auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(kGap_px);
+  buttons->setSpacing(kGrid_px);
   const auto decide = [&](const QString& text, const QString& hint, const char* name, Decision decision) {
     auto* button = new QPushButton(text);
     button->setCheckable(true);
@@ -141,7 +149,7 @@ QWidget* PairInspector::makeHead() {
   };
   accept_ = decide(tr("Accept"), tr("This pair is right, whatever the figures say (Enter)"), "acceptPair", Decision::accepted);
   reject_ = decide(tr("Reject"), tr("Leave this pair out of the result (Backspace)"), "rejectPair", Decision::rejected);
-  column->addSpacing(kGap_px / 2);
+  column->addSpacing(kGrid_px / 2);
   column->addLayout(buttons);
   return box;
 }
@@ -170,7 +178,7 @@ QWidget* PairInspector::makeFigures() {
 QWidget* PairInspector::makePose() {
   auto* box = new QWidget;
   auto* column = columnIn(box);
-  auto* heading = sdk::headingLabel(tr("Pose"));
+  auto* heading = headingLabel(tr("Pose"));
   heading->setToolTip(tr("Where the moving volume lies in the fixed one; in the views the arrow keys move it"));
   column->addWidget(heading);
   pose_ = new sdk::PlacementFields<frame::Fixed, frame::Moving>;
@@ -187,7 +195,7 @@ QWidget* PairInspector::makeLandmarks() {
   auto* box = new QWidget;
   auto* column = columnIn(box);
   auto* head = new QHBoxLayout;
-  head->addWidget(sdk::headingLabel(tr("Landmarks")), 1);
+  head->addWidget(headingLabel(tr("Landmarks")), 1);
   pick_ = new QPushButton(tr("+ pick in both"));
   pick_->setObjectName(QStringLiteral("pickLandmarks"));
   setLook(pick_, Look::flat);
@@ -226,7 +234,7 @@ QWidget* PairInspector::makeLandmarks() {
   landmarkWord_->setObjectName(QStringLiteral("landmarkWord"));
   column->addWidget(landmarkWord_);
   auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(kGap_px);
+  buttons->setSpacing(kGrid_px);
   useMarks_ = new QPushButton(tr("Match by landmarks"));
   useMarks_->setObjectName(QStringLiteral("useLandmarks"));
   useMarks_->setToolTip(tr("Bring this pair together by these places alone"));
@@ -244,9 +252,9 @@ QWidget* PairInspector::makeLandmarks() {
 QWidget* PairInspector::makeRedo() {
   auto* box = new QWidget;
   auto* column = columnIn(box);
-  column->addWidget(sdk::headingLabel(tr("Match this pair again")));
+  column->addWidget(headingLabel(tr("Match this pair again")));
   auto* choice = new QHBoxLayout;
-  choice->setSpacing(kGap_px);
+  choice->setSpacing(kGrid_px);
   method_ = new QComboBox;
   method_->setObjectName(QStringLiteral("pairMethod"));
   method_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -269,9 +277,9 @@ QWidget* PairInspector::makeRedo() {
   turnRow_ = new QWidget;
   auto* turnColumn = columnIn(turnRow_);
   auto* row = new QHBoxLayout;
-  auto* name = sdk::quietLabel(tr("Maximum rotation"));
+  auto* name = quietLabel(tr("Maximum rotation"));
   name->setWordWrap(false);
-  turn_ = new sdk::NumberField(0.0, 180.0, 0, QStringLiteral("°"));
+  turn_ = new NumberField(0.0, 180.0, 0, QStringLiteral("°"));
   turn_->setObjectName(QStringLiteral("maxTurn"));
   turn_->setValue(30.0);
   turn_->setToolTip(tr("Rotations searched in every direction; the time grows with the third power"));
@@ -294,9 +302,9 @@ QWidget* PairInspector::makeRedo() {
 QWidget* PairInspector::makeElastic() {
   auto* box = new QWidget;
   auto* column = columnIn(box);
-  column->addWidget(sdk::headingLabel(tr("Elastic")));
+  column->addWidget(headingLabel(tr("Elastic")));
   auto* row = new QHBoxLayout;
-  auto* name = sdk::quietLabel(tr("Quality of all pairs"));
+  auto* name = quietLabel(tr("Quality of all pairs"));
   name->setWordWrap(false);
   effort_ = new QComboBox;
   effort_->setObjectName(QStringLiteral("effort"));
@@ -308,7 +316,7 @@ QWidget* PairInspector::makeElastic() {
   row->addWidget(effort_);
   column->addLayout(row);
   auto* own = new QHBoxLayout;
-  auto* ownName = sdk::quietLabel(tr("Of this pair alone"));
+  auto* ownName = quietLabel(tr("Of this pair alone"));
   ownName->setWordWrap(false);
   pairEffort_ = new QComboBox;
   pairEffort_->setObjectName(QStringLiteral("pairEffort"));
@@ -323,7 +331,7 @@ QWidget* PairInspector::makeElastic() {
   own->addWidget(ownName, 1);
   own->addWidget(pairEffort_);
   column->addLayout(own);
-  for (QComboBox* each : {effort_, pairEffort_}) each->setMinimumWidth(13 * kGap_px);
+  for (QComboBox* each : {effort_, pairEffort_}) each->setMinimumWidth(13 * kGrid_px);
   expected_ = addLine(column, tr("Expected"), {});
   expected_->setObjectName(QStringLiteral("expectedCost"));
   measured_ = addLine(column, tr("Measured"), {});
@@ -335,7 +343,7 @@ QWidget* PairInspector::makeElastic() {
   column->addWidget(warpedReason_);
   costHead_ = new Paragraph;
   costHead_->setObjectName(QStringLiteral("costHead"));
-  column->addSpacing(kGap_px / 2);
+  column->addSpacing(kGrid_px / 2);
   column->addWidget(costHead_);
   cost_ = new CostChart;
   connect(cost_, &CostChart::chosen, this, chooseEffort);

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "ew/sdk/panel.h"
+#include "ew/sdk/placement_fields.h"
 #include "panel/charts.h"
 #include "panel/paragraph.h"
 #include "panel/slice_view.h"
@@ -75,7 +75,7 @@ class PairInspector final : public QWidget {
   QPushButton* useMarks_ = nullptr;
   QComboBox* method_ = nullptr;
   QWidget* turnRow_ = nullptr;
-  sdk::NumberField* turn_ = nullptr;
+  NumberField* turn_ = nullptr;
   QComboBox* effort_ = nullptr;
   QLabel* memory_ = nullptr;
   QLabel* searchCost_ = nullptr;

@@ -4,11 +4,12 @@
 #include <QLocale>
 #include <QPainter>
 #include <QResizeEvent>
+#include <QWheelEvent>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "ew/sdk/panel.h"
+#include "ew/widgets/words.h"
 #include "panel/look.h"
 #include "panel/stitch_session.h"
 

@@ -3,10 +3,11 @@
 #include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
-#include "ew/sdk/panel.h"
+#include "ew/widgets/words.h"
 #include "panel/look.h"
 #include "panel/stitch_session.h"
 

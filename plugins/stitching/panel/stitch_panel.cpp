@@ -3,20 +3,30 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFormLayout>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPainter>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QUrl>
+#include <QVBoxLayout>
 #include <algorithm>
 
 #include "ew/core/memory.h"
+#include "ew/widgets/fields.h"
+#include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/charts.h"
 #include "panel/folders.h"
 #include "panel/look.h"
@@ -26,7 +36,6 @@ namespace ew::stitching {
 namespace {
 
 namespace fs = std::filesystem;
-using sdk::kGap_px;
 
 class LegendMark final : public QWidget {
  public:
@@ -76,14 +85,14 @@ StitchPanel::StitchPanel(StitchSession& session, QWidget* parent)
   addFirst_ = add;
   add->setObjectName(QStringLiteral("addFirst"));
   connect(add, &QPushButton::clicked, this, &StitchPanel::askForFiles);
-  pages_->addWidget(sdk::emptyState(
+  pages_->addWidget(emptyState(
       tr("Stitch volumes"),
       tr("Add two or more volumes or sweeps that overlap, or drop their files or a stitch project here. No tracker is needed."), add));
   pages_->addWidget(makeWorkPage(session));
   column->addWidget(pages_, 1);
-  problem_ = sdk::problemLabel(this);
+  problem_ = problemLabel(this);
   problem_->setObjectName(QStringLiteral("problem"));
-  problem_->setContentsMargins(2 * kGap_px, kGap_px, 2 * kGap_px, kGap_px);
+  problem_->setContentsMargins(2 * kGrid_px, kGrid_px, 2 * kGrid_px, kGrid_px);
   column->addWidget(problem_);
   connect(&session, &StitchSession::changed, this, &StitchPanel::refresh);
   connect(&session.notices(), &Notices::problem, this, &StitchPanel::showProblem);
@@ -100,7 +109,7 @@ QWidget* StitchPanel::makeOffer() {
   auto* box = new QWidget;
   box->setObjectName(QStringLiteral("recoveryOffer"));
   auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, kGap_px);
+  column->setContentsMargins(2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px, kGrid_px);
   offerWord_ = new QLabel;
   offerWord_->setWordWrap(true);
   column->addWidget(offerWord_);
@@ -122,8 +131,8 @@ QWidget* StitchPanel::makeOffer() {
 QWidget* StitchPanel::makeWorkPage(StitchSession& session) {
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(2 * kGap_px, kGap_px, 2 * kGap_px, kGap_px);
-  column->setSpacing(kGap_px);
+  column->setContentsMargins(2 * kGrid_px, kGrid_px, 2 * kGrid_px, kGrid_px);
+  column->setSpacing(kGrid_px);
 
   const auto flat = [this](const QString& text, const QString& hint, const char* name) {
     auto* button = new QPushButton(text);
@@ -134,7 +143,7 @@ QWidget* StitchPanel::makeWorkPage(StitchSession& session) {
   };
   auto* top = new QHBoxLayout;
   top->setSpacing(0);
-  top->addWidget(sdk::headingLabel(tr("Subvolumes")), 1);
+  top->addWidget(headingLabel(tr("Subvolumes")), 1);
   auto* whole = flat(tr("project"), tr("Begin, open or save a stitch project"), "projectMenu");
   auto* menu = new QMenu(whole);
   const auto entry = [&](const QString& text, const char* name, auto&& act) {
@@ -165,10 +174,10 @@ QWidget* StitchPanel::makeWorkPage(StitchSession& session) {
   pairsBox_ = new QWidget;
   auto* pairs = new QVBoxLayout(pairsBox_);
   pairs->setContentsMargins(0, 0, 0, 0);
-  pairs->setSpacing(kGap_px / 2);
+  pairs->setSpacing(kGrid_px / 2);
   auto* pairsTop = new QHBoxLayout;
-  pairsTop->addWidget(sdk::headingLabel(tr("Pairs")));
-  pairWord_ = sdk::quietLabel({});
+  pairsTop->addWidget(headingLabel(tr("Pairs")));
+  pairWord_ = quietLabel({});
   pairWord_->setObjectName(QStringLiteral("pairWord"));
   pairWord_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   pairsTop->addWidget(pairWord_, 1);
@@ -189,12 +198,12 @@ QWidget* StitchPanel::makeLegend() {
   auto* box = new QWidget;
   auto* grid = new QGridLayout(box);
   grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(kGap_px);
+  grid->setHorizontalSpacing(kGrid_px);
   grid->setVerticalSpacing(2);
   int n = 0;
   using Mark = StitchResults::Mark;
   for (const auto mark : {Mark::aligned, Mark::cannotTell, Mark::landmarks, Mark::notAligned, Mark::byHand, Mark::rejected}) {
-    auto* word = sdk::quietLabel(mark == Mark::byHand ? tr("manual") : wordsOfMark(mark));  // that it was not checked is said at the pair
+    auto* word = quietLabel(mark == Mark::byHand ? tr("manual") : wordsOfMark(mark));  // that it was not checked is said at the pair
     setLook(word, Look::small);
     word->setWordWrap(false);
     grid->addWidget(new LegendMark(mark), n / 2, 2 * (n % 2));
@@ -210,7 +219,7 @@ QWidget* StitchPanel::makeSteps() {
   auto* box = new QWidget;
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px);
+  column->setSpacing(kGrid_px);
   const auto step = [&](const QString& text, const QString& hint, const char* name) {
     auto* button = new QPushButton(text);
     button->setToolTip(hint);
@@ -226,7 +235,7 @@ QWidget* StitchPanel::makeSteps() {
   connect(refine_, &QPushButton::clicked, this, [this] { runs_.matchAll(false); });
   column->addWidget(refine_);
   auto* row = new QHBoxLayout;
-  row->setSpacing(kGap_px);
+  row->setSpacing(kGrid_px);
   elastic_ = step(tr("Elastic"), tr("Deform the subvolumes so that they fit where they overlap"), "elastic");
   connect(elastic_, &QPushButton::clicked, this, [this] {
     if (!document_.project().settings.elastic) {
@@ -248,11 +257,11 @@ QWidget* StitchPanel::makeResultBox() {
   auto* box = new QWidget;
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px / 2);
+  column->setSpacing(kGrid_px / 2);
   resultBox_ = new QWidget;
   auto* row = new QHBoxLayout(resultBox_);
   row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(kGap_px / 2);
+  row->setSpacing(kGrid_px / 2);
   const auto button = [&](const QString& text, const QString& hint, const char* name) {
     auto* made = new QPushButton(text);
     setLook(made, Look::compact);
@@ -305,13 +314,13 @@ QWidget* StitchPanel::makeOptions() {
   auto* box = new QWidget;
   auto* form = new QFormLayout(box);
   form->setContentsMargins(0, 0, 0, 0);
-  form->setSpacing(kGap_px);
+  form->setSpacing(kGrid_px);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  spacing_ = new sdk::NumberField(0.0, 20.0, 2, tr("mm"));
+  spacing_ = new NumberField(0.0, 20.0, 2, tr("mm"));
   spacing_->setObjectName(QStringLiteral("spacing"));
   spacing_->setSpecialValueText(tr("finest"));
   spacing_->setSingleStep(0.1);
-  fallOff_ = new sdk::NumberField(0.0, 200.0, 0, tr("mm"));
+  fallOff_ = new NumberField(0.0, 200.0, 0, tr("mm"));
   fallOff_->setObjectName(QStringLiteral("fallOff"));
   fallOff_->setToolTip(tr("The deformation has faded out this far outside the overlap"));
   seamMethod_ = new QComboBox;
@@ -459,7 +468,7 @@ void StitchPanel::askForProject() {
 }
 
 void StitchPanel::showProblem(const QString& sentence) {
-  sdk::setProblem(problem_, sentence);
+  setProblem(problem_, sentence);
   if (sentence.isEmpty()) return;
   // Where the column is longer than the window, the sentence stands below what is seen of it.
   QMetaObject::invokeMethod(

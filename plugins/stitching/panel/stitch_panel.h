@@ -3,7 +3,6 @@
 #include <QWidget>
 #include <memory>
 
-#include "ew/sdk/panel.h"
 #include "panel/pair_graph.h"
 #include "panel/paragraph.h"
 #include "panel/volume_list.h"
@@ -76,8 +75,8 @@ class StitchPanel final : public QWidget {
   QWidget* resultBox_ = nullptr;
   QWidget* moreRow_ = nullptr;
   QWidget* options_ = nullptr;
-  sdk::NumberField* spacing_ = nullptr;
-  sdk::NumberField* fallOff_ = nullptr;
+  NumberField* spacing_ = nullptr;
+  NumberField* fallOff_ = nullptr;
   QComboBox* seamMethod_ = nullptr;
   QComboBox* axes_ = nullptr;
   Paragraph* forecast_ = nullptr;

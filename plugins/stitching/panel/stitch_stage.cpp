@@ -9,15 +9,16 @@
 #include <QUrl>
 #include <algorithm>
 
+#include "ew/widgets/fields.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/look.h"
 #include "panel/session_door.h"
 #include "panel/stitch_session.h"
 
 namespace ew::stitching {
 namespace {
-
-using sdk::kGap_px;
 
 constexpr int kInspectorWidth_px = 312;
 constexpr int kMostInspectorWidth_px = 420;  // with large words it scrolls to the side, and the views keep their room
@@ -180,7 +181,7 @@ void StitchStage::makeBrush() {
   brushRow_ = new QWidget;
   auto* brushes = new QHBoxLayout(brushRow_);
   brushes->setContentsMargins(0, 0, 0, 0);
-  brushes->setSpacing(kGap_px / 2);
+  brushes->setSpacing(kGrid_px / 2);
   paint_ = smallToggle(tr("Prefer"), tr("Paint where a view is to be preferred (V); here and in the overlap"), "paintSeam");
   connect(paint_, &QPushButton::clicked, this, [this](bool on) { setHand(on ? Tools::Hand::paint : Tools::Hand::look); });
   brushView_ = smallCombo("brushView", tr("The view that is preferred where you paint"));
@@ -190,7 +191,7 @@ void StitchStage::makeBrush() {
     tools_.brushView = static_cast<std::size_t>(std::max(0, index));
     toolsChanged();
   });
-  brush_ = new sdk::NumberField(1.0, 50.0, 0, tr("mm"));
+  brush_ = new NumberField(1.0, 50.0, 0, tr("mm"));
   brush_->setObjectName(QStringLiteral("brush"));
   setLook(brush_, Look::small);
   brush_->setMinimumWidth(68);
@@ -242,11 +243,11 @@ QWidget* StitchStage::makeFrame(QLabel*& title, QWidget* content, const std::vec
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   auto* head = new QWidget;
-  head->setFixedHeight(kGap_px + withText(28, font()));
+  head->setFixedHeight(kGrid_px + withText(28, font()));
   head->setAutoFillBackground(true);
   auto* row = new QHBoxLayout(head);
-  row->setContentsMargins(kGap_px, 3, kGap_px / 2, 3);
-  row->setSpacing(kGap_px / 2);
+  row->setContentsMargins(kGrid_px, 3, kGrid_px / 2, 3);
+  row->setSpacing(kGrid_px / 2);
   title = new ElidedLabel;
   setLook(title, Look::small);
   title->setBuddy(content);  // and so its name for who has it read aloud

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QKeyEvent>
 #include <QTimer>
 #include <QWidget>
 #include <array>
@@ -85,7 +86,7 @@ class StitchStage final : public QWidget {
   QWidget* brushRow_ = nullptr;
   QPushButton* paint_ = nullptr;
   QComboBox* brushView_ = nullptr;
-  sdk::NumberField* brush_ = nullptr;
+  NumberField* brush_ = nullptr;
   PairInspector* inspector_ = nullptr;
   bool showing_ = false;
 };

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QItemSelectionModel>
@@ -13,11 +14,15 @@
 #include <QPushButton>
 #include <QStyle>
 #include <QStyledItemDelegate>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
-#include "ew/sdk/panel.h"
+#include "ew/widgets/fields.h"
+#include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
+#include "ew/widgets/words.h"
 #include "panel/folders.h"
 #include "panel/look.h"
 #include "panel/stitch_session.h"
@@ -26,7 +31,6 @@ namespace ew::stitching {
 namespace {
 
 namespace fs = std::filesystem;
-using sdk::kGap_px;
 
 constexpr int kRow_px = 44;
 
@@ -114,7 +118,7 @@ VolumeList::VolumeList(StitchSession& session, QWidget* parent)
       edits_(session.edits()) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px);
+  column->setSpacing(kGrid_px);
   list_ = new QListWidget;
   list_->setObjectName(QStringLiteral("volumes"));
   list_->setAccessibleName(tr("Volumes"));
@@ -164,9 +168,9 @@ QWidget* VolumeList::makeChosenBox() {
   chosenBox_ = new QWidget;
   auto* column = new QVBoxLayout(chosenBox_);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px / 2);
+  column->setSpacing(kGrid_px / 2);
   auto* row = new QHBoxLayout;
-  row->setSpacing(kGap_px / 2);
+  row->setSpacing(kGrid_px / 2);
   column->addLayout(row);
   placement_ = new QComboBox;
   placement_->setObjectName(QStringLiteral("placement"));
@@ -208,17 +212,17 @@ QWidget* VolumeList::makeSweepRow() {
   sweepRow_ = new QWidget;
   auto* row = new QHBoxLayout(sweepRow_);
   row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(kGap_px / 2);
+  row->setSpacing(kGrid_px / 2);
   calibration_ = new QPushButton;
   calibration_->setObjectName(QStringLiteral("calibration"));
   setLook(calibration_, Look::compact);
   calibration_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   connect(calibration_, &QPushButton::clicked, this, &VolumeList::chooseCalibration);
   row->addWidget(calibration_, 1);
-  auto* name = sdk::quietLabel(tr("Voxels"));
+  auto* name = quietLabel(tr("Voxels"));
   name->setWordWrap(false);
   row->addWidget(name);
-  sweepSpacing_ = new sdk::NumberField(0.0, 20.0, 2, tr("mm"));
+  sweepSpacing_ = new NumberField(0.0, 20.0, 2, tr("mm"));
   sweepSpacing_->setObjectName(QStringLiteral("sweepSpacing"));
   sweepSpacing_->setSpecialValueText(tr("own"));
   sweepSpacing_->setSingleStep(0.1);
@@ -302,7 +306,7 @@ void VolumeList::refresh() {
   chosenBox_->setVisible(chosen.has_value());
   showSweepRow();
   if (chosen) placement_->setCurrentIndex(placement_->findData(static_cast<int>(volumes[*chosen].placement)));
-  setMaximumHeight(list_->maximumHeight() + (chosen ? kGap_px + chosenBox_->sizeHint().height() : 0));
+  setMaximumHeight(list_->maximumHeight() + (chosen ? kGrid_px + chosenBox_->sizeHint().height() : 0));
   showing_ = was;
 }
 

@@ -7,10 +7,12 @@ class QComboBox;
 class QListWidget;
 class QPushButton;
 
+namespace ew {
+class NumberField;
+}
 namespace ew::sdk {
 class Files;
-class NumberField;
-}  // namespace ew::sdk
+}
 
 namespace ew::stitching {
 
@@ -57,7 +59,7 @@ class VolumeList final : public QWidget {
   QComboBox* placement_ = nullptr;
   QWidget* sweepRow_ = nullptr;  ///< how the chosen sweep becomes a volume
   QPushButton* calibration_ = nullptr;
-  sdk::NumberField* sweepSpacing_ = nullptr;
+  NumberField* sweepSpacing_ = nullptr;
   QCheckBox* acceptsSmall_ = nullptr;
   bool showing_ = false;
 };

@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 
 #include "ew/library/case.h"
-#include "ew/sdk/flow_layout.h"
+#include "ew/widgets/flow_layout.h"
 #include "ew/widgets/words.h"
 
 namespace ew::ui {
@@ -45,7 +45,7 @@ void showLarge(QWidget* over, const QString& file, const QString& title) {
 
 QWidget* casePictures(const std::filesystem::path& folder, const std::vector<std::string>& files, const QString& title) {
   auto* row = new QWidget;
-  auto* flow = new sdk::FlowLayout(8);
+  auto* flow = new FlowLayout(8);
   row->setLayout(flow);
   for (const std::string& name : files) {
     const auto file = fileOfCase(folder, name, "previous_examinations");

@@ -6,7 +6,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
-#include "ew/sdk/flow_layout.h"
+#include "ew/widgets/flow_layout.h"
 #include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
@@ -20,7 +20,7 @@ constexpr int kShortestChoice = 12;  // letters
 }  // namespace
 
 CaseFilters::CaseFilters(QWidget* parent) : QWidget(parent) {
-  auto* line = new sdk::FlowLayout(kGrid_px);
+  auto* line = new FlowLayout(kGrid_px);
   setLayout(line);
   kind_ = addChoice("kindFilter", tr("Where cases come from"));
   region_ = addChoice("regionFilter", tr("Region"));

@@ -1,10 +1,11 @@
 // Where widgets of known sizes come to lie.
-#include "ew/sdk/flow_layout.h"
 
 #include <QVBoxLayout>
 #include <QtTest>
 
-using ew::sdk::FlowLayout;
+#include "ew/widgets/flow_layout.h"
+
+using ew::FlowLayout;
 
 class FlowLayoutTest final : public QObject {
   Q_OBJECT
