@@ -1,4 +1,4 @@
-#include "case/case_preparation.h"
+#include "ew/ui_test_door/case_preparation.h"
 
 #include <gtest/gtest.h>
 

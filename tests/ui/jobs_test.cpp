@@ -1,4 +1,4 @@
-#include "jobs/jobs.h"
+#include "ew/ui_test_door/jobs.h"
 
 #include <gtest/gtest.h>
 #include <pthread.h>

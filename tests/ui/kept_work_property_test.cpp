@@ -14,14 +14,14 @@
 #include <stdexcept>
 
 #include "assessment/made_ratings.h"
-#include "case/case_document.h"
 #include "ew/assessment/rating.h"
 #include "ew/library/attempt.h"
 #include "ew/library/kept_edits.h"
+#include "ew/ui_test_door/case_document.h"
+#include "ew/ui_test_door/unsaved_work.h"
 #include "library/temporary_folder.h"
 #include "logic/comment_history.h"
 #include "logic/keeping_aside.h"
-#include "window/frame/unsaved_work.h"
 
 namespace ew::ui::kept_work_property_test {
 namespace {

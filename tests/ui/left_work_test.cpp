@@ -4,9 +4,9 @@
 #include <map>
 
 #include "ew/scanning/recording_journal.h"
+#include "ew/ui_test_door/work_autosave.h"
 #include "library/temporary_folder.h"
 #include "scanning/small_scan.h"
-#include "window/frame/work_autosave.h"
 
 namespace ew::ui::left_work_test {
 namespace {

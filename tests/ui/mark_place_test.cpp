@@ -1,10 +1,8 @@
-#include "annotate/mark_place.h"
+#include "ew/ui_test_door/mark_place.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-
-#include "scan/fan_rects.h"
 
 namespace ew::ui::mark_place_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "window/frame/unsaved_work.h"
+#include "ew/ui_test_door/unsaved_work.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "window/layout/window_layout.h"
+#include "ew/ui_test_door/window_layout.h"
 
 #include <gtest/gtest.h>
 

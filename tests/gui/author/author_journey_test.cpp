@@ -13,12 +13,12 @@
 #include "ew/library/published.h"
 #include "ew/library/publishing.h"
 #include "ew/scanning/recording.h"
+#include "ew/ui_test_door/scan.h"
 #include "gui/support/answers.h"
 #include "gui/support/panel_hand.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/window_fixture.h"
 #include "places.h"
-#include "scan/pick_layer.h"
 
 namespace ew::ui::testing {
 

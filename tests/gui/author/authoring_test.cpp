@@ -20,7 +20,6 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "annotate/shown_mark.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/bundle.h"
 #include "ew/library/case.h"
@@ -29,11 +28,11 @@
 #include "ew/library/placing.h"
 #include "ew/library/published.h"
 #include "ew/library/publishing.h"
+#include "ew/ui_test_door/annotate.h"
+#include "ew/ui_test_door/start.h"
 #include "gui/support/answers.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/window_fixture.h"
-#include "start/card_view.h"
-#include "start/start_page.h"
 
 /// Outside of any namespace, as the macro demands.
 static void initTranslations() { Q_INIT_RESOURCE(translations); }

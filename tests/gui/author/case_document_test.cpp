@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "case/case_document.h"
 #include "ew/library/folder_lease.h"
 #include "ew/library/kept_edits.h"
+#include "ew/ui_test_door/case_document.h"
 #include "library/small_case.h"
 #include "library/temporary_folder.h"
 

@@ -16,13 +16,12 @@
 #include "even_sweep.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/sequence.h"
+#include "ew/ui_test_door/import.h"
+#include "ew/ui_test_door/jobs.h"
+#include "ew/ui_test_door/messages.h"
 #include "ew/widgets/picture_chooser.h"
 #include "gui/support/answers.h"
-#include "import/file_import_dialog.h"
-#include "import/import_dialog.h"
 #include "io/dicom_files.h"
-#include "jobs/jobs.h"
-#include "jobs/message_bar.h"
 #include "time_limit.h"
 
 namespace ew::ui {

@@ -1,4 +1,4 @@
-#include "import/screen_dialog.h"
+#include "ew/ui_test_door/import.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -17,7 +17,6 @@
 #include "gui/support/answers.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/window_fixture.h"
-#include "import/screen_view.h"
 #include "recordings.h"
 
 namespace ew::ui {

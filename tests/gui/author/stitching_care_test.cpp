@@ -1,4 +1,5 @@
 // What the stitching panel must not lose, and must not say: unsaved work of several windows, files of others, verdicts that nobody proved.
+#include <QCheckBox>
 #include <QTabBar>
 
 #include "gui/support/stitching_fixture.h"

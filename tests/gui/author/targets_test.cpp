@@ -14,10 +14,10 @@
 #include "ew/labelling/labels.h"
 #include "ew/library/case.h"
 #include "ew/library/lesson.h"
+#include "ew/ui_test_door/scan.h"
 #include "ew/widgets/apply_theme.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/window_fixture.h"
-#include "scan/pick_layer.h"
 
 namespace ew::ui::testing {
 

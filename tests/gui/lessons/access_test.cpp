@@ -16,9 +16,9 @@
 #include "ew/library/sealed_answers.h"
 #include "ew/library/step_answer.h"
 #include "ew/sdk/case_parts.h"
+#include "ew/ui_test_door/plugins.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/taught_case.h"
-#include "plugins/workstation_host.h"
 
 namespace ew::ui::testing {
 namespace {

@@ -2,6 +2,7 @@
 // follow the probe, a path that moves the probe and gives it back, its own German.
 #include <QAction>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
@@ -11,10 +12,10 @@
 
 #include "ew/imaging/picture.h"
 #include "ew/library/schema.h"
+#include "ew/ui_test_door/images.h"
 #include "ew/widgets/words.h"
 #include "gui/support/answers.h"
 #include "gui/support/window_fixture.h"
-#include "images/saved_picture.h"
 #include "places.h"
 
 namespace ew::ui {

@@ -16,13 +16,13 @@
 #include "ew/library/case.h"
 #include "ew/library/lesson.h"
 #include "ew/scanning/recording.h"
+#include "ew/ui_test_door/measure.h"
+#include "ew/ui_test_door/scan.h"
 #include "gui/support/answers.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/window_fixture.h"
 #include "library/small_case.h"
 #include "library/temporary_folder.h"
-#include "measure/calipers/calipers.h"
-#include "scan/pick_layer.h"
 
 namespace ew::ui::testing {
 

@@ -13,14 +13,12 @@
 #include <QTranslator>
 #include <algorithm>
 
-#include "case/case_info.h"
 #include "ew/library/case.h"
+#include "ew/ui_test_door/images.h"
+#include "ew/ui_test_door/start.h"
+#include "ew/ui_test_door/window.h"
 #include "ew/widgets/figures.h"
 #include "gui/support/window_fixture.h"
-#include "images/saved_picture.h"
-#include "start/start_page.h"
-#include "start/thumbnails.h"
-#include "window/frame/view_columns.h"
 
 namespace ew::ui::testing {
 

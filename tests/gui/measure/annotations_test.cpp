@@ -12,17 +12,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "annotate/annotated_pictures.h"
-#include "annotate/annotation_layer.h"
-#include "annotate/body_mark_view.h"
-#include "annotate/shown_mark.h"
 #include "ew/library/case.h"
 #include "ew/phantom/body_shape.h"
 #include "ew/scanning/preset.h"
+#include "ew/ui_test_door/annotate.h"
+#include "ew/ui_test_door/images.h"
+#include "ew/ui_test_door/measure.h"
 #include "gui/support/window_fixture.h"
-#include "images/saved_picture.h"
-#include "measure/calipers/caliper_layer.h"
-#include "measure/calipers/calipers.h"
 
 namespace ew::ui::testing {
 

@@ -9,15 +9,12 @@
 
 #include "ew/core/progress.h"
 #include "ew/library/case_truth.h"
+#include "ew/ui_test_door/cine.h"
+#include "ew/ui_test_door/images.h"
+#include "ew/ui_test_door/measure.h"
+#include "ew/ui_test_door/worksheets.h"
 #include "gui/support/answers.h"
 #include "gui/support/window_fixture.h"
-#include "images/saved_picture.h"
-#include "measure/caliper_tool_row.h"
-#include "measure/calipers/caliper_layer.h"
-#include "measure/calipers/calipers.h"
-#include "measure/words/caliper_words.h"
-#include "measure/worksheets/worksheets.h"
-#include "scan/cine/cine_bar.h"
 
 /// Outside of any namespace, as the macro demands.
 static void initTranslations() { Q_INIT_RESOURCE(translations); }

@@ -12,15 +12,12 @@
 #include "ew/core/progress.h"
 #include "ew/io/dicom.h"
 #include "ew/library/case_truth.h"
+#include "ew/ui_test_door/images.h"
+#include "ew/ui_test_door/measure.h"
+#include "ew/ui_test_door/worksheets.h"
 #include "gui/support/answers.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/window_fixture.h"
-#include "images/examination_dialog.h"
-#include "images/picture_grid.h"
-#include "measure/calipers/caliper_layer.h"
-#include "measure/calipers/calipers.h"
-#include "measure/worksheets/worksheet_dialog.h"
-#include "measure/worksheets/worksheets.h"
 
 namespace ew::ui::testing {
 

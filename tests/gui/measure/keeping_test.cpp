@@ -21,16 +21,14 @@
 
 #include "ew/io/autosave.h"
 #include "ew/scanning/recording_journal.h"
+#include "ew/ui_test_door/cine.h"
+#include "ew/ui_test_door/measure.h"
+#include "ew/ui_test_door/start.h"
+#include "ew/ui_test_door/window.h"
+#include "ew/ui_test_door/worksheets.h"
 #include "gui/support/answers.h"
 #include "gui/support/window_fixture.h"
-#include "measure/calipers/calipers.h"
-#include "measure/worksheets/worksheets.h"
-#include "scan/cine/recorder.h"
-#include "scan/cine/replay_bar.h"
 #include "scanning/small_scan.h"
-#include "start/start_page.h"
-#include "window/features/resuming.h"
-#include "window/features/unsaved_volumes.h"
 
 namespace ew::ui::testing {
 namespace {

@@ -6,18 +6,13 @@
 #include <QSlider>
 #include <cmath>
 
-#include "annotate/annotated_pictures.h"
-#include "annotate/shown_mark.h"
 #include "ew/scanning/scanner.h"
+#include "ew/ui_test_door/annotate.h"
+#include "ew/ui_test_door/cine.h"
+#include "ew/ui_test_door/images.h"
+#include "ew/ui_test_door/measure.h"
+#include "ew/ui_test_door/worksheets.h"
 #include "gui/support/window_fixture.h"
-#include "images/kept_picture.h"
-#include "images/picture_grid.h"
-#include "images/saved_picture.h"
-#include "measure/calipers/caliper_layer.h"
-#include "measure/calipers/calipers.h"
-#include "measure/worksheets/worksheets.h"
-#include "scan/cine/cine_bar.h"
-#include "scan/cine/recorder.h"
 
 namespace ew::ui::testing {
 

@@ -13,19 +13,15 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "ew/ui_test_door/cine.h"
+#include "ew/ui_test_door/images.h"
+#include "ew/ui_test_door/measure.h"
+#include "ew/ui_test_door/plugins.h"
+#include "ew/ui_test_door/worksheets.h"
 #include "export/orthanc.h"
 #include "gui/support/answers.h"
 #include "gui/support/window_fixture.h"
-#include "images/examination_dialog.h"
-#include "images/saved_picture.h"
-#include "images/stored_examination.h"
 #include "library/temporary_folder.h"
-#include "measure/calipers/caliper_layer.h"
-#include "measure/calipers/calipers.h"
-#include "measure/worksheets/worksheet_file.h"
-#include "measure/worksheets/worksheets.h"
-#include "plugins/workstation_host.h"
-#include "scan/cine/cine_bar.h"
 
 namespace ew::ui::testing {
 

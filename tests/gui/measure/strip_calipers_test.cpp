@@ -9,12 +9,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ew/ui_test_door/images.h"
+#include "ew/ui_test_door/measure.h"
+#include "ew/ui_test_door/worksheets.h"
 #include "gui/support/window_fixture.h"
-#include "images/saved_picture.h"
-#include "measure/calipers/caliper_layer.h"
-#include "measure/calipers/calipers.h"
-#include "measure/combine_dialog.h"
-#include "measure/worksheets/worksheet_file.h"
 #include "scanning/small_scan.h"
 
 namespace ew::ui::testing {

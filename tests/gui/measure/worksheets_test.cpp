@@ -1,5 +1,5 @@
 // Worksheets in the window: items measured with their calipers, answers, results and files, as a person fills them.
-#include "measure/worksheets/worksheets.h"
+#include "ew/ui_test_door/worksheets.h"
 
 #include <QComboBox>
 #include <QFile>
@@ -13,12 +13,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ew/ui_test_door/measure.h"
 #include "gui/support/window_fixture.h"
-#include "measure/calipers/caliper_layer.h"
-#include "measure/calipers/calipers.h"
-#include "measure/words/worksheet_words.h"
-#include "measure/worksheets/worksheet_dialog.h"
-#include "measure/worksheets/worksheet_file.h"
 
 namespace ew::ui::testing {
 

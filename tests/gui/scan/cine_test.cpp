@@ -7,12 +7,10 @@
 #include <QWheelEvent>
 #include <set>
 
+#include "ew/ui_test_door/cine.h"
 #include "ew/widgets/time_line.h"
 #include "gui/support/answers.h"
 #include "gui/support/console_fixture.h"
-#include "scan/cine/cine_bar.h"
-#include "scan/cine/recorder.h"
-#include "scan/cine/replay_bar.h"
 
 namespace ew::ui::testing {
 

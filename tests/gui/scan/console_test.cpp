@@ -15,9 +15,8 @@
 
 #include "ew/imaging/frame.h"
 #include "ew/library/case.h"
+#include "ew/ui_test_door/console.h"
 #include "gui/support/console_fixture.h"
-#include "scan/cost/cost_chart.h"
-#include "scan/cost/cost_panel.h"
 
 /// Outside of any namespace, as the macro demands.
 static void initTranslations() { Q_INIT_RESOURCE(translations); }

@@ -2,13 +2,12 @@
 #include <QLabel>
 #include <cmath>
 
-#include "annotate/shown_mark.h"
+#include "ew/ui_test_door/annotate.h"
+#include "ew/ui_test_door/cine.h"
+#include "ew/ui_test_door/measure.h"
+#include "ew/ui_test_door/zoom.h"
 #include "gui/support/console_fixture.h"
 #include "gui/support/screenshots.h"
-#include "measure/calipers/calipers.h"
-#include "scan/cine/cine_bar.h"
-#include "scan/zoom/box_zoom.h"
-#include "scan/zoom/zoom_overview.h"
 
 namespace ew::ui::testing {
 

@@ -5,11 +5,10 @@
 #include <QSignalSpy>
 
 #include "ew/scanning/replay.h"
+#include "ew/ui_test_door/cine.h"
 #include "ew/widgets/time_line.h"
 #include "gui/support/answers.h"
 #include "gui/support/window_fixture.h"
-#include "scan/cine/recorder.h"
-#include "scan/cine/replay_bar.h"
 
 namespace ew::ui::testing {
 

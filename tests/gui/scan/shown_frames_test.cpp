@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "ew/ui_test_door/scan.h"
 #include "gui/support/console_fixture.h"
-#include "scan/status_line.h"
 #include "scanning/small_scan.h"
 
 namespace ew::ui::testing {

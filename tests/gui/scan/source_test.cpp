@@ -13,9 +13,8 @@
 
 #include <QTimer>
 #include "ew/library/voxel_source.h"
+#include "ew/ui_test_door/source.h"
 #include "gui/support/window_fixture.h"
-#include "scan/source/source_dialog.h"
-#include "scan/source/source_picker.h"
 
 /// Outside of any namespace, as the macro demands.
 static void initTranslations() { Q_INIT_RESOURCE(translations); }

@@ -1,6 +1,6 @@
 // The 3D view and the hand on it, driven through real mouse, wheel and key events.
 
-#include "body/view3d.h"
+#include "ew/ui_test_door/body.h"
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <QApplication>
@@ -12,7 +12,6 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "body/hand_input.h"
 #include "places.h"
 
 using namespace ew;

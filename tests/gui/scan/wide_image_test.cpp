@@ -4,16 +4,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "annotate/shown_mark.h"
+#include "ew/ui_test_door/annotate.h"
+#include "ew/ui_test_door/cine.h"
+#include "ew/ui_test_door/images.h"
+#include "ew/ui_test_door/measure.h"
+#include "ew/ui_test_door/zoom.h"
 #include "gui/support/console_fixture.h"
 #include "gui/support/screenshots.h"
-#include "images/saved_picture.h"
-#include "measure/calipers/caliper_layer.h"
-#include "measure/calipers/calipers.h"
-#include "scan/cine/cine_bar.h"
-#include "scan/zoom/wide_layer.h"
-#include "scan/zoom/wide_scan.h"
-#include "scan/zoom/zoom_overview.h"
 
 namespace ew::ui::testing {
 

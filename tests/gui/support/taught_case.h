@@ -9,9 +9,8 @@
 #include "ew/library/case.h"
 #include "ew/library/learning.h"
 #include "ew/library/lesson.h"
+#include "ew/ui_test_door/start.h"
 #include "gui/support/window_fixture.h"
-#include "start/case_card.h"
-#include "start/case_catalogue.h"
 
 namespace ew::ui::testing {
 

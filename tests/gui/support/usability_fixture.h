@@ -12,15 +12,13 @@
 
 #include "ew/library/case.h"
 #include "ew/library/lesson.h"
+#include "ew/ui_test_door/console.h"
+#include "ew/ui_test_door/window.h"
+#include "ew/ui_test_door/worksheets.h"
 #include "ew/widgets/apply_theme.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/usability_walk.h"
 #include "gui/support/window_fixture.h"
-#include "measure/worksheets/worksheets.h"
-#include "scan/cost/cost_panel.h"
-#include "window/frame/column_tabs.h"
-#include "window/frame/columns.h"
-#include "window/language.h"
 
 /// Outside of any namespace, as the macro demands.
 inline void initUsabilityTranslations() { Q_INIT_RESOURCE(translations); }

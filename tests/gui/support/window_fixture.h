@@ -14,21 +14,19 @@
 #include <string>
 #include <vector>
 
-#include "body/hand_input.h"
-#include "body/view3d.h"
-#include "case/case_document.h"
 #include "even_sweep.h"
 #include "ew/core/volume.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/sequence.h"
 #include "ew/io/volume_file.h"
 #include "ew/ui/main_window.h"
+#include "ew/ui_test_door/body.h"
+#include "ew/ui_test_door/case_document.h"
+#include "ew/ui_test_door/console.h"
+#include "ew/ui_test_door/jobs.h"
+#include "ew/ui_test_door/messages.h"
+#include "ew/ui_test_door/scan.h"
 #include "ew/widgets/theme.h"
-#include "jobs/jobs.h"
-#include "jobs/message_bar.h"
-#include "scan/console/console_panel.h"
-#include "scan/scan_view.h"
-#include "scan/session.h"
 #include "time_limit.h"
 
 namespace ew::ui::testing {

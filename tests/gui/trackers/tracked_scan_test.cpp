@@ -6,15 +6,13 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "body/hand_input.h"
 #include "ew/scanning/replay.h"
 #include "ew/trackers/igtl_client.h"
+#include "ew/ui_test_door/body.h"
+#include "ew/ui_test_door/cine.h"
+#include "ew/ui_test_door/trackers.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/window_fixture.h"
-#include "scan/cine/recorder.h"
-#include "scan/cine/replay_bar.h"
-#include "scan/tracking_overlay.h"
-#include "trackers/control/scan_server.h"
 #include "tracking/scripted_tracker.h"
 
 namespace ew::ui::testing {

@@ -1,24 +1,17 @@
 // From an empty desk to a scan: print, choose the camera, measure its lens, hold the paper body, touch the mannequin, check, scan, cover
 // the marker, come back. The camera is films of rendered paper.
+#include <QAction>
 #include <QComboBox>
 #include <QDir>
 #include <QLabel>
 #include <QListWidget>
 
 #include "ew/trackers/paper_body.h"
+#include "ew/ui_test_door/trackers.h"
 #include "gui/support/answers.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/tracker_films.h"
 #include "gui/support/window_fixture.h"
-#include "scan/tracking_look.h"
-#include "trackers/control/tracker_control.h"
-#include "trackers/tracker_page.h"
-#include "trackers/wizard/tracker_align_step.h"
-#include "trackers/wizard/tracker_body_picture.h"
-#include "trackers/wizard/tracker_camera_picture.h"
-#include "trackers/wizard/tracker_camera_steps.h"
-#include "trackers/wizard/tracker_check_step.h"
-#include "trackers/wizard/tracker_wizard.h"
 
 namespace ew::ui::testing {
 

@@ -7,11 +7,9 @@
 #include <QTabWidget>
 
 #include "ew/tracking/tracked_probe.h"
+#include "ew/ui_test_door/trackers.h"
 #include "gui/support/answers.h"
 #include "gui/support/usability_fixture.h"
-#include "trackers/control/tracker_control.h"
-#include "trackers/tracker_page.h"
-#include "trackers/wizard/tracker_wizard.h"
 
 namespace ew::ui::testing {
 

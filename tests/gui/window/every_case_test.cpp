@@ -9,9 +9,9 @@
 #include "ew/io/image_file.h"
 #include "ew/library/case.h"
 #include "ew/scanning/first_picture.h"
+#include "ew/ui_test_door/start.h"
 #include "gui/support/window_fixture.h"
 #include "library/small_case.h"
-#include "start/thumbnails.h"
 
 namespace ew::ui::testing {
 namespace {

@@ -8,10 +8,10 @@
 #include <chrono>
 #include <thread>
 
-#include "annotate/shown_mark.h"
 #include "ew/library/case.h"
+#include "ew/ui_test_door/annotate.h"
+#include "ew/ui_test_door/start.h"
 #include "gui/support/window_fixture.h"
-#include "start/start_page.h"
 
 namespace ew::ui::testing {
 namespace {

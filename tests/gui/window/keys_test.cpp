@@ -11,17 +11,12 @@
 #include <nlohmann/json.hpp>
 
 #include "ew/controls/keys_file.h"
+#include "ew/ui_test_door/cine.h"
+#include "ew/ui_test_door/keys.h"
 #include "ew/widgets/words.h"
 #include "gui/support/answers.h"
 #include "gui/support/console_fixture.h"
-#include "keys/control_surface.h"
-#include "keys/effect_words.h"
-#include "keys/key_field.h"
-#include "keys/key_map.h"
-#include "keys/keys_dialog.h"
-#include "keys/shortcuts_overlay.h"
 #include "made_controls.h"
-#include "scan/cine/cine_bar.h"
 
 namespace ew::ui::testing {
 

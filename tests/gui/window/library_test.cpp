@@ -14,12 +14,11 @@
 #include "ew/library/case.h"
 #include "ew/library/case_card.h"
 #include "ew/library/preparation.h"
+#include "ew/ui_test_door/start.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/window_fixture.h"
 #include "library/small_case.h"
 #include "library/temporary_folder.h"
-#include "start/case_details.h"
-#include "start/start_page.h"
 
 namespace ew::ui::testing {
 

@@ -4,7 +4,7 @@
 #include <QTest>
 #include <QTimer>
 
-#include "jobs/message_bar.h"
+#include "ew/ui_test_door/messages.h"
 
 namespace ew::ui {
 namespace {

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "ew/door/door.h"
+#include "ew/ui_test_door/window.h"
 #include "gui/support/answers.h"
 #include "gui/support/window_fixture.h"
-#include "window/frame/guarded_application.h"
 
 namespace ew::ui {
 namespace {

@@ -18,12 +18,12 @@
 
 #include "ew/library/case.h"
 #include "ew/library/kept_edits.h"
+#include "ew/ui_test_door/import.h"
+#include "ew/ui_test_door/start.h"
 #include "gui/support/answers.h"
 #include "gui/support/window_fixture.h"
-#include "import/opener.h"
 #include "library/small_case.h"
 #include "library/temporary_folder.h"
-#include "start/start_page.h"
 
 namespace ew::ui::testing {
 namespace {

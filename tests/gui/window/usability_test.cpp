@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "ew/ui_test_door/window.h"
 #include "ew/widgets/apply_theme.h"
 #include "ew/widgets/focus_ring.h"
 #include "gui/support/usability_fixture.h"
-#include "window/frame/tour.h"
 
 namespace ew::ui::testing {
 
