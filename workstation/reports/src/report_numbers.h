@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "ew/core/figures.h"
+
 namespace ew::reports {
 
 /// As a coordinate of a picture: one decimal at most.
