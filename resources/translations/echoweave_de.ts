@@ -12526,6 +12526,54 @@
         <source>let its name end in .jpg</source>
         <translation>den Namen auf .jpg enden lassen</translation>
     </message>
+    <message>
+        <source>low</source>
+        <translation>niedrig</translation>
+    </message>
+    <message>
+        <source>usual</source>
+        <translation>üblich</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>hoch</translation>
+    </message>
+    <message>
+        <source>%1, right</source>
+        <translation>%1, rechts</translation>
+    </message>
+    <message>
+        <source>%1, left</source>
+        <translation>%1, links</translation>
+    </message>
+    <message>
+        <source>mean of %1</source>
+        <translation>Mittel aus %1</translation>
+    </message>
+    <message>
+        <source>by %1</source>
+        <translation>nach %1</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>aus %1</translation>
+    </message>
+    <message>
+        <source>%1 (usual: %2)</source>
+        <translation>%1 (üblich: %2)</translation>
+    </message>
+    <message>
+        <source>%1 (usual: %2; %3)</source>
+        <translation>%1 (üblich: %2; %3)</translation>
+    </message>
+    <message>
+        <source>percentile %1 (%2 to %3), %4</source>
+        <translation>Perzentile %1 (%2 bis %3), %4</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 d</source>
+        <translation>%1 ± %2 d</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>

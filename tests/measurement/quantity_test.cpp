@@ -23,6 +23,17 @@ TEST(Quantity, ShowsAsManyDecimalsAsItsUncertaintyDeserves) {
   EXPECT_EQ(shown({-0.0001, 0.0, Unit::mm}), "0.0 mm");
 }
 
+TEST(Quantities, AreReadWithTheSignsOfTheirUnitsAndInTheLanguagesPoint) {
+  const auto text = [](const Quantity& quantity) { return quantityText(quantity).english(); };
+  EXPECT_EQ(text({82.04, 0.9, Unit::mm}), "82.04 ± 0.90 mm");
+  EXPECT_EQ(text({2510.0, 40.0, Unit::mm2}), "25.10 ± 0.40 cm²");
+  EXPECT_EQ(text({45.0, 0.0, Unit::degree}), "45.0°");
+  EXPECT_EQ(text({32.0 + 1.0 / 7.0, 0.0, Unit::weeks}), "32w1d");
+  EXPECT_EQ(text({32.0, 5.2 / 7.0, Unit::weeks}), "32w0d ± 5 d");
+  EXPECT_EQ(text({32.0, 0.01 / 7.0, Unit::weeks}), "32w0d ± 0.1 d");
+  EXPECT_TRUE(quantityText({82.0, 0.0, Unit::mm}).isNumeral());
+}
+
 TEST(Units, HaveTheirSymbolsAndOtherSpellings) {
   for (const Unit unit :
        {Unit::one, Unit::percent, Unit::mm, Unit::cm2, Unit::ml, Unit::degree, Unit::perMinute, Unit::mmPerS, Unit::weeks})

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "ew/measurement/worksheet_line.h"
 #include "measurement/packages.h"
 
 namespace ew::measurement::worksheet_test {
@@ -41,6 +42,24 @@ TEST(Worksheet, PropagatesUncertaintiesThroughTheFormula) {
   const double expected =
       std::sqrt(std::pow(byHc * 0.2, 2) + std::pow(byFl * 0.06, 2) + std::pow(byBpd * 0.08, 2) + std::pow(byAc * 0.3, 2));
   EXPECT_NEAR(sheet->row("GA_BPD_HC_AC_FL")->value->uncertainty, expected, 1e-7);
+}
+
+TEST(Worksheet, ReadsTheSameInEveryPlaceThatShowsIt) {
+  WorksheetInput input{{mm("KIDNEY_L", 100, 0.0, "right"), mm("KIDNEY_L", 104, 0.0, "right"), mm("AORTA", 33, 0.4)}, Several::mean, {}};
+  const auto sheet = fillWorksheet(shipped("abdomen"), input);
+  ASSERT_TRUE(sheet) << sheet.error();
+  const auto kidney = lineOf(*sheet->row("KIDNEY_L", "right")), aorta = lineOf(*sheet->row("AORTA"));
+  EXPECT_EQ(kidney.title.english(), "Kidney, length, right");
+  EXPECT_EQ(lineOf(*sheet->row("KIDNEY_L", "right"), "de").title.arguments().front().english(),
+            sheet->row("KIDNEY_L", "right")->title.german);
+  EXPECT_EQ(kidney.value.english(), "10.20 cm");
+  ASSERT_EQ(kidney.origin.size(), 1u);
+  EXPECT_EQ(kidney.origin.front().english(), "mean of 10.00; 10.40");
+  EXPECT_EQ(aorta.value.english(), "3.300 ± 0.040 cm");
+  EXPECT_TRUE(aorta.origin.empty());
+  ASSERT_EQ(aorta.against.size(), 1u);
+  EXPECT_EQ(aorta.against.front().english(), "high (usual: up to 2.9 cm; an aneurysm from 3.0 cm on)");
+  EXPECT_EQ(lineOf({}).value.english(), "–");
 }
 
 TEST(Worksheet, CountsAMeasurementOnceThatEntersTwice) {

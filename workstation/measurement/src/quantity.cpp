@@ -133,4 +133,18 @@ std::string gestationText(double weeks) {
   return std::to_string(days / 7) + "w" + std::to_string(days % 7) + "d";
 }
 
+Message quantityText(const Quantity& quantity) {
+  if (quantity.unit == Unit::weeks) {
+    Message age = verbatim(gestationText(quantity.value));
+    if (!(quantity.uncertainty > 0.0)) return age;
+    const double days = converted(quantity.uncertainty, Unit::weeks, Unit::days);
+    // Nothing is known to 0 days.
+    return say<"%1 ± %2 d">(std::move(age), numeral(days < 0.95 ? fixedText(std::max(days, 0.1), 1) : fixedText(days, 0)));
+  }
+  std::string text = shown(quantity.unit == Unit::mm2 ? converted(quantity, Unit::cm2) : quantity);
+  if (text.ends_with("cm2")) text.replace(text.size() - 1, 1, "²");
+  if (text.ends_with(" deg")) text.replace(text.size() - 4, 4, "°");
+  return numeral(std::move(text));
+}
+
 }  // namespace ew::measurement

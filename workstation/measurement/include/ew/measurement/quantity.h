@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "ew/core/message.h"
+
 namespace ew::measurement {
 
 /// The units that measurements, formulas and worksheets have.
@@ -42,5 +44,8 @@ std::ostream& operator<<(std::ostream& out, const Quantity& quantity);  ///< sho
 [[nodiscard]] std::optional<double> gestationOf(std::string_view text);
 /// "32w1d": to the nearest day. @param weeks >= 0
 [[nodiscard]] std::string gestationText(double weeks);
+
+/// As people read it: "82.0 ± 0.9 mm", areas in "cm²", angles in "°", gestational ages (weeks, >= 0) as "32w1d ± 5 d".
+[[nodiscard]] Message quantityText(const Quantity& quantity);
 
 }  // namespace ew::measurement
