@@ -12574,6 +12574,22 @@
         <source>%1 ± %2 d</source>
         <translation>%1 ± %2 d</translation>
     </message>
+    <message>
+        <source>Usual values</source>
+        <translation>Übliche Werte</translation>
+    </message>
+    <message>
+        <source>Examined by: %1</source>
+        <translation>Untersucht von: %1</translation>
+    </message>
+    <message>
+        <source>Gestational age by dates: %1</source>
+        <translation>Schwangerschaftsalter nach Daten: %1</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>

@@ -44,6 +44,15 @@ TEST_F(MeasureCommand, PrintsAWorksheet) {
   EXPECT_NE(outcome.out.find("so the dates stay."), std::string::npos);
 }
 
+TEST_F(MeasureCommand, WritesPagesToPrint) {
+  const auto outcome = run(with({"--gestation", "32w1d", "--pdf", folder_ / "w.pdf", "--quiet"}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(readText(folder_ / "w.pdf").starts_with("%PDF-"));
+  const auto other = run(with({"--pdf", folder_ / "w.txt"}));
+  EXPECT_NE(other.status, 0);
+  EXPECT_EQ(folder_.names(), std::vector<std::string>{"w.pdf"});
+}
+
 TEST_F(MeasureCommand, WritesJsonCsvAndAReport) {
   const auto outcome = run(
       with({"--gestation", "32w1d", "--json", folder_ / "w.json", "--csv", folder_ / "w.csv", "--report", folder_ / "r.json", "--quiet"}));

@@ -93,8 +93,9 @@ class PageWriter {
   }
   void write(const ReportTable& table) {
     const std::string caption = text(table.caption);
-    html_ +=
-        "<div class='wide' tabindex='0' role='region' aria-label='" + caption + "'><table><caption>" + caption + "</caption><thead><tr>";
+    html_ += "<div class='wide' tabindex='0' role='region' aria-label='" + caption + "'><table>";
+    if (!caption.empty()) html_ += "<caption>" + caption + "</caption>";
+    html_ += "<thead><tr>";
     for (const ReportColumn& column : table.columns)
       html_ += "<th scope='col'" + classOf(column.isNumber ? "number" : "") + ">" + text(column.name) + "</th>";
     html_ += "</tr></thead><tbody>";
@@ -110,6 +111,8 @@ class PageWriter {
     if (const std::string tone = wordOf(cell.tone); !tone.empty()) words += (words.empty() ? "" : " ") + tone;
     html_ += (namesRow ? "<th scope='row'" : "<td") + classOf(words) + ">";
     html_ += cell.link.empty() ? text(cell.text) : "<a href='" + linkTo(cell.link) + "'>" + text(cell.text) + "</a>";
+    for (std::size_t n = 0; n < cell.below.size(); ++n)
+      html_ += (n > 0 || !cell.text.empty() ? "<br>" : "") + ("<span class='soft'>" + text(cell.below[n])) + "</span>";
     html_ += namesRow ? "</th>" : "</td>";
   }
   void write(const ReportPlot& plot) {
@@ -118,11 +121,11 @@ class PageWriter {
              svgOf(plot, pageColours(), [this](const Message& message) { return options_.say(message); }) + "</div></figure>";
   }
   void write(const ReportPicture& picture) {
-    const auto read = readPicture(picture.file);
+    const auto read = pictureOf(picture);
     if (!read) return write(ReportParagraph{read.error().message, ReportTone::caution});
     const std::string caption = text(picture.caption);
-    html_ += "<figure><img alt='" + caption + "' src='data:" + read->mediaType + ";base64," + base64Of(read->bytes) + "'><figcaption>" +
-             caption + "</figcaption></figure>";
+    html_ += "<figure" + classOf(picture.isSmall ? "small" : "") + "><img alt='" + caption + "' src='data:" + read->mediaType + ";base64," +
+             base64Of(read->bytes) + "'><figcaption>" + caption + "</figcaption></figure>";
   }
 
   const ReportOptions& options_;

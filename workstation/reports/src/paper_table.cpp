@@ -13,11 +13,19 @@ namespace {
 constexpr double kBelowCaption = 0.8 * kPointsPerMm;
 constexpr double kCellEdge = 1.2 * kPointsPerMm, kCellSide = 1.6 * kPointsPerMm;  // of a cell, above and below; at its sides
 
+struct Part {
+  PaperText text;
+  Rgb ink;
+};
+using Cell = std::vector<Part>;  // one under another
 struct Row {
-  std::vector<PaperText> cells;
-  std::vector<Rgb> inks;
+  std::vector<Cell> cells;
   int lines = 1;
 };
+
+int linesOf(const Cell& cell) {
+  return std::accumulate(cell.begin(), cell.end(), 0, [](int lines, const Part& part) { return lines + part.text.lines(); });
+}
 
 /// How wide texts of tables are, each measured once.
 class Widths {
@@ -51,10 +59,12 @@ class TableWriter {
     const PaperText caption = pages_.text(options_.say(table_.caption), kTableFont, pages_.width());
     bool isFirst = true;
     const auto begin = [&](double firstRow) {
-      const double words = lineHeight(kTableFont) * caption.lines() + kBelowCaption;
+      const double words = table_.caption.empty() ? 0.0 : lineHeight(kTableFont) * caption.lines() + kBelowCaption;
       pages_.makeRoom(std::min(words + heightOf(head_, kTableHeadFont) + firstRow, pages_.roomOfAPage()));
-      putLines(pages_, caption, kTableFont, kSoftInk, 0.0, pages_.width());
-      pages_.moveOn(kBelowCaption);
+      if (!table_.caption.empty()) {
+        putLines(pages_, caption, kTableFont, kSoftInk, 0.0, pages_.width());
+        pages_.moveOn(kBelowCaption);
+      }
       put(head_, kTableHeadFont, false);
       isFirst = false;
     };
@@ -82,7 +92,10 @@ class TableWriter {
     };
     for (std::size_t n = 0; n < count; ++n) {
       look(n, table_.columns[n].name, kTableHeadFont, false);
-      for (const auto& row : table_.rows) look(n, row[n].text, kTableFont, table_.columns[n].isNumber);
+      for (const auto& row : table_.rows) {
+        look(n, row[n].text, kTableFont, table_.columns[n].isNumber);
+        for (const Message& line : row[n].below) look(n, line, kTableFont, false);
+      }
     }
     const double wholes = std::accumulate(whole.begin(), whole.end(), 0.0), words = std::accumulate(word.begin(), word.end(), 0.0);
     for (std::size_t n = 0; n < count; ++n) {
@@ -100,10 +113,14 @@ class TableWriter {
   [[nodiscard]] Row rowOf(const std::vector<ReportCell>& cells, const PaperFont& font = kTableFont) const {
     Row row;
     for (std::size_t n = 0; n < cells.size(); ++n) {
-      // A hair more than was measured, so that a text as wide as its column is not broken by the last digit of a sum.
-      row.cells.push_back(pages_.text(options_.say(cells[n].text), font, columns_[n] + 0.1));
-      row.inks.push_back(inkOf(cells[n].tone));
-      row.lines = std::max(row.lines, row.cells.back().lines());
+      Cell& cell = row.cells.emplace_back();
+      const auto add = [&](const Message& message, ReportTone tone) {
+        // A hair more than was measured, so that a text as wide as its column is not broken by the last digit of a sum.
+        cell.push_back({pages_.text(options_.say(message), font, columns_[n] + 0.1), inkOf(tone)});
+      };
+      if (!cells[n].text.empty() || cells[n].below.empty()) add(cells[n].text, cells[n].tone);
+      for (const Message& line : cells[n].below) add(line, ReportTone::soft);
+      row.lines = std::max(row.lines, linesOf(cell));
     }
     return row;
   }
@@ -129,9 +146,13 @@ class TableWriter {
   void putLine(const Row& row, int line, const PaperFont& font) {
     double x = 0.0;
     for (std::size_t n = 0; n < row.cells.size(); ++n) {
-      if (line < row.cells[n].lines())
-        pages_.line(row.cells[n], line, font, row.inks[n], {x + kCellSide, pages_.y()}, columns_[n],
-                    table_.columns[n].isNumber ? PaperPages::Side::right : PaperPages::Side::left);
+      int ofPart = line;
+      for (const Part& part : row.cells[n]) {
+        if (ofPart >= 0 && ofPart < part.text.lines())
+          pages_.line(part.text, ofPart, font, part.ink, {x + kCellSide, pages_.y()}, columns_[n],
+                      table_.columns[n].isNumber ? PaperPages::Side::right : PaperPages::Side::left);
+        ofPart -= part.text.lines();
+      }
       x += columns_[n] + 2.0 * kCellSide;
     }
   }

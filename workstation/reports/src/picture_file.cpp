@@ -12,6 +12,13 @@ bool isRegularFile(const std::filesystem::path& file) {
   return std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored));
 }
 
+Result<PictureFile> withItsType(std::string bytes, const std::string& name) {
+  constexpr std::string_view kPng("\x89PNG\r\n\x1a\n", 8), kJpeg("\xff\xd8\xff", 3);
+  if (bytes.starts_with(kPng)) return PictureFile{"image/png", std::move(bytes)};
+  if (bytes.starts_with(kJpeg)) return PictureFile{"image/jpeg", std::move(bytes)};
+  return failure(ErrorCode::unsupported, say<"The picture '%1' is neither a PNG nor a JPEG file.">(name));
+}
+
 }  // namespace
 
 Result<PictureFile> readPicture(const std::filesystem::path& file) {
@@ -19,10 +26,11 @@ Result<PictureFile> readPicture(const std::filesystem::path& file) {
   if (!isRegularFile(file)) return failure(ErrorCode::notFound, say<"The picture '%1' is not in the attempt's folder.">(name));
   auto bytes = readTextFile(file, kLargestPicture_bytes);
   if (!bytes) return failure(bytes.error().code, say<"The picture '%1' cannot be read, or is too large.">(name));
-  constexpr std::string_view kPng("\x89PNG\r\n\x1a\n", 8), kJpeg("\xff\xd8\xff", 3);
-  if (bytes->starts_with(kPng)) return PictureFile{"image/png", std::move(*bytes)};
-  if (bytes->starts_with(kJpeg)) return PictureFile{"image/jpeg", std::move(*bytes)};
-  return failure(ErrorCode::unsupported, say<"The picture '%1' is neither a PNG nor a JPEG file.">(name));
+  return withItsType(std::move(*bytes), name);
+}
+
+Result<PictureFile> pictureOf(const ReportPicture& picture) {
+  return picture.bytes.empty() ? readPicture(picture.file) : withItsType(picture.bytes, picture.file.filename().string());
 }
 
 std::string base64Of(std::string_view bytes) {

@@ -15,7 +15,7 @@ namespace ew {
 namespace reports {
 namespace {
 
-constexpr double kPlot_mm = 104.0, kBetweenPlots_mm = 6.0, kWidestPicture_mm = 130.0, kHighestPicture_mm = 90.0;
+constexpr double kPlot_mm = 104.0, kBetween_mm = 6.0, kWidestPicture_mm = 130.0, kHighestPicture_mm = 90.0;
 constexpr double kPixel_mm = 25.4 / 96.0;  // at most: small pictures stay small
 
 PaperFont headingFont(int level) { return {level <= 2 ? 13.0 : level == 3 ? 11.0 : 9.5, true, false}; }
@@ -31,11 +31,11 @@ class PaperWriter {
     text(simulationSentence(), kStrongFont, inkOf(ReportTone::caution));
     for (std::size_t n = 0; n < document.blocks.size(); ++n) {
       const ReportBlock& block = document.blocks[n];
-      if (!std::holds_alternative<ReportPlot>(block)) endRowOfPlots();
+      if (!std::holds_alternative<ReportPlot>(block) && !std::holds_alternative<ReportPicture>(block)) endRow();
       if (std::holds_alternative<ReportHeading>(block)) keepWithWhatItHeads(document.blocks, n);
       std::visit([this](const auto& one) { put(one); }, block);
     }
-    endRowOfPlots();
+    endRow();
   }
 
  private:
@@ -62,6 +62,8 @@ class PaperWriter {
       else
         break;
     }
+    const auto* picture = n < blocks.size() ? std::get_if<ReportPicture>(&blocks[n]) : nullptr;
+    if (picture != nullptr && picture->isSmall) room_mm += kHighestPicture_mm - kBeginning_mm;
     pages_.makeRoom(std::min(PaperPages::mm(room_mm), pages_.roomOfAPage()));
   }
   void put(const ReportHeading& heading) {
@@ -102,8 +104,7 @@ class PaperWriter {
   }
 
   void put(const ReportPlot& plot) {
-    const double between = PaperPages::mm(kBetweenPlots_mm);
-    const double width = plot.isSmall ? 0.5 * (pages_.width() - between) : std::min(PaperPages::mm(kPlot_mm), pages_.width());
+    const double width = plot.isSmall ? halfWidth() : std::min(PaperPages::mm(kPlot_mm), pages_.width());
     const PlotColours colours = paperColours();
     const std::function<std::string(const Message&)> words = [this](const Message& message) { return options_.say(message); };
     PaperCanvas canvas(pages_, colours, words);
@@ -113,48 +114,66 @@ class PaperWriter {
     const double titleHeight = lineHeight(font) * title.lines() + PaperPages::mm(1.0);
     const double most = pages_.roomOfAPage() - titleHeight - kGap;
     const double scale = std::min(width / kPlotWidth, most / high), height = titleHeight + scale * high + kGap;
-    if (!plot.isSmall || !isSecondOfRow_ || height > pages_.roomLeft()) {
-      endRowOfPlots();
+    const double x = placeInRow(plot.isSmall, height);
+    putLinesAt(title, font, kInk, {x, pages_.y()}, width);
+    pages_.draw(std::move(canvas).drawing({x, pages_.y() + titleHeight}, scale));
+    standInRow(plot.isSmall, height);
+  }
+
+  /// Room for a plot or picture, of which small ones stand two in a row. @return how far from the left
+  double placeInRow(bool isSmall, double height) {
+    if (!isSmall || !isSecondOfRow_ || height > pages_.roomLeft()) {
+      endRow();
       pages_.makeRoom(height);
     }
-    const double x = isSecondOfRow_ ? width + between : 0.0;
-    for (int n = 0; n < title.lines(); ++n) pages_.line(title, n, font, kInk, {x, pages_.y() + n * lineHeight(font)}, width);
-    pages_.draw(std::move(canvas).drawing({x, pages_.y() + titleHeight}, scale));
-    rowOfPlots_ = std::max(rowOfPlots_, height);
-    isSecondOfRow_ = plot.isSmall && !isSecondOfRow_;
-    if (!isSecondOfRow_) endRowOfPlots();
+    return isSecondOfRow_ ? pages_.width() - halfWidth() : 0.0;
   }
-  void endRowOfPlots() {
-    pages_.moveOn(rowOfPlots_);
-    rowOfPlots_ = 0.0;
+  void standInRow(bool isSmall, double height) {
+    row_ = std::max(row_, height);
+    isSecondOfRow_ = isSmall && !isSecondOfRow_;
+    if (!isSecondOfRow_) endRow();
+  }
+  void endRow() {
+    pages_.moveOn(row_);
+    row_ = 0.0;
     isSecondOfRow_ = false;
+  }
+  [[nodiscard]] double halfWidth() const { return 0.5 * (pages_.width() - PaperPages::mm(kBetween_mm)); }
+  void putLinesAt(const PaperText& text, const PaperFont& font, const Rgb& ink, const glm::dvec2& at, double width) {
+    for (int n = 0; n < text.lines(); ++n) pages_.line(text, n, font, ink, {at.x, at.y + n * lineHeight(font)}, width);
   }
 
   void put(const ReportPicture& picture) {
-    const auto read = readPicture(picture.file);
-    if (!read) return put(ReportParagraph{read.error().message, ReportTone::caution});
+    const auto read = pictureOf(picture);
+    if (!read) return putInstead(ReportParagraph{read.error().message, ReportTone::caution});
     const auto image = paperImage(*read, picture.file.filename().string());
-    if (!image) return put(ReportParagraph{image.error().message, ReportTone::caution});
-    const PaperText caption = laidOut(picture.caption, kTableFont, pages_.width());
-    const glm::dvec2 most(std::min(PaperPages::mm(kWidestPicture_mm), pages_.width()), PaperPages::mm(kHighestPicture_mm));
+    if (!image) return putInstead(ReportParagraph{image.error().message, ReportTone::caution});
+    const double width = picture.isSmall ? halfWidth() : pages_.width();
+    const PaperText caption = laidOut(picture.caption, kTableFont, width);
+    const glm::dvec2 most(std::min(PaperPages::mm(kWidestPicture_mm), width), PaperPages::mm(kHighestPicture_mm));
     const double pixel = std::min({PaperPages::mm(kPixel_mm), most.x / image->size.x, most.y / image->size.y});
     const double height = pixel * image->size.y + PaperPages::mm(1.0);
-    pages_.makeRoom(height + lineHeight(kTableFont) * caption.lines());
-    pages_.draw([surface = image->surface, y = pages_.y(), pixel](cairo_t* pen) {
-      cairo_translate(pen, 0.0, y);
+    const double withCaption = height + lineHeight(kTableFont) * caption.lines();
+    const double x = placeInRow(picture.isSmall, withCaption);
+    pages_.draw([surface = image->surface, x, y = pages_.y(), pixel](cairo_t* pen) {
+      cairo_translate(pen, x, y);
       cairo_scale(pen, pixel, pixel);
       cairo_set_source_surface(pen, surface.get(), 0.0, 0.0);
       cairo_paint(pen);
     });
-    pages_.moveOn(height);
-    putLines(pages_, caption, kTableFont, kSoftInk, 0.0, pages_.width());
-    gap(1.6);
+    putLinesAt(caption, kTableFont, kSoftInk, {x, pages_.y() + height}, width);
+    standInRow(picture.isSmall, withCaption + 1.6 * kGap);
+  }
+  /// Of a picture that cannot be shown.
+  void putInstead(const ReportParagraph& paragraph) {
+    endRow();
+    put(paragraph);
   }
 
   PaperPages& pages_;
   const ReportOptions& options_;
   bool isSecondOfRow_ = false;
-  double rowOfPlots_ = 0.0;
+  double row_ = 0.0;  // how high it is
 };
 
 }  // namespace

@@ -10,6 +10,8 @@
 #include "ew/library/case.h"
 #include "ew/measurement/package.h"
 #include "ew/measurement/worksheet.h"
+#include "ew/reports/report_pdf.h"
+#include "ew/reports/worksheet_report.h"
 #include "run/arguments.h"
 #include "run/command.h"
 #include "run/volume_input.h"
@@ -29,6 +31,7 @@ struct MeasureArguments {
   std::string language = "en";
   std::string json;
   std::string csv;
+  std::string pdf;
   std::string dicom;
   std::string patientOf;
 };
@@ -194,6 +197,13 @@ Result<void> writeOutput(const std::string& file, const std::string& text, Run& 
   return {};
 }
 
+/// As a page to print.
+Result<void> writePage(const MeasureArguments& arguments, const Worksheet& sheet, Run& run) {
+  if (arguments.pdf.empty()) return {};
+  const auto pdf = pdfOf(worksheetReport(sheet, {}, arguments.language), {.language = arguments.language});
+  return pdf ? writeOutput(arguments.pdf, *pdf, run) : passOn(pdf.error());
+}
+
 /// As a DICOM structured report, of a case's patient or of nobody.
 Result<void> writeReport(const MeasureArguments& arguments, const Worksheet& sheet, Run& run) {
   if (arguments.dicom.empty()) {
@@ -220,8 +230,8 @@ Result<int> fillSheet(const MeasureArguments& arguments, Run& run) {
   if (arguments.values.empty()) return failure(ErrorCode::badUsage, say<"Give at least one measurement, as in --value BPD=82mm.">());
   const auto package = packageNamed(arguments.package, run);
   if (!package) return passOn(package.error());
-  for (const auto& [file, ending] :
-       {std::pair{arguments.json, ".json"}, std::pair{arguments.csv, ".csv"}, std::pair{arguments.dicom, ".dcm"}})
+  for (const auto& [file, ending] : {std::pair{arguments.json, ".json"}, std::pair{arguments.csv, ".csv"}, std::pair{arguments.pdf, ".pdf"},
+                                     std::pair{arguments.dicom, ".dcm"}})
     if (!file.empty())
       if (auto announced = run.output(file, ending); !announced) return passOn(announced.error());
 
@@ -248,8 +258,10 @@ Result<int> fillSheet(const MeasureArguments& arguments, Run& run) {
   const auto document = toJson(sheet, arguments.language);
   if (auto written = writeOutput(arguments.json, document.dump(2) + "\n", run); !written) return passOn(written.error());
   if (auto written = writeOutput(arguments.csv, toCsv(sheet, arguments.language), run); !written) return passOn(written.error());
+  if (auto written = writePage(arguments, sheet, run); !written) return passOn(written.error());
   if (auto written = writeReport(arguments, sheet, run); !written) return passOn(written.error());
-  if (arguments.json.empty() && arguments.csv.empty() && arguments.dicom.empty()) print(sheet, arguments, run.out());
+  if (arguments.json.empty() && arguments.csv.empty() && arguments.pdf.empty() && arguments.dicom.empty())
+    print(sheet, arguments, run.out());
   std::size_t results = 0, without = 0;
   for (const FilledSection& section : sheet.sections)
     for (const WorksheetRow& row : section.rows) {
@@ -294,6 +306,7 @@ void addMeasure(CLI::App& root, Selection& selection) {
   app.add_option("--language", arguments->language, "Of titles: en or de (en)")->check(CLI::IsMember({"en", "de"}))->type_name("LANGUAGE");
   app.add_option("--json", arguments->json, "Write the worksheet as JSON")->type_name("OUT.json");
   app.add_option("--csv", arguments->csv, "Write the worksheet as a table for a spreadsheet")->type_name("OUT.csv");
+  app.add_option("--pdf", arguments->pdf, "Write the worksheet as pages to print (A4)")->type_name("OUT.pdf");
   app.add_option("--dicom", arguments->dicom, "Write the worksheet as a DICOM structured report (obstetrics by TID 5000, others TID 1500)")
       ->type_name("OUT.dcm");
   app.add_option("--patient", arguments->patientOf, "The case whose invented patient the DICOM report names (nobody)")->type_name("CASE");

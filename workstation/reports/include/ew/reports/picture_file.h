@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "ew/core/result.h"
+#include "ew/reports/report_document.h"
 
 namespace ew {
 
@@ -16,6 +17,9 @@ struct PictureFile {
 /// it may lead to what is not the attempt's.
 /// @error notFound, notReadable, tooLarge, unsupported: the sentence names the file without its folder
 [[nodiscard]] Result<PictureFile> readPicture(const std::filesystem::path& file);
+
+/// That of a report: its bytes, or else its file. @error as readPicture
+[[nodiscard]] Result<PictureFile> pictureOf(const ReportPicture& picture);
 
 /// RFC 4648, with padding.
 [[nodiscard]] std::string base64Of(std::string_view bytes);

@@ -48,28 +48,31 @@ struct ReportColumn {
   bool isNumber = false;  ///< set to the right, in figures of one width
 };
 struct ReportCell {
-  Message text;
+  Message text = {};
   ReportTone tone = ReportTone::plain;
-  std::string link = {};  ///< a file beside the page (kept relative); empty: none
+  std::string link = {};            ///< a file beside the page (kept relative); empty: none
+  std::vector<Message> below = {};  ///< more to it, softer, a line each
 };
 /// The first cell of a row names it.
 struct ReportTable {
-  Message caption;
+  Message caption;  ///< may be empty
   std::vector<ReportColumn> columns;
   std::vector<std::vector<ReportCell>> rows;  ///< each as long as `columns`
 };
 /// A picture file (PNG or JPEG). One that cannot be shown is said so in its place.
 struct ReportPicture {
-  std::filesystem::path file;
-  Message caption;
+  std::filesystem::path file = {};
+  Message caption = {};
+  std::string bytes = {};  ///< what the file would hold; empty: it is read
+  bool isSmall = false;    ///< two stand side by side where there is room
 };
 using ReportBlock = std::variant<ReportHeading, ReportParagraph, ReportList, ReportFacts, ReportTable, ReportPlot, ReportPicture>;
 
 struct ReportDocument {
-  Message title;
-  Message subtitle;                                    ///< under the title; may be empty
-  std::vector<std::pair<Message, std::string>> links;  ///< to other pages of the same folder, by their file names
-  std::vector<ReportBlock> blocks;
+  Message title = {};
+  Message subtitle = {};                                    ///< under the title; may be empty
+  std::vector<std::pair<Message, std::string>> links = {};  ///< to other pages of the same folder, by their file names
+  std::vector<ReportBlock> blocks = {};
   std::optional<std::chrono::sys_seconds> at = {};  ///< of the newest thing that it tells of: the date of a file; nothing: none
 };
 
