@@ -19885,80 +19885,12 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
 <context>
     <name>ew::ui::WorksheetWords</name>
     <message>
-        <source>%1 (usual: %2; %3)</source>
-        <comment>verdict, range, and what is to be known of it</comment>
-        <translation>%1 (üblich: %2; %3)</translation>
-    </message>
-    <message>
-        <source>Examined by: %1</source>
-        <translation>Untersucht von: %1</translation>
-    </message>
-    <message>
-        <source>Simulation, training only: not for diagnosis.</source>
-        <translation>Simulation, nur zur Ausbildung: nicht zur Diagnose.</translation>
-    </message>
-    <message>
-        <source>Gestational age by dates: %1</source>
-        <translation>Schwangerschaftsalter nach Daten: %1</translation>
-    </message>
-    <message>
-        <source>usual</source>
-        <translation>üblich</translation>
-    </message>
-    <message>
-        <source>low</source>
-        <translation>niedrig</translation>
-    </message>
-    <message>
-        <source>high</source>
-        <translation>hoch</translation>
-    </message>
-    <message>
-        <source>%1 (usual: %2)</source>
-        <comment>verdict and range</comment>
-        <translation>%1 (üblich: %2)</translation>
-    </message>
-    <message>
-        <source>percentile %1 (%2 to %3), %4</source>
-        <comment>percentile, its range, and the chart</comment>
-        <translation>Perzentile %1 (%2 bis %3), %4</translation>
-    </message>
-    <message>
-        <source>mean of %1</source>
-        <comment>of several values</comment>
-        <translation>Mittel aus %1</translation>
-    </message>
-    <message>
-        <source>by %1</source>
-        <comment>a formula</comment>
-        <translation>nach %1</translation>
-    </message>
-    <message>
-        <source>from %1</source>
-        <comment>values</comment>
-        <translation>aus %1</translation>
-    </message>
-    <message>
         <source>right</source>
         <translation>rechts</translation>
     </message>
     <message>
         <source>left</source>
         <translation>links</translation>
-    </message>
-    <message>
-        <source>%1 ± %2 d</source>
-        <comment>gestational age and days</comment>
-        <translation>%1 ± %2 d</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <comment>what was measured, and its side</comment>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>Images</source>
-        <translation>Bilder</translation>
     </message>
 </context>
 <context>

@@ -468,9 +468,9 @@ class StoringTest : public WindowFixture {
     sheet.title.english = "Sheet";
     const QImage picture = withWarning(savedPicture(session(), QDateTime::currentDateTime()));
     QVERIFY(picture != savedPicture(session(), QDateTime::currentDateTime()));
-    const auto size = [&](const char* name, const std::vector<ReportPicture>& pictures) {
+    const auto size = [&](const char* name, const std::vector<WorksheetImage>& images) {
       const QString file = files_.path(QLatin1String(name));
-      return writeWorksheet(sheet, QStringLiteral("Case"), QDateTime::currentDateTime(), file.toStdString(), pictures)
+      return writeWorksheet(sheet, QStringLiteral("Case"), QDateTime::currentDateTime(), file.toStdString(), images)
                  ? QFileInfo(file).size()
                  : qint64{0};
     };

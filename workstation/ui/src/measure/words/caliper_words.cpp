@@ -1,14 +1,14 @@
 #include "measure/words/caliper_words.h"
 
 #include <QKeySequence>
-#include <QLocale>
 #include <QStringList>
+
+#include "ew/widgets/words.h"
 
 namespace ew::ui {
 
 using measurement::CaliperKind;
 using measurement::FigureKind;
-using measurement::Unit;
 
 QString CaliperWords::nameOf(CaliperKind kind) {
   switch (kind) {
@@ -117,13 +117,7 @@ QString CaliperWords::iconOf(CaliperKind kind) {
   return QStringLiteral("caliper-") + word.replace(QLatin1Char('_'), QLatin1Char('-'));
 }
 
-QString CaliperWords::textOf(const measurement::Quantity& quantity) {
-  QString text = QString::fromStdString(shown(quantity.unit == Unit::mm2 ? converted(quantity, Unit::cm2) : quantity));
-  text.replace(QLatin1Char('.'), QLocale().decimalPoint());
-  if (text.endsWith(QLatin1String("cm2"))) text.replace(text.size() - 1, 1, QStringLiteral("²"));
-  if (text.endsWith(QLatin1String(" deg"))) text.replace(text.size() - 4, 4, QStringLiteral("°"));
-  return text;
-}
+QString CaliperWords::textOf(const measurement::Quantity& quantity) { return words(quantityText(quantity)); }
 
 QString CaliperWords::mainResult(const measurement::Measured& measured) {
   return measured.figures.empty() ? QString() : textOf(measured.figures.front().quantity);

@@ -24,7 +24,7 @@ struct CaliperWords {
   /// What to click.
   [[nodiscard]] static QString hintOf(measurement::CaliperKind kind);
   [[nodiscard]] static QString iconOf(measurement::CaliperKind kind);
-  /// "82.0 ± 0.9 mm", areas in cm².
+  /// "82.0 ± 0.9 mm" (quantityText).
   [[nodiscard]] static QString textOf(const measurement::Quantity& quantity);
   /// The one that the caliper is for; empty when there is none.
   [[nodiscard]] static QString mainResult(const measurement::Measured& measured);

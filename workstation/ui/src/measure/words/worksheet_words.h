@@ -14,8 +14,6 @@ struct WorksheetWords {
  public:
   /// "right" in the window's language; empty of no side.
   [[nodiscard]] static QString sideOf(const std::string& side);
-  /// "82.0 ± 0.9 mm", gestational ages as "32w1d ± 5 d".
-  [[nodiscard]] static QString textOf(const measurement::Quantity& quantity);
   /// The worksheet as rich text: sections with their rows, ranges, charts and remarks, then what answers say together.
   /// @param quiet colour of what is read second, "#rrggbb"
   [[nodiscard]] static QString htmlOf(const measurement::Worksheet& sheet, const QString& quiet);

@@ -15,6 +15,7 @@
 #include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
+#include "measure/words/caliper_words.h"
 #include "measure/words/worksheet_words.h"
 #include "measure/worksheets/worksheets.h"
 
@@ -158,7 +159,7 @@ void WorksheetDialog::showAll() {
   for (const Examination::Found& found : examination->found()) {
     const PackageItem* item = examination->package().item(found.entry.label);
     const QString side = WorksheetWords::sideOf(found.entry.side), title = words(item->title);
-    const QString value = WorksheetWords::textOf(converted(found.entry.quantity, item->unit));
+    const QString value = CaliperWords::textOf(converted(found.entry.quantity, item->unit));
     values_->addAction(side.isEmpty() ? tr("%1: %2", "an item and its value").arg(title, value)
                                       : tr("%1, %2: %3", "an item, its side and its value").arg(title, side, value),
                        this, [this, picture = found.picture, number = found.number] {

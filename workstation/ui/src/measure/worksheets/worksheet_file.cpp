@@ -2,74 +2,39 @@
 
 #include <QBuffer>
 #include <QLocale>
-#include <QPageLayout>
-#include <QPdfWriter>
-#include <QTextDocument>
-#include <QUrl>
 #include <algorithm>
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "ew/core/ending.h"
 #include "ew/io/safe_file.h"
+#include "ew/reports/report_pdf.h"
+#include "ew/reports/worksheet_report.h"
 #include "ew/widgets/words.h"
-#include "measure/words/worksheet_words.h"
 
 namespace ew::ui {
 namespace {
 
-constexpr int kResolution_dpi = 300;
-constexpr double kText_pt = 10.0;
-
-/// Two in a row, each with its caption.
-QString picturesOf(const std::vector<ReportPicture>& pictures, QTextDocument& document) {
-  if (pictures.empty()) return {};
-  constexpr int kWidth_px = 310;  // of a page of 96 dpi, half of what its margins leave
-  QString html = QStringLiteral("<h3>%1</h3><table cellspacing='8'>").arg(WorksheetWords::tr("Images"));
-  for (std::size_t n = 0; n < pictures.size(); ++n) {
-    const QString name = QStringLiteral("picture%1").arg(n);
-    document.addResource(QTextDocument::ImageResource, QUrl(name), pictures[n].picture);
-    if (n % 2 == 0) html += QStringLiteral("<tr>");
-    html += QStringLiteral("<td><img src='%1' width='%2'><br><small>%3. %4</small></td>")
-                .arg(name)
-                .arg(kWidth_px)
-                .arg(n + 1)
-                .arg(pictures[n].caption.toHtmlEscaped());
-    if (n % 2 == 1 || n + 1 == pictures.size()) html += QStringLiteral("</tr>");
-  }
-  return html + QStringLiteral("</table>");
+std::string pngOf(const QImage& image) {
+  QBuffer png;
+  png.open(QIODevice::WriteOnly);
+  image.save(&png, "PNG");
+  return png.data().toStdString();
 }
 
-QByteArray pdfOf(const measurement::Worksheet& sheet, const QString& title, const QDateTime& at, const std::vector<ReportPicture>& pictures,
-                 const QString& person) {
-  QBuffer pdf;
-  pdf.open(QIODevice::WriteOnly);
-  QPdfWriter writer(&pdf);
-  writer.setPageSize(QPageSize(QPageSize::A4));
-  writer.setPageMargins(QMarginsF(18.0, 18.0, 18.0, 18.0), QPageLayout::Millimeter);
-  writer.setResolution(kResolution_dpi);
-  writer.setTitle(words(sheet.title));
-  writer.setCreator(QStringLiteral("EchoWeave"));
-  QTextDocument document;
-  QFont font(QStringLiteral("DejaVu Sans"));
-  font.setPointSizeF(kText_pt);
-  document.setDefaultFont(font);
-  QString html = QStringLiteral("<h2>%1</h2><p>%2<br>%3</p><p><b>%4</b></p>")
-                     .arg(words(sheet.title).toHtmlEscaped(), title.toHtmlEscaped(), QLocale().toString(at, QLocale::ShortFormat),
-                          WorksheetWords::tr("Simulation, training only: not for diagnosis.").toHtmlEscaped());
-  if (!person.isEmpty()) html += QStringLiteral("<p>%1</p>").arg(WorksheetWords::tr("Examined by: %1").arg(person).toHtmlEscaped());
-  if (sheet.gestation_weeks)
-    html += QStringLiteral("<p>%1</p>")
-                .arg(WorksheetWords::tr("Gestational age by dates: %1")
-                         .arg(WorksheetWords::textOf({*sheet.gestation_weeks, 0.0, measurement::Unit::weeks})));
-  html += WorksheetWords::htmlOf(sheet, QStringLiteral("#505050"));
-  html += QStringLiteral("<p style='color:#505050'>%1</p>").arg(words(sheet.source).toHtmlEscaped());
-  html += picturesOf(pictures, document);
-  document.setHtml(html);
-  document.print(&writer);
-  return pdf.data();
+Result<std::string> paperOf(const measurement::Worksheet& sheet, const QString& title, const QDateTime& at,
+                            const std::vector<WorksheetImage>& images, const QString& person) {
+  const std::string language = QLocale().name().toStdString();
+  WorksheetAbout about{.patient = title.toStdString(),
+                       .moment = verbatim(QLocale().toString(at, QLocale::ShortFormat).toStdString()),
+                       .at = std::chrono::sys_seconds(std::chrono::seconds(at.toSecsSinceEpoch())),
+                       .examiner = person.toStdString()};
+  for (const WorksheetImage& image : images)
+    about.pictures.push_back({.caption = verbatim(image.caption.toStdString()), .bytes = pngOf(image.image), .isSmall = true});
+  return pdfOf(worksheetReport(sheet, std::move(about), language),
+               {.language = language, .words = [](const Message& message) { return words(message).toStdString(); }});
 }
 
 nlohmann::ordered_json withWhose(nlohmann::ordered_json sheet, const QString& title, const QString& person) {
@@ -97,12 +62,12 @@ std::string withWhose(std::string csv, const QString& title, const QString& pers
 }  // namespace
 
 Result<void> writeWorksheet(const measurement::Worksheet& sheet, const QString& title, const QDateTime& at,
-                            const std::filesystem::path& file, const std::vector<ReportPicture>& pictures, const QString& person) {
+                            const std::filesystem::path& file, const std::vector<WorksheetImage>& images, const QString& person) {
   const std::string language = QLocale().name().toStdString();
   if (hasEnding(file, ".csv")) return writeFileSafely(file, withWhose(toCsv(sheet, language), title, person));
   if (hasEnding(file, ".json")) return writeFileSafely(file, withWhose(toJson(sheet, language), title, person).dump(2) + "\n");
-  const QByteArray pdf = pdfOf(sheet, title, at, pictures, person);
-  return writeFileSafely(file, std::string_view(pdf.constData(), static_cast<std::size_t>(pdf.size())));
+  const auto pdf = paperOf(sheet, title, at, images, person);
+  return pdf ? writeFileSafely(file, *pdf) : passOn(pdf.error());
 }
 
 Result<void> writeMeasurements(const measurement::Findings& findings, const QString& title, const std::filesystem::path& file) {

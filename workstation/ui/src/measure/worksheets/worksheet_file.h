@@ -12,18 +12,18 @@
 
 namespace ew::ui {
 
-/// A picture of the examination with the words it must carry.
-struct ReportPicture {
-  QImage picture;
+/// An image of the examination with the words it must carry.
+struct WorksheetImage {
+  QImage image;
   QString caption;
 };
 
 /// Writes a worksheet by the name's ending: .pdf (A4, to print), .csv or .json. Titles are in the window's language. All say that they are
 /// for training only.
-/// @param title of the case @param pictures that follow the worksheet in a PDF, two in a row @param person who measured, as they call
-/// themselves; may be empty @error notWritable
+/// @param title of the case @param images that follow the worksheet in a PDF, two in a row @param person who measured, as they call
+/// themselves; may be empty @error notWritable, unsupported (a PDF, and no font is installed)
 [[nodiscard]] Result<void> writeWorksheet(const measurement::Worksheet& sheet, const QString& title, const QDateTime& at,
-                                          const std::filesystem::path& file, const std::vector<ReportPicture>& pictures = {},
+                                          const std::filesystem::path& file, const std::vector<WorksheetImage>& images = {},
                                           const QString& person = {});
 
 /// Writes all that was measured by the name's ending: .csv or .json. @param title of the case @error notWritable

@@ -13,6 +13,7 @@
 #include "ew/widgets/words.h"
 #include "keys/key_tips.h"
 #include "measure/calipers/calipers.h"
+#include "measure/words/caliper_words.h"
 #include "measure/words/worksheet_words.h"
 #include "measure/worksheets/worksheets.h"
 
@@ -30,7 +31,7 @@ QString meanOf(const std::vector<Quantity>& values, measurement::Unit unit) {
   if (values.empty()) return {};
   double sum = 0.0;
   for (const Quantity& each : values) sum += converted(each, unit).value;
-  return WorksheetWords::textOf({sum / static_cast<double>(values.size()), 0.0, unit});
+  return CaliperWords::textOf({sum / static_cast<double>(values.size()), 0.0, unit});
 }
 
 }  // namespace

@@ -175,12 +175,12 @@ bool Measuring::saveWorksheet() {
                                     {QStringLiteral(".pdf"), QStringLiteral(".csv"), QStringLiteral(".json"), QStringLiteral(".dcm")}}));
   if (file.isEmpty()) return false;
   const measurement::Examination asWritten = *examination;
-  std::vector<ReportPicture> pictures;
-  for (const StoredExamination::Item& item : p.stored.items()) pictures.push_back({withWarning(item.picture), item.caption});
+  std::vector<WorksheetImage> images;
+  for (const StoredExamination::Item& item : p.stored.items()) images.push_back({withWarning(item.picture), item.caption});
   const auto written = saveTogether({pathOf(file)}, [&](const OutputSet& outputs) {
     const QDateTime now = QDateTime::currentDateTime();
     if (!hasEnding(pathOf(file), ".dcm"))
-      return writeWorksheet(asWritten.worksheet(), words(p.session.subject()->title), now, outputs.staged(pathOf(file)), pictures,
+      return writeWorksheet(asWritten.worksheet(), words(p.session.subject()->title), now, outputs.staged(pathOf(file)), images,
                             QString::fromStdString(sdk::personWhoLearns()));
     const auto made = std::chrono::sys_seconds(std::chrono::seconds(now.toSecsSinceEpoch()));
     auto report = writeMeasurementReport(asWritten.worksheet(), {.instanceUid = newDicomUid(), .made = made}, p.storing->studyNow(),
