@@ -17,8 +17,6 @@ namespace fs = std::filesystem;
 
 constexpr int kOutboxFormat = 1;
 constexpr long long kMostAttempts = 1'000'000'000;
-constexpr OutboxStatus kStatuses[] = {OutboxStatus::waiting, OutboxStatus::stored, OutboxStatus::accepted, OutboxStatus::verified,
-                                      OutboxStatus::refused};
 
 std::string textIn(DcmItem& item, const DcmTagKey& tag) {
   OFString text;
@@ -72,9 +70,8 @@ Result<OutboxEntry> readNote(const fs::path& file) {
   OutboxEntry entry{.id = word("instance"), .problem = word("problem")};
   for (const char* name : {kObjectClass, kObjectStudy, kObjectSeries}) entry.about[name] = word(name);
   entry.attempts = static_cast<int>(std::clamp(wholeAt(json, "attempts").value_or(0), 0LL, kMostAttempts));
-  const auto* const status =
-      std::find_if(std::begin(kStatuses), std::end(kStatuses), [&](OutboxStatus each) { return wordOf(each) == word("status"); });
-  if (status == std::end(kStatuses) || !isDicomUid(entry.id) || file.stem() != entry.id) return unusable();
+  const auto status = outboxStatusOf(word("status"));
+  if (!status || !isDicomUid(entry.id) || file.stem() != entry.id) return unusable();
   entry.status = *status;
   return entry;
 }

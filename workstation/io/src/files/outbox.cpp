@@ -78,11 +78,9 @@ std::string lineOf(const OutboxEntry& entry) {
 std::string headOfNotes() { return lineOf(json{{"format", kNotesFormat}}); }
 
 std::optional<OutboxEntry> entryIn(const json& note) {
-  const std::string word = textAt(note, "status");
-  const auto* const status = std::find_if(std::begin(kStatuses), std::end(kStatuses), [&](auto each) { return wordOf(each) == word; });
-  OutboxEntry entry;
-  entry.id = textAt(note, "id");
-  if (entry.id.empty() || status == std::end(kStatuses)) return std::nullopt;
+  const auto status = outboxStatusOf(textAt(note, "status"));
+  OutboxEntry entry{.id = textAt(note, "id")};
+  if (entry.id.empty() || !status) return std::nullopt;
   entry.status = *status;
   entry.attempts = static_cast<int>(std::clamp(wholeAt(note, "attempts").value_or(0), 0LL, kMostAttempts));
   entry.problem = textAt(note, "problem");
@@ -120,6 +118,11 @@ std::string_view wordOf(OutboxStatus status) {
       return "refused";
   }
   return "";
+}
+
+std::optional<OutboxStatus> outboxStatusOf(std::string_view word) {
+  const auto* const found = std::find_if(std::begin(kStatuses), std::end(kStatuses), [&](auto each) { return wordOf(each) == word; });
+  return found == std::end(kStatuses) ? std::nullopt : std::optional(*found);
 }
 
 std::string aboutOf(const OutboxEntry& entry, const std::string& name) {

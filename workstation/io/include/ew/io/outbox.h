@@ -6,6 +6,7 @@
 #include <iosfwd>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,7 @@ enum class OutboxStatus {
   refused    ///< the receiver will not have it; a person has to look at `problem`
 };
 [[nodiscard]] std::string_view wordOf(OutboxStatus status);
+[[nodiscard]] std::optional<OutboxStatus> outboxStatusOf(std::string_view word);
 
 struct OutboxEntry {
   std::string id;
