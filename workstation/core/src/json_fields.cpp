@@ -76,6 +76,15 @@ Error fieldError(const Message& where, const std::string& field, const Message& 
           {{"field", field}, {"found", found.english()}, {"expected", expected.english()}, {"in", where.english()}}};
 }
 
+std::optional<Error> rigidProblem(const glm::dmat4& matrix, const std::string& field, const Message& where) {
+  auto checked = checkRigid(matrix);
+  if (checked) return std::nullopt;
+  Error problem = std::move(checked.error());
+  problem.message = say<"'%1' in %2 cannot be used. %3">(field, where, std::move(problem.message));
+  problem.context.insert(problem.context.begin(), {"field", field});
+  return problem;
+}
+
 Message rangeText(double lowest, double highest) { return say<"a number from %1 to %2">(textOf(lowest), textOf(highest)); }
 
 Message wholeRangeText(long long lowest, long long highest) { return say<"a whole number from %1 to %2">(lowest, highest); }
@@ -217,11 +226,8 @@ std::optional<glm::dmat4> JsonFields::rigid(std::string_view key, const Message&
   }
   if (!fits) return refuse(key, expected.empty() ? say<"16 numbers, row by row">() : expected), std::nullopt;
   const glm::dmat4 matrix = matrixFromRows(rows);
-  if (auto checked = checkRigid(matrix); !checked) {
-    Error problem = std::move(checked.error());
-    problem.message = say<"'%1' in %2 cannot be used. %3">(placeOf(key), reading_->where(), std::move(problem.message));
-    problem.context.insert(problem.context.begin(), {"field", placeOf(key)});
-    reading_->refuse(std::move(problem));
+  if (auto problem = rigidProblem(matrix, placeOf(key), reading_->where())) {
+    reading_->refuse(std::move(*problem));
     return std::nullopt;
   }
   return matrix;

@@ -179,8 +179,6 @@ Result<fs::path> volumeOfCase(const fs::path& folder, const std::string& relativ
   return file;
 }
 
-const std::string& titleForTrainees(const Case& shown) { return shown.titleForTrainees.empty() ? shown.title : shown.titleForTrainees; }
-
 Result<Case> loadCase(const fs::path& folderOrManifest) {
   auto read = readCase(folderOrManifest);
   if (!read) return passOn(read.error());

@@ -232,16 +232,18 @@ std::vector<std::string> echoFilesOf(const Case& opened) {
   return files;
 }
 
-std::vector<Error> problemsOfEchoes(const json& manifest, const fs::path& folder) {
-  if (!manifest.contains(kEchoes)) return {};
-  const auto fields = echoFieldsIn(manifest[kEchoes]);
+std::vector<Error> problemsOfEchoes(const Case& opened) {
+  const json& echoes = memberOf(opened.otherFields, kEchoes);
+  if (echoes.is_null()) return {};
+  const fs::path& folder = opened.folder;
+  const auto fields = echoFieldsIn(echoes);
   if (!fields) return {fields.error()};
   std::vector<Error> problems;
-  if (manifest["volume"].contains("recipe"))
+  if (!opened.volume.recipe.empty())
     problems.push_back({ErrorCode::badField,
                         say<"'echoes' in case.json stands beside a recipe, which makes its own; take one of them out.">(),
                         {{"field", kEchoes}, {"expected", "no echoes beside a recipe"}}});
-  else if (!manifest["volume"].contains("level"))
+  else if (opened.volume.level.empty())
     problems.push_back(fieldError(verbatim(kManifestName), kEchoes, say<"given, and the volume has no level">(),
                                   say<"left out, or beside the volume.level that it belongs to">()));
   for (const auto& [file, field] : {std::pair{&fields->distance, "echoes.distance"}, std::pair{&fields->kind, "echoes.kind"}})

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 #include "ew/core/progress.h"
@@ -13,8 +12,8 @@
 
 namespace ew {
 
-/// What is wrong with "echoes" of a manifest that the schema takes, and with the files it names as far as their headers tell.
-[[nodiscard]] std::vector<Error> problemsOfEchoes(const nlohmann::json& manifest, const std::filesystem::path& folder);
+/// What is wrong with "echoes" of a case that the schema takes, and with the files it names as far as their headers tell.
+[[nodiscard]] std::vector<Error> problemsOfEchoes(const Case& opened);
 
 struct CaseTissue {
   std::shared_ptr<TissueMaps> maps;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <string_view>
 
-#include "case/echo_files.h"
 #include "ew/acquisition/reconstruct_words.h"
 #include "ew/core/foreign_json.h"
 #include "ew/core/json_fields.h"
@@ -27,7 +26,7 @@ constexpr std::array<std::string_view, 25> kTopFields = {"format",       "id",  
                                                          "scene",        "start_pose",   "expert_pose", "previous_examinations",
                                                          "sealed"};
 constexpr std::array<std::string_view, 3> kPatientFields = {"name", "sex", "age_years"};
-constexpr std::array<std::string_view, 8> kVolumeFields = {"file",   "labels",      "level",        "recipe", "recipe_spacing_mm",
+constexpr std::array<std::string_view, 9> kVolumeFields = {"file",   "labels",      "frames",       "level", "recipe", "recipe_spacing_mm",
                                                            "sweeps", "reconstruct", "file_to_world"};
 constexpr std::array<std::string_view, 7> kReconstructFields = {"spacing_mm", "interpolation", "compounding",      "fill_reach_mm",
                                                                 "seam",       "feather_mm",    "labels_spacing_mm"};
@@ -38,8 +37,6 @@ constexpr std::array<std::string_view, 10> kTargetFields = {
     "organ", "label", "reveals_finding"};
 constexpr std::array<std::string_view, 7> kMeasurementFields = {"name", "tolerance", "value",          "kind",
                                                                 "unit", "points_mm", "reveals_finding"};
-Message sceneName() { return say<"the scene of case.json">(); }
-
 /// What the program does not know, at the top and inside the objects it does know.
 json unknownFields(const json& manifest) {
   json unknown = without(manifest, kTopFields);
@@ -68,106 +65,7 @@ Transform<To, From> transformOf(const json& sixteen) {
   return {matrixFromRows(rows)};
 }
 
-void checkMatrix(const json& owner, const char* key, const std::string& place, std::vector<Error>& problems) {
-  JsonReading reading(verbatim(kManifestName));
-  JsonFields(owner, reading, place).rigid(key);
-  if (reading.problem()) problems.push_back(*reading.problem());
-}
-
-Error wrongField(const std::string& field, const Message& found, const Message& expected) {
-  return fieldError(verbatim(kManifestName), field, found, expected);
-}
-
-/// What the schema cannot say: each kind of target has fields of its own.
-void checkTargets(const json& manifest, std::vector<Error>& problems) {
-  if (!manifest.contains("targets")) return;
-  for (std::size_t n = 0; n < manifest["targets"].size(); ++n) {
-    const json& target = manifest["targets"][n];
-    const std::string field = "targets[" + std::to_string(n) + "]";
-    const std::string kind = target["kind"];
-    if (kind == "point" && !target.contains("at_mm"))
-      problems.push_back(wrongField(field + ".at_mm", say<"missing">(), say<"three numbers, mm in the world">()));
-    const bool hasRecipe = manifest["volume"].contains("recipe");
-    if (kind == "structure" && !target.contains("organ") && !target.contains("label"))
-      problems.push_back(wrongField(
-          field + (hasRecipe ? ".organ" : ".label"), say<"missing">(),
-          hasRecipe ? say<"the name of an organ of the patient">() : say<"the number of the structure in the labels of the volume">()));
-    if (target.contains("label") && !manifest["volume"].contains("labels"))
-      problems.push_back(
-          wrongField(field + ".label", say<"given, and the case has no labels">(), say<"left out, or a number of volume.labels">()));
-    if (kind == "plane" && !target.contains("probe_to_world") && !hasRecipe)
-      problems.push_back(
-          wrongField(field, say<"a plane of a patient, and the case has no recipe">(), say<"a plane with probe_to_world">()));
-    if (kind == "structure" && target.contains("organ") && !hasRecipe)
-      problems.push_back(wrongField(field, say<"a structure of a patient, and the case has no recipe">(),
-                                    say<"a structure with a label, or a point or a plane">()));
-    checkMatrix(target, "probe_to_world", field, problems);
-  }
-}
-
-void checkMeasurements(const json& manifest, std::vector<Error>& problems) {
-  if (!manifest.contains("measurements") || manifest["volume"].contains("recipe")) return;
-  for (std::size_t n = 0; n < manifest["measurements"].size(); ++n)
-    if (!manifest["measurements"][n].contains("value"))
-      problems.push_back(wrongField("measurements[" + std::to_string(n) + "].value",
-                                    say<"missing, and the case has no patient who could know it">(),
-                                    say<"the value as it was measured">()));
-}
-
-void checkPictures(const std::filesystem::path& folder, const json& manifest, std::vector<Error>& problems) {
-  if (!manifest.contains("previous_examinations")) return;
-  for (std::size_t n = 0; n < manifest["previous_examinations"].size(); ++n) {
-    const json& examination = manifest["previous_examinations"][n];
-    if (!examination.contains("pictures")) continue;
-    const std::string field = "previous_examinations[" + std::to_string(n) + "].pictures";
-    for (const json& picture : examination["pictures"])
-      if (auto file = fileOfCase(folder, picture.get<std::string>(), field); !file) problems.push_back(file.error());
-  }
-}
-
-void checkFile(const std::filesystem::path& folder, const json& owner, const char* key, const std::string& field,
-               std::vector<Error>& problems) {
-  if (!owner.contains(key)) return;
-  if (auto file = fileOfCase(folder, owner[key].get<std::string>(), field); !file) problems.push_back(file.error());
-}
-
-void checkVolumeFile(const std::filesystem::path& folder, const json& owner, const char* key, const std::string& field,
-                     std::vector<Error>& problems) {
-  if (!owner.contains(key)) return;
-  if (auto file = volumeOfCase(folder, owner[key].get<std::string>(), field); !file) problems.push_back(file.error());
-}
-
-/// The default mannequin and those of the program need no file in the case folder.
-void checkMannequin(const std::filesystem::path& folder, const json& manifest, std::vector<Error>& problems) {
-  const std::string name = textAt(manifest, "mannequin");
-  if (name.empty()) return;
-  auto own = fileOfCase(folder, name, "mannequin");
-  if (own || own.error().code != ErrorCode::notFound) {
-    if (!own) problems.push_back(own.error());
-    return;
-  }
-  std::error_code ignored;
-  const auto resources = resourceFolder();
-  if (folder.empty() || (resources && std::filesystem::exists(*resources / "mannequin" / name, ignored))) return;
-  problems.push_back({ErrorCode::notFound,
-                      say<"The mannequin '%1' is neither in the case folder nor among the program's own; put the file into the case folder "
-                          "or leave the field empty.">(name),
-                      {{"field", "mannequin"}, {"found", name}}});
-}
-
 }  // namespace
-
-const char* nameOf(CaseTarget::Kind kind) {
-  switch (kind) {
-    case CaseTarget::Kind::point:
-      return "point";
-    case CaseTarget::Kind::plane:
-      return "plane";
-    case CaseTarget::Kind::structure:
-      return "structure";
-  }
-  return "";
-}
 
 json ofToday(const json& manifest) {
   if (!manifest.is_object() || !manifest.contains("format") || manifest["format"] != 1) return manifest;
@@ -187,72 +85,6 @@ json ofToday(const json& manifest) {
   migrated.erase("previous_examinations");
   if (!examinations.empty()) migrated["previous_examinations"] = std::move(examinations);
   return migrated;
-}
-
-std::vector<Error> checkManifest(const json& given, const std::filesystem::path& folder) {
-  const json manifest = ofToday(given);
-  if (manifest.is_object() && manifest.contains("format") && manifest["format"].is_number_integer() &&
-      manifest["format"].get<double>() > kCaseFormat) {
-    const std::string found = manifest["format"].dump();
-    return {{ErrorCode::newerFormat,
-             say<"%1 has format %2, and this program reads formats up to %3; open it with a newer EchoWeave.">(std::string(kManifestName),
-                                                                                                               found, kCaseFormat),
-             {{"field", "format"}, {"found", found}, {"expected", "at most " + std::to_string(kCaseFormat)}}}};
-  }
-  auto problems = schemaProblems(manifest, SchemaName::caseManifest, verbatim(kManifestName));
-  // What follows reads the fields as the types the schema promises.
-  if (!problems.empty()) return problems;
-
-  const json& volume = manifest["volume"];
-  checkMatrix(volume, "file_to_world", "volume", problems);
-  for (const char* pose : {"start_pose", "expert_pose"}) checkMatrix(manifest, pose, {}, problems);
-  if (volume.contains("recipe_spacing_mm") && !std::isfinite(volume["recipe_spacing_mm"].get<double>()))
-    problems.push_back(wrongField("volume.recipe_spacing_mm", say<"not a number">(), say<"from 0.1 to 10 mm">()));
-  if (manifest.contains("scene")) {
-    json unknown;
-    if (auto scene = sceneFromJson(manifest["scene"], sceneName(), &unknown); !scene) {
-      Error problem = std::move(scene.error());
-      for (auto& [key, value] : problem.context)
-        if (key == "field") value.insert(0, "scene.");
-      problems.push_back(std::move(problem));
-    }
-  }
-  checkVolumeFile(folder, volume, "file", "volume.file", problems);
-  checkVolumeFile(folder, volume, "labels", "volume.labels", problems);
-  if (volume.contains("labels") && volume.contains("recipe"))
-    problems.push_back({ErrorCode::badField,
-                        say<"'volume.labels' in case.json stands beside a recipe, which makes its own labels; take one of them out.">(),
-                        {{"field", "volume.labels"}, {"expected", "no labels beside a recipe"}}});
-  checkFile(folder, volume, "frames", "volume.frames", problems);
-  if (volume.contains("frames") && !volume.contains("file"))
-    problems.push_back({ErrorCode::badField,
-                        say<"'volume.frames' in case.json stands without the volume that was made of them; take it out.">(),
-                        {{"field", "volume.frames"}, {"expected", "beside volume.file"}}});
-  checkVolumeFile(folder, volume, "level", "volume.level", problems);
-  if (volume.contains("level") && volume.contains("recipe"))
-    problems.push_back({ErrorCode::badField,
-                        say<"'volume.level' in case.json stands beside a recipe, which makes its own level; take one of them out.">(),
-                        {{"field", "volume.level"}, {"expected", "no level beside a recipe"}}});
-  for (Error& problem : problemsOfEchoes(manifest, folder)) problems.push_back(std::move(problem));
-  checkFile(folder, volume, "recipe", "volume.recipe", problems);
-  if (volume.contains("sweeps")) {
-    if (!volume.contains("recipe"))
-      problems.push_back(
-          wrongField("volume.sweeps", say<"given without a recipe">(), say<"left out, or beside the recipe whose patient is swept">()));
-    for (std::size_t n = 0; n < volume["sweeps"].size(); ++n) {
-      const std::string field = "volume.sweeps[" + std::to_string(n) + "]";
-      if (auto file = fileOfCase(folder, volume["sweeps"][n].get<std::string>(), field); !file) problems.push_back(file.error());
-    }
-  } else if (volume.contains("reconstruct")) {
-    problems.push_back(
-        wrongField("volume.reconstruct", say<"given without sweeps">(), say<"left out, or beside the sweeps it is about">()));
-  }
-  if (manifest.contains("sealed")) checkFile(folder, manifest["sealed"], "file", "sealed.file", problems);
-  checkTargets(manifest, problems);
-  checkMeasurements(manifest, problems);
-  checkPictures(folder, manifest, problems);
-  checkMannequin(folder, manifest, problems);
-  return problems;
 }
 
 namespace {
@@ -398,11 +230,30 @@ ordered_json measurementsOf(const Case& edited) {
   return list;
 }
 
-}  // namespace
+CaseVolume caseVolumeOf(const json& object) {
+  CaseVolume volume;
+  volume.file = textAt(object, "file");
+  volume.labels = textAt(object, "labels");
+  volume.frames = textAt(object, "frames");
+  volume.level = textAt(object, "level");
+  volume.recipe = textAt(object, "recipe");
+  volume.recipeSpacing_mm = numberAt(object, "recipe_spacing_mm").value_or(1.0);
+  volume.sweeps = textsAt(object, "sweeps");
+  if (object.contains("reconstruct")) volume.reconstruct = reconstructionOf(object["reconstruct"]);
+  if (object.contains("file_to_world")) volume.fileToWorld = transformOf<frame::World, frame::File>(object["file_to_world"]);
+  return volume;
+}
 
-Result<Case> caseFromManifest(const json& given, const std::filesystem::path& folder) {
-  const json manifest = ofToday(given);
-  if (auto problems = checkManifest(manifest, folder); !problems.empty()) return passOn(std::move(problems.front()));
+/// The scene of a manifest. What it cannot be is told with the place that it has there.
+Result<Scene> sceneIn(const json& manifest) {
+  if (!manifest.contains("scene")) return Scene{};
+  json unknown;
+  auto scene = sceneFromJson(manifest["scene"], sceneName(), &unknown);
+  return scene ? std::move(scene) : passOn(inScene(std::move(scene.error())));
+}
+
+/// What a manifest says that conforms to the schema, whether it can be used or not.
+Case valuesIn(const json& manifest, Scene scene, const std::filesystem::path& folder) {
   Case made;
   made.id = manifest["id"];
   made.title = manifest["title"];
@@ -422,24 +273,10 @@ Result<Case> caseFromManifest(const json& given, const std::filesystem::path& fo
   if (manifest.contains("difficulty")) made.difficulty = manifest["difficulty"].get<int>();
   made.tags = textsAt(manifest, "tags");
   readExpectations(manifest, made);
-  const json& volume = manifest["volume"];
-  made.volume.file = textAt(volume, "file");
-  made.volume.labels = textAt(volume, "labels");
-  made.volume.frames = textAt(volume, "frames");
-  made.volume.level = textAt(volume, "level");
-  made.volume.recipe = textAt(volume, "recipe");
-  made.volume.recipeSpacing_mm = numberAt(volume, "recipe_spacing_mm").value_or(1.0);
-  if (volume.contains("sweeps")) made.volume.sweeps = volume["sweeps"].get<std::vector<std::string>>();
-  if (volume.contains("reconstruct")) made.volume.reconstruct = reconstructionOf(volume["reconstruct"]);
-  if (volume.contains("file_to_world")) made.volume.fileToWorld = transformOf<frame::World, frame::File>(volume["file_to_world"]);
+  made.volume = caseVolumeOf(manifest["volume"]);
   made.mannequin = textAt(manifest, "mannequin");
-  if (manifest.contains("probes")) made.probes = manifest["probes"].get<std::vector<std::string>>();
-  if (manifest.contains("scene")) {
-    json unknown;
-    auto scene = sceneFromJson(manifest["scene"], sceneName(), &unknown);
-    if (!scene) return passOn(std::move(scene.error()));
-    made.scene = std::move(*scene);
-  }
+  made.probes = textsAt(manifest, "probes");
+  made.scene = std::move(scene);
   made.startPose = poseIn(manifest, "start_pose");
   made.expertPose = poseIn(manifest, "expert_pose");
   if (manifest.contains("sealed"))
@@ -447,6 +284,48 @@ Result<Case> caseFromManifest(const json& given, const std::filesystem::path& fo
   made.otherFields = unknownFields(manifest);
   made.folder = folder;
   return made;
+}
+
+/// What a manifest says, and everything that is wrong with it, in which case the values are of no use.
+struct ReadManifest {
+  Case values;
+  std::vector<Error> problems;
+};
+
+ReadManifest readCaseManifest(const json& given, const std::filesystem::path& folder) {
+  const json manifest = ofToday(given);
+  if (manifest.is_object() && manifest.contains("format") && manifest["format"].is_number_integer() &&
+      manifest["format"].get<double>() > kCaseFormat) {
+    const std::string found = manifest["format"].dump();
+    return {{},
+            {{ErrorCode::newerFormat,
+              say<"%1 has format %2, and this program reads formats up to %3; open it with a newer EchoWeave.">(std::string(kManifestName),
+                                                                                                                found, kCaseFormat),
+              {{"field", "format"}, {"found", found}, {"expected", "at most " + std::to_string(kCaseFormat)}}}}};
+  }
+  // What follows reads the fields as the types the schema promises.
+  if (auto problems = schemaProblems(manifest, SchemaName::caseManifest, verbatim(kManifestName)); !problems.empty())
+    return {{}, std::move(problems)};
+  auto scene = sceneIn(manifest);
+  ReadManifest made{valuesIn(manifest, scene.value_or(Scene{}), folder), {}};
+  if (!scene) made.problems.push_back(std::move(scene.error()));
+  if (manifest["volume"].contains("reconstruct") && made.values.volume.sweeps.empty())
+    made.problems.push_back(fieldError(verbatim(kManifestName), "volume.reconstruct", say<"given without sweeps">(),
+                                       say<"left out, or beside the sweeps it is about">()));
+  for (Error& problem : problemsBetweenFields(made.values)) made.problems.push_back(std::move(problem));
+  return made;
+}
+
+}  // namespace
+
+std::vector<Error> checkManifest(const json& manifest, const std::filesystem::path& folder) {
+  return readCaseManifest(manifest, folder).problems;
+}
+
+Result<Case> caseFromManifest(const json& manifest, const std::filesystem::path& folder) {
+  ReadManifest made = readCaseManifest(manifest, folder);
+  if (!made.problems.empty()) return passOn(std::move(made.problems.front()));
+  return std::move(made.values);
 }
 
 ordered_json orderedManifestOf(const Case& edited) {

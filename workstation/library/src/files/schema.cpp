@@ -14,17 +14,10 @@
 
 #include "ew/core/json_fields.h"
 #include "files/schema_text.h"
+#include "files/value_rules.h"
 
 namespace ew {
-namespace {
 
-struct LoadedSchema {
-  nlohmann::json document;
-  valijson::Schema rules;
-};
-
-/// What a schema says a value must be, in its own words, is a text as those of say() are: entered once, and kept as long as the program
-/// runs, for whatever language a window has. A plugin brings the words of its schema with its own.
 Message expectation(const std::string& description) {
   if (description.empty()) return {};
   static std::mutex guard;
@@ -34,6 +27,13 @@ Message expectation(const std::string& description) {
   if (isNew) at->second = new MessageText(at->first.c_str());
   return MessageMaker::of(at->second->text, {});
 }
+
+namespace {
+
+struct LoadedSchema {
+  nlohmann::json document;
+  valijson::Schema rules;
+};
 
 void enterExpectations(const nlohmann::json& schema) {
   if (!schema.is_structured()) return;
@@ -49,19 +49,30 @@ void compile(LoadedSchema& schema) {
 }
 
 const LoadedSchema& loadedSchema(SchemaName name) {
-  const auto load = [](const char* text, LoadedSchema& into) {
+  const auto load = [](const char* text, LoadedSchema& into, bool asksForFields) {
     into.document = nlohmann::json::parse(text);
+    if (!asksForFields) into.document.erase("required");
     compile(into);
     return true;
   };
-  if (name == SchemaName::caseManifest) {
-    static LoadedSchema caseSchema;
-    static const bool ready = load(kCaseSchemaText, caseSchema);
-    static_cast<void>(ready);
-    return caseSchema;
+  switch (name) {
+    case SchemaName::caseManifest: {
+      static LoadedSchema caseSchema;
+      static const bool ready = load(kCaseSchemaText, caseSchema, true);
+      static_cast<void>(ready);
+      return caseSchema;
+    }
+    case SchemaName::caseOtherFields: {
+      static LoadedSchema otherFieldsSchema;
+      static const bool ready = load(kCaseSchemaText, otherFieldsSchema, false);
+      static_cast<void>(ready);
+      return otherFieldsSchema;
+    }
+    case SchemaName::pluginManifest:
+      break;
   }
   static LoadedSchema pluginSchema;
-  static const bool ready = load(kPluginSchemaText, pluginSchema);
+  static const bool ready = load(kPluginSchemaText, pluginSchema, true);
   static_cast<void>(ready);
   return pluginSchema;
 }
@@ -209,6 +220,8 @@ std::size_t longestText(const nlohmann::json& value) {
 constexpr std::size_t kLongestForPatterns = 2000;
 
 }  // namespace
+
+const nlohmann::json& caseRules() { return loadedSchema(SchemaName::caseManifest).document; }
 
 std::vector<Error> schemaProblems(const nlohmann::json& document, SchemaName name, const Message& documentName) {
   const LoadedSchema& schema = loadedSchema(name);

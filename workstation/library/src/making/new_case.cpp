@@ -104,8 +104,6 @@ void dropWhatIsLost(GivenVolume& given) {
 
 }  // namespace
 
-bool hasNoVolume(const Case& opened) { return opened.volume.file.empty() && opened.volume.recipe.empty(); }
-
 RecordingRights rightsOf(const Case& opened) { return {textIn(opened, "attribution"), textIn(opened, "licence")}; }
 
 Case withRights(Case edited, const RecordingRights& rights) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ew/core/compounding.h"
 #include "ew/core/image.h"
 #include "ew/core/memory.h"
 #include "ew/core/progress.h"
@@ -13,14 +14,6 @@
 #include "ew/core/volume.h"
 
 namespace ew {
-
-/// nearest: a pixel goes into the voxel whose centre is nearest, floor(at + 0.5) along each axis.
-/// linear: a pixel is shared among the 8 voxels around it, by trilinear weights.
-/// centred: measured are the voxels of `nearest`, and each takes what the frames show at its centre, not somewhere in it: read between
-///          pixels, over an area as large as a voxel. Between two successive frames at most 2.5 voxels apart it takes their blend, as
-///          FillMethod::sweep blends them; else the mean of the frames that pass through it, weighted with 1 - distance of the plane / half
-///          the voxel's extent. For the mean and the weighted mean; with maximum and latest it is `nearest`.
-enum class Interpolation { nearest, linear, centred };
 
 /// How holes are filled; both only between what was measured, at most `fillReach_mm` apart.
 /// bridges: between measured voxels along 13 directions (fill_holes.h).
@@ -34,16 +27,6 @@ enum class Interpolation { nearest, linear, centred };
 ///          and t come from the two projections in closed form, exact for shifted frames and within angle^2 / 8 of the radius for turned
 ///          ones, and measured voxels keep what was pasted.
 enum class FillMethod { bridges, sweep };
-
-/// What a voxel takes from the pixels that reach it.
-/// mean:    floor(sum of weight * value / sum of weight + 0.5). With linear, a voxel is measured when its weight exceeds 1e-9 pixels.
-/// maximum: the largest. A measured zero counts as measured.
-/// latest:  the last one in the order of the frames, and within a frame of rows and columns.
-/// weighted: as mean, each pixel counted with the weight its frame gives it (PosedFrame::weights). A voxel that only pixels of weight 0
-/// reach
-///          is not measured. Equal weights give the voxels of the mean.
-/// For maximum and latest with linear, a pixel reaches those of the 8 voxels where its weight is at least 1/8, so always one.
-enum class Compounding { mean, maximum, latest, weighted };
 
 /// Which pixels of a frame are image: a rectangle, and within it optionally a fan. Pixel coordinates, centres at integers.
 struct ClipFan {

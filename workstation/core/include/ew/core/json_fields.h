@@ -36,6 +36,9 @@ namespace ew {
 /// "field", "found", "expected" and "in".
 [[nodiscard]] Error fieldError(const Message& where, const std::string& field, const Message& found, const Message& expected);
 
+/// What keeps a matrix from being a placement (checkRigid), said of a field: "'FIELD' in WHERE cannot be used. …"; empty: nothing does.
+[[nodiscard]] std::optional<Error> rigidProblem(const glm::dmat4& matrix, const std::string& field, const Message& where);
+
 /// Parses JSON from an untrusted file. Nesting beyond kDeepestNesting is refused: writing out or destroying a value recurses.
 /// @param where how sentences name the document: verbatim("case.json")
 /// @error badHeader with line and column

@@ -122,9 +122,6 @@ struct GivenVolume {
 /// @error as makeCase; badUsage (a source without a volume)
 [[nodiscard]] Result<GivenVolume> giveVolume(const Case& opened, const CaseSource& source, Progress& progress = noProgress());
 
-/// Whether a case has neither a file nor a recipe. It opens, and says that it has no volume.
-[[nodiscard]] bool hasNoVolume(const Case& opened);
-
 /// Whom to name for the recording, and under which licence it may be passed on; they stand in Case::otherFields.
 struct RecordingRights {
   std::string attribution;

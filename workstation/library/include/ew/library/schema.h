@@ -6,14 +6,12 @@
 #include <vector>
 
 #include "ew/core/result.h"
-#include "ew/library/case.h"
 
 namespace ew {
 
-[[nodiscard]] const char* nameOf(CaseTarget::Kind kind);  ///< the word of case.json: "plane"
-
-/// The schemas of resources/schemas, compiled in, so that checking a file depends on no other file.
-enum class SchemaName { caseManifest, pluginManifest };
+/// The schemas of resources/schemas, compiled in, so that checking a file depends on no other file. caseOtherFields: what that of cases
+/// says of the fields that a Case keeps as JSON (Case::otherFields), of which none has to be there.
+enum class SchemaName { caseManifest, caseOtherFields, pluginManifest };
 
 /// Everything in which `document` departs from the schema, each as a sentence a user can act on, with the context "field"
 /// ("patient.age_years", "start_pose[3]"), "found" and "expected"; empty when it conforms.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ew/core/beams.h"
+#include "ew/core/compounding.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
@@ -43,14 +44,6 @@ struct SeamStroke {
   glm::dvec3 at_mm{0.0};
   double radius_mm = 5.0;
   bool operator==(const SeamStroke&) const = default;
-};
-
-enum class SeamMethod {
-  /// No seam: each voxel is the mean of the views that cover it, weighted by the distance from each view's border (up to featherWidth_mm)
-  /// and by interpolatedWeight where a view was interpolated. Constants are kept exactly; one view on its own grid passes unchanged.
-  feather,
-  nearest,  ///< each voxel to the view in whose inside it lies deepest
-  graphCut  ///< along the surface where the views differ least
 };
 
 struct SeamOptions {
